@@ -1,0 +1,397 @@
+/* thud.h: rigid bodies in two dimensions, in a world that advances in fixed steps.
+ *
+ * Units are the caller's own (metres, pixels), with one length scale in the world def; y is up,
+ * angles are radians counter-clockwise, masses are density times area. One world is used by one
+ * thread at a time; different worlds share nothing.
+ *
+ * Every call that can fail returns a thud_result; when it fails, nothing has changed and the log
+ * hook has heard why. Output pointers may be null where the answer is not wanted, unless said
+ * otherwise. */
+#ifndef THUD_H
+#define THUD_H
+
+#include "thud_math.h"
+#include "thud_shapes.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- handles ----
+ * Index and generation. A zero handle is the null handle. A stale handle, or one of another
+ * world, is refused in every build. */
+typedef struct thud_world thud_world;
+
+typedef struct thud_body_id {
+    uint32_t index1;     /* slot + 1 */
+    uint32_t generation; /* of the slot, mixed with the world's own number */
+} thud_body_id;
+
+typedef struct thud_shape_id {
+    uint32_t index1;
+    uint32_t generation;
+} thud_shape_id;
+
+/* ---- world ---- */
+
+/* The knob between speed and accuracy: how many substeps a step is cut into. Contact stiffness
+ * rises with the substep rate, so more substeps also sink less. */
+typedef enum thud_quality {
+    THUD_QUALITY_DRAFT = 0, /* 2 substeps */
+    THUD_QUALITY_DEFAULT,   /* 4 substeps */
+    THUD_QUALITY_HIGH,      /* 8 substeps */
+    THUD_QUALITY_EXACT,     /* 16 substeps */
+    THUD_QUALITY_COUNT
+} thud_quality;
+
+typedef struct thud_allocator {
+    void *(*allocate)(size_t bytes, void *context); /* 64-byte aligned, or null */
+    void (*release)(void *block, size_t bytes, void *context);
+    void *context;
+} thud_allocator; /* all zero: the C library's */
+
+typedef void thud_log_fn(thud_result result, const char *message, void *context);
+typedef double thud_clock_fn(void *context); /* seconds, from any start, never backwards */
+
+/* One touching pair, as callbacks see it. */
+typedef struct thud_contact {
+    thud_shape_id shape_a, shape_b;
+    thud_body_id body_a, body_b;
+    thud_vec2 normal;         /* from a to b */
+    thud_pos point;           /* in the middle of the contact points */
+    float separation;         /* of the deepest point; negative is penetration */
+    float normal_impulse;     /* epilogue only: the sum really applied over the step */
+    float tangent_impulse;    /* epilogue only; the last substep's */
+    int point_count;          /* 1 or 2 */
+} thud_contact;
+
+/* Called for every touching pair before it is solved. Return false and the collision does not
+ * affect the bodies in this step. */
+typedef bool thud_prologue_fn(thud_world *world, const thud_contact *contact, void *context);
+/* Called for every touching pair that was solved, after the step's motion. */
+typedef void thud_epilogue_fn(thud_world *world, const thud_contact *contact, void *context);
+
+typedef struct thud_world_def {
+    thud_vec2 gravity;           /* length/s^2; default (0, -10) */
+    double time_step;            /* s, (0, 1]; default 1/60 */
+    float length_scale;          /* the size of a typical body, in the caller's unit, [1e-6, 1e6];
+                                    default 1 for metres; every tolerance is a multiple of it */
+    thud_quality quality;        /* default THUD_QUALITY_DEFAULT */
+    int substeps;                /* experts: 1..64; 0 (default) takes the quality's */
+    float contact_stiffness;     /* experts: contact frequency over substep rate, [0.01, 0.5];
+                                    0 takes the default, 1/8 */
+    float contact_damping;       /* experts: damping ratio, [0, 100]; 0 takes the default, 10 */
+    float push_speed;            /* highest speed at which overlap is pushed apart, lengths/s, in
+                                    multiples of length_scale; default 3 */
+    float restitution_threshold; /* slower approaches do not bounce; multiples of length_scale per
+                                    second; default 1 */
+    float hit_speed;             /* approaches faster than this are hit events; default 1, as above */
+    float maximum_speed;         /* multiples of length_scale per second; default 1e6 */
+    bool sleeping;               /* default true */
+    bool continuous;             /* fast bodies do not pass through static shapes; default true */
+    bool contact_events;         /* collect begin, end and hit events; default true */
+    thud_prologue_fn *prologue;  /* null: none */
+    thud_epilogue_fn *epilogue;  /* null: none */
+    void *callback_context;      /* handed to both */
+    thud_allocator allocator;
+    thud_log_fn *log;            /* null: silent */
+    void *log_context;
+    thud_clock_fn *clock;        /* null: stages are not timed */
+    void *clock_context;
+} thud_world_def;
+
+thud_world_def thud_default_world_def(void);
+
+thud_result thud_world_create(const thud_world_def *def, thud_world **out);
+void thud_world_destroy(thud_world *world); /* null is fine */
+
+/* Runs one step. On THUD_ERROR_MEMORY the world is as it was. */
+thud_result thud_world_step(thud_world *world);
+
+/* The world keeps its own time: runs as many whole steps as `elapsed` seconds (>= 0) allow, at
+ * most `max_steps` (>= 1; time beyond that is dropped), and gives in *alpha, in [0, 1), how far
+ * the present lies between the last step and the next, for thud_world_poses. */
+thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps, int *steps,
+                               double *alpha);
+
+thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity); /* wakes everything */
+thud_result thud_world_set_time_step(thud_world *world, double time_step);
+thud_result thud_world_set_quality(thud_world *world, thud_quality quality);
+thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
+
+/* ---- bodies ---- */
+
+typedef enum thud_body_kind {
+    THUD_STATIC = 0, /* never moves by itself */
+    THUD_KINEMATIC,  /* moves at its set velocity, heeds no force */
+    THUD_DYNAMIC,
+    THUD_BODY_KIND_COUNT
+} thud_body_kind;
+
+typedef struct thud_body_def {
+    thud_body_kind kind;      /* default static */
+    thud_pos position;        /* of the body's origin; |x|, |y| <= 1e9 length scales */
+    double angle;             /* |angle| <= 1e6 */
+    thud_vec2 velocity;       /* of the centre of mass */
+    float angular_velocity;   /* rad/s */
+    float gravity_scale;      /* default 1 */
+    float linear_damping;     /* 1/s, >= 0 */
+    float angular_damping;    /* 1/s, >= 0 */
+    bool fixed_rotation;
+    bool may_sleep;           /* default true */
+    uint64_t user_data;
+} thud_body_def;
+
+thud_body_def thud_default_body_def(void);
+
+thud_result thud_body_create(thud_world *world, const thud_body_def *def, thud_body_id *out);
+thud_result thud_body_destroy(thud_world *world, thud_body_id body); /* and its shapes */
+bool thud_body_is_valid(const thud_world *world, thud_body_id body);
+
+typedef struct thud_body_state {
+    thud_body_kind kind;
+    thud_pos position;         /* of the origin */
+    thud_pos center;           /* of mass */
+    double angle;              /* in (-pi, pi] */
+    float cosine, sine;
+    thud_vec2 velocity;
+    float angular_velocity;
+    float mass, inertia;       /* 0 for static and kinematic; inertia 0 when rotation is fixed */
+    float gravity_scale;
+    bool awake, quarantined;
+    uint64_t user_data;
+    int shape_count;
+} thud_body_state;
+
+thud_result thud_body_get(const thud_world *world, thud_body_id body, thud_body_state *out);
+
+/* Edits wake the body, also the bodies that touch it. Inside a callback they take effect at the
+ * start of the next step. */
+thud_result thud_body_set_transform(thud_world *world, thud_body_id body, thud_pos position,
+                                    double angle);
+thud_result thud_body_set_velocity(thud_world *world, thud_body_id body, thud_vec2 velocity,
+                                   float angular_velocity);
+thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body, thud_vec2 impulse,
+                                    thud_pos point);
+/* Acts through the next step only. */
+thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec2 force,
+                                  float torque);
+thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
+thud_result thud_body_set_user_data(thud_world *world, thud_body_id body, uint64_t user_data);
+/* Writes up to `capacity` shape handles; *count is how many the body has. */
+thud_result thud_body_shapes(const thud_world *world, thud_body_id body, thud_shape_id *out,
+                             int capacity, int *count);
+
+/* ---- shapes ---- */
+
+typedef struct thud_filter {
+    uint32_t category; /* what it is; default 1 */
+    uint32_t mask;     /* what it meets; default all */
+    int32_t group;     /* two of the same group: > 0 always meet, < 0 never; 0 no group */
+} thud_filter;
+
+typedef struct thud_shape_def {
+    float density;     /* >= 0; default 1 */
+    float friction;    /* >= 0; default 0.6; a pair's is the geometric mean */
+    float restitution; /* [0, 1]; default 0; a pair's is the larger */
+    thud_filter filter;
+    bool sensor;       /* reports overlaps, collides with nothing */
+    uint64_t user_data;
+} thud_shape_def;
+
+thud_shape_def thud_default_shape_def(void);
+
+/* Offsets are in the body's frame. Sizes (radius, half extents) lie in [1e-4, 16384] length
+ * scales. */
+thud_result thud_shape_create_circle(thud_world *world, thud_body_id body,
+                                     const thud_shape_def *def, thud_vec2 offset, float radius,
+                                     thud_shape_id *out);
+/* An AABB keeps its axes: its body's rotation is fixed from then on, and its angle must be 0. */
+thud_result thud_shape_create_aabb(thud_world *world, thud_body_id body,
+                                   const thud_shape_def *def, thud_vec2 offset,
+                                   thud_vec2 half_extents, thud_shape_id *out);
+thud_result thud_shape_create_obb(thud_world *world, thud_body_id body,
+                                  const thud_shape_def *def, thud_vec2 offset,
+                                  thud_vec2 half_extents, double angle, thud_shape_id *out);
+/* Only on static bodies with angle 0; coordinates are relative to the body's origin; the points
+ * are copied. */
+thud_result thud_shape_create_terrain(thud_world *world, thud_body_id body,
+                                      const thud_shape_def *def, const thud_terrain *terrain,
+                                      thud_shape_id *out);
+thud_result thud_shape_destroy(thud_world *world, thud_shape_id shape);
+bool thud_shape_is_valid(const thud_world *world, thud_shape_id shape);
+
+typedef struct thud_shape_state {
+    thud_shape_kind kind;
+    thud_body_id body;
+    thud_vec2 offset;       /* in the body's frame, from its origin */
+    thud_vec2 half_extents; /* circle: radius, 0; terrain: 0, 0 */
+    double angle;           /* in the body's frame */
+    float density, friction, restitution;
+    thud_filter filter;
+    bool sensor;
+    uint64_t user_data;
+} thud_shape_state;
+
+thud_result thud_shape_get(const thud_world *world, thud_shape_id shape, thud_shape_state *out);
+/* The world's own copy of a terrain; valid until the next edit of the world. */
+thud_result thud_shape_terrain(const thud_world *world, thud_shape_id shape, thud_terrain *out);
+/* Replaces the heights of `count` vertices from `first` on; uniform and irregular terrain. */
+thud_result thud_shape_set_heights(thud_world *world, thud_shape_id shape, int first,
+                                   const double *heights, int count);
+
+/* ---- reading all poses at once ---- */
+
+/* Position relative to the given origin, and rotation, of one body's origin. */
+typedef struct thud_pose {
+    float x, y, c, s;
+} thud_pose;
+
+/* Every body's pose at alpha between the last two steps (0: the one before, 1: the last), by slot
+ * (thud_body_id.index1 - 1); slots without a body have x = y = NaN. Belongs to the world, valid
+ * until its next call. Null and *count = 0 if memory is short. */
+const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha, int *count);
+
+/* ---- events of the last step, in a deterministic order; valid until the next step ---- */
+
+typedef struct thud_contact_event {
+    thud_shape_id shape_a, shape_b; /* of an end event they may have been destroyed since */
+} thud_contact_event;
+
+typedef struct thud_hit_event {
+    thud_shape_id shape_a, shape_b;
+    thud_pos point;
+    thud_vec2 normal;  /* from a to b */
+    float speed;       /* of approach */
+} thud_hit_event;
+
+typedef struct thud_events {
+    const thud_contact_event *begin, *end;
+    const thud_contact_event *sensor_begin, *sensor_end; /* shape_a is the sensor */
+    const thud_hit_event *hit;
+    const thud_body_id *quarantined; /* frozen because they became non-finite */
+    int begin_count, end_count, sensor_begin_count, sensor_end_count, hit_count,
+        quarantined_count;
+} thud_events;
+
+thud_events thud_world_events(const thud_world *world);
+
+/* ---- queries ---- */
+
+typedef struct thud_query_filter {
+    uint32_t category, mask; /* as in thud_filter; all ones by default */
+    bool sensors;            /* sensors too; default false */
+} thud_query_filter;
+
+thud_query_filter thud_default_query_filter(void);
+
+typedef struct thud_ray_hit {
+    thud_shape_id shape;
+    thud_pos point;
+    thud_vec2 normal;
+    double fraction; /* of the translation */
+} thud_ray_hit;
+
+/* The first shape along the ray; *hit = false if none. Filter null: everything but sensors. */
+thud_result thud_world_cast_ray(thud_world *world, thud_pos origin, double dx, double dy,
+                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out);
+
+/* Return false to stop. The world is locked meanwhile. */
+typedef bool thud_overlap_fn(thud_shape_id shape, void *context);
+
+/* Every shape whose bounds overlap the box, in the order of their slots. */
+thud_result thud_world_overlap_aabb(thud_world *world, thud_pos lower, thud_pos upper,
+                                    const thud_query_filter *filter, thud_overlap_fn *fn,
+                                    void *context);
+/* Every shape that really overlaps the circle, AABB or OBB `shape`, placed about `center`
+ * (shape->x, y are an offset from it). */
+thud_result thud_world_overlap_shape(thud_world *world, thud_pos center, const thud_placed *shape,
+                                     const thud_query_filter *filter, thud_overlap_fn *fn,
+                                     void *context);
+
+/* ---- statistics ---- */
+
+typedef enum thud_stage {
+    THUD_STAGE_CHANGES = 0,
+    THUD_STAGE_BROADPHASE,
+    THUD_STAGE_NARROWPHASE,
+    THUD_STAGE_CONTACTS,
+    THUD_STAGE_PREPARE,
+    THUD_STAGE_SOLVE,
+    THUD_STAGE_FINISH,
+    THUD_STAGE_CONTINUOUS,
+    THUD_STAGE_SLEEP,
+    THUD_STAGE_EVENTS,
+    THUD_STAGE_COUNT
+} thud_stage;
+
+const char *thud_stage_name(thud_stage stage);
+
+typedef struct thud_stats {
+    uint64_t steps;
+    int bodies, shapes, awake_bodies, pairs, contacts; /* contacts: touching pairs */
+    int colours, blocks;
+    uint64_t bytes;                       /* memory held by the world */
+    uint64_t step_allocations;            /* made by the last step */
+    double stage_seconds[THUD_STAGE_COUNT]; /* of the last step; 0 without a clock */
+    double step_seconds;
+} thud_stats;
+
+thud_stats thud_world_stats(const thud_world *world);
+
+/* Error and energy of the present state; costs a pass over contacts and bodies. */
+typedef struct thud_measure {
+    double penetration_max, penetration_mean; /* over touching points, lengths */
+    double kinetic_energy, potential_energy;  /* potential against the world's height 0 */
+} thud_measure;
+
+thud_measure thud_world_measure(const thud_world *world);
+
+/* Hash of every body's exact position, angle and velocity, in slot order. */
+uint64_t thud_world_hash(const thud_world *world);
+
+/* ---- debug draw ---- */
+
+typedef enum thud_draw_style {
+    THUD_DRAW_STATIC = 0,
+    THUD_DRAW_KINEMATIC,
+    THUD_DRAW_DYNAMIC,
+    THUD_DRAW_SLEEPING,
+    THUD_DRAW_SENSOR,
+    THUD_DRAW_BOUNDS,
+    THUD_DRAW_CELL,
+    THUD_DRAW_CONTACT,
+    THUD_DRAW_NORMAL,
+    THUD_DRAW_STYLE_COUNT
+} thud_draw_style;
+
+enum {
+    THUD_DRAW_SHAPES = 1 << 0,
+    THUD_DRAW_SHAPE_BOUNDS = 1 << 1,
+    THUD_DRAW_CELLS = 1 << 2,
+    THUD_DRAW_CONTACTS = 1 << 3, /* points and normals */
+    THUD_DRAW_ISLANDS = 1 << 4   /* shapes carry their island's number, see `island` */
+};
+
+/* Null callbacks are skipped. `island` is -1 unless THUD_DRAW_ISLANDS is asked for. Coordinates
+ * are relative to `origin`. */
+typedef struct thud_debug_draw {
+    unsigned flags;
+    thud_pos origin;
+    thud_pos lower, upper; /* shapes outside are skipped */
+    void *context;
+    void (*circle)(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
+                   int island, void *context);
+    void (*box)(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw_style style,
+                int island, void *context);
+    void (*line)(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context);
+    void (*point)(thud_vec2 p, thud_draw_style style, void *context);
+} thud_debug_draw;
+
+thud_result thud_world_draw(thud_world *world, const thud_debug_draw *draw);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,40 @@
+/* thud_math.h: the two vector types that every thud header speaks.
+ * A thud_pos is a place in the world, in double precision. A thud_vec2 is anything
+ * relative: a velocity, an extent, a normal, an offset inside a body. */
+#ifndef THUD_MATH_H
+#define THUD_MATH_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct thud_vec2 {
+    float x, y;
+} thud_vec2;
+
+typedef struct thud_pos {
+    double x, y;
+} thud_pos;
+
+/* Results of every call that can fail. A call that fails changes nothing. */
+typedef enum thud_result {
+    THUD_OK = 0,
+    THUD_ERROR_NULL,    /* a pointer that must not be null is null */
+    THUD_ERROR_INVALID, /* a value is not finite or outside its documented range */
+    THUD_ERROR_STALE,   /* a handle names nothing: destroyed, never made, or of another world */
+    THUD_ERROR_MEMORY,  /* the allocator refused; the world is as before the call */
+    THUD_ERROR_LOCKED   /* not allowed inside a callback */
+} thud_result;
+
+/* A short English sentence for a result; a static string, never null. */
+const char *thud_result_text(thud_result result);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

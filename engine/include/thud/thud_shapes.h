@@ -1,0 +1,116 @@
+/* thud_shapes.h: geometry without a world. Every function is pure: no state, no allocation.
+ * Coordinates are the caller's own, relative to any origin near the shapes, y up, angles in
+ * radians counter-clockwise. */
+#ifndef THUD_SHAPES_H
+#define THUD_SHAPES_H
+
+#include "thud_math.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum thud_shape_kind {
+    THUD_CIRCLE = 0,
+    THUD_AABB,    /* axis-aligned box; never rotates */
+    THUD_OBB,     /* oriented box */
+    THUD_TERRAIN, /* ground line, solid below */
+    THUD_SHAPE_KIND_COUNT
+} thud_shape_kind;
+
+/* A circle, AABB or OBB in its place. */
+typedef struct thud_placed {
+    thud_shape_kind kind; /* not THUD_TERRAIN */
+    double x, y;          /* centre */
+    double c, s;          /* cosine and sine of the angle; 1, 0 unless OBB */
+    double hx, hy;        /* half extents, > 0; a circle's radius is hx, its hy is 0 */
+} thud_placed;
+
+/* Straight motion with turning about the centre, over one unit of time. */
+typedef struct thud_motion {
+    double dx, dy;
+    double turn; /* radians; only an OBB heeds it */
+} thud_motion;
+
+/* The closest (or deepest) features of two shapes. */
+typedef struct thud_closest {
+    double distance;    /* negative: penetration depth along the normal */
+    double nx, ny;      /* unit normal from a to b */
+    double ax, ay;      /* the feature's point on a's surface */
+    double bx, by;      /* ... and on b's */
+} thud_closest;
+
+thud_result thud_placed_check(const thud_placed *shape); /* THUD_OK if finite and in range */
+
+/* True if the shapes share a point. Touching counts. False also for invalid shapes. */
+bool thud_shapes_overlap(const thud_placed *a, const thud_placed *b);
+
+/* Signed distance, normal and closest points. Overlapping shapes give the axis of least
+ * penetration. */
+thud_result thud_shapes_closest(const thud_placed *a, const thud_placed *b, thud_closest *out);
+
+/* Where the ray from (ox, oy) along (dx, dy) first meets the shape. *fraction is in [0, 1] of the
+ * translation, (*nx, *ny) the outward unit normal there. A ray that starts inside hits nothing. */
+bool thud_shape_cast_ray(const thud_placed *shape, double ox, double oy, double dx, double dy,
+                         double *fraction, double *nx, double *ny);
+
+/* First time in [0, 1] at which the moving shapes come within `target` (>= 0) of each other, by
+ * conservative advancement; 1 and *hit = false if they never do. Shapes that start within the
+ * target hit at 0. */
+thud_result thud_shapes_time_of_impact(const thud_placed *a, thud_motion motion_a,
+                                       const thud_placed *b, thud_motion motion_b, double target,
+                                       bool *hit, double *time);
+
+/* ---- terrain ---- */
+
+typedef enum thud_terrain_kind {
+    THUD_TERRAIN_FLAT = 0,  /* an endless straight line: height = slope * x */
+    THUD_TERRAIN_UNIFORM,   /* heights at x0, x0 + spacing, ... */
+    THUD_TERRAIN_IRREGULAR  /* points with strictly increasing x */
+} thud_terrain_kind;
+
+/* A ground line, one-sided: solid below. The caller owns `points` (uniform: only y is read) and
+ * must keep them while the view is used; a world copies them. */
+typedef struct thud_terrain {
+    thud_terrain_kind kind;
+    double slope;           /* flat only: rise over run, |slope| <= 100 */
+    double x0, spacing;     /* uniform only; spacing > 0 */
+    const thud_pos *points; /* uniform and irregular */
+    int count;              /* >= 2 */
+} thud_terrain;
+
+/* Height, normal and interpolation weights at one x. */
+typedef struct thud_terrain_sample {
+    double height;
+    double nx, ny;      /* unit normal, ny > 0 */
+    int segment;        /* between vertices segment and segment + 1; 0 for flat */
+    double weight[2];   /* of those two vertices; they sum to 1 (flat: 1, 0) */
+} thud_terrain_sample;
+
+thud_result thud_terrain_check(const thud_terrain *terrain);
+
+/* Constant time for flat and uniform, logarithmic for irregular. THUD_ERROR_INVALID beyond the
+ * ends. */
+thud_result thud_terrain_sample_at(const thud_terrain *terrain, double x, thud_terrain_sample *out);
+
+/* First and last segment that the interval [x_min, x_max] touches; first > last when none. */
+void thud_terrain_segments(const thud_terrain *terrain, double x_min, double x_max, int *first,
+                           int *last);
+
+/* As thud_shape_cast_ray, against the line from above; a ray that starts below hits nothing. */
+bool thud_terrain_cast_ray(const thud_terrain *terrain, double ox, double oy, double dx, double dy,
+                           double *fraction, double *nx, double *ny);
+
+/* True if the shape reaches the line or the solid ground below it. */
+bool thud_terrain_overlap(const thud_terrain *terrain, const thud_placed *shape);
+
+/* As thud_shapes_time_of_impact with the terrain at rest. */
+thud_result thud_terrain_time_of_impact(const thud_terrain *terrain, const thud_placed *shape,
+                                        thud_motion motion, double target, bool *hit,
+                                        double *time);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
