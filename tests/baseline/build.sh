@@ -1,0 +1,113 @@
+#!/bin/sh
+# Builds Box2D v3.2, the engine that thud is compared with, from its Rust package and leaves
+#   OUT/include/box2d/*.h   its C headers
+#   OUT/lib/libbox2d.a      the library, optimised as Box2D's own release is
+#   OUT/baseline.cmake      sets BOX2D_INCLUDE_DIR, BOX2D_LIBRARY, BOX2D_LINK and BOX2D_BUILD
+# Exit codes: 0 built (or already there), 77 something it needs is missing (one line says what),
+# anything else an error.
+set -eu
+
+usage() {
+    echo "usage: build.sh [OUT]"
+    echo "Builds Box2D v3.2 for the comparison tests and the benchmark into OUT"
+    echo "(default: build/baseline in this repository). Needs cargo >= 1.95 and clang."
+}
+
+missing() {
+    echo "box2d baseline skipped: $1" >&2
+    exit 77
+}
+
+fail() {
+    echo "box2d baseline: $1" >&2
+    exit 1
+}
+
+here=$(cd "$(dirname "$0")" && pwd)
+case "${1:-}" in
+    -h | --help) usage; exit 0 ;;
+    -*) usage >&2; exit 2 ;;
+esac
+[ $# -le 1 ] || { usage >&2; exit 2; }
+out=${1:-$here/../../build/baseline}
+
+command -v cargo >/dev/null 2>&1 || missing "Rust is missing (cargo 1.95 or later, see rustup.rs)"
+rust=$(rustc --version 2>/dev/null | sed -n 's/^rustc 1\.\([0-9]*\)\..*/\1/p')
+[ -n "$rust" ] || missing "rustc does not run"
+[ "$rust" -ge 95 ] || missing "Rust 1.$rust is too old (1.95 or later is needed)"
+
+# clang makes Box2D 10 to 15 % faster than gcc 12 does, so the comparison uses clang.
+clang=
+for candidate in clang-16 clang-19 clang-18 clang-17 clang; do
+    if command -v "$candidate" >/dev/null 2>&1; then
+        clang=$candidate
+        break
+    fi
+done
+[ -n "$clang" ] || missing "clang is missing (Debian package clang-16)"
+
+mkdir -p "$out/crate/src" "$out/lib" "$out/include"
+out=$(cd "$out" && pwd)
+# Built from a copy, so that cargo's lock file stays out of the source tree. Copied only when
+# changed, so that a second call has nothing to do.
+for file in Cargo.toml src/lib.rs; do
+    cmp -s "$here/$file" "$out/crate/$file" || cp "$here/$file" "$out/crate/$file"
+done
+cd "$out/crate"
+cargo fetch --quiet || missing "the package boxdd-sys 0.6.0 could not be fetched"
+
+# By itself the package compiles at -O2 with assertions on; these are the flags of Box2D's own
+# release build. The debug output names every compiler call, for the check below.
+CC=$clang CFLAGS="-O3 -DNDEBUG" CC_ENABLE_DEBUG_OUTPUT=1 \
+    cargo build --quiet --release --offline -j 2 --target-dir "$out/cargo"
+library=$out/cargo/release/libbox2d_baseline.a
+[ -f "$library" ] || fail "cargo made no $library"
+
+# The flags that were really used, from the compiler calls that the newest build script printed:
+# every Box2D source with -O3 as its last level, without assertions.
+log=$(ls -t "$out"/cargo/release/build/boxdd-sys-*/output | head -n 1)
+calls=$(sed -n 's/^running: //p' "$log" | grep '"-c" ".*/src/[a-z_]*\.c"$' || true)
+[ -n "$calls" ] || fail "no compiler call found in $log"
+count=$(printf '%s\n' "$calls" | wc -l | tr -d ' ')
+simd=
+bad=$(printf '%s\n' "$calls" | grep -v '"-O3" "-DNDEBUG"' || true)
+bad=$bad$(printf '%s\n' "$calls" | grep '"-O3" "-DNDEBUG".*"\(-O[^3]*\|-UNDEBUG\)"' || true)
+[ -z "$bad" ] || fail "some sources were compiled without -O3 -DNDEBUG: $bad"
+case $(uname -m) in
+    x86_64)
+        simd=" -mavx2"
+        bad=$(printf '%s\n' "$calls" | grep -v '"-mavx2".*"-DBOX2D_AVX2"' || true)
+        [ -z "$bad" ] || fail "some sources were compiled without AVX2: $bad"
+        ;;
+esac
+# And what came of them: an assertion that is on calls b2InternalAssert, and the contact solver
+# works on 256-bit registers.
+if command -v objdump >/dev/null 2>&1; then
+    code=$(objdump -d --no-show-raw-insn --disassemble=b2SolveContactsTask "$library" 2>/dev/null)
+    if [ -n "$simd" ] && ! printf '%s' "$code" | grep -q '%ymm'; then
+        fail "the contact solver was compiled without 256-bit registers"
+    fi
+    ! nm "$library" 2>/dev/null | grep -q b2InternalAssert || fail "assertions are on"
+fi
+
+manifest=$(cargo metadata --quiet --offline --format-version 1 |
+    grep -o '"manifest_path":"[^"]*boxdd-sys-0\.6\.0/Cargo\.toml"' | head -n 1 | cut -d '"' -f 4)
+headers=${manifest%/Cargo.toml}/third-party/box2d/include/box2d
+[ -f "$headers/box2d.h" ] || fail "no headers in $headers"
+
+rm -rf "$out/include/box2d"
+cp -R "$headers" "$out/include/box2d"
+cmp -s "$library" "$out/lib/libbox2d.a" || cp "$library" "$out/lib/libbox2d.a"
+cat >"$out/baseline.cmake.new" <<END
+# Written by tests/baseline/build.sh.
+set(BOX2D_INCLUDE_DIR "$out/include")
+set(BOX2D_LIBRARY "$out/lib/libbox2d.a")
+set(BOX2D_LINK pthread m dl)
+set(BOX2D_BUILD "$("$clang" --version | head -n 1), -O3 -DNDEBUG$simd, $count sources")
+END
+if cmp -s "$out/baseline.cmake.new" "$out/baseline.cmake"; then
+    rm "$out/baseline.cmake.new"
+else
+    mv "$out/baseline.cmake.new" "$out/baseline.cmake"
+fi
+echo "box2d baseline: $count sources, $clang -O3 -DNDEBUG$simd, checked; in $out"
