@@ -1,0 +1,112 @@
+/* build_thud.c: reads a scene, writes a thud world. The only place where a scene's doubles become
+ * the engine's floats. */
+#include "build_thud.h"
+
+#include <stdlib.h>
+
+static thud_vec2 vec2(double x, double y) {
+    return (thud_vec2){(float)x, (float)y};
+}
+
+static thud_body_kind body_kind(scene_body_kind kind) {
+    return kind == SCENE_STATIC      ? THUD_STATIC
+           : kind == SCENE_KINEMATIC ? THUD_KINEMATIC
+                                     : THUD_DYNAMIC;
+}
+
+static thud_result add_terrain(thud_world *world, thud_body_id body, const thud_shape_def *def,
+                               const scene *s, const scene_shape *shape) {
+    thud_terrain terrain = {.slope = shape->slope, .spacing = shape->spacing};
+    if (shape->kind == SCENE_TERRAIN_FLAT) {
+        terrain.kind = THUD_TERRAIN_FLAT;
+        return thud_shape_create_terrain(world, body, def, &terrain, NULL);
+    }
+    thud_pos *points = malloc((size_t)shape->point_count * sizeof *points + 1);
+    if (!points)
+        return THUD_ERROR_MEMORY;
+    for (int i = 0; i < shape->point_count; i++) {
+        const scene_point *p = &s->points[shape->first_point + i];
+        points[i] = (thud_pos){p->x, p->y};
+    }
+    bool uniform = shape->kind == SCENE_TERRAIN_UNIFORM;
+    terrain.kind = uniform ? THUD_TERRAIN_UNIFORM : THUD_TERRAIN_IRREGULAR;
+    terrain.x0 = uniform && shape->point_count > 0 ? points[0].x : 0;
+    terrain.points = points;
+    terrain.count = shape->point_count;
+    thud_result result = thud_shape_create_terrain(world, body, def, &terrain, NULL);
+    free(points);
+    return result;
+}
+
+static thud_result add_shape(thud_world *world, thud_body_id body, const scene *s,
+                             const scene_shape *shape) {
+    thud_shape_def def = thud_default_shape_def();
+    def.density = (float)shape->material.density;
+    def.friction = (float)shape->material.friction;
+    def.restitution = (float)shape->material.restitution;
+    def.sensor = shape->sensor;
+    def.filter = (thud_filter){shape->category, shape->mask, shape->group};
+    thud_vec2 offset = vec2(shape->x, shape->y);
+    thud_vec2 half = vec2(shape->hx, shape->hy);
+    switch (shape->kind) {
+    case SCENE_CIRCLE:
+        return thud_shape_create_circle(world, body, &def, offset, half.x, NULL);
+    case SCENE_AABB:
+        return thud_shape_create_aabb(world, body, &def, offset, half, NULL);
+    case SCENE_OBB:
+        return thud_shape_create_obb(world, body, &def, offset, half, shape->angle, NULL);
+    case SCENE_TERRAIN_FLAT:
+    case SCENE_TERRAIN_UNIFORM:
+    case SCENE_TERRAIN_IRREGULAR:
+        return add_terrain(world, body, &def, s, shape);
+    }
+    return THUD_ERROR_INVALID;
+}
+
+static thud_result add_body(thud_world *world, const scene *s, const scene_body *body,
+                            thud_body_id *out) {
+    thud_body_def def = thud_default_body_def();
+    def.kind = body_kind(body->kind);
+    def.position = (thud_pos){body->x, body->y};
+    def.angle = body->angle;
+    def.velocity = vec2(body->vx, body->vy);
+    def.angular_velocity = (float)body->angular_velocity;
+    def.gravity_scale = (float)body->gravity_scale;
+    def.linear_damping = (float)body->linear_damping;
+    def.angular_damping = (float)body->angular_damping;
+    def.fixed_rotation = body->fixed_rotation;
+    def.may_sleep = body->may_sleep;
+    def.user_data = body->id;
+    thud_result result = thud_body_create(world, &def, out);
+    for (int i = 0; result == THUD_OK && i < body->shape_count; i++)
+        result = add_shape(world, *out, s, &s->shapes[body->first_shape + i]);
+    return result;
+}
+
+thud_result scene_build_thud(const scene *s, const thud_world_def *settings, thud_world **out,
+                             thud_body_id *bodies, int *failed_body) {
+    *out = NULL;
+    if (failed_body)
+        *failed_body = -1;
+    if (s->failed)
+        return THUD_ERROR_MEMORY;
+    thud_world_def def = settings ? *settings : thud_default_world_def();
+    def.gravity = vec2(s->gravity_x, s->gravity_y);
+    def.length_scale = (float)s->length_scale;
+    thud_world *world = NULL;
+    thud_result result = thud_world_create(&def, &world);
+    for (int i = 0; result == THUD_OK && i < s->body_count; i++) {
+        thud_body_id id;
+        result = add_body(world, s, &s->bodies[i], &id);
+        if (result != THUD_OK && failed_body)
+            *failed_body = i;
+        if (result == THUD_OK && bodies)
+            bodies[i] = id;
+    }
+    if (result != THUD_OK) {
+        thud_world_destroy(world);
+        return result;
+    }
+    *out = world;
+    return THUD_OK;
+}

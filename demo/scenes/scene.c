@@ -1,0 +1,176 @@
+/* scene.c: growable arrays behind a scene description. Once memory has run out every helper
+ * hands out a spare, so that a scene's code needs no checks; `failed` tells at the end. */
+#include "scene.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void scene_init(scene *s) {
+    *s = (scene){
+        .name = "",
+        .title = "",
+        .about = "",
+        .gravity_y = -10,
+        .length_scale = 1,
+        .camera_height = 20,
+        .material = {.density = 1, .friction = 0.6, .restitution = 0},
+    };
+}
+
+void scene_free(scene *s) {
+    free(s->bodies);
+    free(s->shapes);
+    free(s->points);
+    free(s->owned_text);
+    scene_init(s);
+}
+
+double scene_grid(double x) {
+    return floor(x * 65536.0 + 0.5) / 65536.0;
+}
+
+/* Makes room for `more` elements behind `count`; false, and nothing changed, without memory. */
+static bool make_room(void **array, int *capacity, int count, int more, size_t element) {
+    if (more <= *capacity - count)
+        return true;
+    int wanted = *capacity < 64 ? 64 : *capacity;
+    while (wanted - count < more) {
+        if (wanted > (1 << 29))
+            return false;
+        wanted *= 2;
+    }
+    void *grown = realloc(*array, (size_t)wanted * element);
+    if (!grown)
+        return false;
+    *array = grown;
+    *capacity = wanted;
+    return true;
+}
+
+scene_body *scene_add_body(scene *s, scene_body_kind kind, double x, double y) {
+    scene_body *body = &s->spare_body;
+    void *bodies = s->bodies;
+    if (!s->failed && make_room(&bodies, &s->body_capacity, s->body_count, 1, sizeof *s->bodies)) {
+        s->bodies = bodies;
+        body = &s->bodies[s->body_count++];
+    } else {
+        s->failed = true;
+    }
+    *body = (scene_body){
+        .kind = kind,
+        .x = scene_grid(x),
+        .y = scene_grid(y),
+        .gravity_scale = 1,
+        .may_sleep = true,
+        .first_shape = s->shape_count,
+    };
+    return body;
+}
+
+/* The shape belongs to the latest body. */
+static scene_shape *add_shape(scene *s, scene_shape_kind kind) {
+    scene_shape *shape = &s->spare_shape;
+    void *shapes = s->shapes;
+    if (!s->failed && s->body_count > 0 &&
+        make_room(&shapes, &s->shape_capacity, s->shape_count, 1, sizeof *s->shapes)) {
+        s->shapes = shapes;
+        shape = &s->shapes[s->shape_count++];
+        s->bodies[s->body_count - 1].shape_count++;
+    } else {
+        s->failed = true;
+    }
+    *shape =
+        (scene_shape){.kind = kind, .material = s->material, .category = 1, .mask = UINT32_MAX};
+    return shape;
+}
+
+scene_shape *scene_add_circle(scene *s, double radius) {
+    scene_shape *shape = add_shape(s, SCENE_CIRCLE);
+    shape->hx = radius;
+    return shape;
+}
+
+scene_shape *scene_add_aabb(scene *s, double hx, double hy) {
+    scene_shape *shape = add_shape(s, SCENE_AABB);
+    shape->hx = hx;
+    shape->hy = hy;
+    if (!s->failed)
+        s->bodies[s->body_count - 1].fixed_rotation = true;
+    return shape;
+}
+
+scene_shape *scene_add_obb(scene *s, double hx, double hy) {
+    scene_shape *shape = add_shape(s, SCENE_OBB);
+    shape->hx = hx;
+    shape->hy = hy;
+    return shape;
+}
+
+scene_shape *scene_add_flat(scene *s, double slope) {
+    scene_shape *shape = add_shape(s, SCENE_TERRAIN_FLAT);
+    shape->slope = slope;
+    return shape;
+}
+
+/* Room for a terrain's points, or null. */
+static scene_point *add_points(scene *s, scene_shape *shape, int count) {
+    void *points = s->points;
+    if (s->failed || count < 0 ||
+        !make_room(&points, &s->point_capacity, s->point_count, count, sizeof *s->points)) {
+        s->failed = true;
+        return NULL;
+    }
+    s->points = points;
+    shape->first_point = s->point_count;
+    shape->point_count = count;
+    s->point_count += count;
+    return &s->points[shape->first_point];
+}
+
+scene_shape *scene_add_uniform(scene *s, double x0, double spacing, const double *heights,
+                               int count) {
+    scene_shape *shape = add_shape(s, SCENE_TERRAIN_UNIFORM);
+    shape->spacing = spacing;
+    scene_point *points = add_points(s, shape, count);
+    for (int i = 0; points && i < count; i++)
+        points[i] = (scene_point){x0 + i * spacing, heights[i]};
+    return shape;
+}
+
+scene_shape *scene_add_irregular(scene *s, const scene_point *points, int count) {
+    scene_shape *shape = add_shape(s, SCENE_TERRAIN_IRREGULAR);
+    scene_point *copy = add_points(s, shape, count);
+    if (copy && count > 0)
+        memcpy(copy, points, (size_t)count * sizeof *points);
+    return shape;
+}
+
+scene_body *scene_static_box(scene *s, double x, double y, double hx, double hy) {
+    scene_body *body = scene_add_body(s, SCENE_STATIC, x, y);
+    scene_add_aabb(s, hx, hy);
+    return body;
+}
+
+scene_body *scene_dynamic_box(scene *s, double x, double y, double hx, double hy) {
+    scene_body *body = scene_add_body(s, SCENE_DYNAMIC, x, y);
+    scene_add_obb(s, hx, hy);
+    return body;
+}
+
+scene_body *scene_dynamic_circle(scene *s, double x, double y, double radius) {
+    scene_body *body = scene_add_body(s, SCENE_DYNAMIC, x, y);
+    scene_add_circle(s, radius);
+    return body;
+}
+
+void scene_shift(scene *s, double dx, double dy) {
+    for (int i = 0; i < s->body_count; i++) {
+        s->bodies[i].x += dx;
+        s->bodies[i].y += dy;
+    }
+    s->camera_x += dx;
+    s->camera_y += dy;
+    s->spawn_x += dx;
+    s->spawn_y += dy;
+}

@@ -1,0 +1,118 @@
+/* scene.h: a scene as a plain description, known to no engine.
+ *
+ * The built-in scenes (scenes.h) and the levels (../level) fill one; build_thud.h turns it into a
+ * thud world, and the comparison with Box2D builds the very same one there. Only doubles here:
+ * whoever builds a world rounds to float once, so that every builder starts from equal bits.
+ *
+ * Units are metres, seconds, kilograms and radians, y up, angles counter-clockwise. The order of
+ * bodies, and of the shapes of a body, is the order of creation. Bodies lie on a grid of 2^-16
+ * (scene_grid), so that a shift by whole numbers up to 10^7 is exact in double precision. */
+#ifndef THUD_DEMO_SCENE_H
+#define THUD_DEMO_SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef enum scene_body_kind {
+    SCENE_STATIC = 0,
+    SCENE_KINEMATIC, /* a motor: turns and travels at its set velocity for ever */
+    SCENE_DYNAMIC
+} scene_body_kind;
+
+typedef enum scene_shape_kind {
+    SCENE_CIRCLE = 0,
+    SCENE_AABB, /* never rotates: only on bodies with fixed_rotation (or static) and angle 0 */
+    SCENE_OBB,
+    SCENE_TERRAIN_FLAT,     /* endless line through the body's origin: height = slope * x */
+    SCENE_TERRAIN_UNIFORM,  /* points at equal distances `spacing`, from the first one's x on */
+    SCENE_TERRAIN_IRREGULAR /* points with strictly increasing x */
+} scene_shape_kind;
+
+/* All terrain is one-sided: solid below. Its points are relative to the body's origin. */
+typedef struct scene_point {
+    double x, y;
+} scene_point;
+
+typedef struct scene_material {
+    double density;     /* kg/m^2; default 1 */
+    double friction;    /* default 0.6 */
+    double restitution; /* [0, 1]; default 0 */
+} scene_material;
+
+typedef struct scene_shape {
+    scene_shape_kind kind;
+    double x, y;   /* offset in the body's frame */
+    double hx, hy; /* half extents; a circle's radius is hx, its hy is 0 */
+    double angle;  /* OBB: in the body's frame */
+    double slope;  /* flat terrain */
+    double spacing; /* uniform terrain */
+    int first_point, point_count; /* uniform and irregular terrain: in scene.points */
+    scene_material material;
+    bool sensor;
+    uint32_t category, mask; /* default 1, all */
+    int32_t group;           /* default 0: none */
+} scene_shape;
+
+typedef struct scene_body {
+    scene_body_kind kind;
+    double x, y, angle;
+    double vx, vy, angular_velocity;
+    double gravity_scale; /* default 1 */
+    double linear_damping, angular_damping;
+    bool fixed_rotation;
+    bool may_sleep; /* default true */
+    uint32_t id;    /* of the object in a level file; 0 in built-in scenes */
+    int first_shape, shape_count; /* in scene.shapes */
+} scene_body;
+
+typedef struct scene {
+    const char *name;  /* the registry's, or the level's file name without folder and suffix */
+    const char *title; /* for a menu */
+    const char *about; /* one sentence: what to look at */
+    double gravity_x, gravity_y;         /* default 0, -10 */
+    double length_scale;                 /* of a typical body; default 1 */
+    double camera_x, camera_y;           /* what to look at first ... */
+    double camera_height;                /* ... and how many metres of it from top to bottom */
+    double spawn_x, spawn_y;             /* where a viewer drops new bodies */
+    scene_body *bodies;
+    scene_shape *shapes;
+    scene_point *points;
+    int body_count, shape_count, point_count;
+    int body_capacity, shape_capacity, point_capacity;
+    scene_material material; /* given to every shape that is added from now on */
+    bool failed;             /* memory ran out while filling: the scene is incomplete */
+    scene_body spare_body;   /* what the helpers hand out once memory has run out */
+    scene_shape spare_shape;
+    char *owned_text;        /* storage behind name, title and about of a level; else null */
+} scene;
+
+/* An empty scene with the defaults above. Every scene_init needs its scene_free. */
+void scene_init(scene *s);
+void scene_free(scene *s);
+
+/* The nearest multiple of 2^-16: floor(x * 65536 + 0.5) / 65536. */
+double scene_grid(double x);
+
+/* Adds a body; the shapes that follow are its own. The pointer, like those below, is never null
+ * and valid until the next call that adds something: set through it what is not default. */
+scene_body *scene_add_body(scene *s, scene_body_kind kind, double x, double y);
+scene_shape *scene_add_circle(scene *s, double radius);
+scene_shape *scene_add_aabb(scene *s, double hx, double hy); /* fixes its body's rotation */
+scene_shape *scene_add_obb(scene *s, double hx, double hy);
+scene_shape *scene_add_flat(scene *s, double slope);
+/* Heights at x0, x0 + spacing, ... */
+scene_shape *scene_add_uniform(scene *s, double x0, double spacing, const double *heights,
+                               int count);
+scene_shape *scene_add_irregular(scene *s, const scene_point *points, int count);
+
+/* A body with one shape, which is what most scenes are made of. Static boxes are AABBs, dynamic
+ * ones OBBs. */
+scene_body *scene_static_box(scene *s, double x, double y, double hx, double hy);
+scene_body *scene_dynamic_box(scene *s, double x, double y, double hx, double hy);
+scene_body *scene_dynamic_circle(scene *s, double x, double y, double radius);
+
+/* Moves everything, and the camera, by (dx, dy): exact for whole numbers up to 10^7. */
+void scene_shift(scene *s, double dx, double dy);
+
+#endif
