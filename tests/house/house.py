@@ -1,0 +1,211 @@
+"""The rules of the house, checked on a source tree: house.py ROOT [FLOORS].
+
+  floors      a file of engine/src includes nothing from a higher floor, and a stage no other stage
+  listed      every file of engine/src has its one line in floors.txt, every line has its files
+  cycles      no file includes itself, however far round
+  public      a public header includes only public headers and the C library's
+  outside     demo/ and web/ speak to the engine through its public headers alone
+  intrinsics  processor-specific code stands only in engine/src/simd.h
+  length      no C file of engine/ or demo/ is longer than 400 lines
+  sources     the C files that the CMakeLists name are those that are there
+
+Prints one line per breach and exits with 1 if there is any.
+"""
+
+import fnmatch
+import re
+import sys
+from pathlib import Path
+
+LONGEST = 400
+TREES = ("engine", "demo", "tests", "web")
+SKIPPED = {"node_modules", "target", "dist", "build"}
+INTRINSICS_HOME = "engine/src/simd.h"
+INTRINSICS = re.compile(
+    r"\b(?:[a-z]*mmintrin|immintrin|x86intrin|arm_neon|arm_sve|wasm_simd128)\.h\b"
+    r"|\b_mm(?:256|512)?_\w+\s*\("
+    r"|\b__m(?:128|256|512)[di]?\b"
+    r"|\bwasm_(?:[iuf]\d+x\d+|v128)_\w+\s*\("
+    r"|\bv[a-z0-9]+q?(?:_n|_lane)?_[fsu](?:8|16|32|64)\s*\("
+    r"|\b__builtin_(?:ia32|neon|wasm)_\w+")
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"][^>"\n]*[>"]|\w+)', re.MULTILINE)
+COMMENT = re.compile(r'//[^\n]*|/\*.*?\*/|("(?:\\.|[^"\\\n])*")', re.DOTALL)
+
+
+def read(path):
+    return path.read_text(encoding="utf-8")
+
+
+def without_comments(text):
+    return COMMENT.sub(lambda match: match.group(1) or " ", text)
+
+
+def c_files(root):
+    """Every C file of the project, as a path relative to the root."""
+    found = []
+    for tree in TREES:
+        for path in sorted((root / tree).rglob("*")):
+            relative = path.relative_to(root)
+            if path.suffix in (".c", ".h", ".inl") and not SKIPPED & set(relative.parts):
+                found.append(relative)
+    return found
+
+
+def read_floors(path):
+    """(floor, is stage, pattern) per line of the table."""
+    floors = []
+    for line in read(path).splitlines():
+        words = line.split("#")[0].split()
+        if words:
+            floors.append((int(words[0]), "stage" in words[1:-1], words[-1]))
+    return floors
+
+
+def resolve(root, includer, name):
+    """The project's file that an include means, or None for one from elsewhere."""
+    places = [root / "engine/include", root / "engine/src", *sorted((root / "demo").glob("*/"))]
+    if name.startswith('"'):
+        places.insert(0, root / includer.parent)
+    for place in places:
+        candidate = (place / name[1:-1]).resolve()
+        if candidate.is_file() and candidate.is_relative_to(root):
+            return candidate.relative_to(root)
+    return None
+
+
+def include_graph(root, files):
+    """{file: [(include as written, project file or None)]}"""
+    return {file: [(name, resolve(root, file, name) if name[0] in '<"' else None)
+                   for name in INCLUDE.findall(without_comments(read(root / file)))]
+            for file in files}
+
+
+def in_directory(file, directory):
+    return file is not None and file.is_relative_to(directory)
+
+
+def check_listed(root, floors):
+    names = sorted(path.name for path in (root / "engine/src").iterdir() if path.is_file())
+    for name in names:
+        lines = [pattern for _, _, pattern in floors if fnmatch.fnmatchcase(name, pattern)]
+        if len(lines) != 1:
+            yield f"listed: engine/src/{name} matches {len(lines)} lines of floors.txt, not 1"
+    for _, _, pattern in floors:
+        if not fnmatch.filter(names, pattern):
+            yield f"listed: no file of engine/src matches the line {pattern} of floors.txt"
+
+
+def check_floors(graph, floors):
+    def place(file):
+        return next(((floor, stage) for floor, stage, pattern in floors
+                     if fnmatch.fnmatchcase(file.name, pattern)), None)
+
+    for file, includes in graph.items():
+        if not in_directory(file, "engine/src"):
+            continue
+        here = place(file)
+        for name, target in includes:
+            if name[0] not in '<"':
+                yield f"floors: {file} includes the macro {name}, which no reader can follow"
+            elif name[0] == '"' and target is None:
+                yield f"floors: {file} includes {name}, which is not in the tree"
+            there = place(target) if in_directory(target, "engine/src") else None
+            if here is None or there is None:
+                continue
+            if there[0] > here[0]:
+                yield f"floors: {file} (floor {here[0]}) includes {target} (floor {there[0]})"
+            if here[1] and there[1] and file.stem != target.stem:
+                yield f"floors: the stage {file} includes the stage {target}"
+
+
+def check_cycles(graph):
+    done, trail = set(), []
+
+    def visit(file):
+        if file in trail:
+            loop = trail[trail.index(file):] + [file]
+            yield "cycles: " + " -> ".join(map(str, loop))
+        elif file not in done:
+            trail.append(file)
+            for _, target in graph.get(file, ()):
+                if target is not None:
+                    yield from visit(target)
+            trail.pop()
+            done.add(file)
+
+    for file in graph:
+        yield from visit(file)
+
+
+def check_public(graph):
+    for file, includes in graph.items():
+        if in_directory(file, "engine/include"):
+            for name, target in includes:
+                if not in_directory(target, "engine/include") and (target or name[0] != "<"):
+                    yield f"public: {file} includes {name}, which is no public header"
+        if in_directory(file, "demo") or in_directory(file, "web"):
+            for name, target in includes:
+                if in_directory(target, "engine/src"):
+                    yield f"outside: {file} includes {name}, which is internal to the engine"
+
+
+def check_intrinsics(root, files):
+    for file in files:
+        if file.as_posix() != INTRINSICS_HOME:
+            found = INTRINSICS.search(without_comments(read(root / file)))
+            if found:
+                yield f"intrinsics: {file} has {found.group().rstrip('( ')}"
+
+
+def check_length(root, files):
+    for file in files:
+        if file.parts[0] in ("engine", "demo"):
+            lines = len(read(root / file).splitlines())
+            if lines > LONGEST:
+                yield f"length: {file} has {lines} lines, more than {LONGEST}"
+
+
+def check_sources(root, files):
+    named = set()
+    for tree in TREES:
+        for cmake in sorted((root / tree).rglob("CMakeLists.txt")):
+            text = re.sub(r"#[^\n]*", "", read(cmake))
+            text = text.replace("${CMAKE_CURRENT_SOURCE_DIR}/", "")
+            text = text.replace("${PROJECT_SOURCE_DIR}", str(root))
+            for name in re.findall(r"[^\s()\"]+\.c(?=[\s)\"])", text):
+                source = (cmake.parent / name).resolve()
+                if "*" in name or "${" in name:
+                    yield f"sources: {cmake.relative_to(root)} does not name {name} outright"
+                elif source.is_relative_to(root):
+                    named.add(source.relative_to(root))
+    present = {file for file in files if file.suffix == ".c"}
+    for file in sorted(present - named):
+        yield f"sources: {file} is in no CMakeLists.txt"
+    for file in sorted(named - present):
+        yield f"sources: a CMakeLists.txt names {file}, which is not there"
+
+
+def breaches(root, floors_path):
+    root = root.resolve()
+    floors = read_floors(floors_path)
+    files = c_files(root)
+    graph = include_graph(root, files)
+    return [*check_listed(root, floors), *check_floors(graph, floors), *check_cycles(graph),
+            *check_public(graph), *check_intrinsics(root, files), *check_length(root, files),
+            *check_sources(root, files)]
+
+
+def main(arguments):
+    if len(arguments) not in (1, 2) or arguments[0] in ("-h", "--help"):
+        print(__doc__)
+        return 0 if arguments and arguments[0] in ("-h", "--help") else 2
+    floors = Path(arguments[1]) if len(arguments) == 2 else Path(__file__).parent / "floors.txt"
+    found = breaches(Path(arguments[0]), floors)
+    for line in found:
+        print(line)
+    print(f"{len(found)} breaches of the rules of the house")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
