@@ -1,0 +1,45 @@
+/* bullets.c: fast small bodies between static walls 0.02 m thick, which they must not pass.
+ *
+ * Every lane is a closed room of its own: four static walls, then the bullet. Speeds go from 10
+ * to 10^5 m/s, kinds from circle over upright box to turning box. */
+#include "scenes.h"
+
+static void add_lane(scene *s, double y, double speed, int kind) {
+    const double thin = 0.01; /* half a wall's thickness */
+    const double half_width = 12, half_height = 0.9;
+    scene_static_box(s, 0, y - half_height, half_width, thin);
+    scene_static_box(s, 0, y + half_height, half_width, thin);
+    scene_static_box(s, -half_width, y, thin, half_height);
+    scene_static_box(s, half_width, y, thin, half_height);
+    scene_body *bullet = scene_add_body(s, SCENE_DYNAMIC, -half_width + 1, y);
+    bullet->vx = speed;
+    bullet->vy = 0.01 * speed;
+    bullet->angular_velocity = kind == 2 ? 5 : 0;
+    if (kind == 0)
+        scene_add_circle(s, 0.1);
+    else if (kind == 1)
+        scene_add_aabb(s, 0.15, 0.1);
+    else
+        scene_add_obb(s, 0.15, 0.1);
+}
+
+static void fill(scene *s, int size) {
+    s->gravity_y = 0;
+    s->material = (scene_material){.density = 1, .friction = 0.1, .restitution = 0.9};
+    const double speeds[] = {1e1, 1e2, 1e3, 1e4, 1e5};
+    for (int i = 0; i < size; i++)
+        add_lane(s, (0.5 * (size - 1) - i) * 2, speeds[i % 5], i / 5 % 3);
+    s->camera_height = 2.2 * size;
+    s->spawn_x = -20;
+}
+
+const scene_info scene_bullets = {
+    .name = "bullets",
+    .title = "Bullets at thin walls",
+    .about = "Bullets of up to 100 km/s bounce between walls 2 cm thick; none gets out.",
+    .size_means = "bullets",
+    .default_size = 15,
+    .min_size = 1,
+    .max_size = 1000,
+    .fill = fill,
+};

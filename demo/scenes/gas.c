@@ -1,0 +1,61 @@
+/* gas.c: elastic circles in a closed box; their energy ought to stay. */
+#include "gas.h"
+
+#include "random.h"
+#include "scenes.h"
+
+#include <math.h>
+
+/* A random point on the unit circle, by rejection: no trigonometry. */
+static scene_point random_direction(scene_random *random) {
+    for (;;) {
+        double x = scene_random_range(random, -1, 1);
+        double y = scene_random_range(random, -1, 1);
+        double squared = x * x + y * y;
+        if (squared > 0.01 && squared <= 1) {
+            double length = sqrt(squared);
+            return (scene_point){x / length, y / length};
+        }
+    }
+}
+
+double scene_add_gas(scene *s, double x, double y, int count) {
+    const double spacing = 1.25;
+    const double speed = 5;
+    int columns = (int)ceil(sqrt(count));
+    double half = 0.5 * spacing * columns + 0.5;
+    s->material = (scene_material){.density = 1, .friction = 0, .restitution = 1};
+    scene_static_box(s, x, y - half - 1, half + 2, 1);
+    scene_static_box(s, x, y + half + 1, half + 2, 1);
+    scene_static_box(s, x - half - 1, y, 1, half);
+    scene_static_box(s, x + half + 1, y, 1, half);
+    scene_random random = {4};
+    for (int i = 0; i < count; i++) {
+        scene_body *body =
+            scene_dynamic_circle(s, x + (i % columns - 0.5 * (columns - 1)) * spacing,
+                                 y + (i / columns - 0.5 * (columns - 1)) * spacing, 0.25);
+        scene_point direction = random_direction(&random);
+        body->vx = speed * direction.x;
+        body->vy = speed * direction.y;
+        body->gravity_scale = 0;
+        body->may_sleep = false;
+    }
+    return half;
+}
+
+static void fill(scene *s, int size) {
+    s->gravity_y = 0;
+    double half = scene_add_gas(s, 0, 0, size);
+    s->camera_height = 2.2 * half + 2;
+}
+
+const scene_info scene_gas = {
+    .name = "gas",
+    .title = "Gas",
+    .about = "Elastic circles fly about in a closed box; watch the energy.",
+    .size_means = "circles",
+    .default_size = 16000,
+    .min_size = 1,
+    .max_size = 1000000,
+    .fill = fill,
+};
