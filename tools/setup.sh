@@ -1,0 +1,115 @@
+# setup.sh: what each verb of ./run needs, and installing what is missing. Read by ./run.
+# shellcheck shell=sh
+
+have() {
+    command -v "$1" >/dev/null 2>&1
+}
+
+# need WHAT PACKAGES COMMAND...: unless the command succeeds, WHAT is missing, and the first of
+# the Debian PACKAGES (a|b) that apt knows brings it.
+need() {
+    what=$1
+    packages=$2
+    shift 2
+    "$@" >/dev/null 2>&1 || missing="$missing$(printf '  %-18s %s' "$packages" "$what")
+"
+}
+
+have_any() {
+    for name in "$@"; do
+        ! have "$name" || return 0
+    done
+    return 1
+}
+
+has_header() {
+    printf '#include <stdarg.h>\n#include <stddef.h>\n#include <setjmp.h>\n#include <%s>\n' "$1" |
+        cc -E -
+}
+
+compiles() {
+    have make && has_header stdio.h
+}
+
+node_is_new() {
+    node -e 'process.exit(parseInt(process.versions.node) >= 18 ? 0 : 1)'
+}
+
+need_native() {
+    need "a C compiler with make" build-essential compiles
+    need "CMake 3.22 or later" cmake have cmake
+    need "cJSON's headers" libcjson-dev has_header cjson/cJSON.h
+}
+
+need_demo() {
+    need "CMake 3.22 or later" cmake have cmake
+    need "make" make have make
+    need "the compiler to WebAssembly, emcc" emscripten have emcc
+    need "Node.js 18 or later" nodejs node_is_new
+    need "Node's package manager, npm" npm have npm
+}
+
+need_play() {
+    need_native
+    need "SDL2's headers" libsdl2-dev has_header SDL2/SDL.h
+}
+
+need_bench() {
+    need_native
+    need "cmocka's headers" libcmocka-dev has_header cmocka.h
+    need "clang, which builds Box2D" "clang-16|clang" have_any clang-16 clang
+}
+
+need_test() {
+    need_play
+    need_demo
+    need "clang" "clang-16|clang" have_any clang-16 clang
+    need "cmocka's headers" libcmocka-dev has_header cmocka.h
+    need "Python 3" python3 have python3
+    need "Chromium" "chromium|chromium-browser" \
+        have_any chromium chromium-browser google-chrome
+}
+
+# ensure VERB: installs what need_VERB misses, or says what that is and ends.
+ensure() {
+    missing=
+    "need_$1"
+    [ -n "$missing" ] || return 0
+    if ! have apt-get; then
+        printf 'run: %s needs (package names as in Debian):\n%s' "$1" "$missing" >&2
+        die "install these with this system's package manager, then call ./run $1 again"
+    fi
+    say "Some of what $1 needs is missing; asking apt for its list of packages"
+    as_root apt-get -o DPkg::Lock::Timeout=600 update -qq
+    list=$(printf '%s' "$missing" | while read -r packages what; do first_known "$packages"; done |
+        sort -u | tr '\n' ' ')
+    say "Installing with apt-get: $list"
+    # The list is split into its words on purpose.
+    # shellcheck disable=SC2086
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 install -y \
+        --no-install-recommends $list
+    missing=
+    "need_$1"
+    [ -z "$missing" ] || die "installed, yet still missing (package, what for):
+$missing"
+}
+
+as_root() {
+    if [ "$(id -u)" = 0 ]; then
+        "$@"
+    elif have sudo; then
+        sudo "$@"
+    else
+        die "this needs root, and sudo is missing; as root, run: $*"
+    fi
+}
+
+first_known() {
+    for package in $(echo "$1" | tr '|' ' '); do
+        if apt-cache show "$package" >/dev/null 2>&1; then
+            echo "$package"
+            return
+        fi
+    done
+    echo "$package"
+}

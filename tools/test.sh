@@ -1,0 +1,77 @@
+# test.sh: the parts of ./run test, in order, and their summary. Read by ./run.
+# shellcheck shell=sh
+
+# stage NAME COMMAND...: runs one part in a subshell, keeps what it printed, and remembers how it
+# ended; 77 is a part that was skipped for the reason it gave last.
+stage() {
+    name=$1
+    log=build/test/$(echo "$name" | tr -cs 'a-zA-Z0-9\n' '-').log
+    shift
+    say "$name"
+    (
+        set +e
+        (
+            set -e
+            "$@"
+        )
+        echo $? >"$log.code"
+    ) 2>&1 | tee "$log"
+    case $(cat "$log.code") in
+        0) verdict=passed ;;
+        77) verdict="skipped: $(tail -n 1 "$log")" ;;
+        *)
+            verdict="FAILED, see $log"
+            failures=$((failures + 1))
+            ;;
+    esac
+    # The runners' own closing lines: ctest's, and those of Node's.
+    closing=$(grep -E '^[0-9]+% tests passed|^(#|ℹ) (tests|pass|fail|skipped) [0-9]+' "$log" || :)
+    summary="$summary
+$name: $verdict${closing:+
+$closing}"
+}
+
+test_native() {
+    build release --preset release -DTHUD_WERROR=ON
+    ctest --preset release
+}
+
+test_clang() {
+    clang=$(command -v clang-16 || command -v clang)
+    build release-clang --preset release -DTHUD_WERROR=ON -DCMAKE_C_COMPILER="$clang"
+    ctest --test-dir build/release-clang --output-on-failure
+}
+
+test_sanitize() {
+    build sanitize --preset sanitize -DTHUD_WERROR=ON
+    ctest --preset sanitize
+}
+
+test_wasm() {
+    build_page
+    (cd web && npm run test:node)
+}
+
+test_page() {
+    (cd web && npm test)
+}
+
+test_baseline() {
+    build_bench
+    ctest --test-dir build/bench --output-on-failure
+}
+
+test_everything() {
+    mkdir -p build/test
+    failures=0
+    summary=
+    stage "native" test_native
+    stage "native, clang" test_clang
+    stage "sanitizers" test_sanitize
+    stage "wasm in Node" test_wasm
+    stage "page in Chromium" test_page
+    stage "comparison with Box2D" test_baseline
+    say "Summary"
+    printf '%s\n' "$summary"
+    [ "$failures" = 0 ] || die "$failures parts of the test failed"
+}
