@@ -1,0 +1,126 @@
+/**
+ * One instance of a wasm module built from web/wasm: its memory, its exports, and the way results
+ * become exceptions. Everything else in the package stands on it.
+ */
+import { RESULT_CODES, ThudError } from "./error.js";
+import type { WorldOptions } from "./types.js";
+import { World } from "./world.js";
+
+/** Where a module can come from. */
+export type WasmSource = WebAssembly.Module | BufferSource | Response | URL | string;
+
+type Export = (...args: number[]) => number;
+
+export class Engine {
+  /** The module's flat functions, for those who link code of their own beside the engine. */
+  readonly exports: Readonly<Record<string, Export>>;
+  /** The numbers that a call takes or gives beyond its arguments; see web/wasm. */
+  slots: Float64Array;
+  readonly stageNames: readonly string[];
+  readonly #memory: WebAssembly.Memory;
+  readonly #slotsAddress: number;
+  readonly #messageAddress: number;
+
+  /** Instantiates a compiled module. */
+  static async instantiate(module: WebAssembly.Module): Promise<Engine> {
+    const engine: { current?: Engine } = {};
+    const instance = await WebAssembly.instantiate(module, {
+      env: {
+        emscripten_notify_memory_growth: () => engine.current?.memoryGrew(),
+        thud_clock: () => performance.now() / 1000,
+      },
+    });
+    engine.current = new Engine(instance);
+    return engine.current;
+  }
+
+  private constructor(instance: WebAssembly.Instance) {
+    const { memory, _initialize } = instance.exports as {
+      memory?: WebAssembly.Memory;
+      _initialize?: () => void;
+    };
+    if (!memory || !_initialize || !instance.exports.api_slots_address)
+      throw new ThudError("load", "this is not a wasm module of thud");
+    _initialize();
+    this.exports = instance.exports as unknown as Record<string, Export>;
+    this.#memory = memory;
+    this.#slotsAddress = this.exports.api_slots_address();
+    this.#messageAddress = this.exports.api_last_message();
+    this.slots = new Float64Array(0);
+    this.memoryGrew();
+    const probe = this.createWorld();
+    const stages = this.exports.api_world_stats(probe.address);
+    probe.close();
+    this.stageNames = Array.from({ length: stages }, (_, stage) =>
+      this.text(this.exports.api_stage_name(stage)),
+    );
+  }
+
+  createWorld(options: WorldOptions = {}): World {
+    return new World(this, options);
+  }
+
+  /** The whole memory; another buffer after it grew. */
+  get buffer(): ArrayBuffer {
+    return this.#memory.buffer;
+  }
+
+  /** Throws unless `result` is THUD_OK. */
+  check(result: number): void {
+    if (result === 0) return;
+    const code = RESULT_CODES[result] as ThudError["code"] | undefined;
+    const summary = this.text(this.exports.api_result_text(result));
+    const message = this.text(this.#messageAddress);
+    new Uint8Array(this.buffer)[this.#messageAddress] = 0;
+    throw new ThudError(code ?? "invalid", message ? `${summary}: ${message}` : summary);
+  }
+
+  /** A C string. */
+  text(address: number): string {
+    const bytes = new Uint8Array(this.buffer, address);
+    return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+  }
+
+  /** Hands `use` the address of a copy of the numbers, which lives as long as the call. */
+  withDoubles<T>(count: number, fill: (doubles: Float64Array) => void, use: (at: number) => T): T {
+    const address = this.exports.malloc(Math.max(8, count * 8));
+    if (address === 0) throw new ThudError("memory", "out of memory");
+    try {
+      fill(new Float64Array(this.buffer, address, count));
+      return use(address);
+    } finally {
+      this.exports.free(address);
+    }
+  }
+
+  private memoryGrew(): void {
+    this.slots = new Float64Array(this.#memory.buffer, this.#slotsAddress, 32);
+  }
+}
+
+/** Compiles and starts a module from wherever it is. Files are added to that by node.ts. */
+export async function instantiate(source: Exclude<WasmSource, URL | string>): Promise<Engine> {
+  if (typeof WebAssembly !== "object")
+    throw new ThudError("load", "WebAssembly is missing or switched off here");
+  let module: WebAssembly.Module;
+  try {
+    if (source instanceof WebAssembly.Module) module = source;
+    else if (typeof Response === "function" && source instanceof Response)
+      module = await compileResponse(source);
+    else module = await WebAssembly.compile(source as BufferSource);
+  } catch (cause) {
+    if (cause instanceof ThudError) throw cause;
+    const why = cause instanceof Error ? cause.message : String(cause);
+    throw new ThudError("load", `the wasm module cannot be compiled: ${why}`, { cause });
+  }
+  return Engine.instantiate(module);
+}
+
+async function compileResponse(response: Response): Promise<WebAssembly.Module> {
+  if (!response.ok)
+    throw new ThudError("load", `${response.url}: ${response.status} ${response.statusText}`);
+  const type = response.headers.get("content-type") ?? "";
+  // Streaming refuses any other type, which simple hosts are wont to send.
+  if (type.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}

@@ -1,0 +1,275 @@
+/**
+ * The shapes of everything that goes into a world and comes out of it. Units are the caller's own
+ * (metres, pixels); y is up, angles are radians counter-clockwise, masses are density times area.
+ */
+
+export type Vec2 = readonly [x: number, y: number];
+
+/** Names a body. `index` is its slot: its pose stands at `4 * index` in `World.poses()`. */
+export interface BodyId {
+  readonly kind: "body";
+  readonly index: number;
+  readonly generation: number;
+}
+
+/** Names a shape of a body. */
+export interface ShapeId {
+  readonly kind: "shape";
+  readonly index: number;
+  readonly generation: number;
+}
+
+export const QUALITIES = ["draft", "default", "high", "exact"] as const;
+/** 2, 4, 8 or 16 substeps a step. */
+export type Quality = (typeof QUALITIES)[number];
+
+export const BODY_KINDS = ["static", "kinematic", "dynamic"] as const;
+export type BodyKind = (typeof BODY_KINDS)[number];
+
+export const SHAPE_KINDS = ["circle", "aabb", "obb", "terrain"] as const;
+export type ShapeKind = (typeof SHAPE_KINDS)[number];
+
+export interface WorldOptions {
+  /** Length/s². Default [0, -10]. */
+  gravity?: Vec2;
+  /** Seconds, (0, 1]. Default 1/60. */
+  timeStep?: number;
+  /** The size of a typical body in your unit; every tolerance is a multiple of it. Default 1. */
+  lengthScale?: number;
+  quality?: Quality;
+  /** For experts: 1 to 64; 0, the default, takes the quality's. */
+  substeps?: number;
+  /** For experts: contact frequency over substep rate, [0.01, 0.5]; 0 takes the default. */
+  contactStiffness?: number;
+  /** For experts: damping ratio, [0, 100]; 0 takes the default. */
+  contactDamping?: number;
+  /** Highest speed at which overlap is pushed apart, in length scales per second. */
+  pushSpeed?: number;
+  /** Slower approaches do not bounce, in length scales per second. */
+  restitutionThreshold?: number;
+  /** Faster approaches are hit events, in length scales per second. */
+  hitSpeed?: number;
+  /** In length scales per second. */
+  maximumSpeed?: number;
+  /** Default true. */
+  sleeping?: boolean;
+  /** Fast bodies do not pass through static shapes. Default true. */
+  continuous?: boolean;
+  /** Collect begin, end and hit events. Default true. */
+  contactEvents?: boolean;
+  /** Measure the time of every stage of the step. Default false. */
+  timed?: boolean;
+}
+
+export interface BodyOptions {
+  /** Default "static". */
+  kind?: BodyKind;
+  position?: Vec2;
+  angle?: number;
+  velocity?: Vec2;
+  angularVelocity?: number;
+  gravityScale?: number;
+  linearDamping?: number;
+  angularDamping?: number;
+  fixedRotation?: boolean;
+  maySleep?: boolean;
+  /** A whole number from 0 to 2⁵³ - 1. */
+  userData?: number;
+}
+
+export interface ShapeOptions {
+  /** Default 1. */
+  density?: number;
+  /** Default 0.6; a pair's is the geometric mean. */
+  friction?: number;
+  /** [0, 1]. Default 0; a pair's is the larger. */
+  restitution?: number;
+  /** What it is: bits. Default 1. */
+  category?: number;
+  /** What it meets: bits. Default all. */
+  mask?: number;
+  /** Two of one group: above 0 they always meet, below 0 never. Default 0, no group. */
+  group?: number;
+  /** Reports overlaps and collides with nothing. */
+  sensor?: boolean;
+  /** A whole number from 0 to 2⁵³ - 1. */
+  userData?: number;
+}
+
+export interface CircleOptions extends ShapeOptions {
+  radius: number;
+  /** In the body's frame. Default [0, 0]. */
+  offset?: Vec2;
+}
+
+export interface BoxOptions extends ShapeOptions {
+  halfWidth: number;
+  halfHeight: number;
+  offset?: Vec2;
+}
+
+export interface ObbOptions extends BoxOptions {
+  /** In the body's frame. Default 0. */
+  angle?: number;
+}
+
+/** A ground line, one-sided: solid below. Coordinates are relative to the body's origin. */
+export type Terrain =
+  | { kind: "flat"; slope?: number }
+  | { kind: "uniform"; x0: number; spacing: number; heights: ArrayLike<number> }
+  | { kind: "irregular"; points: ArrayLike<Vec2> };
+
+export interface BodyState {
+  kind: BodyKind;
+  position: Vec2;
+  /** Centre of mass. */
+  center: Vec2;
+  angle: number;
+  velocity: Vec2;
+  angularVelocity: number;
+  mass: number;
+  inertia: number;
+  gravityScale: number;
+  awake: boolean;
+  /** Frozen because it became non-finite. */
+  quarantined: boolean;
+  userData: number;
+  shapeCount: number;
+}
+
+export interface ShapeState {
+  kind: ShapeKind;
+  body: BodyId;
+  offset: Vec2;
+  /** A circle's radius is the first. */
+  halfExtents: Vec2;
+  angle: number;
+  density: number;
+  friction: number;
+  restitution: number;
+  category: number;
+  mask: number;
+  group: number;
+  sensor: boolean;
+  userData: number;
+}
+
+export interface QueryFilter {
+  category?: number;
+  mask?: number;
+  /** Find sensors too. Default false. */
+  sensors?: boolean;
+}
+
+export interface RayHit {
+  shape: ShapeId;
+  point: Vec2;
+  normal: Vec2;
+  /** Of the translation, 0 to 1. */
+  fraction: number;
+}
+
+/** What to look for with `World.overlap`. */
+export type OverlapQuery =
+  | { kind: "bounds"; lower: Vec2; upper: Vec2 }
+  | { kind: "circle"; center: Vec2; radius: number }
+  | { kind: "aabb"; center: Vec2; halfWidth: number; halfHeight: number }
+  | { kind: "obb"; center: Vec2; halfWidth: number; halfHeight: number; angle: number };
+
+export interface ContactEvent {
+  a: ShapeId;
+  b: ShapeId;
+}
+
+export interface HitEvent extends ContactEvent {
+  point: Vec2;
+  /** From a to b. */
+  normal: Vec2;
+  /** Of approach. */
+  speed: number;
+}
+
+/** Events of the last step, in a deterministic order. */
+export interface Events {
+  begin: ContactEvent[];
+  end: ContactEvent[];
+  /** `a` is the sensor. */
+  sensorBegin: ContactEvent[];
+  sensorEnd: ContactEvent[];
+  hit: HitEvent[];
+  quarantined: BodyId[];
+}
+
+export interface Stats {
+  steps: number;
+  bodies: number;
+  shapes: number;
+  awakeBodies: number;
+  pairs: number;
+  /** Touching pairs. */
+  contacts: number;
+  colours: number;
+  blocks: number;
+  /** Memory held by the world. */
+  bytes: number;
+  /** Allocations made by the last step. */
+  stepAllocations: number;
+  /** Of the last step; 0 unless the world is timed. */
+  stepSeconds: number;
+  stageSeconds: Readonly<Record<string, number>>;
+}
+
+/** Error and energy of the present state. */
+export interface Measure {
+  penetrationMax: number;
+  penetrationMean: number;
+  kineticEnergy: number;
+  potentialEnergy: number;
+}
+
+/** Every shape at once, for drawing. The arrays are views into wasm memory: see `poses()`. */
+export interface ShapeTable {
+  readonly count: number;
+  /**
+   * Ten numbers a shape: body slot, shape kind, body kind, sensor, offset x and y, half extents x
+   * and y, cosine and sine in the body's frame.
+   */
+  readonly rows: Float32Array;
+  /** Four numbers a shape: index1 and generation of the shape, and of its body. */
+  readonly handles: Uint32Array;
+}
+
+/** Shapes to leave out or put in with `World.debugDraw`. */
+export interface DrawOptions {
+  shapes?: boolean;
+  bounds?: boolean;
+  cells?: boolean;
+  contacts?: boolean;
+  islands?: boolean;
+  /** Coordinates are relative to it. Default [0, 0]. */
+  origin?: Vec2;
+  lower: Vec2;
+  upper: Vec2;
+}
+
+export const DRAW_STYLES = [
+  "static",
+  "kinematic",
+  "dynamic",
+  "sleeping",
+  "sensor",
+  "bounds",
+  "cell",
+  "contact",
+  "normal",
+] as const;
+
+/** Views into wasm memory, valid until the next call of `debugDraw`. */
+export interface DrawLists {
+  /** Nine a shape: centre, half extents, cosine, sine, 1 if a circle, style, island. */
+  readonly shapes: Float32Array;
+  /** Five a line: both ends, style. */
+  readonly lines: Float32Array;
+  /** Three a point: place, style. */
+  readonly points: Float32Array;
+}

@@ -1,0 +1,568 @@
+/**
+ * A world: bodies and shapes that advance in fixed steps. Handles are checked by the engine in
+ * every call; a stale one throws. Arrays that `poses`, `shapeTable` and `debugDraw` return are
+ * views straight into wasm memory: nothing is copied, and they hold until the next call.
+ */
+import type { Engine } from "./engine.js";
+import { ThudError } from "./error.js";
+import {
+  BODY_KINDS,
+  QUALITIES,
+  SHAPE_KINDS,
+  type BodyId,
+  type BodyOptions,
+  type BodyState,
+  type BoxOptions,
+  type CircleOptions,
+  type ContactEvent,
+  type DrawLists,
+  type DrawOptions,
+  type Events,
+  type HitEvent,
+  type Measure,
+  type ObbOptions,
+  type OverlapQuery,
+  type Quality,
+  type QueryFilter,
+  type RayHit,
+  type ShapeId,
+  type ShapeOptions,
+  type ShapeState,
+  type ShapeTable,
+  type Stats,
+  type Terrain,
+  type Vec2,
+  type WorldOptions,
+} from "./types.js";
+
+/** Farther out than any body can be. */
+const EVERYWHERE = 4e9;
+const EMPTY = new Float32Array(0);
+const TERRAIN_KINDS = ["flat", "uniform", "irregular"] as const;
+
+export class World {
+  readonly engine: Engine;
+  #address: number;
+  #poses = EMPTY;
+
+  /** Made by `Engine.createWorld`. An address adopts a world that other code in the module made. */
+  constructor(engine: Engine, options: WorldOptions = {}, address = 0) {
+    this.engine = engine;
+    this.#address = address;
+    if (address !== 0) return;
+    World.writeOptions(engine, options);
+    engine.check(engine.exports.api_world_create());
+    this.#address = engine.slots[0];
+  }
+
+  /** Fills the slots of api_world_defaults, for code that makes worlds in the module itself. */
+  static writeOptions(engine: Engine, options: WorldOptions): void {
+    engine.exports.api_world_defaults();
+    const quality =
+      options.quality === undefined ? undefined : indexOf(QUALITIES, options.quality, "quality");
+    fill(engine.slots, [
+      options.gravity?.[0],
+      options.gravity?.[1],
+      options.timeStep,
+      options.lengthScale,
+      quality,
+      options.substeps,
+      options.contactStiffness,
+      options.contactDamping,
+      options.pushSpeed,
+      options.restitutionThreshold,
+      options.hitSpeed,
+      options.maximumSpeed,
+      options.sleeping,
+      options.continuous,
+      options.contactEvents,
+      options.timed,
+    ]);
+  }
+
+  /** The world's address in wasm memory; throws after `close`. */
+  get address(): number {
+    if (this.#address === 0) throw new ThudError("stale", "the world has been destroyed");
+    return this.#address;
+  }
+
+  /** Frees the world. Using it afterwards throws. */
+  close(): void {
+    this.engine.exports.api_world_destroy(this.address);
+    this.#address = 0;
+    this.#poses = EMPTY;
+  }
+
+  // ---- time ----
+
+  /** Runs one step. */
+  step(): void {
+    this.engine.check(this.engine.exports.api_world_step(this.address));
+  }
+
+  /**
+   * Runs as many whole steps as the elapsed seconds allow, at most `maxSteps`. `alpha` tells how
+   * far the present lies between the last step and the next, for `poses`.
+   */
+  advance(elapsed: number, maxSteps = 4): { steps: number; alpha: number } {
+    const { engine } = this;
+    engine.check(engine.exports.api_world_advance(this.address, elapsed, maxSteps));
+    return { steps: engine.slots[0], alpha: engine.slots[1] };
+  }
+
+  setGravity(gravity: Vec2): void {
+    this.engine.check(
+      this.engine.exports.api_world_set_gravity(this.address, gravity[0], gravity[1]),
+    );
+  }
+
+  setTimeStep(seconds: number): void {
+    this.engine.check(this.engine.exports.api_world_set_time_step(this.address, seconds));
+  }
+
+  setQuality(quality: Quality): void {
+    const index = indexOf(QUALITIES, quality, "quality");
+    this.engine.check(this.engine.exports.api_world_set_quality(this.address, index));
+  }
+
+  setSleeping(sleeping: boolean): void {
+    this.engine.check(this.engine.exports.api_world_set_sleeping(this.address, Number(sleeping)));
+  }
+
+  // ---- bodies ----
+
+  createBody(options: BodyOptions = {}): BodyId {
+    const { engine } = this;
+    engine.exports.api_body_defaults();
+    fill(engine.slots, [
+      options.kind === undefined ? undefined : indexOf(BODY_KINDS, options.kind, "body kind"),
+      options.position?.[0],
+      options.position?.[1],
+      options.angle,
+      options.velocity?.[0],
+      options.velocity?.[1],
+      options.angularVelocity,
+      options.gravityScale,
+      options.linearDamping,
+      options.angularDamping,
+      options.fixedRotation,
+      options.maySleep,
+      userData(options.userData),
+    ]);
+    engine.check(engine.exports.api_body_create(this.address));
+    return bodyId(engine.slots[0], engine.slots[1]);
+  }
+
+  /** Removes a body with its shapes, or one shape. */
+  destroy(id: BodyId | ShapeId): void {
+    const { exports } = this.engine;
+    const destroy = id.kind === "body" ? exports.api_body_destroy : exports.api_shape_destroy;
+    this.engine.check(destroy(this.address, id.index + 1, id.generation));
+  }
+
+  isValid(id: BodyId | ShapeId): boolean {
+    const { exports } = this.engine;
+    const isValid = id.kind === "body" ? exports.api_body_is_valid : exports.api_shape_is_valid;
+    return isValid(this.address, id.index + 1, id.generation) !== 0;
+  }
+
+  bodyState(body: BodyId): BodyState {
+    this.#onBody("api_body_get", body);
+    const s = this.engine.slots;
+    return {
+      kind: BODY_KINDS[s[0]],
+      position: [s[1], s[2]],
+      center: [s[3], s[4]],
+      angle: s[5],
+      velocity: [s[6], s[7]],
+      angularVelocity: s[8],
+      mass: s[9],
+      inertia: s[10],
+      gravityScale: s[11],
+      awake: s[12] !== 0,
+      quarantined: s[13] !== 0,
+      userData: s[14],
+      shapeCount: s[15],
+    };
+  }
+
+  setTransform(body: BodyId, position: Vec2, angle = 0): void {
+    this.#onBody("api_body_set_transform", body, position[0], position[1], angle);
+  }
+
+  setVelocity(body: BodyId, velocity: Vec2, angularVelocity = 0): void {
+    this.#onBody("api_body_set_velocity", body, velocity[0], velocity[1], angularVelocity);
+  }
+
+  applyImpulse(body: BodyId, impulse: Vec2, point: Vec2): void {
+    this.#onBody("api_body_apply_impulse", body, impulse[0], impulse[1], point[0], point[1]);
+  }
+
+  /** Acts through the next step only. */
+  applyForce(body: BodyId, force: Vec2, torque = 0): void {
+    this.#onBody("api_body_apply_force", body, force[0], force[1], torque);
+  }
+
+  setAwake(body: BodyId, awake: boolean): void {
+    this.#onBody("api_body_set_awake", body, Number(awake));
+  }
+
+  setUserData(body: BodyId, data: number): void {
+    this.#onBody("api_body_set_user_data", body, userData(data) ?? 0);
+  }
+
+  shapesOf(body: BodyId): ShapeId[] {
+    this.#onBody("api_body_shapes", body);
+    return this.#shapeIds(this.engine.slots[0], this.engine.slots[1]);
+  }
+
+  // ---- shapes ----
+
+  createCircle(body: BodyId, options: CircleOptions): ShapeId {
+    const [x, y] = options.offset ?? [0, 0];
+    return this.#createShape(options, "api_circle_create", body, x, y, options.radius);
+  }
+
+  /** A box that keeps its axes: the rotation of its body is fixed from then on. */
+  createAabb(body: BodyId, options: BoxOptions): ShapeId {
+    const [x, y] = options.offset ?? [0, 0];
+    const { halfWidth, halfHeight } = options;
+    return this.#createShape(options, "api_aabb_create", body, x, y, halfWidth, halfHeight);
+  }
+
+  createObb(body: BodyId, options: ObbOptions): ShapeId {
+    const [x, y] = options.offset ?? [0, 0];
+    const { halfWidth, halfHeight, angle = 0 } = options;
+    return this.#createShape(options, "api_obb_create", body, x, y, halfWidth, halfHeight, angle);
+  }
+
+  /** Only on static bodies with angle 0. */
+  createTerrain(body: BodyId, terrain: Terrain, options: ShapeOptions = {}): ShapeId {
+    const create = (points: number, count: number, slope: number, x0: number, spacing: number) =>
+      this.#createShape(
+        options,
+        "api_terrain_create",
+        body,
+        indexOf(TERRAIN_KINDS, terrain.kind, "terrain kind"),
+        slope,
+        x0,
+        spacing,
+        points,
+        count,
+      );
+    if (terrain.kind === "flat") return create(0, 0, terrain.slope ?? 0, 0, 0);
+    const uniform = terrain.kind === "uniform";
+    const count = uniform ? terrain.heights.length : terrain.points.length;
+    const fillPoints = (doubles: Float64Array) => {
+      for (let i = 0; i < count; i++) {
+        doubles[2 * i] = uniform ? terrain.x0 + i * terrain.spacing : terrain.points[i][0];
+        doubles[2 * i + 1] = uniform ? terrain.heights[i] : terrain.points[i][1];
+      }
+    };
+    return this.engine.withDoubles(2 * count, fillPoints, (points) =>
+      uniform
+        ? create(points, count, 0, terrain.x0, terrain.spacing)
+        : create(points, count, 0, 0, 0),
+    );
+  }
+
+  shapeState(shape: ShapeId): ShapeState {
+    this.#onShape("api_shape_get", shape);
+    const s = this.engine.slots;
+    return {
+      kind: SHAPE_KINDS[s[0]],
+      body: bodyId(s[1], s[2]),
+      offset: [s[3], s[4]],
+      halfExtents: [s[5], s[6]],
+      angle: s[7],
+      density: s[8],
+      friction: s[9],
+      restitution: s[10],
+      category: s[11],
+      mask: s[12],
+      group: s[13],
+      sensor: s[14] !== 0,
+      userData: s[15],
+    };
+  }
+
+  /** A copy of a terrain as the world has it. */
+  terrain(shape: ShapeId): Terrain {
+    this.#onShape("api_shape_terrain", shape);
+    const [kind, slope, x0, spacing, address, count] = this.engine.slots;
+    if (kind === 0) return { kind: "flat", slope };
+    const numbers = new Float64Array(this.engine.buffer, address, 2 * count);
+    if (kind === 1)
+      return { kind: "uniform", x0, spacing, heights: numbers.filter((_, i) => i % 2 === 1) };
+    const points = Array.from({ length: count }, (_, i): Vec2 => [
+      numbers[2 * i],
+      numbers[2 * i + 1],
+    ]);
+    return { kind: "irregular", points };
+  }
+
+  /** Replaces the heights of a terrain's vertices from `first` on. */
+  setHeights(shape: ShapeId, first: number, heights: ArrayLike<number>): void {
+    this.engine.withDoubles(
+      heights.length,
+      (doubles) => doubles.set(heights),
+      (address) => this.#onShape("api_shape_set_heights", shape, first, address, heights.length),
+    );
+  }
+
+  // ---- reading ----
+
+  /**
+   * Every body's pose between the last two steps (alpha 0: the one before, 1: the last), four
+   * numbers each: x, y relative to the origin, cosine, sine. By slot; empty slots have x = NaN.
+   * A view into wasm memory, valid until the next call: nothing is copied, whatever the number.
+   */
+  poses(alpha = 1, originX = 0, originY = 0): Float32Array {
+    const { engine } = this;
+    const at = engine.exports.api_world_poses(this.address, originX, originY, alpha);
+    const length = 4 * engine.slots[0];
+    const last = this.#poses;
+    if (last.byteOffset !== at || last.length !== length || last.buffer !== engine.buffer)
+      this.#poses = at === 0 ? EMPTY : new Float32Array(engine.buffer, at, length);
+    return this.#poses;
+  }
+
+  /** Events of the last step; copied, so that they may be kept. */
+  events(): Events {
+    const { engine } = this;
+    engine.check(engine.exports.api_world_events(this.address));
+    const s = Array.from(engine.slots);
+    const hits = view(Float64Array, engine.buffer, s[10], 9 * s[11]);
+    const hit: HitEvent[] = [];
+    for (let i = 0; i < hits.length; i += 9)
+      hit.push({
+        a: shapeId(hits[i], hits[i + 1]),
+        b: shapeId(hits[i + 2], hits[i + 3]),
+        point: [hits[i + 4], hits[i + 5]],
+        normal: [hits[i + 6], hits[i + 7]],
+        speed: hits[i + 8],
+      });
+    const quarantined = view(Uint32Array, engine.buffer, s[8], 2 * s[9]);
+    return {
+      begin: this.#contactEvents(s[0], s[1]),
+      end: this.#contactEvents(s[2], s[3]),
+      sensorBegin: this.#contactEvents(s[4], s[5]),
+      sensorEnd: this.#contactEvents(s[6], s[7]),
+      hit,
+      quarantined: Array.from({ length: s[9] }, (_, i) =>
+        bodyId(quarantined[2 * i], quarantined[2 * i + 1]),
+      ),
+    };
+  }
+
+  stats(): Stats {
+    const { engine } = this;
+    engine.exports.api_world_stats(this.address);
+    const s = engine.slots;
+    return {
+      steps: s[0],
+      bodies: s[1],
+      shapes: s[2],
+      awakeBodies: s[3],
+      pairs: s[4],
+      contacts: s[5],
+      colours: s[6],
+      blocks: s[7],
+      bytes: s[8],
+      stepAllocations: s[9],
+      stepSeconds: s[10],
+      stageSeconds: Object.fromEntries(engine.stageNames.map((name, i) => [name, s[11 + i]])),
+    };
+  }
+
+  /** Costs a pass over contacts and bodies. */
+  measure(): Measure {
+    this.engine.exports.api_world_measure(this.address);
+    const [penetrationMax, penetrationMean, kineticEnergy, potentialEnergy] = this.engine.slots;
+    return { penetrationMax, penetrationMean, kineticEnergy, potentialEnergy };
+  }
+
+  /** Of every body's exact state, as 16 hexadecimal digits: equal on every platform. */
+  hash(): string {
+    this.engine.exports.api_world_hash(this.address);
+    const half = (value: number) => value.toString(16).padStart(8, "0");
+    return half(this.engine.slots[0]) + half(this.engine.slots[1]);
+  }
+
+  // ---- queries ----
+
+  /** The first shape along the ray, or null. */
+  castRay(origin: Vec2, translation: Vec2, filter: QueryFilter = {}): RayHit | null {
+    const { engine } = this;
+    engine.check(
+      engine.exports.api_cast_ray(
+        this.address,
+        origin[0],
+        origin[1],
+        translation[0],
+        translation[1],
+        ...filterNumbers(filter),
+      ),
+    );
+    const s = engine.slots;
+    if (s[0] === 0) return null;
+    return {
+      shape: shapeId(s[1], s[2]),
+      point: [s[3], s[4]],
+      normal: [s[5], s[6]],
+      fraction: s[7],
+    };
+  }
+
+  /** Every shape that overlaps: by its bounds for "bounds", else by its true form. */
+  overlap(query: OverlapQuery, filter: QueryFilter = {}): ShapeId[] {
+    const { engine } = this;
+    const last = filterNumbers(filter);
+    if (query.kind === "bounds") {
+      const { lower, upper } = query;
+      engine.check(
+        engine.exports.api_overlap_aabb(this.address, ...lower, ...upper, ...last),
+      );
+    } else {
+      const kind = indexOf(SHAPE_KINDS, query.kind, "query kind");
+      const hx = query.kind === "circle" ? query.radius : query.halfWidth;
+      const hy = query.kind === "circle" ? 0 : query.halfHeight;
+      const angle = query.kind === "obb" ? query.angle : 0;
+      engine.check(
+        engine.exports.api_overlap_shape(this.address, kind, ...query.center, hx, hy, angle, ...last),
+      );
+    }
+    return this.#shapeIds(engine.slots[0], engine.slots[1]);
+  }
+
+  // ---- drawing ----
+
+  /** Every shape of the world, to be read once after shapes came or went, not in every frame. */
+  shapeTable(): ShapeTable {
+    const { engine } = this;
+    engine.check(
+      engine.exports.api_shape_table(
+        this.address,
+        -EVERYWHERE,
+        -EVERYWHERE,
+        EVERYWHERE,
+        EVERYWHERE,
+      ),
+    );
+    const [rows, handles, count] = engine.slots;
+    return {
+      count,
+      rows: view(Float32Array, engine.buffer, rows, 10 * count),
+      handles: view(Uint32Array, engine.buffer, handles, 4 * count),
+    };
+  }
+
+  /** For each row of the last `shapeTable` 1 if its body is awake, 0 if it sleeps or has gone. */
+  shapeTableAwake(): Uint8Array {
+    const { engine } = this;
+    engine.check(engine.exports.api_shape_table_awake(this.address));
+    return view(Uint8Array, engine.buffer, engine.slots[0], engine.slots[1]);
+  }
+
+  /** What the engine's debug drawing shows inside the bounds. */
+  debugDraw(options: DrawOptions): DrawLists {
+    const { engine } = this;
+    const flags =
+      (options.shapes ? 1 : 0) |
+      (options.bounds ? 2 : 0) |
+      (options.cells ? 4 : 0) |
+      (options.contacts ? 8 : 0) |
+      (options.islands ? 16 : 0);
+    const [x, y] = options.origin ?? [0, 0];
+    engine.check(
+      engine.exports.api_world_draw(this.address, flags, x, y, ...options.lower, ...options.upper),
+    );
+    const s = engine.slots;
+    return {
+      shapes: view(Float32Array, engine.buffer, s[0], 9 * s[1]),
+      lines: view(Float32Array, engine.buffer, s[2], 5 * s[3]),
+      points: view(Float32Array, engine.buffer, s[4], 3 * s[5]),
+    };
+  }
+
+  #onBody(name: string, body: BodyId, ...args: number[]): void {
+    const call = this.engine.exports[name];
+    this.engine.check(call(this.address, body.index + 1, body.generation, ...args));
+  }
+
+  #onShape(name: string, shape: ShapeId, ...args: number[]): void {
+    const call = this.engine.exports[name];
+    this.engine.check(call(this.address, shape.index + 1, shape.generation, ...args));
+  }
+
+  #createShape(options: ShapeOptions, name: string, body: BodyId, ...args: number[]): ShapeId {
+    const { engine } = this;
+    engine.exports.api_shape_defaults();
+    fill(engine.slots, [
+      options.density,
+      options.friction,
+      options.restitution,
+      options.category,
+      options.mask,
+      options.group,
+      options.sensor,
+      userData(options.userData),
+    ]);
+    this.#onBody(name, body, ...args);
+    return shapeId(engine.slots[0], engine.slots[1]);
+  }
+
+  #shapeIds(address: number, count: number): ShapeId[] {
+    const handles = view(Uint32Array, this.engine.buffer, address, 2 * count);
+    return Array.from({ length: count }, (_, i) => shapeId(handles[2 * i], handles[2 * i + 1]));
+  }
+
+  #contactEvents(address: number, count: number): ContactEvent[] {
+    const numbers = view(Uint32Array, this.engine.buffer, address, 4 * count);
+    return Array.from({ length: count }, (_, i) => ({
+      a: shapeId(numbers[4 * i], numbers[4 * i + 1]),
+      b: shapeId(numbers[4 * i + 2], numbers[4 * i + 3]),
+    }));
+  }
+}
+
+function bodyId(index1: number, generation: number): BodyId {
+  return Object.freeze({ kind: "body", index: index1 - 1, generation });
+}
+
+function shapeId(index1: number, generation: number): ShapeId {
+  return Object.freeze({ kind: "shape", index: index1 - 1, generation });
+}
+
+/** Overwrites the slots whose option is given. */
+function fill(slots: Float64Array, options: (number | boolean | undefined)[]): void {
+  options.forEach((value, i) => {
+    if (value !== undefined) slots[i] = Number(value);
+  });
+}
+
+function indexOf<T extends string>(names: readonly T[], name: T, what: string): number {
+  const index = names.indexOf(name);
+  if (index < 0)
+    throw new ThudError("invalid", `${what} "${name}" is none of ${names.join(", ")}`);
+  return index;
+}
+
+function userData(value: number | undefined): number | undefined {
+  if (value !== undefined && !(Number.isSafeInteger(value) && value >= 0))
+    throw new ThudError("invalid", `userData must be a whole number from 0 to 2^53 - 1: ${value}`);
+  return value;
+}
+
+function filterNumbers(filter: QueryFilter): [number, number, number] {
+  return [filter.category ?? 0xffffffff, filter.mask ?? 0xffffffff, Number(filter.sensors ?? false)];
+}
+
+interface ViewClass<T> {
+  new (buffer: ArrayBuffer, address: number, length: number): T;
+}
+
+/** A view into memory; where there is nothing to see, its address may be anything. */
+function view<T>(View: ViewClass<T>, buffer: ArrayBuffer, address: number, length: number): T {
+  return new View(buffer, length === 0 ? 0 : address, length);
+}

@@ -1,0 +1,42 @@
+/* api.h: the flat C layer between JavaScript and the public API of thud.
+ *
+ * JavaScript passes and receives numbers. Whatever does not fit into arguments and one return
+ * value goes through `api_slots`, a fixed array of doubles; the order of the slots is written at
+ * every function and mirrored in web/package/src. Handles travel as two numbers, index1 and
+ * generation, and thud itself refuses stale ones. Lists of any length go through growing buffers
+ * that belong to this layer and stay valid until the next call that fills the same buffer. */
+#ifndef API_H
+#define API_H
+
+#include <thud/thud.h>
+
+enum { API_SLOTS = 32 };
+extern double api_slots[API_SLOTS];
+
+/* A list that grows; `failed` says that memory was short and items are missing. */
+typedef struct api_buffer {
+    char *data;
+    size_t bytes, capacity;
+    bool failed;
+} api_buffer;
+
+void api_buffer_clear(api_buffer *buffer);
+void api_buffer_push(api_buffer *buffer, const void *item, size_t bytes);
+thud_result api_buffer_result(const api_buffer *buffer);
+
+/* A world def from the slots that api_world_defaults fills, with this layer's log and clock. */
+thud_world_def api_world_def(void);
+
+/* Doubles from JavaScript may be anything; a plain cast traps on what does not fit. */
+int api_to_int(double value);
+uint32_t api_to_u32(double value);
+
+static inline thud_body_id api_body(uint32_t index1, uint32_t generation) {
+    return (thud_body_id){index1, generation};
+}
+
+static inline thud_shape_id api_shape(uint32_t index1, uint32_t generation) {
+    return (thud_shape_id){index1, generation};
+}
+
+#endif

@@ -1,0 +1,160 @@
+/* api_world.c: worlds: creation, stepping, settings, statistics, and poses. */
+#include "api.h"
+
+#include <stdio.h>
+
+/* The import that times the stages: seconds, as thud_clock_fn wants them. */
+extern double thud_clock(void);
+
+static char last_message[256];
+
+static double read_clock(void *context) {
+    (void)context;
+    return thud_clock();
+}
+
+static void keep_message(thud_result result, const char *message, void *context) {
+    (void)result;
+    (void)context;
+    snprintf(last_message, sizeof last_message, "%s", message);
+}
+
+/* Why the last call failed, in the log's words; JavaScript clears it by writing a 0 byte. */
+char *api_last_message(void) {
+    return last_message;
+}
+
+/* Slots: 0, 1 gravity  2 time step  3 length scale  4 quality  5 substeps  6 contact stiffness
+ * 7 contact damping  8 push speed  9 restitution threshold  10 hit speed  11 maximum speed
+ * 12 sleeping  13 continuous  14 contact events  15 stages are timed. */
+void api_world_defaults(void) {
+    thud_world_def def = thud_default_world_def();
+    double *s = api_slots;
+    s[0] = def.gravity.x;
+    s[1] = def.gravity.y;
+    s[2] = def.time_step;
+    s[3] = def.length_scale;
+    s[4] = def.quality;
+    s[5] = def.substeps;
+    s[6] = def.contact_stiffness;
+    s[7] = def.contact_damping;
+    s[8] = def.push_speed;
+    s[9] = def.restitution_threshold;
+    s[10] = def.hit_speed;
+    s[11] = def.maximum_speed;
+    s[12] = def.sleeping;
+    s[13] = def.continuous;
+    s[14] = def.contact_events;
+    s[15] = 0.0;
+}
+
+thud_world_def api_world_def(void) {
+    const double *s = api_slots;
+    thud_world_def def = thud_default_world_def();
+    def.gravity = (thud_vec2){(float)s[0], (float)s[1]};
+    def.time_step = s[2];
+    def.length_scale = (float)s[3];
+    def.quality = (thud_quality)api_to_int(s[4]);
+    def.substeps = api_to_int(s[5]);
+    def.contact_stiffness = (float)s[6];
+    def.contact_damping = (float)s[7];
+    def.push_speed = (float)s[8];
+    def.restitution_threshold = (float)s[9];
+    def.hit_speed = (float)s[10];
+    def.maximum_speed = (float)s[11];
+    def.sleeping = s[12] != 0.0;
+    def.continuous = s[13] != 0.0;
+    def.contact_events = s[14] != 0.0;
+    def.clock = s[15] != 0.0 ? read_clock : NULL;
+    def.log = keep_message;
+    return def;
+}
+
+/* A world from the slots of api_world_defaults; its address goes to slot 0. */
+int api_world_create(void) {
+    thud_world_def def = api_world_def();
+    thud_world *world = NULL;
+    thud_result result = thud_world_create(&def, &world);
+    api_slots[0] = (double)(uintptr_t)world;
+    return result;
+}
+
+void api_world_destroy(thud_world *world) {
+    thud_world_destroy(world);
+}
+
+int api_world_step(thud_world *world) {
+    return thud_world_step(world);
+}
+
+/* Slots out: 0 steps run  1 alpha. */
+int api_world_advance(thud_world *world, double elapsed, double max_steps) {
+    int steps = 0;
+    double alpha = 0.0;
+    thud_result result = thud_world_advance(world, elapsed, api_to_int(max_steps), &steps, &alpha);
+    api_slots[0] = steps;
+    api_slots[1] = alpha;
+    return result;
+}
+
+int api_world_set_gravity(thud_world *world, double x, double y) {
+    return thud_world_set_gravity(world, (thud_vec2){(float)x, (float)y});
+}
+
+int api_world_set_time_step(thud_world *world, double time_step) {
+    return thud_world_set_time_step(world, time_step);
+}
+
+int api_world_set_quality(thud_world *world, double quality) {
+    return thud_world_set_quality(world, (thud_quality)api_to_int(quality));
+}
+
+int api_world_set_sleeping(thud_world *world, int sleeping) {
+    return thud_world_set_sleeping(world, sleeping != 0);
+}
+
+/* Slots out: 0 steps  1 bodies  2 shapes  3 awake bodies  4 pairs  5 contacts  6 colours
+ * 7 blocks  8 bytes  9 allocations of the last step  10 seconds of the last step  11... seconds
+ * of its stages. */
+int api_world_stats(const thud_world *world) {
+    thud_stats stats = thud_world_stats(world);
+    double *s = api_slots;
+    s[0] = (double)stats.steps;
+    s[1] = stats.bodies;
+    s[2] = stats.shapes;
+    s[3] = stats.awake_bodies;
+    s[4] = stats.pairs;
+    s[5] = stats.contacts;
+    s[6] = stats.colours;
+    s[7] = stats.blocks;
+    s[8] = (double)stats.bytes;
+    s[9] = (double)stats.step_allocations;
+    s[10] = stats.step_seconds;
+    for (int i = 0; i < THUD_STAGE_COUNT; i++)
+        s[11 + i] = stats.stage_seconds[i];
+    return THUD_STAGE_COUNT;
+}
+
+/* Slots out: 0 largest penetration  1 mean penetration  2 kinetic  3 potential energy. */
+void api_world_measure(const thud_world *world) {
+    thud_measure measure = thud_world_measure(world);
+    api_slots[0] = measure.penetration_max;
+    api_slots[1] = measure.penetration_mean;
+    api_slots[2] = measure.kinetic_energy;
+    api_slots[3] = measure.potential_energy;
+}
+
+/* Slots out: 0 upper  1 lower half of the hash. */
+void api_world_hash(const thud_world *world) {
+    uint64_t hash = thud_world_hash(world);
+    api_slots[0] = (double)(uint32_t)(hash >> 32);
+    api_slots[1] = (double)(uint32_t)hash;
+}
+
+/* The world's own array of poses; slot 0 is their count. */
+const thud_pose *api_world_poses(thud_world *world, double x, double y, double alpha) {
+    int count = 0;
+    const thud_pose *poses = thud_world_poses(world, (thud_pos){x, y}, alpha, &count);
+    api_slots[0] = count;
+    return poses;
+}

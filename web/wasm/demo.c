@@ -1,0 +1,49 @@
+/* demo.c: the built-in scenes for the page, on top of the same layer as the package. */
+#include "api.h"
+
+#include <build_thud.h>
+#include <scenes.h>
+
+int api_scene_count(void) {
+    return scenes_count();
+}
+
+/* Slots out, texts by address: 0 name  1 title  2 about  3 what its size means  4 default size
+ * 5 smallest  6 largest. */
+int api_scene_info(int index) {
+    const scene_info *info = scenes_at(index);
+    if (info == NULL)
+        return THUD_ERROR_INVALID;
+    double *s = api_slots;
+    s[0] = (double)(uintptr_t)info->name;
+    s[1] = (double)(uintptr_t)info->title;
+    s[2] = (double)(uintptr_t)info->about;
+    s[3] = (double)(uintptr_t)info->size_means;
+    s[4] = info->default_size;
+    s[5] = info->min_size;
+    s[6] = info->max_size;
+    return THUD_OK;
+}
+
+/* A world with the scene in it, made from the slots of api_world_defaults; size 0 takes the
+ * default. Slots out: 0 world  1, 2 camera  3 camera height  4, 5 place to spawn. */
+int api_scene_create(int index, int size) {
+    const scene_info *info = scenes_at(index);
+    if (info == NULL)
+        return THUD_ERROR_INVALID;
+    thud_world_def def = api_world_def();
+    scene filled;
+    if (!scenes_fill(info, size, &filled))
+        return THUD_ERROR_INVALID;
+    thud_world *world = NULL;
+    thud_result result = scene_build_thud(&filled, &def, &world, NULL, NULL);
+    double *s = api_slots;
+    s[0] = (double)(uintptr_t)world;
+    s[1] = filled.camera_x;
+    s[2] = filled.camera_y;
+    s[3] = filled.camera_height;
+    s[4] = filled.spawn_x;
+    s[5] = filled.spawn_y;
+    scene_free(&filled);
+    return result;
+}
