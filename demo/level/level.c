@@ -1,0 +1,217 @@
+/* level.c: reads a Tiled map: the file, the map itself, and its layers. */
+#include "level.h"
+
+#include "reader.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void read_layers(level_reader *r, const level_layer *parent);
+
+static void read_layer(level_reader *r, const level_layer *parent, const cJSON *json) {
+    const cJSON *name = level_field(json, "name");
+    const cJSON *type = level_field(json, "type");
+    level_layer layer = {.json = json, .chain = parent->chain};
+    layer.name = cJSON_IsString(name) ? name->valuestring : "unnamed";
+    const char *kind = cJSON_IsString(type) ? type->valuestring : "";
+    if (strcmp(kind, "imagelayer") == 0)
+        return;
+    /* An object, or a tileset and a tile, still come on top. */
+    if (layer.chain.count > LEVEL_CHAIN - 3) {
+        level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': too deep inside groups",
+                          layer.name);
+        return;
+    }
+    layer.chain.links[layer.chain.count++] = json;
+    level_values v = {.report = r->report, .chain = &layer.chain, .where = layer.name};
+    const double far = 1e9;
+    if (level_field(json, "offsetx"))
+        layer.ox = level_required(&v, json, "offsetx", -far, far);
+    if (level_field(json, "offsety"))
+        layer.oy = level_required(&v, json, "offsety", -far, far);
+    layer.ox = parent->ox + layer.ox;
+    layer.oy = parent->oy + layer.oy;
+    level_note_unknown(r->report, json, 0, layer.name);
+    if (v.bad)
+        return;
+    if (strcmp(kind, "objectgroup") == 0)
+        level_read_objects(r, &layer);
+    else if (strcmp(kind, "tilelayer") == 0)
+        level_read_tiles(r, &layer);
+    else if (strcmp(kind, "group") == 0)
+        read_layers(r, &layer);
+    else
+        level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': its type '%.20s' is not known",
+                          layer.name, kind);
+}
+
+static void read_layers(level_reader *r, const level_layer *parent) {
+    const cJSON *layers = level_field(parent->json, "layers");
+    if (!cJSON_IsArray(layers)) {
+        level_problem_add(r->report, LEVEL_SKIP, 0, "'%.40s' has no list of layers", parent->name);
+        return;
+    }
+    const cJSON *json;
+    cJSON_ArrayForEach(json, layers) read_layer(r, parent, json);
+}
+
+/* Copies the three texts behind a scene; its own storage, since the JSON goes away. */
+static void set_texts(scene *s, const char *name, const char *title, const char *about) {
+    const char *texts[] = {name, title, about};
+    const char **fields[] = {&s->name, &s->title, &s->about};
+    size_t total = 0;
+    for (int i = 0; i < 3; i++)
+        total += strlen(texts[i]) + 1;
+    char *at = s->owned_text = malloc(total);
+    if (!at) {
+        s->failed = true;
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        size_t size = strlen(texts[i]) + 1;
+        memcpy(at, texts[i], size);
+        *fields[i] = at;
+        at += size;
+    }
+}
+
+/* The map's own values. What is wrong with them is fatal: every object depends on them. */
+static bool read_map_values(level_reader *r, const level_layer *map, const char *name) {
+    scene *s = r->s;
+    level_values v = {.report = r->report, .chain = &map->chain, .where = "map"};
+    double columns = level_required(&v, map->json, "width", 1, 1e6);
+    double rows = level_required(&v, map->json, "height", 1, 1e6);
+    r->tile_width = level_required(&v, map->json, "tilewidth", 1e-3, 1e6);
+    r->tile_height = level_required(&v, map->json, "tileheight", 1e-3, 1e6);
+    r->map_height = rows * r->tile_height;
+    r->pixels_per_unit = level_number(&v, "pixels_per_unit", r->tile_width, 1e-3, 1e6);
+    s->length_scale = level_number(&v, "length_scale", 1, 1e-3, 1e3);
+    s->gravity_x = level_number(&v, "gravity_x", 0, -1e6, 1e6);
+    s->gravity_y = level_number(&v, "gravity_y", -10, -1e6, 1e6);
+    double width = columns * r->tile_width / r->pixels_per_unit;
+    double height = r->map_height / r->pixels_per_unit;
+    s->camera_x = level_number(&v, "camera_x", 0.5 * width, -1e9, 1e9);
+    s->camera_y = level_number(&v, "camera_y", 0.5 * height, -1e9, 1e9);
+    s->camera_height = level_number(&v, "camera_height", height, 1e-3, 1e9);
+    s->spawn_x = s->camera_x;
+    s->spawn_y = s->camera_y;
+    const char *title = level_text(&v, "title", name);
+    const char *about = level_text(&v, "about", "");
+    if (v.bad)
+        return false;
+    set_texts(s, name, title, about);
+    return true;
+}
+
+static void read_map(level_reader *r, const cJSON *json, const char *name) {
+    const cJSON *type = level_field(json, "type");
+    const cJSON *orientation = level_field(json, "orientation");
+    if (!cJSON_IsString(type) || strcmp(type->valuestring, "map") != 0) {
+        level_problem_add(r->report, LEVEL_FATAL, 0,
+                          "this is not a Tiled map: no \"type\": \"map\"");
+        return;
+    }
+    if (cJSON_IsString(orientation) && strcmp(orientation->valuestring, "orthogonal") != 0) {
+        level_problem_add(r->report, LEVEL_FATAL, 0,
+                          "the map is %.20s; only orthogonal maps are read",
+                          orientation->valuestring);
+        return;
+    }
+    level_layer map = {.json = json, .name = "map", .chain = {.links = {json}, .count = 1}};
+    r->tilesets = level_field(json, "tilesets");
+    level_note_unknown(r->report, json, 0, "map");
+    if (!read_map_values(r, &map, name)) {
+        level_problem_add(r->report, LEVEL_FATAL, 0, "the map's own values cannot be used");
+        return;
+    }
+    read_layers(r, &map);
+}
+
+/* Where in the text parsing stopped, as an editor counts. */
+static void report_syntax(level_report *report, const char *text, const char *end) {
+    int line = 1;
+    for (const char *p = text; end && p < end; p++)
+        line += *p == '\n';
+    level_problem_add(report, LEVEL_FATAL, 0, "this is not JSON: parsing stops in line %d", line);
+}
+
+bool level_read(const char *name, const char *text, size_t length, bool skip, scene *s,
+                level_report *report) {
+    scene_init(s);
+    *report = (level_report){0};
+    const char *end = NULL;
+    cJSON *json = cJSON_ParseWithLengthOpts(text, length, &end, false);
+    while (json && end < text + length && strchr(" \t\r\n", *end) && *end)
+        end++;
+    if (!json || end != text + length) {
+        report_syntax(report, text, end);
+    } else {
+        level_reader reader = {.s = s, .report = report};
+        read_map(&reader, json, name);
+    }
+    cJSON_Delete(json);
+    if (s->failed)
+        level_problem_add(report, LEVEL_FATAL, 0, "out of memory");
+    if (report->fatal > 0 || (report->skipped > 0 && !skip)) {
+        scene_free(s);
+        return false;
+    }
+    return true;
+}
+
+/* The whole file in memory, or null after a report. */
+static char *read_whole(const char *path, size_t *length, level_report *report) {
+    FILE *file = fopen(path, "rb");
+    char *text = NULL;
+    size_t used = 0, capacity = 0;
+    while (file) {
+        if (used == capacity) {
+            capacity = capacity ? 2 * capacity : 1 << 16;
+            char *grown = realloc(text, capacity);
+            if (!grown)
+                break;
+            text = grown;
+        }
+        size_t got = fread(text + used, 1, capacity - used, file);
+        used += got;
+        if (got == 0)
+            break;
+    }
+    bool complete = file && !ferror(file) && feof(file);
+    if (file)
+        fclose(file);
+    if (!complete) {
+        level_problem_add(report, LEVEL_FATAL, 0, "the file cannot be read");
+        free(text);
+        return NULL;
+    }
+    *length = used;
+    return text;
+}
+
+/* "assets/levels/quarry.tmj" is "quarry". */
+static void name_of(const char *path, char *name, size_t size) {
+    const char *base = path;
+    for (const char *p = path; *p; p++)
+        if (*p == '/' || *p == '\\')
+            base = p + 1;
+    const char *dot = strrchr(base, '.');
+    size_t length = dot && dot != base ? (size_t)(dot - base) : strlen(base);
+    snprintf(name, size, "%.*s", (int)(length < size ? length : size - 1), base);
+}
+
+bool level_read_file(const char *path, bool skip, scene *s, level_report *report) {
+    scene_init(s);
+    *report = (level_report){0};
+    size_t length = 0;
+    char *text = read_whole(path, &length, report);
+    if (!text)
+        return false;
+    char name[128];
+    name_of(path, name, sizeof name);
+    bool read = level_read(name, text, length, skip, s, report);
+    free(text);
+    return read;
+}

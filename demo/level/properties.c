@@ -1,0 +1,192 @@
+/* properties.c: Tiled's custom properties, inherited from map to layer to object. */
+#include "reader.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char *const KNOWN[] = {
+    "body",
+    "fixed_rotation",
+    "sensor",
+    "may_sleep",
+    "velocity_x",
+    "velocity_y",
+    "angular_velocity",
+    "gravity_scale",
+    "linear_damping",
+    "angular_damping",
+    "density",
+    "friction",
+    "restitution",
+    "category",
+    "mask",
+    "group",
+    "solid",
+    "gravity_x",
+    "gravity_y",
+    "pixels_per_unit",
+    "length_scale",
+    "camera_x",
+    "camera_y",
+    "camera_height",
+    "title",
+    "about",
+};
+
+const cJSON *level_field(const cJSON *json, const char *name) {
+    return cJSON_GetObjectItemCaseSensitive(json, name);
+}
+
+static const char *string_or(const cJSON *json, const char *fallback) {
+    return cJSON_IsString(json) ? json->valuestring : fallback;
+}
+
+const cJSON *level_own_property(const cJSON *json, const char *name) {
+    const cJSON *property;
+    cJSON_ArrayForEach(property, level_field(json, "properties")) {
+        if (strcmp(string_or(level_field(property, "name"), ""), name) == 0)
+            return level_field(property, "value");
+    }
+    return NULL;
+}
+
+static const cJSON *find(const level_chain *chain, const char *name) {
+    for (int i = chain->count - 1; i >= 0; i--) {
+        const cJSON *value = level_own_property(chain->links[i], name);
+        if (value)
+            return value;
+    }
+    return NULL;
+}
+
+static void complain(level_values *v, const char *name, const char *what) {
+    v->bad = true;
+    if (v->object != 0)
+        level_problem_add(v->report, LEVEL_SKIP, v->object, "%s %s", name, what);
+    else
+        level_problem_add(v->report, LEVEL_SKIP, 0, "%.60s: %s %s", v->where, name, what);
+}
+
+static double checked_number(level_values *v, const cJSON *value, const char *name, double low,
+                             double high) {
+    if (!cJSON_IsNumber(value)) {
+        complain(v, name, "is not a number");
+        return low;
+    }
+    if (!isfinite(value->valuedouble) || value->valuedouble < low || value->valuedouble > high) {
+        complain(v, name, "is out of range");
+        return low;
+    }
+    return value->valuedouble;
+}
+
+double level_number(level_values *v, const char *name, double fallback, double low, double high) {
+    const cJSON *value = find(v->chain, name);
+    return value ? checked_number(v, value, name, low, high) : fallback;
+}
+
+double level_required(level_values *v, const cJSON *json, const char *name, double low,
+                      double high) {
+    const cJSON *value = level_field(json, name);
+    if (!value) {
+        complain(v, name, "is missing");
+        return low;
+    }
+    return checked_number(v, value, name, low, high);
+}
+
+bool level_flag(level_values *v, const char *name, bool fallback) {
+    const cJSON *value = find(v->chain, name);
+    if (!value)
+        return fallback;
+    if (!cJSON_IsBool(value))
+        complain(v, name, "is neither true nor false");
+    return cJSON_IsTrue(value);
+}
+
+const char *level_text(level_values *v, const char *name, const char *fallback) {
+    const cJSON *value = find(v->chain, name);
+    if (!value)
+        return fallback;
+    if (!cJSON_IsString(value))
+        complain(v, name, "is not a text");
+    return string_or(value, fallback);
+}
+
+void level_note_unknown(level_report *report, const cJSON *json, uint32_t object,
+                        const char *where) {
+    const cJSON *property;
+    cJSON_ArrayForEach(property, level_field(json, "properties")) {
+        const char *name = string_or(level_field(property, "name"), "");
+        bool known = false;
+        for (size_t i = 0; i < sizeof KNOWN / sizeof KNOWN[0]; i++)
+            known = known || strcmp(KNOWN[i], name) == 0;
+        if (!known && object != 0)
+            level_problem_add(report, LEVEL_NOTE, object, "property '%.40s' has no meaning here",
+                              name);
+        else if (!known)
+            level_problem_add(report, LEVEL_NOTE, 0, "%.60s: property '%.40s' has no meaning here",
+                              where, name);
+    }
+}
+
+static scene_body_kind read_kind(level_values *v) {
+    const char *kind = level_text(v, "body", "static");
+    if (strcmp(kind, "dynamic") == 0)
+        return SCENE_DYNAMIC;
+    if (strcmp(kind, "kinematic") == 0)
+        return SCENE_KINEMATIC;
+    if (strcmp(kind, "static") != 0)
+        complain(v, "body", "is none of static, kinematic, dynamic");
+    return SCENE_STATIC;
+}
+
+static double whole_number(level_values *v, const char *name, double fallback, double low,
+                           double high) {
+    double value = level_number(v, name, fallback, low, high);
+    if (value != floor(value))
+        complain(v, name, "is not a whole number");
+    return value;
+}
+
+level_physics level_read_physics(level_values *v) {
+    const double huge = 1e9; /* what follows from larger values leaves single precision */
+    level_physics p;
+    p.kind = read_kind(v);
+    p.fixed_rotation = level_flag(v, "fixed_rotation", false);
+    p.sensor = level_flag(v, "sensor", false);
+    p.may_sleep = level_flag(v, "may_sleep", true);
+    p.vx = level_number(v, "velocity_x", 0, -huge, huge);
+    p.vy = level_number(v, "velocity_y", 0, -huge, huge);
+    p.angular_velocity = level_number(v, "angular_velocity", 0, -huge, huge);
+    p.gravity_scale = level_number(v, "gravity_scale", 1, -huge, huge);
+    p.linear_damping = level_number(v, "linear_damping", 0, 0, huge);
+    p.angular_damping = level_number(v, "angular_damping", 0, 0, huge);
+    p.material.density = level_number(v, "density", 1, 1e-6, huge);
+    p.material.friction = level_number(v, "friction", 0.6, 0, huge);
+    p.material.restitution = level_number(v, "restitution", 0, 0, 1);
+    p.category = (uint32_t)whole_number(v, "category", 1, 0, UINT32_MAX);
+    p.mask = (uint32_t)whole_number(v, "mask", UINT32_MAX, 0, UINT32_MAX);
+    p.group = (int32_t)whole_number(v, "group", 0, INT32_MIN, INT32_MAX);
+    return p;
+}
+
+void level_apply_physics(const level_physics *p, scene_body *body, scene_shape *shape) {
+    body->kind = p->kind;
+    body->may_sleep = p->may_sleep;
+    body->gravity_scale = p->gravity_scale;
+    body->linear_damping = p->linear_damping;
+    body->angular_damping = p->angular_damping;
+    if (p->kind != SCENE_STATIC) {
+        body->vx = p->vx;
+        body->vy = p->vy;
+        body->angular_velocity = p->angular_velocity;
+    }
+    if (p->fixed_rotation)
+        body->fixed_rotation = true;
+    shape->material = p->material;
+    shape->sensor = p->sensor;
+    shape->category = p->category;
+    shape->mask = p->mask;
+    shape->group = p->group;
+}
