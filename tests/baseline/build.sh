@@ -23,6 +23,10 @@ fail() {
     exit 1
 }
 
+first() {
+    printf '%s\n' "$1" | sed '/./!d; q'
+}
+
 here=$(cd "$(dirname "$0")" && pwd)
 case "${1:-}" in
     -h | --help) usage; exit 0 ;;
@@ -72,12 +76,12 @@ count=$(printf '%s\n' "$calls" | wc -l | tr -d ' ')
 simd=
 bad=$(printf '%s\n' "$calls" | grep -v '"-O3" "-DNDEBUG"' || true)
 bad=$bad$(printf '%s\n' "$calls" | grep '"-O3" "-DNDEBUG".*"\(-O[^3]*\|-UNDEBUG\)"' || true)
-[ -z "$bad" ] || fail "some sources were compiled without -O3 -DNDEBUG: $bad"
+[ -z "$bad" ] || fail "not compiled with -O3 -DNDEBUG: $(first "$bad")"
 case $(uname -m) in
     x86_64)
         simd=" -mavx2"
         bad=$(printf '%s\n' "$calls" | grep -v '"-mavx2".*"-DBOX2D_AVX2"' || true)
-        [ -z "$bad" ] || fail "some sources were compiled without AVX2: $bad"
+        [ -z "$bad" ] || fail "not compiled with AVX2: $(first "$bad")"
         ;;
 esac
 # And what came of them: an assertion that is on calls b2InternalAssert, and the contact solver

@@ -1,0 +1,50 @@
+/* series.c: order statistics of step times. */
+#include "series.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static int ascending(const void *left, const void *right) {
+    double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+bool series_init(series *s, int steps, int repetitions) {
+    /* One row more, to sort in. */
+    double *ms = calloc((size_t)steps * (size_t)(repetitions + 1), sizeof *ms);
+    *s = (series){steps, repetitions, ms};
+    return ms != NULL;
+}
+
+void series_free(series *s) {
+    free(s->ms);
+    *s = (series){0};
+}
+
+static double *scratch_row(const series *s) {
+    return s->ms + (size_t)s->repetitions * (size_t)s->steps;
+}
+
+static double median_of_sorted(const double *sorted, int count) {
+    return 0.5 * (sorted[(count - 1) / 2] + sorted[count / 2]);
+}
+
+series_summary series_summarize(const series *s) {
+    double *least = scratch_row(s);
+    for (int step = 0; step < s->steps; step++) {
+        least[step] = s->ms[step];
+        for (int i = 1; i < s->repetitions; i++)
+            least[step] = fmin(least[step], s->ms[i * s->steps + step]);
+    }
+    qsort(least, (size_t)s->steps, sizeof *least, ascending);
+    int p99 = (int)ceil(0.99 * s->steps) - 1;
+    return (series_summary){median_of_sorted(least, s->steps), least[p99], least[s->steps - 1]};
+}
+
+double series_median_of(const series *s, int repetition) {
+    double *row = scratch_row(s);
+    for (int step = 0; step < s->steps; step++)
+        row[step] = s->ms[repetition * s->steps + step];
+    qsort(row, (size_t)s->steps, sizeof *row, ascending);
+    return median_of_sorted(row, s->steps);
+}
