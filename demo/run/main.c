@@ -1,0 +1,169 @@
+/* main.c: thud-run runs a scene or a level without a display and reports. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "build_thud.h"
+#include "level.h"
+#include "options.h"
+#include "outcome.h"
+#include "scenes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+static double seconds_now(void *context) {
+    (void)context;
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void log_to_stderr(thud_result result, const char *message, void *context) {
+    (void)result;
+    (void)context;
+    fprintf(stderr, "thud: %s\n", message);
+}
+
+static void print_report(const char *path, const level_report *report) {
+    static const char *const WORDS[] = {"note", "unsupported", "error"};
+    for (int i = 0; i < report->count; i++)
+        fprintf(stderr, "%s: %s: %s\n", path, WORDS[report->problems[i].severity],
+                report->problems[i].text);
+    int more = report->notes + report->skipped + report->fatal - report->count;
+    if (more > 0)
+        fprintf(stderr, "%s: and %d more\n", path, more);
+}
+
+static bool load_level(const run_options *options, scene *s) {
+    level_report *report = malloc(sizeof *report);
+    if (!report) {
+        fprintf(stderr, "thud-run: out of memory\n");
+        return false;
+    }
+    bool loaded = level_read_file(options->source, options->skip_unsupported, s, report);
+    print_report(options->source, report);
+    if (!loaded && report->fatal == 0)
+        fprintf(stderr,
+                "thud-run: refused because of %d problems; --skip-unsupported leaves them "
+                "out\n",
+                report->skipped);
+    free(report);
+    return loaded;
+}
+
+/* A file's name has a dot or a slash, which no scene's has. */
+static bool load(const run_options *options, scene *s) {
+    const scene_info *info = scenes_find(options->source);
+    bool is_path = strpbrk(options->source, "./") != NULL;
+    if (!info && !is_path) {
+        fprintf(stderr, "thud-run: no scene is called '%s'; --list shows them all\n",
+                options->source);
+        return false;
+    }
+    if (!info && options->size != 0) {
+        fprintf(stderr, "thud-run: --size is for built-in scenes, not for levels\n");
+        return false;
+    }
+    if (!info)
+        return load_level(options, s);
+    if (options->size != 0 && (options->size < info->min_size || options->size > info->max_size)) {
+        fprintf(stderr, "thud-run: the size of %s is from %d to %d %s\n", info->name,
+                info->min_size, info->max_size, info->size_means);
+        return false;
+    }
+    if (!scenes_fill(info, options->size, s)) {
+        fprintf(stderr, "thud-run: out of memory\n");
+        return false;
+    }
+    return true;
+}
+
+static thud_world *build(const run_options *options, const scene *s) {
+    thud_world_def def = thud_default_world_def();
+    def.quality = options->quality;
+    def.sleeping = !options->no_sleeping;
+    def.clock = seconds_now;
+    def.log = log_to_stderr;
+    thud_world *world;
+    int failed_body;
+    thud_result result = scene_build_thud(s, &def, &world, NULL, &failed_body);
+    if (result == THUD_OK)
+        return world;
+    fprintf(stderr, "thud-run: %s cannot be built: %s", s->name, thud_result_text(result));
+    if (failed_body >= 0)
+        fprintf(stderr, " (body %d, object %u)", failed_body, s->bodies[failed_body].id);
+    fputc('\n', stderr);
+    return NULL;
+}
+
+/* One line on a terminal, renewed four times a second, for runs that take over a second. */
+static void show_progress(const run_options *options, long step, double start, double *last) {
+    double now = seconds_now(NULL);
+    if (now - start > 1 && now - *last > 0.25) {
+        fprintf(stderr, "\r%ld of %ld steps ", step, options->steps);
+        fflush(stderr);
+        *last = now;
+    }
+}
+
+static bool run(thud_world *world, const run_options *options, run_outcome *o) {
+    bool terminal = isatty(STDERR_FILENO);
+    double start = seconds_now(NULL), last_shown = 0;
+    *o = (run_outcome){0};
+    while (o->steps < options->steps) {
+        thud_result result = thud_world_step(world);
+        if (result != THUD_OK) {
+            fprintf(stderr, "thud-run: step %ld failed: %s\n", o->steps + 1,
+                    thud_result_text(result));
+            return false;
+        }
+        o->steps++;
+        o->stats = thud_world_stats(world);
+        o->seconds += o->stats.step_seconds;
+        if (o->stats.step_seconds > o->worst_seconds)
+            o->worst_seconds = o->stats.step_seconds;
+        for (int i = 0; i < THUD_STAGE_COUNT; i++)
+            o->stage_seconds[i] += o->stats.stage_seconds[i];
+        o->quarantined += thud_world_events(world).quarantined_count;
+        o->measure = thud_world_measure(world);
+        if (o->measure.penetration_max > o->penetration_max)
+            o->penetration_max = o->measure.penetration_max;
+        if (terminal)
+            show_progress(options, o->steps, start, &last_shown);
+    }
+    if (last_shown > 0)
+        fprintf(stderr, "\r%30s\r", "");
+    o->hash = thud_world_hash(world);
+    return true;
+}
+
+static int load_and_run(const run_options *options) {
+    scene s;
+    if (!load(options, &s))
+        return 1;
+    run_outcome outcome;
+    thud_world *world = build(options, &s);
+    bool done = world && run(world, options, &outcome);
+    if (done && options->json)
+        done = run_print_json(&outcome, &s, options);
+    else if (done)
+        run_print_text(&outcome, &s, options);
+    thud_world_destroy(world);
+    scene_free(&s);
+    return done ? 0 : 1;
+}
+
+int main(int count, char **arguments) {
+    run_options options;
+    if (!run_options_parse(count, arguments, &options))
+        return 2;
+    if (options.help)
+        run_print_help();
+    else if (options.list)
+        run_print_list();
+    else
+        return load_and_run(&options);
+    return 0;
+}

@@ -1,0 +1,130 @@
+/* options.c: the command line of thud-run. */
+#include "options.h"
+
+#include "scenes.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const QUALITIES[THUD_QUALITY_COUNT] = {"draft", "default", "high", "exact"};
+
+const char *run_quality_name(thud_quality quality) {
+    return QUALITIES[quality];
+}
+
+static bool complain(const char *what, const char *argument) {
+    fprintf(stderr, "thud-run: %s '%s'; see thud-run --help\n", what, argument);
+    return false;
+}
+
+static bool parse_number(const char *option, const char *text, long low, long high, long *out) {
+    char *end;
+    errno = 0;
+    long value = strtol(text, &end, 10);
+    if (end == text || *end != '\0' || errno == ERANGE || value < low || value > high) {
+        fprintf(stderr, "thud-run: %s takes a whole number from %ld to %ld, not '%s'\n", option,
+                low, high, text);
+        return false;
+    }
+    *out = value;
+    return true;
+}
+
+static bool parse_quality(const char *text, thud_quality *out) {
+    for (int i = 0; i < THUD_QUALITY_COUNT; i++) {
+        if (strcmp(text, QUALITIES[i]) == 0) {
+            *out = (thud_quality)i;
+            return true;
+        }
+    }
+    fprintf(stderr, "thud-run: --quality takes draft, default, high or exact, not '%s'\n", text);
+    return false;
+}
+
+/* An option with a value. */
+static bool parse_valued(const char *option, const char *value, run_options *out) {
+    long number;
+    if (!value) {
+        fprintf(stderr, "thud-run: %s needs a value; see thud-run --help\n", option);
+        return false;
+    }
+    if (strcmp(option, "--steps") == 0)
+        return parse_number(option, value, 1, 1000000000, &out->steps);
+    if (strcmp(option, "--quality") == 0)
+        return parse_quality(value, &out->quality);
+    if (!parse_number(option, value, 1, 1000000000, &number))
+        return false;
+    out->size = (int)number;
+    return true;
+}
+
+static bool parse_plain(const char *option, run_options *out) {
+    if (strcmp(option, "--json") == 0)
+        out->json = true;
+    else if (strcmp(option, "--skip-unsupported") == 0)
+        out->skip_unsupported = true;
+    else if (strcmp(option, "--no-sleeping") == 0)
+        out->no_sleeping = true;
+    else if (strcmp(option, "--list") == 0)
+        out->list = true;
+    else if (strcmp(option, "--help") == 0 || strcmp(option, "-h") == 0)
+        out->help = true;
+    else
+        return complain("unknown option", option);
+    return true;
+}
+
+bool run_options_parse(int count, char **arguments, run_options *out) {
+    *out = (run_options){.steps = 600, .quality = THUD_QUALITY_DEFAULT};
+    for (int i = 1; i < count; i++) {
+        const char *argument = arguments[i];
+        bool valued = strcmp(argument, "--steps") == 0 || strcmp(argument, "--size") == 0 ||
+                      strcmp(argument, "--quality") == 0;
+        if (valued) {
+            if (!parse_valued(argument, arguments[++i], out))
+                return false;
+        } else if (argument[0] == '-') {
+            if (!parse_plain(argument, out))
+                return false;
+        } else if (out->source) {
+            return complain("one scene at a time, not also", argument);
+        } else {
+            out->source = argument;
+        }
+    }
+    if (!out->source && !out->help && !out->list) {
+        fprintf(stderr, "thud-run: which scene or level? See thud-run --help and --list\n");
+        return false;
+    }
+    return true;
+}
+
+void run_print_help(void) {
+    puts("thud-run LEVEL|SCENE [options]: runs a scene or a level without a display.\n"
+         "\n"
+         "SCENE is the name of a built-in scene (--list shows them), LEVEL a map of the Tiled\n"
+         "editor in its JSON format (.tmj). Prints the time of a step by stage, the worst\n"
+         "penetration of the whole run, and at its end the contacts, the energy (against height\n"
+         "0) and the hash of the state, which is the same on every machine.\n"
+         "\n"
+         "  --steps N            steps of 1/60 s to run (600)\n"
+         "  --size N             how big a built-in scene is, see --list\n"
+         "  --quality Q          draft, default, high or exact: 2, 4, 8 or 16 substeps\n"
+         "  --no-sleeping        resting bodies stay awake\n"
+         "  --skip-unsupported   leave out what a level has that cannot be modelled\n"
+         "  --json               print one JSON object instead\n"
+         "  --list               list the built-in scenes\n"
+         "  --help               this text\n"
+         "\n"
+         "Exit status: 0 done, 1 the scene cannot be loaded or run, 2 wrong arguments.");
+}
+
+void run_print_list(void) {
+    for (int i = 0; i < scenes_count(); i++) {
+        const scene_info *info = scenes_at(i);
+        printf("%-15s %s\n%-15s size: %s, %d to %d (%d)\n", info->name, info->about, "",
+               info->size_means, info->min_size, info->max_size, info->default_size);
+    }
+}
