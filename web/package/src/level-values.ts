@@ -1,0 +1,186 @@
+/** Values of a Tiled map: fields of the format, and custom properties inherited down to an object. */
+import type { BodyKind, BodyOptions, ShapeOptions } from "./types.js";
+
+export type Json = null | boolean | number | string | Json[] | JsonRecord | undefined;
+export interface JsonRecord {
+  [name: string]: Json;
+}
+
+export interface Problem {
+  /** note: no effect on the world; skip: left out, or the level refused; fatal: always refused. */
+  severity: "note" | "skip" | "fatal";
+  /** Id of the object, or 0 if it is about a layer or the map. */
+  object: number;
+  /** Says what and where. */
+  text: string;
+}
+
+const KNOWN = new Set(
+  (
+    "body fixed_rotation sensor may_sleep velocity_x velocity_y angular_velocity gravity_scale " +
+    "linear_damping angular_damping density friction restitution category mask group solid " +
+    "gravity_x gravity_y pixels_per_unit length_scale camera_x camera_y camera_height title about"
+  ).split(" "),
+);
+
+export function isRecord(json: Json): json is JsonRecord {
+  return typeof json === "object" && json !== null && !Array.isArray(json);
+}
+
+/** All that a reader has to say about a map. */
+export class Report {
+  readonly problems: Problem[] = [];
+  skipped = 0;
+  fatal = 0;
+
+  add(severity: Problem["severity"], object: number, text: string): void {
+    if (severity === "skip") this.skipped++;
+    if (severity === "fatal") this.fatal++;
+    this.problems.push({
+      severity,
+      object,
+      text: object !== 0 ? `object ${object}: ${text}` : text,
+    });
+  }
+
+  /** Notes every property that means nothing: a misspelt name ought not to pass in silence. */
+  noteUnknown(json: JsonRecord, object: number, where: string): void {
+    for (const [name] of ownProperties(json)) {
+      if (KNOWN.has(name)) continue;
+      const place = object !== 0 ? "" : `${where}: `;
+      this.add("note", object, `${place}property '${name}' has no meaning here`);
+    }
+  }
+}
+
+/** The custom properties of one JSON object, in the order of the file. */
+function ownProperties(json: JsonRecord): [name: string, value: Json][] {
+  if (!Array.isArray(json.properties)) return [];
+  return json.properties.map((property) => {
+    if (!isRecord(property)) return ["", undefined];
+    return [typeof property.name === "string" ? property.name : "", property.value];
+  });
+}
+
+/** A custom property's value from this one object only. */
+export function ownProperty(json: JsonRecord, name: string): Json {
+  return ownProperties(json).find(([known]) => known === name)?.[1];
+}
+
+/** Reads values for one thing; `bad` is set, and the reason reported, when one cannot be used. */
+export class Values {
+  bad = false;
+
+  constructor(
+    readonly report: Report,
+    readonly chain: readonly JsonRecord[],
+    readonly object: number,
+    readonly where: string,
+  ) {}
+
+  #complain(name: string, what: string): void {
+    this.bad = true;
+    const place = this.object !== 0 ? "" : `${this.where}: `;
+    this.report.add("skip", this.object, `${place}${name} ${what}`);
+  }
+
+  #checked(value: Json, name: string, low: number, high: number): number {
+    if (typeof value !== "number") {
+      this.#complain(name, "is not a number");
+      return low;
+    }
+    if (!Number.isFinite(value) || value < low || value > high) {
+      this.#complain(name, "is out of range");
+      return low;
+    }
+    return value;
+  }
+
+  #find(name: string): Json {
+    for (let i = this.chain.length - 1; i >= 0; i--) {
+      const value = ownProperty(this.chain[i], name);
+      if (value !== undefined) return value;
+    }
+    return undefined;
+  }
+
+  /** A number that is a field of the format itself. */
+  required(json: JsonRecord, name: string, low: number, high: number): number {
+    const value = json[name];
+    if (value === undefined) {
+      this.#complain(name, "is missing");
+      return low;
+    }
+    return this.#checked(value, name, low, high);
+  }
+
+  /** Properties, each from the innermost place that has it. */
+  number(name: string, fallback: number, low: number, high: number): number {
+    const value = this.#find(name);
+    return value === undefined ? fallback : this.#checked(value, name, low, high);
+  }
+
+  flag(name: string, fallback: boolean): boolean {
+    const value = this.#find(name);
+    if (value === undefined) return fallback;
+    if (typeof value !== "boolean") this.#complain(name, "is neither true nor false");
+    return value === true;
+  }
+
+  text(name: string, fallback: string): string {
+    const value = this.#find(name);
+    if (value === undefined) return fallback;
+    if (typeof value !== "string") this.#complain(name, "is not a text");
+    return typeof value === "string" ? value : fallback;
+  }
+
+  whole(name: string, fallback: number, low: number, high: number): number {
+    const value = this.number(name, fallback, low, high);
+    if (value !== Math.floor(value)) this.#complain(name, "is not a whole number");
+    return value;
+  }
+
+  kind(): BodyKind {
+    const kind = this.text("body", "static");
+    if (kind === "dynamic" || kind === "kinematic" || kind === "static") return kind;
+    this.#complain("body", "is none of static, kinematic, dynamic");
+    return "static";
+  }
+}
+
+/** The physical properties of an object or a tile. */
+export interface Physics {
+  kind: BodyKind;
+  body: BodyOptions;
+  material: ShapeOptions;
+}
+
+export function readPhysics(v: Values): Physics {
+  const huge = 1e9; // what follows from larger values leaves single precision
+  const kind = v.kind();
+  const fixedRotation = v.flag("fixed_rotation", false);
+  const sensor = v.flag("sensor", false);
+  const body: BodyOptions = { kind, fixedRotation, maySleep: v.flag("may_sleep", true) };
+  const velocityX = v.number("velocity_x", 0, -huge, huge);
+  const velocityY = v.number("velocity_y", 0, -huge, huge);
+  const angularVelocity = v.number("angular_velocity", 0, -huge, huge);
+  if (kind !== "static") Object.assign(body, { velocity: [velocityX, velocityY], angularVelocity });
+  body.gravityScale = v.number("gravity_scale", 1, -huge, huge);
+  body.linearDamping = v.number("linear_damping", 0, 0, huge);
+  body.angularDamping = v.number("angular_damping", 0, 0, huge);
+  const material: ShapeOptions = {
+    density: v.number("density", 1, 1e-6, huge),
+    friction: v.number("friction", 0.6, 0, huge),
+    restitution: v.number("restitution", 0, 0, 1),
+    category: v.whole("category", 1, 0, 0xffffffff),
+    mask: v.whole("mask", 0xffffffff, 0, 0xffffffff),
+    group: v.whole("group", 0, -0x80000000, 0x7fffffff),
+    sensor,
+  };
+  return { kind, body, material };
+}
+
+/** The nearest multiple of 2^-16, on which bodies lie. */
+export function grid(x: number): number {
+  return Math.floor(x * 65536 + 0.5) / 65536;
+}
