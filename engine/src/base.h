@@ -1,0 +1,61 @@
+/* base.h: constants and helpers that every file may use.
+ *
+ * Lengths named here are multiples of the world's length scale L, the power of two nearest to the
+ * caller's length_scale. */
+#ifndef TD_BASE_H
+#define TD_BASE_H
+
+#include "thud/thud_math.h"
+
+#include <assert.h>
+
+#define TD_LANES 8     /* contacts and bodies are worked on eight at a time, whatever the CPU */
+#define TD_NONE (-1)   /* "no index" in every integer link */
+
+#define TD_PI 3.14159265358979323846
+
+/* Contacts exist from this distance on, so that a pair closing in is caught before it overlaps
+ * (speculative margin). */
+#define TD_SPECULATIVE 0.02f
+/* Overlap that the continuous stage leaves, so that the next step finds a contact. */
+#define TD_SLOP 0.005f
+/* Fat bounds exceed tight ones by TD_MARGIN + min(TD_MARGIN_MORE, extent / 8): small enough that
+ * few pairs are carried in vain, and two of them at least the speculative margin, so that a
+ * touching pair never loses its fat overlap. */
+#define TD_MARGIN 0.0101f
+#define TD_MARGIN_MORE 0.02f
+/* Sleep: below this speed (L/s, also of the rim) for this long (s). */
+#define TD_SLEEP_SPEED 0.05f
+#define TD_SLEEP_TIME 0.5f
+/* Sizes and places that are accepted. */
+#define TD_SIZE_MIN 1e-4
+#define TD_SIZE_MAX 16384.0
+#define TD_PLACE_MAX 1e9
+
+static inline int td_min_int(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static inline int td_max_int(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static inline float td_min_float(float a, float b)
+{
+    return a < b ? a : b;
+}
+
+static inline float td_max_float(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+/* False for infinities and not-a-number, without a call to the library. */
+static inline bool td_finite(double x)
+{
+    return x - x == 0.0;
+}
+
+#endif

@@ -1,0 +1,110 @@
+/* block.h: eight contacts side by side, the unit of narrowphase and solver.
+ *
+ * A contact that touches holds one lane of a block for as long as it touches. Blocks of one bin
+ * (pair kind, static or not, graph colour) never name a moving body twice, so that eight lanes are
+ * solved at once. Slot 0 of the awake bodies is a dummy at rest: static sides and empty lanes point
+ * to it, and have zero mass. */
+#ifndef TD_BLOCK_H
+#define TD_BLOCK_H
+
+#include "fixed.h"
+#include "simd.h"
+
+/* A contact point of eight lanes. Crosses are (r x n) and (r x t), with t = (n.y, -n.x). */
+typedef struct td_point {
+    f8 separation;  /* now: the relax pass leaves it for the next solve pass */
+    f8 normal_mass; /* 0: no point here */
+    f8 normal_impulse;
+    f8 cross_a, cross_b;
+    f8 base; /* separation at the start of the step */
+    f8 tangent_mass;
+    f8 tangent_impulse;
+    f8 tangent_cross_a, tangent_cross_b;
+    f8 approach; /* normal velocity at the start of the step; negative: closing */
+    f8 total;    /* normal impulse of all substeps; kept only where td_solve_context asks */
+} td_point;
+
+typedef struct td_block {
+    int32_t a[TD_LANES], b[TD_LANES]; /* awake slots; a is 0 where that side is static */
+    f8 nx, ny;                        /* from a to b */
+    f8 friction;
+    f8 inv_inertia_a, inv_inertia_b;
+    f8 restitution;
+    int32_t shape_a[TD_LANES], shape_b[TD_LANES];
+    int32_t contact[TD_LANES]; /* TD_NONE: empty lane */
+    uint32_t feature[TD_LANES]; /* faces in touch; impulses carry over while they stay */
+    int32_t next, prev;         /* blocks of the same bin */
+    int32_t used;               /* lanes 0 .. used - 1 are in use */
+    uint32_t touching;          /* lanes with a point, by the last narrowphase */
+    int32_t bouncy;             /* a lane has restitution */
+    int32_t padding[11];
+    td_point point[]; /* one or two, as its pair kind needs */
+} td_block;
+
+/* ---- what the wide kernels are given ---- */
+
+typedef struct td_collide_context {
+    const td_place *center;    /* by shape: world centre */
+    const float (*turn)[4];    /* by shape: offset x, y from the centre of mass; cosine, sine */
+    const float (*size)[4];    /* by shape: half extents; the rest is not read here */
+    const float (*velocity)[4]; /* by awake slot: x, y, angular, inverse mass */
+    float quantum;             /* length of a position quantum */
+    float margin;              /* speculative */
+    float axis_tolerance;      /* how much better b's face must be to be preferred */
+} td_collide_context;
+
+typedef struct td_solve_context {
+    float (*velocity)[4]; /* by awake slot */
+    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle */
+    float inv_h;          /* substeps per second */
+    float push_speed;
+    float bounce_speed;         /* slower approaches do not bounce */
+    float bias_rate[2];         /* soft contact against a moving [0] and a static body [1] */
+    float mass_scale[2], impulse_scale[2];
+    bool keep_totals;           /* somebody will read td_point.total */
+} td_solve_context;
+
+/* Fills normal, crosses, masses, base and separation of the blocks from the present poses, and
+ * sets td_block.touching. */
+typedef void td_collide_fn(td_block *const *blocks, int count, const td_collide_context *context);
+typedef void td_solve_fn(td_block *const *blocks, int count, const td_solve_context *context);
+
+/* The passes over blocks of one number of points: [0] both sides move, [1] side a is static. */
+typedef struct td_solve_ops {
+    td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce[2];
+} td_solve_ops;
+
+/* Kinds of pairs that have their own narrowphase; the names say (a, b). */
+typedef enum td_pair_kind {
+    TD_PAIR_CIRCLE_CIRCLE = 0,
+    TD_PAIR_BOX_CIRCLE,
+    TD_PAIR_CIRCLE_BOX, /* only where the circle is static */
+    TD_PAIR_AABB_AABB,
+    TD_PAIR_BOX_BOX,
+    TD_PAIR_TERRAIN_CIRCLE,
+    TD_PAIR_TERRAIN_BOX,
+    TD_PAIR_TOUCH_COUNT,
+    TD_PAIR_SENSOR = TD_PAIR_TOUCH_COUNT, /* overlap only; has no blocks */
+    TD_PAIR_COUNT
+} td_pair_kind;
+
+struct thud_world;
+
+/* What a pair kind plugs in when its shapes are first used; see kinds.h. */
+typedef struct td_pair_ops {
+    int points;               /* of a block: 1 or 2 */
+    td_collide_fn *collide;   /* null where `collide_world` is set */
+    /* Pairs whose geometry does not lie in the per-shape records (terrain). */
+    void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
+                          const td_collide_context *context);
+    const td_solve_ops *solve;
+} td_pair_ops;
+
+/* Exported names of a wide file carry the instruction set it was compiled for. */
+#define TD_JOIN_(a, b) a##_##b
+#define TD_JOIN(a, b) TD_JOIN_(a, b)
+#ifdef TD_ISA
+#define TD_WIDE(name) TD_JOIN(name, TD_ISA)
+#endif
+
+#endif

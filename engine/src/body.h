@@ -1,0 +1,54 @@
+/* body.h: what the engine does with bodies from the inside. */
+#ifndef TD_BODY_H
+#define TD_BODY_H
+
+#include "world.h"
+
+/* Puts the body on the change list; `change` is a td_change_kind. */
+void td_body_mark(thud_world *w, int body, td_change_kind change);
+
+/* Mass, centre of mass and reach from the shapes that it has now. */
+void td_body_weigh(thud_world *w, int body);
+
+/* Where the body's origin stands. */
+td_place td_body_origin(const thud_world *w, int body);
+
+/* Puts the body's shapes where its pose says; their bounds move when they leave the fat ones. */
+void td_body_place_shapes(thud_world *w, int body);
+
+static inline td_place td_place_from(const thud_world *w, thud_pos p)
+{
+    return (td_place){td_round64(p.x * w->to_fixed), td_round64(p.y * w->to_fixed)};
+}
+
+static inline thud_pos td_place_to(const thud_world *w, td_place p)
+{
+    return (thud_pos){(double)p.x / w->to_fixed, (double)p.y / w->to_fixed};
+}
+
+/* A relative length in position quanta. */
+static inline int64_t td_length_from(const thud_world *w, float length)
+{
+    return td_round64((double)length * w->to_fixed);
+}
+
+/* The velocity as it is now, awake or not. */
+static inline float *td_body_velocity(const thud_world *w, const td_body *body)
+{
+    return body->awake > 0 ? td_row(&w->velocity, body->awake) : (float *)body->velocity;
+}
+
+/* ---- edits put off by callbacks ---- */
+
+typedef enum td_put_off_kind {
+    TD_PUT_TRANSFORM,
+    TD_PUT_VELOCITY,
+    TD_PUT_IMPULSE,
+    TD_PUT_FORCE,
+    TD_PUT_AWAKE
+} td_put_off_kind;
+
+/* Does what callbacks asked for during the last step, in the order they asked. */
+void td_put_off_apply(thud_world *w);
+
+#endif

@@ -1,0 +1,188 @@
+/* contact.c: see contact.h. */
+#include "contact.h"
+
+#include "handles.h"
+#include "lanes.h"
+
+static td_body *body_of_shape(const thud_world *w, int shape)
+{
+    return td_body_at(w, td_shape_at(w, shape)->body);
+}
+
+static void swap(int *a, int *b)
+{
+    int t = *a;
+    *a = *b;
+    *b = t;
+}
+
+td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b)
+{
+    const td_shape *a = td_shape_at(w, *shape_a), *b = td_shape_at(w, *shape_b);
+    if ((a->flags | b->flags) & TD_SHAPE_SENSOR) {
+        if (!(a->flags & TD_SHAPE_SENSOR)) {
+            swap(shape_a, shape_b);
+        }
+        return TD_PAIR_SENSOR;
+    }
+    bool a_static = body_of_shape(w, *shape_a)->kind == THUD_STATIC;
+    bool b_static = body_of_shape(w, *shape_b)->kind == THUD_STATIC;
+    bool swapped = b_static || (!a_static && (a->kind < b->kind ||
+                                              (a->kind == b->kind && *shape_a > *shape_b)));
+    if (swapped) {
+        swap(shape_a, shape_b);
+        const td_shape *t = a;
+        a = b;
+        b = t;
+    }
+    if (a->kind == THUD_TERRAIN) {
+        return b->kind == THUD_CIRCLE ? TD_PAIR_TERRAIN_CIRCLE : TD_PAIR_TERRAIN_BOX;
+    }
+    if (a->kind == THUD_CIRCLE) {
+        return b->kind == THUD_CIRCLE ? TD_PAIR_CIRCLE_CIRCLE : TD_PAIR_CIRCLE_BOX;
+    }
+    if (b->kind == THUD_CIRCLE) {
+        return TD_PAIR_BOX_CIRCLE;
+    }
+    return a->kind == THUD_AABB && b->kind == THUD_AABB ? TD_PAIR_AABB_AABB : TD_PAIR_BOX_BOX;
+}
+
+bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b)
+{
+    const td_shape *a = td_shape_at(w, shape_a), *b = td_shape_at(w, shape_b);
+    if (a->body == b->body || ((a->flags & b->flags) & TD_SHAPE_SENSOR)) {
+        return false;
+    }
+    if (td_body_at(w, a->body)->kind != THUD_DYNAMIC &&
+        td_body_at(w, b->body)->kind != THUD_DYNAMIC) {
+        return false;
+    }
+    if (a->filter.group == b->filter.group && a->filter.group != 0) {
+        return a->filter.group > 0;
+    }
+    return (a->filter.mask & b->filter.category) && (b->filter.mask & a->filter.category);
+}
+
+bool td_contacts_reserve(thud_world *w, const int more[TD_PAIR_COUNT])
+{
+    int sum = 0;
+    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+        sum += more[kind];
+        if (!td_array_reserve(&w->memory, &w->waiting[kind], w->contact_count[kind] + more[kind])) {
+            return false;
+        }
+    }
+    return td_slots_reserve(&w->memory, &w->contacts, sum);
+}
+
+static void link_edge(thud_world *w, int contact_index, int side, int shape)
+{
+    td_body *body = body_of_shape(w, shape);
+    td_contact *contact = td_contact_at(w, contact_index);
+    int edge = contact_index * 2 + side, head = body->first_contact;
+    contact->next[side] = head;
+    contact->prev[side] = TD_NONE;
+    if (head != TD_NONE) {
+        td_contact_at(w, head / 2)->prev[head & 1] = edge;
+    }
+    body->first_contact = edge;
+}
+
+static void unlink_edge(thud_world *w, int contact_index, int side, int shape)
+{
+    const td_contact *contact = td_contact_at(w, contact_index);
+    int next = contact->next[side], prev = contact->prev[side];
+    if (next != TD_NONE) {
+        td_contact_at(w, next / 2)->prev[next & 1] = prev;
+    }
+    if (prev != TD_NONE) {
+        td_contact_at(w, prev / 2)->next[prev & 1] = next;
+    } else {
+        body_of_shape(w, shape)->first_contact = next;
+    }
+}
+
+void td_contact_wait(thud_world *w, int contact_index)
+{
+    td_contact *contact = td_contact_at(w, contact_index);
+    td_array *waiting = &w->waiting[contact->kind];
+    contact->state = TD_WAITING;
+    contact->slot = waiting->count;
+    td_push_int(waiting, contact_index);
+}
+
+static void leave_waiting(thud_world *w, const td_contact *contact)
+{
+    td_array *waiting = &w->waiting[contact->kind];
+    int last = *(int *)td_at(waiting, waiting->count - 1);
+    *(int *)td_at(waiting, contact->slot) = last;
+    td_contact_at(w, last)->slot = contact->slot;
+    waiting->count--;
+}
+
+void td_contact_rest(thud_world *w, int contact_index)
+{
+    td_contact *contact = td_contact_at(w, contact_index);
+    leave_waiting(w, contact);
+    contact->state = TD_RESTING;
+    contact->slot = TD_NONE;
+}
+
+void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child)
+{
+    int index = td_slots_take(&w->contacts);
+    td_contact *contact = td_contact_at(w, index);
+    *contact = (td_contact){
+        .shape_a = shape_a, .shape_b = shape_b, .child = child, .kind = (uint8_t)kind};
+    link_edge(w, index, 0, shape_a);
+    link_edge(w, index, 1, shape_b);
+    w->contact_count[kind]++;
+    td_contact_wait(w, index);
+}
+
+thud_contact_event td_contact_event(const thud_world *w, int contact_index)
+{
+    const td_contact *contact = td_contact_at(w, contact_index);
+    return (thud_contact_event){td_shape_handle(w, contact->shape_a),
+                                td_shape_handle(w, contact->shape_b)};
+}
+
+bool td_contact_end_reserve(thud_world *w, int more)
+{
+    return !w->def.contact_events ||
+           (td_array_reserve(&w->memory, &w->events.end, w->events.end.count + more) &&
+            td_array_reserve(&w->memory, &w->events.sensor_end,
+                             w->events.sensor_end.count + more));
+}
+
+static void push_end(thud_world *w, td_array *list, int contact)
+{
+    if (w->def.contact_events) {
+        *(thud_contact_event *)td_at(list, list->count++) = td_contact_event(w, contact);
+    }
+}
+
+void td_contact_part(thud_world *w, int contact_index)
+{
+    td_lane_remove(w, contact_index);
+    td_contact_wait(w, contact_index);
+    push_end(w, &w->events.end, contact_index);
+}
+
+void td_contact_destroy(thud_world *w, int contact_index)
+{
+    td_contact *contact = td_contact_at(w, contact_index);
+    if (contact->state == TD_TOUCHING) {
+        td_lane_remove(w, contact_index);
+        push_end(w, &w->events.end, contact_index);
+    } else if (contact->state == TD_WAITING) {
+        leave_waiting(w, contact);
+    }
+    if (contact->overlapping) {
+        push_end(w, &w->events.sensor_end, contact_index);
+    }
+    unlink_edge(w, contact_index, 0, contact->shape_a);
+    unlink_edge(w, contact_index, 1, contact->shape_b);
+    w->contact_count[contact->kind]--;
+    td_slots_give(&w->contacts, contact_index);
+}

@@ -1,0 +1,64 @@
+/* grid.h: bounds sorted into the cells of a grid, one level for every fourfold of size.
+ *
+ * A level's cell is as large as its largest shape, so that two shapes of a level that overlap lie in
+ * the same or in neighbouring cells, by their centres. Where the population's rectangle is dense,
+ * the cells are laid out row by row; where it is sparse, rows start at hashed places of a table of
+ * about twice the population, so that memory and time depend on the number of shapes alone, never
+ * on the size of the world. */
+#ifndef TD_GRID_H
+#define TD_GRID_H
+
+#include "fixed.h"
+#include "memory.h"
+
+enum { TD_LEVELS = 16 };
+
+typedef struct td_level {
+    int32_t first, count;  /* in the sorted arrays */
+    int32_t starts;        /* where its cells begin in td_grid.starts; one more than cells */
+    uint32_t mask;         /* cells - 1 */
+    uint32_t row;          /* cells from one row to the next, modulo the table */
+    bool hashed;
+    int64_t cell;          /* bounds quanta */
+    double inv_cell;
+} td_level;
+
+typedef struct td_grid {
+    td_array ids;                        /* int: shapes, by level, then cell */
+    td_array min_x, min_y, max_x, max_y; /* int32, in the order of ids, eight more at the end */
+    td_array moved;                      /* int32: -1 where the shape is on the moved list */
+    td_array cells;                      /* int: cell of each, within its level */
+    td_array starts;                     /* int */
+    td_level levels[TD_LEVELS];
+    int64_t origin_x, origin_y;          /* bounds quanta: the least centre of the population */
+    bool valid;                          /* holds the present bounds */
+} td_grid;
+
+struct thud_world;
+
+/* Sorts the shapes listed. False when memory is short; the grid is then not valid. */
+bool td_grid_build(struct thud_world *w, td_grid *grid, const int *shapes, int count);
+void td_grid_free(td_memory *memory, td_grid *grid);
+
+/* Appends to `hits` (ints) each pair of shapes whose bounds overlap and of which one moved.
+ * `center` has every shape's place. */
+typedef bool td_grid_sweep_fn(const td_grid *grid, td_memory *memory, const td_place *center,
+                              td_array *hits);
+/* Appends every shape whose bounds overlap `bounds`, which lie near the position. */
+typedef bool td_grid_query_fn(const td_grid *grid, td_memory *memory, const td_bounds *bounds,
+                              td_place near_position, td_array *hits);
+
+static inline int64_t td_grid_index(int64_t coarse, int64_t origin, double inv_cell)
+{
+    double x = (double)(coarse - origin) * inv_cell;
+    int64_t i = (int64_t)x;
+    return (double)i > x ? i - 1 : i;
+}
+
+static inline uint32_t td_grid_cell(const td_level *level, int64_t column, int64_t row)
+{
+    return ((uint32_t)(uint64_t)(column + 1) + (uint32_t)(uint64_t)(row + 1) * level->row) &
+           level->mask;
+}
+
+#endif

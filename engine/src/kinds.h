@@ -1,0 +1,31 @@
+/* kinds.h: shape kinds plug their pair functions into a world when they are first used, so that a
+ * program that never makes a kind does not link its code. */
+#ifndef TD_KINDS_H
+#define TD_KINDS_H
+
+#include "world.h"
+
+void td_kind_circle(thud_world *w);
+void td_kind_aabb(thud_world *w);
+void td_kind_obb(thud_world *w);
+void td_kind_terrain(thud_world *w);
+
+/* Wide files exist once for every processor and, on x86-64, once more for AVX2; the names here
+ * pick one at run time. */
+#if defined(__x86_64__)
+#define TD_PICK_WIDE(w, name) ((w)->wide ? TD_JOIN(name, avx2) : TD_JOIN(name, base))
+#define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base), TD_JOIN(name, avx2)
+#else
+#define TD_PICK_WIDE(w, name) TD_JOIN(name, base)
+#define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base)
+#endif
+
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_circle);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_circle);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_box);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_aabb_aabb);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_box);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_terrain_circle);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_terrain_box);
+
+#endif

@@ -1,0 +1,340 @@
+/* lanes.c: see lanes.h.
+ *
+ * Colours are the lowest free one of both bodies; static and kinematic bodies take none, since the
+ * solver never changes them. */
+#include "lanes.h"
+
+#include <string.h>
+
+enum { HEAD_ROWS = (int)(offsetof(td_block, next) / sizeof(f8)) };
+
+size_t td_block_bytes(int points)
+{
+    return sizeof(td_block) + (size_t)points * sizeof(td_point);
+}
+
+td_block *td_block_at(const thud_world *w, int kind, int index)
+{
+    return td_at(&w->pool[w->pairs[kind]->points - 1].items, index);
+}
+
+static td_colours *colours_at(const thud_world *w, int awake)
+{
+    return td_at(&w->colours, awake);
+}
+
+/* The awake slot of the body if the solver moves it, else 0. */
+static int moving_slot(const thud_world *w, const td_body *body)
+{
+    return body->kind == THUD_DYNAMIC && body->awake > 0 ? body->awake : 0;
+}
+
+static const td_body *body_of_shape(const thud_world *w, int shape)
+{
+    return td_body_at(w, td_shape_at(w, shape)->body);
+}
+
+static void mark(thud_world *w, int awake, int bin, bool taken)
+{
+    if (awake > 0 && bin != TD_PARKED && bin % TD_COLOURS != TD_OVERFLOW) {
+        td_colours *colours = colours_at(w, awake);
+        uint64_t *mask = bin < TD_COLOURS ? &colours->moving : &colours->fixed;
+        uint64_t bit = 1ull << (bin % TD_COLOURS);
+        *mask = taken ? *mask | bit : *mask & ~bit;
+    }
+}
+
+/* Picks the bin of a contact and takes its colour. */
+static int choose_bin(thud_world *w, const td_contact *contact)
+{
+    const td_body *a = body_of_shape(w, contact->shape_a);
+    const td_body *b = body_of_shape(w, contact->shape_b);
+    bool fixed = a->kind == THUD_STATIC;
+    int slot_a = moving_slot(w, a), slot_b = moving_slot(w, b);
+    uint64_t taken = 1ull << TD_OVERFLOW;
+    if (slot_a) {
+        taken |= colours_at(w, slot_a)->moving;
+    }
+    if (slot_b) {
+        taken |= fixed ? colours_at(w, slot_b)->fixed : colours_at(w, slot_b)->moving;
+    }
+    int colour = ~taken ? __builtin_ctzll(~taken) : TD_OVERFLOW;
+    int bin = colour + (fixed ? TD_COLOURS : 0);
+    mark(w, slot_a, bin, true);
+    mark(w, slot_b, bin, true);
+    return bin;
+}
+
+static void release_bin(thud_world *w, const td_contact *contact, int bin)
+{
+    mark(w, moving_slot(w, body_of_shape(w, contact->shape_a)), bin, false);
+    mark(w, moving_slot(w, body_of_shape(w, contact->shape_b)), bin, false);
+}
+
+static int lanes_a_block(int bin)
+{
+    return bin != TD_PARKED && bin % TD_COLOURS == TD_OVERFLOW ? 1 : TD_LANES;
+}
+
+static int blocks_for(int bin, int lanes)
+{
+    int size = lanes_a_block(bin);
+    return (lanes + size - 1) / size;
+}
+
+static bool pool_reserve(thud_world *w, int points, int more)
+{
+    td_block_pool *pool = &w->pool[points - 1];
+    int free_count = pool->items.count - pool->live;
+    return more <= free_count ||
+           td_array_reserve(&w->memory, &pool->items, pool->items.count + more - free_count);
+}
+
+static int pool_take(thud_world *w, int kind)
+{
+    td_block_pool *pool = &w->pool[w->pairs[kind]->points - 1];
+    int index = pool->free_head;
+    if (index != TD_NONE) {
+        pool->free_head = td_block_at(w, kind, index)->next;
+    } else {
+        index = pool->items.count++;
+    }
+    pool->live++;
+    td_block *block = td_block_at(w, kind, index);
+    memset(block, 0, td_block_bytes(w->pairs[kind]->points));
+    for (int i = 0; i < TD_LANES; i++) {
+        block->contact[i] = TD_NONE;
+    }
+    return index;
+}
+
+static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int points)
+{
+    uint32_t *t = (uint32_t *)to + to_lane;
+    const uint32_t *f = (const uint32_t *)from + from_lane;
+    for (int row = 0; row < HEAD_ROWS; row++) {
+        t[row * TD_LANES] = f[row * TD_LANES];
+    }
+    t = (uint32_t *)to->point + to_lane;
+    f = (const uint32_t *)from->point + from_lane;
+    for (int row = 0; row < points * (int)(sizeof(td_point) / sizeof(f8)); row++) {
+        t[row * TD_LANES] = f[row * TD_LANES];
+    }
+    to->bouncy |= to->restitution[to_lane] > 0.0f;
+    to->touching = (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
+}
+
+/* An empty lane: no contact, no mass, and both bodies the dummy. */
+static void clear_lane(td_block *block, int lane, int points)
+{
+    uint32_t *t = (uint32_t *)block + lane;
+    for (int row = 0; row < HEAD_ROWS; row++) {
+        t[row * TD_LANES] = 0;
+    }
+    t = (uint32_t *)block->point + lane;
+    for (int row = 0; row < points * (int)(sizeof(td_point) / sizeof(f8)); row++) {
+        t[row * TD_LANES] = 0;
+    }
+    block->contact[lane] = TD_NONE;
+    block->touching &= ~(1u << lane);
+}
+
+/* Returns the block; *lane is the new last lane of the bin. */
+static int bin_grow(thud_world *w, int kind, int index, int *lane)
+{
+    td_bin *bin = &w->bins[kind][index];
+    bool full = bin->lanes == 0 ||
+                td_block_at(w, kind, bin->tail)->used == lanes_a_block(index);
+    if (full) {
+        int block = pool_take(w, kind);
+        td_block *new_block = td_block_at(w, kind, block);
+        new_block->next = TD_NONE;
+        new_block->prev = bin->lanes ? bin->tail : TD_NONE;
+        if (bin->lanes) {
+            td_block_at(w, kind, bin->tail)->next = block;
+        } else {
+            bin->head = block;
+        }
+        bin->tail = block;
+    }
+    bin->lanes++;
+    *lane = td_block_at(w, kind, bin->tail)->used++;
+    return bin->tail;
+}
+
+/* Takes a lane out of its bin; the last lane of the bin fills the hole. */
+static void bin_shrink(thud_world *w, int kind, int index, int slot)
+{
+    td_bin *bin = &w->bins[kind][index];
+    int points = w->pairs[kind]->points;
+    td_block *tail = td_block_at(w, kind, bin->tail);
+    int last = tail->used - 1;
+    if (slot != bin->tail * TD_LANES + last) {
+        td_block *hole = td_block_at(w, kind, slot / TD_LANES);
+        copy_lane(hole, slot % TD_LANES, tail, last, points);
+        td_contact_at(w, hole->contact[slot % TD_LANES])->slot = slot;
+    }
+    clear_lane(tail, last, points);
+    tail->used--;
+    bin->lanes--;
+    if (tail->used == 0) {
+        td_block_pool *pool = &w->pool[points - 1];
+        int block = bin->tail;
+        bin->tail = tail->prev;
+        if (bin->lanes) {
+            td_block_at(w, kind, bin->tail)->next = TD_NONE;
+        }
+        tail->next = pool->free_head;
+        pool->free_head = block;
+        pool->live--;
+    }
+}
+
+static void set_slots(thud_world *w, td_block *block, int lane, const td_contact *contact)
+{
+    const td_body *a = body_of_shape(w, contact->shape_a);
+    const td_body *b = body_of_shape(w, contact->shape_b);
+    block->a[lane] = td_max_int(a->awake, 0);
+    block->b[lane] = td_max_int(b->awake, 0);
+    block->inv_inertia_a[lane] = a->inv_inertia;
+    block->inv_inertia_b[lane] = b->inv_inertia;
+}
+
+static void fill_lane(thud_world *w, td_block *block, int lane, int contact_index)
+{
+    const td_contact *contact = td_contact_at(w, contact_index);
+    const td_shape *a = td_shape_at(w, contact->shape_a);
+    const td_shape *b = td_shape_at(w, contact->shape_b);
+    block->shape_a[lane] = contact->shape_a;
+    block->shape_b[lane] = contact->shape_b;
+    block->contact[lane] = contact_index;
+    block->friction[lane] = __builtin_sqrtf(a->friction * b->friction);
+    block->restitution[lane] = td_max_float(a->restitution, b->restitution);
+    block->bouncy |= block->restitution[lane] > 0.0f;
+    block->touching |= 1u << lane;
+}
+
+static void place(thud_world *w, int contact_index, int bin)
+{
+    td_contact *contact = td_contact_at(w, contact_index);
+    int kind = contact->kind, lane;
+    int block = bin_grow(w, kind, bin, &lane);
+    if (contact->state == TD_TOUCHING) {
+        copy_lane(td_block_at(w, kind, block), lane,
+                  td_block_at(w, kind, contact->slot / TD_LANES), contact->slot % TD_LANES,
+                  w->pairs[kind]->points);
+        bin_shrink(w, kind, contact->bin, contact->slot);
+    } else {
+        fill_lane(w, td_block_at(w, kind, block), lane, contact_index);
+        w->touching++;
+    }
+    set_slots(w, td_block_at(w, kind, block), lane, contact);
+    contact->state = TD_TOUCHING;
+    contact->bin = (uint16_t)bin;
+    contact->slot = block * TD_LANES + lane;
+}
+
+/* Blocks needed when every bin grows by `grown`, per pool. */
+static bool reserve_grown(thud_world *w, int (*grown)[TD_BINS_A_KIND])
+{
+    int more[2] = {0, 0};
+    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+        for (int bin = 0; bin < TD_BINS_A_KIND && w->pairs[kind]; bin++) {
+            if (grown[kind][bin]) {
+                int lanes = w->bins[kind][bin].lanes;
+                more[w->pairs[kind]->points - 1] +=
+                    blocks_for(bin, lanes + grown[kind][bin]) - blocks_for(bin, lanes);
+            }
+        }
+    }
+    return pool_reserve(w, 1, more[0]) && pool_reserve(w, 2, more[1]);
+}
+
+bool td_lanes_place(thud_world *w, const int *contacts, int count, bool park)
+{
+    if (count == 0) {
+        return true;
+    }
+    int grown[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND] = {0};
+    if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count)) {
+        return false;
+    }
+    int *bins = w->scratch.lane_bins.data;
+    for (int i = 0; i < count; i++) {
+        const td_contact *contact = td_contact_at(w, contacts[i]);
+        int bin = park ? TD_PARKED : choose_bin(w, contact);
+        bins[i] = bin;
+        grown[contact->kind][bin]++;
+    }
+    if (!reserve_grown(w, grown)) {
+        for (int i = 0; i < count; i++) {
+            release_bin(w, td_contact_at(w, contacts[i]), bins[i]);
+        }
+        return false;
+    }
+    for (int i = 0; i < count; i++) {
+        const td_contact *contact = td_contact_at(w, contacts[i]);
+        if (park) {
+            release_bin(w, contact, contact->bin);
+        }
+        place(w, contacts[i], bins[i]);
+    }
+    return true;
+}
+
+void td_lane_remove(thud_world *w, int contact_index)
+{
+    td_contact *contact = td_contact_at(w, contact_index);
+    assert(contact->state == TD_TOUCHING);
+    release_bin(w, contact, contact->bin);
+    bin_shrink(w, contact->kind, contact->bin, contact->slot);
+    w->touching--;
+}
+
+void td_lane_set_slot(thud_world *w, int contact_index, int side, int awake)
+{
+    const td_contact *contact = td_contact_at(w, contact_index);
+    td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+    (side ? block->b : block->a)[contact->slot % TD_LANES] = awake;
+}
+
+static void list_bin(thud_world *w, int kind, int bin)
+{
+    if (!w->bins[kind][bin].lanes) {
+        return;
+    }
+    td_array *runs = &w->scratch.runs, *blocks = &w->scratch.blocks;
+    int fixed = bin >= TD_COLOURS;
+    td_run *run = runs->count ? td_at(runs, runs->count - 1) : NULL;
+    if (!run || run->kind != kind || run->fixed != fixed) {
+        run = td_at(runs, runs->count++);
+        *run = (td_run){kind, fixed, blocks->count, 0};
+    }
+    for (int i = w->bins[kind][bin].head; i != TD_NONE;) {
+        td_block *block = td_block_at(w, kind, i);
+        *(td_block **)td_at(blocks, blocks->count++) = block;
+        run->count++;
+        i = block->next;
+    }
+}
+
+bool td_lanes_sequence(thud_world *w)
+{
+    int most = w->pool[0].live + w->pool[1].live;
+    if (!td_array_reserve(&w->memory, &w->scratch.blocks, most) ||
+        !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_PAIR_TOUCH_COUNT)) {
+        return false;
+    }
+    w->scratch.blocks.count = 0;
+    w->scratch.runs.count = 0;
+    w->stats.colours = 0;
+    for (int bin = 0; bin < 2 * TD_COLOURS; bin++) {
+        int before = w->scratch.blocks.count;
+        for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+            list_bin(w, kind, bin);
+        }
+        w->stats.colours += w->scratch.blocks.count > before;
+    }
+    w->stats.blocks = w->scratch.blocks.count;
+    return true;
+}

@@ -1,0 +1,32 @@
+/* lanes.h: where touching contacts live: lanes of blocks, blocks in bins.
+ *
+ * Bins stay dense: a lane that leaves is filled by the bin's last one. Which lane a contact has
+ * follows from the history of the world alone, never from addresses. */
+#ifndef TD_LANES_H
+#define TD_LANES_H
+
+#include "world.h"
+
+/* A run of blocks for one kernel, in the order of solving. */
+typedef struct td_run {
+    int32_t kind, fixed; /* td_pair_kind; 1: side a is static */
+    int32_t first, count;
+} td_run;
+
+size_t td_block_bytes(int points);
+td_block *td_block_at(const thud_world *w, int kind, int index);
+
+/* Gives each of the contacts a lane: by graph colour, or in its kind's parked bin. A contact that
+ * has a lane already takes its impulses along. False when memory is short, and nothing has
+ * changed. */
+bool td_lanes_place(thud_world *w, const int *contacts, int count, bool park);
+void td_lane_remove(thud_world *w, int contact);
+
+/* Lists the blocks in the order of solving: colours with moving bodies first and static ones last,
+ * so that the ground has the last word. */
+bool td_lanes_sequence(thud_world *w);
+
+/* The awake slot of one body changed. */
+void td_lane_set_slot(thud_world *w, int contact, int side, int awake);
+
+#endif

@@ -1,0 +1,120 @@
+/* memory.c: see memory.h. */
+#include "memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void *library_allocate(size_t bytes, void *context)
+{
+    (void)context;
+    return aligned_alloc(64, bytes);
+}
+
+static void library_release(void *block, size_t bytes, void *context)
+{
+    (void)bytes;
+    (void)context;
+    free(block);
+}
+
+td_memory td_memory_make(thud_allocator hooks)
+{
+    td_memory memory = {hooks, 0, 0};
+    if (!hooks.allocate || !hooks.release) {
+        memory.hooks = (thud_allocator){library_allocate, library_release, NULL};
+    }
+    return memory;
+}
+
+static size_t rounded(size_t bytes)
+{
+    return (bytes + 63) & ~(size_t)63;
+}
+
+void *td_memory_get(td_memory *memory, size_t bytes)
+{
+    size_t size = rounded(bytes);
+    void *block = memory->hooks.allocate(size, memory->hooks.context);
+    if (block) {
+        memset(block, 0, size);
+        memory->bytes += size;
+        memory->allocations++;
+    }
+    return block;
+}
+
+void td_memory_put(td_memory *memory, void *block, size_t bytes)
+{
+    if (block) {
+        memory->bytes -= rounded(bytes);
+        memory->hooks.release(block, rounded(bytes), memory->hooks.context);
+    }
+}
+
+bool td_array_reserve(td_memory *memory, td_array *array, int capacity)
+{
+    if (capacity <= array->capacity) {
+        return true;
+    }
+    size_t stride = (size_t)array->stride;
+    /* Doubling keeps the number of moves logarithmic; a world at rest never comes here. */
+    int64_t wanted = td_max_int(array->capacity, 8);
+    while (wanted < capacity) {
+        wanted *= 2;
+    }
+    if (wanted > INT32_MAX / 16) {
+        return false;
+    }
+    void *data = td_memory_get(memory, (size_t)wanted * stride);
+    if (!data) {
+        return false;
+    }
+    if (array->data) {
+        memcpy(data, array->data, (size_t)array->capacity * stride);
+        td_memory_put(memory, array->data, (size_t)array->capacity * stride);
+    }
+    array->data = data;
+    array->capacity = (int)wanted;
+    return true;
+}
+
+void td_array_free(td_memory *memory, td_array *array)
+{
+    td_memory_put(memory, array->data, (size_t)array->capacity * (size_t)array->stride);
+    array->data = NULL;
+    array->count = 0;
+    array->capacity = 0;
+}
+
+void td_slots_init(td_slots *slots, int stride)
+{
+    slots->items.stride = stride;
+    slots->free_head = TD_NONE;
+}
+
+bool td_slots_reserve(td_memory *memory, td_slots *slots, int more)
+{
+    int free_count = slots->items.count - slots->live;
+    return more <= free_count ||
+           td_array_reserve(memory, &slots->items, slots->items.count + more - free_count);
+}
+
+int td_slots_take(td_slots *slots)
+{
+    int index = slots->free_head;
+    if (index != TD_NONE) {
+        slots->free_head = *(int *)td_at(&slots->items, index);
+    } else {
+        index = slots->items.count++;
+        assert(index < slots->items.capacity);
+    }
+    slots->live++;
+    return index;
+}
+
+void td_slots_give(td_slots *slots, int index)
+{
+    *(int *)td_at(&slots->items, index) = slots->free_head;
+    slots->free_head = index;
+    slots->live--;
+}

@@ -1,0 +1,20 @@
+/* shape.h: placing shapes, and terrain as the world keeps it. */
+#ifndef TD_SHAPE_H
+#define TD_SHAPE_H
+
+#include "world.h"
+
+/* Recomputes offsets from the centre of mass; after td_body_weigh. */
+void td_shape_settle(thud_world *w, int shape);
+
+/* Puts one shape where its body's pose says, and its bounds onto the moved list when they leave the
+ * fat ones. Terrain keeps its place and has no bounds. */
+void td_shape_place(thud_world *w, int shape);
+
+/* Puts a shape onto the moved list; its bounds of before go to `was`. */
+void td_shape_mark_moved(thud_world *w, int shape);
+
+/* A view of a terrain shape's line, relative to its body's origin. */
+thud_terrain td_terrain_view(const thud_world *w, int shape);
+
+#endif

@@ -1,0 +1,203 @@
+/* simd.h: eight floats or ints at once, by the compilers' vector extensions.
+ *
+ * Every operation works on each lane by itself and is exact or correctly rounded (no fused
+ * multiply-add, no approximate reciprocal), so that SSE2, AVX2, NEON, wasm SIMD128 and plain scalar
+ * code give the same bits. The only intrinsics of the engine stand here. */
+#ifndef TD_SIMD_H
+#define TD_SIMD_H
+
+#include "base.h"
+
+#if defined(__AVX2__) || defined(__SSE2__)
+#include <immintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#endif
+
+#if defined(__GNUC__) && !defined(__clang__)
+/* Vectors are only passed to functions that are inlined, so the calling convention is moot. */
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+typedef float f8 __attribute__((vector_size(32)));
+typedef int32_t i8 __attribute__((vector_size(32)));
+typedef float f4 __attribute__((vector_size(16)));
+
+#define TD_INLINE static inline __attribute__((always_inline))
+
+TD_INLINE f8 f8_all(float x)
+{
+    return (f8){x, x, x, x, x, x, x, x};
+}
+
+TD_INLINE i8 i8_all(int32_t x)
+{
+    return (i8){x, x, x, x, x, x, x, x};
+}
+
+/* Masks are all ones or all zeros a lane, as comparisons give them. */
+TD_INLINE f8 f8_pick(i8 mask, f8 yes, f8 no)
+{
+#if defined(__AVX2__)
+    return (f8)_mm256_blendv_ps((__m256)no, (__m256)yes, (__m256)mask);
+#else
+    return (f8)((mask & (i8)yes) | (~mask & (i8)no));
+#endif
+}
+
+TD_INLINE i8 i8_pick(i8 mask, i8 yes, i8 no)
+{
+    return (mask & yes) | (~mask & no);
+}
+
+TD_INLINE f8 f8_keep(i8 mask, f8 x) /* x where the mask is set, else 0 */
+{
+    return (f8)(mask & (i8)x);
+}
+
+TD_INLINE f8 f8_min(f8 a, f8 b) /* b where unordered, as x86 has it */
+{
+#if defined(__AVX2__)
+    return (f8)_mm256_min_ps((__m256)a, (__m256)b);
+#else
+    return f8_pick(a < b, a, b);
+#endif
+}
+
+TD_INLINE f8 f8_max(f8 a, f8 b)
+{
+#if defined(__AVX2__)
+    return (f8)_mm256_max_ps((__m256)a, (__m256)b);
+#else
+    return f8_pick(a > b, a, b);
+#endif
+}
+
+TD_INLINE f8 f8_clamp(f8 x, f8 low, f8 high)
+{
+    return f8_min(f8_max(x, low), high);
+}
+
+TD_INLINE f8 f8_abs(f8 x)
+{
+    return (f8)((i8)x & i8_all(0x7fffffff));
+}
+
+TD_INLINE f8 f8_flip(f8 x, i8 mask) /* -x where the mask is set */
+{
+    return (f8)((i8)x ^ (mask & i8_all((int32_t)0x80000000u)));
+}
+
+TD_INLINE f8 f8_sqrt(f8 x)
+{
+#if defined(__AVX2__)
+    return (f8)_mm256_sqrt_ps((__m256)x);
+#elif defined(__SSE2__)
+    f4 low = __builtin_shufflevector(x, x, 0, 1, 2, 3);
+    f4 high = __builtin_shufflevector(x, x, 4, 5, 6, 7);
+    low = (f4)_mm_sqrt_ps((__m128)low);
+    high = (f4)_mm_sqrt_ps((__m128)high);
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#elif defined(__wasm_simd128__)
+    f4 low = __builtin_shufflevector(x, x, 0, 1, 2, 3);
+    f4 high = __builtin_shufflevector(x, x, 4, 5, 6, 7);
+    low = (f4)wasm_f32x4_sqrt((v128_t)low);
+    high = (f4)wasm_f32x4_sqrt((v128_t)high);
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+    f8 r;
+    for (int i = 0; i < TD_LANES; i++) {
+        r[i] = __builtin_sqrtf(x[i]);
+    }
+    return r;
+#endif
+}
+
+/* Bit i is set where lane i is negative (masks are -1). */
+TD_INLINE unsigned i8_bits(i8 x)
+{
+#if defined(__AVX2__)
+    return (unsigned)_mm256_movemask_ps((__m256)x);
+#elif defined(__SSE2__)
+    typedef int32_t i4 __attribute__((vector_size(16)));
+    i4 low = __builtin_shufflevector(x, x, 0, 1, 2, 3);
+    i4 high = __builtin_shufflevector(x, x, 4, 5, 6, 7);
+    return (unsigned)_mm_movemask_ps((__m128)low) | (unsigned)_mm_movemask_ps((__m128)high) << 4;
+#elif defined(__wasm_simd128__)
+    typedef int32_t i4 __attribute__((vector_size(16)));
+    i4 low = __builtin_shufflevector(x, x, 0, 1, 2, 3);
+    i4 high = __builtin_shufflevector(x, x, 4, 5, 6, 7);
+    return (unsigned)wasm_i32x4_bitmask((v128_t)low) | (unsigned)wasm_i32x4_bitmask((v128_t)high)
+                                                           << 4;
+#else
+    unsigned bits = 0;
+    for (int i = 0; i < TD_LANES; i++) {
+        bits |= (unsigned)(x[i] < 0) << i;
+    }
+    return bits;
+#endif
+}
+
+TD_INLINE i8 i8_load(const int32_t *p) /* any alignment of int32_t */
+{
+    i8 r;
+    __builtin_memcpy(&r, p, sizeof r);
+    return r;
+}
+
+/* Eight records of four floats, by index, turned into four vectors of eight. */
+typedef struct td_rows {
+    f8 x, y, z, w;
+} td_rows;
+
+TD_INLINE f8 f8_two(const float *low, const float *high)
+{
+    f4 a, b;
+    __builtin_memcpy(&a, low, sizeof a);
+    __builtin_memcpy(&b, high, sizeof b);
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+TD_INLINE td_rows td_gather(const float (*records)[4], const int32_t *index)
+{
+    f8 r0 = f8_two(records[index[0]], records[index[4]]);
+    f8 r1 = f8_two(records[index[1]], records[index[5]]);
+    f8 r2 = f8_two(records[index[2]], records[index[6]]);
+    f8 r3 = f8_two(records[index[3]], records[index[7]]);
+    f8 t0 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13);
+    f8 t1 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
+    f8 t2 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
+    f8 t3 = __builtin_shufflevector(r2, r3, 2, 10, 3, 11, 6, 14, 7, 15);
+    return (td_rows){
+        __builtin_shufflevector(t0, t1, 0, 1, 8, 9, 4, 5, 12, 13),
+        __builtin_shufflevector(t0, t1, 2, 3, 10, 11, 6, 7, 14, 15),
+        __builtin_shufflevector(t2, t3, 0, 1, 8, 9, 4, 5, 12, 13),
+        __builtin_shufflevector(t2, t3, 2, 3, 10, 11, 6, 7, 14, 15),
+    };
+}
+
+TD_INLINE void td_put_two(float *low, float *high, f8 v)
+{
+    f4 a = __builtin_shufflevector(v, v, 0, 1, 2, 3);
+    f4 b = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+    __builtin_memcpy(low, &a, sizeof a);
+    __builtin_memcpy(high, &b, sizeof b);
+}
+
+TD_INLINE void td_scatter(float (*records)[4], const int32_t *index, td_rows v)
+{
+    f8 t0 = __builtin_shufflevector(v.x, v.y, 0, 8, 1, 9, 4, 12, 5, 13);
+    f8 t1 = __builtin_shufflevector(v.x, v.y, 2, 10, 3, 11, 6, 14, 7, 15);
+    f8 t2 = __builtin_shufflevector(v.z, v.w, 0, 8, 1, 9, 4, 12, 5, 13);
+    f8 t3 = __builtin_shufflevector(v.z, v.w, 2, 10, 3, 11, 6, 14, 7, 15);
+    td_put_two(records[index[0]], records[index[4]],
+               __builtin_shufflevector(t0, t2, 0, 1, 8, 9, 4, 5, 12, 13));
+    td_put_two(records[index[1]], records[index[5]],
+               __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15));
+    td_put_two(records[index[2]], records[index[6]],
+               __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 4, 5, 12, 13));
+    td_put_two(records[index[3]], records[index[7]],
+               __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15));
+}
+
+#endif

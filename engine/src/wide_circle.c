@@ -1,0 +1,98 @@
+/* wide_circle.c: contacts of circles with circles and with boxes. */
+#include "wide_collide.h"
+
+/* Unit vector along (x, y) and its length; +y where the length vanishes. */
+TD_INLINE f8 normalise(f8 *x, f8 *y)
+{
+    f8 length = f8_sqrt(*x * *x + *y * *y);
+    i8 long_enough = length > f8_all(1e-18f);
+    f8 divisor = f8_pick(long_enough, length, f8_all(1.0f));
+    *x = f8_keep(long_enough, *x / divisor);
+    *y = f8_pick(long_enough, *y / divisor, f8_all(1.0f));
+    return f8_keep(long_enough, length);
+}
+
+static void circle_circle(td_block *const *blocks, int count, const td_collide_context *c)
+{
+    for (int i = 0; i < count; i++) {
+        td_block *block = blocks[i];
+        td_pairs8 p = td_read_pairs(block, c);
+        f8 nx = p.dx, ny = p.dy;
+        f8 separation = normalise(&nx, &ny) - p.ahx - p.bhx;
+        i8 valid = td_used_mask(block) & (separation < f8_all(c->margin));
+        block->nx = nx;
+        block->ny = ny;
+        f8 ra = p.ahx + f8_all(0.5f) * separation, rb = -(p.bhx + f8_all(0.5f) * separation);
+        td_write_point(block, 0, c, valid, separation, p.ax + nx * ra, p.ay + ny * ra,
+                       p.bx + nx * rb, p.by + ny * rb);
+        block->touching = i8_bits(valid);
+    }
+}
+
+/* A circle of radius r at (x, y) in the frame of a box with half extents hx, hy: normal from the
+ * box, and separation. */
+TD_INLINE f8 circle_in_box_frame(f8 x, f8 y, f8 hx, f8 hy, f8 r, f8 *nx, f8 *ny)
+{
+    f8 dx = x - f8_clamp(x, -hx, hx), dy = y - f8_clamp(y, -hy, hy);
+    i8 inside = (dx == f8_all(0.0f)) & (dy == f8_all(0.0f));
+    f8 ux = dx, uy = dy;
+    f8 distance = normalise(&ux, &uy);
+    /* The centre inside: out through the nearest face. */
+    f8 depth_x = hx - f8_abs(x), depth_y = hy - f8_abs(y);
+    i8 by_x = depth_x < depth_y;
+    f8 one = f8_all(1.0f);
+    f8 face_x = f8_keep(by_x, f8_flip(one, x < f8_all(0.0f)));
+    f8 face_y = f8_keep(~by_x, f8_flip(one, y < f8_all(0.0f)));
+    *nx = f8_pick(inside, face_x, ux);
+    *ny = f8_pick(inside, face_y, uy);
+    return f8_pick(inside, -f8_min(depth_x, depth_y), distance) - r;
+}
+
+/* `flip`: the circle is a and the box is b. */
+TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool flip)
+{
+    td_pairs8 p = td_read_pairs(block, c);
+    f8 cosine = flip ? p.bc : p.ac, sine = flip ? p.bs : p.as;
+    f8 hx = flip ? p.bhx : p.ahx, hy = flip ? p.bhy : p.ahy, r = flip ? p.ahx : p.bhx;
+    f8 dx = flip ? -p.dx : p.dx, dy = flip ? -p.dy : p.dy; /* from the box to the circle */
+    f8 lx, ly;
+    f8 separation = circle_in_box_frame(cosine * dx + sine * dy, cosine * dy - sine * dx, hx, hy,
+                                        r, &lx, &ly);
+    f8 nx = cosine * lx - sine * ly, ny = sine * lx + cosine * ly;
+    i8 valid = td_used_mask(block) & (separation < f8_all(c->margin));
+    f8 reach = -(r + f8_all(0.5f) * separation); /* along the normal, from the circle's centre */
+    f8 cx = nx * reach, cy = ny * reach;
+    block->nx = flip ? -nx : nx;
+    block->ny = flip ? -ny : ny;
+    if (flip) {
+        td_write_point(block, 0, c, valid, separation, p.ax + cx, p.ay + cy, p.bx + dx + cx,
+                       p.by + dy + cy);
+    } else {
+        td_write_point(block, 0, c, valid, separation, p.ax + dx + cx, p.ay + dy + cy, p.bx + cx,
+                       p.by + cy);
+    }
+    block->touching = i8_bits(valid);
+}
+
+static void box_circle(td_block *const *blocks, int count, const td_collide_context *c)
+{
+    for (int i = 0; i < count; i++) {
+        box_and_circle(blocks[i], c, false);
+    }
+}
+
+static void circle_box(td_block *const *blocks, int count, const td_collide_context *c)
+{
+    for (int i = 0; i < count; i++) {
+        box_and_circle(blocks[i], c, true);
+    }
+}
+
+extern const td_solve_ops TD_WIDE(td_solve_one);
+
+extern const td_pair_ops TD_WIDE(td_pair_circle_circle), TD_WIDE(td_pair_box_circle),
+    TD_WIDE(td_pair_circle_box);
+const td_pair_ops TD_WIDE(td_pair_circle_circle) = {1, circle_circle, NULL,
+                                                    &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_box_circle) = {1, box_circle, NULL, &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_circle_box) = {1, circle_box, NULL, &TD_WIDE(td_solve_one)};

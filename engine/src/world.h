@@ -1,0 +1,240 @@
+/* world.h: the state of a world, as plain data in arrays that name each other by index.
+ *
+ * Hot and cold stand apart: what every substep touches is in the `awake` arrays, dense and 16 bytes
+ * a record; what every step touches lies in per-body and per-shape records; definitions, links and
+ * user data are elsewhere. */
+#ifndef TD_WORLD_H
+#define TD_WORLD_H
+
+#include "block.h"
+#include "grid.h"
+#include "memory.h"
+
+enum {
+    TD_COLOURS = 64,                      /* the last one is overflow: one lane a block */
+    TD_OVERFLOW = TD_COLOURS - 1,
+    TD_BINS_A_KIND = 2 * TD_COLOURS + 1,  /* moving by colour, static by colour, parked */
+    TD_PARKED = 2 * TD_COLOURS
+};
+
+typedef struct td_pose {
+    td_place center; /* of mass */
+    uint32_t angle;  /* 2^32 a turn: wraps by itself, needs no renormalising */
+    float c, s;      /* of the angle */
+    int32_t padding;
+} td_pose;
+
+enum { /* td_body.flags */
+    TD_BODY_LIVE = 1,
+    TD_BODY_FIXED = 2,      /* rotation is fixed by its def */
+    TD_BODY_RESTLESS = 4,   /* may not sleep */
+    TD_BODY_QUARANTINED = 8,
+    TD_BODY_LISTED = 16     /* in the change list already */
+};
+
+typedef struct td_body {
+    int32_t next_free; /* first: see td_slots */
+    uint32_t generation;
+    uint8_t kind, flags, changes, aabbs; /* aabbs: number of AABB shapes, which fix rotation */
+    int32_t awake;                /* slot, or TD_NONE: static, asleep or not yet applied */
+    int32_t first_shape, shape_count;
+    int32_t first_contact;        /* edge: contact * 2 + side */
+    float velocity[3];            /* while there is no awake slot */
+    float force[3];               /* for the next step: x, y, torque */
+    float mass, inertia, inv_mass, inv_inertia;
+    float center_x, center_y;     /* of mass, in the body's frame */
+    float core, rim;              /* smallest half extent; farthest reach from the centre of mass */
+    float gravity_scale, linear_damping, angular_damping;
+    uint32_t rest_epoch;          /* world's, when it fell asleep */
+    uint64_t user_data;
+} td_body;
+
+enum { /* td_shape.flags */
+    TD_SHAPE_LIVE = 1,
+    TD_SHAPE_SENSOR = 2,
+    TD_SHAPE_MOVED = 4, /* in the moved list; its bounds before are in `was` */
+    TD_SHAPE_FRESH = 8, /* has no pairs yet: `was` means nothing */
+    TD_SHAPE_WOKEN = 16 /* pairs may be missing; look each one up */
+};
+
+typedef struct td_shape {
+    int32_t next_free;
+    uint32_t generation;
+    uint8_t kind, flags, plain, padding; /* plain: centred on the body's centre of mass, angle 0 */
+    int32_t body, next; /* of the same body */
+    int32_t terrain;    /* index, or TD_NONE */
+    float x, y;         /* in the body's frame */
+    uint32_t angle;
+    float angle_c, angle_s;
+    float half_x, half_y;
+    float density, friction, restitution;
+    thud_filter filter;
+    uint64_t user_data;
+} td_shape;
+
+typedef struct td_terrain_record {
+    int32_t next_free;
+    int32_t shape;      /* TD_NONE when free */
+    thud_terrain_kind kind;
+    double slope, x0, spacing;
+    td_array points;    /* thud_pos */
+} td_terrain_record;
+
+enum { /* td_contact.state */
+    TD_WAITING = 0, /* bounds overlap, shapes do not touch: index in its kind's waiting list */
+    TD_TOUCHING,    /* slot is block * 8 + lane */
+    TD_RESTING      /* waiting, but nobody is awake: in no list */
+};
+
+typedef struct td_contact {
+    int32_t next_free;
+    int32_t shape_a, shape_b;
+    int32_t child; /* terrain segment */
+    int32_t slot;
+    int32_t next[2], prev[2]; /* edges in the bodies' contact lists */
+    uint16_t bin;
+    uint8_t kind, state;
+    uint8_t overlapping; /* sensors */
+    uint8_t begun;       /* in this step */
+    uint8_t padding[2];
+} td_contact;
+
+typedef struct td_bin {
+    int32_t head, tail, lanes;
+} td_bin;
+
+typedef struct td_colours {
+    uint64_t moving, fixed; /* taken by this body's contacts with moving and static bodies */
+} td_colours;
+
+/* Blocks of one stride. */
+typedef struct td_block_pool {
+    td_array items; /* td_block with one or two points */
+    int free_head;  /* chained by td_block.next */
+    int live;
+} td_block_pool;
+
+/* What happens in a step, in the order it is made; see thud_events. */
+typedef struct td_event_lists {
+    td_array begin, end, sensor_begin, sensor_end; /* thud_contact_event */
+    td_array hit;                                  /* thud_hit_event */
+    td_array quarantined;                          /* thud_body_id */
+} td_event_lists;
+
+typedef enum td_change_kind {
+    TD_CHANGE_ENTER = 1,      /* created: takes its awake slot and enters the broadphase */
+    TD_CHANGE_LEAVE = 2,      /* destroyed */
+    TD_CHANGE_SHAPES = 4,     /* shapes came or went */
+    TD_CHANGE_WAKE = 8,
+    TD_CHANGE_PLACE = 16,     /* teleported */
+    TD_CHANGE_SLEEP = 32
+} td_change_kind;
+
+/* An edit made inside a callback, put off to the start of the next step. */
+typedef struct td_put_off {
+    int32_t body;
+    uint32_t generation;
+    int32_t what; /* td_put_off_kind in body.h */
+    double value[4];
+} td_put_off;
+
+struct thud_world {
+    /* Configuration: not part of a snapshot. */
+    thud_world_def def;
+    td_memory memory;
+    uint32_t number;                                  /* mixed into generations */
+    const td_pair_ops *pairs[TD_PAIR_TOUCH_COUNT];    /* plugged in by kinds.h */
+    bool wide;                                        /* AVX2 kernels may run */
+    bool locked;                                      /* inside a callback */
+    float unit;                                       /* L in the caller's unit */
+    float quantum;                                    /* caller's unit a position quantum */
+    double to_fixed;                                  /* position quanta a caller's unit */
+    double to_coarse;                                 /* bounds quanta a caller's unit */
+    int substeps;
+
+    /* State. */
+    uint64_t steps;
+    double spare_time; /* of thud_world_advance */
+    uint32_t rest_epoch; /* rises whenever a resting shape enters or moves */
+    td_slots bodies, shapes, contacts, terrains;
+    td_array pose;                                     /* td_pose, by body */
+    td_array center;                                   /* td_place, by shape */
+    td_array turn, size;                               /* float[4], by shape; see td_collide_context;
+                                                          size also holds the offset from the
+                                                          centre of mass in the body's frame */
+    td_array fat, was;                                 /* td_bounds, by shape */
+    td_array velocity, delta, start, push;             /* float[4], by awake slot; push: velocity
+                                                          gained a substep, damping pair below */
+    td_array damping;                                  /* float[2], by awake slot */
+    td_array idle;                                     /* float, by awake slot: time at rest */
+    td_array reach;                                    /* float[2], by awake slot: core, rim */
+    td_array body_of;                                  /* int, by awake slot */
+    td_array colours;                                  /* td_colours, by awake slot */
+    td_array waiting[TD_PAIR_COUNT];                   /* int: contacts */
+    td_array moved;                                    /* int: shapes */
+    td_array changed;                                  /* int: bodies */
+    td_array put_off;                                  /* td_put_off */
+    td_block_pool pool[2];                             /* one and two points a lane */
+    td_bin bins[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND];
+    int touching;                                      /* lanes in use, parked ones too */
+    int contact_count[TD_PAIR_COUNT];
+    int damped;                                        /* awake bodies with damping */
+    bool push_stale;                                   /* `push` must be made anew */
+    int resting_shapes;                                /* in the resting grid */
+    td_grid awake_grid, rest_grid;
+    td_event_lists events;
+
+    /* Scratch and statistics: rebuilt by every step. */
+    struct td_scratch {
+        td_array pairs;       /* int[2]: new shape pairs; terrain ones in `segments` */
+        td_array segments;    /* int[3]: terrain shape, shape, segment */
+        td_array blocks;      /* td_block *: in solver order */
+        td_array runs;        /* td_run */
+        td_array begins, ends;/* int: contacts */
+        td_array parents;     /* int: union-find by awake slot */
+        td_array lane_bins;   /* int: see td_lanes_place */
+        td_array test_blocks; /* td_block with two points: waiting pairs under test */
+        td_array fast;        /* int: awake slots that moved further than their core */
+        td_array grid;        /* see grid.h */
+    } scratch;
+    td_array poses; /* thud_pose */
+    thud_stats stats;
+};
+
+static inline td_body *td_body_at(const thud_world *w, int i)
+{
+    return td_at(&w->bodies.items, i);
+}
+
+static inline td_shape *td_shape_at(const thud_world *w, int i)
+{
+    return td_at(&w->shapes.items, i);
+}
+
+static inline td_contact *td_contact_at(const thud_world *w, int i)
+{
+    return td_at(&w->contacts.items, i);
+}
+
+static inline td_pose *td_pose_at(const thud_world *w, int body)
+{
+    return td_at(&w->pose, body);
+}
+
+static inline td_bounds *td_fat_at(const thud_world *w, int shape)
+{
+    return td_at(&w->fat, shape);
+}
+
+static inline float *td_row(const td_array *rows, int i)
+{
+    return td_at(rows, i);
+}
+
+/* Number of awake slots in use, the dummy 0 included. */
+static inline int td_awake_count(const thud_world *w)
+{
+    return w->body_of.count;
+}
+
+#endif
