@@ -67,7 +67,7 @@ static void move_slot(thud_world *w, int from, int to)
     for (int edge = body->first_contact; edge != TD_NONE;) {
         const td_contact *contact = td_contact_at(w, edge / 2);
         if (contact->state == TD_TOUCHING) {
-            td_lane_set_slot(w, edge / 2, edge & 1, to);
+            td_lane_refresh(w, edge / 2);
         }
         edge = contact->next[edge & 1];
     }

@@ -291,11 +291,11 @@ void td_lane_remove(thud_world *w, int contact_index)
     w->touching--;
 }
 
-void td_lane_set_slot(thud_world *w, int contact_index, int side, int awake)
+void td_lane_refresh(thud_world *w, int contact_index)
 {
     const td_contact *contact = td_contact_at(w, contact_index);
-    td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-    (side ? block->b : block->a)[contact->slot % TD_LANES] = awake;
+    set_slots(w, td_block_at(w, contact->kind, contact->slot / TD_LANES),
+              contact->slot % TD_LANES, contact);
 }
 
 static void list_bin(thud_world *w, int kind, int bin)

@@ -26,7 +26,7 @@ void td_lane_remove(thud_world *w, int contact);
  * so that the ground has the last word. */
 bool td_lanes_sequence(thud_world *w);
 
-/* The awake slot of one body changed. */
-void td_lane_set_slot(thud_world *w, int contact, int side, int awake);
+/* The awake slot or the inertia of one of its bodies changed. */
+void td_lane_refresh(thud_world *w, int contact);
 
 #endif

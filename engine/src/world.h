@@ -95,7 +95,7 @@ typedef struct td_contact {
     uint16_t bin;
     uint8_t kind, state;
     uint8_t overlapping; /* sensors */
-    uint8_t begun;       /* in this step */
+    uint8_t listed;      /* while a list of contacts is being made */
     uint8_t padding[2];
 } td_contact;
 
@@ -180,20 +180,23 @@ struct thud_world {
     int contact_count[TD_PAIR_COUNT];
     int damped;                                        /* awake bodies with damping */
     bool push_stale;                                   /* `push` must be made anew */
-    int resting_shapes;                                /* in the resting grid */
+    int idle_bodies;                                   /* at rest for long enough to sleep */
     td_grid awake_grid, rest_grid;
     td_event_lists events;
 
     /* Scratch and statistics: rebuilt by every step. */
     struct td_scratch {
-        td_array pairs;       /* int[2]: new shape pairs; terrain ones in `segments` */
-        td_array segments;    /* int[3]: terrain shape, shape, segment */
+        td_array shapes;      /* int: a population to sort */
+        td_array hits;        /* int: what a grid reports */
+        td_array pairs;       /* td_new_pair */
+        td_array bodies, contacts; /* int: an island that wakes or falls asleep */
         td_array blocks;      /* td_block *: in solver order */
         td_array runs;        /* td_run */
         td_array begins, ends;/* int: contacts */
         td_array parents;     /* int: union-find by awake slot */
         td_array lane_bins;   /* int: see td_lanes_place */
         td_array test_blocks; /* td_block with two points: waiting pairs under test */
+        td_array test_list;   /* td_block *: to them */
         td_array fast;        /* int: awake slots that moved further than their core */
         td_array grid;        /* see grid.h */
     } scratch;

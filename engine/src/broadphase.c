@@ -1,0 +1,278 @@
+/* broadphase.c: from moved bounds to new contacts.
+ *
+ * A contact exists exactly while the fat bounds of its shapes overlap, so a pair is new if and only
+ * if the bounds that its shapes had before did not overlap: no table of pairs is needed. Bodies that
+ * rest (static or asleep) have a grid of their own, sorted anew only when one comes or goes. New
+ * pairs come in the order of the grids, then in that of the moved list. */
+#include "contact.h"
+#include "kinds.h"
+#include "shape.h"
+#include "step.h"
+
+#if defined(__x86_64__)
+td_grid_sweep_fn td_grid_sweep_base, td_grid_sweep_avx2;
+td_grid_query_fn td_grid_query_base, td_grid_query_avx2;
+#else
+td_grid_sweep_fn td_grid_sweep_base;
+td_grid_query_fn td_grid_query_base;
+#endif
+
+typedef struct td_new_pair {
+    int32_t a, b, child;
+} td_new_pair;
+
+static bool is_awake(const thud_world *w, int shape)
+{
+    return td_body_at(w, td_shape_at(w, shape)->body)->awake > 0;
+}
+
+/* ---- the grids ---- */
+
+static bool build(thud_world *w, td_grid *grid, bool awake)
+{
+    td_array *list = &w->scratch.shapes;
+    if (grid->valid) {
+        return true;
+    }
+    if (!td_array_reserve(&w->memory, list, w->shapes.items.count)) {
+        return false;
+    }
+    list->count = 0;
+    if (awake) {
+        const int *bodies = w->body_of.data;
+        for (int slot = 1; slot < w->body_of.count; slot++) {
+            int i = td_body_at(w, bodies[slot])->first_shape;
+            for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
+                td_push_int(list, i);
+            }
+        }
+    } else {
+        for (int i = 0; i < w->shapes.items.count; i++) {
+            const td_shape *shape = td_shape_at(w, i);
+            if ((shape->flags & TD_SHAPE_LIVE) && shape->kind != THUD_TERRAIN && !is_awake(w, i)) {
+                td_push_int(list, i);
+            }
+        }
+    }
+    return td_grid_build(w, grid, list->data, list->count);
+}
+
+bool td_broadphase_refresh(thud_world *w)
+{
+    return build(w, &w->awake_grid, true) && build(w, &w->rest_grid, false);
+}
+
+/* ---- new pairs ---- */
+
+static const td_bounds *bounds_before(const thud_world *w, int shape)
+{
+    return td_at(td_shape_at(w, shape)->flags & TD_SHAPE_MOVED ? &w->was : &w->fat, shape);
+}
+
+static bool has_contact(const thud_world *w, int a, int b, int child)
+{
+    int e = td_body_at(w, td_shape_at(w, b)->body)->first_contact;
+    for (; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_contact *contact = td_contact_at(w, e / 2);
+        if (((contact->shape_a == a && contact->shape_b == b) ||
+             (contact->shape_a == b && contact->shape_b == a)) &&
+            contact->child == child) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Whether the pair, whose bounds overlap now, had its contact already. */
+static bool existed(const thud_world *w, int a, int b)
+{
+    int flags = td_shape_at(w, a)->flags | td_shape_at(w, b)->flags;
+    if (flags & TD_SHAPE_FRESH) {
+        return false;
+    }
+    return flags & TD_SHAPE_WOKEN ? has_contact(w, a, b, 0)
+                                  : td_bounds_overlap(bounds_before(w, a), bounds_before(w, b));
+}
+
+static bool add_pair(thud_world *w, int a, int b, int child)
+{
+    td_array *pairs = &w->scratch.pairs;
+    if (!td_array_reserve(&w->memory, pairs, pairs->count + 1)) {
+        return false;
+    }
+    *(td_new_pair *)td_at(pairs, pairs->count++) = (td_new_pair){a, b, child};
+    return true;
+}
+
+static bool consider(thud_world *w, int a, int b)
+{
+    return existed(w, a, b) || !td_pair_allowed(w, a, b) || add_pair(w, a, b, 0);
+}
+
+static bool query(thud_world *w, const td_grid *grid, int shape)
+{
+    w->scratch.hits.count = 0;
+    return TD_PICK_WIDE(w, td_grid_query)(grid, &w->memory, td_fat_at(w, shape),
+                                          *(td_place *)td_at(&w->center, shape), &w->scratch.hits);
+}
+
+/* Every pair of awake shapes of which one moved. Sweeping the whole grid is cheaper than asking for
+ * each moved shape once about a fifth has moved. */
+static bool pair_awake(thud_world *w, int moved_awake)
+{
+    td_array *hits = &w->scratch.hits;
+    if (moved_awake * 5 > w->awake_grid.ids.count) {
+        hits->count = 0;
+        if (!TD_PICK_WIDE(w, td_grid_sweep)(&w->awake_grid, &w->memory, w->center.data, hits)) {
+            return false;
+        }
+        for (int i = 0; i < hits->count; i += 2) {
+            const int *pair = td_at(hits, i);
+            if (!consider(w, pair[0], pair[1])) {
+                return false;
+            }
+        }
+        return true;
+    }
+    for (int i = 0; i < w->moved.count; i++) {
+        int shape = *(int *)td_at(&w->moved, i);
+        if (!is_awake(w, shape)) {
+            continue;
+        }
+        if (!query(w, &w->awake_grid, shape)) {
+            return false;
+        }
+        for (int k = 0; k < hits->count; k++) {
+            int other = *(int *)td_at(hits, k);
+            bool twice = other <= shape && (td_shape_at(w, other)->flags & TD_SHAPE_MOVED);
+            if (other != shape && !twice && !consider(w, shape, other)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* A moved shape against the grid of the other population. */
+static bool pair_across(thud_world *w, int shape)
+{
+    const td_grid *grid = is_awake(w, shape) ? &w->rest_grid : &w->awake_grid;
+    if (td_shape_at(w, shape)->kind == THUD_TERRAIN || grid->ids.count == 0) {
+        return true;
+    }
+    if (!query(w, grid, shape)) {
+        return false;
+    }
+    for (int k = 0; k < w->scratch.hits.count; k++) {
+        if (!consider(w, shape, *(int *)td_at(&w->scratch.hits, k))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- terrain: each segment is a shape of its own, found by its index ---- */
+
+static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
+{
+    thud_terrain terrain = td_terrain_view(w, terrain_shape);
+    int flags = td_shape_at(w, terrain_shape)->flags | td_shape_at(w, shape)->flags;
+    if (!td_pair_allowed(w, terrain_shape, shape)) {
+        return true;
+    }
+    int first, last;
+    td_terrain_segments_of(w, terrain_shape, &terrain, shape, td_fat_at(w, shape), &first, &last);
+    for (int i = first; i <= last; i++) {
+        if (!td_terrain_reaches(w, terrain_shape, &terrain, shape, td_fat_at(w, shape), i)) {
+            continue;
+        }
+        bool old = false;
+        if (flags & TD_SHAPE_WOKEN) {
+            old = has_contact(w, terrain_shape, shape, i);
+        } else if (!(flags & TD_SHAPE_FRESH)) {
+            old = td_terrain_reaches(w, terrain_shape, &terrain, shape, bounds_before(w, shape), i);
+        }
+        if (!old && !add_pair(w, terrain_shape, shape, i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool pair_terrains(thud_world *w)
+{
+    for (int t = 0; t < w->terrains.items.count; t++) {
+        const td_terrain_record *record = td_at(&w->terrains.items, t);
+        if (record->shape == TD_NONE) {
+            continue;
+        }
+        if (td_shape_at(w, record->shape)->flags & TD_SHAPE_FRESH) {
+            const td_array *all = &w->awake_grid.ids;
+            for (int i = 0; i < all->count; i++) {
+                if (!pair_terrain(w, record->shape, *(int *)td_at(all, i))) {
+                    return false;
+                }
+            }
+            continue;
+        }
+        for (int i = 0; i < w->moved.count; i++) {
+            int shape = *(int *)td_at(&w->moved, i);
+            if (is_awake(w, shape) && !pair_terrain(w, record->shape, shape)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* ---- the stage ---- */
+
+static bool create_contacts(thud_world *w)
+{
+    td_array *pairs = &w->scratch.pairs;
+    int more[TD_PAIR_COUNT] = {0};
+    for (int i = 0; i < pairs->count; i++) {
+        td_new_pair *pair = td_at(pairs, i);
+        more[td_pair_of(w, &pair->a, &pair->b)]++;
+    }
+    if (!td_contacts_reserve(w, more)) {
+        return false;
+    }
+    for (int i = 0; i < pairs->count; i++) {
+        td_new_pair *pair = td_at(pairs, i);
+        td_pair_kind kind = td_pair_of(w, &pair->a, &pair->b);
+        td_contact_create(w, kind, pair->a, pair->b, pair->child);
+    }
+    return true;
+}
+
+bool td_broadphase(thud_world *w)
+{
+    if (w->moved.count == 0) {
+        return true;
+    }
+    int moved_awake = 0;
+    for (int i = 0; i < w->moved.count; i++) {
+        moved_awake += is_awake(w, *(int *)td_at(&w->moved, i));
+    }
+    w->awake_grid.valid &= moved_awake == 0;
+    w->rest_grid.valid &= moved_awake == w->moved.count;
+    w->scratch.pairs.count = 0;
+    if (!td_broadphase_refresh(w) || (moved_awake && !pair_awake(w, moved_awake))) {
+        return false;
+    }
+    for (int i = 0; i < w->moved.count; i++) {
+        if (!pair_across(w, *(int *)td_at(&w->moved, i))) {
+            return false;
+        }
+    }
+    if (!pair_terrains(w) || !create_contacts(w)) {
+        return false;
+    }
+    for (int i = 0; i < w->moved.count; i++) {
+        td_shape_at(w, *(int *)td_at(&w->moved, i))->flags &=
+            (uint8_t)~(TD_SHAPE_MOVED | TD_SHAPE_FRESH | TD_SHAPE_WOKEN);
+    }
+    w->moved.count = 0;
+    return true;
+}

@@ -1,0 +1,36 @@
+/* step.h: the stages of a step, in the order in which td_step runs them. They meet in the world's
+ * state alone and never call each other. A stage that returns false is out of memory: it and the
+ * stages before it have then changed nothing that a caller can tell, and the step can be tried
+ * again. After td_narrowphase nothing can fail. */
+#ifndef TD_STEP_H
+#define TD_STEP_H
+
+#include "world.h"
+
+/* changes.c: applies what the API and callbacks asked for since the last step. */
+bool td_changes_apply(thud_world *w);
+/* broadphase.c: makes a contact of each new pair of overlapping fat bounds. */
+bool td_broadphase(thud_world *w);
+bool td_broadphase_refresh(thud_world *w); /* both grids hold the present bounds */
+/* narrowphase.c: which pairs touch; lanes, begin, end and hit events; manifolds of all lanes. */
+bool td_narrowphase(thud_world *w);
+/* contacts.c: asks the prologue. */
+void td_contacts_ask(thud_world *w);
+/* solve.c: substeps. */
+void td_solve(thud_world *w);
+/* finish.c: motion becomes pose; shapes, bounds, idle times; quarantine. */
+void td_finish(thud_world *w);
+/* continuous.c: fast bodies go back to where they first met a static shape. */
+void td_continuous(thud_world *w);
+/* sleep.c: islands at rest fall asleep. */
+void td_sleep(thud_world *w);
+/* contacts.c: tells the epilogue. */
+void td_contacts_tell(thud_world *w);
+
+/* sleep.c: wakes the body's whole island; false when memory is short. */
+bool td_wake(thud_world *w, int body);
+
+/* narrowphase.c: the context of the kernels for the present state. */
+td_collide_context td_collide_context_of(const thud_world *w);
+
+#endif
