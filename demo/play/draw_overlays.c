@@ -1,0 +1,129 @@
+/* draw_overlays.c: see draw_overlays.h. */
+#include "draw_overlays.h"
+
+#include "draw_world.h"
+#include "palette.h"
+
+#include <math.h>
+
+typedef struct sink {
+    canvas *canvas;
+    const camera *view;
+    overlay_set overlays;
+} sink;
+
+/* Neighbouring numbers get hues far apart: steps of the golden ratio round the colour wheel. */
+static SDL_Color island_color(int island) {
+    float hue = 6 * fmodf((float)island * 0.61803399f, 1);
+    float rgb[3];
+    for (int i = 0; i < 3; i++) {
+        float k = fmodf((float)(5 - 2 * i) + hue, 6); /* HSV with S = 0.55, V = 0.95 */
+        rgb[i] = 0.95f * (1 - 0.55f * fmaxf(0, fminf(fminf(k, 4 - k), 1)));
+    }
+    return (SDL_Color){(Uint8)(255 * rgb[0]), (Uint8)(255 * rgb[1]), (Uint8)(255 * rgb[2]), 255};
+}
+
+/* False: this shape was drawn with the world, or is not wanted. */
+static bool island_style(const sink *k, thud_draw_style style, int island, SDL_Color *color) {
+    if (!overlays_have(k->overlays, OVERLAY_ISLANDS) ||
+        (style != THUD_DRAW_DYNAMIC && style != THUD_DRAW_SLEEPING))
+        return false;
+    *color = island < 0 ? COLOR_STATIC : island_color(island);
+    if (style == THUD_DRAW_SLEEPING && overlays_have(k->overlays, OVERLAY_SLEEPING))
+        *color = draw_dimmed(*color);
+    return true;
+}
+
+static void outline(const sink *k, thud_vec2 center, thud_vec2 half, SDL_Color color) {
+    SDL_FPoint a = camera_from_center(k->view, center.x - half.x, center.y + half.y);
+    SDL_FPoint b = camera_from_center(k->view, center.x + half.x, center.y - half.y);
+    SDL_FPoint top_right = {b.x, a.y}, bottom_left = {a.x, b.y};
+    float width = k->canvas->unit;
+    canvas_line(k->canvas, a, top_right, width, color);
+    canvas_line(k->canvas, top_right, b, width, color);
+    canvas_line(k->canvas, b, bottom_left, width, color);
+    canvas_line(k->canvas, bottom_left, a, width, color);
+}
+
+static void on_circle(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
+                      int island, void *context) {
+    const sink *k = context;
+    SDL_Color color;
+    if (island_style(k, style, island, &color))
+        draw_circle(k->canvas, camera_from_center(k->view, center.x, center.y),
+                    radius * (float)k->view->scale, c, s, color);
+}
+
+static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw_style style,
+                   int island, void *context) {
+    const sink *k = context;
+    SDL_Color color;
+    if (style == THUD_DRAW_BOUNDS || style == THUD_DRAW_CELL) {
+        outline(k, center, half,
+                color_fade(style == THUD_DRAW_CELL ? COLOR_CELL : COLOR_BOUNDS, 0.75f));
+    } else if (island_style(k, style, island, &color)) {
+        float scale = (float)k->view->scale;
+        draw_box(k->canvas, camera_from_center(k->view, center.x, center.y),
+                 (SDL_FPoint){half.x * scale, half.y * scale}, c, s, color);
+    }
+}
+
+/* A normal shows where it points, at one length on the screen whatever the world's scale. */
+static void draw_normal(const sink *k, SDL_FPoint a, SDL_FPoint b) {
+    float dx = b.x - a.x, dy = b.y - a.y, length = hypotf(dx, dy);
+    if (length <= 0)
+        return;
+    float wanted = 13 * k->canvas->unit / length;
+    canvas_line(k->canvas, a, (SDL_FPoint){a.x + dx * wanted, a.y + dy * wanted},
+                1.5f * k->canvas->unit, COLOR_NORMAL);
+}
+
+static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+    const sink *k = context;
+    SDL_FPoint from = camera_from_center(k->view, a.x, a.y);
+    SDL_FPoint to = camera_from_center(k->view, b.x, b.y);
+    if (style == THUD_DRAW_NORMAL && overlays_have(k->overlays, OVERLAY_NORMALS))
+        draw_normal(k, from, to);
+    else if (style == THUD_DRAW_BOUNDS)
+        canvas_line(k->canvas, from, to, k->canvas->unit, color_fade(COLOR_BOUNDS, 0.75f));
+    else if (style == THUD_DRAW_CELL)
+        canvas_line(k->canvas, from, to, k->canvas->unit, color_fade(COLOR_CELL, 0.75f));
+}
+
+static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
+    const sink *k = context;
+    if (style == THUD_DRAW_CONTACT && overlays_have(k->overlays, OVERLAY_CONTACTS))
+        canvas_circle(k->canvas, camera_from_center(k->view, p.x, p.y), 2.4f * k->canvas->unit,
+                      (canvas_style){COLOR_CONTACT, COLOR_CONTACT, 0});
+}
+
+void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overlays) {
+    sink k = {c, view, overlays};
+    thud_debug_draw draw = {.origin = view->center, .context = &k};
+    draw.circle = on_circle;
+    draw.box = on_box;
+    draw.line = on_line;
+    draw.point = on_point;
+    camera_bounds(view, &draw.lower, &draw.upper);
+    /* One after the other, so that contacts lie over bounds and those over islands. */
+    const struct {
+        overlay_set wanted;
+        unsigned flags;
+    } passes[] = {
+        {1u << OVERLAY_ISLANDS, THUD_DRAW_SHAPES | THUD_DRAW_ISLANDS},
+        {1u << OVERLAY_CELLS, THUD_DRAW_CELLS},
+        {1u << OVERLAY_BOUNDS, THUD_DRAW_SHAPE_BOUNDS},
+        {1u << OVERLAY_CONTACTS | 1u << OVERLAY_NORMALS, THUD_DRAW_CONTACTS},
+    };
+    for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++)
+        if (overlays & passes[i].wanted) {
+            draw.flags = passes[i].flags;
+            thud_world_draw(s->world, &draw);
+        }
+}
+
+void draw_pull(canvas *c, const camera *view, thud_pos from, thud_pos to) {
+    SDL_FPoint a = camera_to_screen(view, from), b = camera_to_screen(view, to);
+    canvas_line(c, a, b, 1.5f * c->unit, color_fade(COLOR_GRAB, 0.7f));
+    canvas_circle(c, a, 3 * c->unit, (canvas_style){COLOR_GRAB, COLOR_GRAB, 0});
+}

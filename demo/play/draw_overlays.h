@@ -1,0 +1,14 @@
+/* draw_overlays.h: what the engine knows of the world, drawn through its debug-draw callbacks. */
+#ifndef THUD_PLAY_DRAW_OVERLAYS_H
+#define THUD_PLAY_DRAW_OVERLAYS_H
+
+#include "camera.h"
+#include "canvas.h"
+#include "overlays.h"
+#include "session.h"
+
+void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overlays);
+/* The band between a held point and where it is pulled to. */
+void draw_pull(canvas *c, const camera *view, thud_pos from, thud_pos to);
+
+#endif

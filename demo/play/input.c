@@ -1,0 +1,233 @@
+/* input.c: see input.h. */
+#include "input.h"
+
+#include "panel.h"
+
+#include <math.h>
+
+const char INPUT_HELP[] =
+    "In the window:\n"
+    "  left drag          pull a body; on empty ground: move the view\n"
+    "  right, middle drag move the view        wheel, + -   zoom, the wheel about the pointer\n"
+    "  Space              pause and go on      N            a single step\n"
+    "  R                  reset                Home         first view\n"
+    "  , .                slower, faster       Q            next quality\n"
+    "  C B                drop a circle, a box at the pointer; with Shift a large one\n"
+    "  Delete             remove the body under the pointer\n"
+    "  1 to 7             contacts, normals, bounds, cells, islands, sleeping, timings\n"
+    "  Up Down PgUp PgDn  previous, next scene or level\n"
+    "  Tab                hide and show panel and texts\n"
+    "  F11                full screen          Esc          quit\n";
+
+static const double ZOOM_PER_NOTCH = 1.15;
+static const float PICK_PIXELS = 3; /* points round the pointer that still hit a body */
+
+/* Events speak of the window's own units, which on dense displays are larger than pixels. */
+static float pixels_per_window_unit(const viewer *v, SDL_Window *window) {
+    int width = 0;
+    SDL_GetWindowSize(window, &width, NULL);
+    return width > 0 ? (float)v->canvas.width / (float)width : 1;
+}
+
+static bool over_panel(const viewer *v) {
+    return !v->bare && v->ui.x < panel_width(&v->canvas);
+}
+
+static thud_pos pointer_place(const viewer *v) {
+    return camera_to_world(&v->camera, v->ui.x, v->ui.y);
+}
+
+static double pick_margin(const viewer *v) {
+    double margin = PICK_PIXELS * v->canvas.unit / v->camera.scale;
+    return fmax(margin, 1e-4 * v->session.scene.length_scale);
+}
+
+static void press(viewer *v, int button) {
+    if (button == SDL_BUTTON_LEFT) {
+        v->ui.down = true;
+        if (over_panel(v))
+            v->ui.pressed = true;
+        else if (!grab_start(&v->grab, &v->session, pointer_place(v), pick_margin(v)))
+            v->panning = true;
+    } else if ((button == SDL_BUTTON_RIGHT || button == SDL_BUTTON_MIDDLE) && !over_panel(v)) {
+        v->panning = true;
+    }
+}
+
+static void release(viewer *v, int button) {
+    v->panning = false;
+    if (button == SDL_BUTTON_LEFT) {
+        v->ui.down = false;
+        grab_end(&v->grab);
+    }
+}
+
+static void move(viewer *v, float x, float y) {
+    if (v->panning)
+        camera_pan(&v->camera, x - v->ui.x, y - v->ui.y);
+    v->ui.x = x;
+    v->ui.y = y;
+}
+
+static void turn_wheel(viewer *v, float notches) {
+    if (over_panel(v))
+        v->ui.wheel += notches;
+    else
+        camera_zoom(&v->camera, pow(ZOOM_PER_NOTCH, notches), v->ui.x, v->ui.y);
+}
+
+static void zoom_centre(viewer *v, double notches) {
+    SDL_FRect r = v->camera.view;
+    camera_zoom(&v->camera, pow(ZOOM_PER_NOTCH, notches), r.x + 0.5f * r.w, r.y + 0.5f * r.h);
+}
+
+static void open_neighbour(viewer *v, int direction) {
+    int count = v->catalog.count;
+    if (count > 0)
+        viewer_open(v, (v->selected + direction + count) % count);
+}
+
+static void spawn_here(viewer *v, thud_shape_kind kind, bool large) {
+    if (!over_panel(v))
+        session_spawn(&v->session, kind, pointer_place(v), large ? 4 : 1);
+}
+
+static void remove_here(viewer *v) {
+    thud_body_id body;
+    if (!over_panel(v) &&
+        session_pick(&v->session, pointer_place(v), pick_margin(v), THUD_DYNAMIC, &body))
+        session_remove(&v->session, body);
+}
+
+static void toggle_full_screen(SDL_Window *window) {
+    bool full = (SDL_GetWindowFlags(window) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+    SDL_SetWindowFullscreen(window, full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+}
+
+/* Keys that do something once however long they are held. */
+static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
+    if (key >= SDLK_1 && key < SDLK_1 + OVERLAY_COUNT) {
+        viewer_toggle_overlay(v, (overlay)(key - SDLK_1));
+        return;
+    }
+    switch (key) {
+    case SDLK_ESCAPE:
+        v->quit = true;
+        break;
+    case SDLK_SPACE:
+        viewer_toggle_pause(v);
+        break;
+    case SDLK_r:
+        viewer_reset(v);
+        break;
+    case SDLK_HOME:
+        viewer_look_home(v);
+        break;
+    case SDLK_q:
+        session_set_quality(&v->session,
+                            (thud_quality)((v->session.quality + 1) % THUD_QUALITY_COUNT));
+        break;
+    case SDLK_DELETE:
+    case SDLK_BACKSPACE:
+        remove_here(v);
+        break;
+    case SDLK_TAB:
+        v->bare = !v->bare;
+        viewer_layout(v);
+        break;
+    case SDLK_F11:
+        toggle_full_screen(window);
+        break;
+    default:
+        break;
+    }
+}
+
+/* Keys that go on doing it while they are held. */
+static void repeat_key(viewer *v, SDL_Keycode key, bool shift) {
+    switch (key) {
+    case SDLK_n:
+        viewer_single_step(v);
+        break;
+    case SDLK_COMMA:
+        viewer_change_speed(v, -1);
+        break;
+    case SDLK_PERIOD:
+        viewer_change_speed(v, 1);
+        break;
+    case SDLK_c:
+        spawn_here(v, THUD_CIRCLE, shift);
+        break;
+    case SDLK_b:
+        spawn_here(v, THUD_OBB, shift);
+        break;
+    case SDLK_UP:
+    case SDLK_PAGEUP:
+        open_neighbour(v, -1);
+        break;
+    case SDLK_DOWN:
+    case SDLK_PAGEDOWN:
+        open_neighbour(v, 1);
+        break;
+    case SDLK_PLUS:
+    case SDLK_EQUALS:
+    case SDLK_KP_PLUS:
+        zoom_centre(v, 1);
+        break;
+    case SDLK_MINUS:
+    case SDLK_KP_MINUS:
+        zoom_centre(v, -1);
+        break;
+    default:
+        break;
+    }
+}
+
+static void handle(viewer *v, SDL_Window *window, const SDL_Event *event) {
+    float scale = pixels_per_window_unit(v, window);
+    switch (event->type) {
+    case SDL_QUIT:
+        v->quit = true;
+        break;
+    case SDL_WINDOWEVENT:
+        if (event->window.event == SDL_WINDOWEVENT_SIZE_CHANGED) {
+            int width = 1;
+            SDL_GetWindowSize(window, &width, NULL);
+            SDL_GetRendererOutputSize(v->canvas.renderer, &v->canvas.width, &v->canvas.height);
+            canvas_resize(&v->canvas, (float)v->canvas.width / (float)(width > 0 ? width : 1));
+            viewer_layout(v);
+        }
+        break;
+    case SDL_MOUSEMOTION:
+        move(v, (float)event->motion.x * scale, (float)event->motion.y * scale);
+        break;
+    case SDL_MOUSEBUTTONDOWN:
+        move(v, (float)event->button.x * scale, (float)event->button.y * scale);
+        press(v, event->button.button);
+        break;
+    case SDL_MOUSEBUTTONUP:
+        release(v, event->button.button);
+        break;
+    case SDL_MOUSEWHEEL:
+        turn_wheel(v, event->wheel.preciseY);
+        break;
+    case SDL_KEYDOWN:
+        if (!event->key.repeat)
+            press_key(v, window, event->key.keysym.sym);
+        repeat_key(v, event->key.keysym.sym, (event->key.keysym.mod & KMOD_SHIFT) != 0);
+        break;
+    default:
+        break;
+    }
+}
+
+void input_poll(viewer *v, SDL_Window *window) {
+    SDL_Event event;
+    v->ui.pressed = false;
+    v->ui.wheel = 0;
+    while (SDL_PollEvent(&event))
+        handle(v, window, &event);
+    /* Also while the pointer rests and the view or the body moves. */
+    if (v->grab.held)
+        grab_move(&v->grab, pointer_place(v));
+}

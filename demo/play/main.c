@@ -1,0 +1,147 @@
+/* main.c: thud-play, the viewer: a window that one plays in, or a picture without a display. */
+#define SDL_MAIN_HANDLED
+#include "input.h"
+#include "options.h"
+#include "picture.h"
+#include "viewer.h"
+
+#include <SDL.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Frames come at most this fast, also where the display does not set the pace. */
+static const double FRAME_SHORTEST = 1.0 / 250;
+
+static int fail(const char *what) {
+    fprintf(stderr, "thud-play: %s: %s\n", what, SDL_GetError());
+    return EXIT_FAILURE;
+}
+
+static void print_list(const catalog *c) {
+    for (int i = 0; i < c->count; i++) {
+        const catalog_entry *entry = &c->entries[i];
+        if (entry->info)
+            printf("%-16s %s\n", entry->info->name, entry->info->about);
+        else
+            printf("%s\n", entry->path);
+    }
+}
+
+/* The first thing to see, before anything is drawn. */
+static bool open_first(viewer *v, const options *o) {
+    int entry = o->show ? catalog_find(&v->catalog, o->show) : 0;
+    if (entry == -1) {
+        fprintf(stderr,
+                "thud-play: there is no scene '%s', and it is no .tmj file; "
+                "see thud-play --list\n",
+                o->show);
+        return false;
+    }
+    v->overlays = o->overlays;
+    v->bare = o->bare;
+    v->session.quality = o->quality;
+    v->session.paused = o->paused;
+    viewer_layout(v);
+    if (viewer_open(v, entry))
+        return true;
+    fprintf(stderr, "thud-play: %s\n", v->session.message);
+    return false;
+}
+
+static int take_picture(viewer *v, const options *o) {
+    SDL_Surface *surface =
+        SDL_CreateRGBSurfaceWithFormat(0, o->width, o->height, 32, SDL_PIXELFORMAT_ARGB8888);
+    SDL_Renderer *renderer = surface ? SDL_CreateSoftwareRenderer(surface) : NULL;
+    int status = EXIT_FAILURE;
+    if (!renderer || !canvas_init(&v->canvas, renderer, 1)) {
+        fail("cannot draw");
+    } else if (open_first(v, o)) {
+        for (int i = 0; i < o->frames && !o->paused; i++)
+            viewer_step_once(v);
+        v->ui.x = v->ui.y = -1;
+        viewer_draw(v);
+        status = picture_save(surface, o->screenshot) ? EXIT_SUCCESS : fail(o->screenshot);
+    }
+    canvas_free(&v->canvas);
+    SDL_DestroyRenderer(renderer);
+    SDL_FreeSurface(surface);
+    return status;
+}
+
+static double seconds_now(void) {
+    return (double)SDL_GetPerformanceCounter() / (double)SDL_GetPerformanceFrequency();
+}
+
+static void run(viewer *v, SDL_Window *window, int frames) {
+    double last = seconds_now();
+    for (int i = 0; (frames < 0 || i < frames) && !v->quit; i++) {
+        double now = seconds_now();
+        if (now - last < FRAME_SHORTEST) {
+            SDL_Delay((Uint32)((FRAME_SHORTEST - (now - last)) * 1e3) + 1);
+            now = seconds_now();
+        }
+        double elapsed = now - last;
+        last = now;
+        v->frame_seconds += 0.05 * (elapsed - v->frame_seconds);
+        input_poll(v, window);
+        viewer_advance(v, elapsed);
+        viewer_draw(v);
+    }
+}
+
+static int play(viewer *v, const options *o) {
+    int status = EXIT_FAILURE;
+    SDL_Renderer *renderer = NULL;
+    SDL_Window *window =
+        SDL_CreateWindow("thud", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, o->width,
+                         o->height, SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+    if (window)
+        renderer = SDL_CreateRenderer(window, -1, SDL_RENDERER_PRESENTVSYNC);
+    int pixels = o->width;
+    if (!renderer || SDL_GetRendererOutputSize(renderer, &pixels, NULL) != 0 ||
+        !canvas_init(&v->canvas, renderer, (float)pixels / (float)o->width)) {
+        fail("cannot open a window");
+    } else if (open_first(v, o)) {
+        v->frame_seconds = 1.0 / 60;
+        run(v, window, o->frames);
+        status = EXIT_SUCCESS;
+    }
+    canvas_free(&v->canvas);
+    SDL_DestroyRenderer(renderer);
+    SDL_DestroyWindow(window);
+    return status;
+}
+
+int main(int argc, char **argv) {
+    options o;
+    if (!options_parse(&o, argc, argv))
+        return EXIT_FAILURE;
+    if (o.help) {
+        options_print_help();
+        return EXIT_SUCCESS;
+    }
+    viewer *v = malloc(sizeof *v);
+    if (v)
+        viewer_init(v);
+    if (!v || !catalog_init(&v->catalog, THUD_PLAY_LEVELS)) {
+        fprintf(stderr, "thud-play: out of memory\n");
+        free(v);
+        return EXIT_FAILURE;
+    }
+    int status = EXIT_SUCCESS;
+    if (o.list) {
+        print_list(&v->catalog);
+    } else {
+        SDL_SetMainReady();
+        if (o.screenshot)
+            SDL_SetHint(SDL_HINT_VIDEODRIVER, "dummy");
+        if (SDL_Init(SDL_INIT_VIDEO) != 0)
+            status = fail("cannot start SDL");
+        else
+            status = o.screenshot ? take_picture(v, &o) : play(v, &o);
+    }
+    viewer_free(v);
+    free(v);
+    SDL_Quit();
+    return status;
+}

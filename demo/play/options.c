@@ -1,0 +1,141 @@
+/* options.c: see options.h. */
+#include "options.h"
+
+#include "input.h"
+#include "picture.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FRAMES_MAX = 1000000, SIDE_MIN = 64, SIDE_MAX = 8192 };
+
+void options_print_help(void) {
+    printf("usage: thud-play [SCENE|LEVEL.tmj] [OPTION...]\n"
+           "\n"
+           "Shows a built-in scene or a level of the Tiled editor, and lets you play with it.\n"
+           "\n"
+           "  --list             print what there is to show\n"
+           "  --size WxH         size of the window or picture (1280x800)\n"
+           "  --quality Q        draft, default, high or exact\n"
+           "  --overlay LIST     contacts, normals, bounds, cells, islands, sleeping, timings,\n"
+           "                     separated by commas; or all, or none (sleeping)\n"
+           "  --paused           do not start yet\n"
+           "  --bare             no panel and no texts\n"
+           "  --frames N         end after N frames\n"
+           "  --screenshot FILE  needs no display: runs N steps of --frames (0), writes the\n"
+           "                     picture to FILE.png or FILE.bmp, and ends\n"
+           "  --help             this\n"
+           "\n"
+           "%s",
+           INPUT_HELP);
+}
+
+static bool complain(const char *what, const char *argument) {
+    fprintf(stderr, "thud-play: %s '%s'; see thud-play --help\n", what, argument);
+    return false;
+}
+
+/* A whole number in [low, high], followed by nothing but `end`. */
+static bool parse_number(const char *text, long low, long high, char end, int *out,
+                         const char **rest) {
+    char *stop;
+    if (*text < '0' || *text > '9')
+        return false;
+    long value = strtol(text, &stop, 10);
+    if (*stop != end || value < low || value > high)
+        return false;
+    *out = (int)value;
+    if (rest)
+        *rest = stop + 1;
+    return true;
+}
+
+static bool parse_frames(options *o, const char *text) {
+    return parse_number(text, 0, FRAMES_MAX, '\0', &o->frames, NULL) ||
+           complain("--frames needs a number from 0 to 1000000, not", text);
+}
+
+static bool parse_size(options *o, const char *text) {
+    const char *height;
+    return (parse_number(text, SIDE_MIN, SIDE_MAX, 'x', &o->width, &height) &&
+            parse_number(height, SIDE_MIN, SIDE_MAX, '\0', &o->height, NULL)) ||
+           complain("--size needs WIDTHxHEIGHT, each from 64 to 8192, not", text);
+}
+
+static bool parse_quality(options *o, const char *text) {
+    for (int i = 0; i < THUD_QUALITY_COUNT; i++)
+        if (strcmp(text, SESSION_QUALITIES[i]) == 0) {
+            o->quality = (thud_quality)i;
+            return true;
+        }
+    return complain("--quality needs draft, default, high or exact, not", text);
+}
+
+static bool parse_overlays(options *o, const char *text) {
+    return overlays_parse(text, &o->overlays) || complain("there is no such overlay in", text);
+}
+
+static bool parse_screenshot(options *o, const char *text) {
+    o->screenshot = text;
+    return picture_has_format(text) ||
+           complain("--screenshot writes .png and .bmp files only, not", text);
+}
+
+static bool parse_valued(options *o, const char *name, const char *value, bool *known) {
+    static const struct {
+        const char *name;
+        bool (*parse)(options *o, const char *text);
+    } table[] = {
+        {"--frames", parse_frames},         {"--size", parse_size},
+        {"--quality", parse_quality},       {"--overlay", parse_overlays},
+        {"--screenshot", parse_screenshot},
+    };
+    *known = true;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
+        if (strcmp(name, table[i].name) == 0)
+            return value ? table[i].parse(o, value) : complain("a value has to follow", name);
+    *known = false;
+    return true;
+}
+
+static bool parse_switch(options *o, const char *name) {
+    const struct {
+        const char *name;
+        bool *value;
+    } table[] = {{"--help", &o->help},
+                 {"-h", &o->help},
+                 {"--list", &o->list},
+                 {"--paused", &o->paused},
+                 {"--bare", &o->bare}};
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
+        if (strcmp(name, table[i].name) == 0) {
+            *table[i].value = true;
+            return true;
+        }
+    return complain("there is no option", name);
+}
+
+bool options_parse(options *o, int argc, char **argv) {
+    *o = (options){.frames = -1,
+                   .width = 1280,
+                   .height = 800,
+                   .overlays = OVERLAYS_DEFAULT,
+                   .quality = THUD_QUALITY_DEFAULT};
+    for (int i = 1; i < argc; i++) {
+        bool known;
+        if (!parse_valued(o, argv[i], i + 1 < argc ? argv[i + 1] : NULL, &known))
+            return false;
+        if (known) {
+            i++;
+        } else if (argv[i][0] == '-') {
+            if (!parse_switch(o, argv[i]))
+                return false;
+        } else if (o->show) {
+            return complain("only one scene or level can be shown, so not also", argv[i]);
+        } else {
+            o->show = argv[i];
+        }
+    }
+    return true;
+}

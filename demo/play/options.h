@@ -1,0 +1,23 @@
+/* options.h: thud-play's command line. */
+#ifndef THUD_PLAY_OPTIONS_H
+#define THUD_PLAY_OPTIONS_H
+
+#include "overlays.h"
+
+#include <thud/thud.h>
+
+typedef struct options {
+    const char *show;       /* scene or level, null for the first */
+    const char *screenshot; /* file, or null */
+    int frames;             /* to run before the end; -1 for no end */
+    int width, height;
+    overlay_set overlays;
+    thud_quality quality;
+    bool bare, paused, list, help;
+} options;
+
+/* False, and stderr has heard why, if the arguments make no sense. */
+bool options_parse(options *o, int argc, char **argv);
+void options_print_help(void);
+
+#endif

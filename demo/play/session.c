@@ -1,0 +1,224 @@
+/* session.c: see session.h. */
+#include "session.h"
+
+#include <build_thud.h>
+
+#include <SDL.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const SESSION_QUALITIES[THUD_QUALITY_COUNT] = {"draft", "default", "high", "exact"};
+
+/* A frame that steps for longer than this feels stuck: the world then runs slower than asked. */
+static const double STEPPING_BUDGET = 0.040;
+enum { STEPS_PER_FRAME = 16 };
+
+static double clock_seconds(void *context) {
+    (void)context;
+    return (double)SDL_GetPerformanceCounter() / (double)SDL_GetPerformanceFrequency();
+}
+
+static void log_message(thud_result result, const char *text, void *context) {
+    session *s = context;
+    snprintf(s->message, sizeof s->message, "%s: %s", thud_result_text(result), text);
+}
+
+void session_init(session *s) {
+    *s = (session){.quality = THUD_QUALITY_DEFAULT, .speed = 1, .alpha = 1};
+    scene_init(&s->scene);
+}
+
+void session_free(session *s) {
+    thud_world_destroy(s->world);
+    scene_free(&s->scene);
+    free(s->bodies);
+    free(s->shapes);
+    *s = (session){0};
+}
+
+/* Doubles *block, of `size` bytes an element, until `wanted` elements fit. */
+static bool grow(void **block, int *capacity, int wanted, size_t size) {
+    int room = *capacity > 0 ? *capacity : 64;
+    while (room < wanted)
+        room *= 2;
+    if (room == *capacity)
+        return true;
+    void *grown = realloc(*block, (size_t)room * size);
+    if (!grown)
+        return false;
+    *block = grown;
+    *capacity = room;
+    return true;
+}
+
+static float shape_reach(const session_shape *shape) {
+    if (shape->kind == THUD_TERRAIN)
+        return INFINITY;
+    return hypotf(shape->offset.x, shape->offset.y) + hypotf(shape->half.x, shape->half.y);
+}
+
+/* Reads a body's shapes for drawing. */
+static bool list_body(session *s, thud_body_id id) {
+    thud_body_state body;
+    if (thud_body_get(s->world, id, &body) != THUD_OK ||
+        !grow((void **)&s->bodies, &s->body_capacity, s->body_count + 1, sizeof *s->bodies) ||
+        !grow((void **)&s->shapes, &s->shape_capacity, s->shape_count + body.shape_count,
+              sizeof *s->shapes))
+        return false;
+    thud_shape_id *ids = malloc((size_t)body.shape_count * sizeof *ids + 1);
+    if (!ids)
+        return false;
+    int count = 0;
+    thud_body_shapes(s->world, id, ids, body.shape_count, &count);
+    session_body entry = {.id = id, .kind = body.kind, .first_shape = s->shape_count};
+    for (int i = 0; i < count; i++) {
+        thud_shape_state shape;
+        if (thud_shape_get(s->world, ids[i], &shape) != THUD_OK)
+            continue;
+        session_shape *listed = &s->shapes[s->shape_count++];
+        *listed = (session_shape){ids[i],
+                                  shape.kind,
+                                  shape.offset,
+                                  shape.half_extents,
+                                  (float)cos(shape.angle),
+                                  (float)sin(shape.angle),
+                                  shape.sensor};
+        entry.reach = fmaxf(entry.reach, shape_reach(listed));
+        entry.shape_count++;
+    }
+    free(ids);
+    s->bodies[s->body_count++] = entry;
+    return true;
+}
+
+static bool list_bodies(session *s, const thud_body_id *ids, int count) {
+    s->body_count = s->shape_count = 0;
+    for (int i = 0; i < count; i++)
+        if (!list_body(s, ids[i])) {
+            snprintf(s->message, sizeof s->message, "Out of memory while listing the bodies.");
+            return false;
+        }
+    return true;
+}
+
+bool session_load(session *s, const catalog_entry *entry) {
+    scene fresh;
+    s->message[0] = '\0';
+    if (!catalog_fill(entry, &fresh, s->message, sizeof s->message))
+        return false;
+    thud_world_def def = thud_default_world_def();
+    def.quality = s->quality;
+    def.log = log_message;
+    def.log_context = s;
+    def.clock = clock_seconds;
+    thud_world *world = NULL;
+    thud_body_id *ids = malloc((size_t)fresh.body_count * sizeof *ids + 1);
+    thud_result result =
+        ids ? scene_build_thud(&fresh, &def, &world, ids, NULL) : THUD_ERROR_MEMORY;
+    if (result != THUD_OK) {
+        if (s->message[0] == '\0')
+            snprintf(s->message, sizeof s->message, "%s", thud_result_text(result));
+        free(ids);
+        scene_free(&fresh);
+        return false;
+    }
+    thud_world_destroy(s->world);
+    scene_free(&s->scene);
+    s->world = world;
+    s->scene = fresh;
+    s->alpha = 1;
+    bool listed = list_bodies(s, ids, fresh.body_count);
+    free(ids);
+    return listed;
+}
+
+void session_advance(session *s, double elapsed) {
+    if (s->paused || !s->world)
+        return;
+    double step_seconds = thud_world_stats(s->world).step_seconds;
+    int steps_max = STEPS_PER_FRAME;
+    if (step_seconds * STEPS_PER_FRAME > STEPPING_BUDGET)
+        steps_max = (int)fmax(1, STEPPING_BUDGET / step_seconds);
+    thud_world_advance(s->world, elapsed * s->speed, steps_max, NULL, &s->alpha);
+}
+
+void session_step(session *s) {
+    if (s->world && thud_world_step(s->world) == THUD_OK)
+        s->alpha = 1;
+}
+
+void session_set_quality(session *s, thud_quality quality) {
+    s->quality = quality;
+    if (s->world)
+        thud_world_set_quality(s->world, quality);
+}
+
+void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {
+    if (!s->world)
+        return;
+    float half = 0.5f * size * (float)s->scene.length_scale;
+    thud_body_def body = thud_default_body_def();
+    thud_shape_def shape = thud_default_shape_def();
+    thud_body_id id;
+    body.kind = THUD_DYNAMIC;
+    body.position = at;
+    if (thud_body_create(s->world, &body, &id) != THUD_OK)
+        return;
+    thud_vec2 center = {0, 0};
+    thud_result made =
+        kind == THUD_CIRCLE
+            ? thud_shape_create_circle(s->world, id, &shape, center, half, NULL)
+            : thud_shape_create_obb(s->world, id, &shape, center, (thud_vec2){half, half}, 0, NULL);
+    if (made != THUD_OK || !list_body(s, id))
+        thud_body_destroy(s->world, id);
+}
+
+typedef struct picking {
+    session *session;
+    thud_pos at;
+    thud_body_kind kind;
+    bool found;
+    double distance; /* of the nearest body's centre */
+    thud_body_id body;
+} picking;
+
+static bool pick_nearest(thud_shape_id id, void *context) {
+    picking *p = context;
+    thud_shape_state shape;
+    thud_body_state body;
+    if (thud_shape_get(p->session->world, id, &shape) != THUD_OK ||
+        thud_body_get(p->session->world, shape.body, &body) != THUD_OK || body.kind != p->kind)
+        return true;
+    double distance = hypot(body.center.x - p->at.x, body.center.y - p->at.y);
+    if (!p->found || distance < p->distance) {
+        p->found = true;
+        p->distance = distance;
+        p->body = shape.body;
+    }
+    return true;
+}
+
+bool session_pick(session *s, thud_pos at, double margin, thud_body_kind kind, thud_body_id *out) {
+    if (!s->world)
+        return false;
+    picking p = {.session = s, .at = at, .kind = kind};
+    thud_placed spot = {.kind = THUD_CIRCLE, .c = 1, .hx = margin};
+    thud_world_overlap_shape(s->world, at, &spot, NULL, pick_nearest, &p);
+    if (p.found)
+        *out = p.body;
+    return p.found;
+}
+
+void session_remove(session *s, thud_body_id body) {
+    if (!s->world || thud_body_destroy(s->world, body) != THUD_OK)
+        return;
+    for (int i = 0; i < s->body_count; i++)
+        if (s->bodies[i].id.index1 == body.index1) {
+            memmove(&s->bodies[i], &s->bodies[i + 1],
+                    (size_t)(s->body_count - i - 1) * sizeof *s->bodies);
+            s->body_count--;
+            return;
+        }
+}

@@ -1,0 +1,58 @@
+/* session.h: the world on show: what it was made of, its bodies, its clock. */
+#ifndef THUD_PLAY_SESSION_H
+#define THUD_PLAY_SESSION_H
+
+#include "catalog.h"
+
+#include <thud/thud.h>
+
+/* What drawing needs of a shape, read once: shapes of thud do not change in their body. */
+typedef struct session_shape {
+    thud_shape_id id;
+    thud_shape_kind kind;
+    thud_vec2 offset, half; /* in the body's frame */
+    float c, s;
+    bool sensor;
+} session_shape;
+
+typedef struct session_body {
+    thud_body_id id;
+    thud_body_kind kind;
+    float reach; /* no shape goes farther from the body's origin; infinite for terrain */
+    int first_shape, shape_count;
+} session_body;
+
+typedef struct session {
+    thud_world *world; /* null until something was loaded */
+    scene scene;
+    session_body *bodies;
+    session_shape *shapes;
+    int body_count, body_capacity, shape_count, shape_capacity;
+    thud_quality quality;
+    bool paused;
+    double speed; /* seconds of the world per second */
+    double alpha; /* for thud_world_poses */
+    char message[256]; /* the last thing that went wrong; empty if nothing did */
+} session;
+
+extern const char *const SESSION_QUALITIES[THUD_QUALITY_COUNT];
+
+void session_init(session *s);
+void session_free(session *s);
+
+/* Builds the entry's world anew. When that fails the old one stays, and the message says why. */
+bool session_load(session *s, const catalog_entry *entry);
+
+/* Runs as many steps as `elapsed` seconds ask for at the session's speed; none while paused. */
+void session_advance(session *s, double elapsed);
+void session_step(session *s); /* exactly one */
+void session_set_quality(session *s, thud_quality quality);
+
+/* Drops a new body of `size` times the scene's typical size at a place. */
+void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size);
+
+/* The body whose shape lies under a place, within `margin`. False if there is none. */
+bool session_pick(session *s, thud_pos at, double margin, thud_body_kind kind, thud_body_id *out);
+void session_remove(session *s, thud_body_id body);
+
+#endif

@@ -1,0 +1,127 @@
+/* viewer.c: see viewer.h. */
+#include "viewer.h"
+
+#include "draw_overlays.h"
+#include "draw_world.h"
+#include "hud.h"
+#include "palette.h"
+#include "panel.h"
+
+static const double SPEEDS[] = {0.1, 0.25, 0.5, 1, 2, 4};
+enum { SPEED_COUNT = sizeof SPEEDS / sizeof SPEEDS[0] };
+
+void viewer_init(viewer *v) {
+    *v = (viewer){.selected = -1, .overlays = OVERLAYS_DEFAULT};
+    session_init(&v->session);
+}
+
+void viewer_free(viewer *v) {
+    session_free(&v->session);
+    catalog_free(&v->catalog);
+    canvas_free(&v->canvas);
+}
+
+static bool load(viewer *v, int entry) {
+    if (!session_load(&v->session, &v->catalog.entries[entry]))
+        return false;
+    grab_end(&v->grab);
+    timings_clear(&v->timings);
+    return true;
+}
+
+bool viewer_open(viewer *v, int entry) {
+    if (entry < 0 || entry >= v->catalog.count || !load(v, entry))
+        return false;
+    v->selected = entry;
+    v->reveal = true;
+    viewer_look_home(v);
+    return true;
+}
+
+void viewer_reset(viewer *v) {
+    if (v->selected >= 0)
+        load(v, v->selected);
+}
+
+void viewer_look_home(viewer *v) {
+    const scene *s = &v->session.scene;
+    camera_look(&v->camera, (thud_pos){s->camera_x, s->camera_y}, s->camera_height);
+}
+
+void viewer_toggle_overlay(viewer *v, overlay which) {
+    v->overlays ^= 1u << which;
+}
+
+void viewer_toggle_pause(viewer *v) {
+    v->session.paused = !v->session.paused;
+    if (v->session.paused)
+        v->session.alpha = 1; /* the overlays belong to the last step */
+}
+
+void viewer_single_step(viewer *v) {
+    v->session.paused = true;
+    viewer_step_once(v);
+}
+
+void viewer_change_speed(viewer *v, int direction) {
+    int nearest = 0;
+    while (nearest + 1 < SPEED_COUNT && SPEEDS[nearest] < v->session.speed)
+        nearest++;
+    nearest += direction;
+    nearest = nearest < 0 ? 0 : nearest >= SPEED_COUNT ? SPEED_COUNT - 1 : nearest;
+    v->session.speed = SPEEDS[nearest];
+}
+
+void viewer_spawn_at_home(viewer *v, thud_shape_kind kind) {
+    const scene *s = &v->session.scene;
+    session_spawn(&v->session, kind, (thud_pos){s->spawn_x, s->spawn_y}, 1);
+}
+
+void viewer_layout(viewer *v) {
+    float left = v->bare ? 0 : panel_width(&v->canvas);
+    SDL_FRect view = {left, 0, (float)v->canvas.width - left, (float)v->canvas.height};
+    if (view.w < 1)
+        view.w = 1;
+    camera_set_view(&v->camera, view);
+}
+
+static void record_timings(viewer *v, uint64_t steps_before) {
+    if (!v->session.world)
+        return;
+    thud_stats stats = thud_world_stats(v->session.world);
+    if (stats.steps != steps_before)
+        timings_add(&v->timings, &stats);
+}
+
+void viewer_advance(viewer *v, double elapsed) {
+    uint64_t before = v->session.world ? thud_world_stats(v->session.world).steps : 0;
+    grab_pull(&v->grab, &v->session);
+    session_advance(&v->session, elapsed);
+    record_timings(v, before);
+}
+
+void viewer_step_once(viewer *v) {
+    uint64_t before = v->session.world ? thud_world_stats(v->session.world).steps : 0;
+    session_step(&v->session);
+    record_timings(v, before);
+}
+
+void viewer_draw(viewer *v) {
+    canvas *c = &v->canvas;
+    draw_background(c, &v->camera);
+    if (v->session.world) {
+        draw_world(c, &v->camera, &v->session, v->overlays);
+        draw_overlays(c, &v->camera, &v->session, v->overlays);
+        thud_pos anchor;
+        if (grab_anchor(&v->grab, &v->session, &anchor))
+            draw_pull(c, &v->camera, anchor, v->grab.target);
+    }
+    if (!v->bare) {
+        hud_draw(v);
+        panel_draw(v);
+    } else if (overlays_have(v->overlays, OVERLAY_TIMINGS)) {
+        timings_draw(&v->timings, c);
+    }
+    canvas_flush(c);
+    SDL_RenderPresent(c->renderer);
+}
