@@ -133,7 +133,7 @@ void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_
     int index = td_slots_take(&w->contacts);
     td_contact *contact = td_contact_at(w, index);
     *contact = (td_contact){
-        .shape_a = shape_a, .shape_b = shape_b, .child = child, .kind = (uint8_t)kind};
+        .shape_a = shape_a, .shape_b = shape_b, .child = child, .kind = (uint8_t)kind, .live = 1};
     link_edge(w, index, 0, shape_a);
     link_edge(w, index, 1, shape_b);
     w->contact_count[kind]++;
@@ -184,5 +184,6 @@ void td_contact_destroy(thud_world *w, int contact_index)
     unlink_edge(w, contact_index, 0, contact->shape_a);
     unlink_edge(w, contact_index, 1, contact->shape_b);
     w->contact_count[contact->kind]--;
+    contact->live = 0;
     td_slots_give(&w->contacts, contact_index);
 }

@@ -96,7 +96,8 @@ typedef struct td_contact {
     uint8_t kind, state;
     uint8_t overlapping; /* sensors */
     uint8_t listed;      /* while a list of contacts is being made */
-    uint8_t padding[2];
+    uint8_t live;
+    uint8_t padding;
 } td_contact;
 
 typedef struct td_bin {

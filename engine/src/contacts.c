@@ -1,0 +1,88 @@
+/* contacts.c: contacts as callbacks and statistics see them; prologue and epilogue. */
+#include "body.h"
+#include "contact.h"
+#include "handles.h"
+#include "lanes.h"
+#include "step.h"
+
+thud_contact td_contact_view(const thud_world *w, const td_block *block, int lane)
+{
+    const td_contact *contact = td_contact_at(w, block->contact[lane]);
+    int points = w->pairs[contact->kind]->points;
+    const td_shape *b = td_shape_at(w, contact->shape_b);
+    const td_pose *pose = td_pose_at(w, b->body);
+    thud_contact seen = {
+        .shape_a = td_shape_handle(w, contact->shape_a),
+        .shape_b = td_shape_handle(w, contact->shape_b),
+        .body_a = td_body_handle(w, td_shape_at(w, contact->shape_a)->body),
+        .body_b = td_body_handle(w, b->body),
+        .normal = {block->nx[lane], block->ny[lane]},
+        .separation = 3.0e38f,
+    };
+    /* The crosses of the arm with normal and tangent are the arm itself, turned. */
+    float nx = seen.normal.x, ny = seen.normal.y, x = 0.0f, y = 0.0f;
+    for (int k = 0; k < points; k++) {
+        const td_point *p = &block->point[k];
+        if (p->normal_mass[lane] == 0.0f && p->tangent_mass[lane] == 0.0f) {
+            continue;
+        }
+        float cn = p->cross_b[lane], ct = p->tangent_cross_b[lane];
+        x += -ct * nx + cn * ny;
+        y += -ct * ny - cn * nx;
+        seen.point_count++;
+        seen.separation = td_min_float(seen.separation, p->separation[lane]);
+        seen.normal_impulse += p->total[lane];
+        seen.tangent_impulse += p->tangent_impulse[lane];
+    }
+    float share = seen.point_count ? 1.0f / (float)seen.point_count : 0.0f;
+    td_place at = {pose->center.x + td_length_from(w, x * share),
+                   pose->center.y + td_length_from(w, y * share)};
+    seen.point = td_place_to(w, at);
+    return seen;
+}
+
+static void disable(const thud_world *w, td_block *block, int lane)
+{
+    int points = w->pairs[td_contact_at(w, block->contact[lane])->kind]->points;
+    for (int k = 0; k < points; k++) {
+        td_point *p = &block->point[k];
+        p->normal_mass[lane] = p->tangent_mass[lane] = 0.0f;
+        p->normal_impulse[lane] = p->tangent_impulse[lane] = 0.0f;
+    }
+}
+
+void td_contacts_ask(thud_world *w)
+{
+    if (!w->def.prologue) {
+        return;
+    }
+    w->locked = true;
+    for (int i = 0; i < w->scratch.blocks.count; i++) {
+        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        for (int lane = 0; lane < block->used; lane++) {
+            thud_contact seen = td_contact_view(w, block, lane);
+            if (!w->def.prologue(w, &seen, w->def.callback_context)) {
+                disable(w, block, lane);
+            }
+        }
+    }
+    w->locked = false;
+}
+
+void td_contacts_tell(thud_world *w)
+{
+    if (!w->def.epilogue) {
+        return;
+    }
+    w->locked = true;
+    for (int i = 0; i < w->scratch.blocks.count; i++) {
+        const td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        for (int lane = 0; lane < block->used; lane++) {
+            thud_contact seen = td_contact_view(w, block, lane);
+            if (seen.point_count) {
+                w->def.epilogue(w, &seen, w->def.callback_context);
+            }
+        }
+    }
+    w->locked = false;
+}

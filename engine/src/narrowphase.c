@@ -1,0 +1,295 @@
+/* narrowphase.c: which pairs touch, and how.
+ *
+ * Waiting pairs are tested in blocks of their own; those that touch take a lane. Then all lanes get
+ * their manifold in place, in the blocks that the solver works on; those that touch no more give
+ * their lane back and wait. Everything that can fail comes before anything that a caller could
+ * notice. */
+#include "contact.h"
+#include "handles.h"
+#include "lanes.h"
+#include "shape.h"
+#include "step.h"
+
+#include <string.h>
+
+enum { TEST_BLOCKS = 32 };
+
+td_collide_context td_collide_context_of(const thud_world *w)
+{
+    return (td_collide_context){
+        .center = w->center.data,
+        .turn = w->turn.data,
+        .size = w->size.data,
+        .velocity = w->velocity.data,
+        .quantum = w->quantum,
+        .margin = TD_SPECULATIVE * w->unit,
+        .axis_tolerance = 0.1f * TD_SLOP * w->unit,
+    };
+}
+
+static void collide(thud_world *w, int kind, td_block *const *blocks, int count)
+{
+    td_collide_context context = td_collide_context_of(w);
+    if (w->pairs[kind]->collide) {
+        w->pairs[kind]->collide(blocks, count, &context);
+    } else {
+        w->pairs[kind]->collide_world(w, blocks, count, &context);
+    }
+}
+
+/* ---- waiting pairs ---- */
+
+static bool bounds_meet(const thud_world *w, const td_contact *contact)
+{
+    if (td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN) {
+        thud_terrain terrain = td_terrain_view(w, contact->shape_a);
+        return td_terrain_reaches(w, contact->shape_a, &terrain, contact->shape_b,
+                                  td_fat_at(w, contact->shape_b), contact->child);
+    }
+    if (td_shape_at(w, contact->shape_b)->kind == THUD_TERRAIN) {
+        thud_terrain terrain = td_terrain_view(w, contact->shape_b);
+        return td_terrain_reaches(w, contact->shape_b, &terrain, contact->shape_a,
+                                  td_fat_at(w, contact->shape_a), contact->child);
+    }
+    return td_bounds_overlap(td_fat_at(w, contact->shape_a), td_fat_at(w, contact->shape_b));
+}
+
+static bool test_room(thud_world *w)
+{
+    td_array *blocks = &w->scratch.test_blocks, *list = &w->scratch.test_list;
+    blocks->stride = (int)td_block_bytes(2);
+    return td_array_reserve(&w->memory, blocks, TEST_BLOCKS) &&
+           td_array_reserve(&w->memory, list, TEST_BLOCKS);
+}
+
+/* Runs the pair kind's own kernel on the contacts and lists those that have a point. */
+static void test_contacts(thud_world *w, int kind, const int *contacts, int count)
+{
+    td_block **list = w->scratch.test_list.data;
+    int blocks = (count + TD_LANES - 1) / TD_LANES;
+    for (int i = 0; i < blocks; i++) {
+        td_block *block = list[i] = td_at(&w->scratch.test_blocks, i);
+        memset(block, 0, td_block_bytes(2));
+        block->used = td_min_int(count - i * TD_LANES, TD_LANES);
+        for (int lane = 0; lane < block->used; lane++) {
+            int index = contacts[i * TD_LANES + lane];
+            const td_contact *contact = td_contact_at(w, index);
+            block->contact[lane] = index;
+            block->shape_a[lane] = contact->shape_a;
+            block->shape_b[lane] = contact->shape_b;
+        }
+    }
+    collide(w, kind, list, blocks);
+    for (int i = 0; i < blocks; i++) {
+        for (unsigned bits = list[i]->touching; bits; bits &= bits - 1) {
+            td_push_int(&w->scratch.begins, list[i]->contact[__builtin_ctz(bits)]);
+        }
+    }
+}
+
+/* Sorts the waiting pairs of one kind into those that begin and those whose bounds parted. */
+static void test_waiting(thud_world *w, int kind)
+{
+    const int *waiting = w->waiting[kind].data;
+    int batch[TEST_BLOCKS * TD_LANES], count = 0;
+    for (int i = 0; i < w->waiting[kind].count; i++) {
+        if (!bounds_meet(w, td_contact_at(w, waiting[i]))) {
+            td_push_int(&w->scratch.ends, waiting[i]);
+            continue;
+        }
+        batch[count++] = waiting[i];
+        if (count == TEST_BLOCKS * TD_LANES) {
+            test_contacts(w, kind, batch, count);
+            count = 0;
+        }
+    }
+    if (count) {
+        test_contacts(w, kind, batch, count);
+    }
+}
+
+static bool asleep(const thud_world *w, int shape)
+{
+    const td_body *body = td_body_at(w, td_shape_at(w, shape)->body);
+    return body->kind == THUD_DYNAMIC && body->awake < 0;
+}
+
+static bool begin_contacts(thud_world *w)
+{
+    td_array *begins = &w->scratch.begins;
+    const int *list = begins->data;
+    for (int i = 0; i < begins->count; i++) {
+        const td_contact *contact = td_contact_at(w, list[i]);
+        int sleeper = asleep(w, contact->shape_a)   ? contact->shape_a
+                      : asleep(w, contact->shape_b) ? contact->shape_b
+                                                    : TD_NONE;
+        if (sleeper != TD_NONE && !td_wake(w, td_shape_at(w, sleeper)->body)) {
+            return false;
+        }
+    }
+    td_event_lists *events = &w->events;
+    if (w->def.contact_events &&
+        (!td_array_reserve(&w->memory, &events->begin, events->begin.count + begins->count) ||
+         !td_array_reserve(&w->memory, &events->hit, events->hit.count + begins->count))) {
+        return false;
+    }
+    for (int i = 0; i < begins->count; i++) {
+        td_contact_rest(w, list[i]);
+    }
+    if (!td_lanes_place(w, list, begins->count, false)) {
+        for (int i = 0; i < begins->count; i++) {
+            td_contact_wait(w, list[i]);
+        }
+        return false;
+    }
+    for (int i = 0; i < begins->count && w->def.contact_events; i++) {
+        *(thud_contact_event *)td_at(&events->begin, events->begin.count++) =
+            td_contact_event(w, list[i]);
+    }
+    return true;
+}
+
+/* ---- sensors ---- */
+
+static thud_placed placed(const thud_world *w, int index, td_place origin)
+{
+    const td_shape *shape = td_shape_at(w, index);
+    const td_place *center = td_at(&w->center, index);
+    const float *turn = td_row(&w->turn, index);
+    return (thud_placed){.kind = (thud_shape_kind)shape->kind,
+                         .x = (double)(center->x - origin.x) * (double)w->quantum,
+                         .y = (double)(center->y - origin.y) * (double)w->quantum,
+                         .c = (double)turn[2],
+                         .s = (double)turn[3],
+                         .hx = (double)shape->half_x,
+                         .hy = (double)shape->half_y};
+}
+
+static bool sensor_overlaps(const thud_world *w, const td_contact *contact)
+{
+    td_place origin = *(td_place *)td_at(&w->center, contact->shape_a);
+    thud_placed b = placed(w, contact->shape_b, origin);
+    if (td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN) {
+        thud_terrain terrain = td_terrain_view(w, contact->shape_a);
+        return thud_terrain_overlap(&terrain, &b);
+    }
+    thud_placed a = placed(w, contact->shape_a, origin);
+    return thud_shapes_overlap(&a, &b);
+}
+
+/* Sensor pairs have no lanes: they wait as long as their bounds overlap, and are tested exactly. */
+static bool test_sensors(thud_world *w)
+{
+    const td_array *waiting = &w->waiting[TD_PAIR_SENSOR];
+    td_event_lists *events = &w->events;
+    if (!td_array_reserve(&w->memory, &events->sensor_begin, waiting->count) ||
+        !td_contact_end_reserve(w, waiting->count)) {
+        return false;
+    }
+    for (int i = 0; i < waiting->count; i++) {
+        int index = *(int *)td_at(waiting, i);
+        td_contact *contact = td_contact_at(w, index);
+        bool meets = bounds_meet(w, contact);
+        bool overlaps = meets && sensor_overlaps(w, contact);
+        if (overlaps != contact->overlapping && w->def.contact_events) {
+            td_array *list = overlaps ? &events->sensor_begin : &events->sensor_end;
+            *(thud_contact_event *)td_at(list, list->count++) = td_contact_event(w, index);
+        }
+        contact->overlapping = overlaps;
+        if (!meets) {
+            td_push_int(&w->scratch.ends, index);
+        }
+    }
+    return true;
+}
+
+/* ---- lanes ---- */
+
+static void collide_lanes(thud_world *w)
+{
+    td_block **blocks = w->scratch.blocks.data;
+    for (int i = 0; i < w->scratch.runs.count; i++) {
+        const td_run *run = td_at(&w->scratch.runs, i);
+        collide(w, run->kind, blocks + run->first, run->count);
+    }
+}
+
+/* Lanes without a point left go back to waiting. */
+static bool part_contacts(thud_world *w)
+{
+    td_array *ends = &w->scratch.ends;
+    ends->count = 0;
+    for (int i = 0; i < w->scratch.blocks.count; i++) {
+        const td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        unsigned parted = ((1u << block->used) - 1u) & ~block->touching;
+        for (; parted; parted &= parted - 1) {
+            td_push_int(ends, block->contact[__builtin_ctz(parted)]);
+        }
+    }
+    if (ends->count == 0) {
+        return true;
+    }
+    if (!td_contact_end_reserve(w, ends->count)) {
+        return false;
+    }
+    for (int i = 0; i < ends->count; i++) {
+        td_contact_part(w, *(int *)td_at(ends, i));
+    }
+    return td_lanes_sequence(w);
+}
+
+static void hit_events(thud_world *w)
+{
+    float least = -w->def.hit_speed * w->unit;
+    for (int i = 0; i < w->scratch.begins.count; i++) {
+        int index = *(int *)td_at(&w->scratch.begins, i);
+        const td_contact *contact = td_contact_at(w, index);
+        if (contact->state != TD_TOUCHING) {
+            continue;
+        }
+        const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+        int lane = contact->slot % TD_LANES;
+        float approach = block->point[0].approach[lane];
+        if (w->pairs[contact->kind]->points == 2) {
+            approach = td_min_float(approach, block->point[1].approach[lane]);
+        }
+        if (approach < least) {
+            thud_contact seen = td_contact_view(w, block, lane);
+            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) =
+                (thud_hit_event){seen.shape_a, seen.shape_b, seen.point, seen.normal, -approach};
+        }
+    }
+}
+
+bool td_narrowphase(thud_world *w)
+{
+    int contacts = w->contacts.live;
+    w->scratch.begins.count = 0;
+    w->scratch.ends.count = 0;
+    if (!test_room(w) || !td_array_reserve(&w->memory, &w->scratch.begins, contacts) ||
+        !td_array_reserve(&w->memory, &w->scratch.ends, contacts)) {
+        return false;
+    }
+    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+        if (w->waiting[kind].count) {
+            test_waiting(w, kind);
+        }
+    }
+    if (!begin_contacts(w) || (w->waiting[TD_PAIR_SENSOR].count && !test_sensors(w))) {
+        return false;
+    }
+    for (int i = 0; i < w->scratch.ends.count; i++) {
+        td_contact_destroy(w, *(int *)td_at(&w->scratch.ends, i));
+    }
+    if (!td_lanes_sequence(w)) {
+        return false;
+    }
+    collide_lanes(w);
+    if (!part_contacts(w)) {
+        return false;
+    }
+    if (w->def.contact_events) {
+        hit_events(w);
+    }
+    return true;
+}

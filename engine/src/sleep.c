@@ -1,0 +1,241 @@
+/* sleep.c: islands fall asleep and wake as a whole.
+ *
+ * An island is what touching contacts between dynamic bodies connect. Islands are only worked out
+ * when a body has been at rest for long enough, and then at most every eighth step: a world in
+ * which nothing rests pays nothing. The lanes of a sleeping island are parked, with their impulses,
+ * in bins that no stage visits. */
+#include "awake.h"
+#include "contact.h"
+#include "lanes.h"
+#include "shape.h"
+#include "step.h"
+
+#include <string.h>
+
+static int other_shape(const thud_world *w, int edge)
+{
+    const td_contact *contact = td_contact_at(w, edge / 2);
+    return edge & 1 ? contact->shape_a : contact->shape_b;
+}
+
+static bool may_wake(const td_body *body)
+{
+    return body->kind == THUD_DYNAMIC && body->awake < 0 &&
+           !(body->flags & TD_BODY_QUARANTINED) && !(body->changes & TD_CHANGE_ENTER);
+}
+
+static bool lists_room(thud_world *w)
+{
+    return td_array_reserve(&w->memory, &w->scratch.bodies, w->bodies.items.count) &&
+           td_array_reserve(&w->memory, &w->scratch.contacts, w->contacts.items.count);
+}
+
+/* Shapes of a body that slept while others came to rest near it look for them. */
+static void look_around(thud_world *w, int index)
+{
+    const td_body *body = td_body_at(w, index);
+    if (body->rest_epoch == w->rest_epoch) {
+        return;
+    }
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        td_shape_mark_moved(w, i);
+        td_shape_at(w, i)->flags |= TD_SHAPE_WOKEN;
+    }
+}
+
+bool td_wake(thud_world *w, int index)
+{
+    td_array *bodies = &w->scratch.bodies, *contacts = &w->scratch.contacts;
+    if (!may_wake(td_body_at(w, index))) {
+        td_body *body = td_body_at(w, index);
+        if (body->awake > 0) {
+            *td_row(&w->idle, body->awake) = 0.0f;
+        }
+        return true;
+    }
+    if (!lists_room(w)) {
+        return false;
+    }
+    bodies->count = contacts->count = 0;
+    td_awake_add(w, index);
+    td_push_int(bodies, index);
+    for (int i = 0; i < bodies->count; i++) {
+        int body = *(int *)td_at(bodies, i);
+        for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+            td_contact *contact = td_contact_at(w, e / 2);
+            if (contact->state != TD_TOUCHING || contact->bin != TD_PARKED || contact->listed) {
+                continue;
+            }
+            contact->listed = 1;
+            td_push_int(contacts, e / 2);
+            int other = td_shape_at(w, other_shape(w, e))->body;
+            if (may_wake(td_body_at(w, other))) {
+                td_awake_add(w, other);
+                td_push_int(bodies, other);
+            }
+        }
+    }
+    for (int i = 0; i < contacts->count; i++) {
+        td_contact_at(w, *(int *)td_at(contacts, i))->listed = 0;
+    }
+    if (!td_lanes_place(w, contacts->data, contacts->count, false)) {
+        for (int i = bodies->count - 1; i >= 0; i--) {
+            td_awake_remove(w, *(int *)td_at(bodies, i));
+        }
+        return false;
+    }
+    for (int i = 0; i < bodies->count; i++) {
+        int body = *(int *)td_at(bodies, i);
+        for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+            if (td_contact_at(w, e / 2)->state == TD_RESTING) {
+                td_contact_wait(w, e / 2);
+            }
+        }
+        look_around(w, body);
+    }
+    w->awake_grid.valid = w->rest_grid.valid = false;
+    return true;
+}
+
+/* ---- falling asleep ---- */
+
+static int find_root(int *parents, int i)
+{
+    while (parents[i] != i) {
+        parents[i] = parents[parents[i]];
+        i = parents[i];
+    }
+    return i;
+}
+
+static void join(int *parents, int a, int b)
+{
+    a = find_root(parents, a);
+    b = find_root(parents, b);
+    /* The lower slot leads, so that roots do not depend on the order of contacts. */
+    if (a < b) {
+        parents[b] = a;
+    } else {
+        parents[a] = b;
+    }
+}
+
+static bool is_dynamic(const thud_world *w, int slot)
+{
+    return td_body_at(w, *(int *)td_at(&w->body_of, slot))->kind == THUD_DYNAMIC;
+}
+
+static bool moves(const thud_world *w, int slot)
+{
+    const float *v = td_row(&w->velocity, slot);
+    return v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
+}
+
+/* A lane ties two dynamic bodies together; a moving kinematic body keeps its neighbour awake. */
+static void tie(thud_world *w, int *parents, int a, int b)
+{
+    if (a == 0 || b == 0) {
+        return;
+    }
+    bool dynamic_a = is_dynamic(w, a), dynamic_b = is_dynamic(w, b);
+    if (dynamic_a && dynamic_b) {
+        join(parents, a, b);
+    } else if (moves(w, dynamic_a ? b : a)) {
+        *td_row(&w->idle, dynamic_a ? a : b) = 0.0f;
+    }
+}
+
+bool td_islands(thud_world *w)
+{
+    td_array *parents = &w->scratch.parents;
+    if (!td_array_reserve(&w->memory, parents, w->body_of.count)) {
+        return false;
+    }
+    int *parent = parents->data;
+    for (int i = 0; i < w->body_of.count; i++) {
+        parent[i] = i;
+    }
+    for (int i = 0; i < w->contacts.items.count; i++) {
+        const td_contact *contact = td_contact_at(w, i);
+        if (contact->state == TD_TOUCHING && contact->bin != TD_PARKED && contact->live) {
+            const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+            int lane = contact->slot % TD_LANES;
+            tie(w, parent, block->a[lane], block->b[lane]);
+        }
+    }
+    for (int i = 1; i < w->body_of.count; i++) {
+        parent[i] = find_root(parent, i);
+    }
+    return true;
+}
+
+/* Puts the bodies listed to sleep; false, and nothing has changed, when memory is short. */
+static bool put_to_sleep(thud_world *w)
+{
+    td_array *bodies = &w->scratch.bodies, *contacts = &w->scratch.contacts;
+    contacts->count = 0;
+    for (int i = 0; i < bodies->count; i++) {
+        int e = td_body_at(w, *(int *)td_at(bodies, i))->first_contact;
+        for (; e != TD_NONE; e = td_next_edge(w, e)) {
+            td_contact *contact = td_contact_at(w, e / 2);
+            if (contact->state == TD_TOUCHING && !contact->listed) {
+                contact->listed = 1;
+                td_push_int(contacts, e / 2);
+            }
+        }
+    }
+    for (int i = 0; i < contacts->count; i++) {
+        td_contact_at(w, *(int *)td_at(contacts, i))->listed = 0;
+    }
+    if (!td_lanes_place(w, contacts->data, contacts->count, true)) {
+        return false;
+    }
+    for (int i = 0; i < bodies->count; i++) {
+        int index = *(int *)td_at(bodies, i);
+        td_body *body = td_body_at(w, index);
+        td_awake_remove(w, index);
+        memset(body->velocity, 0, sizeof body->velocity);
+    }
+    for (int i = 0; i < bodies->count; i++) {
+        td_body *body = td_body_at(w, *(int *)td_at(bodies, i));
+        for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+            const td_body *other = td_body_at(w, td_shape_at(w, other_shape(w, e))->body);
+            if (td_contact_at(w, e / 2)->state == TD_WAITING && other->awake < 0) {
+                td_contact_rest(w, e / 2);
+            }
+        }
+    }
+    w->rest_epoch++;
+    for (int i = 0; i < bodies->count; i++) {
+        td_body_at(w, *(int *)td_at(bodies, i))->rest_epoch = w->rest_epoch;
+    }
+    w->awake_grid.valid = w->rest_grid.valid = false;
+    return true;
+}
+
+void td_sleep(thud_world *w)
+{
+    if (!w->def.sleeping || w->idle_bodies == 0 || w->steps % 8 != 0 || !lists_room(w) ||
+        !td_islands(w)) {
+        return;
+    }
+    const int *root = w->scratch.parents.data;
+    /* The least idle time of an island, kept at its root's slot; a restless body keeps it up. */
+    for (int i = 1; i < w->body_of.count; i++) {
+        const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, i));
+        float *least = td_row(&w->idle, root[i]);
+        float own = body->flags & TD_BODY_RESTLESS || body->kind != THUD_DYNAMIC
+                        ? 0.0f
+                        : *td_row(&w->idle, i);
+        *least = td_min_float(*least, own);
+    }
+    w->scratch.bodies.count = 0;
+    for (int i = 1; i < w->body_of.count; i++) {
+        if (*td_row(&w->idle, root[i]) >= TD_SLEEP_TIME) {
+            td_push_int(&w->scratch.bodies, *(int *)td_at(&w->body_of, i));
+        }
+    }
+    if (w->scratch.bodies.count) {
+        put_to_sleep(w);
+    }
+}
