@@ -1,0 +1,118 @@
+/** What the page can run: the built-in scenes of the wasm module, and the levels of assets/levels. */
+import { type Engine, type Quality, World } from "thud";
+import { buildLevel, type Problem, readLevel } from "thud/level";
+
+export interface Entry {
+  /** As in the URL. */
+  kind: "scene" | "level";
+  name: string;
+  title: string;
+  about: string;
+  group: string;
+}
+
+/** A scene or level that has been built. */
+export interface Built {
+  entry: Entry;
+  world: World;
+  camera: readonly [number, number];
+  cameraHeight: number;
+  spawn: readonly [number, number];
+  /** What a level does without. */
+  problems: readonly Problem[];
+}
+
+const GROUPS: readonly [group: string, names: readonly string[]][] = [
+  ["Piles and stacks", ["pyramid", "circle_pit", "mixed_terrain", "tall_stack", "heavy_on_light"]],
+  ["In motion", ["tumbler", "tumbler_half", "smash", "cradle", "slopes", "bullets", "gas"]],
+  ["Crowds and extremes", ["platformer", "sizes", "one_spot", "asleep"]],
+];
+
+const levelUrls = import.meta.glob<string>("../../assets/levels/*.tmj", {
+  query: "?url",
+  import: "default",
+  eager: true,
+});
+
+export class Catalogue {
+  readonly entries: Entry[] = [];
+  readonly #engine: Engine;
+
+  constructor(engine: Engine) {
+    this.#engine = engine;
+    const { exports } = engine;
+    const scenes: Entry[] = [];
+    for (let i = 0; i < exports.api_scene_count(); i++) {
+      engine.check(exports.api_scene_info(i));
+      const [name, title, about] = Array.from(engine.slots.slice(0, 3), (at) => engine.text(at));
+      const group = GROUPS.find(([, names]) => names.includes(name))?.[0] ?? "More scenes";
+      scenes.push({ kind: "scene", name, title, about, group });
+    }
+    const levels = Object.keys(levelUrls).map((path): Entry => {
+      const name = path.replace(/^.*\//, "").replace(/\.tmj$/, "");
+      const words = name.replace(/[-_]/g, " ");
+      const title = words[0].toUpperCase() + words.slice(1);
+      return { kind: "level", name, title, about: "Drawn in Tiled", group: "Levels from Tiled" };
+    });
+    const order = ["Levels from Tiled", ...GROUPS.map(([group]) => group), "More scenes"];
+    this.entries = [...levels, ...scenes].sort(
+      (a, b) => order.indexOf(a.group) - order.indexOf(b.group),
+    );
+  }
+
+  find(kind: string, name: string): Entry | undefined {
+    return this.entries.find((entry) => entry.kind === kind && entry.name === name);
+  }
+
+  async build(entry: Entry, quality: Quality): Promise<Built> {
+    if (entry.kind === "scene") return this.#buildScene(entry, quality);
+    const path = Object.keys(levelUrls).find((key) => key.endsWith(`/${entry.name}.tmj`));
+    const response = await fetch(levelUrls[path ?? ""]);
+    if (!response.ok)
+      throw new Error(`the level ${entry.name} cannot be loaded: ${response.statusText}`);
+    return this.buildText(entry.name, await response.text(), quality, entry);
+  }
+
+  /** Builds a level from the text of a .tmj file; without `entry` it is the visitor's own. */
+  buildText(name: string, text: string, quality: Quality, entry?: Entry): Built {
+    const level = readLevel(name, text, { skip: true });
+    const world = buildLevel(this.#engine, level, { quality, timed: true });
+    return {
+      entry: entry
+        ? Object.assign(entry, { title: level.title, about: level.about || entry.about })
+        : { kind: "level", name, title: level.title, about: level.about, group: "Your own" },
+      world,
+      camera: level.camera,
+      cameraHeight: level.cameraHeight,
+      spawn: level.spawn,
+      problems: level.problems,
+    };
+  }
+
+  #buildScene(entry: Entry, quality: Quality): Built {
+    const engine = this.#engine;
+    const { exports } = engine;
+    const index = this.#sceneIndex(entry.name);
+    World.writeOptions(engine, { quality, timed: true });
+    engine.check(exports.api_scene_create(index, 0));
+    const [address, cameraX, cameraY, cameraHeight, spawnX, spawnY] = engine.slots;
+    return {
+      entry,
+      world: new World(engine, {}, address),
+      camera: [cameraX, cameraY],
+      cameraHeight,
+      spawn: [spawnX, spawnY],
+      problems: [],
+    };
+  }
+
+  #sceneIndex(name: string): number {
+    const engine = this.#engine;
+    const count = engine.exports.api_scene_count();
+    for (let i = 0; i < count; i++) {
+      engine.check(engine.exports.api_scene_info(i));
+      if (engine.text(engine.slots[0]) === name) return i;
+    }
+    throw new Error(`there is no scene ${name}`);
+  }
+}

@@ -1,0 +1,102 @@
+/** Mouse, touch and wheel on the canvas: pull or spawn with one pointer, pan, zoom and pinch. */
+import type { Camera } from "./camera";
+
+export type Tool = "hand" | "circle" | "box";
+
+export interface InputActions {
+  tool(): Tool;
+  /** True if there is a body to pull. */
+  grab(x: number, y: number, reach: number): boolean;
+  moveGrab(x: number, y: number): void;
+  release(): void;
+  spawn(kind: "circle" | "box", x: number, y: number): void;
+}
+
+/** How near to a body a pointer must come, in CSS pixels. */
+const REACH = { mouse: 4, touch: 18 };
+/** While a spawning pointer moves: pixels from one new body to the next. */
+const SPAWN_EVERY = 30;
+
+interface Pointer {
+  x: number;
+  y: number;
+}
+
+export function listen(canvas: HTMLElement, camera: Camera, actions: InputActions): void {
+  const pointers = new Map<number, Pointer>();
+  let mode: "none" | "pull" | "pan" | "spawn" | "pinch" = "none";
+  let lastSpawn: Pointer = { x: 0, y: 0 };
+
+  const place = (event: MouseEvent): Pointer => {
+    const box = canvas.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  };
+  const spawnAt = (at: Pointer) => {
+    const tool = actions.tool();
+    if (tool !== "hand") actions.spawn(tool, ...camera.toWorld(at.x, at.y));
+    lastSpawn = at;
+  };
+
+  canvas.addEventListener("pointerdown", (event) => {
+    const at = place(event);
+    pointers.set(event.pointerId, at);
+    canvas.setPointerCapture(event.pointerId);
+    if (pointers.size === 2) {
+      actions.release();
+      mode = "pinch";
+      return;
+    }
+    if (pointers.size > 2) return;
+    const reach = (event.pointerType === "mouse" ? REACH.mouse : REACH.touch) / camera.scale;
+    if (event.button !== 0 || event.shiftKey) mode = "pan";
+    else if (actions.tool() !== "hand") {
+      mode = "spawn";
+      spawnAt(at);
+    } else mode = actions.grab(...camera.toWorld(at.x, at.y), reach) ? "pull" : "pan";
+    canvas.dataset.mode = mode;
+  });
+
+  canvas.addEventListener("pointermove", (event) => {
+    const last = pointers.get(event.pointerId);
+    if (!last) return;
+    const at = place(event);
+    if (mode === "pinch") pinch(camera, [...pointers.values()], last, at);
+    pointers.set(event.pointerId, at);
+    if (mode === "pull") actions.moveGrab(...camera.toWorld(at.x, at.y));
+    else if (mode === "pan") camera.pan(at.x - last.x, at.y - last.y);
+    else if (mode === "spawn" && Math.hypot(at.x - lastSpawn.x, at.y - lastSpawn.y) > SPAWN_EVERY)
+      spawnAt(at);
+  });
+
+  const end = (event: PointerEvent) => {
+    if (!pointers.delete(event.pointerId)) return;
+    if (mode === "pull") actions.release();
+    // After a pinch the finger that stays moves the view.
+    mode = pointers.size === 1 ? "pan" : "none";
+    canvas.dataset.mode = mode;
+  };
+  canvas.addEventListener("pointerup", end);
+  canvas.addEventListener("pointercancel", end);
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+  canvas.addEventListener(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      const at = place(event);
+      const lines = event.deltaMode === 0 ? event.deltaY : 30 * event.deltaY;
+      camera.zoom(Math.exp(-lines * (event.ctrlKey ? 0.01 : 0.0015)), at.x, at.y);
+    },
+    { passive: false },
+  );
+}
+
+/** Two fingers: what was between them stays between them. */
+function pinch(camera: Camera, pointers: Pointer[], last: Pointer, at: Pointer): void {
+  const other = pointers.find((pointer) => pointer !== last);
+  if (!other) return;
+  const before = Math.hypot(last.x - other.x, last.y - other.y);
+  const after = Math.hypot(at.x - other.x, at.y - other.y);
+  camera.pan((at.x - last.x) / 2, (at.y - last.y) / 2);
+  if (before > 1 && after > 1)
+    camera.zoom(after / before, (at.x + other.x) / 2, (at.y + other.y) / 2);
+}

@@ -1,0 +1,245 @@
+/** The page: loads the engine, runs a scene, and connects controls, pointers and drawing. */
+import { load, type Quality } from "thud";
+import { LevelError } from "thud/level";
+import wasmUrl from "../generated/thud-demo.wasm?url";
+import { type Built, Catalogue, type Entry } from "./catalogue";
+import { Hud } from "./hud";
+import { listen, type Tool } from "./input";
+import { DYNAMIC, ROW } from "./render/shapes";
+import { Simulation } from "./simulation";
+import { byId, type ThemeChoice, Ui } from "./ui";
+import { readState, writeState } from "./url";
+import { View } from "./view";
+
+const FIRST_SCENE = "pyramid";
+const THEME_KEY = "thud-theme";
+
+const systemIsLight = matchMedia("(prefers-color-scheme: light)");
+const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
+
+const state = {
+  quality: "default" as Quality,
+  speed: 1,
+  // Whoever asked for less motion starts it deliberately.
+  paused: reducedMotion.matches,
+  tool: "hand" as Tool,
+  ...readState(location.search),
+};
+
+let simulation: Simulation | null = null;
+let catalogue: Catalogue;
+let view: View;
+let hud: Hud;
+/** Builds the running scene anew. */
+let rebuild: () => Promise<Built> | Built;
+
+const ui = new Ui({
+  choose: (entry) => void run(() => catalogue.build(entry, state.quality)),
+  openFile: (file) => void openFile(file),
+  togglePause: () => setPaused(!state.paused),
+  step: () => {
+    setPaused(true);
+    guard(() => simulation?.step());
+  },
+  reset: () => void run(rebuild, true),
+  fit: () => view.camera.goHome(),
+  setTool: (tool) => {
+    state.tool = tool;
+    ui.showTool(tool);
+  },
+  setSpeed: (speed) => {
+    state.speed = speed;
+    if (simulation) simulation.speed = speed;
+    keepState();
+  },
+  setQuality: (quality) => {
+    state.quality = quality;
+    guard(() => simulation?.setQuality(quality));
+    keepState();
+  },
+  setOverlay: (name, on) => {
+    if (on) view.shown.add(name);
+    else view.shown.delete(name);
+    byId("timings").hidden = !view.shown.has("timings");
+  },
+  setTheme: (theme) => {
+    localStorage.setItem(THEME_KEY, theme);
+    applyTheme();
+  },
+  pan: (dx, dy) => view.camera.pan(dx, dy),
+  zoom: (factor) => view.camera.zoom(factor),
+});
+
+void start();
+
+async function start(): Promise<void> {
+  if (typeof WebAssembly !== "object") {
+    ui.fail(
+      "WebAssembly is missing",
+      "thud runs as WebAssembly, which this browser lacks or has switched off. Any current " +
+        "browser has it; some switch it off in a lockdown or high-security mode.",
+    );
+    return;
+  }
+  try {
+    view = new View({
+      backdrop: byId<HTMLCanvasElement>("backdrop"),
+      bodies: byId<HTMLCanvasElement>("bodies"),
+      overlay: byId<HTMLCanvasElement>("overlay"),
+    });
+    hud = new Hud(byId("hud"), byId("timings"));
+    catalogue = new Catalogue(await load(new URL(wasmUrl, location.href)));
+  } catch (error) {
+    ui.fail(
+      "The engine cannot be loaded",
+      "The page came without its WebAssembly file, or this browser cannot run it. Loading the " +
+        "page again may help.",
+      [messageOf(error)],
+      () => location.reload(),
+    );
+    return;
+  }
+  applyTheme();
+  systemIsLight.addEventListener("change", applyTheme);
+  window.addEventListener("resize", layOut);
+  layOut();
+  ui.fillScenes(catalogue.entries);
+  ui.showTool(state.tool);
+  ui.showChoice("speed", String(state.speed));
+  ui.showChoice("quality", state.quality);
+  ui.showPaused(state.paused);
+  listenToPointers();
+  requestAnimationFrame(frame);
+  await runFirst();
+}
+
+async function runFirst(): Promise<void> {
+  const first = catalogue.find("scene", FIRST_SCENE) ?? catalogue.entries[0];
+  const runDefault = () => run(() => catalogue.build(first, state.quality));
+  if (!state.kind || !state.name) return runDefault();
+  const entry = catalogue.find(state.kind, state.name);
+  if (entry) return run(() => catalogue.build(entry, state.quality));
+  const text = `There is no ${state.kind} called “${state.name}” here.`;
+  ui.fail("Not found", text, [], () => void runDefault());
+}
+
+/** Replaces the running scene; if that fails, the one that runs goes on. */
+async function run(build: () => Promise<Built> | Built, keepView = false): Promise<void> {
+  let next: Simulation;
+  try {
+    next = new Simulation(await build());
+  } catch (error) {
+    const problems = error instanceof LevelError ? error.problems.map(({ text }) => text) : [];
+    const text = problems.length > 0 ? "The file cannot be used:" : messageOf(error);
+    ui.fail("This scene cannot be run", text, problems, () => {
+      if (!simulation) void run(() => catalogue.build(catalogue.entries[0], state.quality));
+    });
+    return;
+  }
+  simulation?.close();
+  simulation = next;
+  rebuild = build;
+  next.paused = state.paused;
+  next.speed = state.speed;
+  hud.reset();
+  const { entry, problems } = next.built;
+  if (keepView) ui.say(`${entry.title}, from the beginning`);
+  else {
+    showWhole(next);
+    ui.showScene(entry);
+    if (problems.length > 0) {
+      const more = problems.length > 1 ? ` (and ${problems.length - 1} more)` : "";
+      ui.notice(`Left out: ${problems[0].text}${more}`, 12);
+    }
+  }
+  keepState(entry);
+}
+
+async function openFile(file: File): Promise<void> {
+  const name = file.name.replace(/\.[^.]*$/, "");
+  const text = await file.text();
+  await run(() => catalogue.buildText(name, text, state.quality));
+}
+
+/** The scene's own view, and as wide as what moves in it, within reason. */
+function showWhole({ built, shapes, world }: Simulation): void {
+  const [x, y] = built.camera;
+  const poses = world.poses(1, x, y);
+  let reach = 0;
+  for (let i = 0; i < shapes.count; i++) {
+    const [slot, , bodyKind] = shapes.rows.subarray(i * ROW, i * ROW + 3);
+    const distance = Math.abs(poses[4 * slot]);
+    if (bodyKind === DYNAMIC && distance <= built.cameraHeight) reach = Math.max(reach, distance);
+  }
+  view.camera.setHome(x, y, built.cameraHeight, Math.min(2.2 * reach, 2 * built.cameraHeight));
+}
+
+function setPaused(paused: boolean): void {
+  state.paused = paused;
+  if (simulation) simulation.paused = paused;
+  ui.showPaused(paused);
+  ui.say(paused ? "Paused" : "Running");
+  keepState();
+}
+
+/** A level of the visitor's own has no address. */
+function keepState(entry: Entry | undefined = simulation?.built.entry): void {
+  if (!entry || !catalogue.find(entry.kind, entry.name)) return;
+  writeState({ ...state, kind: entry.kind, name: entry.name });
+}
+
+function listenToPointers(): void {
+  listen(byId("overlay"), view.camera, {
+    tool: () => state.tool,
+    grab: (x, y, reach) => simulation?.grab(x, y, reach) ?? false,
+    moveGrab: (x, y) => simulation?.moveGrab(x, y),
+    release: () => simulation?.release(),
+    spawn: (kind, x, y) => guard(() => simulation?.spawn(kind, x, y)),
+  });
+}
+
+let lastTime = 0;
+function frame(time: number): void {
+  requestAnimationFrame(frame);
+  const seconds = lastTime > 0 ? (time - lastTime) / 1000 : 0;
+  lastTime = time;
+  if (!simulation) return;
+  const running = simulation;
+  guard(() => {
+    running.frame(seconds);
+    view.draw(running);
+    hud.frame(seconds, running.world.stats(), running.stepsInFrame);
+  });
+}
+
+/** What the engine refuses while running is said once, and the scene stands still. */
+function guard(act: () => void): void {
+  try {
+    act();
+  } catch (error) {
+    console.error(error);
+    setPaused(true);
+    ui.notice(messageOf(error), 30);
+  }
+}
+
+function layOut(): void {
+  const top = byId("top").getBoundingClientRect().bottom;
+  const bottom = innerHeight - byId("controls").getBoundingClientRect().top;
+  view.camera.insets = { top: top + 8, right: 16, bottom: bottom + 8, left: 16 };
+  view.resize();
+  view.camera.goHome();
+}
+
+function applyTheme(): void {
+  const stored = localStorage.getItem(THEME_KEY);
+  const choice: ThemeChoice = stored === "dark" || stored === "light" ? stored : "system";
+  const dark = choice === "system" ? !systemIsLight.matches : choice === "dark";
+  document.documentElement.dataset.theme = dark ? "dark" : "light";
+  ui.showChoice("theme", choice);
+  view.setTheme(dark);
+}
+
+function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
