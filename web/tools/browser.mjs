@@ -1,0 +1,54 @@
+/** The system's Chromium for tests and screenshots, driven by playwright-core. */
+import { accessSync, constants } from "node:fs";
+import { delimiter, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { createStaticServer, listenFrom } from "./serve.mjs";
+
+const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+
+/** CHROMIUM names another browser than the first one on the path. */
+export function findChromium() {
+  if (process.env.CHROMIUM) return process.env.CHROMIUM;
+  for (const folder of (process.env.PATH ?? "").split(delimiter))
+    for (const name of NAMES)
+      try {
+        accessSync(join(folder, name), constants.X_OK);
+        return join(folder, name);
+      } catch {
+        // Not there: the next one.
+      }
+  throw new Error("no Chromium found on the path; on Debian: apt-get install chromium");
+}
+
+/** Headless, and quiet towards the network; with `webgl` it draws by software. */
+export function launchChromium({ webgl = true } = {}) {
+  return chromium.launch({
+    executablePath: findChromium(),
+    headless: true,
+    args: [
+      "--no-sandbox",
+      "--disable-quic",
+      "--no-first-run",
+      "--disable-background-networking",
+      "--disable-component-update",
+      "--disable-sync",
+      ...(webgl
+        ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+        : ["--disable-gpu", "--disable-3d-apis"]),
+    ],
+  });
+}
+
+/** Serves the built page on some free port. */
+export async function servePage() {
+  const server = createStaticServer(fileURLToPath(new URL("../dist", import.meta.url)));
+  const port = await listenFrom(server, 0);
+  return {
+    url: `http://127.0.0.1:${port}/`,
+    close: () => {
+      server.closeAllConnections();
+      return new Promise((done) => server.close(done));
+    },
+  };
+}
