@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""thud-run as its user meets it: python3 test_run.py PATH_OF_THUD_RUN, in the project's root."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+THUD_RUN = os.path.abspath(sys.argv.pop(1))
+LEVEL = "assets/levels/towers.tmj"
+
+
+def run(*arguments):
+    return subprocess.run([THUD_RUN, *arguments], capture_output=True, text=True, timeout=120)
+
+
+class ThudRun(unittest.TestCase):
+    def test_json_is_one_object_with_the_promised_fields(self):
+        done = run("tall_stack", "--steps", "20", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        result = json.loads(done.stdout)
+        for field in ("scene", "steps", "bodies", "contacts", "ms_per_step", "penetration_max",
+                      "energy", "hash"):
+            self.assertIn(field, result)
+        self.assertEqual((result["scene"], result["steps"], result["bodies"]),
+                         ("tall_stack", 20, 31))
+        self.assertRegex(result["hash"], "^[0-9a-f]{16}$")
+        self.assertGreater(result["ms_per_step"], 0)
+        self.assertGreater(result["contacts"], 0)
+
+    def test_level_runs_and_hash_repeats(self):
+        first, second = (json.loads(run(LEVEL, "--steps", "30", "--json").stdout)
+                         for _ in range(2))
+        self.assertEqual(first["scene"], "towers")
+        self.assertEqual(first["hash"], second["hash"])
+
+    def test_text_names_stages_and_hash(self):
+        done = run("cradle", "--steps", "5", "--quality", "exact")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for word in ("quality exact", "broadphase", "ms per step", "penetration", "hash"):
+            self.assertIn(word, done.stdout)
+
+    def test_quality_and_size_change_the_outcome(self):
+        hashes = {json.loads(run("tall_stack", "--steps", "30", "--json", *more).stdout)["hash"]
+                  for more in ([], ["--quality", "draft"], ["--size", "7"])}
+        self.assertEqual(len(hashes), 3)
+
+    def test_list_and_help_succeed(self):
+        self.assertIn("pyramid", run("--list").stdout)
+        for flag in ("--help", "-h"):
+            self.assertIn("--skip-unsupported", run(flag).stdout)
+            self.assertEqual(run(flag).returncode, 0)
+
+    def test_wrong_arguments_are_told_and_give_2(self):
+        for arguments in ([], ["pyramid", "gas"], ["gas", "--steps"], ["gas", "--steps", "0"],
+                          ["gas", "--steps", "ten"], ["gas", "--quality", "best"],
+                          ["gas", "--fast"], ["gas", "--size", "-1"]):
+            done = run(*arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
+            self.assertIn("thud-run:", done.stderr)
+
+    def test_unknown_scene_and_unreadable_level_are_told_and_give_1(self):
+        for arguments, says in ((["pyramids"], "--list"), (["no/such.tmj"], "cannot be read"),
+                                (["README.md"], "not JSON"), (["gas", "--size", "9999999"], "size"),
+                                ([LEVEL, "--size", "3"], "--size")):
+            done = run(*arguments)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), arguments)
+            self.assertIn(says, done.stderr)
+
+    def test_unsupported_object_is_refused_by_id_or_skipped(self):
+        level = {"type": "map", "width": 10, "height": 10, "tilewidth": 32, "tileheight": 32,
+                 "layers": [{"type": "objectgroup", "name": "a", "objects": [
+                     {"id": 4, "x": 0, "y": 0, "width": 32, "height": 32},
+                     {"id": 5, "x": 0, "y": 0, "polygon": [{"x": 0, "y": 0}]}]}]}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "bad.tmj")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(level, file)
+            refused = run(path)
+            self.assertEqual((refused.returncode, refused.stdout), (1, ""))
+            self.assertIn("object 5: a polygon", refused.stderr)
+            skipped = run(path, "--skip-unsupported", "--json", "--steps", "1")
+            self.assertEqual(skipped.returncode, 0, skipped.stderr)
+            self.assertIn("object 5: a polygon", skipped.stderr)
+            self.assertEqual(json.loads(skipped.stdout)["bodies"], 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
