@@ -58,6 +58,7 @@ export class Hud {
     this.#values.contacts.textContent = stats.contacts.toLocaleString("en");
     this.#values.ms.textContent = ms.toFixed(ms < 10 ? 2 : 1);
     this.#values.fps.textContent = String(Math.round(this.#frames / this.#frameSeconds));
+    this.#root.dataset.steps = String(stats.steps);
     this.#root.dataset.over = String(ms > BUDGET);
     this.#frames = 0;
     this.#frameSeconds = 0;

@@ -28,19 +28,17 @@ export class View {
     this.#backdrop = new Backdrop(context2d(canvases.backdrop));
     this.#overlay = new Overlay(context2d(canvases.overlay));
     this.#renderer = makeRenderer(canvases.bodies);
+    canvases.bodies.dataset.renderer = this.#renderer.name;
     canvases.bodies.addEventListener("webglcontextlost", () => {
       // A canvas that had WebGL gives no other context: a new one takes its place.
       const fresh = canvases.bodies.cloneNode() as HTMLCanvasElement;
       canvases.bodies.replaceWith(fresh);
       const renderer = CanvasRenderer.create(fresh);
       if (renderer) this.#renderer = renderer;
+      fresh.dataset.renderer = this.#renderer.name;
       this.#shapes = null;
       this.resize();
     });
-  }
-
-  get rendererName(): string {
-    return this.#renderer.name;
   }
 
   setTheme(dark: boolean): void {

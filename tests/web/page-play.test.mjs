@@ -1,0 +1,260 @@
+/** The page in a real browser: what a visitor sees and does, by mouse, touch and keyboard. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import {
+  DESKTOP,
+  drawn,
+  figure,
+  near,
+  openLevel,
+  openVisitor,
+  PHONE,
+  pressed,
+  stepBy,
+  untilRunning,
+} from "./page-support.mjs";
+import { axeSource, ballLevel } from "./support.mjs";
+
+let visitor;
+before(async () => {
+  visitor = await openVisitor();
+});
+after(() => visitor.close());
+
+/** A page with the one ball, at rest where it starts. */
+async function openBall(options = DESKTOP) {
+  const opened = await visitor.open("?scene=cradle&paused=1", options);
+  await openLevel(opened.page, "ball.tmj", ballLevel());
+  await opened.page.waitForFunction(() => document.title.startsWith("ball"));
+  await stepBy(opened.page, 1);
+  return opened;
+}
+
+test("page_loads_without_errors_and_bodies_move", async () => {
+  const { page, errors, close } = await openBall();
+  const start = await drawn(page);
+  await page.click("#pause");
+  await page.waitForFunction(() => Number(document.querySelector("#hud").dataset.steps) > 30);
+  const later = await drawn(page);
+  assert.ok(later.y > start.y + 10, `from ${start.y} to ${later.y}`);
+  near(later.x, start.x, 2, "x");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("dragging_with_the_mouse_moves_a_body", async () => {
+  const { page, errors, close } = await openBall();
+  const start = await drawn(page);
+  await page.mouse.move(start.x, start.y);
+  await page.mouse.down();
+  await page.mouse.move(start.x + 200, start.y - 60, { steps: 4 });
+  await stepBy(page, 90);
+  await page.waitForTimeout(300);
+  const held = await drawn(page);
+  near(held.x, start.x + 200, 12, "x while held");
+  near(held.y, start.y - 60, 12, "y while held");
+  await page.mouse.up();
+  await stepBy(page, 60);
+  await page.waitForTimeout(300);
+  assert.ok((await drawn(page)).y > held.y + 40, "it falls when let go");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("dragging_with_a_finger_moves_a_body_on_a_phone", async () => {
+  const { page, errors, close } = await openBall(PHONE);
+  const start = await drawn(page);
+  const touch = await page.context().newCDPSession(page);
+  const send = (type, x, y) =>
+    touch.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints: type === "touchEnd" ? [] : [{ x, y }],
+    });
+  await send("touchStart", start.x, start.y);
+  await send("touchMove", start.x + 60, start.y - 40);
+  await stepBy(page, 90);
+  await page.waitForTimeout(300);
+  near((await drawn(page)).x, start.x + 60, 10, "x");
+  await send("touchEnd");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("dragging_the_background_and_the_wheel_move_and_zoom_the_view", async () => {
+  const { page, close } = await openBall();
+  const start = await drawn(page);
+  await page.mouse.move(300, 300);
+  await page.mouse.down();
+  await page.mouse.move(350, 330);
+  await page.mouse.up();
+  await page.waitForTimeout(200);
+  const moved = await drawn(page);
+  near(moved.x, start.x + 50, 2, "x");
+  near(moved.y, start.y + 30, 2, "y");
+  await page.mouse.wheel(0, -300);
+  await page.waitForTimeout(200);
+  assert.ok((await drawn(page)).count > 1.5 * moved.count);
+  await close();
+});
+
+test("keys_pause_step_reset_move_and_zoom", async () => {
+  const { page, errors, close } = await openBall();
+  await page.focus("#overlay");
+  await page.keyboard.press("Space");
+  assert.equal(await pressed(page, "pause"), false);
+  await page.waitForFunction(() => Number(document.querySelector("#hud").dataset.steps) > 10);
+  await page.keyboard.press("Space");
+  assert.equal(await pressed(page, "pause"), true);
+  await page.waitForTimeout(400);
+  const steps = () => page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
+  const paused = await steps();
+  await page.keyboard.press(".");
+  await page.waitForFunction((n) => Number(document.querySelector("#hud").dataset.steps) === n, paused + 1);
+  await page.keyboard.press("r");
+  await page.waitForFunction(() => document.querySelector("#hud").dataset.steps === "0");
+  const start = await drawn(page);
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForTimeout(300);
+  near((await drawn(page)).x, start.x + 60, 2, "x after the arrow key");
+  await page.keyboard.press("+");
+  await page.waitForTimeout(300);
+  assert.ok((await drawn(page)).count > 1.3 * start.count);
+  await page.keyboard.press("0");
+  await page.waitForTimeout(300);
+  near((await drawn(page)).x, start.x, 1, "x after 0");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("keys_open_help_and_lists_and_escape_closes_them", async () => {
+  const { page, close } = await openBall();
+  for (const [key, id] of [["h", "help"], ["l", "scenes"], ["o", "options"]]) {
+    await page.keyboard.press(key);
+    await page.waitForSelector(`dialog#${id}[open]`);
+    await page.keyboard.press("Escape");
+    await page.waitForSelector(`dialog#${id}`, { state: "hidden" });
+  }
+  assert.ok((await page.locator("#keys kbd").count()) > 20);
+  await close();
+});
+
+test("circle_and_box_tools_add_bodies_where_the_visitor_clicks", async () => {
+  const { page, errors, close } = await openBall();
+  await page.waitForTimeout(400);
+  const bodies = await figure(page, "bodies");
+  await page.keyboard.press("c");
+  await page.mouse.click(400, 300);
+  await page.keyboard.press("b");
+  await page.mouse.click(900, 300);
+  await page.waitForTimeout(600);
+  assert.equal(await figure(page, "bodies"), bodies + 2);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("choosing_a_scene_from_the_list_runs_it_and_writes_the_url", async () => {
+  const { page, errors, close } = await visitor.open("?scene=cradle");
+  await untilRunning(page);
+  await page.click("#scenes-button");
+  await page.click('[data-entry="scene/tall_stack"]');
+  await page.waitForFunction(() => location.search.includes("scene=tall_stack"));
+  await untilRunning(page);
+  assert.match(await page.title(), /Tall stack/);
+  await page.reload();
+  await page.waitForFunction(() => document.title.startsWith("Tall stack"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("speed_and_quality_are_kept_in_the_url", async () => {
+  const { page, close } = await visitor.open("?scene=cradle");
+  await untilRunning(page);
+  await page.keyboard.press("o");
+  await page.check('[name=speed][value="0.25"]', { force: true });
+  await page.check("[name=quality][value=high]", { force: true });
+  const search = new URL(page.url()).searchParams;
+  assert.deepEqual([search.get("speed"), search.get("quality")], ["0.25", "high"]);
+  await page.reload();
+  await untilRunning(page);
+  assert.ok(await page.isChecked("[name=quality][value=high]"));
+  await close();
+});
+
+test("every_overlay_draws_or_shows_its_panel", async () => {
+  const { page, errors, close } = await visitor.open("?scene=tall_stack&paused=1");
+  await stepBy(page, 5);
+  for (const [key, name] of [["1", "contacts"], ["2", "normals"], ["3", "bounds"], ["4", "cells"], ["5", "islands"]]) {
+    await page.keyboard.press(key);
+    await page.waitForTimeout(250);
+    assert.ok((await drawnAtAll(page)) > 20, `${name} draws nothing`);
+    await page.keyboard.press(key);
+    await page.waitForTimeout(250);
+    assert.equal(await drawnAtAll(page), 0, `${name} stays`);
+  }
+  await page.keyboard.press("7");
+  await page.waitForSelector("#timings:not([hidden])");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+/** Pixels of the overlay that are not empty, faint ones too. */
+function drawnAtAll(page) {
+  return page.evaluate(() => {
+    const { width, height } = document.getElementById("overlay");
+    const context = document.getElementById("overlay").getContext("2d");
+    const { data } = context.getImageData(0, 0, width, height);
+    let count = 0;
+    for (let i = 3; i < data.length; i += 4) if (data[i] > 16) count++;
+    return count;
+  });
+}
+
+test("reduced_motion_starts_paused_and_can_be_started", async () => {
+  const { page, close } = await visitor.open("?scene=cradle", { ...DESKTOP, reducedMotion: "reduce" });
+  await page.waitForFunction(() => document.title.startsWith("Newton"));
+  assert.equal(await pressed(page, "pause"), true);
+  await page.click("#pause");
+  await untilRunning(page);
+  await close();
+});
+
+test("controls_fit_a_phone_of_360_pixels", async () => {
+  const options = { ...PHONE, viewport: { width: 360, height: 640 } };
+  const { page, errors, close } = await visitor.open("?scene=cradle", options);
+  await untilRunning(page);
+  for (const button of await page.locator("#controls button, #scenes-button").all()) {
+    const box = await button.boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= 360, JSON.stringify(box));
+    assert.ok(box.y >= 0 && box.y + box.height <= 640, JSON.stringify(box));
+  }
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
+  for (const colorScheme of ["dark", "light"])
+    test(`axe_finds_no_serious_violation_on_${size}_in_${colorScheme}`, async () => {
+      const { page, close } = await visitor.open("?scene=cradle", { ...options, colorScheme });
+      await untilRunning(page);
+      const violations = [await runAxe(page)];
+      for (const key of ["h", "l", "o"]) {
+        await page.keyboard.press(key);
+        await page.waitForTimeout(300);
+        violations.push(await runAxe(page));
+        await page.keyboard.press("Escape");
+      }
+      assert.deepEqual(violations.flat(), []);
+      await close();
+    });
+
+/** Evaluated by the driver, so that the page's own policy need not allow it. */
+async function runAxe(page) {
+  await page.evaluate(axeSource());
+  return page.evaluate(async () => {
+    const { violations } = await window.axe.run();
+    return violations
+      .filter(({ impact }) => impact === "serious" || impact === "critical")
+      .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`);
+  });
+}

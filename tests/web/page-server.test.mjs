@@ -1,0 +1,61 @@
+/** The static server: types, nothing outside its folder, and the next port when one is taken. */
+import assert from "node:assert/strict";
+import { spawn, spawnSync } from "node:child_process";
+import { request } from "node:http";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { createStaticServer, listenFrom } from "../../web/tools/serve.mjs";
+
+const script = fileURLToPath(new URL("../../web/tools/serve.mjs", import.meta.url));
+const folder = fileURLToPath(new URL("../../web/dist", import.meta.url));
+
+/** Without the tidying of paths that fetch does. */
+function get(port, path, method = "GET") {
+  return new Promise((done, fail) => {
+    request({ port, path, method, host: "127.0.0.1" }, (response) => {
+      response.resume();
+      response.on("end", () => done(response));
+    })
+      .on("error", fail)
+      .end();
+  });
+}
+
+test("server_sends_files_with_their_types_and_refuses_the_rest", async () => {
+  const server = createStaticServer(folder);
+  const port = await listenFrom(server, 0);
+  const index = await get(port, "/?scene=gas");
+  assert.equal(index.statusCode, 200);
+  assert.match(index.headers["content-type"], /^text\/html/);
+  for (const path of ["/../package.json", "/%2e%2e/package.json", "/..%2fpackage.json", "/no-such", "/%", "/%00"])
+    assert.equal((await get(port, path)).statusCode, 404, path);
+  assert.equal((await get(port, "/", "POST")).statusCode, 405);
+  server.closeAllConnections();
+  server.close();
+});
+
+test("taken_port_is_said_and_the_next_one_tried", async () => {
+  const holder = createStaticServer(folder);
+  const taken = await listenFrom(holder, 18080);
+  const child = spawn(process.execPath, [script, "--port", String(taken)]);
+  let output = "";
+  await new Promise((done, fail) => {
+    child.stdout.on("data", (data) => {
+      output += data;
+      if (output.includes("http://")) done();
+    });
+    child.on("exit", () => fail(new Error(output)));
+  });
+  assert.match(output, new RegExp(`Port ${taken} is taken; trying ${taken + 1}`));
+  child.removeAllListeners("exit");
+  const code = new Promise((done) => child.on("exit", done));
+  child.kill("SIGINT");
+  assert.equal(await code, 0);
+  holder.close();
+});
+
+test("bad_port_is_refused_with_usage", () => {
+  const { status, stderr } = spawnSync(process.execPath, [script, "--port", "zero"], { encoding: "utf8" });
+  assert.equal(status, 2);
+  assert.match(stderr, /1 to 65535[\s\S]*usage:/);
+});

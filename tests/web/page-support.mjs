@@ -1,0 +1,98 @@
+/** A visitor's browser for the tests of the page. */
+import assert from "node:assert/strict";
+import { launchChromium, servePage } from "../../web/tools/browser.mjs";
+
+export const DESKTOP = { viewport: { width: 1440, height: 900 } };
+export const PHONE = {
+  viewport: { width: 390, height: 844 },
+  deviceScaleFactor: 2,
+  hasTouch: true,
+  isMobile: true,
+};
+
+/** A browser and the served page; every page that is opened collects its errors. */
+export async function openVisitor({ webgl = false } = {}) {
+  const server = await servePage();
+  const browser = await launchChromium({ webgl });
+  return {
+    async open(search = "", options = DESKTOP, prepare = async () => {}) {
+      const context = await browser.newContext(options);
+      const page = await context.newPage();
+      const errors = [];
+      page.on("pageerror", (error) => errors.push(error.message));
+      page.on("console", (message) => {
+        if (["error", "warning"].includes(message.type())) errors.push(message.text());
+      });
+      page.on("request", (request) => {
+        if (!request.url().startsWith(server.url) && !/^(data|blob):/.test(request.url()))
+          errors.push(`request to ${request.url()}`);
+      });
+      await prepare(page);
+      await page.goto(server.url + search);
+      return { page, errors, close: () => context.close() };
+    },
+    async close() {
+      await browser.close();
+      await server.close();
+    },
+  };
+}
+
+export async function untilRunning(page) {
+  await page.waitForFunction(() => Number(document.querySelector("#hud").dataset.steps) > 0);
+}
+
+/** Opens a level as a visitor does, by a file, and waits until it is there. */
+export async function openLevel(page, name, text) {
+  await page.waitForSelector("[data-entry]", { state: "attached" });
+  await page.setInputFiles("#level-file", { name, mimeType: "application/json", buffer: Buffer.from(text) });
+}
+
+/** Runs steps by the key for a single step, then waits until the figures show them. */
+export async function stepBy(page, count) {
+  const before = await page.evaluate(() => Number(document.querySelector("#hud").dataset.steps ?? 0));
+  await page.evaluate((presses) => {
+    for (let i = 0; i < presses; i++)
+      document.body.dispatchEvent(new KeyboardEvent("keydown", { key: ".", bubbles: true }));
+  }, count);
+  await page.waitForFunction(
+    (least) => Number(document.querySelector("#hud").dataset.steps) >= least,
+    before + count,
+    { timeout: 60_000 },
+  );
+}
+
+/** Where the drawn bodies are: the middle and the number of pixels that are not empty. */
+export function drawn(page, id = "bodies") {
+  return page.evaluate((canvasId) => {
+    const canvas = document.getElementById(canvasId);
+    const { width, height } = canvas;
+    const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+    let [count, x, y] = [0, 0, 0];
+    for (let i = 3; i < data.length; i += 4) {
+      if (data[i] < 128) continue;
+      count++;
+      x += ((i - 3) / 4) % width;
+      y += Math.floor((i - 3) / 4 / width);
+    }
+    const ratio = width / innerWidth;
+    return { count, x: x / count / ratio, y: y / count / ratio };
+  }, id);
+}
+
+export async function pressed(page, id) {
+  return (await page.getAttribute(`#${id}`, "aria-pressed")) === "true";
+}
+
+export async function figure(page, name) {
+  return Number((await page.textContent(`[data-value="${name}"]`)).replace(/,/g, ""));
+}
+
+export async function failureText(page) {
+  await page.waitForSelector("#failure:not([hidden])");
+  return page.innerText("#failure");
+}
+
+export function near(actual, expected, tolerance, what) {
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, not ${expected}`);
+}
