@@ -83,9 +83,12 @@ void canvas_quad(canvas *c, const SDL_FPoint corners[4], const SDL_Color colors[
     add_triangle(c, first, first + 2, first + 3);
 }
 
+/* Edges fall on whole pixels, so that neighbours neither overlap nor leave a gap: the software
+ * renderer rounds a rectangle's place and its size each for itself. */
 void canvas_rect(canvas *c, SDL_FRect r, SDL_Color top, SDL_Color bottom) {
-    SDL_FPoint corners[4] = {
-        {r.x, r.y}, {r.x + r.w, r.y}, {r.x + r.w, r.y + r.h}, {r.x, r.y + r.h}};
+    float left = roundf(r.x), right = roundf(r.x + r.w);
+    float upper = roundf(r.y), lower = roundf(r.y + r.h);
+    SDL_FPoint corners[4] = {{left, upper}, {right, upper}, {right, lower}, {left, lower}};
     SDL_Color colors[4] = {top, top, bottom, bottom};
     canvas_quad(c, corners, colors);
 }
@@ -98,11 +101,12 @@ static void add_convex(canvas *c, const SDL_FPoint *p, const SDL_FPoint *out, in
     float inner = fminf(0.5f + style.border, half);
     const float offsets[RINGS] = {0.5f, -inset, -inner};
     const SDL_Color colors[RINGS] = {color_fade(style.edge, 0), style.edge, style.fill};
-    int first = reserve(c, RINGS * n, 3 * (2 * (RINGS - 1) * n + n - 2));
+    int first = reserve(c, RINGS * n + 1, 3 * (2 * (RINGS - 1) * n + n));
     for (int ring = 0; ring < RINGS; ring++)
         for (int i = 0; i < n; i++)
             add_vertex(c, p[i].x + out[i].x * offsets[ring], p[i].y + out[i].y * offsets[ring],
                        colors[ring]);
+    add_vertex(c, 0.5f * (p[0].x + p[n / 2].x), 0.5f * (p[0].y + p[n / 2].y), style.fill);
     for (int ring = 0; ring + 1 < RINGS; ring++)
         for (int i = 0; i < n; i++) {
             int a = first + ring * n + i;
@@ -110,9 +114,11 @@ static void add_convex(canvas *c, const SDL_FPoint *p, const SDL_FPoint *out, in
             add_triangle(c, a, b, b + n);
             add_triangle(c, a, b + n, a + n);
         }
+    /* A fan about the middle: of two triangles, the software renderer would make a rectangle of its
+     * own, rounded otherwise than the rings. */
     int inside = first + (RINGS - 1) * n;
-    for (int i = 2; i < n; i++)
-        add_triangle(c, inside, inside + i - 1, inside + i);
+    for (int i = 0; i < n; i++)
+        add_triangle(c, inside + n, inside + i, inside + (i + 1) % n);
 }
 
 void canvas_circle(canvas *c, SDL_FPoint center, float radius, canvas_style style) {

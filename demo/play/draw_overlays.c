@@ -10,6 +10,7 @@ typedef struct sink {
     canvas *canvas;
     const camera *view;
     overlay_set overlays;
+    float mark; /* radius of a contact's dot in pixels; less where bodies are small */
 } sink;
 
 /* Neighbouring numbers get hues far apart: steps of the golden ratio round the colour wheel. */
@@ -68,14 +69,14 @@ static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw
     }
 }
 
-/* A normal shows where it points, at one length on the screen whatever the world's scale. */
+/* A normal shows where it points; its length in the world means nothing. */
 static void draw_normal(const sink *k, SDL_FPoint a, SDL_FPoint b) {
     float dx = b.x - a.x, dy = b.y - a.y, length = hypotf(dx, dy);
     if (length <= 0)
         return;
-    float wanted = 13 * k->canvas->unit / length;
+    float wanted = 5.5f * k->mark / length;
     canvas_line(k->canvas, a, (SDL_FPoint){a.x + dx * wanted, a.y + dy * wanted},
-                1.5f * k->canvas->unit, COLOR_NORMAL);
+                fmaxf(0.6f * k->mark, 1), COLOR_NORMAL);
 }
 
 static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
@@ -93,12 +94,13 @@ static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *conte
 static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
     const sink *k = context;
     if (style == THUD_DRAW_CONTACT && overlays_have(k->overlays, OVERLAY_CONTACTS))
-        canvas_circle(k->canvas, camera_from_center(k->view, p.x, p.y), 2.4f * k->canvas->unit,
+        canvas_circle(k->canvas, camera_from_center(k->view, p.x, p.y), k->mark,
                       (canvas_style){COLOR_CONTACT, COLOR_CONTACT, 0});
 }
 
 void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overlays) {
-    sink k = {c, view, overlays};
+    float body = (float)(s->scene.length_scale * view->scale);
+    sink k = {c, view, overlays, fmaxf(1, fminf(0.1f * body, 2.4f * c->unit))};
     thud_debug_draw draw = {.origin = view->center, .context = &k};
     draw.circle = on_circle;
     draw.box = on_box;

@@ -7,10 +7,13 @@
 
 static const float SOIL_DEPTH = 90; /* points from the surface's colour to that of the deep */
 
-/* The column under the surface between two of its points. */
+/* The column under the surface between two of its points. Its sides fall on whole pixels, so that
+ * no gap shows between neighbours. */
 static void draw_column(canvas *c, const camera *view, SDL_FPoint a, SDL_FPoint b) {
     float bottom = view->view.y + view->view.h;
     float depth = SOIL_DEPTH * c->unit;
+    a.x = roundf(a.x);
+    b.x = roundf(b.x);
     SDL_FPoint a2 = {a.x, a.y + depth}, b2 = {b.x, b.y + depth};
     canvas_quad(c, (SDL_FPoint[4]){a, b, b2, a2},
                 (SDL_Color[4]){COLOR_GROUND, COLOR_GROUND, COLOR_GROUND_DEEP, COLOR_GROUND_DEEP});

@@ -43,7 +43,7 @@ enum { COLOR_BODY_COUNT = 6 };
             RGB(0xEE6C4D), RGB(0xFF4D6D), RGB(0xA78BDA), RGB(0xE8E2D0)                             \
     }
 
-#define COLOR_PANEL        RGBA(0x171C26, 0xF4)
+#define COLOR_PANEL        RGB(0x171C26)
 #define COLOR_PANEL_EDGE   RGB(0x2C3546)
 #define COLOR_WIDGET       RGB(0x252D3C)
 #define COLOR_WIDGET_HOVER RGB(0x323D51)

@@ -97,9 +97,9 @@ static float controls_height(void) {
     return ROWS * (ROW + GAP) + LABELS * LABEL_HEIGHT + PAD;
 }
 
-/* The row of an entry, counting the two headings. */
+/* The row of an entry, counting the headings: one for scenes, and after an empty row for levels. */
 static int list_row(const viewer *v, int entry) {
-    return entry + 1 + (v->catalog.entries[entry].path != NULL);
+    return entry + (v->catalog.entries[entry].path ? 3 : 1);
 }
 
 static void scroll_list(viewer *v, SDL_FRect area, int rows) {
