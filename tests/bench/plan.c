@@ -1,6 +1,6 @@
 /* plan.c: the table of plans. Ten steps make the contacts and grow the buffers; longer warm-ups
- * wait for a scene to become what it is meant to measure. The whole default run takes about two
- * minutes with three repetitions. */
+ * wait for a scene to become what it is meant to measure. The whole default run takes about one
+ * minute with three repetitions. */
 #include "plan.h"
 
 #include <string.h>
