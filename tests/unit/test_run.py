@@ -63,8 +63,8 @@ class ThudRun(unittest.TestCase):
 
     def test_unknown_scene_and_unreadable_level_are_told_and_give_1(self):
         for arguments, says in ((["pyramids"], "--list"), (["no/such.tmj"], "cannot be read"),
-                                (["assets/levels/README.md"], "not JSON"), (["gas", "--size", "9999999"], "size"),
-                                ([LEVEL, "--size", "3"], "--size")):
+                                (["assets/levels/README.md"], "not JSON"),
+                                (["gas", "--size", "9999999"], "size"), ([LEVEL, "--size", "3"], "--size")):
             done = run(*arguments)
             self.assertEqual((done.returncode, done.stdout), (1, ""), arguments)
             self.assertIn(says, done.stderr)
