@@ -22,10 +22,13 @@ void td_solve(thud_world *w);
 void td_finish(thud_world *w);
 /* continuous.c: fast bodies go back to where they first met a static shape. */
 void td_continuous(thud_world *w);
-/* sleep.c: islands at rest fall asleep. */
-void td_sleep(thud_world *w);
 /* contacts.c: tells the epilogue. */
 void td_contacts_tell(thud_world *w);
+/* sleep.c: islands at rest fall asleep. */
+void td_sleep(thud_world *w);
+
+/* world.c: room for what the stages after the narrowphase note down. */
+bool td_scratch_reserve(thud_world *w);
 
 /* sleep.c: wakes the body's whole island; false when memory is short. */
 bool td_wake(thud_world *w, int body);

@@ -90,6 +90,7 @@ typedef struct thud_world_def {
     bool sleeping;               /* default true */
     bool continuous;             /* fast bodies do not pass through static shapes; default true */
     bool contact_events;         /* collect begin, end and hit events; default true */
+    bool baseline_simd;          /* never AVX2: the same bits, slower; for tests. Default false */
     thud_prologue_fn *prologue;  /* null: none */
     thud_epilogue_fn *epilogue;  /* null: none */
     void *callback_context;      /* handed to both */

@@ -1,0 +1,202 @@
+/* continuous.c: fast bodies do not pass through static shapes.
+ *
+ * A body that moved further than half its smallest half extent in the step is swept from where it
+ * was; at its first time of impact with a static shape it stops for the rest of the step, and the
+ * contact solver takes over in the next. The swept shapes are a little smaller, so that sliding
+ * along a floor is no impact. Where even the smaller shape overlaps at the start, the middle of the
+ * body is swept alone: it may rub along, but never change sides. */
+#include "body.h"
+#include "contact.h"
+#include "kinds.h"
+#include "rotation.h"
+#include "shape.h"
+#include "step.h"
+
+#if defined(__x86_64__)
+td_grid_query_fn td_grid_query_base, td_grid_query_avx2;
+#else
+td_grid_query_fn td_grid_query_base;
+#endif
+
+typedef struct sweep {
+    thud_world *w;
+    int body, shape;
+    td_place start;       /* of the body's centre */
+    thud_placed placed;   /* relative to start; smaller than the shape */
+    thud_placed core;     /* a small circle in its middle */
+    thud_motion motion, core_motion;
+    double shrink;
+    double time;          /* earliest so far */
+} sweep;
+
+static void earlier(sweep *s, bool hit, double time)
+{
+    if (hit && time < s->time) {
+        s->time = time;
+    }
+}
+
+/* The smaller shape met something at `time`: the real one did a little before. */
+static double step_back(const sweep *s, double time)
+{
+    double length = __builtin_sqrt(s->motion.dx * s->motion.dx + s->motion.dy * s->motion.dy);
+    double back = time - s->shrink / length;
+    return back > 0.0 ? back : 0.0;
+}
+
+static void against_shape(sweep *s, int other)
+{
+    const thud_world *w = s->w;
+    const td_shape *shape = td_shape_at(w, other);
+    if (td_body_at(w, shape->body)->kind != THUD_STATIC || (shape->flags & TD_SHAPE_SENSOR) ||
+        !td_pair_allowed(w, s->shape, other)) {
+        return;
+    }
+    bool hit = false;
+    double time = 1.0;
+    thud_motion still = {0.0, 0.0, 0.0};
+    const td_place *center = td_at(&w->center, other);
+    const float *turn = td_row(&w->turn, other);
+    thud_placed b = {.kind = (thud_shape_kind)shape->kind,
+                     .x = (double)(center->x - s->start.x) / w->to_fixed,
+                     .y = (double)(center->y - s->start.y) / w->to_fixed,
+                     .c = (double)turn[2],
+                     .s = (double)turn[3],
+                     .hx = (double)shape->half_x,
+                     .hy = (double)shape->half_y};
+    if (thud_shapes_overlap(&s->placed, &b)) {
+        thud_shapes_time_of_impact(&s->core, s->core_motion, &b, still, 0.0, &hit, &time);
+        earlier(s, hit && time > 0.0, time);
+    } else {
+        thud_shapes_time_of_impact(&s->placed, s->motion, &b, still, 0.0, &hit, &time);
+        earlier(s, hit, step_back(s, time));
+    }
+}
+
+static void against_terrain(sweep *s, int other)
+{
+    const thud_world *w = s->w;
+    if (td_body_at(w, td_shape_at(w, other)->body)->kind != THUD_STATIC ||
+        (td_shape_at(w, other)->flags & TD_SHAPE_SENSOR) ||
+        !td_pair_allowed(w, s->shape, other)) {
+        return;
+    }
+    thud_terrain terrain = td_terrain_view(w, other);
+    const td_place *origin = td_at(&w->center, other);
+    double ox = (double)(s->start.x - origin->x) / w->to_fixed;
+    double oy = (double)(s->start.y - origin->y) / w->to_fixed;
+    thud_placed placed = s->placed, core = s->core;
+    placed.x += ox, placed.y += oy;
+    core.x += ox, core.y += oy;
+    bool hit = false;
+    double time = 1.0;
+    if (thud_terrain_overlap(&terrain, &placed)) {
+        thud_terrain_time_of_impact(&terrain, &core, s->core_motion, 0.0, &hit, &time);
+        earlier(s, hit && time > 0.0, time);
+    } else {
+        thud_terrain_time_of_impact(&terrain, &placed, s->motion, 0.0, &hit, &time);
+        earlier(s, hit, step_back(s, time));
+    }
+}
+
+/* Bounds of the whole sweep, for the grid. */
+static td_bounds swept_bounds(const sweep *s, const float *delta)
+{
+    const thud_world *w = s->w;
+    double reach = (double)td_body_at(w, s->body)->rim + (double)w->unit * (double)TD_SPECULATIVE;
+    int32_t half_x = (int32_t)((reach + (double)(delta[0] < 0 ? -delta[0] : delta[0])) * w->to_coarse);
+    int32_t half_y = (int32_t)((reach + (double)(delta[1] < 0 ? -delta[1] : delta[1])) * w->to_coarse);
+    return td_bounds_about(s->start, half_x + 1, half_y + 1);
+}
+
+static void set_shape(sweep *s, int index, const float *delta, float c, float sine)
+{
+    const thud_world *w = s->w;
+    const td_shape *shape = td_shape_at(w, index);
+    const float *size = td_row(&w->size, index);
+    float least = shape->kind == THUD_CIRCLE ? size[0] : td_min_float(size[0], size[1]);
+    float shrink = td_min_float(2.0f * TD_SLOP * w->unit, 0.25f * least);
+    s->shape = index;
+    s->shrink = (double)shrink;
+    s->placed = (thud_placed){
+        .kind = (thud_shape_kind)shape->kind,
+        .x = (double)(c * size[2] - sine * size[3]),
+        .y = (double)(sine * size[2] + c * size[3]),
+        .c = shape->kind == THUD_OBB ? (double)(c * shape->angle_c - sine * shape->angle_s) : 1.0,
+        .s = shape->kind == THUD_OBB ? (double)(sine * shape->angle_c + c * shape->angle_s) : 0.0,
+        .hx = (double)(size[0] - shrink),
+        .hy = shape->kind == THUD_CIRCLE ? 0.0 : (double)(size[1] - shrink)};
+    s->core = (thud_placed){.kind = THUD_CIRCLE, .x = s->placed.x, .y = s->placed.y, .c = 1.0,
+                            .hx = (double)(0.25f * least)};
+    /* The centre of an offset shape also moves as the body turns. */
+    float end_c, end_s;
+    td_angle_turn(td_pose_at(w, s->body)->angle, &end_c, &end_s);
+    s->motion = (thud_motion){
+        (double)delta[0] + (double)(end_c * size[2] - end_s * size[3]) - s->placed.x,
+        (double)delta[1] + (double)(end_s * size[2] + end_c * size[3]) - s->placed.y,
+        shape->kind == THUD_OBB ? (double)delta[2] : 0.0};
+    s->core_motion = (thud_motion){s->motion.dx, s->motion.dy, 0.0};
+}
+
+static void stop_at(thud_world *w, int index, td_place start, uint32_t start_angle, double time,
+                    float *delta)
+{
+    td_pose *pose = td_pose_at(w, index);
+    for (int k = 0; k < 3; k++) {
+        delta[k] = (float)((double)delta[k] * time);
+    }
+    pose->center = (td_place){start.x + td_length_from(w, delta[0]),
+                              start.y + td_length_from(w, delta[1])};
+    pose->angle = start_angle +
+                  (uint32_t)td_round64((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
+    td_angle_turn(pose->angle, &pose->c, &pose->s);
+}
+
+static void sweep_body(thud_world *w, int index)
+{
+    const td_body *body = td_body_at(w, index);
+    const td_pose *pose = td_pose_at(w, index);
+    float *delta = td_row(&w->delta, body->awake);
+    td_place start = {pose->center.x - td_length_from(w, delta[0]),
+                      pose->center.y - td_length_from(w, delta[1])};
+    uint32_t angle = pose->angle -
+                     (uint32_t)td_round64((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
+    float c, s;
+    td_angle_turn(angle, &c, &s);
+    sweep swept = {.w = w, .body = index, .start = start, .time = 1.0};
+    td_bounds bounds = swept_bounds(&swept, delta);
+    td_array *hits = &w->scratch.hits;
+    hits->count = 0;
+    if (!TD_PICK_WIDE(w, td_grid_query)(&w->rest_grid, &w->memory, &bounds, start, hits)) {
+        return;
+    }
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        if (td_shape_at(w, i)->flags & TD_SHAPE_SENSOR) {
+            continue;
+        }
+        set_shape(&swept, i, delta, c, s);
+        for (int k = 0; k < hits->count; k++) {
+            against_shape(&swept, *(int *)td_at(hits, k));
+        }
+        for (int t = 0; t < w->terrains.items.count; t++) {
+            const td_terrain_record *record = td_at(&w->terrains.items, t);
+            if (record->shape != TD_NONE) {
+                against_terrain(&swept, record->shape);
+            }
+        }
+    }
+    if (swept.time < 1.0) {
+        stop_at(w, index, start, angle, swept.time, delta);
+    }
+}
+
+void td_continuous(thud_world *w)
+{
+    for (int i = 0; i < w->scratch.fast.count; i++) {
+        int body = *(int *)td_at(&w->scratch.fast, i);
+        if (td_body_at(w, body)->kind == THUD_DYNAMIC) {
+            sweep_body(w, body);
+        }
+        td_body_place_shapes(w, body);
+    }
+}

@@ -1,0 +1,189 @@
+/* debug_draw.c: the world drawn through the caller's functions, for viewers and tests. */
+#include "body.h"
+#include "contact.h"
+#include "handles.h"
+#include "lanes.h"
+#include "shape.h"
+#include "step.h"
+
+typedef struct drawing {
+    const thud_world *w;
+    const thud_debug_draw *draw;
+    td_place origin, lower, upper;
+} drawing;
+
+static thud_vec2 local(const drawing *d, td_place p)
+{
+    return (thud_vec2){(float)((double)(p.x - d->origin.x) / d->w->to_fixed),
+                       (float)((double)(p.y - d->origin.y) / d->w->to_fixed)};
+}
+
+static thud_draw_style style_of(const drawing *d, const td_shape *shape)
+{
+    const td_body *body = td_body_at(d->w, shape->body);
+    if (shape->flags & TD_SHAPE_SENSOR) {
+        return THUD_DRAW_SENSOR;
+    }
+    if (body->kind == THUD_STATIC) {
+        return THUD_DRAW_STATIC;
+    }
+    return body->awake < 0                  ? THUD_DRAW_SLEEPING
+           : body->kind == THUD_KINEMATIC ? THUD_DRAW_KINEMATIC
+                                          : THUD_DRAW_DYNAMIC;
+}
+
+static void draw_terrain(const drawing *d, int index, thud_draw_style style)
+{
+    const td_place *center = td_at(&d->w->center, index);
+    thud_terrain terrain = td_terrain_view(d->w, index);
+    double x_min = (double)(d->lower.x - center->x) / d->w->to_fixed;
+    double x_max = (double)(d->upper.x - center->x) / d->w->to_fixed;
+    int first, last;
+    thud_terrain_segments(&terrain, x_min, x_max, &first, &last);
+    for (int i = first; i <= last && d->draw->line; i++) {
+        thud_pos p = {x_min, terrain.slope * x_min}, q = {x_max, terrain.slope * x_max};
+        if (terrain.kind != THUD_TERRAIN_FLAT) {
+            p = terrain.points[i];
+            q = terrain.points[i + 1];
+        }
+        thud_vec2 at = local(d, *center);
+        d->draw->line((thud_vec2){at.x + (float)p.x, at.y + (float)p.y},
+                      (thud_vec2){at.x + (float)q.x, at.y + (float)q.y}, style, d->draw->context);
+    }
+}
+
+static void draw_shape(const drawing *d, int index, int island)
+{
+    const td_shape *shape = td_shape_at(d->w, index);
+    const float *turn = td_row(&d->w->turn, index);
+    thud_draw_style style = style_of(d, shape);
+    thud_vec2 at = local(d, *(td_place *)td_at(&d->w->center, index));
+    if (shape->kind == THUD_TERRAIN) {
+        draw_terrain(d, index, style);
+    } else if (shape->kind == THUD_CIRCLE && d->draw->circle) {
+        d->draw->circle(at, shape->half_x, turn[2], turn[3], style, island, d->draw->context);
+    } else if (shape->kind != THUD_CIRCLE && d->draw->box) {
+        d->draw->box(at, (thud_vec2){shape->half_x, shape->half_y}, turn[2], turn[3], style, island,
+                     d->draw->context);
+    }
+}
+
+/* A box in bounds quanta near a position. */
+static void draw_bounds(const drawing *d, int64_t min_x, int64_t min_y, int64_t max_x,
+                        int64_t max_y, thud_draw_style style)
+{
+    if (!d->draw->box) {
+        return;
+    }
+    int64_t quantum = 1 << TD_COARSE_SHIFT;
+    thud_vec2 a = local(d, (td_place){min_x * quantum, min_y * quantum});
+    thud_vec2 b = local(d, (td_place){max_x * quantum, max_y * quantum});
+    d->draw->box((thud_vec2){0.5f * (a.x + b.x), 0.5f * (a.y + b.y)},
+                 (thud_vec2){0.5f * (b.x - a.x), 0.5f * (b.y - a.y)}, 1.0f, 0.0f, style, -1,
+                 d->draw->context);
+}
+
+static void draw_shapes(const drawing *d)
+{
+    const thud_world *w = d->w;
+    unsigned flags = d->draw->flags;
+    const int *islands = flags & THUD_DRAW_ISLANDS ? w->scratch.parents.data : NULL;
+    for (int i = 0; i < w->shapes.items.count; i++) {
+        const td_shape *shape = td_shape_at(w, i);
+        if (!(shape->flags & TD_SHAPE_LIVE)) {
+            continue;
+        }
+        const td_bounds *b = td_fat_at(w, i);
+        const td_place *center = td_at(&w->center, i);
+        int64_t x0 = td_unwrap(b->min_x, center->x), x1 = td_unwrap(b->max_x, center->x);
+        int64_t y0 = td_unwrap(b->min_y, center->y), y1 = td_unwrap(b->max_y, center->y);
+        bool seen = shape->kind == THUD_TERRAIN ||
+                    (x1 >= d->lower.x >> TD_COARSE_SHIFT && x0 <= d->upper.x >> TD_COARSE_SHIFT &&
+                     y1 >= d->lower.y >> TD_COARSE_SHIFT && y0 <= d->upper.y >> TD_COARSE_SHIFT);
+        const td_body *body = td_body_at(w, shape->body);
+        if (seen && (flags & (THUD_DRAW_SHAPES | THUD_DRAW_ISLANDS))) {
+            draw_shape(d, i, islands && body->awake > 0 ? islands[body->awake] : -1);
+        }
+        if (seen && (flags & THUD_DRAW_SHAPE_BOUNDS) && shape->kind != THUD_TERRAIN) {
+            draw_bounds(d, x0, y0, x1, y1, THUD_DRAW_BOUNDS);
+        }
+    }
+}
+
+/* The cells that the awake grid's shapes lie in; a cell with several shapes is drawn once. */
+static void draw_cells(const drawing *d)
+{
+    const td_grid *grid = &d->w->awake_grid;
+    const int *cells = grid->cells.data, *ids = grid->ids.data;
+    for (int l = 0; l < TD_LEVELS; l++) {
+        const td_level *level = &grid->levels[l];
+        for (int i = level->first; i < level->first + level->count; i++) {
+            if (i > level->first && cells[i] == cells[i - 1]) {
+                continue;
+            }
+            const td_bounds *b = td_fat_at(d->w, ids[i]);
+            const td_place *at = td_at(&d->w->center, ids[i]);
+            int64_t x = td_unwrap(b->min_x, at->x) + td_wrap_sub(b->max_x, b->min_x) / 2;
+            int64_t y = td_unwrap(b->min_y, at->y) + td_wrap_sub(b->max_y, b->min_y) / 2;
+            int64_t size = level->cell + level->cell / 65536;
+            x = grid->origin_x + td_grid_index(x, grid->origin_x, level->inv_cell) * size;
+            y = grid->origin_y + td_grid_index(y, grid->origin_y, level->inv_cell) * size;
+            draw_bounds(d, x, y, x + size, y + size, THUD_DRAW_CELL);
+        }
+    }
+}
+
+static void draw_contacts(const drawing *d)
+{
+    const thud_world *w = d->w;
+    float length = 0.3f * w->unit;
+    for (int i = 0; i < w->contacts.items.count; i++) {
+        const td_contact *contact = td_contact_at(w, i);
+        if (!contact->live || contact->state != TD_TOUCHING) {
+            continue;
+        }
+        thud_contact seen = td_contact_view(
+            w, td_block_at(w, contact->kind, contact->slot / TD_LANES), contact->slot % TD_LANES);
+        thud_vec2 p = local(d, td_place_from(w, seen.point));
+        if (d->draw->point) {
+            d->draw->point(p, THUD_DRAW_CONTACT, d->draw->context);
+        }
+        if (d->draw->line) {
+            d->draw->line(p,
+                          (thud_vec2){p.x + length * seen.normal.x, p.y + length * seen.normal.y},
+                          THUD_DRAW_NORMAL, d->draw->context);
+        }
+    }
+}
+
+thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw)
+{
+    if (!w || !draw) {
+        return td_refuse(w, THUD_ERROR_NULL, "draw: world or draw is null");
+    }
+    double most = TD_PLACE_MAX * (double)w->unit;
+    const double all[] = {draw->origin.x, draw->origin.y, draw->lower.x,
+                          draw->lower.y,  draw->upper.x,  draw->upper.y};
+    for (int i = 0; i < 6; i++) {
+        if (!(all[i] >= -most && all[i] <= most)) {
+            return td_refuse(w, THUD_ERROR_INVALID, "draw: origin or box is out of range");
+        }
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "draw: not inside a callback");
+    }
+    if (!td_changes_apply(w) || !td_broadphase_refresh(w) ||
+        ((draw->flags & THUD_DRAW_ISLANDS) && !td_islands(w))) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "draw: out of memory");
+    }
+    drawing d = {w, draw, td_place_from(w, draw->origin), td_place_from(w, draw->lower),
+                 td_place_from(w, draw->upper)};
+    draw_shapes(&d);
+    if (draw->flags & THUD_DRAW_CELLS) {
+        draw_cells(&d);
+    }
+    if (draw->flags & THUD_DRAW_CONTACTS) {
+        draw_contacts(&d);
+    }
+    return THUD_OK;
+}

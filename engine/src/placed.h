@@ -1,0 +1,61 @@
+/* placed.h: small helpers on placed shapes, shared by the geometry files. */
+#ifndef TD_PLACED_H
+#define TD_PLACED_H
+
+#include "base.h"
+#include "thud/thud_shapes.h"
+
+static inline double td_abs(double x)
+{
+    return x < 0.0 ? -x : x;
+}
+
+static inline double td_clamp(double x, double low, double high)
+{
+    return x < low ? low : x > high ? high : x;
+}
+
+/* A world vector in the shape's frame, and back. */
+static inline void td_to_frame(const thud_placed *f, double x, double y, double *u, double *v)
+{
+    *u = f->c * x + f->s * y;
+    *v = f->c * y - f->s * x;
+}
+
+static inline void td_from_frame(const thud_placed *f, double u, double v, double *x, double *y)
+{
+    *x = f->c * u - f->s * v;
+    *y = f->s * u + f->c * v;
+}
+
+/* Corner 0..3 counter-clockwise from the lower left, in the world. */
+static inline void td_corner(const thud_placed *box, int i, double *x, double *y)
+{
+    double u = i == 1 || i == 2 ? box->hx : -box->hx, v = i >= 2 ? box->hy : -box->hy;
+    td_from_frame(box, u, v, x, y);
+    *x += box->x;
+    *y += box->y;
+}
+
+/* Half extent of a box's shadow on the direction (x, y), which has length 1. */
+static inline double td_shadow(const thud_placed *box, double x, double y)
+{
+    double u, v;
+    td_to_frame(box, x, y, &u, &v);
+    return td_abs(u) * box->hx + td_abs(v) * box->hy;
+}
+
+/* closest.c: as thud_shapes_closest, for shapes known to be valid; boxes may be flat (hy = 0). */
+void td_closest(const thud_placed *a, const thud_placed *b, thud_closest *out);
+
+/* toi.c: as thud_shapes_time_of_impact, likewise. */
+void td_time_of_impact(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
+                       thud_motion motion_b, double target, bool *hit, double *time);
+
+/* terrain.c: a segment's ends; a flat line gives the piece between x_min and x_max. */
+void td_terrain_ends(const thud_terrain *terrain, int segment, double x_min, double x_max,
+                     thud_pos *p, thud_pos *q);
+/* The segment as a box without thickness. */
+thud_placed td_terrain_box(thud_pos p, thud_pos q);
+
+#endif

@@ -1,0 +1,100 @@
+/* step.c: the whole engine at a glance. Data flows one way; stages meet in the world's state. */
+#include "handles.h"
+#include "step.h"
+
+static void begin_events(thud_world *w)
+{
+    td_event_lists *e = &w->events;
+    e->begin.count = e->end.count = e->hit.count = e->quarantined.count = 0;
+    e->sensor_begin.count = e->sensor_end.count = 0;
+}
+
+/* Time since the last mark goes to the stage. */
+static void mark(thud_world *w, thud_stage stage, double *last)
+{
+    if (w->def.clock) {
+        double now = w->def.clock(w->def.clock_context);
+        w->stats.stage_seconds[stage] = now - *last;
+        *last = now;
+    }
+}
+
+static thud_result run_stages(thud_world *w)
+{
+    double start = w->def.clock ? w->def.clock(w->def.clock_context) : 0.0, last = start;
+    begin_events(w);
+
+    /* May run out of memory, and then leave every body as it was. */
+    bool done = td_changes_apply(w);
+    mark(w, THUD_STAGE_CHANGES, &last);
+    done = done && td_broadphase(w);
+    mark(w, THUD_STAGE_BROADPHASE, &last);
+    done = done && td_broadphase_refresh(w) && td_narrowphase(w) && td_scratch_reserve(w);
+    mark(w, THUD_STAGE_NARROWPHASE, &last);
+    if (!done) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
+    }
+
+    td_contacts_ask(w);
+    mark(w, THUD_STAGE_CONTACTS, &last);
+    td_solve(w);
+    mark(w, THUD_STAGE_SOLVE, &last);
+    td_finish(w);
+    mark(w, THUD_STAGE_FINISH, &last);
+    td_continuous(w);
+    mark(w, THUD_STAGE_CONTINUOUS, &last);
+    td_contacts_tell(w);
+    mark(w, THUD_STAGE_EVENTS, &last);
+    td_sleep(w);
+    mark(w, THUD_STAGE_SLEEP, &last);
+    w->stats.step_seconds = last - start;
+    return THUD_OK;
+}
+
+thud_result thud_world_step(thud_world *w)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "step: not inside a callback");
+    }
+    uint64_t allocations = w->memory.allocations;
+    thud_result result = run_stages(w);
+    w->steps += result == THUD_OK;
+    w->stats.step_allocations = w->memory.allocations - allocations;
+    return result;
+}
+
+thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int *steps,
+                               double *alpha)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (!(elapsed >= 0.0 && elapsed <= 1e9) || max_steps < 1) {
+        return td_refuse(w, THUD_ERROR_INVALID, "advance: elapsed or max_steps is out of range");
+    }
+    double h = w->def.time_step;
+    double spare = w->spare_time + elapsed;
+    int done = 0;
+    while (spare >= h && done < max_steps) {
+        thud_result result = thud_world_step(w);
+        if (result != THUD_OK) {
+            return result;
+        }
+        spare -= h;
+        done++;
+        w->spare_time = spare;
+    }
+    /* What max_steps leaves over is dropped, but for the part of a step. */
+    spare -= h * (double)(int64_t)(spare / h);
+    w->spare_time = spare >= 0.0 && spare < h ? spare : 0.0;
+    if (steps) {
+        *steps = done;
+    }
+    if (alpha) {
+        *alpha = w->spare_time / h;
+    }
+    return THUD_OK;
+}

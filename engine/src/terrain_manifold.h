@@ -1,0 +1,25 @@
+/* terrain_manifold.h: contact of a shape with one segment of a ground line. */
+#ifndef TD_TERRAIN_MANIFOLD_H
+#define TD_TERRAIN_MANIFOLD_H
+
+#include "thud/thud_shapes.h"
+
+typedef struct td_terrain_point {
+    double px, py; /* halfway between the surfaces, relative to the shape's centre */
+    double separation;
+    uint32_t id; /* corner 0..3, circle 0, or 4: a vertex of the line in a face of the shape */
+} td_terrain_point;
+
+typedef struct td_terrain_manifold {
+    double nx, ny; /* unit, out of the ground */
+    int count;     /* 0..2 */
+    td_terrain_point point[2];
+} td_terrain_manifold;
+
+/* `shape->x, y` are relative to the terrain's origin. Points further than `margin` are left out.
+ * Summed over neighbouring segments, nothing is reported twice, and a shape that slides over
+ * collinear segments meets the segments' normal alone. */
+void td_terrain_segment_manifold(const thud_terrain *terrain, int segment, const thud_placed *shape,
+                                 double margin, td_terrain_manifold *out);
+
+#endif

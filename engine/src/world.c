@@ -1,0 +1,299 @@
+/* world.c: making and ending worlds, and their settings. */
+#include "world.h"
+
+#include "awake.h"
+#include "body.h"
+#include "handles.h"
+#include "lanes.h"
+#include "step.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+static const int quality_substeps[THUD_QUALITY_COUNT] = {2, 4, 8, 16};
+
+thud_world_def thud_default_world_def(void)
+{
+    return (thud_world_def){
+        .gravity = {0.0f, -10.0f},
+        .time_step = 1.0 / 60.0,
+        .length_scale = 1.0f,
+        .quality = THUD_QUALITY_DEFAULT,
+        .push_speed = 3.0f,
+        .restitution_threshold = 1.0f,
+        .hit_speed = 1.0f,
+        .maximum_speed = 1e6f,
+        .sleeping = true,
+        .continuous = true,
+        .contact_events = true,
+    };
+}
+
+static bool between(double x, double low, double high)
+{
+    return x >= low && x <= high;
+}
+
+static const char *def_error(const thud_world_def *d)
+{
+    if (!td_finite((double)d->gravity.x) || !td_finite((double)d->gravity.y)) {
+        return "world def: gravity is not finite";
+    }
+    if (!(d->time_step > 0.0 && d->time_step <= 1.0)) {
+        return "world def: time_step is not in (0, 1]";
+    }
+    if (!between((double)d->length_scale, 1e-6, 1e6)) {
+        return "world def: length_scale is not in [1e-6, 1e6]";
+    }
+    if ((int)d->quality < 0 || d->quality >= THUD_QUALITY_COUNT) {
+        return "world def: no such quality";
+    }
+    if (d->substeps < 0 || d->substeps > 64) {
+        return "world def: substeps is not in 0..64";
+    }
+    if (d->contact_stiffness != 0.0f && !between((double)d->contact_stiffness, 0.01, 0.5)) {
+        return "world def: contact_stiffness is neither 0 nor in [0.01, 0.5]";
+    }
+    if (!between((double)d->contact_damping, 0.0, 100.0) ||
+        !between((double)d->push_speed, 0.0, 1e6) ||
+        !between((double)d->restitution_threshold, 0.0, 1e6) ||
+        !between((double)d->hit_speed, 0.0, 1e6) ||
+        !(d->maximum_speed > 0.0f && d->maximum_speed <= 1e6f)) {
+        return "world def: a damping ratio or speed is out of range";
+    }
+    return NULL;
+}
+
+static bool wide_here(bool baseline)
+{
+#if defined(__x86_64__)
+    return !baseline && __builtin_cpu_supports("avx2");
+#else
+    (void)baseline;
+    return false;
+#endif
+}
+
+/* The power of two nearest below, so that scaling by it is exact. */
+static double power_below(double x)
+{
+    double p = 1.0;
+    while (p > x) {
+        p *= 0.5;
+    }
+    while (p * 2.0 <= x) {
+        p *= 2.0;
+    }
+    return p;
+}
+
+static void set_strides(thud_world *w)
+{
+    const struct {
+        td_array *array;
+        size_t stride;
+    } strides[] = {
+        {&w->pose, sizeof(td_pose)},
+        {&w->center, sizeof(td_place)},
+        {&w->turn, sizeof(float[4])},
+        {&w->size, sizeof(float[4])},
+        {&w->fat, sizeof(td_bounds)},
+        {&w->was, sizeof(td_bounds)},
+        {&w->velocity, sizeof(float[4])},
+        {&w->delta, sizeof(float[4])},
+        {&w->start, sizeof(float[4])},
+        {&w->push, sizeof(float[4])},
+        {&w->damping, sizeof(float[2])},
+        {&w->idle, sizeof(float)},
+        {&w->reach, sizeof(float[2])},
+        {&w->body_of, sizeof(int)},
+        {&w->colours, sizeof(td_colours)},
+        {&w->moved, sizeof(int)},
+        {&w->changed, sizeof(int)},
+        {&w->put_off, sizeof(td_put_off)},
+        {&w->poses, sizeof(thud_pose)},
+        {&w->events.begin, sizeof(thud_contact_event)},
+        {&w->events.end, sizeof(thud_contact_event)},
+        {&w->events.sensor_begin, sizeof(thud_contact_event)},
+        {&w->events.sensor_end, sizeof(thud_contact_event)},
+        {&w->events.hit, sizeof(thud_hit_event)},
+        {&w->events.quarantined, sizeof(thud_body_id)},
+        {&w->scratch.shapes, sizeof(int)},
+        {&w->scratch.hits, sizeof(int)},
+        {&w->scratch.pairs, sizeof(int[3])},
+        {&w->scratch.bodies, sizeof(int)},
+        {&w->scratch.contacts, sizeof(int)},
+        {&w->scratch.blocks, sizeof(td_block *)},
+        {&w->scratch.runs, sizeof(td_run)},
+        {&w->scratch.begins, sizeof(int)},
+        {&w->scratch.ends, sizeof(int)},
+        {&w->scratch.parents, sizeof(int)},
+        {&w->scratch.lane_bins, sizeof(int)},
+        {&w->scratch.test_list, sizeof(td_block *)},
+        {&w->scratch.fast, sizeof(int)},
+    };
+    for (size_t i = 0; i < sizeof strides / sizeof *strides; i++) {
+        strides[i].array->stride = (int)strides[i].stride;
+    }
+    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+        w->waiting[kind].stride = (int)sizeof(int);
+    }
+    td_slots_init(&w->bodies, (int)sizeof(td_body));
+    td_slots_init(&w->shapes, (int)sizeof(td_shape));
+    td_slots_init(&w->contacts, (int)sizeof(td_contact));
+    td_slots_init(&w->terrains, (int)sizeof(td_terrain_record));
+    for (int points = 1; points <= 2; points++) {
+        w->pool[points - 1].items.stride = (int)td_block_bytes(points);
+        w->pool[points - 1].free_head = TD_NONE;
+    }
+}
+
+static void set_substeps(thud_world *w)
+{
+    w->substeps = w->def.substeps ? w->def.substeps : quality_substeps[w->def.quality];
+    w->push_stale = true;
+}
+
+thud_result thud_world_create(const thud_world_def *def, thud_world **out)
+{
+    static atomic_uint made;
+    if (!def || !out) {
+        return THUD_ERROR_NULL;
+    }
+    const char *error = def_error(def);
+    if (error) {
+        if (def->log) {
+            def->log(THUD_ERROR_INVALID, error, def->log_context);
+        }
+        return THUD_ERROR_INVALID;
+    }
+    td_memory memory = td_memory_make(def->allocator);
+    thud_world *w = td_memory_get(&memory, sizeof *w);
+    if (!w) {
+        return THUD_ERROR_MEMORY;
+    }
+    w->def = *def;
+    w->memory = memory;
+    w->number = atomic_fetch_add(&made, 1u) + 1u;
+    w->wide = wide_here(def->baseline_simd);
+    if (w->def.contact_stiffness == 0.0f) {
+        w->def.contact_stiffness = 0.125f;
+    }
+    if (w->def.contact_damping == 0.0f) {
+        w->def.contact_damping = 10.0f;
+    }
+    double unit = power_below((double)def->length_scale);
+    w->unit = (float)unit;
+    w->to_fixed = TD_FIXED_ONE / unit;
+    w->to_coarse = TD_COARSE_ONE / unit;
+    w->quantum = (float)(unit / TD_FIXED_ONE);
+    set_strides(w);
+    set_substeps(w);
+    if (!td_awake_reserve(w, 0)) {
+        thud_world_destroy(w);
+        return THUD_ERROR_MEMORY;
+    }
+    *out = w;
+    return THUD_OK;
+}
+
+void thud_world_destroy(thud_world *w)
+{
+    if (!w) {
+        return;
+    }
+    for (int i = 0; i < w->terrains.items.count; i++) {
+        td_array_free(&w->memory, &((td_terrain_record *)td_at(&w->terrains.items, i))->points);
+    }
+    td_array *arrays[] = {
+        &w->bodies.items, &w->shapes.items, &w->contacts.items, &w->terrains.items, &w->pose,
+        &w->center, &w->turn, &w->size, &w->fat, &w->was, &w->velocity, &w->delta, &w->start,
+        &w->push, &w->damping, &w->idle, &w->reach, &w->body_of, &w->colours, &w->moved,
+        &w->changed, &w->put_off, &w->poses, &w->events.begin, &w->events.end,
+        &w->events.sensor_begin, &w->events.sensor_end, &w->events.hit, &w->events.quarantined,
+        &w->scratch.shapes, &w->scratch.hits, &w->scratch.pairs, &w->scratch.bodies,
+        &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.begins,
+        &w->scratch.ends, &w->scratch.parents, &w->scratch.lane_bins, &w->scratch.test_blocks,
+        &w->scratch.test_list, &w->scratch.fast, &w->scratch.grid, &w->pool[0].items,
+        &w->pool[1].items};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
+        td_array_free(&w->memory, arrays[i]);
+    }
+    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+        td_array_free(&w->memory, &w->waiting[kind]);
+    }
+    td_grid_free(&w->memory, &w->awake_grid);
+    td_grid_free(&w->memory, &w->rest_grid);
+    td_memory memory = w->memory;
+    td_memory_put(&memory, w, sizeof *w);
+}
+
+bool td_scratch_reserve(thud_world *w)
+{
+    return td_array_reserve(&w->memory, &w->scratch.fast, w->body_of.count);
+}
+
+/* ---- settings ---- */
+
+/* A new setting changes what every resting body would do. */
+static void wake_all(thud_world *w)
+{
+    for (int i = 0; i < w->bodies.items.count; i++) {
+        if (td_body_at(w, i)->flags & TD_BODY_LIVE) {
+            td_body_mark(w, i, TD_CHANGE_WAKE);
+        }
+    }
+    w->push_stale = true;
+}
+
+thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (!td_finite((double)gravity.x) || !td_finite((double)gravity.y)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set gravity: not finite");
+    }
+    w->def.gravity = gravity;
+    wake_all(w);
+    return THUD_OK;
+}
+
+thud_result thud_world_set_time_step(thud_world *w, double time_step)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (!(time_step > 0.0 && time_step <= 1.0)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set time step: not in (0, 1]");
+    }
+    w->def.time_step = time_step;
+    w->push_stale = true;
+    return THUD_OK;
+}
+
+thud_result thud_world_set_quality(thud_world *w, thud_quality quality)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if ((int)quality < 0 || quality >= THUD_QUALITY_COUNT) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set quality: no such quality");
+    }
+    w->def.quality = quality;
+    w->def.substeps = 0;
+    set_substeps(w);
+    return THUD_OK;
+}
+
+thud_result thud_world_set_sleeping(thud_world *w, bool sleeping)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    w->def.sleeping = sleeping;
+    if (!sleeping) {
+        wake_all(w);
+    }
+    return THUD_OK;
+}
