@@ -185,18 +185,18 @@ def platform():
     m.tile_layer("ground", cells)
     m.tile_layer("grass", grass, solid=False)
     crates = m.object_layer("crates", body="dynamic", density=0.7)
-    for x in (8.5, 12.0, 47.0, 54.0, 68.5, 86.0, 115.0, 130.0, 137.0):
-        base = 1 + max(y for (cx, y) in cells if cx in (int(x - 0.4), int(x + 0.4)))
+    for x, base in ((11, 10), (15, 16), (45, 13), (53, 19), (72, 23), (84, 15), (91, 20),
+                    (112, 13), (115, 21), (128, 10), (133, 17)):
         for row in range(4):
             for i in range(4 - row):
                 m.box(crates, x + (i - 0.5 * (3 - row)) * 0.95, base + 0.45 + 0.9 * row, 0.9, 0.9)
     balls = m.object_layer("balls", body="dynamic", restitution=0.6)
     for i in range(40):
-        m.circle(balls, 3 + 3.6 * i, 29 + rng.random() * 2, rng.uniform(0.25, 0.55),
+        m.circle(balls, 3 + 3.6 * i, 30.6 + rng.random() * 1.4, rng.uniform(0.25, 0.55),
                  custom={"velocity_x": round(rng.uniform(-4, 4), 2)})
     figures = m.object_layer("figures", body="dynamic", fixed_rotation=True, friction=0.1)
     for i in range(24):
-        m.box(figures, 5 + 6 * i, 28.5, 0.7, 1.6,
+        m.box(figures, 5 + 6 * i, 29, 0.7, 1.6,
               custom={"velocity_x": round(rng.choice((-1, 1)) * rng.uniform(3, 8), 2)})
     m.spawn(m.object_layer("places"), 36, 24)
     m.write("platform")
@@ -233,8 +233,8 @@ def quarry():
             points.append((round(x0 + (x1 - x0) * t, 2), round(y0 + (y1 - y0) * t + rough, 2)))
     ground = m.object_layer("ground", friction=0.7)
     m.line(ground, points[::-1], name="rock")  # drawn from right to left, as one may
-    m.box(ground, -0.5, 50, 1, 40, name="left wall")
-    m.box(ground, 140.5, 50, 1, 40, name="right wall")
+    m.box(ground, -0.5, 80, 1, 100, name="left wall")
+    m.box(ground, 140.5, 80, 1, 100, name="right wall")
     stones = m.object_layer("stones", body="dynamic", friction=0.6)
     top = {}
     for i in range(700):
@@ -305,9 +305,10 @@ def mountain():
     rng = random.Random(3)
     wheels = m.object_layer("wheels", body="dynamic", friction=1.0, restitution=0.1)
     boulders = m.object_layer("boulders", body="dynamic", density=2.5)
-    x = 6.0
-    while x < right - 6:
+    free = 5.0  # left of it the ground is taken
+    while free < right - 8:
         radius = rng.uniform(0.4, 1.4)
+        x = free + 1.3 * radius  # half the diagonal of a boulder that is a box
         y = clear_height(points, x, radius) + radius + 0.3
         if rng.random() < 0.5:
             speed = round(rng.choice((-1, 1)) * rng.uniform(5, 15), 2)
@@ -317,7 +318,7 @@ def mountain():
             m.circle(boulders, x, y, radius)
         else:
             m.box(boulders, x, y + 0.5 * radius, 2 * radius, 1.6 * radius, rng.uniform(-90, 90))
-        x += 2 * radius + rng.uniform(0.4, 2)
+        free = x + 1.3 * radius + rng.uniform(0.2, 1.5)
     m.spawn(m.object_layer("places"), 230, 70)
     m.write("mountain")
 
