@@ -76,7 +76,7 @@ static void draw_normal(const sink *k, SDL_FPoint a, SDL_FPoint b) {
         return;
     float wanted = 5.5f * k->mark / length;
     canvas_line(k->canvas, a, (SDL_FPoint){a.x + dx * wanted, a.y + dy * wanted},
-                fmaxf(0.6f * k->mark, 1), COLOR_NORMAL);
+                fmaxf(0.6f * k->mark, 1.6f), COLOR_NORMAL);
 }
 
 static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {

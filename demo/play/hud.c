@@ -35,23 +35,29 @@ static void draw_numbers(viewer *v) {
         canvas_text(c, left, (narrow ? 85 : 65) * u, COLOR_TIMINGS, "Paused");
 }
 
-static void draw_scale(viewer *v) {
+/* The length of a grid cell, drawn to scale, and what the pointer and the main keys do. */
+static void draw_footer(viewer *v) {
     canvas *c = &v->canvas;
-    float u = c->unit, y = (float)c->height - 36 * u, x = v->camera.view.x + 16 * u;
+    float u = c->unit, x = v->camera.view.x + 16 * u, y = (float)c->height - 10 * u;
+    SDL_FRect bar = {v->camera.view.x, (float)c->height - 30 * u, v->camera.view.w, 30 * u};
+    canvas_rect(c, bar, COLOR_SHADE, COLOR_SHADE);
     double step = draw_grid_step(c, &v->camera);
-    float width = (float)(step * v->camera.scale);
-    canvas_line(c, (SDL_FPoint){x, y}, (SDL_FPoint){x + width, y}, u, COLOR_TEXT_DIM);
-    canvas_line(c, (SDL_FPoint){x, y - 4 * u}, (SDL_FPoint){x, y}, u, COLOR_TEXT_DIM);
-    canvas_line(c, (SDL_FPoint){x + width, y - 4 * u}, (SDL_FPoint){x + width, y}, u,
-                COLOR_TEXT_DIM);
+    SDL_FPoint left = {x, y}, right = {x + (float)(step * v->camera.scale), y};
+    canvas_line(c, left, right, u, COLOR_TEXT);
+    canvas_line(c, left, (SDL_FPoint){left.x, y - 5 * u}, u, COLOR_TEXT);
+    canvas_line(c, right, (SDL_FPoint){right.x, y - 5 * u}, u, COLOR_TEXT);
     char text[32];
     snprintf(text, sizeof text, "%g m", step);
-    canvas_text(c, x + width + 8 * u, y + u, COLOR_TEXT_DIM, text);
+    x = right.x + 10 * u;
+    x += canvas_text(c, x, y, COLOR_TEXT, text) + 24 * u;
+    canvas_text_fit(c, x, y, (float)c->width - 16 * u - x, COLOR_TEXT_DIM,
+                    "Drag a body to pull it, the ground to move; wheel zooms; C, B drop here; "
+                    "Space pauses; N steps; Tab hides all this");
 }
 
 static void draw_message(viewer *v) {
     canvas *c = &v->canvas;
-    float u = c->unit, x = v->camera.view.x + 16 * u, y = (float)c->height - 92 * u;
+    float u = c->unit, x = v->camera.view.x + 16 * u, y = (float)c->height - 52 * u;
     SDL_FRect box = {x - 6 * u, y - 20 * u, v->camera.view.w - 20 * u, 30 * u};
     canvas_round_rect(c, box, 5 * u, (canvas_style){COLOR_SHADE, COLOR_ERROR, 1.2f * u});
     canvas_text_fit(c, x + 4 * u, y, box.w - 16 * u, COLOR_ERROR, v->session.message);
@@ -62,14 +68,10 @@ void hud_draw(viewer *v) {
     if (v->session.world) {
         draw_title(v);
         draw_numbers(v);
-        draw_scale(v);
+        draw_footer(v);
     }
     if (overlays_have(v->overlays, OVERLAY_TIMINGS))
         timings_draw(&v->timings, c);
     if (v->session.message[0])
         draw_message(v);
-    canvas_text_fit(c, v->camera.view.x + 16 * c->unit, (float)c->height - 14 * c->unit,
-                    v->camera.view.w - 32 * c->unit, color_fade(COLOR_TEXT_DIM, 0.8f),
-                    "Drag a body to pull it, the ground to move; wheel zooms; C, B drop here; "
-                    "Space pauses; N steps; Tab hides all this");
 }

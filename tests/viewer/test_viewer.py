@@ -1,0 +1,187 @@
+"""Runs thud-play without a display and looks at its pictures: test_viewer.py THUD_PLAY."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from picture import read_bmp, read_png
+
+HERE = pathlib.Path(__file__).resolve().parent
+PALETTE = (HERE / "../../demo/play/palette.h").read_text(encoding="utf-8")
+PLAY = ""
+
+# ball.tmj is 40 x 30 m, so that 800 x 600 pixels show 20 a metre. The ball, of radius 1, starts
+# with its centre at (20, 25) and falls freely for its first 22 m.
+BALL = HERE / "ball.tmj"
+PIXELS_PER_METRE = 20
+
+
+def palette(name):
+    hexadecimal = re.search(rf"#define {name}\s+RGBA?\(0x([0-9A-F]{{6}})", PALETTE).group(1)
+    return tuple(bytes.fromhex(hexadecimal))
+
+
+def run(*arguments):
+    """Also without what a desktop would set."""
+    environment = {k: v for k, v in os.environ.items()
+                   if k not in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")}
+    return subprocess.run([PLAY, *map(str, arguments)], env=environment, capture_output=True,
+                          text=True, timeout=300, check=False)
+
+
+def colourful(pixel):
+    """A moving body's: sky, ground and static bodies are nearly grey."""
+    return max(pixel) - min(pixel) > 45
+
+
+def centre_of_colour(picture):
+    places = [(x, y) for y, row in enumerate(picture.rows) for x, pixel in enumerate(row)
+              if colourful(pixel)]
+    assert places, "no moving body in sight"
+    return (sum(x + 0.5 for x, _ in places) / len(places),
+            sum(y + 0.5 for _, y in places) / len(places))
+
+
+class Viewer(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def shoot(self, *arguments, suffix="png", size="800x600"):
+        path = self.folder / f"shot.{suffix}"
+        result = run(*arguments, "--size", size, "--screenshot", path)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        picture = (read_png if suffix == "png" else read_bmp)(path)
+        self.assertEqual(f"{picture.width}x{picture.height}", size)
+        return picture
+
+    def shoot_bare(self, *arguments):
+        return self.shoot(*arguments, "--bare")
+
+    def test_ball_at_start_is_where_level_says(self):
+        x, y = centre_of_colour(self.shoot_bare(BALL, "--frames", 0))
+        self.assertAlmostEqual(x, 400, delta=1)
+        self.assertAlmostEqual(y, 300 - (25 - 15) * PIXELS_PER_METRE, delta=1)
+
+    def test_ball_after_60_frames_has_fallen_5_metres(self):
+        x, y = centre_of_colour(self.shoot_bare(BALL, "--frames", 60))
+        self.assertAlmostEqual(x, 400, delta=1)
+        # g t^2 / 2 = 5 m; substeps of 1/240 s add 1/240 of that. One pixel is 5 cm.
+        self.assertAlmostEqual(y, 300 - (20 - 15) * PIXELS_PER_METRE, delta=2)
+
+    def test_paused_world_does_not_move(self):
+        _, y = centre_of_colour(self.shoot_bare(BALL, "--frames", 60, "--paused"))
+        self.assertAlmostEqual(y, 300 - (25 - 15) * PIXELS_PER_METRE, delta=1)
+
+    def test_tall_stack_stands_as_coloured_column(self):
+        """600 pixels show 40 m about height 15: boxes of 15 pixels from y = 525 upwards."""
+        picture = self.shoot_bare("tall_stack", "--frames", 30, "--overlay", "none")
+        for box in range(30):
+            y = round(525 - (box + 0.5) * 15)
+            self.assertTrue(colourful(picture.rows[y][400]), f"box {box} is missing")
+            self.assertFalse(colourful(picture.rows[y][375]), f"left of box {box}")
+            self.assertFalse(colourful(picture.rows[y][425]), f"right of box {box}")
+        self.assertFalse(colourful(picture.rows[525 - 33 * 15][400]), "above the stack")
+
+    def test_terrain_is_filled_below_its_line(self):
+        picture = self.shoot_bare("mixed_terrain")
+        deep = palette("COLOR_GROUND_DEEP")
+        self.assertGreater(sum(pixel == deep for pixel in picture.rows[-1]), 700)
+        self.assertEqual(sum(pixel == deep for pixel in picture.rows[0]), 0)
+        self.assertGreater(picture.count_near(palette("COLOR_SURFACE"), 10), 800)
+
+    def test_overlays_add_their_colour(self):
+        """Bodies rest on each other in this scene, so that every overlay has something to show."""
+        plain = self.shoot_bare("tall_stack", "--frames", 30, "--overlay", "none")
+        for name in ("contact", "normal", "bounds", "cell"):
+            with self.subTest(overlay=name):
+                overlay = name if name == "bounds" else name + "s"
+                shown = self.shoot_bare("tall_stack", "--frames", 30, "--overlay", overlay)
+                # Lines are thin and not quite opaque; no colour of the scene is as near.
+                color, distance = palette(f"COLOR_{name.upper()}"), 110
+                self.assertGreater(shown.count_near(color, distance),
+                                   plain.count_near(color, distance) + 30)
+
+    def test_islands_give_one_stack_one_colour(self):
+        shown = self.shoot_bare("tall_stack", "--frames", 30, "--overlay", "islands")
+        colors = {shown.rows[round(525 - (box + 0.5) * 15)][400] for box in range(30)}
+        self.assertEqual(len(colors), 1)
+        self.assertTrue(colourful(colors.pop()))
+
+    def test_sleeping_bodies_are_dimmed(self):
+        """The boxes of this scene sleep after a second at the latest; its circles never do."""
+        awake = self.shoot_bare("asleep", "--frames", 90, "--overlay", "none")
+        dimmed = self.shoot_bare("asleep", "--frames", 90, "--overlay", "sleeping")
+        light = [sum(sum(pixel) for pixel in picture.pixels()) for picture in (awake, dimmed)]
+        self.assertLess(light[1], light[0])
+
+    def test_timings_are_drawn_in_lower_right_corner(self):
+        plain = self.shoot_bare(BALL, "--frames", 30)
+        shown = self.shoot_bare(BALL, "--frames", 30, "--overlay", "timings")
+        changed = [(x, y) for y in range(600) for x in range(800)
+                   if plain.rows[y][x] != shown.rows[y][x]]
+        self.assertGreater(len(changed), 10000)
+        self.assertGreater(min(x for x, _ in changed), 400)
+        self.assertGreater(min(y for _, y in changed), 250)
+
+    def test_panel_shows_list_and_controls(self):
+        picture = self.shoot("tall_stack")
+        self.assertEqual(picture.rows[595][5], palette("COLOR_PANEL"))
+        self.assertGreater(picture.count_near(palette("COLOR_WIDGET_ON"), 0), 1000)
+        self.assertGreater(picture.count_near(palette("COLOR_TEXT"), 30), 300)
+
+    def test_png_and_bmp_of_same_scene_are_equal(self):
+        png = self.shoot_bare("cradle", "--frames", 5)
+        bmp = self.shoot("cradle", "--frames", 5, "--bare", suffix="bmp")
+        self.assertEqual(png.rows, bmp.rows)
+
+    def test_same_scene_twice_gives_same_picture(self):
+        first = self.shoot_bare("smash", "--frames", 20)
+        self.assertEqual(first.rows, self.shoot_bare("smash", "--frames", 20).rows)
+
+    def test_everything_listed_is_drawn(self):
+        listed = run("--list")
+        self.assertEqual(listed.returncode, 0)
+        names = [line.split()[0] for line in listed.stdout.splitlines()]
+        self.assertGreaterEqual(len(names), 20)
+        for name in names:
+            with self.subTest(scene=name):
+                picture = self.shoot(name, "--frames", 1, "--bare", size="320x200")
+                self.assertGreater(sum(map(colourful, picture.pixels())), 10)
+
+    def test_bad_arguments_give_message_and_failure(self):
+        for arguments in (["nowhere"], ["missing.tmj"], ["--bogus"], ["--frames"],
+                          ["--frames", "-1"], ["--frames", "1x"], ["--size", "800"],
+                          ["--size", "1x1"], ["--quality", "perfect"], ["--overlay", "shadows"],
+                          ["--screenshot", "picture.jpg"], ["pyramid", "gas"],
+                          ["--screenshot", self.folder / "no" / "folder.png"]):
+            with self.subTest(arguments=arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 1)
+                self.assertRegex(result.stderr, r"(?m)^thud-play: .{10}")
+
+    def test_malformed_level_gives_message_and_failure(self):
+        path = self.folder / "broken.tmj"
+        path.write_text('{"layers": [', encoding="utf-8")
+        result = run(path, "--screenshot", self.folder / "shot.png")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("broken.tmj", result.stderr)
+
+    def test_help_names_every_option(self):
+        result = run("--help")
+        self.assertEqual(result.returncode, 0)
+        for option in ("--list", "--size", "--quality", "--overlay", "--frames", "--screenshot",
+                       "--paused", "--bare"):
+            self.assertIn(option, result.stdout)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    PLAY = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    unittest.main()
