@@ -24,7 +24,7 @@ static td_colours *colours_at(const thud_world *w, int awake)
 }
 
 /* The awake slot of the body if the solver moves it, else 0. */
-static int moving_slot(const thud_world *w, const td_body *body)
+static int moving_slot(const td_body *body)
 {
     return body->kind == THUD_DYNAMIC && body->awake > 0 ? body->awake : 0;
 }
@@ -50,7 +50,7 @@ static int choose_bin(thud_world *w, const td_contact *contact)
     const td_body *a = body_of_shape(w, contact->shape_a);
     const td_body *b = body_of_shape(w, contact->shape_b);
     bool fixed = a->kind == THUD_STATIC;
-    int slot_a = moving_slot(w, a), slot_b = moving_slot(w, b);
+    int slot_a = moving_slot(a), slot_b = moving_slot(b);
     uint64_t taken = 1ull << TD_OVERFLOW;
     if (slot_a) {
         taken |= colours_at(w, slot_a)->moving;
@@ -67,8 +67,8 @@ static int choose_bin(thud_world *w, const td_contact *contact)
 
 static void release_bin(thud_world *w, const td_contact *contact, int bin)
 {
-    mark(w, moving_slot(w, body_of_shape(w, contact->shape_a)), bin, false);
-    mark(w, moving_slot(w, body_of_shape(w, contact->shape_b)), bin, false);
+    mark(w, moving_slot(body_of_shape(w, contact->shape_a)), bin, false);
+    mark(w, moving_slot(body_of_shape(w, contact->shape_b)), bin, false);
 }
 
 static int lanes_a_block(int bin)

@@ -14,7 +14,7 @@ typedef struct td_pairs8 {
 
 TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c)
 {
-    td_pairs8 p;
+    td_pairs8 p = {0};
     for (int i = 0; i < TD_LANES; i++) {
         const td_place *a = &c->center[block->shape_a[i]], *b = &c->center[block->shape_b[i]];
         /* Exact differences, rounded once. */
