@@ -198,15 +198,8 @@ test("every_overlay_draws_or_shows_its_panel", async () => {
 });
 
 /** Pixels of the overlay that are not empty, faint ones too. */
-function drawnAtAll(page) {
-  return page.evaluate(() => {
-    const { width, height } = document.getElementById("overlay");
-    const context = document.getElementById("overlay").getContext("2d");
-    const { data } = context.getImageData(0, 0, width, height);
-    let count = 0;
-    for (let i = 3; i < data.length; i += 4) if (data[i] > 16) count++;
-    return count;
-  });
+async function drawnAtAll(page) {
+  return (await drawn(page, "overlay", 17)).count;
 }
 
 test("reduced_motion_starts_paused_and_can_be_started", async () => {

@@ -63,21 +63,25 @@ export async function stepBy(page, count) {
 }
 
 /** Where the drawn bodies are: the middle and the number of pixels that are not empty. */
-export function drawn(page, id = "bodies") {
-  return page.evaluate((canvasId) => {
+export function drawn(page, id = "bodies", least = 128) {
+  return page.evaluate(([canvasId, leastAlpha]) => {
     const canvas = document.getElementById(canvasId);
     const { width, height } = canvas;
-    const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+    // Read from a copy, which the browser may keep where reading is quick.
+    const copy = Object.assign(document.createElement("canvas"), { width, height });
+    const context = copy.getContext("2d", { willReadFrequently: true });
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
     let [count, x, y] = [0, 0, 0];
     for (let i = 3; i < data.length; i += 4) {
-      if (data[i] < 128) continue;
+      if (data[i] < leastAlpha) continue;
       count++;
       x += ((i - 3) / 4) % width;
       y += Math.floor((i - 3) / 4 / width);
     }
     const ratio = width / innerWidth;
     return { count, x: x / count / ratio, y: y / count / ratio };
-  }, id);
+  }, [id, least]);
 }
 
 export async function pressed(page, id) {

@@ -139,15 +139,15 @@ async function main() {
     process.exit(1);
   }
   const server = createStaticServer(folder);
-  const used = await listenFrom(server, port, console.log);
-  const url = `http://${HOST}:${used}/`;
-  console.log(`thud runs at ${url} (Ctrl-C ends it)`);
-  if (open && hasDesktop()) openBrowser(url);
   for (const signal of ["SIGINT", "SIGTERM"])
     process.on(signal, () => {
       server.closeAllConnections();
       server.close(() => process.exit(0));
     });
+  const used = await listenFrom(server, port, console.log);
+  const url = `http://${HOST}:${used}/`;
+  console.log(`thud runs at ${url} (Ctrl-C ends it)`);
+  if (open && hasDesktop()) openBrowser(url);
 }
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href)
