@@ -240,6 +240,7 @@ test("ray_hits_ball_before_ground_and_nothing_sideways", () => {
 
 test("overlap_finds_by_bounds_or_by_true_form", () => {
   const { world, shape } = ballOnGround();
+  // Only the bounds' corner reaches in, not the ball.
   const lower = [0.45, 5.4];
   const upper = [0.6, 5.6];
   assert.deepEqual(world.overlap({ kind: "circle", center: [0, 5.6], radius: 0.2 }), [shape]);

@@ -95,10 +95,10 @@ export class Catalogue {
     const index = this.#sceneIndex(entry.name);
     World.writeOptions(engine, { quality, timed: true });
     engine.check(exports.api_scene_create(index, 0));
-    const [address, cameraX, cameraY, cameraHeight, spawnX, spawnY] = engine.slots;
+    const [address, cameraX, cameraY, cameraHeight, spawnX, spawnY, lengthScale] = engine.slots;
     return {
       entry,
-      world: new World(engine, {}, address),
+      world: new World(engine, { lengthScale }, address),
       camera: [cameraX, cameraY],
       cameraHeight,
       spawn: [spawnX, spawnY],

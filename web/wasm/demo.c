@@ -26,7 +26,8 @@ int api_scene_info(int index) {
 }
 
 /* A world with the scene in it, made from the slots of api_world_defaults; size 0 takes the
- * default. Slots out: 0 world  1, 2 camera  3 camera height  4, 5 place to spawn. */
+ * default. Slots out: 0 world  1, 2 camera  3 camera height  4, 5 place to spawn
+ * 6 length scale. */
 int api_scene_create(int index, int size) {
     const scene_info *info = scenes_at(index);
     if (info == NULL)
@@ -44,6 +45,7 @@ int api_scene_create(int index, int size) {
     s[3] = filled.camera_height;
     s[4] = filled.spawn_x;
     s[5] = filled.spawn_y;
+    s[6] = filled.length_scale;
     scene_free(&filled);
     return result;
 }

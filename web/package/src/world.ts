@@ -35,8 +35,8 @@ import {
   type WorldOptions,
 } from "./types.js";
 
-/** Farther out than any body can be. */
-const EVERYWHERE = 4e9;
+/** As far out as a body can be, in length scales; a little less, for rounding. */
+const EVERYWHERE = 0.999e9;
 const EMPTY = new Float32Array(0);
 const TERRAIN_KINDS = ["flat", "uniform", "irregular"] as const;
 
@@ -44,11 +44,16 @@ export class World {
   readonly engine: Engine;
   #address: number;
   #poses = EMPTY;
+  readonly #reach: number;
 
-  /** Made by `Engine.createWorld`. An address adopts a world that other code in the module made. */
+  /**
+   * Made by `Engine.createWorld`. An address adopts a world that other code in the module made; of
+   * the options only its length scale counts then.
+   */
   constructor(engine: Engine, options: WorldOptions = {}, address = 0) {
     this.engine = engine;
     this.#address = address;
+    this.#reach = EVERYWHERE * (options.lengthScale ?? 1);
     if (address !== 0) return;
     World.writeOptions(engine, options);
     engine.check(engine.exports.api_world_create());
@@ -443,10 +448,10 @@ export class World {
     engine.check(
       engine.exports.api_shape_table(
         this.address,
-        -EVERYWHERE,
-        -EVERYWHERE,
-        EVERYWHERE,
-        EVERYWHERE,
+        -this.#reach,
+        -this.#reach,
+        this.#reach,
+        this.#reach,
       ),
     );
     const [rows, handles, count] = engine.slots;
