@@ -53,7 +53,7 @@ test_wasm() {
 }
 
 test_page() {
-    (cd web && npm test)
+    (cd web && npm run test:page)
 }
 
 test_baseline() {
