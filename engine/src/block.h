@@ -24,6 +24,14 @@ typedef struct td_point {
     f8 total;    /* normal impulse of all substeps; kept only where td_solve_context asks */
 } td_point;
 
+/* Poses for which a lane's manifold was worked out. While the pair stays near them, relative to each
+ * other and in the world, the manifold is kept and only its separations follow: see wide_keep.h. */
+typedef struct td_kept {
+    f8 dx, dy;         /* from a's centre of mass to b's */
+    f8 ac, as, bc, bs; /* cosine and sine of both shapes */
+    f8 base[2];        /* separations then */
+} td_kept;
+
 typedef struct td_block {
     int32_t a[TD_LANES], b[TD_LANES]; /* awake slots; a is 0 where that side is static */
     f8 nx, ny;                        /* from a to b */
@@ -32,7 +40,8 @@ typedef struct td_block {
     f8 restitution;
     int32_t shape_a[TD_LANES], shape_b[TD_LANES];
     int32_t contact[TD_LANES]; /* TD_NONE: empty lane */
-    uint32_t feature[TD_LANES]; /* faces in touch; impulses carry over while they stay */
+    uint32_t feature[TD_LANES]; /* faces in touch; impulses carry over while they stay; 0: none yet */
+    td_kept kept;               /* used by pair kinds of two points */
     int32_t next, prev;         /* blocks of the same bin */
     int32_t used;               /* lanes 0 .. used - 1 are in use */
     uint32_t touching;          /* lanes with a point, by the last narrowphase */

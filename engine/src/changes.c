@@ -101,7 +101,7 @@ static void update_shapes(thud_world *w, int index)
     }
     for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
         if (td_contact_at(w, e / 2)->state == TD_TOUCHING) {
-            td_lane_refresh(w, e / 2);
+            td_lane_renew(w, e / 2);
         }
     }
 }

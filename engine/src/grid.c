@@ -137,6 +137,10 @@ bool td_grid_build(thud_world *w, td_grid *grid, const int *shapes, int count)
         return false;
     }
     int *starts = grid->starts.data;
+    if (starts_count == 0) {
+        grid->valid = true;
+        return true;
+    }
     memset(starts, 0, (size_t)starts_count * sizeof(int));
     for (int i = 0; i < count; i++) {
         sorted_shape *s = &sorted[i];

@@ -298,6 +298,16 @@ void td_lane_refresh(thud_world *w, int contact_index)
               contact->slot % TD_LANES, contact);
 }
 
+void td_lane_renew(thud_world *w, int contact_index)
+{
+    const td_contact *contact = td_contact_at(w, contact_index);
+    td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+    td_lane_refresh(w, contact_index);
+    for (int k = 0; k < w->pairs[contact->kind]->points; k++) {
+        block->point[k].normal_mass[contact->slot % TD_LANES] = 0.0f;
+    }
+}
+
 static void list_bin(thud_world *w, int kind, int bin)
 {
     if (!w->bins[kind][bin].lanes) {

@@ -26,7 +26,9 @@ void td_lane_remove(thud_world *w, int contact);
  * so that the ground has the last word. */
 bool td_lanes_sequence(thud_world *w);
 
-/* The awake slot or the inertia of one of its bodies changed. */
+/* The awake slot of one of its bodies changed. */
 void td_lane_refresh(thud_world *w, int contact);
+/* As above, and its manifold and masses are worked out anew in the next narrowphase. */
+void td_lane_renew(thud_world *w, int contact);
 
 #endif

@@ -6,7 +6,7 @@
  * run the same instructions. A contact is named by its two faces, whichever of them is the
  * reference, and its points are ordered along the normal's perpendicular, so that impulses find
  * their points again when the roles change. */
-#include "wide_collide.h"
+#include "wide_keep.h"
 
 typedef struct turned {
     f8 x, y;   /* centre of the other box, in the reference frame */
@@ -68,68 +68,93 @@ TD_INLINE edge incident_edge(const turned *t, f8 hx, f8 hy)
     return e;
 }
 
-static void box_box(td_block *const *blocks, int count, const td_collide_context *context)
+/* New manifolds for all lanes of a block. */
+TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs,
+                           const td_collide_context *context)
 {
     f8 half = f8_all(0.5f), margin = f8_all(context->margin);
+    td_pairs8 p = *pairs;
+    /* Each centre in the other's frame, and b's rotation in a's. */
+    f8 dax = p.ac * p.dx + p.as * p.dy, day = p.ac * p.dy - p.as * p.dx;
+    f8 dbx = p.bc * p.dx + p.bs * p.dy, dby = p.bc * p.dy - p.bs * p.dx;
+    f8 c = p.ac * p.bc + p.as * p.bs, s = p.ac * p.bs - p.as * p.bc;
+    f8 ca = f8_abs(c), sa = f8_abs(s);
+    f8 sep_ax = f8_abs(dax) - p.ahx - (ca * p.bhx + sa * p.bhy);
+    f8 sep_ay = f8_abs(day) - p.ahy - (sa * p.bhx + ca * p.bhy);
+    f8 sep_bx = f8_abs(dbx) - p.bhx - (ca * p.ahx + sa * p.ahy);
+    f8 sep_by = f8_abs(dby) - p.bhy - (sa * p.ahx + ca * p.ahy);
+    f8 sep_a = f8_max(sep_ax, sep_ay), sep_b = f8_max(sep_bx, sep_by);
+    i8 by_b = sep_b > sep_a + f8_all(context->axis_tolerance);
+
+    turned t;
+    t.x = f8_pick(by_b, -dbx, dax);
+    t.y = f8_pick(by_b, -dby, day);
+    t.c = c;
+    t.s = f8_flip(s, by_b);
+    t.ux = f8_pick(by_b, p.bc, p.ac);
+    t.uy = f8_pick(by_b, p.bs, p.as);
+    t.rx = f8_pick(by_b, p.bhx, p.ahx);
+    t.ry = f8_pick(by_b, p.bhy, p.ahy);
+    turn_to_face(&t, i8_pick(by_b, sep_by > sep_bx, sep_ay > sep_ax));
+    edge e = incident_edge(&t, f8_pick(by_b, p.ahx, p.bhx), f8_pick(by_b, p.ahy, p.bhy));
+
+    /* Clip to the sides of the reference face. ey is at least cos 45 degrees. */
+    f8 low = e.cy - e.half * e.ey, high = e.cy + e.half * e.ey;
+    i8 meets = (low <= t.ry) & (high >= -t.ry) & td_used_mask(block);
+    f8 slope = e.ex / e.ey;
+    f8 y0 = f8_clamp(low, -t.ry, t.ry), y1 = f8_clamp(high, -t.ry, t.ry);
+    f8 x0 = e.cx + (y0 - e.cy) * slope, x1 = e.cx + (y1 - e.cy) * slope;
+    f8 s0 = x0 - t.rx, s1 = x1 - t.rx;
+    /* The frame of a reference b is upside down as seen along the normal from a. */
+    swap_where(by_b, &y0, &y1);
+    swap_where(by_b, &x0, &x1);
+    swap_where(by_b, &s0, &s1);
+    i8 valid0 = meets & (s0 < margin), valid1 = meets & (s1 < margin);
+
+    block->nx = f8_flip(t.ux, by_b);
+    block->ny = f8_flip(t.uy, by_b);
+    i8 face_a = i8_pick(by_b, e.face, t.face), face_b = i8_pick(by_b, t.face, e.face);
+    i8 feature = face_a + face_b * i8_all(4) + i8_all(1);
+    i8 old;
+    __builtin_memcpy(&old, block->feature, sizeof old);
+    i8 same = old == feature;
+    __builtin_memcpy(block->feature, &feature, sizeof feature);
+    for (int k = 0; k < 2; k++) {
+        block->point[k].normal_impulse = f8_keep(same, block->point[k].normal_impulse);
+        block->point[k].tangent_impulse = f8_keep(same, block->point[k].tangent_impulse);
+        /* Halfway between the surfaces, from the reference centre, in the world. */
+        f8 x = (k ? x1 : x0) - half * (k ? s1 : s0), y = k ? y1 : y0;
+        f8 wx = x * t.ux - y * t.uy, wy = x * t.uy + y * t.ux;
+        f8 rax = p.ax + wx + f8_keep(by_b, p.dx), ray = p.ay + wy + f8_keep(by_b, p.dy);
+        f8 rbx = p.bx + wx - f8_keep(~by_b, p.dx), rby = p.by + wy - f8_keep(~by_b, p.dy);
+        td_write_point(block, k, context, k ? valid1 : valid0, k ? s1 : s0, rax, ray, rbx, rby);
+    }
+    return valid0 | valid1;
+}
+
+static void box_box(td_block *const *blocks, int count, const td_collide_context *context)
+{
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_pairs8 p = td_read_pairs(block, context);
-        /* Each centre in the other's frame, and b's rotation in a's. */
-        f8 dax = p.ac * p.dx + p.as * p.dy, day = p.ac * p.dy - p.as * p.dx;
-        f8 dbx = p.bc * p.dx + p.bs * p.dy, dby = p.bc * p.dy - p.bs * p.dx;
-        f8 c = p.ac * p.bc + p.as * p.bs, s = p.ac * p.bs - p.as * p.bc;
-        f8 ca = f8_abs(c), sa = f8_abs(s);
-        f8 sep_ax = f8_abs(dax) - p.ahx - (ca * p.bhx + sa * p.bhy);
-        f8 sep_ay = f8_abs(day) - p.ahy - (sa * p.bhx + ca * p.bhy);
-        f8 sep_bx = f8_abs(dbx) - p.bhx - (ca * p.ahx + sa * p.ahy);
-        f8 sep_by = f8_abs(dby) - p.bhy - (sa * p.ahx + ca * p.ahy);
-        f8 sep_a = f8_max(sep_ax, sep_ay), sep_b = f8_max(sep_bx, sep_by);
-        i8 by_b = sep_b > sep_a + f8_all(context->axis_tolerance);
-
-        turned t;
-        t.x = f8_pick(by_b, -dbx, dax);
-        t.y = f8_pick(by_b, -dby, day);
-        t.c = c;
-        t.s = f8_flip(s, by_b);
-        t.ux = f8_pick(by_b, p.bc, p.ac);
-        t.uy = f8_pick(by_b, p.bs, p.as);
-        t.rx = f8_pick(by_b, p.bhx, p.ahx);
-        t.ry = f8_pick(by_b, p.bhy, p.ahy);
-        turn_to_face(&t, i8_pick(by_b, sep_by > sep_bx, sep_ay > sep_ax));
-        edge e = incident_edge(&t, f8_pick(by_b, p.ahx, p.bhx), f8_pick(by_b, p.ahy, p.bhy));
-
-        /* Clip to the sides of the reference face. ey is at least cos 45 degrees. */
-        f8 low = e.cy - e.half * e.ey, high = e.cy + e.half * e.ey;
-        i8 meets = (low <= t.ry) & (high >= -t.ry) & td_used_mask(block);
-        f8 slope = e.ex / e.ey;
-        f8 y0 = f8_clamp(low, -t.ry, t.ry), y1 = f8_clamp(high, -t.ry, t.ry);
-        f8 x0 = e.cx + (y0 - e.cy) * slope, x1 = e.cx + (y1 - e.cy) * slope;
-        f8 s0 = x0 - t.rx, s1 = x1 - t.rx;
-        /* The frame of a reference b is upside down as seen along the normal from a. */
-        swap_where(by_b, &y0, &y1);
-        swap_where(by_b, &x0, &x1);
-        swap_where(by_b, &s0, &s1);
-        i8 valid0 = meets & (s0 < margin), valid1 = meets & (s1 < margin);
-
-        block->nx = f8_flip(t.ux, by_b);
-        block->ny = f8_flip(t.uy, by_b);
-        i8 face_a = i8_pick(by_b, e.face, t.face), face_b = i8_pick(by_b, t.face, e.face);
-        i8 feature = face_a + face_b * i8_all(4) + i8_all(1);
-        i8 old;
-        __builtin_memcpy(&old, block->feature, sizeof old);
-        i8 same = old == feature;
-        __builtin_memcpy(block->feature, &feature, sizeof feature);
-        for (int k = 0; k < 2; k++) {
-            block->point[k].normal_impulse = f8_keep(same, block->point[k].normal_impulse);
-            block->point[k].tangent_impulse = f8_keep(same, block->point[k].tangent_impulse);
-            /* Halfway between the surfaces, from the reference centre, in the world. */
-            f8 x = (k ? x1 : x0) - half * (k ? s1 : s0), y = k ? y1 : y0;
-            f8 wx = x * t.ux - y * t.uy, wy = x * t.uy + y * t.ux;
-            f8 rax = p.ax + wx + f8_keep(by_b, p.dx), ray = p.ay + wy + f8_keep(by_b, p.dy);
-            f8 rbx = p.bx + wx - f8_keep(~by_b, p.dx), rby = p.by + wy - f8_keep(~by_b, p.dy);
-            td_write_point(block, k, context, k ? valid1 : valid0, k ? s1 : s0, rax, ray, rbx, rby);
+        i8 used = td_used_mask(block), keep = td_keep_mask(block, &p, context);
+        unsigned kept = i8_bits(keep);
+        if (kept != i8_bits(used)) {
+            td_point old_point[2] = {block->point[0], block->point[1]};
+            f8 old_head[3] = {block->nx, block->ny};
+            __builtin_memcpy(&old_head[2], block->feature, sizeof old_head[2]);
+            i8 valid = collide_block(block, &p, context);
+            if (kept) {
+                td_keep_restore(block, old_head, old_point, keep);
+            }
+            td_keep_note(block, &p, ~keep);
+            block->touching = (i8_bits(valid) & ~kept) | kept;
+        } else {
+            block->touching = kept;
         }
-        block->touching = i8_bits(valid0 | valid1);
+        if (kept) {
+            td_keep_follow(block, &p, keep, context);
+        }
     }
 }
 
