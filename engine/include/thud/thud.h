@@ -157,7 +157,8 @@ typedef struct thud_body_state {
     float cosine, sine;
     thud_vec2 velocity;
     float angular_velocity;
-    float mass, inertia;       /* 0 for static and kinematic; inertia 0 when rotation is fixed */
+    float mass, inertia;       /* 0 for static and kinematic, and 1 for a dynamic body without any;
+                                  inertia 0 when rotation is fixed */
     float gravity_scale;
     bool awake, quarantined;
     uint64_t user_data;
@@ -177,6 +178,7 @@ thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body, thud_v
 /* Acts through the next step only. */
 thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec2 force,
                                   float torque);
+/* False: the body counts as at rest from now on, and sleeps as soon as its whole island does. */
 thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
 thud_result thud_body_set_user_data(thud_world *world, thud_body_id body, uint64_t user_data);
 /* Writes up to `capacity` shape handles; *count is how many the body has. */
@@ -300,7 +302,7 @@ thud_result thud_world_cast_ray(thud_world *world, thud_pos origin, double dx, d
 /* Return false to stop. The world is locked meanwhile. */
 typedef bool thud_overlap_fn(thud_shape_id shape, void *context);
 
-/* Every shape whose bounds overlap the box, in the order of their slots. */
+/* Every shape that overlaps the box, in the order of their slots. */
 thud_result thud_world_overlap_aabb(thud_world *world, thud_pos lower, thud_pos upper,
                                     const thud_query_filter *filter, thud_overlap_fn *fn,
                                     void *context);
