@@ -177,7 +177,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out)
     w->number = atomic_fetch_add(&made, 1u) + 1u;
     w->wide = wide_here(def->baseline_simd);
     if (w->def.contact_stiffness == 0.0f) {
-        w->def.contact_stiffness = 0.125f;
+        w->def.contact_stiffness = 0.16f;
     }
     if (w->def.contact_damping == 0.0f) {
         w->def.contact_damping = 10.0f;

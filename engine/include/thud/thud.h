@@ -79,7 +79,7 @@ typedef struct thud_world_def {
     thud_quality quality;        /* default THUD_QUALITY_DEFAULT */
     int substeps;                /* experts: 1..64; 0 (default) takes the quality's */
     float contact_stiffness;     /* experts: contact frequency over substep rate, [0.01, 0.5];
-                                    0 takes the default, 1/8 */
+                                    0 takes the default, 0.16 */
     float contact_damping;       /* experts: damping ratio, [0, 100]; 0 takes the default, 10 */
     float push_speed;            /* highest speed at which overlap is pushed apart, lengths/s, in
                                     multiples of length_scale; default 3 */
