@@ -14,6 +14,7 @@ export class Hud {
   readonly #course: CanvasRenderingContext2D | null;
   readonly #values: Record<"bodies" | "awake" | "contacts" | "ms" | "fps", HTMLElement>;
   #times: number[] = [];
+  #steps = 0;
   #sinceRefresh = REFRESH;
   #frames = 0;
   #frameSeconds = 0;
@@ -35,15 +36,17 @@ export class Hud {
 
   reset(): void {
     this.#times = [];
+    this.#steps = 0;
     this.#stages.clear();
     this.#sinceRefresh = REFRESH;
   }
 
-  frame(seconds: number, stats: Stats, steps: number): void {
+  frame(seconds: number, stats: Stats): void {
     this.#frames++;
     this.#frameSeconds += seconds;
     this.#sinceRefresh += seconds;
-    if (steps > 0) {
+    if (stats.steps !== this.#steps) {
+      this.#steps = stats.steps;
       this.#times.push(stats.stepSeconds * 1000);
       if (this.#times.length > COURSE) this.#times.shift();
       for (const [name, time] of Object.entries(stats.stageSeconds)) {

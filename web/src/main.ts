@@ -208,7 +208,7 @@ function frame(time: number): void {
   guard(() => {
     running.frame(seconds);
     view.draw(running);
-    hud.frame(seconds, running.world.stats(), running.stepsInFrame);
+    hud.frame(seconds, running.world.stats());
   });
 }
 

@@ -27,8 +27,6 @@ export class Simulation {
   speed = 1;
   /** How far the present lies between the last two steps. */
   alpha = 1;
-  /** Steps run in the last frame. */
-  stepsInFrame = 0;
   /** Read again after shapes came or went. */
   shapes: Shapes;
   #pull: Pull | null = null;
@@ -45,21 +43,18 @@ export class Simulation {
 
   /** Runs what a frame of `seconds` asks for. */
   frame(seconds: number): void {
-    this.stepsInFrame = 0;
     if (this.paused) return;
     const elapsed = Math.min(seconds, LONGEST_FRAME) * this.speed;
     this.#applyPull();
     // A world that cannot keep up must not be asked for ever more steps.
     const heavy = this.world.stats().stepSeconds > 0.012;
-    const { steps, alpha } = this.world.advance(elapsed, heavy ? 1 : 4);
-    this.stepsInFrame = steps;
+    const { alpha } = this.world.advance(elapsed, heavy ? 1 : 4);
     this.alpha = alpha;
   }
 
   step(): void {
     this.#applyPull();
     this.world.step();
-    this.stepsInFrame = 1;
     this.alpha = 1;
   }
 

@@ -21,12 +21,12 @@ export function rowColour(shapes: Shapes, row: number, theme: Theme): Rgb {
   if (sensor !== 0) return theme.sensor;
   if (bodyKind === STATIC) return theme.fixed;
   if (bodyKind === 1) return theme.kinematic;
-  return rampColour(theme, rampPlace(slot, shapes.slots));
+  return rampColour(theme, rampPlace(shapes.order[slot], shapes.moving));
 }
 
 /** A little jitter keeps neighbours apart. */
-function rampPlace(slot: number, slots: number): number {
-  const jitter = ((slot * 0.618034) % 1) - 0.5;
-  const spread = slots > 40 ? 0.07 : 0.12;
-  return (slot + 0.5) / Math.max(1, slots) + spread * jitter;
+function rampPlace(order: number, moving: number): number {
+  const jitter = ((order * 0.618034) % 1) - 0.5;
+  const spread = moving > 40 ? 0.07 : 0.12;
+  return (order + 0.5) / Math.max(1, moving) + spread * jitter;
 }

@@ -26,6 +26,9 @@ export interface Shapes {
   terrains: PlacedTerrain[];
   /** The slot that ends the bodies. */
   slots: number;
+  /** Dynamic bodies, and by slot the place of each among them. */
+  moving: number;
+  order: Uint32Array;
   /** Of a typical moving body: half its width; 0 where nothing moves. */
   typicalSize: number;
 }
@@ -51,6 +54,10 @@ export function readShapes(world: World): Shapes {
     rows.set(row, count * ROW);
     source[count++] = i;
   }
+  const order = new Uint32Array(slots);
+  for (let i = 0; i < count; i++) if (rows[i * ROW + 2] === DYNAMIC) order[rows[i * ROW]] = 1;
+  let moving = 0;
+  for (let slot = 0; slot < slots; slot++) if (order[slot] !== 0) order[slot] = moving++;
   sizes.sort((a, b) => a - b);
   return {
     rows: rows.subarray(0, count * ROW),
@@ -58,6 +65,8 @@ export function readShapes(world: World): Shapes {
     count,
     terrains,
     slots,
+    moving,
+    order,
     typicalSize: sizes.length > 0 ? sizes[sizes.length >> 1] : 0,
   };
 }
