@@ -181,16 +181,17 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
         return true;
     }
     int first, last;
-    td_terrain_segments_of(w, terrain_shape, &terrain, shape, td_fat_at(w, shape), &first, &last);
+    td_place at = *(td_place *)td_at(&w->center, shape);
+    td_terrain_segments_of(w, terrain_shape, &terrain, at, td_fat_at(w, shape), &first, &last);
     for (int i = first; i <= last; i++) {
-        if (!td_terrain_reaches(w, terrain_shape, &terrain, shape, td_fat_at(w, shape), i)) {
+        if (!td_terrain_reaches(w, terrain_shape, &terrain, at, td_fat_at(w, shape), i)) {
             continue;
         }
         bool old = false;
         if (flags & TD_SHAPE_WOKEN) {
             old = has_contact(w, terrain_shape, shape, i);
         } else if (!(flags & TD_SHAPE_FRESH)) {
-            old = td_terrain_reaches(w, terrain_shape, &terrain, shape, bounds_before(w, shape), i);
+            old = td_terrain_reaches(w, terrain_shape, &terrain, at, bounds_before(w, shape), i);
         }
         if (!old && !add_pair(w, terrain_shape, shape, i)) {
             return false;

@@ -27,6 +27,7 @@ typedef struct sweep {
     thud_motion motion, core_motion;
     double shrink;
     double time;          /* earliest so far */
+    td_bounds bounds;     /* of the whole sweep, about start */
 } sweep;
 
 static void earlier(sweep *s, bool hit, double time)
@@ -73,6 +74,18 @@ static void against_shape(sweep *s, int other)
     }
 }
 
+/* Whether the bounds of the sweep come down to any segment at all; most falling bodies' do not. */
+static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terrain)
+{
+    int first, last;
+    td_terrain_segments_of(s->w, other, terrain, s->start, &s->bounds, &first, &last);
+    while (first <= last &&
+           !td_terrain_reaches(s->w, other, terrain, s->start, &s->bounds, first)) {
+        first++;
+    }
+    return first <= last;
+}
+
 static void against_terrain(sweep *s, int other)
 {
     const thud_world *w = s->w;
@@ -82,6 +95,9 @@ static void against_terrain(sweep *s, int other)
         return;
     }
     thud_terrain terrain = td_terrain_view(w, other);
+    if (!reaches_terrain(s, other, &terrain)) {
+        return;
+    }
     const td_place *origin = td_at(&w->center, other);
     double ox = (double)(s->start.x - origin->x) / w->to_fixed;
     double oy = (double)(s->start.y - origin->y) / w->to_fixed;
@@ -164,10 +180,10 @@ static void sweep_body(thud_world *w, int index)
     float c, s;
     td_angle_turn(angle, &c, &s);
     sweep swept = {.w = w, .body = index, .start = start, .time = 1.0};
-    td_bounds bounds = swept_bounds(&swept, delta);
+    swept.bounds = swept_bounds(&swept, delta);
     td_array *hits = &w->scratch.hits;
     hits->count = 0;
-    if (!TD_PICK_WIDE(w, td_grid_query)(&w->rest_grid, &w->memory, &bounds, start, hits)) {
+    if (!TD_PICK_WIDE(w, td_grid_query)(&w->rest_grid, &w->memory, &swept.bounds, start, hits)) {
         return;
     }
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {

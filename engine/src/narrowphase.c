@@ -43,12 +43,14 @@ static bool bounds_meet(const thud_world *w, const td_contact *contact)
 {
     if (td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(w, contact->shape_a);
-        return td_terrain_reaches(w, contact->shape_a, &terrain, contact->shape_b,
+        return td_terrain_reaches(w, contact->shape_a, &terrain,
+                                  *(td_place *)td_at(&w->center, contact->shape_b),
                                   td_fat_at(w, contact->shape_b), contact->child);
     }
     if (td_shape_at(w, contact->shape_b)->kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(w, contact->shape_b);
-        return td_terrain_reaches(w, contact->shape_b, &terrain, contact->shape_a,
+        return td_terrain_reaches(w, contact->shape_b, &terrain,
+                                  *(td_place *)td_at(&w->center, contact->shape_a),
                                   td_fat_at(w, contact->shape_a), contact->child);
     }
     return td_bounds_overlap(td_fat_at(w, contact->shape_a), td_fat_at(w, contact->shape_b));

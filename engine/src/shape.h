@@ -17,11 +17,11 @@ void td_shape_mark_moved(thud_world *w, int shape);
 /* A view of a terrain shape's line, relative to its body's origin. */
 thud_terrain td_terrain_view(const thud_world *w, int shape);
 
-/* The segments in the column of a shape's bounds. */
+/* The segments in the column of bounds that lie near a place. */
 void td_terrain_segments_of(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
-                            int shape, const td_bounds *bounds, int *first, int *last);
+                            td_place near_place, const td_bounds *bounds, int *first, int *last);
 /* Whether the bounds reach down to one segment: the pair exists exactly while they do. */
 bool td_terrain_reaches(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
-                        int shape, const td_bounds *bounds, int segment);
+                        td_place near_place, const td_bounds *bounds, int segment);
 
 #endif

@@ -94,30 +94,29 @@ void td_body_place_shapes(thud_world *w, int body)
 
 /* Bounds relative to the terrain's origin, in the caller's unit; a quantum wider, so that rounding
  * loses nothing. */
-static void local_bounds(const thud_world *w, int terrain_shape, int shape, const td_bounds *b,
+static void local_bounds(const thud_world *w, int terrain_shape, td_place at, const td_bounds *b,
                          double *min_x, double *max_x, double *min_y)
 {
     const td_place *origin = td_at(&w->center, terrain_shape);
-    const td_place *at = td_at(&w->center, shape);
     int64_t x = origin->x >> TD_COARSE_SHIFT, y = origin->y >> TD_COARSE_SHIFT;
-    *min_x = (double)(td_unwrap(b->min_x, at->x) - x - 1) / w->to_coarse;
-    *max_x = (double)(td_unwrap(b->max_x, at->x) - x + 1) / w->to_coarse;
-    *min_y = (double)(td_unwrap(b->min_y, at->y) - y - 1) / w->to_coarse;
+    *min_x = (double)(td_unwrap(b->min_x, at.x) - x - 1) / w->to_coarse;
+    *max_x = (double)(td_unwrap(b->max_x, at.x) - x + 1) / w->to_coarse;
+    *min_y = (double)(td_unwrap(b->min_y, at.y) - y - 1) / w->to_coarse;
 }
 
 void td_terrain_segments_of(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
-                            int shape, const td_bounds *bounds, int *first, int *last)
+                            td_place near_place, const td_bounds *bounds, int *first, int *last)
 {
     double min_x, max_x, min_y;
-    local_bounds(w, terrain_shape, shape, bounds, &min_x, &max_x, &min_y);
+    local_bounds(w, terrain_shape, near_place, bounds, &min_x, &max_x, &min_y);
     thud_terrain_segments(terrain, min_x, max_x, first, last);
 }
 
 bool td_terrain_reaches(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
-                        int shape, const td_bounds *bounds, int segment)
+                        td_place near_place, const td_bounds *bounds, int segment)
 {
     double min_x, max_x, min_y;
-    local_bounds(w, terrain_shape, shape, bounds, &min_x, &max_x, &min_y);
+    local_bounds(w, terrain_shape, near_place, bounds, &min_x, &max_x, &min_y);
     if (terrain->kind == THUD_TERRAIN_FLAT) {
         double left = terrain->slope * min_x, right = terrain->slope * max_x;
         return (left > right ? left : right) >= min_y;

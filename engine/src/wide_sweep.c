@@ -153,6 +153,9 @@ bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_pla
 static bool query_level(scan *s, const td_level *level, const td_bounds *b, td_place near_position)
 {
     const td_grid *grid = s->grid;
+    if (level->count <= TD_LANES) { /* one test is cheaper than finding the cells */
+        return scan_range(s, level->first, level->first + level->count, TD_NONE);
+    }
     int64_t half = level->cell / 2 + 1;
     int64_t c0 = td_grid_index(td_unwrap(b->min_x, near_position.x) - half, grid->origin_x,
                                level->inv_cell);
