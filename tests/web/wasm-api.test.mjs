@@ -238,14 +238,15 @@ test("ray_hits_ball_before_ground_and_nothing_sideways", () => {
   world.close();
 });
 
-test("overlap_finds_by_bounds_or_by_true_form", () => {
+test("overlap_finds_by_true_form_not_by_bounds", () => {
   const { world, shape } = ballOnGround();
   // Only the bounds' corner reaches in, not the ball.
   const lower = [0.45, 5.4];
   const upper = [0.6, 5.6];
   assert.deepEqual(world.overlap({ kind: "circle", center: [0, 5.6], radius: 0.2 }), [shape]);
   assert.deepEqual(world.overlap({ kind: "circle", center: [0.5, 5.5], radius: 0.1 }), []);
-  assert.deepEqual(world.overlap({ kind: "bounds", lower, upper }), [shape]);
+  assert.deepEqual(world.overlap({ kind: "bounds", lower, upper }), []);
+  assert.deepEqual(world.overlap({ kind: "bounds", lower: [0.2, 5.2], upper }), [shape]);
   world.close();
 });
 
