@@ -69,31 +69,42 @@ static void flip(thud_closest *c)
     c->ny = -c->ny;
 }
 
-/* Separation along each of the reference box's axes; keeps the best in *out, normal from a. */
-static void try_axes(const thud_placed *reference, const thud_placed *a, const thud_placed *b,
+/* Separation along each of the reference box's axes. Keeps the best in *out, normal from a, and
+ * reports whether it is one of these. */
+static bool try_axes(const thud_placed *reference, const thud_placed *a, const thud_placed *b,
                      thud_closest *out)
 {
     double dx = b->x - a->x, dy = b->y - a->y;
+    bool better = false;
     for (int axis = 0; axis < 2; axis++) {
         double nx = axis ? -reference->s : reference->c, ny = axis ? reference->c : reference->s;
         double along = dx * nx + dy * ny;
-        double separation = td_abs(along) - td_shadow(a, nx, ny) - td_shadow(b, nx, ny);
+        double separation = td_abs(along) - (td_shadow(a, nx, ny) + td_shadow(b, nx, ny));
         if (separation > out->distance) {
             out->distance = separation;
             out->nx = along < 0.0 ? -nx : nx;
             out->ny = along < 0.0 ? -ny : ny;
+            better = true;
         }
     }
+    return better;
 }
 
-/* The corner of the box that lies furthest along (x, y). */
-static void support(const thud_placed *box, double x, double y, double *px, double *py)
+/* Points of overlapping boxes, the normal being that of a face of a: the deepest corner of b, moved
+ * along the face to within it where b's edge is parallel to it and longer. */
+static void deepest_points(const thud_placed *a, const thud_placed *b, thud_closest *out)
 {
-    double u, v;
-    td_to_frame(box, x, y, &u, &v);
-    td_from_frame(box, u < 0.0 ? -box->hx : box->hx, v < 0.0 ? -box->hy : box->hy, px, py);
-    *px += box->x;
-    *py += box->y;
+    double u, v, x, y;
+    td_to_frame(b, -out->nx, -out->ny, &u, &v);
+    td_from_frame(b, u < 0.0 ? -b->hx : b->hx, v < 0.0 ? -b->hy : b->hy, &x, &y);
+    x += b->x - a->x - out->nx * out->distance;
+    y += b->y - a->y - out->ny * out->distance;
+    td_to_frame(a, x, y, &u, &v);
+    td_from_frame(a, td_clamp(u, -a->hx, a->hx), td_clamp(v, -a->hy, a->hy), &x, &y);
+    out->ax = a->x + x;
+    out->ay = a->y + y;
+    out->bx = out->ax + out->nx * out->distance;
+    out->by = out->ay + out->ny * out->distance;
 }
 
 /* Each corner of b against the solid box a; keeps the closest pair. `flipped`: b and a changed
@@ -119,16 +130,18 @@ static void box_box(const thud_placed *a, const thud_placed *b, thud_closest *ou
 {
     out->distance = -1e300;
     try_axes(a, a, b, out);
-    try_axes(b, a, b, out);
+    bool face_of_b = try_axes(b, a, b, out);
     if (out->distance > 0.0) {
         out->distance = 1e300;
         try_corners(a, b, false, out);
         try_corners(b, a, true, out);
-        return;
+    } else if (face_of_b) {
+        flip(out);
+        deepest_points(b, a, out);
+        flip(out);
+    } else {
+        deepest_points(a, b, out);
     }
-    support(b, -out->nx, -out->ny, &out->bx, &out->by);
-    out->ax = out->bx - out->nx * out->distance;
-    out->ay = out->by - out->ny * out->distance;
 }
 
 void td_closest(const thud_placed *a, const thud_placed *b, thud_closest *out)

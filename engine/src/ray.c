@@ -1,22 +1,22 @@
 /* ray.c: rays against circles and boxes. */
 #include "placed.h"
 
-static bool cast_circle(double ox, double oy, double dx, double dy, double r, double *fraction,
-                        double *nx, double *ny)
+bool td_ray_enters_circle(double ox, double oy, double dx, double dy, double r, double *fraction)
 {
-    double a = dx * dx + dy * dy, b = ox * dx + oy * dy, c = ox * ox + oy * oy - r * r;
-    double root = b * b - a * c;
-    if (c < 0.0 || a == 0.0 || root < 0.0) {
+    double length = __builtin_sqrt(dx * dx + dy * dy);
+    if (!(length > 0.0) || ox * ox + oy * oy < r * r) {
         return false;
     }
-    double t = (-b - __builtin_sqrt(root)) / a;
-    if (!(t >= 0.0 && t <= 1.0)) {
+    double ux = dx / length, uy = dy / length;
+    double ahead = -(ox * ux + oy * uy);
+    /* From the centre's distance to the line: a discriminant would cancel for rays from afar. */
+    double side = ux * oy - uy * ox, root = r * r - side * side;
+    if (!(ahead > 0.0 && root >= 0.0)) {
         return false;
     }
-    *fraction = t;
-    *nx = (ox + t * dx) / r;
-    *ny = (oy + t * dy) / r;
-    return true;
+    double enter = ahead - __builtin_sqrt(root);
+    *fraction = enter > 0.0 ? enter / length : 0.0;
+    return enter <= length;
 }
 
 /* Narrows [*enter, *leave] to where o + t d lies within the slab |x| <= h. */
@@ -59,9 +59,15 @@ bool thud_shape_cast_ray(const thud_placed *shape, double ox, double oy, double 
         return false;
     }
     if (shape->kind == THUD_CIRCLE) {
-        if (!cast_circle(ox - shape->x, oy - shape->y, dx, dy, shape->hx, &f, &u, &v)) {
+        double px = ox - shape->x, py = oy - shape->y;
+        if (!td_ray_enters_circle(px, py, dx, dy, shape->hx, &f)) {
             return false;
         }
+        u = px + f * dx;
+        v = py + f * dy;
+        double length = __builtin_sqrt(u * u + v * v);
+        u /= length;
+        v /= length;
     } else {
         double lox, loy, ldx, ldy, lu, lv;
         td_to_frame(shape, ox - shape->x, oy - shape->y, &lox, &loy);

@@ -3,7 +3,7 @@
  * motion allows, so time may safely jump that far. The jump is exact for motion along the normal,
  * and never goes past an impact. */
 #include "placed.h"
-#include "rotation.h"
+#include "trig.h"
 
 enum { MAX_JUMPS = 200 };
 
@@ -13,10 +13,10 @@ static thud_placed at_time(const thud_placed *shape, const thud_motion *m, doubl
     p.x += m->dx * t;
     p.y += m->dy * t;
     if (p.kind == THUD_OBB && m->turn != 0.0) {
-        float c, s;
-        td_angle_turn(td_angle_from(m->turn * t), &c, &s);
-        p.c = shape->c * (double)c - shape->s * (double)s;
-        p.s = shape->s * (double)c + shape->c * (double)s;
+        double s, c;
+        td_sincos(m->turn * t, &s, &c);
+        p.c = shape->c * c - shape->s * s;
+        p.s = shape->s * c + shape->c * s;
     }
     return p;
 }
@@ -30,11 +30,41 @@ static double turning(const thud_placed *shape, const thud_motion *m)
     return td_abs(m->turn) * __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
 }
 
+/* In closed form: the second centre is a point that enters a circle about the first. */
+static void circles(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
+                    const thud_motion *mb, double target, bool *hit, double *time)
+{
+    double x = b->x - a->x, y = b->y - a->y, r = a->hx + b->hx + target;
+    *time = 1.0;
+    if (x * x + y * y <= r * r) {
+        *hit = true;
+        *time = 0.0;
+    } else {
+        *hit = td_ray_enters_circle(x, y, mb->dx - ma->dx, mb->dy - ma->dy, r, time);
+        *time = *hit ? *time : 1.0;
+    }
+}
+
+/* The distance at which shapes count as met: far below what anyone sees, above the rounding of
+ * their places. */
+static double tolerance_of(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
+                           const thud_motion *mb)
+{
+    double size = a->hx + a->hy + b->hx + b->hy;
+    double place = td_abs(a->x) + td_abs(a->y) + td_abs(b->x) + td_abs(b->y) + td_abs(ma->dx) +
+                   td_abs(ma->dy) + td_abs(mb->dx) + td_abs(mb->dy);
+    return 1e-10 * size + 1e-15 * place;
+}
+
 void td_time_of_impact(const thud_placed *a, thud_motion ma, const thud_placed *b, thud_motion mb,
                        double target, bool *hit, double *time)
 {
+    if (a->kind == THUD_CIRCLE && b->kind == THUD_CIRCLE) {
+        circles(a, &ma, b, &mb, target, hit, time);
+        return;
+    }
     double spin = turning(a, &ma) + turning(b, &mb);
-    double tolerance = 1e-9 * (a->hx + a->hy + b->hx + b->hy);
+    double tolerance = tolerance_of(a, &ma, b, &mb);
     double t = 0.0;
     *hit = false;
     *time = 1.0;
@@ -47,13 +77,10 @@ void td_time_of_impact(const thud_placed *a, thud_motion ma, const thud_placed *
             break;
         }
         double closing = (ma.dx - mb.dx) * closest.nx + (ma.dy - mb.dy) * closest.ny + spin;
-        if (closing <= 0.0) {
+        if (!(closing > 0.0) || t + gap / closing > 1.0) {
             return;
         }
         t += gap / closing;
-        if (t >= 1.0) {
-            return;
-        }
     }
     /* Out of jumps: they are almost there, and this time is still before the impact. */
     *hit = true;
