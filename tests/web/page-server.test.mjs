@@ -21,8 +21,12 @@ function get(port, path, method = "GET") {
   });
 }
 
-test("server_sends_files_with_their_types_and_refuses_the_rest", async () => {
+test("server_sends_files_with_their_types_and_refuses_the_rest", async (t) => {
   const server = createStaticServer(folder);
+  t.after(() => {
+    server.closeAllConnections();
+    server.close();
+  });
   const port = await listenFrom(server, 0);
   const index = await get(port, "/?scene=gas");
   assert.equal(index.statusCode, 200);
@@ -30,14 +34,14 @@ test("server_sends_files_with_their_types_and_refuses_the_rest", async () => {
   for (const path of ["/../package.json", "/%2e%2e/package.json", "/..%2fpackage.json", "/no-such", "/%", "/%00"])
     assert.equal((await get(port, path)).statusCode, 404, path);
   assert.equal((await get(port, "/", "POST")).statusCode, 405);
-  server.closeAllConnections();
-  server.close();
 });
 
-test("taken_port_is_said_and_the_next_one_tried", async () => {
+test("taken_port_is_said_and_the_next_one_tried", async (t) => {
   const holder = createStaticServer(folder);
+  t.after(() => holder.close());
   const taken = await listenFrom(holder, 18080);
   const child = spawn(process.execPath, [script, "--port", String(taken)]);
+  t.after(() => child.kill("SIGKILL"));
   let output = "";
   await new Promise((done, fail) => {
     child.stdout.on("data", (data) => {
@@ -51,7 +55,6 @@ test("taken_port_is_said_and_the_next_one_tried", async () => {
   const code = new Promise((done) => child.on("exit", done));
   child.kill("SIGINT");
   assert.equal(await code, 0);
-  holder.close();
 });
 
 test("bad_port_is_refused_with_usage", () => {
