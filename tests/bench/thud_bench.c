@@ -129,9 +129,9 @@ static bool read_options(options *o, int argc, char **argv) {
 }
 
 /* On a terminal only: one line that is overwritten until the scene's row takes its place. */
-static void show_progress(const char *scene, double fraction, void *context) {
+static void show_progress(const char *name, double fraction, void *context) {
     (void)context;
-    fprintf(stderr, "\r%-15s %3.0f %%", scene, 100 * fraction);
+    fprintf(stderr, "\r%-15s %3.0f %%", name, 100 * fraction);
     if (fraction >= 1)
         fprintf(stderr, "\r%21s\r", "");
     fflush(stderr);
