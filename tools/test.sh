@@ -18,7 +18,7 @@ stage() {
     ) 2>&1 | tee "$log"
     case $(cat "$log.code") in
         0) verdict=passed ;;
-        77) verdict="skipped: $(tail -n 1 "$log")" ;;
+        77) verdict="skipped ($(tail -n 1 "$log"))" ;;
         *)
             verdict="FAILED, see $log"
             failures=$((failures + 1))
@@ -39,7 +39,7 @@ test_native() {
 test_clang() {
     clang=$(command -v clang-16 || command -v clang)
     build release-clang --preset release -DTHUD_WERROR=ON -DCMAKE_C_COMPILER="$clang"
-    ctest --test-dir build/release-clang --output-on-failure
+    ctest --test-dir build/release-clang --output-on-failure --timeout 300
 }
 
 test_sanitize() {
@@ -58,7 +58,7 @@ test_page() {
 
 test_baseline() {
     build_bench
-    ctest --test-dir build/bench --output-on-failure
+    ctest --test-dir build/bench --output-on-failure --timeout 300
 }
 
 test_everything() {
