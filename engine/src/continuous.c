@@ -206,6 +206,13 @@ static void sweep_body(thud_world *w, int index)
     }
 }
 
+/* A query asks for room as if every shape of the ranges that it scans were a hit. */
+bool td_continuous_reserve(thud_world *w)
+{
+    return !w->def.continuous || td_array_reserve(&w->memory, &w->scratch.hits,
+                                                  3 * w->rest_grid.ids.count + 4 * TD_LANES);
+}
+
 void td_continuous(thud_world *w)
 {
     for (int i = 0; i < w->scratch.fast.count; i++) {

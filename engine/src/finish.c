@@ -57,11 +57,17 @@ static void count_idle(thud_world *w, int slot, const float *velocity, float rim
                  turn < still;
     *idle = rests ? *idle + (float)w->def.time_step : 0.0f;
     w->idle_bodies += *idle >= TD_SLEEP_TIME;
+    w->drowsy_bodies += *idle + (float)w->def.time_step >= TD_SLEEP_TIME;
+}
+
+bool td_finish_reserve(thud_world *w)
+{
+    return td_array_reserve(&w->memory, &w->scratch.fast, w->body_of.count);
 }
 
 void td_finish(thud_world *w)
 {
-    w->idle_bodies = 0;
+    w->idle_bodies = w->drowsy_bodies = 0;
     w->scratch.fast.count = 0;
     for (int slot = w->body_of.count - 1; slot > 0; slot--) {
         int index = *(int *)td_at(&w->body_of, slot);

@@ -282,6 +282,18 @@ bool td_lanes_place(thud_world *w, const int *contacts, int count, bool park)
     return true;
 }
 
+bool td_lanes_reserve_parking(thud_world *w)
+{
+    int grown[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND] = {0};
+    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+        for (int bin = 0; bin < TD_PARKED; bin++) {
+            grown[kind][TD_PARKED] += w->bins[kind][bin].lanes;
+        }
+    }
+    return td_array_reserve(&w->memory, &w->scratch.lane_bins, w->touching) &&
+           reserve_grown(w, grown);
+}
+
 void td_lane_remove(thud_world *w, int contact_index)
 {
     td_contact *contact = td_contact_at(w, contact_index);

@@ -20,6 +20,8 @@ td_block *td_block_at(const thud_world *w, int kind, int index);
  * has a lane already takes its impulses along. False when memory is short, and nothing has
  * changed. */
 bool td_lanes_place(thud_world *w, const int *contacts, int count, bool park);
+/* Room for parking every lane. */
+bool td_lanes_reserve_parking(thud_world *w);
 void td_lane_remove(thud_world *w, int contact);
 
 /* Lists the blocks in the order of solving: colours with moving bodies first and static ones last,

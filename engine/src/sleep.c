@@ -213,10 +213,21 @@ static bool put_to_sleep(thud_world *w)
     return true;
 }
 
+static bool is_due(const thud_world *w, int bodies)
+{
+    return w->def.sleeping && bodies > 0 && w->steps % 8 == 0;
+}
+
+bool td_sleep_reserve(thud_world *w)
+{
+    return !is_due(w, w->drowsy_bodies) ||
+           (lists_room(w) && td_lanes_reserve_parking(w) &&
+            td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count));
+}
+
 void td_sleep(thud_world *w)
 {
-    if (!w->def.sleeping || w->idle_bodies == 0 || w->steps % 8 != 0 || !lists_room(w) ||
-        !td_islands(w)) {
+    if (!is_due(w, w->idle_bodies) || !td_islands(w)) {
         return;
     }
     const int *root = w->scratch.parents.data;

@@ -29,7 +29,8 @@ static thud_result run_stages(thud_world *w)
     mark(w, THUD_STAGE_CHANGES, &last);
     done = done && td_broadphase(w);
     mark(w, THUD_STAGE_BROADPHASE, &last);
-    done = done && td_broadphase_refresh(w) && td_narrowphase(w) && td_scratch_reserve(w);
+    done = done && td_broadphase_refresh(w) && td_narrowphase(w) && td_finish_reserve(w) &&
+           td_continuous_reserve(w) && td_sleep_reserve(w);
     mark(w, THUD_STAGE_NARROWPHASE, &last);
     if (!done) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");

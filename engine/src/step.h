@@ -27,8 +27,10 @@ void td_contacts_tell(thud_world *w);
 /* sleep.c: islands at rest fall asleep. */
 void td_sleep(thud_world *w);
 
-/* world.c: room for what the stages after the narrowphase note down. */
-bool td_scratch_reserve(thud_world *w);
+/* Room for what the stages after the narrowphase note down, so that they cannot fail. */
+bool td_finish_reserve(thud_world *w);
+bool td_continuous_reserve(thud_world *w);
+bool td_sleep_reserve(thud_world *w);
 
 /* sleep.c: wakes the body's whole island; false when memory is short. */
 bool td_wake(thud_world *w, int body);

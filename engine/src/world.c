@@ -228,11 +228,6 @@ void thud_world_destroy(thud_world *w)
     td_memory_put(&memory, w, sizeof *w);
 }
 
-bool td_scratch_reserve(thud_world *w)
-{
-    return td_array_reserve(&w->memory, &w->scratch.fast, w->body_of.count);
-}
-
 /* ---- settings ---- */
 
 /* A new setting changes what every resting body would do. */

@@ -182,6 +182,7 @@ struct thud_world {
     int damped;                                        /* awake bodies with damping */
     bool push_stale;                                   /* `push` must be made anew */
     int idle_bodies;                                   /* at rest for long enough to sleep */
+    int drowsy_bodies;                                 /* ... or will be after one more step */
     td_grid awake_grid, rest_grid;
     td_event_lists events;
 
