@@ -220,8 +220,9 @@ static bool is_due(const thud_world *w, int bodies)
 
 bool td_sleep_reserve(thud_world *w)
 {
+    /* Room for parking may move the blocks, so they are listed again. */
     return !is_due(w, w->drowsy_bodies) ||
-           (lists_room(w) && td_lanes_reserve_parking(w) &&
+           (lists_room(w) && td_lanes_reserve_parking(w) && td_lanes_sequence(w) &&
             td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count));
 }
 
