@@ -163,8 +163,12 @@ static bool pair_across(thud_world *w, int shape)
     if (!query(w, grid, shape)) {
         return false;
     }
+    bool rests = grid == &w->awake_grid;
     for (int k = 0; k < w->scratch.hits.count; k++) {
-        if (!consider(w, shape, *(int *)td_at(&w->scratch.hits, k))) {
+        int other = *(int *)td_at(&w->scratch.hits, k);
+        /* Where both moved, the awake one finds the other. */
+        bool twice = rests && (td_shape_at(w, other)->flags & TD_SHAPE_MOVED);
+        if (!twice && !consider(w, shape, other)) {
             return false;
         }
     }

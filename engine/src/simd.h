@@ -21,6 +21,7 @@
 
 typedef float f8 __attribute__((vector_size(32)));
 typedef int32_t i8 __attribute__((vector_size(32)));
+typedef uint32_t u8 __attribute__((vector_size(32)));
 typedef float f4 __attribute__((vector_size(16)));
 
 #define TD_INLINE static inline __attribute__((always_inline))
@@ -136,6 +137,11 @@ TD_INLINE unsigned i8_bits(i8 x)
     }
     return bits;
 #endif
+}
+
+TD_INLINE i8 i8_wrap_sub(i8 a, i8 b) /* wraps around, as bounds do */
+{
+    return (i8)((u8)a - (u8)b);
 }
 
 TD_INLINE i8 i8_load(const int32_t *p) /* any alignment of int32_t */

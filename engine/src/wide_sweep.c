@@ -45,8 +45,10 @@ TD_INLINE td_bounds bounds_at(const scan *s, int i)
 /* Overlapping lanes among the eight from `at` on. */
 TD_INLINE unsigned test(const scan *s, int at)
 {
-    i8 apart = (s->box_max_x - i8_load(s->min_x + at)) | (i8_load(s->max_x + at) - s->box_min_x) |
-               (s->box_max_y - i8_load(s->min_y + at)) | (i8_load(s->max_y + at) - s->box_min_y);
+    i8 apart = i8_wrap_sub(s->box_max_x, i8_load(s->min_x + at)) |
+               i8_wrap_sub(i8_load(s->max_x + at), s->box_min_x) |
+               i8_wrap_sub(s->box_max_y, i8_load(s->min_y + at)) |
+               i8_wrap_sub(i8_load(s->max_y + at), s->box_min_y);
     return i8_bits(~apart & (s->heed | i8_load(s->moved + at)));
 }
 
