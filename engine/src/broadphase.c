@@ -1,7 +1,9 @@
 /* broadphase.c: from moved bounds to new contacts.
  *
  * A contact exists exactly while the fat bounds of its shapes overlap, so a pair is new if and only
- * if the bounds that its shapes had before did not overlap: no table of pairs is needed. Bodies that
+ * if the bounds that its shapes had before did not overlap: no table of pairs is needed. (In a world
+ * so wide that bounds wrap around, they may seem to have overlapped; there the contacts of the two
+ * bodies are searched instead.) Bodies that
  * rest (static or asleep) have a grid of their own, sorted anew only when one comes or goes. New
  * pairs come in the order of the grids, then in that of the moved list. */
 #include "contact.h"
@@ -90,8 +92,9 @@ static bool existed(const thud_world *w, int a, int b)
     if (flags & TD_SHAPE_FRESH) {
         return false;
     }
-    return flags & TD_SHAPE_WOKEN ? has_contact(w, a, b, 0)
-                                  : td_bounds_overlap(bounds_before(w, a), bounds_before(w, b));
+    return flags & TD_SHAPE_WOKEN || w->vast
+               ? has_contact(w, a, b, 0)
+               : td_bounds_overlap(bounds_before(w, a), bounds_before(w, b));
 }
 
 static bool add_pair(thud_world *w, int a, int b, int child)
@@ -106,7 +109,8 @@ static bool add_pair(thud_world *w, int a, int b, int child)
 
 static bool consider(thud_world *w, int a, int b)
 {
-    return existed(w, a, b) || !td_pair_allowed(w, a, b) || add_pair(w, a, b, 0);
+    return existed(w, a, b) || !td_pair_allowed(w, a, b) || !td_pair_meets(w, a, b) ||
+           add_pair(w, a, b, 0);
 }
 
 static bool query(thud_world *w, const td_grid *grid, int shape)
@@ -192,7 +196,7 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
             continue;
         }
         bool old = false;
-        if (flags & TD_SHAPE_WOKEN) {
+        if (flags & TD_SHAPE_WOKEN || w->vast) {
             old = has_contact(w, terrain_shape, shape, i);
         } else if (!(flags & TD_SHAPE_FRESH)) {
             old = td_terrain_reaches(w, terrain_shape, &terrain, at, bounds_before(w, shape), i);
@@ -251,6 +255,23 @@ static bool create_contacts(thud_world *w)
     return true;
 }
 
+/* Wider than half the way around the bounds. */
+static bool is_vast(const thud_world *w)
+{
+    const td_grid *a = &w->awake_grid, *b = &w->rest_grid;
+    int64_t low_x = INT64_MAX, low_y = INT64_MAX, high_x = INT64_MIN, high_y = INT64_MIN;
+    for (int i = 0; i < 2; i++) {
+        const td_grid *grid = i ? b : a;
+        if (grid->ids.count) {
+            low_x = grid->origin_x < low_x ? grid->origin_x : low_x;
+            low_y = grid->origin_y < low_y ? grid->origin_y : low_y;
+            high_x = grid->end_x > high_x ? grid->end_x : high_x;
+            high_y = grid->end_y > high_y ? grid->end_y : high_y;
+        }
+    }
+    return high_x > low_x + INT32_MAX / 2 || high_y > low_y + INT32_MAX / 2;
+}
+
 bool td_broadphase(thud_world *w)
 {
     if (w->moved.count == 0) {
@@ -263,7 +284,13 @@ bool td_broadphase(thud_world *w)
     w->awake_grid.valid &= moved_awake == 0;
     w->rest_grid.valid &= moved_awake == w->moved.count;
     w->scratch.pairs.count = 0;
-    if (!td_broadphase_refresh(w) || (moved_awake && !pair_awake(w, moved_awake))) {
+    if (!td_broadphase_refresh(w)) {
+        return false;
+    }
+    /* A body that was far away a step ago may be near now, hence both. */
+    bool vast = is_vast(w);
+    w->vast |= vast;
+    if (moved_awake && !pair_awake(w, moved_awake)) {
         return false;
     }
     for (int i = 0; i < w->moved.count; i++) {
@@ -279,5 +306,6 @@ bool td_broadphase(thud_world *w)
             (uint8_t)~(TD_SHAPE_MOVED | TD_SHAPE_FRESH | TD_SHAPE_WOKEN);
     }
     w->moved.count = 0;
+    w->vast = vast;
     return true;
 }

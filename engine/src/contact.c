@@ -63,6 +63,16 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b)
     return (a->filter.mask & b->filter.category) && (b->filter.mask & a->filter.category);
 }
 
+bool td_pair_meets(const thud_world *w, int a, int b)
+{
+    if (!td_bounds_overlap(td_fat_at(w, a), td_fat_at(w, b))) {
+        return false;
+    }
+    const td_place *p = td_at(&w->center, a), *q = td_at(&w->center, b);
+    int64_t most = (int64_t)1 << (30 + TD_COARSE_SHIFT), x = p->x - q->x, y = p->y - q->y;
+    return !w->vast || (x < most && x > -most && y < most && y > -most);
+}
+
 bool td_contacts_reserve(thud_world *w, const int more[TD_PAIR_COUNT])
 {
     int sum = 0;

@@ -10,6 +10,10 @@ td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b);
 /* False for shapes of one body, two that never move, and what the filters keep apart. */
 bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b);
 
+/* Whether the fat bounds of two shapes, neither a terrain, overlap for real: in a vast world they
+ * may wrap around and only seem to. */
+bool td_pair_meets(const thud_world *w, int shape_a, int shape_b);
+
 /* Room for `more` contacts of each kind listed. */
 bool td_contacts_reserve(thud_world *w, const int more[TD_PAIR_COUNT]);
 void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child);

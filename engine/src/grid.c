@@ -28,7 +28,7 @@ static int32_t middle(int32_t low, int32_t high)
 static void measure(const thud_world *w, td_grid *grid, const int *shapes, int count,
                     sorted_shape *sorted)
 {
-    int64_t least_x = INT64_MAX, least_y = INT64_MAX;
+    int64_t least_x = INT64_MAX, least_y = INT64_MAX, most_x = INT64_MIN, most_y = INT64_MIN;
     for (int i = 0; i < count; i++) {
         const td_bounds *b = td_fat_at(w, shapes[i]);
         const td_place *center = td_at(&w->center, shapes[i]);
@@ -38,6 +38,8 @@ static void measure(const thud_world *w, td_grid *grid, const int *shapes, int c
         s->level = level_of(b);
         least_x = s->x < least_x ? s->x : least_x;
         least_y = s->y < least_y ? s->y : least_y;
+        most_x = s->x > most_x ? s->x : most_x;
+        most_y = s->y > most_y ? s->y : most_y;
         td_level *level = &grid->levels[s->level];
         int64_t extent = td_max_int(td_wrap_sub(b->max_x, b->min_x),
                                     td_wrap_sub(b->max_y, b->min_y)) + 2;
@@ -46,6 +48,8 @@ static void measure(const thud_world *w, td_grid *grid, const int *shapes, int c
     }
     grid->origin_x = least_x;
     grid->origin_y = least_y;
+    grid->end_x = most_x;
+    grid->end_y = most_y;
 }
 
 static uint32_t power_above(int64_t n)

@@ -31,6 +31,7 @@ typedef struct td_grid {
     td_array starts;                     /* int */
     td_level levels[TD_LEVELS];
     int64_t origin_x, origin_y;          /* bounds quanta: the least centre of the population */
+    int64_t end_x, end_y;                /* ... and the greatest */
     bool valid;                          /* holds the present bounds */
 } td_grid;
 

@@ -53,7 +53,7 @@ static bool bounds_meet(const thud_world *w, const td_contact *contact)
                                   *(td_place *)td_at(&w->center, contact->shape_a),
                                   td_fat_at(w, contact->shape_a), contact->child);
     }
-    return td_bounds_overlap(td_fat_at(w, contact->shape_a), td_fat_at(w, contact->shape_b));
+    return td_pair_meets(w, contact->shape_a, contact->shape_b);
 }
 
 static bool test_room(thud_world *w)
@@ -235,7 +235,13 @@ static bool part_contacts(thud_world *w)
         return false;
     }
     for (int i = 0; i < ends->count; i++) {
-        td_contact_part(w, *(int *)td_at(ends, i));
+        int contact = *(int *)td_at(ends, i);
+        td_contact_part(w, contact);
+        /* After a teleport the bounds may be apart as well; then the pair ends at once, as the
+         * broadphase believes that it has. */
+        if (!bounds_meet(w, td_contact_at(w, contact))) {
+            td_contact_destroy(w, contact);
+        }
     }
     return td_lanes_sequence(w);
 }

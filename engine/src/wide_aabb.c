@@ -1,5 +1,5 @@
 /* wide_aabb.c: contacts between axis-aligned boxes. Neither side rotates, so one point in the
- * middle of the common edge does the work of two. */
+ * middle of the common edge does the work of two; its arms only tell callers where it is. */
 #include "wide_collide.h"
 
 static void aabb_aabb(td_block *const *blocks, int count, const td_collide_context *c)
@@ -15,7 +15,15 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
         i8 valid = td_used_mask(block) & (separation < f8_all(c->margin)) & (other < zero);
         block->nx = f8_keep(by_x, f8_flip(one, p.dx < zero));
         block->ny = f8_keep(~by_x, f8_flip(one, p.dy < zero));
-        td_write_point(block, 0, c, valid, separation, zero, zero, zero, zero);
+        /* The middle of what the boxes share along the edge, halfway between the faces. */
+        f8 half = f8_all(0.5f);
+        f8 reach_x = p.ahx + half * separation, reach_y = p.ahy + half * separation;
+        f8 low_x = f8_max(-p.ahx, p.dx - p.bhx), high_x = f8_min(p.ahx, p.dx + p.bhx);
+        f8 low_y = f8_max(-p.ahy, p.dy - p.bhy), high_y = f8_min(p.ahy, p.dy + p.bhy);
+        f8 x = f8_pick(by_x, f8_flip(reach_x, p.dx < zero), half * (low_x + high_x));
+        f8 y = f8_pick(by_x, half * (low_y + high_y), f8_flip(reach_y, p.dy < zero));
+        td_write_point(block, 0, c, valid, separation, p.ax + x, p.ay + y, p.bx + x - p.dx,
+                       p.by + y - p.dy);
         block->touching = i8_bits(valid);
     }
 }

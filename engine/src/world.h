@@ -184,6 +184,7 @@ struct thud_world {
     int idle_bodies;                                   /* at rest for long enough to sleep */
     int drowsy_bodies;                                 /* ... or will be after one more step */
     td_grid awake_grid, rest_grid;
+    bool vast;                                         /* wider than bounds can tell; broadphase.c */
     td_event_lists events;
 
     /* Scratch and statistics: rebuilt by every step. */

@@ -1,0 +1,115 @@
+/* engine_support.h: small worlds for tests, in few words. */
+#ifndef ENGINE_SUPPORT_H
+#define ENGINE_SUPPORT_H
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <thud/thud.h>
+
+#define OK(call) assert_int_equal((call), THUD_OK)
+
+static inline thud_world *make_world(thud_world_def def)
+{
+    thud_world *world = NULL;
+    OK(thud_world_create(&def, &world));
+    return world;
+}
+
+static inline thud_world_def weightless(void)
+{
+    thud_world_def def = thud_default_world_def();
+    def.gravity = (thud_vec2){0, 0};
+    def.sleeping = false;
+    return def;
+}
+
+static inline thud_body_id add_body(thud_world *world, thud_body_kind kind, double x, double y,
+                                    double angle)
+{
+    thud_body_def def = thud_default_body_def();
+    thud_body_id id;
+    def.kind = kind;
+    def.position = (thud_pos){x, y};
+    def.angle = angle;
+    OK(thud_body_create(world, &def, &id));
+    return id;
+}
+
+/* hy 0: a circle of radius hx; angle NAN: an AABB. */
+static inline thud_shape_id add_shape(thud_world *world, thud_body_id body, float hx, float hy,
+                                      bool upright, const thud_shape_def *def)
+{
+    thud_shape_def plain = thud_default_shape_def();
+    thud_shape_id id;
+    const thud_shape_def *used = def ? def : &plain;
+    thud_vec2 zero = {0, 0}, half = {hx, hy};
+    if (hy == 0) {
+        OK(thud_shape_create_circle(world, body, used, zero, hx, &id));
+    } else if (upright) {
+        OK(thud_shape_create_aabb(world, body, used, zero, half, &id));
+    } else {
+        OK(thud_shape_create_obb(world, body, used, zero, half, 0, &id));
+    }
+    return id;
+}
+
+static inline thud_body_id add_ball(thud_world *world, double x, double y, float r)
+{
+    thud_body_id id = add_body(world, THUD_DYNAMIC, x, y, 0);
+    add_shape(world, id, r, 0, false, NULL);
+    return id;
+}
+
+static inline thud_body_id add_box(thud_world *world, double x, double y, float hx, float hy)
+{
+    thud_body_id id = add_body(world, THUD_DYNAMIC, x, y, 0);
+    add_shape(world, id, hx, hy, false, NULL);
+    return id;
+}
+
+/* A static box whose top is at y = 0. */
+static inline thud_body_id add_floor(thud_world *world, const thud_shape_def *def)
+{
+    thud_body_id id = add_body(world, THUD_STATIC, 0, -1, 0);
+    add_shape(world, id, 100, 1, true, def);
+    return id;
+}
+
+static inline thud_body_state state_of(const thud_world *world, thud_body_id id)
+{
+    thud_body_state state;
+    OK(thud_body_get(world, id, &state));
+    return state;
+}
+
+static inline void run(thud_world *world, int steps)
+{
+    for (int i = 0; i < steps; i++) {
+        OK(thud_world_step(world));
+    }
+}
+
+static inline void near_to(double value, double wanted, double tolerance)
+{
+    if (!(fabs(value - wanted) <= tolerance)) {
+        fail_msg("%.9g is not within %g of %.9g", value, tolerance, wanted);
+    }
+}
+
+/* A small generator of its own: xorshift. */
+static inline double random_in(uint64_t *seed, double low, double high)
+{
+    *seed ^= *seed << 13;
+    *seed ^= *seed >> 7;
+    *seed ^= *seed << 17;
+    return low + (high - low) * (double)(*seed >> 11) / 9007199254740992.0;
+}
+
+#endif

@@ -1,0 +1,153 @@
+/* test_broadphase.c: contacts exist exactly for the pairs of fat bounds that overlap, whatever the
+ * world does. All pairs are the reference. */
+#include "engine_support.h"
+
+#include "contact.h"
+#include "world.h"
+
+typedef struct chaos {
+    thud_world *world;
+    thud_body_id bodies[400];
+    int count;
+    uint64_t seed;
+    double width, small, large;
+} chaos;
+
+static void add_random(chaos *c)
+{
+    bool fixed = random_in(&c->seed, 0, 1) < 0.2;
+    double x = random_in(&c->seed, -c->width, c->width);
+    double y = random_in(&c->seed, -c->width, c->width);
+    /* As many small ones as large ones: the logarithm is uniform. */
+    float size = (float)(c->small * pow(c->large / c->small, random_in(&c->seed, 0, 1)));
+    thud_body_id id = add_body(c->world, fixed ? THUD_STATIC : THUD_DYNAMIC, x, y, 0);
+    int kind = (int)random_in(&c->seed, 0, 3);
+    add_shape(c->world, id, size, kind ? size * 0.7f : 0, kind == 1, NULL);
+    if (!fixed) {
+        thud_vec2 v = {(float)random_in(&c->seed, -9, 9), (float)random_in(&c->seed, -9, 9)};
+        OK(thud_body_set_velocity(c->world, id, v, 0));
+    }
+    c->bodies[c->count++] = id;
+}
+
+static int key_at(const thud_world *w, int a, int b, const td_contact *contact)
+{
+    (void)w;
+    return (contact->shape_a == a && contact->shape_b == b) ||
+           (contact->shape_a == b && contact->shape_b == a);
+}
+
+static bool has_contact(const thud_world *w, int a, int b)
+{
+    int e = td_body_at(w, td_shape_at(w, a)->body)->first_contact;
+    for (; e != TD_NONE; e = td_next_edge(w, e)) {
+        if (key_at(w, a, b, td_contact_at(w, e / 2))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* After the broadphase of a step bounds may have grown again, so the check runs the broadphase's
+ * own input: bounds as they were when pairs were last made. */
+static void check(const thud_world *w)
+{
+    int pairs = 0;
+    for (int a = 0; a < w->shapes.items.count; a++) {
+        const td_shape *shape_a = td_shape_at(w, a);
+        for (int b = a + 1; b < w->shapes.items.count; b++) {
+            const td_shape *shape_b = td_shape_at(w, b);
+            if (!((shape_a->flags & shape_b->flags) & TD_SHAPE_LIVE) ||
+                !td_pair_allowed(w, a, b)) {
+                continue;
+            }
+            const td_array *of_a = shape_a->flags & TD_SHAPE_MOVED ? &w->was : &w->fat;
+            const td_array *of_b = shape_b->flags & TD_SHAPE_MOVED ? &w->was : &w->fat;
+            /* Bounds wrap around far away: only near ones count. */
+            const td_place *p = td_at(&w->center, a), *q = td_at(&w->center, b);
+            double most = 1e5 * TD_FIXED_ONE;
+            bool near_by = fabs((double)(p->x - q->x)) < most && fabs((double)(p->y - q->y)) < most;
+            bool overlap = near_by && td_bounds_overlap(td_at(of_a, a), td_at(of_b, b));
+            if (overlap != has_contact(w, a, b)) {
+                fail_msg("shapes %d and %d: overlap %d, contact %d", a, b, overlap,
+                         has_contact(w, a, b));
+            }
+            pairs += overlap;
+        }
+    }
+    assert_int_equal(pairs, w->contacts.live);
+}
+
+static void live_through(chaos *c, int steps)
+{
+    for (int i = 0; i < 150; i++) {
+        add_random(c);
+    }
+    for (int step = 0; step < steps; step++) {
+        int victim = (int)random_in(&c->seed, 0, c->count);
+        double fate = random_in(&c->seed, 0, 1);
+        if (fate < 0.1) {
+            OK(thud_body_destroy(c->world, c->bodies[victim]));
+            c->bodies[victim] = c->bodies[--c->count];
+        } else if (fate < 0.3) {
+            thud_pos to = {random_in(&c->seed, -c->width, c->width),
+                           random_in(&c->seed, -c->width, c->width)};
+            OK(thud_body_set_transform(c->world, c->bodies[victim], to, 0));
+        } else if (fate < 0.5) {
+            add_random(c);
+        }
+        OK(thud_world_step(c->world));
+        check(c->world);
+    }
+    assert_true(c->world->contacts.live > 0);
+    thud_world_destroy(c->world);
+}
+
+static void contacts_are_the_overlapping_bounds_in_a_crowd(void **state)
+{
+    (void)state;
+    chaos c = {.world = make_world(weightless()), .seed = 7, .width = 8, .small = 0.3, .large = 0.6};
+    live_through(&c, 120);
+}
+
+static void contacts_are_the_overlapping_bounds_with_sizes_from_small_to_large(void **state)
+{
+    (void)state;
+    chaos c = {.world = make_world(weightless()), .seed = 8, .width = 60, .small = 0.05, .large = 20};
+    live_through(&c, 120);
+}
+
+static void contacts_are_the_overlapping_bounds_in_a_sparse_wide_world(void **state)
+{
+    (void)state;
+    chaos c = {.world = make_world(weightless()), .seed = 9, .width = 3e5, .small = 0.5, .large = 9000};
+    live_through(&c, 60);
+}
+
+static void contacts_are_the_overlapping_bounds_in_one_spot(void **state)
+{
+    (void)state;
+    chaos c = {.world = make_world(weightless()), .seed = 10, .width = 0.2, .small = 0.4, .large = 0.5};
+    live_through(&c, 40);
+}
+
+static void contacts_are_the_overlapping_bounds_while_islands_sleep_and_wake(void **state)
+{
+    (void)state;
+    thud_world_def def = thud_default_world_def();
+    chaos c = {.world = make_world(def), .seed = 11, .width = 12, .small = 0.3, .large = 0.9};
+    add_floor(c.world, NULL);
+    live_through(&c, 200);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(contacts_are_the_overlapping_bounds_in_a_crowd),
+        cmocka_unit_test(contacts_are_the_overlapping_bounds_with_sizes_from_small_to_large),
+        cmocka_unit_test(contacts_are_the_overlapping_bounds_in_a_sparse_wide_world),
+        cmocka_unit_test(contacts_are_the_overlapping_bounds_in_one_spot),
+        cmocka_unit_test(contacts_are_the_overlapping_bounds_while_islands_sleep_and_wake),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,152 @@
+/* test_physics.c: motion against analytic answers. */
+#include "engine_support.h"
+
+static void projectile_follows_the_parabola_to_first_order(void **state)
+{
+    (void)state;
+    thud_world *world = make_world(thud_default_world_def());
+    thud_body_id ball = add_ball(world, 0, 0, 0.5f);
+    OK(thud_body_set_velocity(world, ball, (thud_vec2){3, 20}, 0));
+    run(world, 120);
+    thud_body_state s = state_of(world, ball);
+    /* Semi-implicit Euler with substeps of h falls g t h / 2 short of v t - g t^2 / 2. */
+    double t = 2.0, h = 1.0 / 240.0;
+    near_to(s.position.x, 3 * t, 1e-4);
+    near_to(s.position.y, 20 * t - 5 * t * t - 10 * t * h / 2, 1e-3);
+    near_to((double)s.velocity.y, 20 - 10 * t, 1e-3);
+    thud_world_destroy(world);
+}
+
+static void ball_bounces_by_its_restitution(void **state)
+{
+    (void)state;
+    for (int i = 1; i <= 9; i += 4) {
+        thud_shape_def bouncy = thud_default_shape_def();
+        bouncy.restitution = 0.1f * (float)i;
+        thud_world *world = make_world(thud_default_world_def());
+        add_floor(world, NULL);
+        thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 5.5, 0);
+        add_shape(world, ball, 0.5f, 0, false, &bouncy);
+        double before = 0, after = 0;
+        for (int k = 0; k < 120 && after <= 0; k++) {
+            before = -(double)state_of(world, ball).velocity.y;
+            run(world, 1);
+            after = (double)state_of(world, ball).velocity.y;
+        }
+        /* Gravity of one step is all that may come between. */
+        near_to(after / before, 0.1 * i, 0.03);
+        thud_world_destroy(world);
+    }
+}
+
+/* A box on a plane of slope s with friction mu. */
+static thud_body_state slide(double slope, float mu, float radius, double seconds)
+{
+    thud_world_def def = thud_default_world_def();
+    def.sleeping = false;
+    thud_world *world = make_world(def);
+    thud_shape_def rough = thud_default_shape_def();
+    rough.friction = mu;
+    thud_terrain flat = {.kind = THUD_TERRAIN_FLAT, .slope = slope};
+    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    OK(thud_shape_create_terrain(world, ground, &rough, &flat, NULL));
+    double angle = atan(slope), up = radius > 0 ? (double)radius : 0.5;
+    thud_body_id body =
+        add_body(world, THUD_DYNAMIC, -up * sin(angle), up * cos(angle), radius > 0 ? 0 : angle);
+    add_shape(world, body, radius > 0 ? radius : 0.5f, radius > 0 ? 0 : 0.5f, false, &rough);
+    run(world, (int)(seconds * 60));
+    thud_body_state s = state_of(world, body);
+    thud_world_destroy(world);
+    return s;
+}
+
+static void box_holds_below_and_slides_above_the_angle_of_friction(void **state)
+{
+    (void)state;
+    thud_body_state held = slide(-0.4, 0.5f, 0, 3);
+    near_to((double)held.velocity.x, 0, 1e-3);
+    thud_body_state free_of = slide(-0.6, 0.5f, 0, 3);
+    double angle = atan(0.6), a = 10 * (sin(angle) - 0.5 * cos(angle));
+    double speed = hypot((double)free_of.velocity.x, (double)free_of.velocity.y);
+    near_to(speed, a * 3, 0.02 * a * 3);
+}
+
+static void disc_rolls_at_two_thirds_of_g_sin(void **state)
+{
+    (void)state;
+    thud_body_state s = slide(-0.5, 2, 0.5f, 2);
+    double a = 2.0 / 3.0 * 10 * sin(atan(0.5));
+    double speed = hypot((double)s.velocity.x, (double)s.velocity.y);
+    near_to(speed, a * 2, 0.01 * a * 2);
+    near_to((double)-s.angular_velocity * 0.5, speed, 0.01 * speed);
+}
+
+static void elastic_circles_exchange_momentum_and_keep_energy(void **state)
+{
+    (void)state;
+    thud_world *world = make_world(weightless());
+    thud_shape_def elastic = thud_default_shape_def();
+    elastic.restitution = 1;
+    elastic.friction = 0;
+    thud_body_id a = add_body(world, THUD_DYNAMIC, -2, 0, 0), b = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    add_shape(world, a, 0.5f, 0, false, &elastic);
+    elastic.density = 3;
+    add_shape(world, b, 0.5f, 0, false, &elastic);
+    OK(thud_body_set_velocity(world, a, (thud_vec2){4, 0}, 0));
+    run(world, 60);
+    /* v_a = (m_a - m_b) / (m_a + m_b) v, v_b = 2 m_a / (m_a + m_b) v. */
+    near_to((double)state_of(world, a).velocity.x, -2, 1e-3);
+    near_to((double)state_of(world, b).velocity.x, 2, 1e-3);
+    thud_world_destroy(world);
+}
+
+static void column_of_thirty_stands_for_twenty_seconds(void **state)
+{
+    (void)state;
+    thud_world_def def = thud_default_world_def();
+    def.sleeping = false;
+    thud_world *world = make_world(def);
+    add_floor(world, NULL);
+    thud_body_id top = {0, 0};
+    for (int i = 0; i < 30; i++) {
+        top = add_box(world, 0, 0.5 + i, 0.5f, 0.5f);
+    }
+    run(world, 1200);
+    near_to(state_of(world, top).position.y, 29.5, 0.31);
+    near_to(state_of(world, top).position.x, 0, 0.1);
+    thud_world_destroy(world);
+}
+
+static void more_substeps_sink_less(void **state)
+{
+    (void)state;
+    double last = 1e9;
+    for (int quality = 0; quality < THUD_QUALITY_COUNT; quality++) {
+        thud_world_def def = thud_default_world_def();
+        def.quality = (thud_quality)quality;
+        thud_world *world = make_world(def);
+        add_floor(world, NULL);
+        for (int i = 0; i < 10; i++) {
+            add_box(world, 0, 0.5 + i, 0.5f, 0.5f);
+        }
+        run(world, 120);
+        double depth = thud_world_measure(world).penetration_max;
+        assert_true(depth < 0.7 * last);
+        last = depth;
+        thud_world_destroy(world);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(projectile_follows_the_parabola_to_first_order),
+        cmocka_unit_test(ball_bounces_by_its_restitution),
+        cmocka_unit_test(box_holds_below_and_slides_above_the_angle_of_friction),
+        cmocka_unit_test(disc_rolls_at_two_thirds_of_g_sin),
+        cmocka_unit_test(elastic_circles_exchange_momentum_and_keep_energy),
+        cmocka_unit_test(column_of_thirty_stands_for_twenty_seconds),
+        cmocka_unit_test(more_substeps_sink_less),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
