@@ -30,9 +30,8 @@ static void add_random(chaos *c)
     c->bodies[c->count++] = id;
 }
 
-static int key_at(const thud_world *w, int a, int b, const td_contact *contact)
+static bool is_of(const td_contact *contact, int a, int b)
 {
-    (void)w;
     return (contact->shape_a == a && contact->shape_b == b) ||
            (contact->shape_a == b && contact->shape_b == a);
 }
@@ -41,7 +40,7 @@ static bool has_contact(const thud_world *w, int a, int b)
 {
     int e = td_body_at(w, td_shape_at(w, a)->body)->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (key_at(w, a, b, td_contact_at(w, e / 2))) {
+        if (is_of(td_contact_at(w, e / 2), a, b)) {
             return true;
         }
     }
@@ -80,6 +79,7 @@ static void check(const thud_world *w)
 
 static void live_through(chaos *c, int steps)
 {
+    int most = 0;
     for (int i = 0; i < 150; i++) {
         add_random(c);
     }
@@ -98,8 +98,9 @@ static void live_through(chaos *c, int steps)
         }
         OK(thud_world_step(c->world));
         check(c->world);
+        most = c->world->contacts.live > most ? c->world->contacts.live : most;
     }
-    assert_true(c->world->contacts.live > 0);
+    assert_true(most > 3);
     thud_world_destroy(c->world);
 }
 
@@ -120,7 +121,7 @@ static void contacts_are_the_overlapping_bounds_with_sizes_from_small_to_large(v
 static void contacts_are_the_overlapping_bounds_in_a_sparse_wide_world(void **state)
 {
     (void)state;
-    chaos c = {.world = make_world(weightless()), .seed = 9, .width = 3e5, .small = 0.5, .large = 9000};
+    chaos c = {.world = make_world(weightless()), .seed = 9, .width = 1.5e5, .small = 500, .large = 11000};
     live_through(&c, 60);
 }
 

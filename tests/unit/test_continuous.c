@@ -1,0 +1,86 @@
+/* test_continuous.c: nothing fast passes through static geometry; sliding is no impact. */
+#include "engine_support.h"
+
+/* Shoots a small body of the kind at a wall 0.02 thick or at terrain; it must stay on its side. */
+static void shoot(int kind, double speed, double jitter, bool terrain)
+{
+    thud_world *world = make_world(weightless());
+    thud_body_id target = add_body(world, THUD_STATIC, terrain ? 0 : 10, 0, 0);
+    thud_shape_def plain = thud_default_shape_def();
+    if (terrain) {
+        thud_pos points[4] = {{-1e6, 0}, {-3, 0.5}, {4, -0.5}, {1e6, 0}};
+        thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
+        OK(thud_shape_create_terrain(world, target, &plain, &line, NULL));
+    } else {
+        add_shape(world, target, 0.01f, 1e4f, true, NULL);
+    }
+    thud_body_id body = add_body(world, THUD_DYNAMIC, jitter, terrain ? 10 : jitter, 0);
+    add_shape(world, body, 0.1f, kind ? 0.1f : 0, kind == 1, NULL);
+    thud_vec2 v = {(float)(speed * (terrain ? jitter : 1)),
+                   (float)(speed * (terrain ? -1 : jitter))};
+    OK(thud_body_set_velocity(world, body, v, kind == 2 ? 7 : 0));
+    for (int i = 0; i < 60; i++) {
+        run(world, 1);
+        thud_pos p = state_of(world, body).position;
+        if (terrain ? p.y < -1.5 : p.x > 10.01) {
+            fail_msg("kind %d at %g passed, to (%g, %g)", kind, speed, p.x, p.y);
+        }
+    }
+    thud_world_destroy(world);
+}
+
+static void nothing_passes_a_thin_wall_or_the_ground(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    for (int kind = 0; kind < 3; kind++) {
+        for (double speed = 10; speed < 2e5; speed *= 10) {
+            for (int i = 0; i < 12; i++) {
+                shoot(kind, speed, random_in(&seed, -0.3, 0.3), i % 2);
+            }
+        }
+    }
+}
+
+static void without_it_a_bullet_passes(void **state)
+{
+    (void)state;
+    thud_world_def def = weightless();
+    def.continuous = false;
+    thud_world *world = make_world(def);
+    thud_body_id wall = add_body(world, THUD_STATIC, 10, 0, 0);
+    add_shape(world, wall, 0.01f, 10, true, NULL);
+    thud_body_id body = add_ball(world, 0.5, 0, 0.1f);
+    OK(thud_body_set_velocity(world, body, (thud_vec2){1000, 0}, 0));
+    run(world, 10);
+    assert_true(state_of(world, body).position.x > 100);
+    thud_world_destroy(world);
+}
+
+static void fast_sliding_along_a_floor_is_not_stopped(void **state)
+{
+    (void)state;
+    thud_world *world = make_world(thud_default_world_def());
+    thud_shape_def smooth = thud_default_shape_def();
+    smooth.friction = 0;
+    thud_body_id floor = add_body(world, THUD_STATIC, 0, -1, 0);
+    add_shape(world, floor, 10000, 1, true, &smooth);
+    thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.5, 0);
+    add_shape(world, box, 0.5f, 0.5f, false, &smooth);
+    run(world, 10);
+    OK(thud_body_set_velocity(world, box, (thud_vec2){300, 0}, 0));
+    double from = state_of(world, box).position.x;
+    run(world, 60);
+    near_to(state_of(world, box).position.x - from, 300, 0.5);
+    thud_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_passes_a_thin_wall_or_the_ground),
+        cmocka_unit_test(without_it_a_bullet_passes),
+        cmocka_unit_test(fast_sliding_along_a_floor_is_not_stopped),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

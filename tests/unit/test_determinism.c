@@ -1,0 +1,71 @@
+/* test_determinism.c: the same bits from every SIMD width and wherever the scene stands. */
+#include "engine_support.h"
+
+#include "build_thud.h"
+#include "scenes.h"
+
+static const char *const SCENES[] = {"tall_stack", "circle_pit", "mixed_terrain", "tumbler_half",
+                                     "smash",      "platformer", "gas",           "slopes",
+                                     "bullets",    "sizes",      "one_spot",      "cradle"};
+
+/* Velocities and angles of all bodies after some steps: what a shift must not change. */
+static uint64_t motion_after(const char *name, bool baseline, double shift_x, double shift_y)
+{
+    const scene_info *info = scenes_find(name);
+    scene s;
+    assert_non_null(info);
+    int size = info->default_size > 1000 ? 600 : info->default_size;
+    assert_true(scenes_fill(info, size, &s));
+    scene_shift(&s, shift_x, shift_y);
+    thud_world_def def = thud_default_world_def();
+    def.baseline_simd = baseline;
+    thud_world *world;
+    thud_body_id *ids = malloc((size_t)s.body_count * sizeof *ids);
+    OK(scene_build_thud(&s, &def, &world, ids, NULL));
+    run(world, 80);
+    uint64_t hash = 0xcbf29ce484222325u;
+    for (int i = 0; i < s.body_count; i++) {
+        thud_body_state b = state_of(world, ids[i]);
+        float values[3] = {b.velocity.x, b.velocity.y, b.angular_velocity};
+        uint32_t bits[3];
+        memcpy(bits, values, sizeof bits);
+        for (int k = 0; k < 3; k++) {
+            hash = (hash ^ bits[k]) * 0x100000001b3u;
+        }
+    }
+    thud_world_destroy(world);
+    free(ids);
+    scene_free(&s);
+    return hash;
+}
+
+static void baseline_and_widest_kernels_give_the_same_bits(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
+        if (motion_after(SCENES[i], false, 0, 0) != motion_after(SCENES[i], true, 0, 0)) {
+            fail_msg("%s differs", SCENES[i]);
+        }
+    }
+}
+
+static void shift_by_whole_units_changes_no_bit(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
+        uint64_t here = motion_after(SCENES[i], false, 0, 0);
+        if (motion_after(SCENES[i], false, 1e7, -9999999) != here ||
+            motion_after(SCENES[i], false, -65536, 12345) != here) {
+            fail_msg("%s differs", SCENES[i]);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(baseline_and_widest_kernels_give_the_same_bits),
+        cmocka_unit_test(shift_by_whole_units_changes_no_bit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,54 @@
+/* test_golden.c: every scene's hash after two seconds, as tests/golden/hashes.txt has it. A commit
+ * that changes a hash says why. THUD_GOLDEN_UPDATE=1 writes the file anew. */
+#include "engine_support.h"
+
+#include "build_thud.h"
+#include "scenes.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+
+static const char path[] = "tests/golden/hashes.txt";
+
+static uint64_t hash_of(const scene_info *info)
+{
+    scene s;
+    thud_world *world;
+    int size = info->default_size > 1000 ? 600 : info->default_size;
+    assert_true(scenes_fill(info, size, &s));
+    OK(scene_build_thud(&s, NULL, &world, NULL, NULL));
+    run(world, 120);
+    uint64_t hash = thud_world_hash(world);
+    thud_world_destroy(world);
+    scene_free(&s);
+    return hash;
+}
+
+static void scenes_end_as_they_always_did(void **state)
+{
+    (void)state;
+    char wanted[8192] = "", now[8192] = "";
+    for (int i = 0; i < scenes_count(); i++) {
+        size_t used = strlen(now);
+        snprintf(now + used, sizeof now - used, "%-16s %016" PRIx64 "\n", scenes_at(i)->name,
+                 hash_of(scenes_at(i)));
+    }
+    if (getenv("THUD_GOLDEN_UPDATE")) {
+        FILE *file = fopen(path, "w");
+        assert_non_null(file);
+        fputs(now, file);
+        fclose(file);
+        return;
+    }
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    wanted[fread(wanted, 1, sizeof wanted - 1, file)] = 0;
+    fclose(file);
+    assert_string_equal(now, wanted);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(scenes_end_as_they_always_did)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
