@@ -37,12 +37,24 @@ static inline void td_corner(const thud_placed *box, int i, double *x, double *y
     *y += box->y;
 }
 
+/* No point of the shape is further than this from its centre. A circle's hy is not read. */
+static inline double td_reach(const thud_placed *shape)
+{
+    return shape->kind == THUD_CIRCLE ? shape->hx : shape->hx + shape->hy;
+}
+
 /* Half extent of a box's shadow on the direction (x, y), which has length 1. */
 static inline double td_shadow(const thud_placed *box, double x, double y)
 {
     double u, v;
     td_to_frame(box, x, y, &u, &v);
     return td_abs(u) * box->hx + td_abs(v) * box->hy;
+}
+
+/* Half the width of the shape's bounding box. */
+static inline double td_half_width(const thud_placed *shape)
+{
+    return shape->kind == THUD_CIRCLE ? shape->hx : td_shadow(shape, 1.0, 0.0);
 }
 
 /* closest.c: as thud_shapes_closest, for shapes known to be valid; boxes may be flat (hy = 0). */
@@ -55,11 +67,5 @@ bool td_ray_enters_circle(double ox, double oy, double dx, double dy, double r, 
 /* toi.c: as thud_shapes_time_of_impact, likewise. */
 void td_time_of_impact(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
                        thud_motion motion_b, double target, bool *hit, double *time);
-
-/* terrain.c: a segment's ends; a flat line gives the piece between x_min and x_max. */
-void td_terrain_ends(const thud_terrain *terrain, int segment, double x_min, double x_max,
-                     thud_pos *p, thud_pos *q);
-/* The segment as a box without thickness. */
-thud_placed td_terrain_box(thud_pos p, thud_pos q);
 
 #endif

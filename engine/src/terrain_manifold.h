@@ -7,7 +7,9 @@
 typedef struct td_terrain_point {
     double px, py; /* halfway between the surfaces, relative to the shape's centre */
     double separation;
-    uint32_t id; /* corner 0..3, circle 0, or 4: a vertex of the line in a face of the shape */
+    /* 0 for a circle; a box's corner 0..3; 4 and 5: the vertex at the segment's left and right end
+     * in a face of the box; 6: the box's centre */
+    uint32_t id;
 } td_terrain_point;
 
 typedef struct td_terrain_manifold {
@@ -17,8 +19,8 @@ typedef struct td_terrain_manifold {
 } td_terrain_manifold;
 
 /* `shape->x, y` are relative to the terrain's origin. Points further than `margin` are left out.
- * Summed over neighbouring segments, nothing is reported twice, and a shape that slides over
- * collinear segments meets the segments' normal alone. */
+ * Summed over the segments that the shape's bounds touch, nothing is reported twice, and a shape
+ * that slides over collinear segments meets the segments' normal alone. */
 void td_terrain_segment_manifold(const thud_terrain *terrain, int segment, const thud_placed *shape,
                                  double margin, td_terrain_manifold *out);
 

@@ -1,7 +1,7 @@
-/* toi.c: time of impact by conservative advancement (Mirtich 1996): along the present closest normal
- * the shapes cannot meet before they have closed their distance at the fastest rate that their
- * motion allows, so time may safely jump that far. The jump is exact for motion along the normal,
- * and never goes past an impact. */
+/* toi.c: time of impact by conservative advancement (Mirtich 1996): along the present closest
+ * normal the shapes cannot meet before they have closed their distance at the fastest rate that
+ * their motion allows, so time may safely jump that far. The jump is exact for motion along the
+ * normal, and never goes past an impact. */
 #include "placed.h"
 #include "trig.h"
 
@@ -50,7 +50,7 @@ static void circles(const thud_placed *a, const thud_motion *ma, const thud_plac
 static double tolerance_of(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
                            const thud_motion *mb)
 {
-    double size = a->hx + a->hy + b->hx + b->hy;
+    double size = td_reach(a) + td_reach(b);
     double place = td_abs(a->x) + td_abs(a->y) + td_abs(b->x) + td_abs(b->y) + td_abs(ma->dx) +
                    td_abs(ma->dy) + td_abs(mb->dx) + td_abs(mb->dy);
     return 1e-10 * size + 1e-15 * place;

@@ -1,0 +1,37 @@
+/* terrain.h: the segments of a ground line, for the files that work on them. */
+#ifndef TD_TERRAIN_H
+#define TD_TERRAIN_H
+
+#include "placed.h"
+
+/* A segment with its unit tangent; its normal, out of the ground, is (-ty, tx). */
+typedef struct td_segment {
+    thud_pos p, q;
+    double tx, ty;
+    double length;
+} td_segment;
+
+static inline double td_along(double tx, double ty, thud_pos from, double x, double y)
+{
+    return tx * (x - from.x) + ty * (y - from.y);
+}
+
+/* Signed distance of a point above the segment's line. */
+static inline double td_above(const td_segment *s, double x, double y)
+{
+    return s->tx * (y - s->p.y) - s->ty * (x - s->p.x);
+}
+
+/* Everything but the points' values; enough to read the line without going astray. */
+thud_result td_terrain_readable(const thud_terrain *terrain);
+
+/* Where a vertex of a line that is not flat stands. */
+double td_terrain_x(const thud_terrain *terrain, int vertex);
+
+/* The segment whose half-open column holds x, the first or last one for an x beyond the ends. */
+int td_terrain_segment_at(const thud_terrain *terrain, double x);
+
+/* A flat line gives the piece between x_min and x_max. */
+td_segment td_terrain_segment(const thud_terrain *terrain, int segment, double x_min, double x_max);
+
+#endif
