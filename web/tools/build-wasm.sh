@@ -20,5 +20,5 @@ emcmake cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS=-msimd
 cmake --build "$build" --parallel 2 --target thud-web thud-demo
 
 mkdir -p web/package/dist web/generated
-cp "$build/web/thud-web.wasm" web/package/dist/thud.wasm
-cp "$build/web/thud-demo.wasm" web/generated/thud-demo.wasm
+cp -p "$build/web/thud-web.wasm" web/package/dist/thud.wasm
+cp -p "$build/web/thud-demo.wasm" web/generated/thud-demo.wasm
