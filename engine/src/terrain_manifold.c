@@ -298,12 +298,13 @@ static void add_vertex(const place *k, bool right, td_terrain_manifold *out)
         return;
     }
     faces f = faces_around(k->shape, v.at);
+    /* The sum of the neighbours' normals is the ridge's own direction, however sharp it is. */
+    double rx = -ay - by, ry = ax + bx, length = __builtin_sqrt(rx * rx + ry * ry);
     double best = -1e300, nx = 0.0, ny = 1.0;
     int outside = 0;
     for (int i = 0; i < 4; i++) {
         outside += f.separation[i] > 0.0;
-        /* Against the sum of the neighbours' normals, (-ay - by, ax + bx). */
-        bool into_ground = f.ny[i] * (ax + bx) - f.nx[i] * (ay + by) < -1e-3;
+        bool into_ground = f.nx[i] * rx + f.ny[i] * ry < -1e-3 * length;
         if (into_ground && f.separation[i] > best) {
             best = f.separation[i];
             nx = -f.nx[i];
@@ -312,7 +313,7 @@ static void add_vertex(const place *k, bool right, td_terrain_manifold *out)
             return;
         }
     }
-    if (outside > 1 || best > k->margin) {
+    if (outside > 1) {
         return;
     }
     if (out->count) {

@@ -129,12 +129,17 @@ static void sample_of_random_ground_agrees_with_a_scan(void **state)
             double x = k < g.terrain.count && g.terrain.kind != THUD_TERRAIN_FLAT
                            ? vertex_x(&g.terrain, k)
                            : draw(&r, -20.0, 20.0);
+            x = i % 2 ? x : nextafter(x, -1e9);
             double expected = height(&g.terrain, x);
             thud_terrain_sample s;
             thud_result result = thud_terrain_sample_at(&g.terrain, x, &s);
             assert_int_equal(result == THUD_OK, expected > -1e9);
             if (result == THUD_OK) {
                 assert_true(fabs(s.height - expected) < 1e-12);
+                assert_true(g.terrain.kind == THUD_TERRAIN_FLAT ||
+                            (x >= vertex_x(&g.terrain, s.segment) &&
+                             (x < vertex_x(&g.terrain, s.segment + 1) ||
+                              s.segment == g.terrain.count - 2)));
                 assert_true(fabs(s.weight[0] + s.weight[1] - 1.0) < 1e-15);
                 assert_true(s.ny > 0.0 && fabs(s.nx * s.nx + s.ny * s.ny - 1.0) < 1e-12);
             }

@@ -159,13 +159,14 @@ static void circle_in_a_valley_touches_both_slopes(void **state)
 static void corner_of_a_box_in_a_valley_touches_both_slopes_in_or_over_the_ground(void **state)
 {
     (void)state;
-    const thud_pos valley[] = {{-4, 4}, {0, 0}, {4, 4}}, cliff[] = {{-4, 0}, {0, 0}, {0.001, 4}};
+    const thud_pos valley[] = {{-4, 2}, {0, 0}, {4, 2}}, cliff[] = {{-4, 0}, {0, 0}, {0.001, 4}};
     thud_terrain v = line(valley, 3), wall = line(cliff, 3);
     for (int i = -1; i <= 1; i += 2) {
         double gap = i * 0.002;
         /* Balanced on one corner: both slopes hold it. */
         contacts c = meet(&v, box(0.0001, sqrt(2.0) + gap, 1, 1, 0.78539816339744831));
-        assert_true(c.count >= 2 && c.segments == 2);
+        assert_true(c.count == 2 && c.point[0].id == 0 && c.point[1].id == 0);
+        assert_true(c.nx[0] > 0.0 && c.nx[1] < 0.0);
         c = meet(&wall, box(-1 - 0.001, 1 + gap, 1, 1, 0));
         assert_int_equal(c.segments, 2);
         c = meet(&wall, box(-1 + 0.0005, 1 + gap, 1, 1, 0));
@@ -227,6 +228,18 @@ static void box_on_a_sharp_ridge_takes_the_normal_of_its_face(void **state)
         NEAR(c.point[0].separation, -0.01);
         assert_int_equal(c.point[0].id, 4);
     }
+}
+
+static void box_on_a_needle_of_rock_rests_on_its_point(void **state)
+{
+    (void)state;
+    const thud_pos needle[] = {{-4, -9}, {-1e-4, -9}, {0, 0}, {1e-4, -9}, {4, -9}};
+    thud_terrain t = line(needle, 5);
+    contacts c = meet(&t, box(0.3, 0.99, 1, 1, 0));
+    assert_int_equal(c.count, 1);
+    NEAR(c.ny[0], 1.0);
+    NEAR(c.point[0].px, -0.3);
+    NEAR(c.point[0].separation, -0.01);
 }
 
 static void deep_shapes_are_pushed_out_through_the_line(void **state)
@@ -322,6 +335,7 @@ int main(void)
         cmocka_unit_test(circle_over_a_ridge_meets_its_vertex_once),
         cmocka_unit_test(box_across_a_gentle_ridge_is_held_by_it),
         cmocka_unit_test(box_on_a_sharp_ridge_takes_the_normal_of_its_face),
+        cmocka_unit_test(box_on_a_needle_of_rock_rests_on_its_point),
         cmocka_unit_test(deep_shapes_are_pushed_out_through_the_line),
         cmocka_unit_test(circle_rolls_off_the_end_round_its_vertex),
         cmocka_unit_test(box_over_the_end_is_held_by_vertex_and_corner),
