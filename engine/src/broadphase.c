@@ -11,14 +11,6 @@
 #include "shape.h"
 #include "step.h"
 
-#if defined(__x86_64__)
-td_grid_sweep_fn td_grid_sweep_base, td_grid_sweep_avx2;
-td_grid_query_fn td_grid_query_base, td_grid_query_avx2;
-#else
-td_grid_sweep_fn td_grid_sweep_base;
-td_grid_query_fn td_grid_query_base;
-#endif
-
 typedef struct td_new_pair {
     int32_t a, b, child;
 } td_new_pair;

@@ -12,12 +12,6 @@
 #include "shape.h"
 #include "step.h"
 
-#if defined(__x86_64__)
-td_grid_query_fn td_grid_query_base, td_grid_query_avx2;
-#else
-td_grid_query_fn td_grid_query_base;
-#endif
-
 typedef struct sweep {
     thud_world *w;
     int body, shape;
@@ -56,15 +50,7 @@ static void against_shape(sweep *s, int other)
     bool hit = false;
     double time = 1.0;
     thud_motion still = {0.0, 0.0, 0.0};
-    const td_place *center = td_at(&w->center, other);
-    const float *turn = td_row(&w->turn, other);
-    thud_placed b = {.kind = (thud_shape_kind)shape->kind,
-                     .x = (double)(center->x - s->start.x) / w->to_fixed,
-                     .y = (double)(center->y - s->start.y) / w->to_fixed,
-                     .c = (double)turn[2],
-                     .s = (double)turn[3],
-                     .hx = (double)shape->half_x,
-                     .hy = (double)shape->half_y};
+    thud_placed b = td_shape_placed(w, other, s->start);
     if (thud_shapes_overlap(&s->placed, &b)) {
         thud_shapes_time_of_impact(&s->core, s->core_motion, &b, still, 0.0, &hit, &time);
         earlier(s, hit && time > 0.0, time);

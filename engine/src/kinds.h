@@ -1,8 +1,10 @@
-/* kinds.h: shape kinds plug their pair functions into a world when they are first used, so that a
- * program that never makes a kind does not link its code. */
+/* kinds.h: the wide functions, picked for the processor at run time; and shape kinds, which plug
+ * their pair functions into a world when they are first used, so that a program that never makes a
+ * kind does not link its code. */
 #ifndef TD_KINDS_H
 #define TD_KINDS_H
 
+#include "motion.h"
 #include "world.h"
 
 void td_kind_circle(thud_world *w);
@@ -20,6 +22,10 @@ void td_kind_terrain(thud_world *w);
 #define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base)
 #endif
 
+TD_DECLARE_WIDE(td_grid_sweep_fn, td_grid_sweep);
+TD_DECLARE_WIDE(td_grid_query_fn, td_grid_query);
+TD_DECLARE_WIDE(td_integrate_velocity_fn, td_integrate_velocity);
+TD_DECLARE_WIDE(td_integrate_position_fn, td_integrate_position);
 TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_circle);
 TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_circle);
 TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_box);

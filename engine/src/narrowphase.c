@@ -153,29 +153,15 @@ static bool begin_contacts(thud_world *w)
 
 /* ---- sensors ---- */
 
-static thud_placed placed(const thud_world *w, int index, td_place origin)
-{
-    const td_shape *shape = td_shape_at(w, index);
-    const td_place *center = td_at(&w->center, index);
-    const float *turn = td_row(&w->turn, index);
-    return (thud_placed){.kind = (thud_shape_kind)shape->kind,
-                         .x = (double)(center->x - origin.x) * (double)w->quantum,
-                         .y = (double)(center->y - origin.y) * (double)w->quantum,
-                         .c = (double)turn[2],
-                         .s = (double)turn[3],
-                         .hx = (double)shape->half_x,
-                         .hy = (double)shape->half_y};
-}
-
 static bool sensor_overlaps(const thud_world *w, const td_contact *contact)
 {
     td_place origin = *(td_place *)td_at(&w->center, contact->shape_a);
-    thud_placed b = placed(w, contact->shape_b, origin);
+    thud_placed b = td_shape_placed(w, contact->shape_b, origin);
     if (td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(w, contact->shape_a);
         return thud_terrain_overlap(&terrain, &b);
     }
-    thud_placed a = placed(w, contact->shape_a, origin);
+    thud_placed a = td_shape_placed(w, contact->shape_a, origin);
     return thud_shapes_overlap(&a, &b);
 }
 

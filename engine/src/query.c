@@ -8,12 +8,6 @@
 
 #include <stdlib.h>
 
-#if defined(__x86_64__)
-td_grid_query_fn td_grid_query_base, td_grid_query_avx2;
-#else
-td_grid_query_fn td_grid_query_base;
-#endif
-
 thud_query_filter thud_default_query_filter(void)
 {
     return (thud_query_filter){UINT32_MAX, UINT32_MAX, false};
@@ -67,21 +61,6 @@ static bool candidates(thud_world *w, td_place lower, td_place upper)
     return true;
 }
 
-static thud_placed placed_from(const thud_world *w, int index, td_place origin)
-{
-    const td_shape *shape = td_shape_at(w, index);
-    const td_place *center = td_at(&w->center, index);
-    const float *turn = td_row(&w->turn, index);
-    bool circle = shape->kind == THUD_CIRCLE;
-    return (thud_placed){.kind = (thud_shape_kind)shape->kind,
-                         .x = (double)(center->x - origin.x) / w->to_fixed,
-                         .y = (double)(center->y - origin.y) / w->to_fixed,
-                         .c = circle ? 1.0 : (double)turn[2],
-                         .s = circle ? 0.0 : (double)turn[3],
-                         .hx = (double)shape->half_x,
-                         .hy = (double)shape->half_y};
-}
-
 static bool in_range(const thud_world *w, double x, double y)
 {
     double most = TD_PLACE_MAX * (double)w->unit;
@@ -93,7 +72,7 @@ static bool in_range(const thud_world *w, double x, double y)
 static bool ray_hits(const thud_world *w, int index, td_place origin, double dx, double dy,
                      double *fraction, double *nx, double *ny)
 {
-    thud_placed shape = placed_from(w, index, origin);
+    thud_placed shape = td_shape_placed(w, index, origin);
     if (shape.kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(w, index);
         return thud_terrain_cast_ray(&terrain, -shape.x, -shape.y, dx, dy, fraction, nx, ny);
@@ -152,7 +131,7 @@ static void tell(thud_world *w, td_place origin, const thud_placed *exact,
         if (!passes(w, index, filter)) {
             continue;
         }
-        thud_placed shape = placed_from(w, index, origin);
+        thud_placed shape = td_shape_placed(w, index, origin);
         bool overlaps = true;
         if (shape.kind == THUD_TERRAIN) {
             thud_terrain terrain = td_terrain_view(w, index);

@@ -14,6 +14,9 @@ void td_shape_place(thud_world *w, int shape);
 /* Puts a shape onto the moved list; its bounds of before go to `was`. */
 void td_shape_mark_moved(thud_world *w, int shape);
 
+/* A shape in its place, relative to `origin`; of a terrain, only where its origin stands. */
+thud_placed td_shape_placed(const thud_world *w, int shape, td_place origin);
+
 /* A view of a terrain shape's line, relative to its body's origin. */
 thud_terrain td_terrain_view(const thud_world *w, int shape);
 

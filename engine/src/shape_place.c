@@ -90,6 +90,21 @@ void td_body_place_shapes(thud_world *w, int body)
     }
 }
 
+thud_placed td_shape_placed(const thud_world *w, int index, td_place origin)
+{
+    const td_shape *shape = td_shape_at(w, index);
+    const td_place *center = td_at(&w->center, index);
+    const float *turn = td_row(&w->turn, index);
+    bool turned = shape->kind == THUD_OBB;
+    return (thud_placed){.kind = (thud_shape_kind)shape->kind,
+                         .x = (double)(center->x - origin.x) / w->to_fixed,
+                         .y = (double)(center->y - origin.y) / w->to_fixed,
+                         .c = turned ? (double)turn[2] : 1.0,
+                         .s = turned ? (double)turn[3] : 0.0,
+                         .hx = (double)shape->half_x,
+                         .hy = (double)shape->half_y};
+}
+
 /* ---- terrain segments under bounds ---- */
 
 /* Bounds relative to the terrain's origin, in the caller's unit; a quantum wider, so that rounding

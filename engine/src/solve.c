@@ -4,18 +4,9 @@
  * frequency rises with the substep rate, so that more substeps also make contacts stiffer. */
 #include "kinds.h"
 #include "lanes.h"
-#include "motion.h"
 #include "step.h"
 
 #include <string.h>
-
-#if defined(__x86_64__)
-td_integrate_velocity_fn td_integrate_velocity_base, td_integrate_velocity_avx2;
-td_integrate_position_fn td_integrate_position_base, td_integrate_position_avx2;
-#else
-td_integrate_velocity_fn td_integrate_velocity_base;
-td_integrate_position_fn td_integrate_position_base;
-#endif
 
 /* Soft constraint of Catto's "Soft Constraints" (2011) for frequency `hertz` and damping ratio. */
 static void soften(td_solve_context *c, int which, float hertz, float damping, float h)

@@ -14,17 +14,8 @@ static void one_lane(const thud_world *w, const td_block *block, int lane, float
 {
     int a = block->shape_a[lane], b = block->shape_b[lane];
     const td_contact *contact = td_contact_at(w, block->contact[lane]);
-    const td_shape *shape = td_shape_at(w, b);
-    const td_place *origin = td_at(&w->center, a), *center = td_at(&w->center, b);
-    const float *turn = td_row(&w->turn, b);
     thud_terrain terrain = td_terrain_view(w, a);
-    thud_placed placed = {.kind = (thud_shape_kind)shape->kind,
-                          .x = (double)(center->x - origin->x) / w->to_fixed,
-                          .y = (double)(center->y - origin->y) / w->to_fixed,
-                          .c = (double)turn[2],
-                          .s = (double)turn[3],
-                          .hx = (double)shape->half_x,
-                          .hy = (double)shape->half_y};
+    thud_placed placed = td_shape_placed(w, b, *(td_place *)td_at(&w->center, a));
     td_terrain_manifold m;
     td_terrain_segment_manifold(&terrain, contact->child, &placed, (double)margin, &m);
     out->nx[lane] = (float)m.nx;

@@ -28,8 +28,7 @@ enum { /* td_body.flags */
     TD_BODY_LIVE = 1,
     TD_BODY_FIXED = 2,      /* rotation is fixed by its def */
     TD_BODY_RESTLESS = 4,   /* may not sleep */
-    TD_BODY_QUARANTINED = 8,
-    TD_BODY_LISTED = 16     /* in the change list already */
+    TD_BODY_QUARANTINED = 8
 };
 
 typedef struct td_body {
