@@ -39,8 +39,8 @@ enum { COLOR_BODY_COUNT = 6 };
 /* One per stage, in the order of thud_stage. */
 #define COLOR_STAGES                                                                               \
     {                                                                                              \
-        RGB(0x8D99AE), RGB(0x5C7CFA), RGB(0x5AA9E6), RGB(0x4FC1A6), RGB(0x8CC265), RGB(0xF2B134),  \
-            RGB(0xEE6C4D), RGB(0xFF4D6D), RGB(0xA78BDA), RGB(0xE8E2D0)                             \
+        RGB(0x8D99AE), RGB(0x5C7CFA), RGB(0x5AA9E6), RGB(0x4FC1A6), RGB(0xF2B134), RGB(0xEE6C4D),  \
+            RGB(0xFF4D6D), RGB(0xA78BDA), RGB(0xE8E2D0)                                            \
     }
 
 #define COLOR_PANEL        RGB(0x171C26)

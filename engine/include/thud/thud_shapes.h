@@ -22,7 +22,7 @@ typedef enum thud_shape_kind {
 typedef struct thud_placed {
     thud_shape_kind kind; /* not THUD_TERRAIN */
     double x, y;          /* centre */
-    double c, s;          /* cosine and sine of the angle; 1, 0 unless OBB */
+    double c, s;          /* cosine and sine of the angle; 1, 0 unless OBB; not read of a circle */
     double hx, hy;        /* half extents, > 0; a circle's radius is hx, its hy is 0 */
 } thud_placed;
 
@@ -69,7 +69,7 @@ typedef enum thud_terrain_kind {
     THUD_TERRAIN_IRREGULAR  /* points with strictly increasing x */
 } thud_terrain_kind;
 
-/* A ground line, one-sided: solid below. The caller owns `points` (uniform: only y is read) and
+/* A ground line, one-sided: solid below, with upright sides under its ends. The caller owns `points` (uniform: only y is read) and
  * must keep them while the view is used; a world copies them. */
 typedef struct thud_terrain {
     thud_terrain_kind kind;
