@@ -164,7 +164,7 @@ struct thud_world {
                                                           centre of mass in the body's frame */
     td_array fat, was;                                 /* td_bounds, by shape */
     td_array velocity, delta, start, push;             /* float[4], by awake slot; push: velocity
-                                                          gained a substep, damping pair below */
+                                                          gained a substep */
     td_array damping;                                  /* float[2], by awake slot */
     td_array idle;                                     /* float, by awake slot: time at rest */
     td_array reach;                                    /* float[2], by awake slot: core, rim */

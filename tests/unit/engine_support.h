@@ -42,7 +42,7 @@ static inline thud_body_id add_body(thud_world *world, thud_body_kind kind, doub
     return id;
 }
 
-/* hy 0: a circle of radius hx; angle NAN: an AABB. */
+/* hy 0: a circle of radius hx; else a box, an AABB where it is `upright`. */
 static inline thud_shape_id add_shape(thud_world *world, thud_body_id body, float hx, float hy,
                                       bool upright, const thud_shape_def *def)
 {
