@@ -10,45 +10,52 @@
 #include "fixed.h"
 #include "simd.h"
 
-/* A contact point of eight lanes. Crosses are (r x n) and (r x t), with t = (n.y, -n.x). */
+/* A contact point of eight lanes. Crosses are (r x n), of its arms with the normal. */
 typedef struct td_point {
     f8 separation;  /* now: the relax pass leaves it for the next solve pass */
     f8 normal_mass; /* 0: no point here */
     f8 normal_impulse;
     f8 cross_a, cross_b;
-    f8 base; /* separation at the start of the step */
-    f8 tangent_mass;
-    f8 tangent_impulse;
-    f8 tangent_cross_a, tangent_cross_b;
-    f8 approach; /* normal velocity at the start of the step; negative: closing */
-    f8 total;    /* normal impulse of all substeps; kept only where td_solve_context asks */
+    f8 base;       /* separation at the start of the step */
+    f8 by_tangent; /* normal speed that a unit of friction's impulse brings here */
+    f8 approach;   /* normal velocity at the start of the step; negative: closing */
+    f8 total;      /* normal impulse of all substeps; kept only where td_solve_context asks */
 } td_point;
 
-/* Poses for which a lane's manifold was worked out. While the pair stays near them, relative to each
- * other and in the world, the manifold is kept and only its separations follow: see wide_keep.h. */
-typedef struct td_kept {
+/* What a block of two points has besides. While the pair stays near the poses for which its manifold
+ * was worked out, relative to each other and in the world, the manifold is kept and only its
+ * separations follow: see wide_keep.h. */
+typedef struct td_second {
+    f8 by_first; /* normal speed at the second point that a unit of the first one's impulse brings */
     f8 dx, dy;         /* from a's centre of mass to b's */
     f8 ac, as, bc, bs; /* cosine and sine of both shapes */
     f8 base[2];        /* separations then */
-} td_kept;
+} td_second;
 
 typedef struct td_block {
     int32_t a[TD_LANES], b[TD_LANES]; /* awake slots; a is 0 where that side is static */
     f8 nx, ny;                        /* from a to b */
-    f8 friction;
     f8 inv_inertia_a, inv_inertia_b;
+    /* Friction acts along t = (ny, -nx), once for all points, whose tangents are the same line. */
+    f8 friction;
+    f8 tangent_mass, tangent_impulse;
+    f8 tangent_cross_a, tangent_cross_b; /* of the mean arms with t */
     f8 restitution;
     int32_t shape_a[TD_LANES], shape_b[TD_LANES];
     int32_t contact[TD_LANES]; /* TD_NONE: empty lane */
     uint32_t feature[TD_LANES]; /* faces in touch; impulses carry over while they stay; 0: none yet */
-    td_kept kept;               /* used by pair kinds of two points */
     int32_t next, prev;         /* blocks of the same bin */
     int32_t used;               /* lanes 0 .. used - 1 are in use */
     uint32_t touching;          /* lanes with a point, by the last narrowphase */
     int32_t bouncy;             /* a lane has restitution */
-    int32_t padding[11];
-    td_point point[]; /* one or two, as its pair kind needs */
+    int32_t padding[3];
+    td_point point[]; /* one; or two, and then a td_second */
 } td_block;
+
+static inline td_second *td_second_of(td_block *block)
+{
+    return (td_second *)&block->point[2];
+}
 
 /* ---- what the wide kernels are given ---- */
 

@@ -19,24 +19,23 @@ thud_contact td_contact_view(const thud_world *w, const td_block *block, int lan
         .normal = {block->nx[lane], block->ny[lane]},
         .separation = 3.0e38f,
     };
-    /* The crosses of the arm with normal and tangent are the arm itself, turned. */
-    float nx = seen.normal.x, ny = seen.normal.y, x = 0.0f, y = 0.0f;
+    float nx = seen.normal.x, ny = seen.normal.y, along = 0.0f;
     for (int k = 0; k < points; k++) {
         const td_point *p = &block->point[k];
-        if (p->normal_mass[lane] == 0.0f && p->tangent_mass[lane] == 0.0f) {
+        if (p->normal_mass[lane] == 0.0f) {
             continue;
         }
-        float cn = p->cross_b[lane], ct = p->tangent_cross_b[lane];
-        x += -ct * nx + cn * ny;
-        y += -ct * ny - cn * nx;
+        along += p->cross_b[lane];
         seen.point_count++;
         seen.separation = td_min_float(seen.separation, p->separation[lane]);
         seen.normal_impulse += p->total[lane];
-        seen.tangent_impulse += p->tangent_impulse[lane];
     }
-    float share = seen.point_count ? 1.0f / (float)seen.point_count : 0.0f;
-    td_place at = {pose->center.x + td_length_from(w, x * share),
-                   pose->center.y + td_length_from(w, y * share)};
+    seen.tangent_impulse = block->tangent_impulse[lane];
+    /* The crosses of the mean arm with normal and tangent are the arm itself, turned. */
+    float cn = seen.point_count ? along / (float)seen.point_count : 0.0f;
+    float ct = block->tangent_cross_b[lane];
+    td_place at = {pose->center.x + td_length_from(w, cn * ny - ct * nx),
+                   pose->center.y + td_length_from(w, -cn * nx - ct * ny)};
     seen.point = td_place_to(w, at);
     return seen;
 }
@@ -46,9 +45,9 @@ static void disable(const thud_world *w, td_block *block, int lane)
     int points = w->pairs[td_contact_at(w, block->contact[lane])->kind]->points;
     for (int k = 0; k < points; k++) {
         td_point *p = &block->point[k];
-        p->normal_mass[lane] = p->tangent_mass[lane] = 0.0f;
-        p->normal_impulse[lane] = p->tangent_impulse[lane] = 0.0f;
+        p->normal_mass[lane] = p->normal_impulse[lane] = 0.0f;
     }
+    block->tangent_mass[lane] = block->tangent_impulse[lane] = 0.0f;
 }
 
 void td_contacts_ask(thud_world *w)

@@ -10,7 +10,13 @@ enum { HEAD_ROWS = (int)(offsetof(td_block, next) / sizeof(f8)) };
 
 size_t td_block_bytes(int points)
 {
-    return sizeof(td_block) + (size_t)points * sizeof(td_point);
+    return sizeof(td_block) + (size_t)points * sizeof(td_point) +
+           (points == 2 ? sizeof(td_second) : 0);
+}
+
+static int rows_after_head(int points)
+{
+    return (int)((td_block_bytes(points) - sizeof(td_block)) / sizeof(f8));
 }
 
 td_block *td_block_at(const thud_world *w, int kind, int index)
@@ -117,7 +123,7 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
     }
     t = (uint32_t *)to->point + to_lane;
     f = (const uint32_t *)from->point + from_lane;
-    for (int row = 0; row < points * (int)(sizeof(td_point) / sizeof(f8)); row++) {
+    for (int row = 0; row < rows_after_head(points); row++) {
         t[row * TD_LANES] = f[row * TD_LANES];
     }
     to->bouncy |= to->restitution[to_lane] > 0.0f;
@@ -132,7 +138,7 @@ static void clear_lane(td_block *block, int lane, int points)
         t[row * TD_LANES] = 0;
     }
     t = (uint32_t *)block->point + lane;
-    for (int row = 0; row < points * (int)(sizeof(td_point) / sizeof(f8)); row++) {
+    for (int row = 0; row < rows_after_head(points); row++) {
         t[row * TD_LANES] = 0;
     }
     block->contact[lane] = TD_NONE;

@@ -22,8 +22,9 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
         f8 low_y = f8_max(-p.ahy, p.dy - p.bhy), high_y = f8_min(p.ahy, p.dy + p.bhy);
         f8 x = f8_pick(by_x, f8_flip(reach_x, p.dx < zero), half * (low_x + high_x));
         f8 y = f8_pick(by_x, half * (low_y + high_y), f8_flip(reach_y, p.dy < zero));
-        td_write_point(block, 0, c, valid, separation, p.ax + x, p.ay + y, p.bx + x - p.dx,
-                       p.by + y - p.dy);
+        td_found found = {valid,    separation,      p.ax + x, p.ay + y,
+                          p.bx + x - p.dx, p.by + y - p.dy};
+        td_write_points(block, &found, 1, NULL, c);
         block->touching = i8_bits(valid);
     }
 }

@@ -68,8 +68,8 @@ TD_INLINE edge incident_edge(const turned *t, f8 hx, f8 hy)
     return e;
 }
 
-/* New manifolds for all lanes of a block. */
-TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs,
+/* New manifolds for the lanes in `fresh`, or for all; returns the lanes that touch. */
+TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fresh,
                            const td_collide_context *context)
 {
     f8 half = f8_all(0.5f), margin = f8_all(context->margin);
@@ -111,24 +111,32 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs,
     swap_where(by_b, &s0, &s1);
     i8 valid0 = meets & (s0 < margin), valid1 = meets & (s1 < margin);
 
-    block->nx = f8_flip(t.ux, by_b);
-    block->ny = f8_flip(t.uy, by_b);
+    td_set_row(&block->nx, fresh, f8_flip(t.ux, by_b));
+    td_set_row(&block->ny, fresh, f8_flip(t.uy, by_b));
     i8 face_a = i8_pick(by_b, e.face, t.face), face_b = i8_pick(by_b, t.face, e.face);
     i8 feature = face_a + face_b * i8_all(4) + i8_all(1);
-    i8 old;
-    __builtin_memcpy(&old, block->feature, sizeof old);
+    i8 old = i8_load((const int32_t *)block->feature);
     i8 same = old == feature;
+    if (fresh) {
+        same |= ~*fresh;
+        feature = i8_pick(*fresh, feature, old);
+    }
     __builtin_memcpy(block->feature, &feature, sizeof feature);
+    block->tangent_impulse = f8_keep(same, block->tangent_impulse);
+    td_found found[2];
     for (int k = 0; k < 2; k++) {
         block->point[k].normal_impulse = f8_keep(same, block->point[k].normal_impulse);
-        block->point[k].tangent_impulse = f8_keep(same, block->point[k].tangent_impulse);
         /* Halfway between the surfaces, from the reference centre, in the world. */
         f8 x = (k ? x1 : x0) - half * (k ? s1 : s0), y = k ? y1 : y0;
         f8 wx = x * t.ux - y * t.uy, wy = x * t.uy + y * t.ux;
-        f8 rax = p.ax + wx + f8_keep(by_b, p.dx), ray = p.ay + wy + f8_keep(by_b, p.dy);
-        f8 rbx = p.bx + wx - f8_keep(~by_b, p.dx), rby = p.by + wy - f8_keep(~by_b, p.dy);
-        td_write_point(block, k, context, k ? valid1 : valid0, k ? s1 : s0, rax, ray, rbx, rby);
+        found[k] = (td_found){.valid = k ? valid1 : valid0,
+                              .separation = k ? s1 : s0,
+                              .rax = p.ax + wx + f8_keep(by_b, p.dx),
+                              .ray = p.ay + wy + f8_keep(by_b, p.dy),
+                              .rbx = p.bx + wx - f8_keep(~by_b, p.dx),
+                              .rby = p.by + wy - f8_keep(~by_b, p.dy)};
     }
+    td_write_points(block, found, 2, fresh, context);
     return valid0 | valid1;
 }
 
@@ -137,22 +145,17 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_pairs8 p = td_read_pairs(block, context);
-        i8 used = td_used_mask(block), keep = td_keep_mask(block, &p, context);
+        i8 keep = td_keep_mask(block, &p, context), fresh = ~keep;
         unsigned kept = i8_bits(keep);
-        if (kept != i8_bits(used)) {
-            td_point old_point[2] = {block->point[0], block->point[1]};
-            f8 old_head[3] = {block->nx, block->ny};
-            __builtin_memcpy(&old_head[2], block->feature, sizeof old_head[2]);
-            i8 valid = collide_block(block, &p, context);
-            if (kept) {
-                td_keep_restore(block, old_head, old_point, keep);
-            }
-            td_keep_note(block, &p, ~keep);
-            block->touching = (i8_bits(valid) & ~kept) | kept;
+        block->touching = kept;
+        if (kept == 0) {
+            block->touching = i8_bits(collide_block(block, &p, NULL, context));
+            td_keep_note(block, &p, fresh);
         } else {
-            block->touching = kept;
-        }
-        if (kept) {
+            if (kept != i8_bits(td_used_mask(block))) {
+                block->touching |= i8_bits(collide_block(block, &p, &fresh, context) & fresh);
+                td_keep_note(block, &p, fresh);
+            }
             td_keep_follow(block, &p, keep, context);
         }
     }

@@ -23,8 +23,9 @@ static void circle_circle(td_block *const *blocks, int count, const td_collide_c
         block->nx = nx;
         block->ny = ny;
         f8 ra = p.ahx + f8_all(0.5f) * separation, rb = -(p.bhx + f8_all(0.5f) * separation);
-        td_write_point(block, 0, c, valid, separation, p.ax + nx * ra, p.ay + ny * ra,
-                       p.bx + nx * rb, p.by + ny * rb);
+        td_found found = {valid,           separation,      p.ax + nx * ra, p.ay + ny * ra,
+                          p.bx + nx * rb, p.by + ny * rb};
+        td_write_points(block, &found, 1, NULL, c);
         block->touching = i8_bits(valid);
     }
 }
@@ -64,13 +65,13 @@ TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool
     f8 cx = nx * reach, cy = ny * reach;
     block->nx = flip ? -nx : nx;
     block->ny = flip ? -ny : ny;
-    if (flip) {
-        td_write_point(block, 0, c, valid, separation, p.ax + cx, p.ay + cy, p.bx + dx + cx,
-                       p.by + dy + cy);
-    } else {
-        td_write_point(block, 0, c, valid, separation, p.ax + dx + cx, p.ay + dy + cy, p.bx + cx,
-                       p.by + cy);
-    }
+    f8 bx = dx + cx, by = dy + cy; /* the point, from the box */
+    td_found found = {valid, separation, p.ax, p.ay, p.bx, p.by};
+    found.rax += flip ? cx : bx;
+    found.ray += flip ? cy : by;
+    found.rbx += flip ? bx : cx;
+    found.rby += flip ? by : cy;
+    td_write_points(block, &found, 1, NULL, c);
     block->touching = i8_bits(valid);
 }
 

@@ -19,9 +19,9 @@
 #define TD_KEEP_MARGINS_ONE 0.5f
 
 /* Separation of point k for the present poses. */
-TD_INLINE f8 td_keep_separation(const td_block *block, const td_pairs8 *p, int k)
+TD_INLINE f8 td_keep_separation(td_block *block, const td_pairs8 *p, int k)
 {
-    const td_kept *kept = &block->kept;
+    const td_second *kept = td_second_of(block);
     const td_point *point = &block->point[k];
     f8 dx = (p->dx - p->bx + p->ax) - kept->dx, dy = (p->dy - p->by + p->ay) - kept->dy;
     f8 turn_a = p->as * kept->ac - p->ac * kept->as, turn_b = p->bs * kept->bc - p->bc * kept->bs;
@@ -30,9 +30,9 @@ TD_INLINE f8 td_keep_separation(const td_block *block, const td_pairs8 *p, int k
 }
 
 /* The lanes whose manifold may be kept; p is their present pose. */
-TD_INLINE i8 td_keep_mask(const td_block *block, const td_pairs8 *p, const td_collide_context *c)
+TD_INLINE i8 td_keep_mask(td_block *block, const td_pairs8 *p, const td_collide_context *c)
 {
-    const td_kept *kept = &block->kept;
+    const td_second *kept = td_second_of(block);
     f8 zero = f8_all(0.0f), margin = f8_all(c->margin);
     f8 dx = (p->dx - p->bx + p->ax) - kept->dx, dy = (p->dy - p->by + p->ay) - kept->dy;
     f8 turn_a = p->as * kept->ac - p->ac * kept->as, turn_b = p->bs * kept->bc - p->bc * kept->bs;
@@ -53,7 +53,7 @@ TD_INLINE i8 td_keep_mask(const td_block *block, const td_pairs8 *p, const td_co
 /* Notes the poses of the lanes in `fresh`, whose manifold has just been made. */
 TD_INLINE void td_keep_note(td_block *block, const td_pairs8 *p, i8 fresh)
 {
-    td_kept *kept = &block->kept;
+    td_second *kept = td_second_of(block);
     kept->dx = f8_pick(fresh, p->dx - p->bx + p->ax, kept->dx);
     kept->dy = f8_pick(fresh, p->dy - p->by + p->ay, kept->dy);
     kept->ac = f8_pick(fresh, p->ac, kept->ac);
@@ -81,23 +81,6 @@ TD_INLINE void td_keep_follow(td_block *block, const td_pairs8 *p, i8 keep,
         point->separation = f8_pick(here, base, point->separation);
         point->approach = f8_pick(here, approach, point->approach);
         point->total = zero;
-    }
-}
-
-/* Puts back what a recomputation of the whole block changed in the kept lanes. */
-TD_INLINE void td_keep_restore(td_block *block, const f8 *old_head, const td_point *old_point,
-                               i8 keep)
-{
-    block->nx = f8_pick(keep, old_head[0], block->nx);
-    block->ny = f8_pick(keep, old_head[1], block->ny);
-    i8 feature;
-    __builtin_memcpy(&feature, block->feature, sizeof feature);
-    feature = i8_pick(keep, (i8)old_head[2], feature);
-    __builtin_memcpy(block->feature, &feature, sizeof feature);
-    f8 *now = (f8 *)block->point;
-    const f8 *old = (const f8 *)old_point;
-    for (int row = 0; row < 2 * (int)(sizeof(td_point) / sizeof(f8)); row++) {
-        now[row] = f8_pick(keep, old[row], now[row]);
     }
 }
 

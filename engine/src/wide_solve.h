@@ -10,49 +10,74 @@
 
 #include "block.h"
 
-/* Velocities of both sides; side a stays zero where it is static. */
+/* Velocities (or motions) of both sides; side a stays zero where it is static. */
 typedef struct sides {
     td_rows a, b;
 } sides;
 
-TD_INLINE sides read_sides(const td_block *block, const td_solve_context *c, bool fixed)
+TD_INLINE sides read_sides(const float (*records)[4], const td_block *block, bool fixed)
 {
     f8 zero = f8_all(0.0f);
-    sides v = {{zero, zero, zero, zero}, td_gather(c->velocity, block->b)};
+    sides v = {{zero, zero, zero, zero}, td_gather(records, block->b)};
     if (!fixed) {
-        v.a = td_gather(c->velocity, block->a);
+        v.a = td_gather(records, block->a);
     }
     return v;
 }
 
-TD_INLINE void write_sides(const td_block *block, const td_solve_context *c, bool fixed, sides v)
+/* Impulses: along the normal at each point, and along the tangent. */
+typedef struct impulses {
+    f8 normal[2], tangent;
+} impulses;
+
+/* Gives both sides the impulse (x, y) with its moments, and writes them back. */
+TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, bool fixed, sides v,
+                           f8 x, f8 y, f8 moment_a, f8 moment_b)
 {
     if (!fixed) {
+        v.a.x -= v.a.w * x;
+        v.a.y -= v.a.w * y;
+        v.a.z -= block->inv_inertia_a * moment_a;
         td_scatter(c->velocity, block->a, v.a);
     }
+    v.b.x += v.b.w * x;
+    v.b.y += v.b.w * y;
+    v.b.z += block->inv_inertia_b * moment_b;
     td_scatter(c->velocity, block->b, v.b);
 }
 
-/* Impulse p along (x, y), whose arms' crosses are given. */
-TD_INLINE void push(sides *v, const td_block *block, bool fixed, f8 x, f8 y, f8 cross_a, f8 cross_b,
-                    f8 p)
+/* `friction`: whether there is a tangential impulse. */
+TD_INLINE void push(const td_solve_context *c, const td_block *block, int points, bool fixed,
+                    bool friction, sides v, impulses p)
 {
-    if (!fixed) {
-        f8 ma = v->a.w * p;
-        v->a.x -= ma * x;
-        v->a.y -= ma * y;
-        v->a.z -= block->inv_inertia_a * (cross_a * p);
+    const td_point *point = block->point;
+    f8 nx = block->nx, ny = block->ny, normal = p.normal[0];
+    f8 moment_a = point[0].cross_a * p.normal[0], moment_b = point[0].cross_b * p.normal[0];
+    if (points == 2) {
+        normal += p.normal[1];
+        moment_a += point[1].cross_a * p.normal[1];
+        moment_b += point[1].cross_b * p.normal[1];
     }
-    f8 mb = v->b.w * p;
-    v->b.x += mb * x;
-    v->b.y += mb * y;
-    v->b.z += block->inv_inertia_b * (cross_b * p);
+    f8 x = nx * normal, y = ny * normal;
+    if (friction) {
+        x += ny * p.tangent;
+        y -= nx * p.tangent;
+        moment_a += block->tangent_cross_a * p.tangent;
+        moment_b += block->tangent_cross_b * p.tangent;
+    }
+    write_sides(c, block, fixed, v, x, y, moment_a, moment_b);
 }
 
-TD_INLINE f8 speed_along(const sides *v, bool fixed, f8 x, f8 y, f8 cross_a, f8 cross_b)
+/* Relative velocity of two points along a direction, from that of the centres along it. */
+TD_INLINE f8 at_arms(f8 centres, const sides *v, bool fixed, f8 cross_a, f8 cross_b)
 {
-    f8 speed = v->b.x * x + v->b.y * y + v->b.z * cross_b;
-    return fixed ? speed : speed - (v->a.x * x + v->a.y * y + v->a.z * cross_a);
+    f8 speed = centres + v->b.z * cross_b;
+    return fixed ? speed : speed - v->a.z * cross_a;
+}
+
+TD_INLINE f8 centres_along(const sides *v, bool fixed, f8 x, f8 y)
+{
+    return fixed ? v->b.x * x + v->b.y * y : (v->b.x - v->a.x) * x + (v->b.y - v->a.y) * y;
 }
 
 TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_solve_context *c,
@@ -60,18 +85,17 @@ TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_so
 {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        sides v = read_sides(block, c, fixed);
-        f8 nx = block->nx, ny = block->ny;
+        impulses p = {.tangent = block->tangent_impulse};
         for (int k = 0; k < points; k++) {
-            const td_point *p = &block->point[k];
-            push(&v, block, fixed, nx, ny, p->cross_a, p->cross_b, p->normal_impulse);
-            push(&v, block, fixed, ny, -nx, p->tangent_cross_a, p->tangent_cross_b,
-                 p->tangent_impulse);
+            p.normal[k] = block->point[k].normal_impulse;
         }
-        write_sides(block, c, fixed, v);
+        push(c, block, points, fixed, true, read_sides(c->velocity, block, fixed), p);
     }
 }
 
+/* All speeds of a block are computed from the velocities at its start; what a row changed in the
+ * ones after it is added through the couplings. That is Gauss-Seidel with a shorter chain of
+ * operations that wait for each other. */
 TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_context *c,
                             int points, bool fixed)
 {
@@ -80,8 +104,9 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
     f8 mass_scale = f8_all(c->mass_scale[fixed]), impulse_scale = f8_all(c->impulse_scale[fixed]);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        sides v = read_sides(block, c, fixed);
-        f8 nx = block->nx, ny = block->ny;
+        sides v = read_sides(c->velocity, block, fixed);
+        f8 closing = centres_along(&v, fixed, block->nx, block->ny);
+        impulses change = {{zero, zero}, zero};
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
             /* Apart: reach zero at the end of the substep at the earliest. Overlapping: a spring. */
@@ -90,22 +115,17 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
                               f8_max(p->separation * bias_rate, most));
             f8 scale = p->normal_mass * f8_pick(apart, one, mass_scale);
             f8 keep = f8_keep(~apart, impulse_scale);
-            f8 speed = speed_along(&v, fixed, nx, ny, p->cross_a, p->cross_b);
+            f8 speed = at_arms(closing, &v, fixed, p->cross_a, p->cross_b) + bias;
+            if (k) {
+                speed += td_second_of(block)->by_first * change.normal[0];
+            }
             f8 old = p->normal_impulse;
-            f8 now = f8_max(old - scale * (speed + bias) - keep * old, zero);
+            f8 now = f8_max(old - scale * speed - keep * old, zero);
             p->normal_impulse = now;
-            push(&v, block, fixed, nx, ny, p->cross_a, p->cross_b, now - old);
+            change.normal[k] = now - old;
         }
-        write_sides(block, c, fixed, v);
+        push(c, block, points, fixed, false, v, change);
     }
-}
-
-/* How far the contact opened since the start of the step, along (x, y). */
-TD_INLINE f8 opened(const td_rows *da, const td_rows *db, bool fixed, const td_block *block,
-                    const td_point *p)
-{
-    f8 d = db->x * block->nx + db->y * block->ny + db->z * p->cross_b;
-    return fixed ? d : d - (da->x * block->nx + da->y * block->ny + da->z * p->cross_a);
 }
 
 TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_context *c,
@@ -114,38 +134,39 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
     f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        sides v = read_sides(block, c, fixed);
-        td_rows da = {zero, zero, zero, zero}, db = td_gather(c->delta, block->b);
-        if (!fixed) {
-            da = td_gather(c->delta, block->a);
-        }
+        sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
         f8 nx = block->nx, ny = block->ny;
-        for (int k = 0; k < points; k++) {
-            td_point *p = &block->point[k];
-            f8 limit = block->friction * p->normal_impulse;
-            f8 slide = speed_along(&v, fixed, ny, -nx, p->tangent_cross_a, p->tangent_cross_b);
-            f8 old = p->tangent_impulse;
-            f8 now = f8_clamp(old - p->tangent_mass * slide, -limit, limit);
-            p->tangent_impulse = now;
-            push(&v, block, fixed, ny, -nx, p->tangent_cross_a, p->tangent_cross_b, now - old);
+        f8 limit = block->point[0].normal_impulse;
+        if (points == 2) {
+            limit += block->point[1].normal_impulse;
         }
+        limit *= block->friction;
+        f8 slide = at_arms(centres_along(&v, fixed, ny, -nx), &v, fixed, block->tangent_cross_a,
+                           block->tangent_cross_b);
+        f8 held = block->tangent_impulse;
+        f8 holds = f8_clamp(held - block->tangent_mass * slide, -limit, limit);
+        block->tangent_impulse = holds;
+        impulses change = {.tangent = holds - held};
+        f8 closing = centres_along(&v, fixed, nx, ny), opened = centres_along(&d, fixed, nx, ny);
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
-            f8 separation = p->base + opened(&da, &db, fixed, block, p);
+            /* How far the point opened since the start of the step, rotation linearised. */
+            f8 separation = p->base + at_arms(opened, &d, fixed, p->cross_a, p->cross_b);
             p->separation = separation;
-            f8 bias = f8_max(separation, zero) * inv_h;
-            f8 speed = speed_along(&v, fixed, nx, ny, p->cross_a, p->cross_b);
+            f8 speed = at_arms(closing, &v, fixed, p->cross_a, p->cross_b) +
+                       f8_max(separation, zero) * inv_h + p->by_tangent * change.tangent;
+            if (k) {
+                speed += td_second_of(block)->by_first * change.normal[0];
+            }
             f8 old = p->normal_impulse;
-            f8 now = f8_max(old - p->normal_mass * (speed + bias), zero);
+            f8 now = f8_max(old - p->normal_mass * speed, zero);
             p->normal_impulse = now;
-            push(&v, block, fixed, nx, ny, p->cross_a, p->cross_b, now - old);
-        }
-        if (c->keep_totals) {
-            for (int k = 0; k < points; k++) {
-                block->point[k].total += block->point[k].normal_impulse;
+            change.normal[k] = now - old;
+            if (c->keep_totals) {
+                p->total += now;
             }
         }
-        write_sides(block, c, fixed, v);
+        push(c, block, points, fixed, true, v, change);
     }
 }
 
@@ -160,22 +181,25 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
         if (!block->bouncy) {
             continue;
         }
-        sides v = read_sides(block, c, fixed);
-        f8 nx = block->nx, ny = block->ny;
+        sides v = read_sides(c->velocity, block, fixed);
+        f8 closing = centres_along(&v, fixed, block->nx, block->ny);
+        impulses change = {{zero, zero}, zero};
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
             i8 hit = (p->approach < threshold) & (p->total > zero) &
                      (block->restitution > zero);
-            f8 speed = speed_along(&v, fixed, nx, ny, p->cross_a, p->cross_b);
+            f8 speed = at_arms(closing, &v, fixed, p->cross_a, p->cross_b) +
+                       block->restitution * p->approach;
+            if (k) {
+                speed += td_second_of(block)->by_first * change.normal[0];
+            }
             f8 old = p->normal_impulse;
-            f8 now = f8_max(old - p->normal_mass * (speed + block->restitution * p->approach),
-                            zero);
-            now = f8_pick(hit, now, old);
+            f8 now = f8_pick(hit, f8_max(old - p->normal_mass * speed, zero), old);
             p->normal_impulse = now;
             p->total += now - old;
-            push(&v, block, fixed, nx, ny, p->cross_a, p->cross_b, now - old);
+            change.normal[k] = now - old;
         }
-        write_sides(block, c, fixed, v);
+        push(c, block, points, fixed, false, v, change);
     }
 }
 

@@ -34,19 +34,19 @@ static void one_lane(const thud_world *w, const td_block *block, int lane, float
 /* Impulses move to the point of the same id. */
 TD_INLINE void carry_impulses(td_block *block, i8 feature, int points)
 {
-    i8 old, low = i8_all(0xffff), zero = i8_all(0);
-    __builtin_memcpy(&old, block->feature, sizeof old);
+    i8 old = i8_load((const int32_t *)block->feature), low = i8_all(0xffff), zero = i8_all(0);
     __builtin_memcpy(block->feature, &feature, sizeof feature);
     f8 n[2] = {block->point[0].normal_impulse, block->point[points - 1].normal_impulse};
-    f8 t[2] = {block->point[0].tangent_impulse, block->point[points - 1].tangent_impulse};
     i8 old_id[2] = {old & low, (old >> 16) & low};
     i8 new_id[2] = {feature & low, (feature >> 16) & low};
+    i8 kept = zero;
     for (int k = 0; k < points; k++) {
         i8 first = (new_id[k] == old_id[0]) & (new_id[k] != zero);
         i8 second = (new_id[k] == old_id[1]) & (new_id[k] != zero);
         block->point[k].normal_impulse = f8_pick(first, n[0], f8_keep(second, n[1]));
-        block->point[k].tangent_impulse = f8_pick(first, t[0], f8_keep(second, t[1]));
+        kept |= first | second;
     }
+    block->tangent_impulse = f8_keep(kept, block->tangent_impulse);
 }
 
 TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
@@ -63,10 +63,12 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
         block->ny = t.ny;
         carry_impulses(block, t.feature, points);
         td_rows turn = td_gather(c->turn, block->shape_b);
+        td_found found[2];
         for (int k = 0; k < points; k++) {
-            td_write_point(block, k, c, t.valid[k], t.separation[k], zero, zero, turn.x + t.x[k],
-                           turn.y + t.y[k]);
+            found[k] = (td_found){t.valid[k], t.separation[k], zero, zero, turn.x + t.x[k],
+                                  turn.y + t.y[k]};
         }
+        td_write_points(block, found, points, NULL, c);
         block->touching = i8_bits(t.valid[0] | t.valid[1]);
     }
 }
