@@ -10,7 +10,7 @@ bool td_awake_reserve(thud_world *w, int more)
     /* The wide kernels work on whole eights, so a last partial one must exist in memory. */
     int capacity = w->bodies.live + more + 1 + TD_LANES;
     td_array *arrays[] = {&w->velocity, &w->delta, &w->start,   &w->push,   &w->damping,
-                          &w->idle,     &w->reach, &w->body_of, &w->colours};
+                          &w->idle,     &w->reach, &w->body_of, &w->lone,  &w->colours};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         if (!td_array_reserve(&w->memory, arrays[i], capacity)) {
             return false;
@@ -34,6 +34,11 @@ void td_awake_refresh(thud_world *w, int index)
     td_row(&w->velocity, body->awake)[3] = body->inv_mass;
     reach[0] = body->core;
     reach[1] = body->rim;
+    int lone = body->shape_count == 1 ? body->first_shape : TD_NONE;
+    if (lone != TD_NONE && !td_shape_at(w, lone)->plain) {
+        lone = TD_NONE;
+    }
+    *(int *)td_at(&w->lone, body->awake) = lone;
     damping[0] = body->linear_damping;
     damping[1] = body->angular_damping;
     w->damped += damping[0] > 0.0f || damping[1] > 0.0f;
@@ -58,7 +63,7 @@ void td_awake_add(thud_world *w, int index)
 static void move_slot(thud_world *w, int from, int to)
 {
     td_array *arrays[] = {&w->velocity, &w->delta, &w->start,   &w->push,   &w->damping,
-                          &w->idle,     &w->reach, &w->body_of, &w->colours};
+                          &w->idle,     &w->reach, &w->body_of, &w->lone,  &w->colours};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         memcpy(td_at(arrays[i], to), td_at(arrays[i], from), (size_t)arrays[i]->stride);
     }

@@ -10,6 +10,17 @@
 #include "fixed.h"
 #include "simd.h"
 
+/* A shape as it stands in the world: one cache line, all that finish, grid and narrowphase read. */
+typedef struct td_stance {
+    td_place center;
+    float x, y;           /* offset of the centre from the body's centre of mass, in the world */
+    float c, s;           /* rotation; 1, 0 where it cannot matter */
+    float half_x, half_y; /* half extents; a circle's are both its radius */
+    float turns;          /* 1 where the bounds depend on the rotation, else 0 */
+    int32_t margin;       /* of the fat bounds about the tight ones, bounds quanta */
+    td_bounds fat;
+} td_stance;
+
 /* A contact point of eight lanes. Crosses are (r x n), of its arms with the normal. */
 typedef struct td_point {
     f8 separation;  /* now: the relax pass leaves it for the next solve pass */
@@ -60,9 +71,7 @@ static inline td_second *td_second_of(td_block *block)
 /* ---- what the wide kernels are given ---- */
 
 typedef struct td_collide_context {
-    const td_place *center;    /* by shape: world centre */
-    const float (*turn)[4];    /* by shape: offset x, y from the centre of mass; cosine, sine */
-    const float (*size)[4];    /* by shape: half extents; the rest is not read here */
+    const td_stance *stance;   /* by shape */
     const float (*velocity)[4]; /* by awake slot: x, y, angular, inverse mass */
     float quantum;             /* length of a position quantum */
     float margin;              /* speculative */

@@ -29,7 +29,8 @@ static inline thud_pos td_place_to(const thud_world *w, td_place p)
 /* A relative length in position quanta. */
 static inline int64_t td_length_from(const thud_world *w, float length)
 {
-    return td_round64((double)length * w->to_fixed);
+    double quanta = (double)length * w->to_fixed;
+    return quanta < 0x1p51 && quanta > -0x1p51 ? td_round_increment(quanta) : (int64_t)quanta;
 }
 
 /* The velocity as it is now, awake or not. */

@@ -60,7 +60,7 @@ bool td_broadphase_refresh(thud_world *w)
 
 static const td_bounds *bounds_before(const thud_world *w, int shape)
 {
-    return td_at(td_shape_at(w, shape)->flags & TD_SHAPE_MOVED ? &w->was : &w->fat, shape);
+    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
 }
 
 static bool has_contact(const thud_world *w, int a, int b, int child)
@@ -80,11 +80,11 @@ static bool has_contact(const thud_world *w, int a, int b, int child)
 /* Whether the pair, whose bounds overlap now, had its contact already. */
 static bool existed(const thud_world *w, int a, int b)
 {
-    int flags = td_shape_at(w, a)->flags | td_shape_at(w, b)->flags;
-    if (flags & TD_SHAPE_FRESH) {
+    int marks = *td_marks_at(w, a) | *td_marks_at(w, b);
+    if (marks & TD_MARK_FRESH) {
         return false;
     }
-    return flags & TD_SHAPE_WOKEN || w->vast
+    return marks & TD_MARK_WOKEN || w->vast
                ? has_contact(w, a, b, 0)
                : td_bounds_overlap(bounds_before(w, a), bounds_before(w, b));
 }
@@ -109,7 +109,7 @@ static bool query(thud_world *w, const td_grid *grid, int shape)
 {
     w->scratch.hits.count = 0;
     return TD_PICK_WIDE(w, td_grid_query)(grid, &w->memory, td_fat_at(w, shape),
-                                          *(td_place *)td_at(&w->center, shape), &w->scratch.hits);
+                                          td_stance_at(w, shape)->center, &w->scratch.hits);
 }
 
 /* Every pair of awake shapes of which one moved. Sweeping the whole grid is cheaper than asking for
@@ -119,7 +119,7 @@ static bool pair_awake(thud_world *w, int moved_awake)
     td_array *hits = &w->scratch.hits;
     if (moved_awake * 5 > w->awake_grid.ids.count) {
         hits->count = 0;
-        if (!TD_PICK_WIDE(w, td_grid_sweep)(&w->awake_grid, &w->memory, w->center.data, hits)) {
+        if (!TD_PICK_WIDE(w, td_grid_sweep)(&w->awake_grid, &w->memory, w->stance.data, hits)) {
             return false;
         }
         for (int i = 0; i < hits->count; i += 2) {
@@ -140,7 +140,7 @@ static bool pair_awake(thud_world *w, int moved_awake)
         }
         for (int k = 0; k < hits->count; k++) {
             int other = *(int *)td_at(hits, k);
-            bool twice = other <= shape && (td_shape_at(w, other)->flags & TD_SHAPE_MOVED);
+            bool twice = other <= shape && (*td_marks_at(w, other) & TD_MARK_MOVED);
             if (other != shape && !twice && !consider(w, shape, other)) {
                 return false;
             }
@@ -163,7 +163,7 @@ static bool pair_across(thud_world *w, int shape)
     for (int k = 0; k < w->scratch.hits.count; k++) {
         int other = *(int *)td_at(&w->scratch.hits, k);
         /* Where both moved, the awake one finds the other. */
-        bool twice = rests && (td_shape_at(w, other)->flags & TD_SHAPE_MOVED);
+        bool twice = rests && (*td_marks_at(w, other) & TD_MARK_MOVED);
         if (!twice && !consider(w, shape, other)) {
             return false;
         }
@@ -176,21 +176,21 @@ static bool pair_across(thud_world *w, int shape)
 static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
 {
     thud_terrain terrain = td_terrain_view(w, terrain_shape);
-    int flags = td_shape_at(w, terrain_shape)->flags | td_shape_at(w, shape)->flags;
+    int marks = *td_marks_at(w, terrain_shape) | *td_marks_at(w, shape);
     if (!td_pair_allowed(w, terrain_shape, shape)) {
         return true;
     }
     int first, last;
-    td_place at = *(td_place *)td_at(&w->center, shape);
+    td_place at = td_stance_at(w, shape)->center;
     td_terrain_segments_of(w, terrain_shape, &terrain, at, td_fat_at(w, shape), &first, &last);
     for (int i = first; i <= last; i++) {
         if (!td_terrain_reaches(w, terrain_shape, &terrain, at, td_fat_at(w, shape), i)) {
             continue;
         }
         bool old = false;
-        if (flags & TD_SHAPE_WOKEN || w->vast) {
+        if (marks & TD_MARK_WOKEN || w->vast) {
             old = has_contact(w, terrain_shape, shape, i);
-        } else if (!(flags & TD_SHAPE_FRESH)) {
+        } else if (!(marks & TD_MARK_FRESH)) {
             old = td_terrain_reaches(w, terrain_shape, &terrain, at, bounds_before(w, shape), i);
         }
         if (!old && !add_pair(w, terrain_shape, shape, i)) {
@@ -207,7 +207,7 @@ static bool pair_terrains(thud_world *w)
         if (record->shape == TD_NONE) {
             continue;
         }
-        if (td_shape_at(w, record->shape)->flags & TD_SHAPE_FRESH) {
+        if (*td_marks_at(w, record->shape) & TD_MARK_FRESH) {
             const td_array *all = &w->awake_grid.ids;
             for (int i = 0; i < all->count; i++) {
                 if (!pair_terrain(w, record->shape, *(int *)td_at(all, i))) {
@@ -294,8 +294,7 @@ bool td_broadphase(thud_world *w)
         return false;
     }
     for (int i = 0; i < w->moved.count; i++) {
-        td_shape_at(w, *(int *)td_at(&w->moved, i))->flags &=
-            (uint8_t)~(TD_SHAPE_MOVED | TD_SHAPE_FRESH | TD_SHAPE_WOKEN);
+        *td_marks_at(w, *(int *)td_at(&w->moved, i)) = 0;
     }
     w->moved.count = 0;
     w->vast = vast;

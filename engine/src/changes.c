@@ -57,6 +57,7 @@ static void free_shape(thud_world *w, int index)
         td_slots_give(&w->terrains, shape->terrain);
     }
     shape->flags = 0;
+    *td_marks_at(w, index) = 0;
     shape->generation++;
     td_slots_give(&w->shapes, index);
 }
@@ -95,10 +96,10 @@ static void update_shapes(thud_world *w, int index)
         body->shape_count--;
     }
     td_body_weigh(w, index);
-    td_awake_refresh(w, index);
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_shape_settle(w, i);
     }
+    td_awake_refresh(w, index);
     for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
         if (td_contact_at(w, e / 2)->state == TD_TOUCHING) {
             td_lane_renew(w, e / 2);
@@ -112,7 +113,7 @@ static void renew_terrain(thud_world *w, int index)
     for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (td_shape_at(w, i)->kind == THUD_TERRAIN) {
             destroy_contacts(w, index, i);
-            td_shape_at(w, i)->flags |= TD_SHAPE_FRESH;
+            *td_marks_at(w, i) |= TD_MARK_FRESH;
         }
     }
 }
@@ -162,7 +163,7 @@ static void clean_moved(thud_world *w)
 {
     int *moved = w->moved.data, count = 0;
     for (int i = 0; i < w->moved.count; i++) {
-        if (td_shape_at(w, moved[i])->flags & TD_SHAPE_MOVED) {
+        if (*td_marks_at(w, moved[i]) & TD_MARK_MOVED) {
             moved[count++] = moved[i];
         }
     }

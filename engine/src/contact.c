@@ -68,7 +68,7 @@ bool td_pair_meets(const thud_world *w, int a, int b)
     if (!td_bounds_overlap(td_fat_at(w, a), td_fat_at(w, b))) {
         return false;
     }
-    const td_place *p = td_at(&w->center, a), *q = td_at(&w->center, b);
+    const td_place *p = &td_stance_at(w, a)->center, *q = &td_stance_at(w, b)->center;
     int64_t most = (int64_t)1 << (30 + TD_COARSE_SHIFT), x = p->x - q->x, y = p->y - q->y;
     return !w->vast || (x < most && x > -most && y < most && y > -most);
 }

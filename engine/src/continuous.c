@@ -84,7 +84,7 @@ static void against_terrain(sweep *s, int other)
     if (!reaches_terrain(s, other, &terrain)) {
         return;
     }
-    const td_place *origin = td_at(&w->center, other);
+    const td_place *origin = &td_stance_at(w, other)->center;
     double ox = (double)(s->start.x - origin->x) / w->to_fixed;
     double oy = (double)(s->start.y - origin->y) / w->to_fixed;
     thud_placed placed = s->placed, core = s->core;
@@ -115,27 +115,27 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
 {
     const thud_world *w = s->w;
     const td_shape *shape = td_shape_at(w, index);
-    const float *size = td_row(&w->size, index);
-    float least = shape->kind == THUD_CIRCLE ? size[0] : td_min_float(size[0], size[1]);
+    float arm_x = shape->arm_x, arm_y = shape->arm_y, hx = shape->half_x, hy = shape->half_y;
+    float least = shape->kind == THUD_CIRCLE ? hx : td_min_float(hx, hy);
     float shrink = td_min_float(2.0f * TD_SLOP * w->unit, 0.25f * least);
     s->shape = index;
     s->shrink = (double)shrink;
     s->placed = (thud_placed){
         .kind = (thud_shape_kind)shape->kind,
-        .x = (double)(c * size[2] - sine * size[3]),
-        .y = (double)(sine * size[2] + c * size[3]),
+        .x = (double)(c * arm_x - sine * arm_y),
+        .y = (double)(sine * arm_x + c * arm_y),
         .c = shape->kind == THUD_OBB ? (double)(c * shape->angle_c - sine * shape->angle_s) : 1.0,
         .s = shape->kind == THUD_OBB ? (double)(sine * shape->angle_c + c * shape->angle_s) : 0.0,
-        .hx = (double)(size[0] - shrink),
-        .hy = shape->kind == THUD_CIRCLE ? 0.0 : (double)(size[1] - shrink)};
+        .hx = (double)(hx - shrink),
+        .hy = shape->kind == THUD_CIRCLE ? 0.0 : (double)(hy - shrink)};
     s->core = (thud_placed){.kind = THUD_CIRCLE, .x = s->placed.x, .y = s->placed.y, .c = 1.0,
                             .hx = (double)(0.25f * least)};
     /* The centre of an offset shape also moves as the body turns. */
     float end_c, end_s;
     td_angle_turn(td_pose_at(w, s->body)->angle, &end_c, &end_s);
     s->motion = (thud_motion){
-        (double)delta[0] + (double)(end_c * size[2] - end_s * size[3]) - s->placed.x,
-        (double)delta[1] + (double)(end_s * size[2] + end_c * size[3]) - s->placed.y,
+        (double)delta[0] + (double)(end_c * arm_x - end_s * arm_y) - s->placed.x,
+        (double)delta[1] + (double)(end_s * arm_x + end_c * arm_y) - s->placed.y,
         shape->kind == THUD_OBB ? (double)delta[2] : 0.0};
     s->core_motion = (thud_motion){s->motion.dx, s->motion.dy, 0.0};
 }
@@ -150,8 +150,26 @@ static void stop_at(thud_world *w, int index, td_place start, uint32_t start_ang
     pose->center = (td_place){start.x + td_length_from(w, delta[0]),
                               start.y + td_length_from(w, delta[1])};
     pose->angle = start_angle +
-                  (uint32_t)td_round64((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
+                  (uint32_t)td_round_increment((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
     td_angle_turn(pose->angle, &pose->c, &pose->s);
+}
+
+/* Whether the sweep comes near anything that it might hit; scratch.hits gets the static shapes. */
+static bool looks_around(sweep *s)
+{
+    thud_world *w = s->w;
+    td_array *hits = &w->scratch.hits;
+    hits->count = 0;
+    bool near_any = TD_PICK_WIDE(w, td_grid_query)(&w->rest_grid, &w->memory, &s->bounds, s->start,
+                                                   hits) && hits->count > 0;
+    for (int t = 0; t < w->terrains.items.count && !near_any; t++) {
+        const td_terrain_record *record = td_at(&w->terrains.items, t);
+        if (record->shape != TD_NONE) {
+            thud_terrain terrain = td_terrain_view(w, record->shape);
+            near_any = reaches_terrain(s, record->shape, &terrain);
+        }
+    }
+    return near_any;
 }
 
 static void sweep_body(thud_world *w, int index)
@@ -161,17 +179,16 @@ static void sweep_body(thud_world *w, int index)
     float *delta = td_row(&w->delta, body->awake);
     td_place start = {pose->center.x - td_length_from(w, delta[0]),
                       pose->center.y - td_length_from(w, delta[1])};
-    uint32_t angle = pose->angle -
-                     (uint32_t)td_round64((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
-    float c, s;
-    td_angle_turn(angle, &c, &s);
     sweep swept = {.w = w, .body = index, .start = start, .time = 1.0};
     swept.bounds = swept_bounds(&swept, delta);
-    td_array *hits = &w->scratch.hits;
-    hits->count = 0;
-    if (!TD_PICK_WIDE(w, td_grid_query)(&w->rest_grid, &w->memory, &swept.bounds, start, hits)) {
+    if (!looks_around(&swept)) {
         return;
     }
+    const td_array *hits = &w->scratch.hits;
+    uint32_t angle =
+        pose->angle - (uint32_t)td_round_increment((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
+    float c, s;
+    td_angle_turn(angle, &c, &s);
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (td_shape_at(w, i)->flags & TD_SHAPE_SENSOR) {
             continue;
@@ -189,6 +206,7 @@ static void sweep_body(thud_world *w, int index)
     }
     if (swept.time < 1.0) {
         stop_at(w, index, start, angle, swept.time, delta);
+        td_body_place_shapes(w, index);
     }
 }
 
@@ -201,11 +219,11 @@ bool td_continuous_reserve(thud_world *w)
 
 void td_continuous(thud_world *w)
 {
-    for (int i = 0; i < w->scratch.fast.count; i++) {
+    bool anything = w->rest_grid.ids.count > 0 || w->terrains.live > 0;
+    for (int i = 0; i < w->scratch.fast.count && anything; i++) {
         int body = *(int *)td_at(&w->scratch.fast, i);
         if (td_body_at(w, body)->kind == THUD_DYNAMIC) {
             sweep_body(w, body);
         }
-        td_body_place_shapes(w, body);
     }
 }

@@ -34,7 +34,7 @@ static thud_draw_style style_of(const drawing *d, const td_shape *shape)
 
 static void draw_terrain(const drawing *d, int index, thud_draw_style style)
 {
-    const td_place *center = td_at(&d->w->center, index);
+    const td_place *center = &td_stance_at(d->w, index)->center;
     thud_terrain terrain = td_terrain_view(d->w, index);
     double x_min = (double)(d->lower.x - center->x) / d->w->to_fixed;
     double x_max = (double)(d->upper.x - center->x) / d->w->to_fixed;
@@ -55,16 +55,17 @@ static void draw_terrain(const drawing *d, int index, thud_draw_style style)
 static void draw_shape(const drawing *d, int index, int island)
 {
     const td_shape *shape = td_shape_at(d->w, index);
-    const float *turn = td_row(&d->w->turn, index);
+    const td_stance *stance = td_stance_at(d->w, index);
     thud_draw_style style = style_of(d, shape);
-    thud_vec2 at = local(d, *(td_place *)td_at(&d->w->center, index));
+    thud_vec2 at = local(d, stance->center);
     if (shape->kind == THUD_TERRAIN) {
         draw_terrain(d, index, style);
     } else if (shape->kind == THUD_CIRCLE && d->draw->circle) {
-        d->draw->circle(at, shape->half_x, turn[2], turn[3], style, island, d->draw->context);
+        const td_pose *pose = td_pose_at(d->w, shape->body);
+        d->draw->circle(at, shape->half_x, pose->c, pose->s, style, island, d->draw->context);
     } else if (shape->kind != THUD_CIRCLE && d->draw->box) {
-        d->draw->box(at, (thud_vec2){shape->half_x, shape->half_y}, turn[2], turn[3], style, island,
-                     d->draw->context);
+        d->draw->box(at, (thud_vec2){shape->half_x, shape->half_y}, stance->c, stance->s, style,
+                     island, d->draw->context);
     }
 }
 
@@ -94,7 +95,7 @@ static void draw_shapes(const drawing *d)
             continue;
         }
         const td_bounds *b = td_fat_at(w, i);
-        const td_place *center = td_at(&w->center, i);
+        const td_place *center = &td_stance_at(w, i)->center;
         int64_t x0 = td_unwrap(b->min_x, center->x), x1 = td_unwrap(b->max_x, center->x);
         int64_t y0 = td_unwrap(b->min_y, center->y), y1 = td_unwrap(b->max_y, center->y);
         bool seen = shape->kind == THUD_TERRAIN ||
@@ -122,7 +123,7 @@ static void draw_cells(const drawing *d)
                 continue;
             }
             const td_bounds *b = td_fat_at(d->w, ids[i]);
-            const td_place *at = td_at(&d->w->center, ids[i]);
+            const td_place *at = &td_stance_at(d->w, ids[i])->center;
             int64_t x = td_unwrap(b->min_x, at->x) + td_wrap_sub(b->max_x, b->min_x) / 2;
             int64_t y = td_unwrap(b->min_y, at->y) + td_wrap_sub(b->max_y, b->min_y) / 2;
             int64_t size = level->cell + level->cell / 65536;

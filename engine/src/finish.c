@@ -5,6 +5,7 @@
 #include "body.h"
 #include "contact.h"
 #include "handles.h"
+#include "kinds.h"
 #include "rotation.h"
 #include "step.h"
 
@@ -42,50 +43,36 @@ static void move(thud_world *w, int index, const float *delta)
     pose->center.x += td_length_from(w, delta[0]);
     pose->center.y += td_length_from(w, delta[1]);
     if (delta[2] != 0.0f) {
-        pose->angle += (uint32_t)td_round64((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
+        pose->angle +=
+            (uint32_t)td_round_increment((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
         td_angle_turn(pose->angle, &pose->c, &pose->s);
     }
 }
 
-/* Adds to the time at rest, or starts it over. Kinematic bodies never rest while they move. */
-static void count_idle(thud_world *w, int slot, const float *velocity, float rim)
-{
-    float still = TD_SLEEP_SPEED * w->unit;
-    float turn = velocity[2] < 0.0f ? -velocity[2] * rim : velocity[2] * rim;
-    float *idle = td_row(&w->idle, slot);
-    bool rests = velocity[0] * velocity[0] + velocity[1] * velocity[1] < still * still &&
-                 turn < still;
-    *idle = rests ? *idle + (float)w->def.time_step : 0.0f;
-    w->idle_bodies += *idle >= TD_SLEEP_TIME;
-    w->drowsy_bodies += *idle + (float)w->def.time_step >= TD_SLEEP_TIME;
-}
-
 bool td_finish_reserve(thud_world *w)
 {
-    return td_array_reserve(&w->memory, &w->scratch.fast, w->body_of.count);
+    return td_array_reserve(&w->memory, &w->scratch.fast, w->body_of.count) &&
+           td_array_reserve(&w->memory, &w->scratch.odd, w->body_of.count);
 }
 
 void td_finish(thud_world *w)
 {
     w->idle_bodies = w->drowsy_bodies = 0;
-    w->scratch.fast.count = 0;
-    for (int slot = w->body_of.count - 1; slot > 0; slot--) {
-        int index = *(int *)td_at(&w->body_of, slot);
-        const float *velocity = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
-        const float *reach = td_row(&w->reach, slot);
-        if (!row_finite(velocity) || !row_finite(delta)) {
+    w->scratch.fast.count = w->scratch.odd.count = 0;
+    TD_PICK_WIDE(w, td_finish_bodies)(w);
+    /* From the last slot down, since a body that leaves its slot gives it to the last one. */
+    for (int i = w->scratch.odd.count - 1; i >= 0; i--) {
+        int slot = *(int *)td_at(&w->scratch.odd, i), index = *(int *)td_at(&w->body_of, slot);
+        const float *delta = td_row(&w->delta, slot), *reach = td_row(&w->reach, slot);
+        if (!row_finite(td_row(&w->velocity, slot)) || !row_finite(delta)) {
             quarantine(w, index);
             continue;
         }
         move(w, index, delta);
-        if (w->def.sleeping) {
-            count_idle(w, slot, velocity, reach[1]);
-        }
+        td_body_place_shapes(w, index);
         if (w->def.continuous && delta[0] * delta[0] + delta[1] * delta[1] >
                                      0.25f * reach[0] * reach[0]) {
             td_push_int(&w->scratch.fast, index);
-        } else {
-            td_body_place_shapes(w, index);
         }
     }
 }

@@ -32,6 +32,19 @@ static inline int64_t td_round64(double x)
     return (int64_t)low + (x - low >= 0.5 ? 1 : 0);
 }
 
+/* Rounds to nearest, halves to even: the same eight at a time. For increments, |x| < 2^51: adding
+ * 1.5 * 2^52 leaves the integer in the low bits. */
+#define TD_ROUND_SHIFT 6755399441055744.0
+#define TD_ROUND_BITS 0x4338000000000000
+
+static inline int64_t td_round_increment(double x)
+{
+    double shifted = x + TD_ROUND_SHIFT;
+    int64_t bits;
+    __builtin_memcpy(&bits, &shifted, sizeof bits);
+    return bits - TD_ROUND_BITS;
+}
+
 /* Arithmetic that wraps, as bounds do. */
 static inline int32_t td_wrap_add(int32_t a, int32_t b)
 {

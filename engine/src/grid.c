@@ -31,7 +31,7 @@ static void measure(const thud_world *w, td_grid *grid, const int *shapes, int c
     int64_t least_x = INT64_MAX, least_y = INT64_MAX, most_x = INT64_MIN, most_y = INT64_MIN;
     for (int i = 0; i < count; i++) {
         const td_bounds *b = td_fat_at(w, shapes[i]);
-        const td_place *center = td_at(&w->center, shapes[i]);
+        const td_place *center = &td_stance_at(w, shapes[i])->center;
         sorted_shape *s = &sorted[i];
         s->x = td_unwrap(middle(b->min_x, b->max_x), center->x);
         s->y = td_unwrap(middle(b->min_y, b->max_y), center->y);
@@ -122,7 +122,7 @@ static void put(const thud_world *w, td_grid *grid, int at, int shape, int cell)
     ((int32_t *)grid->min_y.data)[at] = b->min_y;
     ((int32_t *)grid->max_x.data)[at] = b->max_x;
     ((int32_t *)grid->max_y.data)[at] = b->max_y;
-    ((int32_t *)grid->moved.data)[at] = td_shape_at(w, shape)->flags & TD_SHAPE_MOVED ? -1 : 0;
+    ((int32_t *)grid->moved.data)[at] = *td_marks_at(w, shape) & TD_MARK_MOVED ? -1 : 0;
     ((int32_t *)grid->cells.data)[at] = cell;
 }
 

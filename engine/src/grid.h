@@ -41,9 +41,10 @@ struct thud_world;
 bool td_grid_build(struct thud_world *w, td_grid *grid, const int *shapes, int count);
 void td_grid_free(td_memory *memory, td_grid *grid);
 
-/* Appends to `hits` (ints) each pair of shapes whose bounds overlap and of which one moved.
- * `center` has every shape's place. */
-typedef bool td_grid_sweep_fn(const td_grid *grid, td_memory *memory, const td_place *center,
+struct td_stance;
+
+/* Appends to `hits` (ints) each pair of shapes whose bounds overlap and of which one moved. */
+typedef bool td_grid_sweep_fn(const td_grid *grid, td_memory *memory, const struct td_stance *stance,
                               td_array *hits);
 /* Appends every shape whose bounds overlap `bounds`, which lie near the position. */
 typedef bool td_grid_query_fn(const td_grid *grid, td_memory *memory, const td_bounds *bounds,

@@ -26,6 +26,7 @@ TD_DECLARE_WIDE(td_grid_sweep_fn, td_grid_sweep);
 TD_DECLARE_WIDE(td_grid_query_fn, td_grid_query);
 TD_DECLARE_WIDE(td_integrate_velocity_fn, td_integrate_velocity);
 TD_DECLARE_WIDE(td_integrate_position_fn, td_integrate_position);
+TD_DECLARE_WIDE(td_finish_bodies_fn, td_finish_bodies);
 TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_circle);
 TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_circle);
 TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_box);

@@ -19,4 +19,9 @@ typedef struct td_motion_context {
 typedef void td_integrate_velocity_fn(const td_motion_context *context, bool first);
 typedef void td_integrate_position_fn(const td_motion_context *context);
 
+struct thud_world;
+
+/* wide_finish.c: the end of the step; fills scratch.odd, scratch.fast and the moved list. */
+typedef void td_finish_bodies_fn(struct thud_world *world);
+
 #endif

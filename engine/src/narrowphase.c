@@ -17,9 +17,7 @@ enum { TEST_BLOCKS = 32 };
 td_collide_context td_collide_context_of(const thud_world *w)
 {
     return (td_collide_context){
-        .center = w->center.data,
-        .turn = w->turn.data,
-        .size = w->size.data,
+        .stance = w->stance.data,
         .velocity = w->velocity.data,
         .quantum = w->quantum,
         .margin = TD_SPECULATIVE * w->unit,
@@ -44,13 +42,13 @@ static bool bounds_meet(const thud_world *w, const td_contact *contact)
     if (td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(w, contact->shape_a);
         return td_terrain_reaches(w, contact->shape_a, &terrain,
-                                  *(td_place *)td_at(&w->center, contact->shape_b),
+                                  td_stance_at(w, contact->shape_b)->center,
                                   td_fat_at(w, contact->shape_b), contact->child);
     }
     if (td_shape_at(w, contact->shape_b)->kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(w, contact->shape_b);
         return td_terrain_reaches(w, contact->shape_b, &terrain,
-                                  *(td_place *)td_at(&w->center, contact->shape_a),
+                                  td_stance_at(w, contact->shape_a)->center,
                                   td_fat_at(w, contact->shape_a), contact->child);
     }
     return td_pair_meets(w, contact->shape_a, contact->shape_b);
@@ -155,7 +153,7 @@ static bool begin_contacts(thud_world *w)
 
 static bool sensor_overlaps(const thud_world *w, const td_contact *contact)
 {
-    td_place origin = *(td_place *)td_at(&w->center, contact->shape_a);
+    td_place origin = td_stance_at(w, contact->shape_a)->center;
     thud_placed b = td_shape_placed(w, contact->shape_b, origin);
     if (td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(w, contact->shape_a);

@@ -42,7 +42,7 @@ static bool offset_valid(const thud_world *w, thud_vec2 offset)
 
 static bool reserve(thud_world *w)
 {
-    td_array *arrays[] = {&w->center, &w->turn, &w->size, &w->fat, &w->was, &w->moved};
+    td_array *arrays[] = {&w->stance, &w->was, &w->marks, &w->moved};
     if (!td_slots_reserve(&w->memory, &w->shapes, 1)) {
         return false;
     }
@@ -78,7 +78,8 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
     td_shape *shape = td_shape_at(w, index);
     td_body *body = td_body_at(w, body_index);
     made.generation = shape->generation;
-    made.flags = (uint8_t)(TD_SHAPE_LIVE | TD_SHAPE_FRESH | (def->sensor ? TD_SHAPE_SENSOR : 0));
+    made.flags = (uint8_t)(TD_SHAPE_LIVE | (def->sensor ? TD_SHAPE_SENSOR : 0));
+    *td_marks_at(w, index) = TD_MARK_FRESH;
     made.body = body_index;
     made.next = body->first_shape;
     made.density = def->density;

@@ -2,84 +2,84 @@
 #include "body.h"
 #include "shape.h"
 
-void td_shape_settle(thud_world *w, int index)
-{
-    td_shape *shape = td_shape_at(w, index);
-    const td_body *body = td_body_at(w, shape->body);
-    float *size = td_row(&w->size, index);
-    size[0] = shape->half_x;
-    size[1] = shape->half_y;
-    size[2] = shape->x - body->center_x;
-    size[3] = shape->y - body->center_y;
-    shape->plain = size[2] == 0.0f && size[3] == 0.0f && (shape->kind != THUD_OBB || !shape->angle);
-}
-
-void td_shape_mark_moved(thud_world *w, int index)
-{
-    td_shape *shape = td_shape_at(w, index);
-    if (!(shape->flags & TD_SHAPE_MOVED)) {
-        *(td_bounds *)td_at(&w->was, index) = *td_fat_at(w, index);
-        shape->flags |= TD_SHAPE_MOVED;
-        td_push_int(&w->moved, index);
-    }
-}
-
-static int32_t coarse_length(const thud_world *w, float length)
-{
-    return (int32_t)((double)length * w->to_coarse) + 1;
-}
-
 static int32_t margin_of(const thud_world *w, float half_x, float half_y)
 {
     float extent = td_max_float(half_x, half_y);
     float more = td_min_float(TD_MARGIN_MORE * w->unit, extent * 0.125f);
-    return coarse_length(w, TD_MARGIN * w->unit + more);
+    return (int32_t)((double)(TD_MARGIN * w->unit + more) * w->to_coarse) + 1;
 }
 
-static void bound(thud_world *w, int index, td_shape *shape, const float *turn)
+void td_shape_settle(thud_world *w, int index)
 {
-    float hx = shape->half_x, hy = shape->half_y;
-    if (shape->kind == THUD_CIRCLE) {
-        hy = hx;
-    } else if (shape->kind == THUD_OBB) {
-        float c = turn[2] < 0.0f ? -turn[2] : turn[2], s = turn[3] < 0.0f ? -turn[3] : turn[3];
+    td_shape *shape = td_shape_at(w, index);
+    const td_body *body = td_body_at(w, shape->body);
+    td_stance *stance = td_stance_at(w, index);
+    shape->arm_x = shape->x - body->center_x;
+    shape->arm_y = shape->y - body->center_y;
+    shape->plain = shape->arm_x == 0.0f && shape->arm_y == 0.0f && !shape->angle &&
+                   shape->kind != THUD_TERRAIN;
+    stance->half_x = shape->half_x;
+    stance->half_y = shape->kind == THUD_CIRCLE ? shape->half_x : shape->half_y;
+    stance->turns = shape->kind == THUD_OBB ? 1.0f : 0.0f;
+    stance->margin = margin_of(w, stance->half_x, stance->half_y);
+}
+
+void td_shape_mark_moved(thud_world *w, int index)
+{
+    uint8_t *marks = td_marks_at(w, index);
+    if (!(*marks & TD_MARK_MOVED)) {
+        *(td_bounds *)td_at(&w->was, index) = *td_fat_at(w, index);
+        *marks |= TD_MARK_MOVED;
+        td_push_int(&w->moved, index);
+    }
+}
+
+/* A half extent along an axis in bounds quanta, never too small: single precision may be off by
+ * half a quantum, and beyond 512 L by less than the margin. wide_finish.c has the same. */
+static int32_t coarse_extent(const thud_world *w, float length)
+{
+    return (int32_t)(length * (float)w->to_coarse) + 2;
+}
+
+static void bound(thud_world *w, int index, td_stance *stance)
+{
+    float hx = stance->half_x, hy = stance->half_y;
+    if (stance->turns != 0.0f) {
+        float c = stance->c < 0.0f ? -stance->c : stance->c;
+        float s = stance->s < 0.0f ? -stance->s : stance->s;
         float x = c * hx + s * hy;
         hy = s * hx + c * hy;
         hx = x;
     }
-    td_bounds tight = td_bounds_about(*(td_place *)td_at(&w->center, index),
-                                      coarse_length(w, hx), coarse_length(w, hy));
-    td_bounds *fat = td_fat_at(w, index);
-    if ((shape->flags & TD_SHAPE_FRESH) || !td_bounds_contain(fat, &tight)) {
+    td_bounds tight = td_bounds_about(stance->center, coarse_extent(w, hx), coarse_extent(w, hy));
+    if ((*td_marks_at(w, index) & TD_MARK_FRESH) || !td_bounds_contain(&stance->fat, &tight)) {
         td_shape_mark_moved(w, index);
-        *fat = td_bounds_grown(tight, margin_of(w, hx, hy));
+        stance->fat = td_bounds_grown(tight, stance->margin);
     }
 }
 
 void td_shape_place(thud_world *w, int index)
 {
-    td_shape *shape = td_shape_at(w, index);
+    const td_shape *shape = td_shape_at(w, index);
     const td_pose *pose = td_pose_at(w, shape->body);
-    td_place *center = td_at(&w->center, index);
-    float *turn = td_row(&w->turn, index);
-    *center = pose->center;
-    if (shape->plain) {
-        turn[0] = turn[1] = 0.0f;
-        turn[2] = shape->kind == THUD_AABB ? 1.0f : pose->c;
-        turn[3] = shape->kind == THUD_AABB ? 0.0f : pose->s;
-    } else {
-        const float *size = td_row(&w->size, index);
-        turn[0] = pose->c * size[2] - pose->s * size[3];
-        turn[1] = pose->s * size[2] + pose->c * size[3];
-        turn[2] = pose->c * shape->angle_c - pose->s * shape->angle_s;
-        turn[3] = pose->s * shape->angle_c + pose->c * shape->angle_s;
-        center->x += td_length_from(w, turn[0]);
-        center->y += td_length_from(w, turn[1]);
+    td_stance *stance = td_stance_at(w, index);
+    stance->center = pose->center;
+    stance->x = stance->y = stance->s = 0.0f;
+    stance->c = 1.0f;
+    if (!shape->plain) {
+        stance->x = pose->c * shape->arm_x - pose->s * shape->arm_y;
+        stance->y = pose->s * shape->arm_x + pose->c * shape->arm_y;
+        stance->center.x += td_length_from(w, stance->x);
+        stance->center.y += td_length_from(w, stance->y);
+    }
+    if (shape->kind == THUD_OBB) {
+        stance->c = pose->c * shape->angle_c - pose->s * shape->angle_s;
+        stance->s = pose->s * shape->angle_c + pose->c * shape->angle_s;
     }
     if (shape->kind == THUD_TERRAIN) {
         td_shape_mark_moved(w, index);
     } else {
-        bound(w, index, shape, turn);
+        bound(w, index, stance);
     }
 }
 
@@ -93,14 +93,12 @@ void td_body_place_shapes(thud_world *w, int body)
 thud_placed td_shape_placed(const thud_world *w, int index, td_place origin)
 {
     const td_shape *shape = td_shape_at(w, index);
-    const td_place *center = td_at(&w->center, index);
-    const float *turn = td_row(&w->turn, index);
-    bool turned = shape->kind == THUD_OBB;
+    const td_stance *stance = td_stance_at(w, index);
     return (thud_placed){.kind = (thud_shape_kind)shape->kind,
-                         .x = (double)(center->x - origin.x) / w->to_fixed,
-                         .y = (double)(center->y - origin.y) / w->to_fixed,
-                         .c = turned ? (double)turn[2] : 1.0,
-                         .s = turned ? (double)turn[3] : 0.0,
+                         .x = (double)(stance->center.x - origin.x) / w->to_fixed,
+                         .y = (double)(stance->center.y - origin.y) / w->to_fixed,
+                         .c = (double)stance->c,
+                         .s = (double)stance->s,
                          .hx = (double)shape->half_x,
                          .hy = (double)shape->half_y};
 }
@@ -112,7 +110,7 @@ thud_placed td_shape_placed(const thud_world *w, int index, td_place origin)
 static void local_bounds(const thud_world *w, int terrain_shape, td_place at, const td_bounds *b,
                          double *min_x, double *max_x, double *min_y)
 {
-    const td_place *origin = td_at(&w->center, terrain_shape);
+    const td_place *origin = &td_stance_at(w, terrain_shape)->center;
     int64_t x = origin->x >> TD_COARSE_SHIFT, y = origin->y >> TD_COARSE_SHIFT;
     *min_x = (double)(td_unwrap(b->min_x, at.x) - x - 1) / w->to_coarse;
     *max_x = (double)(td_unwrap(b->max_x, at.x) - x + 1) / w->to_coarse;

@@ -23,6 +23,9 @@ typedef float f8 __attribute__((vector_size(32)));
 typedef int32_t i8 __attribute__((vector_size(32)));
 typedef uint32_t u8 __attribute__((vector_size(32)));
 typedef float f4 __attribute__((vector_size(16)));
+typedef int32_t i4 __attribute__((vector_size(16)));
+typedef double d4 __attribute__((vector_size(32)));
+typedef int64_t l4 __attribute__((vector_size(32)));
 
 #define TD_INLINE static inline __attribute__((always_inline))
 
@@ -120,12 +123,10 @@ TD_INLINE unsigned i8_bits(i8 x)
 #if defined(__AVX2__)
     return (unsigned)_mm256_movemask_ps((__m256)x);
 #elif defined(__SSE2__)
-    typedef int32_t i4 __attribute__((vector_size(16)));
     i4 low = __builtin_shufflevector(x, x, 0, 1, 2, 3);
     i4 high = __builtin_shufflevector(x, x, 4, 5, 6, 7);
     return (unsigned)_mm_movemask_ps((__m128)low) | (unsigned)_mm_movemask_ps((__m128)high) << 4;
 #elif defined(__wasm_simd128__)
-    typedef int32_t i4 __attribute__((vector_size(16)));
     i4 low = __builtin_shufflevector(x, x, 0, 1, 2, 3);
     i4 high = __builtin_shufflevector(x, x, 4, 5, 6, 7);
     return (unsigned)wasm_i32x4_bitmask((v128_t)low) | (unsigned)wasm_i32x4_bitmask((v128_t)high)
@@ -142,6 +143,13 @@ TD_INLINE unsigned i8_bits(i8 x)
 TD_INLINE i8 i8_wrap_sub(i8 a, i8 b) /* wraps around, as bounds do */
 {
     return (i8)((u8)a - (u8)b);
+}
+
+TD_INLINE f8 f8_load(const float *p)
+{
+    f8 r;
+    __builtin_memcpy(&r, p, sizeof r);
+    return r;
 }
 
 TD_INLINE i8 i8_load(const int32_t *p) /* any alignment of int32_t */
@@ -164,12 +172,9 @@ TD_INLINE f8 f8_two(const float *low, const float *high)
     return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-TD_INLINE td_rows td_gather(const float (*records)[4], const int32_t *index)
+/* Turns vectors of the records (0, 4), (1, 5), (2, 6), (3, 7) into vectors of their members. */
+TD_INLINE td_rows td_turn(f8 r0, f8 r1, f8 r2, f8 r3)
 {
-    f8 r0 = f8_two(records[index[0]], records[index[4]]);
-    f8 r1 = f8_two(records[index[1]], records[index[5]]);
-    f8 r2 = f8_two(records[index[2]], records[index[6]]);
-    f8 r3 = f8_two(records[index[3]], records[index[7]]);
     f8 t0 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t1 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t2 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
@@ -180,6 +185,21 @@ TD_INLINE td_rows td_gather(const float (*records)[4], const int32_t *index)
         __builtin_shufflevector(t2, t3, 0, 1, 8, 9, 4, 5, 12, 13),
         __builtin_shufflevector(t2, t3, 2, 3, 10, 11, 6, 7, 14, 15),
     };
+}
+
+TD_INLINE td_rows td_gather(const float (*records)[4], const int32_t *index)
+{
+    return td_turn(f8_two(records[index[0]], records[index[4]]),
+                   f8_two(records[index[1]], records[index[5]]),
+                   f8_two(records[index[2]], records[index[6]]),
+                   f8_two(records[index[3]], records[index[7]]));
+}
+
+/* Eight records that follow each other. */
+TD_INLINE td_rows td_load_rows(const float (*records)[4])
+{
+    return td_turn(f8_two(records[0], records[4]), f8_two(records[1], records[5]),
+                   f8_two(records[2], records[6]), f8_two(records[3], records[7]));
 }
 
 TD_INLINE void td_put_two(float *low, float *high, f8 v)

@@ -39,7 +39,7 @@ static void look_around(thud_world *w, int index)
     }
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_shape_mark_moved(w, i);
-        td_shape_at(w, i)->flags |= TD_SHAPE_WOKEN;
+        *td_marks_at(w, i) |= TD_MARK_WOKEN;
     }
 }
 

@@ -5,6 +5,8 @@
 
 #include "block.h"
 
+#include <stddef.h>
+
 typedef struct td_pairs8 {
     f8 dx, dy;         /* from a's centre to b's */
     f8 ax, ay, ac, as; /* a: offset from its centre of mass; cosine, sine */
@@ -12,25 +14,50 @@ typedef struct td_pairs8 {
     f8 ahx, ahy, bhx, bhy; /* half extents */
 } td_pairs8;
 
+/* Four floats of each stance, from the member at `offset` on. */
+TD_INLINE td_rows td_gather_stances(const td_collide_context *c, const int32_t *index,
+                                    size_t offset)
+{
+    const float *r[TD_LANES];
+    for (int i = 0; i < TD_LANES; i++) {
+        r[i] = (const float *)((const char *)&c->stance[index[i]] + offset);
+    }
+    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+}
+
+/* Exact differences of two lanes' centres, as doubles: x, y, x, y. Shapes whose bounds overlap are
+ * nearer than 2^51 quanta; what else may come out is then no contact's. */
+TD_INLINE d4 td_between(const td_stance *a0, const td_stance *b0, const td_stance *a1,
+                        const td_stance *b1)
+{
+    l4 bits = {b0->center.x - a0->center.x, b0->center.y - a0->center.y,
+               b1->center.x - a1->center.x, b1->center.y - a1->center.y};
+    bits += TD_ROUND_BITS;
+    return (d4)bits - TD_ROUND_SHIFT;
+}
+
 TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c)
 {
-    td_pairs8 p = {0};
-    for (int i = 0; i < TD_LANES; i++) {
-        const td_place *a = &c->center[block->shape_a[i]], *b = &c->center[block->shape_b[i]];
-        /* Exact differences, rounded once. */
-        p.dx[i] = (float)(b->x - a->x);
-        p.dy[i] = (float)(b->y - a->y);
+    td_pairs8 p;
+    f4 between[4];
+    for (int i = 0; i < 4; i++) {
+        int j = i + 4;
+        between[i] = __builtin_convertvector(
+            td_between(&c->stance[block->shape_a[i]], &c->stance[block->shape_b[i]],
+                       &c->stance[block->shape_a[j]], &c->stance[block->shape_b[j]]), f4);
     }
+    f8 r01 = __builtin_shufflevector(between[0], between[1], 0, 4, 1, 5, 2, 6, 3, 7);
+    f8 r23 = __builtin_shufflevector(between[2], between[3], 0, 4, 1, 5, 2, 6, 3, 7);
     f8 quantum = f8_all(c->quantum);
-    p.dx *= quantum;
-    p.dy *= quantum;
-    td_rows turn = td_gather(c->turn, block->shape_a);
-    p.ax = turn.x, p.ay = turn.y, p.ac = turn.z, p.as = turn.w;
-    turn = td_gather(c->turn, block->shape_b);
-    p.bx = turn.x, p.by = turn.y, p.bc = turn.z, p.bs = turn.w;
-    td_rows size = td_gather(c->size, block->shape_a);
+    p.dx = quantum * __builtin_shufflevector(r01, r23, 0, 1, 8, 9, 4, 5, 12, 13);
+    p.dy = quantum * __builtin_shufflevector(r01, r23, 2, 3, 10, 11, 6, 7, 14, 15);
+    td_rows stance = td_gather_stances(c, block->shape_a, offsetof(td_stance, x));
+    p.ax = stance.x, p.ay = stance.y, p.ac = stance.z, p.as = stance.w;
+    stance = td_gather_stances(c, block->shape_b, offsetof(td_stance, x));
+    p.bx = stance.x, p.by = stance.y, p.bc = stance.z, p.bs = stance.w;
+    td_rows size = td_gather_stances(c, block->shape_a, offsetof(td_stance, half_x));
     p.ahx = size.x, p.ahy = size.y;
-    size = td_gather(c->size, block->shape_b);
+    size = td_gather_stances(c, block->shape_b, offsetof(td_stance, half_x));
     p.bhx = size.x, p.bhy = size.y;
     return p;
 }

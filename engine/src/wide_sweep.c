@@ -119,7 +119,7 @@ static int coarsest_level(const td_grid *grid)
 }
 
 td_grid_sweep_fn TD_WIDE(td_grid_sweep);
-bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_place *center,
+bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_stance *stance,
                             td_array *hits)
 {
     scan s = begin(grid, memory, hits);
@@ -140,7 +140,7 @@ bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_pla
                 return false;
             }
             if (l < coarsest) {
-                const td_place *at = &center[s.ids[i]];
+                const td_place *at = &stance[s.ids[i]].center;
                 int64_t x = td_unwrap(b.min_x, at->x) + td_wrap_sub(b.max_x, b.min_x) / 2;
                 int64_t y = td_unwrap(b.min_y, at->y) + td_wrap_sub(b.max_y, b.min_y) / 2;
                 if (!scan_coarser(&s, l, x, y, s.ids[i])) {

@@ -15,7 +15,7 @@ static void one_lane(const thud_world *w, const td_block *block, int lane, float
     int a = block->shape_a[lane], b = block->shape_b[lane];
     const td_contact *contact = td_contact_at(w, block->contact[lane]);
     thud_terrain terrain = td_terrain_view(w, a);
-    thud_placed placed = td_shape_placed(w, b, *(td_place *)td_at(&w->center, a));
+    thud_placed placed = td_shape_placed(w, b, td_stance_at(w, a)->center);
     td_terrain_manifold m;
     td_terrain_segment_manifold(&terrain, contact->child, &placed, (double)margin, &m);
     out->nx[lane] = (float)m.nx;
@@ -62,11 +62,11 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
         block->nx = t.nx;
         block->ny = t.ny;
         carry_impulses(block, t.feature, points);
-        td_rows turn = td_gather(c->turn, block->shape_b);
+        td_rows arm = td_gather_stances(c, block->shape_b, offsetof(td_stance, x));
         td_found found[2];
         for (int k = 0; k < points; k++) {
-            found[k] = (td_found){t.valid[k], t.separation[k], zero, zero, turn.x + t.x[k],
-                                  turn.y + t.y[k]};
+            found[k] = (td_found){t.valid[k], t.separation[k], zero, zero, arm.x + t.x[k],
+                                  arm.y + t.y[k]};
         }
         td_write_points(block, found, points, NULL, c);
         block->touching = i8_bits(t.valid[0] | t.valid[1]);

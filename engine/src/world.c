@@ -94,11 +94,9 @@ static void set_strides(thud_world *w)
         size_t stride;
     } strides[] = {
         {&w->pose, sizeof(td_pose)},
-        {&w->center, sizeof(td_place)},
-        {&w->turn, sizeof(float[4])},
-        {&w->size, sizeof(float[4])},
-        {&w->fat, sizeof(td_bounds)},
+        {&w->stance, sizeof(td_stance)},
         {&w->was, sizeof(td_bounds)},
+        {&w->marks, sizeof(uint8_t)},
         {&w->velocity, sizeof(float[4])},
         {&w->delta, sizeof(float[4])},
         {&w->start, sizeof(float[4])},
@@ -107,6 +105,7 @@ static void set_strides(thud_world *w)
         {&w->idle, sizeof(float)},
         {&w->reach, sizeof(float[2])},
         {&w->body_of, sizeof(int)},
+        {&w->lone, sizeof(int)},
         {&w->colours, sizeof(td_colours)},
         {&w->moved, sizeof(int)},
         {&w->changed, sizeof(int)},
@@ -131,6 +130,7 @@ static void set_strides(thud_world *w)
         {&w->scratch.lane_bins, sizeof(int)},
         {&w->scratch.test_list, sizeof(td_block *)},
         {&w->scratch.fast, sizeof(int)},
+        {&w->scratch.odd, sizeof(int)},
     };
     for (size_t i = 0; i < sizeof strides / sizeof *strides; i++) {
         strides[i].array->stride = (int)strides[i].stride;
@@ -207,14 +207,14 @@ void thud_world_destroy(thud_world *w)
     }
     td_array *arrays[] = {
         &w->bodies.items, &w->shapes.items, &w->contacts.items, &w->terrains.items, &w->pose,
-        &w->center, &w->turn, &w->size, &w->fat, &w->was, &w->velocity, &w->delta, &w->start,
-        &w->push, &w->damping, &w->idle, &w->reach, &w->body_of, &w->colours, &w->moved,
+        &w->stance, &w->was, &w->marks, &w->velocity, &w->delta, &w->start, &w->push,
+        &w->damping, &w->idle, &w->reach, &w->body_of, &w->lone, &w->colours, &w->moved,
         &w->changed, &w->put_off, &w->poses, &w->events.begin, &w->events.end,
         &w->events.sensor_begin, &w->events.sensor_end, &w->events.hit, &w->events.quarantined,
         &w->scratch.shapes, &w->scratch.hits, &w->scratch.pairs, &w->scratch.bodies,
         &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.begins,
         &w->scratch.ends, &w->scratch.parents, &w->scratch.lane_bins, &w->scratch.test_blocks,
-        &w->scratch.test_list, &w->scratch.fast, &w->scratch.grid, &w->pool[0].items,
+        &w->scratch.test_list, &w->scratch.fast, &w->scratch.odd, &w->scratch.grid, &w->pool[0].items,
         &w->pool[1].items};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         td_array_free(&w->memory, arrays[i]);

@@ -50,10 +50,13 @@ typedef struct td_body {
 
 enum { /* td_shape.flags */
     TD_SHAPE_LIVE = 1,
-    TD_SHAPE_SENSOR = 2,
-    TD_SHAPE_MOVED = 4, /* in the moved list; its bounds before are in `was` */
-    TD_SHAPE_FRESH = 8, /* has no pairs yet: `was` means nothing */
-    TD_SHAPE_WOKEN = 16 /* pairs may be missing; look each one up */
+    TD_SHAPE_SENSOR = 2
+};
+
+enum { /* thud_world.marks */
+    TD_MARK_MOVED = 1, /* in the moved list; its bounds before are in `was` */
+    TD_MARK_FRESH = 2, /* has no pairs yet: `was` means nothing */
+    TD_MARK_WOKEN = 4  /* pairs may be missing; look each one up */
 };
 
 typedef struct td_shape {
@@ -63,6 +66,7 @@ typedef struct td_shape {
     int32_t body, next; /* of the same body */
     int32_t terrain;    /* index, or TD_NONE */
     float x, y;         /* in the body's frame */
+    float arm_x, arm_y; /* from the centre of mass, in the body's frame */
     uint32_t angle;
     float angle_c, angle_s;
     float half_x, half_y;
@@ -158,17 +162,17 @@ struct thud_world {
     uint32_t rest_epoch; /* rises whenever a resting shape enters or moves */
     td_slots bodies, shapes, contacts, terrains;
     td_array pose;                                     /* td_pose, by body */
-    td_array center;                                   /* td_place, by shape */
-    td_array turn, size;                               /* float[4], by shape; see td_collide_context;
-                                                          size also holds the offset from the
-                                                          centre of mass in the body's frame */
-    td_array fat, was;                                 /* td_bounds, by shape */
+    td_array stance;                                   /* td_stance, by shape */
+    td_array was;                                      /* td_bounds, by shape */
+    td_array marks;                                    /* uint8_t, by shape */
     td_array velocity, delta, start, push;             /* float[4], by awake slot; push: velocity
                                                           gained a substep */
     td_array damping;                                  /* float[2], by awake slot */
     td_array idle;                                     /* float, by awake slot: time at rest */
     td_array reach;                                    /* float[2], by awake slot: core, rim */
     td_array body_of;                                  /* int, by awake slot */
+    td_array lone;                                     /* int, by awake slot: the only shape of the
+                                                          body, if it is plain; else TD_NONE */
     td_array colours;                                  /* td_colours, by awake slot */
     td_array waiting[TD_PAIR_COUNT];                   /* int: contacts */
     td_array moved;                                    /* int: shapes */
@@ -199,7 +203,8 @@ struct thud_world {
         td_array lane_bins;   /* int: see td_lanes_place */
         td_array test_blocks; /* td_block with two points: waiting pairs under test */
         td_array test_list;   /* td_block *: to them */
-        td_array fast;        /* int: awake slots that moved further than their core */
+        td_array fast;        /* int: bodies that moved further than half their core */
+        td_array odd;         /* int: awake slots that the wide part of finish leaves over */
         td_array grid;        /* see grid.h */
     } scratch;
     td_array poses; /* thud_pose */
@@ -226,9 +231,19 @@ static inline td_pose *td_pose_at(const thud_world *w, int body)
     return td_at(&w->pose, body);
 }
 
+static inline td_stance *td_stance_at(const thud_world *w, int shape)
+{
+    return td_at(&w->stance, shape);
+}
+
 static inline td_bounds *td_fat_at(const thud_world *w, int shape)
 {
-    return td_at(&w->fat, shape);
+    return &td_stance_at(w, shape)->fat;
+}
+
+static inline uint8_t *td_marks_at(const thud_world *w, int shape)
+{
+    return td_at(&w->marks, shape);
 }
 
 static inline float *td_row(const td_array *rows, int i)

@@ -47,6 +47,12 @@ static bool has_contact(const thud_world *w, int a, int b)
     return false;
 }
 
+/* What the broadphase of the last step went by. */
+static const td_bounds *bounds_seen(const thud_world *w, int shape)
+{
+    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
+}
+
 /* After the broadphase of a step bounds may have grown again, so the check runs the broadphase's
  * own input: bounds as they were when pairs were last made. */
 static void check(const thud_world *w)
@@ -60,13 +66,12 @@ static void check(const thud_world *w)
                 !td_pair_allowed(w, a, b)) {
                 continue;
             }
-            const td_array *of_a = shape_a->flags & TD_SHAPE_MOVED ? &w->was : &w->fat;
-            const td_array *of_b = shape_b->flags & TD_SHAPE_MOVED ? &w->was : &w->fat;
+            const td_bounds *of_a = bounds_seen(w, a), *of_b = bounds_seen(w, b);
             /* Bounds wrap around far away: only near ones count. */
-            const td_place *p = td_at(&w->center, a), *q = td_at(&w->center, b);
+            const td_place *p = &td_stance_at(w, a)->center, *q = &td_stance_at(w, b)->center;
             double most = 1e5 * TD_FIXED_ONE;
             bool near_by = fabs((double)(p->x - q->x)) < most && fabs((double)(p->y - q->y)) < most;
-            bool overlap = near_by && td_bounds_overlap(td_at(of_a, a), td_at(of_b, b));
+            bool overlap = near_by && td_bounds_overlap(of_a, of_b);
             if (overlap != has_contact(w, a, b)) {
                 fail_msg("shapes %d and %d: overlap %d, contact %d", a, b, overlap,
                          has_contact(w, a, b));

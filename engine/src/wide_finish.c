@@ -1,0 +1,175 @@
+/* wide_finish.c: the end of the step for bodies with one plain shape, eight at a time: pose, shape,
+ * idle time, and whether the shape left its fat bounds. Bodies that need more thought (several
+ * shapes, values that are not finite, motion beyond what the short ways can express) are listed in
+ * scratch.odd, for finish.c to do one by one. */
+#include "motion.h"
+#include "rotation.h"
+#include "world.h"
+
+/* As td_angle_turn, the same operations in the same order. */
+TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s)
+{
+    u8 quarter = (angle + 0x20000000u) >> 30;
+    f8 x = __builtin_convertvector((i8)(angle - (quarter << 30)), f8) *
+           f8_all((float)TD_RADIANS_A_QUANTUM);
+    f8 xx = x * x, one = f8_all(1.0f);
+    f8 sine = x + x * xx * (TD_SIN3 + xx * (TD_SIN5 + xx * (TD_SIN7 + xx * TD_SIN9)));
+    f8 cosine = one + xx * (TD_COS2 + xx * (TD_COS4 + xx * (TD_COS6 + xx * TD_COS8)));
+    i8 odd = (i8)((quarter & 1u) == 1u);
+    *c = f8_flip(f8_pick(odd, sine, cosine), (i8)(((quarter + 1u) & 2u) == 2u));
+    *s = f8_flip(f8_pick(odd, cosine, sine), (i8)((quarter & 2u) == 2u));
+}
+
+/* Angle quanta in |radians| < pi / 2. */
+TD_INLINE u8 quanta_of(f8 radians)
+{
+    d4 low = __builtin_convertvector(__builtin_shufflevector(radians, radians, 0, 1, 2, 3), d4);
+    d4 high = __builtin_convertvector(__builtin_shufflevector(radians, radians, 4, 5, 6, 7), d4);
+    low = low * (1.0 / TD_RADIANS_A_QUANTUM) + TD_ROUND_SHIFT;
+    high = high * (1.0 / TD_RADIANS_A_QUANTUM) + TD_ROUND_SHIFT;
+    i4 a = __builtin_convertvector((l4)low, i4), b = __builtin_convertvector((l4)high, i4);
+    return (u8)__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+static void list_lanes(td_array *list, const int32_t *values, unsigned bits)
+{
+    for (; bits; bits &= bits - 1) {
+        td_push_int(list, values[__builtin_ctz(bits)]);
+    }
+}
+
+/* Adds to the time at rest, or starts it over. Kinematic bodies never rest while they move. */
+TD_INLINE void count_idle(thud_world *w, int slot, const td_rows *v, f8 rim, i8 here)
+{
+    f8 still = f8_all(TD_SLEEP_SPEED * w->unit), dt = f8_all((float)w->def.time_step);
+    float *at = td_row(&w->idle, slot);
+    i8 rests = (v->x * v->x + v->y * v->y < still * still) & (f8_abs(v->z) * rim < still);
+    f8 idle = f8_keep(rests, f8_load(at) + dt);
+    __builtin_memcpy(at, &idle, sizeof idle);
+    w->idle_bodies +=
+        __builtin_popcount(i8_bits(here & (idle >= f8_all(TD_SLEEP_TIME))));
+    w->drowsy_bodies +=
+        __builtin_popcount(i8_bits(here & (idle + dt >= f8_all(TD_SLEEP_TIME))));
+}
+
+/* Tight bounds of eight shapes against their fat ones. */
+typedef struct bounds8 {
+    i8 min_x, min_y, max_x, max_y;
+} bounds8;
+
+TD_INLINE i8 wrap_add(i8 a, i8 b)
+{
+    return (i8)((u8)a + (u8)b);
+}
+
+TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *size, f8 c, f8 s, f8 to_coarse)
+{
+    i8 turns = size->z > f8_all(0.0f);
+    f8 ca = f8_pick(turns, f8_abs(c), f8_all(1.0f)), sa = f8_keep(turns, f8_abs(s));
+    f8 hx = ca * size->x + sa * size->y, hy = sa * size->x + ca * size->y;
+    i8 half_x = __builtin_convertvector(hx * to_coarse, i8) + i8_all(2);
+    i8 half_y = __builtin_convertvector(hy * to_coarse, i8) + i8_all(2);
+    return (bounds8){i8_wrap_sub(x, half_x), i8_wrap_sub(y, half_y),
+                     wrap_add(x, half_x + i8_all(1)), wrap_add(y, half_y + i8_all(1))};
+}
+
+/* A shape that left its fat bounds gets new ones, and goes onto the moved list. */
+TD_INLINE void renew_bounds(thud_world *w, int shape, td_bounds tight)
+{
+    td_stance *stance = td_stance_at(w, shape);
+    uint8_t *marks = td_marks_at(w, shape);
+    if (!(*marks & TD_MARK_MOVED)) {
+        *(td_bounds *)td_at(&w->was, shape) = stance->fat;
+        *marks |= TD_MARK_MOVED;
+        td_push_int(&w->moved, shape);
+    }
+    stance->fat = td_bounds_grown(tight, stance->margin);
+}
+
+/* Poses and shapes of the lanes in `bits`, whose slots begin at `first`. */
+TD_INLINE void place_lanes(thud_world *w, int first, const td_rows *d, unsigned bits)
+{
+    const int32_t *bodies = (const int32_t *)w->body_of.data + first;
+    const int32_t *lone = (const int32_t *)w->lone.data + first;
+    const float(*delta)[4] = (const float(*)[4])w->delta.data + first;
+    td_pose *poses = w->pose.data;
+    td_stance *stances = w->stance.data;
+    int32_t x[TD_LANES] = {0}, y[TD_LANES] = {0};
+    uint32_t angle[TD_LANES] = {0};
+    u8 turn = quanta_of(d->z);
+    float size[TD_LANES][4] = {{0}};
+    i8 fat[4] = {{0}};
+    for (unsigned left = bits; left; left &= left - 1) {
+        int i = __builtin_ctz(left);
+        td_pose *pose = &poses[bodies[i]];
+        td_stance *stance = &stances[lone[i]];
+        pose->center.x += td_round_increment((double)delta[i][0] * w->to_fixed);
+        pose->center.y += td_round_increment((double)delta[i][1] * w->to_fixed);
+        stance->center = pose->center;
+        pose->angle += turn[i];
+        angle[i] = pose->angle;
+        x[i] = td_coarse(pose->center.x);
+        y[i] = td_coarse(pose->center.y);
+        __builtin_memcpy(size[i], &stance->half_x, sizeof size[i]);
+        fat[0][i] = stance->fat.min_x;
+        fat[1][i] = stance->fat.min_y;
+        fat[2][i] = stance->fat.max_x;
+        fat[3][i] = stance->fat.max_y;
+    }
+    u8 angles;
+    __builtin_memcpy(&angles, angle, sizeof angles);
+    f8 c, s;
+    turn_of(angles, &c, &s);
+    td_rows sizes = td_load_rows((const float(*)[4])size);
+    bounds8 tight = tight_bounds(i8_load(x), i8_load(y), &sizes, c, s, f8_all((float)w->to_coarse));
+    i8 outside = i8_wrap_sub(tight.min_x, fat[0]) | i8_wrap_sub(tight.min_y, fat[1]) |
+                 i8_wrap_sub(fat[2], tight.max_x) | i8_wrap_sub(fat[3], tight.max_y);
+    for (unsigned left = bits; left; left &= left - 1) {
+        int i = __builtin_ctz(left);
+        td_pose *pose = &poses[bodies[i]];
+        td_stance *stance = &stances[lone[i]];
+        pose->c = c[i];
+        pose->s = s[i];
+        if (stance->turns != 0.0f) {
+            stance->c = c[i];
+            stance->s = s[i];
+        }
+    }
+    for (unsigned left = bits & i8_bits(outside); left; left &= left - 1) {
+        int i = __builtin_ctz(left);
+        renew_bounds(w, lone[i], (td_bounds){tight.min_x[i], tight.min_y[i], tight.max_x[i],
+                                             tight.max_y[i]});
+    }
+}
+
+td_finish_bodies_fn TD_WIDE(td_finish_bodies);
+void TD_WIDE(td_finish_bodies)(thud_world *w)
+{
+    const float(*velocity)[4] = w->velocity.data, (*delta)[4] = w->delta.data;
+    i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
+    int count = w->body_of.count;
+    for (int first = 0; first < count; first += TD_LANES) {
+        td_rows v = td_load_rows(velocity + first), d = td_load_rows(delta + first);
+        f8 reach0 = f8_load(td_row(&w->reach, first));
+        f8 reach1 = f8_load(td_row(&w->reach, first) + TD_LANES);
+        f8 core = __builtin_shufflevector(reach0, reach1, 0, 2, 4, 6, 8, 10, 12, 14);
+        f8 rim = __builtin_shufflevector(reach0, reach1, 1, 3, 5, 7, 9, 11, 13, 15);
+        i8 slot = i8_all(first) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
+        f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
+        i8 finite = sum - sum == zero;
+        if (w->def.sleeping) {
+            count_idle(w, first, &v, rim, here & finite);
+        }
+        i8 easy = here & finite & (i8_load((const int32_t *)td_at(&w->lone, first)) >= i8_all(0)) &
+                  (f8_abs(d.x) < far) & (f8_abs(d.y) < far) & (f8_abs(d.z) < f8_all(1.5f));
+        int32_t slots[TD_LANES];
+        __builtin_memcpy(slots, &slot, sizeof slots);
+        list_lanes(&w->scratch.odd, slots, i8_bits(here & ~easy));
+        if (w->def.continuous) {
+            i8 fast = easy & (d.x * d.x + d.y * d.y > f8_all(0.25f) * core * core);
+            list_lanes(&w->scratch.fast, (const int32_t *)w->body_of.data + first, i8_bits(fast));
+        }
+        place_lanes(w, first, &d, i8_bits(easy));
+    }
+}
