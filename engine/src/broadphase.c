@@ -11,6 +11,8 @@
 #include "shape.h"
 #include "step.h"
 
+#include <string.h>
+
 typedef struct td_new_pair {
     int32_t a, b, child;
 } td_new_pair;
@@ -22,10 +24,11 @@ static bool is_awake(const thud_world *w, int shape)
 
 /* ---- the grids ---- */
 
-static bool build(thud_world *w, td_grid *grid, bool awake)
+static bool list_population(thud_world *w, td_grid *grid, bool awake)
 {
-    td_array *list = &w->scratch.shapes;
-    if (grid->valid) {
+    td_array *list = &grid->list;
+    list->stride = (int)sizeof(int);
+    if (grid->listed) {
         return true;
     }
     if (!td_array_reserve(&w->memory, list, w->shapes.items.count)) {
@@ -48,12 +51,22 @@ static bool build(thud_world *w, td_grid *grid, bool awake)
             }
         }
     }
-    return td_grid_build(w, grid, list->data, list->count);
+    grid->listed = true;
+    return true;
+}
+
+static bool refresh(thud_world *w, td_grid *grid, bool awake)
+{
+    /* Where a fifth moved, nearly everything is to be sorted anew next time as well. */
+    bool quiet = awake && w->moved.count * 5 <= w->awake_grid.list.count;
+    return grid->valid ||
+           (quiet && td_grid_follow(w, grid, w->moved.data, w->moved.count)) ||
+           (list_population(w, grid, awake) && td_grid_build(w, grid, quiet));
 }
 
 bool td_broadphase_refresh(thud_world *w)
 {
-    return build(w, &w->awake_grid, true) && build(w, &w->rest_grid, false);
+    return refresh(w, &w->awake_grid, true) && refresh(w, &w->rest_grid, false);
 }
 
 /* ---- new pairs ---- */
@@ -112,36 +125,21 @@ static bool query(thud_world *w, const td_grid *grid, int shape)
                                           td_stance_at(w, shape)->center, &w->scratch.hits);
 }
 
-/* Every pair of awake shapes of which one moved. Sweeping the whole grid is cheaper than asking for
- * each moved shape once about a fifth has moved. */
-static bool pair_awake(thud_world *w, int moved_awake)
+/* Every pair of awake shapes of which one moved. */
+static bool pair_awake(thud_world *w)
 {
-    td_array *hits = &w->scratch.hits;
-    if (moved_awake * 5 > w->awake_grid.ids.count) {
-        hits->count = 0;
-        if (!TD_PICK_WIDE(w, td_grid_sweep)(&w->awake_grid, &w->memory, w->stance.data, hits)) {
-            return false;
-        }
-        for (int i = 0; i < hits->count; i += 2) {
-            const int *pair = td_at(hits, i);
-            if (!consider(w, pair[0], pair[1])) {
-                return false;
-            }
-        }
-        return true;
+    td_array *hits = &w->scratch.hits, *runs = &w->scratch.hit_runs;
+    const td_grid *grid = &w->awake_grid;
+    bool every = grid->moved_count * 2 > grid->ids.count;
+    hits->count = 0;
+    if (!TD_PICK_WIDE(w, td_grid_sweep)(grid, &w->memory, w->stance.data, every, runs, hits)) {
+        return false;
     }
-    for (int i = 0; i < w->moved.count; i++) {
-        int shape = *(int *)td_at(&w->moved, i);
-        if (!is_awake(w, shape)) {
-            continue;
-        }
-        if (!query(w, &w->awake_grid, shape)) {
-            return false;
-        }
-        for (int k = 0; k < hits->count; k++) {
-            int other = *(int *)td_at(hits, k);
-            bool twice = other <= shape && (*td_marks_at(w, other) & TD_MARK_MOVED);
-            if (other != shape && !twice && !consider(w, shape, other)) {
+    const int *hit = hits->data;
+    for (int i = 0, k = 0; i < runs->count; i++) {
+        const td_hit_run *run = td_at(runs, i);
+        for (; k < run->end; k++) {
+            if (!consider(w, run->shape, hit[k])) {
                 return false;
             }
         }
@@ -149,22 +147,59 @@ static bool pair_awake(thud_world *w, int moved_awake)
     return true;
 }
 
-/* A moved shape against the grid of the other population. */
-static bool pair_across(thud_world *w, int shape)
+static bool moved(const thud_world *w, int shape)
 {
-    const td_grid *grid = is_awake(w, shape) ? &w->rest_grid : &w->awake_grid;
-    if (td_shape_at(w, shape)->kind == THUD_TERRAIN || grid->ids.count == 0) {
-        return true;
+    return *td_marks_at(w, shape) & TD_MARK_MOVED;
+}
+
+/* A shape at rest against awake ones; where both moved the pair comes once more from the other. */
+static bool pair_resting(thud_world *w, int shape, bool with_moved)
+{
+    if (td_shape_at(w, shape)->kind == THUD_TERRAIN || !query(w, &w->awake_grid, shape)) {
+        return td_shape_at(w, shape)->kind == THUD_TERRAIN;
     }
-    if (!query(w, grid, shape)) {
-        return false;
-    }
-    bool rests = grid == &w->awake_grid;
     for (int k = 0; k < w->scratch.hits.count; k++) {
         int other = *(int *)td_at(&w->scratch.hits, k);
-        /* Where both moved, the awake one finds the other. */
-        bool twice = rests && (*td_marks_at(w, other) & TD_MARK_MOVED);
-        if (!twice && !consider(w, shape, other)) {
+        if (moved(w, other) == with_moved && !consider(w, shape, other)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool pair_moved(thud_world *w, int shape)
+{
+    if (!query(w, &w->rest_grid, shape)) {
+        return false;
+    }
+    for (int k = 0; k < w->scratch.hits.count; k++) {
+        if (!consider(w, shape, *(int *)td_at(&w->scratch.hits, k))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Every pair of an awake shape and one at rest of which one moved. Where few rest, they look for
+ * what moved rather than the other way around. */
+static bool pair_across(thud_world *w)
+{
+    const td_array *rest = &w->rest_grid.ids;
+    bool few = rest->count * 8 < w->awake_grid.moved_count;
+    for (int i = 0; i < rest->count && few; i++) {
+        if (!pair_resting(w, *(int *)td_at(rest, i), true)) {
+            return false;
+        }
+    }
+    bool moved_rest = w->awake_grid.moved_count < w->moved.count;
+    if (few && !moved_rest) {
+        return true;
+    }
+    for (int i = 0; i < w->moved.count; i++) {
+        int shape = *(int *)td_at(&w->moved, i);
+        bool done = is_awake(w, shape) ? few || rest->count == 0 || pair_moved(w, shape)
+                                       : pair_resting(w, shape, false);
+        if (!done) {
             return false;
         }
     }
@@ -269,12 +304,6 @@ bool td_broadphase(thud_world *w)
     if (w->moved.count == 0) {
         return true;
     }
-    int moved_awake = 0;
-    for (int i = 0; i < w->moved.count; i++) {
-        moved_awake += is_awake(w, *(int *)td_at(&w->moved, i));
-    }
-    w->awake_grid.valid &= moved_awake == 0;
-    w->rest_grid.valid &= moved_awake == w->moved.count;
     w->scratch.pairs.count = 0;
     if (!td_broadphase_refresh(w)) {
         return false;
@@ -282,19 +311,14 @@ bool td_broadphase(thud_world *w)
     /* A body that was far away a step ago may be near now, hence both. */
     bool vast = is_vast(w);
     w->vast |= vast;
-    if (moved_awake && !pair_awake(w, moved_awake)) {
-        return false;
-    }
-    for (int i = 0; i < w->moved.count; i++) {
-        if (!pair_across(w, *(int *)td_at(&w->moved, i))) {
-            return false;
-        }
-    }
-    if (!pair_terrains(w) || !create_contacts(w)) {
+    if (!pair_awake(w) || !pair_across(w) || !pair_terrains(w) || !create_contacts(w)) {
         return false;
     }
     for (int i = 0; i < w->moved.count; i++) {
         *td_marks_at(w, *(int *)td_at(&w->moved, i)) = 0;
+    }
+    if (w->awake_grid.loose) {
+        memset(w->awake_grid.moved.data, 0, (size_t)w->awake_grid.ids.count * sizeof(int32_t));
     }
     w->moved.count = 0;
     w->vast = vast;

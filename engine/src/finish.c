@@ -29,7 +29,8 @@ static void quarantine(thud_world *w, int index)
     }
     td_awake_remove(w, index);
     body->flags |= TD_BODY_QUARANTINED;
-    w->awake_grid.valid = w->rest_grid.valid = false;
+    td_grid_forget(&w->awake_grid);
+    td_grid_forget(&w->rest_grid);
     if (td_array_reserve(&w->memory, &w->events.quarantined, w->events.quarantined.count + 1)) {
         *(thud_body_id *)td_at(&w->events.quarantined, w->events.quarantined.count++) =
             td_body_handle(w, index);

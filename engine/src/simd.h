@@ -159,6 +159,42 @@ TD_INLINE i8 i8_load(const int32_t *p) /* any alignment of int32_t */
     return r;
 }
 
+/* Writes the ints at `from` whose bit is set one after the other; returns how many. May write up to
+ * eight ints, whatever their number. */
+TD_INLINE int i8_pack(int32_t *to, const int32_t *from, unsigned bits)
+{
+#if defined(__SSSE3__) || defined(__wasm_simd128__)
+#define TD_BYTES(i) 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3
+#define TD_PACK(a, b, c, d) {TD_BYTES(a), TD_BYTES(b), TD_BYTES(c), TD_BYTES(d)}
+    static const _Alignas(16) uint8_t order[16][16] = {
+        TD_PACK(0, 0, 0, 0), TD_PACK(0, 0, 0, 0), TD_PACK(1, 0, 0, 0), TD_PACK(0, 1, 0, 0),
+        TD_PACK(2, 0, 0, 0), TD_PACK(0, 2, 0, 0), TD_PACK(1, 2, 0, 0), TD_PACK(0, 1, 2, 0),
+        TD_PACK(3, 0, 0, 0), TD_PACK(0, 3, 0, 0), TD_PACK(1, 3, 0, 0), TD_PACK(0, 1, 3, 0),
+        TD_PACK(2, 3, 0, 0), TD_PACK(0, 2, 3, 0), TD_PACK(1, 2, 3, 0), TD_PACK(0, 1, 2, 3)};
+#undef TD_PACK
+#undef TD_BYTES
+    int low = __builtin_popcount(bits & 15u);
+#if defined(__SSSE3__)
+    const __m128i *orders = (const __m128i *)(const void *)order;
+    __m128i a = _mm_loadu_si128((const __m128i *)(const void *)from);
+    __m128i b = _mm_loadu_si128((const __m128i *)(const void *)(from + 4));
+    _mm_storeu_si128((__m128i *)(void *)to, _mm_shuffle_epi8(a, orders[bits & 15u]));
+    _mm_storeu_si128((__m128i *)(void *)(to + low), _mm_shuffle_epi8(b, orders[bits >> 4]));
+#else
+    v128_t a = wasm_v128_load(from), b = wasm_v128_load(from + 4);
+    wasm_v128_store(to, wasm_i8x16_swizzle(a, wasm_v128_load(order[bits & 15u])));
+    wasm_v128_store(to + low, wasm_i8x16_swizzle(b, wasm_v128_load(order[bits >> 4])));
+#endif
+    return low + __builtin_popcount(bits >> 4);
+#else
+    int count = 0;
+    for (; bits; bits &= bits - 1) {
+        to[count++] = from[__builtin_ctz(bits)];
+    }
+    return count;
+#endif
+}
+
 /* Eight records of four floats, by index, turned into four vectors of eight. */
 typedef struct td_rows {
     f8 x, y, z, w;

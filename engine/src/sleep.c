@@ -93,7 +93,8 @@ bool td_wake(thud_world *w, int index)
         }
         look_around(w, body);
     }
-    w->awake_grid.valid = w->rest_grid.valid = false;
+    td_grid_forget(&w->awake_grid);
+    td_grid_forget(&w->rest_grid);
     return true;
 }
 
@@ -209,7 +210,8 @@ static bool put_to_sleep(thud_world *w)
     for (int i = 0; i < bodies->count; i++) {
         td_body_at(w, *(int *)td_at(bodies, i))->rest_epoch = w->rest_epoch;
     }
-    w->awake_grid.valid = w->rest_grid.valid = false;
+    td_grid_forget(&w->awake_grid);
+    td_grid_forget(&w->rest_grid);
     return true;
 }
 

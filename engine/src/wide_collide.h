@@ -88,7 +88,7 @@ TD_INLINE f8 td_inverse_or_zero(i8 valid, f8 k)
 
 /* Friction acts at the middle of the points, which is the same for the bodies as at each of them:
  * they lie on one tangent line. */
-TD_INLINE td_found td_middle(const td_found *found, int points)
+TD_INLINE td_found middle_of(const td_found *found, int points)
 {
     if (points == 1) {
         return found[0];
@@ -114,7 +114,7 @@ TD_INLINE void td_write_points(td_block *block, const td_found *found, int point
     f8 ia = block->inv_inertia_a, ib = block->inv_inertia_b;
     td_rows va = td_gather(c->velocity, block->a), vb = td_gather(c->velocity, block->b);
     f8 mass = va.w + vb.w;
-    td_found middle = td_middle(found, points);
+    td_found middle = middle_of(found, points);
     f8 turn_a = f8_keep(middle.valid, -(middle.rax * nx + middle.ray * ny));
     f8 turn_b = f8_keep(middle.valid, -(middle.rbx * nx + middle.rby * ny));
     f8 side_a = ia * turn_a, side_b = ib * turn_b;

@@ -137,6 +137,7 @@ TD_INLINE void place_lanes(thud_world *w, int first, const td_rows *d, unsigned 
     }
     for (unsigned left = bits & i8_bits(outside); left; left &= left - 1) {
         int i = __builtin_ctz(left);
+        w->awake_grid.valid = false;
         renew_bounds(w, lone[i], (td_bounds){tight.min_x[i], tight.min_y[i], tight.max_x[i],
                                              tight.max_y[i]});
     }

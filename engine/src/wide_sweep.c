@@ -1,9 +1,54 @@
-/* wide_sweep.c: finding the overlapping bounds of a grid, eight at a time.
+/* wide_sweep.c: filling a grid, and finding its overlapping bounds, eight at a time.
  *
  * Bounds overlap where none of four differences is negative, so one sign bit a lane decides. Hits
  * come in the order of the grid, which is the order of places, not of addresses. */
-#include "block.h"
 #include "grid.h"
+
+#include <stddef.h>
+
+/* ---- filling ---- */
+
+/* Four ints of each of eight records, turned into four vectors. */
+TD_INLINE void load_bounds(const td_stance *stance, const int32_t *ids, i8 out[4])
+{
+    const float *r[TD_LANES];
+    for (int i = 0; i < TD_LANES; i++) {
+        r[i] = (const float *)(const void *)&stance[ids[i]].fat;
+    }
+    td_rows rows =
+        td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+    out[0] = (i8)rows.x;
+    out[1] = (i8)rows.y;
+    out[2] = (i8)rows.z;
+    out[3] = (i8)rows.w;
+}
+
+td_grid_fill_fn TD_WIDE(td_grid_fill);
+int TD_WIDE(td_grid_fill)(td_grid *grid, const td_stance *stance, const uint8_t *marks)
+{
+    int32_t *ids = grid->ids.data, *moved = grid->moved.data;
+    int32_t *rows[4] = {grid->min_x.data, grid->min_y.data, grid->max_x.data, grid->max_y.data};
+    int count = grid->ids.count, moved_count = 0;
+    /* The last eight may reach beyond the end, where any shape will do. */
+    for (int i = count; i < count + TD_LANES; i++) {
+        ids[i] = ids[count - 1];
+    }
+    for (int i = 0; i < count; i += TD_LANES) {
+        i8 bounds[4];
+        load_bounds(stance, ids + i, bounds);
+        for (int k = 0; k < 4; k++) {
+            __builtin_memcpy(rows[k] + i, &bounds[k], sizeof bounds[k]);
+        }
+    }
+    for (int i = 0; i < count; i++) {
+        int32_t flag = -(int32_t)(marks[ids[i]] & 1);
+        moved[i] = flag;
+        moved_count -= flag;
+    }
+    return moved_count;
+}
+
+/* ---- finding ---- */
 
 typedef struct scan {
     const td_grid *grid;
@@ -11,8 +56,10 @@ typedef struct scan {
     td_memory *memory;
     td_array *hits;
     i8 box_min_x, box_min_y, box_max_x, box_max_y;
-    i8 heed; /* -1: report every overlap; 0: only with shapes that moved */
 } scan;
+
+/* Which of the overlapping shapes count. */
+typedef enum heed { HEED_ALL, HEED_MOVED, HEED_UNMOVED } heed;
 
 TD_INLINE scan begin(const td_grid *grid, td_memory *memory, td_array *hits)
 {
@@ -28,13 +75,12 @@ TD_INLINE scan begin(const td_grid *grid, td_memory *memory, td_array *hits)
                   .hits = hits};
 }
 
-TD_INLINE void set_box(scan *s, const td_bounds *b, int32_t heed)
+TD_INLINE void set_box(scan *s, const td_bounds *b)
 {
     s->box_min_x = i8_all(b->min_x);
     s->box_min_y = i8_all(b->min_y);
     s->box_max_x = i8_all(b->max_x);
     s->box_max_y = i8_all(b->max_y);
-    s->heed = i8_all(heed);
 }
 
 TD_INLINE td_bounds bounds_at(const scan *s, int i)
@@ -43,120 +89,92 @@ TD_INLINE td_bounds bounds_at(const scan *s, int i)
 }
 
 /* Overlapping lanes among the eight from `at` on. */
-TD_INLINE unsigned test(const scan *s, int at)
+TD_INLINE unsigned test(const scan *s, int at, heed which)
 {
     i8 apart = i8_wrap_sub(s->box_max_x, i8_load(s->min_x + at)) |
                i8_wrap_sub(i8_load(s->max_x + at), s->box_min_x) |
                i8_wrap_sub(s->box_max_y, i8_load(s->min_y + at)) |
                i8_wrap_sub(i8_load(s->max_y + at), s->box_min_y);
-    return i8_bits(~apart & (s->heed | i8_load(s->moved + at)));
+    i8 found = ~apart;
+    if (which != HEED_ALL) {
+        i8 moved = i8_load(s->moved + at);
+        found &= which == HEED_MOVED ? moved : ~moved;
+    }
+    return i8_bits(found);
 }
 
-/* Reports (`first`, hit) pairs when first is a shape, else hits alone. */
-TD_INLINE bool scan_range(scan *s, int from, int to, int first)
+TD_INLINE bool scan_range(scan *s, int from, int to, heed which)
 {
-    int needed = s->hits->count + 2 * (to - from) + 2 * TD_LANES;
+    int needed = s->hits->count + (to - from) + TD_LANES;
     if (needed > s->hits->capacity && !td_array_reserve(s->memory, s->hits, needed)) {
         return false;
     }
     int32_t *out = (int32_t *)s->hits->data + s->hits->count;
     for (int at = from; at < to; at += TD_LANES) {
-        unsigned bits = test(s, at);
-        if (to - at < TD_LANES) {
-            bits &= (1u << (to - at)) - 1u;
-        }
-        for (; bits; bits &= bits - 1) {
-            if (first != TD_NONE) {
-                *out++ = first;
-            }
-            *out++ = s->ids[at + __builtin_ctz(bits)];
-        }
+        unsigned bits = test(s, at, which);
+        int left = to - at;
+        bits &= left < TD_LANES ? (1u << left) - 1u : 0xffu;
+        out += i8_pack(out, s->ids + at, bits);
     }
     s->hits->count = (int)(out - (int32_t *)s->hits->data);
     return true;
 }
 
 /* Cells cell .. cell + n - 1 of a level, around the end of its table. */
-TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n, int first)
+TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which)
 {
     const int32_t *starts = s->starts + level->starts;
     uint32_t table = level->mask + 1;
     cell &= level->mask;
     if (cell + n <= table) {
-        return scan_range(s, starts[cell], starts[cell + n], first);
+        return scan_range(s, starts[cell], starts[cell + n], which);
     }
-    return scan_range(s, starts[cell], starts[table], first) &&
-           scan_range(s, starts[0], starts[cell + n - table], first);
+    return scan_range(s, starts[cell], starts[table], which) &&
+           scan_range(s, starts[0], starts[cell + n - table], which);
 }
 
-/* Against the levels of larger shapes: three rows of three cells each. */
-TD_INLINE bool scan_coarser(scan *s, int own_level, int64_t x, int64_t y, int first)
+/* A shape's own level: the rest of its cell and the next one, and the row above; so that each pair
+ * comes once. */
+TD_INLINE bool scan_forward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
+{
+    const int32_t *starts = s->starts + level->starts;
+    bool wraps = cell == level->mask;
+    return scan_range(s, i + 1, starts[cell + (wraps ? 1 : 2)], which) &&
+           (!wraps || scan_range(s, starts[0], starts[1], which)) &&
+           scan_cells(s, level, cell + level->row - 1, 3, which);
+}
+
+/* The other half of the neighbourhood. */
+TD_INLINE bool scan_backward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
+{
+    const int32_t *starts = s->starts + level->starts;
+    bool wraps = cell == 0;
+    return scan_range(s, starts[wraps ? cell : cell - 1], i, which) &&
+           (!wraps || scan_range(s, starts[level->mask], starts[level->mask + 1], which)) &&
+           scan_cells(s, level, cell - level->row - 1, 3, which);
+}
+
+/* A level of larger shapes: three rows of three cells each, about a centre. */
+TD_INLINE bool scan_coarser(scan *s, const td_level *level, int64_t x, int64_t y, heed which)
 {
     const td_grid *grid = s->grid;
-    for (int l = own_level + 1; l < TD_LEVELS; l++) {
-        const td_level *level = &grid->levels[l];
-        if (!level->count) {
-            continue;
-        }
-        int64_t column = td_grid_index(x, grid->origin_x, level->inv_cell);
-        int64_t row = td_grid_index(y, grid->origin_y, level->inv_cell);
-        for (int64_t r = row - 1; r <= row + 1; r++) {
-            if (!scan_cells(s, level, td_grid_cell(level, column - 1, r), 3, first)) {
-                return false;
-            }
+    int64_t column = td_grid_index(x, grid->origin_x, level->inv_cell);
+    int64_t row = td_grid_index(y, grid->origin_y, level->inv_cell);
+    for (int64_t r = row - 1; r <= row + 1; r++) {
+        if (!scan_cells(s, level, td_grid_cell(level, column - 1, r), 3, which)) {
+            return false;
         }
     }
     return true;
 }
 
-static int coarsest_level(const td_grid *grid)
-{
-    int last = TD_LEVELS - 1;
-    while (last > 0 && !grid->levels[last].count) {
-        last--;
-    }
-    return last;
-}
-
-td_grid_sweep_fn TD_WIDE(td_grid_sweep);
-bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_stance *stance,
-                            td_array *hits)
-{
-    scan s = begin(grid, memory, hits);
-    const int32_t *cells = grid->cells.data;
-    int coarsest = coarsest_level(grid);
-    for (int l = 0; l <= coarsest; l++) {
-        const td_level *level = &grid->levels[l];
-        const int32_t *starts = s.starts + level->starts;
-        for (int i = level->first; i < level->first + level->count; i++) {
-            td_bounds b = bounds_at(&s, i);
-            uint32_t cell = (uint32_t)cells[i];
-            set_box(&s, &b, s.moved[i]);
-            /* The rest of its own cell and the next one; then the row above. */
-            bool wraps = cell == level->mask;
-            if (!scan_range(&s, i + 1, starts[cell + (wraps ? 1 : 2)], s.ids[i]) ||
-                (wraps && !scan_range(&s, starts[0], starts[1], s.ids[i])) ||
-                !scan_cells(&s, level, cell + level->row - 1, 3, s.ids[i])) {
-                return false;
-            }
-            if (l < coarsest) {
-                const td_place *at = &stance[s.ids[i]].center;
-                int64_t x = td_unwrap(b.min_x, at->x) + td_wrap_sub(b.max_x, b.min_x) / 2;
-                int64_t y = td_unwrap(b.min_y, at->y) + td_wrap_sub(b.max_y, b.min_y) / 2;
-                if (!scan_coarser(&s, l, x, y, s.ids[i])) {
-                    return false;
-                }
-            }
-        }
-    }
-    return true;
-}
-
-static bool query_level(scan *s, const td_level *level, const td_bounds *b, td_place near_position)
+/* Any level, by the cells that the bounds reach. */
+TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, td_place near_position,
+                           heed which)
 {
     const td_grid *grid = s->grid;
     if (level->count <= TD_LANES) { /* one test is cheaper than finding the cells */
-        return scan_range(s, level->first, level->first + level->count, TD_NONE);
+        return scan_range(s, level->first, level->first + level->count, which);
     }
     int64_t half = level->cell / 2 + 1;
     int64_t c0 = td_grid_index(td_unwrap(b->min_x, near_position.x) - half, grid->origin_x,
@@ -180,13 +198,78 @@ static bool query_level(scan *s, const td_level *level, const td_bounds *b, td_p
     /* Hashed rows may fall onto each other, so a window of more than three is searched whole. */
     if (c1 - c0 + 1 > level->count || r1 - r0 + 1 > level->count ||
         (level->hashed && (r1 - r0 > 2 || c1 - c0 > 2))) {
-        return scan_range(s, level->first, level->first + level->count, TD_NONE);
+        return scan_range(s, level->first, level->first + level->count, which);
     }
     for (int64_t r = r0; r <= r1; r++) {
-        if (!scan_cells(s, level, td_grid_cell(level, c0, r), (uint32_t)(c1 - c0 + 1), TD_NONE)) {
+        if (!scan_cells(s, level, td_grid_cell(level, c0, r), (uint32_t)(c1 - c0 + 1), which)) {
             return false;
         }
     }
+    return true;
+}
+
+TD_INLINE bool sweep_levels(scan *s, int own, int i, const td_stance *stance, bool every)
+{
+    const td_grid *grid = s->grid;
+    td_bounds b = bounds_at(s, i);
+    const td_place *at = &stance[s->ids[i]].center;
+    int64_t x = td_unwrap(td_middle(b.min_x, b.max_x), at->x);
+    int64_t y = td_unwrap(td_middle(b.min_y, b.max_y), at->y);
+    heed which = s->moved[i] ? HEED_ALL : HEED_MOVED;
+    for (int l = 0; l < TD_LEVELS; l++) {
+        const td_level *level = &grid->levels[l];
+        bool done = l == own || !level->count ||
+                    (l > own ? scan_coarser(s, level, x, y, which)
+                             : every || scan_window(s, level, &b, *at, HEED_UNMOVED));
+        if (!done) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static int levels_in_use(const td_grid *grid)
+{
+    int used = 0;
+    for (int l = 0; l < TD_LEVELS; l++) {
+        used += grid->levels[l].count > 0;
+    }
+    return used;
+}
+
+td_grid_sweep_fn TD_WIDE(td_grid_sweep);
+bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_stance *stance,
+                            bool every, td_array *runs, td_array *hits)
+{
+    scan s = begin(grid, memory, hits);
+    const int32_t *cells = grid->cells.data;
+    bool one_level = levels_in_use(grid) == 1;
+    if (!td_array_reserve(memory, runs, grid->ids.count)) {
+        return false;
+    }
+    td_hit_run *run = runs->data;
+    int before = hits->count;
+    for (int l = 0; l < TD_LEVELS; l++) {
+        const td_level *level = &grid->levels[l];
+        for (int i = level->first; i < level->first + level->count; i++) {
+            if (!every && !s.moved[i]) {
+                continue;
+            }
+            td_bounds b = bounds_at(&s, i);
+            set_box(&s, &b);
+            uint32_t cell = (uint32_t)cells[i];
+            if (!(s.moved[i] ? scan_forward(&s, level, i, cell, HEED_ALL)
+                             : scan_forward(&s, level, i, cell, HEED_MOVED)) ||
+                !(every || scan_backward(&s, level, i, cell, HEED_UNMOVED)) ||
+                !(one_level || sweep_levels(&s, l, i, stance, every))) {
+                return false;
+            }
+            *run = (td_hit_run){s.ids[i], hits->count};
+            run += hits->count != before;
+            before = hits->count;
+        }
+    }
+    runs->count = (int)(run - (td_hit_run *)runs->data);
     return true;
 }
 
@@ -195,9 +278,10 @@ bool TD_WIDE(td_grid_query)(const td_grid *grid, td_memory *memory, const td_bou
                             td_place near_position, td_array *hits)
 {
     scan s = begin(grid, memory, hits);
-    set_box(&s, bounds, -1);
+    set_box(&s, bounds);
     for (int l = 0; l < TD_LEVELS; l++) {
-        if (grid->levels[l].count && !query_level(&s, &grid->levels[l], bounds, near_position)) {
+        if (grid->levels[l].count &&
+            !scan_window(&s, &grid->levels[l], bounds, near_position, HEED_ALL)) {
             return false;
         }
     }

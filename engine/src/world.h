@@ -192,8 +192,8 @@ struct thud_world {
 
     /* Scratch and statistics: rebuilt by every step. */
     struct td_scratch {
-        td_array shapes;      /* int: a population to sort */
         td_array hits;        /* int: what a grid reports */
+        td_array hit_runs;    /* td_hit_run: to whom the hits of a sweep belong */
         td_array pairs;       /* td_new_pair */
         td_array bodies, contacts; /* int: an island that wakes or falls asleep */
         td_array blocks;      /* td_block *: in solver order */
