@@ -10,7 +10,8 @@
 
 typedef struct sorted_shape {
     int64_t x, y; /* centre of the fat bounds, bounds quanta */
-    int32_t level, cell;
+    int32_t extent, level;
+    int32_t cell;
 } sorted_shape;
 
 static int32_t extent_of(const td_bounds *b)
@@ -18,24 +19,57 @@ static int32_t extent_of(const td_bounds *b)
     return td_max_int(td_wrap_sub(b->max_x, b->min_x), td_wrap_sub(b->max_y, b->min_y));
 }
 
-/* Centres and levels, the corners, and each level's count and largest extent. */
+/* Sizes are told apart to a quarter of an octave, by the leading bits of a float. */
+enum { SIZES = 128 };
+
+static int size_of(int32_t extent)
+{
+    float f = (float)td_max_int(extent, 1);
+    uint32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    return (int)(bits >> 21) - (127 << 2);
+}
+
+/* Levels from the last one down: each begins at the largest size that is left, and holds all down to
+ * a quarter of it, so that sizes that differ little share a level. */
+static void choose_levels(const int *population, uint8_t *level_of_size)
+{
+    int level = TD_LEVELS, least = SIZES;
+    for (int size = SIZES - 1; size >= 0; size--) {
+        if (population[size] && size < least && level > 0) {
+            level--;
+            least = size - 7;
+        }
+        level_of_size[size] = (uint8_t)level;
+    }
+}
+
+/* Centres and the corners of the population, then levels, their counts and largest extents. */
 static void measure(const thud_world *w, td_grid *grid, sorted_shape *sorted)
 {
     const int *list = grid->list.data;
     const td_stance *stances = w->stance.data;
     int64_t least_x = INT64_MAX, least_y = INT64_MAX, most_x = INT64_MIN, most_y = INT64_MIN;
+    int population[SIZES] = {0};
     for (int i = 0; i < grid->list.count; i++) {
         const td_stance *stance = &stances[list[i]];
         const td_bounds *b = &stance->fat;
         sorted_shape *s = &sorted[i];
-        int32_t extent = extent_of(b);
+        s->extent = extent_of(b);
         s->x = td_unwrap(td_middle(b->min_x, b->max_x), stance->center.x);
         s->y = td_unwrap(td_middle(b->min_y, b->max_y), stance->center.y);
-        s->level = (31 - __builtin_clz((uint32_t)extent | 1)) / 2;
         least_x = s->x < least_x ? s->x : least_x;
         least_y = s->y < least_y ? s->y : least_y;
         most_x = s->x > most_x ? s->x : most_x;
         most_y = s->y > most_y ? s->y : most_y;
+        population[size_of(s->extent)]++;
+    }
+    uint8_t level_of_size[SIZES];
+    choose_levels(population, level_of_size);
+    for (int i = 0; i < grid->list.count; i++) {
+        sorted_shape *s = &sorted[i];
+        int32_t extent = s->extent;
+        s->level = level_of_size[size_of(extent)];
         td_level *level = &grid->levels[s->level];
         level->cell = extent > level->cell ? extent : level->cell;
         level->count++;

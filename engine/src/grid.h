@@ -69,7 +69,7 @@ void td_grid_free(td_memory *memory, td_grid *grid);
 typedef int td_grid_fill_fn(td_grid *grid, const td_stance *stance, const uint8_t *marks);
 
 /* Finds each pair of shapes whose bounds overlap and of which one moved, once. `runs` gets
- * td_hit_run, `hits` the ids. `every`: look at every shape rather than at those that moved, which
+ * td_hit_run, `hits`, empty before, the ids. `every`: look at every shape rather than at those that moved, which
  * pays when most did. */
 typedef bool td_grid_sweep_fn(const td_grid *grid, td_memory *memory, const td_stance *stance,
                               bool every, td_array *runs, td_array *hits);

@@ -55,24 +55,43 @@ typedef struct scan {
     const int32_t *ids, *min_x, *min_y, *max_x, *max_y, *moved, *starts;
     td_memory *memory;
     td_array *hits;
+    int32_t *out, *limit; /* where the next hit goes, and the end of the room */
     i8 box_min_x, box_min_y, box_max_x, box_max_y;
 } scan;
+
+/* A level of so few is searched whole, which costs less than finding the cells. */
+enum { FEW = 2 * TD_LANES };
 
 /* Which of the overlapping shapes count. */
 typedef enum heed { HEED_ALL, HEED_MOVED, HEED_UNMOVED } heed;
 
+TD_INLINE void set_room(scan *s)
+{
+    s->out = (int32_t *)s->hits->data + s->hits->count;
+    s->limit = (int32_t *)s->hits->data + s->hits->capacity;
+}
+
+/* What was found so far, as the hits' count. */
+TD_INLINE int count_hits(scan *s)
+{
+    s->hits->count = (int)(s->out - (int32_t *)s->hits->data);
+    return s->hits->count;
+}
+
 TD_INLINE scan begin(const td_grid *grid, td_memory *memory, td_array *hits)
 {
-    return (scan){.grid = grid,
-                  .ids = grid->ids.data,
-                  .min_x = grid->min_x.data,
-                  .min_y = grid->min_y.data,
-                  .max_x = grid->max_x.data,
-                  .max_y = grid->max_y.data,
-                  .moved = grid->moved.data,
-                  .starts = grid->starts.data,
-                  .memory = memory,
-                  .hits = hits};
+    scan s = {{.grid = grid,
+              .ids = grid->ids.data,
+              .min_x = grid->min_x.data,
+              .min_y = grid->min_y.data,
+              .max_x = grid->max_x.data,
+              .max_y = grid->max_y.data,
+              .moved = grid->moved.data,
+              .starts = grid->starts.data,
+              .memory = memory,
+              .hits = hits};
+    set_room(&s);
+    return s;
 }
 
 TD_INLINE void set_box(scan *s, const td_bounds *b)
@@ -103,21 +122,27 @@ TD_INLINE unsigned test(const scan *s, int at, heed which)
     return i8_bits(found);
 }
 
-TD_INLINE bool scan_range(scan *s, int from, int to, heed which)
+/* Room for `more` hits and what packing writes beyond. */
+TD_INLINE bool room(scan *s, int more)
 {
-    int needed = s->hits->count + (to - from) + TD_LANES;
-    if (needed > s->hits->capacity && !td_array_reserve(s->memory, s->hits, needed)) {
+    if (s->limit - s->out >= more + TD_LANES) {
+        return true;
+    }
+    if (!td_array_reserve(s->memory, s->hits, count_hits(s) + more + TD_LANES)) {
         return false;
     }
-    int32_t *out = (int32_t *)s->hits->data + s->hits->count;
+    set_room(s);
+    return true;
+}
+
+TD_INLINE void scan_range(scan *s, int from, int to, heed which)
+{
     for (int at = from; at < to; at += TD_LANES) {
         unsigned bits = test(s, at, which);
         int left = to - at;
         bits &= left < TD_LANES ? (1u << left) - 1u : 0xffu;
-        out += i8_pack(out, s->ids + at, bits);
+        s->out += i8_pack(s->out, s->ids + at, bits);
     }
-    s->hits->count = (int)(out - (int32_t *)s->hits->data);
-    return true;
 }
 
 /* Cells cell .. cell + n - 1 of a level, around the end of its table. */
@@ -127,10 +152,27 @@ TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_
     uint32_t table = level->mask + 1;
     cell &= level->mask;
     if (cell + n <= table) {
-        return scan_range(s, starts[cell], starts[cell + n], which);
+        if (!room(s, starts[cell + n] - starts[cell])) {
+            return false;
+        }
+        scan_range(s, starts[cell], starts[cell + n], which);
+        return true;
     }
-    return scan_range(s, starts[cell], starts[table], which) &&
-           scan_range(s, starts[0], starts[cell + n - table], which);
+    if (!room(s, level->count)) {
+        return false;
+    }
+    scan_range(s, starts[cell], starts[table], which);
+    scan_range(s, starts[0], starts[cell + n - table], which);
+    return true;
+}
+
+TD_INLINE bool scan_level(scan *s, const td_level *level, heed which)
+{
+    if (!room(s, level->count)) {
+        return false;
+    }
+    scan_range(s, level->first, level->first + level->count, which);
+    return true;
 }
 
 /* A shape's own level: the rest of its cell and the next one, and the row above; so that each pair
@@ -138,28 +180,42 @@ TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_
 TD_INLINE bool scan_forward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
 {
     const int32_t *starts = s->starts + level->starts;
-    bool wraps = cell == level->mask;
-    return scan_range(s, i + 1, starts[cell + (wraps ? 1 : 2)], which) &&
-           (!wraps || scan_range(s, starts[0], starts[1], which)) &&
-           scan_cells(s, level, cell + level->row - 1, 3, which);
+    uint32_t above = (cell + level->row - 1) & level->mask;
+    if (cell < level->mask && above + 3 <= level->mask + 1) {
+        int end = starts[cell + 2], first = starts[above], last = starts[above + 3];
+        if (!room(s, end - i + last - first)) {
+            return false;
+        }
+        scan_range(s, i + 1, end, which);
+        scan_range(s, first, last, which);
+        return true;
+    }
+    if (!room(s, level->count)) {
+        return false;
+    }
+    scan_range(s, i + 1, starts[cell + 1], which);
+    return scan_cells(s, level, cell + 1, 1, which) && scan_cells(s, level, above, 3, which);
 }
 
 /* The other half of the neighbourhood. */
 TD_INLINE bool scan_backward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
 {
-    const int32_t *starts = s->starts + level->starts;
-    bool wraps = cell == 0;
-    return scan_range(s, starts[wraps ? cell : cell - 1], i, which) &&
-           (!wraps || scan_range(s, starts[level->mask], starts[level->mask + 1], which)) &&
+    if (!room(s, level->count)) {
+        return false;
+    }
+    scan_range(s, s->starts[level->starts + (int)cell], i, which);
+    return scan_cells(s, level, cell - 1, 1, which) &&
            scan_cells(s, level, cell - level->row - 1, 3, which);
 }
 
-/* A level of larger shapes: three rows of three cells each, about a centre. */
-TD_INLINE bool scan_coarser(scan *s, const td_level *level, int64_t x, int64_t y, heed which)
+/* A level of larger shapes: three rows of three cells each, about a centre, which is given relative
+ * to the origin, and not below it. */
+TD_INLINE bool scan_coarser(scan *s, const td_level *level, double x, double y, heed which)
 {
-    const td_grid *grid = s->grid;
-    int64_t column = td_grid_index(x, grid->origin_x, level->inv_cell);
-    int64_t row = td_grid_index(y, grid->origin_y, level->inv_cell);
+    if (level->count <= FEW) {
+        return scan_level(s, level, which);
+    }
+    int64_t column = (int64_t)(x * level->inv_cell), row = (int64_t)(y * level->inv_cell);
     for (int64_t r = row - 1; r <= row + 1; r++) {
         if (!scan_cells(s, level, td_grid_cell(level, column - 1, r), 3, which)) {
             return false;
@@ -173,8 +229,8 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, t
                            heed which)
 {
     const td_grid *grid = s->grid;
-    if (level->count <= TD_LANES) { /* one test is cheaper than finding the cells */
-        return scan_range(s, level->first, level->first + level->count, which);
+    if (level->count <= FEW) {
+        return scan_level(s, level, which);
     }
     int64_t half = level->cell / 2 + 1;
     int64_t c0 = td_grid_index(td_unwrap(b->min_x, near_position.x) - half, grid->origin_x,
@@ -198,7 +254,7 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, t
     /* Hashed rows may fall onto each other, so a window of more than three is searched whole. */
     if (c1 - c0 + 1 > level->count || r1 - r0 + 1 > level->count ||
         (level->hashed && (r1 - r0 > 2 || c1 - c0 > 2))) {
-        return scan_range(s, level->first, level->first + level->count, which);
+        return scan_level(s, level, which);
     }
     for (int64_t r = r0; r <= r1; r++) {
         if (!scan_cells(s, level, td_grid_cell(level, c0, r), (uint32_t)(c1 - c0 + 1), which)) {
@@ -208,19 +264,21 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, t
     return true;
 }
 
-TD_INLINE bool sweep_levels(scan *s, int own, int i, const td_stance *stance, bool every)
+/* The levels that are not the shape's own. */
+TD_INLINE bool scan_others(scan *s, int own, int i, td_place near_position, bool every)
 {
     const td_grid *grid = s->grid;
     td_bounds b = bounds_at(s, i);
-    const td_place *at = &stance[s->ids[i]].center;
-    int64_t x = td_unwrap(td_middle(b.min_x, b.max_x), at->x);
-    int64_t y = td_unwrap(td_middle(b.min_y, b.max_y), at->y);
-    heed which = s->moved[i] ? HEED_ALL : HEED_MOVED;
-    for (int l = 0; l < TD_LEVELS; l++) {
+    double x = (double)(td_unwrap(td_middle(b.min_x, b.max_x), near_position.x) - grid->origin_x);
+    double y = (double)(td_unwrap(td_middle(b.min_y, b.max_y), near_position.y) - grid->origin_y);
+    for (int l = every ? own + 1 : 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
-        bool done = l == own || !level->count ||
-                    (l > own ? scan_coarser(s, level, x, y, which)
-                             : every || scan_window(s, level, &b, *at, HEED_UNMOVED));
+        if (l == own || !level->count) {
+            continue;
+        }
+        bool done = l < own       ? scan_window(s, level, &b, near_position, HEED_UNMOVED)
+                    : s->moved[i] ? scan_coarser(s, level, x, y, HEED_ALL)
+                                  : scan_coarser(s, level, x, y, HEED_MOVED);
         if (!done) {
             return false;
         }
@@ -248,7 +306,7 @@ bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_sta
         return false;
     }
     td_hit_run *run = runs->data;
-    int before = hits->count;
+    int before = 0;
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
         for (int i = level->first; i < level->first + level->count; i++) {
@@ -261,15 +319,17 @@ bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_sta
             if (!(s.moved[i] ? scan_forward(&s, level, i, cell, HEED_ALL)
                              : scan_forward(&s, level, i, cell, HEED_MOVED)) ||
                 !(every || scan_backward(&s, level, i, cell, HEED_UNMOVED)) ||
-                !(one_level || sweep_levels(&s, l, i, stance, every))) {
+                !(one_level || scan_others(&s, l, i, stance[s.ids[i]].center, every))) {
                 return false;
             }
-            *run = (td_hit_run){s.ids[i], hits->count};
-            run += hits->count != before;
-            before = hits->count;
+            int end = (int)(s.out - (const int32_t *)hits->data);
+            *run = (td_hit_run){s.ids[i], end};
+            run += end != before;
+            before = end;
         }
     }
     runs->count = (int)(run - (td_hit_run *)runs->data);
+    count_hits(&s);
     return true;
 }
 
@@ -285,5 +345,6 @@ bool TD_WIDE(td_grid_query)(const td_grid *grid, td_memory *memory, const td_bou
             return false;
         }
     }
+    count_hits(&s);
     return true;
 }
