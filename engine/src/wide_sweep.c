@@ -80,7 +80,7 @@ TD_INLINE int count_hits(scan *s)
 
 TD_INLINE scan begin(const td_grid *grid, td_memory *memory, td_array *hits)
 {
-    scan s = {{.grid = grid,
+    scan s = {.grid = grid,
               .ids = grid->ids.data,
               .min_x = grid->min_x.data,
               .min_y = grid->min_y.data,
