@@ -10,6 +10,8 @@
 #include "fixed.h"
 #include "simd.h"
 
+#include <stddef.h>
+
 /* A shape as it stands in the world: one cache line, all that finish, grid and narrowphase read. */
 typedef struct td_stance {
     td_place center;
@@ -21,29 +23,43 @@ typedef struct td_stance {
     td_bounds fat;
 } td_stance;
 
-/* A contact point of eight lanes. Crosses are (r x n), of its arms with the normal. */
+/* A contact point of eight lanes. Crosses are (r x n), of its arms with the normal. The solver is
+ * bound by the bytes that it moves, so that its rows stand together, three cache lines a point. */
 typedef struct td_point {
     f8 separation;  /* now: the relax pass leaves it for the next solve pass */
     f8 normal_mass; /* 0: no point here */
     f8 normal_impulse;
     f8 cross_a, cross_b;
-    f8 base;       /* separation at the start of the step */
-    f8 by_tangent; /* normal speed that a unit of friction's impulse brings here */
-    f8 approach;   /* normal velocity at the start of the step; negative: closing */
-    f8 total;      /* normal impulse of all substeps; kept only where td_solve_context asks */
+    f8 base; /* separation at the start of the step */
 } td_point;
 
-/* What a block of two points has besides. While the pair stays near the poses for which its manifold
- * was worked out, relative to each other and in the world, the manifold is kept and only its
- * separations follow: see wide_keep.h. */
-typedef struct td_second {
-    f8 by_first; /* normal speed at the second point that a unit of the first one's impulse brings */
-    f8 dx, dy;         /* from a's centre of mass to b's */
+/* What few ask of a contact point. */
+typedef struct td_point_history {
+    f8 approach; /* normal velocity at the start of the step; negative: closing */
+    f8 total;    /* normal impulse of all substeps; kept only where td_solve_context asks */
+} td_point_history;
+
+/* Poses for which a lane's manifold was worked out. While the pair stays near them, relative to each
+ * other and in the world, the manifold is kept and only its separations follow: see wide_keep.h. */
+typedef struct td_kept {
+    f8 dx, dy;         /* from a's centre of mass to b's; on terrain: bits of b's place */
     f8 ac, as, bc, bs; /* cosine and sine of both shapes */
     f8 base[2];        /* separations then */
-} td_second;
+    f8 limit;          /* motion up to which the manifold stays */
+    f8 reach;          /* greatest half extent: what a turn moves */
+} td_kept;
 
+/* Behind its points a block has a td_point_history each, and a td_kept where its kind keeps. */
 typedef struct td_block {
+    int32_t shape_a[TD_LANES], shape_b[TD_LANES];
+    int32_t contact[TD_LANES];  /* TD_NONE: empty lane */
+    uint32_t feature[TD_LANES]; /* faces in touch; impulses carry over while they stay; 0: none yet */
+    int32_t next, prev;         /* blocks of the same bin */
+    int32_t used;               /* lanes 0 .. used - 1 are in use */
+    uint32_t touching;          /* lanes with a point, by the last narrowphase */
+    int32_t bouncy;             /* a lane has restitution */
+    int32_t padding[11];
+    /* The solver's rows begin here. */
     int32_t a[TD_LANES], b[TD_LANES]; /* awake slots; a is 0 where that side is static */
     f8 nx, ny;                        /* from a to b */
     f8 inv_inertia_a, inv_inertia_b;
@@ -52,20 +68,37 @@ typedef struct td_block {
     f8 tangent_mass, tangent_impulse;
     f8 tangent_cross_a, tangent_cross_b; /* of the mean arms with t */
     f8 restitution;
-    int32_t shape_a[TD_LANES], shape_b[TD_LANES];
-    int32_t contact[TD_LANES]; /* TD_NONE: empty lane */
-    uint32_t feature[TD_LANES]; /* faces in touch; impulses carry over while they stay; 0: none yet */
-    int32_t next, prev;         /* blocks of the same bin */
-    int32_t used;               /* lanes 0 .. used - 1 are in use */
-    uint32_t touching;          /* lanes with a point, by the last narrowphase */
-    int32_t bouncy;             /* a lane has restitution */
-    int32_t padding[3];
-    td_point point[]; /* one; or two, and then a td_second */
+    td_point point[]; /* one or two */
 } td_block;
 
-static inline td_second *td_second_of(td_block *block)
+static inline td_point_history *td_history_of(td_block *block, int points)
 {
-    return (td_second *)&block->point[2];
+    return (td_point_history *)&block->point[points];
+}
+
+static inline td_kept *td_kept_of(td_block *block, int points)
+{
+    return (td_kept *)&td_history_of(block, points)[points];
+}
+
+/* What blocks there are: by points, and whether manifolds are kept. */
+typedef enum td_block_form {
+    TD_FORM_ONE,
+    TD_FORM_ONE_KEPT,
+    TD_FORM_TWO_KEPT,
+    TD_FORM_COUNT
+} td_block_form;
+
+static inline int td_form_points(td_block_form form)
+{
+    return form == TD_FORM_TWO_KEPT ? 2 : 1;
+}
+
+static inline size_t td_form_bytes(td_block_form form)
+{
+    size_t points = (size_t)td_form_points(form);
+    return sizeof(td_block) + points * (sizeof(td_point) + sizeof(td_point_history)) +
+           (form == TD_FORM_ONE ? 0 : sizeof(td_kept));
 }
 
 /* ---- what the wide kernels are given ---- */
@@ -86,7 +119,8 @@ typedef struct td_solve_context {
     float bounce_speed;         /* slower approaches do not bounce */
     float bias_rate[2];         /* soft contact against a moving [0] and a static body [1] */
     float mass_scale[2], impulse_scale[2];
-    bool keep_totals;           /* somebody will read td_point.total */
+    bool keep_totals;           /* somebody will read td_point_history.total */
+    bool first;                 /* substep: totals start anew */
 } td_solve_context;
 
 /* Fills normal, crosses, masses, base and separation of the blocks from the present poses, and
@@ -117,7 +151,7 @@ struct thud_world;
 
 /* What a pair kind plugs in when its shapes are first used; see kinds.h. */
 typedef struct td_pair_ops {
-    int points;               /* of a block: 1 or 2 */
+    td_block_form form;
     td_collide_fn *collide;   /* null where `collide_world` is set */
     /* Pairs whose geometry does not lie in the per-shape records (terrain). */
     void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,

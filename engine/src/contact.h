@@ -29,7 +29,7 @@ void td_contact_wait(thud_world *w, int contact);
 
 thud_contact_event td_contact_event(const thud_world *w, int contact);
 /* A lane as callers see it. contacts.c */
-thud_contact td_contact_view(const thud_world *w, const td_block *block, int lane);
+thud_contact td_contact_view(const thud_world *w, td_block *block, int lane);
 
 /* Steps along a body's contacts: edge = contact * 2 + side. */
 static inline int td_next_edge(const thud_world *w, int edge)

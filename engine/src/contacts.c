@@ -5,10 +5,10 @@
 #include "lanes.h"
 #include "step.h"
 
-thud_contact td_contact_view(const thud_world *w, const td_block *block, int lane)
+thud_contact td_contact_view(const thud_world *w, td_block *block, int lane)
 {
     const td_contact *contact = td_contact_at(w, block->contact[lane]);
-    int points = w->pairs[contact->kind]->points;
+    int points = td_form_points(w->pairs[contact->kind]->form);
     const td_shape *b = td_shape_at(w, contact->shape_b);
     const td_pose *pose = td_pose_at(w, b->body);
     thud_contact seen = {
@@ -28,7 +28,7 @@ thud_contact td_contact_view(const thud_world *w, const td_block *block, int lan
         along += p->cross_b[lane];
         seen.point_count++;
         seen.separation = td_min_float(seen.separation, p->separation[lane]);
-        seen.normal_impulse += p->total[lane];
+        seen.normal_impulse += td_history_of(block, points)[k].total[lane];
     }
     seen.tangent_impulse = block->tangent_impulse[lane];
     /* The crosses of the mean arm with normal and tangent are the arm itself, turned. */
@@ -42,7 +42,7 @@ thud_contact td_contact_view(const thud_world *w, const td_block *block, int lan
 
 static void disable(const thud_world *w, td_block *block, int lane)
 {
-    int points = w->pairs[td_contact_at(w, block->contact[lane])->kind]->points;
+    int points = td_form_points(w->pairs[td_contact_at(w, block->contact[lane])->kind]->form);
     for (int k = 0; k < points; k++) {
         td_point *p = &block->point[k];
         p->normal_mass[lane] = p->normal_impulse[lane] = 0.0f;
@@ -75,7 +75,7 @@ void td_contacts_tell(thud_world *w)
     }
     w->locked = true;
     for (int i = 0; i < w->scratch.blocks.count; i++) {
-        const td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
         for (int lane = 0; lane < block->used; lane++) {
             thud_contact seen = td_contact_view(w, block, lane);
             if (seen.point_count) {

@@ -6,22 +6,19 @@
 
 #include <string.h>
 
-enum { HEAD_ROWS = (int)(offsetof(td_block, next) / sizeof(f8)) };
-
-size_t td_block_bytes(int points)
+static int points_of(const thud_world *w, int kind)
 {
-    return sizeof(td_block) + (size_t)points * sizeof(td_point) +
-           (points == 2 ? sizeof(td_second) : 0);
+    return td_form_points(w->pairs[kind]->form);
 }
 
-static int rows_after_head(int points)
+static td_block_pool *pool_of(thud_world *w, int kind)
 {
-    return (int)((td_block_bytes(points) - sizeof(td_block)) / sizeof(f8));
+    return &w->pool[w->pairs[kind]->form];
 }
 
 td_block *td_block_at(const thud_world *w, int kind, int index)
 {
-    return td_at(&w->pool[w->pairs[kind]->points - 1].items, index);
+    return td_at(&w->pool[w->pairs[kind]->form].items, index);
 }
 
 static td_colours *colours_at(const thud_world *w, int awake)
@@ -88,9 +85,8 @@ static int blocks_for(int bin, int lanes)
     return (lanes + size - 1) / size;
 }
 
-static bool pool_reserve(thud_world *w, int points, int more)
+static bool pool_reserve(thud_world *w, td_block_pool *pool, int more)
 {
-    td_block_pool *pool = &w->pool[points - 1];
     int free_count = pool->items.count - pool->live;
     return more <= free_count ||
            td_array_reserve(&w->memory, &pool->items, pool->items.count + more - free_count);
@@ -98,7 +94,7 @@ static bool pool_reserve(thud_world *w, int points, int more)
 
 static int pool_take(thud_world *w, int kind)
 {
-    td_block_pool *pool = &w->pool[w->pairs[kind]->points - 1];
+    td_block_pool *pool = pool_of(w, kind);
     int index = pool->free_head;
     if (index != TD_NONE) {
         pool->free_head = td_block_at(w, kind, index)->next;
@@ -107,39 +103,41 @@ static int pool_take(thud_world *w, int kind)
     }
     pool->live++;
     td_block *block = td_block_at(w, kind, index);
-    memset(block, 0, td_block_bytes(w->pairs[kind]->points));
+    memset(block, 0, (size_t)pool->items.stride);
     for (int i = 0; i < TD_LANES; i++) {
         block->contact[i] = TD_NONE;
     }
     return index;
 }
 
-static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int points)
+/* A block is rows of eight words, all but the words that are the block's own. */
+enum {
+    ROW = (int)sizeof(f8),
+    OWN_FIRST = (int)offsetof(td_block, next) / ROW,
+    OWN_END = (int)offsetof(td_block, a) / ROW
+};
+
+static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int bytes)
 {
     uint32_t *t = (uint32_t *)to + to_lane;
     const uint32_t *f = (const uint32_t *)from + from_lane;
-    for (int row = 0; row < HEAD_ROWS; row++) {
-        t[row * TD_LANES] = f[row * TD_LANES];
-    }
-    t = (uint32_t *)to->point + to_lane;
-    f = (const uint32_t *)from->point + from_lane;
-    for (int row = 0; row < rows_after_head(points); row++) {
-        t[row * TD_LANES] = f[row * TD_LANES];
+    for (int row = 0; row < bytes / ROW; row++) {
+        if (row < OWN_FIRST || row >= OWN_END) {
+            t[row * TD_LANES] = f[row * TD_LANES];
+        }
     }
     to->bouncy |= to->restitution[to_lane] > 0.0f;
     to->touching = (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
 }
 
 /* An empty lane: no contact, no mass, and both bodies the dummy. */
-static void clear_lane(td_block *block, int lane, int points)
+static void clear_lane(td_block *block, int lane, int bytes)
 {
     uint32_t *t = (uint32_t *)block + lane;
-    for (int row = 0; row < HEAD_ROWS; row++) {
-        t[row * TD_LANES] = 0;
-    }
-    t = (uint32_t *)block->point + lane;
-    for (int row = 0; row < rows_after_head(points); row++) {
-        t[row * TD_LANES] = 0;
+    for (int row = 0; row < bytes / ROW; row++) {
+        if (row < OWN_FIRST || row >= OWN_END) {
+            t[row * TD_LANES] = 0;
+        }
     }
     block->contact[lane] = TD_NONE;
     block->touching &= ~(1u << lane);
@@ -172,19 +170,19 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane)
 static void bin_shrink(thud_world *w, int kind, int index, int slot)
 {
     td_bin *bin = &w->bins[kind][index];
-    int points = w->pairs[kind]->points;
+    td_block_pool *pool = pool_of(w, kind);
+    int bytes = pool->items.stride;
     td_block *tail = td_block_at(w, kind, bin->tail);
     int last = tail->used - 1;
     if (slot != bin->tail * TD_LANES + last) {
         td_block *hole = td_block_at(w, kind, slot / TD_LANES);
-        copy_lane(hole, slot % TD_LANES, tail, last, points);
+        copy_lane(hole, slot % TD_LANES, tail, last, bytes);
         td_contact_at(w, hole->contact[slot % TD_LANES])->slot = slot;
     }
-    clear_lane(tail, last, points);
+    clear_lane(tail, last, bytes);
     tail->used--;
     bin->lanes--;
     if (tail->used == 0) {
-        td_block_pool *pool = &w->pool[points - 1];
         int block = bin->tail;
         bin->tail = tail->prev;
         if (bin->lanes) {
@@ -228,7 +226,7 @@ static void place(thud_world *w, int contact_index, int bin)
     if (contact->state == TD_TOUCHING) {
         copy_lane(td_block_at(w, kind, block), lane,
                   td_block_at(w, kind, contact->slot / TD_LANES), contact->slot % TD_LANES,
-                  w->pairs[kind]->points);
+                  pool_of(w, kind)->items.stride);
         bin_shrink(w, kind, contact->bin, contact->slot);
     } else {
         fill_lane(w, td_block_at(w, kind, block), lane, contact_index);
@@ -243,17 +241,22 @@ static void place(thud_world *w, int contact_index, int bin)
 /* Blocks needed when every bin grows by `grown`, per pool. */
 static bool reserve_grown(thud_world *w, int (*grown)[TD_BINS_A_KIND])
 {
-    int more[2] = {0, 0};
+    int more[TD_FORM_COUNT] = {0};
     for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
         for (int bin = 0; bin < TD_BINS_A_KIND && w->pairs[kind]; bin++) {
             if (grown[kind][bin]) {
                 int lanes = w->bins[kind][bin].lanes;
-                more[w->pairs[kind]->points - 1] +=
+                more[w->pairs[kind]->form] +=
                     blocks_for(bin, lanes + grown[kind][bin]) - blocks_for(bin, lanes);
             }
         }
     }
-    return pool_reserve(w, 1, more[0]) && pool_reserve(w, 2, more[1]);
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        if (!pool_reserve(w, &w->pool[form], more[form])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool td_lanes_place(thud_world *w, const int *contacts, int count, bool park)
@@ -321,7 +324,7 @@ void td_lane_renew(thud_world *w, int contact_index)
     const td_contact *contact = td_contact_at(w, contact_index);
     td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
     td_lane_refresh(w, contact_index);
-    for (int k = 0; k < w->pairs[contact->kind]->points; k++) {
+    for (int k = 0; k < points_of(w, contact->kind); k++) {
         block->point[k].normal_mass[contact->slot % TD_LANES] = 0.0f;
     }
 }
@@ -348,7 +351,10 @@ static void list_bin(thud_world *w, int kind, int bin)
 
 bool td_lanes_sequence(thud_world *w)
 {
-    int most = w->pool[0].live + w->pool[1].live;
+    int most = 0;
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        most += w->pool[form].live;
+    }
     if (!td_array_reserve(&w->memory, &w->scratch.blocks, most) ||
         !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_PAIR_TOUCH_COUNT)) {
         return false;

@@ -13,7 +13,6 @@ typedef struct td_run {
     int32_t first, count;
 } td_run;
 
-size_t td_block_bytes(int points);
 td_block *td_block_at(const thud_world *w, int kind, int index);
 
 /* Gives each of the contacts a lane: by graph colour, or in its kind's parked bin. A contact that

@@ -57,7 +57,7 @@ static bool bounds_meet(const thud_world *w, const td_contact *contact)
 static bool test_room(thud_world *w)
 {
     td_array *blocks = &w->scratch.test_blocks, *list = &w->scratch.test_list;
-    blocks->stride = (int)td_block_bytes(2);
+    blocks->stride = (int)td_form_bytes(TD_FORM_TWO_KEPT);
     return td_array_reserve(&w->memory, blocks, TEST_BLOCKS) &&
            td_array_reserve(&w->memory, list, TEST_BLOCKS);
 }
@@ -69,7 +69,7 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
     int blocks = (count + TD_LANES - 1) / TD_LANES;
     for (int i = 0; i < blocks; i++) {
         td_block *block = list[i] = td_at(&w->scratch.test_blocks, i);
-        memset(block, 0, td_block_bytes(2));
+        memset(block, 0, td_form_bytes(TD_FORM_TWO_KEPT));
         block->used = td_min_int(count - i * TD_LANES, TD_LANES);
         for (int lane = 0; lane < block->used; lane++) {
             int index = contacts[i * TD_LANES + lane];
@@ -239,11 +239,12 @@ static void hit_events(thud_world *w)
         if (contact->state != TD_TOUCHING) {
             continue;
         }
-        const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-        int lane = contact->slot % TD_LANES;
-        float approach = block->point[0].approach[lane];
-        if (w->pairs[contact->kind]->points == 2) {
-            approach = td_min_float(approach, block->point[1].approach[lane]);
+        td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+        int lane = contact->slot % TD_LANES, points = td_form_points(w->pairs[contact->kind]->form);
+        const td_point_history *history = td_history_of(block, points);
+        float approach = history[0].approach[lane];
+        if (points == 2) {
+            approach = td_min_float(approach, history[1].approach[lane]);
         }
         if (approach < least) {
             thud_contact seen = td_contact_view(w, block, lane);

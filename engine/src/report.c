@@ -105,7 +105,7 @@ static void measure_penetration(const thud_world *w, thud_measure *m)
         }
         const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
         int lane = contact->slot % TD_LANES;
-        for (int k = 0; k < w->pairs[contact->kind]->points; k++) {
+        for (int k = 0; k < td_form_points(w->pairs[contact->kind]->form); k++) {
             const td_point *p = &block->point[k];
             if (p->normal_mass[lane] == 0.0f) {
                 continue;

@@ -97,6 +97,7 @@ void td_solve(thud_world *w)
     td_integrate_velocity_fn *velocity = TD_PICK_WIDE(w, td_integrate_velocity);
     td_integrate_position_fn *position = TD_PICK_WIDE(w, td_integrate_position);
     for (int i = 0; i < w->substeps; i++) {
+        c.first = i == 0;
         velocity(&m, i == 0);
         if (i == 0) {
             run(w, &c, WARM_START);

@@ -32,4 +32,4 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
 extern const td_solve_ops TD_WIDE(td_solve_one);
 
 extern const td_pair_ops TD_WIDE(td_pair_aabb_aabb);
-const td_pair_ops TD_WIDE(td_pair_aabb_aabb) = {1, aabb_aabb, NULL, &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_aabb_aabb) = {TD_FORM_ONE, aabb_aabb, NULL, &TD_WIDE(td_solve_one)};

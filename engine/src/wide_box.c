@@ -140,23 +140,44 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fr
     return valid0 | valid1;
 }
 
+/* Notes the poses of the lanes in `fresh`. */
+TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 fresh, f8 dx, f8 dy,
+                          const td_collide_context *context)
+{
+    td_kept *kept = td_kept_of(block, 2);
+    kept->dx = f8_pick(fresh, dx, kept->dx);
+    kept->dy = f8_pick(fresh, dy, kept->dy);
+    kept->ac = f8_pick(fresh, p->ac, kept->ac);
+    kept->as = f8_pick(fresh, p->as, kept->as);
+    kept->bc = f8_pick(fresh, p->bc, kept->bc);
+    kept->bs = f8_pick(fresh, p->bs, kept->bs);
+    td_keep_note(block, 2, fresh, f8_min(f8_min(p->ahx, p->ahy), f8_min(p->bhx, p->bhy)),
+                 f8_max(f8_max(p->ahx, p->ahy), f8_max(p->bhx, p->bhy)), context);
+}
+
 static void box_box(td_block *const *blocks, int count, const td_collide_context *context)
 {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        td_pairs8 p = td_read_pairs(block, context);
-        i8 keep = td_keep_mask(block, &p, context), fresh = ~keep;
-        unsigned kept = i8_bits(keep);
-        block->touching = kept;
-        if (kept == 0) {
-            block->touching = i8_bits(collide_block(block, &p, NULL, context));
-            td_keep_note(block, &p, fresh);
-        } else {
-            if (kept != i8_bits(td_used_mask(block))) {
-                block->touching |= i8_bits(collide_block(block, &p, &fresh, context) & fresh);
-                td_keep_note(block, &p, fresh);
-            }
-            td_keep_follow(block, &p, keep, context);
+        const td_kept *kept = td_kept_of(block, 2);
+        td_pairs8 p;
+        td_read_poses(block, context, &p);
+        f8 dx = p.dx - p.bx + p.ax, dy = p.dy - p.by + p.ay, separation[2];
+        td_moved moved = {.dx = dx - kept->dx, .dy = dy - kept->dy};
+        moved.small_turn = small_turn(p.ac, p.as, kept->ac, kept->as, &moved.turn_a) &
+                           small_turn(p.bc, p.bs, kept->bc, kept->bs, &moved.turn_b);
+        i8 keep = td_keep_mask(block, 2, &moved, context, separation), fresh = ~keep;
+        unsigned bits = i8_bits(keep);
+        block->touching = bits;
+        if (bits != i8_bits(td_used_mask(block))) {
+            td_read_sizes(block, context, &p);
+            i8 valid = bits ? collide_block(block, &p, &fresh, context) & fresh
+                            : collide_block(block, &p, NULL, context);
+            block->touching |= i8_bits(valid);
+            note_poses(block, &p, fresh, dx, dy, context);
+        }
+        if (bits) {
+            td_keep_follow(block, 2, keep, separation, context);
         }
     }
 }
@@ -164,4 +185,4 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
 extern const td_solve_ops TD_WIDE(td_solve_two);
 
 extern const td_pair_ops TD_WIDE(td_pair_box_box);
-const td_pair_ops TD_WIDE(td_pair_box_box) = {2, box_box, NULL, &TD_WIDE(td_solve_two)};
+const td_pair_ops TD_WIDE(td_pair_box_box) = {TD_FORM_TWO_KEPT, box_box, NULL, &TD_WIDE(td_solve_two)};

@@ -93,7 +93,7 @@ extern const td_solve_ops TD_WIDE(td_solve_one);
 
 extern const td_pair_ops TD_WIDE(td_pair_circle_circle), TD_WIDE(td_pair_box_circle),
     TD_WIDE(td_pair_circle_box);
-const td_pair_ops TD_WIDE(td_pair_circle_circle) = {1, circle_circle, NULL,
+const td_pair_ops TD_WIDE(td_pair_circle_circle) = {TD_FORM_ONE, circle_circle, NULL,
                                                     &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_box_circle) = {1, box_circle, NULL, &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_circle_box) = {1, circle_box, NULL, &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_box_circle) = {TD_FORM_ONE, box_circle, NULL, &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_circle_box) = {TD_FORM_ONE, circle_box, NULL, &TD_WIDE(td_solve_one)};

@@ -36,9 +36,8 @@ TD_INLINE d4 td_between(const td_stance *a0, const td_stance *b0, const td_stanc
     return (d4)bits - TD_ROUND_SHIFT;
 }
 
-TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c)
+TD_INLINE void td_read_poses(const td_block *block, const td_collide_context *c, td_pairs8 *p)
 {
-    td_pairs8 p;
     f4 between[4];
     for (int i = 0; i < 4; i++) {
         int j = i + 4;
@@ -49,16 +48,27 @@ TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_contex
     f8 r01 = __builtin_shufflevector(between[0], between[1], 0, 4, 1, 5, 2, 6, 3, 7);
     f8 r23 = __builtin_shufflevector(between[2], between[3], 0, 4, 1, 5, 2, 6, 3, 7);
     f8 quantum = f8_all(c->quantum);
-    p.dx = quantum * __builtin_shufflevector(r01, r23, 0, 1, 8, 9, 4, 5, 12, 13);
-    p.dy = quantum * __builtin_shufflevector(r01, r23, 2, 3, 10, 11, 6, 7, 14, 15);
+    p->dx = quantum * __builtin_shufflevector(r01, r23, 0, 1, 8, 9, 4, 5, 12, 13);
+    p->dy = quantum * __builtin_shufflevector(r01, r23, 2, 3, 10, 11, 6, 7, 14, 15);
     td_rows stance = td_gather_stances(c, block->shape_a, offsetof(td_stance, x));
-    p.ax = stance.x, p.ay = stance.y, p.ac = stance.z, p.as = stance.w;
+    p->ax = stance.x, p->ay = stance.y, p->ac = stance.z, p->as = stance.w;
     stance = td_gather_stances(c, block->shape_b, offsetof(td_stance, x));
-    p.bx = stance.x, p.by = stance.y, p.bc = stance.z, p.bs = stance.w;
+    p->bx = stance.x, p->by = stance.y, p->bc = stance.z, p->bs = stance.w;
+}
+
+TD_INLINE void td_read_sizes(const td_block *block, const td_collide_context *c, td_pairs8 *p)
+{
     td_rows size = td_gather_stances(c, block->shape_a, offsetof(td_stance, half_x));
-    p.ahx = size.x, p.ahy = size.y;
+    p->ahx = size.x, p->ahy = size.y;
     size = td_gather_stances(c, block->shape_b, offsetof(td_stance, half_x));
-    p.bhx = size.x, p.bhy = size.y;
+    p->bhx = size.x, p->bhy = size.y;
+}
+
+TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c)
+{
+    td_pairs8 p;
+    td_read_poses(block, c, &p);
+    td_read_sizes(block, c, &p);
     return p;
 }
 
@@ -109,7 +119,7 @@ TD_INLINE td_found middle_of(const td_found *found, int points)
 TD_INLINE void td_write_points(td_block *block, const td_found *found, int points,
                                const i8 *fresh, const td_collide_context *c)
 {
-    f8 zero = f8_all(0.0f), one = f8_all(1.0f);
+    f8 one = f8_all(1.0f);
     f8 nx = block->nx, ny = block->ny;
     f8 ia = block->inv_inertia_a, ib = block->inv_inertia_b;
     td_rows va = td_gather(c->velocity, block->a), vb = td_gather(c->velocity, block->b);
@@ -124,7 +134,6 @@ TD_INLINE void td_write_points(td_block *block, const td_found *found, int point
                td_inverse_or_zero(middle.valid, mass + side_a * turn_a + side_b * turn_b));
     td_set_row(&block->tangent_impulse, fresh, f8_keep(middle.valid, block->tangent_impulse));
     f8 approach = (vb.x - va.x) * nx + (vb.y - va.y) * ny;
-    f8 first_a = zero, first_b = zero;
     for (int k = 0; k < points; k++) {
         td_point *point = &block->point[k];
         const td_found *f = &found[k];
@@ -139,16 +148,8 @@ TD_INLINE void td_write_points(td_block *block, const td_found *found, int point
         td_set_row(&point->normal_mass, fresh,
                    td_inverse_or_zero(f->valid, mass + lever_a * cross_a + lever_b * cross_b));
         td_set_row(&point->normal_impulse, fresh, f8_keep(f->valid, point->normal_impulse));
-        td_set_row(&point->by_tangent, fresh, side_a * cross_a + side_b * cross_b);
-        td_set_row(&point->approach, fresh,
+        td_set_row(&td_history_of(block, points)[k].approach, fresh,
                    f8_keep(f->valid, approach + vb.z * cross_b - va.z * cross_a));
-        point->total = zero;
-        if (k) {
-            td_set_row(&td_second_of(block)->by_first, fresh,
-                       mass + first_a * cross_a + first_b * cross_b);
-        }
-        first_a = lever_a;
-        first_b = lever_b;
     }
 }
 

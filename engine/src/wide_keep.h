@@ -18,69 +18,78 @@
 #define TD_KEEP_MARGINS 2.5f
 #define TD_KEEP_MARGINS_ONE 0.5f
 
-/* Separation of point k for the present poses. */
-TD_INLINE f8 td_keep_separation(td_block *block, const td_pairs8 *p, int k)
+/* How a pair has moved since its manifold was made: b against a, and each by itself. */
+typedef struct td_moved {
+    f8 dx, dy;
+    f8 turn_a, turn_b;
+    i8 small_turn;
+} td_moved;
+
+TD_INLINE i8 small_turn(f8 c, f8 s, f8 old_c, f8 old_s, f8 *turn)
 {
-    const td_second *kept = td_second_of(block);
-    const td_point *point = &block->point[k];
-    f8 dx = (p->dx - p->bx + p->ax) - kept->dx, dy = (p->dy - p->by + p->ay) - kept->dy;
-    f8 turn_a = p->as * kept->ac - p->ac * kept->as, turn_b = p->bs * kept->bc - p->bc * kept->bs;
-    return kept->base[k] + (dx * block->nx + dy * block->ny) + turn_b * point->cross_b -
-           turn_a * point->cross_a;
+    *turn = s * old_c - c * old_s;
+    return (f8_abs(*turn) < f8_all(TD_KEEP_TURN)) & (c * old_c + s * old_s > f8_all(0.0f));
 }
 
-/* The lanes whose manifold may be kept; p is their present pose. */
-TD_INLINE i8 td_keep_mask(td_block *block, const td_pairs8 *p, const td_collide_context *c)
+/* Separations of the kept lanes for the present poses, and the lanes that may be kept. The first
+ * `points` of separation are written for all lanes; only those of kept ones mean something. */
+TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
+                          const td_collide_context *c, f8 *separation)
 {
-    const td_second *kept = td_second_of(block);
+    const td_kept *kept = td_kept_of(block, points);
     f8 zero = f8_all(0.0f), margin = f8_all(c->margin);
-    f8 dx = (p->dx - p->bx + p->ax) - kept->dx, dy = (p->dy - p->by + p->ay) - kept->dy;
-    f8 turn_a = p->as * kept->ac - p->ac * kept->as, turn_b = p->bs * kept->bc - p->bc * kept->bs;
-    f8 cos_a = p->ac * kept->ac + p->as * kept->as, cos_b = p->bc * kept->bc + p->bs * kept->bs;
-    f8 least = f8_min(f8_min(p->ahx, p->ahy), f8_min(p->bhx, p->bhy));
-    f8 most = f8_max(f8_max(p->ahx, p->ahy), f8_max(p->bhx, p->bhy));
-    i8 has0 = block->point[0].normal_mass > zero, has1 = block->point[1].normal_mass > zero;
-    f8 margins = f8_pick(has0 & has1, f8_all(TD_KEEP_MARGINS), f8_all(TD_KEEP_MARGINS_ONE));
-    f8 limit = f8_min(f8_all(TD_KEEP_SHARE) * least, margins * margin);
-    f8 motion = f8_abs(dx) + f8_abs(dy) + most * f8_abs(turn_a - turn_b);
-    i8 near_turn = (f8_abs(turn_a) < f8_all(TD_KEEP_TURN)) &
-                   (f8_abs(turn_b) < f8_all(TD_KEEP_TURN)) & (cos_a > zero) & (cos_b > zero);
-    i8 touches = (has0 & (td_keep_separation(block, p, 0) < margin)) |
-                 (has1 & (td_keep_separation(block, p, 1) < margin));
-    return (motion < limit) & near_turn & touches & td_used_mask(block);
+    f8 motion = f8_abs(moved->dx) + f8_abs(moved->dy) +
+                kept->reach * f8_abs(moved->turn_a - moved->turn_b);
+    f8 along = moved->dx * block->nx + moved->dy * block->ny;
+    i8 touches = zero < zero, whole = zero == zero;
+    for (int k = 0; k < points; k++) {
+        const td_point *p = &block->point[k];
+        i8 here = p->normal_mass > zero;
+        separation[k] =
+            kept->base[k] + along + moved->turn_b * p->cross_b - moved->turn_a * p->cross_a;
+        touches |= here & (separation[k] < margin);
+        whole &= here;
+    }
+    f8 limit = f8_pick(whole, kept->limit, f8_min(kept->limit, f8_all(TD_KEEP_MARGINS_ONE) * margin));
+    return (motion < limit) & moved->small_turn & touches & td_used_mask(block);
 }
 
-/* Notes the poses of the lanes in `fresh`, whose manifold has just been made. */
-TD_INLINE void td_keep_note(td_block *block, const td_pairs8 *p, i8 fresh)
+/* Writes the separations of the kept lanes, and closing speeds where they may bounce. */
+TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *separation,
+                              const td_collide_context *c)
 {
-    td_second *kept = td_second_of(block);
-    kept->dx = f8_pick(fresh, p->dx - p->bx + p->ax, kept->dx);
-    kept->dy = f8_pick(fresh, p->dy - p->by + p->ay, kept->dy);
-    kept->ac = f8_pick(fresh, p->ac, kept->ac);
-    kept->as = f8_pick(fresh, p->as, kept->as);
-    kept->bc = f8_pick(fresh, p->bc, kept->bc);
-    kept->bs = f8_pick(fresh, p->bs, kept->bs);
-    for (int k = 0; k < 2; k++) {
-        kept->base[k] = f8_pick(fresh, block->point[k].base, kept->base[k]);
+    for (int k = 0; k < points; k++) {
+        td_point *point = &block->point[k];
+        i8 here = keep & (point->normal_mass > f8_all(0.0f));
+        point->base = f8_pick(here, separation[k], point->base);
+        point->separation = f8_pick(here, separation[k], point->separation);
+    }
+    if (!block->bouncy) {
+        return;
+    }
+    td_rows va = td_gather(c->velocity, block->a), vb = td_gather(c->velocity, block->b);
+    for (int k = 0; k < points; k++) {
+        const td_point *point = &block->point[k];
+        td_point_history *history = &td_history_of(block, points)[k];
+        f8 approach = (vb.x - va.x) * block->nx + (vb.y - va.y) * block->ny +
+                      vb.z * point->cross_b - va.z * point->cross_a;
+        history->approach = f8_pick(keep, approach, history->approach);
     }
 }
 
-/* Separations and closing speeds of the kept lanes for the present poses. */
-TD_INLINE void td_keep_follow(td_block *block, const td_pairs8 *p, i8 keep,
-                              const td_collide_context *c)
+/* Notes separations and limits of the lanes in `fresh`, whose manifold has just been made; `least`
+ * and `most` are the half extents of the pair. */
+TD_INLINE void td_keep_note(td_block *block, int points, i8 fresh, f8 least, f8 most,
+                            const td_collide_context *c)
 {
-    f8 zero = f8_all(0.0f);
-    td_rows va = td_gather(c->velocity, block->a), vb = td_gather(c->velocity, block->b);
-    for (int k = 0; k < 2; k++) {
-        td_point *point = &block->point[k];
-        i8 here = keep & (point->normal_mass > zero);
-        f8 base = td_keep_separation(block, p, k);
-        f8 approach = (vb.x - va.x) * block->nx + (vb.y - va.y) * block->ny +
-                      vb.z * point->cross_b - va.z * point->cross_a;
-        point->base = f8_pick(here, base, point->base);
-        point->separation = f8_pick(here, base, point->separation);
-        point->approach = f8_pick(here, approach, point->approach);
-        point->total = zero;
+    td_kept *kept = td_kept_of(block, points);
+    /* A circle rolls on: its arm is to be made anew much sooner. */
+    float margins = points == 1 ? TD_KEEP_MARGINS_ONE : TD_KEEP_MARGINS;
+    f8 limit = f8_min(f8_all(TD_KEEP_SHARE) * least, f8_all(margins * c->margin));
+    kept->limit = f8_pick(fresh, limit, kept->limit);
+    kept->reach = f8_pick(fresh, most, kept->reach);
+    for (int k = 0; k < points; k++) {
+        kept->base[k] = f8_pick(fresh, block->point[k].base, kept->base[k]);
     }
 }
 

@@ -80,6 +80,34 @@ TD_INLINE f8 centres_along(const sides *v, bool fixed, f8 x, f8 y)
     return fixed ? v->b.x * x + v->b.y * y : (v->b.x - v->a.x) * x + (v->b.y - v->a.y) * y;
 }
 
+/* Normal speed that a unit of impulse along the first row brings to the point of another one, whose
+ * crosses are given. */
+TD_INLINE f8 coupling(const td_block *block, bool fixed, f8 from_a, f8 from_b, f8 to_a, f8 to_b)
+{
+    f8 k = block->inv_inertia_b * from_b * to_b;
+    return fixed ? k : k + block->inv_inertia_a * from_a * to_a;
+}
+
+/* ... of the first point to the second, along the same normal. */
+TD_INLINE f8 by_first(const td_block *block, const sides *v, bool fixed)
+{
+    const td_point *p = &block->point[0], *q = &block->point[1];
+    f8 mass = fixed ? v->b.w : v->a.w + v->b.w;
+    return mass + coupling(block, fixed, p->cross_a, p->cross_b, q->cross_a, q->cross_b);
+}
+
+/* Blocks lie where their contacts began, and the passes are bound by memory: the rows of the one
+ * after the next are asked for early. */
+TD_INLINE void fetch_early(td_block *const *blocks, int i, int count, int points)
+{
+    if (i + 2 < count) {
+        const char *at = (const char *)blocks[i + 2]->a, *end = (const char *)&blocks[i + 2]->point[points];
+        for (; at < end; at += 64) {
+            __builtin_prefetch(at, 1);
+        }
+    }
+}
+
 TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_solve_context *c,
                                  int points, bool fixed)
 {
@@ -104,6 +132,7 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
     f8 mass_scale = f8_all(c->mass_scale[fixed]), impulse_scale = f8_all(c->impulse_scale[fixed]);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
+        fetch_early(blocks, i, count, points);
         sides v = read_sides(c->velocity, block, fixed);
         f8 closing = centres_along(&v, fixed, block->nx, block->ny);
         impulses change = {{zero, zero}, zero};
@@ -117,7 +146,7 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
             f8 keep = f8_keep(~apart, impulse_scale);
             f8 speed = at_arms(closing, &v, fixed, p->cross_a, p->cross_b) + bias;
             if (k) {
-                speed += td_second_of(block)->by_first * change.normal[0];
+                speed += by_first(block, &v, fixed) * change.normal[0];
             }
             f8 old = p->normal_impulse;
             f8 now = f8_max(old - scale * speed - keep * old, zero);
@@ -134,6 +163,7 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
     f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
+        fetch_early(blocks, i, count, points);
         sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
         f8 nx = block->nx, ny = block->ny;
         f8 limit = block->point[0].normal_impulse;
@@ -154,16 +184,19 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
             f8 separation = p->base + at_arms(opened, &d, fixed, p->cross_a, p->cross_b);
             p->separation = separation;
             f8 speed = at_arms(closing, &v, fixed, p->cross_a, p->cross_b) +
-                       f8_max(separation, zero) * inv_h + p->by_tangent * change.tangent;
+                       f8_max(separation, zero) * inv_h +
+                       coupling(block, fixed, block->tangent_cross_a, block->tangent_cross_b,
+                                p->cross_a, p->cross_b) * change.tangent;
             if (k) {
-                speed += td_second_of(block)->by_first * change.normal[0];
+                speed += by_first(block, &v, fixed) * change.normal[0];
             }
             f8 old = p->normal_impulse;
             f8 now = f8_max(old - p->normal_mass * speed, zero);
             p->normal_impulse = now;
             change.normal[k] = now - old;
             if (c->keep_totals) {
-                p->total += now;
+                td_point_history *history = &td_history_of(block, points)[k];
+                history->total = c->first ? now : history->total + now;
             }
         }
         push(c, block, points, fixed, true, v, change);
@@ -186,17 +219,18 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
         impulses change = {{zero, zero}, zero};
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
-            i8 hit = (p->approach < threshold) & (p->total > zero) &
+            td_point_history *history = &td_history_of(block, points)[k];
+            i8 hit = (history->approach < threshold) & (history->total > zero) &
                      (block->restitution > zero);
             f8 speed = at_arms(closing, &v, fixed, p->cross_a, p->cross_b) +
-                       block->restitution * p->approach;
+                       block->restitution * history->approach;
             if (k) {
-                speed += td_second_of(block)->by_first * change.normal[0];
+                speed += by_first(block, &v, fixed) * change.normal[0];
             }
             f8 old = p->normal_impulse;
             f8 now = f8_pick(hit, f8_max(old - p->normal_mass * speed, zero), old);
             p->normal_impulse = now;
-            p->total += now - old;
+            history->total += now - old;
             change.normal[k] = now - old;
         }
         push(c, block, points, fixed, false, v, change);

@@ -142,9 +142,9 @@ static void set_strides(thud_world *w)
     td_slots_init(&w->shapes, (int)sizeof(td_shape));
     td_slots_init(&w->contacts, (int)sizeof(td_contact));
     td_slots_init(&w->terrains, (int)sizeof(td_terrain_record));
-    for (int points = 1; points <= 2; points++) {
-        w->pool[points - 1].items.stride = (int)td_block_bytes(points);
-        w->pool[points - 1].free_head = TD_NONE;
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        w->pool[form].items.stride = (int)td_form_bytes((td_block_form)form);
+        w->pool[form].free_head = TD_NONE;
     }
 }
 
@@ -214,10 +214,12 @@ void thud_world_destroy(thud_world *w)
         &w->scratch.hits, &w->scratch.hit_runs, &w->scratch.pairs, &w->scratch.bodies,
         &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.begins,
         &w->scratch.ends, &w->scratch.parents, &w->scratch.lane_bins, &w->scratch.test_blocks,
-        &w->scratch.test_list, &w->scratch.fast, &w->scratch.odd, &w->scratch.grid, &w->pool[0].items,
-        &w->pool[1].items};
+        &w->scratch.test_list, &w->scratch.fast, &w->scratch.odd, &w->scratch.grid};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         td_array_free(&w->memory, arrays[i]);
+    }
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        td_array_free(&w->memory, &w->pool[form].items);
     }
     for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
         td_array_free(&w->memory, &w->waiting[kind]);

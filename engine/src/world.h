@@ -113,7 +113,7 @@ typedef struct td_colours {
 
 /* Blocks of one stride. */
 typedef struct td_block_pool {
-    td_array items; /* td_block with one or two points */
+    td_array items; /* td_block of one form */
     int free_head;  /* chained by td_block.next */
     int live;
 } td_block_pool;
@@ -178,7 +178,7 @@ struct thud_world {
     td_array moved;                                    /* int: shapes */
     td_array changed;                                  /* int: bodies */
     td_array put_off;                                  /* td_put_off */
-    td_block_pool pool[2];                             /* one and two points a lane */
+    td_block_pool pool[TD_FORM_COUNT];
     td_bin bins[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND];
     int touching;                                      /* lanes in use, parked ones too */
     int contact_count[TD_PAIR_COUNT];
@@ -201,7 +201,7 @@ struct thud_world {
         td_array begins, ends;/* int: contacts */
         td_array parents;     /* int: union-find by awake slot */
         td_array lane_bins;   /* int: see td_lanes_place */
-        td_array test_blocks; /* td_block with two points: waiting pairs under test */
+        td_array test_blocks; /* td_block of the largest form: waiting pairs under test */
         td_array test_list;   /* td_block *: to them */
         td_array fast;        /* int: bodies that moved further than half their core */
         td_array odd;         /* int: awake slots that the wide part of finish leaves over */
