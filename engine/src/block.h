@@ -106,6 +106,8 @@ static inline size_t td_form_bytes(td_block_form form)
 typedef struct td_collide_context {
     const td_stance *stance;   /* by shape */
     const float (*velocity)[4]; /* by awake slot: x, y, angular, inverse mass */
+    td_block **parted;         /* gets the blocks that have a lane without a point */
+    int *parted_count;
     float quantum;             /* length of a position quantum */
     float margin;              /* speculative */
     float axis_tolerance;      /* how much better b's face must be to be preferred */

@@ -114,8 +114,30 @@ static bool add_pair(thud_world *w, int a, int b, int child)
 
 static bool consider(thud_world *w, int a, int b)
 {
-    return existed(w, a, b) || !td_pair_allowed(w, a, b) || !td_pair_meets(w, a, b) ||
-           add_pair(w, a, b, 0);
+    return existed(w, a, b) || add_pair(w, a, b, 0);
+}
+
+/* Drops the pairs that may not touch. Their records lie all over memory, hence are
+ * asked for early. */
+static void filter_pairs(thud_world *w)
+{
+    td_array *pairs = &w->scratch.pairs;
+    td_new_pair *pair = pairs->data;
+    int kept = 0;
+    for (int i = 0; i < pairs->count; i++) {
+        if (i + 16 < pairs->count) {
+            __builtin_prefetch(td_shape_at(w, pair[i + 16].a));
+            __builtin_prefetch(td_shape_at(w, pair[i + 16].b));
+        }
+        if (i + 8 < pairs->count) {
+            __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + 8].a)->body), 1);
+            __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + 8].b)->body), 1);
+        }
+        if (td_pair_allowed(w, pair[i].a, pair[i].b) && td_pair_meets(w, pair[i].a, pair[i].b)) {
+            pair[kept++] = pair[i];
+        }
+    }
+    pairs->count = kept;
 }
 
 static bool query(thud_world *w, const td_grid *grid, int shape)
@@ -311,7 +333,11 @@ bool td_broadphase(thud_world *w)
     /* A body that was far away a step ago may be near now, hence both. */
     bool vast = is_vast(w);
     w->vast |= vast;
-    if (!pair_awake(w) || !pair_across(w) || !pair_terrains(w) || !create_contacts(w)) {
+    if (!pair_awake(w) || !pair_across(w)) {
+        return false;
+    }
+    filter_pairs(w);
+    if (!pair_terrains(w) || !create_contacts(w)) {
         return false;
     }
     for (int i = 0; i < w->moved.count; i++) {

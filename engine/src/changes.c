@@ -10,7 +10,7 @@
 static int other_body(const thud_world *w, int edge)
 {
     const td_contact *contact = td_contact_at(w, edge / 2);
-    return td_shape_at(w, edge & 1 ? contact->shape_a : contact->shape_b)->body;
+    return contact->body[1 - (edge & 1)];
 }
 
 /* Wakes every sleeping body that touches this one. */

@@ -85,10 +85,10 @@ bool td_contacts_reserve(thud_world *w, const int more[TD_PAIR_COUNT])
     return td_slots_reserve(&w->memory, &w->contacts, sum);
 }
 
-static void link_edge(thud_world *w, int contact_index, int side, int shape)
+static void link_edge(thud_world *w, int contact_index, int side)
 {
-    td_body *body = body_of_shape(w, shape);
     td_contact *contact = td_contact_at(w, contact_index);
+    td_body *body = td_body_at(w, contact->body[side]);
     int edge = contact_index * 2 + side, head = body->first_contact;
     contact->next[side] = head;
     contact->prev[side] = TD_NONE;
@@ -98,7 +98,7 @@ static void link_edge(thud_world *w, int contact_index, int side, int shape)
     body->first_contact = edge;
 }
 
-static void unlink_edge(thud_world *w, int contact_index, int side, int shape)
+static void unlink_edge(thud_world *w, int contact_index, int side)
 {
     const td_contact *contact = td_contact_at(w, contact_index);
     int next = contact->next[side], prev = contact->prev[side];
@@ -108,7 +108,7 @@ static void unlink_edge(thud_world *w, int contact_index, int side, int shape)
     if (prev != TD_NONE) {
         td_contact_at(w, prev / 2)->next[prev & 1] = next;
     } else {
-        body_of_shape(w, shape)->first_contact = next;
+        td_body_at(w, contact->body[side])->first_contact = next;
     }
 }
 
@@ -143,9 +143,14 @@ void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_
     int index = td_slots_take(&w->contacts);
     td_contact *contact = td_contact_at(w, index);
     *contact = (td_contact){
-        .shape_a = shape_a, .shape_b = shape_b, .child = child, .kind = (uint8_t)kind, .live = 1};
-    link_edge(w, index, 0, shape_a);
-    link_edge(w, index, 1, shape_b);
+        .shape_a = shape_a,
+        .shape_b = shape_b,
+        .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body},
+        .child = child,
+        .kind = (uint8_t)kind,
+        .live = 1};
+    link_edge(w, index, 0);
+    link_edge(w, index, 1);
     w->contact_count[kind]++;
     td_contact_wait(w, index);
 }
@@ -191,8 +196,8 @@ void td_contact_destroy(thud_world *w, int contact_index)
     if (contact->overlapping) {
         push_end(w, &w->events.sensor_end, contact_index);
     }
-    unlink_edge(w, contact_index, 0, contact->shape_a);
-    unlink_edge(w, contact_index, 1, contact->shape_b);
+    unlink_edge(w, contact_index, 0);
+    unlink_edge(w, contact_index, 1);
     w->contact_count[contact->kind]--;
     contact->live = 0;
     td_slots_give(&w->contacts, contact_index);

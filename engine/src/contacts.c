@@ -9,13 +9,12 @@ thud_contact td_contact_view(const thud_world *w, td_block *block, int lane)
 {
     const td_contact *contact = td_contact_at(w, block->contact[lane]);
     int points = td_form_points(w->pairs[contact->kind]->form);
-    const td_shape *b = td_shape_at(w, contact->shape_b);
-    const td_pose *pose = td_pose_at(w, b->body);
+    const td_pose *pose = td_pose_at(w, contact->body[1]);
     thud_contact seen = {
         .shape_a = td_shape_handle(w, contact->shape_a),
         .shape_b = td_shape_handle(w, contact->shape_b),
-        .body_a = td_body_handle(w, td_shape_at(w, contact->shape_a)->body),
-        .body_b = td_body_handle(w, b->body),
+        .body_a = td_body_handle(w, contact->body[0]),
+        .body_b = td_body_handle(w, contact->body[1]),
         .normal = {block->nx[lane], block->ny[lane]},
         .separation = 3.0e38f,
     };

@@ -32,11 +32,6 @@ static int moving_slot(const td_body *body)
     return body->kind == THUD_DYNAMIC && body->awake > 0 ? body->awake : 0;
 }
 
-static const td_body *body_of_shape(const thud_world *w, int shape)
-{
-    return td_body_at(w, td_shape_at(w, shape)->body);
-}
-
 static void mark(thud_world *w, int awake, int bin, bool taken)
 {
     if (awake > 0 && bin != TD_PARKED && bin % TD_COLOURS != TD_OVERFLOW) {
@@ -50,8 +45,8 @@ static void mark(thud_world *w, int awake, int bin, bool taken)
 /* Picks the bin of a contact and takes its colour. */
 static int choose_bin(thud_world *w, const td_contact *contact)
 {
-    const td_body *a = body_of_shape(w, contact->shape_a);
-    const td_body *b = body_of_shape(w, contact->shape_b);
+    const td_body *a = td_body_at(w, contact->body[0]);
+    const td_body *b = td_body_at(w, contact->body[1]);
     bool fixed = a->kind == THUD_STATIC;
     int slot_a = moving_slot(a), slot_b = moving_slot(b);
     uint64_t taken = 1ull << TD_OVERFLOW;
@@ -70,8 +65,8 @@ static int choose_bin(thud_world *w, const td_contact *contact)
 
 static void release_bin(thud_world *w, const td_contact *contact, int bin)
 {
-    mark(w, moving_slot(body_of_shape(w, contact->shape_a)), bin, false);
-    mark(w, moving_slot(body_of_shape(w, contact->shape_b)), bin, false);
+    mark(w, moving_slot(td_body_at(w, contact->body[0])), bin, false);
+    mark(w, moving_slot(td_body_at(w, contact->body[1])), bin, false);
 }
 
 static int lanes_a_block(int bin)
@@ -87,9 +82,12 @@ static int blocks_for(int bin, int lanes)
 
 static bool pool_reserve(thud_world *w, td_block_pool *pool, int more)
 {
-    int free_count = pool->items.count - pool->live;
-    return more <= free_count ||
-           td_array_reserve(&w->memory, &pool->items, pool->items.count + more - free_count);
+    int wanted = pool->items.count + more - (pool->items.count - pool->live);
+    if (wanted <= pool->items.capacity) {
+        return true;
+    }
+    w->scratch.sequenced = false; /* growing moves the blocks */
+    return td_array_reserve(&w->memory, &pool->items, wanted);
 }
 
 static int pool_take(thud_world *w, int kind)
@@ -161,6 +159,7 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane)
         }
         bin->tail = block;
     }
+    w->scratch.sequenced &= !full;
     bin->lanes++;
     *lane = td_block_at(w, kind, bin->tail)->used++;
     return bin->tail;
@@ -183,6 +182,7 @@ static void bin_shrink(thud_world *w, int kind, int index, int slot)
     tail->used--;
     bin->lanes--;
     if (tail->used == 0) {
+        w->scratch.sequenced = false;
         int block = bin->tail;
         bin->tail = tail->prev;
         if (bin->lanes) {
@@ -196,8 +196,8 @@ static void bin_shrink(thud_world *w, int kind, int index, int slot)
 
 static void set_slots(thud_world *w, td_block *block, int lane, const td_contact *contact)
 {
-    const td_body *a = body_of_shape(w, contact->shape_a);
-    const td_body *b = body_of_shape(w, contact->shape_b);
+    const td_body *a = td_body_at(w, contact->body[0]);
+    const td_body *b = td_body_at(w, contact->body[1]);
     block->a[lane] = td_max_int(a->awake, 0);
     block->b[lane] = td_max_int(b->awake, 0);
     block->inv_inertia_a[lane] = a->inv_inertia;
@@ -231,6 +231,7 @@ static void place(thud_world *w, int contact_index, int bin)
     } else {
         fill_lane(w, td_block_at(w, kind, block), lane, contact_index);
         w->touching++;
+        w->bouncy += td_block_at(w, kind, block)->restitution[lane] > 0.0f;
     }
     set_slots(w, td_block_at(w, kind, block), lane, contact);
     contact->state = TD_TOUCHING;
@@ -308,6 +309,8 @@ void td_lane_remove(thud_world *w, int contact_index)
     td_contact *contact = td_contact_at(w, contact_index);
     assert(contact->state == TD_TOUCHING);
     release_bin(w, contact, contact->bin);
+    const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+    w->bouncy -= block->restitution[contact->slot % TD_LANES] > 0.0f;
     bin_shrink(w, contact->kind, contact->bin, contact->slot);
     w->touching--;
 }
@@ -355,7 +358,11 @@ bool td_lanes_sequence(thud_world *w)
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         most += w->pool[form].live;
     }
+    if (w->scratch.sequenced) {
+        return true;
+    }
     if (!td_array_reserve(&w->memory, &w->scratch.blocks, most) ||
+        !td_array_reserve(&w->memory, &w->scratch.parted, most + 1) ||
         !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_PAIR_TOUCH_COUNT)) {
         return false;
     }
@@ -370,5 +377,6 @@ bool td_lanes_sequence(thud_world *w)
         w->stats.colours += w->scratch.blocks.count > before;
     }
     w->stats.blocks = w->scratch.blocks.count;
+    w->scratch.sequenced = true;
     return true;
 }

@@ -14,10 +14,12 @@
 
 enum { TEST_BLOCKS = 32 };
 
-td_collide_context td_collide_context_of(const thud_world *w)
+td_collide_context td_collide_context_of(thud_world *w)
 {
     return (td_collide_context){
         .stance = w->stance.data,
+        .parted = w->scratch.parted.data,
+        .parted_count = &w->scratch.parted.count,
         .velocity = w->velocity.data,
         .quantum = w->quantum,
         .margin = TD_SPECULATIVE * w->unit,
@@ -37,21 +39,26 @@ static void collide(thud_world *w, int kind, td_block *const *blocks, int count)
 
 /* ---- waiting pairs ---- */
 
+static bool reaches(const thud_world *w, int terrain_shape, int shape, int child)
+{
+    thud_terrain terrain = td_terrain_view(w, terrain_shape);
+    const td_stance *stance = td_stance_at(w, shape);
+    return td_terrain_reaches(w, terrain_shape, &terrain, stance->center, &stance->fat, child);
+}
+
 static bool bounds_meet(const thud_world *w, const td_contact *contact)
 {
-    if (td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN) {
-        thud_terrain terrain = td_terrain_view(w, contact->shape_a);
-        return td_terrain_reaches(w, contact->shape_a, &terrain,
-                                  td_stance_at(w, contact->shape_b)->center,
-                                  td_fat_at(w, contact->shape_b), contact->child);
+    int a = contact->shape_a, b = contact->shape_b, kind = contact->kind;
+    if (kind == TD_PAIR_TERRAIN_CIRCLE || kind == TD_PAIR_TERRAIN_BOX) {
+        return reaches(w, a, b, contact->child);
     }
-    if (td_shape_at(w, contact->shape_b)->kind == THUD_TERRAIN) {
-        thud_terrain terrain = td_terrain_view(w, contact->shape_b);
-        return td_terrain_reaches(w, contact->shape_b, &terrain,
-                                  td_stance_at(w, contact->shape_a)->center,
-                                  td_fat_at(w, contact->shape_a), contact->child);
+    if (kind == TD_PAIR_SENSOR && td_shape_at(w, a)->kind == THUD_TERRAIN) {
+        return reaches(w, a, b, contact->child);
     }
-    return td_pair_meets(w, contact->shape_a, contact->shape_b);
+    if (kind == TD_PAIR_SENSOR && td_shape_at(w, b)->kind == THUD_TERRAIN) {
+        return reaches(w, b, a, contact->child);
+    }
+    return td_pair_meets(w, a, b);
 }
 
 static bool test_room(thud_world *w)
@@ -59,7 +66,8 @@ static bool test_room(thud_world *w)
     td_array *blocks = &w->scratch.test_blocks, *list = &w->scratch.test_list;
     blocks->stride = (int)td_form_bytes(TD_FORM_TWO_KEPT);
     return td_array_reserve(&w->memory, blocks, TEST_BLOCKS) &&
-           td_array_reserve(&w->memory, list, TEST_BLOCKS);
+           td_array_reserve(&w->memory, list, TEST_BLOCKS) &&
+           td_array_reserve(&w->memory, &w->scratch.parted, TEST_BLOCKS + 1);
 }
 
 /* Runs the pair kind's own kernel on the contacts and lists those that have a point. */
@@ -79,6 +87,7 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
             block->shape_b[lane] = contact->shape_b;
         }
     }
+    w->scratch.parted.count = 0;
     collide(w, kind, list, blocks);
     for (int i = 0; i < blocks; i++) {
         for (unsigned bits = list[i]->touching; bits; bits &= bits - 1) {
@@ -194,6 +203,7 @@ static bool test_sensors(thud_world *w)
 static void collide_lanes(thud_world *w)
 {
     td_block **blocks = w->scratch.blocks.data;
+    w->scratch.parted.count = 0;
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = td_at(&w->scratch.runs, i);
         collide(w, run->kind, blocks + run->first, run->count);
@@ -205,8 +215,8 @@ static bool part_contacts(thud_world *w)
 {
     td_array *ends = &w->scratch.ends;
     ends->count = 0;
-    for (int i = 0; i < w->scratch.blocks.count; i++) {
-        const td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+    for (int i = 0; i < w->scratch.parted.count; i++) {
+        const td_block *block = *(td_block **)td_at(&w->scratch.parted, i);
         unsigned parted = ((1u << block->used) - 1u) & ~block->touching;
         for (; parted; parted &= parted - 1) {
             td_push_int(ends, block->contact[__builtin_ctz(parted)]);

@@ -26,6 +26,9 @@ typedef float f4 __attribute__((vector_size(16)));
 typedef int32_t i4 __attribute__((vector_size(16)));
 typedef double d4 __attribute__((vector_size(32)));
 typedef int64_t l4 __attribute__((vector_size(32)));
+typedef double d2 __attribute__((vector_size(16)));
+typedef int64_t l2 __attribute__((vector_size(16)));
+typedef uint64_t v2 __attribute__((vector_size(16)));
 
 #define TD_INLINE static inline __attribute__((always_inline))
 
@@ -238,28 +241,30 @@ TD_INLINE td_rows td_load_rows(const float (*records)[4])
                    f8_two(records[2], records[6]), f8_two(records[3], records[7]));
 }
 
-TD_INLINE void td_put_two(float *low, float *high, f8 v)
-{
-    f4 a = __builtin_shufflevector(v, v, 0, 1, 2, 3);
-    f4 b = __builtin_shufflevector(v, v, 4, 5, 6, 7);
-    __builtin_memcpy(low, &a, sizeof a);
-    __builtin_memcpy(high, &b, sizeof b);
-}
-
-TD_INLINE void td_scatter(float (*records)[4], const int32_t *index, td_rows v)
+/* The other way around: `out` gets the eight records. */
+TD_INLINE void td_turn_back(td_rows v, f4 out[8])
 {
     f8 t0 = __builtin_shufflevector(v.x, v.y, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t1 = __builtin_shufflevector(v.x, v.y, 2, 10, 3, 11, 6, 14, 7, 15);
     f8 t2 = __builtin_shufflevector(v.z, v.w, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t3 = __builtin_shufflevector(v.z, v.w, 2, 10, 3, 11, 6, 14, 7, 15);
-    td_put_two(records[index[0]], records[index[4]],
-               __builtin_shufflevector(t0, t2, 0, 1, 8, 9, 4, 5, 12, 13));
-    td_put_two(records[index[1]], records[index[5]],
-               __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15));
-    td_put_two(records[index[2]], records[index[6]],
-               __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 4, 5, 12, 13));
-    td_put_two(records[index[3]], records[index[7]],
-               __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15));
+    f8 r[4] = {__builtin_shufflevector(t0, t2, 0, 1, 8, 9, 4, 5, 12, 13),
+               __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15),
+               __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 4, 5, 12, 13),
+               __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15)};
+    for (int i = 0; i < 4; i++) {
+        out[i] = __builtin_shufflevector(r[i], r[i], 0, 1, 2, 3);
+        out[i + 4] = __builtin_shufflevector(r[i], r[i], 4, 5, 6, 7);
+    }
+}
+
+TD_INLINE void td_scatter(float (*records)[4], const int32_t *index, td_rows v)
+{
+    f4 r[8];
+    td_turn_back(v, r);
+    for (int i = 0; i < 8; i++) {
+        __builtin_memcpy(records[index[i]], &r[i], sizeof r[i]);
+    }
 }
 
 #endif

@@ -12,10 +12,9 @@
 
 #include <string.h>
 
-static int other_shape(const thud_world *w, int edge)
+static int other_body(const thud_world *w, int edge)
 {
-    const td_contact *contact = td_contact_at(w, edge / 2);
-    return edge & 1 ? contact->shape_a : contact->shape_b;
+    return td_contact_at(w, edge / 2)->body[1 - (edge & 1)];
 }
 
 static bool may_wake(const td_body *body)
@@ -68,7 +67,7 @@ bool td_wake(thud_world *w, int index)
             }
             contact->listed = 1;
             td_push_int(contacts, e / 2);
-            int other = td_shape_at(w, other_shape(w, e))->body;
+            int other = other_body(w, e);
             if (may_wake(td_body_at(w, other))) {
                 td_awake_add(w, other);
                 td_push_int(bodies, other);
@@ -200,7 +199,7 @@ static bool put_to_sleep(thud_world *w)
     for (int i = 0; i < bodies->count; i++) {
         td_body *body = td_body_at(w, *(int *)td_at(bodies, i));
         for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-            const td_body *other = td_body_at(w, td_shape_at(w, other_shape(w, e))->body);
+            const td_body *other = td_body_at(w, other_body(w, e));
             if (td_contact_at(w, e / 2)->state == TD_WAITING && other->awake < 0) {
                 td_contact_rest(w, e / 2);
             }

@@ -29,10 +29,7 @@ static td_solve_context solve_context(const thud_world *w, float h)
         .push_speed = w->def.push_speed * w->unit,
         .bounce_speed = w->def.restitution_threshold * w->unit,
     };
-    c.keep_totals = w->def.epilogue != NULL;
-    for (int i = 0; i < w->scratch.blocks.count && !c.keep_totals; i++) {
-        c.keep_totals = (*(td_block **)td_at(&w->scratch.blocks, i))->bouncy != 0;
-    }
+    c.keep_totals = w->def.epilogue != NULL || w->bouncy > 0;
     /* Against static bodies twice as stiff: nothing gives way there. */
     float hertz = w->def.contact_stiffness / h;
     soften(&c, 0, hertz, w->def.contact_damping, h);

@@ -25,7 +25,7 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
         td_found found = {valid,    separation,      p.ax + x, p.ay + y,
                           p.bx + x - p.dx, p.by + y - p.dy};
         td_write_points(block, &found, 1, NULL, c);
-        block->touching = i8_bits(valid);
+        td_set_touching(block, i8_bits(valid), c);
     }
 }
 

@@ -167,18 +167,18 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
         moved.small_turn = small_turn(p.ac, p.as, kept->ac, kept->as, &moved.turn_a) &
                            small_turn(p.bc, p.bs, kept->bc, kept->bs, &moved.turn_b);
         i8 keep = td_keep_mask(block, 2, &moved, context, separation), fresh = ~keep;
-        unsigned bits = i8_bits(keep);
-        block->touching = bits;
+        unsigned bits = i8_bits(keep), touching = bits;
         if (bits != i8_bits(td_used_mask(block))) {
             td_read_sizes(block, context, &p);
             i8 valid = bits ? collide_block(block, &p, &fresh, context) & fresh
                             : collide_block(block, &p, NULL, context);
-            block->touching |= i8_bits(valid);
+            touching |= i8_bits(valid);
             note_poses(block, &p, fresh, dx, dy, context);
         }
         if (bits) {
             td_keep_follow(block, 2, keep, separation, context);
         }
+        td_set_touching(block, touching, context);
     }
 }
 

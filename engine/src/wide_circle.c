@@ -26,7 +26,7 @@ static void circle_circle(td_block *const *blocks, int count, const td_collide_c
         td_found found = {valid,           separation,      p.ax + nx * ra, p.ay + ny * ra,
                           p.bx + nx * rb, p.by + ny * rb};
         td_write_points(block, &found, 1, NULL, c);
-        block->touching = i8_bits(valid);
+        td_set_touching(block, i8_bits(valid), c);
     }
 }
 
@@ -72,7 +72,7 @@ TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool
     found.rbx += flip ? bx : cx;
     found.rby += flip ? by : cy;
     td_write_points(block, &found, 1, NULL, c);
-    block->touching = i8_bits(valid);
+    td_set_touching(block, i8_bits(valid), c);
 }
 
 static void box_circle(td_block *const *blocks, int count, const td_collide_context *c)

@@ -78,6 +78,14 @@ TD_INLINE i8 td_used_mask(const td_block *block)
     return lane < i8_all(block->used);
 }
 
+/* Notes which lanes touch. */
+TD_INLINE void td_set_touching(td_block *block, unsigned touching, const td_collide_context *c)
+{
+    block->touching = touching;
+    c->parted[*c->parted_count] = block;
+    *c->parted_count += touching != (1u << block->used) - 1u;
+}
+
 /* A contact point as a kernel finds it: r_a and r_b are its arms about the centres of mass. */
 typedef struct td_found {
     i8 valid;

@@ -6,6 +6,8 @@
 #include "rotation.h"
 #include "world.h"
 
+#include <stddef.h>
+
 /* As td_angle_turn, the same operations in the same order. */
 TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s)
 {
@@ -64,8 +66,8 @@ TD_INLINE i8 wrap_add(i8 a, i8 b)
 
 TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *size, f8 c, f8 s, f8 to_coarse)
 {
-    i8 turns = size->z > f8_all(0.0f);
-    f8 ca = f8_pick(turns, f8_abs(c), f8_all(1.0f)), sa = f8_keep(turns, f8_abs(s));
+    /* What does not turn has c = 1 and s = 0. */
+    f8 ca = f8_abs(c), sa = f8_abs(s);
     f8 hx = ca * size->x + sa * size->y, hy = sa * size->x + ca * size->y;
     i8 half_x = __builtin_convertvector(hx * to_coarse, i8) + i8_all(2);
     i8 half_y = __builtin_convertvector(hy * to_coarse, i8) + i8_all(2);
@@ -73,73 +75,105 @@ TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *size, f8 c, f8 s, f8 t
                      wrap_add(x, half_x + i8_all(1)), wrap_add(y, half_y + i8_all(1))};
 }
 
-/* A shape that left its fat bounds gets new ones, and goes onto the moved list. */
-TD_INLINE void renew_bounds(thud_world *w, int shape, td_bounds tight)
+/* A shape that left its fat bounds goes onto the moved list and gets new ones. */
+TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat)
 {
-    td_stance *stance = td_stance_at(w, shape);
+    td_bounds *bounds = td_fat_at(w, shape);
     uint8_t *marks = td_marks_at(w, shape);
     if (!(*marks & TD_MARK_MOVED)) {
-        *(td_bounds *)td_at(&w->was, shape) = stance->fat;
+        *(td_bounds *)td_at(&w->was, shape) = *bounds;
         *marks |= TD_MARK_MOVED;
         td_push_int(&w->moved, shape);
     }
-    stance->fat = td_bounds_grown(tight, stance->margin);
+    __builtin_memcpy(bounds, &fat, sizeof fat);
 }
 
-/* Poses and shapes of the lanes in `bits`, whose slots begin at `first`. */
-TD_INLINE void place_lanes(thud_world *w, int first, const td_rows *d, unsigned bits)
+/* Four floats of each record, whatever they stand for. */
+TD_INLINE td_rows load_eight(const void *const records[TD_LANES], size_t offset)
+{
+    const float *r[TD_LANES];
+    for (int i = 0; i < TD_LANES; i++) {
+        r[i] = (const float *)(const void *)((const char *)records[i] + offset);
+    }
+    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+}
+
+TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows v)
+{
+    f4 r[TD_LANES];
+    td_turn_back(v, r);
+    for (int i = 0; i < TD_LANES; i++) {
+        __builtin_memcpy((char *)records[i] + offset, &r[i], sizeof r[i]);
+    }
+}
+
+/* Adds the motion of eight bodies to their places; returns those in bounds quanta, x and y. */
+TD_INLINE td_rows move_eight(const thud_world *w, int first, void *const poses[TD_LANES],
+                             void *const stances[TD_LANES])
+{
+    f4 coarse[TD_LANES];
+    for (int i = 0; i < TD_LANES; i++) {
+        const float *delta = td_row(&w->delta, first + i);
+        d2 quanta = {(double)delta[0], (double)delta[1]};
+        l2 center, moved = (l2)(quanta * w->to_fixed + TD_ROUND_SHIFT) - TD_ROUND_BITS;
+        __builtin_memcpy(&center, poses[i], sizeof center);
+        center += moved;
+        __builtin_memcpy(poses[i], &center, sizeof center);
+        __builtin_memcpy(stances[i], &center, sizeof center);
+        /* The low halves hold x and y; the sign does not reach them. */
+        coarse[i] = (f4)((v2)center >> TD_COARSE_SHIFT);
+    }
+    f8 r[4];
+    for (int i = 0; i < 4; i++) {
+        r[i] = __builtin_shufflevector(coarse[i], coarse[i + 4], 0, 1, 2, 3, 4, 5, 6, 7);
+    }
+    return td_turn(r[0], r[1], r[2], r[3]);
+}
+
+/* Poses and shapes of the lanes in `bits`, whose slots begin at `first`. The other lanes do the same
+ * to records that nobody reads. */
+TD_INLINE void place_lanes(thud_world *w, int first, f8 turn, unsigned bits)
 {
     const int32_t *bodies = (const int32_t *)w->body_of.data + first;
     const int32_t *lone = (const int32_t *)w->lone.data + first;
-    const float(*delta)[4] = (const float(*)[4])w->delta.data + first;
-    td_pose *poses = w->pose.data;
-    td_stance *stances = w->stance.data;
-    int32_t x[TD_LANES] = {0}, y[TD_LANES] = {0};
-    uint32_t angle[TD_LANES] = {0};
-    u8 turn = quanta_of(d->z);
-    float size[TD_LANES][4] = {{0}};
-    i8 fat[4] = {{0}};
-    for (unsigned left = bits; left; left &= left - 1) {
-        int i = __builtin_ctz(left);
-        td_pose *pose = &poses[bodies[i]];
-        td_stance *stance = &stances[lone[i]];
-        pose->center.x += td_round_increment((double)delta[i][0] * w->to_fixed);
-        pose->center.y += td_round_increment((double)delta[i][1] * w->to_fixed);
-        stance->center = pose->center;
-        pose->angle += turn[i];
-        angle[i] = pose->angle;
-        x[i] = td_coarse(pose->center.x);
-        y[i] = td_coarse(pose->center.y);
-        __builtin_memcpy(size[i], &stance->half_x, sizeof size[i]);
-        fat[0][i] = stance->fat.min_x;
-        fat[1][i] = stance->fat.min_y;
-        fat[2][i] = stance->fat.max_x;
-        fat[3][i] = stance->fat.max_y;
+    td_pose spare_pose = {0};
+    td_stance spare_stance = {0};
+    void *poses[TD_LANES], *stances[TD_LANES];
+    for (int i = 0; i < TD_LANES; i++) {
+        bool here = bits >> i & 1;
+        poses[i] = here ? (void *)((td_pose *)w->pose.data + bodies[i]) : &spare_pose;
+        stances[i] = here ? (void *)((td_stance *)w->stance.data + lone[i]) : &spare_stance;
     }
-    u8 angles;
-    __builtin_memcpy(&angles, angle, sizeof angles);
-    f8 c, s;
-    turn_of(angles, &c, &s);
-    td_rows sizes = td_load_rows((const float(*)[4])size);
-    bounds8 tight = tight_bounds(i8_load(x), i8_load(y), &sizes, c, s, f8_all((float)w->to_coarse));
-    i8 outside = i8_wrap_sub(tight.min_x, fat[0]) | i8_wrap_sub(tight.min_y, fat[1]) |
-                 i8_wrap_sub(fat[2], tight.max_x) | i8_wrap_sub(fat[3], tight.max_y);
-    for (unsigned left = bits; left; left &= left - 1) {
-        int i = __builtin_ctz(left);
-        td_pose *pose = &poses[bodies[i]];
-        td_stance *stance = &stances[lone[i]];
-        pose->c = c[i];
-        pose->s = s[i];
-        if (stance->turns != 0.0f) {
-            stance->c = c[i];
-            stance->s = s[i];
-        }
-    }
-    for (unsigned left = bits & i8_bits(outside); left; left &= left - 1) {
-        int i = __builtin_ctz(left);
+    td_rows coarse = move_eight(w, first, poses, stances);
+    td_rows tail = load_eight((const void *const *)poses, offsetof(td_pose, angle));
+    u8 angle = (u8)tail.x + quanta_of(turn);
+    tail.x = (f8)angle;
+    turn_of(angle, &tail.y, &tail.z);
+    store_eight(poses, offsetof(td_pose, angle), tail);
+
+    td_rows size = load_eight((const void *const *)stances, offsetof(td_stance, half_x));
+    f8 zero = f8_all(0.0f);
+    i8 turns = size.z > zero;
+    f8 c = f8_pick(turns, tail.y, f8_all(1.0f)), s = f8_keep(turns, tail.z);
+    store_eight(stances, offsetof(td_stance, x), (td_rows){zero, zero, c, s});
+
+    td_rows fat = load_eight((const void *const *)stances, offsetof(td_stance, fat));
+    bounds8 tight = tight_bounds((i8)coarse.x, (i8)coarse.z, &size, c, s, f8_all((float)w->to_coarse));
+    i8 outside = i8_wrap_sub(tight.min_x, (i8)fat.x) | i8_wrap_sub(tight.min_y, (i8)fat.y) |
+                 i8_wrap_sub((i8)fat.z, tight.max_x) | i8_wrap_sub((i8)fat.w, tight.max_y);
+    unsigned left = bits & i8_bits(outside);
+    if (left) {
+        i8 margin = (i8)size.w;
+        f4 grown[TD_LANES];
+        td_turn_back((td_rows){(f8)i8_wrap_sub(tight.min_x, margin),
+                               (f8)i8_wrap_sub(tight.min_y, margin),
+                               (f8)wrap_add(tight.max_x, margin),
+                               (f8)wrap_add(tight.max_y, margin)}, grown);
         w->awake_grid.valid = false;
-        renew_bounds(w, lone[i], (td_bounds){tight.min_x[i], tight.min_y[i], tight.max_x[i],
-                                             tight.max_y[i]});
+        for (; left; left &= left - 1) {
+            int i = __builtin_ctz(left);
+            renew_bounds(w, lone[i], grown[i]);
+        }
     }
 }
 
@@ -171,6 +205,9 @@ void TD_WIDE(td_finish_bodies)(thud_world *w)
             i8 fast = easy & (d.x * d.x + d.y * d.y > f8_all(0.25f) * core * core);
             list_lanes(&w->scratch.fast, (const int32_t *)w->body_of.data + first, i8_bits(fast));
         }
-        place_lanes(w, first, &d, i8_bits(easy));
+        unsigned bits = i8_bits(easy);
+        if (bits) {
+            place_lanes(w, first, d.z, bits);
+        }
     }
 }

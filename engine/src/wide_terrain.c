@@ -103,9 +103,9 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
             .turn_a = zero};
         moved.small_turn = small_turn(stance.z, stance.w, kept->bc, kept->bs, &moved.turn_b);
         i8 keep = td_keep_mask(block, points, &moved, c, separation), fresh = ~keep;
-        block->touching = i8_bits(keep);
-        if (block->touching != i8_bits(td_used_mask(block))) {
-            block->touching |= i8_bits(collide_block(w, block, fresh, &stance, c, points) & fresh);
+        unsigned touching = i8_bits(keep);
+        if (touching != i8_bits(td_used_mask(block))) {
+            touching |= i8_bits(collide_block(w, block, fresh, &stance, c, points) & fresh);
             td_rows size = td_gather_stances(c, block->shape_b, offsetof(td_stance, half_x));
             kept->dx = f8_pick(fresh, (f8)x, kept->dx);
             kept->dy = f8_pick(fresh, (f8)y, kept->dy);
@@ -114,6 +114,7 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
             td_keep_note(block, points, fresh, f8_min(size.x, size.y), f8_max(size.x, size.y), c);
         }
         td_keep_follow(block, points, keep, separation, c);
+        td_set_touching(block, touching, c);
     }
 }
 

@@ -124,6 +124,7 @@ static void set_strides(thud_world *w)
         {&w->scratch.contacts, sizeof(int)},
         {&w->scratch.blocks, sizeof(td_block *)},
         {&w->scratch.runs, sizeof(td_run)},
+        {&w->scratch.parted, sizeof(td_block *)},
         {&w->scratch.begins, sizeof(int)},
         {&w->scratch.ends, sizeof(int)},
         {&w->scratch.parents, sizeof(int)},
@@ -212,7 +213,7 @@ void thud_world_destroy(thud_world *w)
         &w->changed, &w->put_off, &w->poses, &w->events.begin, &w->events.end,
         &w->events.sensor_begin, &w->events.sensor_end, &w->events.hit, &w->events.quarantined,
         &w->scratch.hits, &w->scratch.hit_runs, &w->scratch.pairs, &w->scratch.bodies,
-        &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.begins,
+        &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.parted, &w->scratch.begins,
         &w->scratch.ends, &w->scratch.parents, &w->scratch.lane_bins, &w->scratch.test_blocks,
         &w->scratch.test_list, &w->scratch.fast, &w->scratch.odd, &w->scratch.grid};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {

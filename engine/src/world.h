@@ -92,7 +92,8 @@ enum { /* td_contact.state */
 typedef struct td_contact {
     int32_t next_free;
     int32_t shape_a, shape_b;
-    int32_t child; /* terrain segment */
+    int32_t body[2]; /* of shape_a and shape_b */
+    int32_t child;   /* terrain segment */
     int32_t slot;
     int32_t next[2], prev[2]; /* edges in the bodies' contact lists */
     uint16_t bin;
@@ -181,6 +182,7 @@ struct thud_world {
     td_block_pool pool[TD_FORM_COUNT];
     td_bin bins[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND];
     int touching;                                      /* lanes in use, parked ones too */
+    int bouncy;                                        /* ... of which have restitution */
     int contact_count[TD_PAIR_COUNT];
     int damped;                                        /* awake bodies with damping */
     bool push_stale;                                   /* `push` must be made anew */
@@ -198,6 +200,8 @@ struct thud_world {
         td_array bodies, contacts; /* int: an island that wakes or falls asleep */
         td_array blocks;      /* td_block *: in solver order */
         td_array runs;        /* td_run */
+        bool sequenced;       /* the two list all blocks of the awake bins */
+        td_array parted;      /* td_block *: have a lane that touches no more */
         td_array begins, ends;/* int: contacts */
         td_array parents;     /* int: union-find by awake slot */
         td_array lane_bins;   /* int: see td_lanes_place */
