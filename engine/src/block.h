@@ -15,9 +15,9 @@
 /* A shape as it stands in the world: one cache line, all that finish, grid and narrowphase read. */
 typedef struct td_stance {
     td_place center;
-    float x, y;           /* offset of the centre from the body's centre of mass, in the world */
     float c, s;           /* rotation; 1, 0 where it cannot matter */
     float half_x, half_y; /* half extents; a circle's are both its radius */
+    float x, y;           /* offset of the centre from the body's centre of mass, in the world */
     float turns;          /* 1 where the bounds depend on the rotation, else 0 */
     int32_t margin;       /* of the fat bounds about the tight ones, bounds quanta */
     td_bounds fat;
@@ -58,7 +58,8 @@ typedef struct td_block {
     int32_t used;               /* lanes 0 .. used - 1 are in use */
     uint32_t touching;          /* lanes with a point, by the last narrowphase */
     int32_t bouncy;             /* a lane has restitution */
-    int32_t padding[11];
+    int32_t armed;              /* a lane's shape may be off its body's centre of mass */
+    int32_t padding[10];
     /* The solver's rows begin here. */
     int32_t a[TD_LANES], b[TD_LANES]; /* awake slots; a is 0 where that side is static */
     f8 nx, ny;                        /* from a to b */
@@ -79,6 +80,19 @@ static inline td_point_history *td_history_of(td_block *block, int points)
 static inline td_kept *td_kept_of(td_block *block, int points)
 {
     return (td_kept *)&td_history_of(block, points)[points];
+}
+
+/* Blocks lie where their contacts began, and the passes over them are bound by memory: the solver's
+ * rows of the one after the next are asked for early. */
+TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int points)
+{
+    if (i + 2 < count) {
+        const td_block *block = blocks[i + 2];
+        const char *at = (const char *)block->a, *end = (const char *)&block->point[points];
+        for (; at < end; at += 64) {
+            __builtin_prefetch(at, 1);
+        }
+    }
 }
 
 /* What blocks there are: by points, and whether manifolds are kept. */
@@ -108,6 +122,7 @@ typedef struct td_collide_context {
     const float (*velocity)[4]; /* by awake slot: x, y, angular, inverse mass */
     td_block **parted;         /* gets the blocks that have a lane without a point */
     int *parted_count;
+    int *armed;                /* set where a block is armed */
     float quantum;             /* length of a position quantum */
     float margin;              /* speculative */
     float axis_tolerance;      /* how much better b's face must be to be preferred */
@@ -159,6 +174,7 @@ typedef struct td_pair_ops {
     void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
                           const td_collide_context *context);
     const td_solve_ops *solve;
+    const td_solve_ops *solve_unarmed; /* for runs of blocks of which none is armed */
 } td_pair_ops;
 
 /* Exported names of a wide file carry the instruction set it was compiled for. */

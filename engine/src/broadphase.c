@@ -90,16 +90,16 @@ static bool has_contact(const thud_world *w, int a, int b, int child)
     return false;
 }
 
-/* Whether the pair, whose bounds overlap now, had its contact already. */
-static bool existed(const thud_world *w, int a, int b)
+/* Whether the pair, whose bounds overlap now, had its contact already. `a_before` and `a_marks` are
+ * those of shape a. */
+static inline bool existed(const thud_world *w, int a, const td_bounds *a_before, int a_marks, int b)
 {
-    int marks = *td_marks_at(w, a) | *td_marks_at(w, b);
+    int marks = a_marks | *td_marks_at(w, b);
     if (marks & TD_MARK_FRESH) {
         return false;
     }
-    return marks & TD_MARK_WOKEN || w->vast
-               ? has_contact(w, a, b, 0)
-               : td_bounds_overlap(bounds_before(w, a), bounds_before(w, b));
+    return marks & TD_MARK_WOKEN || w->vast ? has_contact(w, a, b, 0)
+                                            : td_bounds_overlap(a_before, bounds_before(w, b));
 }
 
 static bool add_pair(thud_world *w, int a, int b, int child)
@@ -112,9 +112,17 @@ static bool add_pair(thud_world *w, int a, int b, int child)
     return true;
 }
 
-static bool consider(thud_world *w, int a, int b)
+/* Keeps those of the hits, all of which overlap shape a, that are new. */
+static bool add_new(thud_world *w, int a, const int *hits, int count)
 {
-    return existed(w, a, b) || add_pair(w, a, b, 0);
+    const td_bounds *before = bounds_before(w, a);
+    int marks = *td_marks_at(w, a);
+    for (int i = 0; i < count; i++) {
+        if (!existed(w, a, before, marks, hits[i]) && !add_pair(w, a, hits[i], 0)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* Drops the pairs that may not touch. Their records lie all over memory, hence are
@@ -158,13 +166,13 @@ static bool pair_awake(thud_world *w)
         return false;
     }
     const int *hit = hits->data;
-    for (int i = 0, k = 0; i < runs->count; i++) {
+    int first = 0;
+    for (int i = 0; i < runs->count; i++) {
         const td_hit_run *run = td_at(runs, i);
-        for (; k < run->end; k++) {
-            if (!consider(w, run->shape, hit[k])) {
-                return false;
-            }
+        if (!add_new(w, run->shape, hit + first, run->end - first)) {
+            return false;
         }
+        first = run->end;
     }
     return true;
 }
@@ -181,8 +189,8 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved)
         return td_shape_at(w, shape)->kind == THUD_TERRAIN;
     }
     for (int k = 0; k < w->scratch.hits.count; k++) {
-        int other = *(int *)td_at(&w->scratch.hits, k);
-        if (moved(w, other) == with_moved && !consider(w, shape, other)) {
+        const int *other = td_at(&w->scratch.hits, k);
+        if (moved(w, *other) == with_moved && !add_new(w, shape, other, 1)) {
             return false;
         }
     }
@@ -191,15 +199,8 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved)
 
 static bool pair_moved(thud_world *w, int shape)
 {
-    if (!query(w, &w->rest_grid, shape)) {
-        return false;
-    }
-    for (int k = 0; k < w->scratch.hits.count; k++) {
-        if (!consider(w, shape, *(int *)td_at(&w->scratch.hits, k))) {
-            return false;
-        }
-    }
-    return true;
+    return query(w, &w->rest_grid, shape) &&
+           add_new(w, shape, w->scratch.hits.data, w->scratch.hits.count);
 }
 
 /* Every pair of an awake shape and one at rest of which one moved. Where few rest, they look for

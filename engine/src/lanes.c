@@ -16,11 +16,6 @@ static td_block_pool *pool_of(thud_world *w, int kind)
     return &w->pool[w->pairs[kind]->form];
 }
 
-td_block *td_block_at(const thud_world *w, int kind, int index)
-{
-    return td_at(&w->pool[w->pairs[kind]->form].items, index);
-}
-
 static td_colours *colours_at(const thud_world *w, int awake)
 {
     return td_at(&w->colours, awake);
@@ -125,6 +120,7 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
         }
     }
     to->bouncy |= to->restitution[to_lane] > 0.0f;
+    to->armed |= from->armed;
     to->touching = (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
 }
 
@@ -215,6 +211,7 @@ static void fill_lane(thud_world *w, td_block *block, int lane, int contact_inde
     block->friction[lane] = __builtin_sqrtf(a->friction * b->friction);
     block->restitution[lane] = td_max_float(a->restitution, b->restitution);
     block->bouncy |= block->restitution[lane] > 0.0f;
+    block->armed |= !(a->plain && b->plain);
     block->touching |= 1u << lane;
 }
 
@@ -327,6 +324,7 @@ void td_lane_renew(thud_world *w, int contact_index)
     const td_contact *contact = td_contact_at(w, contact_index);
     td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
     td_lane_refresh(w, contact_index);
+    block->armed = 1; /* its shapes may have got another centre of mass */
     for (int k = 0; k < points_of(w, contact->kind); k++) {
         block->point[k].normal_mass[contact->slot % TD_LANES] = 0.0f;
     }
@@ -342,12 +340,13 @@ static void list_bin(thud_world *w, int kind, int bin)
     td_run *run = runs->count ? td_at(runs, runs->count - 1) : NULL;
     if (!run || run->kind != kind || run->fixed != fixed) {
         run = td_at(runs, runs->count++);
-        *run = (td_run){kind, fixed, blocks->count, 0};
+        *run = (td_run){.kind = kind, .fixed = fixed, .first = blocks->count};
     }
     for (int i = w->bins[kind][bin].head; i != TD_NONE;) {
         td_block *block = td_block_at(w, kind, i);
         *(td_block **)td_at(blocks, blocks->count++) = block;
         run->count++;
+        run->armed |= block->armed;
         i = block->next;
     }
 }

@@ -11,9 +11,13 @@
 typedef struct td_run {
     int32_t kind, fixed; /* td_pair_kind; 1: side a is static */
     int32_t first, count;
+    int32_t armed;       /* one of its blocks is */
 } td_run;
 
-td_block *td_block_at(const thud_world *w, int kind, int index);
+static inline td_block *td_block_at(const thud_world *w, int kind, int index)
+{
+    return td_at(&w->pool[w->pairs[kind]->form].items, index);
+}
 
 /* Gives each of the contacts a lane: by graph colour, or in its kind's parked bin. A contact that
  * has a lane already takes its impulses along. False when memory is short, and nothing has

@@ -27,14 +27,18 @@ td_collide_context td_collide_context_of(thud_world *w)
     };
 }
 
-static void collide(thud_world *w, int kind, td_block *const *blocks, int count)
+/* Returns whether one of the blocks is armed. */
+static int collide(thud_world *w, int kind, td_block *const *blocks, int count)
 {
     td_collide_context context = td_collide_context_of(w);
+    int armed = 0;
+    context.armed = &armed;
     if (w->pairs[kind]->collide) {
         w->pairs[kind]->collide(blocks, count, &context);
     } else {
         w->pairs[kind]->collide_world(w, blocks, count, &context);
     }
+    return armed;
 }
 
 /* ---- waiting pairs ---- */
@@ -78,6 +82,7 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
     for (int i = 0; i < blocks; i++) {
         td_block *block = list[i] = td_at(&w->scratch.test_blocks, i);
         memset(block, 0, td_form_bytes(TD_FORM_TWO_KEPT));
+        block->armed = 1;
         block->used = td_min_int(count - i * TD_LANES, TD_LANES);
         for (int lane = 0; lane < block->used; lane++) {
             int index = contacts[i * TD_LANES + lane];
@@ -205,8 +210,8 @@ static void collide_lanes(thud_world *w)
     td_block **blocks = w->scratch.blocks.data;
     w->scratch.parted.count = 0;
     for (int i = 0; i < w->scratch.runs.count; i++) {
-        const td_run *run = td_at(&w->scratch.runs, i);
-        collide(w, run->kind, blocks + run->first, run->count);
+        td_run *run = td_at(&w->scratch.runs, i);
+        run->armed = collide(w, run->kind, blocks + run->first, run->count);
     }
 }
 

@@ -65,7 +65,8 @@ static void run(const thud_world *w, const td_solve_context *c, pass which)
     td_block **blocks = w->scratch.blocks.data;
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *r = td_at(&w->scratch.runs, i);
-        const td_solve_ops *ops = w->pairs[r->kind]->solve;
+        const td_pair_ops *pair = w->pairs[r->kind];
+        const td_solve_ops *ops = r->armed ? pair->solve : pair->solve_unarmed;
         td_solve_fn *const *fns = which == WARM_START ? ops->warm_start
                                   : which == SOLVE    ? ops->solve
                                   : which == RELAX    ? ops->relax

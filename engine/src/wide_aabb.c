@@ -7,6 +7,8 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
     f8 one = f8_all(1.0f), zero = f8_all(0.0f);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
+        td_fetch_block(blocks, i, count, 1);
+        td_fetch_shapes(blocks, i, count, c);
         td_pairs8 p = td_read_pairs(block, c);
         f8 sx = f8_abs(p.dx) - p.ahx - p.bhx, sy = f8_abs(p.dy) - p.ahy - p.bhy;
         i8 by_x = sx > sy;
@@ -29,7 +31,8 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
     }
 }
 
-extern const td_solve_ops TD_WIDE(td_solve_one);
+extern const td_solve_ops TD_WIDE(td_solve_flat);
 
 extern const td_pair_ops TD_WIDE(td_pair_aabb_aabb);
-const td_pair_ops TD_WIDE(td_pair_aabb_aabb) = {TD_FORM_ONE, aabb_aabb, NULL, &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_aabb_aabb) = {
+    TD_FORM_ONE, aabb_aabb, NULL, &TD_WIDE(td_solve_flat), &TD_WIDE(td_solve_flat)};

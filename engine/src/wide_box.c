@@ -160,8 +160,8 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         const td_kept *kept = td_kept_of(block, 2);
-        td_pairs8 p;
-        td_read_poses(block, context, &p);
+        td_fetch_block(blocks, i, count, 2);
+        td_pairs8 p = td_read_pairs(block, context);
         f8 dx = p.dx - p.bx + p.ax, dy = p.dy - p.by + p.ay, separation[2];
         td_moved moved = {.dx = dx - kept->dx, .dy = dy - kept->dy};
         moved.small_turn = small_turn(p.ac, p.as, kept->ac, kept->as, &moved.turn_a) &
@@ -169,7 +169,6 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
         i8 keep = td_keep_mask(block, 2, &moved, context, separation), fresh = ~keep;
         unsigned bits = i8_bits(keep), touching = bits;
         if (bits != i8_bits(td_used_mask(block))) {
-            td_read_sizes(block, context, &p);
             i8 valid = bits ? collide_block(block, &p, &fresh, context) & fresh
                             : collide_block(block, &p, NULL, context);
             touching |= i8_bits(valid);
@@ -185,4 +184,5 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
 extern const td_solve_ops TD_WIDE(td_solve_two);
 
 extern const td_pair_ops TD_WIDE(td_pair_box_box);
-const td_pair_ops TD_WIDE(td_pair_box_box) = {TD_FORM_TWO_KEPT, box_box, NULL, &TD_WIDE(td_solve_two)};
+const td_pair_ops TD_WIDE(td_pair_box_box) = {TD_FORM_TWO_KEPT, box_box, NULL, &TD_WIDE(td_solve_two),
+                                              &TD_WIDE(td_solve_two)};

@@ -16,6 +16,8 @@ static void circle_circle(td_block *const *blocks, int count, const td_collide_c
 {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
+        td_fetch_block(blocks, i, count, 1);
+        td_fetch_shapes(blocks, i, count, c);
         td_pairs8 p = td_read_pairs(block, c);
         f8 nx = p.dx, ny = p.dy;
         f8 separation = normalise(&nx, &ny) - p.ahx - p.bhx;
@@ -78,6 +80,8 @@ TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool
 static void box_circle(td_block *const *blocks, int count, const td_collide_context *c)
 {
     for (int i = 0; i < count; i++) {
+        td_fetch_block(blocks, i, count, 1);
+        td_fetch_shapes(blocks, i, count, c);
         box_and_circle(blocks[i], c, false);
     }
 }
@@ -85,15 +89,19 @@ static void box_circle(td_block *const *blocks, int count, const td_collide_cont
 static void circle_box(td_block *const *blocks, int count, const td_collide_context *c)
 {
     for (int i = 0; i < count; i++) {
+        td_fetch_block(blocks, i, count, 1);
+        td_fetch_shapes(blocks, i, count, c);
         box_and_circle(blocks[i], c, true);
     }
 }
 
-extern const td_solve_ops TD_WIDE(td_solve_one);
+extern const td_solve_ops TD_WIDE(td_solve_one), TD_WIDE(td_solve_round);
 
 extern const td_pair_ops TD_WIDE(td_pair_circle_circle), TD_WIDE(td_pair_box_circle),
     TD_WIDE(td_pair_circle_box);
-const td_pair_ops TD_WIDE(td_pair_circle_circle) = {TD_FORM_ONE, circle_circle, NULL,
-                                                    &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_box_circle) = {TD_FORM_ONE, box_circle, NULL, &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_circle_box) = {TD_FORM_ONE, circle_box, NULL, &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_circle_circle) = {
+    TD_FORM_ONE, circle_circle, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_round)};
+const td_pair_ops TD_WIDE(td_pair_box_circle) = {
+    TD_FORM_ONE, box_circle, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_circle_box) = {
+    TD_FORM_ONE, circle_box, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};

@@ -7,6 +7,28 @@
 
 #include <stddef.h>
 
+/* Block by block the kernels ask early for the rows of a later one. */
+TD_INLINE void td_fetch_block(td_block *const *blocks, int i, int count, int points)
+{
+    td_fetch_early(blocks, i, count, points);
+    if (i + 3 < count) {
+        const char *head = (const char *)blocks[i + 3];
+        __builtin_prefetch(head);
+        __builtin_prefetch(head + 64);
+        __builtin_prefetch(head + 128, 1);
+    }
+}
+
+/* ... and, where little is done with them, for the shapes of the next one. */
+TD_INLINE void td_fetch_shapes(td_block *const *blocks, int i, int count,
+                               const td_collide_context *c)
+{
+    for (int k = 0; k < TD_LANES && i + 1 < count; k++) {
+        __builtin_prefetch(&c->stance[blocks[i + 1]->shape_a[k]]);
+        __builtin_prefetch(&c->stance[blocks[i + 1]->shape_b[k]]);
+    }
+}
+
 typedef struct td_pairs8 {
     f8 dx, dy;         /* from a's centre to b's */
     f8 ax, ay, ac, as; /* a: offset from its centre of mass; cosine, sine */
@@ -36,8 +58,9 @@ TD_INLINE d4 td_between(const td_stance *a0, const td_stance *b0, const td_stanc
     return (d4)bits - TD_ROUND_SHIFT;
 }
 
-TD_INLINE void td_read_poses(const td_block *block, const td_collide_context *c, td_pairs8 *p)
+TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c)
 {
+    td_pairs8 p;
     f4 between[4];
     for (int i = 0; i < 4; i++) {
         int j = i + 4;
@@ -48,27 +71,19 @@ TD_INLINE void td_read_poses(const td_block *block, const td_collide_context *c,
     f8 r01 = __builtin_shufflevector(between[0], between[1], 0, 4, 1, 5, 2, 6, 3, 7);
     f8 r23 = __builtin_shufflevector(between[2], between[3], 0, 4, 1, 5, 2, 6, 3, 7);
     f8 quantum = f8_all(c->quantum);
-    p->dx = quantum * __builtin_shufflevector(r01, r23, 0, 1, 8, 9, 4, 5, 12, 13);
-    p->dy = quantum * __builtin_shufflevector(r01, r23, 2, 3, 10, 11, 6, 7, 14, 15);
-    td_rows stance = td_gather_stances(c, block->shape_a, offsetof(td_stance, x));
-    p->ax = stance.x, p->ay = stance.y, p->ac = stance.z, p->as = stance.w;
-    stance = td_gather_stances(c, block->shape_b, offsetof(td_stance, x));
-    p->bx = stance.x, p->by = stance.y, p->bc = stance.z, p->bs = stance.w;
-}
-
-TD_INLINE void td_read_sizes(const td_block *block, const td_collide_context *c, td_pairs8 *p)
-{
-    td_rows size = td_gather_stances(c, block->shape_a, offsetof(td_stance, half_x));
-    p->ahx = size.x, p->ahy = size.y;
-    size = td_gather_stances(c, block->shape_b, offsetof(td_stance, half_x));
-    p->bhx = size.x, p->bhy = size.y;
-}
-
-TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c)
-{
-    td_pairs8 p;
-    td_read_poses(block, c, &p);
-    td_read_sizes(block, c, &p);
+    p.dx = quantum * __builtin_shufflevector(r01, r23, 0, 1, 8, 9, 4, 5, 12, 13);
+    p.dy = quantum * __builtin_shufflevector(r01, r23, 2, 3, 10, 11, 6, 7, 14, 15);
+    td_rows stance = td_gather_stances(c, block->shape_a, offsetof(td_stance, c));
+    p.ac = stance.x, p.as = stance.y, p.ahx = stance.z, p.ahy = stance.w;
+    stance = td_gather_stances(c, block->shape_b, offsetof(td_stance, c));
+    p.bc = stance.x, p.bs = stance.y, p.bhx = stance.z, p.bhy = stance.w;
+    p.ax = p.ay = p.bx = p.by = f8_all(0.0f);
+    if (block->armed) {
+        stance = td_gather_stances(c, block->shape_a, offsetof(td_stance, x));
+        p.ax = stance.x, p.ay = stance.y;
+        stance = td_gather_stances(c, block->shape_b, offsetof(td_stance, x));
+        p.bx = stance.x, p.by = stance.y;
+    }
     return p;
 }
 
@@ -83,6 +98,7 @@ TD_INLINE void td_set_touching(td_block *block, unsigned touching, const td_coll
 {
     block->touching = touching;
     c->parted[*c->parted_count] = block;
+    *c->armed |= block->armed;
     *c->parted_count += touching != (1u << block->used) - 1u;
 }
 

@@ -64,11 +64,11 @@ TD_INLINE i8 wrap_add(i8 a, i8 b)
     return (i8)((u8)a + (u8)b);
 }
 
-TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *size, f8 c, f8 s, f8 to_coarse)
+/* `shape` holds c, s and half extents; what does not turn has c = 1 and s = 0. */
+TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse)
 {
-    /* What does not turn has c = 1 and s = 0. */
-    f8 ca = f8_abs(c), sa = f8_abs(s);
-    f8 hx = ca * size->x + sa * size->y, hy = sa * size->x + ca * size->y;
+    f8 ca = f8_abs(shape->x), sa = f8_abs(shape->y);
+    f8 hx = ca * shape->z + sa * shape->w, hy = sa * shape->z + ca * shape->w;
     i8 half_x = __builtin_convertvector(hx * to_coarse, i8) + i8_all(2);
     i8 half_y = __builtin_convertvector(hy * to_coarse, i8) + i8_all(2);
     return (bounds8){i8_wrap_sub(x, half_x), i8_wrap_sub(y, half_y),
@@ -151,19 +151,20 @@ TD_INLINE void place_lanes(thud_world *w, int first, f8 turn, unsigned bits)
     turn_of(angle, &tail.y, &tail.z);
     store_eight(poses, offsetof(td_pose, angle), tail);
 
-    td_rows size = load_eight((const void *const *)stances, offsetof(td_stance, half_x));
-    f8 zero = f8_all(0.0f);
-    i8 turns = size.z > zero;
-    f8 c = f8_pick(turns, tail.y, f8_all(1.0f)), s = f8_keep(turns, tail.z);
-    store_eight(stances, offsetof(td_stance, x), (td_rows){zero, zero, c, s});
+    td_rows shape = load_eight((const void *const *)stances, offsetof(td_stance, c));
+    td_rows rest = load_eight((const void *const *)stances, offsetof(td_stance, x));
+    i8 turns = rest.z > f8_all(0.0f);
+    shape.x = f8_pick(turns, tail.y, f8_all(1.0f));
+    shape.y = f8_keep(turns, tail.z);
+    store_eight(stances, offsetof(td_stance, c), shape);
 
     td_rows fat = load_eight((const void *const *)stances, offsetof(td_stance, fat));
-    bounds8 tight = tight_bounds((i8)coarse.x, (i8)coarse.z, &size, c, s, f8_all((float)w->to_coarse));
+    bounds8 tight = tight_bounds((i8)coarse.x, (i8)coarse.z, &shape, f8_all((float)w->to_coarse));
     i8 outside = i8_wrap_sub(tight.min_x, (i8)fat.x) | i8_wrap_sub(tight.min_y, (i8)fat.y) |
                  i8_wrap_sub((i8)fat.z, tight.max_x) | i8_wrap_sub((i8)fat.w, tight.max_y);
     unsigned left = bits & i8_bits(outside);
     if (left) {
-        i8 margin = (i8)size.w;
+        i8 margin = (i8)rest.w;
         f4 grown[TD_LANES];
         td_turn_back((td_rows){(f8)i8_wrap_sub(tight.min_x, margin),
                                (f8)i8_wrap_sub(tight.min_y, margin),

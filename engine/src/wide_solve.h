@@ -30,29 +30,24 @@ typedef struct impulses {
     f8 normal[2], tangent;
 } impulses;
 
-/* Gives both sides the impulse (x, y) with its moments, and writes them back. */
-TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, bool fixed, sides v,
-                           f8 x, f8 y, f8 moment_a, f8 moment_b)
-{
-    if (!fixed) {
-        v.a.x -= v.a.w * x;
-        v.a.y -= v.a.w * y;
-        v.a.z -= block->inv_inertia_a * moment_a;
-        td_scatter(c->velocity, block->a, v.a);
-    }
-    v.b.x += v.b.w * x;
-    v.b.y += v.b.w * y;
-    v.b.z += block->inv_inertia_b * moment_b;
-    td_scatter(c->velocity, block->b, v.b);
-}
+/* Which rows turn the bodies. */
+typedef enum td_arms {
+    ARMS_ALL,     /* any may */
+    ARMS_TANGENT, /* only friction: normals go through the centres of mass */
+    ARMS_NONE     /* nothing turns */
+} td_arms;
 
-/* `friction`: whether there is a tangential impulse. */
-TD_INLINE void push(const td_solve_context *c, const td_block *block, int points, bool fixed,
-                    bool friction, sides v, impulses p)
+/* Gives both sides the impulses and writes them back. `friction`: whether there is a tangential one. */
+TD_INLINE void push(const td_solve_context *c, const td_block *block, int points, td_arms arms,
+                    bool fixed, bool friction, sides v, impulses p)
 {
     const td_point *point = block->point;
     f8 nx = block->nx, ny = block->ny, normal = p.normal[0];
-    f8 moment_a = point[0].cross_a * p.normal[0], moment_b = point[0].cross_b * p.normal[0];
+    f8 moment_a = f8_all(0.0f), moment_b = moment_a;
+    if (arms == ARMS_ALL) {
+        moment_a = point[0].cross_a * p.normal[0];
+        moment_b = point[0].cross_b * p.normal[0];
+    }
     if (points == 2) {
         normal += p.normal[1];
         moment_a += point[1].cross_a * p.normal[1];
@@ -62,10 +57,29 @@ TD_INLINE void push(const td_solve_context *c, const td_block *block, int points
     if (friction) {
         x += ny * p.tangent;
         y -= nx * p.tangent;
+    }
+    if (friction && arms == ARMS_TANGENT) {
+        moment_a = block->tangent_cross_a * p.tangent;
+        moment_b = block->tangent_cross_b * p.tangent;
+    } else if (friction && arms == ARMS_ALL) {
         moment_a += block->tangent_cross_a * p.tangent;
         moment_b += block->tangent_cross_b * p.tangent;
     }
-    write_sides(c, block, fixed, v, x, y, moment_a, moment_b);
+    bool turns = arms == ARMS_ALL || (friction && arms == ARMS_TANGENT);
+    if (!fixed) {
+        v.a.x -= v.a.w * x;
+        v.a.y -= v.a.w * y;
+        if (turns) {
+            v.a.z -= block->inv_inertia_a * moment_a;
+        }
+        td_scatter(c->velocity, block->a, v.a);
+    }
+    v.b.x += v.b.w * x;
+    v.b.y += v.b.w * y;
+    if (turns) {
+        v.b.z += block->inv_inertia_b * moment_b;
+    }
+    td_scatter(c->velocity, block->b, v.b);
 }
 
 /* Relative velocity of two points along a direction, from that of the centres along it. */
@@ -73,6 +87,11 @@ TD_INLINE f8 at_arms(f8 centres, const sides *v, bool fixed, f8 cross_a, f8 cros
 {
     f8 speed = centres + v->b.z * cross_b;
     return fixed ? speed : speed - v->a.z * cross_a;
+}
+
+TD_INLINE f8 at_point(f8 centres, const sides *v, bool fixed, td_arms arms, const td_point *p)
+{
+    return arms == ARMS_ALL ? at_arms(centres, v, fixed, p->cross_a, p->cross_b) : centres;
 }
 
 TD_INLINE f8 centres_along(const sides *v, bool fixed, f8 x, f8 y)
@@ -96,20 +115,8 @@ TD_INLINE f8 by_first(const td_block *block, const sides *v, bool fixed)
     return mass + coupling(block, fixed, p->cross_a, p->cross_b, q->cross_a, q->cross_b);
 }
 
-/* Blocks lie where their contacts began, and the passes are bound by memory: the rows of the one
- * after the next are asked for early. */
-TD_INLINE void fetch_early(td_block *const *blocks, int i, int count, int points)
-{
-    if (i + 2 < count) {
-        const char *at = (const char *)blocks[i + 2]->a, *end = (const char *)&blocks[i + 2]->point[points];
-        for (; at < end; at += 64) {
-            __builtin_prefetch(at, 1);
-        }
-    }
-}
-
 TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                                 int points, bool fixed)
+                                 int points, td_arms arms, bool fixed)
 {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
@@ -117,7 +124,7 @@ TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_so
         for (int k = 0; k < points; k++) {
             p.normal[k] = block->point[k].normal_impulse;
         }
-        push(c, block, points, fixed, true, read_sides(c->velocity, block, fixed), p);
+        push(c, block, points, arms, fixed, true, read_sides(c->velocity, block, fixed), p);
     }
 }
 
@@ -125,14 +132,14 @@ TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_so
  * ones after it is added through the couplings. That is Gauss-Seidel with a shorter chain of
  * operations that wait for each other. */
 TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                            int points, bool fixed)
+                            int points, td_arms arms, bool fixed)
 {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), inv_h = f8_all(c->inv_h);
     f8 bias_rate = f8_all(c->bias_rate[fixed]), most = f8_all(-c->push_speed);
     f8 mass_scale = f8_all(c->mass_scale[fixed]), impulse_scale = f8_all(c->impulse_scale[fixed]);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        fetch_early(blocks, i, count, points);
+        td_fetch_early(blocks, i, count, points);
         sides v = read_sides(c->velocity, block, fixed);
         f8 closing = centres_along(&v, fixed, block->nx, block->ny);
         impulses change = {{zero, zero}, zero};
@@ -144,7 +151,7 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
                               f8_max(p->separation * bias_rate, most));
             f8 scale = p->normal_mass * f8_pick(apart, one, mass_scale);
             f8 keep = f8_keep(~apart, impulse_scale);
-            f8 speed = at_arms(closing, &v, fixed, p->cross_a, p->cross_b) + bias;
+            f8 speed = at_point(closing, &v, fixed, arms, p) + bias;
             if (k) {
                 speed += by_first(block, &v, fixed) * change.normal[0];
             }
@@ -153,17 +160,17 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
             p->normal_impulse = now;
             change.normal[k] = now - old;
         }
-        push(c, block, points, fixed, false, v, change);
+        push(c, block, points, arms, fixed, false, v, change);
     }
 }
 
 TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                            int points, bool fixed)
+                            int points, td_arms arms, bool fixed)
 {
     f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        fetch_early(blocks, i, count, points);
+        td_fetch_early(blocks, i, count, points);
         sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
         f8 nx = block->nx, ny = block->ny;
         f8 limit = block->point[0].normal_impulse;
@@ -171,8 +178,10 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
             limit += block->point[1].normal_impulse;
         }
         limit *= block->friction;
-        f8 slide = at_arms(centres_along(&v, fixed, ny, -nx), &v, fixed, block->tangent_cross_a,
-                           block->tangent_cross_b);
+        f8 slide = centres_along(&v, fixed, ny, -nx);
+        if (arms != ARMS_NONE) {
+            slide = at_arms(slide, &v, fixed, block->tangent_cross_a, block->tangent_cross_b);
+        }
         f8 held = block->tangent_impulse;
         f8 holds = f8_clamp(held - block->tangent_mass * slide, -limit, limit);
         block->tangent_impulse = holds;
@@ -181,12 +190,14 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
             /* How far the point opened since the start of the step, rotation linearised. */
-            f8 separation = p->base + at_arms(opened, &d, fixed, p->cross_a, p->cross_b);
+            f8 separation = p->base + at_point(opened, &d, fixed, arms, p);
             p->separation = separation;
-            f8 speed = at_arms(closing, &v, fixed, p->cross_a, p->cross_b) +
-                       f8_max(separation, zero) * inv_h +
-                       coupling(block, fixed, block->tangent_cross_a, block->tangent_cross_b,
-                                p->cross_a, p->cross_b) * change.tangent;
+            f8 speed = at_point(closing, &v, fixed, arms, p) +
+                       f8_max(separation, zero) * inv_h;
+            if (arms == ARMS_ALL) {
+                speed += coupling(block, fixed, block->tangent_cross_a, block->tangent_cross_b,
+                                  p->cross_a, p->cross_b) * change.tangent;
+            }
             if (k) {
                 speed += by_first(block, &v, fixed) * change.normal[0];
             }
@@ -199,14 +210,14 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
                 history->total = c->first ? now : history->total + now;
             }
         }
-        push(c, block, points, fixed, true, v, change);
+        push(c, block, points, arms, fixed, true, v, change);
     }
 }
 
 /* Restitution, once after all substeps: a point that closed in fast and was really pushed leaves
  * with its share of the speed. */
 TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                             int points, bool fixed)
+                             int points, td_arms arms, bool fixed)
 {
     f8 zero = f8_all(0.0f), threshold = f8_all(-c->bounce_speed);
     for (int i = 0; i < count; i++) {
@@ -222,7 +233,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             td_point_history *history = &td_history_of(block, points)[k];
             i8 hit = (history->approach < threshold) & (history->total > zero) &
                      (block->restitution > zero);
-            f8 speed = at_arms(closing, &v, fixed, p->cross_a, p->cross_b) +
+            f8 speed = at_point(closing, &v, fixed, arms, p) +
                        block->restitution * history->approach;
             if (k) {
                 speed += by_first(block, &v, fixed) * change.normal[0];
@@ -233,49 +244,15 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             history->total += now - old;
             change.normal[k] = now - old;
         }
-        push(c, block, points, fixed, false, v, change);
+        push(c, block, points, arms, fixed, false, v, change);
     }
 }
 
-/* The eight passes for blocks of `points` points, as one table `td_solve_<word>`. */
-#define TD_SOLVE_PASSES(points)                                                                    \
-    static void warm_start_moving(td_block *const *b, int n, const td_solve_context *c)            \
+/* Makes a function `name` of one of the passes above; the rest says for which blocks. */
+#define TD_PASS(name, pass, ...)                                                                   \
+    static void name(td_block *const *blocks, int count, const td_solve_context *c)                \
     {                                                                                              \
-        warm_start_blocks(b, n, c, points, false);                                                 \
-    }                                                                                              \
-    static void warm_start_fixed(td_block *const *b, int n, const td_solve_context *c)             \
-    {                                                                                              \
-        warm_start_blocks(b, n, c, points, true);                                                  \
-    }                                                                                              \
-    static void solve_moving(td_block *const *b, int n, const td_solve_context *c)                 \
-    {                                                                                              \
-        solve_blocks(b, n, c, points, false);                                                      \
-    }                                                                                              \
-    static void solve_fixed(td_block *const *b, int n, const td_solve_context *c)                  \
-    {                                                                                              \
-        solve_blocks(b, n, c, points, true);                                                       \
-    }                                                                                              \
-    static void relax_moving(td_block *const *b, int n, const td_solve_context *c)                 \
-    {                                                                                              \
-        relax_blocks(b, n, c, points, false);                                                      \
-    }                                                                                              \
-    static void relax_fixed(td_block *const *b, int n, const td_solve_context *c)                  \
-    {                                                                                              \
-        relax_blocks(b, n, c, points, true);                                                       \
-    }                                                                                              \
-    static void bounce_moving(td_block *const *b, int n, const td_solve_context *c)                \
-    {                                                                                              \
-        bounce_blocks(b, n, c, points, false);                                                     \
-    }                                                                                              \
-    static void bounce_fixed(td_block *const *b, int n, const td_solve_context *c)                 \
-    {                                                                                              \
-        bounce_blocks(b, n, c, points, true);                                                      \
+        pass(blocks, count, c, __VA_ARGS__);                                                       \
     }
-
-#define TD_SOLVE_TABLE                                                                             \
-    {{warm_start_moving, warm_start_fixed},                                                        \
-     {solve_moving, solve_fixed},                                                                  \
-     {relax_moving, relax_fixed},                                                                  \
-     {bounce_moving, bounce_fixed}}
 
 #endif

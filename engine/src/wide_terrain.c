@@ -67,8 +67,7 @@ TD_INLINE void read_places(const thud_world *w, const td_block *block, i8 *x, i8
 }
 
 /* New manifolds for the lanes in `fresh`; returns the lanes that touch. */
-TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 fresh, const td_rows *stance,
-                           const td_collide_context *c, int points)
+TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 fresh, const td_collide_context *c, int points)
 {
     f8 zero = f8_all(0.0f);
     terrain8 t = {0};
@@ -78,10 +77,11 @@ TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 fresh, const td_ro
     td_set_row(&block->nx, &fresh, t.nx);
     td_set_row(&block->ny, &fresh, t.ny);
     carry_impulses(block, t.feature, fresh, points);
+    td_rows arm = td_gather_stances(c, block->shape_b, offsetof(td_stance, x));
     td_found found[2];
     for (int k = 0; k < points; k++) {
         found[k] = (td_found){t.valid[k],           t.separation[k],       zero, zero,
-                              stance->x + t.x[k], stance->y + t.y[k]};
+                              arm.x + t.x[k],    arm.y + t.y[k]};
     }
     td_write_points(block, found, points, &fresh, c);
     return t.valid[0] | t.valid[1];
@@ -93,7 +93,7 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_kept *kept = td_kept_of(block, points);
-        td_rows stance = td_gather_stances(c, block->shape_b, offsetof(td_stance, x));
+        td_rows stance = td_gather_stances(c, block->shape_b, offsetof(td_stance, c));
         i8 x, y;
         read_places(w, block, &x, &y);
         f8 zero = f8_all(0.0f), quantum = f8_all(256.0f * c->quantum), separation[2];
@@ -101,17 +101,17 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
             .dx = quantum * __builtin_convertvector(i8_wrap_sub(x, (i8)kept->dx), f8),
             .dy = quantum * __builtin_convertvector(i8_wrap_sub(y, (i8)kept->dy), f8),
             .turn_a = zero};
-        moved.small_turn = small_turn(stance.z, stance.w, kept->bc, kept->bs, &moved.turn_b);
+        moved.small_turn = small_turn(stance.x, stance.y, kept->bc, kept->bs, &moved.turn_b);
         i8 keep = td_keep_mask(block, points, &moved, c, separation), fresh = ~keep;
         unsigned touching = i8_bits(keep);
         if (touching != i8_bits(td_used_mask(block))) {
-            touching |= i8_bits(collide_block(w, block, fresh, &stance, c, points) & fresh);
-            td_rows size = td_gather_stances(c, block->shape_b, offsetof(td_stance, half_x));
+            touching |= i8_bits(collide_block(w, block, fresh, c, points) & fresh);
             kept->dx = f8_pick(fresh, (f8)x, kept->dx);
             kept->dy = f8_pick(fresh, (f8)y, kept->dy);
-            kept->bc = f8_pick(fresh, stance.z, kept->bc);
-            kept->bs = f8_pick(fresh, stance.w, kept->bs);
-            td_keep_note(block, points, fresh, f8_min(size.x, size.y), f8_max(size.x, size.y), c);
+            kept->bc = f8_pick(fresh, stance.x, kept->bc);
+            kept->bs = f8_pick(fresh, stance.y, kept->bs);
+            td_keep_note(block, points, fresh, f8_min(stance.z, stance.w),
+                         f8_max(stance.z, stance.w), c);
         }
         td_keep_follow(block, points, keep, separation, c);
         td_set_touching(block, touching, c);
@@ -134,5 +134,7 @@ extern const td_solve_ops TD_WIDE(td_solve_one), TD_WIDE(td_solve_two);
 
 extern const td_pair_ops TD_WIDE(td_pair_terrain_circle), TD_WIDE(td_pair_terrain_box);
 const td_pair_ops TD_WIDE(td_pair_terrain_circle) = {TD_FORM_ONE_KEPT, NULL, terrain_circle,
+                                                     &TD_WIDE(td_solve_one),
                                                      &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_terrain_box) = {TD_FORM_TWO_KEPT, NULL, terrain_box, &TD_WIDE(td_solve_two)};
+const td_pair_ops TD_WIDE(td_pair_terrain_box) = {TD_FORM_TWO_KEPT, NULL, terrain_box, &TD_WIDE(td_solve_two),
+                                                  &TD_WIDE(td_solve_two)};
