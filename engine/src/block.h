@@ -145,6 +145,15 @@ typedef struct td_solve_context {
 typedef void td_collide_fn(td_block *const *blocks, int count, const td_collide_context *context);
 typedef void td_solve_fn(td_block *const *blocks, int count, const td_solve_context *context);
 
+/* Sifts eight pairs of shapes: bits of those whose fat bounds overlap no more, and of those that may
+ * touch. What is in neither is surely apart, but not for good. */
+typedef struct td_sifted {
+    unsigned parted, near;
+} td_sifted;
+
+typedef td_sifted td_sift_fn(const int32_t *shape_a, const int32_t *shape_b,
+                             const td_collide_context *context);
+
 /* The passes over blocks of one number of points: [0] both sides move, [1] side a is static. */
 typedef struct td_solve_ops {
     td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce[2];
@@ -169,6 +178,7 @@ struct thud_world;
 /* What a pair kind plugs in when its shapes are first used; see kinds.h. */
 typedef struct td_pair_ops {
     td_block_form form;
+    td_sift_fn *sift;         /* null for terrain */
     td_collide_fn *collide;   /* null where `collide_world` is set */
     /* Pairs whose geometry does not lie in the per-shape records (terrain). */
     void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,

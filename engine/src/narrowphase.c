@@ -101,25 +101,79 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
     }
 }
 
+/* Waiting pairs on their way to the exact test. */
+typedef struct batch {
+    thud_world *w;
+    int kind, count;
+    int contacts[TEST_BLOCKS * TD_LANES];
+} batch;
+
+static void test_batch(batch *b)
+{
+    if (b->count) {
+        test_contacts(b->w, b->kind, b->contacts, b->count);
+    }
+    b->count = 0;
+}
+
+static void add_to_batch(batch *b, int contact)
+{
+    b->contacts[b->count++] = contact;
+    if (b->count == TEST_BLOCKS * TD_LANES) {
+        test_batch(b);
+    }
+}
+
+/* One by one, where the kind has no sieve, or bounds may deceive. */
+static void sift_singly(batch *b, const int *waiting, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (bounds_meet(b->w, td_contact_at(b->w, waiting[i]))) {
+            add_to_batch(b, waiting[i]);
+        } else {
+            td_push_int(&b->w->scratch.ends, waiting[i]);
+        }
+    }
+}
+
+static void sift_widely(batch *b, const int *waiting, int count)
+{
+    thud_world *w = b->w;
+    td_sift_fn *sift = w->pairs[b->kind]->sift;
+    td_collide_context context = td_collide_context_of(w);
+    const td_contact *contacts = w->contacts.items.data;
+    for (int first = 0; first < count; first += TD_LANES) {
+        int32_t shape_a[TD_LANES], shape_b[TD_LANES];
+        int used = td_min_int(count - first, TD_LANES);
+        for (int i = 0; i < TD_LANES; i++) {
+            const td_contact *contact = &contacts[waiting[first + td_min_int(i, used - 1)]];
+            shape_a[i] = contact->shape_a;
+            shape_b[i] = contact->shape_b;
+            if (first + i + 3 * TD_LANES < count) {
+                __builtin_prefetch(&contacts[waiting[first + i + 3 * TD_LANES]]);
+            }
+        }
+        td_sifted sifted = sift(shape_a, shape_b, &context);
+        unsigned here = (1u << used) - 1u;
+        for (unsigned bits = sifted.parted & here; bits; bits &= bits - 1) {
+            td_push_int(&w->scratch.ends, waiting[first + __builtin_ctz(bits)]);
+        }
+        for (unsigned bits = sifted.near & here; bits; bits &= bits - 1) {
+            add_to_batch(b, waiting[first + __builtin_ctz(bits)]);
+        }
+    }
+}
+
 /* Sorts the waiting pairs of one kind into those that begin and those whose bounds parted. */
 static void test_waiting(thud_world *w, int kind)
 {
-    const int *waiting = w->waiting[kind].data;
-    int batch[TEST_BLOCKS * TD_LANES], count = 0;
-    for (int i = 0; i < w->waiting[kind].count; i++) {
-        if (!bounds_meet(w, td_contact_at(w, waiting[i]))) {
-            td_push_int(&w->scratch.ends, waiting[i]);
-            continue;
-        }
-        batch[count++] = waiting[i];
-        if (count == TEST_BLOCKS * TD_LANES) {
-            test_contacts(w, kind, batch, count);
-            count = 0;
-        }
+    batch b = {.w = w, .kind = kind};
+    if (w->pairs[kind]->sift && !w->vast) {
+        sift_widely(&b, w->waiting[kind].data, w->waiting[kind].count);
+    } else {
+        sift_singly(&b, w->waiting[kind].data, w->waiting[kind].count);
     }
-    if (count) {
-        test_contacts(w, kind, batch, count);
-    }
+    test_batch(&b);
 }
 
 static bool asleep(const thud_world *w, int shape)

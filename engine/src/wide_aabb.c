@@ -31,8 +31,15 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
     }
 }
 
+static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_context *c)
+{
+    td_pairs8 p = td_read_shapes(a, b, 0, c);
+    f8 sx = f8_abs(p.dx) - p.ahx - p.bhx, sy = f8_abs(p.dy) - p.ahy - p.bhy;
+    return td_sift(a, b, f8_max(sx, sy), c);
+}
+
 extern const td_solve_ops TD_WIDE(td_solve_flat);
 
 extern const td_pair_ops TD_WIDE(td_pair_aabb_aabb);
 const td_pair_ops TD_WIDE(td_pair_aabb_aabb) = {
-    TD_FORM_ONE, aabb_aabb, NULL, &TD_WIDE(td_solve_flat), &TD_WIDE(td_solve_flat)};
+    TD_FORM_ONE, sift, aabb_aabb, NULL, &TD_WIDE(td_solve_flat), &TD_WIDE(td_solve_flat)};

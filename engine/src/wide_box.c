@@ -68,34 +68,49 @@ TD_INLINE edge incident_edge(const turned *t, f8 hx, f8 hy)
     return e;
 }
 
+/* Separations along the axes of both boxes, and what they are made of. */
+typedef struct axes {
+    f8 dax, day, dbx, dby; /* each centre in the other's frame */
+    f8 c, s;               /* b's rotation in a's frame */
+    f8 sep_ax, sep_ay, sep_bx, sep_by;
+} axes;
+
+TD_INLINE axes axes_of(const td_pairs8 *p)
+{
+    axes x = {.dax = p->ac * p->dx + p->as * p->dy,
+              .day = p->ac * p->dy - p->as * p->dx,
+              .dbx = p->bc * p->dx + p->bs * p->dy,
+              .dby = p->bc * p->dy - p->bs * p->dx,
+              .c = p->ac * p->bc + p->as * p->bs,
+              .s = p->ac * p->bs - p->as * p->bc};
+    f8 ca = f8_abs(x.c), sa = f8_abs(x.s);
+    x.sep_ax = f8_abs(x.dax) - p->ahx - (ca * p->bhx + sa * p->bhy);
+    x.sep_ay = f8_abs(x.day) - p->ahy - (sa * p->bhx + ca * p->bhy);
+    x.sep_bx = f8_abs(x.dbx) - p->bhx - (ca * p->ahx + sa * p->ahy);
+    x.sep_by = f8_abs(x.dby) - p->bhy - (sa * p->ahx + ca * p->ahy);
+    return x;
+}
+
 /* New manifolds for the lanes in `fresh`, or for all; returns the lanes that touch. */
 TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fresh,
                            const td_collide_context *context)
 {
     f8 half = f8_all(0.5f), margin = f8_all(context->margin);
     td_pairs8 p = *pairs;
-    /* Each centre in the other's frame, and b's rotation in a's. */
-    f8 dax = p.ac * p.dx + p.as * p.dy, day = p.ac * p.dy - p.as * p.dx;
-    f8 dbx = p.bc * p.dx + p.bs * p.dy, dby = p.bc * p.dy - p.bs * p.dx;
-    f8 c = p.ac * p.bc + p.as * p.bs, s = p.ac * p.bs - p.as * p.bc;
-    f8 ca = f8_abs(c), sa = f8_abs(s);
-    f8 sep_ax = f8_abs(dax) - p.ahx - (ca * p.bhx + sa * p.bhy);
-    f8 sep_ay = f8_abs(day) - p.ahy - (sa * p.bhx + ca * p.bhy);
-    f8 sep_bx = f8_abs(dbx) - p.bhx - (ca * p.ahx + sa * p.ahy);
-    f8 sep_by = f8_abs(dby) - p.bhy - (sa * p.ahx + ca * p.ahy);
-    f8 sep_a = f8_max(sep_ax, sep_ay), sep_b = f8_max(sep_bx, sep_by);
+    axes x = axes_of(&p);
+    f8 sep_a = f8_max(x.sep_ax, x.sep_ay), sep_b = f8_max(x.sep_bx, x.sep_by);
     i8 by_b = sep_b > sep_a + f8_all(context->axis_tolerance);
 
     turned t;
-    t.x = f8_pick(by_b, -dbx, dax);
-    t.y = f8_pick(by_b, -dby, day);
-    t.c = c;
-    t.s = f8_flip(s, by_b);
+    t.x = f8_pick(by_b, -x.dbx, x.dax);
+    t.y = f8_pick(by_b, -x.dby, x.day);
+    t.c = x.c;
+    t.s = f8_flip(x.s, by_b);
     t.ux = f8_pick(by_b, p.bc, p.ac);
     t.uy = f8_pick(by_b, p.bs, p.as);
     t.rx = f8_pick(by_b, p.bhx, p.ahx);
     t.ry = f8_pick(by_b, p.bhy, p.ahy);
-    turn_to_face(&t, i8_pick(by_b, sep_by > sep_bx, sep_ay > sep_ax));
+    turn_to_face(&t, i8_pick(by_b, x.sep_by > x.sep_bx, x.sep_ay > x.sep_ax));
     edge e = incident_edge(&t, f8_pick(by_b, p.ahx, p.bhx), f8_pick(by_b, p.ahy, p.bhy));
 
     /* Clip to the sides of the reference face. ey is at least cos 45 degrees. */
@@ -127,8 +142,8 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fr
     for (int k = 0; k < 2; k++) {
         block->point[k].normal_impulse = f8_keep(same, block->point[k].normal_impulse);
         /* Halfway between the surfaces, from the reference centre, in the world. */
-        f8 x = (k ? x1 : x0) - half * (k ? s1 : s0), y = k ? y1 : y0;
-        f8 wx = x * t.ux - y * t.uy, wy = x * t.uy + y * t.ux;
+        f8 px = (k ? x1 : x0) - half * (k ? s1 : s0), py = k ? y1 : y0;
+        f8 wx = px * t.ux - py * t.uy, wy = px * t.uy + py * t.ux;
         found[k] = (td_found){.valid = k ? valid1 : valid0,
                               .separation = k ? s1 : s0,
                               .rax = p.ax + wx + f8_keep(by_b, p.dx),
@@ -181,8 +196,15 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
     }
 }
 
+static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_context *c)
+{
+    td_pairs8 p = td_read_shapes(a, b, 0, c);
+    axes x = axes_of(&p);
+    return td_sift(a, b, f8_max(f8_max(x.sep_ax, x.sep_ay), f8_max(x.sep_bx, x.sep_by)), c);
+}
+
 extern const td_solve_ops TD_WIDE(td_solve_two);
 
 extern const td_pair_ops TD_WIDE(td_pair_box_box);
-const td_pair_ops TD_WIDE(td_pair_box_box) = {TD_FORM_TWO_KEPT, box_box, NULL, &TD_WIDE(td_solve_two),
+const td_pair_ops TD_WIDE(td_pair_box_box) = {TD_FORM_TWO_KEPT, sift, box_box, NULL, &TD_WIDE(td_solve_two),
                                               &TD_WIDE(td_solve_two)};

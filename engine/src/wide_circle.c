@@ -32,6 +32,12 @@ static void circle_circle(td_block *const *blocks, int count, const td_collide_c
     }
 }
 
+static td_sifted sift_circles(const int32_t *a, const int32_t *b, const td_collide_context *c)
+{
+    td_pairs8 p = td_read_shapes(a, b, 0, c);
+    return td_sift(a, b, f8_sqrt(p.dx * p.dx + p.dy * p.dy) - p.ahx - p.bhx, c);
+}
+
 /* A circle of radius r at (x, y) in the frame of a box with half extents hx, hy: normal from the
  * box, and separation. */
 TD_INLINE f8 circle_in_box_frame(f8 x, f8 y, f8 hx, f8 hy, f8 r, f8 *nx, f8 *ny)
@@ -51,17 +57,32 @@ TD_INLINE f8 circle_in_box_frame(f8 x, f8 y, f8 hx, f8 hy, f8 r, f8 *nx, f8 *ny)
     return f8_pick(inside, -f8_min(depth_x, depth_y), distance) - r;
 }
 
+typedef struct met {
+    f8 dx, dy;     /* from the box to the circle */
+    f8 nx, ny;     /* from the box */
+    f8 separation;
+    f8 r;
+} met;
+
 /* `flip`: the circle is a and the box is b. */
+TD_INLINE met meet(const td_pairs8 *p, bool flip)
+{
+    f8 cosine = flip ? p->bc : p->ac, sine = flip ? p->bs : p->as;
+    f8 hx = flip ? p->bhx : p->ahx, hy = flip ? p->bhy : p->ahy;
+    met m = {.dx = flip ? -p->dx : p->dx, .dy = flip ? -p->dy : p->dy, .r = flip ? p->ahx : p->bhx};
+    f8 lx, ly;
+    m.separation = circle_in_box_frame(cosine * m.dx + sine * m.dy, cosine * m.dy - sine * m.dx, hx,
+                                       hy, m.r, &lx, &ly);
+    m.nx = cosine * lx - sine * ly;
+    m.ny = sine * lx + cosine * ly;
+    return m;
+}
+
 TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool flip)
 {
     td_pairs8 p = td_read_pairs(block, c);
-    f8 cosine = flip ? p.bc : p.ac, sine = flip ? p.bs : p.as;
-    f8 hx = flip ? p.bhx : p.ahx, hy = flip ? p.bhy : p.ahy, r = flip ? p.ahx : p.bhx;
-    f8 dx = flip ? -p.dx : p.dx, dy = flip ? -p.dy : p.dy; /* from the box to the circle */
-    f8 lx, ly;
-    f8 separation = circle_in_box_frame(cosine * dx + sine * dy, cosine * dy - sine * dx, hx, hy,
-                                        r, &lx, &ly);
-    f8 nx = cosine * lx - sine * ly, ny = sine * lx + cosine * ly;
+    met m = meet(&p, flip);
+    f8 nx = m.nx, ny = m.ny, dx = m.dx, dy = m.dy, separation = m.separation, r = m.r;
     i8 valid = td_used_mask(block) & (separation < f8_all(c->margin));
     f8 reach = -(r + f8_all(0.5f) * separation); /* along the normal, from the circle's centre */
     f8 cx = nx * reach, cy = ny * reach;
@@ -95,13 +116,25 @@ static void circle_box(td_block *const *blocks, int count, const td_collide_cont
     }
 }
 
+static td_sifted sift_box_circle(const int32_t *a, const int32_t *b, const td_collide_context *c)
+{
+    td_pairs8 p = td_read_shapes(a, b, 0, c);
+    return td_sift(a, b, meet(&p, false).separation, c);
+}
+
+static td_sifted sift_circle_box(const int32_t *a, const int32_t *b, const td_collide_context *c)
+{
+    td_pairs8 p = td_read_shapes(a, b, 0, c);
+    return td_sift(a, b, meet(&p, true).separation, c);
+}
+
 extern const td_solve_ops TD_WIDE(td_solve_one), TD_WIDE(td_solve_round);
 
 extern const td_pair_ops TD_WIDE(td_pair_circle_circle), TD_WIDE(td_pair_box_circle),
     TD_WIDE(td_pair_circle_box);
 const td_pair_ops TD_WIDE(td_pair_circle_circle) = {
-    TD_FORM_ONE, circle_circle, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_round)};
+    TD_FORM_ONE, sift_circles, circle_circle, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_round)};
 const td_pair_ops TD_WIDE(td_pair_box_circle) = {
-    TD_FORM_ONE, box_circle, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};
+    TD_FORM_ONE, sift_box_circle, box_circle, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};
 const td_pair_ops TD_WIDE(td_pair_circle_box) = {
-    TD_FORM_ONE, circle_box, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};
+    TD_FORM_ONE, sift_circle_box, circle_box, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};

@@ -58,33 +58,58 @@ TD_INLINE d4 td_between(const td_stance *a0, const td_stance *b0, const td_stanc
     return (d4)bits - TD_ROUND_SHIFT;
 }
 
-TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c)
+TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_b, int armed,
+                                   const td_collide_context *c)
 {
     td_pairs8 p;
     f4 between[4];
     for (int i = 0; i < 4; i++) {
         int j = i + 4;
         between[i] = __builtin_convertvector(
-            td_between(&c->stance[block->shape_a[i]], &c->stance[block->shape_b[i]],
-                       &c->stance[block->shape_a[j]], &c->stance[block->shape_b[j]]), f4);
+            td_between(&c->stance[shape_a[i]], &c->stance[shape_b[i]],
+                       &c->stance[shape_a[j]], &c->stance[shape_b[j]]), f4);
     }
     f8 r01 = __builtin_shufflevector(between[0], between[1], 0, 4, 1, 5, 2, 6, 3, 7);
     f8 r23 = __builtin_shufflevector(between[2], between[3], 0, 4, 1, 5, 2, 6, 3, 7);
     f8 quantum = f8_all(c->quantum);
     p.dx = quantum * __builtin_shufflevector(r01, r23, 0, 1, 8, 9, 4, 5, 12, 13);
     p.dy = quantum * __builtin_shufflevector(r01, r23, 2, 3, 10, 11, 6, 7, 14, 15);
-    td_rows stance = td_gather_stances(c, block->shape_a, offsetof(td_stance, c));
+    td_rows stance = td_gather_stances(c, shape_a, offsetof(td_stance, c));
     p.ac = stance.x, p.as = stance.y, p.ahx = stance.z, p.ahy = stance.w;
-    stance = td_gather_stances(c, block->shape_b, offsetof(td_stance, c));
+    stance = td_gather_stances(c, shape_b, offsetof(td_stance, c));
     p.bc = stance.x, p.bs = stance.y, p.bhx = stance.z, p.bhy = stance.w;
     p.ax = p.ay = p.bx = p.by = f8_all(0.0f);
-    if (block->armed) {
-        stance = td_gather_stances(c, block->shape_a, offsetof(td_stance, x));
+    if (armed) {
+        stance = td_gather_stances(c, shape_a, offsetof(td_stance, x));
         p.ax = stance.x, p.ay = stance.y;
-        stance = td_gather_stances(c, block->shape_b, offsetof(td_stance, x));
+        stance = td_gather_stances(c, shape_b, offsetof(td_stance, x));
         p.bx = stance.x, p.by = stance.y;
     }
     return p;
+}
+
+TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c)
+{
+    return td_read_shapes(block->shape_a, block->shape_b, block->armed, c);
+}
+
+/* Four bounds of each shape. */
+TD_INLINE void td_read_bounds(const td_collide_context *c, const int32_t *shapes, i8 out[4])
+{
+    td_rows rows = td_gather_stances(c, shapes, offsetof(td_stance, fat));
+    out[0] = (i8)rows.x, out[1] = (i8)rows.y, out[2] = (i8)rows.z, out[3] = (i8)rows.w;
+}
+
+/* `separation` is no more than the exact one. */
+TD_INLINE td_sifted td_sift(const int32_t *shape_a, const int32_t *shape_b, f8 separation,
+                            const td_collide_context *c)
+{
+    i8 a[4], b[4];
+    td_read_bounds(c, shape_a, a);
+    td_read_bounds(c, shape_b, b);
+    i8 parted = i8_wrap_sub(a[2], b[0]) | i8_wrap_sub(b[2], a[0]) | i8_wrap_sub(a[3], b[1]) |
+                i8_wrap_sub(b[3], a[1]);
+    return (td_sifted){i8_bits(parted), i8_bits(~parted & (separation < f8_all(c->margin)))};
 }
 
 TD_INLINE i8 td_used_mask(const td_block *block)

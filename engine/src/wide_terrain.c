@@ -133,8 +133,8 @@ static void terrain_box(thud_world *w, td_block *const *blocks, int count,
 extern const td_solve_ops TD_WIDE(td_solve_one), TD_WIDE(td_solve_two);
 
 extern const td_pair_ops TD_WIDE(td_pair_terrain_circle), TD_WIDE(td_pair_terrain_box);
-const td_pair_ops TD_WIDE(td_pair_terrain_circle) = {TD_FORM_ONE_KEPT, NULL, terrain_circle,
+const td_pair_ops TD_WIDE(td_pair_terrain_circle) = {TD_FORM_ONE_KEPT, NULL, NULL, terrain_circle,
                                                      &TD_WIDE(td_solve_one),
                                                      &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_terrain_box) = {TD_FORM_TWO_KEPT, NULL, terrain_box, &TD_WIDE(td_solve_two),
+const td_pair_ops TD_WIDE(td_pair_terrain_box) = {TD_FORM_TWO_KEPT, NULL, NULL, terrain_box, &TD_WIDE(td_solve_two),
                                                   &TD_WIDE(td_solve_two)};
