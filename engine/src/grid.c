@@ -8,34 +8,25 @@
 
 #include <string.h>
 
-typedef struct sorted_shape {
-    int64_t x, y; /* centre of the fat bounds, bounds quanta */
-    int32_t extent, level;
-    int32_t cell;
-} sorted_shape;
-
 static int32_t extent_of(const td_bounds *b)
 {
     return td_max_int(td_wrap_sub(b->max_x, b->min_x), td_wrap_sub(b->max_y, b->min_y));
 }
-
-/* Sizes are told apart to a quarter of an octave, by the leading bits of a float. */
-enum { SIZES = 128 };
 
 static int size_of(int32_t extent)
 {
     float f = (float)td_max_int(extent, 1);
     uint32_t bits;
     memcpy(&bits, &f, sizeof bits);
-    return (int)(bits >> 21) - (127 << 2);
+    return (int)(bits >> TD_SIZE_SHIFT) - TD_SIZE_ZERO;
 }
 
 /* Levels from the last one down: each begins at the largest size that is left, and holds all down to
  * a quarter of it, so that sizes that differ little share a level. */
 static void choose_levels(const int *population, uint8_t *level_of_size)
 {
-    int level = TD_LEVELS, least = SIZES;
-    for (int size = SIZES - 1; size >= 0; size--) {
+    int level = TD_LEVELS, least = TD_SIZES;
+    for (int size = TD_SIZES - 1; size >= 0; size--) {
         if (population[size] && size < least && level > 0) {
             level--;
             least = size - 7;
@@ -44,40 +35,50 @@ static void choose_levels(const int *population, uint8_t *level_of_size)
     }
 }
 
-/* Centres and the corners of the population, then levels, their counts and largest extents. */
-static void measure(const thud_world *w, td_grid *grid, sorted_shape *sorted)
+/* As the wide measure, however far the population reaches. */
+static void measure_far(const thud_world *w, td_grid_measures *m)
 {
-    const int *list = grid->list.data;
-    const td_stance *stances = w->stance.data;
-    int64_t least_x = INT64_MAX, least_y = INT64_MAX, most_x = INT64_MIN, most_y = INT64_MIN;
-    int population[SIZES] = {0};
-    for (int i = 0; i < grid->list.count; i++) {
-        const td_stance *stance = &stances[list[i]];
+    int64_t ref_x = td_stance_at(w, m->list[0])->center.x >> TD_COARSE_SHIFT;
+    int64_t ref_y = td_stance_at(w, m->list[0])->center.y >> TD_COARSE_SHIFT;
+    m->least_x = m->least_y = 0x1p62;
+    m->most_x = m->most_y = -0x1p62;
+    memset(m->population, 0, sizeof m->population);
+    for (int i = 0; i < m->count; i++) {
+        const td_stance *stance = td_stance_at(w, m->list[i]);
         const td_bounds *b = &stance->fat;
-        sorted_shape *s = &sorted[i];
-        s->extent = extent_of(b);
-        s->x = td_unwrap(td_middle(b->min_x, b->max_x), stance->center.x);
-        s->y = td_unwrap(td_middle(b->min_y, b->max_y), stance->center.y);
-        least_x = s->x < least_x ? s->x : least_x;
-        least_y = s->y < least_y ? s->y : least_y;
-        most_x = s->x > most_x ? s->x : most_x;
-        most_y = s->y > most_y ? s->y : most_y;
-        population[size_of(s->extent)]++;
+        double x = (double)(td_unwrap(td_middle(b->min_x, b->max_x), stance->center.x) - ref_x);
+        double y = (double)(td_unwrap(td_middle(b->min_y, b->max_y), stance->center.y) - ref_y);
+        m->x[i] = x;
+        m->y[i] = y;
+        m->extent[i] = extent_of(b);
+        m->least_x = x < m->least_x ? x : m->least_x;
+        m->least_y = y < m->least_y ? y : m->least_y;
+        m->most_x = x > m->most_x ? x : m->most_x;
+        m->most_y = y > m->most_y ? y : m->most_y;
+        m->population[size_of(m->extent[i])] = 1;
     }
-    uint8_t level_of_size[SIZES];
-    choose_levels(population, level_of_size);
-    for (int i = 0; i < grid->list.count; i++) {
-        sorted_shape *s = &sorted[i];
-        int32_t extent = s->extent;
-        s->level = level_of_size[size_of(extent)];
-        td_level *level = &grid->levels[s->level];
-        level->cell = extent > level->cell ? extent : level->cell;
+}
+
+/* Measures the population, counts the levels and finds the largest shape of each. */
+static void measure(const thud_world *w, td_grid *grid, td_grid_measures *m)
+{
+    uint8_t level_of_size[TD_SIZES];
+    if (!TD_PICK_WIDE(w, td_grid_measure)(w->stance.data, m)) {
+        measure_far(w, m);
+    }
+    const td_place *first = &td_stance_at(w, m->list[0])->center;
+    int64_t ref_x = first->x >> TD_COARSE_SHIFT, ref_y = first->y >> TD_COARSE_SHIFT;
+    grid->origin_x = ref_x + (int64_t)m->least_x;
+    grid->origin_y = ref_y + (int64_t)m->least_y;
+    grid->end_x = ref_x + (int64_t)m->most_x;
+    grid->end_y = ref_y + (int64_t)m->most_y;
+    choose_levels(m->population, level_of_size);
+    for (int i = 0; i < m->count; i++) {
+        m->level[i] = level_of_size[size_of(m->extent[i])];
+        td_level *level = &grid->levels[m->level[i]];
+        level->cell = m->extent[i] > level->cell ? m->extent[i] : level->cell;
         level->count++;
     }
-    grid->origin_x = least_x;
-    grid->origin_y = least_y;
-    grid->end_x = most_x;
-    grid->end_y = most_y;
 }
 
 static uint32_t power_above(int64_t n)
@@ -123,6 +124,9 @@ static int lay_out(td_grid *grid, bool quiet)
     return starts;
 }
 
+/* Of scratch.grid, a shape. */
+enum { MEASURES_BYTES = 2 * (int)sizeof(double) + 2 * (int)sizeof(int32_t) + 8 };
+
 static bool reserve(thud_world *w, td_grid *grid, bool quiet)
 {
     int count = grid->list.count;
@@ -135,51 +139,36 @@ static bool reserve(thud_world *w, td_grid *grid, bool quiet)
         }
         arrays[i]->count = count;
     }
+    int room = count + TD_LANES;
     grid->spot.stride = grid->anchor_x.stride = grid->anchor_y.stride = (int)sizeof(int32_t);
-    w->scratch.grid.stride = (int)sizeof(sorted_shape);
-    return td_array_reserve(&w->memory, &w->scratch.grid, count) &&
+    w->scratch.grid.stride = MEASURES_BYTES;
+    return td_array_reserve(&w->memory, &w->scratch.grid, room) &&
            (!quiet || (td_array_reserve(&w->memory, &grid->spot, w->shapes.items.count) &&
                        td_array_reserve(&w->memory, &grid->anchor_x, count) &&
                        td_array_reserve(&w->memory, &grid->anchor_y, count)));
 }
 
 /* Counting sort of ids and cells. */
-static void sort(td_grid *grid, sorted_shape *sorted, int starts_count)
+static void sort(td_grid *grid, const td_grid_measures *m, int starts_count)
 {
     int *starts = grid->starts.data, *ids = grid->ids.data, *cells = grid->cells.data;
-    const int *list = grid->list.data;
     memset(starts, 0, (size_t)starts_count * sizeof(int));
-    for (int i = 0; i < grid->list.count; i++) {
-        sorted_shape *s = &sorted[i];
-        const td_level *level = &grid->levels[s->level];
-        s->cell = (int32_t)td_grid_cell(level,
-                                        td_grid_index(s->x, grid->origin_x, level->inv_cell),
-                                        td_grid_index(s->y, grid->origin_y, level->inv_cell));
-        starts[level->starts + s->cell + 1]++;
+    for (int i = 0; i < m->count; i++) {
+        starts[grid->levels[m->level[i]].starts + m->cell[i]]++;
     }
+    /* Where each cell ends; what is then put in, from the last shape on, brings it to its start. */
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
-        int sum = level->first;
+        int sum = level->first, *of_level = starts + level->starts;
         for (uint32_t c = 0; level->count && c <= level->mask + 1; c++) {
-            sum += starts[(uint32_t)level->starts + c];
-            starts[(uint32_t)level->starts + c] = sum;
+            sum += of_level[c];
+            of_level[c] = sum;
         }
     }
-    /* starts[c] is where cell c begins; while filling it runs up to where the next one does, and is
-     * set back by one cell afterwards. */
-    for (int i = 0; i < grid->list.count; i++) {
-        const sorted_shape *s = &sorted[i];
-        int at = starts[grid->levels[s->level].starts + s->cell]++;
-        ids[at] = list[i];
-        cells[at] = s->cell;
-    }
-    for (int l = 0; l < TD_LEVELS; l++) {
-        const td_level *level = &grid->levels[l];
-        if (level->count) {
-            memmove(&starts[level->starts + 1], &starts[level->starts],
-                    (size_t)(level->mask + 1) * sizeof(int));
-            starts[level->starts] = level->first;
-        }
+    for (int i = m->count - 1; i >= 0; i--) {
+        int at = --starts[grid->levels[m->level[i]].starts + m->cell[i]];
+        ids[at] = m->list[i];
+        cells[at] = m->cell[i];
     }
 }
 
@@ -197,6 +186,20 @@ static void note_spots(td_grid *grid)
     }
 }
 
+static td_grid_measures measures_in(const td_array *scratch, const td_array *list)
+{
+    size_t room = (size_t)scratch->capacity;
+    double *x = scratch->data, *y = x + room;
+    int32_t *extent = (int32_t *)(y + room), *cell = extent + room;
+    return (td_grid_measures){.list = list->data,
+                              .count = list->count,
+                              .x = x,
+                              .y = y,
+                              .extent = extent,
+                              .cell = cell,
+                              .level = (uint8_t *)(cell + room)};
+}
+
 bool td_grid_build(thud_world *w, td_grid *grid, bool quiet)
 {
     grid->valid = grid->loose = false;
@@ -205,20 +208,22 @@ bool td_grid_build(thud_world *w, td_grid *grid, bool quiet)
     if (!reserve(w, grid, quiet)) {
         return false;
     }
-    sorted_shape *sorted = w->scratch.grid.data;
-    measure(w, grid, sorted);
+    if (grid->list.count == 0) {
+        grid->valid = true;
+        return true;
+    }
+    td_grid_measures m = measures_in(&w->scratch.grid, &grid->list);
+    measure(w, grid, &m);
     int starts_count = lay_out(grid, quiet);
     grid->starts.stride = (int)sizeof(int);
     if (!td_array_reserve(&w->memory, &grid->starts, starts_count)) {
         return false;
     }
-    if (starts_count) {
-        sort(grid, sorted, starts_count);
-        grid->moved_count =
-            TD_PICK_WIDE(w, td_grid_fill)(grid, w->stance.data, w->marks.data);
-        if (quiet) {
-            note_spots(grid);
-        }
+    TD_PICK_WIDE(w, td_grid_cells)(grid->levels, &m);
+    sort(grid, &m, starts_count);
+    grid->moved_count = TD_PICK_WIDE(w, td_grid_fill)(grid, w->stance.data, w->marks.data);
+    if (quiet) {
+        note_spots(grid);
     }
     grid->loose = quiet;
     grid->valid = true;

@@ -65,6 +65,31 @@ static inline void td_grid_forget(td_grid *grid)
 }
 void td_grid_free(td_memory *memory, td_grid *grid);
 
+/* Sizes are told apart to a quarter of an octave, by the leading bits of a float. */
+enum { TD_SIZES = 128, TD_SIZE_SHIFT = 21, TD_SIZE_ZERO = 127 << 2 };
+
+/* A population that reaches no further than this from its first shape, in length scales, is measured
+ * with 32 bits. */
+enum { TD_NEAR = 1 << 15 };
+
+/* What sorting needs to know of the shapes listed. Room for a multiple of eight. */
+typedef struct td_grid_measures {
+    const int32_t *list;
+    int count;
+    double *x, *y;                           /* centres of the fat bounds, bounds quanta from the
+                                                first shape's place */
+    int32_t *extent;                         /* the larger of width and height */
+    int32_t *cell;                           /* within its level */
+    uint8_t *level;
+    int population[TD_SIZES];                /* which sizes there are; cleared before */
+    double least_x, least_y, most_x, most_y; /* of the centres */
+} td_grid_measures;
+
+/* False where the population reaches too far; what it wrote is then void. */
+typedef bool td_grid_measure_fn(const td_stance *stance, td_grid_measures *measures);
+/* The cells of the shapes in their levels. */
+typedef void td_grid_cells_fn(const td_level *levels, td_grid_measures *measures);
+
 /* Fills bounds and moved flags of the sorted shapes from the stances and marks of all. */
 typedef int td_grid_fill_fn(td_grid *grid, const td_stance *stance, const uint8_t *marks);
 

@@ -22,6 +22,8 @@ void td_kind_terrain(thud_world *w);
 #define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base)
 #endif
 
+TD_DECLARE_WIDE(td_grid_measure_fn, td_grid_measure);
+TD_DECLARE_WIDE(td_grid_cells_fn, td_grid_cells);
 TD_DECLARE_WIDE(td_grid_fill_fn, td_grid_fill);
 TD_DECLARE_WIDE(td_grid_sweep_fn, td_grid_sweep);
 TD_DECLARE_WIDE(td_grid_query_fn, td_grid_query);

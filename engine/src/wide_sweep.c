@@ -1,54 +1,8 @@
-/* wide_sweep.c: filling a grid, and finding its overlapping bounds, eight at a time.
+/* wide_sweep.c: finding the overlapping bounds of a grid, eight at a time.
  *
  * Bounds overlap where none of four differences is negative, so one sign bit a lane decides. Hits
  * come in the order of the grid, which is the order of places, not of addresses. */
 #include "grid.h"
-
-#include <stddef.h>
-
-/* ---- filling ---- */
-
-/* Four ints of each of eight records, turned into four vectors. */
-TD_INLINE void load_bounds(const td_stance *stance, const int32_t *ids, i8 out[4])
-{
-    const float *r[TD_LANES];
-    for (int i = 0; i < TD_LANES; i++) {
-        r[i] = (const float *)(const void *)&stance[ids[i]].fat;
-    }
-    td_rows rows =
-        td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
-    out[0] = (i8)rows.x;
-    out[1] = (i8)rows.y;
-    out[2] = (i8)rows.z;
-    out[3] = (i8)rows.w;
-}
-
-td_grid_fill_fn TD_WIDE(td_grid_fill);
-int TD_WIDE(td_grid_fill)(td_grid *grid, const td_stance *stance, const uint8_t *marks)
-{
-    int32_t *ids = grid->ids.data, *moved = grid->moved.data;
-    int32_t *rows[4] = {grid->min_x.data, grid->min_y.data, grid->max_x.data, grid->max_y.data};
-    int count = grid->ids.count, moved_count = 0;
-    /* The last eight may reach beyond the end, where any shape will do. */
-    for (int i = count; i < count + TD_LANES; i++) {
-        ids[i] = ids[count - 1];
-    }
-    for (int i = 0; i < count; i += TD_LANES) {
-        i8 bounds[4];
-        load_bounds(stance, ids + i, bounds);
-        for (int k = 0; k < 4; k++) {
-            __builtin_memcpy(rows[k] + i, &bounds[k], sizeof bounds[k]);
-        }
-    }
-    for (int i = 0; i < count; i++) {
-        int32_t flag = -(int32_t)(marks[ids[i]] & 1);
-        moved[i] = flag;
-        moved_count -= flag;
-    }
-    return moved_count;
-}
-
-/* ---- finding ---- */
 
 typedef struct scan {
     const td_grid *grid;
@@ -135,14 +89,18 @@ TD_INLINE bool room(scan *s, int more)
     return true;
 }
 
+/* Most ranges hold no more than eight, many of them none: the first eight are always tested, since a
+ * branch that nobody can foretell costs more. */
 TD_INLINE void scan_range(scan *s, int from, int to, heed which)
 {
-    for (int at = from; at < to; at += TD_LANES) {
+    int at = from;
+    do {
         unsigned bits = test(s, at, which);
         int left = to - at;
         bits &= left < TD_LANES ? (1u << left) - 1u : 0xffu;
         s->out += i8_pack(s->out, s->ids + at, bits);
-    }
+        at += TD_LANES;
+    } while (at < to);
 }
 
 /* Cells cell .. cell + n - 1 of a level, around the end of its table. */
