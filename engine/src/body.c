@@ -54,8 +54,8 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
     if (!td_slots_reserve(&w->memory, &w->bodies, 1) ||
-        !td_array_reserve(&w->memory, &w->pose, w->bodies.items.capacity) ||
-        !td_array_reserve(&w->memory, &w->changed, w->bodies.items.capacity) ||
+        !td_array_reserve(&w->memory, &w->pose, td_slots_capacity(&w->bodies)) ||
+        !td_array_reserve(&w->memory, &w->changed, td_slots_capacity(&w->bodies)) ||
         !td_awake_reserve(w, 1)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "body create: out of memory");
     }
@@ -117,7 +117,7 @@ thud_result thud_body_destroy(thud_world *w, thud_body_id id)
 
 bool thud_body_is_valid(const thud_world *w, thud_body_id id)
 {
-    return w && id.index1 > 0 && id.index1 <= (uint32_t)w->bodies.items.count &&
+    return w && id.index1 > 0 && id.index1 <= (uint32_t)w->bodies.count &&
            (td_body_at(w, (int)id.index1 - 1)->flags & TD_BODY_LIVE) &&
            td_tag(w, td_body_at(w, (int)id.index1 - 1)->generation) == id.generation;
 }

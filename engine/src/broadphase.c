@@ -31,7 +31,7 @@ static bool list_population(thud_world *w, td_grid *grid, bool awake)
     if (grid->listed) {
         return true;
     }
-    if (!td_array_reserve(&w->memory, list, w->shapes.items.count)) {
+    if (!td_array_reserve(&w->memory, list, w->shapes.count)) {
         return false;
     }
     list->count = 0;
@@ -44,7 +44,7 @@ static bool list_population(thud_world *w, td_grid *grid, bool awake)
             }
         }
     } else {
-        for (int i = 0; i < w->shapes.items.count; i++) {
+        for (int i = 0; i < w->shapes.count; i++) {
             const td_shape *shape = td_shape_at(w, i);
             if ((shape->flags & TD_SHAPE_LIVE) && shape->kind != THUD_TERRAIN && !is_awake(w, i)) {
                 td_push_int(list, i);
@@ -260,8 +260,8 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
 
 static bool pair_terrains(thud_world *w)
 {
-    for (int t = 0; t < w->terrains.items.count; t++) {
-        const td_terrain_record *record = td_at(&w->terrains.items, t);
+    for (int t = 0; t < w->terrains.count; t++) {
+        const td_terrain_record *record = td_slot_at(&w->terrains, t);
         if (record->shape == TD_NONE) {
             continue;
         }

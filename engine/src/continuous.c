@@ -102,13 +102,16 @@ static void against_terrain(sweep *s, int other)
 }
 
 /* Bounds of the whole sweep, for the grid. */
-static td_bounds swept_bounds(const sweep *s, const float *delta)
+static td_bounds swept_bounds(const sweep *s, td_place end)
 {
     const thud_world *w = s->w;
     double reach = (double)td_body_at(w, s->body)->rim + (double)w->unit * (double)TD_SPECULATIVE;
-    int32_t half_x = (int32_t)((reach + (double)(delta[0] < 0 ? -delta[0] : delta[0])) * w->to_coarse);
-    int32_t half_y = (int32_t)((reach + (double)(delta[1] < 0 ? -delta[1] : delta[1])) * w->to_coarse);
-    return td_bounds_about(s->start, half_x + 1, half_y + 1);
+    int32_t half = (int32_t)(reach * w->to_coarse) + 1;
+    td_bounds a = td_bounds_about(s->start, half, half), b = td_bounds_about(end, half, half);
+    return (td_bounds){td_wrap_sub(b.min_x, a.min_x) < 0 ? b.min_x : a.min_x,
+                       td_wrap_sub(b.min_y, a.min_y) < 0 ? b.min_y : a.min_y,
+                       td_wrap_sub(b.max_x, a.max_x) > 0 ? b.max_x : a.max_x,
+                       td_wrap_sub(b.max_y, a.max_y) > 0 ? b.max_y : a.max_y};
 }
 
 static void set_shape(sweep *s, int index, const float *delta, float c, float sine)
@@ -162,8 +165,8 @@ static bool looks_around(sweep *s)
     hits->count = 0;
     bool near_any = TD_PICK_WIDE(w, td_grid_query)(&w->rest_grid, &w->memory, &s->bounds, s->start,
                                                    hits) && hits->count > 0;
-    for (int t = 0; t < w->terrains.items.count && !near_any; t++) {
-        const td_terrain_record *record = td_at(&w->terrains.items, t);
+    for (int t = 0; t < w->terrains.count && !near_any; t++) {
+        const td_terrain_record *record = td_slot_at(&w->terrains, t);
         if (record->shape != TD_NONE) {
             thud_terrain terrain = td_terrain_view(w, record->shape);
             near_any = reaches_terrain(s, record->shape, &terrain);
@@ -180,7 +183,7 @@ static void sweep_body(thud_world *w, int index)
     td_place start = {pose->center.x - td_length_from(w, delta[0]),
                       pose->center.y - td_length_from(w, delta[1])};
     sweep swept = {.w = w, .body = index, .start = start, .time = 1.0};
-    swept.bounds = swept_bounds(&swept, delta);
+    swept.bounds = swept_bounds(&swept, pose->center);
     if (!looks_around(&swept)) {
         return;
     }
@@ -197,8 +200,8 @@ static void sweep_body(thud_world *w, int index)
         for (int k = 0; k < hits->count; k++) {
             against_shape(&swept, *(int *)td_at(hits, k));
         }
-        for (int t = 0; t < w->terrains.items.count; t++) {
-            const td_terrain_record *record = td_at(&w->terrains.items, t);
+        for (int t = 0; t < w->terrains.count; t++) {
+            const td_terrain_record *record = td_slot_at(&w->terrains, t);
             if (record->shape != TD_NONE) {
                 against_terrain(&swept, record->shape);
             }

@@ -89,7 +89,7 @@ static void draw_shapes(const drawing *d)
     const thud_world *w = d->w;
     unsigned flags = d->draw->flags;
     const int *islands = flags & THUD_DRAW_ISLANDS ? w->scratch.parents.data : NULL;
-    for (int i = 0; i < w->shapes.items.count; i++) {
+    for (int i = 0; i < w->shapes.count; i++) {
         const td_shape *shape = td_shape_at(w, i);
         if (!(shape->flags & TD_SHAPE_LIVE)) {
             continue;
@@ -138,7 +138,7 @@ static void draw_contacts(const drawing *d)
 {
     const thud_world *w = d->w;
     float length = 0.3f * w->unit;
-    for (int i = 0; i < w->contacts.items.count; i++) {
+    for (int i = 0; i < w->contacts.count; i++) {
         const td_contact *contact = td_contact_at(w, i);
         if (!contact->live || contact->state != TD_TOUCHING) {
             continue;

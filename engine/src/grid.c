@@ -143,7 +143,7 @@ static bool reserve(thud_world *w, td_grid *grid, bool quiet)
     grid->spot.stride = grid->anchor_x.stride = grid->anchor_y.stride = (int)sizeof(int32_t);
     w->scratch.grid.stride = MEASURES_BYTES;
     return td_array_reserve(&w->memory, &w->scratch.grid, room) &&
-           (!quiet || (td_array_reserve(&w->memory, &grid->spot, w->shapes.items.count) &&
+           (!quiet || (td_array_reserve(&w->memory, &grid->spot, w->shapes.count) &&
                        td_array_reserve(&w->memory, &grid->anchor_x, count) &&
                        td_array_reserve(&w->memory, &grid->anchor_y, count)));
 }

@@ -33,7 +33,7 @@ thud_result td_find_body(const thud_world *w, thud_body_id id, int *index)
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (id.index1 == 0 || id.index1 > (uint32_t)w->bodies.items.count) {
+    if (id.index1 == 0 || id.index1 > (uint32_t)w->bodies.count) {
         return td_refuse(w, THUD_ERROR_STALE, "this body handle was never made");
     }
     const td_body *body = td_body_at(w, (int)(id.index1 - 1));
@@ -49,7 +49,7 @@ thud_result td_find_shape(const thud_world *w, thud_shape_id id, int *index)
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (id.index1 == 0 || id.index1 > (uint32_t)w->shapes.items.count) {
+    if (id.index1 == 0 || id.index1 > (uint32_t)w->shapes.count) {
         return td_refuse(w, THUD_ERROR_STALE, "this shape handle was never made");
     }
     const td_shape *shape = td_shape_at(w, (int)(id.index1 - 1));

@@ -11,7 +11,7 @@ static int points_of(const thud_world *w, int kind)
     return td_form_points(w->pairs[kind]->form);
 }
 
-static td_block_pool *pool_of(thud_world *w, int kind)
+static td_slots *pool_of(thud_world *w, int kind)
 {
     return &w->pool[w->pairs[kind]->form];
 }
@@ -75,28 +75,12 @@ static int blocks_for(int bin, int lanes)
     return (lanes + size - 1) / size;
 }
 
-static bool pool_reserve(thud_world *w, td_block_pool *pool, int more)
+static int take_block(thud_world *w, int kind)
 {
-    int wanted = pool->items.count + more - (pool->items.count - pool->live);
-    if (wanted <= pool->items.capacity) {
-        return true;
-    }
-    w->scratch.sequenced = false; /* growing moves the blocks */
-    return td_array_reserve(&w->memory, &pool->items, wanted);
-}
-
-static int pool_take(thud_world *w, int kind)
-{
-    td_block_pool *pool = pool_of(w, kind);
-    int index = pool->free_head;
-    if (index != TD_NONE) {
-        pool->free_head = td_block_at(w, kind, index)->next;
-    } else {
-        index = pool->items.count++;
-    }
-    pool->live++;
-    td_block *block = td_block_at(w, kind, index);
-    memset(block, 0, (size_t)pool->items.stride);
+    td_slots *pool = pool_of(w, kind);
+    int index = td_slots_take(pool);
+    td_block *block = td_slot_at(pool, index);
+    memset(block, 0, (size_t)pool->stride);
     for (int i = 0; i < TD_LANES; i++) {
         block->contact[i] = TD_NONE;
     }
@@ -144,7 +128,7 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane)
     bool full = bin->lanes == 0 ||
                 td_block_at(w, kind, bin->tail)->used == lanes_a_block(index);
     if (full) {
-        int block = pool_take(w, kind);
+        int block = take_block(w, kind);
         td_block *new_block = td_block_at(w, kind, block);
         new_block->next = TD_NONE;
         new_block->prev = bin->lanes ? bin->tail : TD_NONE;
@@ -165,8 +149,8 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane)
 static void bin_shrink(thud_world *w, int kind, int index, int slot)
 {
     td_bin *bin = &w->bins[kind][index];
-    td_block_pool *pool = pool_of(w, kind);
-    int bytes = pool->items.stride;
+    td_slots *pool = pool_of(w, kind);
+    int bytes = pool->stride;
     td_block *tail = td_block_at(w, kind, bin->tail);
     int last = tail->used - 1;
     if (slot != bin->tail * TD_LANES + last) {
@@ -184,9 +168,7 @@ static void bin_shrink(thud_world *w, int kind, int index, int slot)
         if (bin->lanes) {
             td_block_at(w, kind, bin->tail)->next = TD_NONE;
         }
-        tail->next = pool->free_head;
-        pool->free_head = block;
-        pool->live--;
+        td_slots_give(pool, block);
     }
 }
 
@@ -223,7 +205,7 @@ static void place(thud_world *w, int contact_index, int bin)
     if (contact->state == TD_TOUCHING) {
         copy_lane(td_block_at(w, kind, block), lane,
                   td_block_at(w, kind, contact->slot / TD_LANES), contact->slot % TD_LANES,
-                  pool_of(w, kind)->items.stride);
+                  pool_of(w, kind)->stride);
         bin_shrink(w, kind, contact->bin, contact->slot);
     } else {
         fill_lane(w, td_block_at(w, kind, block), lane, contact_index);
@@ -250,7 +232,7 @@ static bool reserve_grown(thud_world *w, int (*grown)[TD_BINS_A_KIND])
         }
     }
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        if (!pool_reserve(w, &w->pool[form], more[form])) {
+        if (!td_slots_reserve(&w->memory, &w->pool[form], more[form])) {
             return false;
         }
     }

@@ -16,7 +16,7 @@ typedef struct td_run {
 
 static inline td_block *td_block_at(const thud_world *w, int kind, int index)
 {
-    return td_at(&w->pool[w->pairs[kind]->form].items, index);
+    return td_slot_at(&w->pool[w->pairs[kind]->form], index);
 }
 
 /* Gives each of the contacts a lane: by graph colour, or in its kind's parked bin. A contact that

@@ -88,25 +88,38 @@ void td_array_free(td_memory *memory, td_array *array)
 
 void td_slots_init(td_slots *slots, int stride)
 {
-    slots->items.stride = stride;
+    slots->chunks.stride = (int)sizeof(void *);
+    slots->stride = stride;
     slots->free_head = TD_NONE;
+}
+
+static size_t chunk_bytes(const td_slots *slots)
+{
+    return TD_CHUNK * (size_t)slots->stride;
 }
 
 bool td_slots_reserve(td_memory *memory, td_slots *slots, int more)
 {
-    int free_count = slots->items.count - slots->live;
-    return more <= free_count ||
-           td_array_reserve(memory, &slots->items, slots->items.count + more - free_count);
+    while (td_slots_capacity(slots) - slots->live < more) {
+        if (!td_array_reserve(memory, &slots->chunks, slots->chunks.count + 1)) {
+            return false;
+        }
+        void *chunk = td_memory_get(memory, chunk_bytes(slots));
+        if (!chunk) {
+            return false;
+        }
+        ((void **)slots->chunks.data)[slots->chunks.count++] = chunk;
+    }
+    return true;
 }
 
 int td_slots_take(td_slots *slots)
 {
     int index = slots->free_head;
     if (index != TD_NONE) {
-        slots->free_head = *(int *)td_at(&slots->items, index);
+        slots->free_head = *(int *)td_slot_at(slots, index);
     } else {
-        index = slots->items.count++;
-        assert(index < slots->items.capacity);
+        index = slots->count++;
     }
     slots->live++;
     return index;
@@ -114,7 +127,15 @@ int td_slots_take(td_slots *slots)
 
 void td_slots_give(td_slots *slots, int index)
 {
-    *(int *)td_at(&slots->items, index) = slots->free_head;
+    *(int *)td_slot_at(slots, index) = slots->free_head;
     slots->free_head = index;
     slots->live--;
+}
+
+void td_slots_free(td_memory *memory, td_slots *slots)
+{
+    for (int i = 0; i < slots->chunks.count; i++) {
+        td_memory_put(memory, ((void **)slots->chunks.data)[i], chunk_bytes(slots));
+    }
+    td_array_free(memory, &slots->chunks);
 }

@@ -30,11 +30,16 @@ void td_memory_put(td_memory *memory, void *block, size_t bytes);
 bool td_array_reserve(td_memory *memory, td_array *array, int capacity);
 void td_array_free(td_memory *memory, td_array *array);
 
-/* A set of small integers handed out lowest-freed-last; the free ones are chained through `next`
- * by their owner's element (its first int). */
+enum { TD_CHUNK = 64 };
+
+/* Elements that are handed out one by one, the lowest freed last, and never move: they lie in chunks,
+ * so that growing costs little whatever is there already. The free ones are chained through their
+ * first int. */
 typedef struct td_slots {
-    td_array items;
-    int free_head; /* TD_NONE when none */
+    td_array chunks; /* void *: TD_CHUNK elements each */
+    int stride;      /* bytes an element */
+    int count;       /* ever handed out */
+    int free_head;   /* TD_NONE when none */
     int live;
 } td_slots;
 
@@ -42,11 +47,24 @@ void td_slots_init(td_slots *slots, int stride);
 bool td_slots_reserve(td_memory *memory, td_slots *slots, int more); /* room for `more` new ones */
 int td_slots_take(td_slots *slots);           /* after td_slots_reserve; contents as they were left */
 void td_slots_give(td_slots *slots, int index);
+void td_slots_free(td_memory *memory, td_slots *slots);
 
 static inline void *td_at(const td_array *array, int index)
 {
     assert(index >= 0 && index < array->capacity);
     return (char *)array->data + (size_t)index * (size_t)array->stride;
+}
+
+static inline int td_slots_capacity(const td_slots *slots)
+{
+    return slots->chunks.count * TD_CHUNK;
+}
+
+static inline void *td_slot_at(const td_slots *slots, int index)
+{
+    assert(index >= 0 && index < td_slots_capacity(slots));
+    char *chunk = ((void **)slots->chunks.data)[(unsigned)index / TD_CHUNK];
+    return chunk + (size_t)((unsigned)index % TD_CHUNK) * (size_t)slots->stride;
 }
 
 /* Appends one int to an array of ints with room reserved. */

@@ -141,16 +141,16 @@ static void sift_widely(batch *b, const int *waiting, int count)
     thud_world *w = b->w;
     td_sift_fn *sift = w->pairs[b->kind]->sift;
     td_collide_context context = td_collide_context_of(w);
-    const td_contact *contacts = w->contacts.items.data;
     for (int first = 0; first < count; first += TD_LANES) {
         int32_t shape_a[TD_LANES], shape_b[TD_LANES];
         int used = td_min_int(count - first, TD_LANES);
         for (int i = 0; i < TD_LANES; i++) {
-            const td_contact *contact = &contacts[waiting[first + td_min_int(i, used - 1)]];
+            const td_contact *contact =
+                td_contact_at(w, waiting[first + td_min_int(i, used - 1)]);
             shape_a[i] = contact->shape_a;
             shape_b[i] = contact->shape_b;
             if (first + i + 3 * TD_LANES < count) {
-                __builtin_prefetch(&contacts[waiting[first + i + 3 * TD_LANES]]);
+                __builtin_prefetch(td_contact_at(w, waiting[first + i + 3 * TD_LANES]));
             }
         }
         td_sifted sifted = sift(shape_a, shape_b, &context);

@@ -32,13 +32,13 @@ static bool candidates(thud_world *w, td_place lower, td_place upper)
 {
     td_array *hits = &w->scratch.hits;
     if ((!w->locked && !td_changes_apply(w)) || !td_broadphase_refresh(w) ||
-        !td_array_reserve(&w->memory, hits, w->shapes.items.count)) {
+        !td_array_reserve(&w->memory, hits, w->shapes.count)) {
         return false;
     }
     hits->count = 0;
     int64_t most = (int64_t)(TD_SIZE_MAX * TD_FIXED_ONE);
     if (upper.x - lower.x > most || upper.y - lower.y > most) {
-        for (int i = 0; i < w->shapes.items.count; i++) {
+        for (int i = 0; i < w->shapes.count; i++) {
             td_push_int(hits, i);
         }
         return true;
@@ -51,8 +51,8 @@ static bool candidates(thud_world *w, td_place lower, td_place upper)
         !td_array_reserve(&w->memory, hits, hits->count + w->terrains.live)) {
         return false;
     }
-    for (int i = 0; i < w->terrains.items.count; i++) {
-        const td_terrain_record *record = td_at(&w->terrains.items, i);
+    for (int i = 0; i < w->terrains.count; i++) {
+        const td_terrain_record *record = td_slot_at(&w->terrains, i);
         if (record->shape != TD_NONE) {
             td_push_int(hits, record->shape);
         }

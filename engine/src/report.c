@@ -35,14 +35,14 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
         td_refuse(w, w ? THUD_ERROR_INVALID : THUD_ERROR_NULL, "poses: bad origin or alpha");
         return NULL;
     }
-    if (!td_array_reserve(&w->memory, &w->poses, td_max_int(w->bodies.items.count, 1))) {
+    if (!td_array_reserve(&w->memory, &w->poses, td_max_int(w->bodies.count, 1))) {
         td_refuse(w, THUD_ERROR_MEMORY, "poses: out of memory");
         return NULL;
     }
     thud_pose *poses = w->poses.data;
     td_place from = td_place_from(w, origin);
     float back = (float)(1.0 - alpha);
-    for (int i = 0; i < w->bodies.items.count; i++) {
+    for (int i = 0; i < w->bodies.count; i++) {
         const td_body *body = td_body_at(w, i);
         const td_pose *pose = td_pose_at(w, i);
         if (!(body->flags & TD_BODY_LIVE)) {
@@ -65,7 +65,7 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
                                y - (s * body->center_x + c * body->center_y), c, s};
     }
     if (count) {
-        *count = w->bodies.items.count;
+        *count = w->bodies.count;
     }
     return poses;
 }
@@ -98,7 +98,7 @@ static void measure_penetration(const thud_world *w, thud_measure *m)
 {
     int points = 0;
     double sum = 0.0;
-    for (int i = 0; i < w->contacts.items.count; i++) {
+    for (int i = 0; i < w->contacts.count; i++) {
         const td_contact *contact = td_contact_at(w, i);
         if (!contact->live || contact->state != TD_TOUCHING) {
             continue;
@@ -126,7 +126,7 @@ thud_measure thud_world_measure(const thud_world *w)
         return m;
     }
     measure_penetration(w, &m);
-    for (int i = 0; i < w->bodies.items.count; i++) {
+    for (int i = 0; i < w->bodies.count; i++) {
         const td_body *body = td_body_at(w, i);
         if (!(body->flags & TD_BODY_LIVE) || body->kind != THUD_DYNAMIC) {
             continue;
@@ -159,7 +159,7 @@ static uint64_t bits_of(float x)
 uint64_t thud_world_hash(const thud_world *w)
 {
     uint64_t hash = 0xcbf29ce484222325ull;
-    for (int i = 0; w && i < w->bodies.items.count; i++) {
+    for (int i = 0; w && i < w->bodies.count; i++) {
         const td_body *body = td_body_at(w, i);
         if (!(body->flags & TD_BODY_LIVE)) {
             continue;

@@ -47,7 +47,7 @@ static bool reserve(thud_world *w)
         return false;
     }
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        if (!td_array_reserve(&w->memory, arrays[i], w->shapes.items.capacity)) {
+        if (!td_array_reserve(&w->memory, arrays[i], td_slots_capacity(&w->shapes))) {
             return false;
         }
     }
@@ -88,7 +88,7 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
     made.filter = def->filter;
     made.user_data = def->user_data;
     if (made.kind == THUD_TERRAIN) {
-        ((td_terrain_record *)td_at(&w->terrains.items, made.terrain))->shape = index;
+        ((td_terrain_record *)td_slot_at(&w->terrains, made.terrain))->shape = index;
     } else {
         made.terrain = TD_NONE;
     }
@@ -220,7 +220,7 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     }
     td_kind_terrain(w);
     int index = td_slots_take(&w->terrains);
-    td_terrain_record *record = td_at(&w->terrains.items, index);
+    td_terrain_record *record = td_slot_at(&w->terrains, index);
     *record = made;
     return finish(w, body, def,
                   (td_shape){.kind = THUD_TERRAIN, .terrain = index, .angle_c = 1.0f}, out);
@@ -228,7 +228,7 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
 
 thud_terrain td_terrain_view(const thud_world *w, int shape)
 {
-    const td_terrain_record *record = td_at(&w->terrains.items, td_shape_at(w, shape)->terrain);
+    const td_terrain_record *record = td_slot_at(&w->terrains, td_shape_at(w, shape)->terrain);
     return (thud_terrain){record->kind, record->slope, record->x0, record->spacing,
                           record->points.data, record->points.count};
 }
@@ -267,7 +267,7 @@ thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
     if (shape->kind != THUD_TERRAIN) {
         return td_refuse(w, THUD_ERROR_INVALID, "set heights: the shape is no terrain");
     }
-    td_terrain_record *record = td_at(&w->terrains.items, shape->terrain);
+    td_terrain_record *record = td_slot_at(&w->terrains, shape->terrain);
     if (first < 0 || count < 0 || first > record->points.count - count) {
         return td_refuse(w, THUD_ERROR_INVALID, "set heights: no such vertices");
     }
@@ -300,7 +300,7 @@ thud_result thud_shape_destroy(thud_world *w, thud_shape_id id)
 
 bool thud_shape_is_valid(const thud_world *w, thud_shape_id id)
 {
-    return w && id.index1 > 0 && id.index1 <= (uint32_t)w->shapes.items.count &&
+    return w && id.index1 > 0 && id.index1 <= (uint32_t)w->shapes.count &&
            (td_shape_at(w, (int)id.index1 - 1)->flags & TD_SHAPE_LIVE) &&
            td_tag(w, td_shape_at(w, (int)id.index1 - 1)->generation) == id.generation;
 }

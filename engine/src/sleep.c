@@ -25,8 +25,8 @@ static bool may_wake(const td_body *body)
 
 static bool lists_room(thud_world *w)
 {
-    return td_array_reserve(&w->memory, &w->scratch.bodies, w->bodies.items.count) &&
-           td_array_reserve(&w->memory, &w->scratch.contacts, w->contacts.items.count);
+    return td_array_reserve(&w->memory, &w->scratch.bodies, w->bodies.count) &&
+           td_array_reserve(&w->memory, &w->scratch.contacts, w->contacts.count);
 }
 
 /* Shapes of a body that slept while others came to rest near it look for them. */
@@ -155,7 +155,7 @@ bool td_islands(thud_world *w)
     for (int i = 0; i < w->body_of.count; i++) {
         parent[i] = i;
     }
-    for (int i = 0; i < w->contacts.items.count; i++) {
+    for (int i = 0; i < w->contacts.count; i++) {
         const td_contact *contact = td_contact_at(w, i);
         if (contact->state == TD_TOUCHING && contact->bin != TD_PARKED && contact->live) {
             const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);

@@ -45,6 +45,29 @@ static void circles(const thud_placed *a, const thud_motion *ma, const thud_plac
     }
 }
 
+/* When a coordinate that starts at x and moves by dx is within half of zero: narrows [first, last]. */
+static void within(double x, double dx, double half, double *first, double *last)
+{
+    if (dx == 0.0) {
+        *last = td_abs(x) <= half ? *last : -1.0;
+        return;
+    }
+    double enter = ((dx > 0.0 ? -half : half) - x) / dx, leave = ((dx > 0.0 ? half : -half) - x) / dx;
+    *first = enter > *first ? enter : *first;
+    *last = leave < *last ? leave : *last;
+}
+
+/* In closed form: the second centre is a point that enters the sum of both boxes. */
+static void upright_boxes(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
+                          const thud_motion *mb, bool *hit, double *time)
+{
+    double first = 0.0, last = 1.0;
+    within(b->x - a->x, mb->dx - ma->dx, a->hx + b->hx, &first, &last);
+    within(b->y - a->y, mb->dy - ma->dy, a->hy + b->hy, &first, &last);
+    *hit = first <= last;
+    *time = *hit ? first : 1.0;
+}
+
 /* The distance at which shapes count as met: far below what anyone sees, above the rounding of
  * their places. */
 static double tolerance_of(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
@@ -61,6 +84,10 @@ void td_time_of_impact(const thud_placed *a, thud_motion ma, const thud_placed *
 {
     if (a->kind == THUD_CIRCLE && b->kind == THUD_CIRCLE) {
         circles(a, &ma, b, &mb, target, hit, time);
+        return;
+    }
+    if (a->kind == THUD_AABB && b->kind == THUD_AABB && target == 0.0) {
+        upright_boxes(a, &ma, b, &mb, hit, time);
         return;
     }
     double spin = turning(a, &ma) + turning(b, &mb);

@@ -16,6 +16,9 @@ typedef struct scan {
 /* A level of so few is searched whole, which costs less than finding the cells. */
 enum { FEW = 2 * TD_LANES };
 
+/* A hashed level is searched whole where more rows are asked for. */
+enum { MOST_ROWS = 16 };
+
 /* Which of the overlapping shapes count. */
 typedef enum heed { HEED_ALL, HEED_MOVED, HEED_UNMOVED } heed;
 
@@ -182,6 +185,29 @@ TD_INLINE bool scan_coarser(scan *s, const td_level *level, double x, double y, 
     return true;
 }
 
+/* Whether rows of a hashed level fall onto each other, so that a shape could be found twice. Those
+ * of a window of three by three never do. */
+TD_INLINE bool rows_meet(const td_level *level, int64_t column, int64_t row, uint32_t n, int64_t rows)
+{
+    if (n <= 3 && rows <= 3) {
+        return false;
+    }
+    if (rows > MOST_ROWS || n > (level->mask + 1) / 2) {
+        return true;
+    }
+    uint32_t first[MOST_ROWS];
+    for (int i = 0; i < rows; i++) {
+        first[i] = td_grid_cell(level, column, row + i);
+        for (int k = 0; k < i; k++) {
+            uint32_t apart = (first[i] - first[k]) & level->mask;
+            if (apart < n || level->mask + 1 - apart < n) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 /* Any level, by the cells that the bounds reach. */
 TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, td_place near_position,
                            heed which)
@@ -209,9 +235,8 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, t
     if (c1 < c0 || r1 < r0) {
         return true;
     }
-    /* Hashed rows may fall onto each other, so a window of more than three is searched whole. */
     if (c1 - c0 + 1 > level->count || r1 - r0 + 1 > level->count ||
-        (level->hashed && (r1 - r0 > 2 || c1 - c0 > 2))) {
+        (level->hashed && rows_meet(level, c0, r0, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1))) {
         return scan_level(s, level, which);
     }
     for (int64_t r = r0; r <= r1; r++) {

@@ -144,8 +144,7 @@ static void set_strides(thud_world *w)
     td_slots_init(&w->contacts, (int)sizeof(td_contact));
     td_slots_init(&w->terrains, (int)sizeof(td_terrain_record));
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        w->pool[form].items.stride = (int)td_form_bytes((td_block_form)form);
-        w->pool[form].free_head = TD_NONE;
+        td_slots_init(&w->pool[form], (int)td_form_bytes((td_block_form)form));
     }
 }
 
@@ -203,11 +202,11 @@ void thud_world_destroy(thud_world *w)
     if (!w) {
         return;
     }
-    for (int i = 0; i < w->terrains.items.count; i++) {
-        td_array_free(&w->memory, &((td_terrain_record *)td_at(&w->terrains.items, i))->points);
+    for (int i = 0; i < w->terrains.count; i++) {
+        td_array_free(&w->memory, &((td_terrain_record *)td_slot_at(&w->terrains, i))->points);
     }
     td_array *arrays[] = {
-        &w->bodies.items, &w->shapes.items, &w->contacts.items, &w->terrains.items, &w->pose,
+        &w->pose,
         &w->stance, &w->was, &w->marks, &w->velocity, &w->delta, &w->start, &w->push,
         &w->damping, &w->idle, &w->reach, &w->body_of, &w->lone, &w->colours, &w->moved,
         &w->changed, &w->put_off, &w->poses, &w->events.begin, &w->events.end,
@@ -219,8 +218,12 @@ void thud_world_destroy(thud_world *w)
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         td_array_free(&w->memory, arrays[i]);
     }
+    td_slots *slots[] = {&w->bodies, &w->shapes, &w->contacts, &w->terrains};
+    for (size_t i = 0; i < sizeof slots / sizeof *slots; i++) {
+        td_slots_free(&w->memory, slots[i]);
+    }
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        td_array_free(&w->memory, &w->pool[form].items);
+        td_slots_free(&w->memory, &w->pool[form]);
     }
     for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
         td_array_free(&w->memory, &w->waiting[kind]);
@@ -236,7 +239,7 @@ void thud_world_destroy(thud_world *w)
 /* A new setting changes what every resting body would do. */
 static void wake_all(thud_world *w)
 {
-    for (int i = 0; i < w->bodies.items.count; i++) {
+    for (int i = 0; i < w->bodies.count; i++) {
         if (td_body_at(w, i)->flags & TD_BODY_LIVE) {
             td_body_mark(w, i, TD_CHANGE_WAKE);
         }

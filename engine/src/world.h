@@ -112,13 +112,6 @@ typedef struct td_colours {
     uint64_t moving, fixed; /* taken by this body's contacts with moving and static bodies */
 } td_colours;
 
-/* Blocks of one stride. */
-typedef struct td_block_pool {
-    td_array items; /* td_block of one form */
-    int free_head;  /* chained by td_block.next */
-    int live;
-} td_block_pool;
-
 /* What happens in a step, in the order it is made; see thud_events. */
 typedef struct td_event_lists {
     td_array begin, end, sensor_begin, sensor_end; /* thud_contact_event */
@@ -179,7 +172,7 @@ struct thud_world {
     td_array moved;                                    /* int: shapes */
     td_array changed;                                  /* int: bodies */
     td_array put_off;                                  /* td_put_off */
-    td_block_pool pool[TD_FORM_COUNT];
+    td_slots pool[TD_FORM_COUNT];                      /* td_block of each form */
     td_bin bins[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND];
     int touching;                                      /* lanes in use, parked ones too */
     int bouncy;                                        /* ... of which have restitution */
@@ -217,17 +210,17 @@ struct thud_world {
 
 static inline td_body *td_body_at(const thud_world *w, int i)
 {
-    return td_at(&w->bodies.items, i);
+    return td_slot_at(&w->bodies, i);
 }
 
 static inline td_shape *td_shape_at(const thud_world *w, int i)
 {
-    return td_at(&w->shapes.items, i);
+    return td_slot_at(&w->shapes, i);
 }
 
 static inline td_contact *td_contact_at(const thud_world *w, int i)
 {
-    return td_at(&w->contacts.items, i);
+    return td_slot_at(&w->contacts, i);
 }
 
 static inline td_pose *td_pose_at(const thud_world *w, int body)

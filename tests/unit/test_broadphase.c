@@ -58,9 +58,9 @@ static const td_bounds *bounds_seen(const thud_world *w, int shape)
 static void check(const thud_world *w)
 {
     int pairs = 0;
-    for (int a = 0; a < w->shapes.items.count; a++) {
+    for (int a = 0; a < w->shapes.count; a++) {
         const td_shape *shape_a = td_shape_at(w, a);
-        for (int b = a + 1; b < w->shapes.items.count; b++) {
+        for (int b = a + 1; b < w->shapes.count; b++) {
             const td_shape *shape_b = td_shape_at(w, b);
             if (!((shape_a->flags & shape_b->flags) & TD_SHAPE_LIVE) ||
                 !td_pair_allowed(w, a, b)) {
