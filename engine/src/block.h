@@ -61,7 +61,8 @@ typedef struct td_block {
     int32_t armed;              /* a lane's shape may be off its body's centre of mass */
     int32_t padding[10];
     /* The solver's rows begin here. */
-    int32_t a[TD_LANES], b[TD_LANES]; /* awake slots; a is 0 where that side is static */
+    uint32_t a[TD_LANES], b[TD_LANES]; /* awake slots, in bytes of their records of four floats; 0:
+                                          that side is static */
     f8 nx, ny;                        /* from a to b */
     f8 inv_inertia_a, inv_inertia_b;
     /* Friction acts along t = (ny, -nx), once for all points, whose tangents are the same line. */
@@ -71,6 +72,8 @@ typedef struct td_block {
     f8 restitution;
     td_point point[]; /* one or two */
 } td_block;
+
+enum { TD_AWAKE_BYTES = 4 * (int)sizeof(float) };
 
 static inline td_point_history *td_history_of(td_block *block, int points)
 {

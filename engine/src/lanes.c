@@ -176,8 +176,8 @@ static void set_slots(thud_world *w, td_block *block, int lane, const td_contact
 {
     const td_body *a = td_body_at(w, contact->body[0]);
     const td_body *b = td_body_at(w, contact->body[1]);
-    block->a[lane] = td_max_int(a->awake, 0);
-    block->b[lane] = td_max_int(b->awake, 0);
+    block->a[lane] = (uint32_t)td_max_int(a->awake, 0) * TD_AWAKE_BYTES;
+    block->b[lane] = (uint32_t)td_max_int(b->awake, 0) * TD_AWAKE_BYTES;
     block->inv_inertia_a[lane] = a->inv_inertia;
     block->inv_inertia_b[lane] = b->inv_inertia;
 }

@@ -60,11 +60,16 @@ static inline int td_slots_capacity(const td_slots *slots)
     return slots->chunks.count * TD_CHUNK;
 }
 
-static inline void *td_slot_at(const td_slots *slots, int index)
+static inline void *td_slot_of(const td_slots *slots, int index, size_t stride)
 {
     assert(index >= 0 && index < td_slots_capacity(slots));
     char *chunk = ((void **)slots->chunks.data)[(unsigned)index / TD_CHUNK];
-    return chunk + (size_t)((unsigned)index % TD_CHUNK) * (size_t)slots->stride;
+    return chunk + ((unsigned)index % TD_CHUNK) * stride;
+}
+
+static inline void *td_slot_at(const td_slots *slots, int index)
+{
+    return td_slot_of(slots, index, (size_t)slots->stride);
 }
 
 /* Appends one int to an array of ints with room reserved. */

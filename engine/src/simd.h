@@ -198,7 +198,7 @@ TD_INLINE int i8_pack(int32_t *to, const int32_t *from, unsigned bits)
 #endif
 }
 
-/* Eight records of four floats, by index, turned into four vectors of eight. */
+/* Eight records of four floats turned into four vectors of eight. */
 typedef struct td_rows {
     f8 x, y, z, w;
 } td_rows;
@@ -226,12 +226,15 @@ TD_INLINE td_rows td_turn(f8 r0, f8 r1, f8 r2, f8 r3)
     };
 }
 
-TD_INLINE td_rows td_gather(const float (*records)[4], const int32_t *index)
+/* `offset` counts bytes from the first record: addresses are a tenth of what a pass computes. */
+TD_INLINE td_rows td_gather(const float (*records)[4], const uint32_t *offset)
 {
-    return td_turn(f8_two(records[index[0]], records[index[4]]),
-                   f8_two(records[index[1]], records[index[5]]),
-                   f8_two(records[index[2]], records[index[6]]),
-                   f8_two(records[index[3]], records[index[7]]));
+    const char *base = (const char *)records;
+    const float *r[8];
+    for (int i = 0; i < 8; i++) {
+        r[i] = (const float *)(const void *)(base + offset[i]);
+    }
+    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
 }
 
 /* Eight records that follow each other. */
@@ -258,12 +261,12 @@ TD_INLINE void td_turn_back(td_rows v, f4 out[8])
     }
 }
 
-TD_INLINE void td_scatter(float (*records)[4], const int32_t *index, td_rows v)
+TD_INLINE void td_scatter(float (*records)[4], const uint32_t *offset, td_rows v)
 {
     f4 r[8];
     td_turn_back(v, r);
     for (int i = 0; i < 8; i++) {
-        __builtin_memcpy(records[index[i]], &r[i], sizeof r[i]);
+        __builtin_memcpy((char *)records + offset[i], &r[i], sizeof r[i]);
     }
 }
 

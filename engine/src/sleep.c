@@ -160,7 +160,8 @@ bool td_islands(thud_world *w)
         if (contact->state == TD_TOUCHING && contact->bin != TD_PARKED && contact->live) {
             const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
             int lane = contact->slot % TD_LANES;
-            tie(w, parent, block->a[lane], block->b[lane]);
+            tie(w, parent, (int)(block->a[lane] / TD_AWAKE_BYTES),
+                (int)(block->b[lane] / TD_AWAKE_BYTES));
         }
     }
     for (int i = 1; i < w->body_of.count; i++) {

@@ -210,27 +210,29 @@ struct thud_world {
 
 static inline td_body *td_body_at(const thud_world *w, int i)
 {
-    return td_slot_at(&w->bodies, i);
+    return td_slot_of(&w->bodies, i, sizeof(td_body));
 }
 
 static inline td_shape *td_shape_at(const thud_world *w, int i)
 {
-    return td_slot_at(&w->shapes, i);
+    return td_slot_of(&w->shapes, i, sizeof(td_shape));
 }
 
 static inline td_contact *td_contact_at(const thud_world *w, int i)
 {
-    return td_slot_at(&w->contacts, i);
+    return td_slot_of(&w->contacts, i, sizeof(td_contact));
 }
 
 static inline td_pose *td_pose_at(const thud_world *w, int body)
 {
-    return td_at(&w->pose, body);
+    assert(body >= 0 && body < w->pose.capacity);
+    return (td_pose *)w->pose.data + body;
 }
 
 static inline td_stance *td_stance_at(const thud_world *w, int shape)
 {
-    return td_at(&w->stance, shape);
+    assert(shape >= 0 && shape < w->stance.capacity);
+    return (td_stance *)w->stance.data + shape;
 }
 
 static inline td_bounds *td_fat_at(const thud_world *w, int shape)
@@ -240,7 +242,8 @@ static inline td_bounds *td_fat_at(const thud_world *w, int shape)
 
 static inline uint8_t *td_marks_at(const thud_world *w, int shape)
 {
-    return td_at(&w->marks, shape);
+    assert(shape >= 0 && shape < w->marks.capacity);
+    return (uint8_t *)w->marks.data + shape;
 }
 
 static inline float *td_row(const td_array *rows, int i)
