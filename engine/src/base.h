@@ -52,6 +52,11 @@ static inline float td_max_float(float a, float b)
     return a > b ? a : b;
 }
 
+static inline double td_max_double(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 /* False for infinities and not-a-number, without a call to the library. */
 static inline bool td_finite(double x)
 {

@@ -233,6 +233,10 @@ static bool pair_across(thud_world *w)
 
 static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
 {
+    const td_stance *stance = td_stance_at(w, shape);
+    if (td_terrain_below(w, terrain_shape, stance->center, &stance->fat)) {
+        return true;
+    }
     thud_terrain terrain = td_terrain_view(w, terrain_shape);
     int marks = *td_marks_at(w, terrain_shape) | *td_marks_at(w, shape);
     if (!td_pair_allowed(w, terrain_shape, shape)) {

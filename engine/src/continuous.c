@@ -64,6 +64,9 @@ static void against_shape(sweep *s, int other)
 static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terrain)
 {
     int first, last;
+    if (td_terrain_below(s->w, other, s->start, &s->bounds)) {
+        return false;
+    }
     td_terrain_segments_of(s->w, other, terrain, s->start, &s->bounds, &first, &last);
     while (first <= last &&
            !td_terrain_reaches(s->w, other, terrain, s->start, &s->bounds, first)) {

@@ -22,14 +22,14 @@ static int size_of(int32_t extent)
 }
 
 /* Levels from the last one down: each begins at the largest size that is left, and holds all down to
- * a quarter of it, so that sizes that differ little share a level. */
+ * an eighth of it, so that sizes that differ little share a level. */
 static void choose_levels(const int *population, uint8_t *level_of_size)
 {
     int level = TD_LEVELS, least = TD_SIZES;
     for (int size = TD_SIZES - 1; size >= 0; size--) {
         if (population[size] && size < least && level > 0) {
             level--;
-            least = size - 7;
+            least = size - 11;
         }
         level_of_size[size] = (uint8_t)level;
     }

@@ -1,4 +1,4 @@
-/* grid.h: bounds sorted into the cells of a grid, one level for every fourfold of size.
+/* grid.h: bounds sorted into the cells of a grid, one level for about every eightfold of size.
  *
  * A level's cell is as large as its largest shape, so that two shapes of a level that overlap lie in
  * the same or in neighbouring cells, by their centres. Where the population's rectangle is dense,

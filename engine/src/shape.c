@@ -6,6 +6,7 @@
 #include "kinds.h"
 #include "rotation.h"
 
+#include <math.h>
 #include <string.h>
 
 thud_shape_def thud_default_shape_def(void)
@@ -176,7 +177,9 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
 
 static bool copy_points(thud_world *w, td_terrain_record *record, const thud_terrain *terrain)
 {
+    record->highest = -INFINITY;
     if (terrain->kind == THUD_TERRAIN_FLAT) {
+        record->highest = terrain->slope == 0.0 ? 0.0 : INFINITY;
         return true;
     }
     if (!td_array_reserve(&w->memory, &record->points, terrain->count)) {
@@ -187,6 +190,7 @@ static bool copy_points(thud_world *w, td_terrain_record *record, const thud_ter
         bool uniform = terrain->kind == THUD_TERRAIN_UNIFORM;
         points[i].x = uniform ? terrain->x0 + i * terrain->spacing : terrain->points[i].x;
         points[i].y = terrain->points[i].y;
+        record->highest = td_max_double(record->highest, points[i].y);
     }
     record->points.count = terrain->count;
     return true;
@@ -279,6 +283,7 @@ thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
     thud_pos *points = record->points.data;
     for (int i = 0; i < count; i++) {
         points[first + i].y = heights[i];
+        record->highest = td_max_double(record->highest, heights[i]);
     }
     td_body_mark(w, shape->body, TD_CHANGE_PLACE);
     return THUD_OK;

@@ -20,6 +20,10 @@ thud_placed td_shape_placed(const thud_world *w, int shape, td_place origin);
 /* A view of a terrain shape's line, relative to its body's origin. */
 thud_terrain td_terrain_view(const thud_world *w, int shape);
 
+/* Whether bounds near a place stand above the whole line; most of what falls does for long. */
+bool td_terrain_below(const thud_world *w, int terrain_shape, td_place near_place,
+                      const td_bounds *bounds);
+
 /* The segments in the column of bounds that lie near a place. */
 void td_terrain_segments_of(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
                             td_place near_place, const td_bounds *bounds, int *first, int *last);

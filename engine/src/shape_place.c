@@ -118,6 +118,16 @@ static void local_bounds(const thud_world *w, int terrain_shape, td_place at, co
     *min_y = (double)(td_unwrap(b->min_y, at.y) - y - 1) / w->to_coarse;
 }
 
+bool td_terrain_below(const thud_world *w, int terrain_shape, td_place near_place,
+                      const td_bounds *bounds)
+{
+    const td_terrain_record *record =
+        td_slot_at(&w->terrains, td_shape_at(w, terrain_shape)->terrain);
+    int64_t origin = td_stance_at(w, terrain_shape)->center.y >> TD_COARSE_SHIFT;
+    int64_t lowest = td_unwrap(bounds->min_y, near_place.y) - origin;
+    return (double)(lowest - 1) > record->highest * w->to_coarse;
+}
+
 void td_terrain_segments_of(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
                             td_place near_place, const td_bounds *bounds, int *first, int *last)
 {

@@ -80,6 +80,7 @@ typedef struct td_terrain_record {
     int32_t shape;      /* TD_NONE when free */
     thud_terrain_kind kind;
     double slope, x0, spacing;
+    double highest;     /* no point is higher, relative to the origin; infinite on a flat slope */
     td_array points;    /* thud_pos */
 } td_terrain_record;
 
