@@ -59,6 +59,15 @@ static void measure_far(const thud_world *w, td_grid_measures *m)
     }
 }
 
+static void widen(td_level *level, int64_t x, int64_t y)
+{
+    bool first = level->count == 0;
+    level->least_x = first || x < level->least_x ? x : level->least_x;
+    level->least_y = first || y < level->least_y ? y : level->least_y;
+    level->most_x = first || x > level->most_x ? x : level->most_x;
+    level->most_y = first || y > level->most_y ? y : level->most_y;
+}
+
 /* Measures the population, counts the levels and finds the largest shape of each. */
 static void measure(const thud_world *w, td_grid *grid, td_grid_measures *m)
 {
@@ -77,6 +86,7 @@ static void measure(const thud_world *w, td_grid *grid, td_grid_measures *m)
         m->level[i] = level_of_size[size_of(m->extent[i])];
         td_level *level = &grid->levels[m->level[i]];
         level->cell = m->extent[i] > level->cell ? m->extent[i] : level->cell;
+        widen(level, ref_x + (int64_t)m->x[i], ref_y + (int64_t)m->y[i]);
         level->count++;
     }
 }

@@ -26,6 +26,7 @@ typedef struct td_level {
     int32_t slack;         /* a centre may be so far from where it was when its cell was chosen */
     int64_t cell;          /* bounds quanta */
     double inv_cell;
+    int64_t least_x, least_y, most_x, most_y; /* of its shapes' centres when they were sorted */
 } td_level;
 
 typedef struct td_grid {

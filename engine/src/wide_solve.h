@@ -164,6 +164,24 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
     }
 }
 
+/* Friction, by the normal impulses as they stand; returns the change of its impulse. */
+TD_INLINE f8 rub(td_block *block, int points, td_arms arms, bool fixed, const sides *v)
+{
+    f8 limit = block->point[0].normal_impulse;
+    if (points == 2) {
+        limit += block->point[1].normal_impulse;
+    }
+    limit *= block->friction;
+    f8 slide = centres_along(v, fixed, block->ny, -block->nx);
+    if (arms != ARMS_NONE) {
+        slide = at_arms(slide, v, fixed, block->tangent_cross_a, block->tangent_cross_b);
+    }
+    f8 old = block->tangent_impulse;
+    f8 now = f8_clamp(old - block->tangent_mass * slide, -limit, limit);
+    block->tangent_impulse = now;
+    return now - old;
+}
+
 TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_context *c,
                             int points, td_arms arms, bool fixed)
 {
@@ -173,19 +191,10 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
         td_fetch_early(blocks, i, count, points);
         sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
         f8 nx = block->nx, ny = block->ny;
-        f8 limit = block->point[0].normal_impulse;
-        if (points == 2) {
-            limit += block->point[1].normal_impulse;
+        impulses change = {.tangent = zero};
+        if (i8_bits(block->friction > zero)) { /* without friction it costs a look */
+            change.tangent = rub(block, points, arms, fixed, &v);
         }
-        limit *= block->friction;
-        f8 slide = centres_along(&v, fixed, ny, -nx);
-        if (arms != ARMS_NONE) {
-            slide = at_arms(slide, &v, fixed, block->tangent_cross_a, block->tangent_cross_b);
-        }
-        f8 held = block->tangent_impulse;
-        f8 holds = f8_clamp(held - block->tangent_mass * slide, -limit, limit);
-        block->tangent_impulse = holds;
-        impulses change = {.tangent = holds - held};
         f8 closing = centres_along(&v, fixed, nx, ny), opened = centres_along(&d, fixed, nx, ny);
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];

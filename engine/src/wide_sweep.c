@@ -217,14 +217,17 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, t
         return scan_level(s, level, which);
     }
     int64_t half = level->cell / 2 + 1;
-    int64_t c0 = td_grid_index(td_unwrap(b->min_x, near_position.x) - half, grid->origin_x,
-                               level->inv_cell);
-    int64_t c1 = td_grid_index(td_unwrap(b->max_x, near_position.x) + half, grid->origin_x,
-                               level->inv_cell);
-    int64_t r0 = td_grid_index(td_unwrap(b->min_y, near_position.y) - half, grid->origin_y,
-                               level->inv_cell);
-    int64_t r1 = td_grid_index(td_unwrap(b->max_y, near_position.y) + half, grid->origin_y,
-                               level->inv_cell);
+    int64_t x0 = td_unwrap(b->min_x, near_position.x) - half;
+    int64_t y0 = td_unwrap(b->min_y, near_position.y) - half;
+    int64_t x1 = td_unwrap(b->max_x, near_position.x) + half;
+    int64_t y1 = td_unwrap(b->max_y, near_position.y) + half;
+    if (x0 > level->most_x || x1 < level->least_x || y0 > level->most_y || y1 < level->least_y) {
+        return true;
+    }
+    int64_t c0 = td_grid_index(x0, grid->origin_x, level->inv_cell);
+    int64_t c1 = td_grid_index(x1, grid->origin_x, level->inv_cell);
+    int64_t r0 = td_grid_index(y0, grid->origin_y, level->inv_cell);
+    int64_t r1 = td_grid_index(y1, grid->origin_y, level->inv_cell);
     if (!level->hashed) {
         int64_t columns = level->row, rows = (int64_t)(level->mask + 1) / columns;
         c0 = c0 < 0 ? 0 : c0;
@@ -322,9 +325,9 @@ bool TD_WIDE(td_grid_query)(const td_grid *grid, td_memory *memory, const td_bou
 {
     scan s = begin(grid, memory, hits);
     set_box(&s, bounds);
-    for (int l = 0; l < TD_LEVELS; l++) {
-        if (grid->levels[l].count &&
-            !scan_window(&s, &grid->levels[l], bounds, near_position, HEED_ALL)) {
+    /* Levels in use follow each other, the last one first. */
+    for (int l = TD_LEVELS - 1; l >= 0 && grid->levels[l].count; l--) {
+        if (!scan_window(&s, &grid->levels[l], bounds, near_position, HEED_ALL)) {
             return false;
         }
     }

@@ -115,6 +115,7 @@ static void conclude(const race *r, int size, race_result *out) {
         .size = size,
         .bodies = r->scene->body_count,
         .steps = r->plan.steps,
+        .target = r->plan.target,
         .entry_count = r->settings->contender_count,
     };
     for (int e = 0; e < out->entry_count; e++) {

@@ -1,5 +1,6 @@
 /* thud_bench.c: thud-bench, the side-by-side benchmark: reads the command line, runs the scenes
  * one after the other, prints each as soon as it is done. */
+#include "lab.h"
 #include "report.h"
 #include "scenes.h"
 
@@ -21,6 +22,7 @@ typedef struct options {
     int steps; /* 0: the plan's */
     int repetitions;
     bool quick;
+    bool (*lab)(bool quick, FILE *json); /* instead of the race */
 } options;
 
 static void print_help(void) {
@@ -31,6 +33,9 @@ static void print_help(void) {
            "  --json FILE          also writes the results to FILE\n"
            "  --steps N            times N steps instead of the scene's own number\n"
            "  --repeat N           repetitions of every scene (default 3)\n"
+           "  --growth             instead: time and memory per body from 1,000 to 256,000 bodies\n"
+           "  --pay                instead: what each feature costs, the scene with it and without\n"
+           "  --profile            instead: the time of a step by stage\n"
            "  --quick              40 steps and 1 repetition: shows that it runs, compares little\n"
            "  --list               lists the scenes, and which steps of each are timed\n"
            "  --help               this text\n");
@@ -38,12 +43,16 @@ static void print_help(void) {
 
 static void print_list(void) {
     printf("%-15s %8s %8s %7s  %s\n", "scene", "size", "warm-up", "steps", "");
-    for (int i = 0; i < scenes_count(); i++) {
-        const scene_info *info = scenes_at(i);
-        bench_plan plan = bench_plan_for(info->name);
-        printf("%-15s %8d %8d %7d  %s%s\n", info->name, info->default_size, plan.warm_up,
-               plan.steps, plan.why, plan.by_default ? "" : " (only by name)");
+    for (int i = 0; i < bench_plan_count(); i++) {
+        bench_plan plan = bench_plan_at(i);
+        int size = plan.size ? plan.size : bench_scene(plan.scene)->default_size;
+        printf("%-15s %8d %8d %7d  %s\n", plan.scene, size, plan.warm_up, plan.steps, plan.why);
     }
+    printf("\nOnly by name, the first five seconds of: rubble");
+    for (int i = 0; i < scenes_count(); i++)
+        if (!bench_plan_for(scenes_at(i)->name, 0).by_default)
+            printf(", %s", scenes_at(i)->name);
+    printf("\n");
     printf("\nSize counts what a scene is made of; warm-up and steps are steps of 1/60 s.\n");
 }
 
@@ -69,7 +78,7 @@ static bool add_scene(options *o, const char *text) {
         return fail("no such scene", text);
     memcpy(name, text, length);
     name[length] = '\0';
-    const scene_info *info = scenes_find(name);
+    const scene_info *info = bench_scene(name);
     if (!info)
         return fail("no such scene, --list shows all", name);
     int size = info->default_size;
@@ -82,10 +91,27 @@ static bool add_scene(options *o, const char *text) {
 }
 
 static void add_default_scenes(options *o) {
-    for (int i = 0; i < scenes_count() && o->scene_count < MAX_SCENES; i++)
-        if (bench_plan_for(scenes_at(i)->name).by_default)
+    for (int i = 0; i < bench_plan_count() && o->scene_count < MAX_SCENES; i++) {
+        bench_plan plan = bench_plan_at(i);
+        const scene_info *info = bench_scene(plan.scene);
+        if (plan.by_default)
             o->scenes[o->scene_count++] =
-                (chosen_scene){scenes_at(i), scenes_at(i)->default_size};
+                (chosen_scene){info, plan.size ? plan.size : info->default_size};
+    }
+}
+
+static bool read_lab(options *o, const char *name) {
+    static const struct {
+        const char *name;
+        bool (*lab)(bool quick, FILE *json);
+    } LABS[] = {{"--growth", lab_growth}, {"--pay", lab_pay}, {"--profile", lab_profile}};
+    for (size_t i = 0; i < sizeof LABS / sizeof LABS[0]; i++) {
+        if (strcmp(name, LABS[i].name) == 0) {
+            o->lab = LABS[i].lab;
+            return true;
+        }
+    }
+    return false;
 }
 
 static bool read_option(options *o, const char *name, const char *value, bool *takes_value) {
@@ -94,6 +120,8 @@ static bool read_option(options *o, const char *name, const char *value, bool *t
         o->quick = true;
         return true;
     }
+    if (read_lab(o, name))
+        return true;
     *takes_value = true;
     bool known = strcmp(name, "--scene") == 0 || strcmp(name, "--json") == 0 ||
                  strcmp(name, "--steps") == 0 || strcmp(name, "--repeat") == 0;
@@ -145,7 +173,7 @@ static bool run_scene(const options *o, const chosen_scene *chosen, race_result 
         .repetitions = o->repetitions,
         .progress = isatty(STDERR_FILENO) ? show_progress : NULL,
     };
-    bench_plan plan = bench_plan_for(chosen->info->name);
+    bench_plan plan = bench_plan_for(chosen->info->name, chosen->size);
     if (o->quick)
         plan = bench_plan_quick(plan);
     if (o->steps > 0)
@@ -192,7 +220,7 @@ int main(int argc, char **argv) {
         fail("cannot write", o.json);
         return 2;
     }
-    bool ok = run_all(&o, json);
+    bool ok = o.lab ? o.lab(o.quick, json) : run_all(&o, json);
     if (json && fclose(json) != 0)
         ok = fail("could not write", o.json);
     return ok ? 0 : 1;
