@@ -37,6 +37,19 @@ def check_results(bench, folder):
         assert r["bodies"] == (31 if r["scene"] == "tall_stack" else 303), r
 
 
+def check_labs(bench, folder):
+    """Growth, prices and profile are tables of finite numbers."""
+    for option, fields in [("--growth", ["bodies", "ns_per_body", "bytes_per_body"]),
+                           ("--pay", ["ms_with", "ms_without"]), ("--profile", ["ms", "solve"])]:
+        path = os.path.join(folder, option[2:] + ".json")
+        done = run(bench, option, "--quick", "--json", path)
+        assert done.returncode == 0, done.stderr
+        with open(path, encoding="utf-8") as file:
+            rows = json.load(file)
+        assert len(rows) > 3, rows
+        assert all(math.isfinite(r[f]) and r[f] >= 0 for r in rows for f in fields), rows
+
+
 def check_errors(bench, folder):
     for arguments, text in [
         (["--scene", "no_such"], "no_such"),
@@ -56,4 +69,5 @@ def check_errors(bench, folder):
 
 with tempfile.TemporaryDirectory() as scratch:
     check_results(sys.argv[1], scratch)
+    check_labs(sys.argv[1], scratch)
     check_errors(sys.argv[1], scratch)
