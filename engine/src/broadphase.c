@@ -326,6 +326,17 @@ static bool is_vast(const thud_world *w)
     return high_x > low_x + INT32_MAX / 2 || high_y > low_y + INT32_MAX / 2;
 }
 
+static void clear_marks(thud_world *w)
+{
+    if (w->moved.count * 4 > w->shapes.count) {
+        memset(w->marks.data, 0, (size_t)w->shapes.count);
+        return;
+    }
+    for (int i = 0; i < w->moved.count; i++) {
+        *td_marks_at(w, *(int *)td_at(&w->moved, i)) = 0;
+    }
+}
+
 bool td_broadphase(thud_world *w)
 {
     if (w->moved.count == 0) {
@@ -345,9 +356,7 @@ bool td_broadphase(thud_world *w)
     if (!pair_terrains(w) || !create_contacts(w)) {
         return false;
     }
-    for (int i = 0; i < w->moved.count; i++) {
-        *td_marks_at(w, *(int *)td_at(&w->moved, i)) = 0;
-    }
+    clear_marks(w);
     if (w->awake_grid.loose) {
         memset(w->awake_grid.moved.data, 0, (size_t)w->awake_grid.ids.count * sizeof(int32_t));
     }

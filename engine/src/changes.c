@@ -172,6 +172,9 @@ static void clean_moved(thud_world *w)
 bool td_changes_apply(thud_world *w)
 {
     td_put_off_apply(w);
+    if (w->changed.count == 0) {
+        return true;
+    }
     int done = 0, *changed = w->changed.data;
     while (done < w->changed.count && apply(w, changed[done])) {
         done++;

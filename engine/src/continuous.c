@@ -14,7 +14,7 @@
 
 typedef struct sweep {
     thud_world *w;
-    int body, shape;
+    int slot, body, shape;
     td_place start;       /* of the body's centre */
     thud_placed placed;   /* relative to start; smaller than the shape */
     thud_placed core;     /* a small circle in its middle */
@@ -108,7 +108,7 @@ static void against_terrain(sweep *s, int other)
 static td_bounds swept_bounds(const sweep *s, td_place end)
 {
     const thud_world *w = s->w;
-    double reach = (double)td_body_at(w, s->body)->rim + (double)w->unit * (double)TD_SPECULATIVE;
+    double reach = (double)td_row(&w->reach, s->slot)[1] + (double)w->unit * (double)TD_SPECULATIVE;
     int32_t half = (int32_t)(reach * w->to_coarse) + 1;
     td_bounds a = td_bounds_about(s->start, half, half), b = td_bounds_about(end, half, half);
     return (td_bounds){td_wrap_sub(b.min_x, a.min_x) < 0 ? b.min_x : a.min_x,
@@ -178,14 +178,14 @@ static bool looks_around(sweep *s)
     return near_any;
 }
 
-static void sweep_body(thud_world *w, int index)
+static void sweep_body(thud_world *w, int slot)
 {
-    const td_body *body = td_body_at(w, index);
+    int index = *(int *)td_at(&w->body_of, slot);
     const td_pose *pose = td_pose_at(w, index);
-    float *delta = td_row(&w->delta, body->awake);
+    float *delta = td_row(&w->delta, slot);
     td_place start = {pose->center.x - td_length_from(w, delta[0]),
                       pose->center.y - td_length_from(w, delta[1])};
-    sweep swept = {.w = w, .body = index, .start = start, .time = 1.0};
+    sweep swept = {.w = w, .slot = slot, .body = index, .start = start, .time = 1.0};
     swept.bounds = swept_bounds(&swept, pose->center);
     if (!looks_around(&swept)) {
         return;
@@ -195,7 +195,8 @@ static void sweep_body(thud_world *w, int index)
         pose->angle - (uint32_t)td_round_increment((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
     float c, s;
     td_angle_turn(angle, &c, &s);
-    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+    int first = td_body_at(w, index)->first_shape;
+    for (int i = first; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (td_shape_at(w, i)->flags & TD_SHAPE_SENSOR) {
             continue;
         }
@@ -227,9 +228,6 @@ void td_continuous(thud_world *w)
 {
     bool anything = w->rest_grid.ids.count > 0 || w->terrains.live > 0;
     for (int i = 0; i < w->scratch.fast.count && anything; i++) {
-        int body = *(int *)td_at(&w->scratch.fast, i);
-        if (td_body_at(w, body)->kind == THUD_DYNAMIC) {
-            sweep_body(w, body);
-        }
+        sweep_body(w, *(int *)td_at(&w->scratch.fast, i));
     }
 }

@@ -16,9 +16,19 @@ static bool row_finite(const float *row)
     return td_finite((double)row[0] + (double)row[1] + (double)row[2]);
 }
 
+/* The body in slot `from` is in slot `to` now. */
+static void follow_slot(td_array *slots, int from, int to)
+{
+    int *list = slots->data;
+    for (int i = 0; i < slots->count; i++) {
+        list[i] = list[i] == from ? to : list[i];
+    }
+}
+
 static void quarantine(thud_world *w, int index)
 {
     td_body *body = td_body_at(w, index);
+    int slot = body->awake;
     memset(td_row(&w->velocity, body->awake), 0, sizeof(float[4]));
     for (int e = body->first_contact; e != TD_NONE;) {
         int next = td_next_edge(w, e);
@@ -28,6 +38,7 @@ static void quarantine(thud_world *w, int index)
         e = next;
     }
     td_awake_remove(w, index);
+    follow_slot(&w->scratch.fast, w->body_of.count, slot);
     body->flags |= TD_BODY_QUARANTINED;
     td_grid_forget(&w->awake_grid);
     td_grid_forget(&w->rest_grid);
@@ -71,9 +82,9 @@ void td_finish(thud_world *w)
         }
         move(w, index, delta);
         td_body_place_shapes(w, index);
-        if (w->def.continuous && delta[0] * delta[0] + delta[1] * delta[1] >
-                                     0.25f * reach[0] * reach[0]) {
-            td_push_int(&w->scratch.fast, index);
+        if (w->def.continuous && td_row(&w->velocity, slot)[3] > 0.0f &&
+            delta[0] * delta[0] + delta[1] * delta[1] > 0.25f * reach[0] * reach[0]) {
+            td_push_int(&w->scratch.fast, slot);
         }
     }
 }

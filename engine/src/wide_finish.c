@@ -203,8 +203,8 @@ void TD_WIDE(td_finish_bodies)(thud_world *w)
         __builtin_memcpy(slots, &slot, sizeof slots);
         list_lanes(&w->scratch.odd, slots, i8_bits(here & ~easy));
         if (w->def.continuous) {
-            i8 fast = easy & (d.x * d.x + d.y * d.y > f8_all(0.25f) * core * core);
-            list_lanes(&w->scratch.fast, (const int32_t *)w->body_of.data + first, i8_bits(fast));
+            i8 fast = easy & (v.w > zero) & (d.x * d.x + d.y * d.y > f8_all(0.25f) * core * core);
+            list_lanes(&w->scratch.fast, slots, i8_bits(fast));
         }
         unsigned bits = i8_bits(easy);
         if (bits) {

@@ -201,7 +201,8 @@ struct thud_world {
         td_array lane_bins;   /* int: see td_lanes_place */
         td_array test_blocks; /* td_block of the largest form: waiting pairs under test */
         td_array test_list;   /* td_block *: to them */
-        td_array fast;        /* int: bodies that moved further than half their core */
+        td_array fast;        /* int: awake slots of dynamic bodies that moved further than
+                                 half their core */
         td_array odd;         /* int: awake slots that the wide part of finish leaves over */
         td_array grid;        /* see grid.h */
     } scratch;
