@@ -1,0 +1,169 @@
+/* contender_rapier.c: Rapier 2D at its defaults: 4 substeps, continuous against static shapes.
+ *
+ * As in Box2D, terrain is a one-sided line whose points go from right to left; an endless one ends
+ * somewhere. Collision groups by number, which only levels use, have no counterpart. */
+#include "contender.h"
+#include "rapier.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Half the width of what stands in for an endless line, in metres. */
+#define FLAT_HALF_WIDTH 4096.0
+
+typedef struct rapier_contender {
+    rapier_world *world;
+    rapier_state *states;
+    int body_count;
+} rapier_contender;
+
+static bool add_terrain(rapier_world *world, const scene *s, const scene_shape *shape,
+                        const rapier_shape *own) {
+    const scene_point ends[2] = {{-FLAT_HALF_WIDTH, -FLAT_HALF_WIDTH * shape->slope},
+                                 {FLAT_HALF_WIDTH, FLAT_HALF_WIDTH * shape->slope}};
+    bool flat = shape->kind == SCENE_TERRAIN_FLAT;
+    const scene_point *points = flat ? ends : s->points + shape->first_point;
+    int count = flat ? 2 : shape->point_count;
+    float *xy = malloc(2 * (size_t)count * sizeof *xy);
+    if (!xy)
+        return false;
+    for (int i = 0; i < count; i++) {
+        xy[2 * i] = (float)points[count - 1 - i].x;
+        xy[2 * i + 1] = (float)points[count - 1 - i].y;
+    }
+    rapier_add_line(world, own, xy, (size_t)count);
+    free(xy);
+    return true;
+}
+
+static bool add_shape(rapier_world *world, const scene *s, const scene_shape *shape) {
+    rapier_shape own = {
+        .x = (float)shape->x,
+        .y = (float)shape->y,
+        .angle = shape->kind == SCENE_OBB ? (float)shape->angle : 0,
+        .density = (float)shape->material.density,
+        .friction = (float)shape->material.friction,
+        .restitution = (float)shape->material.restitution,
+        .category = shape->category,
+        .mask = shape->mask,
+        .sensor = shape->sensor,
+    };
+    switch (shape->kind) {
+    case SCENE_CIRCLE:
+        rapier_add_circle(world, &own, (float)shape->hx);
+        return true;
+    case SCENE_AABB:
+    case SCENE_OBB:
+        rapier_add_box(world, &own, (float)shape->hx, (float)shape->hy);
+        return true;
+    case SCENE_TERRAIN_FLAT:
+    case SCENE_TERRAIN_UNIFORM:
+    case SCENE_TERRAIN_IRREGULAR:
+        return add_terrain(world, s, shape, &own);
+    }
+    return false;
+}
+
+static bool add_body(rapier_world *world, const scene *s, const scene_body *body, bool sleeping) {
+    rapier_body own = {
+        .kind = body->kind == SCENE_STATIC ? 0 : body->kind == SCENE_KINEMATIC ? 1 : 2,
+        .x = (float)body->x,
+        .y = (float)body->y,
+        .angle = (float)body->angle,
+        .vx = (float)body->vx,
+        .vy = (float)body->vy,
+        .angular_velocity = (float)body->angular_velocity,
+        .gravity_scale = (float)body->gravity_scale,
+        .linear_damping = (float)body->linear_damping,
+        .angular_damping = (float)body->angular_damping,
+        .fixed_rotation = body->fixed_rotation,
+        .may_sleep = sleeping && body->may_sleep,
+    };
+    rapier_add_body(world, &own);
+    bool ok = true;
+    for (int i = 0; ok && i < body->shape_count; i++)
+        ok = add_shape(world, s, &s->shapes[body->first_shape + i]);
+    return ok;
+}
+
+static void destroy(void *state) {
+    rapier_contender *own = state;
+    if (!own)
+        return;
+    if (own->world)
+        rapier_destroy(own->world);
+    free(own->states);
+    free(own);
+}
+
+static void *create(const scene *s, contender_settings settings) {
+#if defined(__x86_64__)
+    if (!__builtin_cpu_supports("avx2")) {
+        fprintf(stderr, "rapier: this processor has no AVX2, which the library was built for\n");
+        return NULL;
+    }
+#endif
+    rapier_contender *own = calloc(1, sizeof *own);
+    bool ok = own != NULL;
+    if (ok) {
+        own->body_count = s->body_count;
+        own->states = calloc((size_t)s->body_count + 1, sizeof *own->states);
+        own->world = rapier_create((float)s->gravity_x, (float)s->gravity_y,
+                                   (float)CONTENDER_TIME_STEP, (float)s->length_scale);
+        ok = own->states && own->world;
+    }
+    for (int i = 0; ok && i < s->body_count; i++)
+        ok = add_body(own->world, s, &s->bodies[i], settings.sleeping);
+    if (ok)
+        return own;
+    fprintf(stderr, "rapier: scene %s could not be built\n", s->name);
+    destroy(own);
+    return NULL;
+}
+
+static bool step(void *state) {
+    rapier_contender *own = state;
+    rapier_step(own->world);
+    return true;
+}
+
+static void read_bodies(void *state, contender_body *bodies) {
+    rapier_contender *own = state;
+    rapier_read(own->world, own->states);
+    for (int i = 0; i < own->body_count; i++) {
+        const rapier_state *now = &own->states[i];
+        bodies[i] = (contender_body){
+            .x = now->x,
+            .y = now->y,
+            .cosine = now->cosine,
+            .sine = now->sine,
+            .vx = now->vx,
+            .vy = now->vy,
+            .angular_velocity = now->angular_velocity,
+            .mass = now->mass,
+            .inertia = now->inertia,
+            .awake = now->awake,
+        };
+    }
+}
+
+/* Only its speed and overlap are compared; its events go to a handler that there is none of. */
+static contender_events events(void *state) {
+    (void)state;
+    return (contender_events){0};
+}
+
+static uint64_t bytes(void *state) {
+    (void)state;
+    return rapier_bytes();
+}
+
+const contender contender_rapier = {
+    .name = "rapier",
+    .create = create,
+    .destroy = destroy,
+    .step = step,
+    .read = read_bodies,
+    .events = events,
+    .bytes = bytes,
+};

@@ -1,0 +1,49 @@
+/* rapier.h: what rapier/src/lib.rs offers to C. Bodies come first, then their shapes: a shape
+ * belongs to the body that was added last. Memory that runs out ends the program, as in Rust. */
+#ifndef THUD_BASELINE_RAPIER_H
+#define THUD_BASELINE_RAPIER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct rapier_world rapier_world;
+
+typedef struct rapier_body {
+    int32_t kind; /* 0 static, 1 kinematic, 2 dynamic */
+    float x, y, angle;
+    float vx, vy, angular_velocity;
+    float gravity_scale, linear_damping, angular_damping;
+    bool fixed_rotation, may_sleep;
+} rapier_body;
+
+typedef struct rapier_shape {
+    float x, y, angle; /* in the body's frame */
+    float density, friction, restitution;
+    uint32_t category, mask;
+    bool sensor;
+} rapier_shape;
+
+typedef struct rapier_state {
+    float x, y, cosine, sine; /* of the body's origin */
+    float vx, vy;             /* of the centre of mass */
+    float angular_velocity;
+    float mass, inertia;
+    bool awake;
+} rapier_state;
+
+rapier_world *rapier_create(float gravity_x, float gravity_y, float time_step, float length_scale);
+void rapier_destroy(rapier_world *world);
+
+void rapier_add_body(rapier_world *world, const rapier_body *body);
+void rapier_add_circle(rapier_world *world, const rapier_shape *shape, float radius);
+void rapier_add_box(rapier_world *world, const rapier_shape *shape, float hx, float hy);
+/* A one-sided line of `count` points, x and y in turn; solid to the left of its direction. */
+void rapier_add_line(rapier_world *world, const rapier_shape *shape, const float *xy,
+                     size_t count);
+
+void rapier_step(rapier_world *world);
+void rapier_read(const rapier_world *world, rapier_state *out); /* every body, in order */
+size_t rapier_bytes(void);                                      /* held by all worlds */
+
+#endif
