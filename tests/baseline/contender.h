@@ -42,6 +42,6 @@ typedef struct contender {
 } contender;
 
 extern const contender contender_thud, contender_box2d;
-extern const contender contender_rapier; /* only where THUD_HAS_RAPIER is defined */
+extern const contender contender_rapier; /* only where THUD_RAPIER_BUILD is defined */
 
 #endif

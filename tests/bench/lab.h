@@ -1,15 +1,18 @@
-/* lab.h: thud alone, measured against itself: how it grows, what each feature costs, and where the
- * time of a step goes. */
+/* lab.h: thud measured against itself: how it grows, what each feature costs, and where the time
+ * of a step goes. */
 #ifndef THUD_BENCH_LAB_H
 #define THUD_BENCH_LAB_H
 
-#include <stdbool.h>
-#include <stdio.h>
+#include "json.h"
 
-/* Each prints a table, and to `json`, if not null, an array of objects. `quick` proves only that it
+#include <stdbool.h>
+
+/* Each prints a table and writes one member of the results' object. `quick` proves only that it
  * runs. False, and a line on stderr, when something fails. */
-bool lab_growth(bool quick, FILE *json);
-bool lab_pay(bool quick, FILE *json);
-bool lab_profile(bool quick, FILE *json);
+bool lab_growth(bool quick, json *out);  /* "growth" */
+bool lab_memory(bool quick, json *out);  /* "memory" */
+bool lab_pay(bool quick, json *out);     /* "pay" */
+bool lab_alone(bool quick, json *out);   /* "alone": the scene asleep against its hundred awake */
+bool lab_profile(bool quick, json *out); /* "profile" */
 
 #endif

@@ -3,95 +3,113 @@
 
 #include "contender.h"
 #include "lab_world.h"
+#include "progress.h"
+#include "series.h"
 
-#include <stdlib.h>
+#include <stdio.h>
 
-enum { STEPS = 60, WARM_UP = 60 };
+/* Steps that are timed, after as many to warm up. */
+enum { STEPS = 60, QUICK_STEPS = 5 };
+
+/* Least times of a step over so many runs, so that a neighbour's moment does not look like growth. */
+enum { REPETITIONS = 3 };
+
+static const int SIZES[] = {1000, 4000, 16000, 64000, 256000};
+enum { SIZE_COUNT = sizeof SIZES / sizeof SIZES[0], QUICK_SIZE_COUNT = 2 };
+
+/* The dearest body over the cheapest, in thud. */
+static const double MOST_SPAN = 1.5;
 
 typedef struct growth {
-    double seconds; /* the median step */
+    double ms; /* the median step */
     uint64_t bytes;
-    int pairs;
 } growth;
 
-static bool measure_thud(const scene_info *info, int size, int steps, growth *out) {
-    lab_world lab;
-    double *seconds = calloc((size_t)steps, sizeof *seconds);
-    thud_world_def def = lab_settings();
-    bool ok = seconds && lab_open_scene(&lab, info, size, &def) && lab_run(&lab, steps, NULL) &&
-              lab_run(&lab, steps, seconds);
-    if (ok) {
-        thud_stats stats = thud_world_stats(lab.world);
-        *out = (growth){lab_median(seconds, steps), stats.bytes, stats.pairs};
-    }
-    lab_close(&lab);
-    free(seconds);
-    return ok;
-}
-
-static bool measure_box2d(const scene_info *info, int size, int steps, growth *out) {
-    scene s;
-    if (!scenes_fill(info, size, &s))
-        return false;
-    double *seconds = calloc((size_t)steps, sizeof *seconds);
-    void *world = contender_box2d.create(&s, (contender_settings){0});
-    bool ok = seconds && world;
-    for (int i = 0; ok && i < 2 * steps; i++) {
+static bool run_once(const contender *engine, const scene *s, int repetition, series *times,
+                     uint64_t *bytes) {
+    void *world = engine->create(s, (contender_settings){0});
+    bool ok = world != NULL;
+    for (int i = 0; ok && i < 2 * times->steps; i++) {
         double start = lab_now(NULL);
-        ok = contender_box2d.step(world);
-        if (i >= steps)
-            seconds[i - steps] = lab_now(NULL) - start;
+        ok = engine->step(world);
+        if (i >= times->steps)
+            times->ms[repetition * times->steps + i - times->steps] = 1e3 * (lab_now(NULL) - start);
     }
     if (ok)
-        *out = (growth){lab_median(seconds, steps), contender_box2d.bytes(world), 0};
-    contender_box2d.destroy(world);
-    free(seconds);
-    scene_free(&s);
+        *bytes = engine->bytes(world);
+    engine->destroy(world);
     return ok;
 }
 
-static bool grow(const scene_info *info, bool quick, FILE *json, const char **between) {
-    static const int SIZES[] = {1000, 4000, 16000, 64000, 256000};
-    int sizes = quick ? 2 : 5, steps = quick ? 5 : STEPS;
-    double least = 1e300, most = 0;
-    for (int i = 0; i < sizes; i++) {
-        growth own, rival;
-        fprintf(stderr, "\r%s %d ...", info->name, SIZES[i]);
-        if (!measure_thud(info, SIZES[i], steps, &own) ||
-            !measure_box2d(info, SIZES[i], steps, &rival))
-            return false;
-        double each = own.seconds / SIZES[i], its = rival.seconds / SIZES[i];
-        least = each < least ? each : least;
-        most = each > most ? each : most;
-        fprintf(stderr, "\r%24s\r", "");
-        printf("%-8s %8d  %9.3f %7.1f  %9.3f %7.1f  %8.0f %8.0f  %8.2f\n", info->name, SIZES[i],
-               own.seconds * 1e3, each * 1e9, rival.seconds * 1e3, its * 1e9,
-               (double)own.bytes / SIZES[i], (double)rival.bytes / SIZES[i],
-               (double)own.pairs / SIZES[i]);
-        fflush(stdout);
-        if (json)
-            fprintf(json,
-                    "%s  {\"scene\": \"%s\", \"bodies\": %d, \"ns_per_body\": %.4g, "
-                    "\"box2d_ns_per_body\": %.4g, \"bytes_per_body\": %.5g, "
-                    "\"box2d_bytes_per_body\": %.5g, \"pairs_per_body\": %.4g}",
-                    *between, info->name, SIZES[i], each * 1e9, its * 1e9,
-                    (double)own.bytes / SIZES[i], (double)rival.bytes / SIZES[i],
-                    (double)own.pairs / SIZES[i]);
-        *between = ",\n";
+static bool measure(const contender *engine, const scene *s, int steps, growth *out) {
+    series times;
+    bool ok = series_init(&times, steps, REPETITIONS);
+    for (int i = 0; ok && i < REPETITIONS; i++)
+        ok = run_once(engine, s, i, &times, &out->bytes);
+    if (ok)
+        out->ms = series_summarize(&times).median;
+    else
+        fprintf(stderr, "thud-bench: %s failed in %s\n", engine->name, s->name);
+    series_free(&times);
+    return ok;
+}
+
+/* Nanoseconds per body of thud's into *each. */
+static bool grow_to(const scene_info *info, int size, int steps, double *each, json *out) {
+    scene s;
+    growth own, rival;
+    if (!scenes_fill(info, size, &s)) {
+        fprintf(stderr, "thud-bench: out of memory for scene %s\n", info->name);
+        return false;
     }
-    printf("%-8s dearest over cheapest body: %.2f\n", info->name, most / least);
+    bool ok = measure(&contender_thud, &s, steps, &own) &&
+              measure(&contender_box2d, &s, steps, &rival);
+    scene_free(&s);
+    if (!ok)
+        return false;
+    *each = own.ms / size * 1e6;
+    progress_clear();
+    printf("%-8s %8d  %9.3f %8.1f  %9.3f %8.1f  %8.0f %8.0f\n", info->name, size, own.ms, *each,
+           rival.ms, rival.ms / size * 1e6, (double)own.bytes / size, (double)rival.bytes / size);
+    fflush(stdout);
+    json_begin_object(out, NULL);
+    json_number(out, "bodies", size);
+    json_number(out, "ns_per_body", *each);
+    json_number(out, "box2d_ns_per_body", rival.ms / size * 1e6);
+    json_number(out, "bytes_per_body", (double)own.bytes / size);
+    json_number(out, "box2d_bytes_per_body", (double)rival.bytes / size);
+    json_end(out);
     return true;
 }
 
-bool lab_growth(bool quick, FILE *json) {
-    printf("%-8s %8s  %9s %7s  %9s %7s  %8s %8s  %8s\n", "scene", "bodies", "thud ms", "ns/body",
-           "Box2D ms", "ns/body", "B/body", "its", "pairs/b.");
-    const char *between = "";
-    if (json)
-        fprintf(json, "[\n");
-    bool ok = grow(scenes_find("gas"), quick, json, &between) &&
-              grow(&bench_rubble, quick, json, &between);
-    if (json)
-        fprintf(json, "\n]\n");
+static bool grow(const scene_info *info, bool quick, json *out) {
+    double each[SIZE_COUNT];
+    int sizes = quick ? QUICK_SIZE_COUNT : SIZE_COUNT;
+    json_begin_object(out, NULL);
+    json_text(out, "scene", info->name);
+    json_begin_array(out, "sizes");
+    bool ok = true;
+    for (int i = 0; ok && i < sizes; i++) {
+        progress_show(info->name, (double)i / sizes);
+        ok = grow_to(info, SIZES[i], quick ? QUICK_STEPS : STEPS, &each[i], out);
+    }
+    json_end(out);
+    if (ok) {
+        double span = series_span(each, sizes);
+        printf("%-8s dearest over cheapest body: %.2f; at most %.2f, %s\n", info->name, span,
+               MOST_SPAN, span <= MOST_SPAN ? "holds" : "misses");
+        json_number(out, "span", span);
+        json_number(out, "at_most", MOST_SPAN);
+    }
+    json_end(out);
+    return ok;
+}
+
+bool lab_growth(bool quick, json *out) {
+    printf("%-8s %8s  %9s %8s  %9s %8s  %8s %8s\n", "scene", "bodies", "thud ms", "ns/body",
+           "Box2D ms", "ns/body", "B/body", "its");
+    json_begin_array(out, "growth");
+    bool ok = grow(scenes_find("gas"), quick, out) && grow(&bench_rubble, quick, out);
+    json_end(out);
     return ok;
 }

@@ -3,10 +3,9 @@
 #include "lab.h"
 
 #include "lab_world.h"
+#include "progress.h"
 #include "random.h"
-
-#include <stdlib.h>
-#include <string.h>
+#include "series.h"
 
 typedef struct lab_pair {
     const char *feature;
@@ -85,9 +84,25 @@ static void fill_gas(scene *s) {
     }
 }
 
-static void fill_fast(bool with, scene *s, thud_world_def *def) {
+static void fill_continuous(bool with, scene *s, thud_world_def *def) {
     fill_gas(s);
     def->continuous = with;
+}
+
+/* The hundred fly up and down between two plates, beside the heap, a plate's distance a step and
+ * more; without them it is the same world at rest there. */
+static void fill_fast(bool with, scene *s, thud_world_def *def) {
+    (void)def;
+    floor_and_walls(s, 34);
+    drop(s, false, false);
+    s->material = (scene_material){.density = 1, .friction = 0, .restitution = 1};
+    scene_static_box(s, 200, -1, 101, 0.5);
+    scene_static_box(s, 200, 3, 101, 0.5);
+    for (int i = 0; i < 100; i++) {
+        scene_body *body = scene_dynamic_circle(s, 102 + 2 * i, 1, 0.25);
+        body->gravity_scale = 0;
+        body->vy = with ? 200 : 0;
+    }
 }
 
 static bool allow(thud_world *w, const thud_contact *contact, void *context) {
@@ -127,7 +142,8 @@ static void fill_asleep(bool with, scene *s, thud_world_def *def) {
         scene_dynamic_box(s, i * 1.5 - 750, 0.5, 0.5, 0.5);
 }
 
-/* 20,000 asleep beside a hundred that never rest, against the hundred alone. */
+/* 20,000 asleep beside a hundred that never rest, against the hundred alone (with one sleeper: a
+ * scene is never empty). */
 static void fill_crowd(bool with, scene *s, thud_world_def *def) {
     def->sleeping = true;
     scene crowd;
@@ -144,15 +160,23 @@ static const lab_pair PAIRS[] = {
     {"friction", "friction 0.6", "friction 0", fill_friction},
     {"restitution", "restitution 0.1", "restitution 0", fill_restitution},
     {"terrain", "floor of 79 segments", "floor of one box", fill_terrain},
-    {"fast bodies", "gas, continuous", "gas, not continuous", fill_fast},
+    {"continuous", "gas, continuous", "gas, not continuous", fill_continuous},
+    {"fast bodies", "heap, 100 fly at 200 m/s", "heap, they stand still", fill_fast},
     {"events", "gas with events", "gas without", fill_events},
     {"listeners", "prologue and epilogue", "neither", fill_listeners},
     {"all static", "10,000 static boxes", "an empty world", fill_static},
     {"all asleep", "1,000 asleep", "an empty world", fill_asleep},
-    {"20,000 asleep", "100 awake among them", "the 100 alone", fill_crowd},
 };
 
-enum { STEPS = 300, TURN = 10, WARM_UP = 120 };
+static const lab_pair CROWD = {"asleep", "100 awake, 20,000 asleep", "the 100 alone", fill_crowd};
+
+/* Of both: long enough that stacks are asleep. */
+enum { STEPS = 300, TURN = 10, WARM_UP = 180 };
+
+/* Seconds of the median step. */
+typedef struct lab_price {
+    double with, without;
+} lab_price;
 
 static bool open_one(const lab_pair *pair, bool with, lab_world *lab) {
     thud_world_def def = lab_settings();
@@ -162,41 +186,72 @@ static bool open_one(const lab_pair *pair, bool with, lab_world *lab) {
     return lab_open(lab, &def);
 }
 
-static bool compare(const lab_pair *pair, bool quick, FILE *json, const char *between) {
-    lab_world labs[2];
-    memset(labs, 0, sizeof labs);
+static bool take_turns(const lab_pair *pair, lab_world labs[2], bool quick, lab_price *out) {
     static double seconds[2][STEPS];
-    int steps = quick ? 20 : STEPS;
-    bool ok = open_one(pair, false, &labs[0]) && open_one(pair, true, &labs[1]);
-    for (int k = 0; k < 2 && ok; k++)
-        ok = lab_run(&labs[k], quick ? 2 : WARM_UP, NULL);
-    for (int first = 0; ok && first < steps; first += TURN)
-        for (int k = 0; k < 2 && ok; k++)
-            ok = lab_run(&labs[k], TURN, seconds[k] + first);
-    lab_close(&labs[0]);
-    lab_close(&labs[1]);
-    if (!ok)
-        return false;
-    double without = lab_median(seconds[0], steps), with = lab_median(seconds[1], steps);
-    printf("%-14s %-24s %9.4f  %-22s %9.4f  %6.2f\n", pair->feature, pair->with, with * 1e3,
-           pair->without, without * 1e3, with / without);
-    fflush(stdout);
-    if (json)
-        fprintf(json,
-                "%s  {\"feature\": \"%s\", \"with\": \"%s\", \"without\": \"%s\", "
-                "\"ms_with\": %.5g, \"ms_without\": %.5g}",
-                between, pair->feature, pair->with, pair->without, with * 1e3, without * 1e3);
+    int steps = quick ? 2 * TURN : STEPS;
+    for (int k = 0; k < 2; k++)
+        if (!lab_run(&labs[k], quick ? 2 : WARM_UP, NULL))
+            return false;
+    for (int first = 0; first < steps; first += TURN) {
+        progress_show(pair->feature, (double)first / steps);
+        for (int k = 0; k < 2; k++)
+            if (!lab_run(&labs[k], TURN, seconds[k] + first))
+                return false;
+    }
+    *out = (lab_price){series_median(seconds[1], steps), series_median(seconds[0], steps)};
     return true;
 }
 
-bool lab_pay(bool quick, FILE *json) {
-    printf("%-14s %-24s %9s  %-22s %9s  %6s\n", "feature", "with", "ms", "without", "ms", "ratio");
-    if (json)
-        fprintf(json, "[\n");
-    bool ok = true;
-    for (size_t i = 0; ok && i < sizeof PAIRS / sizeof PAIRS[0]; i++)
-        ok = compare(&PAIRS[i], quick, json, i ? ",\n" : "");
-    if (json)
-        fprintf(json, "\n]\n");
+static bool compare(const lab_pair *pair, bool quick, lab_price *out) {
+    lab_world labs[2] = {{.world = NULL}, {.world = NULL}};
+    scene_init(&labs[1].scene);
+    bool ok = open_one(pair, false, &labs[0]) && open_one(pair, true, &labs[1]) &&
+              take_turns(pair, labs, quick, out);
+    progress_clear();
+    lab_close(&labs[0]);
+    lab_close(&labs[1]);
     return ok;
+}
+
+bool lab_pay(bool quick, json *out) {
+    printf("%-12s %-25s %9s  %-22s %9s  %6s\n", "feature", "with", "ms", "without", "ms", "ratio");
+    json_begin_array(out, "pay");
+    bool ok = true;
+    for (size_t i = 0; ok && i < sizeof PAIRS / sizeof PAIRS[0]; i++) {
+        const lab_pair *pair = &PAIRS[i];
+        lab_price price;
+        ok = compare(pair, quick, &price);
+        if (!ok)
+            break;
+        printf("%-12s %-25s %9.4f  %-22s %9.4f  %6.2f\n", pair->feature, pair->with,
+               price.with * 1e3, pair->without, price.without * 1e3, price.with / price.without);
+        fflush(stdout);
+        json_begin_object(out, NULL);
+        json_text(out, "feature", pair->feature);
+        json_text(out, "with", pair->with);
+        json_text(out, "without", pair->without);
+        json_number(out, "ms_with", price.with * 1e3);
+        json_number(out, "ms_without", price.without * 1e3);
+        json_end(out);
+    }
+    json_end(out);
+    return ok;
+}
+
+bool lab_alone(bool quick, json *out) {
+    const double most = 1.1;
+    lab_price price;
+    if (!compare(&CROWD, quick, &price))
+        return false;
+    double ratio = price.with / price.without;
+    printf("  %s: %.4f ms; %s: %.4f ms, %.2f times that; at most %.2f, %s\n", CROWD.without,
+           price.without * 1e3, CROWD.with, price.with * 1e3, ratio, most,
+           ratio <= most ? "holds" : "misses");
+    json_begin_object(out, "alone");
+    json_number(out, "ms_alone", price.without * 1e3);
+    json_number(out, "ms_among_sleepers", price.with * 1e3);
+    json_number(out, "at_most", most);
+    json_bool(out, "holds", ratio <= most);
+    json_end(out);
+    return true;
 }

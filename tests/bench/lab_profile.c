@@ -2,10 +2,9 @@
 #include "lab.h"
 
 #include "lab_world.h"
+#include "progress.h"
 
-#include <stdlib.h>
-
-static bool profile(const bench_plan *plan, bool quick, FILE *json, const char *between) {
+static bool profile(const bench_plan *plan, bool quick, json *out) {
     bench_plan cut = quick ? bench_plan_quick(*plan) : *plan;
     thud_world_def def = lab_settings();
     def.sleeping = plan->sleeping;
@@ -14,47 +13,48 @@ static bool profile(const bench_plan *plan, bool quick, FILE *json, const char *
     double stage[THUD_STAGE_COUNT] = {0}, total = 0;
     bool ok = lab_open_scene(&lab, bench_scene(plan->scene), plan->size, &def) &&
               lab_run(&lab, cut.warm_up, NULL);
+    thud_stats stats = {0};
     for (int i = 0; ok && i < cut.steps; i++) {
+        progress_show(plan->scene, (double)i / cut.steps);
         ok = lab_run(&lab, 1, NULL);
-        thud_stats stats = thud_world_stats(lab.world);
+        stats = thud_world_stats(lab.world);
         total += stats.step_seconds;
         for (int k = 0; k < THUD_STAGE_COUNT; k++)
             stage[k] += stats.stage_seconds[k];
     }
-    if (ok) {
-        printf("%-14s %7d %8.3f ", plan->scene, thud_world_stats(lab.world).bodies,
-               total / cut.steps * 1e3);
-        if (json)
-            fprintf(json, "%s  {\"scene\": \"%s\", \"bodies\": %d, \"ms\": %.5g", between,
-                    plan->scene, thud_world_stats(lab.world).bodies, total / cut.steps * 1e3);
-        for (int k = 0; k < THUD_STAGE_COUNT; k++) {
-            printf(" %11.1f", 100 * stage[k] / total);
-            if (json)
-                fprintf(json, ", \"%s\": %.4g", thud_stage_name((thud_stage)k),
-                        100 * stage[k] / total);
-        }
-        printf("\n");
-        fflush(stdout);
-        if (json)
-            fprintf(json, "}");
-    }
+    progress_clear();
     lab_close(&lab);
-    return ok;
+    if (!ok)
+        return false;
+    double ms = total / cut.steps * 1e3;
+    printf("%-14s %7d %8.3f", plan->scene, stats.bodies, ms);
+    json_begin_object(out, NULL);
+    json_text(out, "scene", plan->scene);
+    json_number(out, "bodies", stats.bodies);
+    json_number(out, "ms", ms);
+    json_begin_object(out, "percent");
+    for (int k = 0; k < THUD_STAGE_COUNT; k++) {
+        printf(" %11.1f", 100 * stage[k] / total);
+        json_number(out, thud_stage_name((thud_stage)k), 100 * stage[k] / total);
+    }
+    json_end(out);
+    json_end(out);
+    printf("\n");
+    fflush(stdout);
+    return true;
 }
 
-bool lab_profile(bool quick, FILE *json) {
-    printf("%-14s %7s %8s ", "scene", "bodies", "ms");
+bool lab_profile(bool quick, json *out) {
+    printf("%-14s %7s %8s", "% of a step", "bodies", "mean ms");
     for (int k = 0; k < THUD_STAGE_COUNT; k++)
-        printf(" %9s %%", thud_stage_name((thud_stage)k));
+        printf(" %11s", thud_stage_name((thud_stage)k));
     printf("\n");
-    if (json)
-        fprintf(json, "[\n");
+    json_begin_array(out, "profile");
     bool ok = true;
     for (int i = 0; ok && i < bench_plan_count(); i++) {
         bench_plan plan = bench_plan_at(i);
-        ok = profile(&plan, quick, json, i ? ",\n" : "");
+        ok = profile(&plan, quick, out);
     }
-    if (json)
-        fprintf(json, "\n]\n");
+    json_end(out);
     return ok;
 }

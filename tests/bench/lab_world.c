@@ -4,7 +4,6 @@
 #include "build_thud.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <time.h>
 
 double lab_now(void *context) {
@@ -56,14 +55,4 @@ bool lab_run(lab_world *lab, int count, double *seconds) {
         }
     }
     return true;
-}
-
-static int ascending(const void *left, const void *right) {
-    double a = *(const double *)left, b = *(const double *)right;
-    return (a > b) - (a < b);
-}
-
-double lab_median(double *values, int count) {
-    qsort(values, (size_t)count, sizeof *values, ascending);
-    return 0.5 * (values[(count - 1) / 2] + values[count / 2]);
 }

@@ -24,7 +24,4 @@ void lab_close(lab_world *lab);
 /* Seconds of each of `count` steps. */
 bool lab_run(lab_world *lab, int count, double *seconds);
 
-/* The median; sorts the values. */
-double lab_median(double *values, int count);
-
 #endif

@@ -1,4 +1,4 @@
-/* plan.c: the table of plans. Ten steps make the contacts and grow the buffers; longer warm-ups
+/* plan.c: the table of plans, with everything that thud is held to. Ten steps make the contacts and grow the buffers; longer warm-ups
  * wait for a scene to become what it is meant to measure. The whole default run takes some three
  * minutes with three repetitions. */
 #include "plan.h"
@@ -6,26 +6,26 @@
 #include <string.h>
 
 static const bench_plan PLANS[] = {
-    {"pyramid", 0, 10, 300, true, false, 3, "stands from the start: a solver full of contacts"},
-    {"circle_pit", 0, 30, 600, true, false, 4.5, "ten seconds from free fall to a settling heap"},
-    {"mixed_terrain", 0, 30, 600, true, false, 4, "fall, impact and settling in the valleys"},
-    {"smash", 0, 1, 300, true, false, 4, "resting block, impact, and the spreading debris"},
-    {"tumbler", 0, 120, 600, true, false, 5, "starts when the load is on the turning floor"},
-    {"tumbler_half", 0, 120, 600, true, false, 6, "as tumbler"},
-    {"platformer", 0, 30, 600, true, false, 4, "falling on the tiles, then running and resting"},
-    {"gas", 1000, 10, 300, true, false, 7, "never rests: all pairs change all the time"},
-    {"gas", 4000, 10, 300, true, false, 7, "as above"},
-    {"gas", 16000, 10, 300, true, false, 7, "as above"},
-    {"gas", 64000, 10, 100, true, false, 7, "as above"},
-    {"sizes", 0, 10, 600, true, false, 3, "the heap while it collapses and settles"},
-    {"one_spot", 0, 1, 300, true, false, 5, "the collapse itself"},
-    {"overlapping", 0, 0, 100, true, false, 0, "from the first step, which finds every pair"},
-    {"asleep", 0, 180, 300, true, true, 1, "starts when the stacks sleep; the circles do not"},
+    {"pyramid", 0, 10, 300, true, false, 3, 0, "stands from the start: a solver full of contacts"},
+    {"circle_pit", 0, 30, 600, true, false, 4.5, 0, "ten seconds, from free fall to a heap"},
+    {"mixed_terrain", 0, 30, 600, true, false, 4, 0, "fall, impact and settling in the valleys"},
+    {"smash", 0, 1, 300, true, false, 4, 0, "resting block, impact, and the spreading debris"},
+    {"tumbler", 0, 120, 600, true, false, 5, 0, "starts when the load is on the turning floor"},
+    {"tumbler_half", 0, 120, 600, true, false, 6, 0, "as tumbler"},
+    {"platformer", 0, 30, 600, true, false, 4, 0, "falling on the tiles, then running and resting"},
+    {"gas", 1000, 10, 300, true, false, 7, 0, "never rests: all pairs change all the time"},
+    {"gas", 4000, 10, 300, true, false, 7, 0, "as above"},
+    {"gas", 16000, 10, 300, true, false, 7, 0, "as above"},
+    {"gas", 64000, 10, 100, true, false, 7, 0, "as above"},
+    {"sizes", 0, 10, 600, true, false, 3, 0, "the heap while it collapses and settles"},
+    {"one_spot", 0, 1, 300, true, false, 5, 0, "the collapse itself"},
+    {"overlapping", 0, 0, 100, true, false, 0, 50, "from the first step, which finds every pair"},
+    {"asleep", 0, 180, 300, true, true, 1, 0, "starts when the stacks sleep; the circles do not"},
 };
 
 enum { PLAN_COUNT = sizeof PLANS / sizeof PLANS[0] };
 
-static const bench_plan GENERAL = {NULL, 0, 10, 300, false, false, 0, "the first five seconds"};
+static const bench_plan GENERAL = {NULL, 0, 10, 300, false, false, 0, 0, "the first five seconds"};
 
 int bench_plan_count(void) {
     return PLAN_COUNT;
@@ -53,7 +53,7 @@ bench_plan bench_plan_for(const char *name, int size) {
     bench_plan plan = other ? *other : GENERAL;
     plan.scene = name;
     plan.size = size;
-    plan.target = 0;
+    plan.target = plan.limit_ms = 0;
     return plan;
 }
 

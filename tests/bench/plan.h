@@ -14,6 +14,7 @@ typedef struct bench_plan {
     bool by_default; /* part of a run that names no scene */
     bool sleeping;   /* off wherever sleep itself is not the subject */
     double target;   /* how many times as fast as Box2D thud is to be, at least; 0: no target */
+    double limit_ms; /* no step of thud's may take longer; 0: no limit */
     const char *why; /* these steps */
 } bench_plan;
 

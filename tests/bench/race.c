@@ -2,6 +2,8 @@
  * that whatever else the machine does hits all of them alike. Every repetition starts anew. */
 #include "race.h"
 
+#include "progress.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -78,12 +80,8 @@ static bool take_all_turns(race *r, int repetition) {
         /* A repetition repeats the same motion: one measurement of it is enough. */
         if (repetition == 0 && (first + TURN) % sample_every == 0)
             sample_overlap(r);
-        if (r->settings->progress) {
-            double done = (double)(first + count) / r->plan.steps;
-            r->settings->progress(r->scene->name,
-                                  (repetition + done) / r->settings->repetitions,
-                                  r->settings->progress_context);
-        }
+        double done = (double)(first + count) / r->plan.steps;
+        progress_show(r->scene->name, (repetition + done) / r->settings->repetitions);
     }
     return true;
 }
@@ -116,6 +114,7 @@ static void conclude(const race *r, int size, race_result *out) {
         .bodies = r->scene->body_count,
         .steps = r->plan.steps,
         .target = r->plan.target,
+        .limit_ms = r->plan.limit_ms,
         .entry_count = r->settings->contender_count,
     };
     for (int e = 0; e < out->entry_count; e++) {
@@ -148,6 +147,7 @@ bool race_run(const scene *s, int size, bench_plan plan, const race_settings *se
         fprintf(stderr, "thud-bench: %s: out of memory\n", s->name);
     for (int i = 0; ok && i < settings->repetitions; i++)
         ok = repeat_once(&r, i);
+    progress_clear();
     if (ok)
         conclude(&r, size, out);
     for (int e = 0; e < settings->contender_count; e++)

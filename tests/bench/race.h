@@ -9,14 +9,10 @@
 
 enum { RACE_MAX_CONTENDERS = 4 };
 
-typedef void race_progress_fn(const char *scene, double fraction, void *context);
-
 typedef struct race_settings {
     const contender *const *contenders; /* the first is compared with every other */
     int contender_count;                /* 1 .. RACE_MAX_CONTENDERS */
     int repetitions;
-    race_progress_fn *progress; /* null: none */
-    void *progress_context;
 } race_settings;
 
 typedef struct race_entry {
@@ -32,7 +28,8 @@ typedef struct race_entry {
 typedef struct race_result {
     const char *scene;
     int size, bodies, steps, entry_count;
-    double target; /* against Box2D; 0: none */
+    double target;   /* against Box2D; 0: none */
+    double limit_ms; /* on thud's worst step; 0: none */
     race_entry entries[RACE_MAX_CONTENDERS];
 } race_result;
 

@@ -2,6 +2,7 @@
 #ifndef THUD_BENCH_REPORT_H
 #define THUD_BENCH_REPORT_H
 
+#include "json.h"
 #include "race.h"
 
 #include <stdio.h>
@@ -11,7 +12,7 @@ void report_table_head(FILE *out);
 void report_table_row(FILE *out, const race_result *result);
 void report_table_foot(FILE *out, int repetitions);
 
-/* An array with one object per scene and engine; false when writing fails. */
-bool report_json(FILE *out, const race_result *results, int count);
+/* An object for one scene, with an array of its engines. */
+void report_json(json *out, const race_result *result);
 
 #endif

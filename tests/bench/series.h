@@ -23,4 +23,13 @@ series_summary series_summarize(const series *s);
 /* Median of one repetition's times as they were. */
 double series_median_of(const series *s, int repetition);
 
+/* The middle value, or the mean of the two in the middle. Sorts the values. */
+double series_median(double *values, int count);
+
+/* The smallest value that at least the given part of the values do not exceed. Of sorted values. */
+double series_quantile(const double *sorted, int count, double part);
+
+/* The largest over the smallest of positive values. */
+double series_span(const double *values, int count);
+
 #endif

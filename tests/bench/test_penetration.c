@@ -8,7 +8,6 @@
 #include "depth.h"
 #include "penetration.h"
 #include "random.h"
-#include "series.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -144,27 +143,12 @@ static void meter_body_without_finite_pose_is_lost_and_harms_nothing(void **stat
     scene_free(&s);
 }
 
-static void series_noise_in_one_repetition_does_not_reach_the_summary(void **state) {
-    (void)state;
-    series times;
-    assert_true(series_init(&times, 100, 3));
-    for (int repetition = 0; repetition < 3; repetition++)
-        for (int step = 0; step < 100; step++)
-            times.ms[repetition * 100 + step] = 1 + step + (step % 3 == repetition ? 1000 : 0);
-    series_summary summary = series_summarize(&times);
-    assert_true(summary.median == 50.5);
-    assert_true(summary.p99 == 99);
-    assert_true(summary.max == 100);
-    series_free(&times);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(meter_random_sizes_agrees_with_all_pairs),
         cmocka_unit_test(meter_pairs_that_cannot_collide_do_not_count),
         cmocka_unit_test(meter_ball_in_each_terrain_reports_its_depth),
         cmocka_unit_test(meter_body_without_finite_pose_is_lost_and_harms_nothing),
-        cmocka_unit_test(series_noise_in_one_repetition_does_not_reach_the_summary),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,188 @@
+/* options.c: see options.h. */
+#include "options.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_STEPS = 1000000, MAX_REPETITIONS = 100 };
+
+static const contender *const RIVALS[] = {
+    &contender_box2d,
+#ifdef THUD_RAPIER_BUILD
+    &contender_rapier,
+#endif
+};
+
+enum { RIVAL_COUNT = sizeof RIVALS / sizeof RIVALS[0] };
+
+void options_print_help(void) {
+    printf("usage: thud-bench [option...]\n"
+           "Runs scenes in thud and its rivals, a few steps each in turn, and compares the time per "
+           "step,\nthe overlap and the memory.\n\n"
+           "what is measured (several in one run; without any, the scenes):\n"
+           "  --scenes             every scene in every engine\n"
+           "  --growth             time per body from 1,000 to 256,000 bodies, and bytes per body and\n"
+           "                       per contact\n"
+           "  --pay                what each feature costs: a scene with it and without it\n"
+           "  --profile            the time of a step by stage, for every scene\n"
+           "  --all                all four\n\n"
+           "how:\n"
+           "  --scene NAME[:SIZE]  only this scene; may be given several times\n"
+           "  --against ENGINE     only this rival; may be given several times. Here: box2d%s\n"
+           "  --steps N            times N steps instead of the scene's own number\n"
+           "  --repeat N           repetitions of every scene (default 3)\n"
+           "  --quick              40 steps and 1 repetition: shows that it runs, compares little\n"
+           "  --json FILE          also writes everything to FILE\n"
+           "  --list               lists the scenes, and which steps of each are timed\n"
+           "  --help               this text\n",
+           RIVAL_COUNT > 1 ? ", rapier" : "");
+}
+
+void options_print_list(void) {
+    printf("%-15s %8s %8s %7s %9s  %s\n", "scene", "size", "warm-up", "steps", "at least", "");
+    for (int i = 0; i < bench_plan_count(); i++) {
+        bench_plan plan = bench_plan_at(i);
+        int size = plan.size ? plan.size : bench_scene(plan.scene)->default_size;
+        printf("%-15s %8d %8d %7d %9.1f  %s\n", plan.scene, size, plan.warm_up, plan.steps,
+               plan.target, plan.why);
+    }
+    printf("\nOnly by name, the first five seconds of: rubble");
+    for (int i = 0; i < scenes_count(); i++)
+        if (!bench_plan_for(scenes_at(i)->name, 0).by_default)
+            printf(", %s", scenes_at(i)->name);
+    printf("\nSize counts what a scene is made of; warm-up and steps are steps of 1/60 s; at least: "
+           "Box2D's time over thud's.\n");
+}
+
+static bool fail(const char *what, const char *value) {
+    fprintf(stderr, "thud-bench: %s%s%s (see --help)\n", what, value ? ": " : "",
+            value ? value : "");
+    return false;
+}
+
+static bool read_int(const char *text, int low, int high, int *out) {
+    char *end;
+    long value = strtol(text, &end, 10);
+    if (end == text || *end || value < low || value > high)
+        return false;
+    *out = (int)value;
+    return true;
+}
+
+static bool add_scene(options *o, const char *text) {
+    char name[64];
+    size_t length = strcspn(text, ":");
+    if (length >= sizeof name)
+        return fail("no such scene", text);
+    memcpy(name, text, length);
+    name[length] = '\0';
+    const scene_info *info = bench_scene(name);
+    if (!info)
+        return fail("no such scene, --list shows all", name);
+    int size = info->default_size;
+    if (text[length] && !read_int(text + length + 1, info->min_size, info->max_size, &size))
+        return fail("no size that this scene can have", text);
+    if (o->scene_count == OPTIONS_MAX_SCENES)
+        return fail("too many scenes", text);
+    o->scenes[o->scene_count++] = (chosen_scene){info, size};
+    return true;
+}
+
+static void add_default_scenes(options *o) {
+    for (int i = 0; i < bench_plan_count() && o->scene_count < OPTIONS_MAX_SCENES; i++) {
+        bench_plan plan = bench_plan_at(i);
+        const scene_info *info = bench_scene(plan.scene);
+        if (plan.by_default)
+            o->scenes[o->scene_count++] =
+                (chosen_scene){info, plan.size ? plan.size : info->default_size};
+    }
+}
+
+static bool add_rival(options *o, const char *name) {
+    for (int i = 0; i < RIVAL_COUNT; i++) {
+        if (strcmp(RIVALS[i]->name, name) != 0)
+            continue;
+        for (int k = 1; k < o->contender_count; k++)
+            if (o->contenders[k] == RIVALS[i])
+                return true;
+        o->contenders[o->contender_count++] = RIVALS[i];
+        return true;
+    }
+    return fail(strcmp(name, "rapier") == 0 ? "this build has no such engine, for want of Rust"
+                                            : "no such engine",
+                name);
+}
+
+/* An option without a value. */
+static bool read_flag(options *o, const char *name) {
+    static const struct {
+        const char *name;
+        unsigned part;
+    } PARTS[] = {{"--scenes", BENCH_SCENES}, {"--growth", BENCH_GROWTH}, {"--pay", BENCH_PAY},
+                 {"--profile", BENCH_PROFILE}, {"--all", BENCH_ALL}};
+    for (size_t i = 0; i < sizeof PARTS / sizeof PARTS[0]; i++) {
+        if (strcmp(name, PARTS[i].name) == 0) {
+            o->parts |= PARTS[i].part;
+            return true;
+        }
+    }
+    if (strcmp(name, "--quick") != 0)
+        return false;
+    o->quick = true;
+    return true;
+}
+
+static bool read_value(options *o, const char *name, const char *value) {
+    bool known = strcmp(name, "--scene") == 0 || strcmp(name, "--against") == 0 ||
+                 strcmp(name, "--json") == 0 || strcmp(name, "--steps") == 0 ||
+                 strcmp(name, "--repeat") == 0;
+    if (!known)
+        return fail("unknown option", name);
+    if (!value)
+        return fail("a value is missing after", name);
+    if (strcmp(name, "--scene") == 0)
+        return add_scene(o, value);
+    if (strcmp(name, "--against") == 0)
+        return add_rival(o, value);
+    if (strcmp(name, "--steps") == 0)
+        return read_int(value, 1, MAX_STEPS, &o->steps) ||
+               fail("--steps wants a number from 1 to 1000000, not", value);
+    if (strcmp(name, "--repeat") == 0)
+        return read_int(value, 1, MAX_REPETITIONS, &o->repetitions) ||
+               fail("--repeat wants a number from 1 to 100, not", value);
+    o->json = value;
+    return true;
+}
+
+static void fill_in_defaults(options *o) {
+    if (o->scene_count == 0)
+        add_default_scenes(o);
+    for (int i = 0; o->contender_count == 1 && i < RIVAL_COUNT; i++)
+        o->contenders[1 + i] = RIVALS[i];
+    if (o->contender_count == 1)
+        o->contender_count = 1 + RIVAL_COUNT;
+    if (o->parts == 0)
+        o->parts = BENCH_SCENES;
+    if (o->repetitions == 0)
+        o->repetitions = o->quick ? 1 : 3;
+}
+
+options_outcome options_read(options *o, int argc, char **argv) {
+    *o = (options){.contenders = {&contender_thud}, .contender_count = 1};
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
+            return OPTIONS_HELP;
+        if (strcmp(argv[i], "--list") == 0)
+            return OPTIONS_LIST;
+    }
+    for (int i = 1; i < argc; i++) {
+        if (read_flag(o, argv[i]))
+            continue;
+        if (!read_value(o, argv[i], i + 1 < argc ? argv[i + 1] : NULL))
+            return OPTIONS_WRONG;
+        i++;
+    }
+    fill_in_defaults(o);
+    return OPTIONS_RUN;
+}

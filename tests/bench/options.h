@@ -1,0 +1,45 @@
+/* options.h: the command line of thud-bench. */
+#ifndef THUD_BENCH_OPTIONS_H
+#define THUD_BENCH_OPTIONS_H
+
+#include "contender.h"
+#include "plan.h"
+#include "race.h"
+
+enum { OPTIONS_MAX_SCENES = 64 };
+
+typedef struct chosen_scene {
+    const scene_info *info;
+    int size;
+} chosen_scene;
+
+/* What is measured; any number of them in one run. */
+typedef enum bench_part {
+    BENCH_SCENES = 1 << 0, /* the engines against each other */
+    BENCH_GROWTH = 1 << 1,
+    BENCH_PAY = 1 << 2,
+    BENCH_PROFILE = 1 << 3,
+    BENCH_ALL = BENCH_SCENES | BENCH_GROWTH | BENCH_PAY | BENCH_PROFILE
+} bench_part;
+
+typedef enum options_outcome { OPTIONS_RUN, OPTIONS_HELP, OPTIONS_LIST, OPTIONS_WRONG } options_outcome;
+
+typedef struct options {
+    chosen_scene scenes[OPTIONS_MAX_SCENES];
+    int scene_count;
+    const contender *contenders[RACE_MAX_CONTENDERS]; /* thud is the first */
+    int contender_count;
+    unsigned parts;
+    const char *json; /* null: not wanted */
+    int steps;        /* 0: the plan's */
+    int repetitions;
+    bool quick;
+} options;
+
+/* A wrong one has its line on stderr. */
+options_outcome options_read(options *o, int argc, char **argv);
+
+void options_print_help(void);
+void options_print_list(void);
+
+#endif
