@@ -5,6 +5,7 @@
 #include "level.h"
 #include "options.h"
 #include "outcome.h"
+#include "pool.h"
 #include "scenes.h"
 
 #include <stdio.h>
@@ -80,12 +81,13 @@ static bool load(const run_options *options, scene *s) {
     return true;
 }
 
-static thud_world *build(const run_options *options, const scene *s) {
+static thud_world *build(const run_options *options, const scene *s, pool *threads) {
     thud_world_def def = thud_default_world_def();
     def.quality = options->quality;
     def.sleeping = !options->no_sleeping;
     def.clock = seconds_now;
     def.log = log_to_stderr;
+    def.crew = pool_crew(threads);
     thud_world *world;
     int failed_body;
     thud_result result = scene_build_thud(s, &def, &world, NULL, &failed_body);
@@ -144,13 +146,17 @@ static int load_and_run(const run_options *options) {
     if (!load(options, &s))
         return 1;
     run_outcome outcome;
-    thud_world *world = build(options, &s);
+    pool *threads = pool_create(options->workers);
+    if (options->workers > 1 && !threads)
+        fprintf(stderr, "thud-run: no threads to be had; going on alone\n");
+    thud_world *world = build(options, &s, threads);
     bool done = world && run(world, options, &outcome);
     if (done && options->json)
         done = run_print_json(&outcome, &s, options);
     else if (done)
         run_print_text(&outcome, &s, options);
     thud_world_destroy(world);
+    pool_destroy(threads);
     scene_free(&s);
     return done ? 0 : 1;
 }

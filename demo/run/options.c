@@ -54,9 +54,10 @@ static bool parse_valued(const char *option, const char *value, run_options *out
         return parse_number(option, value, 1, 1000000000, &out->steps);
     if (strcmp(option, "--quality") == 0)
         return parse_quality(value, &out->quality);
-    if (!parse_number(option, value, 1, 1000000000, &number))
+    bool workers = strcmp(option, "--workers") == 0;
+    if (!parse_number(option, value, 1, workers ? THUD_WORKERS_MAX : 1000000000, &number))
         return false;
-    out->size = (int)number;
+    *(workers ? &out->workers : &out->size) = (int)number;
     return true;
 }
 
@@ -81,7 +82,7 @@ bool run_options_parse(int count, char **arguments, run_options *out) {
     for (int i = 1; i < count; i++) {
         const char *argument = arguments[i];
         bool valued = strcmp(argument, "--steps") == 0 || strcmp(argument, "--size") == 0 ||
-                      strcmp(argument, "--quality") == 0;
+                      strcmp(argument, "--quality") == 0 || strcmp(argument, "--workers") == 0;
         if (valued) {
             if (!parse_valued(argument, arguments[++i], out))
                 return false;
@@ -112,6 +113,7 @@ void run_print_help(void) {
          "  --steps N            steps of 1/60 s to run (600)\n"
          "  --size N             how big a built-in scene is, see --list\n"
          "  --quality Q          draft, default, high or exact: 2, 4, 8 or 16 substeps\n"
+         "  --workers N          threads to work on (1); the state is the same with any number\n"
          "  --no-sleeping        resting bodies stay awake\n"
          "  --skip-unsupported   leave out what a level has that cannot be modelled\n"
          "  --json               print one JSON object instead\n"

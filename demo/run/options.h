@@ -8,6 +8,7 @@ typedef struct run_options {
     const char *source; /* a scene's name or a level's path */
     long steps;
     int size; /* of a built-in scene; 0 is its default */
+    int workers; /* threads; 0 as 1 */
     thud_quality quality;
     bool json, skip_unsupported, no_sleeping, list, help;
 } run_options;

@@ -318,12 +318,8 @@ static void list_bin(thud_world *w, int kind, int bin)
         return;
     }
     td_array *runs = &w->scratch.runs, *blocks = &w->scratch.blocks;
-    int fixed = bin >= TD_COLOURS;
-    td_run *run = runs->count ? td_at(runs, runs->count - 1) : NULL;
-    if (!run || run->kind != kind || run->fixed != fixed) {
-        run = td_at(runs, runs->count++);
-        *run = (td_run){.kind = kind, .fixed = fixed, .first = blocks->count};
-    }
+    td_run *run = td_at(runs, runs->count++);
+    *run = (td_run){.kind = kind, .fixed = bin >= TD_COLOURS, .bin = bin, .first = blocks->count};
     for (int i = w->bins[kind][bin].head; i != TD_NONE;) {
         td_block *block = td_block_at(w, kind, i);
         *(td_block **)td_at(blocks, blocks->count++) = block;
@@ -331,6 +327,28 @@ static void list_bin(thud_world *w, int kind, int bin)
         run->armed |= block->armed;
         i = block->next;
     }
+}
+
+/* Alone a worker takes whole runs. */
+static bool cut_chunks(thud_world *w)
+{
+    td_array *chunks = &w->scratch.chunks;
+    int size = w->def.crew.workers > 1 ? TD_CHUNK_BLOCKS : INT32_MAX;
+    int most = w->scratch.runs.count + w->scratch.blocks.count / size;
+    if (!td_array_reserve(&w->memory, chunks, most)) {
+        return false;
+    }
+    chunks->count = 0;
+    for (int r = 0; r < w->scratch.runs.count; r++) {
+        const td_run *run = td_at(&w->scratch.runs, r);
+        /* Lanes of the overflow may share bodies: one after the other. */
+        int step = run->bin % TD_COLOURS == TD_OVERFLOW ? run->count : td_min_int(size, run->count);
+        for (int first = 0; first < run->count; first += step) {
+            *(td_chunk *)td_at(chunks, chunks->count++) = (td_chunk){
+                .run = r, .first = run->first + first, .count = td_min_int(step, run->count - first)};
+        }
+    }
+    return true;
 }
 
 bool td_lanes_sequence(thud_world *w)
@@ -343,7 +361,7 @@ bool td_lanes_sequence(thud_world *w)
         return true;
     }
     if (!td_array_reserve(&w->memory, &w->scratch.blocks, most) ||
-        !td_array_reserve(&w->memory, &w->scratch.parted, most + 1) ||
+        !td_array_reserve(&w->memory, &w->scratch.parted, 2 * most + 1) ||
         !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_PAIR_TOUCH_COUNT)) {
         return false;
     }
@@ -358,6 +376,9 @@ bool td_lanes_sequence(thud_world *w)
         w->stats.colours += w->scratch.blocks.count > before;
     }
     w->stats.blocks = w->scratch.blocks.count;
+    if (!cut_chunks(w)) {
+        return false;
+    }
     w->scratch.sequenced = true;
     return true;
 }

@@ -7,12 +7,21 @@
 
 #include "world.h"
 
-/* A run of blocks for one kernel, in the order of solving. */
+/* A run of blocks of one bin, in the order of solving. */
 typedef struct td_run {
     int32_t kind, fixed; /* td_pair_kind; 1: side a is static */
+    int32_t bin;         /* runs of the same bin have no moving body in common, but in overflow */
     int32_t first, count;
     int32_t armed;       /* one of its blocks is */
 } td_run;
+
+enum { TD_CHUNK_BLOCKS = 24 }; /* enough work to be worth taking */
+
+/* A piece of a run, and what the narrowphase found of it. */
+typedef struct td_chunk {
+    int32_t run, first, count; /* blocks */
+    int32_t armed, parted;     /* whether one is armed; how many have a lane that touches no more */
+} td_chunk;
 
 static inline td_block *td_block_at(const thud_world *w, int kind, int index)
 {

@@ -5,6 +5,7 @@
  * their lane back and wait. Everything that can fail comes before anything that a caller could
  * notice. */
 #include "contact.h"
+#include "crew.h"
 #include "handles.h"
 #include "lanes.h"
 #include "shape.h"
@@ -14,12 +15,10 @@
 
 enum { TEST_BLOCKS = 32 };
 
-td_collide_context td_collide_context_of(thud_world *w)
+td_collide_context td_collide_context_of(const thud_world *w)
 {
     return (td_collide_context){
         .stance = w->stance.data,
-        .parted = w->scratch.parted.data,
-        .parted_count = &w->scratch.parted.count,
         .velocity = w->velocity.data,
         .quantum = w->quantum,
         .margin = TD_SPECULATIVE * w->unit,
@@ -27,12 +26,15 @@ td_collide_context td_collide_context_of(thud_world *w)
     };
 }
 
-/* Returns whether one of the blocks is armed. */
-static int collide(thud_world *w, int kind, td_block *const *blocks, int count)
+/* Returns whether one of the blocks is armed. `parted` has room for one more than the blocks. */
+static int collide(thud_world *w, int kind, td_block *const *blocks, int count, td_block **parted,
+                   int *parted_count)
 {
     td_collide_context context = td_collide_context_of(w);
     int armed = 0;
     context.armed = &armed;
+    context.parted = parted;
+    context.parted_count = parted_count;
     if (w->pairs[kind]->collide) {
         w->pairs[kind]->collide(blocks, count, &context);
     } else {
@@ -70,8 +72,7 @@ static bool test_room(thud_world *w)
     td_array *blocks = &w->scratch.test_blocks, *list = &w->scratch.test_list;
     blocks->stride = (int)td_form_bytes(TD_FORM_TWO_KEPT);
     return td_array_reserve(&w->memory, blocks, TEST_BLOCKS) &&
-           td_array_reserve(&w->memory, list, TEST_BLOCKS) &&
-           td_array_reserve(&w->memory, &w->scratch.parted, TEST_BLOCKS + 1);
+           td_array_reserve(&w->memory, list, TEST_BLOCKS);
 }
 
 /* Runs the pair kind's own kernel on the contacts and lists those that have a point. */
@@ -92,8 +93,9 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
             block->shape_b[lane] = contact->shape_b;
         }
     }
-    w->scratch.parted.count = 0;
-    collide(w, kind, list, blocks);
+    td_block *parted[TEST_BLOCKS + 1];
+    int parted_count = 0;
+    collide(w, kind, list, blocks, parted, &parted_count);
     for (int i = 0; i < blocks; i++) {
         for (unsigned bits = list[i]->touching; bits; bits &= bits - 1) {
             td_push_int(&w->scratch.begins, list[i]->contact[__builtin_ctz(bits)]);
@@ -259,13 +261,45 @@ static bool test_sensors(thud_world *w)
 
 /* ---- lanes ---- */
 
+typedef struct colliding {
+    thud_world *w;
+    td_crew_task task;
+} colliding;
+
+/* Every chunk lists its parted blocks where its own blocks begin. */
+static void collide_chunk(void *work, int index)
+{
+    thud_world *w = ((const colliding *)work)->w;
+    td_chunk *chunk = td_at(&w->scratch.chunks, index);
+    const td_run *run = td_at(&w->scratch.runs, chunk->run);
+    td_block **parted = (td_block **)w->scratch.parted.data + chunk->first + index;
+    chunk->parted = 0;
+    chunk->armed = collide(w, run->kind, (td_block **)w->scratch.blocks.data + chunk->first,
+                           chunk->count, parted, &chunk->parted);
+}
+
+static void collide_as_worker(void *argument)
+{
+    colliding *c = argument;
+    td_worker worker = td_worker_arrive(&c->task);
+    td_worker_walk(&worker, c->w->scratch.chunks.count, collide_chunk, c);
+}
+
 static void collide_lanes(thud_world *w)
 {
-    td_block **blocks = w->scratch.blocks.data;
-    w->scratch.parted.count = 0;
+    colliding c = {w, td_crew_begin(w)};
+    td_crew_run(w, &c.task, collide_as_worker, &c);
     for (int i = 0; i < w->scratch.runs.count; i++) {
-        td_run *run = td_at(&w->scratch.runs, i);
-        run->armed = collide(w, run->kind, blocks + run->first, run->count);
+        ((td_run *)td_at(&w->scratch.runs, i))->armed = 0;
+    }
+    td_block **parted = w->scratch.parted.data;
+    w->scratch.parted.count = 0;
+    for (int i = 0; i < w->scratch.chunks.count; i++) {
+        const td_chunk *chunk = td_at(&w->scratch.chunks, i);
+        ((td_run *)td_at(&w->scratch.runs, chunk->run))->armed |= chunk->armed;
+        for (int k = 0; k < chunk->parted; k++) {
+            parted[w->scratch.parted.count++] = parted[chunk->first + i + k];
+        }
     }
 }
 
@@ -296,7 +330,7 @@ static bool part_contacts(thud_world *w)
             td_contact_destroy(w, contact);
         }
     }
-    return td_lanes_sequence(w);
+    return td_lanes_sequence(w) && td_crew_reserve(w);
 }
 
 static void hit_events(thud_world *w)
@@ -343,7 +377,7 @@ bool td_narrowphase(thud_world *w)
     for (int i = 0; i < w->scratch.ends.count; i++) {
         td_contact_destroy(w, *(int *)td_at(&w->scratch.ends, i));
     }
-    if (!td_lanes_sequence(w)) {
+    if (!td_lanes_sequence(w) || !td_crew_reserve(w)) {
         return false;
     }
     collide_lanes(w);

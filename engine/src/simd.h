@@ -42,6 +42,14 @@ TD_INLINE i8 i8_all(int32_t x)
     return (i8){x, x, x, x, x, x, x, x};
 }
 
+/* In a loop that waits for another thread. */
+TD_INLINE void td_pause(void)
+{
+#if defined(__SSE2__)
+    _mm_pause();
+#endif
+}
+
 /* Masks are all ones or all zeros a lane, as comparisons give them. */
 TD_INLINE f8 f8_pick(i8 mask, f8 yes, f8 no)
 {

@@ -2,6 +2,7 @@
  *
  * In each: integrate velocity and warm start, solve with bias, integrate position, relax. Contact
  * frequency rises with the substep rate, so that more substeps also make contacts stiffer. */
+#include "crew.h"
 #include "kinds.h"
 #include "lanes.h"
 #include "step.h"
@@ -58,20 +59,125 @@ static void refresh_push(thud_world *w, float h)
     }
 }
 
+/* ---- the passes ---- */
+
 typedef enum pass { WARM_START, SOLVE, RELAX, BOUNCE } pass;
 
-static void run(const thud_world *w, const td_solve_context *c, pass which)
+/* What all workers share, and what each has of its own: where it is. */
+typedef struct solving {
+    thud_world *w;
+    td_solve_context contacts;
+    td_motion_context motion;
+    td_crew_task *task;
+    td_worker worker;
+    pass which;      /* of the pass that is being walked */
+    int first_chunk; /* of its phase */
+} solving;
+
+static void solve_chunk(void *work, int index)
 {
-    td_block **blocks = w->scratch.blocks.data;
-    for (int i = 0; i < w->scratch.runs.count; i++) {
-        const td_run *r = td_at(&w->scratch.runs, i);
-        const td_pair_ops *pair = w->pairs[r->kind];
-        const td_solve_ops *ops = r->armed ? pair->solve : pair->solve_unarmed;
-        td_solve_fn *const *fns = which == WARM_START ? ops->warm_start
-                                  : which == SOLVE    ? ops->solve
-                                  : which == RELAX    ? ops->relax
-                                                      : ops->bounce;
-        fns[r->fixed](blocks + r->first, r->count, c);
+    const solving *s = work;
+    const thud_world *w = s->w;
+    const td_chunk *chunk = td_at(&w->scratch.chunks, s->first_chunk + index);
+    const td_run *run = td_at(&w->scratch.runs, chunk->run);
+    const td_pair_ops *pair = w->pairs[run->kind];
+    const td_solve_ops *ops = run->armed ? pair->solve : pair->solve_unarmed;
+    td_solve_fn *const *fns = s->which == WARM_START ? ops->warm_start
+                              : s->which == SOLVE    ? ops->solve
+                              : s->which == RELAX    ? ops->relax
+                                                     : ops->bounce;
+    fns[run->fixed]((td_block **)w->scratch.blocks.data + chunk->first, chunk->count, &s->contacts);
+}
+
+static const td_run *run_of_chunk(const thud_world *w, int chunk)
+{
+    return td_at(&w->scratch.runs, ((const td_chunk *)td_at(&w->scratch.chunks, chunk))->run);
+}
+
+/* Chunks of one bin have no moving body in common and make a phase; in the overflow each does. */
+static int phase_end(const thud_world *w, int first)
+{
+    int bin = run_of_chunk(w, first)->bin, end = first + 1;
+    while (end < w->scratch.chunks.count && bin % TD_COLOURS != TD_OVERFLOW &&
+           run_of_chunk(w, end)->bin == bin) {
+        end++;
+    }
+    return end;
+}
+
+static void walk(solving *s, pass which)
+{
+    s->which = which;
+    for (int first = 0; first < s->w->scratch.chunks.count;) {
+        int end = phase_end(s->w, first);
+        s->first_chunk = first;
+        td_worker_walk(&s->worker, end - first, solve_chunk, s);
+        first = end;
+    }
+}
+
+/* Awake slots that a worker takes at once. */
+enum { BODIES = 512 };
+
+/* The motion context of some of the bodies. */
+static td_motion_context part_of(const td_motion_context *m, int chunk)
+{
+    td_motion_context part = *m;
+    int first = chunk * BODIES;
+    part.velocity += first;
+    part.delta += first;
+    part.start += first;
+    part.push += first;
+    part.damping = m->damping ? m->damping + first : NULL;
+    part.count = td_min_int(m->count - first, BODIES);
+    return part;
+}
+
+static void first_velocities(void *work, int chunk)
+{
+    const solving *s = work;
+    td_motion_context part = part_of(&s->motion, chunk);
+    memset(part.delta, 0, (size_t)part.count * sizeof *part.delta);
+    TD_PICK_WIDE(s->w, td_integrate_velocity)(&part, true);
+}
+
+static void velocities(void *work, int chunk)
+{
+    const solving *s = work;
+    td_motion_context part = part_of(&s->motion, chunk);
+    TD_PICK_WIDE(s->w, td_integrate_velocity)(&part, false);
+}
+
+static void positions(void *work, int chunk)
+{
+    const solving *s = work;
+    td_motion_context part = part_of(&s->motion, chunk);
+    TD_PICK_WIDE(s->w, td_integrate_position)(&part);
+}
+
+static int body_chunks(const thud_world *w)
+{
+    return (w->body_of.count + BODIES - 1) / BODIES;
+}
+
+/* One worker's way through all substeps. */
+static void substeps(void *argument)
+{
+    solving own = *(const solving *)argument, *s = &own;
+    int bodies = body_chunks(s->w);
+    s->worker = td_worker_arrive(s->task);
+    for (int i = 0; i < s->w->substeps; i++) {
+        s->contacts.first = i == 0;
+        td_worker_walk(&s->worker, bodies, i ? velocities : first_velocities, s);
+        if (i == 0) {
+            walk(s, WARM_START);
+        }
+        walk(s, SOLVE);
+        td_worker_walk(&s->worker, bodies, positions, s);
+        walk(s, RELAX);
+    }
+    if (s->contacts.keep_totals) {
+        walk(s, BOUNCE);
     }
 }
 
@@ -79,32 +185,20 @@ void td_solve(thud_world *w)
 {
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
-    memset(w->delta.data, 0, (size_t)w->body_of.count * sizeof(float[4]));
-    td_solve_context c = solve_context(w, h);
-    td_motion_context m = {
-        .velocity = w->velocity.data,
-        .delta = w->delta.data,
-        .start = w->start.data,
-        .push = w->push.data,
-        .damping = w->damped ? w->damping.data : NULL,
-        .count = w->body_of.count,
-        .h = h,
-        .max_speed = w->def.maximum_speed * w->unit,
-        .max_turn = 0.25f * (float)TD_PI / h, /* an eighth of a turn a substep */
+    td_crew_task task = td_crew_begin(w);
+    solving s = {
+        .w = w,
+        .contacts = solve_context(w, h),
+        .motion = {.velocity = w->velocity.data,
+                   .delta = w->delta.data,
+                   .start = w->start.data,
+                   .push = w->push.data,
+                   .damping = w->damped ? w->damping.data : NULL,
+                   .count = w->body_of.count,
+                   .h = h,
+                   .max_speed = w->def.maximum_speed * w->unit,
+                   .max_turn = 0.25f * (float)TD_PI / h}, /* an eighth of a turn a substep */
+        .task = &task,
     };
-    td_integrate_velocity_fn *velocity = TD_PICK_WIDE(w, td_integrate_velocity);
-    td_integrate_position_fn *position = TD_PICK_WIDE(w, td_integrate_position);
-    for (int i = 0; i < w->substeps; i++) {
-        c.first = i == 0;
-        velocity(&m, i == 0);
-        if (i == 0) {
-            run(w, &c, WARM_START);
-        }
-        run(w, &c, SOLVE);
-        position(&m);
-        run(w, &c, RELAX);
-    }
-    if (c.keep_totals) {
-        run(w, &c, BOUNCE);
-    }
+    td_crew_run(w, &task, substeps, &s);
 }

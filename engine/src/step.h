@@ -39,6 +39,6 @@ bool td_wake(thud_world *w, int body);
 bool td_islands(thud_world *w);
 
 /* narrowphase.c: the context of the kernels for the present state. */
-td_collide_context td_collide_context_of(thud_world *w);
+td_collide_context td_collide_context_of(const thud_world *w);
 
 #endif

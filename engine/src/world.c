@@ -61,6 +61,10 @@ static const char *def_error(const thud_world_def *d)
         !(d->maximum_speed > 0.0f && d->maximum_speed <= 1e6f)) {
         return "world def: a damping ratio or speed is out of range";
     }
+    if (d->crew.workers < 0 || d->crew.workers > THUD_WORKERS_MAX ||
+        (d->crew.workers > 1 && !d->crew.run)) {
+        return "world def: crew.workers is not in 0..64, or there is nobody to run them";
+    }
     return NULL;
 }
 
@@ -125,6 +129,8 @@ static void set_strides(thud_world *w)
         {&w->scratch.blocks, sizeof(td_block *)},
         {&w->scratch.runs, sizeof(td_run)},
         {&w->scratch.parted, sizeof(td_block *)},
+        {&w->scratch.chunks, sizeof(td_chunk)},
+        {&w->scratch.counters, sizeof(atomic_int)},
         {&w->scratch.begins, sizeof(int)},
         {&w->scratch.ends, sizeof(int)},
         {&w->scratch.parents, sizeof(int)},
@@ -212,7 +218,7 @@ void thud_world_destroy(thud_world *w)
         &w->changed, &w->put_off, &w->poses, &w->events.begin, &w->events.end,
         &w->events.sensor_begin, &w->events.sensor_end, &w->events.hit, &w->events.quarantined,
         &w->scratch.hits, &w->scratch.hit_runs, &w->scratch.pairs, &w->scratch.bodies,
-        &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.parted, &w->scratch.begins,
+        &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.parted, &w->scratch.chunks, &w->scratch.counters, &w->scratch.begins,
         &w->scratch.ends, &w->scratch.parents, &w->scratch.lane_bins, &w->scratch.test_blocks,
         &w->scratch.test_list, &w->scratch.fast, &w->scratch.odd, &w->scratch.grid};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {

@@ -196,6 +196,8 @@ struct thud_world {
         td_array runs;        /* td_run */
         bool sequenced;       /* the two list all blocks of the awake bins */
         td_array parted;      /* td_block *: have a lane that touches no more */
+        td_array chunks;      /* td_chunk: what workers take of the blocks */
+        td_array counters;    /* atomic_int: of phases, see crew.h */
         td_array begins, ends;/* int: contacts */
         td_array parents;     /* int: union-find by awake slot */
         td_array lane_bins;   /* int: see td_lanes_place */

@@ -10,6 +10,7 @@
 #ifndef THUD_H
 #define THUD_H
 
+#include "thud_jobs.h"
 #include "thud_math.h"
 #include "thud_shapes.h"
 
@@ -65,8 +66,7 @@ typedef struct thud_contact {
     int point_count;          /* 1 or 2 */
 } thud_contact;
 
-/* Called for every touching pair before it is solved. Return false and the collision does not
- * affect the bodies in this step. */
+/* Called for every touching pair before it is solved. False: it does nothing in this step. */
 typedef bool thud_prologue_fn(thud_world *world, const thud_contact *contact, void *context);
 /* Called for every touching pair that was solved, after the step's motion. */
 typedef void thud_epilogue_fn(thud_world *world, const thud_contact *contact, void *context);
@@ -74,8 +74,8 @@ typedef void thud_epilogue_fn(thud_world *world, const thud_contact *contact, vo
 typedef struct thud_world_def {
     thud_vec2 gravity;           /* length/s^2; default (0, -10) */
     double time_step;            /* s, (0, 1]; default 1/60 */
-    float length_scale;          /* the size of a typical body, in the caller's unit, [1e-6, 1e6];
-                                    default 1 for metres; every tolerance is a multiple of it */
+    float length_scale;          /* size of a typical body in the caller's unit, [1e-6, 1e6]; default
+                                    1 for metres; every tolerance is a multiple of it */
     thud_quality quality;        /* default THUD_QUALITY_DEFAULT */
     int substeps;                /* experts: 1..64; 0 (default) takes the quality's */
     float contact_stiffness;     /* experts: contact frequency over substep rate, [0.01, 0.5];
@@ -99,6 +99,7 @@ typedef struct thud_world_def {
     void *log_context;
     thud_clock_fn *clock;        /* null: stages are not timed */
     void *clock_context;
+    thud_crew crew;              /* threads to work on; default: the calling one alone */
 } thud_world_def;
 
 thud_world_def thud_default_world_def(void);

@@ -1,0 +1,97 @@
+/* pool.c: threads that wait for work. Between two steps of a game they sleep; between two tasks of a
+ * step, which follow each other within microseconds, they stay awake for a moment. */
+#include "pool.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+enum { LOOKS_BEFORE_SLEEP = 2000 }; /* about a millisecond */
+
+struct pool {
+    pthread_mutex_t mutex;
+    pthread_cond_t work;
+    thud_task_fn *task;
+    void *argument;
+    atomic_uint round; /* rises with every task */
+    atomic_int busy;   /* threads that have not finished the present one */
+    atomic_bool closing;
+    int workers, started;
+    pthread_t threads[THUD_WORKERS_MAX];
+};
+
+static void wait_for_round(pool *p, unsigned done) {
+    for (int i = 0; i < LOOKS_BEFORE_SLEEP; i++) {
+        if (atomic_load_explicit(&p->round, memory_order_acquire) != done)
+            return;
+        sched_yield();
+    }
+    pthread_mutex_lock(&p->mutex);
+    while (atomic_load(&p->round) == done)
+        pthread_cond_wait(&p->work, &p->mutex);
+    pthread_mutex_unlock(&p->mutex);
+}
+
+static void *work(void *context) {
+    pool *p = context;
+    for (unsigned done = 0;; done++) {
+        wait_for_round(p, done);
+        if (atomic_load(&p->closing))
+            return NULL;
+        p->task(p->argument);
+        atomic_fetch_sub_explicit(&p->busy, 1, memory_order_release);
+    }
+}
+
+static void start_round(pool *p) {
+    pthread_mutex_lock(&p->mutex);
+    atomic_fetch_add_explicit(&p->round, 1, memory_order_release);
+    pthread_cond_broadcast(&p->work);
+    pthread_mutex_unlock(&p->mutex);
+}
+
+static void run(thud_task_fn *task, void *argument, int workers, void *context) {
+    pool *p = context;
+    (void)workers;
+    p->task = task;
+    p->argument = argument;
+    atomic_store(&p->busy, p->started);
+    start_round(p);
+    task(argument);
+    while (atomic_load_explicit(&p->busy, memory_order_acquire) > 0)
+        sched_yield();
+}
+
+pool *pool_create(int workers) {
+    pool *p = workers >= 2 && workers <= THUD_WORKERS_MAX ? calloc(1, sizeof *p) : NULL;
+    if (!p)
+        return NULL;
+    pthread_mutex_init(&p->mutex, NULL);
+    pthread_cond_init(&p->work, NULL);
+    p->workers = workers;
+    while (p->started < workers - 1) {
+        if (pthread_create(&p->threads[p->started], NULL, work, p) != 0) {
+            pool_destroy(p);
+            return NULL;
+        }
+        p->started++;
+    }
+    return p;
+}
+
+void pool_destroy(pool *p) {
+    if (!p)
+        return;
+    atomic_store(&p->closing, true);
+    start_round(p);
+    for (int i = 0; i < p->started; i++)
+        pthread_join(p->threads[i], NULL);
+    pthread_cond_destroy(&p->work);
+    pthread_mutex_destroy(&p->mutex);
+    free(p);
+}
+
+thud_crew pool_crew(pool *p) {
+    return p ? (thud_crew){run, p, p->workers} : (thud_crew){0};
+}

@@ -1,0 +1,63 @@
+/* crew.c: see crew.h. */
+#include "crew.h"
+
+#include <string.h>
+
+/* Fewer blocks than this are done before another thread has woken. */
+enum { WORTH_SHARING = 64 };
+
+void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work)
+{
+    atomic_int *phase = worker->phase;
+    if (!phase) {
+        for (int i = 0; i < chunks; i++) {
+            run(work, i);
+        }
+        return;
+    }
+    int workers = worker->workers;
+    for (int k = 0; k < workers; k++) {
+        int part = (worker->index + k) % workers;
+        int first = chunks * part / workers, end = chunks * (part + 1) / workers, i;
+        while (first < end && (i = first + atomic_fetch_add(&phase[1 + part], 1)) < end) {
+            run(work, i);
+            atomic_fetch_add_explicit(&phase[0], 1, memory_order_acq_rel);
+        }
+    }
+    while (atomic_load_explicit(&phase[0], memory_order_acquire) < chunks) {
+        td_pause();
+    }
+    worker->phase += 1 + workers;
+}
+
+/* Most has the solver: two passes over bodies and at least two over each bin a substep. */
+static int counter_count(const thud_world *w)
+{
+    int phases = 2 * w->substeps + (2 * w->substeps + 2) * w->scratch.chunks.count;
+    return phases * (1 + w->def.crew.workers);
+}
+
+bool td_crew_reserve(thud_world *w)
+{
+    return w->def.crew.workers < 2 ||
+           td_array_reserve(&w->memory, &w->scratch.counters, counter_count(w));
+}
+
+td_crew_task td_crew_begin(thud_world *w)
+{
+    if (w->def.crew.workers < 2 || w->scratch.blocks.count < WORTH_SHARING) {
+        return (td_crew_task){.workers = 1};
+    }
+    memset(w->scratch.counters.data, 0, (size_t)counter_count(w) * sizeof(atomic_int));
+    return (td_crew_task){.counters = w->scratch.counters.data, .workers = w->def.crew.workers};
+}
+
+void td_crew_run(const thud_world *w, const td_crew_task *task, thud_task_fn *run, void *argument)
+{
+    const thud_crew *crew = &w->def.crew;
+    if (task->counters) {
+        crew->run(run, argument, crew->workers, crew->context);
+    } else {
+        run(argument);
+    }
+}

@@ -1,0 +1,99 @@
+/* test_workers.c: a step shared by several threads, or by calls that only pretend to be threads. */
+#include "engine_support.h"
+
+#include "build_thud.h"
+#include "pool.h"
+#include "scenes.h"
+
+static uint64_t hash_after(const char *name, int size, int steps, thud_crew crew)
+{
+    scene s;
+    assert_true(scenes_fill(scenes_find(name), size, &s));
+    thud_world_def def = thud_default_world_def();
+    def.crew = crew;
+    thud_world *world;
+    OK(scene_build_thud(&s, &def, &world, NULL, NULL));
+    run(world, steps);
+    uint64_t hash = thud_world_hash(world);
+    thud_world_destroy(world);
+    scene_free(&s);
+    return hash;
+}
+
+/* A job system that has but one thread: one call after the other. */
+static void one_after_the_other(thud_task_fn *task, void *argument, int workers, void *context)
+{
+    *(int *)context += 1;
+    for (int i = 0; i < workers; i++) {
+        task(argument);
+    }
+}
+
+static const struct {
+    const char *name;
+    int size, steps;
+} SCENES[] = {{"pyramid", 40, 60},    {"circle_pit", 3000, 120}, {"mixed_terrain", 2000, 120},
+              {"tumbler", 1000, 100}, {"platformer", 1000, 80},  {"sizes", 1000, 80}};
+
+static void any_number_of_workers_gives_the_same_bits(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
+        uint64_t alone =
+            hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, (thud_crew){0});
+        for (int workers = 2; workers <= 5; workers++) {
+            pool *p = pool_create(workers);
+            assert_non_null(p);
+            uint64_t shared =
+                hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, pool_crew(p));
+            pool_destroy(p);
+            if (shared != alone) {
+                fail_msg("%s differs with %d workers", SCENES[i].name, workers);
+            }
+        }
+    }
+}
+
+static void workers_one_after_the_other_give_the_same_bits(void **state)
+{
+    (void)state;
+    int calls = 0;
+    thud_crew crew = {one_after_the_other, &calls, 3};
+    assert_true(hash_after("pyramid", 40, 40, crew) ==
+                hash_after("pyramid", 40, 40, (thud_crew){0}));
+    assert_true(calls >= 40);
+}
+
+static void small_worlds_ask_nobody(void **state)
+{
+    (void)state;
+    int calls = 0;
+    thud_crew crew = {one_after_the_other, &calls, 3};
+    hash_after("tall_stack", 10, 20, crew);
+    assert_int_equal(calls, 0);
+}
+
+static void absurd_crews_are_refused(void **state)
+{
+    (void)state;
+    thud_world_def def = thud_default_world_def();
+    thud_world *world = NULL;
+    def.crew = (thud_crew){NULL, NULL, 2};
+    assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
+    def.crew = (thud_crew){one_after_the_other, NULL, THUD_WORKERS_MAX + 1};
+    assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
+    def.crew = (thud_crew){one_after_the_other, NULL, -1};
+    assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
+    assert_null(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(any_number_of_workers_gives_the_same_bits),
+        cmocka_unit_test(workers_one_after_the_other_give_the_same_bits),
+        cmocka_unit_test(small_worlds_ask_nobody),
+        cmocka_unit_test(absurd_crews_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
