@@ -3,11 +3,10 @@
 #include "pool.h"
 
 #include <pthread.h>
-#include <sched.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 
-enum { LOOKS_BEFORE_SLEEP = 2000 }; /* about a millisecond */
+enum { LOOKS_BEFORE_SLEEP = 1000000 }; /* about half a millisecond */
 
 struct pool {
     pthread_mutex_t mutex;
@@ -22,11 +21,9 @@ struct pool {
 };
 
 static void wait_for_round(pool *p, unsigned done) {
-    for (int i = 0; i < LOOKS_BEFORE_SLEEP; i++) {
+    for (int i = 0; i < LOOKS_BEFORE_SLEEP; i++)
         if (atomic_load_explicit(&p->round, memory_order_acquire) != done)
             return;
-        sched_yield();
-    }
     pthread_mutex_lock(&p->mutex);
     while (atomic_load(&p->round) == done)
         pthread_cond_wait(&p->work, &p->mutex);
@@ -59,8 +56,8 @@ static void run(thud_task_fn *task, void *argument, int workers, void *context) 
     atomic_store(&p->busy, p->started);
     start_round(p);
     task(argument);
-    while (atomic_load_explicit(&p->busy, memory_order_acquire) > 0)
-        sched_yield();
+    while (atomic_load_explicit(&p->busy, memory_order_acquire) > 0) {
+    }
 }
 
 pool *pool_create(int workers) {
