@@ -71,8 +71,16 @@ python_that_draws() {
     return 1
 }
 
+need_wasm_bench() {
+    need_demo
+    need "Chromium" "chromium|chromium-browser" \
+        have_any chromium chromium-browser google-chrome
+}
+
 need_report() {
     need_bench
+    need_wasm_bench
+    need "Python 3" python3 have python3
     need "Python's matplotlib" python3-matplotlib python_that_draws
 }
 
@@ -86,16 +94,16 @@ need_test() {
         have_any chromium chromium-browser google-chrome
 }
 
-# ensure VERB: installs what need_VERB misses, or says what that is and ends.
+# ensure WHAT: installs what need_WHAT misses for the verb, or says what that is and ends.
 ensure() {
     missing=
     "need_$1"
     [ -n "$missing" ] || return 0
     if ! have apt-get; then
-        printf 'run: %s needs (package names as in Debian):\n%s' "$1" "$missing" >&2
-        die "install these with this system's package manager, then call ./run $1 again"
+        printf 'run: %s needs (package names as in Debian):\n%s' "$verb" "$missing" >&2
+        die "install these with this system's package manager, then call ./run $verb again"
     fi
-    say "Some of what $1 needs is missing; asking apt for its list of packages"
+    say "Some of what $verb needs is missing; asking apt for its list of packages"
     as_root apt-get -o DPkg::Lock::Timeout=600 update -qq
     list=$(printf '%s' "$missing" | while read -r packages what; do first_known "$packages"; done |
         sort -u | tr '\n' ' ')

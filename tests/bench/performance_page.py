@@ -1,0 +1,174 @@
+"""Tables in Markdown and the picture of docs/performance.md, from the JSON of thud-bench."""
+
+import re
+
+NOT_MEASURED = "Not part of this run."
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|---" * len(head) + "|"]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def label(scene):
+    return f"{scene['scene']}, {scene['size']:,}"
+
+
+def engine(scene, name):
+    return next((e for e in scene["engines"] if e["engine"] == name), None)
+
+
+def ratio(scene, name, field):
+    """How many times thud's time another engine's is; None if that did not run."""
+    rival, own = engine(scene, name), engine(scene, "thud")
+    return rival[field] / own[field] if rival else None
+
+
+def number(value, digits=2):
+    return "" if value is None else f"{value:,.{digits}f}"
+
+
+def promise(scene):
+    verdict = scene["verdict"]
+    if scene["limit_ms"]:
+        verdict = f"no step over {scene['limit_ms']:.0f} ms: {verdict}"
+    return verdict if verdict.endswith("holds") else f"**{verdict}**" if verdict else ""
+
+
+def races(results):
+    rows = []
+    for s in results["scenes"]:
+        own, box2d, rapier = (engine(s, name) for name in ("thud", "box2d", "rapier"))
+        spread = f" ({box2d['ratio_low']:.2f}–{box2d['ratio_high']:.2f})" if box2d else ""
+        rows.append([label(s), f"{s['bodies']:,}", number(own["ms_median"], 3),
+                     number(box2d and box2d["ms_median"], 3),
+                     f"**{number(ratio(s, 'box2d', 'ms_median'))}**{spread}",
+                     number(ratio(s, "box2d", "ms_p99")), number(ratio(s, "box2d", "ms_max")),
+                     f"{s['target']:g}" if s["target"] else "", promise(s),
+                     number(rapier and rapier["ms_median"], 3),
+                     number(ratio(s, "rapier", "ms_median"))])
+    return table(["scene", "bodies", "thud, ms", "Box2D, ms", "ratio of medians (spread)",
+                  "of p99", "of worst steps", "at least", "verdict", "Rapier, ms",
+                  "ratio of medians"], rows)
+
+
+def overlaps(results):
+    """Overlap, memory and the worst step of each engine, in the order thud, Box2D, Rapier."""
+    def each(scene, field, scale, digits):
+        found = [engine(scene, name) for name in ("thud", "box2d", "rapier")]
+        return " / ".join(number(e[field] * scale, digits) for e in found if e)
+
+    return table(["scene", "worst step, ms", "deepest overlap, mm", "mean overlap, mm",
+                  "memory, MB"],
+                 [[label(s), each(s, "ms_max", 1, 2), each(s, "penetration_max", 1e3, 1),
+                   each(s, "penetration_mean", 1e3, 2), each(s, "bytes", 1e-6, 1)]
+                  for s in results["scenes"]])
+
+
+def holds(value, at_most):
+    return f"at most {at_most:g}: " + ("holds" if value <= at_most else "**misses**")
+
+
+def alone(results):
+    a = results["alone"]
+    times = a["ms_among_sleepers"] / a["ms_alone"]
+    return (f"The hundred alone take {a['ms_alone']:.4f} ms a step, beside 20,000 asleep "
+            f"{a['ms_among_sleepers']:.4f} ms: {times:.2f} times that ({holds(times, a['at_most'])}).")
+
+
+def growth(results):
+    rows, spans = [], []
+    for g in results["growth"]:
+        for s in g["sizes"]:
+            rows.append([g["scene"], f"{s['bodies']:,}", number(s["ns_per_body"], 1),
+                         number(s["box2d_ns_per_body"], 1), number(s["bytes_per_body"], 0),
+                         number(s["box2d_bytes_per_body"], 0)])
+        theirs = [s["box2d_ns_per_body"] for s in g["sizes"]]
+        spans.append(f"{g['scene']} {g['span']:.2f} ({holds(g['span'], g['at_most'])}; "
+                     f"Box2D {max(theirs) / min(theirs):.2f})")
+    return (table(["scene", "bodies", "thud, ns a body", "Box2D", "thud, bytes a body", "Box2D"],
+                  rows) + "\n\nDearest over cheapest body: " + "; ".join(spans) + ".")
+
+
+def memory(results):
+    rows = []
+    for m in results["memory"]:
+        for what in ("body", "contact"):
+            own, its = m[f"bytes_per_{what}"], m[f"box2d_bytes_per_{what}"]
+            rows.append([f"a {what} of {m['of']}", number(own, 0), number(its, 0),
+                         number(own / its), holds(own / its, m["at_most"])])
+    return table(["bytes of", "thud", "Box2D", "part", "verdict"], rows)
+
+
+def pay(results):
+    return table(["feature", "with", "ms", "without", "ms", "ratio"],
+                 [[p["feature"], p["with"], number(p["ms_with"], 4), p["without"],
+                   number(p["ms_without"], 4), number(p["ms_with"] / p["ms_without"])]
+                  for p in results["pay"]])
+
+
+def profile(results):
+    stages = list(results["profile"][0]["percent"])
+    return table(["scene", "bodies", "ms, mean", *stages],
+                 [[p["scene"], f"{p['bodies']:,}", number(p["ms"], 3),
+                   *(f"{p['percent'][s]:.0f}" if p["percent"][s] >= 0.5 else "" for s in stages)]
+                  for p in results["profile"]])
+
+
+def wasm(results):
+    """One table of whatever rows the run in Node and Chromium gave."""
+    rows = results["wasm"]["rows"]
+    head = list(rows[0])
+    return table([name.replace("_", " ") for name in head],
+                 [[number(r[h]) if isinstance(r[h], float) else str(r[h]) for h in head]
+                  for r in rows])
+
+
+# Placeholder, what of the results it needs, and what makes its text of them.
+SECTIONS = {"races": ("scenes", races), "overlaps": ("scenes", overlaps), "alone": ("alone", alone),
+            "growth": ("growth", growth), "memory": ("memory", memory), "pay": ("pay", pay),
+            "profile": ("profile", profile),
+            "wasm": ("wasm", wasm)}
+ABOUT = ["date", "commit", "processor", "processors", "system", "compiler", "box2d", "rapier"]
+
+
+def fill(notes, results):
+    """The notes with every {{name}} replaced; a name that nothing makes is an error."""
+    def text_of(match):
+        name = match.group(1)
+        if name in ABOUT:
+            return str(results["about"].get(name, "not built"))
+        needs, make = SECTIONS[name]
+        return make(results) if needs in results else NOT_MEASURED
+
+    return re.sub(r"\{\{(\w+)\}\}", text_of, notes)
+
+
+def draw(results, path):
+    """A bar a scene: how many times as fast as Box2D; a circle for Rapier; a line for the aim."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    matplotlib.rcParams["svg.hashsalt"] = "thud"
+    import matplotlib.pyplot as plot
+
+    scenes = [s for s in results.get("scenes", []) if engine(s, "box2d")][::-1]
+    figure, axes = plot.subplots(figsize=(9, 0.44 * len(scenes) + 1.6))
+    for y, scene in enumerate(scenes):
+        times, rapier = (ratio(scene, name, "ms_median") for name in ("box2d", "rapier"))
+        axes.barh(y, times, height=0.6,
+                  color="#2a7f62" if times >= scene["target"] else "#c9822b")
+        axes.text(0.12, y, f"{times:.1f}", va="center", color="white", weight="bold", fontsize=10)
+        if rapier:
+            axes.plot(rapier, y, "o", color="white", markeredgecolor="#404040", markersize=7)
+        if scene["target"]:
+            axes.plot([scene["target"]] * 2, [y - 0.42, y + 0.42], color="#202020", lw=2.5)
+    axes.axvline(1, color="#808080", lw=1, ls=":")
+    axes.set_yticks(range(len(scenes)), [label(s) for s in scenes])
+    axes.set_title("How many times as fast as its rivals thud is: median step, one thread\n"
+                   "bar: Box2D (green where it reaches the aim)    "
+                   "black line: the least we aim at    circle: Rapier", fontsize=10, loc="left")
+    axes.spines[["top", "right"]].set_visible(False)
+    figure.tight_layout()
+    figure.savefig(path, metadata={"Date": None})
+    plot.close(figure)
