@@ -11,14 +11,16 @@ options every scene, as a table.
 
   --growth             time per body from 1,000 to 256,000 bodies, bytes per body and contact
   --pay                what each feature costs: a scene with it and without it
+  --workers            what a second thread brings
   --profile            the time of a step by stage, for every scene
-  --scenes, --all      every scene (also beside the above); all four
+  --scenes, --all      every scene (also beside the above); all five
   --scene NAME[:SIZE]  only this scene; may be given several times
   --against ENGINE     only this rival, box2d or rapier; may be given several times
   --steps N            times N steps instead of the scene's own number
   --repeat N           repetitions of every scene (default 3)
   --quick              shows that it runs, compares little
   --json FILE          also writes everything to FILE
+  --picture FILE.svg   also draws the scenes' ratios
   --list               lists the scenes, and which steps of each are timed
 
   --wasm [OPTION...]   instead: thud.wasm against the WebAssembly builds of its rivals; its own
@@ -50,40 +52,81 @@ bench_native() {
     exec "$root/build/bench/tests/bench/thud-bench" "$@"
 }
 
+# The picture is drawn of the JSON, which stays in build/ unless it has a place of its own.
+bench_picture() {
+    case $picture in
+        *.svg) ;;
+        *) die "--picture writes SVG and wants a name that ends in .svg, not '$picture'" ;;
+    esac
+    ensure bench_picture
+    build_bench
+    [ -n "$json" ] || set -- "$@" --json "${json:=$root/build/bench/results.json}"
+    cd "$caller"
+    "$root/build/bench/tests/bench/thud-bench" "$@"
+    exec python3 "$root/tests/bench/performance_picture.py" "$json" "$picture"
+}
+
 bench_wasm() {
-    ensure wasm_bench
+    ensure bench_wasm
     build_page
     cd "$caller"
     exec node "$root/web/tools/bench-wasm.mjs" "$@"
 }
 
 bench_report() {
-    ensure report
-    build_bench
-    build_page
-    exec "$(python_that_draws)" tests/bench/performance.py build/bench/tests/bench/thud-bench "$@"
+    case " $* " in
+        *' --again '*) ensure bench_picture ;;
+        *' --skip wasm '*)
+            ensure bench_picture
+            build_bench
+            ;;
+        *)
+            ensure bench_report
+            build_bench
+            build_page
+            ;;
+    esac
+    cd "$caller"
+    exec python3 "$root/tests/bench/performance.py" \
+        "$root/build/bench/tests/bench/thud-bench" "$@"
 }
 
-# bench OPTION...: --wasm, --report and --help may stand anywhere; the rest goes to what they name.
+# bench OPTION...: what is for ./run itself may stand anywhere; the rest goes to what does the work.
 bench() {
     what=native
     help=no
+    picture=
+    json=
+    before=
     for option; do
         shift
+        case $before in
+            --picture)
+                picture=$option
+                what=picture
+                before=
+                continue
+                ;;
+            --json) json=$option ;;
+        esac
+        before=$option
         case $option in
             --wasm) what=wasm ;;
             --report) what=report ;;
+            --picture) ;;
             -h | --help) help=yes ;;
             *) set -- "$@" "$option" ;;
         esac
     done
+    [ "$before" != --picture ] || die "--picture wants the name of a file"
     name_commit
     case $what-$help in
-        native-yes) bench_usage ;;
-        wasm-yes) node web/tools/bench-wasm.mjs --help ;;
-        report-yes) python3 tests/bench/performance.py --help ;;
-        native-no) bench_native "$@" ;;
+        wasm-yes) exec node web/tools/bench-wasm.mjs --help ;;
+        report-yes) exec python3 tests/bench/performance.py "" --help ;;
+        *-yes) bench_usage ;;
         wasm-no) bench_wasm "$@" ;;
         report-no) bench_report "$@" ;;
+        picture-no) bench_picture "$@" ;;
+        native-no) bench_native "$@" ;;
     esac
 }

@@ -60,28 +60,20 @@ need_bench() {
     need "clang, which builds Box2D" "clang-16|clang" have_any clang-16 clang
 }
 
-# Debian's matplotlib is seen by Debian's Python only, which need not be the first one.
-python_that_draws() {
-    for python in python3 /usr/bin/python3; do
-        if "$python" -c 'import matplotlib' 2>/dev/null; then
-            echo "$python"
-            return 0
-        fi
-    done
-    return 1
-}
-
-need_wasm_bench() {
+need_bench_wasm() {
     need_demo
     need "Chromium" "chromium|chromium-browser" \
         have_any chromium chromium-browser google-chrome
 }
 
-need_report() {
+need_bench_picture() {
     need_bench
-    need_wasm_bench
     need "Python 3" python3 have python3
-    need "Python's matplotlib" python3-matplotlib python_that_draws
+}
+
+need_bench_report() {
+    need_bench_picture
+    need_bench_wasm
 }
 
 need_test() {

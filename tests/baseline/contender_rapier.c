@@ -66,7 +66,9 @@ static bool add_shape(rapier_world *world, const scene *s, const scene_shape *sh
 
 static bool add_body(rapier_world *world, const scene *s, const scene_body *body, bool sleeping) {
     rapier_body own = {
-        .kind = body->kind == SCENE_STATIC ? 0 : body->kind == SCENE_KINEMATIC ? 1 : 2,
+        .kind = body->kind == SCENE_STATIC      ? 0
+                : body->kind == SCENE_KINEMATIC ? 1
+                                                : 2,
         .x = (float)body->x,
         .y = (float)body->y,
         .angle = (float)body->angle,

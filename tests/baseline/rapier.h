@@ -39,8 +39,7 @@ void rapier_add_body(rapier_world *world, const rapier_body *body);
 void rapier_add_circle(rapier_world *world, const rapier_shape *shape, float radius);
 void rapier_add_box(rapier_world *world, const rapier_shape *shape, float hx, float hy);
 /* A one-sided line of `count` points, x and y in turn; solid to the left of its direction. */
-void rapier_add_line(rapier_world *world, const rapier_shape *shape, const float *xy,
-                     size_t count);
+void rapier_add_line(rapier_world *world, const rapier_shape *shape, const float *xy, size_t count);
 
 void rapier_step(rapier_world *world);
 void rapier_read(const rapier_world *world, rapier_state *out); /* every body, in order */

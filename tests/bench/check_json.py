@@ -56,7 +56,7 @@ def check_promise(bench, folder):
 
 
 def check_labs(bench, folder):
-    results, table = results_of(bench, folder, "--growth", "--pay", "--profile")
+    results, table = results_of(bench, folder, "--growth", "--pay", "--workers", "--profile")
     assert "scenes" not in results
     assert [g["scene"] for g in results["growth"]] == ["gas", "rubble"], results["growth"]
     for growth in results["growth"]:
@@ -70,6 +70,8 @@ def check_labs(bench, folder):
     features = [pair["feature"] for pair in results["pay"]]
     assert len(features) == len(set(features)) >= 8, features
     assert all(p["ms_with"] > 0 and p["ms_without"] > 0 for p in results["pay"])
+    assert [w["scene"] for w in results["workers"]] == ["pyramid", "circle_pit"]
+    assert all(w["ms_one_worker"] > 0 and w["ms_two_workers"] > 0 for w in results["workers"])
     assert len(results["profile"]) >= 15
     for profile in results["profile"]:
         assert profile["ms"] > 0 and 90 < sum(profile["percent"].values()) <= 100.1, profile

@@ -1,5 +1,5 @@
-/* lab.h: thud measured against itself: how it grows, what each feature costs, and where the time
- * of a step goes. */
+/* lab.h: thud measured against itself: how it grows, what each feature costs, what a second
+ * thread brings, and where the time of a step goes. */
 #ifndef THUD_BENCH_LAB_H
 #define THUD_BENCH_LAB_H
 
@@ -13,6 +13,7 @@ bool lab_growth(bool quick, json *out);  /* "growth" */
 bool lab_memory(bool quick, json *out);  /* "memory" */
 bool lab_pay(bool quick, json *out);     /* "pay" */
 bool lab_alone(bool quick, json *out);   /* "alone": the scene asleep against its hundred awake */
+bool lab_workers(bool quick, json *out); /* "workers" */
 bool lab_profile(bool quick, json *out); /* "profile" */
 
 #endif

@@ -11,7 +11,7 @@
 /* Steps that are timed, after as many to warm up. */
 enum { STEPS = 60, QUICK_STEPS = 5 };
 
-/* Least times of a step over so many runs, so that a neighbour's moment does not look like growth. */
+/* Least times of a step over so many runs: a neighbour's moment must not look like growth. */
 enum { REPETITIONS = 3 };
 
 static const int SIZES[] = {1000, 4000, 16000, 64000, 256000};
@@ -62,8 +62,8 @@ static bool grow_to(const scene_info *info, int size, int steps, double *each, j
         fprintf(stderr, "thud-bench: out of memory for scene %s\n", info->name);
         return false;
     }
-    bool ok = measure(&contender_thud, &s, steps, &own) &&
-              measure(&contender_box2d, &s, steps, &rival);
+    bool ok =
+        measure(&contender_thud, &s, steps, &own) && measure(&contender_box2d, &s, steps, &rival);
     scene_free(&s);
     if (!ok)
         return false;

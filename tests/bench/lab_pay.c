@@ -1,18 +1,8 @@
-/* lab_pay.c: the price of each feature: the same scene with it and without it, step by step in turn,
- * so that whatever else the machine does hits both alike. */
+/* lab_pay.c: the price of each feature: the same scene with it and without it. */
 #include "lab.h"
 
-#include "lab_world.h"
-#include "progress.h"
+#include "lab_pair.h"
 #include "random.h"
-#include "series.h"
-
-typedef struct lab_pair {
-    const char *feature;
-    const char *with, *without; /* what the two worlds are */
-    /* Fills the scene and the settings of one of the two. */
-    void (*fill)(bool with, scene *s, thud_world_def *def);
-} lab_pair;
 
 enum { BODIES = 3000 };
 
@@ -170,49 +160,6 @@ static const lab_pair PAIRS[] = {
 
 static const lab_pair CROWD = {"asleep", "100 awake, 20,000 asleep", "the 100 alone", fill_crowd};
 
-/* Of both: long enough that stacks are asleep. */
-enum { STEPS = 300, TURN = 10, WARM_UP = 180 };
-
-/* Seconds of the median step. */
-typedef struct lab_price {
-    double with, without;
-} lab_price;
-
-static bool open_one(const lab_pair *pair, bool with, lab_world *lab) {
-    thud_world_def def = lab_settings();
-    *lab = (lab_world){0};
-    scene_init(&lab->scene);
-    pair->fill(with, &lab->scene, &def);
-    return lab_open(lab, &def);
-}
-
-static bool take_turns(const lab_pair *pair, lab_world labs[2], bool quick, lab_price *out) {
-    static double seconds[2][STEPS];
-    int steps = quick ? 2 * TURN : STEPS;
-    for (int k = 0; k < 2; k++)
-        if (!lab_run(&labs[k], quick ? 2 : WARM_UP, NULL))
-            return false;
-    for (int first = 0; first < steps; first += TURN) {
-        progress_show(pair->feature, (double)first / steps);
-        for (int k = 0; k < 2; k++)
-            if (!lab_run(&labs[k], TURN, seconds[k] + first))
-                return false;
-    }
-    *out = (lab_price){series_median(seconds[1], steps), series_median(seconds[0], steps)};
-    return true;
-}
-
-static bool compare(const lab_pair *pair, bool quick, lab_price *out) {
-    lab_world labs[2] = {{.world = NULL}, {.world = NULL}};
-    scene_init(&labs[1].scene);
-    bool ok = open_one(pair, false, &labs[0]) && open_one(pair, true, &labs[1]) &&
-              take_turns(pair, labs, quick, out);
-    progress_clear();
-    lab_close(&labs[0]);
-    lab_close(&labs[1]);
-    return ok;
-}
-
 bool lab_pay(bool quick, json *out) {
     printf("%-12s %-25s %9s  %-22s %9s  %6s\n", "feature", "with", "ms", "without", "ms", "ratio");
     json_begin_array(out, "pay");
@@ -220,7 +167,7 @@ bool lab_pay(bool quick, json *out) {
     for (size_t i = 0; ok && i < sizeof PAIRS / sizeof PAIRS[0]; i++) {
         const lab_pair *pair = &PAIRS[i];
         lab_price price;
-        ok = compare(pair, quick, &price);
+        ok = lab_compare(pair, quick, &price);
         if (!ok)
             break;
         printf("%-12s %-25s %9.4f  %-22s %9.4f  %6.2f\n", pair->feature, pair->with,
@@ -241,7 +188,7 @@ bool lab_pay(bool quick, json *out) {
 bool lab_alone(bool quick, json *out) {
     const double most = 1.1;
     lab_price price;
-    if (!compare(&CROWD, quick, &price))
+    if (!lab_compare(&CROWD, quick, &price))
         return false;
     double ratio = price.with / price.without;
     printf("  %s: %.4f ms; %s: %.4f ms, %.2f times that; at most %.2f, %s\n", CROWD.without,

@@ -1,4 +1,4 @@
-/* machine.h: what a measurement depends on besides the code: processor, system, compiler, builds. */
+/* machine.h: what figures depend on besides the code: processor, system, compiler, builds. */
 #ifndef THUD_BENCH_MACHINE_H
 #define THUD_BENCH_MACHINE_H
 

@@ -18,15 +18,16 @@ enum { RIVAL_COUNT = sizeof RIVALS / sizeof RIVALS[0] };
 
 void options_print_help(void) {
     printf("usage: thud-bench [option...]\n"
-           "Runs scenes in thud and its rivals, a few steps each in turn, and compares the time per "
-           "step,\nthe overlap and the memory.\n\n"
+           "Runs scenes in thud and its rivals, a few steps each in turn, and compares the time\n"
+           "per step, the overlap and the memory.\n\n"
            "what is measured (several in one run; without any, the scenes):\n"
            "  --scenes             every scene in every engine\n"
-           "  --growth             time per body from 1,000 to 256,000 bodies, and bytes per body and\n"
-           "                       per contact\n"
+           "  --growth             time per body from 1,000 to 256,000 bodies, and bytes per body\n"
+           "                       and per contact\n"
            "  --pay                what each feature costs: a scene with it and without it\n"
+           "  --workers            what a second thread brings\n"
            "  --profile            the time of a step by stage, for every scene\n"
-           "  --all                all four\n\n"
+           "  --all                all five\n\n"
            "how:\n"
            "  --scene NAME[:SIZE]  only this scene; may be given several times\n"
            "  --against ENGINE     only this rival; may be given several times. Here: box2d%s\n"
@@ -51,8 +52,8 @@ void options_print_list(void) {
     for (int i = 0; i < scenes_count(); i++)
         if (!bench_plan_for(scenes_at(i)->name, 0).by_default)
             printf(", %s", scenes_at(i)->name);
-    printf("\nSize counts what a scene is made of; warm-up and steps are steps of 1/60 s; at least: "
-           "Box2D's time over thud's.\n");
+    printf("\nSize counts what a scene is made of; warm-up and steps are steps of 1/60 s;\n"
+           "at least: Box2D's time over thud's.\n");
 }
 
 static bool fail(const char *what, const char *value) {
@@ -119,8 +120,8 @@ static bool read_flag(options *o, const char *name) {
     static const struct {
         const char *name;
         unsigned part;
-    } PARTS[] = {{"--scenes", BENCH_SCENES}, {"--growth", BENCH_GROWTH}, {"--pay", BENCH_PAY},
-                 {"--profile", BENCH_PROFILE}, {"--all", BENCH_ALL}};
+    } PARTS[] = {{"--scenes", BENCH_SCENES},   {"--growth", BENCH_GROWTH},   {"--pay", BENCH_PAY},
+                 {"--workers", BENCH_WORKERS}, {"--profile", BENCH_PROFILE}, {"--all", BENCH_ALL}};
     for (size_t i = 0; i < sizeof PARTS / sizeof PARTS[0]; i++) {
         if (strcmp(name, PARTS[i].name) == 0) {
             o->parts |= PARTS[i].part;

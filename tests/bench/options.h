@@ -18,11 +18,17 @@ typedef enum bench_part {
     BENCH_SCENES = 1 << 0, /* the engines against each other */
     BENCH_GROWTH = 1 << 1,
     BENCH_PAY = 1 << 2,
-    BENCH_PROFILE = 1 << 3,
-    BENCH_ALL = BENCH_SCENES | BENCH_GROWTH | BENCH_PAY | BENCH_PROFILE
+    BENCH_WORKERS = 1 << 3,
+    BENCH_PROFILE = 1 << 4,
+    BENCH_ALL = (1 << 5) - 1
 } bench_part;
 
-typedef enum options_outcome { OPTIONS_RUN, OPTIONS_HELP, OPTIONS_LIST, OPTIONS_WRONG } options_outcome;
+typedef enum options_outcome {
+    OPTIONS_RUN,
+    OPTIONS_HELP,
+    OPTIONS_LIST,
+    OPTIONS_WRONG
+} options_outcome;
 
 typedef struct options {
     chosen_scene scenes[OPTIONS_MAX_SCENES];

@@ -15,10 +15,11 @@ import subprocess
 import sys
 
 import performance_page
+import performance_picture
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-PARTS = ["scenes", "growth", "pay", "profile", "wasm"]
+PARTS = ["scenes", "growth", "pay", "workers", "profile", "wasm"]
 
 
 def command_of(part, arguments, path):
@@ -113,7 +114,7 @@ def main(words):
         page = performance_page.fill(file.read(), results)
     with open(os.path.join(arguments.out, "performance.md"), "w", encoding="utf-8") as file:
         file.write(page)
-    performance_page.draw(results, os.path.join(arguments.out, "pictures", "performance.svg"))
+    performance_picture.draw(results, os.path.join(arguments.out, "pictures", "performance.svg"))
     print("wrote " + os.path.join(arguments.out, "performance.md"))
     return 0
 

@@ -1,4 +1,4 @@
-"""Tables in Markdown and the picture of docs/performance.md, from the JSON of thud-bench."""
+"""The tables of docs/performance.md, in Markdown, from the JSON of thud-bench."""
 
 import re
 
@@ -107,6 +107,16 @@ def pay(results):
                   for p in results["pay"]])
 
 
+def workers(results):
+    rows = []
+    for w in results["workers"]:
+        gain = w["ms_one_worker"] / w["ms_two_workers"]
+        rows.append([w["scene"], number(w["ms_one_worker"], 3), number(w["ms_two_workers"], 3),
+                     number(gain), f"at least {w['at_least']:g}: "
+                     + ("holds" if gain >= w["at_least"] else "**misses**")])
+    return table(["scene", "one worker, ms", "two workers, ms", "gain", "verdict"], rows)
+
+
 def profile(results):
     stages = list(results["profile"][0]["percent"])
     return table(["scene", "bodies", "ms, mean", *stages],
@@ -127,7 +137,7 @@ def wasm(results):
 # Placeholder, what of the results it needs, and what makes its text of them.
 SECTIONS = {"races": ("scenes", races), "overlaps": ("scenes", overlaps), "alone": ("alone", alone),
             "growth": ("growth", growth), "memory": ("memory", memory), "pay": ("pay", pay),
-            "profile": ("profile", profile),
+            "workers": ("workers", workers), "profile": ("profile", profile),
             "wasm": ("wasm", wasm)}
 ABOUT = ["date", "commit", "processor", "processors", "system", "compiler", "box2d", "rapier"]
 
@@ -142,33 +152,3 @@ def fill(notes, results):
         return make(results) if needs in results else NOT_MEASURED
 
     return re.sub(r"\{\{(\w+)\}\}", text_of, notes)
-
-
-def draw(results, path):
-    """A bar a scene: how many times as fast as Box2D; a circle for Rapier; a line for the aim."""
-    import matplotlib
-
-    matplotlib.use("Agg")
-    matplotlib.rcParams["svg.hashsalt"] = "thud"
-    import matplotlib.pyplot as plot
-
-    scenes = [s for s in results.get("scenes", []) if engine(s, "box2d")][::-1]
-    figure, axes = plot.subplots(figsize=(9, 0.44 * len(scenes) + 1.6))
-    for y, scene in enumerate(scenes):
-        times, rapier = (ratio(scene, name, "ms_median") for name in ("box2d", "rapier"))
-        axes.barh(y, times, height=0.6,
-                  color="#2a7f62" if times >= scene["target"] else "#c9822b")
-        axes.text(0.12, y, f"{times:.1f}", va="center", color="white", weight="bold", fontsize=10)
-        if rapier:
-            axes.plot(rapier, y, "o", color="white", markeredgecolor="#404040", markersize=7)
-        if scene["target"]:
-            axes.plot([scene["target"]] * 2, [y - 0.42, y + 0.42], color="#202020", lw=2.5)
-    axes.axvline(1, color="#808080", lw=1, ls=":")
-    axes.set_yticks(range(len(scenes)), [label(s) for s in scenes])
-    axes.set_title("How many times as fast as its rivals thud is: median step, one thread\n"
-                   "bar: Box2D (green where it reaches the aim)    "
-                   "black line: the least we aim at    circle: Rapier", fontsize=10, loc="left")
-    axes.spines[["top", "right"]].set_visible(False)
-    figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
-    plot.close(figure)

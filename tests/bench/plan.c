@@ -1,6 +1,5 @@
-/* plan.c: the table of plans, with everything that thud is held to. Ten steps make the contacts and grow the buffers; longer warm-ups
- * wait for a scene to become what it is meant to measure. The whole default run takes some three
- * minutes with three repetitions. */
+/* plan.c: the table of plans, with everything that thud is held to. Ten steps make the contacts and
+ * grow the buffers; longer warm-ups wait for a scene to become what it is meant to measure. */
 #include "plan.h"
 
 #include <string.h>

@@ -28,7 +28,7 @@ bench_plan bench_plan_for(const char *name, int size);
 /* The same, cut short: enough to see that everything runs, too little to compare. */
 bench_plan bench_plan_quick(bench_plan plan);
 
-/* A scene by its name: one of the built-in scenes or of the benchmark's own. Null if there is none. */
+/* A scene by its name: a built-in one or one of the benchmark's own. Null if there is none. */
 const scene_info *bench_scene(const char *name);
 
 /* The benchmark's own, in extra_scenes.c. */

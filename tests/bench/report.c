@@ -3,7 +3,6 @@
 
 #include "verdict.h"
 
-
 void report_table_head(FILE *out) {
     fprintf(out, "%-14s %6s  %-7s %8s %8s  %6s %-13s %6s %6s  %15s %13s %13s  %s\n", "", "", "", "",
             "", "ratio", "", "ratio", "ratio", "deepest overlap", "mean overlap", "memory",
@@ -56,12 +55,13 @@ void report_table_row(FILE *out, const race_result *r) {
 }
 
 void report_table_foot(FILE *out, int repetitions) {
-    fprintf(out,
-            "\nms: the median step. ratio: its time over thud's, above 1 thud is faster; (spread) of "
-            "the median over %d repetition%s.\nOne thread, every engine at its defaults; overlap "
-            "measured by separate double-precision geometry. A scene holds\nwhen median, p99 and "
-            "worst step all reach what is asked of it against Box2D, with no deeper overlap.\n",
-            repetitions, repetitions == 1 ? "" : "s");
+    fprintf(
+        out,
+        "\nms: the median step. ratio: its time over thud's, above 1 thud is faster; (spread)\n"
+        "of the median over %d repetition%s. One thread, every engine at its defaults; overlap\n"
+        "measured by separate double-precision geometry. A scene holds when median, p99 and\n"
+        "worst step all reach what is asked of it against Box2D, with no deeper overlap.\n",
+        repetitions, repetitions == 1 ? "" : "s");
 }
 
 static void write_entry(json *out, const race_entry *entry) {

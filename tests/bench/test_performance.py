@@ -1,6 +1,6 @@
 """The writer of docs/performance.md on made-up figures: what it computes, keeps and refuses.
 
-A small program stands in for thud-bench and answers each part with figures; nothing is drawn.
+A small program stands in for thud-bench and answers each part with figures.
 """
 
 import contextlib
@@ -12,9 +12,11 @@ import sys
 import tempfile
 import unittest
 from unittest import mock
+from xml.etree import ElementTree
 
 import performance
 import performance_page as page
+import performance_picture
 
 
 def engine(name, median, **more):
@@ -42,6 +44,7 @@ RESULTS = {
                 "bytes_per_contact": 300, "box2d_bytes_per_contact": 500, "at_most": 0.5}],
     "pay": [{"feature": "friction", "with": "0.6", "without": "0", "ms_with": 0.3,
              "ms_without": 0.2}],
+    "workers": [{"scene": "pyramid", "ms_one_worker": 3, "ms_two_workers": 2, "at_least": 1.6}],
     "profile": [{"scene": "gas", "bodies": 1004, "ms": 0.04,
                  "percent": {"broadphase": 60.4, "solve": 39.2, "sleep": 0.4}}],
 }
@@ -83,8 +86,46 @@ class Tables(unittest.TestCase):
     def test_sleepers_are_held_against_the_hundred_alone(self):
         self.assertIn("1.05 times that (at most 1.1: holds)", page.alone(RESULTS))
 
+    def test_workers_that_gain_too_little_miss(self):
+        self.assertTrue(page.workers(RESULTS).endswith("| 1.50 | at least 1.6: **misses** |"))
+
     def test_profile_leaves_out_what_rounds_to_nothing(self):
         self.assertTrue(page.profile(RESULTS).endswith("| 60 | 39 |  |"))
+
+
+class Picture(unittest.TestCase):
+    def shapes(self, scenes):
+        root = ElementTree.fromstring(performance_picture.picture(scenes))
+        found = [dict(e.attrib, tag=e.tag.split("}")[1]) for e in root.iter() if "class" in e.attrib]
+        return [e for e in found if e["tag"] == "rect"], [e for e in found if e["tag"] == "circle"]
+
+    def test_bars_are_as_long_as_the_ratios_and_end_where_the_circle_would(self):
+        slow = scene()
+        slow["engines"][1]["ms_median"] = 2
+        bars, circles = self.shapes([scene(), slow])
+        lengths = [float(bar["width"]) for bar in bars]
+        self.assertAlmostEqual(lengths[0] / lengths[1], 2, 2)
+        end = float(circles[0]["cx"]) - float(bars[0]["x"])
+        self.assertAlmostEqual(end / lengths[0], 6 / 4, 2)
+        self.assertNotEqual(bars[0]["fill"], bars[1]["fill"])
+
+    def test_scene_without_rapier_or_aim_has_neither_sign(self):
+        bare = scene(rapier=False)
+        bare["target"] = 0
+        bars, circles = self.shapes([bare])
+        self.assertEqual((len(bars), len(circles)), (1, 0))
+
+    def test_no_scenes_are_an_empty_picture(self):
+        self.assertEqual(self.shapes([]), ([], []))
+
+    def test_wrong_arguments_are_told(self):
+        with contextlib.redirect_stdout(io.StringIO()) as out, \
+                contextlib.redirect_stderr(io.StringIO()) as err:
+            self.assertEqual(performance_picture.main([]), 2)
+            self.assertEqual(performance_picture.main(["--help"]), 0)
+            self.assertEqual(performance_picture.main(["no/such.json", "x.svg"]), 1)
+        self.assertIn("usage", out.getvalue())
+        self.assertIn("no/such.json", err.getvalue())
 
 
 class Notes(unittest.TestCase):
@@ -130,30 +171,31 @@ class Report(unittest.TestCase):
         words = [self.path("bench"), "--skip", "wasm", "--keep", self.path("keep"), "--out",
                  self.path("docs"), *more]
         with mock.patch.dict(os.environ, {"THUD_COMMIT": commit}), \
-                mock.patch.object(page, "draw"), contextlib.redirect_stdout(io.StringIO()), \
+                contextlib.redirect_stdout(io.StringIO()), \
                 contextlib.redirect_stderr(io.StringIO()):
             code = performance.main(words)
         with open(self.calls, encoding="utf-8") as file:
             return code, file.read().split()
 
     def test_page_and_figures_are_written_and_parts_of_the_same_commit_kept(self):
-        every = ["--scenes", "--growth", "--pay", "--profile"]
+        every = ["--scenes", "--growth", "--pay", "--workers", "--profile"]
         self.assertEqual(self.report(), (0, every))
         with open(self.path("docs/performance.json"), encoding="utf-8") as file:
             self.assertEqual(json.load(file), RESULTS)
         with open(self.path("docs/performance.md"), encoding="utf-8") as file:
             self.assertIn("**4.00** (3.50–4.50)", file.read())
+        self.assertTrue(os.path.exists(self.path("docs/pictures/performance.svg")))
         self.assertEqual(self.report(), (0, []))
         os.remove(self.path("keep/pay.json.label"))
         self.assertEqual(self.report(), (0, ["--pay"]))
 
     def test_other_commit_or_changed_tree_or_thoroughness_is_measured_anew(self):
-        self.assertEqual(len(self.report()[1]), 4)
-        self.assertEqual(len(self.report(commit="def")[1]), 4)
-        self.assertEqual(len(self.report("--quick", commit="def")[1]), 4)
+        self.assertEqual(len(self.report()[1]), 5)
+        self.assertEqual(len(self.report(commit="def")[1]), 5)
+        self.assertEqual(len(self.report("--quick", commit="def")[1]), 5)
         for unsure in ("def-dirty", "unknown"):
-            self.assertEqual(len(self.report(commit=unsure)[1]), 4)
-            self.assertEqual(len(self.report(commit=unsure)[1]), 4)
+            self.assertEqual(len(self.report(commit=unsure)[1]), 5)
+            self.assertEqual(len(self.report(commit=unsure)[1]), 5)
 
     def test_again_measures_nothing(self):
         self.report()

@@ -8,7 +8,6 @@
 #include "options.h"
 #include "plan.h"
 
-
 static void every_plan_names_a_scene_that_fills_at_its_size(void **state) {
     (void)state;
     for (int i = 0; i < bench_plan_count(); i++) {
@@ -72,8 +71,9 @@ static void options_without_any_are_all_scenes_in_all_engines(void **state) {
 
 static void options_given_are_taken(void **state) {
     (void)state;
-    const char *const words[] = {"--scene", "gas:500", "--against", "box2d", "--pay", "--quick",
-                                 "--growth", "--against", "box2d", "--steps", "7"};
+    const char *const words[] = {"--scene", "gas:500", "--against", "box2d",
+                                 "--pay",   "--quick", "--growth",  "--against",
+                                 "box2d",   "--steps", "7"};
     static options o;
     assert_int_equal(read(&o, 11, words), OPTIONS_RUN);
     assert_int_equal(o.parts, BENCH_PAY | BENCH_GROWTH);

@@ -68,6 +68,7 @@ static bool run_all(const options *o, FILE *file) {
         {BENCH_GROWTH, "Growth: time per body as there are more of them", lab_growth},
         {BENCH_GROWTH, "Memory: bytes per body and per contact", lab_memory},
         {BENCH_PAY, "Pay for what you use: the same scene with a feature and without it", lab_pay},
+        {BENCH_WORKERS, "Workers: the same world with one thread and with two", lab_workers},
         {BENCH_PROFILE, "Profile: where the time of a step goes", lab_profile},
     };
     for (size_t i = 0; i < sizeof LABS / sizeof LABS[0]; i++) {

@@ -21,10 +21,10 @@ verdict verdict_of(const race_result *result) {
         v.median = rival->time.median < result->target * own->time.median;
         v.p99 = rival->time.p99 < result->target * own->time.p99;
         v.worst = rival->time.max < result->target * own->time.max;
-        v.overlap = own->overlap.worst > rival->overlap.worst + SAME_OVERLAP ||
-                    penetration_mean(&own->overlap) >
-                        penetration_mean(&rival->overlap) + SAME_OVERLAP ||
-                    own->overlap.lost > 0;
+        v.overlap =
+            own->overlap.worst > rival->overlap.worst + SAME_OVERLAP ||
+            penetration_mean(&own->overlap) > penetration_mean(&rival->overlap) + SAME_OVERLAP ||
+            own->overlap.lost > 0;
     }
     return v;
 }
@@ -45,8 +45,11 @@ void verdict_text(const race_result *result, char *out, size_t size) {
     const struct {
         bool missed;
         const char *name;
-    } parts[] = {{v.median, "median"}, {v.p99, "p99"}, {v.worst, "worst"},
-                 {v.overlap, "overlap"}, {v.limit, "limit"}};
+    } parts[] = {{v.median, "median"},
+                 {v.p99, "p99"},
+                 {v.worst, "worst"},
+                 {v.overlap, "overlap"},
+                 {v.limit, "limit"}};
     size_t used = (size_t)snprintf(out, size, "misses:");
     const char *between = " ";
     for (size_t i = 0; i < sizeof parts / sizeof parts[0] && used < size; i++) {
