@@ -125,13 +125,21 @@ def profile(results):
                   for p in results["profile"]])
 
 
+WASM_TARGET = 3  # times as fast as box2d3-wasm "deluxe", in Node and in Chromium
+
+
 def wasm(results):
-    """One table of whatever rows the run in Node and Chromium gave."""
-    rows = results["wasm"]["rows"]
-    head = list(rows[0])
-    return table([name.replace("_", " ") for name in head],
-                 [[number(r[h]) if isinstance(r[h], float) else str(r[h]) for h in head]
-                  for r in rows])
+    rows = []
+    for r in results["wasm"]:
+        ratios = [r["box2d"][key] / r["thud"][key] for key in ("median", "p99", "max")]
+        missed = [name for name, value in zip(("median", "p99", "worst"), ratios)
+                  if value < WASM_TARGET]
+        rows.append([r["where"].capitalize(), f"{r['scene']}, {r['size']:,}",
+                     number(r["thud"]["median"], 3), number(r["box2d"]["median"], 3),
+                     f"**{number(ratios[0])}**", number(ratios[1]), number(ratios[2]),
+                     "**misses: " + ", ".join(missed) + "**" if missed else "holds"])
+    return table(["in", "scene", "thud, ms", "box2d3-wasm, ms", "ratio of medians", "of p99",
+                  "of worst steps", f"at least {WASM_TARGET}"], rows)
 
 
 # Placeholder, what of the results it needs, and what makes its text of them.
