@@ -12,7 +12,7 @@ options every scene, as a table.
   --growth             time per body from 1,000 to 256,000 bodies, bytes per body and contact
   --pay                what each feature costs: a scene with it and without it
   --workers            what a second thread brings
-  --profile            the time of a step by stage, for every scene
+  --profile            the time of a step by stage, scene by scene
   --scenes, --all      every scene (also beside the above); all five
   --scene NAME[:SIZE]  only this scene; may be given several times
   --against ENGINE     only this rival, box2d or rapier; may be given several times

@@ -79,6 +79,11 @@ def check_labs(bench, folder):
         assert word in table, word
 
 
+def check_profile_of_one_scene(bench, folder):
+    results, _ = results_of(bench, folder, "--profile", "--scene", "gas:500", "--steps", "3")
+    assert [(p["scene"], p["bodies"]) for p in results["profile"]] == [("gas", 504)], results
+
+
 def check_errors(bench, folder):
     for arguments, text in [
         (["--scene", "no_such"], "no_such"),
@@ -88,6 +93,8 @@ def check_errors(bench, folder):
         (["--scene"], "--scene"),
         (["--against", "nobody"], "nobody"),
         (["--unknown"], "--unknown"),
+        (["--growth", "--scene", "gas"], "--scene goes with"),
+        (["--pay", "--steps", "5"], "--steps goes with"),
         (["--quick", "--json", os.path.join(folder, "missing", "x.json")], "cannot write"),
     ]:
         done = run(bench, *arguments)
@@ -102,4 +109,5 @@ with tempfile.TemporaryDirectory() as scratch:
     check_scenes(sys.argv[1], scratch)
     check_promise(sys.argv[1], scratch)
     check_labs(sys.argv[1], scratch)
+    check_profile_of_one_scene(sys.argv[1], scratch)
     check_errors(sys.argv[1], scratch)

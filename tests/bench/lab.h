@@ -4,8 +4,7 @@
 #define THUD_BENCH_LAB_H
 
 #include "json.h"
-
-#include <stdbool.h>
+#include "plan.h"
 
 /* Each prints a table and writes one member of the results' object. `quick` proves only that it
  * runs. False, and a line on stderr, when something fails. */
@@ -14,6 +13,7 @@ bool lab_memory(bool quick, json *out);  /* "memory" */
 bool lab_pay(bool quick, json *out);     /* "pay" */
 bool lab_alone(bool quick, json *out);   /* "alone": the scene asleep against its hundred awake */
 bool lab_workers(bool quick, json *out); /* "workers" */
-bool lab_profile(bool quick, json *out); /* "profile" */
+/* "profile": of the given plans' scenes. */
+bool lab_profile(const bench_plan *plans, int count, json *out);
 
 #endif

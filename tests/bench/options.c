@@ -26,7 +26,7 @@ void options_print_help(void) {
            "                       and per contact\n"
            "  --pay                what each feature costs: a scene with it and without it\n"
            "  --workers            what a second thread brings\n"
-           "  --profile            the time of a step by stage, for every scene\n"
+           "  --profile            the time of a step by stage, scene by scene\n"
            "  --all                all five\n\n"
            "how:\n"
            "  --scene NAME[:SIZE]  only this scene; may be given several times\n"
@@ -156,6 +156,15 @@ static bool read_value(options *o, const char *name, const char *value) {
     return true;
 }
 
+/* Growth, prices and workers have scenes and steps of their own. */
+static bool is_of_use(const options *o) {
+    if (o->parts == 0 || o->parts & (BENCH_SCENES | BENCH_PROFILE))
+        return true;
+    if (o->scene_count > 0)
+        return fail("--scene goes with --scenes and --profile only", NULL);
+    return o->steps == 0 || fail("--steps goes with --scenes and --profile only", NULL);
+}
+
 static void fill_in_defaults(options *o) {
     if (o->scene_count == 0)
         add_default_scenes(o);
@@ -184,6 +193,8 @@ options_outcome options_read(options *o, int argc, char **argv) {
             return OPTIONS_WRONG;
         i++;
     }
+    if (!is_of_use(o))
+        return OPTIONS_WRONG;
     fill_in_defaults(o);
     return OPTIONS_RUN;
 }

@@ -71,12 +71,12 @@ static void options_without_any_are_all_scenes_in_all_engines(void **state) {
 
 static void options_given_are_taken(void **state) {
     (void)state;
-    const char *const words[] = {"--scene", "gas:500", "--against", "box2d",
-                                 "--pay",   "--quick", "--growth",  "--against",
-                                 "box2d",   "--steps", "7"};
+    const char *const words[] = {"--scene",   "gas:500", "--against", "box2d",
+                                 "--profile", "--quick", "--growth",  "--against",
+                                 "box2d",     "--steps", "7"};
     static options o;
     assert_int_equal(read(&o, 11, words), OPTIONS_RUN);
-    assert_int_equal(o.parts, BENCH_PAY | BENCH_GROWTH);
+    assert_int_equal(o.parts, BENCH_PROFILE | BENCH_GROWTH);
     assert_int_equal(o.scene_count, 1);
     assert_int_equal(o.scenes[0].size, 500);
     assert_int_equal(o.contender_count, 2);

@@ -8,23 +8,27 @@
 
 #include <string.h>
 
+static bench_plan plan_of(const options *o, const chosen_scene *chosen) {
+    bench_plan plan = bench_plan_for(chosen->info->name, chosen->size);
+    if (o->quick)
+        plan = bench_plan_quick(plan);
+    if (o->steps > 0)
+        plan.steps = o->steps;
+    return plan;
+}
+
 static bool run_scene(const options *o, const chosen_scene *chosen, race_result *out) {
     race_settings settings = {
         .contenders = o->contenders,
         .contender_count = o->contender_count,
         .repetitions = o->repetitions,
     };
-    bench_plan plan = bench_plan_for(chosen->info->name, chosen->size);
-    if (o->quick)
-        plan = bench_plan_quick(plan);
-    if (o->steps > 0)
-        plan.steps = o->steps;
     scene s;
     if (!scenes_fill(chosen->info, chosen->size, &s)) {
         fprintf(stderr, "thud-bench: out of memory for scene %s\n", chosen->info->name);
         return false;
     }
-    bool ok = race_run(&s, chosen->size, plan, &settings, out);
+    bool ok = race_run(&s, chosen->size, plan_of(o, chosen), &settings, out);
     out->scene = chosen->info->name;
     scene_free(&s);
     return ok;
@@ -51,6 +55,14 @@ static bool run_scenes(const options *o, json *out) {
     return ok;
 }
 
+static bool run_profile(const options *o, json *out) {
+    bench_plan plans[OPTIONS_MAX_SCENES];
+    for (int i = 0; i < o->scene_count; i++)
+        plans[i] = plan_of(o, &o->scenes[i]);
+    printf("\nProfile: where the time of a step goes\n\n");
+    return lab_profile(plans, o->scene_count, out);
+}
+
 static bool run_all(const options *o, FILE *file) {
     json out = {.file = file};
     json_begin_object(&out, NULL);
@@ -69,7 +81,6 @@ static bool run_all(const options *o, FILE *file) {
         {BENCH_GROWTH, "Memory: bytes per body and per contact", lab_memory},
         {BENCH_PAY, "Pay for what you use: the same scene with a feature and without it", lab_pay},
         {BENCH_WORKERS, "Workers: the same world with one thread and with two", lab_workers},
-        {BENCH_PROFILE, "Profile: where the time of a step goes", lab_profile},
     };
     for (size_t i = 0; i < sizeof LABS / sizeof LABS[0]; i++) {
         if (!(o->parts & LABS[i].part))
@@ -77,6 +88,8 @@ static bool run_all(const options *o, FILE *file) {
         printf("\n%s\n\n", LABS[i].title);
         ok = LABS[i].run(o->quick, &out) && ok;
     }
+    if (o->parts & BENCH_PROFILE)
+        ok = run_profile(o, &out) && ok;
     json_end(&out);
     return ok;
 }
