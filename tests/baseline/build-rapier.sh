@@ -12,12 +12,9 @@ usage() {
     echo "Needs cargo >= 1.95."
 }
 
-missing() {
-    echo "rapier skipped: $1" >&2
-    exit 77
-}
-
 here=$(cd "$(dirname "$0")" && pwd)
+name=rapier
+. "$here/rust.sh"
 case "${1:-}" in
     -h | --help) usage; exit 0 ;;
     -*) usage >&2; exit 2 ;;
@@ -25,18 +22,11 @@ esac
 [ $# -le 1 ] || { usage >&2; exit 2; }
 out=${1:-$here/../../build/baseline}
 
-command -v cargo >/dev/null 2>&1 || missing "Rust is missing (cargo 1.95 or later, see rustup.rs)"
-rust=$(rustc --version 2>/dev/null | sed -n 's/^rustc 1\.\([0-9]*\)\..*/\1/p')
-[ -n "$rust" ] || missing "rustc does not run"
-[ "$rust" -ge 95 ] || missing "Rust 1.$rust is too old (1.95 or later is needed)"
+need_rust
 
 mkdir -p "$out/rapier/src" "$out/lib"
 out=$(cd "$out" && pwd)
-# Built from a copy, so that cargo's lock file stays out of the source tree. Copied only when
-# changed, so that a second call has nothing to do.
-for file in Cargo.toml src/lib.rs; do
-    cmp -s "$here/rapier/$file" "$out/rapier/$file" || cp "$here/rapier/$file" "$out/rapier/$file"
-done
+copy_package "$here/rapier" "$out/rapier"
 cd "$out/rapier"
 cargo fetch --quiet || missing "the package rapier2d could not be fetched"
 
@@ -48,7 +38,7 @@ case $(uname -m) in
 esac
 RUSTFLAGS=$flags cargo build --quiet --release --offline -j 2 --target-dir "$out/rapier-cargo"
 library=$out/rapier-cargo/release/librapier_baseline.a
-[ -f "$library" ] || { echo "rapier: cargo made no $library" >&2; exit 1; }
+[ -f "$library" ] || fail "cargo made no $library"
 
 version=$(sed -n 's/^rapier2d = "=\(.*\)"$/\1/p' Cargo.toml)
 cmp -s "$library" "$out/lib/librapier.a" || cp "$library" "$out/lib/librapier.a"
@@ -58,9 +48,5 @@ set(RAPIER_LIBRARY "$out/lib/librapier.a")
 set(RAPIER_LINK pthread m dl)
 set(RAPIER_BUILD "$version, $(rustc --version | cut -d '(' -f 1)-O3${flags:+ $flags}")
 END
-if cmp -s "$out/rapier.cmake.new" "$out/rapier.cmake"; then
-    rm "$out/rapier.cmake.new"
-else
-    mv "$out/rapier.cmake.new" "$out/rapier.cmake"
-fi
+replace "$out/rapier.cmake"
 echo "rapier: $version built${flags:+ with $flags}; in $out"

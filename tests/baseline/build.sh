@@ -13,21 +13,13 @@ usage() {
     echo "(default: build/baseline in this repository). Needs cargo >= 1.95 and clang."
 }
 
-missing() {
-    echo "box2d baseline skipped: $1" >&2
-    exit 77
-}
-
-fail() {
-    echo "box2d baseline: $1" >&2
-    exit 1
-}
-
 first() {
     printf '%s\n' "$1" | sed '/./!d; q'
 }
 
 here=$(cd "$(dirname "$0")" && pwd)
+name="box2d baseline"
+. "$here/rust.sh"
 case "${1:-}" in
     -h | --help) usage; exit 0 ;;
     -*) usage >&2; exit 2 ;;
@@ -35,10 +27,7 @@ esac
 [ $# -le 1 ] || { usage >&2; exit 2; }
 out=${1:-$here/../../build/baseline}
 
-command -v cargo >/dev/null 2>&1 || missing "Rust is missing (cargo 1.95 or later, see rustup.rs)"
-rust=$(rustc --version 2>/dev/null | sed -n 's/^rustc 1\.\([0-9]*\)\..*/\1/p')
-[ -n "$rust" ] || missing "rustc does not run"
-[ "$rust" -ge 95 ] || missing "Rust 1.$rust is too old (1.95 or later is needed)"
+need_rust
 
 # clang makes Box2D 10 to 15 % faster than gcc 12 does, so the comparison uses clang.
 clang=
@@ -52,11 +41,7 @@ done
 
 mkdir -p "$out/crate/src" "$out/lib" "$out/include"
 out=$(cd "$out" && pwd)
-# Built from a copy, so that cargo's lock file stays out of the source tree. Copied only when
-# changed, so that a second call has nothing to do.
-for file in Cargo.toml src/lib.rs; do
-    cmp -s "$here/$file" "$out/crate/$file" || cp "$here/$file" "$out/crate/$file"
-done
+copy_package "$here" "$out/crate"
 cd "$out/crate"
 cargo fetch --quiet || missing "the package boxdd-sys 0.6.0 could not be fetched"
 
@@ -109,9 +94,5 @@ set(BOX2D_LIBRARY "$out/lib/libbox2d.a")
 set(BOX2D_LINK pthread m dl)
 set(BOX2D_BUILD "$("$clang" --version | head -n 1), -O3 -DNDEBUG$simd, $count sources")
 END
-if cmp -s "$out/baseline.cmake.new" "$out/baseline.cmake"; then
-    rm "$out/baseline.cmake.new"
-else
-    mv "$out/baseline.cmake.new" "$out/baseline.cmake"
-fi
+replace "$out/baseline.cmake"
 echo "box2d baseline: $count sources, $clang -O3 -DNDEBUG$simd, checked; in $out"

@@ -29,7 +29,10 @@ static bool run_once(const contender *engine, const scene *s, int repetition, se
                      uint64_t *bytes) {
     void *world = engine->create(s, (contender_settings){0});
     bool ok = world != NULL;
+    char label[64];
+    snprintf(label, sizeof label, "%s %d, %s", s->name, s->body_count, engine->name);
     for (int i = 0; ok && i < 2 * times->steps; i++) {
+        progress_show(label, (repetition + 0.5 * i / times->steps) / times->repetitions);
         double start = lab_now(NULL);
         ok = engine->step(world);
         if (i >= times->steps)
@@ -89,10 +92,8 @@ static bool grow(const scene_info *info, bool quick, json *out) {
     json_text(out, "scene", info->name);
     json_begin_array(out, "sizes");
     bool ok = true;
-    for (int i = 0; ok && i < sizes; i++) {
-        progress_show(info->name, (double)i / sizes);
+    for (int i = 0; ok && i < sizes; i++)
         ok = grow_to(info, SIZES[i], quick ? QUICK_STEPS : STEPS, &each[i], out);
-    }
     json_end(out);
     if (ok) {
         double span = series_span(each, sizes);
