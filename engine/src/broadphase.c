@@ -8,14 +8,11 @@
  * pairs come in the order of the grids, then in that of the moved list. */
 #include "contact.h"
 #include "kinds.h"
+#include "pairs.h"
 #include "shape.h"
 #include "step.h"
 
 #include <string.h>
-
-typedef struct td_new_pair {
-    int32_t a, b, child;
-} td_new_pair;
 
 static bool is_awake(const thud_world *w, int shape)
 {
@@ -90,62 +87,51 @@ static bool has_contact(const thud_world *w, int a, int b, int child)
     return false;
 }
 
-/* Whether the pair, whose bounds overlap now, had its contact already. `a_before` and `a_marks` are
- * those of shape a. */
-static inline bool existed(const thud_world *w, int a, const td_bounds *a_before, int a_marks, int b)
+/* Stamps every shape that shape a has a contact with; returns how many there are. */
+static int stamp_partners(thud_world *w, int a)
 {
-    int marks = a_marks | *td_marks_at(w, b);
-    if (marks & TD_MARK_FRESH) {
-        return false;
+    uint32_t *stamps = w->scratch.stamps.data, stamp = ++w->scratch.stamp;
+    int count = 0, e = td_body_at(w, td_shape_at(w, a)->body)->first_contact;
+    for (; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_contact *contact = td_contact_at(w, e / 2);
+        if (contact->shape_a == a) {
+            stamps[contact->shape_b] = stamp;
+        } else if (contact->shape_b == a) {
+            stamps[contact->shape_a] = stamp;
+        }
+        count++;
     }
-    return marks & TD_MARK_WOKEN || w->vast ? has_contact(w, a, b, 0)
-                                            : td_bounds_overlap(a_before, bounds_before(w, b));
+    return count;
 }
 
-static bool add_pair(thud_world *w, int a, int b, int child)
-{
-    td_array *pairs = &w->scratch.pairs;
-    if (!td_array_reserve(&w->memory, pairs, pairs->count + 1)) {
-        return false;
-    }
-    *(td_new_pair *)td_at(pairs, pairs->count++) = (td_new_pair){a, b, child};
-    return true;
-}
-
-/* Keeps those of the hits, all of which overlap shape a, that are new. */
-static bool add_new(thud_world *w, int a, const int *hits, int count)
+/* Keeps those of the hits, all of which overlap shape a, that have no contact with it: whose bounds
+ * did not overlap before; or, where that tells nothing, those that are not among its contacts. In a crowd a
+ * shape that has enough contacts gets no more of its own. */
+static bool add_new(thud_world *w, int a, const int *hits, int count, bool crowded)
 {
     const td_bounds *before = bounds_before(w, a);
-    int marks = *td_marks_at(w, a);
-    for (int i = 0; i < count; i++) {
-        if (!existed(w, a, before, marks, hits[i]) && !add_pair(w, a, hits[i], 0)) {
+    const uint32_t *stamps = w->scratch.stamps.data;
+    int own = *td_marks_at(w, a);
+    int partners = 0;
+    bool stamped = false;
+    for (int i = 0; i < count && partners < TD_CROWD; i++) {
+        int marks = own | *td_marks_at(w, hits[i]);
+        bool existed = false;
+        if (marks & TD_MARK_WOKEN || w->vast) {
+            if (!stamped) {
+                int has = stamp_partners(w, a);
+                partners = crowded ? has : 0;
+                stamped = true;
+            }
+            existed = stamps[hits[i]] == w->scratch.stamp;
+        } else if (!(marks & TD_MARK_FRESH)) {
+            existed = td_bounds_overlap(before, bounds_before(w, hits[i]));
+        }
+        if (!existed && !td_pairs_add(w, a, hits[i], 0)) {
             return false;
         }
     }
     return true;
-}
-
-/* Drops the pairs that may not touch. Their records lie all over memory, hence are
- * asked for early. */
-static void filter_pairs(thud_world *w)
-{
-    td_array *pairs = &w->scratch.pairs;
-    td_new_pair *pair = pairs->data;
-    int kept = 0;
-    for (int i = 0; i < pairs->count; i++) {
-        if (i + 16 < pairs->count) {
-            __builtin_prefetch(td_shape_at(w, pair[i + 16].a));
-            __builtin_prefetch(td_shape_at(w, pair[i + 16].b));
-        }
-        if (i + 8 < pairs->count) {
-            __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + 8].a)->body), 1);
-            __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + 8].b)->body), 1);
-        }
-        if (td_pair_allowed(w, pair[i].a, pair[i].b) && td_pair_meets(w, pair[i].a, pair[i].b)) {
-            pair[kept++] = pair[i];
-        }
-    }
-    pairs->count = kept;
 }
 
 static bool query(thud_world *w, const td_grid *grid, int shape)
@@ -159,17 +145,24 @@ static bool query(thud_world *w, const td_grid *grid, int shape)
 static bool pair_awake(thud_world *w)
 {
     td_array *hits = &w->scratch.hits, *runs = &w->scratch.hit_runs;
+    td_array *crowded = &w->scratch.crowded;
     const td_grid *grid = &w->awake_grid;
     bool every = grid->moved_count * 2 > grid->ids.count;
     hits->count = 0;
-    if (!TD_PICK_WIDE(w, td_grid_sweep)(grid, &w->memory, w->stance.data, every, runs, hits)) {
+    crowded->count = 0;
+    td_grid_sweep_fn *sweep = TD_PICK_WIDE(w, td_grid_sweep);
+    if (!td_array_reserve(&w->memory, crowded, grid->ids.count) ||
+        !sweep(grid, &w->memory, w->stance.data, every, runs, hits, crowded)) {
         return false;
     }
     const int *hit = hits->data;
-    int first = 0;
+    int first = 0, next = 0;
     for (int i = 0; i < runs->count; i++) {
         const td_hit_run *run = td_at(runs, i);
-        if (!add_new(w, run->shape, hit + first, run->end - first)) {
+        const int *crowd = crowded->data;
+        bool in_crowd = next < crowded->count && crowd[next] == run->shape;
+        next += in_crowd;
+        if (!add_new(w, run->shape, hit + first, run->end - first, in_crowd)) {
             return false;
         }
         first = run->end;
@@ -190,7 +183,7 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved)
     }
     for (int k = 0; k < w->scratch.hits.count; k++) {
         const int *other = td_at(&w->scratch.hits, k);
-        if (moved(w, *other) == with_moved && !add_new(w, shape, other, 1)) {
+        if (moved(w, *other) == with_moved && !add_new(w, shape, other, 1, false)) {
             return false;
         }
     }
@@ -200,7 +193,7 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved)
 static bool pair_moved(thud_world *w, int shape)
 {
     return query(w, &w->rest_grid, shape) &&
-           add_new(w, shape, w->scratch.hits.data, w->scratch.hits.count);
+           add_new(w, shape, w->scratch.hits.data, w->scratch.hits.count, false);
 }
 
 /* Every pair of an awake shape and one at rest of which one moved. Where few rest, they look for
@@ -255,7 +248,7 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
         } else if (!(marks & TD_MARK_FRESH)) {
             old = td_terrain_reaches(w, terrain_shape, &terrain, at, bounds_before(w, shape), i);
         }
-        if (!old && !add_pair(w, terrain_shape, shape, i)) {
+        if (!old && !td_pairs_add(w, terrain_shape, shape, i)) {
             return false;
         }
     }
@@ -290,25 +283,6 @@ static bool pair_terrains(thud_world *w)
 
 /* ---- the stage ---- */
 
-static bool create_contacts(thud_world *w)
-{
-    td_array *pairs = &w->scratch.pairs;
-    int more[TD_PAIR_COUNT] = {0};
-    for (int i = 0; i < pairs->count; i++) {
-        td_new_pair *pair = td_at(pairs, i);
-        more[td_pair_of(w, &pair->a, &pair->b)]++;
-    }
-    if (!td_contacts_reserve(w, more)) {
-        return false;
-    }
-    for (int i = 0; i < pairs->count; i++) {
-        td_new_pair *pair = td_at(pairs, i);
-        td_pair_kind kind = td_pair_of(w, &pair->a, &pair->b);
-        td_contact_create(w, kind, pair->a, pair->b, pair->child);
-    }
-    return true;
-}
-
 /* Wider than half the way around the bounds. */
 static bool is_vast(const thud_world *w)
 {
@@ -324,6 +298,17 @@ static bool is_vast(const thud_world *w)
         }
     }
     return high_x > low_x + INT32_MAX / 2 || high_y > low_y + INT32_MAX / 2;
+}
+
+/* Shapes in a crowd have pairs that are not listed yet. */
+static void look_again(thud_world *w)
+{
+    for (int i = 0; i < w->scratch.crowded.count; i++) {
+        int shape = *(int *)td_at(&w->scratch.crowded, i);
+        td_shape_mark_moved(w, shape);
+        *td_marks_at(w, shape) |= TD_MARK_WOKEN;
+    }
+    w->scratch.crowded.count = 0;
 }
 
 static void clear_marks(thud_world *w)
@@ -343,7 +328,8 @@ bool td_broadphase(thud_world *w)
         return true;
     }
     w->scratch.pairs.count = 0;
-    if (!td_broadphase_refresh(w)) {
+    if (!td_array_reserve(&w->memory, &w->scratch.stamps, w->shapes.count) ||
+        !td_broadphase_refresh(w)) {
         return false;
     }
     /* A body that was far away a step ago may be near now, hence both. */
@@ -352,8 +338,8 @@ bool td_broadphase(thud_world *w)
     if (!pair_awake(w) || !pair_across(w)) {
         return false;
     }
-    filter_pairs(w);
-    if (!pair_terrains(w) || !create_contacts(w)) {
+    td_pairs_filter(w);
+    if (!pair_terrains(w) || !td_pairs_create(w)) {
         return false;
     }
     clear_marks(w);
@@ -361,6 +347,7 @@ bool td_broadphase(thud_world *w)
         memset(w->awake_grid.moved.data, 0, (size_t)w->awake_grid.ids.count * sizeof(int32_t));
     }
     w->moved.count = 0;
+    look_again(w);
     w->vast = vast;
     return true;
 }

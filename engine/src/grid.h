@@ -52,6 +52,11 @@ typedef struct td_hit_run {
     int32_t shape, end;
 } td_hit_run;
 
+/* Of its own level, no more neighbours of a shape are found at once on either side of it. Shapes side
+ * by side have far fewer; where everything is inside everything, the nearest in the order of the grid
+ * push each other apart first, and no step takes longer than a crowd is worth. */
+enum { TD_CROWD = 32 };
+
 struct thud_world;
 
 /* Sorts the shapes in `list`. `quiet`: little moves, so that it pays to be able to follow. False
@@ -95,10 +100,10 @@ typedef void td_grid_cells_fn(const td_level *levels, td_grid_measures *measures
 typedef int td_grid_fill_fn(td_grid *grid, const td_stance *stance, const uint8_t *marks);
 
 /* Finds each pair of shapes whose bounds overlap and of which one moved, once. `runs` gets
- * td_hit_run, `hits`, empty before, the ids. `every`: look at every shape rather than at those that moved, which
- * pays when most did. */
+ * td_hit_run, `hits`, empty before, the ids; `crowded`, with room for all, the shapes that may have
+ * more. `every`: look at every shape rather than at those that moved, which pays when most did. */
 typedef bool td_grid_sweep_fn(const td_grid *grid, td_memory *memory, const td_stance *stance,
-                              bool every, td_array *runs, td_array *hits);
+                              bool every, td_array *runs, td_array *hits, td_array *crowded);
 /* Appends every shape whose bounds overlap `bounds`, which lie near the position. */
 typedef bool td_grid_query_fn(const td_grid *grid, td_memory *memory, const td_bounds *bounds,
                               td_place near_position, td_array *hits);

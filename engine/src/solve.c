@@ -116,27 +116,33 @@ static void walk(solving *s, pass which)
     }
 }
 
-/* Awake slots that a worker takes at once. */
+/* Awake slots that a worker takes at once; alone it takes all. */
 enum { BODIES = 512 };
 
-/* The motion context of some of the bodies. */
-static td_motion_context part_of(const td_motion_context *m, int chunk)
+static int bodies_at_once(const solving *s)
 {
+    return s->worker.phase ? BODIES : s->motion.count;
+}
+
+/* The motion context of some of the bodies. */
+static td_motion_context part_of(const solving *s, int chunk)
+{
+    const td_motion_context *m = &s->motion;
     td_motion_context part = *m;
-    int first = chunk * BODIES;
+    int most = bodies_at_once(s), first = chunk * most;
     part.velocity += first;
     part.delta += first;
     part.start += first;
     part.push += first;
     part.damping = m->damping ? m->damping + first : NULL;
-    part.count = td_min_int(m->count - first, BODIES);
+    part.count = td_min_int(m->count - first, most);
     return part;
 }
 
 static void first_velocities(void *work, int chunk)
 {
     const solving *s = work;
-    td_motion_context part = part_of(&s->motion, chunk);
+    td_motion_context part = part_of(s, chunk);
     memset(part.delta, 0, (size_t)part.count * sizeof *part.delta);
     TD_PICK_WIDE(s->w, td_integrate_velocity)(&part, true);
 }
@@ -144,28 +150,23 @@ static void first_velocities(void *work, int chunk)
 static void velocities(void *work, int chunk)
 {
     const solving *s = work;
-    td_motion_context part = part_of(&s->motion, chunk);
+    td_motion_context part = part_of(s, chunk);
     TD_PICK_WIDE(s->w, td_integrate_velocity)(&part, false);
 }
 
 static void positions(void *work, int chunk)
 {
     const solving *s = work;
-    td_motion_context part = part_of(&s->motion, chunk);
+    td_motion_context part = part_of(s, chunk);
     TD_PICK_WIDE(s->w, td_integrate_position)(&part);
-}
-
-static int body_chunks(const thud_world *w)
-{
-    return (w->body_of.count + BODIES - 1) / BODIES;
 }
 
 /* One worker's way through all substeps. */
 static void substeps(void *argument)
 {
     solving own = *(const solving *)argument, *s = &own;
-    int bodies = body_chunks(s->w);
     s->worker = td_worker_arrive(s->task);
+    int bodies = (s->motion.count + bodies_at_once(s) - 1) / bodies_at_once(s);
     for (int i = 0; i < s->w->substeps; i++) {
         s->contacts.first = i == 0;
         td_worker_walk(&s->worker, bodies, i ? velocities : first_velocities, s);

@@ -10,6 +10,7 @@ typedef struct scan {
     td_memory *memory;
     td_array *hits;
     int32_t *out, *limit; /* where the next hit goes, and the end of the room */
+    const int32_t *enough; /* no need to look for more once this has been reached */
     i8 box_min_x, box_min_y, box_max_x, box_max_y;
 } scan;
 
@@ -26,6 +27,7 @@ TD_INLINE void set_room(scan *s)
 {
     s->out = (int32_t *)s->hits->data + s->hits->count;
     s->limit = (int32_t *)s->hits->data + s->hits->capacity;
+    s->enough = s->limit;
 }
 
 /* What was found so far, as the hits' count. */
@@ -103,7 +105,23 @@ TD_INLINE void scan_range(scan *s, int from, int to, heed which)
         bits &= left < TD_LANES ? (1u << left) - 1u : 0xffu;
         s->out += i8_pack(s->out, s->ids + at, bits);
         at += TD_LANES;
-    } while (at < to);
+    } while (at < to && s->out < s->enough);
+}
+
+/* Of what is found from now on more than a crowd is not looked for. */
+TD_INLINE void expect_crowd(scan *s)
+{
+    s->enough = s->out + TD_CROWD;
+}
+
+/* Drops what is more, and lists the shape once. */
+static void note_crowd(int32_t **out, const int32_t *enough, td_array *crowded, int shape)
+{
+    *out -= *out - enough;
+    int *list = crowded->data;
+    if (crowded->count == 0 || list[crowded->count - 1] != shape) {
+        td_push_int(crowded, shape);
+    }
 }
 
 /* Cells cell .. cell + n - 1 of a level, around the end of its table. */
@@ -136,37 +154,41 @@ TD_INLINE bool scan_level(scan *s, const td_level *level, heed which)
     return true;
 }
 
-/* A shape's own level: the rest of its cell and the next one, and the row above; so that each pair
- * comes once. */
-TD_INLINE bool scan_forward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
+/* Cells of a shape's own level, for which there is room. */
+TD_INLINE void scan_own(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which)
+{
+    const int32_t *starts = s->starts + level->starts;
+    uint32_t table = level->mask + 1;
+    cell &= level->mask;
+    if (cell + n <= table) {
+        scan_range(s, starts[cell], starts[cell + n], which);
+        return;
+    }
+    scan_range(s, starts[cell], starts[table], which);
+    scan_range(s, starts[0], starts[cell + n - table], which);
+}
+
+/* The rest of a shape's cell and the next one, and the row above; so that each pair comes once. */
+TD_INLINE void scan_forward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
 {
     const int32_t *starts = s->starts + level->starts;
     uint32_t above = (cell + level->row - 1) & level->mask;
     if (cell < level->mask && above + 3 <= level->mask + 1) {
-        int end = starts[cell + 2], first = starts[above], last = starts[above + 3];
-        if (!room(s, end - i + last - first)) {
-            return false;
-        }
-        scan_range(s, i + 1, end, which);
-        scan_range(s, first, last, which);
-        return true;
-    }
-    if (!room(s, level->count)) {
-        return false;
+        scan_range(s, i + 1, starts[cell + 2], which);
+        scan_range(s, starts[above], starts[above + 3], which);
+        return;
     }
     scan_range(s, i + 1, starts[cell + 1], which);
-    return scan_cells(s, level, cell + 1, 1, which) && scan_cells(s, level, above, 3, which);
+    scan_own(s, level, cell + 1, 1, which);
+    scan_own(s, level, above, 3, which);
 }
 
 /* The other half of the neighbourhood. */
-TD_INLINE bool scan_backward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
+TD_INLINE void scan_backward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
 {
-    if (!room(s, level->count)) {
-        return false;
-    }
     scan_range(s, s->starts[level->starts + (int)cell], i, which);
-    return scan_cells(s, level, cell - 1, 1, which) &&
-           scan_cells(s, level, cell - level->row - 1, 3, which);
+    scan_own(s, level, cell - 1, 1, which);
+    scan_own(s, level, cell - level->row - 1, 3, which);
 }
 
 /* A level of larger shapes: three rows of three cells each, about a centre, which is given relative
@@ -283,7 +305,7 @@ static int levels_in_use(const td_grid *grid)
 
 td_grid_sweep_fn TD_WIDE(td_grid_sweep);
 bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_stance *stance,
-                            bool every, td_array *runs, td_array *hits)
+                            bool every, td_array *runs, td_array *hits, td_array *crowded)
 {
     scan s = begin(grid, memory, hits);
     const int32_t *cells = grid->cells.data;
@@ -302,10 +324,27 @@ bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_sta
             td_bounds b = bounds_at(&s, i);
             set_box(&s, &b);
             uint32_t cell = (uint32_t)cells[i];
-            if (!(s.moved[i] ? scan_forward(&s, level, i, cell, HEED_ALL)
-                             : scan_forward(&s, level, i, cell, HEED_MOVED)) ||
-                !(every || scan_backward(&s, level, i, cell, HEED_UNMOVED)) ||
-                !(one_level || scan_others(&s, l, i, stance[s.ids[i]].center, every))) {
+            if (!room(&s, 2 * (TD_CROWD + TD_LANES))) {
+                return false;
+            }
+            expect_crowd(&s);
+            if (s.moved[i]) {
+                scan_forward(&s, level, i, cell, HEED_ALL);
+            } else {
+                scan_forward(&s, level, i, cell, HEED_MOVED);
+            }
+            if (s.out >= s.enough) {
+                note_crowd(&s.out, s.enough, crowded, s.ids[i]);
+            }
+            if (!every) {
+                expect_crowd(&s);
+                scan_backward(&s, level, i, cell, HEED_UNMOVED);
+                if (s.out >= s.enough) {
+                    note_crowd(&s.out, s.enough, crowded, s.ids[i]);
+                }
+            }
+            s.enough = s.limit;
+            if (!one_level && !scan_others(&s, l, i, stance[s.ids[i]].center, every)) {
                 return false;
             }
             int end = (int)(s.out - (const int32_t *)hits->data);

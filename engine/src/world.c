@@ -123,6 +123,8 @@ static void set_strides(thud_world *w)
         {&w->events.quarantined, sizeof(thud_body_id)},
         {&w->scratch.hits, sizeof(int)},
         {&w->scratch.hit_runs, sizeof(td_hit_run)},
+        {&w->scratch.crowded, sizeof(int)},
+        {&w->scratch.stamps, sizeof(uint32_t)},
         {&w->scratch.pairs, sizeof(int[3])},
         {&w->scratch.bodies, sizeof(int)},
         {&w->scratch.contacts, sizeof(int)},
@@ -217,7 +219,7 @@ void thud_world_destroy(thud_world *w)
         &w->damping, &w->idle, &w->reach, &w->body_of, &w->lone, &w->colours, &w->moved,
         &w->changed, &w->put_off, &w->poses, &w->events.begin, &w->events.end,
         &w->events.sensor_begin, &w->events.sensor_end, &w->events.hit, &w->events.quarantined,
-        &w->scratch.hits, &w->scratch.hit_runs, &w->scratch.pairs, &w->scratch.bodies,
+        &w->scratch.hits, &w->scratch.hit_runs, &w->scratch.crowded, &w->scratch.stamps, &w->scratch.pairs, &w->scratch.bodies,
         &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.parted, &w->scratch.chunks, &w->scratch.counters, &w->scratch.begins,
         &w->scratch.ends, &w->scratch.parents, &w->scratch.lane_bins, &w->scratch.test_blocks,
         &w->scratch.test_list, &w->scratch.fast, &w->scratch.odd, &w->scratch.grid};

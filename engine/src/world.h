@@ -190,6 +190,9 @@ struct thud_world {
     struct td_scratch {
         td_array hits;        /* int: what a grid reports */
         td_array hit_runs;    /* td_hit_run: to whom the hits of a sweep belong */
+        td_array crowded;     /* int: shapes with more neighbours than a sweep lists */
+        td_array stamps;      /* uint32_t, by shape: the last one that it was found to touch */
+        uint32_t stamp;
         td_array pairs;       /* td_new_pair */
         td_array bodies, contacts; /* int: an island that wakes or falls asleep */
         td_array blocks;      /* td_block *: in solver order */

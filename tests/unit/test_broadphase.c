@@ -55,9 +55,9 @@ static const td_bounds *bounds_seen(const thud_world *w, int shape)
 
 /* After the broadphase of a step bounds may have grown again, so the check runs the broadphase's
  * own input: bounds as they were when pairs were last made. */
-static void check(const thud_world *w)
+static void check(const thud_world *w, bool crowd)
 {
-    int pairs = 0;
+    int pairs = 0, missing = 0;
     for (int a = 0; a < w->shapes.count; a++) {
         const td_shape *shape_a = td_shape_at(w, a);
         for (int b = a + 1; b < w->shapes.count; b++) {
@@ -72,14 +72,18 @@ static void check(const thud_world *w)
             double most = 1e5 * TD_FIXED_ONE;
             bool near_by = fabs((double)(p->x - q->x)) < most && fabs((double)(p->y - q->y)) < most;
             bool overlap = near_by && td_bounds_overlap(of_a, of_b);
-            if (overlap != has_contact(w, a, b)) {
+            /* Inside a crowd a pair may wait, but one of its shapes is then looked at again. */
+            if (crowd && overlap && !has_contact(w, a, b) &&
+                (*td_marks_at(w, a) | *td_marks_at(w, b)) & TD_MARK_WOKEN) {
+                missing++;
+            } else if (overlap != has_contact(w, a, b)) {
                 fail_msg("shapes %d and %d: overlap %d, contact %d", a, b, overlap,
                          has_contact(w, a, b));
             }
             pairs += overlap;
         }
     }
-    assert_int_equal(pairs, w->contacts.live);
+    assert_int_equal(pairs - missing, w->contacts.live);
 }
 
 static void live_through(chaos *c, int steps)
@@ -102,7 +106,7 @@ static void live_through(chaos *c, int steps)
             add_random(c);
         }
         OK(thud_world_step(c->world));
-        check(c->world);
+        check(c->world, c->width < 1);
         most = c->world->contacts.live > most ? c->world->contacts.live : most;
     }
     assert_true(most > 3);
@@ -146,6 +150,33 @@ static void contacts_are_the_overlapping_bounds_while_islands_sleep_and_wake(voi
     live_through(&c, 200);
 }
 
+/* Six hundred circles in one place have 180,000 pairs; the world works on a bounded number of them at
+ * a time, and has every pair that is left once they have come apart. */
+static void crowd_in_one_place_has_bounded_contacts_and_comes_apart(void **state)
+{
+    (void)state;
+    enum { CIRCLES = 600 };
+    thud_world *world = make_world(weightless());
+    uint64_t seed = 12;
+    for (int i = 0; i < CIRCLES; i++) {
+        thud_body_def body = thud_default_body_def();
+        thud_shape_def shape = thud_default_shape_def();
+        thud_body_id id;
+        body.kind = THUD_DYNAMIC;
+        body.position = (thud_pos){random_in(&seed, -0.05, 0.05), random_in(&seed, -0.05, 0.05)};
+        OK(thud_body_create(world, &body, &id));
+        OK(thud_shape_create_circle(world, id, &shape, (thud_vec2){0, 0}, 0.25f, NULL));
+    }
+    for (int step = 0; step < 240; step++) {
+        OK(thud_world_step(world));
+        check(world, true);
+        assert_true(world->contacts.live < 3 * TD_CROWD * CIRCLES);
+    }
+    assert_true(thud_world_measure(world).penetration_max < 0.25);
+    check(world, false);
+    thud_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -154,6 +185,7 @@ int main(void)
         cmocka_unit_test(contacts_are_the_overlapping_bounds_in_a_sparse_wide_world),
         cmocka_unit_test(contacts_are_the_overlapping_bounds_in_one_spot),
         cmocka_unit_test(contacts_are_the_overlapping_bounds_while_islands_sleep_and_wake),
+        cmocka_unit_test(crowd_in_one_place_has_bounded_contacts_and_comes_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,55 @@
+/* pairs.c: see pairs.h. */
+#include "pairs.h"
+
+#include "contact.h"
+
+bool td_pairs_add(thud_world *w, int a, int b, int child)
+{
+    td_array *pairs = &w->scratch.pairs;
+    if (!td_array_reserve(&w->memory, pairs, pairs->count + 1)) {
+        return false;
+    }
+    *(td_new_pair *)td_at(pairs, pairs->count++) = (td_new_pair){a, b, child};
+    return true;
+}
+
+/* Records lie all over memory, hence are asked for early. */
+void td_pairs_filter(thud_world *w)
+{
+    td_array *pairs = &w->scratch.pairs;
+    td_new_pair *pair = pairs->data;
+    int kept = 0;
+    for (int i = 0; i < pairs->count; i++) {
+        if (i + 16 < pairs->count) {
+            __builtin_prefetch(td_shape_at(w, pair[i + 16].a));
+            __builtin_prefetch(td_shape_at(w, pair[i + 16].b));
+        }
+        if (i + 8 < pairs->count) {
+            __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + 8].a)->body), 1);
+            __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + 8].b)->body), 1);
+        }
+        if (td_pair_allowed(w, pair[i].a, pair[i].b) && td_pair_meets(w, pair[i].a, pair[i].b)) {
+            pair[kept++] = pair[i];
+        }
+    }
+    pairs->count = kept;
+}
+
+bool td_pairs_create(thud_world *w)
+{
+    td_array *pairs = &w->scratch.pairs;
+    int more[TD_PAIR_COUNT] = {0};
+    for (int i = 0; i < pairs->count; i++) {
+        td_new_pair *pair = td_at(pairs, i);
+        more[td_pair_of(w, &pair->a, &pair->b)]++;
+    }
+    if (!td_contacts_reserve(w, more)) {
+        return false;
+    }
+    for (int i = 0; i < pairs->count; i++) {
+        td_new_pair *pair = td_at(pairs, i);
+        td_pair_kind kind = td_pair_of(w, &pair->a, &pair->b);
+        td_contact_create(w, kind, pair->a, pair->b, pair->child);
+    }
+    return true;
+}

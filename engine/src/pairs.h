@@ -1,0 +1,20 @@
+/* pairs.h: new pairs on their way from the broadphase to becoming contacts. */
+#ifndef TD_PAIRS_H
+#define TD_PAIRS_H
+
+#include "world.h"
+
+typedef struct td_new_pair {
+    int32_t a, b, child;
+} td_new_pair;
+
+/* Adds to scratch.pairs; `child` is a terrain segment or 0. False when memory is short. */
+bool td_pairs_add(thud_world *w, int a, int b, int child);
+
+/* Drops the pairs that may not touch. */
+void td_pairs_filter(thud_world *w);
+
+/* Makes a contact of each, or, when memory is short, of none. */
+bool td_pairs_create(thud_world *w);
+
+#endif
