@@ -25,8 +25,9 @@ options every scene, as a table.
 
   --wasm [OPTION...]   instead: thud.wasm against the WebAssembly builds of its rivals; its own
                        options with ./run bench --wasm --help
-  --report [OPTION...] instead: measures all of this and writes docs/performance.md, its picture
-                       and docs/performance.json; its own options with ./run bench --report --help
+  --report [OPTION...] instead: measures all of this, which takes a quarter of an hour, and writes
+                       docs/performance.md, its picture and docs/performance.json; its own options
+                       with ./run bench --report --help
 END
 }
 
