@@ -30,7 +30,12 @@ typedef double d2 __attribute__((vector_size(16)));
 typedef int64_t l2 __attribute__((vector_size(16)));
 typedef uint64_t v2 __attribute__((vector_size(16)));
 
+/* Kernels are made of small pieces; where size counts more than time, the compiler may share them. */
+#if defined(__OPTIMIZE_SIZE__)
+#define TD_INLINE static inline
+#else
 #define TD_INLINE static inline __attribute__((always_inline))
+#endif
 
 TD_INLINE f8 f8_all(float x)
 {

@@ -1,0 +1,49 @@
+/* circles.c: a program that uses circles only; for the size of what is linked. */
+#include <thud/thud.h>
+
+#if defined(__wasm__)
+#define EXPORT(name) __attribute__((export_name(name)))
+#else
+#define EXPORT(name)
+#endif
+
+static thud_world *open_world(void)
+{
+    thud_world_def def = thud_default_world_def();
+    thud_world *world = NULL;
+    thud_world_create(&def, &world);
+    return world;
+}
+
+static thud_body_id add_body(thud_world *world, thud_body_kind kind, double y)
+{
+    thud_body_def def = thud_default_body_def();
+    thud_body_id id;
+    def.kind = kind;
+    def.position = (thud_pos){0, y};
+    thud_body_create(world, &def, &id);
+    return id;
+}
+
+/* Steps the world and ends it; the height of the body. */
+static double height_after(thud_world *world, thud_body_id body, int steps)
+{
+    for (int i = 0; i < steps; i++) {
+        thud_world_step(world);
+    }
+    thud_body_state state;
+    thud_body_get(world, body, &state);
+    thud_world_destroy(world);
+    return state.position.y;
+}
+
+/* A ball of radius 0.5 falls on one of radius 100 whose top is at 0. */
+EXPORT("circle_height") double circle_height(int steps)
+{
+    thud_world *world = open_world();
+    thud_shape_def shape = thud_default_shape_def();
+    thud_body_id ground = add_body(world, THUD_STATIC, -100), ball = add_body(world, THUD_DYNAMIC, 3);
+    thud_shape_create_circle(world, ground, &shape, (thud_vec2){0, 0}, 100, NULL);
+    thud_shape_create_circle(world, ball, &shape, (thud_vec2){0, 0}, 0.5f, NULL);
+    return height_after(world, ball, steps);
+}
