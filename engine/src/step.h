@@ -1,4 +1,4 @@
-/* step.h: the stages of a step, in the order in which td_step runs them. They meet in the world's
+/* step.h: the stages of a step, in the order in which step.c runs them. They meet in the world's
  * state alone and never call each other. A stage that returns false is out of memory: it and the
  * stages before it have then changed nothing that a caller can tell, and the step can be tried
  * again. After td_narrowphase nothing can fail. */

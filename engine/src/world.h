@@ -258,10 +258,4 @@ static inline float *td_row(const td_array *rows, int i)
     return td_at(rows, i);
 }
 
-/* Number of awake slots in use, the dummy 0 included. */
-static inline int td_awake_count(const thud_world *w)
-{
-    return w->body_of.count;
-}
-
 #endif
