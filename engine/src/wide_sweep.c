@@ -96,6 +96,19 @@ TD_INLINE bool room(scan *s, int more)
 
 /* Most ranges hold no more than eight, many of them none: the first eight are always tested, since a
  * branch that nobody can foretell costs more. */
+TD_INLINE void scan_few(scan *s, int from, int to, heed which)
+{
+    int at = from;
+    do {
+        unsigned bits = test(s, at, which);
+        int left = to - at;
+        bits &= left < TD_LANES ? (1u << left) - 1u : 0xffu;
+        s->out += i8_pack(s->out, s->ids + at, bits);
+        at += TD_LANES;
+    } while (at < to);
+}
+
+/* The same, as long as there are not enough hits. */
 TD_INLINE void scan_range(scan *s, int from, int to, heed which)
 {
     int at = from;
@@ -168,19 +181,25 @@ TD_INLINE void scan_own(scan *s, const td_level *level, uint32_t cell, uint32_t 
     scan_range(s, starts[0], starts[cell + n - table], which);
 }
 
-/* The rest of a shape's cell and the next one, and the row above; so that each pair comes once. */
-TD_INLINE void scan_forward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
+/* The rest of a shape's cell and the next one, and the row above; so that each pair comes once.
+ * Returns whether there may be a crowd. */
+TD_INLINE bool scan_forward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
 {
     const int32_t *starts = s->starts + level->starts;
     uint32_t above = (cell + level->row - 1) & level->mask;
     if (cell < level->mask && above + 3 <= level->mask + 1) {
-        scan_range(s, i + 1, starts[cell + 2], which);
-        scan_range(s, starts[above], starts[above + 3], which);
-        return;
+        int end = starts[cell + 2], first = starts[above], last = starts[above + 3];
+        if (end - i + last - first <= TD_CROWD) {
+            scan_few(s, i + 1, end, which);
+            scan_few(s, first, last, which);
+            return false;
+        }
     }
+    expect_crowd(s);
     scan_range(s, i + 1, starts[cell + 1], which);
     scan_own(s, level, cell + 1, 1, which);
     scan_own(s, level, above, 3, which);
+    return s->out >= s->enough;
 }
 
 /* The other half of the neighbourhood. */
@@ -327,13 +346,8 @@ bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_sta
             if (!room(&s, 2 * (TD_CROWD + TD_LANES))) {
                 return false;
             }
-            expect_crowd(&s);
-            if (s.moved[i]) {
-                scan_forward(&s, level, i, cell, HEED_ALL);
-            } else {
-                scan_forward(&s, level, i, cell, HEED_MOVED);
-            }
-            if (s.out >= s.enough) {
+            if (s.moved[i] ? scan_forward(&s, level, i, cell, HEED_ALL)
+                           : scan_forward(&s, level, i, cell, HEED_MOVED)) {
                 note_crowd(&s.out, s.enough, crowded, s.ids[i]);
             }
             if (!every) {

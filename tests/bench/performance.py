@@ -19,7 +19,10 @@ import performance_picture
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-PARTS = ["scenes", "growth", "pay", "workers", "profile", "wasm"]
+# Rivals race thud one at a time: a third engine in turn would only push the other two out of the
+# caches.
+RACES = {"scenes": "box2d", "rapier": "rapier"}
+PARTS = ["scenes", "rapier", "growth", "pay", "workers", "profile", "wasm"]
 
 
 def command_of(part, arguments, path):
@@ -28,8 +31,9 @@ def command_of(part, arguments, path):
     else:
         words = [arguments.bench, "--" + part]
     words += ["--json", path]
-    if part == "scenes" and arguments.repeat:
-        words += ["--repeat", str(arguments.repeat)]
+    if part in RACES:
+        words[1:2] = ["--scenes", "--against", RACES[part]]
+        words += ["--repeat", str(arguments.repeat)] if arguments.repeat else []
     return words + (["--quick"] if arguments.quick else [])
 
 
@@ -60,16 +64,30 @@ def measure(part, arguments, commit):
     return read(path)
 
 
+def add_rival(scenes, others):
+    """The rival of a second race goes beside that of the first, with thud's times beside it."""
+    for scene, other in zip(scenes, others):
+        own, rival = other["engines"]
+        scene["engines"].append({**rival, "beside": own})
+
+
+def has_rapier(bench):
+    listed = subprocess.run([bench, "--help"], capture_output=True, text=True, check=False).stdout
+    return "rapier" in listed
+
+
 def measure_all(arguments):
     os.makedirs(arguments.keep, exist_ok=True)
     commit = os.environ.get("THUD_COMMIT", "unknown")
     results = {}
     for part in PARTS:
-        if part in arguments.skip:
+        if part in arguments.skip or (part == "rapier" and not has_rapier(arguments.bench)):
             continue
         found = measure(part, arguments, commit)
         if part == "wasm":
             found = {"wasm": found}
+        if part == "rapier":
+            add_rival(results["scenes"], found["scenes"])
         for key, value in found.items():
             results.setdefault(key, value)
     return results

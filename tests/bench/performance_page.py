@@ -20,8 +20,11 @@ def engine(scene, name):
 
 def ratio(scene, name, field):
     """How many times thud's time another engine's is; None if that did not run."""
-    rival, own = engine(scene, name), engine(scene, "thud")
-    return rival[field] / own[field] if rival else None
+    rival = engine(scene, name)
+    if not rival:
+        return None
+    own = rival.get("beside") or engine(scene, "thud")
+    return rival[field] / own[field]
 
 
 def number(value, digits=2):
