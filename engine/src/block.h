@@ -59,7 +59,8 @@ typedef struct td_block {
     uint32_t touching;          /* lanes with a point, by the last narrowphase */
     int32_t bouncy;             /* a lane has restitution */
     int32_t armed;              /* a lane's shape may be off its body's centre of mass */
-    int32_t padding[10];
+    int32_t shared;             /* a lane has a kinematic body, which other blocks may have as well */
+    int32_t padding[9];
     /* The solver's rows begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slots, in bytes of their records of four floats; 0:
                                           that side is static */

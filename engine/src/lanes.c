@@ -105,6 +105,7 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
     }
     to->bouncy |= to->restitution[to_lane] > 0.0f;
     to->armed |= from->armed;
+    to->shared |= from->shared;
     to->touching = (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
 }
 
@@ -213,6 +214,11 @@ static void place(thud_world *w, int contact_index, int bin)
         w->bouncy += td_block_at(w, kind, block)->restitution[lane] > 0.0f;
     }
     set_slots(w, td_block_at(w, kind, block), lane, contact);
+    if (td_body_at(w, contact->body[0])->kind == THUD_KINEMATIC ||
+        td_body_at(w, contact->body[1])->kind == THUD_KINEMATIC) {
+        td_block_at(w, kind, block)->shared = 1;
+        w->scratch.sequenced = false;
+    }
     contact->state = TD_TOUCHING;
     contact->bin = (uint16_t)bin;
     contact->slot = block * TD_LANES + lane;
@@ -325,6 +331,7 @@ static void list_bin(thud_world *w, int kind, int bin)
         *(td_block **)td_at(blocks, blocks->count++) = block;
         run->count++;
         run->armed |= block->armed;
+        run->shared |= block->shared;
         i = block->next;
     }
 }
@@ -341,8 +348,7 @@ static bool cut_chunks(thud_world *w)
     chunks->count = 0;
     for (int r = 0; r < w->scratch.runs.count; r++) {
         const td_run *run = td_at(&w->scratch.runs, r);
-        /* Lanes of the overflow may share bodies: one after the other. */
-        int step = run->bin % TD_COLOURS == TD_OVERFLOW ? run->count : td_min_int(size, run->count);
+        int step = td_run_is_single(run) ? run->count : td_min_int(size, run->count);
         for (int first = 0; first < run->count; first += step) {
             *(td_chunk *)td_at(chunks, chunks->count++) = (td_chunk){
                 .run = r, .first = run->first + first, .count = td_min_int(step, run->count - first)};

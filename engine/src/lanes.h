@@ -13,7 +13,15 @@ typedef struct td_run {
     int32_t bin;         /* runs of the same bin have no moving body in common, but in overflow */
     int32_t first, count;
     int32_t armed;       /* one of its blocks is */
+    int32_t shared;      /* one of its blocks is: no two workers at once */
 } td_run;
+
+/* Whether blocks of a run may name the same body: those of the overflow, and those with kinematic
+ * bodies, which take no colours. */
+static inline bool td_run_is_single(const td_run *run)
+{
+    return run->shared || run->bin % TD_COLOURS == TD_OVERFLOW;
+}
 
 enum { TD_CHUNK_BLOCKS = 24 }; /* enough work to be worth taking */
 

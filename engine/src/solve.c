@@ -94,12 +94,14 @@ static const td_run *run_of_chunk(const thud_world *w, int chunk)
     return td_at(&w->scratch.runs, ((const td_chunk *)td_at(&w->scratch.chunks, chunk))->run);
 }
 
-/* Chunks of one bin have no moving body in common and make a phase; in the overflow each does. */
+/* Chunks of one bin have no moving body in common and make a phase; a run that may share bodies with
+ * others is one chunk, and a phase by itself. */
 static int phase_end(const thud_world *w, int first)
 {
-    int bin = run_of_chunk(w, first)->bin, end = first + 1;
-    while (end < w->scratch.chunks.count && bin % TD_COLOURS != TD_OVERFLOW &&
-           run_of_chunk(w, end)->bin == bin) {
+    const td_run *run = run_of_chunk(w, first);
+    int end = first + 1;
+    while (end < w->scratch.chunks.count && !td_run_is_single(run) &&
+           run_of_chunk(w, end)->bin == run->bin && !td_run_is_single(run_of_chunk(w, end))) {
         end++;
     }
     return end;

@@ -13,13 +13,15 @@ WIDTH, NAMES, RIGHT, TOP, ROW, BAR = 900, 190, 50, 92, 32, 20
 GREEN, AMBER, INK, GREY = "#2a7f62", "#c9822b", "#202020", "#8a8a8a"
 
 
-def median(scene, name):
-    return next((e["ms_median"] for e in scene["engines"] if e["engine"] == name), None)
+def engine(scene, name):
+    return next((e for e in scene["engines"] if e["engine"] == name), None)
 
 
 def ratio(scene, name):
-    rival = median(scene, name)
-    return rival / median(scene, "thud") if rival else None
+    """Of medians, in the race that the two ran."""
+    rival = engine(scene, name)
+    own = rival and (rival.get("beside") or engine(scene, "thud"))
+    return rival["ms_median"] / own["ms_median"] if rival else None
 
 
 def text(x, y, words, size=14, anchor="start", colour=INK, weight="normal"):
