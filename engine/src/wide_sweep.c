@@ -96,7 +96,7 @@ TD_INLINE bool room(scan *s, int more)
 
 /* Most ranges hold no more than eight, many of them none: the first eight are always tested, since a
  * branch that nobody can foretell costs more. */
-TD_INLINE void scan_few(scan *s, int from, int to, heed which)
+TD_INLINE void scan_span(scan *s, int from, int to, heed which, bool bounded)
 {
     int at = from;
     do {
@@ -105,20 +105,13 @@ TD_INLINE void scan_few(scan *s, int from, int to, heed which)
         bits &= left < TD_LANES ? (1u << left) - 1u : 0xffu;
         s->out += i8_pack(s->out, s->ids + at, bits);
         at += TD_LANES;
-    } while (at < to);
+    } while (at < to && (!bounded || s->out < s->enough));
 }
 
-/* The same, as long as there are not enough hits. */
+/* No further than there are enough hits. */
 TD_INLINE void scan_range(scan *s, int from, int to, heed which)
 {
-    int at = from;
-    do {
-        unsigned bits = test(s, at, which);
-        int left = to - at;
-        bits &= left < TD_LANES ? (1u << left) - 1u : 0xffu;
-        s->out += i8_pack(s->out, s->ids + at, bits);
-        at += TD_LANES;
-    } while (at < to && s->out < s->enough);
+    scan_span(s, from, to, which, true);
 }
 
 /* Of what is found from now on more than a crowd is not looked for. */
@@ -190,8 +183,8 @@ TD_INLINE bool scan_forward(scan *s, const td_level *level, int i, uint32_t cell
     if (cell < level->mask && above + 3 <= level->mask + 1) {
         int end = starts[cell + 2], first = starts[above], last = starts[above + 3];
         if (end - i + last - first <= TD_CROWD) {
-            scan_few(s, i + 1, end, which);
-            scan_few(s, first, last, which);
+            scan_span(s, i + 1, end, which, false);
+            scan_span(s, first, last, which, false);
             return false;
         }
     }
