@@ -90,23 +90,26 @@ static bool has_contact(const thud_world *w, int a, int b, int child)
 /* Stamps every shape that shape a has a contact with; returns how many there are. */
 static int stamp_partners(thud_world *w, int a)
 {
-    uint32_t *stamps = w->scratch.stamps.data, stamp = ++w->scratch.stamp;
+    uint32_t *stamps = w->scratch.stamps.data;
+    if (++w->scratch.stamp == 0) { /* all of them were used: none may be taken for a new one */
+        memset(stamps, 0, (size_t)w->scratch.stamps.capacity * sizeof *stamps);
+        w->scratch.stamp = 1;
+    }
+    uint32_t stamp = w->scratch.stamp;
     int count = 0, e = td_body_at(w, td_shape_at(w, a)->body)->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_contact *contact = td_contact_at(w, e / 2);
-        if (contact->shape_a == a) {
-            stamps[contact->shape_b] = stamp;
-        } else if (contact->shape_b == a) {
-            stamps[contact->shape_a] = stamp;
+        if (contact->shape_a == a || contact->shape_b == a) {
+            stamps[contact->shape_a == a ? contact->shape_b : contact->shape_a] = stamp;
+            count++;
         }
-        count++;
     }
     return count;
 }
 
 /* Keeps those of the hits, all of which overlap shape a, that have no contact with it: whose bounds
- * did not overlap before; or, where that tells nothing, those that are not among its contacts. In a crowd a
- * shape that has enough contacts gets no more of its own. */
+ * did not overlap before; or, where that tells nothing, those that are not among its contacts. In a
+ * crowd a shape that has enough contacts gets no more of its own. */
 static bool add_new(thud_world *w, int a, const int *hits, int count, bool crowded)
 {
     const td_bounds *before = bounds_before(w, a);
@@ -178,8 +181,11 @@ static bool moved(const thud_world *w, int shape)
 /* A shape at rest against awake ones; where both moved the pair comes once more from the other. */
 static bool pair_resting(thud_world *w, int shape, bool with_moved)
 {
-    if (td_shape_at(w, shape)->kind == THUD_TERRAIN || !query(w, &w->awake_grid, shape)) {
-        return td_shape_at(w, shape)->kind == THUD_TERRAIN;
+    if (td_shape_at(w, shape)->kind == THUD_TERRAIN) {
+        return true;
+    }
+    if (!query(w, &w->awake_grid, shape)) {
+        return false;
     }
     for (int k = 0; k < w->scratch.hits.count; k++) {
         const int *other = td_at(&w->scratch.hits, k);

@@ -10,7 +10,7 @@ typedef struct scan {
     td_memory *memory;
     td_array *hits;
     int32_t *out, *limit; /* where the next hit goes, and the end of the room */
-    const int32_t *enough; /* no need to look for more once this has been reached */
+    int32_t *enough;      /* no need to look for more once this has been reached */
     i8 box_min_x, box_min_y, box_max_x, box_max_y;
 } scan;
 
@@ -121,47 +121,17 @@ TD_INLINE void expect_crowd(scan *s)
 }
 
 /* Drops what is more, and lists the shape once. */
-static void note_crowd(int32_t **out, const int32_t *enough, td_array *crowded, int shape)
+TD_INLINE void note_crowd(scan *s, td_array *crowded, int shape)
 {
-    *out -= *out - enough;
-    int *list = crowded->data;
+    s->out = s->enough;
+    const int *list = crowded->data;
     if (crowded->count == 0 || list[crowded->count - 1] != shape) {
         td_push_int(crowded, shape);
     }
 }
 
-/* Cells cell .. cell + n - 1 of a level, around the end of its table. */
-TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which)
-{
-    const int32_t *starts = s->starts + level->starts;
-    uint32_t table = level->mask + 1;
-    cell &= level->mask;
-    if (cell + n <= table) {
-        if (!room(s, starts[cell + n] - starts[cell])) {
-            return false;
-        }
-        scan_range(s, starts[cell], starts[cell + n], which);
-        return true;
-    }
-    if (!room(s, level->count)) {
-        return false;
-    }
-    scan_range(s, starts[cell], starts[table], which);
-    scan_range(s, starts[0], starts[cell + n - table], which);
-    return true;
-}
-
-TD_INLINE bool scan_level(scan *s, const td_level *level, heed which)
-{
-    if (!room(s, level->count)) {
-        return false;
-    }
-    scan_range(s, level->first, level->first + level->count, which);
-    return true;
-}
-
-/* Cells of a shape's own level, for which there is room. */
-TD_INLINE void scan_own(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which)
+/* Cells cell .. cell + n - 1 of a level, around the end of its table; for which there is room. */
+TD_INLINE void scan_roomy(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which)
 {
     const int32_t *starts = s->starts + level->starts;
     uint32_t table = level->mask + 1;
@@ -172,6 +142,27 @@ TD_INLINE void scan_own(scan *s, const td_level *level, uint32_t cell, uint32_t 
     }
     scan_range(s, starts[cell], starts[table], which);
     scan_range(s, starts[0], starts[cell + n - table], which);
+}
+
+TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which)
+{
+    const int32_t *starts = s->starts + level->starts;
+    cell &= level->mask;
+    bool around = cell + n > level->mask + 1;
+    if (!room(s, around ? level->count : starts[cell + n] - starts[cell])) {
+        return false;
+    }
+    scan_roomy(s, level, cell, n, which);
+    return true;
+}
+
+TD_INLINE bool scan_level(scan *s, const td_level *level, heed which)
+{
+    if (!room(s, level->count)) {
+        return false;
+    }
+    scan_range(s, level->first, level->first + level->count, which);
+    return true;
 }
 
 /* The rest of a shape's cell and the next one, and the row above; so that each pair comes once.
@@ -190,8 +181,8 @@ TD_INLINE bool scan_forward(scan *s, const td_level *level, int i, uint32_t cell
     }
     expect_crowd(s);
     scan_range(s, i + 1, starts[cell + 1], which);
-    scan_own(s, level, cell + 1, 1, which);
-    scan_own(s, level, above, 3, which);
+    scan_roomy(s, level, cell + 1, 1, which);
+    scan_roomy(s, level, above, 3, which);
     return s->out >= s->enough;
 }
 
@@ -199,8 +190,8 @@ TD_INLINE bool scan_forward(scan *s, const td_level *level, int i, uint32_t cell
 TD_INLINE void scan_backward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
 {
     scan_range(s, s->starts[level->starts + (int)cell], i, which);
-    scan_own(s, level, cell - 1, 1, which);
-    scan_own(s, level, cell - level->row - 1, 3, which);
+    scan_roomy(s, level, cell - 1, 1, which);
+    scan_roomy(s, level, cell - level->row - 1, 3, which);
 }
 
 /* A level of larger shapes: three rows of three cells each, about a centre, which is given relative
@@ -341,13 +332,13 @@ bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_sta
             }
             if (s.moved[i] ? scan_forward(&s, level, i, cell, HEED_ALL)
                            : scan_forward(&s, level, i, cell, HEED_MOVED)) {
-                note_crowd(&s.out, s.enough, crowded, s.ids[i]);
+                note_crowd(&s, crowded, s.ids[i]);
             }
             if (!every) {
                 expect_crowd(&s);
                 scan_backward(&s, level, i, cell, HEED_UNMOVED);
                 if (s.out >= s.enough) {
-                    note_crowd(&s.out, s.enough, crowded, s.ids[i]);
+                    note_crowd(&s, crowded, s.ids[i]);
                 }
             }
             s.enough = s.limit;
