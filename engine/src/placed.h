@@ -57,6 +57,14 @@ static inline double td_half_width(const thud_placed *shape)
     return shape->kind == THUD_CIRCLE ? shape->hx : td_shadow(shape, 1.0, 0.0);
 }
 
+static inline bool td_motion_valid(thud_motion m)
+{
+    return td_finite(m.dx + m.dy + m.turn) && td_abs(m.turn) <= 1e6;
+}
+
+/* bisect.c: the shape at a time of its motion. */
+thud_placed td_placed_at(const thud_placed *shape, const thud_motion *motion, double time);
+
 /* closest.c: as thud_shapes_closest, for shapes known to be valid; boxes may be flat (hy = 0). */
 void td_closest(const thud_placed *a, const thud_placed *b, thud_closest *out);
 

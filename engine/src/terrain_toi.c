@@ -93,7 +93,7 @@ thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_placed
     }
     thud_result readable = td_terrain_readable(t);
     if (readable != THUD_OK || thud_placed_check(shape) != THUD_OK ||
-        !td_finite(motion.dx + motion.dy + motion.turn) || td_abs(motion.turn) > 1e6 ||
+        !td_motion_valid(motion) ||
         !(target >= 0.0 && target <= 1e15)) {
         return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
     }

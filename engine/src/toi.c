@@ -3,23 +3,8 @@
  * their motion allows, so time may safely jump that far. The jump is exact for motion along the
  * normal, and never goes past an impact. */
 #include "placed.h"
-#include "trig.h"
 
 enum { MAX_JUMPS = 200 };
-
-static thud_placed at_time(const thud_placed *shape, const thud_motion *m, double t)
-{
-    thud_placed p = *shape;
-    p.x += m->dx * t;
-    p.y += m->dy * t;
-    if (p.kind == THUD_OBB && m->turn != 0.0) {
-        double s, c;
-        td_sincos(m->turn * t, &s, &c);
-        p.c = shape->c * c - shape->s * s;
-        p.s = shape->s * c + shape->c * s;
-    }
-    return p;
-}
 
 /* How fast turning may move a point of the shape. */
 static double turning(const thud_placed *shape, const thud_motion *m)
@@ -96,7 +81,7 @@ void td_time_of_impact(const thud_placed *a, thud_motion ma, const thud_placed *
     *hit = false;
     *time = 1.0;
     for (int i = 0; i < MAX_JUMPS; i++) {
-        thud_placed pa = at_time(a, &ma, t), pb = at_time(b, &mb, t);
+        thud_placed pa = td_placed_at(a, &ma, t), pb = td_placed_at(b, &mb, t);
         thud_closest closest;
         td_closest(&pa, &pb, &closest);
         double gap = closest.distance - target;
@@ -114,11 +99,6 @@ void td_time_of_impact(const thud_placed *a, thud_motion ma, const thud_placed *
     *time = t;
 }
 
-static bool motion_valid(thud_motion m)
-{
-    return td_finite(m.dx + m.dy + m.turn) && td_abs(m.turn) <= 1e6;
-}
-
 thud_result thud_shapes_time_of_impact(const thud_placed *a, thud_motion motion_a,
                                        const thud_placed *b, thud_motion motion_b, double target,
                                        bool *hit, double *time)
@@ -127,7 +107,7 @@ thud_result thud_shapes_time_of_impact(const thud_placed *a, thud_motion motion_
         return THUD_ERROR_NULL;
     }
     if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
-        !motion_valid(motion_a) || !motion_valid(motion_b) || !(target >= 0.0 && target <= 1e15)) {
+        !td_motion_valid(motion_a) || !td_motion_valid(motion_b) || !(target >= 0.0 && target <= 1e15)) {
         return THUD_ERROR_INVALID;
     }
     td_time_of_impact(a, motion_a, b, motion_b, target, hit, time);

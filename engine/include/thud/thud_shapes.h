@@ -61,6 +61,21 @@ thud_result thud_shapes_time_of_impact(const thud_placed *a, thud_motion motion_
                                        const thud_placed *b, thud_motion motion_b, double target,
                                        bool *hit, double *time);
 
+/* When the moving shapes began to overlap, by bisection over the motion, for shapes that are apart
+ * at time 0 and overlap at time 1. At *time, in [0, 1), they are still apart, and `tolerance` later
+ * they overlap; tolerance is in [1e-15, 1], of the motion, and each halving costs one overlap test.
+ * *collided = false and *time = 1 where they are apart at the end, whatever happened in between (see
+ * thud_motion_is_bisectable), or overlap at the start. */
+thud_result thud_shapes_time_of_collision(const thud_placed *a, thud_motion motion_a,
+                                          const thud_placed *b, thud_motion motion_b,
+                                          double tolerance, bool *collided, double *time);
+
+/* Whether a test at the end of the motions cannot miss that one shape went through the middle of
+ * the other: they move by less, relative to each other, than the smaller of both is thick. Corners
+ * that only graze each other can be missed all the same. False for invalid shapes. */
+bool thud_motion_is_bisectable(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
+                               thud_motion motion_b);
+
 /* ---- terrain ---- */
 
 typedef enum thud_terrain_kind {
@@ -108,6 +123,11 @@ bool thud_terrain_overlap(const thud_terrain *terrain, const thud_placed *shape)
 thud_result thud_terrain_time_of_impact(const thud_terrain *terrain, const thud_placed *shape,
                                         thud_motion motion, double target, bool *hit,
                                         double *time);
+
+/* As thud_shapes_time_of_collision with the terrain at rest. */
+thud_result thud_terrain_time_of_collision(const thud_terrain *terrain, const thud_placed *shape,
+                                           thud_motion motion, double tolerance, bool *collided,
+                                           double *time);
 
 #ifdef __cplusplus
 }
