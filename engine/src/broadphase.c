@@ -21,7 +21,7 @@ static bool is_awake(const thud_world *w, int shape)
 
 /* ---- the grids ---- */
 
-static bool list_population(thud_world *w, td_grid *grid, bool awake)
+static bool list_population(thud_world *w, td_population *grid, bool awake)
 {
     td_array *list = &grid->list;
     list->stride = (int)sizeof(int);
@@ -52,18 +52,19 @@ static bool list_population(thud_world *w, td_grid *grid, bool awake)
     return true;
 }
 
-static bool refresh(thud_world *w, td_grid *grid, bool awake)
+static bool refresh(thud_world *w, td_population *shapes, bool awake)
 {
+    const thud_broadphase *kind = w->def.broadphase;
     /* Where a fifth moved, nearly everything is to be sorted anew next time as well. */
-    bool quiet = awake && w->moved.count * 5 <= w->awake_grid.list.count;
-    return grid->valid ||
-           (quiet && td_grid_follow(w, grid, w->moved.data, w->moved.count)) ||
-           (list_population(w, grid, awake) && td_grid_build(w, grid, quiet));
+    bool quiet = awake && w->moved.count * 5 <= w->awake_shapes.list.count;
+    return shapes->valid ||
+           (quiet && kind->follow && kind->follow(w, shapes, w->moved.data, w->moved.count)) ||
+           (list_population(w, shapes, awake) && kind->build(w, shapes, quiet));
 }
 
 bool td_broadphase_refresh(thud_world *w)
 {
-    return refresh(w, &w->awake_grid, true) && refresh(w, &w->rest_grid, false);
+    return refresh(w, &w->awake_shapes, true) && refresh(w, &w->rest_shapes, false);
 }
 
 /* ---- new pairs ---- */
@@ -137,10 +138,10 @@ static bool add_new(thud_world *w, int a, const int *hits, int count, bool crowd
     return true;
 }
 
-static bool query(thud_world *w, const td_grid *grid, int shape)
+static bool query(thud_world *w, const td_population *grid, int shape)
 {
     w->scratch.hits.count = 0;
-    return TD_PICK_WIDE(w, td_grid_query)(grid, &w->memory, td_fat_at(w, shape),
+    return w->def.broadphase->find[w->wide](grid, &w->memory, td_fat_at(w, shape),
                                           td_stance_at(w, shape)->center, &w->scratch.hits);
 }
 
@@ -149,11 +150,11 @@ static bool pair_awake(thud_world *w)
 {
     td_array *hits = &w->scratch.hits, *runs = &w->scratch.hit_runs;
     td_array *crowded = &w->scratch.crowded;
-    const td_grid *grid = &w->awake_grid;
+    const td_population *grid = &w->awake_shapes;
     bool every = grid->moved_count * 2 > grid->ids.count;
     hits->count = 0;
     crowded->count = 0;
-    td_grid_sweep_fn *sweep = TD_PICK_WIDE(w, td_grid_sweep);
+    td_sweep_fn *sweep = w->def.broadphase->sweep[w->wide];
     if (!td_array_reserve(&w->memory, crowded, grid->ids.count) ||
         !sweep(grid, &w->memory, w->stance.data, every, runs, hits, crowded)) {
         return false;
@@ -184,7 +185,7 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved)
     if (td_shape_at(w, shape)->kind == THUD_TERRAIN) {
         return true;
     }
-    if (!query(w, &w->awake_grid, shape)) {
+    if (!query(w, &w->awake_shapes, shape)) {
         return false;
     }
     for (int k = 0; k < w->scratch.hits.count; k++) {
@@ -198,7 +199,7 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved)
 
 static bool pair_moved(thud_world *w, int shape)
 {
-    return query(w, &w->rest_grid, shape) &&
+    return query(w, &w->rest_shapes, shape) &&
            add_new(w, shape, w->scratch.hits.data, w->scratch.hits.count, false);
 }
 
@@ -206,14 +207,14 @@ static bool pair_moved(thud_world *w, int shape)
  * what moved rather than the other way around. */
 static bool pair_across(thud_world *w)
 {
-    const td_array *rest = &w->rest_grid.ids;
-    bool few = rest->count * 8 < w->awake_grid.moved_count;
+    const td_array *rest = &w->rest_shapes.ids;
+    bool few = rest->count * 8 < w->awake_shapes.moved_count;
     for (int i = 0; i < rest->count && few; i++) {
         if (!pair_resting(w, *(int *)td_at(rest, i), true)) {
             return false;
         }
     }
-    bool moved_rest = w->awake_grid.moved_count < w->moved.count;
+    bool moved_rest = w->awake_shapes.moved_count < w->moved.count;
     if (few && !moved_rest) {
         return true;
     }
@@ -269,7 +270,7 @@ static bool pair_terrains(thud_world *w)
             continue;
         }
         if (*td_marks_at(w, record->shape) & TD_MARK_FRESH) {
-            const td_array *all = &w->awake_grid.ids;
+            const td_array *all = &w->awake_shapes.ids;
             for (int i = 0; i < all->count; i++) {
                 if (!pair_terrain(w, record->shape, *(int *)td_at(all, i))) {
                     return false;
@@ -292,10 +293,10 @@ static bool pair_terrains(thud_world *w)
 /* Wider than half the way around the bounds. */
 static bool is_vast(const thud_world *w)
 {
-    const td_grid *a = &w->awake_grid, *b = &w->rest_grid;
+    const td_population *a = &w->awake_shapes, *b = &w->rest_shapes;
     int64_t low_x = INT64_MAX, low_y = INT64_MAX, high_x = INT64_MIN, high_y = INT64_MIN;
     for (int i = 0; i < 2; i++) {
-        const td_grid *grid = i ? b : a;
+        const td_population *grid = i ? b : a;
         if (grid->ids.count) {
             low_x = grid->origin_x < low_x ? grid->origin_x : low_x;
             low_y = grid->origin_y < low_y ? grid->origin_y : low_y;
@@ -345,12 +346,12 @@ bool td_broadphase(thud_world *w)
         return false;
     }
     td_pairs_filter(w);
-    if (!pair_terrains(w) || !td_pairs_create(w)) {
+    if (!td_pairs_sort(w) || !pair_terrains(w) || !td_pairs_create(w)) {
         return false;
     }
     clear_marks(w);
-    if (w->awake_grid.loose) {
-        memset(w->awake_grid.moved.data, 0, (size_t)w->awake_grid.ids.count * sizeof(int32_t));
+    if (w->awake_shapes.loose) {
+        memset(w->awake_shapes.moved.data, 0, (size_t)w->awake_shapes.ids.count * sizeof(int32_t));
     }
     w->moved.count = 0;
     look_again(w);

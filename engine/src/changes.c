@@ -135,7 +135,7 @@ static bool apply(thud_world *w, int index)
         rests = false;
     }
     if (changes & (edits | TD_CHANGE_ENTER)) {
-        td_grid_forget(rests ? &w->rest_grid : &w->awake_grid);
+        td_population_forget(rests ? &w->rest_shapes : &w->awake_shapes);
         w->rest_epoch += rests;
     }
     if (changes & TD_CHANGE_LEAVE) {

@@ -166,8 +166,8 @@ static bool looks_around(sweep *s)
     thud_world *w = s->w;
     td_array *hits = &w->scratch.hits;
     hits->count = 0;
-    bool near_any = TD_PICK_WIDE(w, td_grid_query)(&w->rest_grid, &w->memory, &s->bounds, s->start,
-                                                   hits) && hits->count > 0;
+    td_find_fn *find = w->def.broadphase->find[w->wide];
+    bool near_any = find(&w->rest_shapes, &w->memory, &s->bounds, s->start, hits) && hits->count > 0;
     for (int t = 0; t < w->terrains.count && !near_any; t++) {
         const td_terrain_record *record = td_slot_at(&w->terrains, t);
         if (record->shape != TD_NONE) {
@@ -221,12 +221,12 @@ static void sweep_body(thud_world *w, int slot)
 bool td_continuous_reserve(thud_world *w)
 {
     return !w->def.continuous || td_array_reserve(&w->memory, &w->scratch.hits,
-                                                  3 * w->rest_grid.ids.count + 4 * TD_LANES);
+                                                  3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
 void td_continuous(thud_world *w)
 {
-    bool anything = w->rest_grid.ids.count > 0 || w->terrains.live > 0;
+    bool anything = w->rest_shapes.ids.count > 0 || w->terrains.live > 0;
     for (int i = 0; i < w->scratch.fast.count && anything; i++) {
         sweep_body(w, *(int *)td_at(&w->scratch.fast, i));
     }

@@ -114,7 +114,7 @@ static void draw_shapes(const drawing *d)
 /* The cells that the awake grid's shapes lie in; a cell with several shapes is drawn once. */
 static void draw_cells(const drawing *d)
 {
-    const td_grid *grid = &d->w->awake_grid;
+    const td_population *grid = &d->w->awake_shapes;
     const int *cells = grid->cells.data, *ids = grid->ids.data;
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];

@@ -40,8 +40,8 @@ static void quarantine(thud_world *w, int index)
     td_awake_remove(w, index);
     follow_slot(&w->scratch.fast, w->body_of.count, slot);
     body->flags |= TD_BODY_QUARANTINED;
-    td_grid_forget(&w->awake_grid);
-    td_grid_forget(&w->rest_grid);
+    td_population_forget(&w->awake_shapes);
+    td_population_forget(&w->rest_shapes);
     if (td_array_reserve(&w->memory, &w->events.quarantined, w->events.quarantined.count + 1)) {
         *(thud_body_id *)td_at(&w->events.quarantined, w->events.quarantined.count++) =
             td_body_handle(w, index);

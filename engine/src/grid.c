@@ -1,7 +1,7 @@
 /* grid.c: building a grid by counting sort, and following small changes. The order of the shapes
  * listed decides within a cell, and places count relative to the population's own least centre, so
  * that a shifted world is sorted the same. */
-#include "grid.h"
+#include "population.h"
 
 #include "kinds.h"
 #include "world.h"
@@ -69,7 +69,7 @@ static void widen(td_level *level, int64_t x, int64_t y)
 }
 
 /* Measures the population, counts the levels and finds the largest shape of each. */
-static void measure(const thud_world *w, td_grid *grid, td_grid_measures *m)
+static void measure(const thud_world *w, td_population *grid, td_grid_measures *m)
 {
     uint8_t level_of_size[TD_SIZES];
     if (!TD_PICK_WIDE(w, td_grid_measure)(w->stance.data, m)) {
@@ -101,7 +101,7 @@ static uint32_t power_above(int64_t n)
 }
 
 /* Chooses each level's table from its population; returns the length of `starts`. */
-static int lay_out(td_grid *grid, bool quiet)
+static int lay_out(td_population *grid, bool quiet)
 {
     int first = 0, starts = 0;
     for (int l = 0; l < TD_LEVELS; l++) {
@@ -134,32 +134,25 @@ static int lay_out(td_grid *grid, bool quiet)
     return starts;
 }
 
-/* Of scratch.grid, a shape. */
+/* Of scratch.order, a shape. */
 enum { MEASURES_BYTES = 2 * (int)sizeof(double) + 2 * (int)sizeof(int32_t) + 8 };
 
-static bool reserve(thud_world *w, td_grid *grid, bool quiet)
+static bool reserve(thud_world *w, td_population *grid, bool quiet)
 {
     int count = grid->list.count;
-    td_array *arrays[] = {&grid->ids,   &grid->min_x, &grid->min_y, &grid->max_x,
-                          &grid->max_y, &grid->moved, &grid->cells};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        arrays[i]->stride = (int)sizeof(int32_t);
-        if (!td_array_reserve(&w->memory, arrays[i], count + TD_LANES)) {
-            return false;
-        }
-        arrays[i]->count = count;
-    }
-    int room = count + TD_LANES;
     grid->spot.stride = grid->anchor_x.stride = grid->anchor_y.stride = (int)sizeof(int32_t);
-    w->scratch.grid.stride = MEASURES_BYTES;
-    return td_array_reserve(&w->memory, &w->scratch.grid, room) &&
+    grid->cells.stride = (int)sizeof(int32_t);
+    w->scratch.order.stride = MEASURES_BYTES;
+    return td_population_reserve(w, grid) &&
+           td_array_reserve(&w->memory, &grid->cells, count + TD_LANES) &&
+           td_array_reserve(&w->memory, &w->scratch.order, count + TD_LANES) &&
            (!quiet || (td_array_reserve(&w->memory, &grid->spot, w->shapes.count) &&
                        td_array_reserve(&w->memory, &grid->anchor_x, count) &&
                        td_array_reserve(&w->memory, &grid->anchor_y, count)));
 }
 
 /* Counting sort of ids and cells. */
-static void sort(td_grid *grid, const td_grid_measures *m, int starts_count)
+static void sort(td_population *grid, const td_grid_measures *m, int starts_count)
 {
     int *starts = grid->starts.data, *ids = grid->ids.data, *cells = grid->cells.data;
     memset(starts, 0, (size_t)starts_count * sizeof(int));
@@ -183,7 +176,7 @@ static void sort(td_grid *grid, const td_grid_measures *m, int starts_count)
 }
 
 /* Notes where each shape went, for td_grid_follow. */
-static void note_spots(td_grid *grid)
+static void note_spots(td_population *grid)
 {
     int32_t *spot = grid->spot.data, *anchor_x = grid->anchor_x.data;
     int32_t *anchor_y = grid->anchor_y.data;
@@ -210,7 +203,7 @@ static td_grid_measures measures_in(const td_array *scratch, const td_array *lis
                               .level = (uint8_t *)(cell + room)};
 }
 
-bool td_grid_build(thud_world *w, td_grid *grid, bool quiet)
+static bool build(thud_world *w, td_population *grid, bool quiet)
 {
     grid->valid = grid->loose = false;
     grid->moved_count = 0;
@@ -222,7 +215,7 @@ bool td_grid_build(thud_world *w, td_grid *grid, bool quiet)
         grid->valid = true;
         return true;
     }
-    td_grid_measures m = measures_in(&w->scratch.grid, &grid->list);
+    td_grid_measures m = measures_in(&w->scratch.order, &grid->list);
     measure(w, grid, &m);
     int starts_count = lay_out(grid, quiet);
     grid->starts.stride = (int)sizeof(int);
@@ -231,7 +224,7 @@ bool td_grid_build(thud_world *w, td_grid *grid, bool quiet)
     }
     TD_PICK_WIDE(w, td_grid_cells)(grid->levels, &m);
     sort(grid, &m, starts_count);
-    grid->moved_count = TD_PICK_WIDE(w, td_grid_fill)(grid, w->stance.data, w->marks.data);
+    grid->moved_count = TD_PICK_WIDE(w, td_population_fill)(grid, w->stance.data, w->marks.data);
     if (quiet) {
         note_spots(grid);
     }
@@ -246,7 +239,7 @@ static bool near_anchor(int32_t anchor, int32_t low, int32_t high, int32_t slack
     return drift <= slack && drift >= -slack;
 }
 
-static const td_level *level_at(const td_grid *grid, int at)
+static const td_level *level_at(const td_population *grid, int at)
 {
     const td_level *level = grid->levels;
     while (at >= level->first + level->count) {
@@ -255,7 +248,7 @@ static const td_level *level_at(const td_grid *grid, int at)
     return level;
 }
 
-bool td_grid_follow(thud_world *w, td_grid *grid, const int *moved, int count)
+static bool follow(thud_world *w, td_population *grid, const int *moved, int count)
 {
     if (!grid->loose) {
         return false;
@@ -286,12 +279,10 @@ bool td_grid_follow(thud_world *w, td_grid *grid, const int *moved, int count)
     return true;
 }
 
-void td_grid_free(td_memory *memory, td_grid *grid)
-{
-    td_array *arrays[] = {&grid->list,  &grid->ids,      &grid->min_x,   &grid->min_y,
-                          &grid->max_x, &grid->max_y,    &grid->moved,   &grid->cells,
-                          &grid->spot,  &grid->anchor_x, &grid->anchor_y, &grid->starts};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        td_array_free(memory, arrays[i]);
-    }
-}
+const thud_broadphase thud_broadphase_grid = {
+    .name = "grid",
+    .build = build,
+    .follow = follow,
+    .sweep = TD_BOTH_WIDE(td_grid_sweep),
+    .find = TD_BOTH_WIDE(td_grid_find),
+};

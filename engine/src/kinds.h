@@ -24,9 +24,11 @@ void td_kind_terrain(thud_world *w);
 
 TD_DECLARE_WIDE(td_grid_measure_fn, td_grid_measure);
 TD_DECLARE_WIDE(td_grid_cells_fn, td_grid_cells);
-TD_DECLARE_WIDE(td_grid_fill_fn, td_grid_fill);
-TD_DECLARE_WIDE(td_grid_sweep_fn, td_grid_sweep);
-TD_DECLARE_WIDE(td_grid_query_fn, td_grid_query);
+TD_DECLARE_WIDE(td_population_fill_fn, td_population_fill);
+TD_DECLARE_WIDE(td_sweep_fn, td_grid_sweep);
+TD_DECLARE_WIDE(td_sweep_fn, td_row_sweep);
+TD_DECLARE_WIDE(td_find_fn, td_grid_find);
+TD_DECLARE_WIDE(td_find_fn, td_row_find);
 TD_DECLARE_WIDE(td_integrate_velocity_fn, td_integrate_velocity);
 TD_DECLARE_WIDE(td_integrate_position_fn, td_integrate_position);
 TD_DECLARE_WIDE(td_finish_bodies_fn, td_finish_bodies);

@@ -3,6 +3,8 @@
 
 #include "contact.h"
 
+#include <string.h>
+
 bool td_pairs_add(thud_world *w, int a, int b, int child)
 {
     td_array *pairs = &w->scratch.pairs;
@@ -33,6 +35,52 @@ void td_pairs_filter(thud_world *w)
         }
     }
     pairs->count = kept;
+}
+
+enum { DIGIT = 8, BUCKETS = 1 << DIGIT };
+
+/* One pass of a radix sort, by `shift` of the first or the second shape. */
+static void sort_pass(const td_new_pair *from, td_new_pair *to, int count, bool second, int shift)
+{
+    int starts[BUCKETS] = {0}, sum = 0;
+    for (int i = 0; i < count; i++) {
+        starts[(second ? from[i].b : from[i].a) >> shift & (BUCKETS - 1)]++;
+    }
+    for (int i = 0; i < BUCKETS; i++) {
+        int here = starts[i];
+        starts[i] = sum;
+        sum += here;
+    }
+    for (int i = 0; i < count; i++) {
+        to[starts[(second ? from[i].b : from[i].a) >> shift & (BUCKETS - 1)]++] = from[i];
+    }
+}
+
+bool td_pairs_sort(thud_world *w)
+{
+    td_array *pairs = &w->scratch.pairs;
+    int count = pairs->count;
+    if (!td_array_reserve(&w->memory, pairs, 2 * count)) {
+        return false;
+    }
+    td_new_pair *at = pairs->data, *other = at + count;
+    for (int i = 0; i < count; i++) {
+        if (at[i].a > at[i].b) {
+            at[i] = (td_new_pair){at[i].b, at[i].a, at[i].child};
+        }
+    }
+    for (int second = 1; second >= 0; second--) {
+        for (int shift = 0; w->shapes.count >> shift > 0; shift += DIGIT) {
+            sort_pass(at, other, count, second, shift);
+            td_new_pair *t = at;
+            at = other;
+            other = t;
+        }
+    }
+    if (at != pairs->data) {
+        memcpy(pairs->data, at, (size_t)count * sizeof *at);
+    }
+    return true;
 }
 
 bool td_pairs_create(thud_world *w)

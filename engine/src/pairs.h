@@ -14,6 +14,9 @@ bool td_pairs_add(thud_world *w, int a, int b, int child);
 /* Drops the pairs that may not touch. */
 void td_pairs_filter(thud_world *w);
 
+/* Puts the pairs into the order of their shapes, whichever broadphase found them. */
+bool td_pairs_sort(thud_world *w);
+
 /* Makes a contact of each, or, when memory is short, of none. */
 bool td_pairs_create(thud_world *w);
 

@@ -45,9 +45,9 @@ static bool candidates(thud_world *w, td_place lower, td_place upper)
     }
     td_bounds bounds = {td_coarse(lower.x), td_coarse(lower.y), td_coarse(upper.x) + 1,
                         td_coarse(upper.y) + 1};
-    td_grid_query_fn *query = TD_PICK_WIDE(w, td_grid_query);
-    if (!query(&w->awake_grid, &w->memory, &bounds, lower, hits) ||
-        !query(&w->rest_grid, &w->memory, &bounds, lower, hits) ||
+    td_find_fn *query = w->def.broadphase->find[w->wide];
+    if (!query(&w->awake_shapes, &w->memory, &bounds, lower, hits) ||
+        !query(&w->rest_shapes, &w->memory, &bounds, lower, hits) ||
         !td_array_reserve(&w->memory, hits, hits->count + w->terrains.live)) {
         return false;
     }

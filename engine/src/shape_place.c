@@ -32,7 +32,7 @@ void td_shape_mark_moved(thud_world *w, int index)
         *marks |= TD_MARK_MOVED;
         td_push_int(&w->moved, index);
     }
-    w->awake_grid.valid = false;
+    w->awake_shapes.valid = false;
 }
 
 /* A half extent along an axis in bounds quanta, never too small: single precision may be off by

@@ -92,8 +92,8 @@ bool td_wake(thud_world *w, int index)
         }
         look_around(w, body);
     }
-    td_grid_forget(&w->awake_grid);
-    td_grid_forget(&w->rest_grid);
+    td_population_forget(&w->awake_shapes);
+    td_population_forget(&w->rest_shapes);
     return true;
 }
 
@@ -210,8 +210,8 @@ static bool put_to_sleep(thud_world *w)
     for (int i = 0; i < bodies->count; i++) {
         td_body_at(w, *(int *)td_at(bodies, i))->rest_epoch = w->rest_epoch;
     }
-    td_grid_forget(&w->awake_grid);
-    td_grid_forget(&w->rest_grid);
+    td_population_forget(&w->awake_shapes);
+    td_population_forget(&w->rest_shapes);
     return true;
 }
 

@@ -170,7 +170,7 @@ TD_INLINE void place_lanes(thud_world *w, int first, f8 turn, unsigned bits)
                                (f8)i8_wrap_sub(tight.min_y, margin),
                                (f8)wrap_add(tight.max_x, margin),
                                (f8)wrap_add(tight.max_y, margin)}, grown);
-        w->awake_grid.valid = false;
+        w->awake_shapes.valid = false;
         for (; left; left &= left - 1) {
             int i = __builtin_ctz(left);
             renew_bounds(w, lone[i], grown[i]);

@@ -1,19 +1,5 @@
-/* wide_grid.c: what building a grid reads of the shapes, eight at a time. */
-#include "grid.h"
-
-#include <stddef.h>
-
-/* Four words of each of eight stances. */
-TD_INLINE void load_words(const td_stance *stance, const int32_t *ids, size_t offset, i8 out[4])
-{
-    const float *r[TD_LANES];
-    for (int i = 0; i < TD_LANES; i++) {
-        r[i] = (const float *)(const void *)((const char *)&stance[ids[i]] + offset);
-    }
-    td_rows rows =
-        td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
-    out[0] = (i8)rows.x, out[1] = (i8)rows.y, out[2] = (i8)rows.z, out[3] = (i8)rows.w;
-}
+/* wide_grid.c: where the shapes of a grid belong, eight at a time. */
+#include "wide_scan.h"
 
 TD_INLINE i8 i8_min(i8 a, i8 b)
 {
@@ -135,29 +121,4 @@ void TD_WIDE(td_grid_cells)(const td_level *levels, td_grid_measures *m)
         u8 cell = (column + 1u + (row + 1u) * level->row) & level->mask;
         __builtin_memcpy(m->cell + i, &cell, sizeof cell);
     }
-}
-
-td_grid_fill_fn TD_WIDE(td_grid_fill);
-int TD_WIDE(td_grid_fill)(td_grid *grid, const td_stance *stance, const uint8_t *marks)
-{
-    int32_t *ids = grid->ids.data, *moved = grid->moved.data;
-    int32_t *rows[4] = {grid->min_x.data, grid->min_y.data, grid->max_x.data, grid->max_y.data};
-    int count = grid->ids.count, moved_count = 0;
-    /* The last eight may reach beyond the end, where any shape will do. */
-    for (int i = count; i < count + TD_LANES; i++) {
-        ids[i] = ids[count - 1];
-    }
-    for (int i = 0; i < count; i += TD_LANES) {
-        i8 bounds[4];
-        load_words(stance, ids + i, offsetof(td_stance, fat), bounds);
-        for (int k = 0; k < 4; k++) {
-            __builtin_memcpy(rows[k] + i, &bounds[k], sizeof bounds[k]);
-        }
-    }
-    for (int i = 0; i < count; i++) {
-        int32_t flag = -(int32_t)(marks[ids[i]] & 1);
-        moved[i] = flag;
-        moved_count -= flag;
-    }
-    return moved_count;
 }

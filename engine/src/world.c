@@ -26,6 +26,7 @@ thud_world_def thud_default_world_def(void)
         .sleeping = true,
         .continuous = true,
         .contact_events = true,
+        .broadphase = &thud_broadphase_grid,
     };
 }
 
@@ -184,6 +185,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out)
     w->memory = memory;
     w->number = atomic_fetch_add(&made, 1u) + 1u;
     w->wide = wide_here(def->baseline_simd);
+    w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;
     if (w->def.contact_stiffness == 0.0f) {
         w->def.contact_stiffness = 0.16f;
     }
@@ -222,7 +224,7 @@ void thud_world_destroy(thud_world *w)
         &w->scratch.hits, &w->scratch.hit_runs, &w->scratch.crowded, &w->scratch.stamps, &w->scratch.pairs, &w->scratch.bodies,
         &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.parted, &w->scratch.chunks, &w->scratch.counters, &w->scratch.begins,
         &w->scratch.ends, &w->scratch.parents, &w->scratch.lane_bins, &w->scratch.test_blocks,
-        &w->scratch.test_list, &w->scratch.fast, &w->scratch.odd, &w->scratch.grid};
+        &w->scratch.test_list, &w->scratch.fast, &w->scratch.odd, &w->scratch.order};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         td_array_free(&w->memory, arrays[i]);
     }
@@ -236,8 +238,8 @@ void thud_world_destroy(thud_world *w)
     for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
         td_array_free(&w->memory, &w->waiting[kind]);
     }
-    td_grid_free(&w->memory, &w->awake_grid);
-    td_grid_free(&w->memory, &w->rest_grid);
+    td_population_free(&w->memory, &w->awake_shapes);
+    td_population_free(&w->memory, &w->rest_shapes);
     td_memory memory = w->memory;
     td_memory_put(&memory, w, sizeof *w);
 }

@@ -7,8 +7,8 @@
 #define TD_WORLD_H
 
 #include "block.h"
-#include "grid.h"
 #include "memory.h"
+#include "population.h"
 
 enum {
     TD_COLOURS = 64,                      /* the last one is overflow: one lane a block */
@@ -182,7 +182,7 @@ struct thud_world {
     bool push_stale;                                   /* `push` must be made anew */
     int idle_bodies;                                   /* at rest for long enough to sleep */
     int drowsy_bodies;                                 /* ... or will be after one more step */
-    td_grid awake_grid, rest_grid;
+    td_population awake_shapes, rest_shapes;
     bool vast;                                         /* wider than bounds can tell; broadphase.c */
     td_event_lists events;
 
@@ -209,7 +209,7 @@ struct thud_world {
         td_array fast;        /* int: awake slots of dynamic bodies that moved further than
                                  half their core */
         td_array odd;         /* int: awake slots that the wide part of finish leaves over */
-        td_array grid;        /* see grid.h */
+        td_array order;       /* while a population is put into its order */
     } scratch;
     td_array poses; /* thud_pose */
     thud_stats stats;

@@ -1,5 +1,5 @@
 /* test_broadphase.c: contacts exist exactly for the pairs of fat bounds that overlap, whatever the
- * world does. All pairs are the reference. */
+ * world does, and every broadphase makes the same ones in the same order. */
 #include "engine_support.h"
 
 #include "contact.h"
@@ -86,9 +86,24 @@ static void check(const thud_world *w, bool crowd)
     assert_int_equal(pairs - missing, w->contacts.live);
 }
 
-static void live_through(chaos *c, int steps)
+/* Every contact with its place in the world's list, which tells when it was made. */
+static uint64_t list_hash(const thud_world *w, uint64_t hash)
+{
+    for (int i = 0; i < w->contacts.count; i++) {
+        const td_contact *contact = td_contact_at(w, i);
+        int words[] = {contact->live, contact->shape_a, contact->shape_b, contact->child};
+        for (int k = 0; k < 4 && contact->live; k++) {
+            hash = (hash ^ (uint64_t)(uint32_t)words[k]) * 0x100000001b3u;
+        }
+    }
+    return hash;
+}
+
+/* Returns a hash of the contacts after each step. */
+static uint64_t live_through(chaos *c, int steps)
 {
     int most = 0;
+    uint64_t hash = 0xcbf29ce484222325u;
     for (int i = 0; i < 150; i++) {
         add_random(c);
     }
@@ -106,48 +121,69 @@ static void live_through(chaos *c, int steps)
             add_random(c);
         }
         OK(thud_world_step(c->world));
-        check(c->world, c->width < 1);
+        check(c->world, c->width < 1 && c->world->def.broadphase == &thud_broadphase_grid);
+        hash = list_hash(c->world, hash);
         most = c->world->contacts.live > most ? c->world->contacts.live : most;
     }
     assert_true(most > 3);
     thud_world_destroy(c->world);
+    return hash;
+}
+
+static const thud_broadphase *const BROADPHASES[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
+                                                     &thud_broadphase_all};
+
+/* The same life with each broadphase. `alike`: they also make the same contacts at the same time. */
+static void live_with_each(chaos begin, thud_world_def def, bool floor, int steps, bool alike)
+{
+    uint64_t hash[3];
+    for (int k = 0; k < 3; k++) {
+        chaos c = begin;
+        def.broadphase = BROADPHASES[k];
+        c.world = make_world(def);
+        if (floor) {
+            add_floor(c.world, NULL);
+        }
+        hash[k] = live_through(&c, steps);
+        if (alike && hash[k] != hash[0]) {
+            fail_msg("%s makes other contacts than the grid", thud_broadphase_name(def.broadphase));
+        }
+    }
 }
 
 static void contacts_are_the_overlapping_bounds_in_a_crowd(void **state)
 {
     (void)state;
-    chaos c = {.world = make_world(weightless()), .seed = 7, .width = 8, .small = 0.3, .large = 0.6};
-    live_through(&c, 120);
+    live_with_each((chaos){.seed = 7, .width = 8, .small = 0.3, .large = 0.6}, weightless(),
+                   false, 120, true);
 }
 
 static void contacts_are_the_overlapping_bounds_with_sizes_from_small_to_large(void **state)
 {
     (void)state;
-    chaos c = {.world = make_world(weightless()), .seed = 8, .width = 60, .small = 0.05, .large = 20};
-    live_through(&c, 120);
+    live_with_each((chaos){.seed = 8, .width = 60, .small = 0.05, .large = 20}, weightless(),
+                   false, 120, true);
 }
 
 static void contacts_are_the_overlapping_bounds_in_a_sparse_wide_world(void **state)
 {
     (void)state;
-    chaos c = {.world = make_world(weightless()), .seed = 9, .width = 1.5e5, .small = 500, .large = 11000};
-    live_through(&c, 60);
+    live_with_each((chaos){.seed = 9, .width = 1.5e5, .small = 500, .large = 11000}, weightless(),
+                   false, 60, true);
 }
 
 static void contacts_are_the_overlapping_bounds_in_one_spot(void **state)
 {
     (void)state;
-    chaos c = {.world = make_world(weightless()), .seed = 10, .width = 0.2, .small = 0.4, .large = 0.5};
-    live_through(&c, 40);
+    live_with_each((chaos){.seed = 10, .width = 0.2, .small = 0.4, .large = 0.5}, weightless(),
+                   false, 40, false);
 }
 
 static void contacts_are_the_overlapping_bounds_while_islands_sleep_and_wake(void **state)
 {
     (void)state;
-    thud_world_def def = thud_default_world_def();
-    chaos c = {.world = make_world(def), .seed = 11, .width = 12, .small = 0.3, .large = 0.9};
-    add_floor(c.world, NULL);
-    live_through(&c, 200);
+    chaos begin = {.seed = 11, .width = 12, .small = 0.3, .large = 0.9};
+    live_with_each(begin, thud_default_world_def(), true, 200, true);
 }
 
 /* Six hundred circles in one place have 180,000 pairs; the world works on a bounded number of them at

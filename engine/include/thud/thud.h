@@ -10,6 +10,8 @@
 #ifndef THUD_H
 #define THUD_H
 
+#include "thud_detection.h"
+#include "thud_draw.h"
 #include "thud_jobs.h"
 #include "thud_math.h"
 #include "thud_shapes.h"
@@ -99,6 +101,7 @@ typedef struct thud_world_def {
     void *log_context;
     thud_clock_fn *clock;        /* null: stages are not timed */
     void *clock_context;
+    const thud_broadphase *broadphase; /* default (also null): &thud_broadphase_grid */
     thud_crew crew;              /* threads to work on; default: the calling one alone */
 } thud_world_def;
 
@@ -352,46 +355,6 @@ thud_measure thud_world_measure(const thud_world *world);
 
 /* Hash of every body's exact position, angle and velocity, in slot order. */
 uint64_t thud_world_hash(const thud_world *world);
-
-/* ---- debug draw ---- */
-
-typedef enum thud_draw_style {
-    THUD_DRAW_STATIC = 0,
-    THUD_DRAW_KINEMATIC,
-    THUD_DRAW_DYNAMIC,
-    THUD_DRAW_SLEEPING,
-    THUD_DRAW_SENSOR,
-    THUD_DRAW_BOUNDS,
-    THUD_DRAW_CELL,
-    THUD_DRAW_CONTACT,
-    THUD_DRAW_NORMAL,
-    THUD_DRAW_STYLE_COUNT
-} thud_draw_style;
-
-enum {
-    THUD_DRAW_SHAPES = 1 << 0,
-    THUD_DRAW_SHAPE_BOUNDS = 1 << 1,
-    THUD_DRAW_CELLS = 1 << 2,
-    THUD_DRAW_CONTACTS = 1 << 3, /* points and normals */
-    THUD_DRAW_ISLANDS = 1 << 4   /* shapes carry their island's number, see `island` */
-};
-
-/* Null callbacks are skipped. `island` is -1 unless THUD_DRAW_ISLANDS is asked for. Coordinates
- * are relative to `origin`. */
-typedef struct thud_debug_draw {
-    unsigned flags;
-    thud_pos origin;
-    thud_pos lower, upper; /* shapes outside are skipped */
-    void *context;
-    void (*circle)(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
-                   int island, void *context);
-    void (*box)(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw_style style,
-                int island, void *context);
-    void (*line)(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context);
-    void (*point)(thud_vec2 p, thud_draw_style style, void *context);
-} thud_debug_draw;
-
-thud_result thud_world_draw(thud_world *world, const thud_debug_draw *draw);
 
 #ifdef __cplusplus
 }

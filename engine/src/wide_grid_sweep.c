@@ -1,112 +1,12 @@
-/* wide_sweep.c: finding the overlapping bounds of a grid, eight at a time.
- *
- * Bounds overlap where none of four differences is negative, so one sign bit a lane decides. Hits
- * come in the order of the grid, which is the order of places, not of addresses. */
-#include "grid.h"
-
-typedef struct scan {
-    const td_grid *grid;
-    const int32_t *ids, *min_x, *min_y, *max_x, *max_y, *moved, *starts;
-    td_memory *memory;
-    td_array *hits;
-    int32_t *out, *limit; /* where the next hit goes, and the end of the room */
-    int32_t *enough;      /* no need to look for more once this has been reached */
-    i8 box_min_x, box_min_y, box_max_x, box_max_y;
-} scan;
+/* wide_grid_sweep.c: finding the overlapping bounds of a grid. Hits come in the order of the grid,
+ * which is the order of places, not of addresses. */
+#include "wide_scan.h"
 
 /* A level of so few is searched whole, which costs less than finding the cells. */
 enum { FEW = 2 * TD_LANES };
 
 /* A hashed level is searched whole where more rows are asked for. */
 enum { MOST_ROWS = 16 };
-
-/* Which of the overlapping shapes count. */
-typedef enum heed { HEED_ALL, HEED_MOVED, HEED_UNMOVED } heed;
-
-TD_INLINE void set_room(scan *s)
-{
-    s->out = (int32_t *)s->hits->data + s->hits->count;
-    s->limit = (int32_t *)s->hits->data + s->hits->capacity;
-    s->enough = s->limit;
-}
-
-/* What was found so far, as the hits' count. */
-TD_INLINE int count_hits(scan *s)
-{
-    s->hits->count = (int)(s->out - (int32_t *)s->hits->data);
-    return s->hits->count;
-}
-
-TD_INLINE scan begin(const td_grid *grid, td_memory *memory, td_array *hits)
-{
-    scan s = {.grid = grid,
-              .ids = grid->ids.data,
-              .min_x = grid->min_x.data,
-              .min_y = grid->min_y.data,
-              .max_x = grid->max_x.data,
-              .max_y = grid->max_y.data,
-              .moved = grid->moved.data,
-              .starts = grid->starts.data,
-              .memory = memory,
-              .hits = hits};
-    set_room(&s);
-    return s;
-}
-
-TD_INLINE void set_box(scan *s, const td_bounds *b)
-{
-    s->box_min_x = i8_all(b->min_x);
-    s->box_min_y = i8_all(b->min_y);
-    s->box_max_x = i8_all(b->max_x);
-    s->box_max_y = i8_all(b->max_y);
-}
-
-TD_INLINE td_bounds bounds_at(const scan *s, int i)
-{
-    return (td_bounds){s->min_x[i], s->min_y[i], s->max_x[i], s->max_y[i]};
-}
-
-/* Overlapping lanes among the eight from `at` on. */
-TD_INLINE unsigned test(const scan *s, int at, heed which)
-{
-    i8 apart = i8_wrap_sub(s->box_max_x, i8_load(s->min_x + at)) |
-               i8_wrap_sub(i8_load(s->max_x + at), s->box_min_x) |
-               i8_wrap_sub(s->box_max_y, i8_load(s->min_y + at)) |
-               i8_wrap_sub(i8_load(s->max_y + at), s->box_min_y);
-    i8 found = ~apart;
-    if (which != HEED_ALL) {
-        i8 moved = i8_load(s->moved + at);
-        found &= which == HEED_MOVED ? moved : ~moved;
-    }
-    return i8_bits(found);
-}
-
-/* Room for `more` hits and what packing writes beyond. */
-TD_INLINE bool room(scan *s, int more)
-{
-    if (s->limit - s->out >= more + TD_LANES) {
-        return true;
-    }
-    if (!td_array_reserve(s->memory, s->hits, count_hits(s) + more + TD_LANES)) {
-        return false;
-    }
-    set_room(s);
-    return true;
-}
-
-/* Most ranges hold no more than eight, many of them none: the first eight are always tested, since a
- * branch that nobody can foretell costs more. */
-TD_INLINE void scan_span(scan *s, int from, int to, heed which, bool bounded)
-{
-    int at = from;
-    do {
-        unsigned bits = test(s, at, which);
-        int left = to - at;
-        bits &= left < TD_LANES ? (1u << left) - 1u : 0xffu;
-        s->out += i8_pack(s->out, s->ids + at, bits);
-        at += TD_LANES;
-    } while (at < to && (!bounded || s->out < s->enough));
-}
 
 /* No further than there are enough hits. */
 TD_INLINE void scan_range(scan *s, int from, int to, heed which)
@@ -237,7 +137,7 @@ TD_INLINE bool rows_meet(const td_level *level, int64_t column, int64_t row, uin
 TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, td_place near_position,
                            heed which)
 {
-    const td_grid *grid = s->grid;
+    const td_population *grid = s->population;
     if (level->count <= FEW) {
         return scan_level(s, level, which);
     }
@@ -278,7 +178,7 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, t
 /* The levels that are not the shape's own. */
 TD_INLINE bool scan_others(scan *s, int own, int i, td_place near_position, bool every)
 {
-    const td_grid *grid = s->grid;
+    const td_population *grid = s->population;
     td_bounds b = bounds_at(s, i);
     double x = (double)(td_unwrap(td_middle(b.min_x, b.max_x), near_position.x) - grid->origin_x);
     double y = (double)(td_unwrap(td_middle(b.min_y, b.max_y), near_position.y) - grid->origin_y);
@@ -297,7 +197,7 @@ TD_INLINE bool scan_others(scan *s, int own, int i, td_place near_position, bool
     return true;
 }
 
-static int levels_in_use(const td_grid *grid)
+static int levels_in_use(const td_population *grid)
 {
     int used = 0;
     for (int l = 0; l < TD_LEVELS; l++) {
@@ -306,11 +206,11 @@ static int levels_in_use(const td_grid *grid)
     return used;
 }
 
-td_grid_sweep_fn TD_WIDE(td_grid_sweep);
-bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_stance *stance,
+td_sweep_fn TD_WIDE(td_grid_sweep);
+bool TD_WIDE(td_grid_sweep)(const td_population *grid, td_memory *memory, const td_stance *stance,
                             bool every, td_array *runs, td_array *hits, td_array *crowded)
 {
-    scan s = begin(grid, memory, hits);
+    scan s = begin_scan(grid, memory, hits);
     const int32_t *cells = grid->cells.data;
     bool one_level = levels_in_use(grid) == 1;
     if (!td_array_reserve(memory, runs, grid->ids.count)) {
@@ -356,11 +256,11 @@ bool TD_WIDE(td_grid_sweep)(const td_grid *grid, td_memory *memory, const td_sta
     return true;
 }
 
-td_grid_query_fn TD_WIDE(td_grid_query);
-bool TD_WIDE(td_grid_query)(const td_grid *grid, td_memory *memory, const td_bounds *bounds,
+td_find_fn TD_WIDE(td_grid_find);
+bool TD_WIDE(td_grid_find)(const td_population *grid, td_memory *memory, const td_bounds *bounds,
                             td_place near_position, td_array *hits)
 {
-    scan s = begin(grid, memory, hits);
+    scan s = begin_scan(grid, memory, hits);
     set_box(&s, bounds);
     /* Levels in use follow each other, the last one first. */
     for (int l = TD_LEVELS - 1; l >= 0 && grid->levels[l].count; l--) {

@@ -1,0 +1,33 @@
+/* population.c: memory of a population. */
+#include "population.h"
+
+#include "world.h"
+
+bool td_population_reserve(thud_world *w, td_population *p)
+{
+    td_array *arrays[] = {&p->ids, &p->min_x, &p->min_y, &p->max_x, &p->max_y, &p->moved};
+    int count = p->list.count;
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
+        arrays[i]->stride = (int)sizeof(int32_t);
+        if (!td_array_reserve(&w->memory, arrays[i], count + TD_LANES)) {
+            return false;
+        }
+        arrays[i]->count = count;
+    }
+    return true;
+}
+
+void td_population_free(td_memory *memory, td_population *p)
+{
+    td_array *arrays[] = {&p->list,  &p->ids,   &p->min_x, &p->min_y, &p->max_x,    &p->max_y,
+                          &p->moved, &p->cells, &p->spot,  &p->keys,  &p->anchor_x, &p->anchor_y,
+                          &p->starts};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
+        td_array_free(memory, arrays[i]);
+    }
+}
+
+const char *thud_broadphase_name(const thud_broadphase *broadphase)
+{
+    return broadphase ? broadphase->name : "";
+}

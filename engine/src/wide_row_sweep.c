@@ -1,0 +1,107 @@
+/* wide_row_sweep.c: finding the overlapping bounds of a population in one row, eight at a time: among
+ * all that follow, or, where the row is sorted, among those that begin before a shape ends. */
+#include "wide_scan.h"
+
+/* Where the row is sorted: none from here on begins at or before `most`. */
+TD_INLINE int end_of(const td_population *row, int from, double most)
+{
+    const td_sweep_key *keys = row->keys.data;
+    int count = row->ids.count;
+    while (from < count && (!keys || keys[from].least <= most)) {
+        from += TD_LANES;
+    }
+    return from < count ? from : count;
+}
+
+/* The first that may reach `least`: half of what is left is thrown away each time. */
+TD_INLINE int begin_of(const td_population *row, double least)
+{
+    const td_sweep_key *keys = row->keys.data;
+    int low = 0, high = keys ? row->ids.count : 0;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (keys[middle].least < least - row->widest) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/* Coordinates at which the i-th shape begins and ends, where the row is sorted. */
+TD_INLINE double least_of(const td_population *row, int i)
+{
+    const td_sweep_key *keys = row->keys.data;
+    return keys ? keys[i].least : 0.0;
+}
+
+TD_INLINE double most_of(const scan *s, int i)
+{
+    return least_of(s->population, i) + (double)td_wrap_sub(s->max_x[i], s->min_x[i]);
+}
+
+/* Those before the i-th that have not moved; the others find it themselves. */
+TD_INLINE void scan_before(scan *s, int i)
+{
+    int first = begin_of(s->population, least_of(s->population, i));
+    if (first < i) {
+        scan_span(s, first, i, HEED_UNMOVED, false);
+    }
+}
+
+td_sweep_fn TD_WIDE(td_row_sweep);
+bool TD_WIDE(td_row_sweep)(const td_population *row, td_memory *memory, const td_stance *stance,
+                           bool every, td_array *runs, td_array *hits, td_array *crowded)
+{
+    (void)stance;
+    (void)crowded;
+    scan s = begin_scan(row, memory, hits);
+    if (!td_array_reserve(memory, runs, row->ids.count)) {
+        return false;
+    }
+    int before = 0;
+    runs->count = 0;
+    for (int i = 0; i < row->ids.count; i++) {
+        if (!every && !s.moved[i]) {
+            continue;
+        }
+        td_bounds b = bounds_at(&s, i);
+        set_box(&s, &b);
+        int end = end_of(row, i + 1, most_of(&s, i));
+        if (!room(&s, every ? end - i : end)) {
+            return false;
+        }
+        if (i + 1 < end) {
+            scan_span(&s, i + 1, end, s.moved[i] ? HEED_ALL : HEED_MOVED, false);
+        }
+        if (!every) {
+            scan_before(&s, i);
+        }
+        int found = count_hits(&s);
+        if (found > before) {
+            *(td_hit_run *)td_at(runs, runs->count++) = (td_hit_run){s.ids[i], found};
+        }
+        before = found;
+    }
+    return true;
+}
+
+td_find_fn TD_WIDE(td_row_find);
+bool TD_WIDE(td_row_find)(const td_population *row, td_memory *memory, const td_bounds *bounds,
+                          td_place near_place, td_array *hits)
+{
+    scan s = begin_scan(row, memory, hits);
+    set_box(&s, bounds);
+    double least = (double)(td_unwrap(bounds->min_x, near_place.x) - row->reference);
+    int first = begin_of(row, least);
+    int end = end_of(row, first, least + (double)td_wrap_sub(bounds->max_x, bounds->min_x));
+    if (!room(&s, end - first)) {
+        return false;
+    }
+    if (first < end) {
+        scan_span(&s, first, end, HEED_ALL, false);
+    }
+    count_hits(&s);
+    return true;
+}
