@@ -115,7 +115,7 @@ static void sample_gives_height_normal_and_weights(void **state)
     NEAR(s.height, 3.0);
     NEAR(s.nx, -0.6);
     NEAR(s.ny, 0.8);
-    assert_true(s.segment == 0 && s.weight[0] == 1.0 && s.weight[1] == 0.0);
+    assert_true(s.segment == 0 && s.weight[0] == -3.0 && s.weight[1] == 4.0);
     assert_int_equal(thud_terrain_sample_at(&irregular, 5, &s), THUD_OK);
     NEAR(s.height, -1.0);
     NEAR(s.nx, sqrt(0.5));

@@ -99,7 +99,8 @@ typedef struct thud_terrain_sample {
     double height;
     double nx, ny;      /* unit normal, ny > 0 */
     int segment;        /* between vertices segment and segment + 1; 0 for flat */
-    double weight[2];   /* of those two vertices; they sum to 1 (flat: 1, 0) */
+    double weight[2];   /* of those two vertices; they sum to 1. A flat line counts as one with
+                           vertices at x = 0 and x = 1, and goes on beyond them: 1 - x, x */
 } thud_terrain_sample;
 
 thud_result thud_terrain_check(const thud_terrain *terrain);
