@@ -68,10 +68,6 @@ thud_placed td_placed_at(const thud_placed *shape, const thud_motion *motion, do
 /* closest.c: as thud_shapes_closest, for shapes known to be valid; boxes may be flat (hy = 0). */
 void td_closest(const thud_placed *a, const thud_placed *b, thud_closest *out);
 
-/* ray.c: where a point that starts at (ox, oy) from the centre of a circle and moves by (dx, dy)
- * enters it. False if it starts inside or never does; *fraction is in [0, 1] of the motion. */
-bool td_ray_enters_circle(double ox, double oy, double dx, double dy, double r, double *fraction);
-
 /* toi.c: as thud_shapes_time_of_impact, likewise. */
 void td_time_of_impact(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
                        thud_motion motion_b, double target, bool *hit, double *time);

@@ -1,8 +1,9 @@
-/* toi.c: time of impact by conservative advancement (Mirtich 1996): along the present closest
+/* toi.c: time of impact. Shapes that do not turn meet when their path enters their Minkowski sum, in
+ * closed form. Turning ones by conservative advancement (Mirtich 1996): along the present closest
  * normal the shapes cannot meet before they have closed their distance at the fastest rate that
  * their motion allows, so time may safely jump that far. The jump is exact for motion along the
  * normal, and never goes past an impact. */
-#include "placed.h"
+#include "minkowski.h"
 
 enum { MAX_JUMPS = 200 };
 
@@ -15,42 +16,20 @@ static double turning(const thud_placed *shape, const thud_motion *m)
     return td_abs(m->turn) * __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
 }
 
-/* In closed form: the second centre is a point that enters a circle about the first. */
-static void circles(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
-                    const thud_motion *mb, double target, bool *hit, double *time)
+/* In closed form: the second centre is a point that enters the sum of both shapes. */
+static void translating(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
+                        const thud_motion *mb, double target, bool *hit, double *time)
 {
-    double x = b->x - a->x, y = b->y - a->y, r = a->hx + b->hx + target;
-    *time = 1.0;
-    if (x * x + y * y <= r * r) {
-        *hit = true;
-        *time = 0.0;
-    } else {
-        *hit = td_ray_enters_circle(x, y, mb->dx - ma->dx, mb->dy - ma->dy, r, time);
-        *time = *hit ? *time : 1.0;
+    double x = b->x - a->x, y = b->y - a->y, nx, ny;
+    thud_minkowski sum;
+    td_minkowski_sum(a, b, &sum);
+    sum.radius += target;
+    *time = 0.0;
+    *hit = td_minkowski_contains(&sum, x, y);
+    if (!*hit) {
+        *time = 1.0;
+        *hit = td_minkowski_enter(&sum, x, y, mb->dx - ma->dx, mb->dy - ma->dy, time, &nx, &ny);
     }
-}
-
-/* When a coordinate that starts at x and moves by dx is within half of zero: narrows [first, last]. */
-static void within(double x, double dx, double half, double *first, double *last)
-{
-    if (dx == 0.0) {
-        *last = td_abs(x) <= half ? *last : -1.0;
-        return;
-    }
-    double enter = ((dx > 0.0 ? -half : half) - x) / dx, leave = ((dx > 0.0 ? half : -half) - x) / dx;
-    *first = enter > *first ? enter : *first;
-    *last = leave < *last ? leave : *last;
-}
-
-/* In closed form: the second centre is a point that enters the sum of both boxes. */
-static void upright_boxes(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
-                          const thud_motion *mb, bool *hit, double *time)
-{
-    double first = 0.0, last = 1.0;
-    within(b->x - a->x, mb->dx - ma->dx, a->hx + b->hx, &first, &last);
-    within(b->y - a->y, mb->dy - ma->dy, a->hy + b->hy, &first, &last);
-    *hit = first <= last;
-    *time = *hit ? first : 1.0;
 }
 
 /* The distance at which shapes count as met: far below what anyone sees, above the rounding of
@@ -67,15 +46,11 @@ static double tolerance_of(const thud_placed *a, const thud_motion *ma, const th
 void td_time_of_impact(const thud_placed *a, thud_motion ma, const thud_placed *b, thud_motion mb,
                        double target, bool *hit, double *time)
 {
-    if (a->kind == THUD_CIRCLE && b->kind == THUD_CIRCLE) {
-        circles(a, &ma, b, &mb, target, hit, time);
-        return;
-    }
-    if (a->kind == THUD_AABB && b->kind == THUD_AABB && target == 0.0) {
-        upright_boxes(a, &ma, b, &mb, hit, time);
-        return;
-    }
     double spin = turning(a, &ma) + turning(b, &mb);
+    if (spin == 0.0) {
+        translating(a, &ma, b, &mb, target, hit, time);
+        return;
+    }
     double tolerance = tolerance_of(a, &ma, b, &mb);
     double t = 0.0;
     *hit = false;

@@ -1,0 +1,23 @@
+/* minkowski.h: Minkowski sums for the files that build on them; shapes and points known to be valid,
+ * boxes may be flat (hy = 0). */
+#ifndef TD_MINKOWSKI_H
+#define TD_MINKOWSKI_H
+
+#include "placed.h"
+#include "thud/thud_minkowski.h"
+
+/* The shape about its own centre: its sum with a point. */
+void td_minkowski_of(const thud_placed *shape, thud_minkowski *sum);
+
+void td_minkowski_sum(const thud_placed *a, const thud_placed *b, thud_minkowski *sum);
+
+bool td_minkowski_contains(const thud_minkowski *sum, double x, double y);
+
+double td_minkowski_distance(const thud_minkowski *sum, double x, double y, double *nx,
+                             double *ny);
+
+/* Where a point from outside enters the sum within its motion. False if it starts inside. */
+bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx, double dy,
+                        double *fraction, double *nx, double *ny);
+
+#endif
