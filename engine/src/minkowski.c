@@ -36,7 +36,7 @@ static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy)
     set_face(sum, 1, e.x, e.y, hx);
 }
 
-/* Boxes with their first axes along e and f, f being turned from e by an angle with the cosine c > 0
+/* Boxes with their first axes along e and f; from e to f is an angle with the cosine c > 0
  * and the sine s > 0: the edges come in the order e, f, e turned by a quarter, f turned so. */
 static void set_octagon(thud_minkowski *sum, thud_pos e, double ehx, double ehy, thud_pos f,
                         double fhx, double fhy, double c, double s)
@@ -175,7 +175,9 @@ double td_minkowski_distance(const thud_minkowski *sum, double x, double y, doub
 {
     double out;
     int face = outermost(sum, x, y, &out);
-    if (face == TD_NONE || out > 0.0) {
+    /* So near a corner, the direction from it would be made of roundings: the face's is better. */
+    double touching = 1e-14 * (td_abs(x) + td_abs(y));
+    if (face == TD_NONE || out > touching) {
         face = in_front_of(sum, x, y);
         if (face == TD_NONE) {
             thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];
@@ -237,8 +239,8 @@ static bool enter_circle(thud_pos centre, double radius, double x, double y, dou
 
 /* Of the faces that the point starts outside of, grown by the radius, it crosses the last one where
  * it enters, if it has not left between others by then (Cyrus and Beck, Generalized two- and
- * three-dimensional clipping, 1978). The grown polygon has sharp corners: where the point comes in at
- * one, beside the face, or starts there, only the circle about the vertex is there to be hit. */
+ * three-dimensional clipping, 1978). The grown polygon has sharp corners: where the point starts in
+ * one or comes in at one, beside the face, only the circle about the vertex is there to be hit. */
 bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx, double dy,
                         double *fraction, double *nx, double *ny)
 {
@@ -266,7 +268,7 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
         }
     }
     if (face == TD_NONE) {
-        if (sum->radius == 0.0 || td_minkowski_contains(sum, x, y)) {
+        if (sum->radius == 0.0) {
             return false;
         }
         thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];

@@ -1,5 +1,5 @@
-/* minkowski.h: Minkowski sums for the files that build on them; shapes and points known to be valid,
- * boxes may be flat (hy = 0). */
+/* minkowski.h: Minkowski sums for the files that build on them; shapes and points are known to be
+ * valid, boxes may be flat (hy = 0). */
 #ifndef TD_MINKOWSKI_H
 #define TD_MINKOWSKI_H
 
@@ -16,7 +16,8 @@ bool td_minkowski_contains(const thud_minkowski *sum, double x, double y);
 double td_minkowski_distance(const thud_minkowski *sum, double x, double y, double *nx,
                              double *ny);
 
-/* Where a point from outside enters the sum within its motion. False if it starts inside. */
+/* Where a point from outside enters the sum within its motion. The caller has made sure that it is
+ * outside, but for sums with a point: false if it starts in one of those. */
 bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx, double dy,
                         double *fraction, double *nx, double *ny);
 

@@ -1,8 +1,8 @@
-/* toi.c: time of impact. Shapes that do not turn meet when their path enters their Minkowski sum, in
- * closed form. Turning ones by conservative advancement (Mirtich 1996): along the present closest
- * normal the shapes cannot meet before they have closed their distance at the fastest rate that
- * their motion allows, so time may safely jump that far. The jump is exact for motion along the
- * normal, and never goes past an impact. */
+/* toi.c: time of impact. Shapes that do not turn meet where their path enters their Minkowski sum,
+ * in closed form. Turning ones meet by conservative advancement (Mirtich 1996): along the present
+ * closest normal the shapes cannot meet before they have closed their distance at the fastest rate
+ * that their motion allows, so time may safely jump that far. The jump is exact for motion along
+ * the normal, and never goes past an impact. */
 #include "minkowski.h"
 
 enum { MAX_JUMPS = 200 };

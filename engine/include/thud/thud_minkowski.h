@@ -28,19 +28,21 @@ extern "C" {
 
 #define THUD_MINKOWSKI_MAX 8 /* vertices of a sum */
 
-/* A convex polygon about the origin, rounded by a radius. All three kinds of shape are their own
- * mirror image, and so is the sum: vertex and face i + count / 2 are vertex and face i negated. */
+/* A convex polygon about the origin, rounded by a radius. Circles and boxes are their own mirror
+ * images, and so is the sum: vertex i + count / 2 is vertex i negated, and so with the faces. */
 typedef struct thud_minkowski {
-    int count;                            /* vertices: 1 of two circles, 4, or 8 of two boxes that
-                                           * are not parallel */
+    /* Vertices: 1 of two circles, 4, or 8 of two boxes that are not parallel. */
+    int count;
     thud_pos vertices[THUD_MINKOWSKI_MAX]; /* counter-clockwise; two may coincide */
-    thud_pos normals[THUD_MINKOWSKI_MAX / 2]; /* outward, of length 1, of the face from vertex i to
-                                           * i + 1; count / 2 of them, none of two circles */
-    double offsets[THUD_MINKOWSKI_MAX / 2]; /* of that face from the origin, >= 0 */
-    double radius;                        /* of the rounding, >= 0; a caller may grow it by a margin */
+    /* Of the faces from vertex i to i + 1, i < count / 2 (none of two circles): outward, of length
+     * 1, and the face's distance from the origin. */
+    thud_pos normals[THUD_MINKOWSKI_MAX / 2];
+    double offsets[THUD_MINKOWSKI_MAX / 2];
+    double radius; /* of the rounding, 0 to 1e16; a caller may grow it by a margin */
 } thud_minkowski;
 
-/* The sum of a and the reflected b. The centres are not read, but must be valid. */
+/* The sum of a and the reflected b. The centres are not read, but must be valid. Entries beyond
+ * count are 0. */
 thud_result thud_minkowski_sum(const thud_placed *a, const thud_placed *b, thud_minkowski *sum);
 
 /* Whether the point (x, y) is in the sum; its edge belongs to it. |x|, |y| <= 1e16. */
