@@ -12,47 +12,44 @@ static thud_pos axis_of(const thud_placed *box)
     return (thud_pos){box->c * scale, box->s * scale};
 }
 
-static void set_vertex(thud_minkowski *sum, int i, double x, double y)
+/* The sum of the segments from -half to half along each axis, in the order of their angles. */
+static void set_segments(thud_minkowski *sum, int count, const thud_pos *axes, const double *halves)
 {
-    sum->vertices[i] = (thud_pos){x, y};
-    sum->vertices[i + sum->count / 2] = (thud_pos){-x, -y};
+    double x = 0.0, y = 0.0;
+    sum->count = 2 * count;
+    sum->radius = 0.0;
+    for (int i = 0; i < count; i++) {
+        x -= halves[i] * axes[i].x;
+        y -= halves[i] * axes[i].y;
+    }
+    for (int i = 0; i < count; i++) {
+        sum->vertices[i] = (thud_pos){x, y};
+        sum->vertices[i + count] = (thud_pos){-x, -y};
+        x += 2.0 * halves[i] * axes[i].x;
+        y += 2.0 * halves[i] * axes[i].y;
+        sum->normals[i] = (thud_pos){axes[i].y, -axes[i].x};
+        sum->offsets[i] = 0.0;
+        for (int j = 0; j < count; j++) {
+            double shadow = axes[i].y * axes[j].x - axes[i].x * axes[j].y;
+            sum->offsets[i] += halves[j] * td_abs(shadow);
+        }
+    }
 }
 
-static void set_face(thud_minkowski *sum, int i, double nx, double ny, double offset)
-{
-    sum->normals[i] = (thud_pos){nx, ny};
-    sum->offsets[i] = offset;
-}
-
-/* A box with its first axis along e. */
+/* The same of a box, with its first axis along e, written out for rays. */
 static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy)
 {
     double ux = hx * e.x, uy = hx * e.y, vx = -hy * e.y, vy = hy * e.x;
     sum->count = 4;
     sum->radius = 0.0;
-    set_vertex(sum, 0, -ux - vx, -uy - vy);
-    set_vertex(sum, 1, ux - vx, uy - vy);
-    set_face(sum, 0, e.y, -e.x, hy);
-    set_face(sum, 1, e.x, e.y, hx);
-}
-
-/* Boxes with their first axes along e and f; from e to f is an angle with the cosine c > 0
- * and the sine s > 0: the edges come in the order e, f, e turned by a quarter, f turned so. */
-static void set_octagon(thud_minkowski *sum, thud_pos e, double ehx, double ehy, thud_pos f,
-                        double fhx, double fhy, double c, double s)
-{
-    double e1x = ehx * e.x, e1y = ehx * e.y, e2x = -ehy * e.y, e2y = ehy * e.x;
-    double f1x = fhx * f.x, f1y = fhx * f.y, f2x = -fhy * f.y, f2y = fhy * f.x;
-    sum->count = 8;
-    sum->radius = 0.0;
-    set_vertex(sum, 0, -e1x - f1x - e2x - f2x, -e1y - f1y - e2y - f2y);
-    set_vertex(sum, 1, e1x - f1x - e2x - f2x, e1y - f1y - e2y - f2y);
-    set_vertex(sum, 2, e1x + f1x - e2x - f2x, e1y + f1y - e2y - f2y);
-    set_vertex(sum, 3, e1x + f1x + e2x - f2x, e1y + f1y + e2y - f2y);
-    set_face(sum, 0, e.y, -e.x, ehy + fhx * s + fhy * c);
-    set_face(sum, 1, f.y, -f.x, fhy + ehx * s + ehy * c);
-    set_face(sum, 2, e.x, e.y, ehx + fhx * c + fhy * s);
-    set_face(sum, 3, f.x, f.y, fhx + ehx * c + ehy * s);
+    sum->vertices[0] = (thud_pos){-ux - vx, -uy - vy};
+    sum->vertices[1] = (thud_pos){ux - vx, uy - vy};
+    sum->vertices[2] = (thud_pos){ux + vx, uy + vy};
+    sum->vertices[3] = (thud_pos){vx - ux, vy - uy};
+    sum->normals[0] = (thud_pos){e.y, -e.x};
+    sum->normals[1] = e;
+    sum->offsets[0] = hy;
+    sum->offsets[1] = hx;
 }
 
 static void set_boxes(thud_minkowski *sum, const thud_placed *a, const thud_placed *b)
@@ -75,7 +72,8 @@ static void set_boxes(thud_minkowski *sum, const thud_placed *a, const thud_plac
         fhy = old_hx;
     }
     if (s > 0.0) {
-        set_octagon(sum, e, a->hx, a->hy, f, fhx, fhy, c, s);
+        set_segments(sum, 4, (thud_pos[]){e, f, {-e.y, e.x}, {-f.y, f.x}},
+                     (double[]){a->hx, fhx, a->hy, fhy});
     } else {
         set_box(sum, e, a->hx + fhx, a->hy + fhy);
     }
