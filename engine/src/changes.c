@@ -118,6 +118,18 @@ static void renew_terrain(thud_world *w, int index)
     }
 }
 
+/* Contacts with segments that an edit of a line took away. */
+static void destroy_gone(thud_world *w, int index)
+{
+    for (int e = td_body_at(w, index)->first_contact; e != TD_NONE;) {
+        int next = td_next_edge(w, e);
+        if (td_contact_at(w, e / 2)->child == TD_NONE) {
+            td_contact_destroy(w, e / 2);
+        }
+        e = next;
+    }
+}
+
 static bool apply(thud_world *w, int index)
 {
     td_body *body = td_body_at(w, index);
@@ -141,6 +153,9 @@ static bool apply(thud_world *w, int index)
     if (changes & TD_CHANGE_LEAVE) {
         leave(w, index);
         return true;
+    }
+    if (changes & TD_CHANGE_WAKE) {
+        destroy_gone(w, index);
     }
     if (changes & TD_CHANGE_SHAPES) {
         update_shapes(w, index);

@@ -253,42 +253,6 @@ thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terra
     return THUD_OK;
 }
 
-thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
-                                   const double *heights, int count)
-{
-    int index;
-    thud_result result = td_find_shape(w, id, &index);
-    if (result != THUD_OK) {
-        return result;
-    }
-    if (!heights) {
-        return td_refuse(w, THUD_ERROR_NULL, "set heights: heights is null");
-    }
-    if (w->locked) {
-        return td_refuse(w, THUD_ERROR_LOCKED, "set heights: not inside a callback");
-    }
-    const td_shape *shape = td_shape_at(w, index);
-    if (shape->kind != THUD_TERRAIN) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set heights: the shape is no terrain");
-    }
-    td_terrain_record *record = td_slot_at(&w->terrains, shape->terrain);
-    if (first < 0 || count < 0 || first > record->points.count - count) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set heights: no such vertices");
-    }
-    for (int i = 0; i < count; i++) {
-        if (!(heights[i] >= -TD_PLACE_MAX && heights[i] <= TD_PLACE_MAX)) {
-            return td_refuse(w, THUD_ERROR_INVALID, "set heights: a height is out of range");
-        }
-    }
-    thud_pos *points = record->points.data;
-    for (int i = 0; i < count; i++) {
-        points[first + i].y = heights[i];
-        record->highest = td_max_double(record->highest, heights[i]);
-    }
-    td_body_mark(w, shape->body, TD_CHANGE_PLACE);
-    return THUD_OK;
-}
-
 /* ---- the rest of a shape's life ---- */
 
 thud_result thud_shape_destroy(thud_world *w, thud_shape_id id)

@@ -33,6 +33,13 @@ thud_result td_terrain_readable(const thud_terrain *t)
     return t->count >= 2 && t->count <= MAX_COUNT ? THUD_OK : THUD_ERROR_INVALID;
 }
 
+bool td_terrain_vertex_valid(thud_terrain_kind kind, const thud_pos *before, const thud_pos *vertex)
+{
+    bool placed = kind == THUD_TERRAIN_UNIFORM || (td_abs(vertex->x) <= MAX_PLACE &&
+                                                   (!before || vertex->x > before->x));
+    return placed && td_abs(vertex->y) <= MAX_PLACE;
+}
+
 thud_result thud_terrain_check(const thud_terrain *t)
 {
     thud_result result = td_terrain_readable(t);
@@ -40,10 +47,8 @@ thud_result thud_terrain_check(const thud_terrain *t)
         return result;
     }
     for (int i = 0; i < t->count; i++) {
-        const thud_pos *point = &t->points[i];
-        bool placed = t->kind == THUD_TERRAIN_UNIFORM ||
-                      (td_abs(point->x) <= MAX_PLACE && (i == 0 || point->x > point[-1].x));
-        if (!placed || !(td_abs(point->y) <= MAX_PLACE)) {
+        const thud_pos *vertex = &t->points[i];
+        if (!td_terrain_vertex_valid(t->kind, i ? vertex - 1 : NULL, vertex)) {
             return THUD_ERROR_INVALID;
         }
     }
@@ -92,6 +97,15 @@ int td_terrain_segment_at(const thud_terrain *t, double x)
         break;
     }
     return 0;
+}
+
+int td_terrain_vertices_left_of(const thud_terrain *t, double x)
+{
+    int vertex = td_terrain_segment_at(t, x);
+    while (vertex < t->count && td_terrain_x(t, vertex) < x) {
+        vertex++;
+    }
+    return vertex;
 }
 
 td_segment td_terrain_segment(const thud_terrain *t, int segment, double x_min, double x_max)

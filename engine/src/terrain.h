@@ -25,11 +25,17 @@ static inline double td_above(const td_segment *s, double x, double y)
 /* Everything but the points' values; enough to read the line without going astray. */
 thud_result td_terrain_readable(const thud_terrain *terrain);
 
+/* Whether a vertex may stand there, to the right of the one before (null: it is the first). */
+bool td_terrain_vertex_valid(thud_terrain_kind kind, const thud_pos *before, const thud_pos *vertex);
+
 /* Where a vertex of a line that is not flat stands. */
 double td_terrain_x(const thud_terrain *terrain, int vertex);
 
 /* The segment whose half-open column holds x, the first or last one for an x beyond the ends. */
 int td_terrain_segment_at(const thud_terrain *terrain, double x);
+
+/* How many vertices stand strictly to the left of x. */
+int td_terrain_vertices_left_of(const thud_terrain *terrain, double x);
 
 /* A flat line gives the piece between x_min and x_max. */
 td_segment td_terrain_segment(const thud_terrain *terrain, int segment, double x_min, double x_max);

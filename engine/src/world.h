@@ -94,7 +94,7 @@ typedef struct td_contact {
     int32_t next_free;
     int32_t shape_a, shape_b;
     int32_t body[2]; /* of shape_a and shape_b */
-    int32_t child;   /* terrain segment */
+    int32_t child;   /* terrain segment; TD_NONE: an edit took it away, and the next step the contact */
     int32_t slot;
     int32_t next[2], prev[2]; /* edges in the bodies' contact lists */
     uint16_t bin;

@@ -12,28 +12,15 @@
 
 #include "thud_detection.h"
 #include "thud_draw.h"
+#include "thud_ids.h"
 #include "thud_jobs.h"
 #include "thud_math.h"
 #include "thud_shapes.h"
+#include "thud_terrain.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* ---- handles ----
- * Index and generation. A zero handle is the null handle. A stale handle, or one of another
- * world, is refused in every build. */
-typedef struct thud_world thud_world;
-
-typedef struct thud_body_id {
-    uint32_t index1;     /* slot + 1 */
-    uint32_t generation; /* of the slot, mixed with the world's own number */
-} thud_body_id;
-
-typedef struct thud_shape_id {
-    uint32_t index1;
-    uint32_t generation;
-} thud_shape_id;
 
 /* ---- world ---- */
 
@@ -241,11 +228,9 @@ typedef struct thud_shape_state {
 } thud_shape_state;
 
 thud_result thud_shape_get(const thud_world *world, thud_shape_id shape, thud_shape_state *out);
-/* The world's own copy of a terrain; valid until the next edit of the world. */
+/* The world's own copy of a terrain; valid until the next edit of the world. Edits of the
+ * line are in thud_terrain.h. */
 thud_result thud_shape_terrain(const thud_world *world, thud_shape_id shape, thud_terrain *out);
-/* Replaces the heights of `count` vertices from `first` on; uniform and irregular terrain. */
-thud_result thud_shape_set_heights(thud_world *world, thud_shape_id shape, int first,
-                                   const double *heights, int count);
 
 /* ---- reading all poses at once ---- */
 
