@@ -51,8 +51,8 @@ static void draw_footer(viewer *v) {
     x = right.x + 10 * u;
     x += canvas_text(c, x, y, COLOR_TEXT, text) + 24 * u;
     canvas_text_fit(c, x, y, (float)c->width - 16 * u - x, COLOR_TEXT_DIM,
-                    "Drag a body to pull it, the ground to move; wheel zooms; C, B drop here; "
-                    "Space pauses; N steps; Tab hides all this");
+                    "Drag a body to pull it, the ground to move; wheel zooms; C, B drop and G digs "
+                    "here; Space pauses; N steps; Tab hides all this");
 }
 
 static void draw_message(viewer *v) {

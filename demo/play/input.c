@@ -1,6 +1,7 @@
 /* input.c: see input.h. */
 #include "input.h"
 
+#include "dig.h"
 #include "panel.h"
 
 #include <math.h>
@@ -13,6 +14,7 @@ const char INPUT_HELP[] =
     "  R                  reset                Home         first view\n"
     "  , .                slower, faster       Q            next quality\n"
     "  C B                drop a circle, a box at the pointer; with Shift a large one\n"
+    "  G                  dig a crater into the ground at the pointer; with Shift raise a mound\n"
     "  Delete             remove the body under the pointer\n"
     "  1 to 7             contacts, normals, bounds, cells, islands, sleeping, timings\n"
     "  Up Down PgUp PgDn  previous, next scene or level\n"
@@ -92,6 +94,11 @@ static void spawn_here(viewer *v, thud_shape_kind kind, bool large) {
         session_spawn(&v->session, kind, pointer_place(v), large ? 4 : 1);
 }
 
+static void dig_here(viewer *v, bool mound) {
+    if (!over_panel(v))
+        (mound ? dig_mound : dig_crater)(&v->session, pointer_place(v));
+}
+
 static void remove_here(viewer *v) {
     thud_body_id body;
     if (!over_panel(v) &&
@@ -160,6 +167,9 @@ static void repeat_key(viewer *v, SDL_Keycode key, bool shift) {
         break;
     case SDLK_b:
         spawn_here(v, THUD_OBB, shift);
+        break;
+    case SDLK_g:
+        dig_here(v, shift);
         break;
     case SDLK_UP:
     case SDLK_PAGEUP:

@@ -8,6 +8,7 @@ static const scene_info *const LIST[] = {
     &scene_tumbler_half, &scene_smash,          &scene_platformer,    &scene_gas,
     &scene_tall_stack,   &scene_heavy_on_light, &scene_cradle,        &scene_slopes,
     &scene_bullets,      &scene_sizes,          &scene_one_spot,      &scene_asleep,
+    &scene_digging,
 };
 
 enum { LIST_COUNT = sizeof LIST / sizeof LIST[0] };

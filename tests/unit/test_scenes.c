@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -109,8 +110,8 @@ static void scene_fills_the_same_twice(void **state) {
 /* Random bodies are laid out so that none starts inside another. */
 static void random_scenes_start_without_overlap(void **state) {
     (void)state;
-    static const char *const names[] = {"circle_pit", "mixed_terrain", "gas", "sizes",
-                                        "platformer"};
+    static const char *const names[] = {"circle_pit", "mixed_terrain", "gas",
+                                        "sizes",      "platformer",    "digging"};
     for (size_t n = 0; n < sizeof names / sizeof names[0]; n++) {
         scene s;
         assert_true(scenes_fill(scenes_find(names[n]), 1000, &s));
@@ -158,6 +159,31 @@ static void cradle_row_touches_exactly_and_first_balls_fly(void **state) {
     scene_free(&s);
 }
 
+/* The table in digging.c against the file that it was taken from. */
+static void digging_ground_is_the_profile_of_the_asset(void **state) {
+    (void)state;
+    scene s;
+    assert_true(scenes_fill(scenes_find("digging"), 0, &s));
+    FILE *file = fopen("assets/terrain/jacksboro_200.csv", "r");
+    assert_non_null(file);
+    double elevation[403];
+    int count = 0;
+    char line[64];
+    assert_non_null(fgets(line, sizeof line, file)); /* the head */
+    while (count < 403 && fscanf(file, "%*f,%lf", &elevation[count]) == 1)
+        count++;
+    fclose(file);
+    assert_int_equal(count, 403);
+    const scene_shape *ground = &s.shapes[0];
+    assert_int_equal(ground->kind, SCENE_TERRAIN_UNIFORM);
+    assert_int_equal(ground->point_count, 481);
+    for (int i = 60; i <= 180; i++) {
+        double height = (elevation[i] - 386) * 1.5 / 74.4;
+        assert_true(fabs(s.points[ground->first_point + 4 * (i - 60)].y - height) < 1e-12);
+    }
+    scene_free(&s);
+}
+
 static void shape_without_a_body_marks_the_scene_as_failed(void **state) {
     (void)state;
     scene s;
@@ -179,6 +205,7 @@ int main(void) {
         cmocka_unit_test(random_scenes_start_without_overlap),
         cmocka_unit_test(shift_by_whole_numbers_is_exact),
         cmocka_unit_test(cradle_row_touches_exactly_and_first_balls_fly),
+        cmocka_unit_test(digging_ground_is_the_profile_of_the_asset),
         cmocka_unit_test(shape_without_a_body_marks_the_scene_as_failed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
