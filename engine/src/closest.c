@@ -107,18 +107,31 @@ static void deepest_points(const thud_placed *a, const thud_placed *b, thud_clos
     out->by = out->ay + out->ny * out->distance;
 }
 
+static void shift(thud_closest *c, double x, double y)
+{
+    c->ax += x;
+    c->ay += y;
+    c->bx += x;
+    c->by += y;
+}
+
 /* Each corner of b against the solid box a; keeps the closest pair. `flipped`: b and a changed
- * places. */
+ * places. Relative to a's centre: far from the origin, places are too coarse for a distance. */
 static void try_corners(const thud_placed *a, const thud_placed *b, bool flipped,
                         thud_closest *out)
 {
+    thud_placed box = *a, other = *b;
+    box.x = box.y = 0.0;
+    other.x = b->x - a->x;
+    other.y = b->y - a->y;
     for (int i = 0; i < 4; i++) {
         thud_placed point = {.kind = THUD_CIRCLE, .c = 1.0};
         thud_closest found;
-        td_corner(b, i, &point.x, &point.y);
-        box_circle(a, &point, &found);
+        td_corner(&other, i, &point.x, &point.y);
+        box_circle(&box, &point, &found);
         if (found.distance < out->distance) {
             *out = found;
+            shift(out, a->x, a->y);
             if (flipped) {
                 flip(out);
             }
@@ -126,15 +139,28 @@ static void try_corners(const thud_placed *a, const thud_placed *b, bool flipped
     }
 }
 
+/* How far b is beyond a along the normal. */
+static double gap_along(const thud_placed *a, const thud_placed *b, const thud_closest *c)
+{
+    return (b->x - a->x) * c->nx + (b->y - a->y) * c->ny - td_shadow(a, c->nx, c->ny) -
+           td_shadow(b, c->nx, c->ny);
+}
+
 static void box_box(const thud_placed *a, const thud_placed *b, thud_closest *out)
 {
+    thud_closest corners = {.distance = 1e300};
     out->distance = -1e300;
     try_axes(a, a, b, out);
     bool face_of_b = try_axes(b, a, b, out);
     if (out->distance > 0.0) {
-        out->distance = 1e300;
-        try_corners(a, b, false, out);
-        try_corners(b, a, true, out);
+        try_corners(a, b, false, &corners);
+        try_corners(b, a, true, &corners);
+    }
+    /* The link between corners that all but touch has a direction of mere rounding, which may even
+     * point into a box; then an axis is the better normal. */
+    double rounding = 1e-15 * (td_reach(a) + td_reach(b));
+    if (out->distance > 0.0 && gap_along(a, b, &corners) >= out->distance - rounding) {
+        *out = corners;
     } else if (face_of_b) {
         flip(out);
         deepest_points(b, a, out);

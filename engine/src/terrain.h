@@ -40,4 +40,9 @@ int td_terrain_vertices_left_of(const thud_terrain *terrain, double x);
 /* A flat line gives the piece between x_min and x_max. */
 td_segment td_terrain_segment(const thud_terrain *terrain, int segment, double x_min, double x_max);
 
+/* terrain_closest.c: as thud_terrain_closest, for the shape moved by `offset` and known to be valid,
+ * or a circle of radius 0; points are relative to the moved centre. */
+void td_terrain_closest(const thud_terrain *terrain, const thud_placed *shape, thud_pos offset,
+                        thud_closest *out);
+
 #endif

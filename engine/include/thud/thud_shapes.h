@@ -32,13 +32,28 @@ typedef struct thud_motion {
     double turn; /* radians; only an OBB heeds it */
 } thud_motion;
 
-/* The closest (or deepest) features of two shapes. */
+/* The closest (or deepest) features of two shapes; (b - a) = distance * normal. */
 typedef struct thud_closest {
     double distance;    /* negative: penetration depth along the normal */
     double nx, ny;      /* unit normal from a to b */
     double ax, ay;      /* the feature's point on a's surface */
     double bx, by;      /* ... and on b's */
 } thud_closest;
+
+/* Where two shapes touch, or nearly: the closest features first, and where a face lies along
+ * another the far end of what they share. */
+typedef struct thud_contacts {
+    int count;             /* 0..2 */
+    thud_closest point[2]; /* a point's distance is its separation */
+} thud_contacts;
+
+/* How two moving circles pass each other. */
+typedef struct thud_approach {
+    bool hit;
+    double time;       /* of the impact; 1 without one */
+    double least;      /* the smallest distance that ever separates the centres */
+    double least_time; /* when, in [0, 1]; the first time if the circles keep their distance */
+} thud_approach;
 
 thud_result thud_placed_check(const thud_placed *shape); /* THUD_OK if finite and in range */
 
@@ -48,6 +63,12 @@ bool thud_shapes_overlap(const thud_placed *a, const thud_placed *b);
 /* Signed distance, normal and closest points. Overlapping shapes give the axis of least
  * penetration. */
 thud_result thud_shapes_closest(const thud_placed *a, const thud_placed *b, thud_closest *out);
+
+/* The points at which the shapes are within `margin` (>= 0) of each other. The first is that of
+ * thud_shapes_closest. Boxes of which one has a face across the normal may have a second: the place
+ * furthest from the first along that face where the other box's opposite face lies over it. */
+thud_result thud_shapes_contacts(const thud_placed *a, const thud_placed *b, double margin,
+                                 thud_contacts *out);
 
 /* Where the ray from (ox, oy) along (dx, dy) first meets the shape. *fraction is in [0, 1] of the
  * translation, (*nx, *ny) the outward unit normal there. A ray that starts inside hits nothing. */
@@ -61,11 +82,17 @@ thud_result thud_shapes_time_of_impact(const thud_placed *a, thud_motion motion_
                                        const thud_placed *b, thud_motion motion_b, double target,
                                        bool *hit, double *time);
 
+/* Impact and nearest approach of two circles in closed form; turning does not matter. The nearest
+ * approach is of the whole motion, as if the circles went through each other. THUD_ERROR_INVALID
+ * unless both are circles. */
+thud_result thud_circles_approach(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
+                                  thud_motion motion_b, thud_approach *out);
+
 /* When the moving shapes began to overlap, by bisection over the motion, for shapes that are apart
  * at time 0 and overlap at time 1. At *time, in [0, 1), they are still apart, and `tolerance` later
  * they overlap; tolerance is in [1e-15, 1], of the motion, and each halving costs one overlap test.
- * *collided = false and *time = 1 where they are apart at the end, whatever happened in between (see
- * thud_motion_is_bisectable), or overlap at the start. */
+ * *collided = false and *time = 1 where they are apart at the end, whatever happened in between
+ * (see thud_motion_is_bisectable), or overlap at the start. */
 thud_result thud_shapes_time_of_collision(const thud_placed *a, thud_motion motion_a,
                                           const thud_placed *b, thud_motion motion_b,
                                           double tolerance, bool *collided, double *time);
@@ -84,8 +111,9 @@ typedef enum thud_terrain_kind {
     THUD_TERRAIN_IRREGULAR  /* points with strictly increasing x */
 } thud_terrain_kind;
 
-/* A ground line, one-sided: solid below, with upright sides under its ends. The caller owns `points` (uniform: only y is read) and
- * must keep them while the view is used; a world copies them. */
+/* A ground line, one-sided: solid below, with upright sides under its ends. The caller owns
+ * `points` (uniform: only y is read) and must keep them while the view is used; a world copies
+ * them. */
 typedef struct thud_terrain {
     thud_terrain_kind kind;
     double slope;           /* flat only: rise over run, |slope| <= 100 */
@@ -119,6 +147,21 @@ bool thud_terrain_cast_ray(const thud_terrain *terrain, double ox, double oy, do
 
 /* True if the shape reaches the line or the solid ground below it. */
 bool thud_terrain_overlap(const thud_terrain *terrain, const thud_placed *shape);
+
+/* As thud_shapes_closest with the terrain as a. Overlapping, the distance is that of the least
+ * translation that takes the shape out of the ground, and the normal its direction; the points are
+ * of one of the places that then touch. Time grows with the number of segments that are as near as
+ * the result, and when overlapping with that number times those under the shape's width. */
+thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_placed *shape,
+                                 thud_closest *out);
+
+/* As thud_shapes_contacts with the terrain as a. The first point is that of thud_terrain_closest,
+ * the deepest of all. Candidates for the second are the corners of a box, each with the nearest
+ * place of the ground; the ridges of the ground, each with the nearest place of the shape; and the
+ * segments on which a circle stands. Of those within the margin, the one furthest from the first is
+ * taken. Each point has a normal of its own: a circle in a valley leans on both slopes. */
+thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_placed *shape,
+                                  double margin, thud_contacts *out);
 
 /* As thud_shapes_time_of_impact with the terrain at rest. */
 thud_result thud_terrain_time_of_impact(const thud_terrain *terrain, const thud_placed *shape,

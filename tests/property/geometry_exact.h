@@ -1,0 +1,196 @@
+/* geometry_exact.h: the answers of geometry once more, in long double and by other ways than the
+ * engine's: everything about two shapes comes from the convex hull of all differences of their
+ * corners. Places are relative to wherever the caller says. */
+#ifndef GEOMETRY_EXACT_H
+#define GEOMETRY_EXACT_H
+
+#include "thud/thud_shapes.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+typedef long double real;
+
+typedef struct vec {
+    real x, y;
+} vec;
+
+/* Half a unit in the last place of 1.0: what one operation of the engine may lose. */
+#define ROUNDING 0x1p-53
+
+/* How many cases a test draws: as THUD_CASES says, or the quick run's number. */
+static inline int cases_or(int quick)
+{
+    const char *text = getenv("THUD_CASES");
+    int wanted = text ? atoi(text) : 0;
+    return wanted > 0 ? wanted : quick;
+}
+
+static inline vec vec_of(real x, real y)
+{
+    return (vec){x, y};
+}
+
+static inline vec minus(vec a, vec b)
+{
+    return (vec){a.x - b.x, a.y - b.y};
+}
+
+static inline real dot(vec a, vec b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+
+static inline real cross(vec a, vec b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+static inline real length_of(vec a)
+{
+    return sqrtl(dot(a, a));
+}
+
+static inline vec unit(vec a)
+{
+    real length = length_of(a);
+    return (vec){a.x / length, a.y / length};
+}
+
+/* A convex polygon, counter-clockwise, with a rounding radius; a circle has one corner. */
+typedef struct solid {
+    vec v[4];
+    int count;
+    real radius;
+} solid;
+
+static inline solid solid_at(const thud_placed *s, vec center, real c, real si)
+{
+    solid out = {.count = 1, .v = {center}, .radius = s->kind == THUD_CIRCLE ? (real)s->hx : 0.0L};
+    if (s->kind != THUD_CIRCLE) {
+        out.count = 4;
+        for (int i = 0; i < 4; i++) {
+            real u = i == 1 || i == 2 ? (real)s->hx : -(real)s->hx;
+            real v = i >= 2 ? (real)s->hy : -(real)s->hy;
+            out.v[i] = vec_of(center.x + c * u - si * v, center.y + si * u + c * v);
+        }
+    }
+    return out;
+}
+
+/* Relative to (x, y). */
+static inline solid solid_of(const thud_placed *s, double x, double y)
+{
+    return solid_at(s, vec_of((real)s->x - x, (real)s->y - y), s->c, s->s);
+}
+
+/* Where the shape is after a part of its motion. */
+static inline solid solid_after(const thud_placed *s, thud_motion m, real t, double x, double y)
+{
+    bool turns = s->kind == THUD_OBB && m.turn != 0.0;
+    real c = turns ? cosl(m.turn * t) : 1.0L, si = turns ? sinl(m.turn * t) : 0.0L;
+    return solid_at(s, vec_of((real)s->x - x + m.dx * t, (real)s->y - y + m.dy * t),
+                    s->c * c - s->s * si, s->s * c + s->c * si);
+}
+
+/* The hull of all b - a; the shapes overlap if the origin is within `radius` of it. */
+typedef struct sum {
+    vec v[32];
+    int count;
+    real radius;
+} sum;
+
+static inline void hull_add(sum *h, int keep, vec p)
+{
+    while (h->count > keep && cross(minus(h->v[h->count - 1], h->v[h->count - 2]),
+                                    minus(p, h->v[h->count - 1])) <= 0) {
+        h->count--;
+    }
+    h->v[h->count++] = p;
+}
+
+/* By monotone chain (Andrew 1979). */
+static inline sum sum_of(const solid *a, const solid *b)
+{
+    sum h = {.radius = a->radius + b->radius};
+    vec p[16];
+    int n = 0;
+    for (int i = 0; i < a->count; i++) {
+        for (int j = 0; j < b->count; j++) {
+            vec d = minus(b->v[j], a->v[i]);
+            int k = n++;
+            for (; k > 0 && (p[k - 1].x > d.x || (p[k - 1].x == d.x && p[k - 1].y > d.y)); k--) {
+                p[k] = p[k - 1];
+            }
+            p[k] = d;
+        }
+    }
+    if (n == 1) {
+        h.v[h.count++] = p[0];
+        return h;
+    }
+    for (int i = 0; i < n; i++) {
+        hull_add(&h, 1, p[i]);
+    }
+    int keep = h.count;
+    for (int i = n - 2; i >= 0; i--) {
+        hull_add(&h, keep, p[i]);
+    }
+    h.count--; /* the first once more */
+    return h;
+}
+
+/* From p to the piece between a and b. */
+static inline real segment_distance(vec a, vec b, vec p)
+{
+    vec d = minus(b, a), q = minus(p, a);
+    real square = dot(d, d), t = square > 0.0L ? dot(d, q) / square : 0.0L;
+    if (t > 0.0L && t < 1.0L) {
+        return fabsl(cross(d, q)) / sqrtl(square);
+    }
+    return length_of(t < 0.5L ? q : minus(p, b));
+}
+
+/* Of p from the sum; negative inside: the depth. */
+static inline real sum_distance(const sum *h, vec p)
+{
+    real nearest = 1e300L, deepest = -1e300L;
+    if (h->count == 1) {
+        return length_of(minus(p, h->v[0])) - h->radius;
+    }
+    for (int i = 0; i < h->count; i++) {
+        vec a = h->v[i], b = h->v[(i + 1) % h->count], d = minus(b, a);
+        deepest = fmaxl(deepest, cross(minus(p, a), d) / length_of(d));
+        nearest = fminl(nearest, segment_distance(a, b, p));
+    }
+    return (deepest > 0.0L || h->count == 2 ? nearest : deepest) - h->radius;
+}
+
+static inline real solids_distance(const solid *a, const solid *b)
+{
+    sum h = sum_of(a, b);
+    return sum_distance(&h, vec_of(0.0L, 0.0L));
+}
+
+/* Of a point from a solid. */
+static inline real solid_distance(const solid *s, vec p)
+{
+    solid point = {.count = 1, .v = {p}};
+    return solids_distance(&point, s);
+}
+
+/* How far b is beyond a in the direction n, which has length 1. The distance of two shapes is the
+ * largest of all directions' gaps, so a direction with that gap is a right normal. */
+static inline real gap_along(const solid *a, const solid *b, vec n)
+{
+    real top = -1e300L, low = 1e300L;
+    for (int i = 0; i < a->count; i++) {
+        top = fmaxl(top, dot(n, a->v[i]));
+    }
+    for (int i = 0; i < b->count; i++) {
+        low = fminl(low, dot(n, b->v[i]));
+    }
+    return low - top - a->radius - b->radius;
+}
+
+#endif
