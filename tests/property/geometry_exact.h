@@ -7,7 +7,6 @@
 #include "thud/thud_shapes.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 typedef long double real;
 
@@ -17,14 +16,6 @@ typedef struct vec {
 
 /* Half a unit in the last place of 1.0: what one operation of the engine may lose. */
 #define ROUNDING 0x1p-53
-
-/* How many cases a test draws: as THUD_CASES says, or the quick run's number. */
-static inline int cases_or(int quick)
-{
-    const char *text = getenv("THUD_CASES");
-    int wanted = text ? atoi(text) : 0;
-    return wanted > 0 ? wanted : quick;
-}
 
 static inline vec vec_of(real x, real y)
 {

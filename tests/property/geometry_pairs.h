@@ -30,17 +30,6 @@ typedef struct pair {
     thud_placed a, b;
 } pair;
 
-static inline thud_placed draw_of_kind(source *r, thud_shape_kind kind)
-{
-    thud_placed s = {.kind = kind, .c = 1.0};
-    s.x = draw(r, -1.5, 1.5);
-    s.y = draw(r, -1.5, 1.5);
-    s.hx = exp(draw(r, -2.0, 0.7));
-    s.hy = kind == THUD_CIRCLE ? 0.0 : exp(draw(r, -2.0, 0.7));
-    set_angle(&s, draw(r, -4.0, 4.0));
-    return s;
-}
-
 /* Moves b until it touches a: the shortest way, but for a circle whose centre is in the other. */
 static inline void bring_to_touch(pair *p)
 {
@@ -111,7 +100,7 @@ static inline void make_needles(source *r, pair *p)
 
 static inline pair draw_pair_of(source *r, int kinds, pair_family family)
 {
-    pair p = {draw_of_kind(r, pair_kinds[kinds][0]), draw_of_kind(r, pair_kinds[kinds][1])};
+    pair p = {draw_shape_of(r, pair_kinds[kinds][0]), draw_shape_of(r, pair_kinds[kinds][1])};
     bool far = family == FAR_AWAY;
     switch (far ? draw_below(r, FAR_AWAY) : (int)family) {
     case TOUCHING:

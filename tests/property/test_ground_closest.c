@@ -93,7 +93,7 @@ static void check_closest(const ground *g)
 
 static void each_ground(thud_terrain_kind kind)
 {
-    int count = cases_or(QUICK);
+    int count = case_count(QUICK);
     ways = parted = 0;
     for (int shape = 0; shape < 3; shape++) {
         source r = {61 + 3 * kind + shape};

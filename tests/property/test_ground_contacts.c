@@ -204,7 +204,7 @@ static void check_contacts(const ground *g, double margin)
 
 static void each_ground(thud_terrain_kind kind)
 {
-    int count = cases_or(QUICK);
+    int count = case_count(QUICK);
     for (int shape = 0; shape < 3; shape++) {
         source r = {71 + 3 * kind + shape};
         seconds = 0;

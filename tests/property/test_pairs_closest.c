@@ -55,7 +55,7 @@ static void check_either_way_round(const pair *p)
 
 static void each_pair(uint64_t seed, void check(const pair *p))
 {
-    int count = cases_or(QUICK);
+    int count = case_count(QUICK);
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
         source r = {seed + kinds};
         for (int i = 0; i < count; i++) {

@@ -32,7 +32,7 @@ static real off_normal(const solid *s, int side, vec n)
 }
 
 /* May the engine's second point, or its absence, come from this side as the face that looks along n
- * and that side of the other box as the one over it? `far` is a place of the expected point. */
+ * and that side of the other box as the one over it? */
 static bool explains(const solid *face, int side, const solid *other, int over, vec n, vec first,
                      real margin, real slack, const vec *second)
 {
@@ -146,7 +146,7 @@ static void check_contacts(const pair *p, double margin)
 static void contacts_of_every_pair_are_those_of_clipped_faces(void **state)
 {
     (void)state;
-    int count = cases_or(QUICK);
+    int count = case_count(QUICK);
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
         source r = {51 + kinds};
         seconds = 0;
