@@ -15,6 +15,7 @@
 #include "thud_ids.h"
 #include "thud_jobs.h"
 #include "thud_math.h"
+#include "thud_queries.h"
 #include "thud_shapes.h"
 #include "thud_terrain.h"
 
@@ -267,39 +268,6 @@ typedef struct thud_events {
 } thud_events;
 
 thud_events thud_world_events(const thud_world *world);
-
-/* ---- queries ---- */
-
-typedef struct thud_query_filter {
-    uint32_t category, mask; /* as in thud_filter; all ones by default */
-    bool sensors;            /* sensors too; default false */
-} thud_query_filter;
-
-thud_query_filter thud_default_query_filter(void);
-
-typedef struct thud_ray_hit {
-    thud_shape_id shape;
-    thud_pos point;
-    thud_vec2 normal;
-    double fraction; /* of the translation */
-} thud_ray_hit;
-
-/* The first shape along the ray; *hit = false if none. Filter null: everything but sensors. */
-thud_result thud_world_cast_ray(thud_world *world, thud_pos origin, double dx, double dy,
-                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out);
-
-/* Return false to stop. The world is locked meanwhile. */
-typedef bool thud_overlap_fn(thud_shape_id shape, void *context);
-
-/* Every shape that overlaps the box, in the order of their slots. */
-thud_result thud_world_overlap_aabb(thud_world *world, thud_pos lower, thud_pos upper,
-                                    const thud_query_filter *filter, thud_overlap_fn *fn,
-                                    void *context);
-/* Every shape that really overlaps the circle, AABB or OBB `shape`, placed about `center`
- * (shape->x, y are an offset from it). */
-thud_result thud_world_overlap_shape(thud_world *world, thud_pos center, const thud_placed *shape,
-                                     const thud_query_filter *filter, thud_overlap_fn *fn,
-                                     void *context);
 
 /* ---- statistics ---- */
 

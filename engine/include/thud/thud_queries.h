@@ -1,0 +1,113 @@
+/* thud_queries.h: asking a world what is where. Included by thud.h.
+ *
+ * Every query heeds the edits made before it, also those that no step has seen yet. It meets every
+ * kind of shape, and answers in an order that depends on neither broadphase nor history: the nearer
+ * hit first, and among equals the lower slot (thud_shape_id.index1 - 1).
+ *
+ * Places lie within 1e9 length scales of the origin, and so do the ends of rays and casts; sizes are
+ * as thud_placed_check wants them. Anything else is THUD_ERROR_INVALID, a world that is null
+ * THUD_ERROR_NULL, and memory that runs short THUD_ERROR_MEMORY: outputs are then as they were, and
+ * no callback has been called. A filter of null meets everything but sensors. */
+#ifndef THUD_QUERIES_H
+#define THUD_QUERIES_H
+
+#include "thud_ids.h"
+#include "thud_math.h"
+#include "thud_shapes.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct thud_query_filter {
+    uint32_t category, mask; /* as in thud_filter; all ones by default */
+    bool sensors;            /* sensors too; default false */
+} thud_query_filter;
+
+thud_query_filter thud_default_query_filter(void);
+
+/* ---- rays and casts: what a point or a shape meets along a straight way ---- */
+
+typedef struct thud_ray_hit {
+    thud_shape_id shape; /* what was met */
+    thud_pos point;      /* on its surface */
+    thud_vec2 normal;    /* of its surface there: unit, outward */
+    double fraction;     /* of the way, in [0, 1] */
+    double depth;        /* of the overlap with a shape that is met at 0; else, and of rays, 0 */
+} thud_ray_hit;
+
+/* The first shape along the ray; *hit = false if none, and *out is then as it was. A ray that starts
+ * inside a shape does not meet it. */
+thud_result thud_world_cast_ray(thud_world *world, thud_pos origin, double dx, double dy,
+                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out);
+
+/* Every shape along the ray, each where it is first met. *count is how many there are; the nearest
+ * `capacity` (>= 0) are written, in order. `out` may be null where capacity is 0. */
+thud_result thud_world_cast_ray_all(thud_world *world, thud_pos origin, double dx, double dy,
+                                    const thud_query_filter *filter, thud_ray_hit *out,
+                                    int capacity, int *count);
+
+/* The first shape that the circle, AABB or OBB `shape`, placed about `center` (shape->x, y are an
+ * offset from it), meets while it is moved by (dx, dy) without turning. Touching counts. A shape
+ * that it overlaps from the start is met at 0, with the normal of least penetration. */
+thud_result thud_world_cast_shape(thud_world *world, thud_pos center, const thud_placed *shape,
+                                  double dx, double dy, const thud_query_filter *filter, bool *hit,
+                                  thud_ray_hit *out);
+thud_result thud_world_cast_shape_all(thud_world *world, thud_pos center, const thud_placed *shape,
+                                      double dx, double dy, const thud_query_filter *filter,
+                                      thud_ray_hit *out, int capacity, int *count);
+
+thud_result thud_world_cast_circle(thud_world *world, thud_pos center, double radius, double dx,
+                                   double dy, const thud_query_filter *filter, bool *hit,
+                                   thud_ray_hit *out);
+thud_result thud_world_cast_circle_all(thud_world *world, thud_pos center, double radius, double dx,
+                                       double dy, const thud_query_filter *filter,
+                                       thud_ray_hit *out, int capacity, int *count);
+
+/* A box of the given half extents, turned by `angle` radians, |angle| <= 1e6; upright at 0. */
+thud_result thud_world_cast_box(thud_world *world, thud_pos center, double half_x, double half_y,
+                                double angle, double dx, double dy,
+                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out);
+thud_result thud_world_cast_box_all(thud_world *world, thud_pos center, double half_x,
+                                    double half_y, double angle, double dx, double dy,
+                                    const thud_query_filter *filter, thud_ray_hit *out,
+                                    int capacity, int *count);
+
+/* ---- overlaps: every shape in a place, in the order of their slots; touching counts ---- */
+
+/* Return false to stop. The world is locked meanwhile: edits wait for the next step. */
+typedef bool thud_overlap_fn(thud_shape_id shape, void *context);
+
+/* The circle, AABB or OBB `shape`, placed about `center` as above. */
+thud_result thud_world_overlap_shape(thud_world *world, thud_pos center, const thud_placed *shape,
+                                     const thud_query_filter *filter, thud_overlap_fn *fn,
+                                     void *context);
+thud_result thud_world_overlap_circle(thud_world *world, thud_pos center, double radius,
+                                      const thud_query_filter *filter, thud_overlap_fn *fn,
+                                      void *context);
+thud_result thud_world_overlap_aabb(thud_world *world, thud_pos lower, thud_pos upper,
+                                    const thud_query_filter *filter, thud_overlap_fn *fn,
+                                    void *context);
+thud_result thud_world_overlap_obb(thud_world *world, thud_pos center, double half_x, double half_y,
+                                   double angle, const thud_query_filter *filter,
+                                   thud_overlap_fn *fn, void *context);
+
+/* ---- the closest shape to a point ---- */
+
+typedef struct thud_closest_hit {
+    thud_shape_id shape;
+    thud_pos point;   /* of the shape's surface, the closest to the one asked about */
+    thud_vec2 normal; /* unit, outward: from the surface to a point outside */
+    double distance;  /* negative: so deep inside, by the shortest way out */
+} thud_closest_hit;
+
+/* The shape whose surface is at the least signed distance, if that is at most `max_distance`
+ * (>= 0, at most 1e9 length scales); *found = false if none, and *out is then as it was. */
+thud_result thud_world_closest(thud_world *world, thud_pos point, double max_distance,
+                               const thud_query_filter *filter, bool *found, thud_closest_hit *out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
