@@ -47,7 +47,8 @@ static bool stops(td_move *m, const thud_ray_hit *found, thud_mover_hit *hit)
                             .body = shape.body,
                             .point = found->point,
                             .normal = found->normal,
-                            .depth = found->depth};
+                            .depth = found->depth,
+                            .category = shape.filter.category};
     bool own = shape.body.index1 == m->mover.body.index1 && m->mover.body.index1 != 0;
     return !own &&
            !(m->mover.pass && m->mover.pass(&m->mover, hit, m->velocity, m->mover.context));
@@ -122,6 +123,22 @@ void td_mover_separate(td_move *m)
         m->mover.shape.y += out.y;
         td_mover_note(m, &hit);
     }
+}
+
+/* Less of an overlap, in skins, is a platform that came up under the mover's feet. */
+#define FOOT_DEEP 8.0
+/* What is less upright than this is not a platform's upper side. */
+#define UPPER_SIDE 0.7f
+
+bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hit,
+                               thud_vec2 velocity, void *context)
+{
+    const thud_one_way *one_way = context;
+    thud_vec2 up = mover->up;
+    return (hit->category & one_way->categories) &&
+           (one_way->drop || hit->depth > FOOT_DEEP * mover->skin ||
+            hit->normal.x * up.x + hit->normal.y * up.y < UPPER_SIDE ||
+            velocity.x * up.x + velocity.y * up.y > 0.0f);
 }
 
 /* ---- ground ---- */

@@ -34,19 +34,26 @@ typedef struct thud_mover thud_mover;
 typedef struct thud_mover_hit {
     thud_shape_id shape;
     thud_body_id body;
-    thud_pos point;   /* on the shape's surface */
-    thud_vec2 normal; /* of it: unit, outward */
-    double depth;     /* how deep the mover was in it before it moved; mostly 0 */
+    thud_pos point;    /* on the shape's surface */
+    thud_vec2 normal;  /* of it: unit, outward */
+    double depth;      /* how deep the mover was in it before it moved; mostly 0 */
+    uint32_t category; /* of its filter */
 } thud_mover_hit;
 
 /* Asked of whatever would stop the mover; true: it is passed through as if it were not there.
- * `velocity` is the one asked for. The world must not be changed meanwhile. A platform that can be
- * jumped through from below, and stood on:
- *
- *     return is_one_way(hit->shape) &&
- *            (hit->normal.y < 0.7f || hit->depth > 0.1 || velocity.y > 0); */
+ * `velocity` is the one asked for. The world must not be changed meanwhile. */
 typedef bool thud_mover_pass_fn(const thud_mover *mover, const thud_mover_hit *hit,
                                 thud_vec2 velocity, void *context);
+
+/* What thud_mover_passes_one_way wants for its context. */
+typedef struct thud_one_way {
+    uint32_t categories; /* bits of the platforms */
+    bool drop;           /* also down through them */
+} thud_one_way;
+
+/* A thud_mover_pass_fn for platforms that are jumped through from below and stood on. */
+bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hit,
+                               thud_vec2 velocity, void *context);
 
 struct thud_mover {
     thud_placed shape;       /* in the world; what thud_mover_move moves, and the caller may */
