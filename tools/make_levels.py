@@ -176,8 +176,8 @@ def platform_cells(columns, rows):
 def platform():
     columns, rows = 160, 34
     m = Map(columns, rows, title="Platforms", gravity_y=-20.0, camera_x=36.0, camera_y=15.0,
-            camera_height=30.0,
-            about="Crates and balls tumble over stairs, gaps and ice; upright figures slide.")
+            camera_height=30.0, character=True,
+            about="Run, jump and ride: a character among crates and balls, on stairs, planks and lifts.")
     cells = platform_cells(columns, rows)
     rng = random.Random(1)
     grass = {(x, y + 1): GRASS for (x, y), tile in cells.items()
@@ -198,7 +198,20 @@ def platform():
     for i in range(24):
         m.box(figures, 5 + 6 * i, 29, 0.7, 1.6,
               custom={"velocity_x": round(rng.choice((-1, 1)) * rng.uniform(3, 8), 2)})
-    m.spawn(m.object_layer("places"), 36, 24)
+    planks = m.object_layer("planks", category=2)  # passed from below
+    for x, y in ((3.5, 7), (7, 13), (24, 13.3), (31, 6.5), (31, 9), (31, 11.5), (31, 14), (42, 15),
+                 (42, 17.3), (65.5, 13.5), (62, 16), (60.5, 18.4), (62, 20.7), (76, 12.5),
+                 (82, 17.2), (124, 12.3), (124.3, 14.7)):
+        m.box(planks, x, y, 3, 0.3)
+    lifts = m.object_layer("lifts", body="kinematic", fixed_rotation=True, friction=0.9)
+    for x, y, width, vx, vy in ((38, 8, 3, 0, 2.5), (53, 12.8, 3, 2.5, 0), (72.5, 6, 3, 2.5, 0),
+                                (104.5, 8, 2.4, 0, 2.5), (103, 21.8, 3, 3, 0), (150, 8, 3, 0, 3)):
+        m.box(lifts, x, y, width, 0.4, custom={"velocity_x": float(vx), "velocity_y": float(vy)})
+    stops = m.object_layer("stops", sensor=True)
+    for x, y in ((38, 18), (61.8, 12.8), (66, 6), (80, 6), (104.5, 19.5), (98.4, 21.8),
+                 (107.6, 21.8), (150, 26)):
+        m.box(stops, x, y, 0.4, 0.4)
+    m.spawn(m.object_layer("places"), 31, 18)
     m.write("platform")
 
 

@@ -95,6 +95,7 @@ static bool read_map_values(level_reader *r, const level_layer *map, const char 
     s->camera_x = level_number(&v, "camera_x", 0.5 * width, -1e9, 1e9);
     s->camera_y = level_number(&v, "camera_y", 0.5 * height, -1e9, 1e9);
     s->camera_height = level_number(&v, "camera_height", height, 1e-3, 1e9);
+    s->character = level_flag(&v, "character", false);
     s->spawn_x = s->camera_x;
     s->spawn_y = s->camera_y;
     const char *title = level_text(&v, "title", name);

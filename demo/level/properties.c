@@ -29,6 +29,7 @@ static const char *const KNOWN[] = {
     "camera_x",
     "camera_y",
     "camera_height",
+    "character",
     "title",
     "about",
 };

@@ -11,6 +11,8 @@ const char INPUT_HELP[] =
     "  left drag          pull a body; on empty ground: move the view\n"
     "  right, middle drag move the view        wheel, + -   zoom, the wheel about the pointer\n"
     "  Space              pause and go on      N            a single step\n"
+    "  arrows, A D W S    on a level with a character: walk, jump, drop through planks;\n"
+    "                     Space jumps as well, and P pauses\n"
     "  R                  reset                Home         first view\n"
     "  , .                slower, faster       Q            next quality\n"
     "  C B                drop a circle, a box at the pointer; with Shift a large one\n"
@@ -122,6 +124,10 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
         v->quit = true;
         break;
     case SDLK_SPACE:
+        if (!v->character.present)
+            viewer_toggle_pause(v);
+        break;
+    case SDLK_p:
         viewer_toggle_pause(v);
         break;
     case SDLK_r:
@@ -172,10 +178,13 @@ static void repeat_key(viewer *v, SDL_Keycode key, bool shift) {
         dig_here(v, shift);
         break;
     case SDLK_UP:
+    case SDLK_DOWN:
+        if (!v->character.present)
+            open_neighbour(v, key == SDLK_UP ? -1 : 1);
+        break;
     case SDLK_PAGEUP:
         open_neighbour(v, -1);
         break;
-    case SDLK_DOWN:
     case SDLK_PAGEDOWN:
         open_neighbour(v, 1);
         break;
@@ -231,12 +240,24 @@ static void handle(viewer *v, SDL_Window *window, const SDL_Event *event) {
     }
 }
 
+/* Keys that a character heeds as long as they are down. */
+static void steer_character(viewer *v) {
+    const Uint8 *down = SDL_GetKeyboardState(NULL);
+    v->character.keys = (character_keys){
+        .left = down[SDL_SCANCODE_LEFT] || down[SDL_SCANCODE_A],
+        .right = down[SDL_SCANCODE_RIGHT] || down[SDL_SCANCODE_D],
+        .jump = down[SDL_SCANCODE_UP] || down[SDL_SCANCODE_W] || down[SDL_SCANCODE_SPACE],
+        .down = down[SDL_SCANCODE_DOWN] || down[SDL_SCANCODE_S],
+    };
+}
+
 void input_poll(viewer *v, SDL_Window *window) {
     SDL_Event event;
     v->ui.pressed = false;
     v->ui.wheel = 0;
     while (SDL_PollEvent(&event))
         handle(v, window, &event);
+    steer_character(v);
     /* Also while the pointer rests and the view or the body moves. */
     if (v->grab.held)
         grab_move(&v->grab, pointer_place(v));

@@ -20,6 +20,7 @@
 #define COLOR_GROUND      RGB(0x3A4658)
 #define COLOR_GROUND_DEEP RGB(0x232B38)
 #define COLOR_SURFACE     RGB(0x9DB38A)
+#define COLOR_CHARACTER   RGB(0xFF8A5C)
 #define COLOR_QUARANTINED RGB(0xFF3B5C)
 
 /* Dynamic bodies take turns. */

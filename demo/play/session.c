@@ -128,10 +128,26 @@ bool session_load(session *s, const catalog_entry *entry) {
     scene_free(&s->scene);
     s->world = world;
     s->scene = fresh;
+    s->time_step = def.time_step;
     s->alpha = 1;
     bool listed = list_bodies(s, ids, fresh.body_count);
     free(ids);
     return listed;
+}
+
+static void run_step(session *s) {
+    if (thud_world_step(s->world) == THUD_OK && s->stepped)
+        s->stepped(s, s->stepped_context);
+}
+
+/* As thud_world_advance does it, with a word after every step. */
+static void advance_step_by_step(session *s, double elapsed, int steps_max) {
+    double due = s->alpha * s->time_step + elapsed;
+    for (; due >= s->time_step && steps_max > 0; steps_max--) {
+        run_step(s);
+        due -= s->time_step;
+    }
+    s->alpha = fmod(due, s->time_step) / s->time_step;
 }
 
 void session_advance(session *s, double elapsed) {
@@ -141,12 +157,17 @@ void session_advance(session *s, double elapsed) {
     int steps_max = STEPS_PER_FRAME;
     if (step_seconds * STEPS_PER_FRAME > STEPPING_BUDGET)
         steps_max = (int)fmax(1, STEPPING_BUDGET / step_seconds);
-    thud_world_advance(s->world, elapsed * s->speed, steps_max, NULL, &s->alpha);
+    if (s->stepped)
+        advance_step_by_step(s, elapsed * s->speed, steps_max);
+    else
+        thud_world_advance(s->world, elapsed * s->speed, steps_max, NULL, &s->alpha);
 }
 
 void session_step(session *s) {
-    if (s->world && thud_world_step(s->world) == THUD_OK)
-        s->alpha = 1;
+    if (!s->world)
+        return;
+    run_step(s);
+    s->alpha = 1;
 }
 
 void session_set_quality(session *s, thud_quality quality) {

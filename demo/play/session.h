@@ -22,7 +22,12 @@ typedef struct session_body {
     int first_shape, shape_count;
 } session_body;
 
-typedef struct session {
+typedef struct session session;
+
+/* Called after every step. */
+typedef void session_stepped_fn(session *s, void *context);
+
+struct session {
     thud_world *world; /* null until something was loaded */
     scene scene;
     session_body *bodies;
@@ -31,9 +36,12 @@ typedef struct session {
     thud_quality quality;
     bool paused;
     double speed; /* seconds of the world per second */
+    double time_step; /* seconds */
     double alpha; /* for thud_world_poses */
+    session_stepped_fn *stepped; /* null: nobody asks */
+    void *stepped_context;
     char message[256]; /* the last thing that went wrong; empty if nothing did */
-} session;
+};
 
 extern const char *const SESSION_QUALITIES[THUD_QUALITY_COUNT];
 

@@ -1,11 +1,17 @@
 /* viewer.c: see viewer.h. */
 #include "viewer.h"
 
+#include "draw_character.h"
 #include "draw_overlays.h"
 #include "draw_world.h"
 #include "hud.h"
 #include "palette.h"
 #include "panel.h"
+
+#include <math.h>
+
+/* Height of the view that follows a character, in length scales, and how fast it does, in 1/s. */
+static const double CHARACTER_VIEW = 20, FOLLOW_RATE = 6;
 
 static const double SPEEDS[] = {0.1, 0.25, 0.5, 1, 2, 4};
 enum { SPEED_COUNT = sizeof SPEEDS / sizeof SPEEDS[0] };
@@ -21,10 +27,17 @@ void viewer_free(viewer *v) {
     canvas_free(&v->canvas);
 }
 
+static void stepped(session *s, void *context) {
+    character_step(context, s);
+}
+
 static bool load(viewer *v, int entry) {
     if (!session_load(&v->session, &v->catalog.entries[entry]))
         return false;
     grab_end(&v->grab);
+    character_start(&v->character, &v->session);
+    v->session.stepped = v->character.present ? stepped : NULL;
+    v->session.stepped_context = &v->character;
     timings_clear(&v->timings);
     return true;
 }
@@ -45,7 +58,11 @@ void viewer_reset(viewer *v) {
 
 void viewer_look_home(viewer *v) {
     const scene *s = &v->session.scene;
-    camera_look(&v->camera, (thud_pos){s->camera_x, s->camera_y}, s->camera_height);
+    thud_pos center = {s->camera_x, s->camera_y};
+    if (v->character.present)
+        camera_look(&v->camera, character_place(&v->character, 1), CHARACTER_VIEW * s->length_scale);
+    else
+        camera_look(&v->camera, center, s->camera_height);
 }
 
 void viewer_toggle_overlay(viewer *v, overlay which) {
@@ -93,10 +110,22 @@ static void record_timings(viewer *v, uint64_t steps_before) {
         timings_add(&v->timings, &stats);
 }
 
+/* The view closes in on the character while it moves, and is the player's to move while it stands. */
+static void follow_character(viewer *v, double elapsed) {
+    const character *c = &v->character;
+    if (!c->present || v->panning || v->session.paused || !character_moves(c))
+        return;
+    thud_pos at = character_place(c, v->session.alpha);
+    double part = 1 - exp(-FOLLOW_RATE * elapsed);
+    v->camera.center.x += part * (at.x - v->camera.center.x);
+    v->camera.center.y += part * (at.y - v->camera.center.y);
+}
+
 void viewer_advance(viewer *v, double elapsed) {
     uint64_t before = v->session.world ? thud_world_stats(v->session.world).steps : 0;
     grab_pull(&v->grab, &v->session);
     session_advance(&v->session, elapsed);
+    follow_character(v, elapsed);
     record_timings(v, before);
 }
 
@@ -111,6 +140,8 @@ void viewer_draw(viewer *v) {
     draw_background(c, &v->camera);
     if (v->session.world) {
         draw_world(c, &v->camera, &v->session, v->overlays);
+        if (v->character.present)
+            draw_character(c, &v->camera, &v->character, v->session.alpha);
         draw_overlays(c, &v->camera, &v->session, v->overlays);
         thud_pos anchor;
         if (grab_anchor(&v->grab, &v->session, &anchor))

@@ -5,6 +5,7 @@
 #include "camera.h"
 #include "canvas.h"
 #include "catalog.h"
+#include "character.h"
 #include "grab.h"
 #include "overlays.h"
 #include "session.h"
@@ -18,6 +19,7 @@ typedef struct viewer {
     camera camera;
     canvas canvas;
     grab grab;
+    character character;
     overlay_set overlays;
     timings timings;
     ui ui;

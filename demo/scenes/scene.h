@@ -75,6 +75,7 @@ typedef struct scene {
     double camera_x, camera_y;           /* what to look at first ... */
     double camera_height;                /* ... and how many metres of it from top to bottom */
     double spawn_x, spawn_y;             /* where a viewer drops new bodies */
+    bool character;                      /* played with one, which starts there */
     scene_body *bodies;
     scene_shape *shapes;
     scene_point *points;

@@ -19,7 +19,8 @@ const KNOWN = new Set(
   (
     "body fixed_rotation sensor may_sleep velocity_x velocity_y angular_velocity gravity_scale " +
     "linear_damping angular_damping density friction restitution category mask group solid " +
-    "gravity_x gravity_y pixels_per_unit length_scale camera_x camera_y camera_height title about"
+    "gravity_x gravity_y pixels_per_unit length_scale camera_x camera_y camera_height character " +
+    "title about"
   ).split(" "),
 );
 

@@ -39,6 +39,8 @@ export interface Level {
   cameraHeight: number;
   /** Where new bodies are dropped. */
   spawn: Vec2;
+  /** Whether it is played with a character, which starts there. */
+  character: boolean;
   bodies: LevelBody[];
   /** What the world does without; see `ReadOptions.skip`. */
   problems: Problem[];
@@ -175,6 +177,7 @@ function readMapValues(name: string, json: JsonRecord, report: Report): Reader |
     v.number("camera_y", 0.5 * height, -1e9, 1e9),
   ];
   const cameraHeight = v.number("camera_height", height, 1e-3, 1e9);
+  const character = v.flag("character", false);
   const title = v.text("title", name);
   const about = v.text("about", "");
   if (v.bad) return null;
@@ -187,6 +190,7 @@ function readMapValues(name: string, json: JsonRecord, report: Report): Reader |
     camera,
     cameraHeight,
     spawn: camera,
+    character,
     bodies: [],
     problems: report.problems,
   };
