@@ -48,8 +48,9 @@ export async function openLevel(page, name, text) {
   await page.setInputFiles("#level-file", { name, mimeType: "application/json", buffer: Buffer.from(text) });
 }
 
-/** Runs steps by the key for a single step, then waits until the figures show them. */
+/** Runs steps by the key for a single step, once a scene is there, and waits until they are made. */
 export async function stepBy(page, count) {
+  await page.waitForFunction(() => document.title.endsWith(" · thud"));
   const before = await page.evaluate(() => Number(document.querySelector("#hud").dataset.steps ?? 0));
   await page.evaluate((presses) => {
     for (let i = 0; i < presses; i++)

@@ -23,7 +23,10 @@ export interface Built {
 }
 
 const GROUPS: readonly [group: string, names: readonly string[]][] = [
-  ["Piles and stacks", ["pyramid", "circle_pit", "mixed_terrain", "tall_stack", "heavy_on_light"]],
+  [
+    "Piles and stacks",
+    ["pyramid", "circle_pit", "mixed_terrain", "digging", "tall_stack", "heavy_on_light"],
+  ],
   ["In motion", ["tumbler", "tumbler_half", "smash", "cradle", "slopes", "bullets", "gas"]],
   ["Crowds and extremes", ["platformer", "sizes", "one_spot", "asleep"]],
 ];

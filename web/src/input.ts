@@ -1,7 +1,7 @@
-/** Mouse, touch and wheel on the canvas: pull or spawn with one pointer, pan, zoom and pinch. */
+/** Mouse, touch and wheel on the canvas: pull, spawn or dig with one pointer, pan, zoom and pinch. */
 import type { Camera } from "./camera";
 
-export type Tool = "hand" | "circle" | "box";
+export type Tool = "hand" | "circle" | "box" | "dig";
 
 export interface InputActions {
   tool(): Tool;
@@ -9,13 +9,14 @@ export interface InputActions {
   grab(x: number, y: number, reach: number): boolean;
   moveGrab(x: number, y: number): void;
   release(): void;
-  spawn(kind: "circle" | "box", x: number, y: number): void;
+  /** What another tool than the hand does, at the pointer and then along its way. */
+  apply(tool: Exclude<Tool, "hand">, x: number, y: number): void;
 }
 
 /** How near to a body a pointer must come, in CSS pixels. */
 const REACH = { mouse: 4, touch: 18 };
-/** While a spawning pointer moves: pixels from one new body to the next. */
-const SPAWN_EVERY = 30;
+/** While a pointer with a tool moves: pixels from one new body to the next, from crater to crater. */
+const APPLY_EVERY = { circle: 30, box: 30, dig: 10 };
 
 interface Pointer {
   x: number;
@@ -24,17 +25,19 @@ interface Pointer {
 
 export function listen(canvas: HTMLElement, camera: Camera, actions: InputActions): void {
   const pointers = new Map<number, Pointer>();
-  let mode: "none" | "pull" | "pan" | "spawn" | "pinch" = "none";
-  let lastSpawn: Pointer = { x: 0, y: 0 };
+  let mode: "none" | "pull" | "pan" | "apply" | "pinch" = "none";
+  let lastApplied: Pointer = { x: 0, y: 0 };
 
   const place = (event: MouseEvent): Pointer => {
     const box = canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
-  const spawnAt = (at: Pointer) => {
+  const applyAt = (at: Pointer, least: number) => {
     const tool = actions.tool();
-    if (tool !== "hand") actions.spawn(tool, ...camera.toWorld(at.x, at.y));
-    lastSpawn = at;
+    if (tool === "hand") return;
+    if (Math.hypot(at.x - lastApplied.x, at.y - lastApplied.y) < least * APPLY_EVERY[tool]) return;
+    actions.apply(tool, ...camera.toWorld(at.x, at.y));
+    lastApplied = at;
   };
 
   canvas.addEventListener("pointerdown", (event) => {
@@ -50,8 +53,8 @@ export function listen(canvas: HTMLElement, camera: Camera, actions: InputAction
     const reach = (event.pointerType === "mouse" ? REACH.mouse : REACH.touch) / camera.scale;
     if (event.button !== 0 || event.shiftKey) mode = "pan";
     else if (actions.tool() !== "hand") {
-      mode = "spawn";
-      spawnAt(at);
+      mode = "apply";
+      applyAt(at, 0);
     } else mode = actions.grab(...camera.toWorld(at.x, at.y), reach) ? "pull" : "pan";
     canvas.dataset.mode = mode;
   });
@@ -64,8 +67,7 @@ export function listen(canvas: HTMLElement, camera: Camera, actions: InputAction
     pointers.set(event.pointerId, at);
     if (mode === "pull") actions.moveGrab(...camera.toWorld(at.x, at.y));
     else if (mode === "pan") camera.pan(at.x - last.x, at.y - last.y);
-    else if (mode === "spawn" && Math.hypot(at.x - lastSpawn.x, at.y - lastSpawn.y) > SPAWN_EVERY)
-      spawnAt(at);
+    else if (mode === "apply") applyAt(at, 1);
   });
 
   const end = (event: PointerEvent) => {

@@ -13,6 +13,8 @@ import { View } from "./view";
 
 const FIRST_SCENE = "pyramid";
 const THEME_KEY = "thud-theme";
+/** A crater's radius that can be seen, however far away the view is. */
+const CRATER_PIXELS = 16;
 
 const systemIsLight = matchMedia("(prefers-color-scheme: light)");
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
@@ -194,7 +196,12 @@ function listenToPointers(): void {
     grab: (x, y, reach) => simulation?.grab(x, y, reach) ?? false,
     moveGrab: (x, y) => simulation?.moveGrab(x, y),
     release: () => simulation?.release(),
-    spawn: (kind, x, y) => guard(() => simulation?.spawn(kind, x, y)),
+    apply: (tool, x, y) =>
+      guard(() => {
+        if (tool !== "dig") simulation?.spawn(tool, x, y);
+        else if (!simulation?.dig(x, y, CRATER_PIXELS / view.camera.scale))
+          ui.notice("There is no ground to dig here: try the scene Digging.");
+      }),
   });
 }
 

@@ -12,6 +12,8 @@ const PULL_RATE = 14;
 const PULL_LIMIT = 60;
 /** Longest time that one frame makes up for; beyond that the world runs slower than the clock. */
 const LONGEST_FRAME = 0.1;
+/** Radius of a crater in half widths of a typical body. */
+const CRATER = 3.5;
 
 interface Pull {
   body: BodyId;
@@ -152,6 +154,23 @@ export class Simulation {
     if (kind === "circle") this.world.createCircle(body, { radius: size * wobble });
     else this.world.createObb(body, { halfWidth: size * wobble, halfHeight: size });
     this.shapes = readShapes(this.world);
+  }
+
+  // ---- digging ----
+
+  /**
+   * Digs a crater, no smaller than `least`, into every ground line that has vertices; false if
+   * there is none.
+   */
+  dig(x: number, y: number, least: number): boolean {
+    const radius = Math.max(CRATER * this.shapes.typicalSize, least);
+    const lines = this.shapes.terrains.filter(({ terrain }) => terrain.kind !== "flat");
+    for (const { shape } of lines) this.world.dig(shape, [x, y], radius);
+    this.shapes.terrains = this.shapes.terrains.map((placed) => ({
+      ...placed,
+      terrain: this.world.terrain(placed.shape),
+    }));
+    return lines.length > 0;
   }
 }
 

@@ -70,6 +70,7 @@ export class Ui {
       key("V", ["v"], "Drag bodies", tool("hand")),
       key("C", ["c"], "Add circles", tool("circle")),
       key("B", ["b"], "Add boxes", tool("box")),
+      key("G", ["g"], "Dig the ground", tool("dig")),
       key("[", ["["], "Slower", near("speed", -1)),
       key("]", ["]"], "Faster", near("speed", 1)),
       key(",", [","], "Lower quality", near("quality", -1)),

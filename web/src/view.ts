@@ -5,7 +5,7 @@ import { CanvasRenderer } from "./render/canvas2d";
 import { Overlay, type OverlayName } from "./render/overlay";
 import { DARK, LIGHT, type Theme } from "./render/palette";
 import type { Renderer } from "./render/renderer";
-import type { Shapes } from "./render/shapes";
+import type { PlacedTerrain, Shapes } from "./render/shapes";
 import { WebglRenderer } from "./render/webgl";
 import type { Simulation } from "./simulation";
 
@@ -22,6 +22,7 @@ export class View {
   #renderer: Renderer;
   #theme: Theme = DARK;
   #shapes: Shapes | null = null;
+  #terrains: PlacedTerrain[] = [];
   #frame = 0;
 
   constructor(canvases: Record<"backdrop" | "bodies" | "overlay", HTMLCanvasElement>) {
@@ -61,8 +62,11 @@ export class View {
     if (this.#shapes !== simulation.shapes) {
       this.#shapes = simulation.shapes;
       this.#renderer.setShapes(this.#shapes, this.#theme);
-      this.#backdrop.setTerrains(this.#shapes.terrains);
       this.#frame = 0;
+    }
+    if (this.#terrains !== simulation.shapes.terrains) {
+      this.#terrains = simulation.shapes.terrains;
+      this.#backdrop.setTerrains(this.#terrains);
     }
     if (this.#frame % AWAKE_EVERY === 0) this.#updateAwake(simulation);
     this.#backdrop.draw(camera, this.#theme);

@@ -119,6 +119,26 @@ export type Terrain =
   | { kind: "uniform"; x0: number; spacing: number; heights: ArrayLike<number> }
   | { kind: "irregular"; points: ArrayLike<Vec2> };
 
+/** The ground at one x. */
+export interface Ground {
+  height: number;
+  normal: Vec2;
+  /** Between the vertices `segment` and `segment + 1`; 0 for flat ground. */
+  segment: number;
+  /** Of those two vertices, for whatever a game keeps at them, as texture coordinates; they sum to 1. */
+  weights: Vec2;
+}
+
+/** Where a foot comes to stand. */
+export interface Foot {
+  /** Of the highest ground under the sole. */
+  height: number;
+  /** Where that is. */
+  x: number;
+  /** Of the straight line between the ground under the sole's two ends. */
+  normal: Vec2;
+}
+
 export interface BodyState {
   kind: BodyKind;
   position: Vec2;

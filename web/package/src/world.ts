@@ -18,6 +18,8 @@ import {
   type DrawLists,
   type DrawOptions,
   type Events,
+  type Foot,
+  type Ground,
   type HitEvent,
   type Measure,
   type ObbOptions,
@@ -313,6 +315,47 @@ export class World {
       (doubles) => doubles.set(heights),
       (address) => this.#onShape("api_shape_set_heights", shape, first, address, heights.length),
     );
+  }
+
+  /**
+   * Takes away the ground inside a circle, and what stands above it; not of flat ground. Whatever
+   * rests there wakes in the next step. A uniform line keeps its grid.
+   */
+  dig(shape: ShapeId, center: Vec2, radius: number): void {
+    this.#onShape("api_shape_dig", shape, center[0], center[1], radius);
+  }
+
+  /** Raises a smooth mound about x; a negative height makes a hollow. Otherwise as `dig`. */
+  raise(shape: ShapeId, x: number, radius: number, height: number): void {
+    this.#onShape("api_shape_raise", shape, x, radius, height);
+  }
+
+  /**
+   * Replaces the points of an irregular line at x0 to x1, both included, by others with strictly
+   * increasing x in that range. Like those of a new terrain they are relative to the body's origin.
+   */
+  replaceRange(shape: ShapeId, x0: number, x1: number, points: ArrayLike<Vec2>): void {
+    const { length } = points;
+    const fill = (doubles: Float64Array) => {
+      for (let i = 0; i < length; i++) doubles.set(points[i], 2 * i);
+    };
+    this.engine.withDoubles(2 * length, fill, (address) =>
+      this.#onShape("api_shape_replace_range", shape, x0, x1, address, length),
+    );
+  }
+
+  /** The ground of a terrain at x, a place in the world; throws beyond its ends. */
+  groundAt(shape: ShapeId, x: number): Ground {
+    this.#onShape("api_ground_at", shape, x);
+    const [height, nx, ny, segment, left, right] = this.engine.slots;
+    return { height, normal: [nx, ny], segment, weights: [left, right] };
+  }
+
+  /** Puts a level sole of the given width onto a terrain, with its middle at x. */
+  placeFoot(shape: ShapeId, x: number, width: number): Foot {
+    this.#onShape("api_place_foot", shape, x, width);
+    const [height, at, nx, ny] = this.engine.slots;
+    return { height, x: at, normal: [nx, ny] };
   }
 
   // ---- reading ----

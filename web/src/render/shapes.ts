@@ -2,7 +2,7 @@
  * What there is to draw: the world's shapes, read once after shapes came or went. The arrays are
  * copies, because those of the package are views that the next call may move.
  */
-import { SHAPE_KINDS, type Terrain, type World } from "thud";
+import { SHAPE_KINDS, type ShapeId, type Terrain, type World } from "thud";
 
 /** Numbers a row, as in ShapeTable.rows of the package. */
 export const ROW = 10;
@@ -12,6 +12,7 @@ export const STATIC = 0;
 export const DYNAMIC = 2;
 
 export interface PlacedTerrain {
+  shape: ShapeId;
   x: number;
   y: number;
   terrain: Terrain;
@@ -23,6 +24,7 @@ export interface Shapes {
   /** Of each row: its place in the world's own table, which its awake flags follow. */
   source: Uint32Array;
   count: number;
+  /** Another array after the ground was dug. */
   terrains: PlacedTerrain[];
   /** The slot that ends the bodies. */
   slots: number;
@@ -76,5 +78,5 @@ function readTerrain(world: World, handles: Uint32Array): PlacedTerrain {
   const shape = { kind: "shape", index: shape1 - 1, generation: shapeGeneration } as const;
   const body = { kind: "body", index: body1 - 1, generation: bodyGeneration } as const;
   const [x, y] = world.bodyState(body).position;
-  return { x, y, terrain: world.terrain(shape) };
+  return { shape, x, y, terrain: world.terrain(shape) };
 }

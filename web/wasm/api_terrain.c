@@ -1,0 +1,72 @@
+/* api_terrain.c: looking up and editing ground. Places are the world's. */
+#include "api.h"
+
+/* The line of a terrain shape, and where its body stands. */
+static thud_result find_ground(const thud_world *world, thud_shape_id shape, thud_terrain *line,
+                               thud_pos *origin) {
+    thud_shape_state state;
+    thud_body_state body;
+    thud_result result = thud_shape_terrain(world, shape, line);
+    if (result == THUD_OK)
+        result = thud_shape_get(world, shape, &state);
+    if (result == THUD_OK)
+        result = thud_body_get(world, state.body, &body);
+    if (result == THUD_OK)
+        *origin = body.position;
+    return result;
+}
+
+/* Slots out: 0 height  1, 2 normal  3 segment  4, 5 weights of its vertices. */
+int api_ground_at(const thud_world *world, uint32_t index1, uint32_t generation, double x) {
+    thud_terrain line;
+    thud_pos origin;
+    thud_terrain_sample sample;
+    thud_result result = find_ground(world, api_shape(index1, generation), &line, &origin);
+    if (result == THUD_OK)
+        result = thud_terrain_sample_at(&line, x - origin.x, &sample);
+    if (result != THUD_OK)
+        return result;
+    double *s = api_slots;
+    s[0] = sample.height + origin.y;
+    s[1] = sample.nx;
+    s[2] = sample.ny;
+    s[3] = sample.segment;
+    s[4] = sample.weight[0];
+    s[5] = sample.weight[1];
+    return THUD_OK;
+}
+
+/* Slots out: 0 height  1 where that is  2, 3 normal. */
+int api_place_foot(const thud_world *world, uint32_t index1, uint32_t generation, double x,
+                   double width) {
+    thud_terrain line;
+    thud_pos origin;
+    thud_foot foot;
+    thud_result result = find_ground(world, api_shape(index1, generation), &line, &origin);
+    if (result == THUD_OK)
+        result = thud_terrain_place_foot(&line, x - origin.x, width, &foot);
+    if (result != THUD_OK)
+        return result;
+    double *s = api_slots;
+    s[0] = foot.height + origin.y;
+    s[1] = foot.x + origin.x;
+    s[2] = foot.nx;
+    s[3] = foot.ny;
+    return THUD_OK;
+}
+
+int api_shape_dig(thud_world *world, uint32_t index1, uint32_t generation, double x, double y,
+                  double radius) {
+    return thud_shape_dig(world, api_shape(index1, generation), (thud_pos){x, y}, radius);
+}
+
+int api_shape_raise(thud_world *world, uint32_t index1, uint32_t generation, double x,
+                    double radius, double height) {
+    return thud_shape_raise(world, api_shape(index1, generation), x, radius, height);
+}
+
+/* `points` as in api_terrain_create. */
+int api_shape_replace_range(thud_world *world, uint32_t index1, uint32_t generation, double x0,
+                            double x1, const thud_pos *points, int count) {
+    return thud_shape_replace_range(world, api_shape(index1, generation), x0, x1, points, count);
+}
