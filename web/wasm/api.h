@@ -31,6 +31,9 @@ thud_world_def api_world_def(void);
 int api_to_int(double value);
 uint32_t api_to_u32(double value);
 
+/* A query's or mover's shape about the origin. */
+thud_placed api_placed(int kind, double hx, double hy, double angle);
+
 static inline thud_body_id api_body(uint32_t index1, uint32_t generation) {
     return (thud_body_id){index1, generation};
 }

@@ -1,4 +1,4 @@
-/* api_read.c: what is read in bulk: events, queries, the table of shapes, and debug drawing. */
+/* api_read.c: what is read in bulk: events, the table of shapes, and debug drawing. */
 #include "api.h"
 
 #include <math.h>
@@ -39,68 +39,13 @@ int api_world_events(const thud_world *world) {
     return api_buffer_result(&hits);
 }
 
-/* ---- queries ---- */
-
-static thud_query_filter query_filter(double category, double mask, int sensors) {
-    return (thud_query_filter){api_to_u32(category), api_to_u32(mask), sensors != 0};
-}
-
-/* Slots out: 0 hit  1, 2 shape  3, 4 point  5, 6 normal  7 fraction. */
-int api_cast_ray(thud_world *world, double x, double y, double dx, double dy, double category,
-                 double mask, int sensors) {
-    thud_query_filter filter = query_filter(category, mask, sensors);
-    bool hit = false;
-    thud_ray_hit ray = {0};
-    thud_result result = thud_world_cast_ray(world, (thud_pos){x, y}, dx, dy, &filter, &hit, &ray);
-    double *s = api_slots;
-    s[0] = hit;
-    s[1] = ray.shape.index1;
-    s[2] = ray.shape.generation;
-    s[3] = ray.point.x;
-    s[4] = ray.point.y;
-    s[5] = ray.normal.x;
-    s[6] = ray.normal.y;
-    s[7] = ray.fraction;
-    return result;
-}
+/* ---- every shape at once, for drawing ---- */
 
 static bool collect(thud_shape_id shape, void *context) {
     api_buffer *buffer = context;
     api_buffer_push(buffer, &shape, sizeof shape);
     return !buffer->failed;
 }
-
-static int collected(thud_result result) {
-    api_slots[0] = (double)(uintptr_t)found.data;
-    api_slots[1] = (double)(found.bytes / sizeof(thud_shape_id));
-    return result != THUD_OK ? result : api_buffer_result(&found);
-}
-
-/* Slots out: 0 address  1 count of the handles. */
-int api_overlap_aabb(thud_world *world, double lower_x, double lower_y, double upper_x,
-                     double upper_y, double category, double mask, int sensors) {
-    thud_query_filter filter = query_filter(category, mask, sensors);
-    api_buffer_clear(&found);
-    return collected(thud_world_overlap_aabb(world, (thud_pos){lower_x, lower_y},
-                                             (thud_pos){upper_x, upper_y}, &filter, collect,
-                                             &found));
-}
-
-/* The same for a circle, AABB or OBB with its centre at (x, y). */
-int api_overlap_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
-                      double angle, double category, double mask, int sensors) {
-    thud_query_filter filter = query_filter(category, mask, sensors);
-    thud_placed shape = {.kind = (thud_shape_kind)kind,
-                         .c = kind == THUD_OBB ? cos(angle) : 1.0,
-                         .s = kind == THUD_OBB ? sin(angle) : 0.0,
-                         .hx = hx,
-                         .hy = kind == THUD_CIRCLE ? 0.0 : hy};
-    api_buffer_clear(&found);
-    return collected(
-        thud_world_overlap_shape(world, (thud_pos){x, y}, &shape, &filter, collect, &found));
-}
-
-/* ---- every shape at once, for drawing ---- */
 
 /* Fills a table of every shape inside the bounds. A row is ten floats: body slot, shape kind,
  * body kind, sensor, offset x and y, half extents x and y, cosine and sine in the body's frame;

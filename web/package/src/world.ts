@@ -14,6 +14,7 @@ import {
   type BodyState,
   type BoxOptions,
   type CircleOptions,
+  type ClosestHit,
   type ContactEvent,
   type DrawLists,
   type DrawOptions,
@@ -31,6 +32,7 @@ import {
   type ShapeOptions,
   type ShapeState,
   type ShapeTable,
+  type SolidShape,
   type Stats,
   type Terrain,
   type Vec2,
@@ -452,13 +454,61 @@ export class World {
         ...filterNumbers(filter),
       ),
     );
+    return engine.slots[0] === 0 ? null : readHit(engine.slots, 1);
+  }
+
+  /** Every shape along the ray, the nearest first. */
+  castRayAll(origin: Vec2, translation: Vec2, filter: QueryFilter = {}): RayHit[] {
+    return this.#castAll([-1, 0, 0, 0], origin, translation, filter);
+  }
+
+  /** The first shape that a circle, AABB or OBB meets on its way, or null. */
+  castShape(
+    shape: SolidShape,
+    center: Vec2,
+    translation: Vec2,
+    filter: QueryFilter = {},
+  ): RayHit | null {
+    const { engine } = this;
+    const [kind, hx, hy, angle] = solidNumbers(shape);
+    engine.check(
+      engine.exports.api_cast_shape(
+        this.address,
+        kind,
+        ...center,
+        hx,
+        hy,
+        angle,
+        ...translation,
+        ...filterNumbers(filter),
+      ),
+    );
+    return engine.slots[0] === 0 ? null : readHit(engine.slots, 1);
+  }
+
+  /** Every shape that it meets, the nearest first. */
+  castShapeAll(
+    shape: SolidShape,
+    center: Vec2,
+    translation: Vec2,
+    filter: QueryFilter = {},
+  ): RayHit[] {
+    return this.#castAll(solidNumbers(shape), center, translation, filter);
+  }
+
+  /** The shape closest to a point, if one is no further than `maxDistance`, or null. */
+  closest(point: Vec2, maxDistance: number, filter: QueryFilter = {}): ClosestHit | null {
+    const { engine } = this;
+    engine.check(
+      engine.exports.api_closest(this.address, ...point, maxDistance, ...filterNumbers(filter)),
+    );
     const s = engine.slots;
     if (s[0] === 0) return null;
     return {
       shape: shapeId(s[1], s[2]),
       point: [s[3], s[4]],
       normal: [s[5], s[6]],
-      fraction: s[7],
+      distance: s[7],
     };
   }
 
@@ -472,10 +522,7 @@ export class World {
         engine.exports.api_overlap_aabb(this.address, ...lower, ...upper, ...last),
       );
     } else {
-      const kind = indexOf(SHAPE_KINDS, query.kind, "query kind");
-      const hx = query.kind === "circle" ? query.radius : query.halfWidth;
-      const hy = query.kind === "circle" ? 0 : query.halfHeight;
-      const angle = query.kind === "obb" ? query.angle : 0;
+      const [kind, hx, hy, angle] = solidNumbers(query);
       engine.check(
         engine.exports.api_overlap_shape(this.address, kind, ...query.center, hx, hy, angle, ...last),
       );
@@ -533,6 +580,22 @@ export class World {
     };
   }
 
+  #castAll(
+    [kind, hx, hy, angle]: SolidNumbers,
+    [x, y]: Vec2,
+    [dx, dy]: Vec2,
+    filter: QueryFilter,
+  ): RayHit[] {
+    const { engine } = this;
+    const last = filterNumbers(filter);
+    engine.check(
+      engine.exports.api_cast_all(this.address, kind, x, y, hx, hy, angle, dx, dy, ...last),
+    );
+    const [address, count] = engine.slots;
+    const rows = view(Float64Array, engine.buffer, address, 8 * count);
+    return Array.from({ length: count }, (_, i) => readHit(rows, 8 * i));
+  }
+
   #onBody(name: string, body: BodyId, ...args: number[]): void {
     const call = this.engine.exports[name];
     this.engine.check(call(this.address, body.index + 1, body.generation, ...args));
@@ -574,16 +637,31 @@ export class World {
   }
 }
 
-function bodyId(index1: number, generation: number): BodyId {
+export function bodyId(index1: number, generation: number): BodyId {
   return Object.freeze({ kind: "body", index: index1 - 1, generation });
 }
 
-function shapeId(index1: number, generation: number): ShapeId {
+export function shapeId(index1: number, generation: number): ShapeId {
   return Object.freeze({ kind: "shape", index: index1 - 1, generation });
 }
 
+/** Kind, half extents (a circle's radius is the first) and angle, as the module takes them. */
+export type SolidNumbers = [kind: number, hx: number, hy: number, angle: number];
+
+export function solidNumbers(shape: SolidShape): SolidNumbers {
+  const kind = indexOf(SHAPE_KINDS, shape.kind, "shape kind");
+  if (shape.kind === "circle") return [kind, shape.radius, 0, 0];
+  return [kind, shape.halfWidth, shape.halfHeight, shape.kind === "obb" ? shape.angle : 0];
+}
+
+/** Eight numbers of a hit: shape, point, normal, fraction, depth. */
+function readHit(numbers: Float64Array, at: number): RayHit {
+  const [index1, generation, x, y, nx, ny, fraction, depth] = numbers.subarray(at, at + 8);
+  return { shape: shapeId(index1, generation), point: [x, y], normal: [nx, ny], fraction, depth };
+}
+
 /** Overwrites the slots whose option is given. */
-function fill(slots: Float64Array, options: (number | boolean | undefined)[]): void {
+export function fill(slots: Float64Array, options: (number | boolean | undefined)[]): void {
   options.forEach((value, i) => {
     if (value !== undefined) slots[i] = Number(value);
   });
@@ -611,6 +689,6 @@ interface ViewClass<T> {
 }
 
 /** A view into memory; where there is nothing to see, its address may be anything. */
-function view<T>(View: ViewClass<T>, buffer: ArrayBuffer, address: number, length: number): T {
+export function view<T>(View: ViewClass<T>, buffer: ArrayBuffer, address: number, length: number): T {
   return new View(buffer, length === 0 ? 0 : address, length);
 }

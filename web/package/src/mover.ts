@@ -1,0 +1,105 @@
+/**
+ * A mover: a character that slides along what it meets, walks slopes and steps, and rides on what it
+ * stands on. Gravity and jumps are yours; move it once a step, after the step.
+ *
+ *     const mover = new Mover(world, { shape: { kind: "circle", radius: 0.5 }, position: [0, 3] });
+ *     const { velocity, ground } = mover.move([5, -1], 1 / 60);
+ */
+import { ThudError } from "./error.js";
+import type { MoverHit, MoverOptions, MoverReport, Vec2 } from "./types.js";
+import { bodyId, fill, shapeId, solidNumbers, view, type World } from "./world.js";
+
+const HIT = 9;
+
+export class Mover {
+  readonly #world: World;
+  #address: number;
+
+  constructor(world: World, options: MoverOptions) {
+    const { exports, slots } = world.engine;
+    const [kind, hx, hy, angle] = solidNumbers(options.shape);
+    const { filter = {}, body } = options;
+    exports.api_mover_defaults(kind, hx, hy, angle);
+    fill(slots, [
+      options.up?.[0],
+      options.up?.[1],
+      options.skin,
+      options.maxSlope,
+      options.stepHeight,
+      options.snapDistance,
+      options.pushForce,
+      filter.category,
+      filter.mask,
+      filter.sensors,
+      options.oneWay,
+    ]);
+    const [index1, generation] = body ? [body.index + 1, body.generation] : [0, 0];
+    this.#world = world;
+    this.#address = exports.api_mover_create(
+      kind,
+      ...options.position,
+      hx,
+      hy,
+      angle,
+      index1,
+      generation,
+    );
+    if (this.#address === 0) throw new ThudError("memory", "out of memory");
+  }
+
+  /**
+   * Moves by `velocity * dt`, and by what the ground moved since the last move. A velocity with a part
+   * along `up` leaves the ground; `drop` falls through one-way platforms. Throws, and changes nothing,
+   * for what is out of range.
+   */
+  move(velocity: Vec2, dt: number, { drop = false } = {}): MoverReport {
+    const { engine, address } = this.#world;
+    engine.check(
+      engine.exports.api_mover_move(address, this.address, ...velocity, dt, Number(drop)),
+    );
+    const s = engine.slots;
+    const rows = view(Float64Array, engine.buffer, s[14], HIT * s[15]);
+    return {
+      position: [s[0], s[1]],
+      ground:
+        s[2] === 0
+          ? null
+          : {
+              normal: [s[3], s[4]],
+              shape: shapeId(s[5], s[6]),
+              body: bodyId(s[7], s[8]),
+              velocity: [s[11], s[12]],
+            },
+      velocity: [s[9], s[10]],
+      depth: s[13],
+      hits: Array.from({ length: s[15] }, (_, i) => readHit(rows.subarray(HIT * i))),
+    };
+  }
+
+  /** Puts it elsewhere, in the air. */
+  place([x, y]: Vec2): void {
+    this.#world.engine.exports.api_mover_place(this.address, x, y);
+  }
+
+  /** In wasm memory; throws after `close`. */
+  get address(): number {
+    if (this.#address === 0) throw new ThudError("stale", "the mover has been closed");
+    return this.#address;
+  }
+
+  /** Frees it; its world does not. */
+  close(): void {
+    this.#world.engine.exports.api_mover_destroy(this.address);
+    this.#address = 0;
+  }
+}
+
+function readHit(row: Float64Array): MoverHit {
+  return {
+    shape: shapeId(row[0], row[1]),
+    body: bodyId(row[2], row[3]),
+    point: [row[4], row[5]],
+    normal: [row[6], row[7]],
+    depth: row[8],
+  };
+}

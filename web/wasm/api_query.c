@@ -1,0 +1,150 @@
+/* api_query.c: what is where in a world: rays, casts, overlaps, the closest shape. A query's own shape
+ * is its kind, half extents (a circle's radius is the first) and angle. */
+#include "api.h"
+
+#include <math.h>
+
+enum { ROW = 8, ROOM = 64 };
+
+static api_buffer found, hits, rows;
+
+static thud_query_filter query_filter(double category, double mask, int sensors) {
+    return (thud_query_filter){api_to_u32(category), api_to_u32(mask), sensors != 0};
+}
+
+thud_placed api_placed(int kind, double hx, double hy, double angle) {
+    bool turned = kind == THUD_OBB;
+    return (thud_placed){.kind = (thud_shape_kind)kind,
+                         .c = turned ? cos(angle) : 1.0,
+                         .s = turned ? sin(angle) : 0.0,
+                         .hx = hx,
+                         .hy = kind == THUD_CIRCLE ? 0.0 : hy};
+}
+
+/* Eight doubles of a hit: shape, point, normal, fraction, depth. */
+static void write_hit(const thud_ray_hit *hit, double *row) {
+    row[0] = hit->shape.index1;
+    row[1] = hit->shape.generation;
+    row[2] = hit->point.x;
+    row[3] = hit->point.y;
+    row[4] = hit->normal.x;
+    row[5] = hit->normal.y;
+    row[6] = hit->fraction;
+    row[7] = hit->depth;
+}
+
+/* ---- rays and casts ---- */
+
+/* Slots out: 0 hit  1 to 8 as write_hit has them. */
+int api_cast_ray(thud_world *world, double x, double y, double dx, double dy, double category,
+                 double mask, int sensors) {
+    thud_query_filter filter = query_filter(category, mask, sensors);
+    bool hit = false;
+    thud_ray_hit ray = {0};
+    thud_result result = thud_world_cast_ray(world, (thud_pos){x, y}, dx, dy, &filter, &hit, &ray);
+    api_slots[0] = hit;
+    write_hit(&ray, api_slots + 1);
+    return result;
+}
+
+/* Slots out: as api_cast_ray. */
+int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
+                   double angle, double dx, double dy, double category, double mask, int sensors) {
+    thud_query_filter filter = query_filter(category, mask, sensors);
+    thud_placed shape = api_placed(kind, hx, hy, angle);
+    bool hit = false;
+    thud_ray_hit met = {0};
+    thud_result result =
+        thud_world_cast_shape(world, (thud_pos){x, y}, &shape, dx, dy, &filter, &hit, &met);
+    api_slots[0] = hit;
+    write_hit(&met, api_slots + 1);
+    return result;
+}
+
+/* Every hit of a ray (kind -1) or a shape, nearest first. Slots out: 0 address  1 count of rows of
+ * eight doubles, as write_hit has them. */
+int api_cast_all(thud_world *world, int kind, double x, double y, double hx, double hy, double angle,
+                 double dx, double dy, double category, double mask, int sensors) {
+    thud_query_filter filter = query_filter(category, mask, sensors);
+    thud_placed shape = api_placed(kind, hx, hy, angle);
+    static const thud_ray_hit none = {0};
+    int count = ROOM, room = 0;
+    while (room < count) { /* once more where there are more hits than room for them */
+        api_buffer_clear(&hits);
+        for (room = 0; room < count; room++)
+            api_buffer_push(&hits, &none, sizeof none);
+        if (hits.failed)
+            return THUD_ERROR_MEMORY;
+        thud_ray_hit *out = (thud_ray_hit *)hits.data;
+        thud_pos at = {x, y};
+        thud_result result =
+            kind < 0 ? thud_world_cast_ray_all(world, at, dx, dy, &filter, out, room, &count)
+                     : thud_world_cast_shape_all(world, at, &shape, dx, dy, &filter, out, room,
+                                                 &count);
+        if (result != THUD_OK)
+            return result;
+    }
+    api_buffer_clear(&rows);
+    for (int i = 0; i < count; i++) {
+        double row[ROW];
+        write_hit((const thud_ray_hit *)hits.data + i, row);
+        api_buffer_push(&rows, row, sizeof row);
+    }
+    api_slots[0] = (double)(uintptr_t)rows.data;
+    api_slots[1] = count;
+    return api_buffer_result(&rows);
+}
+
+/* Slots out: 0 found  1, 2 shape  3, 4 point  5, 6 normal  7 signed distance. */
+int api_closest(thud_world *world, double x, double y, double max_distance, double category,
+                double mask, int sensors) {
+    thud_query_filter filter = query_filter(category, mask, sensors);
+    bool any = false;
+    thud_closest_hit hit = {0};
+    thud_result result =
+        thud_world_closest(world, (thud_pos){x, y}, max_distance, &filter, &any, &hit);
+    double *s = api_slots;
+    s[0] = any;
+    s[1] = hit.shape.index1;
+    s[2] = hit.shape.generation;
+    s[3] = hit.point.x;
+    s[4] = hit.point.y;
+    s[5] = hit.normal.x;
+    s[6] = hit.normal.y;
+    s[7] = hit.distance;
+    return result;
+}
+
+/* ---- overlaps ---- */
+
+static bool collect(thud_shape_id shape, void *context) {
+    api_buffer *buffer = context;
+    api_buffer_push(buffer, &shape, sizeof shape);
+    return !buffer->failed;
+}
+
+static int collected(thud_result result) {
+    api_slots[0] = (double)(uintptr_t)found.data;
+    api_slots[1] = (double)(found.bytes / sizeof(thud_shape_id));
+    return result != THUD_OK ? result : api_buffer_result(&found);
+}
+
+/* Slots out: 0 address  1 count of the handles. */
+int api_overlap_aabb(thud_world *world, double lower_x, double lower_y, double upper_x,
+                     double upper_y, double category, double mask, int sensors) {
+    thud_query_filter filter = query_filter(category, mask, sensors);
+    api_buffer_clear(&found);
+    return collected(thud_world_overlap_aabb(world, (thud_pos){lower_x, lower_y},
+                                             (thud_pos){upper_x, upper_y}, &filter, collect,
+                                             &found));
+}
+
+/* The same for a circle, AABB or OBB with its centre at (x, y). */
+int api_overlap_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
+                      double angle, double category, double mask, int sensors) {
+    thud_query_filter filter = query_filter(category, mask, sensors);
+    thud_placed shape = api_placed(kind, hx, hy, angle);
+    api_buffer_clear(&found);
+    return collected(
+        thud_world_overlap_shape(world, (thud_pos){x, y}, &shape, &filter, collect, &found));
+}
