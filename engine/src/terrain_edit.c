@@ -75,29 +75,55 @@ static void disturb_contacts(thud_world *w, int terrain_shape, const splice *s)
     }
 }
 
+/* Columns of the world in bounds quanta. */
+typedef struct columns {
+    int64_t left, right;
+} columns;
+
+/* Of the segments that the splice made, and a quantum more on either side. */
+static columns columns_of(const thud_world *w, int terrain_shape, const thud_terrain *line,
+                          const splice *s)
+{
+    int64_t origin = td_stance_at(w, terrain_shape)->center.x >> TD_COARSE_SHIFT;
+    double left = td_terrain_x(line, td_max_int(s->first - 1, 0));
+    double right = td_terrain_x(line, td_min_int(s->first + s->count, line->count - 1));
+    return (columns){origin + td_round64(left * w->to_coarse) - 2,
+                     origin + td_round64(right * w->to_coarse) + 2};
+}
+
+static bool stands_in(const columns *c, const td_stance *stance)
+{
+    return td_unwrap(stance->fat.max_x, stance->center.x) >= c->left &&
+           td_unwrap(stance->fat.min_x, stance->center.x) <= c->right;
+}
+
+static bool reaches_new(const thud_world *w, int terrain_shape, const thud_terrain *line,
+                        const splice *s, const td_stance *stance)
+{
+    int segment, last;
+    td_terrain_segments_of(w, terrain_shape, line, stance->center, &stance->fat, &segment, &last);
+    segment = td_max_int(segment, s->first - 1);
+    last = td_min_int(last, s->first + s->count - 1);
+    while (segment <= last && !td_terrain_reaches(w, terrain_shape, line, stance->center,
+                                                  &stance->fat, segment)) {
+        segment++;
+    }
+    return segment <= last;
+}
+
 /* Shapes that the new line reaches, but for those that have no place yet: they will look at all of
  * it anyway. */
 static void disturb_reached(thud_world *w, int terrain_shape, const splice *s)
 {
     thud_terrain line = td_terrain_view(w, terrain_shape);
+    columns changed = columns_of(w, terrain_shape, &line, s);
     for (int i = 0; i < w->shapes.count; i++) {
+        const td_stance *stance = td_stance_at(w, i);
         const td_shape *shape = td_shape_at(w, i);
-        if (!(shape->flags & TD_SHAPE_LIVE) || shape->kind == THUD_TERRAIN ||
-            (*td_marks_at(w, i) & TD_MARK_FRESH) ||
-            td_body_at(w, shape->body)->kind != THUD_DYNAMIC) {
-            continue;
-        }
-        td_place at = td_stance_at(w, i)->center;
-        const td_bounds *bounds = td_fat_at(w, i);
-        int segment, last;
-        td_terrain_segments_of(w, terrain_shape, &line, at, bounds, &segment, &last);
-        segment = td_max_int(segment, s->first - 1);
-        last = td_min_int(last, s->first + s->count - 1);
-        while (segment <= last &&
-               !td_terrain_reaches(w, terrain_shape, &line, at, bounds, segment)) {
-            segment++;
-        }
-        if (segment <= last) {
+        if (stands_in(&changed, stance) && (shape->flags & TD_SHAPE_LIVE) &&
+            shape->kind != THUD_TERRAIN && !(*td_marks_at(w, i) & TD_MARK_FRESH) &&
+            td_body_at(w, shape->body)->kind == THUD_DYNAMIC &&
+            reaches_new(w, terrain_shape, &line, s, stance)) {
             disturb(w, terrain_shape, i);
         }
     }
