@@ -108,17 +108,18 @@ static double along(thud_pos v, double x, double y)
     return v.x * x + v.y * y;
 }
 
-/* Whether the point, seen along the face, lies within its ends: -1 before vertex i, 1 behind vertex
- * i + 1, otherwise 0. */
+/* Whether the point, seen along the face that is turned to it, is within its ends: -1 before the
+ * first vertex, 1 behind the second, otherwise 0. */
 static int beside(const thud_minkowski *sum, int face, double x, double y)
 {
-    thud_pos tangent = {-sum->normals[face].y, sum->normals[face].x};
-    thud_pos from = sum->vertices[face], to = sum->vertices[face + 1];
-    double at = along(tangent, x, y);
+    thud_pos normal = sum->normals[face], from = sum->vertices[face], to = sum->vertices[face + 1];
+    thud_pos tangent = {-normal.y, normal.x};
+    double at = along(normal, x, y) < 0.0 ? -along(tangent, x, y) : along(tangent, x, y);
     return at < along(tangent, from.x, from.y) ? -1 : at > along(tangent, to.x, to.y) ? 1 : 0;
 }
 
-/* The face pair that the point is furthest out of; TD_NONE if there is none. */
+/* The face that the point is furthest out of; TD_NONE if there are none. A point that is straight
+ * in front of a face is furthest out of that. */
 static int outermost(const thud_minkowski *sum, double x, double y, double *out)
 {
     int face = TD_NONE;
@@ -131,18 +132,6 @@ static int outermost(const thud_minkowski *sum, double x, double y, double *out)
         }
     }
     return face;
-}
-
-/* The face of the polygon that a point outside of it is straight in front of, or TD_NONE. */
-static int in_front_of(const thud_minkowski *sum, double x, double y)
-{
-    for (int i = 0; i < sum->count / 2; i++) {
-        double at = along(sum->normals[i], x, y), side = at < 0.0 ? -1.0 : 1.0;
-        if (td_abs(at) > sum->offsets[i] && beside(sum, i, side * x, side * y) == 0) {
-            return i;
-        }
-    }
-    return TD_NONE;
 }
 
 static int nearest_vertex(const thud_minkowski *sum, double x, double y)
@@ -169,19 +158,29 @@ static double from_vertex(thud_pos vertex, double x, double y, double *nx, doubl
     return length;
 }
 
+/* How far the point is beyond the polygon along (nx, ny). */
+static double gap_along(const thud_minkowski *sum, double nx, double ny, double x, double y)
+{
+    double gap = 1e300;
+    for (int i = 0; i < sum->count; i++) {
+        double here = nx * (x - sum->vertices[i].x) + ny * (y - sum->vertices[i].y);
+        gap = here < gap ? here : gap;
+    }
+    return gap;
+}
+
 double td_minkowski_distance(const thud_minkowski *sum, double x, double y, double *nx, double *ny)
 {
     double out;
     int face = outermost(sum, x, y, &out);
-    /* So near a corner, the direction from it would be made of roundings: the face's is better. */
-    double touching = 1e-14 * (td_abs(x) + td_abs(y));
-    if (face == TD_NONE || out > touching) {
-        face = in_front_of(sum, x, y);
-        if (face == TD_NONE) {
-            thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];
-            return from_vertex(vertex, x, y, nx, ny) - sum->radius;
+    if (face == TD_NONE || (out > 0.0 && beside(sum, face, x, y) != 0)) {
+        thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];
+        double length = from_vertex(vertex, x, y, nx, ny);
+        /* The direction from a vertex that is all but touched is one of mere rounding, which may
+         * even point into the sum; then the face's is the better normal. */
+        if (face == TD_NONE || gap_along(sum, *nx, *ny, x, y) >= out) {
+            return length - sum->radius;
         }
-        out = td_abs(along(sum->normals[face], x, y)) - sum->offsets[face];
     }
     double side = along(sum->normals[face], x, y) < 0.0 ? -1.0 : 1.0;
     *nx = side * sum->normals[face].x;
@@ -194,20 +193,14 @@ bool td_minkowski_contains(const thud_minkowski *sum, double x, double y)
     if (sum->count == 1) {
         return x * x + y * y <= sum->radius * sum->radius;
     }
-    bool inside = true;
-    for (int i = 0; i < sum->count / 2; i++) {
-        double out = td_abs(along(sum->normals[i], x, y)) - sum->offsets[i];
-        if (out > sum->radius) {
-            return false;
-        }
-        inside = inside && out <= 0.0;
-    }
-    if (inside || sum->radius == 0.0) {
-        return inside;
+    double out;
+    int face = outermost(sum, x, y, &out);
+    if (out <= 0.0 || out > sum->radius) {
+        return out <= 0.0;
     }
     thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];
     double dx = x - vertex.x, dy = y - vertex.y;
-    return dx * dx + dy * dy <= sum->radius * sum->radius || in_front_of(sum, x, y) != TD_NONE;
+    return beside(sum, face, x, y) == 0 || dx * dx + dy * dy <= sum->radius * sum->radius;
 }
 
 /* Where the point enters the circle about a vertex. */
@@ -281,9 +274,7 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
             return false;
         }
     }
-    int corner = sum->radius > 0.0
-                     ? beside(sum, face, side * (x + enter * dx), side * (y + enter * dy))
-                     : 0;
+    int corner = sum->radius > 0.0 ? beside(sum, face, x + enter * dx, y + enter * dy) : 0;
     if (corner != 0) {
         int vertex = face + (corner > 0) + (side < 0.0 ? faces : 0);
         return enter_circle(sum->vertices[vertex % sum->count], sum->radius, x, y, dx, dy, fraction,

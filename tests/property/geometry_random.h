@@ -86,11 +86,6 @@ static inline double outline_length(const thud_placed *shape)
                                       : 4.0 * (shape->hx + shape->hy);
 }
 
-/* ---- pairs in the families where geometry goes wrong ---- */
-
-enum { FAMILY_ANY, FAMILY_TOUCHING, FAMILY_CONTAINING, FAMILY_PARALLEL, FAMILY_CORNERS,
-       FAMILY_NEEDLES, FAMILY_FAR, FAMILY_COUNT };
-
 /* How many random cases a pair gets: `usual`, or what THUD_CASES in the environment says. */
 static inline int case_count(int usual)
 {
@@ -108,70 +103,6 @@ static inline thud_placed draw_shape_of(source *r, thud_shape_kind kind)
     shape.hy = kind == THUD_CIRCLE ? 0.0 : exp(draw(r, -2.0, 0.7));
     set_angle(&shape, draw(r, -4.0, 4.0));
     return shape;
-}
-
-/* A millionth as thick as it is long; a circle as small as that. */
-static inline void thin(source *r, thud_placed *shape)
-{
-    if (shape->kind != THUD_CIRCLE && draw_below(r, 2)) {
-        shape->hy = 1e-6 * shape->hx;
-    } else {
-        shape->hx = 1e-6 * (shape->kind == THUD_CIRCLE ? 1.0 : shape->hy);
-    }
-}
-
-static inline void bring_into_touch(const thud_placed *a, thud_placed *b)
-{
-    thud_closest c;
-    if (thud_shapes_closest(a, b, &c) == THUD_OK) {
-        b->x -= c.nx * c.distance;
-        b->y -= c.ny * c.distance;
-    }
-}
-
-static inline void draw_two(source *r, thud_shape_kind kind_a, thud_shape_kind kind_b, int family,
-                            thud_placed *a, thud_placed *b)
-{
-    *a = draw_shape_of(r, kind_a);
-    *b = draw_shape_of(r, kind_b);
-    switch (family) {
-    case FAMILY_TOUCHING:
-        bring_into_touch(a, b);
-        break;
-    case FAMILY_CONTAINING:
-        b->x = a->x + 0.1 * draw(r, -1.0, 1.0);
-        b->y = a->y + 0.1 * draw(r, -1.0, 1.0);
-        b->hx *= 0.1;
-        b->hy *= 0.1;
-        break;
-    case FAMILY_PARALLEL: /* exactly, or but for a rounding or two */
-        set_angle(a, draw_below(r, 2) ? draw(r, -4.0, 4.0) : 0.0);
-        set_angle(b, atan2(a->s, a->c) + 1.5707963267948966 * draw_below(r, 4));
-        break;
-    case FAMILY_CORNERS: {
-        thud_pos i = outline(a, 0.25 * draw_below(r, 4)), j = outline(b, 0.25 * draw_below(r, 4));
-        b->x = a->x + i.x - j.x;
-        b->y = a->y + i.y - j.y;
-        break;
-    }
-    case FAMILY_NEEDLES:
-        thin(r, a);
-        if (draw_below(r, 2)) {
-            thin(r, b);
-        }
-        if (draw_below(r, 2)) {
-            bring_into_touch(a, b);
-        }
-        break;
-    case FAMILY_FAR: {
-        double x = draw(r, -1e7, 1e7), y = draw(r, -1e7, 1e7);
-        a->x += x, b->x += x;
-        a->y += y, b->y += y;
-        break;
-    }
-    default:
-        break;
-    }
 }
 
 #endif

@@ -2,7 +2,7 @@
  * they are around, sampled; against the smallest there are, by brute force; and against each other.
  * Nothing that is in a volume may be missed, not for a rounding: those checks have no tolerance.
  * THUD_CASES sets the cases a pair. */
-#include "geometry_random.h"
+#include "geometry_pairs.h"
 #include "thud/thud_volumes.h"
 
 #include <setjmp.h>
@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-enum { CASES = 20000, KINDS = 3, CLOUD = 40, ANGLES = 720 };
+enum { CASES = 20000, KINDS = THUD_OBB + 1, CLOUD = 40, ANGLES = 720 };
 
 #define OK(call) assert_int_equal(call, THUD_OK)
 
@@ -57,58 +57,61 @@ static thud_volume around_shape(thud_shape_kind kind, const thud_placed *shape)
     return v;
 }
 
-/* Calls the check with every kind of pair, every family, and as many cases as are asked for. */
-static void for_all_pairs(uint64_t seed, int cases,
-                          void (*check)(source *r, const thud_placed *a, const thud_placed *b))
+/* Calls the check with every pair of kinds, every family, and as many cases as are asked for. */
+static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const pair *p))
 {
-    source r = {seed};
-    for (int pair = 0; pair < KINDS * KINDS; pair++) {
+    for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
+        source r = {seed + kinds};
         for (int i = 0; i < cases; i++) {
-            thud_placed a, b;
-            draw_two(&r, (thud_shape_kind)(pair / KINDS), (thud_shape_kind)(pair % KINDS),
-                     i % FAMILY_COUNT, &a, &b);
-            check(&r, &a, &b);
+            pair p = draw_pair_of(&r, kinds, (pair_family)(i % FAMILIES));
+            check(&r, &p);
         }
     }
 }
 
 /* ---- tests ---- */
 
-static void check_overlap(source *r, const thud_placed *a, const thud_placed *b)
+static real exact_distance(const pair *p)
 {
-    (void)r;
-    thud_closest c;
-    OK(thud_shapes_closest(a, b, &c));
-    double eps = rounding(a) + rounding(b);
-    assert_true(overlap(a, b) == (c.distance <= 0.0) || fabs(c.distance) < eps);
+    solid a = solid_of(&p->a, p->a.x, p->a.y), b = solid_of(&p->b, p->a.x, p->a.y);
+    return solids_distance(&a, &b);
 }
 
-static void overlap_of_random_pairs_agrees_with_their_distance(void **state)
+static void check_overlap(source *r, const pair *p)
+{
+    (void)r;
+    real exact = exact_distance(p);
+    CHECK_PAIR(p, overlap(&p->a, &p->b) == (exact <= 0.0L) ||
+                      fabsl(exact) <= 8.0 * pair_rounding(p));
+}
+
+static void overlap_of_every_pair_is_that_of_long_double(void **state)
 {
     (void)state;
-    for_all_pairs(1, case_count(CASES), check_overlap);
+    each_pair(1, case_count(CASES), check_overlap);
 }
 
 /* Of each kind around either, the volumes overlap if the shapes do. */
-static void check_no_miss(source *r, const thud_placed *a, const thud_placed *b)
+static void check_no_miss(source *r, const pair *p)
 {
     (void)r;
-    bool touch = thud_shapes_overlap(a, b);
+    bool touch = exact_distance(p) <= 0.0L;
     for (int i = 0; i < KINDS * KINDS && touch; i++) {
-        thud_volume v = around_shape((thud_shape_kind)(i / KINDS), a);
-        thud_volume w = around_shape((thud_shape_kind)(i % KINDS), b);
-        assert_true(overlap(&v, &w));
+        thud_volume v = around_shape((thud_shape_kind)(i / KINDS), &p->a);
+        thud_volume w = around_shape((thud_shape_kind)(i % KINDS), &p->b);
+        CHECK_PAIR(p, overlap(&v, &w));
     }
 }
 
 static void volumes_of_overlapping_pairs_overlap(void **state)
 {
     (void)state;
-    for_all_pairs(2, case_count(CASES), check_no_miss);
+    each_pair(2, case_count(CASES), check_no_miss);
 }
 
-static void check_contains(source *r, const thud_placed *a, const thud_placed *b)
+static void check_contains(source *r, const pair *p)
 {
+    const thud_placed *a = &p->a, *b = &p->b;
     bool inside = contains(a, b);
     double eps = rounding(a) + rounding(b), most = -1e300;
     /* The most that b reaches out of a: at a corner, or on the far side of a circle. */
@@ -127,16 +130,16 @@ static void check_contains(source *r, const thud_placed *a, const thud_placed *b
     assert_true(holds(b, x, y) == (distance <= 0.0) || fabs(distance) < eps);
 }
 
-static void containment_of_random_pairs_agrees_with_sampled_outlines(void **state)
+static void containment_of_every_pair_agrees_with_sampled_outlines(void **state)
 {
     (void)state;
-    for_all_pairs(3, case_count(CASES / 4), check_contains);
+    each_pair(3, case_count(CASES / 4), check_contains);
 }
 
-static void check_around_shape(source *r, const thud_placed *a, const thud_placed *b)
+static void check_around_shape(source *r, const pair *p)
 {
     (void)r;
-    (void)b;
+    const thud_placed *a = &p->a;
     thud_volume circle = around_shape(THUD_CIRCLE, a), upright = around_shape(THUD_AABB, a);
     thud_volume oriented = around_shape(THUD_OBB, a);
     double eps = rounding(a), width = 0.0, height = 0.0, far = 0.0;
@@ -154,10 +157,10 @@ static void check_around_shape(source *r, const thud_placed *a, const thud_place
     assert_true(fabs(area(&oriented) - smallest) < 8.0 * eps * (a->hx + a->hy));
 }
 
-static void volumes_of_random_shapes_are_the_smallest(void **state)
+static void volumes_of_every_shape_are_the_smallest(void **state)
 {
     (void)state;
-    for_all_pairs(4, case_count(CASES / 4), check_around_shape);
+    each_pair(4, case_count(CASES / 4), check_around_shape);
 }
 
 static thud_motion draw_motion(source *r)
@@ -167,9 +170,9 @@ static thud_motion draw_motion(source *r)
     return (thud_motion){draw(r, -reach, reach), draw(r, -reach, reach), draw(r, -turn, turn)};
 }
 
-static void check_around_motion(source *r, const thud_placed *shape, const thud_placed *b)
+static void check_around_motion(source *r, const pair *both)
 {
-    (void)b;
+    const thud_placed *shape = &both->a;
     thud_motion m = draw_motion(r);
     thud_volume v[KINDS];
     double width = 0.0, height = 0.0, eps = 8.0 * rounding(shape);
@@ -208,12 +211,13 @@ static void check_around_motion(source *r, const thud_placed *shape, const thud_
 static void volumes_of_random_motions_hold_every_place_on_the_way(void **state)
 {
     (void)state;
-    for_all_pairs(5, case_count(CASES / 20), check_around_motion);
+    each_pair(5, case_count(CASES / 20), check_around_motion);
 }
 
-static void check_merge(source *r, const thud_placed *a, const thud_placed *b)
+static void check_merge(source *r, const pair *p)
 {
     (void)r;
+    const thud_placed *a = &p->a, *b = &p->b;
     double eps = rounding(a) + rounding(b);
     for (int i = 0; i < KINDS * KINDS; i++) {
         thud_volume v = around_shape((thud_shape_kind)(i / KINDS), a);
@@ -239,7 +243,7 @@ static void check_merge(source *r, const thud_placed *a, const thud_placed *b)
 static void merged_volumes_of_random_pairs_hold_both(void **state)
 {
     (void)state;
-    for_all_pairs(6, case_count(CASES / 8), check_merge);
+    each_pair(6, case_count(CASES / 8), check_merge);
 }
 
 /* Points anywhere, in one place, on a line, on a ring, on a grid, in a needle, far away. */
@@ -399,10 +403,10 @@ static void volumes_of_random_ground_hold_every_height(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(overlap_of_random_pairs_agrees_with_their_distance),
+        cmocka_unit_test(overlap_of_every_pair_is_that_of_long_double),
         cmocka_unit_test(volumes_of_overlapping_pairs_overlap),
-        cmocka_unit_test(containment_of_random_pairs_agrees_with_sampled_outlines),
-        cmocka_unit_test(volumes_of_random_shapes_are_the_smallest),
+        cmocka_unit_test(containment_of_every_pair_agrees_with_sampled_outlines),
+        cmocka_unit_test(volumes_of_every_shape_are_the_smallest),
         cmocka_unit_test(volumes_of_random_motions_hold_every_place_on_the_way),
         cmocka_unit_test(merged_volumes_of_random_pairs_hold_both),
         cmocka_unit_test(volumes_of_random_points_hold_all_and_are_the_smallest),

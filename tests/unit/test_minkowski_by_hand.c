@@ -84,7 +84,21 @@ static void ray_from_inside_through_a_corner_hits_nothing(void **state)
     (void)state;
     thud_placed a = box(1.0, 1.0);
     double f, nx, ny;
-    assert_false(thud_shape_cast_ray(&a, 0.0, 0.0, 2.0, 2.0, &f, &nx, &ny));
+    for (int i = 0; i < 4; i++) {
+        double dx = i % 2 ? 2.0 : -2.0, dy = i / 2 ? 2.0 : -2.0;
+        assert_false(thud_shape_cast_ray(&a, 0.0, 0.0, dx, dy, &f, &nx, &ny));
+    }
+}
+
+static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void **state)
+{
+    (void)state;
+    thud_placed a = box(1.0, 1e-12);
+    double f, nx, ny;
+    for (int i = 1; i < 1000; i++) {
+        assert_true(thud_shape_cast_ray(&a, 0.0, 1e7 / i, 0.0, -1e7, &f, &nx, &ny));
+        NEAR(f, 1.0 / i);
+    }
 }
 
 static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state)
@@ -204,6 +218,7 @@ int main(void)
         cmocka_unit_test(sum_of_circles_is_a_point_with_both_radii),
         cmocka_unit_test(cast_along_a_face_touches_its_end),
         cmocka_unit_test(ray_from_inside_through_a_corner_hits_nothing),
+        cmocka_unit_test(ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding),
         cmocka_unit_test(sum_of_box_with_inexact_rotation_has_unit_normals),
         cmocka_unit_test(cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not),
         cmocka_unit_test(sum_of_needles_near_parallel_loses_no_face),
