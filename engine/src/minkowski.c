@@ -63,7 +63,7 @@ static void set_boxes(thud_minkowski *sum, const thud_placed *a, const thud_plac
     double c = e.x * f.x + e.y * f.y, s = e.x * f.y - e.y * f.x;
     /* A box turned by a quarter is itself with its extents exchanged: so f comes within a quarter
      * of e. */
-    while (!(c > 0.0 && s >= 0.0)) {
+    for (int quarter = 0; quarter < 3 && !(c > 0.0 && s >= 0.0); quarter++) {
         double old_c = c, old_hx = fhx;
         f = (thud_pos){-f.y, f.x};
         c = -s;
@@ -195,6 +195,9 @@ bool td_minkowski_contains(const thud_minkowski *sum, double x, double y)
     }
     double out;
     int face = outermost(sum, x, y, &out);
+    if (face == TD_NONE) {
+        return false; /* not a number: of a segment too short to have a direction */
+    }
     if (out <= 0.0 || out > sum->radius) {
         return out <= 0.0;
     }

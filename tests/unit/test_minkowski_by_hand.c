@@ -101,6 +101,23 @@ static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void 
     }
 }
 
+/* Points so near each other that their squared distance is 0 in a double give no direction. */
+static void impact_on_ground_with_points_next_to_each_other_is_found(void **state)
+{
+    (void)state;
+    const thud_pos points[4] = {{-5.0, 0.0}, {0.0, 0.0}, {1e-200, 0.0}, {5.0, 0.0}};
+    thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
+    for (int kind = THUD_CIRCLE; kind <= THUD_OBB; kind++) {
+        thud_placed a = {(thud_shape_kind)kind, 0.0, 3.0, 1.0, 0.0, 1.0, 1.0};
+        bool hit;
+        double time;
+        OK(thud_terrain_time_of_impact(&ground, &a, (thud_motion){0.0, -4.0, 0.0}, 0.0, &hit,
+                                       &time));
+        assert_true(hit);
+        NEAR(time, 0.5);
+    }
+}
+
 static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state)
 {
     (void)state;
@@ -219,6 +236,7 @@ int main(void)
         cmocka_unit_test(cast_along_a_face_touches_its_end),
         cmocka_unit_test(ray_from_inside_through_a_corner_hits_nothing),
         cmocka_unit_test(ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding),
+        cmocka_unit_test(impact_on_ground_with_points_next_to_each_other_is_found),
         cmocka_unit_test(sum_of_box_with_inexact_rotation_has_unit_normals),
         cmocka_unit_test(cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not),
         cmocka_unit_test(sum_of_needles_near_parallel_loses_no_face),
