@@ -1,6 +1,5 @@
 /* volumes.c: bounding volumes of shapes and of their motions, and of two volumes together. */
 #include "volumes.h"
-#include "trig.h"
 
 #define MAX_VOLUME 1e16
 /* The roundings of a fit and of a later test come to no more than this part of place and size. */
