@@ -130,7 +130,7 @@ static bool overtakes(const td_piece *other, const td_piece *top, double x, doub
     }
     double below = rise(other, top, low), above = rise(other, top, high);
     *at = low;
-    if (above <= tolerance || below >= 0.0) {
+    if (!(above > tolerance) || !(below < 0.0)) { /* also where heights are no numbers */
         return above > tolerance;
     }
     if (!other->round && !top->round) {

@@ -2,32 +2,34 @@
  *
  * The first is the nearest place, or that of the least way out. For the second, everything that may
  * touch is asked how far it is by itself; none of it can be deeper than the whole shape. Of what is
- * within the margin, the place furthest from the first is taken: it holds the shape best. */
+ * within the margin, the place furthest from the first is taken, and then of what is as deep as the
+ * first the place furthest from the second: the two hold the shape best. */
 #include "terrain.h"
 
-/* Places closer than this share of the shape's reach are one. */
+/* Places closer than this share of the shape's reach are one, and depths as close are equal. */
 #define SAME 1e-9
 /* How far, in radians, a normal may lie outside what belongs to a ridge. */
 #define SLACK 1e-9
 
-/* Places are relative to the shape's centre. */
+/* For the place that is furthest from another. Places are relative to the shape's centre. */
 typedef struct search {
     const thud_terrain *terrain;
     const thud_placed *shape;
-    double margin;
-    double apart; /* between the second place and the first */
-    thud_contacts *found;
+    double margin; /* places further from touching than this do not count */
+    thud_closest from;
+    double apart; /* how far the found place is from it at least */
+    bool found;
+    thud_closest best;
 } search;
 
 static void offer(search *k, const thud_closest *c)
 {
-    const thud_closest *first = &k->found->point[0];
-    double dx = c->ax - first->ax, dy = c->ay - first->ay;
+    double dx = c->ax - k->from.ax, dy = c->ay - k->from.ay;
     double apart = __builtin_sqrt(dx * dx + dy * dy);
     if (c->distance <= k->margin && apart > k->apart) {
         k->apart = apart;
-        k->found->count = 2;
-        k->found->point[1] = *c;
+        k->found = true;
+        k->best = *c;
     }
 }
 
@@ -95,7 +97,8 @@ static void offer_segment(search *k, int i)
     offer(k, &c);
 }
 
-static void find_second(search *k)
+/* `centre_out`: the circle's centre is not in the ground, so that it may stand on segments. */
+static bool find(search *k, bool centre_out)
 {
     bool circle = k->shape->kind == THUD_CIRCLE;
     double reach = td_half_width(k->shape) + k->margin;
@@ -105,14 +108,36 @@ static void find_second(search *k)
     }
     thud_terrain_segments(k->terrain, k->shape->x - reach, k->shape->x + reach, &first, &last);
     if (k->terrain->kind == THUD_TERRAIN_FLAT || first > last) {
-        return;
+        return k->found;
     }
     for (int i = first; i <= last + 1; i++) {
         offer_ridge(k, i);
     }
-    /* With its centre in the ground a circle stands on nothing. */
-    for (int i = first; circle && i <= last && k->found->point[0].distance >= -k->shape->hx; i++) {
+    for (int i = first; circle && centre_out && i <= last; i++) {
         offer_segment(k, i);
+    }
+    return k->found;
+}
+
+static void find_points(const thud_terrain *t, const thud_placed *shape, double margin,
+                        thud_contacts *out)
+{
+    thud_closest *first = &out->point[0], *second = &out->point[1];
+    double same = SAME * td_reach(shape);
+    bool centre_out = first->distance >= -shape->hx;
+    search k = {.terrain = t, .shape = shape, .margin = margin, .from = *first, .apart = same};
+    if (!find(&k, centre_out)) {
+        return;
+    }
+    *second = k.best;
+    out->count = 2;
+    search back = {.terrain = t,
+                   .shape = shape,
+                   .margin = first->distance + same,
+                   .from = *second,
+                   .apart = k.apart};
+    if (find(&back, centre_out)) {
+        *first = back.best;
     }
 }
 
@@ -133,8 +158,7 @@ thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_placed
         *out = (thud_contacts){0};
         return THUD_OK;
     }
-    search k = {terrain, shape, margin, SAME * td_reach(shape), out};
-    find_second(&k);
+    find_points(terrain, shape, margin, out);
     for (int i = 0; i < out->count; i++) {
         out->point[i].ax += shape->x;
         out->point[i].ay += shape->y;

@@ -12,17 +12,17 @@
 enum { QUICK = 12000 };
 #define BOUND 32.0
 
-/* How far the candidates' places on the ground are from the first point's: of all that may count,
- * and of those that must. */
+/* How far the candidates' places on the ground are from another: of all that may count, and of
+ * those that must. */
 typedef struct reach {
     const ground *g;
-    vec first;
+    vec from;
     real margin, slack, may, must;
 } reach;
 
 static void offer(reach *k, real distance, vec place, bool certain)
 {
-    real apart = length_of(minus(place, k->first));
+    real apart = length_of(minus(place, k->from));
     if (distance <= k->margin + k->slack) {
         k->may = fmaxl(k->may, apart);
     }
@@ -138,10 +138,11 @@ static void offer_segment(reach *k, int i, real out)
     }
 }
 
-static reach search(const ground *g, const thud_closest *first, double margin, double slack)
+static reach search(const ground *g, const thud_closest *from, double depth, double margin,
+                    double slack)
 {
     reach k = {.g = g,
-               .first = {(real)first->ax - g->shape.x, (real)first->ay - g->shape.y},
+               .from = {(real)from->ax - g->shape.x, (real)from->ay - g->shape.y},
                .margin = margin,
                .slack = slack};
     const thud_terrain *t = &g->terrain;
@@ -153,7 +154,7 @@ static reach search(const ground *g, const thud_closest *first, double margin, d
     for (int i = 0; i < t->count && !flat; i++) {
         offer_ridge(&k, i);
         if (round && i + 1 < t->count) {
-            offer_segment(&k, i, (real)first->distance + g->shape.hx);
+            offer_segment(&k, i, (real)depth + g->shape.hx);
         }
     }
     return k;
@@ -172,6 +173,35 @@ static void check_point(const ground *g, const thud_closest *c, double coarse)
     CHECK_GROUND(g, fabsl(outline_distance(g, &on_ground)) <= coarse);
 }
 
+static real apart(const thud_closest *one, const thud_closest *two)
+{
+    return length_of(vec_of((real)two->ax - one->ax, (real)two->ay - one->ay));
+}
+
+/* The second point is the furthest from the closest features. The first is the closest features, or
+ * another place as deep, further from the second. */
+static void check_second(const ground *g, const thud_contacts *c, const thud_closest *closest,
+                         double margin, double slack)
+{
+    const thud_closest *one = &c->point[0], *two = &c->point[1];
+    double coarse = BOUND * spot_rounding(g), size = g->shape.hx + g->shape.hy;
+    real placed = 8.0L * coarse * steepest(&g->terrain);
+    reach k = search(g, closest, closest->distance, margin, slack);
+    if (c->count < 2) {
+        CHECK_GROUND(g, k.must <= 2e-9L * size + placed);
+        return;
+    }
+    check_point(g, two, coarse);
+    CHECK_GROUND(g, two->distance <= margin && two->distance >= closest->distance - slack);
+    CHECK_GROUND(g,
+                 apart(closest, two) >= k.must - placed && apart(closest, two) <= k.may + placed);
+    CHECK_GROUND(g, one->distance <= closest->distance + 1.01e-9 * size + slack);
+    CHECK_GROUND(g, apart(one, two) >= apart(closest, two) - placed);
+    reach back = search(g, two, closest->distance, closest->distance + 1e-9 * size, slack);
+    CHECK_GROUND(g, apart(one, two) >= back.must - placed);
+    CHECK_GROUND(g, apart(one, two) <= fmaxl(back.may, apart(closest, two)) + placed);
+}
+
 static int seconds;
 
 static void check_contacts(const ground *g, double margin)
@@ -182,23 +212,10 @@ static void check_contacts(const ground *g, double margin)
     assert_int_equal(thud_terrain_closest(&g->terrain, &g->shape, &closest), THUD_OK);
     assert_int_equal(thud_terrain_contacts(&g->terrain, &g->shape, margin, &c), THUD_OK);
     CHECK_GROUND(g, (c.count > 0) == (closest.distance <= margin));
-    if (c.count == 0) {
-        return;
-    }
-    CHECK_GROUND(g, c.point[0].distance == closest.distance && c.point[0].ax == closest.ax);
-    check_point(g, &c.point[0], coarse);
-    real placed = 8.0L * coarse * steepest(&g->terrain);
-    reach k = search(g, &c.point[0], margin, slack);
-    if (c.count > 1) {
-        const thud_closest *one = &c.point[0], *two = &c.point[1];
-        real apart = length_of(vec_of((real)two->ax - one->ax, (real)two->ay - one->ay));
-        seconds++;
-        check_point(g, two, coarse);
-        CHECK_GROUND(g, two->distance <= margin);
-        CHECK_GROUND(g, two->distance >= one->distance - slack);
-        CHECK_GROUND(g, apart >= k.must - placed && apart <= k.may + placed);
-    } else {
-        CHECK_GROUND(g, k.must <= 2e-9L * (g->shape.hx + g->shape.hy) + placed);
+    if (c.count > 0) {
+        check_point(g, &c.point[0], coarse);
+        check_second(g, &c, &closest, margin, slack);
+        seconds += c.count > 1;
     }
 }
 

@@ -113,7 +113,9 @@ typedef enum thud_terrain_kind {
 
 /* A ground line, one-sided: solid below, with upright sides under its ends. The caller owns
  * `points` (uniform: only y is read) and must keep them while the view is used; a world copies
- * them. */
+ * them. That every vertex is finite and further right than the one before is seen by
+ * thud_terrain_check alone: the other functions refuse whatever is wrong at first sight, and give a
+ * result without a meaning for a line that it would refuse. */
 typedef struct thud_terrain {
     thud_terrain_kind kind;
     double slope;           /* flat only: rise over run, |slope| <= 100 */
@@ -155,11 +157,12 @@ bool thud_terrain_overlap(const thud_terrain *terrain, const thud_placed *shape)
 thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_placed *shape,
                                  thud_closest *out);
 
-/* As thud_shapes_contacts with the terrain as a. The first point is that of thud_terrain_closest,
- * the deepest of all. Candidates for the second are the corners of a box, each with the nearest
- * place of the ground; the ridges of the ground, each with the nearest place of the shape; and the
- * segments on which a circle stands. Of those within the margin, the one furthest from the first is
- * taken. Each point has a normal of its own: a circle in a valley leans on both slopes. */
+/* As thud_shapes_contacts with the terrain as a. Candidates for the second point are the corners of
+ * a box, each with the nearest place of the ground; the ridges of the ground, each with the nearest
+ * place of the shape; and the segments on which a circle stands. Of those within the margin, the one
+ * furthest from thud_terrain_closest's is taken; the first point is thud_terrain_closest's, or of
+ * candidates as deep (to 1e-9 of the shape's size) the one furthest from the second. Each point has
+ * a normal of its own: a circle in a valley leans on both slopes. */
 thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_placed *shape,
                                   double margin, thud_contacts *out);
 
