@@ -24,8 +24,9 @@ typedef struct splice {
 
 /* ---- what rests on the line ---- */
 
-/* The number of a segment after the splice, TD_NONE if it is gone. Its right end may have changed
- * where only its left one is new; a segment inside keeps its number as long as there is one. */
+/* The number of a segment after the splice, TD_NONE if it is gone. The segment up to the first
+ * vertex that stays on the right goes with that vertex; one before it keeps its number as long as
+ * there is such a segment. */
 static int renumbered(const splice *s, int segment)
 {
     if (segment < s->first - 1) {
@@ -104,8 +105,8 @@ static bool reaches_new(const thud_world *w, int terrain_shape, const thud_terra
     td_terrain_segments_of(w, terrain_shape, line, stance->center, &stance->fat, &segment, &last);
     segment = td_max_int(segment, s->first - 1);
     last = td_min_int(last, s->first + s->count - 1);
-    while (segment <= last && !td_terrain_reaches(w, terrain_shape, line, stance->center,
-                                                  &stance->fat, segment)) {
+    while (segment <= last &&
+           !td_terrain_reaches(w, terrain_shape, line, stance->center, &stance->fat, segment)) {
         segment++;
     }
     return segment <= last;

@@ -49,7 +49,9 @@ thud_result thud_terrain_place_foot(const thud_terrain *terrain, double x, doubl
  * Every function: THUD_ERROR_STALE for a handle that names nothing, THUD_ERROR_LOCKED inside a
  * callback, THUD_ERROR_INVALID for a shape that is no terrain, a value that is not finite or out of
  * its range, and a line that thud_terrain_check would refuse; THUD_ERROR_MEMORY. The line is then
- * as it was. Vertices that come out as they were disturb nobody. */
+ * as it was. Vertices that come out as they were disturb nobody. An edit costs a pass over the
+ * world's shapes and the terrain's contacts; where vertices come or go, those to the right of them
+ * move as well. */
 
 /* Replaces the heights of `count` vertices from `first` on; not of flat ground. Heights are
  * relative to the body's origin. */
