@@ -63,6 +63,12 @@ export class Camera {
     this.scale = Math.min(freeHeight / height, width > 0 ? freeWidth / width : Infinity);
   }
 
+  /** Goes the given part of the way to a place. */
+  follow([x, y]: readonly [number, number], part: number): void {
+    this.x += part * (x - this.x);
+    this.y += part * (y - this.y);
+  }
+
   resize(width: number, height: number): void {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);

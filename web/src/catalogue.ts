@@ -18,6 +18,10 @@ export interface Built {
   camera: readonly [number, number];
   cameraHeight: number;
   spawn: readonly [number, number];
+  /** Whether it is played with a character, which starts there. */
+  character: boolean;
+  gravity: readonly [number, number];
+  lengthScale: number;
   /** What a level does without. */
   problems: readonly Problem[];
 }
@@ -88,6 +92,9 @@ export class Catalogue {
       camera: level.camera,
       cameraHeight: level.cameraHeight,
       spawn: level.spawn,
+      character: level.character,
+      gravity: level.gravity,
+      lengthScale: level.lengthScale,
       problems: level.problems,
     };
   }
@@ -105,6 +112,9 @@ export class Catalogue {
       camera: [cameraX, cameraY],
       cameraHeight,
       spawn: [spawnX, spawnY],
+      character: false,
+      gravity: [0, -10],
+      lengthScale,
       problems: [],
     };
   }

@@ -5,6 +5,7 @@ import wasmUrl from "../generated/thud-demo.wasm?url";
 import { type Built, Catalogue, type Entry } from "./catalogue";
 import { Hud } from "./hud";
 import { listen, type Tool } from "./input";
+import { listenToPad } from "./pad";
 import { DYNAMIC, ROW } from "./render/shapes";
 import { Simulation } from "./simulation";
 import { byId, type ThemeChoice, Ui } from "./ui";
@@ -15,6 +16,10 @@ const FIRST_SCENE = "pyramid";
 const THEME_KEY = "thud-theme";
 /** A crater's radius that can be seen, however far away the view is. */
 const CRATER_PIXELS = 16;
+/** Metres of the world, in length scales, that are seen around a character. */
+const CHARACTER_VIEW = { height: 20, width: 13 };
+/** How fast the view follows it, in 1/s. */
+const FOLLOW_RATE = 6;
 
 const systemIsLight = matchMedia("(prefers-color-scheme: light)");
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
@@ -27,6 +32,9 @@ const state = {
   tool: "hand" as Tool,
   ...readState(location.search),
 };
+
+const pad = byId("pad");
+const keys = listenToPad(pad);
 
 let simulation: Simulation | null = null;
 let catalogue: Catalogue;
@@ -44,7 +52,7 @@ const ui = new Ui({
     guard(() => simulation?.step());
   },
   reset: () => void run(rebuild, true),
-  fit: () => view.camera.goHome(),
+  fit: lookHome,
   setTool: (tool) => {
     state.tool = tool;
     ui.showTool(tool);
@@ -129,7 +137,7 @@ async function runFirst(): Promise<void> {
 async function run(build: () => Promise<Built> | Built, keepView = false): Promise<void> {
   let next: Simulation;
   try {
-    next = new Simulation(await build());
+    next = new Simulation(await build(), keys);
   } catch (error) {
     const problems = error instanceof LevelError ? error.problems.map(({ text }) => text) : [];
     const text = problems.length > 0 ? "The file cannot be used:" : messageOf(error);
@@ -144,6 +152,7 @@ async function run(build: () => Promise<Built> | Built, keepView = false): Promi
   next.paused = state.paused;
   next.speed = state.speed;
   hud.reset();
+  pad.hidden = !next.character;
   const { entry, problems } = next.built;
   if (keepView) ui.say(`${entry.title}, from the beginning`);
   else {
@@ -164,7 +173,13 @@ async function openFile(file: File): Promise<void> {
 }
 
 /** The scene's own view, and as wide as what moves in it, within reason. */
-function showWhole({ built, shapes, world }: Simulation): void {
+function showWhole({ built, shapes, world, character }: Simulation): void {
+  if (character) {
+    const { height, width } = CHARACTER_VIEW;
+    const unit = built.lengthScale;
+    view.camera.setHome(...character.place(1), height * unit, width * unit);
+    return;
+  }
   const [x, y] = built.camera;
   const poses = world.poses(1, x, y);
   let reach = 0;
@@ -174,6 +189,19 @@ function showWhole({ built, shapes, world }: Simulation): void {
     if (bodyKind === DYNAMIC && distance <= built.cameraHeight) reach = Math.max(reach, distance);
   }
   view.camera.setHome(x, y, built.cameraHeight, Math.min(2.2 * reach, 2 * built.cameraHeight));
+}
+
+function lookHome(): void {
+  view.camera.goHome();
+  const character = simulation?.character;
+  if (character) view.camera.follow(character.place(1), 1);
+}
+
+/** The view closes in on a character while it moves, and is the visitor's while it stands. */
+function followCharacter({ character, alpha, paused }: Simulation, seconds: number): void {
+  const dragged = byId("overlay").dataset.mode;
+  if (!character?.moves || paused || dragged === "pan" || dragged === "pinch") return;
+  view.camera.follow(character.place(alpha), 1 - Math.exp(-FOLLOW_RATE * seconds));
 }
 
 function setPaused(paused: boolean): void {
@@ -214,6 +242,7 @@ function frame(time: number): void {
   const running = simulation;
   guard(() => {
     running.frame(seconds);
+    followCharacter(running, seconds);
     view.draw(running);
     hud.frame(seconds, running.world.stats());
   });
@@ -235,7 +264,7 @@ function layOut(): void {
   const bottom = innerHeight - byId("controls").getBoundingClientRect().top;
   view.camera.insets = { top: top + 8, right: 16, bottom: bottom + 8, left: 16 };
   view.resize();
-  view.camera.goHome();
+  lookHome();
 }
 
 function applyTheme(): void {

@@ -4,6 +4,7 @@
  */
 import { type BodyId, type Quality, type Vec2, type World } from "thud";
 import type { Built } from "./catalogue";
+import { Character, type Keys } from "./character";
 import { readShapes, type Shapes } from "./render/shapes";
 
 /** How hard a pulled body follows, as speed per distance (1/s). */
@@ -14,6 +15,8 @@ const PULL_LIMIT = 60;
 const LONGEST_FRAME = 0.1;
 /** Radius of a crater in half widths of a typical body. */
 const CRATER = 3.5;
+/** Of every world of the page, in seconds. */
+const TIME_STEP = 1 / 60;
 
 interface Pull {
   body: BodyId;
@@ -31,16 +34,24 @@ export class Simulation {
   alpha = 1;
   /** Read again after shapes came or went. */
   shapes: Shapes;
+  readonly character: Character | null;
   #pull: Pull | null = null;
 
-  constructor(built: Built) {
+  /** `keys` steer the character, where the level has one. */
+  constructor(built: Built, keys: Readonly<Keys>) {
     this.built = built;
     this.world = built.world;
-    this.shapes = readShapes(this.world);
+    this.character = built.character ? new Character(built, keys) : null;
+    this.shapes = this.#readShapes();
   }
 
   close(): void {
+    this.character?.close();
     this.world.close();
+  }
+
+  #readShapes(): Shapes {
+    return readShapes(this.world, this.character?.body);
   }
 
   /** Runs what a frame of `seconds` asks for. */
@@ -50,14 +61,27 @@ export class Simulation {
     this.#applyPull();
     // A world that cannot keep up must not be asked for ever more steps.
     const heavy = this.world.stats().stepSeconds > 0.012;
-    const { alpha } = this.world.advance(elapsed, heavy ? 1 : 4);
-    this.alpha = alpha;
+    const most = heavy ? 1 : 4;
+    if (this.character) this.#advanceStepByStep(this.character, elapsed, most);
+    else this.alpha = this.world.advance(elapsed, most).alpha;
   }
 
   step(): void {
     this.#applyPull();
     this.world.step();
+    this.character?.step(TIME_STEP);
     this.alpha = 1;
+  }
+
+  /** As World.advance does it, with a move of the character after every step. */
+  #advanceStepByStep(character: Character, elapsed: number, most: number): void {
+    let due = this.alpha * TIME_STEP + elapsed;
+    for (let i = 0; i < most && due >= TIME_STEP; i++) {
+      this.world.step();
+      character.step(TIME_STEP);
+      due -= TIME_STEP;
+    }
+    this.alpha = (due % TIME_STEP) / TIME_STEP;
   }
 
   setQuality(quality: Quality): void {
@@ -153,7 +177,7 @@ export class Simulation {
     });
     if (kind === "circle") this.world.createCircle(body, { radius: size * wobble });
     else this.world.createObb(body, { halfWidth: size * wobble, halfHeight: size });
-    this.shapes = readShapes(this.world);
+    this.shapes = this.#readShapes();
   }
 
   // ---- digging ----

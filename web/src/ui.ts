@@ -64,7 +64,7 @@ export class Ui {
       act,
     });
     this.#keys = [
-      key("Space", [" "], "Pause or go on", actions.togglePause),
+      key("Space P", [" ", "p"], "Pause or go on", actions.togglePause),
       key(".", ["."], "Single step", actions.step),
       key("R", ["r"], "Reset the scene", actions.reset),
       key("V", ["v"], "Drag bodies", tool("hand")),

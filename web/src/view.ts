@@ -71,7 +71,15 @@ export class View {
     if (this.#frame % AWAKE_EVERY === 0) this.#updateAwake(simulation);
     this.#backdrop.draw(camera, this.#theme);
     this.#renderer.draw(world.poses(simulation.alpha, camera.x, camera.y), camera);
-    this.#overlay.draw(world, camera, this.#theme, this.shown, simulation.pull);
+    this.#overlay.draw(
+      world,
+      camera,
+      this.#theme,
+      this.shown,
+      simulation.pull,
+      simulation.character,
+      simulation.alpha,
+    );
   }
 
   #updateAwake({ world, shapes }: Simulation): void {

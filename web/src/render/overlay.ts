@@ -1,6 +1,7 @@
-/** What lies over the bodies: the engine's debug drawing and the line that pulls a body. */
+/** What lies over the bodies: the character, the engine's debug drawing, the line that pulls a body. */
 import { DRAW_STYLES, type DrawLists, type World } from "thud";
 import type { Camera } from "../camera";
+import type { Character } from "../character";
 import { islandColour, type Theme } from "./palette";
 
 export const OVERLAYS = [
@@ -41,14 +42,18 @@ export class Overlay {
     theme: Theme,
     on: ReadonlySet<OverlayName>,
     pull: readonly [from: readonly [number, number], to: readonly [number, number]] | null,
+    character: Character | null,
+    alpha: number,
   ): void {
     const wanted = ["contacts", "normals", "bounds", "cells", "islands"] as const;
     const any = wanted.some((name) => on.has(name));
-    if (!any && !pull && this.#clean) return;
+    const empty = !any && !pull && !character;
+    if (empty && this.#clean) return;
     const context = this.#context;
     context.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
     context.clearRect(0, 0, camera.width, camera.height);
-    this.#clean = !any && !pull;
+    this.#clean = empty;
+    if (character) drawCharacter(context, camera, theme, character, alpha);
     if (any) {
       const { x0, y0, x1, y1 } = camera.visible;
       const lists = world.debugDraw({
@@ -136,6 +141,35 @@ function addOutline(path: Path2D, shapes: Float32Array, at: number, scale: numbe
   path.lineTo(...corner(1, 1));
   path.lineTo(...corner(-1, 1));
   path.closePath();
+}
+
+/** A rounded box that looks where it goes. */
+function drawCharacter(
+  context: CanvasRenderingContext2D,
+  camera: Camera,
+  theme: Theme,
+  character: Character,
+  alpha: number,
+): void {
+  const { halfWidth, halfHeight, facing } = character;
+  const [x, y] = camera.toScreen(...character.place(alpha));
+  const [hx, hy] = [halfWidth * camera.scale, halfHeight * camera.scale];
+  context.beginPath();
+  context.roundRect(x - hx, y - hy, 2 * hx, 2 * hy, 0.6 * hx);
+  context.fillStyle = theme.character;
+  context.fill();
+  const eyes = (radius: number, offset: number, colour: string) => {
+    context.beginPath();
+    for (const side of [-1, 1]) {
+      const at = x + hx * (0.35 * facing + 0.32 * side + offset * facing);
+      context.moveTo(at + radius, y - 0.5 * hy);
+      context.arc(at, y - 0.5 * hy, radius, 0, 2 * Math.PI);
+    }
+    context.fillStyle = colour;
+    context.fill();
+  };
+  eyes(0.27 * hx, 0, "#ffffff");
+  eyes(0.14 * hx, 0.1, "#12161f");
 }
 
 function drawPull(

@@ -23,6 +23,7 @@ export interface Theme {
   readonly bounds: string;
   readonly cell: string;
   readonly pull: string;
+  readonly character: string;
 }
 
 const RAMP: readonly Rgb[] = [
@@ -56,6 +57,7 @@ export const DARK: Theme = {
   bounds: "rgba(125, 211, 252, 0.75)",
   cell: "rgba(167, 139, 250, 0.45)",
   pull: "#ffffff",
+  character: "#ff8a5c",
 };
 
 export const LIGHT: Theme = {
@@ -77,6 +79,7 @@ export const LIGHT: Theme = {
   bounds: "rgba(2, 100, 170, 0.75)",
   cell: "rgba(109, 40, 217, 0.40)",
   pull: "#1b2230",
+  character: "#d9480f",
 };
 
 /** A colour of the ramp; t from 0 to 1. */

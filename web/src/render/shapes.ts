@@ -2,7 +2,7 @@
  * What there is to draw: the world's shapes, read once after shapes came or went. The arrays are
  * copies, because those of the package are views that the next call may move.
  */
-import { SHAPE_KINDS, type ShapeId, type Terrain, type World } from "thud";
+import { type BodyId, SHAPE_KINDS, type ShapeId, type Terrain, type World } from "thud";
 
 /** Numbers a row, as in ShapeTable.rows of the package. */
 export const ROW = 10;
@@ -35,7 +35,8 @@ export interface Shapes {
   typicalSize: number;
 }
 
-export function readShapes(world: World): Shapes {
+/** Of all bodies but `hidden`. */
+export function readShapes(world: World, hidden?: BodyId): Shapes {
   const table = world.shapeTable();
   const all = table.rows.slice();
   const handles = table.handles.slice();
@@ -52,6 +53,7 @@ export function readShapes(world: World): Shapes {
       terrains.push(readTerrain(world, handles.subarray(4 * i, 4 * i + 4)));
       continue;
     }
+    if (row[0] === hidden?.index) continue;
     if (row[2] === DYNAMIC) sizes.push(row[6]);
     rows.set(row, count * ROW);
     source[count++] = i;
