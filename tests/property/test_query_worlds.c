@@ -94,7 +94,7 @@ static void make_worlds(worlds *w, source *r)
     double shift = draw_below(r, 3) == 0 ? 1e6 : 0;
     w->origin = (thud_pos){shift, -shift};
     w->count = 0;
-    int terrains = draw_below(r, 4), count = 3 + draw_below(r, SHAPES - 3);
+    int terrains = draw_below(r, 4), count = terrains + 1 + draw_below(r, SHAPES - 4);
     for (int i = 0; i < count; i++) {
         thud_shape_def def = thud_default_shape_def();
         def.filter.category = 1u << draw_below(r, 3);
