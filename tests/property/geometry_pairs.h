@@ -157,6 +157,51 @@ static inline double place_rounding(const pair *p)
     return pair_rounding(p) + ROUNDING * (fabs(p->a.x) + fabs(p->a.y));
 }
 
+/* A pair in motion over one unit of time. */
+typedef struct moving {
+    pair p;
+    thud_motion a, b;
+    double target;
+} moving;
+
+static inline moving draw_moving(source *r, int kinds, int i, bool turning)
+{
+    moving m = {.p = draw_pair_of(r, kinds, (pair_family)(i % FAMILIES))};
+    double speed = exp(draw(r, -3.0, 5.0)), away = draw_below(r, 3) ? 3.0 : 0.0;
+    m.p.b.x += draw(r, -away, away);
+    m.p.b.y += draw(r, -away, away);
+    m.a = (thud_motion){draw(r, -1.0, 1.0), draw(r, -1.0, 1.0), 0.0};
+    m.b = (thud_motion){draw(r, -speed, speed), draw(r, -speed, speed), 0.0};
+    if (draw_below(r, 2)) { /* at each other, somewhere */
+        m.a = (thud_motion){0};
+        m.b.dx = (m.p.a.x - m.p.b.x) * draw(r, 0.5, 3.0) + draw(r, -1.0, 1.0);
+        m.b.dy = (m.p.a.y - m.p.b.y) * draw(r, 0.5, 3.0) + draw(r, -1.0, 1.0);
+    }
+    if (draw_below(r, 4) == 0) { /* along an axis */
+        *(draw_below(r, 2) ? &m.b.dx : &m.b.dy) = 0.0;
+        m.a = (thud_motion){0};
+    }
+    if (turning) {
+        m.a.turn = draw_below(r, 2) ? draw(r, -6.0, 6.0) : 0.0;
+        m.b.turn = draw(r, -6.0, 6.0);
+    }
+    m.target = draw_below(r, 3) ? 0.0 : draw(r, 0.0, 0.1);
+    return m;
+}
+
+static inline double moving_rounding(const moving *m)
+{
+    double way = fabs(m->a.dx) + fabs(m->a.dy) + fabs(m->b.dx) + fabs(m->b.dy);
+    return pair_rounding(&m->p) + ROUNDING * (way + m->target);
+}
+
+static inline real distance_at(const moving *m, real t)
+{
+    solid a = solid_after(&m->p.a, m->a, t, m->p.a.x, m->p.a.y);
+    solid b = solid_after(&m->p.b, m->b, t, m->p.a.x, m->p.a.y);
+    return solids_distance(&a, &b);
+}
+
 static inline void print_shape(const char *name, const thud_placed *s)
 {
     printf("%s = {.kind = %d, .x = %a, .y = %a, .c = %a, .s = %a, .hx = %a, .hy = %a}\n", name,

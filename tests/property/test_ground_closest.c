@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-enum { QUICK = 3000, SAMPLES = 48, REFINEMENTS = 40 };
+enum { QUICK = 2000, SAMPLES = 48, REFINEMENTS = 40 };
 #define BOUND 16.0
 
 static thud_placed thicker(const thud_placed *s, double by)

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-enum { QUICK = 12000 };
+enum { QUICK = 4000 };
 #define BOUND 32.0
 
 /* How far the candidates' places on the ground are from another: of all that may count, and of

@@ -1,0 +1,91 @@
+/* test_pairs_collision.c: time of collision by bisection, of every pair of kinds in random motion,
+ * against distances in long double. */
+#include "geometry_pairs.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+enum { QUICK = 12000 };
+#define BOUND 16.0
+
+static int collisions;
+
+/* Where the shapes may or may not touch at an end of the motion, anything goes. */
+static void check_collision(const moving *m, double tolerance)
+{
+    double slack = BOUND * (moving_rounding(m) + place_rounding(&m->p)), time;
+    bool collided;
+    assert_int_equal(
+        thud_shapes_time_of_collision(&m->p.a, m->a, &m->p.b, m->b, tolerance, &collided, &time),
+        THUD_OK);
+    real before = distance_at(m, 0.0L), after = distance_at(m, 1.0L);
+    if (fabsl(before) > slack && fabsl(after) > slack) {
+        CHECK_PAIR(&m->p, collided == (before > 0.0L && after < 0.0L));
+    }
+    if (!collided) {
+        CHECK_PAIR(&m->p, time == 1.0);
+        return;
+    }
+    CHECK_PAIR(&m->p, time >= 0.0 && time < 1.0);
+    CHECK_PAIR(&m->p, distance_at(m, time) >= -slack);
+    CHECK_PAIR(&m->p, distance_at(m, fminl((real)time + tolerance, 1.0L)) <= slack);
+    collisions++;
+}
+
+static void collision_of_every_pair_is_between_apart_and_together(void **state)
+{
+    (void)state;
+    int count = case_count(QUICK);
+    for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
+        source r = {121 + kinds};
+        collisions = 0;
+        for (int i = 0; i < count; i++) {
+            moving m = draw_moving(&r, kinds, i, i % 2);
+            check_collision(&m, i % 3 ? 1e-6 : i % 5 ? 0.1 : 1e-15);
+        }
+        assert_true(collisions > count / 50);
+    }
+}
+
+/* Through the middle: at some time both centres are in one place. */
+static void bisectable_motion_through_the_middle_is_never_missed(void **state)
+{
+    (void)state;
+    int count = case_count(QUICK), bisectable = 0;
+    for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
+        source r = {131 + kinds};
+        for (int i = 0; i < count; i++) {
+            moving m = draw_moving(&r, kinds, i, false);
+            thud_placed *a = &m.p.a, *b = &m.p.b;
+            double part = draw(&r, 0.0, 1.0), speed = draw(&r, 0.0, 3.0),
+                   angle = draw(&r, -4.0, 4.0);
+            double thin_a = a->kind == THUD_CIRCLE ? a->hx : fmin(a->hx, a->hy);
+            double thin_b = b->kind == THUD_CIRCLE ? b->hx : fmin(b->hx, b->hy);
+            double way = speed * fmin(thin_a, thin_b);
+            m.a = (thud_motion){0};
+            m.b = (thud_motion){way * cos(angle), way * sin(angle), 0.0};
+            b->x = a->x - part * m.b.dx;
+            b->y = a->y - part * m.b.dy;
+            if (thud_motion_is_bisectable(a, m.a, b, m.b)) {
+                bisectable++;
+                CHECK_PAIR(&m.p, distance_at(&m, 0.0L) <= 0.0L || distance_at(&m, 1.0L) <= 0.0L);
+            }
+            /* Thickness is twice the half extent: speed in units of that, less rounding, tells. */
+            CHECK_PAIR(&m.p, fabs(speed - 2.0) < 1e-9 ||
+                                 thud_motion_is_bisectable(a, m.a, b, m.b) == (speed < 2.0));
+        }
+    }
+    assert_true(bisectable > count);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(collision_of_every_pair_is_between_apart_and_together),
+        cmocka_unit_test(bisectable_motion_through_the_middle_is_never_missed),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
