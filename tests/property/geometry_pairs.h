@@ -195,7 +195,7 @@ static inline double moving_rounding(const moving *m)
     return pair_rounding(&m->p) + ROUNDING * (way + m->target);
 }
 
-static inline real distance_at(const moving *m, real t)
+static inline real moving_distance(const moving *m, real t)
 {
     solid a = solid_after(&m->p.a, m->a, t, m->p.a.x, m->p.a.y);
     solid b = solid_after(&m->p.b, m->b, t, m->p.a.x, m->p.a.y);

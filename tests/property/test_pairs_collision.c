@@ -21,7 +21,7 @@ static void check_collision(const moving *m, double tolerance)
     assert_int_equal(
         thud_shapes_time_of_collision(&m->p.a, m->a, &m->p.b, m->b, tolerance, &collided, &time),
         THUD_OK);
-    real before = distance_at(m, 0.0L), after = distance_at(m, 1.0L);
+    real before = moving_distance(m, 0.0L), after = moving_distance(m, 1.0L);
     if (fabsl(before) > slack && fabsl(after) > slack) {
         CHECK_PAIR(&m->p, collided == (before > 0.0L && after < 0.0L));
     }
@@ -30,8 +30,8 @@ static void check_collision(const moving *m, double tolerance)
         return;
     }
     CHECK_PAIR(&m->p, time >= 0.0 && time < 1.0);
-    CHECK_PAIR(&m->p, distance_at(m, time) >= -slack);
-    CHECK_PAIR(&m->p, distance_at(m, fminl((real)time + tolerance, 1.0L)) <= slack);
+    CHECK_PAIR(&m->p, moving_distance(m, time) >= -slack);
+    CHECK_PAIR(&m->p, moving_distance(m, fminl((real)time + tolerance, 1.0L)) <= slack);
     collisions++;
 }
 
@@ -71,7 +71,7 @@ static void bisectable_motion_through_the_middle_is_never_missed(void **state)
             b->y = a->y - part * m.b.dy;
             if (thud_motion_is_bisectable(a, m.a, b, m.b)) {
                 bisectable++;
-                CHECK_PAIR(&m.p, distance_at(&m, 0.0L) <= 0.0L || distance_at(&m, 1.0L) <= 0.0L);
+                CHECK_PAIR(&m.p, moving_distance(&m, 0.0L) <= 0.0L || moving_distance(&m, 1.0L) <= 0.0L);
             }
             /* Thickness is twice the half extent: speed in units of that, less rounding, tells. */
             CHECK_PAIR(&m.p, fabs(speed - 2.0) < 1e-9 ||

@@ -128,7 +128,7 @@ static bool apart_until(const moving *m, real least, real end)
 {
     real speed = fastest(m);
     for (real t = 0.0L; t < end;) {
-        real distance = distance_at(m, t);
+        real distance = moving_distance(m, t);
         if (distance < least) {
             return false;
         }
@@ -137,7 +137,7 @@ static bool apart_until(const moving *m, real least, real end)
     return true;
 }
 
-static int early;
+static int stopped_early;
 
 static void check_turning(const moving *m)
 {
@@ -149,11 +149,9 @@ static void check_turning(const moving *m)
     CHECK_PAIR(&m->p, time >= 0.0 && time <= 1.0 && (hit || time == 1.0));
     CHECK_PAIR(&m->p, apart_until(m, m->target - slack, time));
     if (hit) {
-        real distance = distance_at(m, time);
+        real distance = moving_distance(m, time);
         CHECK_PAIR(&m->p, time == 0.0 || distance >= m->target - slack);
-        early += distance > m->target + slack;
-        if (distance > m->target + slack)
-            printf("early %Lg size %g\n", distance - m->target, size);
+        stopped_early += distance > m->target + slack;
         hits++;
     }
 }
@@ -164,13 +162,14 @@ static void impact_with_turning_comes_no_later_and_no_earlier(void **state)
     int count = case_count(QUICK_TURNING);
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
         source r = {111 + kinds};
-        hits = early = 0;
+        hits = stopped_early = 0;
         for (int i = 0; i < count; i++) {
             moving m = draw_moving(&r, kinds, i, true);
             check_turning(&m);
         }
-        printf("kinds %d hits %d early %d\n", kinds, hits, early);
         assert_true(hits > count / 5 && hits < count);
+        /* Shapes that turn close by each other for long may use up the search's jumps. */
+        assert_true(stopped_early * 50 <= hits);
     }
 }
 
