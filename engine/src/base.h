@@ -19,6 +19,11 @@
 #define TD_SPECULATIVE 0.02f
 /* Overlap that the continuous stage leaves, so that the next step finds a contact. */
 #define TD_SLOP 0.005f
+/* In a world that is bisected or swept, contacts rest this far apart, so that what load presses
+ * together does not overlap. */
+#define TD_SKIN 0.004f
+/* Swept shapes count as met at this distance, unless they are nearer to begin with. */
+#define TD_MEET 0.001f
 /* Fat bounds exceed tight ones by TD_MARGIN + min(TD_MARGIN_MORE, extent / 8): small enough that
  * few pairs are carried in vain, and two of them at least the speculative margin, so that a
  * touching pair never loses its fat overlap. */

@@ -129,6 +129,7 @@ typedef struct td_collide_context {
     int *armed;                /* set where a block is armed */
     float quantum;             /* length of a position quantum */
     float margin;              /* speculative */
+    float skin;                /* at which contacts rest: what the solver takes for touching */
     float axis_tolerance;      /* how much better b's face must be to be preferred */
 } td_collide_context;
 

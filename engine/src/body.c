@@ -72,8 +72,10 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         .gravity_scale = def->gravity_scale,
         .linear_damping = def->linear_damping,
         .angular_damping = def->angular_damping,
+        .detection = def->detection ? def->detection : w->def.detection,
         .user_data = def->user_data,
     };
+    w->detections[body->detection->rank] = body->detection;
     if (def->kind != THUD_STATIC) {
         body->velocity[0] = def->velocity.x;
         body->velocity[1] = def->velocity.y;

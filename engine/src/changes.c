@@ -56,6 +56,7 @@ static void free_shape(thud_world *w, int index)
         record->shape = TD_NONE;
         td_slots_give(&w->terrains, shape->terrain);
     }
+    w->thinnest_stale = true;
     shape->flags = 0;
     *td_marks_at(w, index) = 0;
     shape->generation++;

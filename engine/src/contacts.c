@@ -1,5 +1,6 @@
 /* contacts.c: contacts as callbacks and statistics see them; prologue and epilogue. */
 #include "body.h"
+#include "collide.h"
 #include "contact.h"
 #include "handles.h"
 #include "lanes.h"
@@ -26,7 +27,7 @@ thud_contact td_contact_view(const thud_world *w, td_block *block, int lane)
         }
         along += p->cross_b[lane];
         seen.point_count++;
-        seen.separation = td_min_float(seen.separation, p->separation[lane]);
+        seen.separation = td_min_float(seen.separation, p->separation[lane] + w->skin);
         seen.normal_impulse += td_history_of(block, points)[k].total[lane];
     }
     seen.tangent_impulse = block->tangent_impulse[lane];
@@ -49,8 +50,44 @@ static void disable(const thud_world *w, td_block *block, int lane)
     block->tangent_mass[lane] = block->tangent_impulse[lane] = 0.0f;
 }
 
+/* How fast a point closes, > 0, at the start of the step. */
+static float closing_of(const thud_world *w, const td_block *block, const td_point *p, int lane)
+{
+    const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
+    const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
+    return (a[0] - b[0]) * block->nx[lane] + (a[1] - b[1]) * block->ny[lane] +
+           a[2] * p->cross_a[lane] - b[2] * p->cross_b[lane];
+}
+
+/* What is still apart and closes fast bounces within the step: a matter of impacts.c, to which the
+ * solver would lose the rest of the step. */
+static void leave_impacts(thud_world *w)
+{
+    float fast = w->def.restitution_threshold * w->unit;
+    for (int i = 0; i < w->scratch.blocks.count; i++) {
+        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        for (int lane = 0; lane < block->used; lane++) {
+            int kind = td_contact_at(w, block->contact[lane])->kind;
+            int points = td_form_points(w->pairs[kind]->form);
+            bool apart = block->restitution[lane] > 0.0f, closes = false;
+            for (int k = 0; k < points; k++) {
+                const td_point *p = &block->point[k];
+                bool here = p->normal_mass[lane] > 0.0f;
+                apart &= !here || p->separation[lane] + w->skin > TD_MEET * w->unit;
+                closes |= here && closing_of(w, block, p, lane) > fast;
+            }
+            if (apart && closes) {
+                disable(w, block, lane);
+            }
+        }
+    }
+}
+
 void td_contacts_ask(thud_world *w)
 {
+    if (w->skin > 0.0f) {
+        leave_impacts(w);
+    }
     if (!w->def.prologue) {
         return;
     }
@@ -59,7 +96,9 @@ void td_contacts_ask(thud_world *w)
         td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
         for (int lane = 0; lane < block->used; lane++) {
             thud_contact seen = td_contact_view(w, block, lane);
-            if (!w->def.prologue(w, &seen, w->def.callback_context)) {
+            bool vetoed = !w->def.prologue(w, &seen, w->def.callback_context);
+            td_contact_at(w, block->contact[lane])->vetoed = vetoed;
+            if (vetoed) {
                 disable(w, block, lane);
             }
         }
@@ -81,6 +120,10 @@ void td_contacts_tell(thud_world *w)
                 w->def.epilogue(w, &seen, w->def.callback_context);
             }
         }
+    }
+    for (int i = 0; i < w->scratch.impacts.count; i++) {
+        const td_impact *impact = td_at(&w->scratch.impacts, i);
+        w->def.epilogue(w, &impact->seen, w->def.callback_context);
     }
     w->locked = false;
 }

@@ -7,6 +7,7 @@
  * body is swept alone: it may rub along, but never change sides. */
 #include "body.h"
 #include "contact.h"
+#include "detection.h"
 #include "kinds.h"
 #include "rotation.h"
 #include "shape.h"
@@ -111,10 +112,7 @@ static td_bounds swept_bounds(const sweep *s, td_place end)
     double reach = (double)td_row(&w->reach, s->slot)[1] + (double)w->unit * (double)TD_SPECULATIVE;
     int32_t half = (int32_t)(reach * w->to_coarse) + 1;
     td_bounds a = td_bounds_about(s->start, half, half), b = td_bounds_about(end, half, half);
-    return (td_bounds){td_wrap_sub(b.min_x, a.min_x) < 0 ? b.min_x : a.min_x,
-                       td_wrap_sub(b.min_y, a.min_y) < 0 ? b.min_y : a.min_y,
-                       td_wrap_sub(b.max_x, a.max_x) > 0 ? b.max_x : a.max_x,
-                       td_wrap_sub(b.max_y, a.max_y) > 0 ? b.max_y : a.max_y};
+    return td_bounds_around(&a, &b);
 }
 
 static void set_shape(sweep *s, int index, const float *delta, float c, float sine)
@@ -212,22 +210,33 @@ static void sweep_body(thud_world *w, int slot)
         }
     }
     if (swept.time < 1.0) {
+        w->stats.held_bodies++;
+        w->stats.held_seconds += (1.0 - swept.time) * w->def.time_step;
         stop_at(w, index, start, angle, swept.time, delta);
         td_body_place_shapes(w, index);
     }
 }
 
 /* A query asks for room as if every shape of the ranges that it scans were a hit. */
-bool td_continuous_reserve(thud_world *w)
+static bool reserve(thud_world *w)
 {
-    return !w->def.continuous || td_array_reserve(&w->memory, &w->scratch.hits,
-                                                  3 * w->rest_shapes.ids.count + 4 * TD_LANES);
+    return td_array_reserve(&w->memory, &w->scratch.hits,
+                            3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
-void td_continuous(thud_world *w)
+static void run(thud_world *w)
 {
     bool anything = w->rest_shapes.ids.count > 0 || w->terrains.live > 0;
     for (int i = 0; i < w->scratch.fast.count && anything; i++) {
-        sweep_body(w, *(int *)td_at(&w->scratch.fast, i));
+        int slot = *(int *)td_at(&w->scratch.fast, i);
+        const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
+        if (body->detection->rank == TD_RANK_CONTINUOUS) {
+            sweep_body(w, slot);
+        }
     }
 }
+
+const thud_detection thud_detection_continuous = {.name = "continuous",
+                                                  .rank = TD_RANK_CONTINUOUS,
+                                                  .reserve = reserve,
+                                                  .run = run};

@@ -74,6 +74,15 @@ static inline bool td_bounds_contain(const td_bounds *outer, const td_bounds *in
             td_wrap_sub(inner->min_y, outer->min_y) | td_wrap_sub(outer->max_y, inner->max_y)) >= 0;
 }
 
+/* What contains both; they lie near each other. */
+static inline td_bounds td_bounds_around(const td_bounds *a, const td_bounds *b)
+{
+    return (td_bounds){td_wrap_sub(b->min_x, a->min_x) < 0 ? b->min_x : a->min_x,
+                       td_wrap_sub(b->min_y, a->min_y) < 0 ? b->min_y : a->min_y,
+                       td_wrap_sub(b->max_x, a->max_x) > 0 ? b->max_x : a->max_x,
+                       td_wrap_sub(b->max_y, a->max_y) > 0 ? b->max_y : a->max_y};
+}
+
 /* Bounds about a position, with half extents in bounds quanta; one more on each side covers the
  * rounding of the position. */
 static inline td_bounds td_bounds_about(td_place center, int32_t half_x, int32_t half_y)

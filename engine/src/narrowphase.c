@@ -22,6 +22,7 @@ td_collide_context td_collide_context_of(const thud_world *w)
         .velocity = w->velocity.data,
         .quantum = w->quantum,
         .margin = TD_SPECULATIVE * w->unit,
+        .skin = w->skin,
         .axis_tolerance = 0.1f * TD_SLOP * w->unit,
     };
 }

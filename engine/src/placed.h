@@ -71,5 +71,10 @@ void td_closest(const thud_placed *a, const thud_placed *b, thud_closest *out);
 /* toi.c: as thud_shapes_time_of_impact, likewise. */
 void td_time_of_impact(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
                        thud_motion motion_b, double target, bool *hit, double *time);
+/* The same with a target that may be negative, where they overlap, and of which turning shapes may
+ * stop `tolerance` short, which saves jumps. */
+void td_time_of_near_impact(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
+                            thud_motion motion_b, double target, double tolerance, bool *hit,
+                            double *time);
 
 #endif

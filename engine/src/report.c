@@ -110,7 +110,8 @@ static void measure_penetration(const thud_world *w, thud_measure *m)
             if (p->normal_mass[lane] == 0.0f) {
                 continue;
             }
-            double depth = p->separation[lane] < 0.0f ? -(double)p->separation[lane] : 0.0;
+            float separation = p->separation[lane] + w->skin;
+            double depth = separation < 0.0f ? -(double)separation : 0.0;
             m->penetration_max = depth > m->penetration_max ? depth : m->penetration_max;
             sum += depth;
             points++;

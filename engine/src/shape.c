@@ -94,6 +94,7 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
         made.terrain = TD_NONE;
     }
     *shape = made;
+    w->thinnest_stale = true;
     body->first_shape = index;
     body->shape_count++;
     body->aabbs = (uint8_t)(body->aabbs | (made.kind == THUD_AABB));

@@ -11,6 +11,22 @@ void td_shape_settle(thud_world *w, int shape);
  * fat ones. Terrain keeps its place and has no bounds. */
 void td_shape_place(thud_world *w, int shape);
 
+/* Makes the fat bounds reach as far as the shape is expected to move in the next step. */
+void td_shape_expect(thud_world *w, int shape, float dx, float dy);
+
+/* Bounds of a shape placed relative to `origin`, and `slack` more on each side. */
+td_bounds td_placed_bounds(const thud_world *w, const thud_placed *placed, td_place origin,
+                           double slack);
+
+static inline float td_thickness(const td_shape *shape)
+{
+    return 2.0f * (shape->kind == THUD_CIRCLE ? shape->half_x
+                                              : td_min_float(shape->half_x, shape->half_y));
+}
+
+/* The thinnest shape's thickness; infinite where there is none. Terrain is solid below. */
+float td_thinnest(thud_world *w);
+
 /* Puts a shape onto the moved list; its bounds of before go to `was`. */
 void td_shape_mark_moved(thud_world *w, int shape);
 

@@ -2,6 +2,8 @@
 #include "body.h"
 #include "shape.h"
 
+#include "placed.h"
+
 static int32_t margin_of(const thud_world *w, float half_x, float half_y)
 {
     float extent = td_max_float(half_x, half_y);
@@ -22,6 +24,21 @@ void td_shape_settle(thud_world *w, int index)
     stance->half_y = shape->kind == THUD_CIRCLE ? shape->half_x : shape->half_y;
     stance->turns = shape->kind == THUD_OBB ? 1.0f : 0.0f;
     stance->margin = margin_of(w, stance->half_x, stance->half_y);
+}
+
+float td_thinnest(thud_world *w)
+{
+    if (w->thinnest_stale) {
+        w->thinnest_stale = false;
+        w->thinnest = __builtin_inff();
+        for (int i = 0; i < w->shapes.count; i++) {
+            const td_shape *shape = td_shape_at(w, i);
+            if ((shape->flags & TD_SHAPE_LIVE) && shape->kind != THUD_TERRAIN) {
+                w->thinnest = td_min_float(w->thinnest, td_thickness(shape));
+            }
+        }
+    }
+    return w->thinnest;
 }
 
 void td_shape_mark_moved(thud_world *w, int index)
@@ -56,6 +73,34 @@ static void bound(thud_world *w, int index, td_stance *stance)
     if ((*td_marks_at(w, index) & TD_MARK_FRESH) || !td_bounds_contain(&stance->fat, &tight)) {
         td_shape_mark_moved(w, index);
         stance->fat = td_bounds_grown(tight, stance->margin);
+    }
+}
+
+td_bounds td_placed_bounds(const thud_world *w, const thud_placed *p, td_place origin, double slack)
+{
+    double x = p->kind == THUD_CIRCLE ? p->hx : td_shadow(p, 1.0, 0.0);
+    double y = p->kind == THUD_CIRCLE ? p->hx : td_shadow(p, 0.0, 1.0);
+    td_place center = {origin.x + td_round64(p->x * w->to_fixed),
+                       origin.y + td_round64(p->y * w->to_fixed)};
+    return td_bounds_about(center, (int32_t)((x + slack) * w->to_coarse) + 2,
+                           (int32_t)((y + slack) * w->to_coarse) + 2);
+}
+
+/* Motion beyond this is not looked for so early: bounds wrap around. */
+#define FURTHEST 16384.0f
+
+void td_shape_expect(thud_world *w, int index, float dx, float dy)
+{
+    td_stance *stance = td_stance_at(w, index);
+    float most = FURTHEST * w->unit;
+    thud_placed now = td_shape_placed(w, index, stance->center), then = now;
+    then.x = (double)td_max_float(-most, td_min_float(dx, most));
+    then.y = (double)td_max_float(-most, td_min_float(dy, most));
+    td_bounds a = td_placed_bounds(w, &now, stance->center, 0.0);
+    td_bounds b = td_placed_bounds(w, &then, stance->center, 0.0);
+    if (!td_bounds_contain(&stance->fat, &b)) {
+        td_shape_mark_moved(w, index);
+        stance->fat = td_bounds_grown(td_bounds_around(&a, &b), stance->margin);
     }
 }
 

@@ -19,6 +19,37 @@ static void mark(thud_world *w, thud_stage stage, double *last)
     }
 }
 
+/* Bisection and sweeping share their stage. */
+static bool is_repeated(const thud_world *w, int rank)
+{
+    return rank > 0 && w->detections[rank - 1] &&
+           w->detections[rank - 1]->run == w->detections[rank]->run;
+}
+
+static bool reserve_detection(thud_world *w)
+{
+    bool done = true;
+    for (int rank = 0; rank < TD_RANK_COUNT && done; rank++) {
+        const thud_detection *d = w->detections[rank];
+        done = !d || !d->reserve || is_repeated(w, rank) || d->reserve(w);
+    }
+    return done;
+}
+
+static void detect(thud_world *w)
+{
+    w->stats.impacts = w->stats.held_bodies = w->stats.unbisectable = 0;
+    w->stats.motion_pairs = w->stats.motion_circles = w->stats.motion_boxes = 0;
+    w->stats.motion_exact = 0;
+    w->stats.held_seconds = 0.0;
+    for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
+        const thud_detection *d = w->detections[rank];
+        if (d && d->run && !is_repeated(w, rank)) {
+            d->run(w);
+        }
+    }
+}
+
 static thud_result run_stages(thud_world *w)
 {
     double start = w->def.clock ? w->def.clock(w->def.clock_context) : 0.0, last = start;
@@ -30,7 +61,7 @@ static thud_result run_stages(thud_world *w)
     done = done && td_broadphase(w);
     mark(w, THUD_STAGE_BROADPHASE, &last);
     done = done && td_broadphase_refresh(w) && td_narrowphase(w) && td_finish_reserve(w) &&
-           td_continuous_reserve(w) && td_sleep_reserve(w);
+           reserve_detection(w) && td_sleep_reserve(w);
     mark(w, THUD_STAGE_NARROWPHASE, &last);
     if (!done) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
@@ -42,7 +73,7 @@ static thud_result run_stages(thud_world *w)
     mark(w, THUD_STAGE_SOLVE, &last);
     td_finish(w);
     mark(w, THUD_STAGE_FINISH, &last);
-    td_continuous(w);
+    detect(w);
     mark(w, THUD_STAGE_CONTINUOUS, &last);
     td_contacts_tell(w);
     mark(w, THUD_STAGE_EVENTS, &last);

@@ -20,8 +20,10 @@ void td_contacts_ask(thud_world *w);
 void td_solve(thud_world *w);
 /* finish.c: motion becomes pose; shapes, bounds, idle times; quarantine. */
 void td_finish(thud_world *w);
-/* continuous.c: fast bodies go back to where they first met a static shape. */
-void td_continuous(thud_world *w);
+/* Detection, as the bodies have chosen it; continuous.c: fast bodies go back to where they first met
+ * a static shape; impacts.c: bodies that are bisected or swept move on from each collision. */
+bool td_impacts_reserve(thud_world *w);
+void td_impacts(thud_world *w);
 /* contacts.c: tells the epilogue. */
 void td_contacts_tell(thud_world *w);
 /* sleep.c: islands at rest fall asleep. */
@@ -29,7 +31,6 @@ void td_sleep(thud_world *w);
 
 /* Room for what the stages after the narrowphase note down, so that they cannot fail. */
 bool td_finish_reserve(thud_world *w);
-bool td_continuous_reserve(thud_world *w);
 bool td_sleep_reserve(thud_world *w);
 
 /* sleep.c: wakes the body's whole island; false when memory is short. */

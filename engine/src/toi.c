@@ -43,15 +43,16 @@ static double tolerance_of(const thud_placed *a, const thud_motion *ma, const th
     return 1e-10 * size + 1e-15 * place;
 }
 
-void td_time_of_impact(const thud_placed *a, thud_motion ma, const thud_placed *b, thud_motion mb,
-                       double target, bool *hit, double *time)
+void td_time_of_near_impact(const thud_placed *a, thud_motion ma, const thud_placed *b,
+                            thud_motion mb, double target, double tolerance, bool *hit,
+                            double *time)
 {
     double spin = turning(a, &ma) + turning(b, &mb);
-    if (spin == 0.0) {
+    if (spin == 0.0 && target >= 0.0) {
         translating(a, &ma, b, &mb, target, hit, time);
         return;
     }
-    double tolerance = tolerance_of(a, &ma, b, &mb);
+    tolerance = td_max_double(tolerance, tolerance_of(a, &ma, b, &mb));
     double t = 0.0;
     *hit = false;
     *time = 1.0;
@@ -72,6 +73,12 @@ void td_time_of_impact(const thud_placed *a, thud_motion ma, const thud_placed *
     /* Out of jumps: they are almost there, and this time is still before the impact. */
     *hit = true;
     *time = t;
+}
+
+void td_time_of_impact(const thud_placed *a, thud_motion ma, const thud_placed *b, thud_motion mb,
+                       double target, bool *hit, double *time)
+{
+    td_time_of_near_impact(a, ma, b, mb, target, 0.0, hit, time);
 }
 
 thud_result thud_shapes_time_of_impact(const thud_placed *a, thud_motion motion_a,

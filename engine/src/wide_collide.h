@@ -189,7 +189,7 @@ TD_INLINE void td_write_points(td_block *block, const td_found *found, int point
         f8 cross_a = f8_keep(f->valid, f->rax * ny - f->ray * nx);
         f8 cross_b = f8_keep(f->valid, f->rbx * ny - f->rby * nx);
         f8 lever_a = ia * cross_a, lever_b = ib * cross_b;
-        f8 separation = f8_pick(f->valid, f->separation, one);
+        f8 separation = f8_pick(f->valid, f->separation - f8_all(c->skin), one);
         td_set_row(&point->separation, fresh, separation);
         td_set_row(&point->base, fresh, separation);
         td_set_row(&point->cross_a, fresh, cross_a);

@@ -202,7 +202,7 @@ void TD_WIDE(td_finish_bodies)(thud_world *w)
         int32_t slots[TD_LANES];
         __builtin_memcpy(slots, &slot, sizeof slots);
         list_lanes(&w->scratch.odd, slots, i8_bits(here & ~easy));
-        if (w->def.continuous) {
+        if (w->detections[TD_RANK_CONTINUOUS]) {
             i8 fast = easy & (v.w > zero) & (d.x * d.x + d.y * d.y > f8_all(0.25f) * core * core);
             list_lanes(&w->scratch.fast, slots, i8_bits(fast));
         }

@@ -3,6 +3,7 @@
 
 #include "awake.h"
 #include "body.h"
+#include "collide.h"
 #include "handles.h"
 #include "lanes.h"
 #include "step.h"
@@ -24,9 +25,9 @@ thud_world_def thud_default_world_def(void)
         .hit_speed = 1.0f,
         .maximum_speed = 1e6f,
         .sleeping = true,
-        .continuous = true,
         .contact_events = true,
         .broadphase = &thud_broadphase_grid,
+        .detection = &thud_detection_continuous,
     };
 }
 
@@ -138,6 +139,10 @@ static void set_strides(thud_world *w)
         {&w->scratch.ends, sizeof(int)},
         {&w->scratch.parents, sizeof(int)},
         {&w->scratch.lane_bins, sizeof(int)},
+        {&w->scratch.flights, sizeof(td_flight)},
+        {&w->scratch.encounters, sizeof(td_encounter)},
+        {&w->scratch.strays, sizeof(int)},
+        {&w->scratch.impacts, sizeof(td_impact)},
         {&w->scratch.test_list, sizeof(td_block *)},
         {&w->scratch.fast, sizeof(int)},
         {&w->scratch.odd, sizeof(int)},
@@ -185,6 +190,8 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out)
     w->memory = memory;
     w->number = atomic_fetch_add(&made, 1u) + 1u;
     w->wide = wide_here(def->baseline_simd);
+    w->def.detection = def->detection ? def->detection : &thud_detection_continuous;
+    w->detections[w->def.detection->rank] = w->def.detection;
     w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;
     if (w->def.contact_stiffness == 0.0f) {
         w->def.contact_stiffness = 0.16f;
@@ -197,7 +204,10 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out)
     w->to_fixed = TD_FIXED_ONE / unit;
     w->to_coarse = TD_COARSE_ONE / unit;
     w->quantum = (float)(unit / TD_FIXED_ONE);
+    w->skin = w->def.detection->rank >= TD_RANK_BISECT ? TD_SKIN * w->unit : 0.0f;
+    w->thinnest_stale = true;
     set_strides(w);
+    td_agenda_init(&w->scratch.agenda);
     set_substeps(w);
     if (!td_awake_reserve(w, 0)) {
         thud_world_destroy(w);
@@ -224,7 +234,8 @@ void thud_world_destroy(thud_world *w)
         &w->scratch.hits, &w->scratch.hit_runs, &w->scratch.crowded, &w->scratch.stamps, &w->scratch.pairs, &w->scratch.bodies,
         &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.parted, &w->scratch.chunks, &w->scratch.counters, &w->scratch.begins,
         &w->scratch.ends, &w->scratch.parents, &w->scratch.lane_bins, &w->scratch.test_blocks,
-        &w->scratch.test_list, &w->scratch.fast, &w->scratch.odd, &w->scratch.order};
+        &w->scratch.test_list, &w->scratch.fast, &w->scratch.flights,
+        &w->scratch.encounters, &w->scratch.strays, &w->scratch.impacts, &w->scratch.odd, &w->scratch.order};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         td_array_free(&w->memory, arrays[i]);
     }
@@ -238,6 +249,7 @@ void thud_world_destroy(thud_world *w)
     for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
         td_array_free(&w->memory, &w->waiting[kind]);
     }
+    td_agenda_free(&w->memory, &w->scratch.agenda);
     td_population_free(&w->memory, &w->awake_shapes);
     td_population_free(&w->memory, &w->rest_shapes);
     td_memory memory = w->memory;

@@ -6,7 +6,9 @@
 #ifndef TD_WORLD_H
 #define TD_WORLD_H
 
+#include "agenda.h"
 #include "block.h"
+#include "detection.h"
 #include "memory.h"
 #include "population.h"
 
@@ -45,6 +47,7 @@ typedef struct td_body {
     float core, rim;              /* smallest half extent; farthest reach from the centre of mass */
     float gravity_scale, linear_damping, angular_damping;
     uint32_t rest_epoch;          /* world's, when it fell asleep */
+    const thud_detection *detection;
     uint64_t user_data;
 } td_body;
 
@@ -102,7 +105,7 @@ typedef struct td_contact {
     uint8_t overlapping; /* sensors */
     uint8_t listed;      /* while a list of contacts is being made */
     uint8_t live;
-    uint8_t padding;
+    uint8_t vetoed;      /* by the prologue of this step */
 } td_contact;
 
 typedef struct td_bin {
@@ -150,6 +153,8 @@ struct thud_world {
     double to_fixed;                                  /* position quanta a caller's unit */
     double to_coarse;                                 /* bounds quanta a caller's unit */
     int substeps;
+    const thud_detection *detections[TD_RANK_COUNT];  /* those that the world or a body ever chose */
+    float skin;                                       /* at which contacts rest */
 
     /* State. */
     uint64_t steps;
@@ -181,6 +186,8 @@ struct thud_world {
     int damped;                                        /* awake bodies with damping */
     bool push_stale;                                   /* `push` must be made anew */
     int idle_bodies;                                   /* at rest for long enough to sleep */
+    float thinnest;                                    /* no shape is thinner; see td_thinnest */
+    bool thinnest_stale;
     int drowsy_bodies;                                 /* ... or will be after one more step */
     td_population awake_shapes, rest_shapes;
     bool vast;                                         /* wider than bounds can tell; broadphase.c */
@@ -208,6 +215,11 @@ struct thud_world {
         td_array test_list;   /* td_block *: to them */
         td_array fast;        /* int: awake slots of dynamic bodies that moved further than
                                  half their core */
+        td_agenda agenda;     /* of the encounters that are going to meet */
+        td_array flights;     /* td_flight, by awake slot */
+        td_array encounters;  /* td_encounter: the extra ones */
+        td_array strays;      /* int: awake slots */
+        td_array impacts;     /* td_impact */
         td_array odd;         /* int: awake slots that the wide part of finish leaves over */
         td_array order;       /* while a population is put into its order */
     } scratch;

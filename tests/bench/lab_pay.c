@@ -76,7 +76,7 @@ static void fill_gas(scene *s) {
 
 static void fill_continuous(bool with, scene *s, thud_world_def *def) {
     fill_gas(s);
-    def->continuous = with;
+    def->detection = with ? &thud_detection_continuous : &thud_detection_overlap;
 }
 
 /* The hundred fly up and down between two plates, beside the heap, a plate's distance a step and

@@ -46,7 +46,7 @@ static void without_it_a_bullet_passes(void **state)
 {
     (void)state;
     thud_world_def def = weightless();
-    def.continuous = false;
+    def.detection = &thud_detection_overlap;
     thud_world *world = make_world(def);
     thud_body_id wall = add_body(world, THUD_STATIC, 10, 0, 0);
     add_shape(world, wall, 0.01f, 10, true, NULL);

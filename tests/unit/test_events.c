@@ -143,7 +143,7 @@ static void prologue_that_says_no_lets_bodies_through(void **state)
     thud_world_def def = thud_default_world_def();
     def.prologue = veto;
     def.callback_context = &asked;
-    def.continuous = false;
+    def.detection = &thud_detection_overlap;
     thud_world *world = make_world(def);
     add_floor(world, NULL);
     thud_body_id ball = add_ball(world, 0, 1, 0.5f);

@@ -27,6 +27,9 @@ thud_result api_buffer_result(const api_buffer *buffer);
 /* A world def from the slots that api_world_defaults fills, with this layer's log and clock. */
 thud_world_def api_world_def(void);
 
+/* In the order of the package's names; null, which is the default, for other numbers. */
+const thud_detection *api_detection(double number);
+
 /* Doubles from JavaScript may be anything; a plain cast traps on what does not fit. */
 int api_to_int(double value);
 uint32_t api_to_u32(double value);

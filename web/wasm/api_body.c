@@ -4,7 +4,8 @@
 static api_buffer shape_list;
 
 /* Slots: 0 kind  1, 2 position  3 angle  4, 5 velocity  6 angular velocity  7 gravity scale
- * 8 linear damping  9 angular damping  10 fixed rotation  11 may sleep  12 user data. */
+ * 8 linear damping  9 angular damping  10 fixed rotation  11 may sleep  12 user data
+ * 13 detection. */
 void api_body_defaults(void) {
     thud_body_def def = thud_default_body_def();
     double *s = api_slots;
@@ -21,6 +22,7 @@ void api_body_defaults(void) {
     s[10] = def.fixed_rotation;
     s[11] = def.may_sleep;
     s[12] = (double)def.user_data;
+    s[13] = -1.0; /* detection: as the world */
 }
 
 /* A body from the slots of api_body_defaults; its handle goes to slots 0 and 1. */
@@ -38,6 +40,7 @@ int api_body_create(thud_world *world) {
     def.fixed_rotation = s[10] != 0.0;
     def.may_sleep = s[11] != 0.0;
     def.user_data = (uint64_t)s[12];
+    def.detection = api_detection(s[13]);
     thud_body_id id = {0};
     thud_result result = thud_body_create(world, &def, &id);
     api_slots[0] = id.index1;

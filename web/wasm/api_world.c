@@ -24,9 +24,23 @@ char *api_last_message(void) {
     return last_message;
 }
 
+const thud_detection *api_detection(double number) {
+    static const thud_detection *const all[] = {&thud_detection_overlap, &thud_detection_continuous,
+                                                &thud_detection_bisect, &thud_detection_swept};
+    int i = api_to_int(number);
+    return i >= 0 && i < 4 ? all[i] : NULL;
+}
+
+static const thud_broadphase *api_broadphase(double number) {
+    static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
+                                                 &thud_broadphase_all};
+    int i = api_to_int(number);
+    return i >= 0 && i < 3 ? all[i] : NULL;
+}
+
 /* Slots: 0, 1 gravity  2 time step  3 length scale  4 quality  5 substeps  6 contact stiffness
  * 7 contact damping  8 push speed  9 restitution threshold  10 hit speed  11 maximum speed
- * 12 sleeping  13 continuous  14 contact events  15 stages are timed. */
+ * 12 sleeping  13 detection  14 contact events  15 stages are timed  16 broadphase. */
 void api_world_defaults(void) {
     thud_world_def def = thud_default_world_def();
     double *s = api_slots;
@@ -43,9 +57,10 @@ void api_world_defaults(void) {
     s[10] = def.hit_speed;
     s[11] = def.maximum_speed;
     s[12] = def.sleeping;
-    s[13] = def.continuous;
+    s[13] = 1.0; /* continuous */
     s[14] = def.contact_events;
     s[15] = 0.0;
+    s[16] = 0.0; /* grid */
 }
 
 thud_world_def api_world_def(void) {
@@ -63,9 +78,10 @@ thud_world_def api_world_def(void) {
     def.hit_speed = (float)s[10];
     def.maximum_speed = (float)s[11];
     def.sleeping = s[12] != 0.0;
-    def.continuous = s[13] != 0.0;
+    def.detection = api_detection(s[13]);
     def.contact_events = s[14] != 0.0;
     def.clock = s[15] != 0.0 ? read_clock : NULL;
+    def.broadphase = api_broadphase(s[16]);
     def.log = keep_message;
     return def;
 }

@@ -78,7 +78,6 @@ typedef struct thud_world_def {
     float hit_speed;             /* approaches faster than this are hit events; default 1, as above */
     float maximum_speed;         /* multiples of length_scale per second; default 1e6 */
     bool sleeping;               /* default true */
-    bool continuous;             /* fast bodies do not pass through static shapes; default true */
     bool contact_events;         /* collect begin, end and hit events; default true */
     bool baseline_simd;          /* never AVX2: the same bits, slower; for tests. Default false */
     thud_prologue_fn *prologue;  /* null: none */
@@ -89,6 +88,7 @@ typedef struct thud_world_def {
     void *log_context;
     thud_clock_fn *clock;        /* null: stages are not timed */
     void *clock_context;
+    const thud_detection *detection;   /* default (also null): &thud_detection_continuous */
     const thud_broadphase *broadphase; /* default (also null): &thud_broadphase_grid */
     thud_crew crew;              /* threads to work on; default: the calling one alone */
 } thud_world_def;
@@ -132,6 +132,7 @@ typedef struct thud_body_def {
     float angular_damping;    /* 1/s, >= 0 */
     bool fixed_rotation;
     bool may_sleep;           /* default true */
+    const thud_detection *detection; /* default null: the world's */
     uint64_t user_data;
 } thud_body_def;
 
@@ -294,9 +295,22 @@ typedef struct thud_stats {
     uint64_t step_allocations;            /* made by the last step */
     double stage_seconds[THUD_STAGE_COUNT]; /* of the last step; 0 without a clock */
     double step_seconds;
+    /* Detection in the last step. */
+    int impacts;                          /* collisions within the step, bisected or swept */
+    int held_bodies;                      /* stopped before its end ... */
+    double held_seconds;                  /* ... and the time that they lost, together */
+    int unbisectable;                     /* bisected bodies that moved further than the thinnest
+                                             shape is thick: they may have passed through it */
+    int motion_pairs;                     /* pairs whose motions were looked at, ... */
+    int motion_circles, motion_boxes, motion_exact; /* ... whose circles met, whose boxes, and whose
+                                             time of collision was worked out */
 } thud_stats;
 
 thud_stats thud_world_stats(const thud_world *world);
+
+/* The speed from which on bisection may miss something: the thickness of the thinnest shape, terrain
+ * left out, a time step; infinite without shapes. A scene whose bodies stay below it loses nothing. */
+thud_result thud_world_bisection_limit(thud_world *world, double *speed);
 
 /* Error and energy of the present state; costs a pass over contacts and bodies. */
 typedef struct thud_measure {

@@ -24,6 +24,32 @@ extern const thud_broadphase thud_broadphase_all;
 
 const char *thud_broadphase_name(const thud_broadphase *broadphase); /* "" for null */
 
+/* How moving shapes are tested: a choice for a world, and for single bodies. Of two moving bodies the
+ * finer choice decides on their pair. `docs/detection.md` has what each costs and gets wrong. */
+typedef struct thud_detection thud_detection;
+
+/* Where they stand at the start of each step, and nowhere else: the cheapest. What moves further than
+ * a shape is thick may pass through it. */
+extern const thud_detection thud_detection_overlap;
+/* As above, and bodies that move further than a quarter of their size stop for the rest of the step
+ * where they first meet a static shape. The default. */
+extern const thud_detection thud_detection_continuous;
+/* A pair that overlaps at the end of the step's motion is taken back to the time of its collision,
+ * found by bisection, gets its new velocities there and moves on. Sees nothing that was passed
+ * through: speed * time_step must stay below the smallest size, see thud_world_bisection_limit; the
+ * statistics count who broke it. */
+extern const thud_detection thud_detection_bisect;
+/* Bodies move forward to each of their times of impact, in the order of time, get new velocities
+ * there and move on; nothing that starts apart ever overlaps. A body that meets more than 8 times in
+ * a step is held for the rest of it, which the statistics tell.
+ *
+ * Both of the last two take the motion of a step as straight and at constant speed: gravity g bends
+ * it by up to g * time_step^2 / 8 on the way. In a world that chooses them contacts rest 0.004 length
+ * scales apart, so that what load presses together does not overlap. */
+extern const thud_detection thud_detection_swept;
+
+const char *thud_detection_name(const thud_detection *detection); /* "" for null */
+
 #ifdef __cplusplus
 }
 #endif

@@ -19,6 +19,18 @@ export interface ShapeId {
   readonly generation: number;
 }
 
+export const DETECTIONS = ["overlap", "continuous", "bisect", "swept"] as const;
+/**
+ * How moving shapes are tested: where they stand at the start of a step ("overlap"); that, and fast
+ * ones stop at static shapes ("continuous"); taken back to their collisions ("bisect"); or moved
+ * from collision to collision ("swept"). docs/detection.md has what each costs and gets wrong.
+ */
+export type Detection = (typeof DETECTIONS)[number];
+
+export const BROADPHASES = ["grid", "sweep", "all"] as const;
+/** How pairs that may touch are found. */
+export type Broadphase = (typeof BROADPHASES)[number];
+
 export const QUALITIES = ["draft", "default", "high", "exact"] as const;
 /** 2, 4, 8 or 16 substeps a step. */
 export type Quality = (typeof QUALITIES)[number];
@@ -53,8 +65,10 @@ export interface WorldOptions {
   maximumSpeed?: number;
   /** Default true. */
   sleeping?: boolean;
-  /** Fast bodies do not pass through static shapes. Default true. */
-  continuous?: boolean;
+  /** How moving shapes are tested. Default "continuous": fast bodies stop at static shapes. */
+  detection?: Detection;
+  /** How pairs are found; all find the same. Default "grid". */
+  broadphase?: Broadphase;
   /** Collect begin, end and hit events. Default true. */
   contactEvents?: boolean;
   /** Measure the time of every stage of the step. Default false. */
@@ -73,6 +87,8 @@ export interface BodyOptions {
   angularDamping?: number;
   fixedRotation?: boolean;
   maySleep?: boolean;
+  /** How its motion is tested. Default: as the world. */
+  detection?: Detection;
   /** A whole number from 0 to 2⁵³ - 1. */
   userData?: number;
 }

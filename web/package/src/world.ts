@@ -7,6 +7,8 @@ import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import {
   BODY_KINDS,
+  BROADPHASES,
+  DETECTIONS,
   QUALITIES,
   SHAPE_KINDS,
   type BodyId,
@@ -16,6 +18,7 @@ import {
   type CircleOptions,
   type ClosestHit,
   type ContactEvent,
+  type Detection,
   type DrawLists,
   type DrawOptions,
   type Events,
@@ -83,9 +86,10 @@ export class World {
       options.hitSpeed,
       options.maximumSpeed,
       options.sleeping,
-      options.continuous,
+      detectionIndex(options.detection),
       options.contactEvents,
       options.timed,
+      options.broadphase && indexOf(BROADPHASES, options.broadphase, "broadphase"),
     ]);
   }
 
@@ -157,6 +161,7 @@ export class World {
       options.fixedRotation,
       options.maySleep,
       userData(options.userData),
+      detectionIndex(options.detection),
     ]);
     engine.check(engine.exports.api_body_create(this.address));
     return bodyId(engine.slots[0], engine.slots[1]);
@@ -637,7 +642,11 @@ export class World {
   }
 }
 
-export function bodyId(index1: number, generation: number): BodyId {
+export function detectionIndex(detection: Detection | undefined): number | undefined {
+  return detection && indexOf(DETECTIONS, detection, "detection");
+}
+
+function bodyId(index1: number, generation: number): BodyId {
   return Object.freeze({ kind: "body", index: index1 - 1, generation });
 }
 

@@ -1,0 +1,141 @@
+/* encounters.c: see encounters.h. */
+#include "encounters.h"
+
+#include "contact.h"
+#include "placed.h"
+#include "shape.h"
+
+/* False when memory is short; what strays is then held. */
+static bool add_extra(thud_world *w, int shape_a, int shape_b)
+{
+    td_array *extras = &w->scratch.encounters;
+    int number = w->contacts.count + extras->count, index = extras->count;
+    if (!td_array_reserve(&w->memory, extras, index + 1) ||
+        !td_agenda_reserve(&w->memory, &w->scratch.agenda, number + 1)) {
+        return false;
+    }
+    td_encounter *e = td_at(extras, extras->count++);
+    *e = (td_encounter){.shape = {shape_a, shape_b},
+                        .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body}};
+    *(int *)td_at(&w->scratch.agenda.spot, number) = TD_NONE;
+    for (int side = 0; side < 2; side++) {
+        int slot = td_body_at(w, e->body[side])->awake;
+        if (slot > 0) {
+            td_flight *f = td_flight_at(w, slot);
+            e->next[side] = f->extras;
+            f->extras = index * 2 + side;
+        }
+    }
+    return true;
+}
+
+/* Bounds of one of the body's shapes on the rest of its way. While it turns, nothing of it is further
+ * out than at one of both ends, but for what the turn moves its furthest corner. */
+static td_bounds bounds_ahead(const thud_world *w, const td_flight *f, int index)
+{
+    thud_placed now = td_flight_shape(w, f, index, f->since, f->place);
+    thud_placed end = td_flight_shape(w, f, index, 1.0, f->place);
+    double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
+    double slack = (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn +
+                   (double)(TD_MEET * w->unit);
+    td_bounds a = td_placed_bounds(w, &now, f->place, slack);
+    td_bounds b = td_placed_bounds(w, &end, f->place, slack);
+    return td_bounds_around(&a, &b);
+}
+
+static const td_bounds *bounds_at_start(const thud_world *w, int shape)
+{
+    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
+}
+
+static bool add_found(thud_world *w, int shape, const td_bounds *ahead)
+{
+    const td_array *hits = &w->scratch.hits;
+    for (int i = 0; i < hits->count; i++) {
+        int other = *(int *)td_at(hits, i);
+        if (td_bounds_overlap(bounds_at_start(w, shape), bounds_at_start(w, other)) ||
+            !td_bounds_overlap(ahead, bounds_at_start(w, other)) ||
+            ((td_shape_at(w, other)->flags | td_shape_at(w, shape)->flags) & TD_SHAPE_SENSOR) ||
+            !td_pair_allowed(w, shape, other)) {
+            continue;
+        }
+        if (!add_extra(w, shape, other)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Others who strayed are not where the grids believe. */
+static bool add_strays(thud_world *w, int shape, const td_bounds *ahead)
+{
+    const td_array *strays = &w->scratch.strays;
+    for (int i = 0; i < strays->count; i++) {
+        const td_flight *f = td_flight_at(w, *(int *)td_at(strays, i));
+        int other = td_body_at(w, f->body)->first_shape;
+        for (; other != TD_NONE; other = td_shape_at(w, other)->next) {
+            td_bounds b = bounds_ahead(w, f, other);
+            if (td_bounds_overlap(ahead, &b) &&
+                !((td_shape_at(w, other)->flags | td_shape_at(w, shape)->flags) &
+                  TD_SHAPE_SENSOR) &&
+                td_pair_allowed(w, shape, other) && !add_extra(w, shape, other)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool td_encounters_around(thud_world *w, td_flight *f)
+{
+    td_find_fn *find = w->def.broadphase->find[w->wide];
+    int slot = td_body_at(w, f->body)->awake, i = td_body_at(w, f->body)->first_shape;
+    bool strays = false;
+    for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        td_bounds ahead = bounds_ahead(w, f, i);
+        if (td_bounds_contain(bounds_at_start(w, i), &ahead) ||
+            (td_shape_at(w, i)->flags & TD_SHAPE_SENSOR)) {
+            continue;
+        }
+        w->scratch.hits.count = 0;
+        strays = true;
+        if (!find(&w->awake_shapes, &w->memory, &ahead, f->place, &w->scratch.hits) ||
+            !find(&w->rest_shapes, &w->memory, &ahead, f->place, &w->scratch.hits) ||
+            !add_found(w, i, &ahead) || !add_strays(w, i, &ahead)) {
+            return false;
+        }
+    }
+    if (strays && !f->strays) {
+        f->strays = true;
+        td_push_int(&w->scratch.strays, slot);
+    }
+    return true;
+}
+
+bool td_encounters_on_ground(thud_world *w, const td_flight *f)
+{
+    for (int t = 0; t < w->terrains.count; t++) {
+        const td_terrain_record *record = td_slot_at(&w->terrains, t);
+        int i = record->shape == TD_NONE ? TD_NONE : td_body_at(w, f->body)->first_shape;
+        for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
+            td_bounds ahead = bounds_ahead(w, f, i);
+            if (!((td_shape_at(w, record->shape)->flags | td_shape_at(w, i)->flags) &
+                  TD_SHAPE_SENSOR) &&
+                td_pair_allowed(w, record->shape, i) &&
+                !td_terrain_below(w, record->shape, f->place, &ahead) &&
+                !add_extra(w, record->shape, i)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool td_flight_is_unexpected(const thud_world *w, int body)
+{
+    int i = td_body_at(w, body)->first_shape;
+    while (i != TD_NONE && !(*td_marks_at(w, i) & TD_MARK_MOVED)) {
+        i = td_shape_at(w, i)->next;
+    }
+    return i != TD_NONE;
+}

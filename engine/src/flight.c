@@ -1,0 +1,208 @@
+/* flight.c: see flight.h. Tests come in the order of their cost: circles around both motions, boxes
+ * around both motions, distance, and only then the time of impact. */
+#include "flight.h"
+
+#include "body.h"
+#include "rotation.h"
+#include "shape.h"
+#include "terrain.h"
+
+td_flight td_flight_of(const thud_world *w, int body)
+{
+    int slot = td_body_at(w, body)->awake;
+    if (slot > 0) {
+        return *td_flight_at(w, slot);
+    }
+    const td_pose *pose = td_pose_at(w, body);
+    return (td_flight){.place = pose->center, .angle = pose->angle, .body = body,
+                       .extras = TD_NONE};
+}
+
+static uint32_t angle_at(const td_flight *f, double time)
+{
+    double turn = f->motion[2] * (time - f->since);
+    return f->angle + (uint32_t)(uint64_t)td_round64(turn * (1.0 / TD_RADIANS_A_QUANTUM));
+}
+
+void td_flight_advance(const thud_world *w, td_flight *f, double time)
+{
+    double part = time - f->since;
+    f->place.x += td_round64(f->motion[0] * part * w->to_fixed);
+    f->place.y += td_round64(f->motion[1] * part * w->to_fixed);
+    f->angle = angle_at(f, time);
+    f->since = time;
+}
+
+thud_placed td_flight_shape(const thud_world *w, const td_flight *f, int index, double time,
+                            td_place origin)
+{
+    const td_shape *shape = td_shape_at(w, index);
+    double part = time - f->since;
+    float c, s;
+    td_angle_turn(angle_at(f, time), &c, &s);
+    thud_placed p = {
+        .kind = (thud_shape_kind)shape->kind,
+        .x = (double)(f->place.x - origin.x) / w->to_fixed + f->motion[0] * part +
+             (double)(c * shape->arm_x - s * shape->arm_y),
+        .y = (double)(f->place.y - origin.y) / w->to_fixed + f->motion[1] * part +
+             (double)(s * shape->arm_x + c * shape->arm_y),
+        .c = 1.0,
+        .hx = (double)shape->half_x,
+        .hy = (double)shape->half_y};
+    if (shape->kind == THUD_OBB) {
+        p.c = (double)(c * shape->angle_c - s * shape->angle_s);
+        p.s = (double)(s * shape->angle_c + c * shape->angle_s);
+    }
+    return p;
+}
+
+td_encounter *td_extra_at(const thud_world *w, int number)
+{
+    return td_at(&w->scratch.encounters, number - w->contacts.count);
+}
+
+td_encounter td_encounter_at(const thud_world *w, int number)
+{
+    if (number >= w->contacts.count) {
+        return *td_extra_at(w, number);
+    }
+    const td_contact *c = td_contact_at(w, number);
+    return (td_encounter){.shape = {c->shape_a, c->shape_b}, .body = {c->body[0], c->body[1]},
+                          .vetoed = c->vetoed};
+}
+
+/* ---- tests of rising cost ---- */
+
+static bool circles_miss(const td_approach *p, double x, double y, double mx, double my, double ra,
+                         double rb)
+{
+    double reach = ra + rb + p->target + __builtin_sqrt(mx * mx + my * my);
+    return x * x + y * y > reach * reach;
+}
+
+/* x from -reach to reach is where intervals of half length `reach` in all overlap. */
+static bool apart(double x, double motion, double reach)
+{
+    double end = x + motion;
+    return (x > reach && end > reach) || (x < -reach && end < -reach);
+}
+
+/* Half the width and height of what contains the shape, turned as it may be. */
+static void extent_of(const thud_placed *p, bool turns, double *x, double *y)
+{
+    if (p->kind == THUD_CIRCLE) {
+        *x = *y = p->hx;
+    } else if (turns) {
+        *x = *y = __builtin_sqrt(p->hx * p->hx + p->hy * p->hy);
+    } else {
+        *x = td_shadow(p, 1.0, 0.0);
+        *y = td_shadow(p, 0.0, 1.0);
+    }
+}
+
+static bool motions_miss(thud_world *w, const td_approach *p)
+{
+    double x = p->b.x - p->a.x, y = p->b.y - p->a.y;
+    double mx = p->motion_b.dx - p->motion_a.dx, my = p->motion_b.dy - p->motion_a.dy;
+    double ax, ay, bx, by;
+    w->stats.motion_pairs++;
+    if (circles_miss(p, x, y, mx, my, td_reach(&p->a), td_reach(&p->b))) {
+        return true;
+    }
+    w->stats.motion_circles++;
+    extent_of(&p->a, p->motion_a.turn != 0.0, &ax, &ay);
+    extent_of(&p->b, p->motion_b.turn != 0.0, &bx, &by);
+    if (apart(x, mx, ax + bx + p->target) || apart(y, my, ay + by + p->target)) {
+        return true;
+    }
+    w->stats.motion_boxes++;
+    return false;
+}
+
+/* ---- approaches ---- */
+
+/* Whether the motion comes down to the line at all. */
+static bool above_ground(const thud_world *w, int terrain_shape, const td_approach *p)
+{
+    const td_terrain_record *record =
+        td_slot_at(&w->terrains, td_shape_at(w, terrain_shape)->terrain);
+    double end = p->a.y + p->motion_a.dy;
+    return (end < p->a.y ? end : p->a.y) - td_reach(&p->a) - p->target > record->highest;
+}
+
+static thud_motion motion_between(const td_flight *f, const thud_placed *from,
+                                  const thud_placed *to, double now)
+{
+    return (thud_motion){to->x - from->x, to->y - from->y,
+                         from->kind == THUD_OBB ? f->motion[2] * (1.0 - now) : 0.0};
+}
+
+/* A shape off its body's centre of mass moves on an arc, of which the chord is tested: no further
+ * apart than this. */
+static double arc_error(const thud_world *w, const td_flight *f, int index, double now)
+{
+    const td_shape *shape = td_shape_at(w, index);
+    double turn = f->motion[2] * (1.0 - now);
+    double arm = td_abs((double)shape->arm_x) + td_abs((double)shape->arm_y);
+    return 0.125 * arm * turn * turn;
+}
+
+bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, td_approach *p)
+{
+    td_flight a = td_flight_of(w, e->body[0]), b = td_flight_of(w, e->body[1]);
+    double target = (double)(TD_MEET * w->unit) + arc_error(w, &b, e->shape[1], now);
+    td_place origin = a.place;
+    *p = (td_approach){.target = target};
+    if (td_shape_at(w, e->shape[0])->kind == THUD_TERRAIN) {
+        origin = td_stance_at(w, e->shape[0])->center;
+        p->on_ground = true;
+        p->ground = td_terrain_view(w, e->shape[0]);
+        p->a = td_flight_shape(w, &b, e->shape[1], now, origin);
+        thud_placed end = td_flight_shape(w, &b, e->shape[1], 1.0, origin);
+        p->motion_a = motion_between(&b, &p->a, &end, now);
+        w->stats.motion_pairs++;
+        if (above_ground(w, e->shape[0], p)) {
+            return false;
+        }
+        w->stats.motion_circles++;
+        w->stats.motion_boxes++;
+        thud_contacts near;
+        thud_terrain_contacts(&p->ground, &p->a, 2.0 * target, &near);
+        p->distance = near.count ? near.point[0].distance : 4.0 * target;
+        p->target = 0.5 * p->distance < target ? 0.5 * p->distance : target;
+        return true;
+    }
+    p->target += arc_error(w, &a, e->shape[0], now);
+    p->a = td_flight_shape(w, &a, e->shape[0], now, origin);
+    p->b = td_flight_shape(w, &b, e->shape[1], now, origin);
+    thud_placed end_a = td_flight_shape(w, &a, e->shape[0], 1.0, origin);
+    thud_placed end_b = td_flight_shape(w, &b, e->shape[1], 1.0, origin);
+    p->motion_a = motion_between(&a, &p->a, &end_a, now);
+    p->motion_b = motion_between(&b, &p->b, &end_b, now);
+    if (motions_miss(w, p)) {
+        return false;
+    }
+    thud_closest closest;
+    td_closest(&p->a, &p->b, &closest);
+    p->distance = closest.distance;
+    p->target = 0.5 * closest.distance < p->target ? 0.5 * closest.distance : p->target;
+    return true;
+}
+
+void td_encounter_features(const thud_world *w, const td_encounter *e, double time,
+                           td_features *out)
+{
+    td_flight a = td_flight_of(w, e->body[0]), b = td_flight_of(w, e->body[1]);
+    double margin = (double)(TD_SPECULATIVE * w->unit);
+    if (td_shape_at(w, e->shape[0])->kind == THUD_TERRAIN) {
+        out->origin = td_stance_at(w, e->shape[0])->center;
+        thud_terrain ground = td_terrain_view(w, e->shape[0]);
+        thud_placed shape = td_flight_shape(w, &b, e->shape[1], time, out->origin);
+        thud_terrain_contacts(&ground, &shape, margin, &out->contacts);
+        return;
+    }
+    out->origin = a.place;
+    thud_placed at_a = td_flight_shape(w, &a, e->shape[0], time, a.place);
+    thud_placed at_b = td_flight_shape(w, &b, e->shape[1], time, a.place);
+    thud_shapes_contacts(&at_a, &at_b, margin, &out->contacts);
+}

@@ -1,0 +1,59 @@
+/* flight.h: bodies on their way through a step, and the pairs that may meet on it. */
+#ifndef TD_FLIGHT_H
+#define TD_FLIGHT_H
+
+#include "detection.h"
+#include "world.h"
+
+/* The way of an awake body from `since` to the end of the step, straight and at constant speed. */
+typedef struct td_flight {
+    td_place place;   /* of the centre of mass, at `since` */
+    uint32_t angle;
+    int32_t body;
+    int32_t extras;   /* edge of its first extra encounter: extra * 2 + side, or TD_NONE */
+    int32_t impacts;
+    double since;     /* in [0, 1] of the step */
+    double motion[3]; /* in a whole step: x, y, angle */
+    bool changed;     /* its way is no more the one that finish.c took */
+    bool held;        /* stays where it is for the rest of the step */
+    bool strays;      /* may leave the bounds that its shapes had at the start */
+} td_flight;
+
+/* Two shapes that may meet; a terrain comes first. Numbers below w->contacts.count are contacts',
+ * the others extra ones': of terrain, and of bodies that strayed from where they were expected. */
+typedef struct td_encounter {
+    int32_t shape[2], body[2];
+    int32_t next[2]; /* extra: edges of the same bodies */
+    bool vetoed;
+} td_encounter;
+
+/* The flight of an awake body, by its slot. */
+static inline td_flight *td_flight_at(const thud_world *w, int slot)
+{
+    return td_at(&w->scratch.flights, slot);
+}
+
+/* The flight of any body; those at rest stay where they are. */
+td_flight td_flight_of(const thud_world *w, int body);
+/* Brings it to `time`, which is no earlier than `since`. */
+void td_flight_advance(const thud_world *w, td_flight *flight, double time);
+/* One of the body's shapes at `time`, relative to `origin`. */
+thud_placed td_flight_shape(const thud_world *w, const td_flight *flight, int shape, double time,
+                            td_place origin);
+
+td_encounter *td_extra_at(const thud_world *w, int number);
+td_encounter td_encounter_at(const thud_world *w, int number);
+
+/* How the two fly from `now` on; false where they surely do not meet. */
+bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, td_approach *approach);
+
+/* Where two shapes are nearest to each other, relative to `origin`. */
+typedef struct td_features {
+    td_place origin;
+    thud_contacts contacts;
+} td_features;
+
+void td_encounter_features(const thud_world *w, const td_encounter *e, double time,
+                           td_features *features);
+
+#endif

@@ -1,0 +1,335 @@
+/* impacts.c: moves the bodies that are bisected or swept forward to each of their collisions, in the
+ * order of time, and resolves it there.
+ *
+ * Reads the motion that the solver gave to every awake body; writes poses, velocities and motions of
+ * those that met something, events, and what callbacks are told. Candidates are the contacts, whose
+ * bounds reach as far as the bodies were expected to move; who strays from that looks around for
+ * himself. The work is bounded: a body that met others too often is held where it is for the rest of
+ * the step, which the statistics tell. */
+#include "body.h"
+#include "collide.h"
+#include "contact.h"
+#include "encounters.h"
+#include "rotation.h"
+#include "shape.h"
+#include "step.h"
+
+/* In multiples of TD_MEET: nearer than this shapes touch; so little motion into each other is none;
+ * and so much of it in a step is left to the contact solver where load has pressed them together. */
+#define TOUCHING 0.01
+#define NOTHING 0.01
+#define PRESSED 0.2
+
+enum {
+    MOST_IMPACTS = 8, /* of a body in a step, before it is held */
+    SPARE = 256       /* room for so many encounters more than there are bodies */
+};
+
+static const thud_detection *detection_of(const thud_world *w, const td_encounter *e)
+{
+    const thud_detection *a = td_body_at(w, e->body[0])->detection;
+    const thud_detection *b = td_body_at(w, e->body[1])->detection;
+    bool moves_a = td_body_at(w, e->body[0])->kind == THUD_DYNAMIC;
+    bool moves_b = td_body_at(w, e->body[1])->kind == THUD_DYNAMIC;
+    return !moves_b || (moves_a && a->rank > b->rank) ? a : b;
+}
+
+/* ---- the agenda ---- */
+
+static void hold(thud_world *w, td_flight *f)
+{
+    if (!f->held) {
+        f->held = true;
+        w->stats.held_bodies++;
+        w->stats.held_seconds += (1.0 - f->since) * w->def.time_step;
+    }
+    f->motion[0] = f->motion[1] = f->motion[2] = 0.0;
+    f->changed = true;
+}
+
+static double later(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* Shapes that touch meet at once if they go on into each other. */
+static bool presses(thud_world *w, const td_encounter *e, double now)
+{
+    td_impact_point at;
+    return td_impact_point_of(w, e, now, &at) &&
+           at.closing > NOTHING * (double)(TD_MEET * w->unit);
+}
+
+static bool gives_way(const thud_world *w, int body)
+{
+    const td_body *b = td_body_at(w, body);
+    return b->kind == THUD_DYNAMIC && b->awake > 0 && !td_flight_at(w, b->awake)->held;
+}
+
+/* When the two meet, if they do. */
+static bool meets(thud_world *w, const td_encounter *e, double *time)
+{
+    td_approach approach;
+    const thud_detection *detection = detection_of(w, e);
+    double unit = (double)(TD_MEET * w->unit);
+    double now = later(td_flight_of(w, e->body[0]).since, td_flight_of(w, e->body[1]).since);
+    *time = now;
+    bool fixed = !gives_way(w, e->body[0]) && !gives_way(w, e->body[1]);
+    if (e->vetoed || !detection->meet || now >= 1.0 || fixed ||
+        !td_encounter_approach(w, e, now, &approach)) {
+        return false;
+    }
+    approach.tolerance = 0.1 * approach.target;
+    if (approach.target <= TOUCHING * unit) {
+        if (approach.on_ground) {
+            return presses(w, e, now);
+        }
+        approach.target =
+            approach.distance - (approach.distance > 0.0 ? NOTHING : PRESSED) * unit;
+        approach.tolerance = 0.1 * NOTHING * unit;
+    }
+    double part;
+    w->stats.motion_exact++;
+    bool hit = detection->meet(&approach, &part);
+    *time = now + (1.0 - now) * part;
+    return hit;
+}
+
+/* Puts down when the two meet. */
+static void schedule(thud_world *w, int number)
+{
+    td_encounter e = td_encounter_at(w, number);
+    double time;
+    if (meets(w, &e, &time)) {
+        td_agenda_set(&w->scratch.agenda, number, time);
+    } else {
+        td_agenda_strike(&w->scratch.agenda, number);
+    }
+}
+
+/* Whether a contact is one of those that are looked at here. */
+static bool counts(const thud_world *w, int contact)
+{
+    int kind = td_contact_at(w, contact)->kind;
+    return kind != TD_PAIR_SENSOR && kind != TD_PAIR_TERRAIN_CIRCLE && kind != TD_PAIR_TERRAIN_BOX;
+}
+
+static void schedule_all_of(thud_world *w, const td_flight *f)
+{
+    for (int e = td_body_at(w, f->body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        if (counts(w, e / 2)) {
+            schedule(w, e / 2);
+        }
+    }
+    for (int e = f->extras; e != TD_NONE;) {
+        const td_encounter *extra = td_at(&w->scratch.encounters, e / 2);
+        int next = extra->next[e & 1];
+        schedule(w, w->contacts.count + e / 2);
+        e = next;
+    }
+}
+
+/* ---- collisions ---- */
+
+static bool asleep(const thud_world *w, int body)
+{
+    return td_body_at(w, body)->kind == THUD_DYNAMIC && td_body_at(w, body)->awake < 0;
+}
+
+static bool vetoes(thud_world *w, int number, const thud_contact *seen)
+{
+    bool asked = number < w->contacts.count && td_contact_at(w, number)->state == TD_TOUCHING;
+    if (!w->def.prologue || asked) {
+        return false;
+    }
+    w->locked = true;
+    bool veto = !w->def.prologue(w, seen, w->def.callback_context);
+    w->locked = false;
+    if (veto && number < w->contacts.count) {
+        td_contact_at(w, number)->vetoed = 1;
+    } else if (veto) {
+        td_extra_at(w, number)->vetoed = true;
+    }
+    return veto;
+}
+
+/* The two are at the place of their collision now. Whoever is asleep wakes in the next step, and is
+ * met then. */
+static void collide(thud_world *w, int number, double time)
+{
+    td_encounter e = td_encounter_at(w, number);
+    td_flight *flights[2] = {NULL, NULL};
+    for (int side = 0; side < 2; side++) {
+        int slot = td_body_at(w, e.body[side])->awake;
+        if (slot > 0) {
+            flights[side] = td_flight_at(w, slot);
+            td_flight_advance(w, flights[side], time);
+        }
+    }
+    td_impact_point at;
+    if (!td_impact_point_of(w, &e, time, &at)) {
+        return;
+    }
+    td_impact impact = {.seen = td_impact_view(w, &e, &at)};
+    if (vetoes(w, number, &impact.seen)) {
+        return;
+    }
+    bool sleeper = asleep(w, e.body[0]) || asleep(w, e.body[1]);
+    if (!sleeper) {
+        td_impact_resolve(w, &e, &at, &impact);
+        *(td_impact *)td_at(&w->scratch.impacts, w->scratch.impacts.count++) = impact;
+    }
+    for (int side = 0; side < 2; side++) {
+        td_flight *f = flights[side];
+        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC &&
+            (sleeper || f->impacts > MOST_IMPACTS || !td_encounters_around(w, f))) {
+            hold(w, f);
+        }
+    }
+    w->stats.impacts++;
+    for (int side = 0; side < 2; side++) {
+        if (flights[side]) {
+            schedule_all_of(w, flights[side]);
+        }
+    }
+}
+
+/* ---- the stage ---- */
+
+static bool takes_part(const thud_world *w, int slot)
+{
+    const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
+    return body->kind == THUD_DYNAMIC && body->detection->meet;
+}
+
+/* From where the solver's motion began. */
+static void take_off(thud_world *w, int slot)
+{
+    int index = *(int *)td_at(&w->body_of, slot);
+    const td_pose *pose = td_pose_at(w, index);
+    const float *delta = td_row(&w->delta, slot);
+    *td_flight_at(w, slot) = (td_flight){
+        .place = {pose->center.x - td_length_from(w, delta[0]),
+                  pose->center.y - td_length_from(w, delta[1])},
+        .angle = pose->angle - (uint32_t)td_round_increment((double)delta[2] *
+                                                            (1.0 / TD_RADIANS_A_QUANTUM)),
+        .body = index,
+        .extras = TD_NONE,
+        .motion = {(double)delta[0], (double)delta[1], (double)delta[2]}};
+}
+
+static void land(thud_world *w, int slot)
+{
+    td_flight *f = td_flight_at(w, slot);
+    if (!f->changed) {
+        return;
+    }
+    td_pose *pose = td_pose_at(w, f->body);
+    float *delta = td_row(&w->delta, slot);
+    td_place start = {pose->center.x - td_length_from(w, delta[0]),
+                      pose->center.y - td_length_from(w, delta[1])};
+    uint32_t angle = pose->angle - (uint32_t)td_round_increment((double)delta[2] *
+                                                                (1.0 / TD_RADIANS_A_QUANTUM));
+    td_flight_advance(w, f, 1.0);
+    pose->center = f->place;
+    pose->angle = f->angle;
+    td_angle_turn(pose->angle, &pose->c, &pose->s);
+    delta[0] = (float)((double)(f->place.x - start.x) / w->to_fixed);
+    delta[1] = (float)((double)(f->place.y - start.y) / w->to_fixed);
+    delta[2] = (float)(int32_t)(f->angle - angle) * (float)TD_RADIANS_A_QUANTUM;
+    td_body_place_shapes(w, f->body);
+}
+
+/* Bounds for the next step reach as far as the body is going to move. */
+static void expect(thud_world *w, int slot)
+{
+    const float *v = td_row(&w->velocity, slot);
+    float h = (float)w->def.time_step;
+    int i = td_body_at(w, *(int *)td_at(&w->body_of, slot))->first_shape;
+    for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        td_shape_expect(w, i, v[0] * h, v[1] * h);
+    }
+}
+
+/* Bodies that moved further than the thinnest shape is thick may have passed through it unseen. */
+static void count_unsafe(thud_world *w, int slot)
+{
+    const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
+    const float *delta = td_row(&w->delta, slot);
+    float least = td_thinnest(w);
+    w->stats.unbisectable += body->detection->rank == TD_RANK_BISECT &&
+                             delta[0] * delta[0] + delta[1] * delta[1] >= least * least;
+}
+
+/* Everything that may meet, from the start of the step. */
+static void schedule_everything(thud_world *w)
+{
+    w->scratch.encounters.count = w->scratch.strays.count = w->scratch.impacts.count = 0;
+    td_agenda_clear(&w->scratch.agenda, w->contacts.count);
+    for (int slot = 1; slot < w->body_of.count; slot++) {
+        take_off(w, slot);
+    }
+    for (int slot = 1; slot < w->body_of.count; slot++) {
+        td_flight *f = td_flight_at(w, slot);
+        if (takes_part(w, slot) &&
+            (!td_encounters_on_ground(w, f) || (td_flight_is_unexpected(w, f->body) && !td_encounters_around(w, f)))) {
+            hold(w, f);
+        }
+        if (takes_part(w, slot)) {
+            count_unsafe(w, slot);
+        }
+    }
+    for (int i = 0; i < w->contacts.count; i++) {
+        td_contact *contact = td_contact_at(w, i);
+        if (contact->live) {
+            contact->vetoed &= contact->state == TD_TOUCHING;
+            if (counts(w, i)) {
+                schedule(w, i);
+            }
+        }
+    }
+    for (int i = 0; i < w->scratch.encounters.count; i++) {
+        schedule(w, w->contacts.count + i);
+    }
+}
+
+static void hit_events(thud_world *w)
+{
+    for (int i = 0; i < w->scratch.impacts.count && w->def.contact_events; i++) {
+        const td_impact *impact = td_at(&w->scratch.impacts, i);
+        if (impact->approach > w->def.hit_speed * w->unit) {
+            const thud_contact *seen = &impact->seen;
+            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) = (thud_hit_event){
+                seen->shape_a, seen->shape_b, seen->point, seen->normal, impact->approach};
+        }
+    }
+}
+
+bool td_impacts_reserve(thud_world *w)
+{
+    /* Every impact has a body that was not held before it. */
+    int awake = w->body_of.count, most = (MOST_IMPACTS + 1) * awake;
+    int extras = awake * (w->terrains.live + 1) + SPARE;
+    return td_array_reserve(&w->memory, &w->scratch.flights, awake) &&
+           td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
+           td_array_reserve(&w->memory, &w->scratch.impacts, most) &&
+           td_array_reserve(&w->memory, &w->scratch.encounters, extras) &&
+           td_array_reserve(&w->memory, &w->events.hit, w->events.hit.count + most) &&
+           td_agenda_reserve(&w->memory, &w->scratch.agenda, w->contacts.count + extras);
+}
+
+void td_impacts(thud_world *w)
+{
+    double time;
+    schedule_everything(w);
+    for (int n; (n = td_agenda_next(&w->scratch.agenda, &time)) != TD_NONE;) {
+        collide(w, n, time);
+    }
+    for (int slot = 1; slot < w->body_of.count; slot++) {
+        land(w, slot);
+        if (takes_part(w, slot)) {
+            expect(w, slot);
+        }
+    }
+    hit_events(w);
+}
