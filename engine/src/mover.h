@@ -5,6 +5,9 @@
 #include "thud/thud.h"
 #include "thud/thud_mover.h"
 
+/* Corners whose normal has less of `up` are climbed as steps, not rolled over. */
+#define TD_LEAST_RISE 0.1
+
 /* A direction or a way, in the caller's unit. */
 typedef struct td_way {
     double x, y;

@@ -5,9 +5,6 @@
 
 enum { MET = 16, PUSHES = 8 };
 
-/* Corners that are met more from the side than this are climbed as steps, not rolled over. */
-#define LEAST_RISE 0.1
-
 td_way td_mover_normal(const thud_mover_hit *hit)
 {
     td_way n = {(double)hit->normal.x, (double)hit->normal.y};
@@ -159,7 +156,7 @@ bool td_mover_stands_on(td_move *m, const thud_mover_hit *hit, double bottom)
         return true;
     }
     td_way point = {hit->point.x, hit->point.y};
-    if (rise < LEAST_RISE || td_dot(point, up) - bottom > m->mover.step_height + m->mover.skin) {
+    if (rise < TD_LEAST_RISE || td_dot(point, up) - bottom > m->mover.step_height + m->mover.skin) {
         return false;
     }
     /* A look straight down on it, just behind the point that was met. */

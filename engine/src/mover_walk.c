@@ -2,7 +2,12 @@
  * the ground again; and in the air along whatever it touches. */
 #include "mover.h"
 
+#include "base.h"
+
 enum { TURNS = 4 };
+
+/* A way along a plane may point into it by so much of its length. */
+#define ROUNDING 1e-9
 
 static td_way across(const td_move *m, td_way way)
 {
@@ -33,6 +38,10 @@ static td_way along_ground(const td_move *m, td_way way, double length)
 /* Up, ahead and down again, if there is ground to stand on no higher than a step. */
 static bool climb(td_move *m, td_way ahead)
 {
+    double length = td_size(ahead), least = 2.0 * m->mover.skin;
+    if (!(length > 0.0)) {
+        return false;
+    }
     td_move before = *m;
     td_way up = td_up(m), left;
     thud_mover_hit hit = {0};
@@ -40,14 +49,11 @@ static bool climb(td_move *m, td_way ahead)
     td_way from = {m->mover.shape.x, m->mover.shape.y};
     td_mover_go(m, td_scaled(up, height), &hit, &left);
     double raised = td_mover_bottom(m) - bottom;
-    double least = 2.0 * m->mover.skin, length = td_size(ahead);
     td_mover_go(m, td_scaled(ahead, length < least ? least / length : 1.0), &hit, &left);
     bool stands = td_mover_go(m, td_scaled(up, -raised), &hit, &left) &&
                   td_mover_stands_on(m, &hit, bottom);
     td_way gone = td_plus((td_way){m->mover.shape.x, m->mover.shape.y}, from, -1.0);
-    td_way point = {hit.point.x, hit.point.y};
-    if (stands && td_dot(gone, ahead) > 0.0 &&
-        td_dot(point, up) - bottom <= m->mover.step_height + m->mover.skin) {
+    if (stands && td_dot(gone, ahead) > 0.0) {
         stand_on(m, &hit);
         return true;
     }
@@ -79,21 +85,15 @@ void td_mover_walk(td_move *m, td_way way)
 bool td_mover_settle(td_move *m)
 {
     td_way up = td_up(m), left;
-    thud_mover_hit hit;
+    thud_mover_hit hit, other;
     double fraction = 0.0, length = m->mover.snap_distance + m->mover.skin;
     if (!td_mover_meets(m, td_scaled(up, -length), &hit, &fraction) ||
         !td_mover_stands_on(m, &hit, td_mover_bottom(m))) {
         return false;
     }
     double rise = td_dot(td_mover_normal(&hit), up);
-    double down = fraction * length - m->mover.skin / (rise > 0.1 ? rise : 0.1);
-    if (down > 0.0) {
-        m->mover.shape.x -= up.x * down;
-        m->mover.shape.y -= up.y * down;
-    } else {
-        thud_mover_hit ceiling;
-        td_mover_go(m, td_scaled(up, -down), &ceiling, &left);
-    }
+    double down = fraction * length - m->mover.skin / td_max_double(rise, TD_LEAST_RISE);
+    td_mover_go(m, td_scaled(up, -down), &other, &left);
     stand_on(m, &hit);
     return true;
 }
@@ -135,7 +135,7 @@ void td_mover_fly(td_move *m, td_way way)
         way = clipped(way, planes[i]);
         m->left = clipped(m->left, planes[i]);
         for (int k = 0; k < i; k++) {
-            if (td_dot(way, planes[k]) < 0.0) { /* in a corner */
+            if (td_dot(way, planes[k]) < -ROUNDING * td_size(way)) { /* in a corner */
                 way = m->left = (td_way){0.0, 0.0};
             }
         }

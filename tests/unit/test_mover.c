@@ -303,14 +303,15 @@ static void kinematic_body_follows_and_dynamic_bodies_meet_it(void **state)
     thud_body_id ball = add_ball(world, 3, 0.3, 0.3f);
     thud_vec2 velocity = {0, 0};
     for (int i = 0; i < 120; i++) {
-        thud_pos wanted = {mover.shape.x, mover.shape.y};
         go(world, &mover, &velocity, 2);
-        wanted = (thud_pos){mover.shape.x, mover.shape.y};
+        thud_pos wanted = {mover.shape.x, mover.shape.y};
         run(world, 1);
         near_to(state_of(world, mover.body).position.x, wanted.x, 1e-5);
         near_to(state_of(world, mover.body).position.y, wanted.y, 1e-5);
     }
-    assert_true(state_of(world, ball).position.x > mover.shape.x);
+    assert_true(mover.on_ground);
+    near_to(mover.shape.y, 0.5 + mover.skin, 1e-4);
+    assert_true(mover.shape.x > 2.2 && state_of(world, ball).position.x > mover.shape.x);
     thud_world_destroy(world);
 }
 

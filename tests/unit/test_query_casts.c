@@ -351,6 +351,50 @@ static void closest_refuses_bad_input_and_leaves_outputs_alone(void **state)
     thud_world_destroy(world);
 }
 
+static long allowed = -1; /* allocations until one fails; negative: no end */
+
+static void *allocate(size_t bytes, void *context)
+{
+    (void)context;
+    return allowed >= 0 && allowed-- == 0 ? NULL : aligned_alloc(64, bytes);
+}
+
+static void release(void *block, size_t bytes, void *context)
+{
+    (void)bytes;
+    (void)context;
+    free(block);
+}
+
+static void queries_without_memory_say_so_and_work_once_there_is_some(void **state)
+{
+    (void)state;
+    thud_world_def def = weightless();
+    def.allocator = (thud_allocator){allocate, release, NULL};
+    thud_world *world = make_world(def);
+    for (int i = 0; i < 50; i++) {
+        add_ball(world, 3 * i, 0, 1);
+    }
+    thud_ray_hit out, untouched;
+    memset(&out, 9, sizeof out);
+    untouched = out;
+    int failures = 0, count = 77;
+    unsigned char hit = 2;
+    for (;; failures++) {
+        allowed = failures;
+        thud_result result =
+            thud_world_cast_ray_all(world, (thud_pos){-5, 0}, 99, 0, NULL, &out, 1, &count);
+        if (result == THUD_OK) {
+            break;
+        }
+        REFUSED(result, THUD_ERROR_MEMORY);
+    }
+    allowed = -1;
+    assert_true(failures > 1);
+    assert_int_equal(count, 32);
+    thud_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -365,6 +409,7 @@ int main(void)
         cmocka_unit_test(queries_heed_filters_sensors_and_edits_not_stepped_yet),
         cmocka_unit_test(casts_refuse_bad_input_and_leave_outputs_alone),
         cmocka_unit_test(closest_refuses_bad_input_and_leaves_outputs_alone),
+        cmocka_unit_test(queries_without_memory_say_so_and_work_once_there_is_some),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
