@@ -177,7 +177,8 @@ def platform():
     columns, rows = 160, 34
     m = Map(columns, rows, title="Platforms", gravity_y=-20.0, camera_x=36.0, camera_y=15.0,
             camera_height=30.0, character=True,
-            about="Run, jump and ride: a character among crates and balls, on stairs, planks and lifts.")
+            about="Walk with the arrows and jump with Space: on stairs, planks and lifts, "
+                  "among crates and balls.")
     cells = platform_cells(columns, rows)
     rng = random.Random(1)
     grass = {(x, y + 1): GRASS for (x, y), tile in cells.items()

@@ -35,6 +35,13 @@ static void draw_numbers(viewer *v) {
         canvas_text(c, left, (narrow ? 85 : 65) * u, COLOR_TIMINGS, "Paused");
 }
 
+static const char HELP[] =
+    "Drag a body to pull it, the ground to move; wheel zooms; C, B drop and G digs "
+    "here; Space pauses; N steps; Tab hides all this";
+static const char HELP_CHARACTER[] =
+    "Arrows or A D walk; Space jumps; Down drops through planks; P pauses; N steps; the wheel zooms; "
+    "Tab hides all this";
+
 /* The length of a grid cell, drawn to scale, and what the pointer and the main keys do. */
 static void draw_footer(viewer *v) {
     canvas *c = &v->canvas;
@@ -50,9 +57,8 @@ static void draw_footer(viewer *v) {
     snprintf(text, sizeof text, "%g m", step);
     x = right.x + 10 * u;
     x += canvas_text(c, x, y, COLOR_TEXT, text) + 24 * u;
-    canvas_text_fit(c, x, y, (float)c->width - 16 * u - x, COLOR_TEXT_DIM,
-                    "Drag a body to pull it, the ground to move; wheel zooms; C, B drop and G digs "
-                    "here; Space pauses; N steps; Tab hides all this");
+    const char *keys = v->character.present ? HELP_CHARACTER : HELP;
+    canvas_text_fit(c, x, y, (float)c->width - 16 * u - x, COLOR_TEXT_DIM, keys);
 }
 
 static void draw_message(viewer *v) {

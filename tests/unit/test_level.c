@@ -143,7 +143,8 @@ static void properties_are_inherited_from_map_and_layer_and_overridden(void **st
     level_report report;
     assert_true(read_with(
         "\"properties\":[{\"name\":\"friction\",\"value\":0.1},{\"name\":\"density\",\"value\":2},"
-        "{\"name\":\"gravity_y\",\"value\":-3},{\"name\":\"pixels_per_unit\",\"value\":16}],",
+        "{\"name\":\"gravity_y\",\"value\":-3},{\"name\":\"pixels_per_unit\",\"value\":16},"
+        "{\"name\":\"character\",\"value\":true}],",
         "{\"type\":\"group\",\"name\":\"g\",\"offsetx\":32,\"properties\":[{\"name\":\"body\","
         "\"value\":\"dynamic\"}],\"layers\":[{\"type\":\"objectgroup\",\"name\":\"a\","
         "\"offsetx\":16,\"offsety\":16,\"properties\":[{\"name\":\"density\",\"value\":5}],"
@@ -157,6 +158,7 @@ static void properties_are_inherited_from_map_and_layer_and_overridden(void **st
     assert_true(s.bodies[0].vx == 4);
     assert_true(shape->material.friction == 0.1 && shape->material.density == 5);
     assert_true(shape->material.restitution == 0.5 && shape->sensor && shape->mask == 6);
+    assert_true(s.character);
     assert_true(s.gravity_y == -3 && s.bodies[0].x == 4 && s.bodies[0].y == 18);
     scene_free(&s);
 }

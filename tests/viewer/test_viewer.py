@@ -38,10 +38,10 @@ def colourful(pixel):
     return max(pixel) - min(pixel) > 45
 
 
-def centre_of_colour(picture):
+def centre_of_colour(picture, wanted=colourful):
     places = [(x, y) for y, row in enumerate(picture.rows) for x, pixel in enumerate(row)
-              if colourful(pixel)]
-    assert places, "no moving body in sight"
+              if wanted(pixel)]
+    assert places, "nothing of that colour in sight"
     return (sum(x + 0.5 for x, _ in places) / len(places),
             sum(y + 0.5 for _, y in places) / len(places))
 
@@ -77,6 +77,16 @@ class Viewer(unittest.TestCase):
     def test_paused_world_does_not_move(self):
         _, y = centre_of_colour(self.shoot_bare(BALL, "--frames", 60, "--paused"))
         self.assertAlmostEqual(y, 300 - (25 - 15) * PIXELS_PER_METRE, delta=1)
+
+    def test_character_stands_on_its_ledge_half_a_second_later(self):
+        # The view is 20 m high about the character's start at (31, 18); its feet come down from
+        # 17.25 to the ledge at 17.
+        orange = palette("COLOR_CHARACTER")
+        x, y = centre_of_colour(
+            self.shoot_bare("platform", "--frames", 30),
+            lambda pixel: all(abs(a - b) < 10 for a, b in zip(pixel, orange)))
+        self.assertAlmostEqual(x, 400, delta=2)  # its eyes, to the right, are not orange
+        self.assertAlmostEqual(y, 300 + 0.24 * 600 / 20, delta=3)
 
     def test_tall_stack_stands_as_coloured_column(self):
         """600 pixels show 40 m about height 15: boxes of 15 pixels from y = 525 upwards."""

@@ -24,6 +24,11 @@ for (const file of levelFiles)
     buildLevel(engine, read).close();
   });
 
+test("map_says_whether_it_has_a_character", () => {
+  assert.equal(readLevel("ball", ballLevel()).character, false);
+  assert.equal(readLevel("platform", readLevelFile("platform.tmj")).character, true);
+});
+
 test("ellipse_of_equal_axes_becomes_circle_at_its_centre", () => {
   const ball = readLevel("ball", ballLevel()).bodies[1];
   assert.deepEqual(ball.shape, { kind: "circle", radius: 1 });
