@@ -646,7 +646,7 @@ export function detectionIndex(detection: Detection | undefined): number | undef
   return detection && indexOf(DETECTIONS, detection, "detection");
 }
 
-function bodyId(index1: number, generation: number): BodyId {
+export function bodyId(index1: number, generation: number): BodyId {
   return Object.freeze({ kind: "body", index: index1 - 1, generation });
 }
 
