@@ -27,10 +27,9 @@ static void offer(const td_grown *k, const td_piece *e, thud_closest found, thud
     *best = found;
 }
 
-static void offer_point(const td_grown *k, const td_piece *e, double x, bool inside,
+static void offer_point(const td_grown *k, const td_piece *e, thud_pos z, bool inside,
                         thud_closest *best)
 {
-    thud_pos z = {x, td_piece_height(e, x)};
     double length = __builtin_sqrt(z.x * z.x + z.y * z.y), sign = inside ? 1.0 : -1.0;
     thud_pos n = {sign * z.x / length, sign * z.y / length};
     if (length <= 1e-15 * (td_abs(e->touch.x) + td_abs(e->touch.y))) {
@@ -76,8 +75,8 @@ static void offer_vertex(const td_grown *k, int i, thud_closest *best)
         td_piece e;
         if (td_grown_piece(k, i, part, &e)) {
             offer_foot(k, &e, e.p.x, e.q.x, best);
-            offer_point(k, &e, e.p.x, false, best);
-            offer_point(k, &e, e.q.x, false, best);
+            offer_point(k, &e, e.p, false, best);
+            offer_point(k, &e, e.q, false, best);
         }
     }
 }
@@ -149,6 +148,19 @@ static bool overtakes(const td_piece *other, const td_piece *top, double x, doub
     return true;
 }
 
+/* Where the outline goes over from one piece to the next, in a valley or at a joint. The height of
+ * the flatter one is the more exact, since x is rounded; the ground is touched by the one that the
+ * way there leaves. */
+static void offer_joint(const td_grown *k, const td_piece *top, const td_piece *next, double x,
+                        thud_closest *best)
+{
+    bool flatter = td_piece_steepness(next, x) < td_piece_steepness(top, x);
+    thud_pos z = {x, td_piece_height(flatter ? next : top, x)};
+    thud_pos n = td_piece_normal(top, z), m = td_piece_normal(next, z);
+    bool leaves_next = m.x * z.x + m.y * z.y > n.x * z.x + n.y * z.y;
+    offer_point(k, leaves_next ? next : top, z, true, best);
+}
+
 /* Along the outline to the right, from the height over x of the piece `top`. */
 static void walk(const td_grown *k, td_piece top, double x, double tolerance, thud_closest *best)
 {
@@ -166,10 +178,8 @@ static void walk(const td_grown *k, td_piece top, double x, double tolerance, th
                 next = e;
             }
         }
-        /* Where pieces cross, the height of the steeper one is the less exact: x is rounded. */
-        bool flatter = td_piece_steepness(&next, stop) < td_piece_steepness(&top, stop);
         offer_foot(k, &top, x, stop, best);
-        offer_point(k, flatter ? &next : &top, stop, true, best);
+        offer_joint(k, &top, &next, stop, best);
         bool ended = stop >= top.q.x;
         x = stop > x ? stop : x + tolerance; /* rounding never stops the walk */
         top = next;
@@ -208,7 +218,7 @@ void td_terrain_closest(const thud_terrain *t, const thud_placed *shape, thud_po
     } else if (td_grown_highest(&k, 0.0, &top, &height) && height >= 0.0) {
         double tolerance = 1e-15 * (td_reach(shape) + height);
         *out = (thud_closest){.distance = -1e300, .ny = 1.0};
-        offer_point(&k, &top, 0.0, true, out);
+        offer_point(&k, &top, (thud_pos){0.0, height}, true, out);
         walk(&k, top, 0.0, tolerance, out);
         if (td_grown_highest(&flipped, 0.0, &top, &height)) {
             walk(&flipped, top, 0.0, tolerance, out);

@@ -170,6 +170,65 @@ static inline real solid_distance(const solid *s, vec p)
     return solids_distance(&point, s);
 }
 
+/* Later than any time of a motion. */
+#define NEVER 2.0L
+
+/* Narrows [first, last] to where p + t d is within `inset` of the inner side of the edge. */
+static inline void clip_path(vec a, vec b, real inset, vec p, vec d, real *first, real *last)
+{
+    vec along = unit(minus(b, a)), out = {along.y, -along.x};
+    real start = dot(out, minus(p, a)) + inset, speed = dot(out, d);
+    if (speed == 0.0L) {
+        *last = start <= 0.0L ? *last : -1.0L;
+    } else if (speed < 0.0L) {
+        *first = fmaxl(*first, -start / speed);
+    } else {
+        *last = fminl(*last, -start / speed);
+    }
+}
+
+static inline real enters_circle(vec center, real radius, vec p, vec d)
+{
+    vec o = minus(p, center);
+    real a = dot(d, d), b = dot(o, d), side = cross(d, o);
+    if (length_of(o) <= radius) {
+        return 0.0L;
+    }
+    if (b >= 0.0L || side * side > radius * radius * a) {
+        return NEVER;
+    }
+    return (-b - sqrtl(radius * radius * a - side * side)) / a;
+}
+
+/* When a point that starts at the origin and moves by d first is within `radius` of the polygon; a
+ * negative radius is a smaller polygon. */
+static inline real enters(const sum *h, real radius, vec d)
+{
+    vec origin = {0.0L, 0.0L};
+    real time = NEVER, first = 0.0L, last = 1.0L;
+    for (int i = 0; i < h->count && h->count > 1; i++) {
+        vec a = h->v[i], b = h->v[(i + 1) % h->count], along = unit(minus(b, a));
+        clip_path(a, b, -fminl(radius, 0.0L), origin, d, &first, &last);
+        if (radius > 0.0L) { /* the strip along the edge */
+            vec out = {along.y * radius, -along.x * radius};
+            vec c = {a.x + out.x, a.y + out.y}, e = {b.x + out.x, b.y + out.y};
+            real from = 0.0L, to = 1.0L;
+            clip_path(c, e, 0.0L, origin, d, &from, &to);
+            clip_path(b, a, 0.0L, origin, d, &from, &to);
+            clip_path(a, c, 0.0L, origin, d, &from, &to);
+            clip_path(e, b, 0.0L, origin, d, &from, &to);
+            time = from <= to ? fminl(time, from) : time;
+        }
+    }
+    if (h->count > 2 && first <= last) {
+        time = fminl(time, first);
+    }
+    for (int i = 0; i < h->count && radius >= 0.0L; i++) {
+        time = fminl(time, enters_circle(h->v[i], radius, origin, d));
+    }
+    return time <= 1.0L ? time : NEVER;
+}
+
 /* How far b is beyond a in the direction n, which has length 1. The distance of two shapes is the
  * largest of all directions' gaps, so a direction with that gap is a right normal. */
 static inline real gap_along(const solid *a, const solid *b, vec n)

@@ -16,65 +16,8 @@
 
 enum { QUICK = 12000, QUICK_TURNING = 600, STEPS = 1000 };
 #define BOUND 16.0
-#define NEVER 2.0L
 
 /* ---- without turning ---- */
-
-/* Narrows [first, last] to where p + t d is within `inset` of the inner side of the edge. */
-static void clip(vec a, vec b, real inset, vec p, vec d, real *first, real *last)
-{
-    vec along = unit(minus(b, a)), out = {along.y, -along.x};
-    real start = dot(out, minus(p, a)) + inset, speed = dot(out, d);
-    if (speed == 0.0L) {
-        *last = start <= 0.0L ? *last : -1.0L;
-    } else if (speed < 0.0L) {
-        *first = fmaxl(*first, -start / speed);
-    } else {
-        *last = fminl(*last, -start / speed);
-    }
-}
-
-static real enters_circle(vec center, real radius, vec p, vec d)
-{
-    vec o = minus(p, center);
-    real a = dot(d, d), b = dot(o, d), side = cross(d, o);
-    if (length_of(o) <= radius) {
-        return 0.0L;
-    }
-    if (b >= 0.0L || side * side > radius * radius * a) {
-        return NEVER;
-    }
-    return (-b - sqrtl(radius * radius * a - side * side)) / a;
-}
-
-/* When a point that starts at the origin and moves by d first is within `radius` of the polygon; a
- * negative radius is a smaller polygon. */
-static real enters(const sum *h, real radius, vec d)
-{
-    vec origin = {0.0L, 0.0L};
-    real time = NEVER, first = 0.0L, last = 1.0L;
-    for (int i = 0; i < h->count && h->count > 1; i++) {
-        vec a = h->v[i], b = h->v[(i + 1) % h->count], along = unit(minus(b, a));
-        clip(a, b, -fminl(radius, 0.0L), origin, d, &first, &last);
-        if (radius > 0.0L) { /* the strip along the edge */
-            vec out = {along.y * radius, -along.x * radius};
-            vec c = {a.x + out.x, a.y + out.y}, e = {b.x + out.x, b.y + out.y};
-            real from = 0.0L, to = 1.0L;
-            clip(c, e, 0.0L, origin, d, &from, &to);
-            clip(b, a, 0.0L, origin, d, &from, &to);
-            clip(a, c, 0.0L, origin, d, &from, &to);
-            clip(e, b, 0.0L, origin, d, &from, &to);
-            time = from <= to ? fminl(time, from) : time;
-        }
-    }
-    if (h->count > 1 && first <= last) {
-        time = fminl(time, first);
-    }
-    for (int i = 0; i < h->count && radius >= 0.0L; i++) {
-        time = fminl(time, enters_circle(h->v[i], radius, origin, d));
-    }
-    return time <= 1.0L ? time : NEVER;
-}
 
 static int hits;
 

@@ -89,10 +89,10 @@ thud_result thud_circles_approach(const thud_placed *a, thud_motion motion_a, co
                                   thud_motion motion_b, thud_approach *out);
 
 /* When the moving shapes began to overlap, by bisection over the motion, for shapes that are apart
- * at time 0 and overlap at time 1. At *time, in [0, 1), they are still apart, and `tolerance` later
- * they overlap; tolerance is in [1e-15, 1], of the motion, and each halving costs one overlap test.
- * *collided = false and *time = 1 where they are apart at the end, whatever happened in between
- * (see thud_motion_is_bisectable), or overlap at the start. */
+ * at time 0 and overlap at time 1. At *time, in [0, 1), they are still apart, and within `tolerance`
+ * of it they overlap; tolerance is in [1e-15, 1], of the motion, and each halving costs one overlap
+ * test. *collided = false and *time = 1 where they are apart at the end, whatever happened in
+ * between (see thud_motion_is_bisectable), or overlap at the start. */
 thud_result thud_shapes_time_of_collision(const thud_placed *a, thud_motion motion_a,
                                           const thud_placed *b, thud_motion motion_b,
                                           double tolerance, bool *collided, double *time);
