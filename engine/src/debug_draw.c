@@ -1,24 +1,26 @@
 /* debug_draw.c: the world drawn through the caller's functions, for viewers and tests. */
 #include "body.h"
 #include "contact.h"
+#include "debug_draw.h"
 #include "handles.h"
 #include "lanes.h"
 #include "shape.h"
 #include "step.h"
 
-typedef struct drawing {
-    const thud_world *w;
-    const thud_debug_draw *draw;
-    td_place origin, lower, upper;
-} drawing;
-
-static thud_vec2 local(const drawing *d, td_place p)
+thud_vec2 td_drawing_local(const td_drawing *d, td_place p)
 {
     return (thud_vec2){(float)((double)(p.x - d->origin.x) / d->w->to_fixed),
                        (float)((double)(p.y - d->origin.y) / d->w->to_fixed)};
 }
 
-static thud_draw_style style_of(const drawing *d, const td_shape *shape)
+void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_draw_style style)
+{
+    if (d->draw->line) {
+        d->draw->line(a, b, style, d->draw->context);
+    }
+}
+
+static thud_draw_style style_of(const td_drawing *d, const td_shape *shape)
 {
     const td_body *body = td_body_at(d->w, shape->body);
     if (shape->flags & TD_SHAPE_SENSOR) {
@@ -32,7 +34,7 @@ static thud_draw_style style_of(const drawing *d, const td_shape *shape)
                                           : THUD_DRAW_DYNAMIC;
 }
 
-static void draw_terrain(const drawing *d, int index, thud_draw_style style)
+static void draw_terrain(const td_drawing *d, int index, thud_draw_style style)
 {
     const td_place *center = &td_stance_at(d->w, index)->center;
     thud_terrain terrain = td_terrain_view(d->w, index);
@@ -46,18 +48,18 @@ static void draw_terrain(const drawing *d, int index, thud_draw_style style)
             p = terrain.points[i];
             q = terrain.points[i + 1];
         }
-        thud_vec2 at = local(d, *center);
+        thud_vec2 at = td_drawing_local(d, *center);
         d->draw->line((thud_vec2){at.x + (float)p.x, at.y + (float)p.y},
                       (thud_vec2){at.x + (float)q.x, at.y + (float)q.y}, style, d->draw->context);
     }
 }
 
-static void draw_shape(const drawing *d, int index, int island)
+static void draw_shape(const td_drawing *d, int index, int island)
 {
     const td_shape *shape = td_shape_at(d->w, index);
     const td_stance *stance = td_stance_at(d->w, index);
     thud_draw_style style = style_of(d, shape);
-    thud_vec2 at = local(d, stance->center);
+    thud_vec2 at = td_drawing_local(d, stance->center);
     if (shape->kind == THUD_TERRAIN) {
         draw_terrain(d, index, style);
     } else if (shape->kind == THUD_CIRCLE && d->draw->circle) {
@@ -69,22 +71,21 @@ static void draw_shape(const drawing *d, int index, int island)
     }
 }
 
-/* A box in bounds quanta near a position. */
-static void draw_bounds(const drawing *d, int64_t min_x, int64_t min_y, int64_t max_x,
-                        int64_t max_y, thud_draw_style style)
+void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_t max_x,
+                       int64_t max_y, thud_draw_style style)
 {
     if (!d->draw->box) {
         return;
     }
     int64_t quantum = 1 << TD_COARSE_SHIFT;
-    thud_vec2 a = local(d, (td_place){min_x * quantum, min_y * quantum});
-    thud_vec2 b = local(d, (td_place){max_x * quantum, max_y * quantum});
+    thud_vec2 a = td_drawing_local(d, (td_place){min_x * quantum, min_y * quantum});
+    thud_vec2 b = td_drawing_local(d, (td_place){max_x * quantum, max_y * quantum});
     d->draw->box((thud_vec2){0.5f * (a.x + b.x), 0.5f * (a.y + b.y)},
                  (thud_vec2){0.5f * (b.x - a.x), 0.5f * (b.y - a.y)}, 1.0f, 0.0f, style, -1,
                  d->draw->context);
 }
 
-static void draw_shapes(const drawing *d)
+static void draw_shapes(const td_drawing *d)
 {
     const thud_world *w = d->w;
     unsigned flags = d->draw->flags;
@@ -106,35 +107,12 @@ static void draw_shapes(const drawing *d)
             draw_shape(d, i, islands && body->awake > 0 ? islands[body->awake] : -1);
         }
         if (seen && (flags & THUD_DRAW_SHAPE_BOUNDS) && shape->kind != THUD_TERRAIN) {
-            draw_bounds(d, x0, y0, x1, y1, THUD_DRAW_BOUNDS);
+            td_drawing_bounds(d, x0, y0, x1, y1, THUD_DRAW_BOUNDS);
         }
     }
 }
 
-/* The cells that the awake grid's shapes lie in; a cell with several shapes is drawn once. */
-static void draw_cells(const drawing *d)
-{
-    const td_population *grid = &d->w->awake_shapes;
-    const int *cells = grid->cells.data, *ids = grid->ids.data;
-    for (int l = 0; l < TD_LEVELS; l++) {
-        const td_level *level = &grid->levels[l];
-        for (int i = level->first; i < level->first + level->count; i++) {
-            if (i > level->first && cells[i] == cells[i - 1]) {
-                continue;
-            }
-            const td_bounds *b = td_fat_at(d->w, ids[i]);
-            const td_place *at = &td_stance_at(d->w, ids[i])->center;
-            int64_t x = td_unwrap(b->min_x, at->x) + td_wrap_sub(b->max_x, b->min_x) / 2;
-            int64_t y = td_unwrap(b->min_y, at->y) + td_wrap_sub(b->max_y, b->min_y) / 2;
-            int64_t size = level->cell + level->cell / 65536;
-            x = grid->origin_x + td_grid_index(x, grid->origin_x, level->inv_cell) * size;
-            y = grid->origin_y + td_grid_index(y, grid->origin_y, level->inv_cell) * size;
-            draw_bounds(d, x, y, x + size, y + size, THUD_DRAW_CELL);
-        }
-    }
-}
-
-static void draw_contacts(const drawing *d)
+static void draw_contacts(const td_drawing *d)
 {
     const thud_world *w = d->w;
     float length = 0.3f * w->unit;
@@ -145,15 +123,12 @@ static void draw_contacts(const drawing *d)
         }
         thud_contact seen = td_contact_view(
             w, td_block_at(w, contact->kind, contact->slot / TD_LANES), contact->slot % TD_LANES);
-        thud_vec2 p = local(d, td_place_from(w, seen.point));
+        thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point));
         if (d->draw->point) {
             d->draw->point(p, THUD_DRAW_CONTACT, d->draw->context);
         }
-        if (d->draw->line) {
-            d->draw->line(p,
-                          (thud_vec2){p.x + length * seen.normal.x, p.y + length * seen.normal.y},
-                          THUD_DRAW_NORMAL, d->draw->context);
-        }
+        thud_vec2 tip = {p.x + length * seen.normal.x, p.y + length * seen.normal.y};
+        td_drawing_line(d, p, tip, THUD_DRAW_NORMAL);
     }
 }
 
@@ -177,14 +152,23 @@ thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw)
         ((draw->flags & THUD_DRAW_ISLANDS) && !td_islands(w))) {
         return td_refuse(w, THUD_ERROR_MEMORY, "draw: out of memory");
     }
-    drawing d = {w, draw, td_place_from(w, draw->origin), td_place_from(w, draw->lower),
+    td_drawing d = {w, draw, td_place_from(w, draw->origin), td_place_from(w, draw->lower),
                  td_place_from(w, draw->upper)};
-    draw_shapes(&d);
-    if (draw->flags & THUD_DRAW_CELLS) {
-        draw_cells(&d);
-    }
-    if (draw->flags & THUD_DRAW_CONTACTS) {
-        draw_contacts(&d);
+    const struct {
+        unsigned flags;
+        void (*run)(const td_drawing *d);
+    } parts[] = {
+        {THUD_DRAW_SHAPES | THUD_DRAW_ISLANDS | THUD_DRAW_SHAPE_BOUNDS, draw_shapes},
+        {THUD_DRAW_CELLS, td_draw_cells},
+        {THUD_DRAW_AXES, td_draw_intervals},
+        {THUD_DRAW_MOTIONS, td_draw_motions},
+        {THUD_DRAW_PAIRS, td_draw_pairs},
+        {THUD_DRAW_CONTACTS, draw_contacts},
+    };
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        if (draw->flags & parts[i].flags) {
+            parts[i].run(&d);
+        }
     }
     return THUD_OK;
 }

@@ -20,15 +20,29 @@ typedef enum thud_draw_style {
     THUD_DRAW_CELL,
     THUD_DRAW_CONTACT,
     THUD_DRAW_NORMAL,
+    THUD_DRAW_INTERVAL,             /* of a shape's bounds along x; lines at the lower edge */
+    THUD_DRAW_INTERVAL_OVERLAPPING, /* ... that overlaps another one's */
+    THUD_DRAW_PAIR,                 /* line from centre to centre; bounds overlap */
+    THUD_DRAW_PAIR_TOUCHING,        /* ... and so do the shapes */
+    THUD_DRAW_MOTION,               /* outline of a swept volume */
     THUD_DRAW_STYLE_COUNT
 } thud_draw_style;
 
 enum {
     THUD_DRAW_SHAPES = 1 << 0,
     THUD_DRAW_SHAPE_BOUNDS = 1 << 1,
-    THUD_DRAW_CELLS = 1 << 2,
+    THUD_DRAW_CELLS = 1 << 2,    /* that awake shapes lie in; only a grid has some */
     THUD_DRAW_CONTACTS = 1 << 3, /* points and normals */
-    THUD_DRAW_ISLANDS = 1 << 4   /* shapes carry their island's number, see `island` */
+    THUD_DRAW_ISLANDS = 1 << 4,  /* shapes carry their island's number, see `island` */
+    /* The order that a plane sweep keeps: of each shape's bounds the interval along x, side by side
+     * in rows from the lower edge of the view up, first of awake shapes, then of resting ones. Where
+     * more than 12 overlap, bars lie upon each other. */
+    THUD_DRAW_AXES = 1 << 5,
+    THUD_DRAW_PAIRS = 1 << 6,    /* of the last step's broadphase; to the ground straight down */
+    /* The swept volumes of the last step, for each shape of a body that moved further than a quarter
+     * of its smallest size: where it was, where it is, and the sides of their convex hull that join
+     * the two. Of a body that collided on its way this is the straight way. */
+    THUD_DRAW_MOTIONS = 1 << 7
 };
 
 /* Null callbacks are skipped. `island` is -1 unless THUD_DRAW_ISLANDS is asked for. Coordinates
@@ -46,6 +60,8 @@ typedef struct thud_debug_draw {
     void (*point)(thud_vec2 p, thud_draw_style style, void *context);
 } thud_debug_draw;
 
+/* THUD_ERROR_NULL; THUD_ERROR_INVALID where origin, lower or upper is not finite or farther out than
+ * a body may be; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY. Unknown flags do nothing. */
 thud_result thud_world_draw(thud_world *world, const thud_debug_draw *draw);
 
 #ifdef __cplusplus
