@@ -9,6 +9,7 @@
 #include "contact.h"
 #include "kinds.h"
 #include "pairs.h"
+#include "seams.h"
 #include "shape.h"
 #include "step.h"
 
@@ -304,7 +305,20 @@ static bool is_vast(const thud_world *w)
             high_y = grid->end_y > high_y ? grid->end_y : high_y;
         }
     }
-    return high_x > low_x + INT32_MAX / 2 || high_y > low_y + INT32_MAX / 2;
+    return low_x <= high_x &&
+           (high_x - low_x > INT32_MAX / 2 || high_y - low_y > INT32_MAX / 2);
+}
+
+/* Static shapes that came or moved may stand next to others. */
+static bool find_seams(thud_world *w)
+{
+    for (int i = 0; i < w->moved.count; i++) {
+        int shape = *(int *)td_at(&w->moved, i);
+        if (!is_awake(w, shape) && !td_seams_find(w, shape)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* Shapes in a crowd have pairs that are not listed yet. */
@@ -346,7 +360,7 @@ bool td_broadphase(thud_world *w)
         return false;
     }
     td_pairs_filter(w);
-    if (!td_pairs_sort(w) || !pair_terrains(w) || !td_pairs_create(w)) {
+    if (!find_seams(w) || !td_pairs_sort(w) || !pair_terrains(w) || !td_pairs_create(w)) {
         return false;
     }
     clear_marks(w);

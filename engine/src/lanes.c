@@ -106,6 +106,7 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
     to->bouncy |= to->restitution[to_lane] > 0.0f;
     to->armed |= from->armed;
     to->shared |= from->shared;
+    to->seams[to_lane] = from->seams[from_lane];
     to->touching = (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
 }
 
@@ -119,6 +120,7 @@ static void clear_lane(td_block *block, int lane, int bytes)
         }
     }
     block->contact[lane] = TD_NONE;
+    block->seams[lane] = 0;
     block->touching &= ~(1u << lane);
 }
 
@@ -195,6 +197,7 @@ static void fill_lane(thud_world *w, td_block *block, int lane, int contact_inde
     block->restitution[lane] = td_max_float(a->restitution, b->restitution);
     block->bouncy |= block->restitution[lane] > 0.0f;
     block->armed |= !(a->plain && b->plain);
+    block->seams[lane] = a->seams;
     block->touching |= 1u << lane;
 }
 

@@ -8,6 +8,7 @@
 #include "crew.h"
 #include "handles.h"
 #include "lanes.h"
+#include "seams.h"
 #include "shape.h"
 #include "step.h"
 
@@ -92,12 +93,14 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
             block->contact[lane] = index;
             block->shape_a[lane] = contact->shape_a;
             block->shape_b[lane] = contact->shape_b;
+            block->seams[lane] = td_shape_at(w, contact->shape_a)->seams;
         }
     }
     td_block *parted[TEST_BLOCKS + 1];
     int parted_count = 0;
     collide(w, kind, list, blocks, parted, &parted_count);
     for (int i = 0; i < blocks; i++) {
+        td_seams_amend(w, list[i], kind);
         for (unsigned bits = list[i]->touching; bits; bits &= bits - 1) {
             td_push_int(&w->scratch.begins, list[i]->contact[__builtin_ctz(bits)]);
         }
@@ -382,6 +385,7 @@ bool td_narrowphase(thud_world *w)
         return false;
     }
     collide_lanes(w);
+    td_seams_amend_all(w);
     if (!part_contacts(w)) {
         return false;
     }

@@ -19,17 +19,22 @@ typedef struct place {
     const thud_terrain *terrain;
     const thud_placed *shape;
     int segment;
-    bool endless, first, last;
+    bool endless, first, last; /* the segment has an end of the line that can be met */
     td_segment s;
+    bool open_left, open_right;
     double margin;
 } place;
 
-static place place_of(const thud_terrain *t, int segment, const thud_placed *shape, double margin)
+static place place_of(const thud_terrain *t, int segment, const thud_placed *shape, unsigned sealed,
+                      double margin)
 {
+    bool left = !(sealed & TD_SEALED_LEFT), right = !(sealed & TD_SEALED_RIGHT);
     double reach = 2.0 * td_reach(shape) + 1.0;
     bool endless = t->kind == THUD_TERRAIN_FLAT;
     return (place){.terrain = t, .shape = shape, .segment = segment, .endless = endless,
-                   .first = !endless && segment == 0, .last = !endless && segment == t->count - 2,
+                   .open_left = left, .open_right = right,
+                   .first = !endless && segment == 0 && left,
+                   .last = !endless && segment == t->count - 2 && right,
                    .s = td_terrain_segment(t, segment, shape->x - reach, shape->x + reach),
                    .margin = margin};
 }
@@ -54,6 +59,9 @@ static vertex vertex_of(const place *k, bool right)
     }
     if (k->first) {
         return (vertex){s->p, 0.0, 1.0, s->tx, s->ty};
+    }
+    if (k->segment == 0) { /* sealed: the ground goes straight on */
+        return (vertex){s->p, s->tx, s->ty, s->tx, s->ty};
     }
     td_segment before = td_terrain_segment(k->terrain, k->segment - 1, 0.0, 0.0);
     return (vertex){s->p, before.tx, before.ty, s->tx, s->ty};
@@ -102,11 +110,11 @@ static int owner_of(const place *k, double x, double y)
             owner = i;
         }
     }
-    if (k->shape->x < left && x - left < nearest) {
+    if (k->open_left && k->shape->x < left && x - left < nearest) {
         nearest = x - left;
         owner = LEFT_SIDE;
     }
-    return k->shape->x > right && right - x < nearest ? t->count - 1 : owner;
+    return k->open_right && k->shape->x > right && right - x < nearest ? t->count - 1 : owner;
 }
 
 /* Does a point above the ground project onto the segment? A foot on a vertex that it shares with
@@ -376,9 +384,9 @@ static void box(const place *k, td_terrain_manifold *out)
 }
 
 void td_terrain_segment_manifold(const thud_terrain *terrain, int segment, const thud_placed *shape,
-                                 double margin, td_terrain_manifold *out)
+                                 unsigned sealed, double margin, td_terrain_manifold *out)
 {
-    place k = place_of(terrain, segment, shape, margin);
+    place k = place_of(terrain, segment, shape, sealed, margin);
     *out = (td_terrain_manifold){.ny = 1.0};
     if (shape->kind == THUD_CIRCLE) {
         circle(&k, out);

@@ -18,10 +18,13 @@ typedef struct td_terrain_manifold {
     td_terrain_point point[2];
 } td_terrain_manifold;
 
+/* Ends of the line at which other ground goes on, so that nothing can meet their upright sides. */
+enum { TD_SEALED_RIGHT = 1, TD_SEALED_LEFT = 4 };
+
 /* `shape->x, y` are relative to the terrain's origin. Points further than `margin` are left out.
  * Summed over the segments that the shape's bounds touch, nothing is reported twice, and a shape
  * that slides over collinear segments meets the segments' normal alone. */
 void td_terrain_segment_manifold(const thud_terrain *terrain, int segment, const thud_placed *shape,
-                                 double margin, td_terrain_manifold *out);
+                                 unsigned sealed, double margin, td_terrain_manifold *out);
 
 #endif

@@ -19,7 +19,8 @@ static void one_lane(const thud_world *w, const td_block *block, int lane, float
     thud_terrain terrain = td_terrain_view(w, a);
     thud_placed placed = td_shape_placed(w, b, td_stance_at(w, a)->center);
     td_terrain_manifold m;
-    td_terrain_segment_manifold(&terrain, contact->child, &placed, (double)margin, &m);
+    td_terrain_segment_manifold(&terrain, contact->child, &placed, td_shape_at(w, a)->seams,
+                                (double)margin, &m);
     out->nx[lane] = (float)m.nx;
     out->ny[lane] = (float)m.ny;
     uint32_t feature = 0;

@@ -65,7 +65,8 @@ enum { /* thud_world.marks */
 typedef struct td_shape {
     int32_t next_free;
     uint32_t generation;
-    uint8_t kind, flags, plain, padding; /* plain: centred on the body's centre of mass, angle 0 */
+    uint8_t kind, flags, plain; /* plain: centred on the body's centre of mass, angle 0 */
+    uint8_t seams;      /* static: faces that another static shape stands at, see seams.h */
     int32_t body, next; /* of the same body */
     int32_t terrain;    /* index, or TD_NONE */
     float x, y;         /* in the body's frame */

@@ -333,7 +333,7 @@ static deepest meet(const thud_terrain *t, const thud_placed *s)
     thud_terrain_segments(t, s->x - reach, s->x + reach, &first, &last);
     for (int i = first; i <= last; i++) {
         td_terrain_manifold m;
-        td_terrain_segment_manifold(t, i, s, MARGIN, &m);
+        td_terrain_segment_manifold(t, i, s, 0, MARGIN, &m);
         if (m.count) {
             assert_true(fabs(m.nx * m.nx + m.ny * m.ny - 1.0) < 1e-12);
             assert_true(within_neighbours(t, i, m.nx, m.ny));

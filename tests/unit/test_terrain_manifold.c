@@ -43,7 +43,7 @@ static contacts meet(const thud_terrain *t, thud_placed shape)
     thud_terrain_segments(t, shape.x - reach, shape.x + reach, &first, &last);
     for (int i = first; i <= last; i++) {
         td_terrain_manifold m;
-        td_terrain_segment_manifold(t, i, &shape, MARGIN, &m);
+        td_terrain_segment_manifold(t, i, &shape, 0, MARGIN, &m);
         c.segments += m.count > 0;
         for (int k = 0; k < m.count; k++) {
             assert_true(c.count < 64);
@@ -315,8 +315,8 @@ static void manifold_has_the_same_bits_every_time(void **state)
         td_terrain_manifold one, two;
         memset(&one, 0, sizeof one);
         memset(&two, 0, sizeof two);
-        td_terrain_segment_manifold(&t, i, &b, MARGIN, &one);
-        td_terrain_segment_manifold(&t, i, &b, MARGIN, &two);
+        td_terrain_segment_manifold(&t, i, &b, 0, MARGIN, &one);
+        td_terrain_segment_manifold(&t, i, &b, 0, MARGIN, &two);
         assert_memory_equal(&one, &two, sizeof one);
     }
 }

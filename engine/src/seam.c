@@ -1,0 +1,85 @@
+/* seam.c: see seam.h. */
+#include "seam.h"
+
+#include "contact.h"
+#include "shape.h"
+#include "terrain.h"
+
+td_seam td_seam_of(thud_world *w, int shape, int other)
+{
+    td_seam s = {.w = w, .shape = shape, .other = other, .origin = td_stance_at(w, shape)->center,
+              .unit = (double)w->unit};
+    s.a = td_shape_placed(w, shape, s.origin);
+    if (other != TD_NONE) {
+        s.b = td_shape_placed(w, other, s.origin);
+    }
+    return s;
+}
+
+bool td_is_ground(const thud_world *w, int shape)
+{
+    const td_shape *s = td_shape_at(w, shape);
+    return (s->flags & TD_SHAPE_LIVE) && !(s->flags & TD_SHAPE_SENSOR) &&
+           td_body_at(w, s->body)->kind == THUD_STATIC;
+}
+
+bool td_seam_holds(const td_seam *s, int neighbour, double x, double y, double slack)
+{
+    thud_placed n = td_shape_placed(s->w, neighbour, s->origin);
+    thud_placed point = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
+    if (n.kind == THUD_TERRAIN) {
+        thud_terrain terrain = td_terrain_view(s->w, neighbour);
+        point.x -= n.x;
+        point.y -= n.y;
+        return thud_terrain_overlap(&terrain, &point);
+    }
+    return thud_shapes_overlap(&n, &point);
+}
+
+bool td_seam_rises(const td_seam *s, int neighbour, double x, double y, double nx, double ny,
+                  double level)
+{
+    thud_placed n = td_shape_placed(s->w, neighbour, s->origin);
+    double past = (n.x - x) * nx + (n.y - y) * ny;
+    if (n.kind == THUD_TERRAIN) {
+        thud_terrain terrain = td_terrain_view(s->w, neighbour);
+        int first, last;
+        thud_terrain_segments(&terrain, x - n.x - s->unit, x - n.x + s->unit, &first, &last);
+        bool higher = ny < 0.0;
+        for (int i = first; i <= last; i++) {
+            td_segment t = td_terrain_segment(&terrain, i, x - n.x - s->unit, x - n.x + s->unit);
+            higher |= past + t.p.x * nx + t.p.y * ny > level;
+            higher |= past + t.q.x * nx + t.q.y * ny > level;
+        }
+        return higher;
+    }
+    return past + (n.kind == THUD_CIRCLE ? n.hx : td_shadow(&n, nx, ny)) > level;
+}
+
+bool td_seam_any(const td_seam *s, td_neighbour_fn *fn, void *context)
+{
+    thud_world *w = s->w;
+    td_array *hits = &w->scratch.hits;
+    td_bounds b = td_placed_bounds(w, &s->a, s->origin, 2.0 * TD_FLUSH * s->unit);
+    hits->count = 0;
+    if (s->a.kind != THUD_TERRAIN &&
+        !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, hits)) {
+        return false;
+    }
+    for (int i = 0; i < hits->count; i++) {
+        int n = *(int *)td_at(hits, i);
+        if (n != s->shape && td_is_ground(w, n) &&
+            (s->other == TD_NONE || td_pair_allowed(w, n, s->other)) && fn(s, n, context)) {
+            return true;
+        }
+    }
+    for (int t = 0; t < w->terrains.count; t++) {
+        const td_terrain_record *record = td_slot_at(&w->terrains, t);
+        int n = record->shape;
+        if (n != TD_NONE && n != s->shape && td_is_ground(w, n) &&
+            (s->other == TD_NONE || td_pair_allowed(w, n, s->other)) && fn(s, n, context)) {
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,70 @@
+/* seam_box.c: see seam_box.h. The face of the chosen axis clips the opposite face of the other box. */
+#include "seam_box.h"
+
+/* Points where the edge of `other` that looks most against the outward normal (nx, ny) of `face`'s
+ * box lies over that face. */
+static int clip(const thud_placed *face, const thud_placed *other, double nx, double ny,
+                double margin, double *x, double *y, double *separation)
+{
+    double u, v, tx = -ny, ty = nx;
+    /* The other box's edge: centre, direction and half length. */
+    td_to_frame(other, -nx, -ny, &u, &v);
+    bool by_u = td_abs(u) >= td_abs(v);
+    double eu = by_u ? (u < 0.0 ? -other->hx : other->hx) : 0.0;
+    double ev = by_u ? 0.0 : (v < 0.0 ? -other->hy : other->hy);
+    double cx, cy, dx, dy, half = by_u ? other->hy : other->hx;
+    td_from_frame(other, eu, ev, &cx, &cy);
+    td_from_frame(other, by_u ? 0.0 : 1.0, by_u ? 1.0 : 0.0, &dx, &dy);
+    cx += other->x - face->x;
+    cy += other->y - face->y;
+    /* Cut to where it is over the face. */
+    double slope = dx * tx + dy * ty, middle = cx * tx + cy * ty;
+    double reach = td_shadow(face, tx, ty), from = -half, to = half;
+    double first = (-reach - middle) / slope, last = (reach - middle) / slope;
+    if (first > last) {
+        double t = first;
+        first = last;
+        last = t;
+    }
+    from = first > from ? first : from;
+    to = last < to ? last : to;
+    int count = 0;
+    for (int k = 0; k < 2 && from <= to; k++) {
+        double along = k ? to : from, px = cx + along * dx, py = cy + along * dy;
+        double above = px * nx + py * ny - td_shadow(face, nx, ny);
+        if (above <= margin) {
+            x[count] = face->x + px - 0.5 * above * nx;
+            y[count] = face->y + py - 0.5 * above * ny;
+            separation[count++] = above;
+        }
+    }
+    return count;
+}
+
+bool td_seam_boxes(const thud_placed *a, const thud_placed *b, double margin,
+                   td_axis_hidden_fn *hidden, void *context, td_seam_contact *out)
+{
+    double dx = b->x - a->x, dy = b->y - a->y, best = -1e300;
+    const thud_placed *face = NULL;
+    for (int i = 0; i < 4; i++) {
+        const thud_placed *box = i < 2 ? a : b;
+        double nx = i % 2 ? -box->s : box->c, ny = i % 2 ? box->c : box->s;
+        double along = dx * nx + dy * ny;
+        double separation = td_abs(along) - td_shadow(a, nx, ny) - td_shadow(b, nx, ny);
+        nx = along < 0.0 ? -nx : nx;
+        ny = along < 0.0 ? -ny : ny;
+        if (separation > best && !hidden(nx, ny, context)) {
+            best = separation;
+            face = box;
+            out->nx = nx;
+            out->ny = ny;
+        }
+    }
+    if (!face || best > margin) {
+        return false;
+    }
+    double sign = face == a ? 1.0 : -1.0;
+    out->count = clip(face, face == a ? b : a, sign * out->nx, sign * out->ny, margin, out->x,
+                      out->y, out->separation);
+    return out->count > 0;
+}

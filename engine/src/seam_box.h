@@ -1,0 +1,22 @@
+/* seam_box.h: contact of two boxes along the axes that are allowed. */
+#ifndef TD_SEAM_BOX_H
+#define TD_SEAM_BOX_H
+
+#include "placed.h"
+
+/* Up to two points in the middle between both surfaces; the normal is from a to b. */
+typedef struct td_seam_contact {
+    double nx, ny;
+    int count;
+    double x[2], y[2], separation[2];
+} td_seam_contact;
+
+/* Whether a normal, from a to b, is out of the question. */
+typedef bool td_axis_hidden_fn(double nx, double ny, void *context);
+
+/* The separating axis with the largest separation among those that are not hidden; false where there
+ * is none, or no point within `margin`. */
+bool td_seam_boxes(const thud_placed *a, const thud_placed *b, double margin,
+                   td_axis_hidden_fn *hidden, void *context, td_seam_contact *out);
+
+#endif

@@ -1,0 +1,257 @@
+/* seams.c: see seams.h.
+ *
+ * A contact is a ghost where its normal is not one of the ground as a whole: where the place of its
+ * static shape is covered by a neighbour, or is a corner that a neighbour goes past in the direction
+ * of the normal. Circles then have no contact with that shape: the neighbour has one. Boxes may only
+ * have chosen the wrong axis of several: the separating axes are searched again without hidden faces. */
+#include "seams.h"
+
+#include "contact.h"
+#include "lanes.h"
+#include "seam.h"
+#include "seam_box.h"
+#include "shape.h"
+
+#include <string.h>
+
+/* In length scales: a corner is flat where no neighbour rises further than this above it. */
+#define LEVEL 1e-4
+/* A normal off by less than this, in radians, is a face's. */
+#define STRAIGHT 1e-5
+/* Beyond each end of what touches, so much of the other shape's size has to be covered too. */
+#define BEYOND 0.05
+
+/* ---- ghosts ---- */
+
+typedef struct probe {
+    double x, y, nx, ny;
+} probe;
+
+static bool covers(const td_seam *s, int neighbour, void *context)
+{
+    const probe *p = context;
+    return td_seam_holds(s, neighbour, p->x, p->y, TD_FLUSH * s->unit);
+}
+
+static bool hides_corner(const td_seam *s, int neighbour, void *context)
+{
+    const probe *p = context;
+    return td_seam_holds(s, neighbour, p->x, p->y, TD_FLUSH * s->unit) &&
+           td_seam_rises(s, neighbour, p->x, p->y, p->nx, p->ny, LEVEL * s->unit);
+}
+
+/* Whether what touches a face between two places along it, in the box's frame, meets nothing open. */
+static bool face_hidden(const td_seam *s, int face, double from, double to)
+{
+    double half = face % 2 ? s->a.hx : s->a.hy, out = face % 2 ? s->a.hy : s->a.hx;
+    double beyond = BEYOND * (s->b.kind == THUD_CIRCLE || s->b.hx < s->b.hy ? s->b.hx : s->b.hy);
+    out += TD_FLUSH * s->unit;
+    out = face >= 2 ? -out : out;
+    from = td_clamp(from - beyond, -half, half);
+    to = td_clamp(to + beyond, -half, half);
+    for (int i = 0; i <= 2; i++) {
+        double along = from + 0.5 * i * (to - from), x, y;
+        td_from_frame(&s->a, face % 2 ? along : out, face % 2 ? out : along, &x, &y);
+        probe p = {s->a.x + x, s->a.y + y, 0.0, 0.0};
+        if (!td_seam_any(s, covers, &p)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The first shape's face that looks along a direction, or TD_NONE between two of them. */
+static int face_along(const thud_placed *box, double nx, double ny)
+{
+    double u, v;
+    td_to_frame(box, nx, ny, &u, &v);
+    if (td_abs(u) > STRAIGHT && td_abs(v) > STRAIGHT) {
+        return TD_NONE;
+    }
+    return td_abs(u) > td_abs(v) ? (u > 0.0 ? TD_FACE_RIGHT : TD_FACE_LEFT)
+                                 : (v > 0.0 ? TD_FACE_TOP : TD_FACE_BOTTOM);
+}
+
+/* A normal at a corner of the first box. */
+static bool corner_hidden(const td_seam *s, double nx, double ny)
+{
+    double u, v, x, y;
+    td_to_frame(&s->a, nx, ny, &u, &v);
+    uint8_t seams = td_shape_at(s->w, s->shape)->seams;
+    if (!(seams & (1u << (u > 0.0 ? TD_FACE_RIGHT : TD_FACE_LEFT))) &&
+        !(seams & (1u << (v > 0.0 ? TD_FACE_TOP : TD_FACE_BOTTOM)))) {
+        return false;
+    }
+    td_from_frame(&s->a, u > 0.0 ? s->a.hx : -s->a.hx, v > 0.0 ? s->a.hy : -s->a.hy, &x, &y);
+    probe p = {s->a.x + x, s->a.y + y, nx, ny};
+    return td_seam_any(s, hides_corner, &p);
+}
+
+/* Whether the first shape cannot be met along a normal. */
+static bool is_ghost(const td_seam *s, double nx, double ny)
+{
+    int face = face_along(&s->a, nx, ny);
+    if (face == TD_NONE) {
+        return corner_hidden(s, nx, ny);
+    }
+    if (!(td_shape_at(s->w, s->shape)->seams & (1u << face))) {
+        return false;
+    }
+    double u, v, half = s->b.hx;
+    td_to_frame(&s->a, s->b.x - s->a.x, s->b.y - s->a.y, &u, &v);
+    double middle = face % 2 ? u : v;
+    if (s->b.kind == THUD_CIRCLE) {
+        half = 0.0;
+    } else {
+        half = face % 2 ? td_shadow(&s->b, s->a.c, s->a.s) : td_shadow(&s->b, -s->a.s, s->a.c);
+    }
+    return face_hidden(s, face, middle - half, middle + half);
+}
+
+static bool axis_hidden(double nx, double ny, void *context)
+{
+    return is_ghost(context, nx, ny);
+}
+
+/* ---- amending a lane ---- */
+
+/* No lane has a point of its own after this. */
+static void drop(td_block *block, int points, int lane)
+{
+    for (int k = 0; k < points; k++) {
+        td_point *p = &block->point[k];
+        p->normal_mass[lane] = p->normal_impulse[lane] = 0.0f;
+        p->separation[lane] = p->base[lane] = 1.0f;
+    }
+    block->tangent_mass[lane] = block->tangent_impulse[lane] = 0.0f;
+    block->touching &= ~(1u << lane);
+}
+
+static float inverse_or_zero(float k)
+{
+    return k > 0.0f ? 1.0f / k : 0.0f;
+}
+
+/* As td_write_points, for one lane whose first shape is static. */
+static void write_lane(thud_world *w, td_block *block, int kind, int lane, const td_seam_contact *c)
+{
+    int points = td_form_points(w->pairs[kind]->form);
+    const td_stance *b = td_stance_at(w, block->shape_b[lane]), *a = td_stance_at(w, block->shape_a[lane]);
+    const float *v = (const float *)w->velocity.data + block->b[lane] / sizeof(float);
+    float nx = (float)c->nx, ny = (float)c->ny, mid_x = 0.0f, mid_y = 0.0f;
+    float dx = (float)((double)(a->center.x - b->center.x) / w->to_fixed) + b->x;
+    float dy = (float)((double)(a->center.y - b->center.y) / w->to_fixed) + b->y;
+    drop(block, points, lane);
+    block->nx[lane] = nx;
+    block->ny[lane] = ny;
+    int count = points < c->count ? points : c->count;
+    for (int k = 0; k < count; k++) {
+        td_point *p = &block->point[k];
+        float x = dx + (float)c->x[k], y = dy + (float)c->y[k], separation = (float)c->separation[k];
+        float cross = x * ny - y * nx;
+        p->separation[lane] = p->base[lane] = separation - w->skin;
+        p->cross_a[lane] = 0.0f;
+        p->cross_b[lane] = cross;
+        p->normal_mass[lane] = inverse_or_zero(v[3] + block->inv_inertia_b[lane] * cross * cross);
+        td_history_of(block, points)[k].approach[lane] = v[0] * nx + v[1] * ny + v[2] * cross;
+        if (w->pairs[kind]->form == TD_FORM_TWO_KEPT) {
+            td_kept_of(block, points)->base[k][lane] = p->base[lane];
+        }
+        mid_x += x / (float)count;
+        mid_y += y / (float)count;
+    }
+    float turn = -(mid_x * nx + mid_y * ny);
+    block->tangent_cross_a[lane] = 0.0f;
+    block->tangent_cross_b[lane] = turn;
+    block->tangent_mass[lane] = inverse_or_zero(v[3] + block->inv_inertia_b[lane] * turn * turn);
+    block->touching |= 1u << lane;
+}
+
+/* A box with two points where its kind has one: their middle. */
+static void join_points(td_seam_contact *c)
+{
+    c->x[0] = 0.5 * (c->x[0] + c->x[c->count - 1]);
+    c->y[0] = 0.5 * (c->y[0] + c->y[c->count - 1]);
+    c->separation[0] = 0.5 * (c->separation[0] + c->separation[c->count - 1]);
+    c->count = 1;
+}
+
+/* The neighbour that the body goes on to takes over what bore it: a contact that began without any
+ * impulse would give way a little first. */
+static void hand_over(thud_world *w, td_block *block, int kind, int lane)
+{
+    const td_contact *from = td_contact_at(w, block->contact[lane]);
+    int points = td_form_points(w->pairs[kind]->form);
+    int e = td_body_at(w, from->body[1])->first_contact;
+    for (; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_contact *to = td_contact_at(w, e / 2);
+        if (to == from || to->kind != kind || to->shape_b != from->shape_b ||
+            to->state != TD_TOUCHING || td_body_at(w, to->body[0])->kind != THUD_STATIC) {
+            continue;
+        }
+        td_block *other = td_block_at(w, kind, to->slot / TD_LANES);
+        int at = to->slot % TD_LANES;
+        float alike = other->nx[at] * block->nx[lane] + other->ny[at] * block->ny[lane];
+        if (alike > 0.9f && other->point[0].normal_impulse[at] == 0.0f) {
+            for (int k = 0; k < points; k++) {
+                other->point[k].normal_impulse[at] = block->point[k].normal_impulse[lane];
+            }
+            other->tangent_impulse[at] = block->tangent_impulse[lane];
+            return;
+        }
+    }
+}
+
+static void amend_lane(thud_world *w, td_block *block, int kind, int lane)
+{
+    td_seam s = td_seam_of(w, block->shape_a[lane], block->shape_b[lane]);
+    if (s.a.kind == THUD_CIRCLE || !is_ghost(&s, (double)block->nx[lane], (double)block->ny[lane])) {
+        return;
+    }
+    int points = td_form_points(w->pairs[kind]->form);
+    td_seam_contact contact;
+    if (s.b.kind == THUD_CIRCLE ||
+        !td_seam_boxes(&s.a, &s.b, (double)(TD_SPECULATIVE * w->unit), axis_hidden, &s, &contact)) {
+        if (block->contact[lane] != TD_NONE &&
+            td_contact_at(w, block->contact[lane])->state == TD_TOUCHING) {
+            hand_over(w, block, kind, lane);
+        }
+        drop(block, points, lane);
+        return;
+    }
+    if (points == 1) {
+        join_points(&contact);
+    }
+    write_lane(w, block, kind, lane, &contact);
+}
+
+void td_seams_amend(thud_world *w, td_block *block, int kind)
+{
+    uint64_t seams;
+    memcpy(&seams, block->seams, sizeof seams);
+    if (!seams || kind == TD_PAIR_TERRAIN_CIRCLE || kind == TD_PAIR_TERRAIN_BOX) {
+        return; /* a line's sealed ends are known to its manifolds */
+    }
+    for (int lane = 0; lane < block->used; lane++) {
+        if (block->seams[lane] && (block->touching >> lane & 1)) {
+            amend_lane(w, block, kind, lane);
+        }
+    }
+}
+
+void td_seams_amend_all(thud_world *w)
+{
+    td_block *const *blocks = w->scratch.blocks.data;
+    td_block **parted = w->scratch.parted.data;
+    for (int r = 0; r < w->scratch.runs.count; r++) {
+        const td_run *run = td_at(&w->scratch.runs, r);
+        for (int i = run->first; i < run->first + run->count && run->fixed; i++) {
+            td_block *block = blocks[i];
+            bool whole = block->touching == (1u << block->used) - 1u;
+            td_seams_amend(w, block, run->kind);
+            if (whole && block->touching != (1u << block->used) - 1u) {
+                parted[w->scratch.parted.count++] = block;
+            }
+        }
+    }
+}
