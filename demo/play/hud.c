@@ -39,8 +39,8 @@ static const char HELP[] =
     "Drag a body to pull it, the ground to move; wheel zooms; C, B drop and G digs "
     "here; Space pauses; N steps; Tab hides all this";
 static const char HELP_CHARACTER[] =
-    "Arrows or A D walk; Space jumps; Down drops through planks; P pauses; N steps; the wheel zooms; "
-    "Tab hides all this";
+    "Arrows or A D walk; Space jumps; Down drops through planks; P pauses; N steps; the wheel "
+    "zooms; Tab hides all this";
 
 /* The length of a grid cell, drawn to scale, and what the pointer and the main keys do. */
 static void draw_footer(viewer *v) {

@@ -136,7 +136,8 @@ static thud_result lead_body(const td_move *m)
 static thud_result check_mover(const thud_world *w, const thud_mover *mover)
 {
     const thud_placed *s = &mover->shape;
-    double up = (double)mover->up.x * (double)mover->up.x + (double)mover->up.y * (double)mover->up.y;
+    td_way way = {(double)mover->up.x, (double)mover->up.y};
+    double up = td_dot(way, way);
     double least = s->kind == THUD_CIRCLE || s->hx < s->hy ? s->hx : s->hy;
     if (td_query_check(w, (thud_pos){0.0, 0.0}, s) != THUD_OK) {
         return td_refuse(w, THUD_ERROR_INVALID, "mover: the shape or its place is invalid");

@@ -54,7 +54,8 @@ static inline td_way td_up(const td_move *m)
 /* The hit's normal with length 1 in double precision. */
 td_way td_mover_normal(const thud_mover_hit *hit);
 
-/* The first thing in the way that stops the mover; *fraction of the way goes by before it touches. */
+/* The first thing in the way that stops the mover; *fraction of the way goes by before it
+ * touches. */
 bool td_mover_meets(td_move *m, td_way way, thud_mover_hit *hit, double *fraction);
 
 /* Goes the way, up to a skin before whatever is met first; true if something was, and *left is then

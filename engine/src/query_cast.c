@@ -6,13 +6,20 @@
 #include "shape.h"
 #include "terrain.h"
 
-typedef struct path {
+typedef struct path path;
+
+/* Whether the point or the shape meets one of the world's shapes. Each path brings its own test, so
+ * that a program that casts rays alone links no other. */
+typedef bool meet_fn(const thud_world *w, int index, const path *way, thud_ray_hit *out);
+
+struct path {
+    meet_fn *meets;
     thud_pos origin;
     td_place from;            /* the same */
     double dx, dy;
     const thud_placed *shape; /* about the origin; null: a point */
     const thud_query_filter *filter;
-} path;
+};
 
 /* The nearest hits so far, in order. */
 typedef struct kept {
@@ -59,8 +66,8 @@ static bool point_meets(const thud_world *w, int index, const path *way, thud_ra
     return hit;
 }
 
-/* How far back from where shapes meet their features are looked at, in sizes of the moving one: where
- * they touch exactly, the way from one to the other has no direction. */
+/* How far back from where shapes meet their features are looked at, in sizes of the moving one:
+ * where they touch exactly, the way from one to the other has no direction. */
 #define LOOK_BACK 1e-7
 
 static thud_pos gone(const path *way, double fraction)
@@ -139,8 +146,7 @@ static void keep_met(const thud_world *w, const path *way, double after, double 
     for (int i = 0; i < w->scratch.hits.count; i++) {
         int index = *(int *)td_at(&w->scratch.hits, i);
         thud_ray_hit hit;
-        if (td_query_passes(w, index, way->filter) &&
-            (way->shape ? shape_meets(w, index, way, &hit) : point_meets(w, index, way, &hit)) &&
+        if (td_query_passes(w, index, way->filter) && way->meets(w, index, way, &hit) &&
             hit.fraction > after && hit.fraction <= until) {
             hit.shape = td_shape_handle(w, index);
             keep(k, &hit);
@@ -269,7 +275,7 @@ static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int 
 thud_result thud_world_cast_ray(thud_world *w, thud_pos origin, double dx, double dy,
                                 const thud_query_filter *filter, bool *hit, thud_ray_hit *out)
 {
-    path way = {.origin = origin, .dx = dx, .dy = dy, .filter = filter};
+    path way = {point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
     thud_result result = check_ray(w, &way);
     return result != THUD_OK ? result : cast_first(w, &way, hit, out);
 }
@@ -278,7 +284,7 @@ thud_result thud_world_cast_ray_all(thud_world *w, thud_pos origin, double dx, d
                                     const thud_query_filter *filter, thud_ray_hit *out,
                                     int capacity, int *count)
 {
-    path way = {.origin = origin, .dx = dx, .dy = dy, .filter = filter};
+    path way = {point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
     thud_result result = check_ray(w, &way);
     result = result != THUD_OK ? result : check_room(w, out, capacity);
     return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
@@ -288,7 +294,7 @@ thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_pla
                                   double dx, double dy, const thud_query_filter *filter, bool *hit,
                                   thud_ray_hit *out)
 {
-    path way = {.origin = center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
+    path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
     thud_result result = check_shape(w, &way);
     return result != THUD_OK ? result : cast_first(w, &way, hit, out);
 }
@@ -297,7 +303,7 @@ thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center, const thud
                                       double dx, double dy, const thud_query_filter *filter,
                                       thud_ray_hit *out, int capacity, int *count)
 {
-    path way = {.origin = center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
+    path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
     thud_result result = check_shape(w, &way);
     result = result != THUD_OK ? result : check_room(w, out, capacity);
     return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);

@@ -1,8 +1,10 @@
-/* test_query_worlds.c: queries of random worlds of all kinds against every shape asked one by one, with
- * the geometry that needs no world; and the same answers, bit for bit, with every broadphase.
+/* test_query_worlds.c: queries of random worlds of all kinds against every shape asked one by
+ * one, with the geometry that needs no world; and the same answers, bit for bit, with every
+ * broadphase.
  *
- * A case is one query of one world. A shape that comes within GRAZE of being met, or of not being
- * met, may be told either way: the world keeps places to 2^-32 and rotations in single precision. */
+ * A case is one query of one world. A shape that comes within GRAZE of being met, or of not
+ * being met, may be told either way: the world keeps places to 2^-32 and rotations in single
+ * precision. */
 #include "../unit/engine_support.h"
 #include "geometry_random.h"
 
@@ -244,7 +246,8 @@ static bool same_hit(const thud_ray_hit *a, const thud_ray_hit *b)
            a->normal.y == b->normal.y;
 }
 
-/* The point lies on the surface of the shape, and where the query's shape then stands it touches. */
+/* The point lies on the surface of the shape, and where the query's shape then stands it
+ * touches. */
 static void check_hit(const worlds *w, const query *q, const thud_ray_hit *hit)
 {
     thud_placed point = {.kind = THUD_CIRCLE, .c = 1, .hx = 1e-9};

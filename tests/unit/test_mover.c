@@ -1,4 +1,5 @@
-/* test_mover.c: what a character does on slopes, steps, platforms and walls, and never inside them. */
+/* test_mover.c: what a character does on slopes, steps, platforms and walls, and never inside
+ * them. */
 #include "engine_support.h"
 
 #include "build_thud.h"
@@ -7,6 +8,8 @@
 #include <thud/thud_mover.h>
 
 #define DT (1.0 / 60)
+#define WALK_END_X 14.504182945844535
+#define WALK_END_Y 3.036515603702544
 
 static thud_mover box_mover(double x, double y)
 {
@@ -16,7 +19,8 @@ static thud_mover box_mover(double x, double y)
 
 static thud_mover circle_mover(double x, double y)
 {
-    return thud_default_mover((thud_placed){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5});
+    thud_placed circle = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
+    return thud_default_mover(circle);
 }
 
 /* A game's own part: walks at `speed`, falls by a gravity of 20. */
@@ -343,7 +347,7 @@ static void mover_pressed_by_a_moving_wall_is_pushed_out_and_told_where_it_canno
 
 /* ---- a level ---- */
 
-static bool note_static(thud_shape_id shape, void *context)
+static bool count_one(thud_shape_id shape, void *context)
 {
     (void)shape;
     ++*(int *)context;
@@ -379,7 +383,8 @@ static void random_moves_in_a_level_never_enter_anything(void **state)
             on_ground += mover.on_ground;
             int inside = 0;
             thud_placed shape = mover.shape;
-            OK(thud_world_overlap_shape(world, (thud_pos){0, 0}, &shape, NULL, note_static, &inside));
+            thud_pos origin = {0, 0};
+            OK(thud_world_overlap_shape(world, origin, &shape, NULL, count_one, &inside));
             assert_int_equal(inside, 0);
             assert_true(report.depth == 0);
         }
@@ -389,6 +394,28 @@ static void random_moves_in_a_level_never_enter_anything(void **state)
     }
     thud_world_destroy(world);
     scene_free(&s);
+}
+
+/* ---- the same everywhere ---- */
+
+static void scripted_walk_ends_at_the_same_bits_on_every_machine(void **state)
+{
+    (void)state;
+    thud_world *world = make_world(weightless());
+    thud_shape_def def = thud_default_shape_def();
+    const thud_pos points[] = {{-10, 0}, {2, 0.5}, {5, 3}, {9, 2}, {30, 4}};
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 5};
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0), &def, &line, NULL));
+    add_shape(world, add_body(world, THUD_STATIC, 12, 3, 0.3), 1, 0.5f, false, NULL);
+    add_shape(world, add_body(world, THUD_STATIC, 17, 4, 0), 1, 0, false, NULL);
+    thud_mover mover = circle_mover(0, 2);
+    for (int i = 0; i < 300; i++) {
+        thud_vec2 velocity = {i % 100 < 80 ? 6 : -4, i % 50 < 10 ? 7 : -5};
+        OK(thud_mover_move(world, &mover, velocity, 0.015625, NULL));
+    }
+    /* tests/web/wasm-query.test.mjs has the same walk and the same end. */
+    assert_true(mover.shape.x == WALK_END_X && mover.shape.y == WALK_END_Y);
+    thud_world_destroy(world);
 }
 
 /* ---- bad input ---- */
@@ -465,6 +492,7 @@ int main(void)
         cmocka_unit_test(kinematic_body_follows_and_dynamic_bodies_meet_it),
         cmocka_unit_test(mover_pressed_by_a_moving_wall_is_pushed_out_and_told_where_it_cannot_be),
         cmocka_unit_test(random_moves_in_a_level_never_enter_anything),
+        cmocka_unit_test(scripted_walk_ends_at_the_same_bits_on_every_machine),
         cmocka_unit_test(bad_input_is_refused_and_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

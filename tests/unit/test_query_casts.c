@@ -1,5 +1,5 @@
-/* test_query_casts.c: rays, casts, overlaps and closest points where the answer is known by hand, and
- * what each of them refuses. */
+/* test_query_casts.c: rays, casts, overlaps and closest points where the answer is known by
+ * hand, and what each of them refuses. */
 #include "engine_support.h"
 
 enum { ROOM = 8 };
@@ -12,13 +12,14 @@ static thud_shape_id add_ground(thud_world *world, double x, double y, const thu
     return id;
 }
 
-static thud_shape_id add_still(thud_world *world, double x, double y, float hx, float hy, double angle)
+static thud_shape_id add_still(thud_world *world, double x, double y, float hx, float hy,
+                               double angle)
 {
     return add_shape(world, add_body(world, THUD_STATIC, x, y, angle), hx, hy, false, NULL);
 }
 
-static void is_hit(const thud_ray_hit *hit, thud_shape_id shape, double fraction, double x, double y,
-                   double nx, double ny)
+static void is_hit(const thud_ray_hit *hit, thud_shape_id shape, double fraction, double x,
+                   double y, double nx, double ny)
 {
     assert_int_equal(hit->shape.index1, shape.index1);
     near_to(hit->fraction, fraction, 1e-8);
@@ -63,7 +64,8 @@ static void equal_fractions_are_told_in_the_order_of_slots(void **state)
     }
     thud_ray_hit hits[ROOM];
     int count;
-    OK(thud_world_cast_box_all(world, (thud_pos){0, 0}, 0.5, 10, 0, 9, 0, NULL, hits, ROOM, &count));
+    thud_pos origin = {0, 0};
+    OK(thud_world_cast_box_all(world, origin, 0.5, 10, 0, 9, 0, NULL, hits, ROOM, &count));
     assert_int_equal(count, 5);
     for (int i = 0; i < 5; i++) {
         assert_int_equal(hits[i].shape.index1, ids[i].index1);
@@ -114,7 +116,8 @@ static void box_cast_meets_corners_slopes_and_turned_boxes(void **state)
     near_to((double)found.normal.y, 0.8, 1e-6);
     /* On its tip: a square turned by an eighth falls on an upright box. */
     thud_shape_id box = add_still(world, -10, 10, 1, 1, 0);
-    OK(thud_world_cast_box(world, (thud_pos){-10.5, 20}, 1, 1, atan(1), 0, -10, NULL, &hit, &found));
+    thud_pos above = {-10.5, 20};
+    OK(thud_world_cast_box(world, above, 1, 1, atan(1), 0, -10, NULL, &hit, &found));
     assert_true(hit);
     is_hit(&found, box, (9 - sqrt(2)) / 10, -10.5, 11, 0, 1);
     thud_world_destroy(world);

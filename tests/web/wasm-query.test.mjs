@@ -131,6 +131,24 @@ test("mover_rides_a_kinematic_platform_and_drops_through_a_one_way_plank", () =>
   world.close();
 });
 
+test("scripted_walk_ends_at_the_same_bits_as_the_native_one", () => {
+  const world = engine.createWorld({ gravity: [0, 0] });
+  world.createTerrain(world.createBody(), {
+    kind: "irregular",
+    points: [[-10, 0], [2, 0.5], [5, 3], [9, 2], [30, 4]],
+  });
+  const turned = world.createBody({ position: [12, 3], angle: 0.3 });
+  world.createObb(turned, { halfWidth: 1, halfHeight: 0.5 });
+  world.createCircle(world.createBody({ position: [17, 4] }), { radius: 1 });
+  const mover = new thud.Mover(world, { shape: { kind: "circle", radius: 0.5 }, position: [0, 2] });
+  let end;
+  for (let i = 0; i < 300; i++)
+    end = mover.move([i % 100 < 80 ? 6 : -4, i % 50 < 10 ? 7 : -5], 1 / 64).position;
+  // tests/unit/test_mover.c has the same walk and the same end.
+  assert.deepEqual(end, [14.504182945844535, 3.036515603702544]);
+  world.close();
+});
+
 test("mover_out_of_range_is_refused_with_the_message_of_the_log", () => {
   const world = engine.createWorld();
   const mover = new thud.Mover(world, {

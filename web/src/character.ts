@@ -2,10 +2,18 @@
  * A figure to play with, on levels that ask for one, and the lifts that carry it. The viewer's
  * demo/play/character.c does the same. Lengths are in length scales of the level.
  *
- * Two kindnesses that players take for granted: a jump counts a moment after the ground is gone, and
- * a moment before it is there.
+ * Two kindnesses that players take for granted: a jump counts a moment after the ground is gone,
+ * and a moment before it is there.
  */
-import { type BodyId, Mover, type MoverReport, type ShapeId, type SolidShape, type Vec2, type World } from "thud";
+import {
+  type BodyId,
+  Mover,
+  type MoverReport,
+  type ShapeId,
+  type SolidShape,
+  type Vec2,
+  type World,
+} from "thud";
 import type { Built } from "./catalogue";
 import { DYNAMIC, STATIC } from "./render/shapes";
 

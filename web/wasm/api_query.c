@@ -1,5 +1,5 @@
-/* api_query.c: what is where in a world: rays, casts, overlaps, the closest shape. A query's own shape
- * is its kind, half extents (a circle's radius is the first) and angle. */
+/* api_query.c: what is where in a world: rays, casts, overlaps, the closest shape. A query's
+ * own shape is its kind, half extents (a circle's radius is the first) and angle. */
 #include "api.h"
 
 #include <math.h>
@@ -63,8 +63,8 @@ int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, d
 
 /* Every hit of a ray (kind -1) or a shape, nearest first. Slots out: 0 address  1 count of rows of
  * eight doubles, as write_hit has them. */
-int api_cast_all(thud_world *world, int kind, double x, double y, double hx, double hy, double angle,
-                 double dx, double dy, double category, double mask, int sensors) {
+int api_cast_all(thud_world *world, int kind, double x, double y, double hx, double hy,
+                 double angle, double dx, double dy, double category, double mask, int sensors) {
     thud_query_filter filter = query_filter(category, mask, sensors);
     thud_placed shape = api_placed(kind, hx, hy, angle);
     static const thud_ray_hit none = {0};

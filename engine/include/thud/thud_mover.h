@@ -1,10 +1,10 @@
-/* thud_mover.h: moving a character. Included by whoever uses it; a program that does not, does not
- * link it.
+/* thud_mover.h: moving a character. Included by whoever uses it; a program that does not, does
+ * not link it.
  *
- * A mover is a circle, AABB or OBB that the caller keeps and moves by thud_mover_move, once a step
- * and after it: no force moves it and nothing pushes it over. It slides along what it meets, walks on
- * slopes, climbs steps, follows the ground downhill and rides on whatever it stands on. Gravity and
- * jumps are the caller's: a game's loop is
+ * A mover is a circle, AABB or OBB that the caller keeps and moves by thud_mover_move, once a
+ * step and after it: no force moves it and nothing pushes it over. It slides along what it
+ * meets, walks on slopes, climbs steps, follows the ground downhill and rides on whatever it
+ * stands on. Gravity and jumps are the caller's: a game's loop is
  *
  *     velocity.x = 5 * stick;
  *     velocity.y = mover.on_ground && jump ? 8 : velocity.y - 20 * dt;
@@ -12,8 +12,8 @@
  *     velocity = report.velocity;
  *
  * The same world and the same calls give the same places on every machine. Lengths are in the
- * caller's unit, speeds in it per second. To set a foot or a wheel on the height of a terrain without
- * a mover, see thud_terrain_sample_at. */
+ * caller's unit, speeds in it per second. To set a foot or a wheel on the height of a terrain
+ * without a mover, see thud_terrain_sample_at and thud_terrain_place_foot. */
 #ifndef THUD_MOVER_H
 #define THUD_MOVER_H
 
@@ -57,7 +57,7 @@ bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hi
 
 struct thud_mover {
     thud_placed shape;       /* in the world; what thud_mover_move moves, and the caller may */
-    thud_vec2 up;            /* unit; default (0, 1). (0, 0) for a game seen from above: no ground */
+    thud_vec2 up;            /* unit; default (0, 1); (0, 0) for a game from above: no ground */
     double skin;             /* kept between the mover and what it meets, > 0; default 2 % of the
                                 smallest half extent */
     double max_slope;        /* radians, [0, 1.55]; ground any steeper is a wall; default 0.9 (52
@@ -73,7 +73,8 @@ struct thud_mover {
     thud_mover_pass_fn *pass; /* null: nothing is passed through */
     void *context;            /* handed to pass */
 
-    /* Kept from one move to the next: the ground that it stands on, if any, and where that stood. */
+    /* Kept from one move to the next: the ground that it stands on, if any, and where that
+     * stood. */
     bool on_ground;
     thud_vec2 ground_normal;
     thud_shape_id ground_shape;
@@ -90,18 +91,18 @@ typedef struct thud_mover_report {
                                   `up`, unless a wall stopped it; in the air without the parts into
                                   what was met. The ground's own motion is not in it */
     thud_vec2 ground_velocity; /* at the feet; add it to a jump to keep the platform's speed */
-    double depth;              /* of the deepest overlap left, where something closed in; mostly 0 */
+    double depth;              /* of the deepest overlap left where something closed in; mostly 0 */
     int hit_count;             /* in `hits`, in the order in which they were met */
     thud_mover_hit hits[THUD_MOVER_HITS];
 } thud_mover_report;
 
-/* Moves by velocity * dt, |velocity| * dt <= 1e6, dt in (0, 1], and by what the ground moved since
- * the last move. A velocity with a part along `up` leaves the ground. It takes at most four turns in
- * the air and four on the ground.
+/* Moves by velocity * dt, |velocity| * dt <= 1e6, dt in (0, 1], and by what the ground moved
+ * since the last move. A velocity with a part along `up` leaves the ground. It takes at most
+ * four turns in the air and four on the ground.
  *
- * THUD_ERROR_NULL without a world or mover, THUD_ERROR_INVALID for a mover or motion out of range,
- * or a body that is not kinematic, THUD_ERROR_STALE for a body that is gone, THUD_ERROR_MEMORY: mover,
- * report and world are then as they were. `report` may be null. */
+ * THUD_ERROR_NULL without a world or mover, THUD_ERROR_INVALID for a mover or motion out of
+ * range, or a body that is not kinematic, THUD_ERROR_STALE for a body that is gone,
+ * THUD_ERROR_MEMORY: mover, report and world are then as they were. `report` may be null. */
 thud_result thud_mover_move(thud_world *world, thud_mover *mover, thud_vec2 velocity, double dt,
                             thud_mover_report *report);
 

@@ -1,13 +1,13 @@
 /* thud_queries.h: asking a world what is where. Included by thud.h.
  *
- * Every query heeds the edits made before it, also those that no step has seen yet. It meets every
- * kind of shape, and answers in an order that depends on neither broadphase nor history: the nearer
- * hit first, and among equals the lower slot (thud_shape_id.index1 - 1).
+ * Every query heeds the edits made before it, also those that no step has seen yet. It meets
+ * every kind of shape, and answers in an order that depends on neither broadphase nor history:
+ * the nearer hit first, and among equals the lower slot (thud_shape_id.index1 - 1).
  *
- * Places lie within 1e9 length scales of the origin, and so do the ends of rays and casts; sizes are
- * as thud_placed_check wants them. Anything else is THUD_ERROR_INVALID, a world that is null
- * THUD_ERROR_NULL, and memory that runs short THUD_ERROR_MEMORY: outputs are then as they were, and
- * no callback has been called. A filter of null meets everything but sensors. */
+ * Places lie within 1e9 length scales of the origin, and so do the ends of rays and casts;
+ * sizes are as thud_placed_check wants them. Anything else is THUD_ERROR_INVALID, a world that
+ * is null THUD_ERROR_NULL, and memory that runs short THUD_ERROR_MEMORY: outputs are then as
+ * they were, and no callback has been called. A filter of null meets everything but sensors. */
 #ifndef THUD_QUERIES_H
 #define THUD_QUERIES_H
 
@@ -36,8 +36,8 @@ typedef struct thud_ray_hit {
     double depth;        /* of the overlap with a shape that is met at 0; else, and of rays, 0 */
 } thud_ray_hit;
 
-/* The first shape along the ray; *hit = false if none, and *out is then as it was. A ray that starts
- * inside a shape does not meet it. */
+/* The first shape along the ray; *hit = false if none, and *out is then as it was. A ray that
+ * starts inside a shape does not meet it. */
 thud_result thud_world_cast_ray(thud_world *world, thud_pos origin, double dx, double dy,
                                 const thud_query_filter *filter, bool *hit, thud_ray_hit *out);
 

@@ -1,6 +1,6 @@
 /**
- * A mover: a character that slides along what it meets, walks slopes and steps, and rides on what it
- * stands on. Gravity and jumps are yours; move it once a step, after the step.
+ * A mover: a character that slides along what it meets, walks slopes and steps, and rides on what
+ * it stands on. Gravity and jumps are yours; move it once a step, after the step.
  *
  *     const mover = new Mover(world, { shape: { kind: "circle", radius: 0.5 }, position: [0, 3] });
  *     const { velocity, ground } = mover.move([5, -1], 1 / 60);
@@ -48,9 +48,9 @@ export class Mover {
   }
 
   /**
-   * Moves by `velocity * dt`, and by what the ground moved since the last move. A velocity with a part
-   * along `up` leaves the ground; `drop` falls through one-way platforms. Throws, and changes nothing,
-   * for what is out of range.
+   * Moves by `velocity * dt`, and by what the ground moved since the last move. A velocity with a
+   * part along `up` leaves the ground; `drop` falls through one-way platforms. Throws, and changes
+   * nothing, for what is out of range.
    */
   move(velocity: Vec2, dt: number, { drop = false } = {}): MoverReport {
     const { engine, address } = this.#world;

@@ -1,4 +1,4 @@
-/** What lies over the bodies: the character, the engine's debug drawing, the line that pulls a body. */
+/** What lies over the bodies: a character, the engine's debug drawing, the line that pulls. */
 import { DRAW_STYLES, type DrawLists, type World } from "thud";
 import type { Camera } from "../camera";
 import type { Character } from "../character";
