@@ -45,6 +45,21 @@ test("arrow_walks_space_jumps_and_neither_moves_the_view_nor_pauses", async () =
   await close();
 });
 
+test("space_jumps_also_after_a_click_on_a_button", async () => {
+  const { page, errors, close, start } = await openPlatform();
+  await page.click("#reset");
+  await page.waitForFunction(() => document.querySelector("#hud").dataset.steps === "0");
+  await stepBy(page, 60);
+  near((await settled(page)).y, start.y, 2, "height after the reset");
+  await page.keyboard.down("Space");
+  await stepBy(page, 15);
+  await page.keyboard.up("Space");
+  assert.ok((await settled(page)).y < start.y - 60, "it jumps");
+  assert.ok(await page.evaluate(() => Number(document.querySelector("#hud").dataset.steps)) > 60);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("view_follows_a_character_that_walks", async () => {
   const { page, errors, close, start } = await openPlatform();
   await page.keyboard.press("p");

@@ -36,6 +36,11 @@ export function listenToPad(pad: HTMLElement): Readonly<Keys> {
     if (key) keys[key] = false;
   });
   window.addEventListener("blur", letGo);
+  // A click leaves no button in focus, where Space would press it again instead of jumping.
+  document.addEventListener("mousedown", (event) => {
+    const button = (event.target as HTMLElement).closest("#top button, #controls button");
+    if (button && !pad.hidden) event.preventDefault();
+  });
 
   for (const button of pad.querySelectorAll<HTMLElement>("[data-key]")) {
     const key = button.dataset.key as keyof Keys;
