@@ -6,14 +6,13 @@
 #include "shape.h"
 #include "terrain.h"
 
-static void note(thud_world *w, int shape, uint8_t seams)
+static void set(thud_world *w, int shape, unsigned seams, unsigned hidden)
 {
     td_shape *s = td_shape_at(w, shape);
-    if ((s->seams | seams) == s->seams) {
-        return;
-    }
-    s->seams |= seams;
-    int e = td_body_at(w, s->body)->first_contact;
+    bool same = s->seams == seams;
+    s->seams = (uint8_t)seams;
+    s->hidden = (uint8_t)hidden;
+    int e = same ? TD_NONE : td_body_at(w, s->body)->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_contact *contact = td_contact_at(w, e / 2);
         if (contact->state == TD_TOUCHING && contact->shape_a == shape) {
@@ -38,24 +37,71 @@ static thud_placed strip_of(const thud_placed *box, int face, double width)
     return strip;
 }
 
-static uint8_t faces_at(const td_seam *s, const thud_placed *box, const thud_placed *other,
-                        int other_shape)
+/* Both meet the same shapes, so that what one hides of the other is hidden from all. */
+static bool alike(const thud_world *w, int a, int b)
 {
-    uint8_t faces = 0;
+    const thud_filter *p = &td_shape_at(w, a)->filter, *q = &td_shape_at(w, b)->filter;
+    return p->category == q->category && p->mask == q->mask && p->group == q->group;
+}
+
+static unsigned corners_of_face(int face)
+{
+    bool upright = face % 2 == 0, far = face < 2; /* right and top lie at greater coordinates */
+    return td_corner_bit(upright ? far : false, upright ? false : far) |
+           td_corner_bit(upright ? far : true, upright ? true : far);
+}
+
+/* A corner is straight where a neighbour goes on past it however little a normal leans away from
+ * either face. */
+#define LEAN 0.01
+
+static bool straightens(const td_seam *s, const thud_placed *box, int neighbour, bool right, bool top)
+{
+    double u = right ? 1.0 : -1.0, v = top ? 1.0 : -1.0, x, y, nx, ny, mx, my;
+    double level = 0.5 * LEAN * (box->hx < box->hy ? box->hx : box->hy);
+    td_from_frame(box, u * box->hx, v * box->hy, &x, &y);
+    td_from_frame(box, u, LEAN * v, &nx, &ny);
+    td_from_frame(box, LEAN * u, v, &mx, &my);
+    x += box->x;
+    y += box->y;
+    return td_seam_holds(s, neighbour, x, y, TD_FLUSH * s->unit) &&
+           td_seam_rises(s, neighbour, x, y, nx, ny, level) &&
+           td_seam_rises(s, neighbour, x, y, mx, my, level);
+}
+
+/* Notes what of a box a neighbour stands at and hides. */
+static void note_box(const td_seam *s, int shape, const thud_placed *box, int neighbour)
+{
+    const td_shape *noted = td_shape_at(s->w, shape);
+    unsigned seams = noted->seams, hidden = noted->hidden, held = 0;
+    thud_placed other = td_shape_placed(s->w, neighbour, s->origin);
+    for (int k = 0; k < 4; k++) {
+        double x, y;
+        td_from_frame(box, k & 1 ? box->hx : -box->hx, k & 2 ? box->hy : -box->hy, &x, &y);
+        bool here = td_seam_holds(s, neighbour, box->x + x, box->y + y, TD_FLUSH * s->unit);
+        held |= here ? td_corner_bit(k & 1, k >> 1 & 1) : 0;
+        bool straight = here && other.kind != THUD_TERRAIN && alike(s->w, shape, neighbour) &&
+                        straightens(s, box, neighbour, k & 1, k >> 1 & 1);
+        hidden |= straight ? td_corner_bit(k & 1, k >> 1 & 1) : 0;
+    }
     for (int f = 0; f < TD_FACES; f++) {
         thud_placed strip = strip_of(box, f, TD_FLUSH * s->unit);
         bool covered;
-        if (other->kind == THUD_TERRAIN) {
-            thud_terrain terrain = td_terrain_view(s->w, other_shape);
-            strip.x -= other->x;
-            strip.y -= other->y;
+        if (other.kind == THUD_TERRAIN) {
+            thud_terrain terrain = td_terrain_view(s->w, neighbour);
+            strip.x -= other.x;
+            strip.y -= other.y;
             covered = thud_terrain_overlap(&terrain, &strip);
         } else {
-            covered = thud_shapes_overlap(other, &strip);
+            covered = thud_shapes_overlap(&other, &strip);
         }
-        faces |= (uint8_t)(covered << f);
+        seams |= (unsigned)covered << f;
+        /* What holds both ends of a face, and is convex, holds all of it. */
+        bool whole = covered && other.kind != THUD_TERRAIN && alike(s->w, shape, neighbour) &&
+                     (held & corners_of_face(f)) == corners_of_face(f);
+        hidden |= (unsigned)whole << f;
     }
-    return faces;
+    set(s->w, shape, seams | held, hidden);
 }
 
 /* A line's end is sealed where a neighbour reaches up to it from outside. */
@@ -68,8 +114,9 @@ static uint8_t ends_at(const td_seam *s, int terrain_shape, int neighbour)
         return 0;
     }
     double right = td_terrain_x(&t, t.count - 1), left = td_terrain_x(&t, 0);
-    bool at_right = td_seam_holds(s, neighbour, at.x + right + out, at.y + t.points[t.count - 1].y - out, out);
-    bool at_left = td_seam_holds(s, neighbour, at.x + left - out, at.y + t.points[0].y - out, out);
+    double last = t.points[t.count - 1].y, first = t.points[0].y;
+    bool at_right = td_seam_holds(s, neighbour, at.x + right + out, at.y + last - out, out);
+    bool at_left = td_seam_holds(s, neighbour, at.x + left - out, at.y + first - out, out);
     return (uint8_t)(at_right << TD_FACE_RIGHT | at_left << TD_FACE_LEFT);
 }
 
@@ -80,18 +127,24 @@ static bool note_pair(const td_seam *s, int neighbour, void *context)
     bool box = s->a.kind == THUD_AABB || s->a.kind == THUD_OBB;
     bool other_box = n.kind == THUD_AABB || n.kind == THUD_OBB;
     if (box) {
-        note(s->w, s->shape, faces_at(s, &s->a, &n, neighbour));
+        note_box(s, s->shape, &s->a, neighbour);
     }
     if (other_box) {
-        note(s->w, neighbour, faces_at(s, &n, &s->a, s->shape));
+        note_box(s, neighbour, &n, s->shape);
     }
     if (s->a.kind == THUD_TERRAIN) {
-        note(s->w, s->shape, ends_at(s, s->shape, neighbour));
+        set(s->w, s->shape, td_shape_at(s->w, s->shape)->seams | ends_at(s, s->shape, neighbour), 0);
     }
     if (n.kind == THUD_TERRAIN) {
-        note(s->w, neighbour, ends_at(s, neighbour, s->shape));
+        set(s->w, neighbour, td_shape_at(s->w, neighbour)->seams | ends_at(s, neighbour, s->shape), 0);
     }
     return false;
+}
+
+static bool reserve(thud_world *w)
+{
+    return td_array_reserve(&w->memory, &w->scratch.hits,
+                            3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
 /* Boxes are found by a terrain that came as well: all of them, since lines are few. */
@@ -109,9 +162,37 @@ bool td_seams_find(thud_world *w, int shape)
             }
         }
     }
-    if (!td_array_reserve(&w->memory, &w->scratch.hits, 3 * w->rest_shapes.ids.count + 4 * TD_LANES)) {
+    if (!reserve(w)) {
         return false;
     }
     td_seam_any(&s, note_pair, NULL);
+    return true;
+}
+
+static bool look_anew(const td_seam *s, int neighbour, void *context)
+{
+    (void)context;
+    set(s->w, neighbour, 0, 0);
+    td_shape_mark_moved(s->w, neighbour);
+    return false;
+}
+
+/* The shapes that rest are still those of the last step; who came since will look for himself. */
+bool td_seams_lose(thud_world *w, int body)
+{
+    int i = td_body_at(w, body)->first_shape;
+    if (td_body_at(w, body)->kind != THUD_STATIC || i == TD_NONE) {
+        return true;
+    }
+    if (!reserve(w)) {
+        return false;
+    }
+    for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        if (td_shape_at(w, i)->seams) {
+            td_seam s = td_seam_of(w, i, TD_NONE);
+            td_seam_any(&s, look_anew, NULL);
+            set(w, i, 0, 0);
+        }
+    }
     return true;
 }

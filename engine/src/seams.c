@@ -60,52 +60,71 @@ static bool face_hidden(const td_seam *s, int face, double from, double to)
     return true;
 }
 
-/* The first shape's face that looks along a direction, or TD_NONE between two of them. */
-static int face_along(const thud_placed *box, double nx, double ny)
+/* Where the first box is met along a normal: at one of its faces, or at a corner. */
+typedef struct site {
+    int face;         /* or TD_NONE */
+    bool right, top;  /* of a corner */
+    unsigned bit;     /* of td_shape.hidden */
+} site;
+
+static site site_of(double c, double s, double nx, double ny)
 {
-    double u, v;
-    td_to_frame(box, nx, ny, &u, &v);
+    double u = c * nx + s * ny, v = c * ny - s * nx;
+    site at = {.face = TD_NONE, .right = u > 0.0, .top = v > 0.0};
     if (td_abs(u) > STRAIGHT && td_abs(v) > STRAIGHT) {
-        return TD_NONE;
+        at.bit = td_corner_bit(at.right, at.top);
+        return at;
     }
-    return td_abs(u) > td_abs(v) ? (u > 0.0 ? TD_FACE_RIGHT : TD_FACE_LEFT)
-                                 : (v > 0.0 ? TD_FACE_TOP : TD_FACE_BOTTOM);
+    at.face = td_abs(u) > td_abs(v) ? (at.right ? TD_FACE_RIGHT : TD_FACE_LEFT)
+                                    : (at.top ? TD_FACE_TOP : TD_FACE_BOTTOM);
+    at.bit = 1u << at.face;
+    return at;
 }
 
 /* A normal at a corner of the first box. */
-static bool corner_hidden(const td_seam *s, double nx, double ny)
+static bool corner_hidden(const td_seam *s, const site *at, double nx, double ny)
 {
-    double u, v, x, y;
-    td_to_frame(&s->a, nx, ny, &u, &v);
-    uint8_t seams = td_shape_at(s->w, s->shape)->seams;
-    if (!(seams & (1u << (u > 0.0 ? TD_FACE_RIGHT : TD_FACE_LEFT))) &&
-        !(seams & (1u << (v > 0.0 ? TD_FACE_TOP : TD_FACE_BOTTOM)))) {
-        return false;
-    }
-    td_from_frame(&s->a, u > 0.0 ? s->a.hx : -s->a.hx, v > 0.0 ? s->a.hy : -s->a.hy, &x, &y);
+    double x, y;
+    td_from_frame(&s->a, at->right ? s->a.hx : -s->a.hx, at->top ? s->a.hy : -s->a.hy, &x, &y);
     probe p = {s->a.x + x, s->a.y + y, nx, ny};
     return td_seam_any(s, hides_corner, &p);
+}
+
+/* What the second box or circle takes up along a face. */
+static bool shadow_hidden(const td_seam *s, int face)
+{
+    double u, v, half = 0.0;
+    td_to_frame(&s->a, s->b.x - s->a.x, s->b.y - s->a.y, &u, &v);
+    if (s->b.kind != THUD_CIRCLE) {
+        half = face % 2 ? td_shadow(&s->b, s->a.c, s->a.s) : td_shadow(&s->b, -s->a.s, s->a.c);
+    }
+    double middle = face % 2 ? u : v;
+    return face_hidden(s, face, middle - half, middle + half);
 }
 
 /* Whether the first shape cannot be met along a normal. */
 static bool is_ghost(const td_seam *s, double nx, double ny)
 {
-    int face = face_along(&s->a, nx, ny);
-    if (face == TD_NONE) {
-        return corner_hidden(s, nx, ny);
+    const td_shape *shape = td_shape_at(s->w, s->shape);
+    site at = site_of(s->a.c, s->a.s, nx, ny);
+    if (!(shape->seams & at.bit) || (shape->hidden & at.bit)) {
+        return shape->hidden & at.bit;
     }
-    if (!(td_shape_at(s->w, s->shape)->seams & (1u << face))) {
-        return false;
-    }
-    double u, v, half = s->b.hx;
-    td_to_frame(&s->a, s->b.x - s->a.x, s->b.y - s->a.y, &u, &v);
-    double middle = face % 2 ? u : v;
-    if (s->b.kind == THUD_CIRCLE) {
-        half = 0.0;
-    } else {
-        half = face % 2 ? td_shadow(&s->b, s->a.c, s->a.s) : td_shadow(&s->b, -s->a.s, s->a.c);
-    }
-    return face_hidden(s, face, middle - half, middle + half);
+    return at.face == TD_NONE ? corner_hidden(s, &at, nx, ny) : shadow_hidden(s, at.face);
+}
+
+/* Most lanes are met where nothing stands: told in single precision, without looking around. */
+static bool is_plain(const thud_world *w, const td_block *block, int lane)
+{
+    const td_stance *a = td_stance_at(w, block->shape_a[lane]);
+    float nx = block->nx[lane], ny = block->ny[lane];
+    float u = a->c * nx + a->s * ny, v = a->c * ny - a->s * nx;
+    float x = u < 0.0f ? -u : u, y = v < 0.0f ? -v : v;
+    unsigned face = x > y ? (u > 0.0f ? TD_FACE_RIGHT : TD_FACE_LEFT)
+                          : (v > 0.0f ? TD_FACE_TOP : TD_FACE_BOTTOM);
+    bool corner = x > 0.5f * (float)STRAIGHT && y > 0.5f * (float)STRAIGHT;
+    unsigned bits = corner ? td_corner_bit(u > 0.0f, v > 0.0f) | 1u << face : 1u << face;
+    return !(block->seams[lane] & bits);
 }
 
 static bool axis_hidden(double nx, double ny, void *context)
@@ -233,7 +252,7 @@ void td_seams_amend(thud_world *w, td_block *block, int kind)
         return; /* a line's sealed ends are known to its manifolds */
     }
     for (int lane = 0; lane < block->used; lane++) {
-        if (block->seams[lane] && (block->touching >> lane & 1)) {
+        if (block->seams[lane] && (block->touching >> lane & 1) && !is_plain(w, block, lane)) {
             amend_lane(w, block, kind, lane);
         }
     }

@@ -5,12 +5,24 @@
 
 #include "world.h"
 
-/* Faces of a box, and the bits of td_shape.seams: something static covers a part of them. Of a
- * terrain the first two, its right and its left end. */
+/* Faces of a box, and the bits of td_shape.seams: something static covers a part of them; of a
+ * terrain, its right and its left end. In td_shape.hidden: a shape that meets the same others covers
+ * the whole face. */
 enum { TD_FACE_RIGHT, TD_FACE_TOP, TD_FACE_LEFT, TD_FACE_BOTTOM, TD_FACES };
+
+/* In both, the bit of the corner on the right (1) and at the top (2), or not: at it stands something;
+ * such a shape makes it a straight edge, so that no normal between its faces is the ground's. */
+static inline unsigned td_corner_bit(bool right, bool top)
+{
+    return 1u << (TD_FACES + right + 2 * top);
+}
 
 /* Looks for what a static shape that came or moved stands next to. False when memory is short. */
 bool td_seams_find(thud_world *w, int shape);
+
+/* Before a static body's shapes leave or move: their neighbours will look anew. False when memory is
+ * short. */
+bool td_seams_lose(thud_world *w, int body);
 
 /* Takes ghosts out of the lanes of a block whose first shapes are static: a contact with a hidden
  * face moves to one that can be met, or ends, which td_block.touching tells. */

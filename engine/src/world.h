@@ -66,7 +66,8 @@ typedef struct td_shape {
     int32_t next_free;
     uint32_t generation;
     uint8_t kind, flags, plain; /* plain: centred on the body's centre of mass, angle 0 */
-    uint8_t seams;      /* static: faces that another static shape stands at, see seams.h */
+    uint8_t seams;      /* static: what another static shape stands at; see seams.h */
+    uint8_t hidden;     /* static: what another one hides altogether; likewise */
     int32_t body, next; /* of the same body */
     int32_t terrain;    /* index, or TD_NONE */
     float x, y;         /* in the body's frame */
