@@ -14,11 +14,11 @@ static int other_body(const thud_world *w, int edge)
     return contact->body[1 - (edge & 1)];
 }
 
-/* Wakes every sleeping body that touches this one. */
+/* Wakes every sleeping body that touches this one, or is in its sensor. */
 static bool wake_touching(thud_world *w, int body)
 {
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (td_contact_at(w, e / 2)->state == TD_TOUCHING && !td_wake(w, other_body(w, e))) {
+        if (td_contact_at(w, e / 2)->open && !td_wake(w, other_body(w, e))) {
             return false;
         }
     }
@@ -170,6 +170,7 @@ static bool apply(thud_world *w, int index)
     }
     if (body->awake > 0) {
         *td_row(&w->idle, body->awake) = changes == TD_CHANGE_SLEEP ? TD_SLEEP_TIME : 0.0f;
+        w->drowsy_bodies += changes == TD_CHANGE_SLEEP;
     }
     return true;
 }

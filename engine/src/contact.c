@@ -155,13 +155,6 @@ void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_
     td_contact_wait(w, index);
 }
 
-thud_contact_event td_contact_event(const thud_world *w, int contact_index)
-{
-    const td_contact *contact = td_contact_at(w, contact_index);
-    return (thud_contact_event){td_shape_handle(w, contact->shape_a),
-                                td_shape_handle(w, contact->shape_b)};
-}
-
 bool td_contact_end_reserve(thud_world *w, int more)
 {
     return !w->def.contact_events ||
@@ -170,18 +163,56 @@ bool td_contact_end_reserve(thud_world *w, int more)
                              w->events.sensor_end.count + more));
 }
 
-static void push_end(thud_world *w, td_array *list, int contact)
+/* A line has a contact a segment, but callers hear of it as of one shape: that a pair begins with its
+ * first segment and ends with its last. */
+static bool open_elsewhere(const thud_world *w, int contact_index)
 {
-    if (w->def.contact_events) {
-        *(thud_contact_event *)td_at(list, list->count++) = td_contact_event(w, contact);
+    const td_contact *contact = td_contact_at(w, contact_index);
+    bool ground_first = td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN;
+    if (!ground_first && td_shape_at(w, contact->shape_b)->kind != THUD_TERRAIN) {
+        return false;
     }
+    int e = td_body_at(w, contact->body[ground_first])->first_contact;
+    for (; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_contact *other = td_contact_at(w, e / 2);
+        if (other != contact && other->open && other->shape_a == contact->shape_a &&
+            other->shape_b == contact->shape_b) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void push_event(thud_world *w, td_array *list, int contact_index)
+{
+    const td_contact *contact = td_contact_at(w, contact_index);
+    if (w->def.contact_events && !open_elsewhere(w, contact_index)) {
+        *(thud_contact_event *)td_at(list, list->count++) = (thud_contact_event){
+            td_shape_handle(w, contact->shape_a), td_shape_handle(w, contact->shape_b)};
+    }
+}
+
+void td_contact_begin(thud_world *w, int contact_index)
+{
+    td_contact *contact = td_contact_at(w, contact_index);
+    bool sensor = contact->kind == TD_PAIR_SENSOR;
+    contact->open = 1;
+    push_event(w, sensor ? &w->events.sensor_begin : &w->events.begin, contact_index);
+}
+
+void td_contact_end(thud_world *w, int contact_index)
+{
+    td_contact *contact = td_contact_at(w, contact_index);
+    bool sensor = contact->kind == TD_PAIR_SENSOR;
+    contact->open = 0;
+    push_event(w, sensor ? &w->events.sensor_end : &w->events.end, contact_index);
 }
 
 void td_contact_part(thud_world *w, int contact_index)
 {
     td_lane_remove(w, contact_index);
     td_contact_wait(w, contact_index);
-    push_end(w, &w->events.end, contact_index);
+    td_contact_end(w, contact_index);
 }
 
 void td_contact_destroy(thud_world *w, int contact_index)
@@ -189,12 +220,11 @@ void td_contact_destroy(thud_world *w, int contact_index)
     td_contact *contact = td_contact_at(w, contact_index);
     if (contact->state == TD_TOUCHING) {
         td_lane_remove(w, contact_index);
-        push_end(w, &w->events.end, contact_index);
     } else if (contact->state == TD_WAITING) {
         leave_waiting(w, contact);
     }
-    if (contact->overlapping) {
-        push_end(w, &w->events.sensor_end, contact_index);
+    if (contact->open) {
+        td_contact_end(w, contact_index);
     }
     unlink_edge(w, contact_index, 0);
     unlink_edge(w, contact_index, 1);

@@ -17,7 +17,10 @@ bool td_pair_meets(const thud_world *w, int shape_a, int shape_b);
 /* Room for `more` contacts of each kind listed. */
 bool td_contacts_reserve(thud_world *w, const int more[TD_PAIR_COUNT]);
 void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child);
-/* Room for the end event is reserved by td_contact_end_reserve. */
+/* It touches, or overlaps a sensor. Room for the begin event is reserved in world.events. */
+void td_contact_begin(thud_world *w, int contact);
+/* ... no more. Room for the end event is reserved by td_contact_end_reserve. */
+void td_contact_end(thud_world *w, int contact);
 void td_contact_destroy(thud_world *w, int contact);
 bool td_contact_end_reserve(thud_world *w, int more);
 /* A touching contact touches no more: its lane goes, its end event comes. */
@@ -27,7 +30,6 @@ void td_contact_part(thud_world *w, int contact);
 void td_contact_rest(thud_world *w, int contact);
 void td_contact_wait(thud_world *w, int contact);
 
-thud_contact_event td_contact_event(const thud_world *w, int contact);
 /* A lane as callers see it. contacts.c */
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane);
 

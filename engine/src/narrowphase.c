@@ -216,9 +216,8 @@ static bool begin_contacts(thud_world *w)
         }
         return false;
     }
-    for (int i = 0; i < begins->count && w->def.contact_events; i++) {
-        *(thud_contact_event *)td_at(&events->begin, events->begin.count++) =
-            td_contact_event(w, list[i]);
+    for (int i = 0; i < begins->count; i++) {
+        td_contact_begin(w, list[i]);
     }
     return true;
 }
@@ -227,37 +226,41 @@ static bool begin_contacts(thud_world *w)
 
 static bool sensor_overlaps(const thud_world *w, const td_contact *contact)
 {
-    td_place origin = td_stance_at(w, contact->shape_a)->center;
-    thud_placed b = td_shape_placed(w, contact->shape_b, origin);
-    if (td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN) {
-        thud_terrain terrain = td_terrain_view(w, contact->shape_a);
-        return thud_terrain_overlap(&terrain, &b);
+    int a = contact->shape_a, b = contact->shape_b;
+    if (td_shape_at(w, b)->kind == THUD_TERRAIN) {
+        a = contact->shape_b, b = contact->shape_a;
     }
-    thud_placed a = td_shape_placed(w, contact->shape_a, origin);
-    return thud_shapes_overlap(&a, &b);
+    td_place origin = td_stance_at(w, a)->center;
+    thud_placed placed_b = td_shape_placed(w, b, origin);
+    if (td_shape_at(w, a)->kind == THUD_TERRAIN) {
+        thud_terrain terrain = td_terrain_view(w, a);
+        return thud_terrain_overlap(&terrain, &placed_b);
+    }
+    thud_placed placed_a = td_shape_placed(w, a, origin);
+    return thud_shapes_overlap(&placed_a, &placed_b);
 }
 
 /* Sensor pairs have no lanes: they wait as long as their bounds overlap, and are tested exactly. */
 static bool test_sensors(thud_world *w)
 {
     const td_array *waiting = &w->waiting[TD_PAIR_SENSOR];
-    td_event_lists *events = &w->events;
-    if (!td_array_reserve(&w->memory, &events->sensor_begin, waiting->count) ||
+    td_array *begin = &w->events.sensor_begin;
+    if (!td_array_reserve(&w->memory, begin, begin->count + waiting->count) ||
         !td_contact_end_reserve(w, waiting->count)) {
         return false;
     }
     for (int i = 0; i < waiting->count; i++) {
         int index = *(int *)td_at(waiting, i);
-        td_contact *contact = td_contact_at(w, index);
-        bool meets = bounds_meet(w, contact);
-        bool overlaps = meets && sensor_overlaps(w, contact);
-        if (overlaps != contact->overlapping && w->def.contact_events) {
-            td_array *list = overlaps ? &events->sensor_begin : &events->sensor_end;
-            *(thud_contact_event *)td_at(list, list->count++) = td_contact_event(w, index);
-        }
-        contact->overlapping = overlaps;
-        if (!meets) {
+        const td_contact *contact = td_contact_at(w, index);
+        if (!bounds_meet(w, contact)) {
             td_push_int(&w->scratch.ends, index);
+            continue;
+        }
+        bool overlaps = sensor_overlaps(w, contact);
+        if (overlaps && !contact->open) {
+            td_contact_begin(w, index);
+        } else if (!overlaps && contact->open) {
+            td_contact_end(w, index);
         }
     }
     return true;

@@ -9,7 +9,7 @@ thud_events thud_world_events(const thud_world *w)
     if (!w) {
         return (thud_events){0};
     }
-    const td_event_lists *e = &w->events;
+    const td_event_lists *e = &w->told;
     return (thud_events){
         .begin = e->begin.data,
         .end = e->end.data,

@@ -2,11 +2,16 @@
 #include "handles.h"
 #include "step.h"
 
-static void begin_events(thud_world *w)
+/* Events are handed over whole: what edits ended before the step, because a query had them applied,
+ * and what a step met that ran out of memory, waits in `events` for the first step that is done. */
+static void tell_events(thud_world *w)
 {
-    td_event_lists *e = &w->events;
-    e->begin.count = e->end.count = e->hit.count = e->quarantined.count = 0;
-    e->sensor_begin.count = e->sensor_end.count = 0;
+    td_event_lists told = w->events;
+    w->events = w->told;
+    w->told = told;
+    td_event_lists *next = &w->events;
+    next->begin.count = next->end.count = next->hit.count = next->quarantined.count = 0;
+    next->sensor_begin.count = next->sensor_end.count = 0;
 }
 
 /* Time since the last mark goes to the stage. */
@@ -53,7 +58,6 @@ static void detect(thud_world *w)
 static thud_result run_stages(thud_world *w)
 {
     double start = w->def.clock ? w->def.clock(w->def.clock_context) : 0.0, last = start;
-    begin_events(w);
 
     /* May run out of memory, and then leave every body as it was. */
     bool done = td_changes_apply(w);
@@ -79,6 +83,7 @@ static thud_result run_stages(thud_world *w)
     mark(w, THUD_STAGE_EVENTS, &last);
     td_sleep(w);
     mark(w, THUD_STAGE_SLEEP, &last);
+    tell_events(w);
     w->stats.step_seconds = last - start;
     return THUD_OK;
 }

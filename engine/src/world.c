@@ -117,12 +117,6 @@ static void set_strides(thud_world *w)
         {&w->changed, sizeof(int)},
         {&w->put_off, sizeof(td_put_off)},
         {&w->poses, sizeof(thud_pose)},
-        {&w->events.begin, sizeof(thud_contact_event)},
-        {&w->events.end, sizeof(thud_contact_event)},
-        {&w->events.sensor_begin, sizeof(thud_contact_event)},
-        {&w->events.sensor_end, sizeof(thud_contact_event)},
-        {&w->events.hit, sizeof(thud_hit_event)},
-        {&w->events.quarantined, sizeof(thud_body_id)},
         {&w->scratch.hits, sizeof(int)},
         {&w->scratch.hit_runs, sizeof(td_hit_run)},
         {&w->scratch.crowded, sizeof(int)},
@@ -152,6 +146,14 @@ static void set_strides(thud_world *w)
     }
     for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
         w->waiting[kind].stride = (int)sizeof(int);
+    }
+    td_event_lists *lists[] = {&w->events, &w->told};
+    for (int i = 0; i < 2; i++) {
+        lists[i]->begin.stride = lists[i]->end.stride = (int)sizeof(thud_contact_event);
+        lists[i]->sensor_begin.stride = lists[i]->begin.stride;
+        lists[i]->sensor_end.stride = lists[i]->begin.stride;
+        lists[i]->hit.stride = (int)sizeof(thud_hit_event);
+        lists[i]->quarantined.stride = (int)sizeof(thud_body_id);
     }
     td_slots_init(&w->bodies, (int)sizeof(td_body));
     td_slots_init(&w->shapes, (int)sizeof(td_shape));
@@ -229,8 +231,10 @@ void thud_world_destroy(thud_world *w)
         &w->pose,
         &w->stance, &w->was, &w->marks, &w->velocity, &w->delta, &w->start, &w->push,
         &w->damping, &w->idle, &w->reach, &w->body_of, &w->lone, &w->colours, &w->moved,
-        &w->changed, &w->put_off, &w->poses, &w->events.begin, &w->events.end,
-        &w->events.sensor_begin, &w->events.sensor_end, &w->events.hit, &w->events.quarantined,
+        &w->changed, &w->put_off, &w->poses,
+        &w->events.begin, &w->events.end, &w->events.sensor_begin, &w->events.sensor_end,
+        &w->events.hit, &w->events.quarantined, &w->told.begin, &w->told.end,
+        &w->told.sensor_begin, &w->told.sensor_end, &w->told.hit, &w->told.quarantined,
         &w->scratch.hits, &w->scratch.hit_runs, &w->scratch.crowded, &w->scratch.stamps, &w->scratch.pairs, &w->scratch.bodies,
         &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.parted, &w->scratch.chunks, &w->scratch.counters, &w->scratch.begins,
         &w->scratch.ends, &w->scratch.parents, &w->scratch.lane_bins, &w->scratch.test_blocks,
@@ -291,6 +295,7 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step)
         return td_refuse(w, THUD_ERROR_INVALID, "set time step: not in (0, 1]");
     }
     w->def.time_step = time_step;
+    w->drowsy_bodies = w->body_of.count; /* a longer step may bring sleep sooner than expected */
     w->push_stale = true;
     return THUD_OK;
 }

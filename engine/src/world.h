@@ -104,7 +104,7 @@ typedef struct td_contact {
     int32_t next[2], prev[2]; /* edges in the bodies' contact lists */
     uint16_t bin;
     uint8_t kind, state;
-    uint8_t overlapping; /* sensors */
+    uint8_t open;        /* touches, or overlaps a sensor: has begun and not ended */
     uint8_t listed;      /* while a list of contacts is being made */
     uint8_t live;
     uint8_t vetoed;      /* by the prologue of this step */
@@ -118,7 +118,7 @@ typedef struct td_colours {
     uint64_t moving, fixed; /* taken by this body's contacts with moving and static bodies */
 } td_colours;
 
-/* What happens in a step, in the order it is made; see thud_events. */
+/* What happened, in the order it did; see thud_events. */
 typedef struct td_event_lists {
     td_array begin, end, sensor_begin, sensor_end; /* thud_contact_event */
     td_array hit;                                  /* thud_hit_event */
@@ -193,7 +193,8 @@ struct thud_world {
     int drowsy_bodies;                                 /* ... or will be after one more step */
     td_population awake_shapes, rest_shapes;
     bool vast;                                         /* wider than bounds can tell; broadphase.c */
-    td_event_lists events;
+    td_event_lists events; /* since the last whole step */
+    td_event_lists told;   /* of that step: what callers read */
 
     /* Scratch and statistics: rebuilt by every step. */
     struct td_scratch {

@@ -246,7 +246,12 @@ typedef struct thud_pose {
  * until its next call. Null and *count = 0 if memory is short. */
 const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha, int *count);
 
-/* ---- events of the last step, in a deterministic order; valid until the next step ---- */
+/* ---- events of the last step, in a deterministic order; valid until the next step ----
+ *
+ * Of one pair of shapes, begin and end come in turn, and each begin has its end: also when a shape,
+ * its body or the ground goes, moves or falls asleep. Where an edit ended a pair, the end comes with
+ * the next step. A pair listed in both has ended and begun again, or begun and ended, as it was open
+ * before or not. Inside a callback the events are still those of the step before. */
 
 typedef struct thud_contact_event {
     thud_shape_id shape_a, shape_b; /* of an end event they may have been destroyed since */
