@@ -121,8 +121,7 @@ void td_draw_pairs(const td_drawing *d)
         thud_vec2 a = td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN
                           ? ground_beside(d, contact, b)
                           : td_drawing_local(d, td_stance_at(w, contact->shape_a)->center);
-        bool touching = contact->state == TD_TOUCHING || contact->overlapping;
-        td_drawing_line(d, a, b, touching ? THUD_DRAW_PAIR_TOUCHING : THUD_DRAW_PAIR);
+        td_drawing_line(d, a, b, contact->open ? THUD_DRAW_PAIR_TOUCHING : THUD_DRAW_PAIR);
     }
 }
 
