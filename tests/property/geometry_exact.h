@@ -6,9 +6,11 @@
 
 #include "thud/thud_shapes.h"
 
+#include <float.h>
 #include <math.h>
 
 typedef long double real;
+_Static_assert(LDBL_MANT_DIG >= 64, "no answers more exact than the engine's");
 
 typedef struct vec {
     real x, y;

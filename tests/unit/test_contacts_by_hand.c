@@ -123,6 +123,25 @@ static void way_out_of_a_valley_is_between_its_slopes(void **state)
     NEAR(c.ny, 1.0);
 }
 
+static void way_out_into_a_corner_touches_what_it_leaves(void **state)
+{
+    (void)state;
+    /* Off the ridge at (-0.5, -0.25), until the gentle slope to the right stops the circle too. The
+     * way there leads a little into that slope's side: it is the ridge that is left. */
+    const thud_pos points[] = {{-5, -0.5}, {-0.5, -0.25}, {0, -1.25}, {1, -0.875}, {6, 2.25}};
+    thud_terrain notch = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 5};
+    thud_placed ball = circle(0, 0, 1.23);
+    thud_closest c;
+    assert_int_equal(thud_terrain_closest(&notch, &ball, &c), THUD_OK);
+    NEAR(c.ax, -0.5);
+    NEAR(c.ay, -0.25);
+    /* There it is a radius away from the ridge and from the slope's line, of 5 to 8. */
+    double x = -c.nx * c.distance, y = -c.ny * c.distance;
+    NEAR(hypot(x + 0.5, y + 0.25), 1.23);
+    NEAR((8 * (y + 0.875) - 5 * (x - 1)) / sqrt(89.0), 1.23);
+    assert_true(8 * c.ny - 5 * c.nx < 0.0);
+}
+
 static void way_out_of_the_ground_near_its_end_is_sideways(void **state)
 {
     (void)state;
@@ -206,6 +225,7 @@ int main(void)
         cmocka_unit_test(contacts_beyond_the_margin_are_none),
         cmocka_unit_test(distance_from_ground_is_to_its_nearest_feature),
         cmocka_unit_test(way_out_of_a_valley_is_between_its_slopes),
+        cmocka_unit_test(way_out_into_a_corner_touches_what_it_leaves),
         cmocka_unit_test(way_out_of_the_ground_near_its_end_is_sideways),
         cmocka_unit_test(contacts_in_a_valley_have_a_normal_each),
         cmocka_unit_test(contacts_of_a_plank_over_a_valley_are_its_outermost),
