@@ -121,10 +121,25 @@ static void add_convex(canvas *c, const SDL_FPoint *p, const SDL_FPoint *out, in
         add_triangle(c, inside + n, inside + i, inside + (i + 1) % n);
 }
 
-void canvas_circle(canvas *c, SDL_FPoint center, float radius, canvas_style style) {
-    /* The chord stays within 0.1 pixel of the arc: sagitta r (1 - cos(pi / n)). */
+/* Points of a circle whose chords stay within 0.1 pixel of the arc: sagitta r (1 - cos(pi / n)). */
+static int circle_points(float radius) {
     int n = (int)ceilf(3.14159265f / sqrtf(0.2f / fmaxf(radius, 1)));
-    n = n < 8 ? 8 : n > OUTLINE_MAX ? OUTLINE_MAX : n;
+    return n < 8 ? 8 : n > OUTLINE_MAX ? OUTLINE_MAX : n;
+}
+
+void canvas_ring(canvas *c, SDL_FPoint center, float radius, float width, SDL_Color color) {
+    int n = circle_points(radius);
+    SDL_FPoint last = {center.x + radius, center.y};
+    for (int i = 1; i <= n; i++) {
+        float angle = 6.2831853f * (float)i / (float)n;
+        SDL_FPoint next = {center.x + radius * cosf(angle), center.y + radius * sinf(angle)};
+        canvas_line(c, last, next, width, color);
+        last = next;
+    }
+}
+
+void canvas_circle(canvas *c, SDL_FPoint center, float radius, canvas_style style) {
+    int n = circle_points(radius);
     SDL_FPoint points[OUTLINE_MAX], out[OUTLINE_MAX];
     for (int i = 0; i < n; i++) {
         float angle = 6.2831853f * (float)i / (float)n;

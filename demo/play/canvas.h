@@ -36,6 +36,7 @@ void canvas_rect(canvas *c, SDL_FRect r, SDL_Color top, SDL_Color bottom);
 void canvas_round_rect(canvas *c, SDL_FRect r, float radius, canvas_style style);
 void canvas_quad(canvas *c, const SDL_FPoint corners[4], const SDL_Color colors[4]);
 void canvas_circle(canvas *c, SDL_FPoint center, float radius, canvas_style style);
+void canvas_ring(canvas *c, SDL_FPoint center, float radius, float width, SDL_Color color);
 /* `axis` is the unit vector along which `half.x` is measured. */
 void canvas_box(canvas *c, SDL_FPoint center, SDL_FPoint axis, SDL_FPoint half, canvas_style style);
 void canvas_line(canvas *c, SDL_FPoint a, SDL_FPoint b, float width, SDL_Color color);

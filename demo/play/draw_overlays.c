@@ -35,22 +35,26 @@ static bool island_style(const sink *k, thud_draw_style style, int island, SDL_C
     return true;
 }
 
-static void outline(const sink *k, thud_vec2 center, thud_vec2 half, SDL_Color color) {
-    SDL_FPoint a = camera_from_center(k->view, center.x - half.x, center.y + half.y);
-    SDL_FPoint b = camera_from_center(k->view, center.x + half.x, center.y - half.y);
-    SDL_FPoint top_right = {b.x, a.y}, bottom_left = {a.x, b.y};
-    float width = k->canvas->unit;
-    canvas_line(k->canvas, a, top_right, width, color);
-    canvas_line(k->canvas, top_right, b, width, color);
-    canvas_line(k->canvas, b, bottom_left, width, color);
-    canvas_line(k->canvas, bottom_left, a, width, color);
+static void outline(const sink *k, thud_vec2 center, thud_vec2 half, float c, float s,
+                    SDL_Color color) {
+    SDL_FPoint corners[4];
+    for (int i = 0; i < 4; i++) {
+        float u = i == 1 || i == 2 ? half.x : -half.x, v = i >= 2 ? half.y : -half.y;
+        corners[i] =
+            camera_from_center(k->view, center.x + c * u - s * v, center.y + s * u + c * v);
+    }
+    for (int i = 0; i < 4; i++)
+        canvas_line(k->canvas, corners[i], corners[(i + 1) % 4], k->canvas->unit, color);
 }
 
 static void on_circle(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
                       int island, void *context) {
     const sink *k = context;
     SDL_Color color;
-    if (island_style(k, style, island, &color))
+    if (style == THUD_DRAW_MOTION)
+        canvas_ring(k->canvas, camera_from_center(k->view, center.x, center.y),
+                    radius * (float)k->view->scale, 1.2f * k->canvas->unit, COLOR_MOTION);
+    else if (island_style(k, style, island, &color))
         draw_circle(k->canvas, camera_from_center(k->view, center.x, center.y),
                     radius * (float)k->view->scale, c, s, color);
 }
@@ -60,8 +64,10 @@ static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw
     const sink *k = context;
     SDL_Color color;
     if (style == THUD_DRAW_BOUNDS || style == THUD_DRAW_CELL) {
-        outline(k, center, half,
+        outline(k, center, half, 1, 0,
                 color_fade(style == THUD_DRAW_CELL ? COLOR_CELL : COLOR_BOUNDS, 0.75f));
+    } else if (style == THUD_DRAW_MOTION) {
+        outline(k, center, half, c, s, COLOR_MOTION);
     } else if (island_style(k, style, island, &color)) {
         float scale = (float)k->view->scale;
         draw_box(k->canvas, camera_from_center(k->view, center.x, center.y),
@@ -85,10 +91,14 @@ static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *conte
     SDL_FPoint to = camera_from_center(k->view, b.x, b.y);
     if (style == THUD_DRAW_NORMAL && overlays_have(k->overlays, OVERLAY_NORMALS))
         draw_normal(k, from, to);
-    else if (style == THUD_DRAW_BOUNDS)
-        canvas_line(k->canvas, from, to, k->canvas->unit, color_fade(COLOR_BOUNDS, 0.75f));
-    else if (style == THUD_DRAW_CELL)
-        canvas_line(k->canvas, from, to, k->canvas->unit, color_fade(COLOR_CELL, 0.75f));
+    else if (style == THUD_DRAW_INTERVAL || style == THUD_DRAW_INTERVAL_OVERLAPPING)
+        canvas_line(k->canvas, from, to, 2 * k->canvas->unit,
+                    style == THUD_DRAW_INTERVAL ? COLOR_INTERVAL : COLOR_TOUCHING);
+    else if (style == THUD_DRAW_PAIR || style == THUD_DRAW_PAIR_TOUCHING)
+        canvas_line(k->canvas, from, to, k->canvas->unit,
+                    style == THUD_DRAW_PAIR ? COLOR_PAIR : COLOR_TOUCHING);
+    else if (style == THUD_DRAW_MOTION)
+        canvas_line(k->canvas, from, to, 1.2f * k->canvas->unit, COLOR_MOTION);
 }
 
 static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
@@ -98,7 +108,7 @@ static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
                       (canvas_style){COLOR_CONTACT, COLOR_CONTACT, 0});
 }
 
-void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overlays) {
+void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overlays, float footer) {
     float body = (float)(s->scene.length_scale * view->scale);
     sink k = {c, view, overlays, fmaxf(1, fminf(0.1f * body, 2.4f * c->unit))};
     thud_debug_draw draw = {.origin = view->center, .context = &k};
@@ -106,7 +116,6 @@ void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overla
     draw.box = on_box;
     draw.line = on_line;
     draw.point = on_point;
-    camera_bounds(view, &draw.lower, &draw.upper);
     /* One after the other, so that contacts lie over bounds and those over islands. */
     const struct {
         overlay_set wanted;
@@ -115,10 +124,16 @@ void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overla
         {1u << OVERLAY_ISLANDS, THUD_DRAW_SHAPES | THUD_DRAW_ISLANDS},
         {1u << OVERLAY_CELLS, THUD_DRAW_CELLS},
         {1u << OVERLAY_BOUNDS, THUD_DRAW_SHAPE_BOUNDS},
+        {1u << OVERLAY_AXES, THUD_DRAW_AXES},
+        {1u << OVERLAY_MOTIONS, THUD_DRAW_MOTIONS},
+        {1u << OVERLAY_PAIRS, THUD_DRAW_PAIRS},
         {1u << OVERLAY_CONTACTS | 1u << OVERLAY_NORMALS, THUD_DRAW_CONTACTS},
     };
     for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++)
         if (overlays & passes[i].wanted) {
+            camera_bounds(view, &draw.lower, &draw.upper);
+            if (passes[i].flags == THUD_DRAW_AXES) /* whose bars stand on the lower edge */
+                draw.lower.y += footer / view->scale;
             draw.flags = passes[i].flags;
             thud_world_draw(s->world, &draw);
         }

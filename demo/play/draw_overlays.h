@@ -7,7 +7,8 @@
 #include "overlays.h"
 #include "session.h"
 
-void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overlays);
+/* `footer`: pixels at the lower edge that something else will cover. */
+void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overlays, float footer);
 /* The band between a held point and where it is pulled to. */
 void draw_pull(canvas *c, const camera *view, thud_pos from, thud_pos to);
 

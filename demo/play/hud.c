@@ -7,6 +7,10 @@
 #include <stdio.h>
 #include <string.h>
 
+float hud_footer(const canvas *c) {
+    return 30 * c->unit;
+}
+
 static void draw_title(viewer *v) {
     canvas *c = &v->canvas;
     const scene *s = &v->session.scene;
@@ -46,7 +50,8 @@ static const char HELP_CHARACTER[] =
 static void draw_footer(viewer *v) {
     canvas *c = &v->canvas;
     float u = c->unit, x = v->camera.view.x + 16 * u, y = (float)c->height - 10 * u;
-    SDL_FRect bar = {v->camera.view.x, (float)c->height - 30 * u, v->camera.view.w, 30 * u};
+    float height = hud_footer(c);
+    SDL_FRect bar = {v->camera.view.x, (float)c->height - height, v->camera.view.w, height};
     canvas_rect(c, bar, COLOR_SHADE, COLOR_SHADE);
     double step = draw_grid_step(c, &v->camera);
     SDL_FPoint left = {x, y}, right = {x + (float)(step * v->camera.scale), y};

@@ -4,6 +4,7 @@
 
 #include "viewer.h"
 
+float hud_footer(const canvas *c); /* pixels that it takes at the lower edge */
 void hud_draw(viewer *v);
 
 #endif

@@ -18,7 +18,9 @@ const char INPUT_HELP[] =
     "  C B                drop a circle, a box at the pointer; with Shift a large one\n"
     "  G                  dig a crater into the ground at the pointer; with Shift raise a mound\n"
     "  Delete             remove the body under the pointer\n"
-    "  1 to 7             contacts, normals, bounds, cells, islands, sleeping, timings\n"
+    "  1 to 9, 0          contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
+    "                     pairs, motions\n"
+    "  E F                next detection, next broadphase; the scene starts anew\n"
     "  Up Down PgUp PgDn  previous, next scene or level\n"
     "  Tab                hide and show panel and texts\n"
     "  F11                full screen          Esc          quit\n";
@@ -115,8 +117,8 @@ static void toggle_full_screen(SDL_Window *window) {
 
 /* Keys that do something once however long they are held. */
 static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
-    if (key >= SDLK_1 && key < SDLK_1 + OVERLAY_COUNT) {
-        viewer_toggle_overlay(v, (overlay)(key - SDLK_1));
+    if (key >= SDLK_0 && key <= SDLK_9) {
+        viewer_toggle_overlay(v, (overlay)((key - SDLK_0 + 9) % 10));
         return;
     }
     switch (key) {
@@ -139,6 +141,12 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
     case SDLK_q:
         session_set_quality(&v->session,
                             (thud_quality)((v->session.quality + 1) % THUD_QUALITY_COUNT));
+        break;
+    case SDLK_e:
+        viewer_set_detection(v, (v->session.detection + 1) % DETECTION_CHOICES);
+        break;
+    case SDLK_f:
+        viewer_set_broadphase(v, (v->session.broadphase + 1) % BROADPHASE_CHOICES);
         break;
     case SDLK_DELETE:
     case SDLK_BACKSPACE:

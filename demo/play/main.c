@@ -37,13 +37,17 @@ static bool open_first(viewer *v, const options *o) {
                 o->show);
         return false;
     }
-    v->overlays = o->overlays;
     v->bare = o->bare;
     v->session.quality = o->quality;
+    v->session.detection = o->detection;
+    v->session.broadphase = o->broadphase;
     v->session.paused = o->paused;
     viewer_layout(v);
-    if (viewer_open(v, entry))
+    if (viewer_open(v, entry)) {
+        if (o->overlays_given)
+            v->overlays = o->overlays, v->lent = 0;
         return true;
+    }
     fprintf(stderr, "thud-play: %s\n", v->session.message);
     return false;
 }

@@ -18,8 +18,11 @@ void options_print_help(void) {
            "  --list             print what there is to show\n"
            "  --size WxH         size of the window or picture (1280x800)\n"
            "  --quality Q        draft, default, high or exact\n"
-           "  --overlay LIST     contacts, normals, bounds, cells, islands, sleeping, timings,\n"
-           "                     separated by commas; or all, or none (sleeping)\n"
+           "  --detection D      overlap, continuous, bisect or swept (continuous)\n"
+           "  --broadphase B     grid, sweep or all (grid)\n"
+           "  --overlay LIST     contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
+           "                     pairs, motions, separated by commas; or all, or none (sleeping, and\n"
+           "                     what the scene is there to show)\n"
            "  --paused           do not start yet\n"
            "  --bare             no panel and no texts\n"
            "  --frames N         end after N frames\n"
@@ -72,7 +75,19 @@ static bool parse_quality(options *o, const char *text) {
     return complain("--quality needs draft, default, high or exact, not", text);
 }
 
+static bool parse_detection(options *o, const char *text) {
+    o->detection = detection_find(text);
+    return o->detection >= 0 ||
+           complain("--detection needs overlap, continuous, bisect or swept, not", text);
+}
+
+static bool parse_broadphase(options *o, const char *text) {
+    o->broadphase = broadphase_find(text);
+    return o->broadphase >= 0 || complain("--broadphase needs grid, sweep or all, not", text);
+}
+
 static bool parse_overlays(options *o, const char *text) {
+    o->overlays_given = true;
     return overlays_parse(text, &o->overlays) || complain("there is no such overlay in", text);
 }
 
@@ -88,7 +103,8 @@ static bool parse_valued(options *o, const char *name, const char *value, bool *
         bool (*parse)(options *o, const char *text);
     } table[] = {
         {"--frames", parse_frames},         {"--size", parse_size},
-        {"--quality", parse_quality},       {"--overlay", parse_overlays},
+        {"--quality", parse_quality},       {"--detection", parse_detection},
+        {"--broadphase", parse_broadphase}, {"--overlay", parse_overlays},
         {"--screenshot", parse_screenshot},
     };
     *known = true;
@@ -121,7 +137,9 @@ bool options_parse(options *o, int argc, char **argv) {
                    .width = 1280,
                    .height = 800,
                    .overlays = OVERLAYS_DEFAULT,
-                   .quality = THUD_QUALITY_DEFAULT};
+                   .quality = THUD_QUALITY_DEFAULT,
+                   .detection = DETECTION_DEFAULT,
+                   .broadphase = BROADPHASE_DEFAULT};
     for (int i = 1; i < argc; i++) {
         bool known;
         if (!parse_valued(o, argv[i], i + 1 < argc ? argv[i + 1] : NULL, &known))

@@ -13,6 +13,8 @@ typedef struct options {
     int width, height;
     overlay_set overlays;
     thud_quality quality;
+    int detection, broadphase; /* as in session.h */
+    bool overlays_given; /* else those of the scene */
     bool bare, paused, list, help;
 } options;
 

@@ -3,20 +3,34 @@
 
 #include "palette.h"
 
+#include <scene.h>
+
 #include <string.h>
 
-static const char *const NAMES[OVERLAY_COUNT] = {"contacts", "normals",  "bounds", "cells",
-                                                 "islands",  "sleeping", "timings"};
+static const char *const NAMES[OVERLAY_COUNT] = {"contacts", "normals",  "bounds",  "cells",
+                                                 "islands",  "sleeping", "timings", "axes",
+                                                 "pairs",    "motions"};
 
 const char *overlay_name(overlay which) {
     return NAMES[which];
 }
 
 SDL_Color overlay_color(overlay which) {
-    static const SDL_Color colors[OVERLAY_COUNT] = {COLOR_CONTACT, COLOR_NORMAL, COLOR_BOUNDS,
-                                                    COLOR_CELL,    COLOR_ISLAND, COLOR_SLEEPING,
-                                                    COLOR_TIMINGS};
+    static const SDL_Color colors[OVERLAY_COUNT] = {
+        COLOR_CONTACT,  COLOR_NORMAL,  COLOR_BOUNDS,   COLOR_CELL, COLOR_ISLAND,
+        COLOR_SLEEPING, COLOR_TIMINGS, COLOR_INTERVAL, COLOR_PAIR, COLOR_MOTION};
     return colors[which];
+}
+
+overlay_set overlays_of_scene(unsigned show) {
+    overlay_set set = 0;
+    if (show & SCENE_SHOW_CELLS)
+        set |= 1u << OVERLAY_CELLS;
+    if (show & SCENE_SHOW_AXES)
+        set |= 1u << OVERLAY_AXES;
+    if (show & SCENE_SHOW_MOTIONS)
+        set |= 1u << OVERLAY_MOTIONS;
+    return set;
 }
 
 static bool same(const char *text, size_t length, const char *name) {

@@ -13,6 +13,9 @@ typedef enum overlay {
     OVERLAY_ISLANDS,  /* bodies take their island's colour */
     OVERLAY_SLEEPING, /* sleeping bodies are dimmed */
     OVERLAY_TIMINGS,
+    OVERLAY_AXES,    /* the plane sweep's sorted intervals */
+    OVERLAY_PAIRS,   /* whose bounds overlap */
+    OVERLAY_MOTIONS, /* swept volumes of what is fast */
     OVERLAY_COUNT
 } overlay;
 
@@ -26,6 +29,9 @@ SDL_Color overlay_color(overlay which);
 static inline bool overlays_have(overlay_set set, overlay which) {
     return (set >> which & 1) != 0;
 }
+
+/* Those that a scene asks for: `show` is its scene_show. */
+overlay_set overlays_of_scene(unsigned show);
 
 /* Reads names separated by commas, "all" or "none". False if there is an unknown one. */
 bool overlays_parse(const char *list, overlay_set *out);

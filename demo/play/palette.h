@@ -35,6 +35,11 @@ enum { COLOR_BODY_COUNT = 6 };
 #define COLOR_ISLAND   RGB(0xD65DB1)
 #define COLOR_SLEEPING RGB(0x7A86A0)
 #define COLOR_TIMINGS  RGB(0xF7E27E)
+#define COLOR_INTERVAL RGB(0x4DD0E1)
+#define COLOR_PAIR     RGB(0xB0BEC5)
+#define COLOR_TOUCHING RGB(0xFFD166)
+#define COLOR_MOTION   RGB(0xF78FB3)
+#define COLOR_SUM      RGB(0x7CF5C4)
 #define COLOR_GRAB     RGB(0xFFFFFF)
 
 /* One per stage, in the order of thud_stage. */

@@ -37,13 +37,15 @@ static float label(viewer *v, float y, const char *text) {
 static float draw_time_controls(viewer *v, float y) {
     canvas *c = &v->canvas;
     float next = (ROW + GAP) * c->unit;
-    if (ui_button(&v->ui, c, cell(v, y, 0, 3), v->session.paused ? "Run" : "Pause",
+    if (ui_button(&v->ui, c, cell(v, y, 0, 4), v->session.paused ? "Run" : "Pause",
                   v->session.paused))
         viewer_toggle_pause(v);
-    if (ui_button(&v->ui, c, cell(v, y, 1, 3), "Step", false))
+    if (ui_button(&v->ui, c, cell(v, y, 1, 4), "Step", false))
         viewer_single_step(v);
-    if (ui_button(&v->ui, c, cell(v, y, 2, 3), "Reset", false))
+    if (ui_button(&v->ui, c, cell(v, y, 2, 4), "Reset", false))
         viewer_reset(v);
+    if (ui_button(&v->ui, c, cell(v, y, 3, 4), "Home", false))
+        viewer_look_home(v);
     y += next;
     char speed[32];
     snprintf(speed, sizeof speed, "%gx", v->session.speed);
@@ -67,20 +69,30 @@ static float draw_quality(viewer *v, float y) {
     return y + (ROW + GAP) * v->canvas.unit;
 }
 
+/* Each click takes the next one. */
+static float draw_systems(viewer *v, float y) {
+    session *s = &v->session;
+    y = label(v, y, "Detection, broadphase");
+    if (ui_button(&v->ui, &v->canvas, cell(v, y, 0, 2), DETECTIONS[s->detection].name,
+                  s->detection != DETECTION_DEFAULT))
+        viewer_set_detection(v, (s->detection + 1) % DETECTION_CHOICES);
+    if (ui_button(&v->ui, &v->canvas, cell(v, y, 1, 2), BROADPHASES[s->broadphase].name,
+                  s->broadphase != BROADPHASE_DEFAULT))
+        viewer_set_broadphase(v, (s->broadphase + 1) % BROADPHASE_CHOICES);
+    return y + (ROW + GAP) * v->canvas.unit;
+}
+
 static float draw_toggles(viewer *v, float y) {
     y = label(v, y, "Show");
     for (int i = 0; i < OVERLAY_COUNT; i++) {
         char text[32];
-        snprintf(text, sizeof text, "%d %s", i + 1, overlay_name((overlay)i));
+        snprintf(text, sizeof text, "%d %s", (i + 1) % 10, overlay_name((overlay)i));
         SDL_FRect r = cell(v, y + (float)(i / 2) * (ROW + GAP) * v->canvas.unit, i % 2, 2);
         if (ui_toggle(&v->ui, &v->canvas, r, text, overlay_color((overlay)i),
                       overlays_have(v->overlays, (overlay)i)))
             viewer_toggle_overlay(v, (overlay)i);
     }
-    float last = y + (float)(OVERLAY_COUNT / 2) * (ROW + GAP) * v->canvas.unit;
-    if (ui_button(&v->ui, &v->canvas, cell(v, last, 1, 2), "Home view", false))
-        viewer_look_home(v);
-    return last + (ROW + GAP) * v->canvas.unit;
+    return y + (float)((OVERLAY_COUNT + 1) / 2) * (ROW + GAP) * v->canvas.unit;
 }
 
 static float draw_spawn(viewer *v, float y) {
@@ -93,7 +105,7 @@ static float draw_spawn(viewer *v, float y) {
 }
 
 static float controls_height(void) {
-    enum { ROWS = 2 + 1 + (OVERLAY_COUNT + 1) / 2 + 1, LABELS = 3 };
+    enum { ROWS = 2 + 1 + 1 + (OVERLAY_COUNT + 1) / 2 + 1, LABELS = 4 };
     return ROWS * (ROW + GAP) + LABELS * LABEL_HEIGHT + PAD;
 }
 
@@ -171,6 +183,7 @@ void panel_draw(viewer *v) {
     float y = top + GAP * u;
     y = draw_time_controls(v, y);
     y = draw_quality(v, y);
+    y = draw_systems(v, y);
     y = draw_toggles(v, y);
     draw_spawn(v, y);
 }

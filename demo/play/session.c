@@ -26,7 +26,11 @@ static void log_message(thud_result result, const char *text, void *context) {
 }
 
 void session_init(session *s) {
-    *s = (session){.quality = THUD_QUALITY_DEFAULT, .speed = 1, .alpha = 1};
+    *s = (session){.quality = THUD_QUALITY_DEFAULT,
+                   .detection = DETECTION_DEFAULT,
+                   .broadphase = BROADPHASE_DEFAULT,
+                   .speed = 1,
+                   .alpha = 1};
     scene_init(&s->scene);
 }
 
@@ -110,6 +114,8 @@ bool session_load(session *s, const catalog_entry *entry) {
         return false;
     thud_world_def def = thud_default_world_def();
     def.quality = s->quality;
+    def.detection = DETECTIONS[s->detection].detection;
+    def.broadphase = BROADPHASES[s->broadphase].broadphase;
     def.log = log_message;
     def.log_context = s;
     def.clock = clock_seconds;

@@ -4,6 +4,7 @@
 
 #include "catalog.h"
 
+#include <choices.h>
 #include <thud/thud.h>
 
 /* What drawing needs of a shape, read once: shapes of thud do not change in their body. */
@@ -34,6 +35,7 @@ struct session {
     session_shape *shapes;
     int body_count, body_capacity, shape_count, shape_capacity;
     thud_quality quality;
+    int detection, broadphase; /* of DETECTIONS and BROADPHASES; the next load heeds them */
     bool paused;
     double speed; /* seconds of the world per second */
     double time_step; /* seconds */

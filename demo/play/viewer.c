@@ -3,6 +3,7 @@
 
 #include "draw_character.h"
 #include "draw_overlays.h"
+#include "draw_sums.h"
 #include "draw_world.h"
 #include "hud.h"
 #include "palette.h"
@@ -47,6 +48,9 @@ bool viewer_open(viewer *v, int entry) {
         return false;
     v->selected = entry;
     v->reveal = true;
+    v->overlays &= ~v->lent;
+    v->lent = overlays_of_scene(v->session.scene.show) & ~v->overlays;
+    v->overlays |= v->lent;
     viewer_look_home(v);
     return true;
 }
@@ -67,6 +71,17 @@ void viewer_look_home(viewer *v) {
 
 void viewer_toggle_overlay(viewer *v, overlay which) {
     v->overlays ^= 1u << which;
+    v->lent &= ~(1u << which);
+}
+
+void viewer_set_detection(viewer *v, int detection) {
+    v->session.detection = detection;
+    viewer_reset(v);
+}
+
+void viewer_set_broadphase(viewer *v, int broadphase) {
+    v->session.broadphase = broadphase;
+    viewer_reset(v);
 }
 
 void viewer_toggle_pause(viewer *v) {
@@ -142,7 +157,9 @@ void viewer_draw(viewer *v) {
         draw_world(c, &v->camera, &v->session, v->overlays);
         if (v->character.present)
             draw_character(c, &v->camera, &v->character, v->session.alpha);
-        draw_overlays(c, &v->camera, &v->session, v->overlays);
+        draw_sums(c, &v->camera, &v->session);
+        draw_overlays(c, &v->camera, &v->session, v->overlays,
+                      v->bare ? 0 : hud_footer(c));
         thud_pos anchor;
         if (grab_anchor(&v->grab, &v->session, &anchor))
             draw_pull(c, &v->camera, anchor, v->grab.target);

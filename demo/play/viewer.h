@@ -21,6 +21,7 @@ typedef struct viewer {
     grab grab;
     character character;
     overlay_set overlays;
+    overlay_set lent; /* of the overlays those that the scene asked for, and takes along */
     timings timings;
     ui ui;
     bool bare;        /* the picture alone: no panel, no texts */
@@ -40,6 +41,9 @@ bool viewer_open(viewer *v, int entry);
 void viewer_reset(viewer *v); /* the same world from its start, seen from the same place */
 void viewer_look_home(viewer *v);
 void viewer_toggle_overlay(viewer *v, overlay which);
+/* Start the scene anew with another one. */
+void viewer_set_detection(viewer *v, int detection);
+void viewer_set_broadphase(viewer *v, int broadphase);
 void viewer_toggle_pause(viewer *v);
 void viewer_single_step(viewer *v); /* pauses first */
 void viewer_change_speed(viewer *v, int direction); /* to the next of a row of speeds */

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "build_thud.h"
+#include "choices.h"
 #include "level.h"
 #include "options.h"
 #include "outcome.h"
@@ -84,6 +85,8 @@ static bool load(const run_options *options, scene *s) {
 static thud_world *build(const run_options *options, const scene *s, pool *threads) {
     thud_world_def def = thud_default_world_def();
     def.quality = options->quality;
+    def.detection = DETECTIONS[options->detection].detection;
+    def.broadphase = BROADPHASES[options->broadphase].broadphase;
     def.sleeping = !options->no_sleeping;
     def.clock = seconds_now;
     def.log = log_to_stderr;

@@ -1,6 +1,7 @@
 /* options.c: the command line of thud-run. */
 #include "options.h"
 
+#include "choices.h"
 #include "scenes.h"
 
 #include <errno.h>
@@ -43,6 +44,14 @@ static bool parse_quality(const char *text, thud_quality *out) {
     return false;
 }
 
+/* `found` is the index of a name, or -1. */
+static bool choose(const char *option, const char *names, const char *text, int found, int *out) {
+    *out = found;
+    if (found < 0)
+        fprintf(stderr, "thud-run: %s takes %s, not '%s'\n", option, names, text);
+    return found >= 0;
+}
+
 /* An option with a value. */
 static bool parse_valued(const char *option, const char *value, run_options *out) {
     long number;
@@ -54,6 +63,12 @@ static bool parse_valued(const char *option, const char *value, run_options *out
         return parse_number(option, value, 1, 1000000000, &out->steps);
     if (strcmp(option, "--quality") == 0)
         return parse_quality(value, &out->quality);
+    if (strcmp(option, "--detection") == 0)
+        return choose(option, "overlap, continuous, bisect or swept", value, detection_find(value),
+                      &out->detection);
+    if (strcmp(option, "--broadphase") == 0)
+        return choose(option, "grid, sweep or all", value, broadphase_find(value),
+                      &out->broadphase);
     bool workers = strcmp(option, "--workers") == 0;
     if (!parse_number(option, value, 1, workers ? THUD_WORKERS_MAX : 1000000000, &number))
         return false;
@@ -78,11 +93,17 @@ static bool parse_plain(const char *option, run_options *out) {
 }
 
 bool run_options_parse(int count, char **arguments, run_options *out) {
-    *out = (run_options){.steps = 600, .quality = THUD_QUALITY_DEFAULT};
+    static const char *const with_value[] = {"--steps",   "--size",      "--quality",
+                                             "--workers", "--detection", "--broadphase"};
+    *out = (run_options){.steps = 600,
+                         .quality = THUD_QUALITY_DEFAULT,
+                         .detection = DETECTION_DEFAULT,
+                         .broadphase = BROADPHASE_DEFAULT};
     for (int i = 1; i < count; i++) {
         const char *argument = arguments[i];
-        bool valued = strcmp(argument, "--steps") == 0 || strcmp(argument, "--size") == 0 ||
-                      strcmp(argument, "--quality") == 0 || strcmp(argument, "--workers") == 0;
+        bool valued = false;
+        for (size_t k = 0; k < sizeof with_value / sizeof with_value[0]; k++)
+            valued |= strcmp(argument, with_value[k]) == 0;
         if (valued) {
             if (!parse_valued(argument, arguments[++i], out))
                 return false;
@@ -113,6 +134,8 @@ void run_print_help(void) {
          "  --steps N            steps of 1/60 s to run (600)\n"
          "  --size N             how big a built-in scene is, see --list\n"
          "  --quality Q          draft, default, high or exact: 2, 4, 8 or 16 substeps\n"
+         "  --detection D        overlap, continuous (the default), bisect or swept\n"
+         "  --broadphase B       grid (the default), sweep or all\n"
          "  --workers N          threads to work on (1); the state is the same with any number\n"
          "  --no-sleeping        resting bodies stay awake\n"
          "  --skip-unsupported   leave out what a level has that cannot be modelled\n"

@@ -10,6 +10,7 @@ typedef struct run_options {
     int size; /* of a built-in scene; 0 is its default */
     int workers; /* threads; 0 as 1 */
     thud_quality quality;
+    int detection, broadphase; /* of DETECTIONS and BROADPHASES in choices.h */
     bool json, skip_unsupported, no_sleeping, list, help;
 } run_options;
 

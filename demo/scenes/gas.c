@@ -19,11 +19,21 @@ static scene_point random_direction(scene_random *random) {
     }
 }
 
+/* Of the lattice on which they start, a circle a place. */
+static const double SPACING = 1.25;
+
+static int columns_of(int count) {
+    return (int)ceil(sqrt(count));
+}
+
+double scene_gas_half(int count) {
+    return 0.5 * SPACING * columns_of(count) + 0.5;
+}
+
 double scene_add_gas(scene *s, double x, double y, int count) {
-    const double spacing = 1.25;
     const double speed = 5;
-    int columns = (int)ceil(sqrt(count));
-    double half = 0.5 * spacing * columns + 0.5;
+    int columns = columns_of(count);
+    double half = scene_gas_half(count);
     s->material = (scene_material){.density = 1, .friction = 0, .restitution = 1};
     scene_static_box(s, x, y - half - 1, half + 2, 1);
     scene_static_box(s, x, y + half + 1, half + 2, 1);
@@ -32,8 +42,8 @@ double scene_add_gas(scene *s, double x, double y, int count) {
     scene_random random = {4};
     for (int i = 0; i < count; i++) {
         scene_body *body =
-            scene_dynamic_circle(s, x + (i % columns - 0.5 * (columns - 1)) * spacing,
-                                 y + (i / columns - 0.5 * (columns - 1)) * spacing, 0.25);
+            scene_dynamic_circle(s, x + (i % columns - 0.5 * (columns - 1)) * SPACING,
+                                 y + (i / columns - 0.5 * (columns - 1)) * SPACING, 0.25);
         scene_point direction = random_direction(&random);
         body->vx = speed * direction.x;
         body->vy = speed * direction.y;

@@ -29,6 +29,22 @@ typedef enum scene_shape_kind {
     SCENE_TERRAIN_IRREGULAR /* points with strictly increasing x */
 } scene_shape_kind;
 
+/* How a body's collisions are found, see thud_detection.h. */
+typedef enum scene_detection {
+    SCENE_AS_WORLD = 0,
+    SCENE_OVERLAP,
+    SCENE_CONTINUOUS,
+    SCENE_BISECT,
+    SCENE_SWEPT
+} scene_detection;
+
+/* What a viewer shows over the bodies from the start. */
+enum scene_show {
+    SCENE_SHOW_CELLS = 1 << 0,
+    SCENE_SHOW_AXES = 1 << 1,
+    SCENE_SHOW_MOTIONS = 1 << 2
+};
+
 /* All terrain is one-sided: solid below. Its points are relative to the body's origin. */
 typedef struct scene_point {
     double x, y;
@@ -62,6 +78,7 @@ typedef struct scene_body {
     double linear_damping, angular_damping;
     bool fixed_rotation;
     bool may_sleep; /* default true */
+    scene_detection detection;
     uint32_t id;    /* of the object in a level file; 0 in built-in scenes */
     int first_shape, shape_count; /* in scene.shapes */
 } scene_body;
@@ -76,6 +93,9 @@ typedef struct scene {
     double camera_height;                /* ... and how many metres of it from top to bottom */
     double spawn_x, spawn_y;             /* where a viewer drops new bodies */
     bool character;                      /* played with one, which starts there */
+    unsigned show;                       /* scene_show */
+    int sum_pairs;                       /* so many times two bodies, from the first on, are shown
+                      with their Minkowski sum; each has one shape, no terrain */
     scene_body *bodies;
     scene_shape *shapes;
     scene_point *points;

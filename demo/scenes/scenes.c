@@ -4,11 +4,11 @@
 #include <string.h>
 
 static const scene_info *const LIST[] = {
-    &scene_pyramid,      &scene_circle_pit,     &scene_mixed_terrain, &scene_tumbler,
-    &scene_tumbler_half, &scene_smash,          &scene_platformer,    &scene_gas,
-    &scene_tall_stack,   &scene_heavy_on_light, &scene_cradle,        &scene_slopes,
-    &scene_bullets,      &scene_sizes,          &scene_one_spot,      &scene_asleep,
-    &scene_digging,
+    &scene_pyramid,      &scene_circle_pit,      &scene_mixed_terrain, &scene_tumbler,
+    &scene_tumbler_half, &scene_smash,           &scene_platformer,    &scene_gas,
+    &scene_tall_stack,   &scene_heavy_on_light,  &scene_cradle,        &scene_slopes,
+    &scene_bullets,      &scene_sizes,           &scene_one_spot,      &scene_asleep,
+    &scene_digging,      &scene_detection_lanes, &scene_minkowski,     &scene_broadphases,
 };
 
 enum { LIST_COUNT = sizeof LIST / sizeof LIST[0] };

@@ -28,6 +28,6 @@ bool scenes_fill(const scene_info *info, int size, scene *s);
 extern const scene_info scene_pyramid, scene_circle_pit, scene_mixed_terrain, scene_tumbler,
     scene_tumbler_half, scene_smash, scene_platformer, scene_gas, scene_tall_stack,
     scene_heavy_on_light, scene_cradle, scene_slopes, scene_bullets, scene_sizes, scene_one_spot,
-    scene_asleep, scene_digging;
+    scene_asleep, scene_digging, scene_detection_lanes, scene_minkowski, scene_broadphases;
 
 #endif

@@ -7,25 +7,31 @@
 
 /* ---- cells ---- */
 
-/* The cells that awake shapes lie in; a cell with several shapes is drawn once. Without a grid there
- * is no level with shapes. */
+/* The cells that awake shapes lie in; of shapes side by side in one, once. Without a grid there is no
+ * level with shapes. */
 void td_draw_cells(const td_drawing *d)
 {
     const td_population *grid = &d->w->awake_shapes;
-    const int *cells = grid->cells.data, *ids = grid->ids.data;
+    const int *ids = grid->ids.data;
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
+        int64_t column = 0, row = 0;
         for (int i = level->first; i < level->first + level->count; i++) {
-            if (i > level->first && cells[i] == cells[i - 1]) {
-                continue;
-            }
             const td_bounds *b = td_fat_at(d->w, ids[i]);
             const td_place *at = &td_stance_at(d->w, ids[i])->center;
             int64_t x = td_unwrap(b->min_x, at->x) + td_wrap_sub(b->max_x, b->min_x) / 2;
             int64_t y = td_unwrap(b->min_y, at->y) + td_wrap_sub(b->max_y, b->min_y) / 2;
+            /* Hashing may give two cells one number: their places tell them apart. */
+            x = td_grid_index(x, grid->origin_x, level->inv_cell);
+            y = td_grid_index(y, grid->origin_y, level->inv_cell);
+            if (i > level->first && x == column && y == row) {
+                continue;
+            }
+            column = x;
+            row = y;
             int64_t size = level->cell + level->cell / 65536;
-            x = grid->origin_x + td_grid_index(x, grid->origin_x, level->inv_cell) * size;
-            y = grid->origin_y + td_grid_index(y, grid->origin_y, level->inv_cell) * size;
+            x = grid->origin_x + x * size;
+            y = grid->origin_y + y * size;
             td_drawing_bounds(d, x, y, x + size, y + size, THUD_DRAW_CELL);
         }
     }

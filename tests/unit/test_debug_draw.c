@@ -213,6 +213,21 @@ static void cells_and_axes_are_drawn_only_of_the_broadphase_that_has_them(void *
     }
 }
 
+/* Far apart cells are hashed, and some get the same number. */
+static void cells_of_scattered_shapes_are_drawn_each(void **state)
+{
+    (void)state;
+    thud_world *world = world_with(NULL);
+    uint64_t seed = 7;
+    for (int i = 0; i < 200; i++) {
+        double x = (i % 20 - 10) * 1.9, y = (i / 20 - 5) * 1.9; /* none shares a cell */
+        add_ball(world, x + random_in(&seed, 0, 0.1), y, 0.02f);
+    }
+    seen k = draw(world, THUD_DRAW_CELLS);
+    assert_int_equal(k.boxes[THUD_DRAW_CELL], 200);
+    thud_world_destroy(world);
+}
+
 /* One pair whose bounds overlap at their corners, one that touches, and one that does neither. */
 static void pairs_are_lines_between_centers_and_tell_who_touches(void **state)
 {
@@ -299,6 +314,7 @@ int main(void)
         cmocka_unit_test(axes_of_a_plane_sweep_are_bars_in_rows_at_the_lower_edge),
         cmocka_unit_test(axes_of_resting_shapes_stand_above_those_of_awake_ones),
         cmocka_unit_test(cells_and_axes_are_drawn_only_of_the_broadphase_that_has_them),
+        cmocka_unit_test(cells_of_scattered_shapes_are_drawn_each),
         cmocka_unit_test(pairs_are_lines_between_centers_and_tell_who_touches),
         cmocka_unit_test(pairs_with_the_ground_go_straight_down_to_it),
         cmocka_unit_test(null_callbacks_are_skipped_and_no_flag_draws_nothing),

@@ -47,6 +47,17 @@ class ThudRun(unittest.TestCase):
                   for more in ([], ["--quality", "draft"], ["--size", "7"])}
         self.assertEqual(len(hashes), 3)
 
+    def test_broadphases_give_one_hash_and_detections_several(self):
+        def hash_with(*more):
+            done = run("bullets", "--steps", "200", "--json", *more)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return json.loads(done.stdout)["hash"]
+        self.assertEqual(len({hash_with("--broadphase", name)
+                              for name in ("grid", "sweep", "all")}), 1)
+        self.assertEqual(len({hash_with("--detection", name)
+                              for name in ("overlap", "continuous", "bisect", "swept")}), 4)
+        self.assertEqual(hash_with(), hash_with("--detection", "continuous"))
+
     def test_list_and_help_succeed(self):
         self.assertIn("pyramid", run("--list").stdout)
         for flag in ("--help", "-h"):
@@ -56,6 +67,8 @@ class ThudRun(unittest.TestCase):
     def test_wrong_arguments_are_told_and_give_2(self):
         for arguments in ([], ["pyramid", "gas"], ["gas", "--steps"], ["gas", "--steps", "0"],
                           ["gas", "--steps", "ten"], ["gas", "--quality", "best"],
+                          ["gas", "--detection", "best"], ["gas", "--broadphase", "tree"],
+                          ["gas", "--detection"],
                           ["gas", "--fast"], ["gas", "--size", "-1"]):
             done = run(*arguments)
             self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)

@@ -78,6 +78,41 @@ static void every_level_runs_and_moves(void **state) {
     }
 }
 
+/* Four lanes from left to right; each has as many bodies. A bullet starts below the first thin wall. */
+static void detection_lanes_keep_bullets_that_continuous_and_swept_look_after(void **state) {
+    (void)state;
+    enum { LANES = 4, STEPS = 600 };
+    const double bullet = 0.12;
+    scene s;
+    thud_world *world;
+    assert_true(scenes_fill(scenes_find("detection"), 0, &s));
+    thud_body_id *ids = malloc((size_t)s.body_count * sizeof *ids);
+    assert_int_equal(scene_build_thud(&s, NULL, &world, ids, NULL), THUD_OK);
+    double first_wall = 0;
+    for (int i = 0; i < s.body_count && first_wall == 0; i++)
+        if (s.bodies[i].kind == SCENE_STATIC && s.shapes[s.bodies[i].first_shape].hy < 0.1)
+            first_wall = s.bodies[i].y;
+    bool passed[LANES] = {false};
+    int bullets = 0;
+    for (int step = 0; step < STEPS; step++) {
+        assert_int_equal(thud_world_step(world), THUD_OK);
+        for (int i = 0; i < s.body_count; i++) {
+            thud_body_state body;
+            if (s.bodies[i].kind != SCENE_DYNAMIC || s.shapes[s.bodies[i].first_shape].hx != bullet)
+                continue;
+            bullets += step == 0;
+            assert_int_equal(thud_body_get(world, ids[i], &body), THUD_OK);
+            passed[i * LANES / s.body_count] |= body.position.y > first_wall;
+        }
+    }
+    assert_int_equal(bullets, 3 * LANES);
+    assert_true(passed[0] && passed[2]);
+    assert_false(passed[1] || passed[3]);
+    thud_world_destroy(world);
+    free(ids);
+    scene_free(&s);
+}
+
 static void body_that_the_engine_refuses_is_named_and_leaves_no_world(void **state) {
     (void)state;
     scene s;
@@ -97,6 +132,7 @@ int main(void) {
         cmocka_unit_test(every_scene_runs_and_repeats_to_the_bit),
         cmocka_unit_test(every_scene_builds_at_its_default_size),
         cmocka_unit_test(every_level_runs_and_moves),
+        cmocka_unit_test(detection_lanes_keep_bullets_that_continuous_and_swept_look_after),
         cmocka_unit_test(body_that_the_engine_refuses_is_named_and_leaves_no_world),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

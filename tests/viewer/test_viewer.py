@@ -117,6 +117,72 @@ class Viewer(unittest.TestCase):
                 self.assertGreater(shown.count_near(color, distance),
                                    plain.count_near(color, distance) + 30)
 
+    def changed_by(self, overlay, *arguments):
+        """Places of the pixels that an overlay changes."""
+        plain = self.shoot_bare(*arguments, "--overlay", "none").rows
+        shown = self.shoot_bare(*arguments, "--overlay", overlay).rows
+        return [(x, y) for y in range(600) for x in range(800) if plain[y][x] != shown[y][x]]
+
+    def test_pairs_join_the_centres_of_boxes_that_touch(self):
+        """From the ground's centre, at y = -1 and 15 pixels a metre, to that of the 30th box."""
+        places = self.changed_by("pairs", "tall_stack", "--frames", 30)
+        self.assertLessEqual(max(abs(x - 400) for x, _ in places), 2)
+        lines = {y for _, y in places}
+        self.assertAlmostEqual(min(lines), 525 - 29.5 * 15, delta=3)
+        self.assertGreater(len(lines), 0.95 * (max(lines) - min(lines)))
+
+    def test_motions_are_drawn_of_what_is_fast_and_of_nothing_else(self):
+        self.assertGreater(len(self.changed_by("motions", "bullets", "--frames", 30)), 300)
+        self.assertEqual(self.changed_by("motions", "tall_stack", "--frames", 30), [])
+
+    def test_cells_belong_to_the_grid_and_intervals_to_the_plane_sweep(self):
+        for broadphase, has_cells, has_bars in (("grid", True, False), ("sweep", False, True),
+                                                ("all", False, False)):
+            with self.subTest(broadphase=broadphase):
+                arguments = ("broadphases", "--frames", 20, "--broadphase", broadphase)
+                plain = self.shoot_bare(*arguments, "--overlay", "none")
+                cells = self.shoot_bare(*arguments, "--overlay", "cells")
+                bars = self.shoot_bare(*arguments, "--overlay", "axes")
+                self.assertEqual(cells.rows != plain.rows, has_cells)
+                self.assertEqual(bars.rows != plain.rows, has_bars)
+                # Bars stand on the lower edge: nothing changes in the upper half.
+                self.assertEqual(bars.rows[:300], plain.rows[:300])
+
+    def test_scene_brings_the_overlays_that_it_is_about(self):
+        shown = self.shoot_bare("broadphases", "--frames", 20)
+        self.assertEqual(
+            shown.rows,
+            self.shoot_bare("broadphases", "--frames", 20, "--overlay", "cells,axes,sleeping").rows)
+        none = self.shoot_bare("broadphases", "--frames", 20, "--overlay", "none")
+        self.assertNotEqual(shown.rows, none.rows)
+
+    def test_minkowski_sums_are_drawn_about_the_first_shapes(self):
+        """The view is 17 m high about (0.4, 0): a pair's first shape stands 4 m above its middle, or
+        below, and its sum reaches to 3 m from there."""
+        picture = self.shoot_bare("minkowski")
+        color, scale = palette("COLOR_SUM"), 600 / 17
+        for y in (300 - 4 * scale, 300 + 4 * scale):
+            x = 400 - 1.2 * scale
+            places = [(column, row) for row in range(round(y - 2.6 * scale), round(y + 2.6 * scale))
+                      for column in range(round(x - 3.2 * scale), round(x + 2.4 * scale))
+                      if all(abs(a - b) < 60 for a, b in zip(picture.rows[row][column], color))]
+            self.assertGreater(len(places), 300)
+            left, right = min(place[0] for place in places), max(place[0] for place in places)
+            self.assertLess(left, x - 1.5 * scale)
+            self.assertGreater(right, x + 1.5 * scale)
+
+    def test_detection_decides_who_passes_thin_walls(self):
+        """A bullet of 10 km/s in a room of its own, the fourth from above, 24 m wide."""
+        def colourful_pixels(detection):
+            picture = self.shoot_bare("bullets", "--frames", 30, "--overlay", "none",
+                                      "--detection", detection)
+            row = round(300 - (4 * 2 - 0) * 600 / 33)  # its middle
+            return sum(colourful(pixel) for line in picture.rows[row - 14:row + 14]
+                       for pixel in line)
+        self.assertEqual(colourful_pixels("overlap"), 0)
+        self.assertGreater(colourful_pixels("continuous"), 3)
+        self.assertGreater(colourful_pixels("swept"), 3)
+
     def test_islands_give_one_stack_one_colour(self):
         shown = self.shoot_bare("tall_stack", "--frames", 30, "--overlay", "islands")
         colors = {shown.rows[round(525 - (box + 0.5) * 15)][400] for box in range(30)}
@@ -167,7 +233,8 @@ class Viewer(unittest.TestCase):
     def test_bad_arguments_give_message_and_failure(self):
         for arguments in (["nowhere"], ["missing.tmj"], ["--bogus"], ["--frames"],
                           ["--frames", "-1"], ["--frames", "1x"], ["--size", "800"],
-                          ["--size", "1x1"], ["--quality", "perfect"], ["--overlay", "shadows"],
+                          ["--size", "1x1"], ["--quality", "perfect"], ["--detection", "magic"],
+                          ["--detection"], ["--broadphase", "tree"], ["--overlay", "shadows"],
                           ["--screenshot", "picture.jpg"], ["pyramid", "gas"],
                           ["--screenshot", self.folder / "no" / "folder.png"]):
             with self.subTest(arguments=arguments):
@@ -185,7 +252,8 @@ class Viewer(unittest.TestCase):
     def test_help_names_every_option(self):
         result = run("--help")
         self.assertEqual(result.returncode, 0)
-        for option in ("--list", "--size", "--quality", "--overlay", "--frames", "--screenshot",
+        for option in ("--list", "--size", "--quality", "--overlay", "--detection",
+                       "--broadphase", "--frames", "--screenshot",
                        "--paused", "--bare"):
             self.assertIn(option, result.stdout)
 

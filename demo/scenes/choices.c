@@ -1,0 +1,31 @@
+/* choices.c: see choices.h. */
+#include "choices.h"
+
+#include <string.h>
+
+const detection_choice DETECTIONS[DETECTION_CHOICES] = {
+    {"overlap", &thud_detection_overlap},
+    {"continuous", &thud_detection_continuous},
+    {"bisect", &thud_detection_bisect},
+    {"swept", &thud_detection_swept},
+};
+
+const broadphase_choice BROADPHASES[BROADPHASE_CHOICES] = {
+    {"grid", &thud_broadphase_grid},
+    {"sweep", &thud_broadphase_sweep},
+    {"all", &thud_broadphase_all},
+};
+
+int detection_find(const char *name) {
+    for (int i = 0; i < DETECTION_CHOICES; i++)
+        if (strcmp(DETECTIONS[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+int broadphase_find(const char *name) {
+    for (int i = 0; i < BROADPHASE_CHOICES; i++)
+        if (strcmp(BROADPHASES[i].name, name) == 0)
+            return i;
+    return -1;
+}
