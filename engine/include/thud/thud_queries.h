@@ -14,6 +14,7 @@
 #include "thud_ids.h"
 #include "thud_math.h"
 #include "thud_shapes.h"
+#include "thud_volumes.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -105,6 +106,12 @@ typedef struct thud_closest_hit {
  * (>= 0, at most 1e9 length scales); *found = false if none, and *out is then as it was. */
 thud_result thud_world_closest(thud_world *world, thud_pos point, double max_distance,
                                const thud_query_filter *filter, bool *found, thud_closest_hit *out);
+
+/* The bounding volume of the wanted kind around all shapes of a body as they stand now, relative to
+ * `origin`; see thud_volumes.h. THUD_ERROR_INVALID for a body without shapes or with flat terrain,
+ * which has no end. */
+thud_result thud_body_volume(thud_world *world, thud_body_id body, thud_shape_kind kind,
+                             thud_pos origin, thud_volume *out);
 
 #ifdef __cplusplus
 }
