@@ -49,7 +49,8 @@ void td_grown_vertices(const td_grown *k, double x_min, double x_max, int *first
     *last = k->mirrored ? end - a : b;
 }
 
-td_piece td_grown_segment(const td_grown *k, thud_pos p, thud_pos q)
+/* The segment from p to q. */
+static td_piece shifted(const td_grown *k, thud_pos p, thud_pos q)
 {
     double dx = q.x - p.x, dy = q.y - p.y;
     thud_pos low = k->under[0];
@@ -66,6 +67,13 @@ td_piece td_grown_segment(const td_grown *k, thud_pos p, thud_pos q)
         .p = {p.x - low.x, p.y - low.y}, .q = {q.x - low.x, q.y - low.y}, .touch = low};
 }
 
+td_piece td_grown_line(const td_grown *k)
+{
+    double slope = k->terrain->slope;
+    double above = slope * (k->shape->x + k->offset.x) - (k->shape->y + k->offset.y);
+    return shifted(k, (thud_pos){0.0, above}, (thud_pos){1.0, above + slope});
+}
+
 bool td_grown_piece(const td_grown *k, int index, int part, td_piece *out)
 {
     thud_pos v = td_grown_vertex(k, index);
@@ -73,7 +81,7 @@ bool td_grown_piece(const td_grown *k, int index, int part, td_piece *out)
         if (index == k->terrain->count - 1) {
             return false;
         }
-        *out = td_grown_segment(k, v, td_grown_vertex(k, index + 1));
+        *out = shifted(k, v, td_grown_vertex(k, index + 1));
     } else if (k->radius > 0.0) {
         *out = (td_piece){.p = {v.x - k->radius, v.y},
                           .q = {v.x + k->radius, v.y},
@@ -126,6 +134,11 @@ bool td_grown_highest(const td_grown *k, double x, td_piece *out, double *height
 {
     bool found = false;
     int first, last;
+    if (k->terrain->kind == THUD_TERRAIN_FLAT) {
+        *out = td_grown_line(k);
+        *height = out->p.y + (x - out->p.x) * k->terrain->slope;
+        return true;
+    }
     td_grown_vertices(k, x, x, &first, &last);
     for (int i = first * TD_PIECES; i < (last + 1) * TD_PIECES; i++) {
         td_piece e;

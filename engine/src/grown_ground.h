@@ -3,8 +3,8 @@
  *
  * What is above a line stays above a line. The grown ground ends in the highest of many pieces,
  * which are the segments, shifted by the point of the shape that would touch them, and the shape's
- * underside, upside down, on every vertex. Places are relative to the shape's centre: far from the
- * origin nothing is lost. Not for flat ground, which is one segment without an end. */
+ * underside, upside down, on every vertex. Flat ground has neither vertices nor pieces, but the one
+ * line. Places are relative to the shape's centre: far from the origin nothing is lost. */
 #ifndef TD_GROWN_GROUND_H
 #define TD_GROWN_GROUND_H
 
@@ -40,8 +40,8 @@ thud_pos td_grown_vertex(const td_grown *grown, int vertex);
 /* The vertices whose pieces may lie over [x_min, x_max], and some more. */
 void td_grown_vertices(const td_grown *grown, double x_min, double x_max, int *first, int *last);
 
-/* The segment from p to q, shifted. */
-td_piece td_grown_segment(const td_grown *grown, thud_pos p, thud_pos q);
+/* A piece of flat ground's line, shifted, 1 wide. */
+td_piece td_grown_line(const td_grown *grown);
 
 /* Piece 0 to TD_PIECES - 1 of a vertex. False if there is none, or it is upright: then the next one
  * covers its place. */

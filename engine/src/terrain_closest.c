@@ -194,12 +194,9 @@ static void walk(const td_grown *k, td_piece top, double x, double tolerance, th
 
 static void on_endless_line(const td_grown *k, thud_closest *out)
 {
-    double x = k->shape->x + k->offset.x, y = k->shape->y + k->offset.y;
-    double length = __builtin_sqrt(1.0 + k->terrain->slope * k->terrain->slope);
-    double above = k->terrain->slope * x - y;
-    td_piece e =
-        td_grown_segment(k, (thud_pos){0.0, above}, (thud_pos){1.0, above + k->terrain->slope});
-    out->nx = -k->terrain->slope / length;
+    double slope = k->terrain->slope, length = __builtin_sqrt(1.0 + slope * slope);
+    td_piece e = td_grown_line(k);
+    out->nx = -slope / length;
     out->ny = 1.0 / length;
     out->distance = -(e.p.x * out->nx + e.p.y * out->ny);
     out->ax = e.touch.x - out->nx * out->distance;

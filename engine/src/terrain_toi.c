@@ -5,16 +5,10 @@
 
 bool thud_terrain_overlap(const thud_terrain *t, const thud_placed *shape)
 {
-    const thud_pos here = {0.0, 0.0};
     if (td_terrain_readable(t) != THUD_OK || thud_placed_check(shape) != THUD_OK) {
         return false;
     }
-    if (t->kind == THUD_TERRAIN_FLAT) {
-        thud_closest closest;
-        td_terrain_closest(t, shape, here, &closest);
-        return closest.distance <= 0.0;
-    }
-    td_grown grown = td_grown_by(t, shape, here);
+    td_grown grown = td_grown_by(t, shape, (thud_pos){0.0, 0.0});
     td_piece top;
     double height;
     return td_grown_highest(&grown, 0.0, &top, &height) && height >= 0.0;
