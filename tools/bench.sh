@@ -1,5 +1,5 @@
-# bench.sh: the parts of ./run bench: the native benchmark, the one for WebAssembly, and the page
-# that both are written to. Read by ./run.
+# bench.sh: the parts of ./run bench: the native benchmark, the one for WebAssembly, the page that
+# both are written to, and the prices of every system. Read by ./run.
 # shellcheck shell=sh
 
 bench_usage() {
@@ -28,6 +28,9 @@ options every scene, as a table.
   --report [OPTION...] instead: measures all of this, which takes a quarter of an hour, and writes
                        docs/performance.md, its picture and docs/performance.json; its own options
                        with ./run bench --report --help
+  --catalogue [OPTION...] instead: measures what each system costs and gets wrong, which takes
+                       some minutes, and writes docs/catalogue.md, its pictures and
+                       docs/catalogue.json; its own options with ./run bench --catalogue --help
 END
 }
 
@@ -92,6 +95,17 @@ bench_report() {
         "$root/build/bench/tests/bench/thud-bench" "$@"
 }
 
+bench_catalogue() {
+    ensure bench_picture
+    case " $* " in
+        *' --again '*) ;;
+        *) build_bench ;;
+    esac
+    cd "$caller"
+    exec python3 "$root/tests/bench/catalogue.py" \
+        "$root/build/bench/tests/bench/thud-catalogue" "$@"
+}
+
 # bench OPTION...: what is for ./run itself may stand anywhere; the rest goes to what does the work.
 bench() {
     what=native
@@ -114,6 +128,7 @@ bench() {
         case $option in
             --wasm) what=wasm ;;
             --report) what=report ;;
+            --catalogue) what=catalogue ;;
             --picture) ;;
             -h | --help) help=yes ;;
             *) set -- "$@" "$option" ;;
@@ -124,9 +139,11 @@ bench() {
     case $what-$help in
         wasm-yes) exec node web/tools/bench-wasm.mjs --help ;;
         report-yes) exec python3 tests/bench/performance.py "" --help ;;
+        catalogue-yes) exec python3 tests/bench/catalogue.py "" --help ;;
         *-yes) bench_usage ;;
         wasm-no) bench_wasm "$@" ;;
         report-no) bench_report "$@" ;;
+        catalogue-no) bench_catalogue "$@" ;;
         picture-no) bench_picture "$@" ;;
         native-no) bench_native "$@" ;;
     esac

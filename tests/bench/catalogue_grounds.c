@@ -4,18 +4,18 @@
 #include "catalogue.h"
 #include "lab_world.h"
 #include "random.h"
+#include "series.h"
 
 #include <thud/thud_terrain.h>
 
 #include <stdlib.h>
 
-enum { PLACES = 1024, WIDTH = 1000, DIGS = 200, QUICK_DIGS = 10 };
+enum { PLACES = 1024, DIGS = 200, QUICK_DIGS = 10 };
 
-/* Hills of random heights on a line that is always as long, however many vertices it has. */
-static bool make_line(thud_terrain_kind kind, int count, thud_terrain *out) {
+/* Hills of random heights, half as high as their distance. */
+static bool make_line(thud_terrain_kind kind, int count, double spacing, thud_terrain *out) {
     thud_pos *points = calloc((size_t)count, sizeof *points);
     scene_random random = {6};
-    double spacing = (double)WIDTH / (count - 1);
     for (int i = 0; points && i < count; i++) {
         double shift = kind == THUD_TERRAIN_IRREGULAR ? scene_random_range(&random, 0, 0.9) : 0;
         points[i] =
@@ -28,13 +28,14 @@ static bool make_line(thud_terrain_kind kind, int count, thud_terrain *out) {
 /* Shapes of size 0.5 near the ground, in an order that no cache foresees. */
 typedef struct ground_places {
     thud_terrain terrain;
+    double length; /* of the line, or of what is looked at of an endless one */
     thud_placed circles[PLACES], boxes[PLACES];
 } ground_places;
 
 static void make_places(ground_places *g) {
     scene_random random = {7};
     for (int i = 0; i < PLACES; i++) {
-        double x = scene_random_range(&random, 10, WIDTH - 10);
+        double x = scene_random_range(&random, 10, g->length - 10);
         thud_terrain_sample sample = {0};
         thud_terrain_sample_at(&g->terrain, x, &sample);
         double y = sample.height + scene_random_range(&random, 0, 1);
@@ -130,28 +131,35 @@ static const struct {
     const char *name;
     thud_terrain_kind kind;
     int count;
+    double spacing; /* metres between vertices */
 } GROUNDS[] = {
-    {"flat", THUD_TERRAIN_FLAT, 2},
-    {"uniform", THUD_TERRAIN_UNIFORM, 100},
-    {"uniform", THUD_TERRAIN_UNIFORM, 1000},
-    {"uniform", THUD_TERRAIN_UNIFORM, 100000},
-    {"irregular", THUD_TERRAIN_IRREGULAR, 100},
-    {"irregular", THUD_TERRAIN_IRREGULAR, 1000},
-    {"irregular", THUD_TERRAIN_IRREGULAR, 10000},
-    {"irregular", THUD_TERRAIN_IRREGULAR, 100000},
+    {"flat", THUD_TERRAIN_FLAT, 100, 1},
+    {"uniform", THUD_TERRAIN_UNIFORM, 100, 1},
+    {"uniform", THUD_TERRAIN_UNIFORM, 10000, 1},
+    {"uniform", THUD_TERRAIN_UNIFORM, 100000, 1},
+    {"uniform", THUD_TERRAIN_UNIFORM, 100000, 0.05},
+    {"irregular", THUD_TERRAIN_IRREGULAR, 100, 1},
+    {"irregular", THUD_TERRAIN_IRREGULAR, 1000, 1},
+    {"irregular", THUD_TERRAIN_IRREGULAR, 10000, 1},
+    {"irregular", THUD_TERRAIN_IRREGULAR, 100000, 1},
+    {"irregular", THUD_TERRAIN_IRREGULAR, 100000, 0.05},
 };
 
 enum { GROUND_COUNT = sizeof GROUNDS / sizeof GROUNDS[0] };
 
 static bool time_ground(int index, ground_places *g, bool quick, json *out) {
-    if (!make_line(GROUNDS[index].kind, GROUNDS[index].count, &g->terrain))
+    int count = GROUNDS[index].count;
+    double spacing = GROUNDS[index].spacing;
+    if (!make_line(GROUNDS[index].kind, count, spacing, &g->terrain))
         return false;
+    g->length = spacing * (count - 1);
     make_places(g);
     json_begin_object(out, NULL);
     json_text(out, "ground", GROUNDS[index].name);
-    json_number(out, "vertices", GROUNDS[index].count);
+    json_number(out, "vertices", count);
+    json_number(out, "spacing", spacing);
     json_begin_object(out, "ns");
-    printf("%-10s %8d", GROUNDS[index].name, GROUNDS[index].count);
+    printf("%-10s %8d %8g", GROUNDS[index].name, count, spacing);
     for (int i = 0; i < CALL_COUNT; i++) {
         double ns = call_timer_ns(CALLS[i].fn, g, quick);
         json_number(out, CALLS[i].name, ns);
@@ -167,7 +175,7 @@ static bool time_ground(int index, ground_places *g, bool quick, json *out) {
 static bool time_grounds(bool quick, json *out) {
     static ground_places places;
     bool ok = true;
-    printf("%-10s %8s", "ground", "vertices");
+    printf("%-10s %8s %8s", "ground", "vertices", "apart m");
     for (int i = 0; i < CALL_COUNT; i++)
         printf(" %14s", CALLS[i].name);
     printf("\n");
@@ -188,7 +196,7 @@ static bool open_diggable(int index, thud_world **world, thud_shape_id *shape) {
     thud_shape_def shape_def = thud_default_shape_def();
     thud_body_id body;
     thud_terrain line;
-    bool ok = make_line(GROUNDS[index].kind, GROUNDS[index].count, &line) &&
+    bool ok = make_line(GROUNDS[index].kind, GROUNDS[index].count, GROUNDS[index].spacing, &line) &&
               thud_world_create(&def, world) == THUD_OK &&
               thud_body_create(*world, &body_def, &body) == THUD_OK &&
               thud_shape_create_terrain(*world, body, &shape_def, &line, shape) == THUD_OK;
@@ -196,44 +204,60 @@ static bool open_diggable(int index, thud_world **world, thud_shape_id *shape) {
     return ok;
 }
 
-/* Digs, raises, at places all over the line; nanoseconds of each. */
-static bool dig_about(thud_world *world, thud_shape_id shape, int times, double *dig,
-                      double *raise) {
+typedef struct digs {
+    double dig[DIGS], raise[DIGS]; /* nanoseconds of each */
+    int count;
+} digs;
+
+/* Digs, and raises, at places all over the line. */
+static bool dig_about(thud_world *world, thud_shape_id shape, double length, digs *d) {
     scene_random random = {14};
-    *dig = *raise = 0;
-    for (int i = 0; i < times; i++) {
-        double x = scene_random_range(&random, 20, WIDTH - 20);
+    for (int i = 0; i < d->count; i++) {
+        double x = scene_random_range(&random, 20, length - 20);
         double start = lab_now(NULL);
         bool ok = thud_shape_dig(world, shape, (thud_pos){x, 0}, 3) == THUD_OK;
         double between = lab_now(NULL);
-        ok = ok && thud_shape_raise(world, shape, WIDTH - x, 3, 0.5) == THUD_OK;
-        *dig += (between - start) / times * 1e9;
-        *raise += (lab_now(NULL) - between) / times * 1e9;
+        ok = ok && thud_shape_raise(world, shape, length - x, 3, 0.5) == THUD_OK;
+        d->dig[i] = (between - start) * 1e9;
+        d->raise[i] = (lab_now(NULL) - between) * 1e9;
         if (!ok)
             return false;
     }
     return true;
 }
 
+/* The median, and the worst, which has had to grow the line's memory. */
+static void report_digs(const char *name, double *ns, int count, json *out) {
+    double median = series_median(ns, count); /* sorts them */
+    printf(" %10.0f %10.0f", median, ns[count - 1]);
+    json_begin_object(out, name);
+    json_number(out, "median", median);
+    json_number(out, "worst", ns[count - 1]);
+    json_end(out);
+}
+
 static bool time_digging(bool quick, json *out) {
     bool ok = true;
-    printf("\n%-10s %8s %14s %14s\n", "ground", "vertices", "dig ns", "raise ns");
+    printf("\n%-10s %8s %8s %10s %10s %10s %10s\n", "ground", "vertices", "apart m", "dig ns",
+           "worst", "raise ns", "worst");
     json_begin_array(out, "digging");
     for (int i = 1; ok && i < GROUND_COUNT; i++) {
         thud_world *world = NULL;
         thud_shape_id shape;
-        double dig, raise;
-        ok = open_diggable(i, &world, &shape) &&
-             dig_about(world, shape, quick ? QUICK_DIGS : DIGS, &dig, &raise);
+        digs d = {.count = quick ? QUICK_DIGS : DIGS};
+        double length = GROUNDS[i].spacing * (GROUNDS[i].count - 1);
+        ok = open_diggable(i, &world, &shape) && dig_about(world, shape, length, &d);
         thud_world_destroy(world);
         if (!ok)
             break;
-        printf("%-10s %8d %14.0f %14.0f\n", GROUNDS[i].name, GROUNDS[i].count, dig, raise);
+        printf("%-10s %8d %8g", GROUNDS[i].name, GROUNDS[i].count, GROUNDS[i].spacing);
         json_begin_object(out, NULL);
         json_text(out, "ground", GROUNDS[i].name);
         json_number(out, "vertices", GROUNDS[i].count);
-        json_number(out, "dig_ns", dig);
-        json_number(out, "raise_ns", raise);
+        json_number(out, "spacing", GROUNDS[i].spacing);
+        report_digs("dig", d.dig, d.count, out);
+        report_digs("raise", d.raise, d.count, out);
+        printf("\n");
         json_end(out);
     }
     json_end(out);

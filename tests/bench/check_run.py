@@ -27,13 +27,15 @@ def check_help_has_every_option_of_the_program(bench):
     missing = options_of(program.stdout) - options_of(own.stdout) - {"--help"}
     assert not missing, missing
     more = options_of(own.stdout) - options_of(program.stdout)
-    assert more == {"--wasm", "--report", "--picture"}, more
+    assert more == {"--wasm", "--report", "--catalogue", "--picture"}, more
     assert run(RUN, "bench", "--quick", "-h").stdout == own.stdout
 
 
 def check_report_help_and_refusals():
     done = run(RUN, "bench", "--report", "--help")
     assert done.returncode == 0 and "--again" in done.stdout, done
+    done = run(RUN, "bench", "--catalogue", "--help")
+    assert done.returncode == 0 and "--quick" in done.stdout and "--out" in done.stdout, done
     for words, says in ((["--picture"], "--picture wants"), (["--picture", "x.png"], ".svg")):
         done = run(RUN, "bench", *words)
         assert done.returncode == 1 and says in done.stderr, done

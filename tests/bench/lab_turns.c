@@ -1,18 +1,13 @@
-/* lab_turns.c: see lab_turns.h. A turn is one step where steps are long, and some where they are
- * short, so that a world mostly finds the caches as it left them. */
+/* lab_turns.c: see lab_turns.h. A turn is some steps, so that a world mostly finds the caches as it
+ * left them. */
 #include "lab_turns.h"
 
 #include "progress.h"
-#include "series.h"
 
 #include <assert.h>
+#include <math.h>
 
-enum { WORLDS = 4, TURN = 5, LEAST_TURNS = 5 };
-
-typedef struct record {
-    double step[LAB_TURNS_STEPS], broadphase[LAB_TURNS_STEPS];
-    int count;
-} record;
+enum { TURN = 5, LEAST_TURNS = 5 };
 
 static bool step_once(lab_world *lab, lab_turns_times *times) {
     if (!lab_run(lab, 1, NULL))
@@ -25,53 +20,64 @@ static double broadphase_of(const lab_turns_times *times) {
     return times->stats.stage_seconds[THUD_STAGE_BROADPHASE];
 }
 
-static bool warm_up(lab_world *lab, const lab_turns_plan *plan, lab_turns_times *times) {
-    *times = (lab_turns_times){0};
+static bool warm_up(lab_world *lab, const lab_turns_plan *plan, int repetition,
+                    lab_turns_times *times) {
+    if (repetition == 0)
+        *times = (lab_turns_times){.first = INFINITY, .second_step = INFINITY};
+    if (times->dropped)
+        return true;
     if (!step_once(lab, times))
         return false;
-    times->first = broadphase_of(times);
-    times->first_step = times->stats.step_seconds;
-    times->dropped = times->first_step > plan->too_dear;
-    for (int i = 1; i < plan->warm_up && !times->dropped; i++)
+    times->first = fmin(times->first, broadphase_of(times));
+    if (!step_once(lab, times))
+        return false;
+    times->second_step = fmin(times->second_step, times->stats.step_seconds);
+    times->dropped = repetition == 0 && times->second_step > plan->too_dear;
+    for (int i = 2; i < plan->warm_up && !times->dropped; i++)
         if (!step_once(lab, times))
             return false;
     return true;
 }
 
-static bool take_turn(lab_world *lab, const lab_turns_plan *plan, lab_turns_times *times,
-                      record *r) {
-    for (int i = 0; i < TURN && r->count < plan->steps; i++) {
+static bool take_turn(lab_world *lab, int first, int steps, int repetition,
+                      lab_turns_times *times) {
+    for (int i = first; i < first + TURN && i < steps; i++) {
         if (!step_once(lab, times))
             return false;
-        r->step[r->count] = times->stats.step_seconds;
-        r->broadphase[r->count++] = broadphase_of(times);
+        double step = times->stats.step_seconds, broadphase = broadphase_of(times);
+        times->step[i] = repetition == 0 ? step : fmin(step, times->step[i]);
+        times->broadphase[i] =
+            repetition == 0 ? broadphase : fmin(broadphase, times->broadphase[i]);
+        times->count = repetition == 0 ? i + 1 : times->count;
     }
     return true;
 }
 
 bool lab_take_turns(const char *label, lab_world *labs, int count, const lab_turns_plan *plan,
-                    lab_turns_times *times) {
-    static record records[WORLDS];
-    assert(count <= WORLDS && plan->steps <= LAB_TURNS_STEPS);
+                    int repetition, lab_turns_times *times) {
+    assert(plan->steps <= LAB_TURNS_STEPS);
     double start = lab_now(NULL);
-    for (int k = 0; k < count; k++) {
-        records[k].count = 0;
-        if (!warm_up(&labs[k], plan, &times[k]))
-            return false;
-    }
-    for (int turn = 0; turn * TURN < plan->steps; turn++) {
-        if (turn >= LEAST_TURNS && lab_now(NULL) - start > plan->seconds)
-            break;
-        progress_show(label, (double)turn * TURN / plan->steps);
-        for (int k = 0; k < count; k++)
-            if (!times[k].dropped && !take_turn(&labs[k], plan, &times[k], &records[k]))
-                return false;
-    }
     for (int k = 0; k < count; k++)
-        if (!times[k].dropped) {
-            times[k].step = series_median(records[k].step, records[k].count);
-            times[k].broadphase = series_median(records[k].broadphase, records[k].count);
+        if (!warm_up(&labs[k], plan, repetition, &times[k]))
+            return false;
+    for (int first = 0; first < plan->steps; first += TURN) {
+        bool late = lab_now(NULL) - start > plan->seconds;
+        if (repetition == 0 && late && first >= LEAST_TURNS * TURN)
+            break;
+        progress_show(label, (double)first / plan->steps);
+        for (int k = 0; k < count; k++) {
+            int steps = repetition == 0 ? plan->steps : times[k].count;
+            if (!times[k].dropped && !take_turn(&labs[k], first, steps, repetition, &times[k]))
+                return false;
         }
+    }
     progress_clear();
     return true;
+}
+
+double lab_turns_mean(const double *values, int count) {
+    double sum = 0;
+    for (int i = 0; i < count; i++)
+        sum += values[i];
+    return sum / count;
 }

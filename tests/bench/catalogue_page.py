@@ -1,0 +1,195 @@
+"""The tables of docs/catalogue.md, in Markdown, from the JSON of thud-catalogue."""
+
+import re
+
+from catalogue_figures import (BROADPHASES, LEVELS, WAYS, cheapest, dropped_at, in_words,
+                               per_pair)
+from performance_page import NOT_MEASURED, table
+
+
+def ns(value):
+    """Three digits."""
+    return f"{value:,.0f}" if value >= 99.95 else f"{value:.3g}"
+
+
+def count(value):
+    return f"{value:,.0f}" if value == int(value) or value >= 100 else f"{value:,.1f}"
+
+
+def share(value):
+    return f"{100 * value:.0f} %" if value in (0, 1) else f"{100 * value:.1f} %"
+
+
+def millimetres(value):
+    return f"{1e3 * value:,.2f}" if value else "0"
+
+
+def broadphase_cells(row):
+    """Broadphase and step of each in ns a shape, the cheapest broadphase in bold."""
+    cells = []
+    for name in BROADPHASES:
+        found = row[name]
+        if found["dropped"]:
+            cells.append("too dear")
+            continue
+        price = ns(found["ns_per_shape"])
+        price = f"**{price}**" if name == cheapest(row) else price
+        cells.append(f"{price} ({ns(found['step_ns_per_shape'])})")
+    return cells
+
+
+def step_ms(rows, name, shapes):
+    return ns(next(r[name]["step_ms"] for r in rows if r["shapes"] == shapes))
+
+
+def growth(results):
+    rows = results["growth"]
+    text = table(["shapes", "pairs", *BROADPHASES],
+                 [[count(r["shapes"]), count(r["grid"]["pairs"]), *broadphase_cells(r)]
+                  for r in rows])
+    text += "\n\n" + in_words(rows)
+    for name, shapes in dropped_at(rows).items():
+        text += (f" With {count(shapes)} shapes a step with {name} took "
+                 f"{step_ms(rows, name, shapes)} ms, more than half a second, and it dropped out.")
+    return text
+
+
+def coherence(results):
+    return table(["bodies that move, and their speed", *BROADPHASES],
+                 [[r["case"], *broadphase_cells(r)] for r in results["coherence"]])
+
+
+def sizes(results):
+    return table(["largest over smallest", "pairs that overlap", *BROADPHASES],
+                 [[r["case"], count(r["overlaps"]), *broadphase_cells(r)]
+                  for r in results["sizes"]])
+
+
+def gathering(results):
+    rows = []
+    for r in results["gathering"]:
+        cells = [f"{ns(per_pair(r, n))} ({ns(1e6 * r[n]['first_ms'] / r['overlaps'])})"
+                 for n in BROADPHASES]
+        rows.append([r["case"].replace("m^2", "m²"), count(r["overlaps"]), *cells,
+                     count(r["grid"]["pairs"])])
+    return table(["room", "pairs that overlap", *BROADPHASES, "pairs that the grid has handed out"],
+                 rows)
+
+
+def detections(results):
+    rows = []
+    for s in results["detections"]:
+        base = s["ways"]["overlap"]
+        for way in WAYS:
+            w = s["ways"][way]
+            kept = share(w["energy_kept"]) if s["scene"] == "gas" else ""
+            rows.append([f"{s['scene']}, {count(s['size'])}", way,
+                         f"{w['ms_median']:.4f}", f"{w['ms_median'] / base['ms_median']:.2f}",
+                         f"{w['ms_mean'] / base['ms_mean']:.2f}", f"{w['ms_max']:.3f}",
+                         millimetres(w["overlap_max"]), kept, count(w["impacts"]),
+                         count(w["held_bodies"]), f"{w['held_seconds']:.2f}",
+                         count(w["unbisectable"])])
+    return table(["scene", "detection", "median step, ms", "over overlap's", "mean over overlap's",
+                  "worst step, ms", "deepest overlap, mm", "energy kept", "impacts", "held",
+                  "seconds lost", "unsafe for bisection"], rows)
+
+
+def walls(results):
+    speeds = [f"{s['speed']:,.0f} m/s" for s in results["walls"][0]["speeds"]]
+    return table(["wall", "detection", *speeds],
+                 [[r["wall"], r["detection"], *(share(s["passed"]) for s in r["speeds"])]
+                  for r in results["walls"]])
+
+
+def throws(results):
+    return table(["detection", "steps a second", "flight, mm", "hit, mean mm", "hit, worst mm",
+                  "met early, mm", "met late, mm", "bend, mm", "g h²/8, mm"],
+                 [[r["detection"], count(r["rate"]),
+                   *(millimetres(r[k]) for k in ("flight", "mean", "worst", "early", "late", "bend",
+                                                 "chord"))]
+                  for r in results["throws"]])
+
+
+def levels(results):
+    return table(["scene", *LEVELS.values(), "fat bounds of the grid", "contacts", "1 overlap in"],
+                 [[f"{r['scene']}, {count(r['size'])}", *(count(r[k]) for k in LEVELS),
+                   count(r["bounds"]), count(r["contacts"]),
+                   count(round(r["pairs"] / r["exact"])) if r["exact"] else ""]
+                  for r in results["levels"]])
+
+
+def motions(results):
+    rows = []
+    for s in results["detections"]:
+        w = s["ways"]["swept"]
+        rows.append([f"{s['scene']}, {count(s['size'])}",
+                     *(count(w[k] / s["steps"]) for k in (
+                         "motion_pairs", "motion_circles", "motion_boxes", "motion_exact",
+                         "impacts"))])
+    return table(["scene", "pairs", "circles met", "boxes met", "times worked out", "impacts"],
+                 rows)
+
+
+def by_pair(rows, head, name):
+    pairs = max((list(r["ns"]) for r in rows), key=len)
+    return table([head, *pairs],
+                 [[name(r), *(ns(r["ns"][p]) if p in r["ns"] else "" for p in pairs)]
+                  for r in rows])
+
+
+def calls(results):
+    return by_pair(results["calls"], "function, ns", lambda r: f"`thud_{r['call']}`")
+
+
+def tolerances(results):
+    return by_pair(results["tolerances"], "tolerance, ns",
+                   lambda r: f"2<sup>-{r['bits']:.0f}</sup>")
+
+
+def ground(row):
+    far = f", {row['spacing'] * 100:.0f} cm apart" if row["spacing"] < 1 else ""
+    return row["ground"] if row["ground"] == "flat" else \
+        f"{row['ground']}, {count(row['vertices'])}{far}"
+
+
+def grounds(results):
+    return by_pair(results["grounds"], "ground, ns", ground)
+
+
+def digging(results):
+    return table(["ground, ns", "dig", "worst", "raise", "worst"],
+                 [[ground(r), *(ns(r[what][k]) for what in ("dig", "raise")
+                                for k in ("median", "worst"))] for r in results["digging"]])
+
+
+def queries(results):
+    return table(["query, ns", "finds", *BROADPHASES],
+                 [[r["query"], f"{r['found']:.2f}", *(ns(r[n]) for n in BROADPHASES)]
+                  for r in results["queries"]])
+
+
+def mover(results):
+    return "; ".join(f"{m['mover']} {ns(m['ns'])} ns" for m in results["mover"])
+
+
+# What of the results a placeholder needs, and what makes its text of them.
+SECTIONS = {f.__name__: (needs, f) for needs, f in [
+    ("growth", growth), ("coherence", coherence), ("sizes", sizes), ("gathering", gathering),
+    ("detections", detections), ("walls", walls), ("throws", throws), ("levels", levels),
+    ("detections", motions), ("calls", calls), ("tolerances", tolerances), ("grounds", grounds),
+    ("digging", digging), ("queries", queries), ("mover", mover)]}
+ABOUT = ["date", "commit", "processor", "processors", "system", "compiler"]
+
+
+def fill(notes, results):
+    """The notes with every {{name}} replaced; a name that nothing makes is an error."""
+    def text_of(match):
+        name = match.group(1)
+        if name in ABOUT:
+            return str(results["about"][name])
+        if name == "thoroughness":
+            return "a quick run, which compares little" if results["quick"] else "a full run"
+        needs, make = SECTIONS[name]
+        return make(results) if needs in results else NOT_MEASURED
+
+    return re.sub(r"\{\{(\w+)\}\}", text_of, notes)

@@ -1,0 +1,116 @@
+"""Runs thud-catalogue, quickly, and checks its tables, its JSON and its errors. No time is asserted.
+
+usage: check_catalogue.py THUD_CATALOGUE
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+import catalogue_page
+import catalogue_picture
+from catalogue_figures import BROADPHASES, WAYS
+
+
+def run(program, *arguments):
+    return subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
+
+
+def results_of(program, folder, *arguments):
+    path = os.path.join(folder, "catalogue.json")
+    done = run(program, "--quick", "--json", path, *arguments)
+    assert done.returncode == 0 and done.stderr == "", done
+    with open(path, encoding="utf-8") as file:
+        return json.load(file), done.stdout
+
+
+def check_broadphases(results):
+    for part in ("growth", "coherence", "sizes", "gathering"):
+        for row in results[part]:
+            for name in BROADPHASES:
+                assert row[name]["ns_per_shape"] >= 0 and row[name]["step_ns_per_shape"] > 0, row
+            # In a crowd the grid hands out its pairs little by little.
+            pairs = {row[name]["pairs"] for name in BROADPHASES[part == "gathering":]}
+            assert len(pairs) == 1, row
+    assert results["gathering"][-1]["overlaps"] == 100 * 99 / 2, results["gathering"]
+
+
+def check_detections(results):
+    for scene in results["detections"]:
+        assert list(scene["ways"]) == WAYS, scene
+        for way in scene["ways"].values():
+            assert way["ms_median"] > 0 and way["ms_max"] >= way["ms_mean"] > 0, way
+            levels = [way[k] for k in ("motion_pairs", "motion_circles", "motion_boxes")]
+            assert levels == sorted(levels, reverse=True), way
+    gas = results["detections"][0]["ways"]
+    assert gas["swept"]["impacts"] > 0 and gas["overlap"]["impacts"] == 0, gas
+    assert gas["swept"]["overlap_max"] < 1e-6 < gas["overlap"]["overlap_max"], gas
+
+
+def check_walls(results):
+    passed = {(row["wall"], row["detection"]): [s["passed"] for s in row["speeds"]]
+              for row in results["walls"]}
+    assert len(passed) == 2 * len(WAYS), passed
+    for wall in ("static", "dynamic"):
+        assert set(passed[wall, "swept"]) == {0}, passed
+        assert passed[wall, "overlap"][-1] == passed[wall, "bisect"][-1] == 1, passed
+    assert set(passed["static", "continuous"]) == {0}, passed
+
+
+def check_throws(results):
+    for row in results["throws"]:
+        # To the rounding of single precision at twenty metres.
+        assert row["bend"] <= row["chord"] + 2e-5, row
+        assert 0 < row["flight"] < 0.1 and row["mean"] <= row["worst"], row
+
+
+def check_levels(results):
+    for row in results["levels"]:
+        counts = [row[k] for k in ("pairs", "circles", "boxes", "oriented", "exact")]
+        assert counts == sorted(counts, reverse=True) and counts[0] > 0, row
+        assert row["contacts"] <= row["bounds"], row
+
+
+def check_calls(results):
+    prices = [ns for part in ("calls", "tolerances", "grounds") for row in results[part]
+              for ns in row["ns"].values()]
+    prices += [row[k]["median"] for row in results["digging"] for k in ("dig", "raise")]
+    prices += [row[k] for row in results["queries"] for k in BROADPHASES]
+    prices += [row["ns"] for row in results["mover"]]
+    assert len(prices) > 150 and all(ns > 0 for ns in prices), prices
+    assert all(0 < row["found"] < 50 for row in results["queries"]), results["queries"]
+
+
+def check_page(results):
+    for needs, make in catalogue_page.SECTIONS.values():
+        assert needs in results and "|" in make(results) or needs == "mover", needs
+    assert len(catalogue_picture.draw(results)) == 6
+
+
+def check_parts_and_errors(program, folder):
+    results, table = results_of(program, folder, "--part", "walls")
+    assert "walls" in results and "growth" not in results and "swept" in table, results
+    for arguments, text in [
+        (["--part", "no_such"], "no_such"),
+        (["--part"], "--part"),
+        (["--unknown"], "--unknown"),
+        (["--json", os.path.join(folder, "missing", "x.json")], "cannot write"),
+    ]:
+        done = run(program, *arguments)
+        assert done.returncode == 2 and text in done.stderr and done.stdout == "", (arguments, done)
+    done = run(program, "--help")
+    assert done.returncode == 0 and "--quick" in done.stdout, done
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    everything, _ = results_of(sys.argv[1], scratch)
+    check_broadphases(everything)
+    check_detections(everything)
+    check_walls(everything)
+    check_throws(everything)
+    check_levels(everything)
+    check_calls(everything)
+    check_page(everything)
+    check_parts_and_errors(sys.argv[1], scratch)
