@@ -130,7 +130,15 @@ thud_pos td_piece_normal(const td_piece *e, thud_pos at)
     return (thud_pos){n.x / length, n.y / length};
 }
 
-bool td_grown_highest(const td_grown *k, double x, td_piece *out, double *height)
+/* May the piece lie over x? Tells most of them apart before they are worked out. */
+static bool may_cover(const td_grown *k, int index, int part, double x)
+{
+    int end = part == 2 && index < k->terrain->count - 1 ? index + 1 : index;
+    return x >= td_grown_vertex(k, index).x - k->under[2].x &&
+           x <= td_grown_vertex(k, end).x - k->under[0].x;
+}
+
+bool td_grown_highest(const td_grown *k, double x, double enough, td_piece *out, double *height)
 {
     bool found = false;
     int first, last;
@@ -142,7 +150,9 @@ bool td_grown_highest(const td_grown *k, double x, td_piece *out, double *height
     td_grown_vertices(k, x, x, &first, &last);
     for (int i = first * TD_PIECES; i < (last + 1) * TD_PIECES; i++) {
         td_piece e;
-        if (!td_grown_piece(k, i / TD_PIECES, i % TD_PIECES, &e) || x < e.p.x || x > e.q.x) {
+        int index = i / TD_PIECES, part = i % TD_PIECES;
+        if (!may_cover(k, index, part, x) || !td_grown_piece(k, index, part, &e) || x < e.p.x ||
+            x > e.q.x) {
             continue;
         }
         double here = td_piece_height(&e, x);
@@ -150,6 +160,9 @@ bool td_grown_highest(const td_grown *k, double x, td_piece *out, double *height
             found = true;
             *height = here;
             *out = e;
+        }
+        if (here >= enough) {
+            break;
         }
     }
     return found;

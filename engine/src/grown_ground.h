@@ -47,8 +47,10 @@ td_piece td_grown_line(const td_grown *grown);
  * covers its place. */
 bool td_grown_piece(const td_grown *grown, int vertex, int part, td_piece *out);
 
-/* The highest piece over x; of equal ones the one that goes on furthest. */
-bool td_grown_highest(const td_grown *grown, double x, td_piece *out, double *height);
+/* The highest piece over x, or the first that is `enough` high; of equal ones the one that goes on
+ * furthest. */
+bool td_grown_highest(const td_grown *grown, double x, double enough, td_piece *out,
+                      double *height);
 
 double td_piece_height(const td_piece *piece, double x);
 

@@ -8,6 +8,8 @@
 
 enum { MAX_HALVINGS = 64 };
 
+#define ANY_HEIGHT 1e300
+
 /* ---- the nearest place ---- */
 
 /* Offers a result with the centre at `distance` along the normal from the place z of the outline;
@@ -59,7 +61,7 @@ static void offer_side(const td_grown *k, thud_closest *best)
     thud_pos last = td_grown_vertex(k, k->terrain->count - 1);
     double x = last.x - k->under[0].x, top;
     td_piece e;
-    if (!td_grown_highest(k, x, &e, &top) || top < 0.0) {
+    if (!td_grown_highest(k, x, ANY_HEIGHT, &e, &top) || top < 0.0) {
         return;
     }
     e = (td_piece){.at_vertex = true, .touch = {last.x, k->under[0].y}};
@@ -183,7 +185,7 @@ static void walk(const td_grown *k, td_piece top, double x, double tolerance, th
         bool ended = stop >= top.q.x;
         x = stop > x ? stop : x + tolerance; /* rounding never stops the walk */
         top = next;
-        if (ended && !td_grown_highest(k, x, &top, &height)) {
+        if (ended && !td_grown_highest(k, x, ANY_HEIGHT, &top, &height)) {
             break;
         }
     }
@@ -212,12 +214,12 @@ void td_terrain_closest(const thud_terrain *t, const thud_placed *shape, thud_po
     *out = (thud_closest){.distance = 1e300, .ny = 1.0};
     if (t->kind == THUD_TERRAIN_FLAT) {
         on_endless_line(&k, out);
-    } else if (td_grown_highest(&k, 0.0, &top, &height) && height >= 0.0) {
+    } else if (td_grown_highest(&k, 0.0, ANY_HEIGHT, &top, &height) && height >= 0.0) {
         double tolerance = 1e-15 * (td_reach(shape) + height);
         *out = (thud_closest){.distance = -1e300, .ny = 1.0};
         offer_point(&k, &top, (thud_pos){0.0, height}, true, out);
         walk(&k, top, 0.0, tolerance, out);
-        if (td_grown_highest(&flipped, 0.0, &top, &height)) {
+        if (td_grown_highest(&flipped, 0.0, ANY_HEIGHT, &top, &height)) {
             walk(&flipped, top, 0.0, tolerance, out);
         }
     } else {

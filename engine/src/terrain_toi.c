@@ -11,7 +11,7 @@ bool thud_terrain_overlap(const thud_terrain *t, const thud_placed *shape)
     td_grown grown = td_grown_by(t, shape, (thud_pos){0.0, 0.0});
     td_piece top;
     double height;
-    return td_grown_highest(&grown, 0.0, &top, &height) && height >= 0.0;
+    return td_grown_highest(&grown, 0.0, 0.0, &top, &height) && height >= 0.0;
 }
 
 /* The motion against a straight piece of the ground's outline, seen as a box without thickness. */
