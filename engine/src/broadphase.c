@@ -312,9 +312,9 @@ static bool is_vast(const thud_world *w)
 /* Static shapes that came or moved may stand next to others. */
 static bool find_seams(thud_world *w)
 {
-    for (int i = 0; i < w->moved.count; i++) {
+    for (int i = 0; i < w->moved.count && w->seams; i++) {
         int shape = *(int *)td_at(&w->moved, i);
-        if (!is_awake(w, shape) && !td_seams_find(w, shape)) {
+        if (!is_awake(w, shape) && !w->seams->find(w, shape)) {
             return false;
         }
     }

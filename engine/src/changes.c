@@ -137,7 +137,7 @@ static bool apply(thud_world *w, int index)
     td_body *body = td_body_at(w, index);
     int changes = body->changes;
     int edits = TD_CHANGE_LEAVE | TD_CHANGE_SHAPES | TD_CHANGE_PLACE;
-    if (!reserve_ends(w, index) || ((changes & edits) && !td_seams_lose(w, index)) ||
+    if (!reserve_ends(w, index) || ((changes & edits) && w->seams && !w->seams->lose(w, index)) ||
         ((changes & edits || body->kind == THUD_KINEMATIC) && !wake_touching(w, index)) ||
         (changes != TD_CHANGE_SLEEP && !(changes & TD_CHANGE_LEAVE) && !td_wake(w, index))) {
         return false;

@@ -131,11 +131,6 @@ static void schedule_all_of(thud_world *w, const td_flight *f)
 
 /* ---- collisions ---- */
 
-static bool asleep(const thud_world *w, int body)
-{
-    return td_body_at(w, body)->kind == THUD_DYNAMIC && td_body_at(w, body)->awake < 0;
-}
-
 static bool vetoes(thud_world *w, int number, const thud_contact *seen)
 {
     bool asked = number < w->contacts.count && td_contact_at(w, number)->state == TD_TOUCHING;
@@ -174,7 +169,7 @@ static void collide(thud_world *w, int number, double time)
     if (vetoes(w, number, &impact.seen)) {
         return;
     }
-    bool sleeper = asleep(w, e.body[0]) || asleep(w, e.body[1]);
+    bool sleeper = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]);
     if (!sleeper) {
         td_impact_resolve(w, &e, &at, &impact);
         *(td_impact *)td_at(&w->scratch.impacts, w->scratch.impacts.count++) = impact;

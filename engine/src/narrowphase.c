@@ -100,7 +100,9 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
     int parted_count = 0;
     collide(w, kind, list, blocks, parted, &parted_count);
     for (int i = 0; i < blocks; i++) {
-        td_seams_amend(w, list[i], kind);
+        if (w->seams) {
+            w->seams->amend(w, list[i], kind);
+        }
         for (unsigned bits = list[i]->touching; bits; bits &= bits - 1) {
             td_push_int(&w->scratch.begins, list[i]->contact[__builtin_ctz(bits)]);
         }
@@ -182,22 +184,14 @@ static void test_waiting(thud_world *w, int kind)
     test_batch(&b);
 }
 
-static bool asleep(const thud_world *w, int shape)
-{
-    const td_body *body = td_body_at(w, td_shape_at(w, shape)->body);
-    return body->kind == THUD_DYNAMIC && body->awake < 0;
-}
-
 static bool begin_contacts(thud_world *w)
 {
     td_array *begins = &w->scratch.begins;
     const int *list = begins->data;
     for (int i = 0; i < begins->count; i++) {
         const td_contact *contact = td_contact_at(w, list[i]);
-        int sleeper = asleep(w, contact->shape_a)   ? contact->shape_a
-                      : asleep(w, contact->shape_b) ? contact->shape_b
-                                                    : TD_NONE;
-        if (sleeper != TD_NONE && !td_wake(w, td_shape_at(w, sleeper)->body)) {
+        int sleeper = contact->body[td_body_sleeps(w, contact->body[0]) ? 0 : 1];
+        if (td_body_sleeps(w, sleeper) && !td_wake(w, sleeper)) {
             return false;
         }
     }
@@ -388,7 +382,9 @@ bool td_narrowphase(thud_world *w)
         return false;
     }
     collide_lanes(w);
-    td_seams_amend_all(w);
+    if (w->seams) {
+        w->seams->amend_all(w);
+    }
     if (!part_contacts(w)) {
         return false;
     }

@@ -244,7 +244,7 @@ static void amend_lane(thud_world *w, td_block *block, int kind, int lane)
     write_lane(w, block, kind, lane, &contact);
 }
 
-void td_seams_amend(thud_world *w, td_block *block, int kind)
+static void amend(thud_world *w, td_block *block, int kind)
 {
     uint64_t seams;
     memcpy(&seams, block->seams, sizeof seams);
@@ -258,7 +258,7 @@ void td_seams_amend(thud_world *w, td_block *block, int kind)
     }
 }
 
-void td_seams_amend_all(thud_world *w)
+static void amend_all(thud_world *w)
 {
     td_block *const *blocks = w->scratch.blocks.data;
     td_block **parted = w->scratch.parted.data;
@@ -267,10 +267,12 @@ void td_seams_amend_all(thud_world *w)
         for (int i = run->first; i < run->first + run->count && run->fixed; i++) {
             td_block *block = blocks[i];
             bool whole = block->touching == (1u << block->used) - 1u;
-            td_seams_amend(w, block, run->kind);
+            amend(w, block, run->kind);
             if (whole && block->touching != (1u << block->used) - 1u) {
                 parted[w->scratch.parted.count++] = block;
             }
         }
     }
 }
+
+const td_seam_ops td_seams = {td_seams_find, td_seams_lose, amend, amend_all};

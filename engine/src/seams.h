@@ -17,17 +17,22 @@ static inline unsigned td_corner_bit(bool right, bool top)
     return 1u << (TD_FACES + right + 2 * top);
 }
 
-/* Looks for what a static shape that came or moved stands next to. False when memory is short. */
-bool td_seams_find(thud_world *w, int shape);
+/* Plugged into a world with the first box or line, see kinds.h. */
+typedef struct td_seam_ops {
+    /* Looks for what a static shape that came or moved stands next to. False when memory is short. */
+    bool (*find)(thud_world *w, int shape);
+    /* Before a static body's shapes leave or move: their neighbours will look anew. Likewise. */
+    bool (*lose)(thud_world *w, int body);
+    /* Takes ghosts out of the lanes of a block whose first shapes are static: a contact with a hidden
+     * face moves to one that can be met, or ends, which td_block.touching tells. */
+    void (*amend)(thud_world *w, td_block *block, int kind);
+    /* The same for all lanes of the step; adds to scratch.parted, which has room. */
+    void (*amend_all)(thud_world *w);
+} td_seam_ops;
 
-/* Before a static body's shapes leave or move: their neighbours will look anew. False when memory is
- * short. */
+extern const td_seam_ops td_seams;
+
+bool td_seams_find(thud_world *w, int shape); /* seam_find.c */
 bool td_seams_lose(thud_world *w, int body);
-
-/* Takes ghosts out of the lanes of a block whose first shapes are static: a contact with a hidden
- * face moves to one that can be met, or ends, which td_block.touching tells. */
-void td_seams_amend(thud_world *w, td_block *block, int kind);
-/* The same for all lanes of the step; adds to scratch.parted, which has room. */
-void td_seams_amend_all(thud_world *w);
 
 #endif

@@ -148,6 +148,7 @@ struct thud_world {
     td_memory memory;
     uint32_t number;                                  /* mixed into generations */
     const td_pair_ops *pairs[TD_PAIR_TOUCH_COUNT];    /* plugged in by kinds.h */
+    const struct td_seam_ops *seams;                  /* likewise; null: nothing has faces */
     bool wide;                                        /* AVX2 kernels may run */
     bool locked;                                      /* inside a callback */
     float unit;                                       /* L in the caller's unit */
@@ -233,6 +234,11 @@ struct thud_world {
 static inline td_body *td_body_at(const thud_world *w, int i)
 {
     return td_slot_of(&w->bodies, i, sizeof(td_body));
+}
+
+static inline bool td_body_sleeps(const thud_world *w, int i)
+{
+    return td_body_at(w, i)->kind == THUD_DYNAMIC && td_body_at(w, i)->awake < 0;
 }
 
 static inline td_shape *td_shape_at(const thud_world *w, int i)

@@ -25,7 +25,7 @@ extern const thud_broadphase thud_broadphase_all;
 const char *thud_broadphase_name(const thud_broadphase *broadphase); /* "" for null */
 
 /* How moving shapes are tested: a choice for a world, and for single bodies. Of two moving bodies the
- * finer choice decides on their pair. `docs/detection.md` has what each costs and gets wrong. */
+ * finer choice decides on their pair. `docs/catalogue.md` has what each costs and gets wrong. */
 typedef struct thud_detection thud_detection;
 
 /* Where they stand at the start of each step, and nowhere else: the cheapest. What moves further than

@@ -23,7 +23,7 @@ export const DETECTIONS = ["overlap", "continuous", "bisect", "swept"] as const;
 /**
  * How moving shapes are tested: where they stand at the start of a step ("overlap"); that, and fast
  * ones stop at static shapes ("continuous"); taken back to their collisions ("bisect"); or moved
- * from collision to collision ("swept"). docs/detection.md has what each costs and gets wrong.
+ * from collision to collision ("swept"). docs/catalogue.md has what each costs and gets wrong.
  */
 export type Detection = (typeof DETECTIONS)[number];
 
