@@ -13,14 +13,23 @@ enum { LANES = 4, BULLETS = 3, WALLS = 2 };
 /* m/s. A bullet moves by up to 0.75 m a step: far beyond what a wall and it measure together, and
  * less than half of what floor and ceiling do, so that overlap pushes it back inside. */
 static const double SPEEDS[BULLETS] = {12, 24, 45};
-static const double RADIUS = 0.12, THIN = 0.02, STOREY = 3;
+static const double RADIUS = 0.12, THIN = 0.02, STOREY = 3, PILLAR = 0.5;
 
-/* Between x - half and x + half, standing on `floor`. Bullets keep clear of each other. */
-static void add_range(scene *s, double x, double half, double floor, scene_detection detection) {
-    double top = floor + (WALLS + 1) * STOREY;
-    scene_static_box(s, x, top + 1, half + 2, 1);
-    scene_static_box(s, x - half - 1, 0.5 * (floor + top), 1, 0.5 * (top - floor));
-    scene_static_box(s, x + half + 1, 0.5 * (floor + top), 1, 0.5 * (top - floor));
+/* Three slabs from end to end, and pillars between them that part the lanes. */
+static void add_house(scene *s, double half, double range) {
+    double pitch = 2 * (half + PILLAR), end = 0.5 * LANES * pitch + PILLAR;
+    s->material = (scene_material){.density = 1, .friction = 0, .restitution = 1};
+    scene_static_box(s, 0, -half - 1, end, 1);
+    scene_static_box(s, 0, half + 1, end, 1);
+    scene_static_box(s, 0, half + 3 + range, end, 1);
+    for (int i = 0; i <= LANES; i++) {
+        scene_static_box(s, (i - 0.5 * LANES) * pitch, 0, PILLAR, half);
+        scene_static_box(s, (i - 0.5 * LANES) * pitch, half + 2 + 0.5 * range, PILLAR, 0.5 * range);
+    }
+}
+
+/* From x - half to x + half, on `floor`. Bullets keep clear of each other. */
+static void add_range(scene *s, double x, double half, double floor) {
     for (int i = 1; i <= WALLS; i++)
         scene_static_box(s, x, floor + i * STOREY, half, THIN);
     for (int i = 0; i < BULLETS; i++) {
@@ -28,27 +37,27 @@ static void add_range(scene *s, double x, double half, double floor, scene_detec
         scene_body *bullet = scene_dynamic_circle(s, x + side, floor + 0.5 * STOREY, RADIUS);
         bullet->vy = SPEEDS[i];
         bullet->may_sleep = false;
-        bullet->detection = detection;
     }
 }
 
 static void fill(scene *s, int size) {
     const scene_detection detections[LANES] = {SCENE_OVERLAP, SCENE_CONTINUOUS, SCENE_BISECT,
                                                SCENE_SWEPT};
+    double half = scene_gas_half(size), range = (WALLS + 1) * STOREY;
     s->gravity_y = 0;
     s->show = SCENE_SHOW_MOTIONS;
-    double half = scene_gas_half(size);
+    add_house(s, half, range);
     for (int i = 0; i < LANES; i++) {
-        double x = (i - 0.5 * (LANES - 1)) * (2 * half + 2);
+        double x = (i - 0.5 * (LANES - 1)) * 2 * (half + PILLAR);
         int first = s->body_count;
-        scene_add_gas(s, x, 0, size);
+        scene_add_gas_circles(s, x, 0, size);
+        add_range(s, x, half, half + 2);
         for (int k = first; k < s->body_count; k++)
             s->bodies[k].detection = detections[i];
-        add_range(s, x, half, half + 2, detections[i]);
     }
-    double height = 2 * half + 6 + (WALLS + 1) * STOREY, width = LANES * (2 * half + 2) + 2;
+    double height = 2 * half + 6 + range, width = 2 * LANES * (half + PILLAR) + 2;
     s->camera_y = 0.5 * height - half - 2;
-    s->camera_height = fmax(1.15 * height, 0.8 * width);
+    s->camera_height = fmax(1.2 * height, 0.8 * width);
     s->spawn_y = s->camera_y;
 }
 

@@ -30,15 +30,12 @@ double scene_gas_half(int count) {
     return 0.5 * SPACING * columns_of(count) + 0.5;
 }
 
-double scene_add_gas(scene *s, double x, double y, int count) {
+static const scene_material ELASTIC = {.density = 1, .friction = 0, .restitution = 1};
+
+void scene_add_gas_circles(scene *s, double x, double y, int count) {
     const double speed = 5;
     int columns = columns_of(count);
-    double half = scene_gas_half(count);
-    s->material = (scene_material){.density = 1, .friction = 0, .restitution = 1};
-    scene_static_box(s, x, y - half - 1, half + 2, 1);
-    scene_static_box(s, x, y + half + 1, half + 2, 1);
-    scene_static_box(s, x - half - 1, y, 1, half);
-    scene_static_box(s, x + half + 1, y, 1, half);
+    s->material = ELASTIC;
     scene_random random = {4};
     for (int i = 0; i < count; i++) {
         scene_body *body =
@@ -50,6 +47,16 @@ double scene_add_gas(scene *s, double x, double y, int count) {
         body->gravity_scale = 0;
         body->may_sleep = false;
     }
+}
+
+double scene_add_gas(scene *s, double x, double y, int count) {
+    double half = scene_gas_half(count);
+    s->material = ELASTIC;
+    scene_static_box(s, x, y - half - 1, half + 2, 1);
+    scene_static_box(s, x, y + half + 1, half + 2, 1);
+    scene_static_box(s, x - half - 1, y, 1, half);
+    scene_static_box(s, x + half + 1, y, 1, half);
+    scene_add_gas_circles(s, x, y, count);
     return half;
 }
 

@@ -4,12 +4,14 @@
 
 #include "scene.h"
 
-/* Half the width inside the walls of a gas of `count` circles. */
+/* Half the width of the square that `count` circles get. */
 double scene_gas_half(int count);
 
-/* Adds four walls and `count` frictionless, elastic circles of radius 0.25 that fly at 5 m/s in
- * random directions and heed no gravity, in a square about (x, y); returns the half width inside
- * the walls. Leaves the scene's material elastic. */
+/* Adds `count` frictionless, elastic circles of radius 0.25 that fly at 5 m/s in random directions
+ * and heed no gravity, in a square about (x, y). Leaves the scene's material elastic. */
+void scene_add_gas_circles(scene *s, double x, double y, int count);
+
+/* The same behind four walls; returns the half width inside them. */
 double scene_add_gas(scene *s, double x, double y, int count);
 
 #endif

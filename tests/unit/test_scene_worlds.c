@@ -78,7 +78,7 @@ static void every_level_runs_and_moves(void **state) {
     }
 }
 
-/* Four lanes from left to right; each has as many bodies. A bullet starts below the first thin wall. */
+/* Four lanes from left to right, parted by pillars. A bullet starts below the first thin wall. */
 static void detection_lanes_keep_bullets_that_continuous_and_swept_look_after(void **state) {
     (void)state;
     enum { LANES = 4, STEPS = 600 };
@@ -92,6 +92,7 @@ static void detection_lanes_keep_bullets_that_continuous_and_swept_look_after(vo
     for (int i = 0; i < s.body_count && first_wall == 0; i++)
         if (s.bodies[i].kind == SCENE_STATIC && s.shapes[s.bodies[i].first_shape].hy < 0.1)
             first_wall = s.bodies[i].y;
+    double width = 2 * s.shapes[s.bodies[0].first_shape].hx; /* the lowest slab's */
     bool passed[LANES] = {false};
     int bullets = 0;
     for (int step = 0; step < STEPS; step++) {
@@ -102,7 +103,8 @@ static void detection_lanes_keep_bullets_that_continuous_and_swept_look_after(vo
                 continue;
             bullets += step == 0;
             assert_int_equal(thud_body_get(world, ids[i], &body), THUD_OK);
-            passed[i * LANES / s.body_count] |= body.position.y > first_wall;
+            int lane = (int)((s.bodies[i].x / width + 0.5) * LANES);
+            passed[lane] |= body.position.y > first_wall;
         }
     }
     assert_int_equal(bullets, 3 * LANES);

@@ -1,6 +1,7 @@
 /** What the page can run: the built-in scenes of the wasm module, and the levels of assets/levels. */
-import { type Engine, type Quality, World } from "thud";
+import { type Engine, World, type WorldOptions } from "thud";
 import { buildLevel, type Problem, readLevel } from "thud/level";
+import type { OverlayName } from "./render/overlay";
 
 export interface Entry {
   /** As in the URL. */
@@ -10,6 +11,9 @@ export interface Entry {
   about: string;
   group: string;
 }
+
+/** What the visitor has chosen for every world. */
+export type Choices = Required<Pick<WorldOptions, "quality" | "detection" | "broadphase">>;
 
 /** A scene or level that has been built. */
 export interface Built {
@@ -22,6 +26,10 @@ export interface Built {
   character: boolean;
   gravity: readonly [number, number];
   lengthScale: number;
+  /** The overlays that it is about. */
+  show: readonly OverlayName[];
+  /** So many times two bodies, from the first on, are shown with their Minkowski sum. */
+  sumPairs: number;
   /** What a level does without. */
   problems: readonly Problem[];
 }
@@ -31,9 +39,13 @@ const GROUPS: readonly [group: string, names: readonly string[]][] = [
     "Piles and stacks",
     ["pyramid", "circle_pit", "mixed_terrain", "digging", "tall_stack", "heavy_on_light"],
   ],
+  ["How it is done", ["detection", "minkowski", "broadphases"]],
   ["In motion", ["tumbler", "tumbler_half", "smash", "cradle", "slopes", "bullets", "gas"]],
   ["Crowds and extremes", ["platformer", "sizes", "one_spot", "asleep"]],
 ];
+
+/** In the order of the bits of scene_show. */
+const SHOWN: readonly OverlayName[] = ["cells", "axes", "motions"];
 
 const levelUrls = import.meta.glob<string>("../../assets/levels/*.tmj", {
   query: "?url",
@@ -71,19 +83,19 @@ export class Catalogue {
     return this.entries.find((entry) => entry.kind === kind && entry.name === name);
   }
 
-  async build(entry: Entry, quality: Quality): Promise<Built> {
-    if (entry.kind === "scene") return this.#buildScene(entry, quality);
+  async build(entry: Entry, choices: Choices): Promise<Built> {
+    if (entry.kind === "scene") return this.#buildScene(entry, choices);
     const path = Object.keys(levelUrls).find((key) => key.endsWith(`/${entry.name}.tmj`));
     const response = await fetch(levelUrls[path ?? ""]);
     if (!response.ok)
       throw new Error(`the level ${entry.name} cannot be loaded: ${response.statusText}`);
-    return this.buildText(entry.name, await response.text(), quality, entry);
+    return this.buildText(entry.name, await response.text(), choices, entry);
   }
 
   /** Builds a level from the text of a .tmj file; without `entry` it is the visitor's own. */
-  buildText(name: string, text: string, quality: Quality, entry?: Entry): Built {
+  buildText(name: string, text: string, choices: Choices, entry?: Entry): Built {
     const level = readLevel(name, text, { skip: true });
-    const world = buildLevel(this.#engine, level, { quality, timed: true });
+    const world = buildLevel(this.#engine, level, { ...choices, timed: true });
     return {
       entry: entry
         ? Object.assign(entry, { title: level.title, about: level.about || entry.about })
@@ -95,17 +107,20 @@ export class Catalogue {
       character: level.character,
       gravity: level.gravity,
       lengthScale: level.lengthScale,
+      show: [],
+      sumPairs: 0,
       problems: level.problems,
     };
   }
 
-  #buildScene(entry: Entry, quality: Quality): Built {
+  #buildScene(entry: Entry, choices: Choices): Built {
     const engine = this.#engine;
     const { exports } = engine;
     const index = this.#sceneIndex(entry.name);
-    World.writeOptions(engine, { quality, timed: true });
+    World.writeOptions(engine, { ...choices, timed: true });
     engine.check(exports.api_scene_create(index, 0));
-    const [address, cameraX, cameraY, cameraHeight, spawnX, spawnY, lengthScale] = engine.slots;
+    const [address, cameraX, cameraY, cameraHeight, spawnX, spawnY, lengthScale, show, sumPairs] =
+      engine.slots;
     return {
       entry,
       world: new World(engine, { lengthScale }, address),
@@ -115,6 +130,8 @@ export class Catalogue {
       character: false,
       gravity: [0, -10],
       lengthScale,
+      show: SHOWN.filter((_, bit) => (show >> bit) & 1),
+      sumPairs,
       problems: [],
     };
   }

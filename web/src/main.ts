@@ -1,11 +1,12 @@
 /** The page: loads the engine, runs a scene, and connects controls, pointers and drawing. */
-import { load, type Quality } from "thud";
+import { type Broadphase, type Detection, load, type Quality } from "thud";
 import { LevelError } from "thud/level";
 import wasmUrl from "../generated/thud-demo.wasm?url";
 import { type Built, Catalogue, type Entry } from "./catalogue";
 import { Hud } from "./hud";
 import { listen, type Tool } from "./input";
 import { listenToPad } from "./pad";
+import type { OverlayName } from "./render/overlay";
 import { DYNAMIC, ROW } from "./render/shapes";
 import { Simulation } from "./simulation";
 import { byId, type ThemeChoice, Ui } from "./ui";
@@ -26,6 +27,8 @@ const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 
 const state = {
   quality: "default" as Quality,
+  detection: "continuous" as Detection,
+  broadphase: "grid" as Broadphase,
   speed: 1,
   // Whoever asked for less motion starts it deliberately.
   paused: reducedMotion.matches,
@@ -40,11 +43,13 @@ let simulation: Simulation | null = null;
 let catalogue: Catalogue;
 let view: View;
 let hud: Hud;
+/** The overlays that are shown because the scene is about them, and go with it. */
+let lent: readonly OverlayName[] = [];
 /** Builds the running scene anew. */
 let rebuild: () => Promise<Built> | Built;
 
 const ui = new Ui({
-  choose: (entry) => void run(() => catalogue.build(entry, state.quality)),
+  choose: (entry) => void run(() => catalogue.build(entry, state)),
   openFile: (file) => void openFile(file),
   togglePause: () => setPaused(!state.paused),
   step: () => {
@@ -67,10 +72,17 @@ const ui = new Ui({
     guard(() => simulation?.setQuality(quality));
     keepState();
   },
+  setDetection: (detection) => {
+    state.detection = detection;
+    if (simulation) void run(rebuild, true);
+  },
+  setBroadphase: (broadphase) => {
+    state.broadphase = broadphase;
+    if (simulation) void run(rebuild, true);
+  },
   setOverlay: (name, on) => {
-    if (on) view.shown.add(name);
-    else view.shown.delete(name);
-    byId("timings").hidden = !view.shown.has("timings");
+    lent = lent.filter((other) => other !== name);
+    show(name, on);
   },
   setTheme: (theme) => {
     localStorage.setItem(THEME_KEY, theme);
@@ -117,6 +129,8 @@ async function start(): Promise<void> {
   ui.showTool(state.tool);
   ui.showChoice("speed", String(state.speed));
   ui.showChoice("quality", state.quality);
+  ui.showChoice("detection", state.detection);
+  ui.showChoice("broadphase", state.broadphase);
   ui.showPaused(state.paused);
   listenToPointers();
   requestAnimationFrame(frame);
@@ -125,10 +139,10 @@ async function start(): Promise<void> {
 
 async function runFirst(): Promise<void> {
   const first = catalogue.find("scene", FIRST_SCENE) ?? catalogue.entries[0];
-  const runDefault = () => run(() => catalogue.build(first, state.quality));
+  const runDefault = () => run(() => catalogue.build(first, state));
   if (!state.kind || !state.name) return runDefault();
   const entry = catalogue.find(state.kind, state.name);
-  if (entry) return run(() => catalogue.build(entry, state.quality));
+  if (entry) return run(() => catalogue.build(entry, state));
   const text = `There is no ${state.kind} called “${state.name}” here.`;
   ui.fail("Not found", text, [], () => void runDefault());
 }
@@ -142,7 +156,7 @@ async function run(build: () => Promise<Built> | Built, keepView = false): Promi
     const problems = error instanceof LevelError ? error.problems.map(({ text }) => text) : [];
     const text = problems.length > 0 ? "The file cannot be used:" : messageOf(error);
     ui.fail("This scene cannot be run", text, problems, () => {
-      if (!simulation) void run(() => catalogue.build(catalogue.entries[0], state.quality));
+      if (!simulation) void run(() => catalogue.build(catalogue.entries[0], state));
     });
     return;
   }
@@ -157,6 +171,7 @@ async function run(build: () => Promise<Built> | Built, keepView = false): Promi
   if (keepView) ui.say(`${entry.title}, from the beginning`);
   else {
     showWhole(next);
+    lend(next.built.show);
     ui.showScene(entry);
     if (problems.length > 0) {
       const more = problems.length > 1 ? ` (and ${problems.length - 1} more)` : "";
@@ -166,10 +181,24 @@ async function run(build: () => Promise<Built> | Built, keepView = false): Promi
   keepState(entry);
 }
 
+function show(name: OverlayName, on: boolean): void {
+  if (on) view.shown.add(name);
+  else view.shown.delete(name);
+  byId("timings").hidden = !view.shown.has("timings");
+}
+
+/** Shows what a scene is about; what the one before had brought goes. */
+function lend(overlays: readonly OverlayName[]): void {
+  for (const name of lent) show(name, false);
+  lent = overlays.filter((name) => !view.shown.has(name));
+  for (const name of lent) show(name, true);
+  ui.showOverlays(view.shown);
+}
+
 async function openFile(file: File): Promise<void> {
   const name = file.name.replace(/\.[^.]*$/, "");
   const text = await file.text();
-  await run(() => catalogue.buildText(name, text, state.quality));
+  await run(() => catalogue.buildText(name, text, state));
 }
 
 /** The scene's own view, and as wide as what moves in it, within reason. */

@@ -1,5 +1,12 @@
 /** The controls around the canvas: buttons, dialogs, keys and messages. No simulation in here. */
-import { QUALITIES, type Quality } from "thud";
+import {
+  type Broadphase,
+  BROADPHASES,
+  type Detection,
+  DETECTIONS,
+  QUALITIES,
+  type Quality,
+} from "thud";
 import type { Entry } from "./catalogue";
 import type { Tool } from "./input";
 import { OVERLAYS, type OverlayName } from "./render/overlay";
@@ -17,6 +24,8 @@ export interface UiActions {
   setTool(tool: Tool): void;
   setSpeed(speed: number): void;
   setQuality(quality: Quality): void;
+  setDetection(detection: Detection): void;
+  setBroadphase(broadphase: Broadphase): void;
   setOverlay(name: OverlayName, on: boolean): void;
   setTheme(theme: ThemeChoice): void;
   pan(dx: number, dy: number): void;
@@ -28,6 +37,9 @@ const SUBSTEPS: Record<Quality, number> = { draft: 2, default: 4, high: 8, exact
 export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
 }
+
+/** In the order of OVERLAYS. */
+const OVERLAY_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "M"];
 
 /** Pixels that an arrow key moves the view. */
 const PAN = 60;
@@ -57,6 +69,10 @@ export class Ui {
       const inputs = [...document.querySelectorAll<HTMLInputElement>(`[name=${set}]`)];
       inputs[inputs.findIndex((input) => input.checked) + by]?.click();
     };
+    const next = (set: string) => () => {
+      const inputs = [...document.querySelectorAll<HTMLInputElement>(`[name=${set}]`)];
+      inputs[(inputs.findIndex((input) => input.checked) + 1) % inputs.length].click();
+    };
     const key = (keys: string, codes: string[], what: string, act: () => void): Key => ({
       keys: keys.split(" "),
       codes,
@@ -75,6 +91,8 @@ export class Ui {
       key("]", ["]"], "Faster", near("speed", 1)),
       key(",", [","], "Lower quality", near("quality", -1)),
       key("/", ["/"], "Higher quality", near("quality", 1)),
+      key("E", ["e"], "Next detection", next("detection")),
+      key("F", ["f"], "Next broadphase", next("broadphase")),
       key("←", ["arrowleft"], "Move the view left", () => actions.pan(PAN, 0)),
       key("→", ["arrowright"], "Move the view right", () => actions.pan(-PAN, 0)),
       key("↑", ["arrowup"], "Move the view up", () => actions.pan(0, PAN)),
@@ -83,7 +101,7 @@ export class Ui {
       key("−", ["-"], "Zoom out", () => actions.zoom(0.8)),
       key("0", ["0"], "Show the whole scene", actions.fit),
       ...OVERLAYS.map((name, i) =>
-        key(String(i + 1), [String(i + 1)], `Show ${name}`, overlay(name)),
+        key(OVERLAY_KEYS[i], [OVERLAY_KEYS[i].toLowerCase()], `Show ${name}`, overlay(name)),
       ),
       key("L", ["l"], "Scenes and levels", () => this.#open(dialog("scenes"))),
       key("O", ["o"], "Options", () => this.#open(dialog("options"))),
@@ -144,9 +162,17 @@ export class Ui {
   }
 
   /** Checks the radio button of a set without acting. */
-  showChoice(set: "speed" | "quality" | "theme", value: string): void {
+  showChoice(
+    set: "speed" | "quality" | "detection" | "broadphase" | "theme",
+    value: string,
+  ): void {
     for (const input of document.querySelectorAll<HTMLInputElement>(`[name=${set}]`))
       input.checked = input.value === value;
+  }
+
+  showOverlays(shown: ReadonlySet<OverlayName>): void {
+    for (const box of document.querySelectorAll<HTMLInputElement>("[name=overlay]"))
+      box.checked = shown.has(box.value as OverlayName);
   }
 
   /** For screen readers. */
@@ -254,6 +280,16 @@ export class Ui {
       (value) => actions.setQuality(value as Quality),
     );
     choices(
+      "detection",
+      DETECTIONS.map((name) => [name, name]),
+      (value) => actions.setDetection(value as Detection),
+    );
+    choices(
+      "broadphase",
+      BROADPHASES.map((name) => [name, name]),
+      (value) => actions.setBroadphase(value as Broadphase),
+    );
+    choices(
       "theme",
       ["system", "dark", "light"].map((name) => [name, name]),
       (value) => actions.setTheme(value as ThemeChoice),
@@ -262,7 +298,6 @@ export class Ui {
       byId("overlays").append(
         input("checkbox", "overlay", name, name, (on) => actions.setOverlay(name, on)),
       );
-    document.querySelector<HTMLInputElement>("[name=overlay][value=sleeping]")!.checked = true;
   }
 
   #fillHelp(): void {

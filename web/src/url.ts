@@ -1,5 +1,12 @@
 /** The page's state in its URL: ?scene=pyramid or ?level=quarry, and what is not the default. */
-import { QUALITIES, type Quality } from "thud";
+import {
+  type Broadphase,
+  BROADPHASES,
+  type Detection,
+  DETECTIONS,
+  QUALITIES,
+  type Quality,
+} from "thud";
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2] as const;
 
@@ -7,6 +14,8 @@ export interface State {
   kind: "scene" | "level";
   name: string;
   quality: Quality;
+  detection: Detection;
+  broadphase: Broadphase;
   speed: number;
   paused: boolean;
 }
@@ -19,6 +28,10 @@ export function readState(search: string): Partial<State> {
   if (name) Object.assign(state, { kind: level ? "level" : "scene", name });
   const quality = QUALITIES.find((known) => known === params.get("quality"));
   if (quality) state.quality = quality;
+  const detection = DETECTIONS.find((known) => known === params.get("detection"));
+  if (detection) state.detection = detection;
+  const broadphase = BROADPHASES.find((known) => known === params.get("broadphase"));
+  if (broadphase) state.broadphase = broadphase;
   const speed = SPEEDS.find((known) => String(known) === params.get("speed"));
   if (speed) state.speed = speed;
   if (params.has("paused")) state.paused = params.get("paused") !== "0";
@@ -28,6 +41,8 @@ export function readState(search: string): Partial<State> {
 export function writeState(state: State): void {
   const params = new URLSearchParams({ [state.kind]: state.name });
   if (state.quality !== "default") params.set("quality", state.quality);
+  if (state.detection !== "continuous") params.set("detection", state.detection);
+  if (state.broadphase !== "grid") params.set("broadphase", state.broadphase);
   if (state.speed !== 1) params.set("speed", String(state.speed));
   if (state.paused) params.set("paused", "1");
   history.replaceState(null, "", `?${params}`);

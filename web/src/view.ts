@@ -8,6 +8,7 @@ import type { Renderer } from "./render/renderer";
 import type { PlacedTerrain, Shapes } from "./render/shapes";
 import { WebglRenderer } from "./render/webgl";
 import type { Simulation } from "./simulation";
+import { readSums } from "./sums";
 
 /** Sleeping bodies are looked for this often, in frames. */
 const AWAKE_EVERY = 6;
@@ -79,6 +80,7 @@ export class View {
       simulation.pull,
       simulation.character,
       simulation.alpha,
+      readSums(simulation, camera.x, camera.y),
     );
   }
 

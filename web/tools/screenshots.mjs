@@ -25,6 +25,15 @@ const PICTURES = [
   { name: "mountain", search: "level=mountain", steps: 200, options: DESKTOP },
   { name: "smash", search: "scene=smash", steps: 110, options: DESKTOP },
   { name: "tumbler", search: "scene=tumbler", steps: 400, options: { ...DESKTOP, colorScheme: "light" } },
+  { name: "detection", search: "scene=detection", steps: 200, options: DESKTOP },
+  { name: "minkowski", search: "scene=minkowski", steps: 5, options: DESKTOP },
+  { name: "broadphases-grid", search: "scene=broadphases", steps: 60, options: DESKTOP },
+  {
+    name: "broadphases-sweep",
+    search: "scene=broadphases&broadphase=sweep",
+    steps: 60,
+    options: DESKTOP,
+  },
   { name: "circle-pit-phone", search: "scene=circle_pit", steps: 300, options: PHONE },
 ];
 

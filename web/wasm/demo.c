@@ -3,6 +3,7 @@
 
 #include <build_thud.h>
 #include <scenes.h>
+#include <sum_picture.h>
 
 int api_scene_count(void) {
     return scenes_count();
@@ -27,7 +28,7 @@ int api_scene_info(int index) {
 
 /* A world with the scene in it, made from the slots of api_world_defaults; size 0 takes the
  * default. Slots out: 0 world  1, 2 camera  3 camera height  4, 5 place to spawn
- * 6 length scale. */
+ * 6 length scale  7 what to show over the bodies, see scene_show  8 pairs with a Minkowski sum. */
 int api_scene_create(int index, int size) {
     const scene_info *info = scenes_at(index);
     if (info == NULL)
@@ -46,6 +47,34 @@ int api_scene_create(int index, int size) {
     s[4] = filled.spawn_x;
     s[5] = filled.spawn_y;
     s[6] = filled.length_scale;
+    s[7] = filled.show;
+    s[8] = filled.sum_pairs;
     scene_free(&filled);
     return result;
+}
+
+/* The Minkowski sum of two shapes. Slots in: 0 kind  1, 2 half extents  3, 4 cosine and sine of the
+ * first, 5 to 9 the same of the second, 10, 11 from the first's centre to the second's. Slots out:
+ * 0 whether they overlap  1, 2 the nearest place on the edge of the sum  3 address  4 count of its
+ * outline's places (two doubles each). All places are relative to the first's centre. */
+int api_sum_picture(void) {
+    static sum_picture picture;
+    double *s = api_slots;
+    thud_placed a = {
+        .kind = (thud_shape_kind)api_to_int(s[0]), .hx = s[1], .hy = s[2], .c = s[3], .s = s[4]};
+    thud_placed b = {.kind = (thud_shape_kind)api_to_int(s[5]),
+                     .hx = s[6],
+                     .hy = s[7],
+                     .c = s[8],
+                     .s = s[9],
+                     .x = s[10],
+                     .y = s[11]};
+    if (!sum_picture_of(&a, &b, &picture))
+        return THUD_ERROR_INVALID;
+    s[0] = picture.overlaps;
+    s[1] = picture.edge.x;
+    s[2] = picture.edge.y;
+    s[3] = (double)(uintptr_t)picture.outline;
+    s[4] = picture.count;
+    return THUD_OK;
 }

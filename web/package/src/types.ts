@@ -342,6 +342,12 @@ export interface DrawOptions {
   cells?: boolean;
   contacts?: boolean;
   islands?: boolean;
+  /** The sorted intervals of a plane sweep, at the lower edge. */
+  axes?: boolean;
+  /** Lines between shapes whose bounds overlap. */
+  pairs?: boolean;
+  /** The swept volumes of the last step, of what moved further than a quarter of its size. */
+  motions?: boolean;
   /** Coordinates are relative to it. Default [0, 0]. */
   origin?: Vec2;
   lower: Vec2;
@@ -358,6 +364,11 @@ export const DRAW_STYLES = [
   "cell",
   "contact",
   "normal",
+  "interval",
+  "interval overlapping",
+  "pair",
+  "pair touching",
+  "motion",
 ] as const;
 
 /** Views into wasm memory, valid until the next call of `debugDraw`. */

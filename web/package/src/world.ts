@@ -572,7 +572,10 @@ export class World {
       (options.bounds ? 2 : 0) |
       (options.cells ? 4 : 0) |
       (options.contacts ? 8 : 0) |
-      (options.islands ? 16 : 0);
+      (options.islands ? 16 : 0) |
+      (options.axes ? 32 : 0) |
+      (options.pairs ? 64 : 0) |
+      (options.motions ? 128 : 0);
     const [x, y] = options.origin ?? [0, 0];
     engine.check(
       engine.exports.api_world_draw(this.address, flags, x, y, ...options.lower, ...options.upper),

@@ -1,8 +1,11 @@
 /** What lies over the bodies: a character, the engine's debug drawing, the line that pulls. */
-import { DRAW_STYLES, type DrawLists, type World } from "thud";
+import type { World } from "thud";
 import type { Camera } from "../camera";
 import type { Character } from "../character";
-import { islandColour, type Theme } from "./palette";
+import type { Sum } from "../sums";
+import { DRAWN, drawLists } from "./debug";
+import type { Theme } from "./palette";
+import { drawSums } from "./sums";
 
 export const OVERLAYS = [
   "contacts",
@@ -12,13 +15,11 @@ export const OVERLAYS = [
   "islands",
   "sleeping",
   "timings",
+  "axes",
+  "pairs",
+  "motions",
 ] as const;
 export type OverlayName = (typeof OVERLAYS)[number];
-
-const BOUNDS = DRAW_STYLES.indexOf("bounds");
-const CELL = DRAW_STYLES.indexOf("cell");
-const CONTACT = DRAW_STYLES.indexOf("contact");
-const NORMAL = DRAW_STYLES.indexOf("normal");
 
 export class Overlay {
   readonly #context: CanvasRenderingContext2D;
@@ -44,103 +45,45 @@ export class Overlay {
     pull: readonly [from: readonly [number, number], to: readonly [number, number]] | null,
     character: Character | null,
     alpha: number,
+    sums: readonly Sum[],
   ): void {
-    const wanted = ["contacts", "normals", "bounds", "cells", "islands"] as const;
-    const any = wanted.some((name) => on.has(name));
-    const empty = !any && !pull && !character;
+    const any = DRAWN.some((name) => on.has(name));
+    const empty = !any && !pull && !character && sums.length === 0;
     if (empty && this.#clean) return;
     const context = this.#context;
     context.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
     context.clearRect(0, 0, camera.width, camera.height);
     this.#clean = empty;
     if (character) drawCharacter(context, camera, theme, character, alpha);
-    if (any) {
-      const { x0, y0, x1, y1 } = camera.visible;
-      const lists = world.debugDraw({
-        shapes: on.has("islands"),
-        islands: on.has("islands"),
-        bounds: on.has("bounds"),
-        cells: on.has("cells"),
-        contacts: on.has("contacts") || on.has("normals"),
-        origin: [camera.x, camera.y],
-        lower: [x0, y0],
-        upper: [x1, y1],
-      });
-      context.translate(camera.middleX, camera.middleY);
-      drawLists(context, lists, camera.scale, theme, on);
-      context.translate(-camera.middleX, -camera.middleY);
-    }
+    context.translate(camera.middleX, camera.middleY);
+    drawSums(context, sums, camera.scale, theme);
+    if (any) this.#drawDebug(world, camera, theme, on);
+    context.translate(-camera.middleX, -camera.middleY);
     if (pull) drawPull(context, camera, theme, pull);
   }
-}
 
-function drawLists(
-  context: CanvasRenderingContext2D,
-  lists: DrawLists,
-  scale: number,
-  theme: Theme,
-  on: ReadonlySet<OverlayName>,
-): void {
-  const boxes = { [BOUNDS]: new Path2D(), [CELL]: new Path2D() };
-  const islands = new Map<number, Path2D>();
-  const { shapes, lines, points } = lists;
-  for (let i = 0; i < shapes.length; i += 9) {
-    const [style, island] = [shapes[i + 7], shapes[i + 8]];
-    if (style === BOUNDS || style === CELL) addOutline(boxes[style], shapes, i, scale);
-    else if (island >= 0) {
-      let path = islands.get(island);
-      if (!path) islands.set(island, (path = new Path2D()));
-      addOutline(path, shapes, i, scale);
+  #drawDebug(world: World, camera: Camera, theme: Theme, on: ReadonlySet<OverlayName>): void {
+    const { x0, y0, x1, y1 } = camera.visible;
+    const view = { origin: [camera.x, camera.y], upper: [x1, y1] } as const;
+    // The intervals stand on the lower edge of what the controls leave free.
+    const free = y0 + camera.insets.bottom / camera.scale;
+    if (on.has("axes")) {
+      const lists = world.debugDraw({ axes: true, ...view, lower: [x0, free] });
+      drawLists(this.#context, lists, camera.scale, theme, on);
     }
+    const lists = world.debugDraw({
+      shapes: on.has("islands"),
+      islands: on.has("islands"),
+      bounds: on.has("bounds"),
+      cells: on.has("cells"),
+      contacts: on.has("contacts") || on.has("normals"),
+      pairs: on.has("pairs"),
+      motions: on.has("motions"),
+      ...view,
+      lower: [x0, y0],
+    });
+    drawLists(this.#context, lists, camera.scale, theme, on);
   }
-  for (const [island, path] of islands) {
-    context.fillStyle = islandColour(island, theme.dark);
-    context.fill(path);
-  }
-  const linePaths = { [BOUNDS]: boxes[BOUNDS], [CELL]: boxes[CELL], [NORMAL]: new Path2D() };
-  for (let i = 0; i < lines.length; i += 5) {
-    const path = linePaths[lines[i + 4]];
-    path?.moveTo(lines[i] * scale, -lines[i + 1] * scale);
-    path?.lineTo(lines[i + 2] * scale, -lines[i + 3] * scale);
-  }
-  const stroke = (path: Path2D, colour: string, width: number) => {
-    context.strokeStyle = colour;
-    context.lineWidth = width;
-    context.stroke(path);
-  };
-  stroke(linePaths[CELL], theme.cell, 1);
-  stroke(linePaths[BOUNDS], theme.bounds, 1);
-  if (on.has("normals")) stroke(linePaths[NORMAL], theme.normal, 1.5);
-  if (on.has("contacts")) {
-    const radius = Math.min(3.5, Math.max(1.2, 0.08 * scale));
-    context.beginPath();
-    for (let i = 0; i < points.length; i += 3) {
-      if (points[i + 2] !== CONTACT) continue;
-      const [x, y] = [points[i] * scale, -points[i + 1] * scale];
-      context.moveTo(x + radius, y);
-      context.arc(x, y, radius, 0, 2 * Math.PI);
-    }
-    context.fillStyle = theme.contact;
-    context.fill();
-  }
-}
-
-function addOutline(path: Path2D, shapes: Float32Array, at: number, scale: number): void {
-  const [x, y, hx, hy, c, s, round] = shapes.subarray(at, at + 7);
-  if (round !== 0) {
-    path.moveTo((x + hx) * scale, -y * scale);
-    path.arc(x * scale, -y * scale, hx * scale, 0, 2 * Math.PI);
-    return;
-  }
-  const corner = (a: number, b: number): [number, number] => [
-    (x + a * c * hx - b * s * hy) * scale,
-    -(y + a * s * hx + b * c * hy) * scale,
-  ];
-  path.moveTo(...corner(-1, -1));
-  path.lineTo(...corner(1, -1));
-  path.lineTo(...corner(1, 1));
-  path.lineTo(...corner(-1, 1));
-  path.closePath();
 }
 
 /** A rounded box that looks where it goes. */

@@ -22,6 +22,11 @@ export interface Theme {
   readonly normal: string;
   readonly bounds: string;
   readonly cell: string;
+  readonly interval: string;
+  readonly pair: string;
+  readonly touching: string;
+  readonly motion: string;
+  readonly sum: string;
   readonly pull: string;
   readonly character: string;
 }
@@ -56,6 +61,11 @@ export const DARK: Theme = {
   normal: "#ff8fa3",
   bounds: "rgba(125, 211, 252, 0.75)",
   cell: "rgba(167, 139, 250, 0.45)",
+  interval: "#4dd0e1",
+  pair: "rgba(176, 190, 197, 0.8)",
+  touching: "#ffd166",
+  motion: "#f78fb3",
+  sum: "#7cf5c4",
   pull: "#ffffff",
   character: "#ff8a5c",
 };
@@ -78,6 +88,11 @@ export const LIGHT: Theme = {
   normal: "#d6336c",
   bounds: "rgba(2, 100, 170, 0.75)",
   cell: "rgba(109, 40, 217, 0.40)",
+  interval: "#0b7285",
+  pair: "rgba(73, 80, 87, 0.8)",
+  touching: "#c76a00",
+  motion: "#c2255c",
+  sum: "#087f5b",
   pull: "#1b2230",
   character: "#d9480f",
 };
