@@ -46,21 +46,25 @@ thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_placed
     if (*hit) {
         return THUD_OK;
     }
+    /* Places are relative to the shape's: those far away are too coarse. */
     double reach = td_reach(shape) + target;
-    double x_min = shape->x - reach + (motion.dx < 0.0 ? motion.dx : 0.0);
-    double x_max = shape->x + reach + (motion.dx > 0.0 ? motion.dx : 0.0);
+    double left = (motion.dx < 0.0 ? motion.dx : 0.0) - reach;
+    double right = (motion.dx > 0.0 ? motion.dx : 0.0) + reach;
     double low = (motion.dy < 0.0 ? motion.dy : 0.0) - reach;
-    thud_placed here = *shape; /* all places are relative to it: those far away are too coarse */
+    thud_placed here = *shape;
     here.x = here.y = 0.0;
+    if (t->kind == THUD_TERRAIN_FLAT) {
+        double height = t->slope * shape->x - shape->y;
+        thud_pos p = {left, height + t->slope * left}, q = {right, height + t->slope * right};
+        meet(&here, motion, p, q, target, hit, time);
+        return THUD_OK;
+    }
     int first, last;
-    thud_terrain_segments(t, x_min, x_max, &first, &last);
+    thud_terrain_segments(t, shape->x + left, shape->x + right, &first, &last);
     for (int i = first; i <= last; i++) {
-        td_segment s = td_terrain_segment(t, i, x_min, x_max);
+        td_segment s = td_terrain_segment(t, i, 0.0, 0.0);
         thud_pos p = {s.p.x - shape->x, s.p.y - shape->y}, q = {s.q.x - shape->x, s.q.y - shape->y};
         meet(&here, motion, p, q, target, hit, time);
-        if (t->kind == THUD_TERRAIN_FLAT) {
-            break;
-        }
         if (i == 0 && low < p.y) {
             meet(&here, motion, (thud_pos){p.x, low}, p, target, hit, time);
         }

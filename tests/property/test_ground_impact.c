@@ -49,22 +49,23 @@ static double motion_rounding(const ground *g, thud_motion m)
 }
 
 /* Piece i of the ground's outline as the shape's centre sees it; false if there is none. A flat
- * line is long enough for the motion. */
+ * line is long enough for the motion, but no longer: its far ends are rounded, too. */
 static bool outline_piece(const ground *g, thud_motion m, int i, solid *out)
 {
     const thud_terrain *t = &g->terrain;
-    const real deep = 16.0L + fabsl(m.dx) + fabsl(m.dy);
+    const real way = fabsl(m.dx) + fabsl(m.dy) + g->shape.hx + g->shape.hy;
     *out = (solid){.count = 2};
     if (t->kind == THUD_TERRAIN_FLAT) {
-        out->v[0] = vec_of(-deep, line_height(t, &g->shape, -deep));
-        out->v[1] = vec_of(deep, line_height(t, &g->shape, deep));
+        real far = 0.2L + 4.0L * (way + fabsl(line_height(t, &g->shape, 0.0L)));
+        out->v[0] = vec_of(-far, line_height(t, &g->shape, -far));
+        out->v[1] = vec_of(far, line_height(t, &g->shape, far));
         return i == 0;
     }
     int a = i < t->count ? i : 0, b = i < t->count - 1 ? i + 1 : a;
     out->v[0] = vertex_from(t, &g->shape, a);
     out->v[1] = vertex_from(t, &g->shape, b);
     if (a == b) {
-        out->v[1].y = fminl(out->v[1].y, 0.0L) - deep;
+        out->v[1].y = fminl(out->v[1].y, 0.0L) - 1.0L - 4.0L * way;
     }
     return i <= t->count;
 }
