@@ -35,8 +35,9 @@ typedef enum heed { HEED_ALL, HEED_MOVED, HEED_UNMOVED } heed;
 
 TD_INLINE void set_room(scan *s)
 {
-    s->out = (int32_t *)s->hits->data + s->hits->count;
-    s->limit = (int32_t *)s->hits->data + s->hits->capacity;
+    int32_t *data = s->hits->data; /* null as long as there is no room */
+    s->out = data ? data + s->hits->count : NULL;
+    s->limit = data ? data + s->hits->capacity : NULL;
     s->enough = s->limit;
 }
 
