@@ -75,9 +75,11 @@ thud_result thud_shapes_contacts(const thud_placed *a, const thud_placed *b, dou
 bool thud_shape_cast_ray(const thud_placed *shape, double ox, double oy, double dx, double dy,
                          double *fraction, double *nx, double *ny);
 
-/* First time in [0, 1] at which the moving shapes come within `target` (>= 0) of each other, by
- * conservative advancement; 1 and *hit = false if they never do. Shapes that start within the
- * target hit at 0. */
+/* First time in [0, 1] at which the moving shapes come within `target` (>= 0) of each other; 1 and
+ * *hit = false if they never do. Shapes that start within the target hit at 0. Without turning the
+ * time is in closed form, exact but for rounding; with turning it is found by conservative
+ * advancement, as soon as the shapes are within 1e-10 of their size of the target: never late, and
+ * early where they turn so close by each other, for so long, that the work is cut off. */
 thud_result thud_shapes_time_of_impact(const thud_placed *a, thud_motion motion_a,
                                        const thud_placed *b, thud_motion motion_b, double target,
                                        bool *hit, double *time);
