@@ -39,6 +39,12 @@ typedef struct td_point_history {
     f8 total;    /* normal impulse of all substeps; kept only where td_solve_context asks */
 } td_point_history;
 
+/* ... and of friction. */
+typedef struct td_surface {
+    f8 speed; /* at which b is driven along t; read only where td_solve_context.belts */
+    f8 total; /* tangent impulse of all substeps; kept only where keep_tangents */
+} td_surface;
+
 /* Poses for which a lane's manifold was worked out. While the pair stays near them, relative to each
  * other and in the world, the manifold is kept and only its separations follow: see wide_keep.h. */
 typedef struct td_kept {
@@ -49,7 +55,8 @@ typedef struct td_kept {
     f8 reach;          /* greatest half extent: what a turn moves */
 } td_kept;
 
-/* Behind its points a block has a td_point_history each, and a td_kept where its kind keeps. */
+/* Behind its points a block has a td_point_history each, a td_surface, and a td_kept where its kind
+ * keeps. */
 typedef struct td_block {
     int32_t shape_a[TD_LANES], shape_b[TD_LANES];
     int32_t contact[TD_LANES];  /* TD_NONE: empty lane */
@@ -82,9 +89,14 @@ static inline td_point_history *td_history_of(td_block *block, int points)
     return (td_point_history *)&block->point[points];
 }
 
+static inline td_surface *td_surface_at(td_block *block, int points)
+{
+    return (td_surface *)&td_history_of(block, points)[points];
+}
+
 static inline td_kept *td_kept_of(td_block *block, int points)
 {
-    return (td_kept *)&td_history_of(block, points)[points];
+    return (td_kept *)(td_surface_at(block, points) + 1);
 }
 
 /* Blocks lie where their contacts began, and the passes over them are bound by memory: the solver's
@@ -117,7 +129,7 @@ static inline size_t td_form_bytes(td_block_form form)
 {
     size_t points = (size_t)td_form_points(form);
     return sizeof(td_block) + points * (sizeof(td_point) + sizeof(td_point_history)) +
-           (form == TD_FORM_ONE ? 0 : sizeof(td_kept));
+           sizeof(td_surface) + (form == TD_FORM_ONE ? 0 : sizeof(td_kept));
 }
 
 /* ---- what the wide kernels are given ---- */
@@ -142,7 +154,9 @@ typedef struct td_solve_context {
     float bounce_speed;         /* slower approaches do not bounce */
     float bias_rate[2];         /* soft contact against a moving [0] and a static body [1] */
     float mass_scale[2], impulse_scale[2];
-    bool keep_totals;           /* somebody will read td_point_history.total */
+    bool keep_totals;           /* somebody will read td_point_history.total ... */
+    bool keep_tangents;         /* ... or td_surface.total */
+    bool belts;                 /* a lane has a surface speed */
     bool first;                 /* substep: totals start anew */
 } td_solve_context;
 

@@ -2,7 +2,7 @@
 #include "collide.h"
 
 #include "body.h"
-#include "handles.h"
+#include "contact.h"
 #include "placed.h"
 
 /* One of the two bodies, at the point where they meet. */
@@ -104,7 +104,7 @@ bool td_impact_point_of(thud_world *w, const td_encounter *e, double time, td_im
 }
 
 typedef struct surface {
-    double nx, ny, friction, restitution, bounce_speed;
+    double nx, ny, friction, restitution, speed, bounce_speed;
 } surface;
 
 /* Takes the approach out of the velocities or out of the motions; returns normal impulse and, in
@@ -120,9 +120,8 @@ static double bounce(side *a, side *b, bool of_motion, const surface *u, double 
     double leaving = -closing > u->bounce_speed ? u->restitution : 0.0;
     double normal = -(1.0 + leaving) * closing / soft, most = u->friction * normal;
     double tx = u->ny, ty = -u->nx;
-    *tangent = td_clamp(-speed_along(a, b, of_motion, tx, ty) /
-                           softness(a, b, of_motion, tx, ty),
-                       -most, most);
+    double slide = speed_along(a, b, of_motion, tx, ty) - u->speed;
+    *tangent = td_clamp(-slide / softness(a, b, of_motion, tx, ty), -most, most);
     double x = normal * u->nx + *tangent * tx, y = normal * u->ny + *tangent * ty;
     push(a, of_motion, -x, -y);
     push(b, of_motion, x, y);
@@ -147,24 +146,18 @@ thud_contact td_impact_view(const thud_world *w, const td_encounter *e, const td
 {
     td_place place = {at->origin.x + td_round64(at->x * w->to_fixed),
                       at->origin.y + td_round64(at->y * w->to_fixed)};
-    return (thud_contact){.shape_a = td_shape_handle(w, e->shape[0]),
-                          .shape_b = td_shape_handle(w, e->shape[1]),
-                          .body_a = td_body_handle(w, e->body[0]),
-                          .body_b = td_body_handle(w, e->body[1]),
-                          .normal = {(float)at->nx, (float)at->ny},
-                          .point = td_place_to(w, place),
-                          .separation = (float)at->distance,
-                          .point_count = 1};
+    return td_contact_between(w, e->shape[0], e->shape[1], place,
+                              (thud_vec2){(float)at->nx, (float)at->ny}, at->distance);
 }
 
 void td_impact_resolve(thud_world *w, const td_encounter *e, const td_impact_point *at,
-                       td_impact *impact)
+                       const thud_contact_settings *settings, td_impact *impact)
 {
-    const td_shape *p = td_shape_at(w, e->shape[0]), *q = td_shape_at(w, e->shape[1]);
     surface u = {.nx = at->nx,
                  .ny = at->ny,
-                 .friction = (double)__builtin_sqrtf(p->friction * q->friction),
-                 .restitution = (double)td_max_float(p->restitution, q->restitution),
+                 .friction = (double)settings->friction,
+                 .restitution = (double)settings->restitution,
+                 .speed = (double)settings->surface_speed,
                  .bounce_speed = (double)(w->def.restitution_threshold * w->unit)};
     side a = side_of(w, e->body[0], at), b = side_of(w, e->body[1], at);
     double tangent, unused;

@@ -29,6 +29,6 @@ thud_contact td_impact_view(const thud_world *w, const td_encounter *e, const td
 /* Newtonian impact with restitution and Coulomb friction. Their flights, which stand at the time of
  * the impact, go on without approaching each other. */
 void td_impact_resolve(thud_world *w, const td_encounter *e, const td_impact_point *at,
-                       td_impact *impact);
+                       const thud_contact_settings *settings, td_impact *impact);
 
 #endif

@@ -1,6 +1,7 @@
 /* contact.c: see contact.h. */
 #include "contact.h"
 
+#include "body.h"
 #include "handles.h"
 #include "lanes.h"
 
@@ -231,4 +232,17 @@ void td_contact_destroy(thud_world *w, int contact_index)
     w->contact_count[contact->kind]--;
     contact->live = 0;
     td_slots_give(&w->contacts, contact_index);
+}
+
+thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, td_place at,
+                                thud_vec2 normal, double distance)
+{
+    return (thud_contact){.shape_a = td_shape_handle(w, shape_a),
+                          .shape_b = td_shape_handle(w, shape_b),
+                          .body_a = td_body_handle(w, td_shape_at(w, shape_a)->body),
+                          .body_b = td_body_handle(w, td_shape_at(w, shape_b)->body),
+                          .normal = normal,
+                          .point = td_place_to(w, at),
+                          .separation = (float)distance,
+                          .point_count = 1};
 }

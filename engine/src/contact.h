@@ -30,6 +30,9 @@ void td_contact_part(thud_world *w, int contact);
 void td_contact_rest(thud_world *w, int contact);
 void td_contact_wait(thud_world *w, int contact);
 
+/* Two shapes that have no lane as callers see them: `at` is between where they are nearest. */
+thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, td_place at,
+                                thud_vec2 normal, double distance);
 /* A lane as callers see it. contacts.c */
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane);
 

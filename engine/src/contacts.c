@@ -5,6 +5,7 @@
 #include "handles.h"
 #include "lanes.h"
 #include "step.h"
+#include "surface.h"
 
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane)
 {
@@ -30,7 +31,7 @@ thud_contact td_contact_view(const thud_world *w, td_block *block, int lane)
         seen.separation = td_min_float(seen.separation, p->separation[lane] + w->skin);
         seen.normal_impulse += td_history_of(block, points)[k].total[lane];
     }
-    seen.tangent_impulse = block->tangent_impulse[lane];
+    seen.tangent_impulse = td_surface_at(block, points)->total[lane];
     /* The crosses of the mean arm with normal and tangent are the arm itself, turned. */
     float cn = seen.point_count ? along / (float)seen.point_count : 0.0f;
     float ct = block->tangent_cross_b[lane];
@@ -83,27 +84,44 @@ static void leave_impacts(thud_world *w)
     }
 }
 
+/* Lanes that did not bounce before may not know how fast they close in. */
+static void note_approach(const thud_world *w, td_block *block, int points, int lane)
+{
+    for (int k = 0; k < points; k++) {
+        td_history_of(block, points)[k].approach[lane] =
+            -closing_of(w, block, &block->point[k], lane);
+    }
+}
+
+/* Settings are for this step: each time they start from the pair's own. */
+static void ask(thud_world *w, td_block *block, int lane)
+{
+    td_contact *contact = td_contact_at(w, block->contact[lane]);
+    int points = td_form_points(w->pairs[contact->kind]->form);
+    thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
+    thud_contact_settings settings = own;
+    thud_contact seen = td_contact_view(w, block, lane);
+    contact->vetoed = !td_surface_ask(w, &seen, &settings);
+    td_surface_set(w, block, points, lane, &settings);
+    if (settings.restitution != own.restitution) {
+        note_approach(w, block, points, lane);
+    }
+    if (contact->vetoed) {
+        disable(w, block, lane);
+    }
+}
+
 void td_contacts_ask(thud_world *w)
 {
+    for (int i = 0; i < w->scratch.blocks.count && w->def.prologue; i++) {
+        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        for (int lane = 0; lane < block->used; lane++) {
+            ask(w, block, lane);
+        }
+    }
     if (w->skin > 0.0f) {
         leave_impacts(w);
     }
-    if (!w->def.prologue) {
-        return;
-    }
-    w->locked = true;
-    for (int i = 0; i < w->scratch.blocks.count; i++) {
-        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
-        for (int lane = 0; lane < block->used; lane++) {
-            thud_contact seen = td_contact_view(w, block, lane);
-            bool vetoed = !w->def.prologue(w, &seen, w->def.callback_context);
-            td_contact_at(w, block->contact[lane])->vetoed = vetoed;
-            if (vetoed) {
-                disable(w, block, lane);
-            }
-        }
-    }
-    w->locked = false;
 }
 
 void td_contacts_tell(thud_world *w)

@@ -9,9 +9,11 @@
 #include "contact.h"
 #include "detection.h"
 #include "kinds.h"
+#include "placed.h"
 #include "rotation.h"
 #include "shape.h"
 #include "step.h"
+#include "surface.h"
 
 typedef struct sweep {
     thud_world *w;
@@ -25,9 +27,57 @@ typedef struct sweep {
     td_bounds bounds;     /* of the whole sweep, about start */
 } sweep;
 
-static void earlier(sweep *s, bool hit, double time)
+/* The shape at `time`, in its full size, and the static one as the prologue sees them. */
+static thud_contact view(const sweep *s, int other, double time)
 {
-    if (hit && time < s->time) {
+    const thud_world *w = s->w;
+    bool ground = td_shape_at(w, other)->kind == THUD_TERRAIN;
+    td_place origin = ground ? td_stance_at(w, other)->center : s->start;
+    thud_placed shape = td_placed_at(&s->placed, &s->motion, time);
+    shape.x += (double)(s->start.x - origin.x) / w->to_fixed;
+    shape.y += (double)(s->start.y - origin.y) / w->to_fixed;
+    shape.hx += s->shrink;
+    shape.hy += shape.kind == THUD_CIRCLE ? 0.0 : s->shrink;
+    thud_closest c = {0};
+    if (ground) {
+        thud_terrain terrain = td_terrain_view(w, other);
+        thud_terrain_closest(&terrain, &shape, &c);
+    } else {
+        thud_placed b = td_shape_placed(w, other, origin);
+        thud_shapes_closest(&b, &shape, &c);
+    }
+    td_place at = {origin.x + td_round64(0.5 * (c.ax + c.bx) * w->to_fixed),
+                   origin.y + td_round64(0.5 * (c.ay + c.by) * w->to_fixed)};
+    return td_contact_between(w, other, s->shape, at, (thud_vec2){(float)c.nx, (float)c.ny},
+                              c.distance);
+}
+
+/* Whether the prologue lets the body through the static shape. It has been asked already about what
+ * touched at the start. A callback may make bodies and queries: arrays of them may have moved. */
+static bool passes(const sweep *s, int other, double time)
+{
+    thud_world *w = s->w;
+    bool asked = false, vetoed = true;
+    int e = w->def.prologue ? td_body_at(w, s->body)->first_contact : TD_NONE;
+    for (; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_contact *contact = td_contact_at(w, e / 2);
+        if (contact->state == TD_TOUCHING && contact->shape_a == other &&
+            contact->shape_b == s->shape) {
+            asked = true;
+            vetoed &= contact->vetoed;
+        }
+    }
+    if (asked || !w->def.prologue) {
+        return asked && vetoed;
+    }
+    thud_contact seen = view(s, other, time);
+    thud_contact_settings settings = td_surface_of_pair(w, other, s->shape);
+    return !td_surface_ask(w, &seen, &settings);
+}
+
+static void earlier(sweep *s, int other, bool hit, double time)
+{
+    if (hit && time < s->time && !passes(s, other, time)) {
         s->time = time;
     }
 }
@@ -54,10 +104,10 @@ static void against_shape(sweep *s, int other)
     thud_placed b = td_shape_placed(w, other, s->start);
     if (thud_shapes_overlap(&s->placed, &b)) {
         thud_shapes_time_of_impact(&s->core, s->core_motion, &b, still, 0.0, &hit, &time);
-        earlier(s, hit && time > 0.0, time);
+        earlier(s, other, hit && time > 0.0, time);
     } else {
         thud_shapes_time_of_impact(&s->placed, s->motion, &b, still, 0.0, &hit, &time);
-        earlier(s, hit, step_back(s, time));
+        earlier(s, other, hit, step_back(s, time));
     }
 }
 
@@ -98,10 +148,10 @@ static void against_terrain(sweep *s, int other)
     double time = 1.0;
     if (thud_terrain_overlap(&terrain, &placed)) {
         thud_terrain_time_of_impact(&terrain, &core, s->core_motion, 0.0, &hit, &time);
-        earlier(s, hit && time > 0.0, time);
+        earlier(s, other, hit && time > 0.0, time);
     } else {
         thud_terrain_time_of_impact(&terrain, &placed, s->motion, 0.0, &hit, &time);
-        earlier(s, hit, step_back(s, time));
+        earlier(s, other, hit, step_back(s, time));
     }
 }
 
@@ -158,11 +208,11 @@ static void stop_at(thud_world *w, int index, td_place start, uint32_t start_ang
     td_angle_turn(pose->angle, &pose->c, &pose->s);
 }
 
-/* Whether the sweep comes near anything that it might hit; scratch.hits gets the static shapes. */
+/* Whether the sweep comes near anything that it might hit; scratch.ahead gets the static shapes. */
 static bool looks_around(sweep *s)
 {
     thud_world *w = s->w;
-    td_array *hits = &w->scratch.hits;
+    td_array *hits = &w->scratch.ahead;
     hits->count = 0;
     td_find_fn *find = w->def.broadphase->find[w->wide];
     bool near_any = find(&w->rest_shapes, &w->memory, &s->bounds, s->start, hits) && hits->count > 0;
@@ -180,7 +230,7 @@ static void sweep_body(thud_world *w, int slot)
 {
     int index = *(int *)td_at(&w->body_of, slot);
     const td_pose *pose = td_pose_at(w, index);
-    float *delta = td_row(&w->delta, slot);
+    const float *delta = td_row(&w->delta, slot);
     td_place start = {pose->center.x - td_length_from(w, delta[0]),
                       pose->center.y - td_length_from(w, delta[1])};
     sweep swept = {.w = w, .slot = slot, .body = index, .start = start, .time = 1.0};
@@ -188,7 +238,7 @@ static void sweep_body(thud_world *w, int slot)
     if (!looks_around(&swept)) {
         return;
     }
-    const td_array *hits = &w->scratch.hits;
+    const td_array *hits = &w->scratch.ahead;
     uint32_t angle =
         pose->angle - (uint32_t)td_round_increment((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
     float c, s;
@@ -198,7 +248,7 @@ static void sweep_body(thud_world *w, int slot)
         if (td_shape_at(w, i)->flags & TD_SHAPE_SENSOR) {
             continue;
         }
-        set_shape(&swept, i, delta, c, s);
+        set_shape(&swept, i, td_row(&w->delta, slot), c, s);
         for (int k = 0; k < hits->count; k++) {
             against_shape(&swept, *(int *)td_at(hits, k));
         }
@@ -212,7 +262,7 @@ static void sweep_body(thud_world *w, int slot)
     if (swept.time < 1.0) {
         w->stats.held_bodies++;
         w->stats.held_seconds += (1.0 - swept.time) * w->def.time_step;
-        stop_at(w, index, start, angle, swept.time, delta);
+        stop_at(w, index, start, angle, swept.time, td_row(&w->delta, slot));
         td_body_place_shapes(w, index);
     }
 }
@@ -220,7 +270,7 @@ static void sweep_body(thud_world *w, int slot)
 /* A query asks for room as if every shape of the ranges that it scans were a hit. */
 static bool reserve(thud_world *w)
 {
-    return td_array_reserve(&w->memory, &w->scratch.hits,
+    return td_array_reserve(&w->memory, &w->scratch.ahead,
                             3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 

@@ -10,9 +10,11 @@
 #include "collide.h"
 #include "contact.h"
 #include "encounters.h"
+#include "lanes.h"
 #include "rotation.h"
 #include "shape.h"
 #include "step.h"
+#include "surface.h"
 
 /* In multiples of TD_MEET: nearer than this shapes touch; so little motion into each other is none;
  * and so much of it in a step is left to the contact solver where load has pressed them together. */
@@ -131,15 +133,22 @@ static void schedule_all_of(thud_world *w, const td_flight *f)
 
 /* ---- collisions ---- */
 
-static bool vetoes(thud_world *w, int number, const thud_contact *seen)
+/* The prologue has been asked about what touched at the start of the step. */
+static bool vetoes(thud_world *w, int number, const td_encounter *e, const thud_contact *seen,
+                   thud_contact_settings *settings)
 {
-    bool asked = number < w->contacts.count && td_contact_at(w, number)->state == TD_TOUCHING;
-    if (!w->def.prologue || asked) {
+    if (number < w->contacts.count && td_contact_at(w, number)->state == TD_TOUCHING) {
+        const td_contact *contact = td_contact_at(w, number);
+        *settings = td_surface_get(td_block_at(w, contact->kind, contact->slot / TD_LANES),
+                                   td_form_points(w->pairs[contact->kind]->form),
+                                   contact->slot % TD_LANES);
         return false;
     }
-    w->locked = true;
-    bool veto = !w->def.prologue(w, seen, w->def.callback_context);
-    w->locked = false;
+    *settings = td_surface_of_pair(w, e->shape[0], e->shape[1]);
+    if (!w->def.prologue) {
+        return false;
+    }
+    bool veto = !td_surface_ask(w, seen, settings);
     if (veto && number < w->contacts.count) {
         td_contact_at(w, number)->vetoed = 1;
     } else if (veto) {
@@ -166,12 +175,13 @@ static void collide(thud_world *w, int number, double time)
         return;
     }
     td_impact impact = {.seen = td_impact_view(w, &e, &at)};
-    if (vetoes(w, number, &impact.seen)) {
+    thud_contact_settings settings;
+    if (vetoes(w, number, &e, &impact.seen, &settings)) {
         return;
     }
     bool sleeper = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]);
     if (!sleeper) {
-        td_impact_resolve(w, &e, &at, &impact);
+        td_impact_resolve(w, &e, &at, &settings, &impact);
         *(td_impact *)td_at(&w->scratch.impacts, w->scratch.impacts.count++) = impact;
     }
     for (int side = 0; side < 2; side++) {

@@ -4,6 +4,8 @@
  * solver never changes them. */
 #include "lanes.h"
 
+#include "surface.h"
+
 #include <string.h>
 
 static int points_of(const thud_world *w, int kind)
@@ -193,9 +195,8 @@ static void fill_lane(thud_world *w, td_block *block, int lane, int contact_inde
     block->shape_a[lane] = contact->shape_a;
     block->shape_b[lane] = contact->shape_b;
     block->contact[lane] = contact_index;
-    block->friction[lane] = __builtin_sqrtf(a->friction * b->friction);
-    block->restitution[lane] = td_max_float(a->restitution, b->restitution);
-    block->bouncy |= block->restitution[lane] > 0.0f;
+    thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
+    td_surface_set(w, block, points_of(w, contact->kind), lane, &own);
     block->armed |= !(a->plain && b->plain);
     block->seams[lane] = a->seams;
     block->touching |= 1u << lane;
@@ -214,7 +215,6 @@ static void place(thud_world *w, int contact_index, int bin)
     } else {
         fill_lane(w, td_block_at(w, kind, block), lane, contact_index);
         w->touching++;
-        w->bouncy += td_block_at(w, kind, block)->restitution[lane] > 0.0f;
     }
     set_slots(w, td_block_at(w, kind, block), lane, contact);
     if (td_body_at(w, contact->body[0])->kind == THUD_KINEMATIC ||
@@ -297,8 +297,9 @@ void td_lane_remove(thud_world *w, int contact_index)
     td_contact *contact = td_contact_at(w, contact_index);
     assert(contact->state == TD_TOUCHING);
     release_bin(w, contact, contact->bin);
-    const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-    w->bouncy -= block->restitution[contact->slot % TD_LANES] > 0.0f;
+    td_surface_set(w, td_block_at(w, contact->kind, contact->slot / TD_LANES),
+                   points_of(w, contact->kind), contact->slot % TD_LANES,
+                   &(thud_contact_settings){0.0f, 0.0f, 0.0f});
     bin_shrink(w, contact->kind, contact->bin, contact->slot);
     w->touching--;
 }

@@ -15,16 +15,20 @@ thud_shape_def thud_default_shape_def(void)
         .density = 1.0f, .friction = 0.6f, .filter = {.category = 1, .mask = UINT32_MAX}};
 }
 
-static const char *def_error(const thud_shape_def *def)
+static const char *def_error(const thud_world *w, const thud_shape_def *def)
 {
+    float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
     if (!(def->density >= 0.0f && def->density <= 1e12f)) {
         return "shape def: density is not in [0, 1e12]";
     }
-    if (!(def->friction >= 0.0f && def->friction <= 1e6f)) {
+    if (!(def->friction >= 0.0f && def->friction <= THUD_FRICTION_MAX)) {
         return "shape def: friction is not in [0, 1e6]";
     }
     if (!(def->restitution >= 0.0f && def->restitution <= 1.0f)) {
         return "shape def: restitution is not in [0, 1]";
+    }
+    if (!(def->surface_speed >= -fastest && def->surface_speed <= fastest)) {
+        return "shape def: surface_speed is not finite or beyond 1e6 length scales a second";
     }
     return NULL;
 }
@@ -65,7 +69,7 @@ static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *d
     if (!def) {
         return td_refuse(w, THUD_ERROR_NULL, "shape create: def is null");
     }
-    const char *error = def_error(def);
+    const char *error = def_error(w, def);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
@@ -86,6 +90,7 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
     made.density = def->density;
     made.friction = def->friction;
     made.restitution = def->restitution;
+    made.surface_speed = def->surface_speed;
     made.filter = def->filter;
     made.user_data = def->user_data;
     if (made.kind == THUD_TERRAIN) {
@@ -290,6 +295,7 @@ thud_result thud_shape_get(const thud_world *w, thud_shape_id id, thud_shape_sta
             .density = shape->density,
             .friction = shape->friction,
             .restitution = shape->restitution,
+            .surface_speed = shape->surface_speed,
             .filter = shape->filter,
             .sensor = (shape->flags & TD_SHAPE_SENSOR) != 0,
             .user_data = shape->user_data,

@@ -31,6 +31,8 @@ static td_solve_context solve_context(const thud_world *w, float h)
         .bounce_speed = w->def.restitution_threshold * w->unit,
     };
     c.keep_totals = w->def.epilogue != NULL || w->bouncy > 0;
+    c.keep_tangents = w->def.epilogue != NULL;
+    c.belts = w->belts > 0;
     /* Against static bodies twice as stiff: nothing gives way there. */
     float hertz = w->def.contact_stiffness / h;
     soften(&c, 0, hertz, w->def.contact_damping, h);

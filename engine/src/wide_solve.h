@@ -165,7 +165,8 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
 }
 
 /* Friction, by the normal impulses as they stand; returns the change of its impulse. */
-TD_INLINE f8 rub(td_block *block, int points, td_arms arms, bool fixed, const sides *v)
+TD_INLINE f8 rub(const td_solve_context *c, td_block *block, int points, td_arms arms, bool fixed,
+                 const sides *v)
 {
     f8 limit = block->point[0].normal_impulse;
     if (points == 2) {
@@ -175,6 +176,9 @@ TD_INLINE f8 rub(td_block *block, int points, td_arms arms, bool fixed, const si
     f8 slide = centres_along(v, fixed, block->ny, -block->nx);
     if (arms != ARMS_NONE) {
         slide = at_arms(slide, v, fixed, block->tangent_cross_a, block->tangent_cross_b);
+    }
+    if (c->belts) {
+        slide -= td_surface_at(block, points)->speed;
     }
     f8 old = block->tangent_impulse;
     f8 now = f8_clamp(old - block->tangent_mass * slide, -limit, limit);
@@ -193,7 +197,11 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
         f8 nx = block->nx, ny = block->ny;
         impulses change = {.tangent = zero};
         if (i8_bits(block->friction > zero)) { /* without friction it costs a look */
-            change.tangent = rub(block, points, arms, fixed, &v);
+            change.tangent = rub(c, block, points, arms, fixed, &v);
+        }
+        if (c->keep_tangents) {
+            td_surface *surface = td_surface_at(block, points);
+            surface->total = block->tangent_impulse + (c->first ? zero : surface->total);
         }
         f8 closing = centres_along(&v, fixed, nx, ny), opened = centres_along(&d, fixed, nx, ny);
         for (int k = 0; k < points; k++) {

@@ -75,7 +75,7 @@ typedef struct td_shape {
     uint32_t angle;
     float angle_c, angle_s;
     float half_x, half_y;
-    float density, friction, restitution;
+    float density, friction, restitution, surface_speed;
     thud_filter filter;
     uint64_t user_data;
 } td_shape;
@@ -185,6 +185,7 @@ struct thud_world {
     td_bin bins[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND];
     int touching;                                      /* lanes in use, parked ones too */
     int bouncy;                                        /* ... of which have restitution */
+    int belts;                                         /* ... of which have a surface speed */
     int contact_count[TD_PAIR_COUNT];
     int damped;                                        /* awake bodies with damping */
     bool push_stale;                                   /* `push` must be made anew */
@@ -200,6 +201,7 @@ struct thud_world {
     /* Scratch and statistics: rebuilt by every step. */
     struct td_scratch {
         td_array hits;        /* int: what a grid reports */
+        td_array ahead;       /* int: shapes at rest that a fast body may hit */
         td_array hit_runs;    /* td_hit_run: to whom the hits of a sweep belong */
         td_array crowded;     /* int: shapes with more neighbours than a sweep lists */
         td_array stamps;      /* uint32_t, by shape: the last one that it was found to touch */

@@ -95,8 +95,9 @@ static void fill_fast(bool with, scene *s, thud_world_def *def) {
     }
 }
 
-static bool allow(thud_world *w, const thud_contact *contact, void *context) {
-    (void)w, (void)contact, (void)context;
+static bool allow(thud_world *w, const thud_contact *contact, thud_contact_settings *settings,
+                  void *context) {
+    (void)w, (void)contact, (void)settings, (void)context;
     return true;
 }
 

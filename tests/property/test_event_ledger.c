@@ -189,14 +189,18 @@ static void edit_ground(chaos *c)
 
 static void edit_inside(chaos *c, int one_in)
 {
+    bool hit;
     if (!c->quiet && pick(c, one_in) == 0) {
         c->edits_inside++;
         edit(c);
+        OK(thud_world_cast_ray(c->world, (thud_pos){-9, 0.5}, 18, 0, NULL, &hit, NULL));
     }
 }
 
-static bool ask(thud_world *world, const thud_contact *contact, void *context)
+static bool ask(thud_world *world, const thud_contact *contact,
+                thud_contact_settings *settings, void *context)
 {
+    (void)settings;
     (void)world;
     (void)contact;
     edit_inside(context, 20);

@@ -75,8 +75,10 @@ static void add_solid(worlds *w, source *r, const thud_shape_def *def)
 }
 
 /* Shapes may lie in each other without being pushed apart. */
-static bool ignore(thud_world *world, const thud_contact *contact, void *context)
+static bool ignore(thud_world *world, const thud_contact *contact,
+                   thud_contact_settings *settings, void *context)
 {
+    (void)settings;
     (void)world;
     (void)contact;
     (void)context;

@@ -316,8 +316,10 @@ typedef struct heard {
     bool veto;
 } heard;
 
-static bool ask(thud_world *world, const thud_contact *contact, void *context)
+static bool ask(thud_world *world, const thud_contact *contact,
+                thud_contact_settings *settings, void *context)
 {
+    (void)settings;
     (void)world;
     (void)contact;
     heard *h = context;

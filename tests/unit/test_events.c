@@ -128,8 +128,10 @@ static void filters_decide_who_meets(void **state)
     }
 }
 
-static bool veto(thud_world *world, const thud_contact *contact, void *context)
+static bool veto(thud_world *world, const thud_contact *contact,
+                 thud_contact_settings *settings, void *context)
 {
+    (void)settings;
     (void)world;
     (void)contact;
     ++*(int *)context;

@@ -4,8 +4,10 @@
 static thud_contact seen;
 static int seen_count;
 
-static bool look(thud_world *world, const thud_contact *contact, void *context)
+static bool look(thud_world *world, const thud_contact *contact,
+                 thud_contact_settings *settings, void *context)
 {
+    (void)settings;
     (void)world;
     (void)context;
     seen = *contact;

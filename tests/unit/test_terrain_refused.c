@@ -149,8 +149,10 @@ static void edit_with_bad_input_is_refused_with_a_message(void **state)
 
 static thud_shape_id to_dig;
 
-static bool dig_inside(thud_world *world, const thud_contact *contact, void *context)
+static bool dig_inside(thud_world *world, const thud_contact *contact,
+                       thud_contact_settings *settings, void *context)
 {
+    (void)settings;
     (void)contact;
     *(thud_result *)context = thud_shape_dig(world, to_dig, (thud_pos){0, 0}, 1);
     return true;

@@ -52,13 +52,31 @@ typedef struct thud_contact {
     thud_pos point;           /* in the middle of the contact points */
     float separation;         /* of the deepest point; negative is penetration */
     float normal_impulse;     /* epilogue only: the sum really applied over the step */
-    float tangent_impulse;    /* epilogue only; the last substep's */
+    float tangent_impulse;    /* ... and that of friction, along (normal.y, -normal.x), on b */
     int point_count;          /* 1 or 2 */
 } thud_contact;
 
-/* Called for every touching pair before it is solved. False: it does nothing in this step. */
-typedef bool thud_prologue_fn(thud_world *world, const thud_contact *contact, void *context);
-/* Called for every touching pair that was solved, after the step's motion. */
+#define THUD_FRICTION_MAX 1e6f
+#define THUD_BOUNCE_MAX 4.0f
+#define THUD_SURFACE_SPEED_MAX 1e6f /* length scales a second */
+
+/* How the surfaces of a pair act on each other in this step: a prologue finds what the shapes' defs
+ * make of it, and may write something else. Values that are not finite or out of range are refused
+ * through the log hook, and the pair keeps its own. */
+typedef struct thud_contact_settings {
+    float friction;      /* [0, THUD_FRICTION_MAX]; 0: ice */
+    float restitution;   /* [0, THUD_BOUNCE_MAX]; above 1 the pair leaves faster than it came */
+    float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX; at which friction would have b
+                            slide over a, along (normal.y, -normal.x): on top of a, to +x */
+} thud_contact_settings;
+
+/* Called for every pair that touches or is about to, before it is solved; and where detection finds
+ * another one on the way, before it is resolved there (`continuous` asks about static shapes, and
+ * heeds nothing but the answer). False: the pair does nothing in this step. */
+typedef bool thud_prologue_fn(thud_world *world, const thud_contact *contact,
+                              thud_contact_settings *settings, void *context);
+/* Called for every touching pair that was solved, after the step's motion; and for every impact that
+ * was resolved within the step. */
 typedef void thud_epilogue_fn(thud_world *world, const thud_contact *contact, void *context);
 
 typedef struct thud_world_def {
@@ -190,6 +208,9 @@ typedef struct thud_shape_def {
     float density;     /* >= 0; default 1 */
     float friction;    /* >= 0; default 0.6; a pair's is the geometric mean */
     float restitution; /* [0, 1]; default 0; a pair's is the larger */
+    float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX; default 0; at which the surface
+                            runs clockwise about the shape, to +x on its top, as a conveyor belt;
+                            a pair's is the sum */
     thud_filter filter;
     bool sensor;       /* reports overlaps, collides with nothing */
     uint64_t user_data;
@@ -223,7 +244,7 @@ typedef struct thud_shape_state {
     thud_vec2 offset;       /* in the body's frame, from its origin */
     thud_vec2 half_extents; /* circle: radius, 0; terrain: 0, 0 */
     double angle;           /* in the body's frame */
-    float density, friction, restitution;
+    float density, friction, restitution, surface_speed;
     thud_filter filter;
     bool sensor;
     uint64_t user_data;

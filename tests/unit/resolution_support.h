@@ -1,0 +1,55 @@
+/* resolution_support.h: what tests of collision resolution share. */
+#ifndef RESOLUTION_SUPPORT_H
+#define RESOLUTION_SUPPORT_H
+
+#include "engine_support.h"
+
+static const thud_detection *const detections[] = {
+    &thud_detection_overlap, &thud_detection_continuous, &thud_detection_bisect,
+    &thud_detection_swept};
+enum { DETECTIONS = 4 };
+
+static inline thud_world *make_world_with(const thud_detection *detection,
+                                          thud_prologue_fn *prologue, void *context, bool weighs)
+{
+    thud_world_def def = weighs ? thud_default_world_def() : weightless();
+    def.detection = detection;
+    def.prologue = prologue;
+    def.callback_context = context;
+    return make_world(def);
+}
+
+/* Kinds: 0 a circle of radius 0.5, 1 an AABB, 2 an OBB of half extents 0.5. */
+static inline thud_body_id add_kind(thud_world *world, int kind, double x, double y,
+                                    const thud_shape_def *def)
+{
+    thud_body_id body = add_body(world, THUD_DYNAMIC, x, y, 0);
+    add_shape(world, body, 0.5f, kind ? 0.5f : 0, kind == 1, def);
+    return body;
+}
+
+static inline thud_shape_def surface(float friction, float speed)
+{
+    thud_shape_def def = thud_default_shape_def();
+    def.friction = friction;
+    def.surface_speed = speed;
+    return def;
+}
+
+/* In bisected and swept worlds. */
+static inline double gap_at_rest(int detection)
+{
+    return detections[detection] == &thud_detection_bisect ||
+                   detections[detection] == &thud_detection_swept
+               ? 0.004
+               : 0.0;
+}
+
+/* The share of its speed that a bounce may lose: the contact solver lets one corner of a box that lands
+ * flat bounce before the other. */
+static inline double bounce_lost(int detection, int kind)
+{
+    return kind == 2 && gap_at_rest(detection) == 0.0 ? 0.12 : 0.0;
+}
+
+#endif
