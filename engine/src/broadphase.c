@@ -312,7 +312,8 @@ static bool is_vast(const thud_world *w)
 /* Static shapes that came or moved may stand next to others. */
 static bool find_seams(thud_world *w)
 {
-    for (int i = 0; i < w->moved.count && w->seams; i++) {
+    bool any = w->seams && w->awake_shapes.moved_count < w->moved.count;
+    for (int i = 0; i < w->moved.count && any; i++) {
         int shape = *(int *)td_at(&w->moved, i);
         if (!is_awake(w, shape) && !w->seams->find(w, shape)) {
             return false;
