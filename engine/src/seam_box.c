@@ -46,7 +46,8 @@ bool td_seam_boxes(const thud_placed *a, const thud_placed *b, double margin,
 {
     double dx = b->x - a->x, dy = b->y - a->y, best = -1e300;
     const thud_placed *face = NULL;
-    for (int i = 0; i < 4; i++) {
+    int axes = a->kind == THUD_AABB && b->kind == THUD_AABB ? 2 : 4; /* those of both are the same */
+    for (int i = 0; i < axes; i++) {
         const thud_placed *box = i < 2 ? a : b;
         double nx = i % 2 ? -box->s : box->c, ny = i % 2 ? box->c : box->s;
         double along = dx * nx + dy * ny;
