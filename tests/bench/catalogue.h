@@ -11,6 +11,7 @@ bool catalogue_detections(bool quick, json *out); /* "detections", of whole scen
 bool catalogue_walls(bool quick, json *out); /* "walls": who passes through thin ones */
 bool catalogue_throws(bool quick, json *out); /* "throws": paths against parabolas */
 bool catalogue_levels(bool quick, json *out); /* "levels": pairs that each volume lets through */
+bool catalogue_volumes(bool quick, json *out); /* "volumes": making and asking them, by the call */
 bool catalogue_calls(bool quick, json *out); /* "calls", "tolerances": geometry, by the call */
 bool catalogue_grounds(bool quick, json *out); /* "grounds", "digging": terrain */
 bool catalogue_queries(bool quick, json *out); /* "queries", "mover" */

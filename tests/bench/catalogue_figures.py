@@ -7,6 +7,9 @@ WAYS = ["overlap", "continuous", "bisect", "swept"]
 # What a pair has passed, from first to last, and its name in tables and pictures.
 LEVELS = {"pairs": "all", "circles": "circles", "boxes": "AABBs", "oriented": "OBBs",
           "exact": "overlap"}
+# The same for the narrowphase.
+NARROWPHASE = {"pairs": "all", "bounds": "fat bounds", "sieved": "sieve", "near": "exact test",
+               "contacts": "contacts that the world has"}
 
 
 def kept(rows, name):

@@ -12,6 +12,9 @@
 
 enum { LOOKS = 10, STEPS_APART = 30, QUICK_LOOKS = 2, QUICK_STEPS_APART = 3 };
 
+/* Metres at which a contact begins: the engine's speculative margin, at its length scale of 1. */
+static const double MARGIN = 0.02;
+
 /* All of bodies with a single shape about their origin. */
 static const struct {
     const char *scene;
@@ -52,7 +55,7 @@ static bool look(const scene *s, const way_world *w, thud_placed *shapes, bool *
     sum->bounds += stats.pairs;
     sum->contacts += stats.contacts;
     sum->count++;
-    return levels_count(shapes, movable, w->count, &sum->seen);
+    return levels_count(shapes, movable, w->count, MARGIN, &sum->seen);
 }
 
 static bool watch(const char *name, const scene *s, bool quick, looks *sum) {
@@ -83,6 +86,7 @@ static void report(const char *name, int size, const looks *sum, json *out) {
         {"pairs", sum->seen.pairs},       {"bounds", sum->bounds},
         {"circles", sum->seen.circles},   {"boxes", sum->seen.boxes},
         {"oriented", sum->seen.oriented}, {"exact", sum->seen.exact},
+        {"sieved", sum->seen.sieved},     {"near", sum->seen.near},
         {"contacts", sum->contacts},
     };
     printf("%-11s", name);
@@ -100,8 +104,8 @@ static void report(const char *name, int size, const looks *sum, json *out) {
 
 bool catalogue_levels(bool quick, json *out) {
     bool ok = true;
-    printf("%-11s %10s %10s %10s %10s %10s %10s %10s\n", "scene", "all pairs", "fat bounds",
-           "circles", "AABBs", "OBBs", "overlap", "contacts");
+    printf("%-11s %10s %10s %10s %10s %10s %10s %10s %10s %10s\n", "scene", "all pairs",
+           "fat bounds", "circles", "AABBs", "OBBs", "overlap", "sieve", "near", "contacts");
     json_begin_array(out, "levels");
     for (size_t i = 0; ok && i < sizeof SCENES / sizeof SCENES[0]; i++) {
         int size = quick ? SCENES[i].quick_size : SCENES[i].size;

@@ -2,8 +2,8 @@
 
 import re
 
-from catalogue_figures import (BROADPHASES, LEVELS, WAYS, cheapest, dropped_at, in_words,
-                               per_pair)
+from catalogue_figures import (BROADPHASES, LEVELS, NARROWPHASE, WAYS, cheapest, dropped_at,
+                               in_words, per_pair)
 from performance_page import NOT_MEASURED, table
 
 
@@ -111,10 +111,15 @@ def throws(results):
 
 
 def levels(results):
-    return table(["scene", *LEVELS.values(), "fat bounds of the grid", "contacts", "1 overlap in"],
+    return table(["scene", *LEVELS.values(), "1 overlap in"],
                  [[f"{r['scene']}, {count(r['size'])}", *(count(r[k]) for k in LEVELS),
-                   count(r["bounds"]), count(r["contacts"]),
                    count(round(r["pairs"] / r["exact"])) if r["exact"] else ""]
+                  for r in results["levels"]])
+
+
+def narrowphase(results):
+    return table(["scene", *NARROWPHASE.values()],
+                 [[f"{r['scene']}, {count(r['size'])}", *(count(r[k]) for k in NARROWPHASE)]
                   for r in results["levels"]])
 
 
@@ -135,6 +140,10 @@ def by_pair(rows, head, name):
     return table([head, *pairs],
                  [[name(r), *(ns(r["ns"][p]) if p in r["ns"] else "" for p in pairs)]
                   for r in rows])
+
+
+def volumes(results):
+    return by_pair(results["volumes"], "function, ns", lambda r: f"`thud_{r['call']}`")
 
 
 def calls(results):
@@ -175,8 +184,8 @@ def mover(results):
 # What of the results a placeholder needs, and what makes its text of them.
 SECTIONS = {f.__name__: (needs, f) for needs, f in [
     ("growth", growth), ("coherence", coherence), ("sizes", sizes), ("gathering", gathering),
-    ("detections", detections), ("walls", walls), ("throws", throws), ("levels", levels),
-    ("detections", motions), ("calls", calls), ("tolerances", tolerances), ("grounds", grounds),
+    ("detections", detections), ("walls", walls), ("throws", throws), ("levels", levels), ("levels", narrowphase),
+    ("detections", motions), ("volumes", volumes), ("calls", calls), ("tolerances", tolerances), ("grounds", grounds),
     ("digging", digging), ("queries", queries), ("mover", mover)]}
 ABOUT = ["date", "commit", "processor", "processors", "system", "compiler"]
 

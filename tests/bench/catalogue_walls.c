@@ -13,8 +13,7 @@ enum { LANES = 64, QUICK_LANES = 8, SPEED_COUNT = 5, WALL_COUNT = 2 };
 static const double SPEEDS[SPEED_COUNT] = {1e1, 1e2, 1e3, 1e4, 1e5};
 static const char *const WALLS[WALL_COUNT] = {"static", "dynamic"};
 
-/* A wall and a bullet a lane, in this order; bullets start at all parts of a step from their wall.
- */
+/* A wall and a bullet a lane, in this order; bullets start at all parts of a step from the wall. */
 static void fill(scene *s, int lanes, bool dynamic, double speed) {
     scene_random random = {8};
     s->gravity_y = 0;

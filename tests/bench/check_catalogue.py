@@ -70,11 +70,15 @@ def check_levels(results):
     for row in results["levels"]:
         counts = [row[k] for k in ("pairs", "circles", "boxes", "oriented", "exact")]
         assert counts == sorted(counts, reverse=True) and counts[0] > 0, row
-        assert row["contacts"] <= row["bounds"], row
+        counts = [row[k] for k in ("pairs", "sieved", "near", "exact")]
+        assert counts == sorted(counts, reverse=True), row
+        # Counted by two who know nothing of each other, half a step apart.
+        assert abs(row["near"] - row["contacts"]) <= 0.1 * row["near"] + 3, row
 
 
 def check_calls(results):
-    prices = [ns for part in ("calls", "tolerances", "grounds") for row in results[part]
+    prices = [ns for part in ("calls", "tolerances", "volumes", "grounds")
+              for row in results[part]
               for ns in row["ns"].values()]
     prices += [row[k]["median"] for row in results["digging"] for k in ("dig", "raise")]
     prices += [row[k] for row in results["queries"] for k in BROADPHASES]

@@ -1,7 +1,10 @@
-/* levels.c: see levels.h. Each pair goes through the volumes one after the other, as a pipeline
- * would have it, by the engine's own public tests. */
+/* levels.c: see levels.h. Each pair goes through the tests one after the other, as a pipeline would
+ * have it, by the engine's own public functions. */
 #include "levels.h"
 
+#include <thud/thud_minkowski.h>
+
+#include <math.h>
 #include <stdlib.h>
 
 enum { VOLUMES = 3 };
@@ -29,7 +32,33 @@ static bool wrap(const thud_placed *shape, wrapped *out) {
     return true;
 }
 
-bool levels_count(const thud_placed *shapes, const bool *movable, int count, levels *sum) {
+/* The distance of two boxes along the direction that parts them most, of those of their sides: the
+ * faces of their Minkowski sum. No more than the exact distance, which corners make larger. */
+static double distance_along_axes(const thud_placed *a, const thud_placed *b) {
+    thud_minkowski sum;
+    double most = -INFINITY;
+    if (thud_minkowski_sum(a, b, &sum) != THUD_OK)
+        return most;
+    for (int i = 0; i < sum.count / 2; i++) {
+        double along = sum.normals[i].x * (b->x - a->x) + sum.normals[i].y * (b->y - a->y);
+        most = fmax(most, fabs(along) - sum.offsets[i]);
+    }
+    return most;
+}
+
+static void count_near(const thud_placed *a, const thud_placed *b, double margin, levels *sum) {
+    /* Corners that are a margin apart along both axes are further apart than one. */
+    double reach = hypot(a->hx, a->hy) + hypot(b->hx, b->hy) + 2 * margin;
+    thud_closest closest;
+    if (hypot(b->x - a->x, b->y - a->y) >= reach || thud_shapes_closest(a, b, &closest) != THUD_OK)
+        return;
+    bool boxes = a->kind != THUD_CIRCLE && b->kind != THUD_CIRCLE;
+    sum->sieved += (boxes ? distance_along_axes(a, b) : closest.distance) < margin;
+    sum->near += closest.distance < margin;
+}
+
+bool levels_count(const thud_placed *shapes, const bool *movable, int count, double margin,
+                  levels *sum) {
     wrapped *all = calloc((size_t)count + 1, sizeof *all);
     bool ok = all != NULL;
     for (int i = 0; ok && i < count; i++)
@@ -43,6 +72,7 @@ bool levels_count(const thud_placed *shapes, const bool *movable, int count, lev
             sum->circles += depth >= 1;
             sum->boxes += depth >= 2;
             sum->oriented += depth >= 3;
+            count_near(&shapes[i], &shapes[k], margin, sum);
             sum->exact += depth == VOLUMES && thud_shapes_overlap(&shapes[i], &shapes[k]);
         }
     free(all);

@@ -1,5 +1,5 @@
-/* levels.h: bounding volumes in the order of their price: how many pairs each lets through to the
- * next. */
+/* levels.h: how many pairs get how far: through bounding volumes in the order of their price, and
+ * through the tests of a narrowphase that keeps contacts of what is near. */
 #ifndef THUD_BENCH_LEVELS_H
 #define THUD_BENCH_LEVELS_H
 
@@ -11,10 +11,13 @@ typedef struct levels {
     long boxes;    /* ... whose AABBs meet as well, ... */
     long oriented; /* ... whose OBBs meet as well, ... */
     long exact;    /* ... and that overlap themselves */
+    long sieved;   /* pairs that no separating axis parts by the margin, ... */
+    long near;     /* ... and that are nearer than it */
 } levels;
 
-/* Adds one look at all pairs of the shapes. False for a shape that is not valid or without memory.
- */
-bool levels_count(const thud_placed *shapes, const bool *movable, int count, levels *sum);
+/* Adds one look at all pairs of the shapes. False for a shape that is not valid, or without
+ * memory. */
+bool levels_count(const thud_placed *shapes, const bool *movable, int count, double margin,
+                  levels *sum);
 
 #endif

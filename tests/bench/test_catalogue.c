@@ -31,15 +31,16 @@ static levels count_pair(thud_placed a, thud_placed b) {
     thud_placed shapes[] = {a, b};
     bool movable[] = {true, false};
     levels sum = {0};
-    assert_true(levels_count(shapes, movable, 2, &sum));
+    assert_true(levels_count(shapes, movable, 2, 0.02, &sum));
     return sum;
 }
 
 static void assert_levels(levels found, levels wanted) {
     if (memcmp(&found, &wanted, sizeof found) != 0)
-        fail_msg("%ld %ld %ld %ld %ld instead of %ld %ld %ld %ld %ld", found.pairs, found.circles,
-                 found.boxes, found.oriented, found.exact, wanted.pairs, wanted.circles,
-                 wanted.boxes, wanted.oriented, wanted.exact);
+        fail_msg("%ld %ld %ld %ld %ld, %ld %ld instead of %ld %ld %ld %ld %ld, %ld %ld",
+                 found.pairs, found.circles, found.boxes, found.oriented, found.exact, found.sieved,
+                 found.near, wanted.pairs, wanted.circles, wanted.boxes, wanted.oriented,
+                 wanted.exact, wanted.sieved, wanted.near);
 }
 
 static void levels_count_a_pair_up_to_the_volume_that_parts_it(void **state) {
@@ -47,15 +48,28 @@ static void levels_count_a_pair_up_to_the_volume_that_parts_it(void **state) {
     /* Far apart; side by side, where only the bounding circles of long bars meet; parallel slanting
      * bars 0.6 apart, whose AABBs meet as well; two circles in whose squares the corners meet, so
      * that only the exact test parts them; and an overlap. */
-    assert_levels(count_pair(circle(0, 0, 1), circle(9, 0, 1)), (levels){1, 0, 0, 0, 0});
+    assert_levels(count_pair(circle(0, 0, 1), circle(9, 0, 1)), (levels){1, 0, 0, 0, 0, 0, 0});
     assert_levels(count_pair((thud_placed){THUD_AABB, 0, 0, 1, 0, 2, 0.1},
                              (thud_placed){THUD_AABB, 0, 1, 1, 0, 2, 0.1}),
-                  (levels){1, 1, 0, 0, 0});
-    assert_levels(count_pair(bar(0, 0, 2, 0.1), bar(0.6, -0.6, 2, 0.1)), (levels){1, 1, 1, 0, 0});
+                  (levels){1, 1, 0, 0, 0, 0, 0});
+    assert_levels(count_pair(bar(0, 0, 2, 0.1), bar(0.6, -0.6, 2, 0.1)),
+                  (levels){1, 1, 1, 0, 0, 0, 0});
     /* A circle's OBB is the square around it; the box's corner is in that, not in the circle. */
     assert_levels(count_pair(circle(0, 0, 1), (thud_placed){THUD_AABB, 3.75, 1.25, 1, 0, 3, 0.5}),
-                  (levels){1, 1, 1, 1, 0});
-    assert_levels(count_pair(circle(0, 0, 1), circle(1, 0, 1)), (levels){1, 1, 1, 1, 1});
+                  (levels){1, 1, 1, 1, 0, 0, 0});
+    assert_levels(count_pair(circle(0, 0, 1), circle(1, 0, 1)), (levels){1, 1, 1, 1, 1, 1, 1});
+}
+
+static void levels_near_pairs_pass_the_sieve_and_corners_do_not_pass_the_exact_test(void **state) {
+    (void)state;
+    thud_placed box = {THUD_AABB, 0, 0, 1, 0, 1, 1};
+    thud_placed beside = {THUD_AABB, 2.019, 0, 1, 0, 1, 1};
+    /* Along either axis 0.019 apart, from corner to corner 0.027. */
+    thud_placed across = {THUD_AABB, 2.019, 2.019, 1, 0, 1, 1};
+    assert_levels(count_pair(box, beside), (levels){1, 1, 0, 0, 0, 1, 1});
+    assert_levels(count_pair(box, across), (levels){1, 0, 0, 0, 0, 1, 0});
+    assert_levels(count_pair(circle(0, 0, 1), circle(2.021, 0, 1)), (levels){1, 0, 0, 0, 0, 0, 0});
+    assert_levels(count_pair(circle(0, 0, 1), circle(2.019, 0, 1)), (levels){1, 0, 0, 0, 0, 1, 1});
 }
 
 static void levels_leave_out_pairs_of_which_none_moves_and_add_up(void **state) {
@@ -63,9 +77,9 @@ static void levels_leave_out_pairs_of_which_none_moves_and_add_up(void **state) 
     thud_placed shapes[] = {circle(0, 0, 1), circle(1, 0, 1), circle(0, 1, 1)};
     bool movable[] = {false, false, true};
     levels sum = {0};
-    assert_true(levels_count(shapes, movable, 3, &sum));
-    assert_true(levels_count(shapes, movable, 3, &sum));
-    assert_levels(sum, (levels){4, 4, 4, 4, 4});
+    assert_true(levels_count(shapes, movable, 3, 0.02, &sum));
+    assert_true(levels_count(shapes, movable, 3, 0.02, &sum));
+    assert_levels(sum, (levels){4, 4, 4, 4, 4, 4, 4});
 }
 
 static void levels_refuse_a_shape_that_is_not_valid(void **state) {
@@ -73,7 +87,7 @@ static void levels_refuse_a_shape_that_is_not_valid(void **state) {
     thud_placed shapes[] = {circle(0, 0, 1), circle(NAN, 0, 1)};
     bool movable[] = {true, true};
     levels sum = {0};
-    assert_false(levels_count(shapes, movable, 2, &sum));
+    assert_false(levels_count(shapes, movable, 2, 0.02, &sum));
 }
 
 /* ---- crowds ---- */
@@ -235,6 +249,7 @@ static void turns_mean_is_the_sum_over_the_count(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(levels_count_a_pair_up_to_the_volume_that_parts_it),
+        cmocka_unit_test(levels_near_pairs_pass_the_sieve_and_corners_do_not_pass_the_exact_test),
         cmocka_unit_test(levels_leave_out_pairs_of_which_none_moves_and_add_up),
         cmocka_unit_test(levels_refuse_a_shape_that_is_not_valid),
         cmocka_unit_test(crowd_overlaps_are_counted_once_each),

@@ -60,7 +60,9 @@ RESULTS = {
     "throws": [{"detection": "swept", "rate": 60, "flight": 0.025, "mean": 0.02, "worst": 0.03,
                 "early": 0, "late": 0.004, "bend": 0.000347, "chord": 0.000347}],
     "levels": [{"scene": "gas", "size": 100, "pairs": 1000, "circles": 100, "boxes": 20,
-                "oriented": 20, "exact": 10, "bounds": 60, "contacts": 30}],
+                "oriented": 20, "exact": 10, "bounds": 60, "sieved": 33, "near": 31,
+                "contacts": 30}],
+    "volumes": [{"call": "volume_merge", "ns": {"circle": 5, "AABB": 6, "OBB": 70}}],
     "calls": [{"call": "circles_approach", "ns": {"circle, circle": 25}},
               {"call": "shapes_overlap", "ns": {"circle, circle": 9.87, "OBB, OBB": 123.4}}],
     "tolerances": [{"bits": 5, "ns": {"circle, circle": 50, "OBB, OBB": 300}}],
@@ -137,6 +139,8 @@ class Page(unittest.TestCase):
 
     def test_levels_say_how_many_tests_an_overlap_takes(self):
         self.assertEqual(row_of(page.levels(RESULTS), "gas")[-1], "100")
+        self.assertEqual(row_of(page.narrowphase(RESULTS), "gas")[1:],
+                         ["1,000", "60", "33", "31", "30"])
 
     def test_calls_leave_out_pairs_that_a_function_does_not_take(self):
         self.assertEqual(row_of(page.calls(RESULTS), "`thud_circles_approach")[1:], ["25", ""])

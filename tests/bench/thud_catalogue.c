@@ -14,6 +14,7 @@ static const struct {
     {"walls", "Detection: who passes through a thin wall", catalogue_walls},
     {"throws", "Detection: where a thrown ball is met", catalogue_throws},
     {"levels", "Bounding volumes: how many pairs each lets through", catalogue_levels},
+    {"volumes", "Bounding volumes: ns a call", catalogue_volumes},
     {"calls", "Geometry: ns a call", catalogue_calls},
     {"grounds", "Terrain: ns a call", catalogue_grounds},
     {"queries", "Queries: ns a call", catalogue_queries},
