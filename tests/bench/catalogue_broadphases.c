@@ -1,27 +1,22 @@
 /* catalogue_broadphases.c: the three broadphases on the same worlds: as there are more shapes, as
  * more of them move, and faster, as their sizes mix, and as they gather in one place. */
 #include "catalogue.h"
+#include "catalogue_choices.h"
 #include "crowd.h"
 #include "lab_turns.h"
 
 #include <math.h>
 
-enum { BROADPHASES = 3, REPETITIONS = 3 };
+enum { REPETITIONS = 3 };
 
 /* A world whose second step takes longer drops out. */
 static const double TOO_DEAR = 0.5;
 
-static const thud_broadphase *broadphase_at(int index) {
-    const thud_broadphase *all[BROADPHASES] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                               &thud_broadphase_all};
-    return all[index];
-}
-
 /* Without continuous detection but where it is asked for: it looks around by the broadphase too,
  * which is not what is measured here. */
 static bool open_all(const scene *s, bool crowded, const thud_detection *detection,
-                     lab_world labs[BROADPHASES]) {
-    for (int k = 0; k < BROADPHASES; k++) {
+                     lab_world labs[BROADPHASE_COUNT]) {
+    for (int k = 0; k < BROADPHASE_COUNT; k++) {
         thud_world_def def = lab_settings();
         def.clock = lab_now;
         def.contact_events = false;
@@ -36,8 +31,8 @@ static bool open_all(const scene *s, bool crowded, const thud_detection *detecti
     return true;
 }
 
-static void close_all(lab_world labs[BROADPHASES]) {
-    for (int k = 0; k < BROADPHASES; k++) {
+static void close_all(lab_world labs[BROADPHASE_COUNT]) {
+    for (int k = 0; k < BROADPHASE_COUNT; k++) {
         thud_world_destroy(labs[k].world);
         labs[k].world = NULL;
     }
@@ -45,14 +40,14 @@ static void close_all(lab_world labs[BROADPHASES]) {
 
 /* A row of the table, and of the results; overlaps below 0 were not counted. */
 static void report(const char *label, int shapes, long overlaps,
-                   const lab_turns_times times[BROADPHASES], json *out) {
+                   const lab_turns_times times[BROADPHASE_COUNT], json *out) {
     json_begin_object(out, NULL);
     json_text(out, "case", label);
     json_number(out, "shapes", shapes);
     if (overlaps >= 0)
         json_number(out, "overlaps", (double)overlaps);
     printf("%-22s", label);
-    for (int k = 0; k < BROADPHASES; k++) {
+    for (int k = 0; k < BROADPHASE_COUNT; k++) {
         const lab_turns_times *t = &times[k];
         json_begin_object(out, thud_broadphase_name(broadphase_at(k)));
         json_number(out, "first_ms", t->first * 1e3);
@@ -77,22 +72,22 @@ static void report(const char *label, int shapes, long overlaps,
 
 static void print_head(const char *by) {
     printf("%-22s", by);
-    for (int k = 0; k < BROADPHASES; k++)
+    for (int k = 0; k < BROADPHASE_COUNT; k++)
         printf("  %8s %8s %7s", thud_broadphase_name(broadphase_at(k)), "step", "pairs");
     printf("\n");
 }
 
 static bool measure(const char *label, const scene *s, bool crowded,
                     const thud_detection *detection, bool quick,
-                    lab_turns_times times[BROADPHASES]) {
+                    lab_turns_times times[BROADPHASE_COUNT]) {
     lab_turns_plan plan = {10, LAB_TURNS_STEPS, .seconds = 1.5, TOO_DEAR};
     if (quick)
         plan = (lab_turns_plan){2, 10, .seconds = 0.05, TOO_DEAR};
     bool ok = true;
     for (int i = 0; ok && i < (quick ? 1 : REPETITIONS); i++) {
-        lab_world labs[BROADPHASES] = {0};
+        lab_world labs[BROADPHASE_COUNT] = {0};
         ok = open_all(s, crowded, detection, labs) &&
-             lab_take_turns(label, labs, BROADPHASES, &plan, i, times);
+             lab_take_turns(label, labs, BROADPHASE_COUNT, &plan, i, times);
         close_all(labs);
     }
     return ok;
@@ -106,7 +101,7 @@ static bool grow(bool quick, json *out) {
     json_begin_array(out, "growth");
     for (int i = 0; ok && i < count; i++) {
         scene s;
-        lab_turns_times times[BROADPHASES];
+        lab_turns_times times[BROADPHASE_COUNT];
         char label[64];
         snprintf(label, sizeof label, "%d", SIZES[i]);
         ok = scenes_fill(scenes_find("gas"), SIZES[i], &s) &&
@@ -122,7 +117,7 @@ static bool grow(bool quick, json *out) {
 /* A row of a crowd, with the number of its overlaps where that is asked for. */
 static bool measure_crowd(const char *label, const crowd *c, bool counted, bool quick, json *out) {
     scene s;
-    lab_turns_times times[BROADPHASES];
+    lab_turns_times times[BROADPHASE_COUNT];
     scene_init(&s);
     crowd_fill(c, &s);
     bool ok = measure(label, &s, true, &thud_detection_continuous, quick, times);

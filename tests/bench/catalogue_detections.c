@@ -3,7 +3,7 @@
  * through. A step's time is the least of some repetitions; as worlds are deterministic, everything
  * else is the same in each, and is taken in the first. */
 #include "catalogue.h"
-#include "catalogue_ways.h"
+#include "catalogue_choices.h"
 #include "lab_turns.h"
 #include "penetration.h"
 #include "progress.h"

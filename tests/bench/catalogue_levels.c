@@ -1,7 +1,7 @@
 /* catalogue_levels.c: how many of all pairs of a scene each bounding volume lets through, beside
  * what the world's own pipeline made of them: pairs of fat bounds, and touching contacts. */
 #include "catalogue.h"
-#include "catalogue_ways.h"
+#include "catalogue_choices.h"
 #include "contender.h"
 #include "levels.h"
 #include "progress.h"

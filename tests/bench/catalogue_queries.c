@@ -2,6 +2,7 @@
  * character's move. */
 #include "call_timer.h"
 #include "catalogue.h"
+#include "catalogue_choices.h"
 #include "crowd.h"
 #include "lab_world.h"
 #include "random.h"
@@ -14,7 +15,7 @@ enum {
     SHAPES = 10000,
     QUICK_SHAPES = 300,
     PLACES = 1024,
-    BROADPHASES = 3,
+    BROADPHASE_COUNT = 3,
     MOVES = 2000,
     WALKS = 3
 };
@@ -130,14 +131,8 @@ static const struct {
 
 enum { CALL_COUNT = sizeof CALLS / sizeof CALLS[0] };
 
-static const thud_broadphase *broadphase_at(int index) {
-    const thud_broadphase *all[BROADPHASES] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                               &thud_broadphase_all};
-    return all[index];
-}
-
-static bool open_worlds(const scene *s, lab_world labs[BROADPHASES]) {
-    for (int k = 0; k < BROADPHASES; k++) {
+static bool open_worlds(const scene *s, lab_world labs[BROADPHASE_COUNT]) {
+    for (int k = 0; k < BROADPHASE_COUNT; k++) {
         thud_world_def def = lab_settings();
         def.broadphase = broadphase_at(k);
         crowd_passes_through(&def);
@@ -148,13 +143,13 @@ static bool open_worlds(const scene *s, lab_world labs[BROADPHASES]) {
     return true;
 }
 
-static void ask(size_t call, questions each[BROADPHASES], bool quick, json *out) {
+static void ask(size_t call, questions each[BROADPHASE_COUNT], bool quick, json *out) {
     json_begin_object(out, NULL);
     json_text(out, "query", CALLS[call].name);
     double found = CALLS[call].fn(&each[0], PLACES) / PLACES;
     json_number(out, "found", found);
     printf("%-16s %8.2f", CALLS[call].name, found);
-    for (int k = 0; k < BROADPHASES; k++) {
+    for (int k = 0; k < BROADPHASE_COUNT; k++) {
         double ns = call_timer_ns(CALLS[call].fn, &each[k], quick);
         json_number(out, thud_broadphase_name(broadphase_at(k)), ns);
         printf(" %11.0f", ns);
@@ -165,26 +160,26 @@ static void ask(size_t call, questions each[BROADPHASES], bool quick, json *out)
 }
 
 static bool ask_everything(bool quick, json *out) {
-    static questions each[BROADPHASES];
+    static questions each[BROADPHASE_COUNT];
     crowd c = {quick ? QUICK_SHAPES : SHAPES, 1.5625, 0.25, 0.25, 1, 5};
-    lab_world labs[BROADPHASES] = {0};
+    lab_world labs[BROADPHASE_COUNT] = {0};
     scene s;
     scene_init(&s);
     crowd_fill(&c, &s);
     bool ok = open_worlds(&s, labs);
     printf("%-16s %8s", "query, ns", "finds");
-    for (int k = 0; k < BROADPHASES; k++)
+    for (int k = 0; k < BROADPHASE_COUNT; k++)
         printf(" %11s", thud_broadphase_name(broadphase_at(k)));
     printf("\n");
     json_begin_array(out, "queries");
-    for (int k = 0; ok && k < BROADPHASES; k++) {
+    for (int k = 0; ok && k < BROADPHASE_COUNT; k++) {
         each[k].world = labs[k].world;
         make_questions(&each[k], 0.5 * sqrt(c.area * c.bodies));
     }
     for (size_t i = 0; ok && i < CALL_COUNT; i++)
         ask(i, each, quick, out);
     json_end(out);
-    for (int k = 0; k < BROADPHASES; k++)
+    for (int k = 0; k < BROADPHASE_COUNT; k++)
         thud_world_destroy(labs[k].world);
     scene_free(&s);
     return ok;

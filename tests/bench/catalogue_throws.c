@@ -4,7 +4,7 @@
  * balls in a world without the wall tell the first apart: through the ends of the step in which a
  * ball hits goes one parabola, and what the hit is off that is due to the test. */
 #include "catalogue.h"
-#include "catalogue_ways.h"
+#include "catalogue_choices.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* catalogue_walls.c: circles and turning boxes fly at walls 2 cm thick, static ones and heavy ones
  * that move, at 10 to 100,000 m/s: how many are beyond the wall afterwards. */
 #include "catalogue.h"
-#include "catalogue_ways.h"
+#include "catalogue_choices.h"
 #include "contender.h"
 #include "progress.h"
 #include "random.h"

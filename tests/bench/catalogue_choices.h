@@ -1,12 +1,15 @@
-/* catalogue_ways.h: the four ways of detection, in the order of their price. */
-#ifndef THUD_BENCH_CATALOGUE_WAYS_H
-#define THUD_BENCH_CATALOGUE_WAYS_H
+/* catalogue_choices.h: what a world has to choose from: broadphases, and ways of detection in the
+ * order of their price. */
+#ifndef THUD_BENCH_CATALOGUE_CHOICES_H
+#define THUD_BENCH_CATALOGUE_CHOICES_H
 
 #include "scene.h"
 
 #include <thud/thud.h>
 
-enum { WAY_COUNT = 4 };
+enum { BROADPHASE_COUNT = 3, WAY_COUNT = 4 };
+
+const thud_broadphase *broadphase_at(int index); /* grid, plane sweep, all pairs */
 
 const thud_detection *way_at(int index); /* overlap, continuous, bisect, swept */
 

@@ -1,11 +1,17 @@
-/* catalogue_ways.c: see catalogue_ways.h. */
-#include "catalogue_ways.h"
+/* catalogue_choices.c: see catalogue_choices.h. */
+#include "catalogue_choices.h"
 
 #include "build_thud.h"
 #include "lab_world.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+
+const thud_broadphase *broadphase_at(int index) {
+    const thud_broadphase *all[BROADPHASE_COUNT] = {&thud_broadphase_grid, &thud_broadphase_sweep,
+                                                    &thud_broadphase_all};
+    return all[index];
+}
 
 const thud_detection *way_at(int index) {
     const thud_detection *all[WAY_COUNT] = {&thud_detection_overlap, &thud_detection_continuous,
