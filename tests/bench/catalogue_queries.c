@@ -11,14 +11,7 @@
 
 #include <math.h>
 
-enum {
-    SHAPES = 10000,
-    QUICK_SHAPES = 300,
-    PLACES = 1024,
-    BROADPHASE_COUNT = 3,
-    MOVES = 2000,
-    WALKS = 3
-};
+enum { SHAPES = 10000, QUICK_SHAPES = 300, PLACES = 1024, MOVES = 2000, WALKS = 3 };
 
 /* Places all over the world, and ways of ten metres from them in all directions. */
 typedef struct questions {
