@@ -60,8 +60,9 @@ static bool is_wall(thud_body_id body) {
     return body.index1 <= WALLS;
 }
 
-static bool throws_back(thud_world *world, const thud_contact *contact, void *context) {
-    (void)world, (void)context;
+static bool throws_back(thud_world *world, const thud_contact *contact,
+                        thud_contact_settings *settings, void *context) {
+    (void)world, (void)settings, (void)context;
     return is_wall(contact->body_a) || is_wall(contact->body_b);
 }
 
