@@ -203,8 +203,7 @@ static void stop_at(thud_world *w, int index, td_place start, uint32_t start_ang
     }
     pose->center = (td_place){start.x + td_length_from(w, delta[0]),
                               start.y + td_length_from(w, delta[1])};
-    pose->angle = start_angle +
-                  (uint32_t)td_round_increment((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
+    pose->angle = start_angle + td_angle_between(delta[2]);
     td_angle_turn(pose->angle, &pose->c, &pose->s);
 }
 
@@ -239,8 +238,7 @@ static void sweep_body(thud_world *w, int slot)
         return;
     }
     const td_array *hits = &w->scratch.ahead;
-    uint32_t angle =
-        pose->angle - (uint32_t)td_round_increment((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
+    uint32_t angle = pose->angle - td_angle_between(delta[2]);
     float c, s;
     td_angle_turn(angle, &c, &s);
     int first = td_body_at(w, index)->first_shape;

@@ -55,8 +55,7 @@ static void move(thud_world *w, int index, const float *delta)
     pose->center.x += td_length_from(w, delta[0]);
     pose->center.y += td_length_from(w, delta[1]);
     if (delta[2] != 0.0f) {
-        pose->angle +=
-            (uint32_t)td_round_increment((double)delta[2] * (1.0 / TD_RADIANS_A_QUANTUM));
+        pose->angle += td_angle_between(delta[2]);
         td_angle_turn(pose->angle, &pose->c, &pose->s);
     }
 }

@@ -216,8 +216,7 @@ static void take_off(thud_world *w, int slot)
     *td_flight_at(w, slot) = (td_flight){
         .place = {pose->center.x - td_length_from(w, delta[0]),
                   pose->center.y - td_length_from(w, delta[1])},
-        .angle = pose->angle - (uint32_t)td_round_increment((double)delta[2] *
-                                                            (1.0 / TD_RADIANS_A_QUANTUM)),
+        .angle = pose->angle - td_angle_between(delta[2]),
         .body = index,
         .extras = TD_NONE,
         .motion = {(double)delta[0], (double)delta[1], (double)delta[2]}};
@@ -233,8 +232,7 @@ static void land(thud_world *w, int slot)
     float *delta = td_row(&w->delta, slot);
     td_place start = {pose->center.x - td_length_from(w, delta[0]),
                       pose->center.y - td_length_from(w, delta[1])};
-    uint32_t angle = pose->angle - (uint32_t)td_round_increment((double)delta[2] *
-                                                                (1.0 / TD_RADIANS_A_QUANTUM));
+    uint32_t angle = pose->angle - td_angle_between(delta[2]);
     td_flight_advance(w, f, 1.0);
     pose->center = f->place;
     pose->angle = f->angle;
@@ -276,13 +274,14 @@ static void schedule_everything(thud_world *w)
     }
     for (int slot = 1; slot < w->body_of.count; slot++) {
         td_flight *f = td_flight_at(w, slot);
-        if (takes_part(w, slot) &&
-            (!td_encounters_on_ground(w, f) || (td_flight_is_unexpected(w, f->body) && !td_encounters_around(w, f)))) {
+        if (!takes_part(w, slot)) {
+            continue;
+        }
+        bool strays = td_flight_is_unexpected(w, f->body);
+        if (!td_encounters_on_ground(w, f) || (strays && !td_encounters_around(w, f))) {
             hold(w, f);
         }
-        if (takes_part(w, slot)) {
-            count_unsafe(w, slot);
-        }
+        count_unsafe(w, slot);
     }
     for (int i = 0; i < w->contacts.count; i++) {
         td_contact *contact = td_contact_at(w, i);

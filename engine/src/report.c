@@ -57,8 +57,7 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
             x -= back * delta[0];
             y -= back * delta[1];
             if (delta[2] != 0.0f) {
-                double turn = (double)(back * delta[2]) * (1.0 / TD_RADIANS_A_QUANTUM);
-                td_angle_turn(pose->angle - (uint32_t)td_round_increment(turn), &c, &s);
+                td_angle_turn(pose->angle - td_angle_between(back * delta[2]), &c, &s);
             }
         }
         poses[i] = (thud_pose){x - (c * body->center_x - s * body->center_y),

@@ -6,7 +6,7 @@
 #ifndef TD_ROTATION_H
 #define TD_ROTATION_H
 
-#include "base.h"
+#include "fixed.h"
 
 #define TD_TURN 4294967296.0
 #define TD_RADIANS_A_QUANTUM (2.0 * TD_PI / TD_TURN)
@@ -27,6 +27,12 @@ static inline uint32_t td_angle_from(double radians)
     double whole = (double)(int64_t)turns;
     double part = turns - whole;
     return (uint32_t)(uint64_t)(int64_t)((part < 0.0 ? part + 1.0 : part) * TD_TURN + 0.5);
+}
+
+/* A turn within a step as a difference of angles. */
+static inline uint32_t td_angle_between(float radians)
+{
+    return (uint32_t)td_round_increment((double)radians * (1.0 / TD_RADIANS_A_QUANTUM));
 }
 
 /* In (-pi, pi]. */

@@ -2,9 +2,6 @@
  * what bodies may choose for themselves, and that nothing is lost in silence. */
 #include "engine_support.h"
 
-#include "build_thud.h"
-#include "scenes.h"
-
 static thud_world_def with(const thud_detection *detection, thud_world_def def)
 {
     def.detection = detection;
@@ -381,51 +378,6 @@ static void sleeper_that_is_hit_by_a_swept_body_wakes(void **state)
     thud_world_destroy(world);
 }
 
-/* ---- the same bits ---- */
-
-static uint64_t motion(const char *name, thud_world_def def, double shift)
-{
-    const scene_info *info = scenes_find(name);
-    scene s;
-    assert_true(scenes_fill(info, info->default_size > 150 ? 150 : info->default_size, &s));
-    scene_shift(&s, shift, -shift);
-    thud_world *world;
-    thud_body_id *ids = malloc((size_t)s.body_count * sizeof *ids);
-    OK(scene_build_thud(&s, &def, &world, ids, NULL));
-    run(world, 60);
-    uint64_t hash = 0xcbf29ce484222325u;
-    for (int i = 0; i < s.body_count; i++) {
-        thud_body_state b = state_of(world, ids[i]);
-        float values[3] = {b.velocity.x, b.velocity.y, b.angular_velocity};
-        uint32_t bits[3];
-        memcpy(bits, values, sizeof bits);
-        for (int k = 0; k < 3; k++) {
-            hash = (hash ^ bits[k]) * 0x100000001b3u;
-        }
-    }
-    thud_world_destroy(world);
-    free(ids);
-    scene_free(&s);
-    return hash;
-}
-
-static void bisected_and_swept_scenes_have_the_same_bits_everywhere(void **state)
-{
-    (void)state;
-    static const char *const scenes[] = {"circle_pit", "mixed_terrain", "smash", "gas", "bullets"};
-    const thud_detection *const kinds[] = {&thud_detection_bisect, &thud_detection_swept};
-    for (size_t i = 0; i < 2 * sizeof scenes / sizeof *scenes; i++) {
-        thud_world_def def = with(kinds[i % 2], thud_default_world_def());
-        uint64_t wanted = motion(scenes[i / 2], def, 0);
-        thud_world_def other = def;
-        other.baseline_simd = true;
-        other.broadphase = &thud_broadphase_all;
-        if (motion(scenes[i / 2], other, 0) != wanted || motion(scenes[i / 2], def, 1e7) != wanted) {
-            fail_msg("%s differs, %s", scenes[i / 2], thud_detection_name(def.detection));
-        }
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -441,7 +393,6 @@ int main(void)
         cmocka_unit_test(names_tell_what_was_chosen),
         cmocka_unit_test(impact_within_a_step_asks_tells_and_hits),
         cmocka_unit_test(sleeper_that_is_hit_by_a_swept_body_wakes),
-        cmocka_unit_test(bisected_and_swept_scenes_have_the_same_bits_everywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

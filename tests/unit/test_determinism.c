@@ -1,4 +1,5 @@
-/* test_determinism.c: the same bits from every SIMD width, with every broadphase, and wherever the scene stands. */
+/* test_determinism.c: the same bits from every SIMD width, with every broadphase, and wherever the
+ * scene stands. */
 #include "engine_support.h"
 
 #include "build_thud.h"
@@ -9,13 +10,13 @@ static const char *const SCENES[] = {"tall_stack", "circle_pit", "mixed_terrain"
                                      "bullets",    "sizes",      "one_spot",      "cradle"};
 
 /* Velocities and angles of all bodies after some steps: what a shift must not change. */
-static uint64_t motion_of(const char *name, const thud_world_def *def, double shift_x,
+static uint64_t motion_of(const char *name, int most, const thud_world_def *def, double shift_x,
                           double shift_y)
 {
     const scene_info *info = scenes_find(name);
     scene s;
     assert_non_null(info);
-    int size = info->default_size > 1000 ? 600 : info->default_size;
+    int size = info->default_size > most ? most : info->default_size;
     assert_true(scenes_fill(info, size, &s));
     scene_shift(&s, shift_x, shift_y);
     thud_world *world;
@@ -42,7 +43,7 @@ static uint64_t motion_after(const char *name, bool baseline, double shift_x, do
 {
     thud_world_def def = thud_default_world_def();
     def.baseline_simd = baseline;
-    return motion_of(name, &def, shift_x, shift_y);
+    return motion_of(name, 600, &def, shift_x, shift_y);
 }
 
 static void baseline_and_widest_kernels_give_the_same_bits(void **state)
@@ -81,9 +82,28 @@ static void every_broadphase_gives_the_same_bits(void **state)
             thud_world_def def = thud_default_world_def();
             def.broadphase = others[k / 2];
             def.baseline_simd = k % 2;
-            if (motion_of(SCENES[i], &def, 0, 0) != by_grid) {
+            if (motion_of(SCENES[i], 600, &def, 0, 0) != by_grid) {
                 fail_msg("%s differs with %s", SCENES[i], thud_broadphase_name(def.broadphase));
             }
+        }
+    }
+}
+
+static void bisected_and_swept_scenes_have_the_same_bits_everywhere(void **state)
+{
+    (void)state;
+    static const char *const scenes[] = {"circle_pit", "mixed_terrain", "smash", "gas", "bullets"};
+    const thud_detection *const kinds[] = {&thud_detection_bisect, &thud_detection_swept};
+    for (size_t i = 0; i < 2 * sizeof scenes / sizeof *scenes; i++) {
+        thud_world_def def = thud_default_world_def();
+        def.detection = kinds[i % 2];
+        uint64_t wanted = motion_of(scenes[i / 2], 150, &def, 0, 0);
+        thud_world_def other = def;
+        other.baseline_simd = true;
+        other.broadphase = &thud_broadphase_all;
+        if (motion_of(scenes[i / 2], 150, &other, 0, 0) != wanted ||
+            motion_of(scenes[i / 2], 150, &def, 1e7, -1e7) != wanted) {
+            fail_msg("%s differs, %s", scenes[i / 2], thud_detection_name(def.detection));
         }
     }
 }
@@ -93,6 +113,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(baseline_and_widest_kernels_give_the_same_bits),
         cmocka_unit_test(every_broadphase_gives_the_same_bits),
+        cmocka_unit_test(bisected_and_swept_scenes_have_the_same_bits_everywhere),
         cmocka_unit_test(shift_by_whole_units_changes_no_bit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
