@@ -275,6 +275,34 @@ test("debug_draw_gives_contacts_once_the_ball_lies", () => {
   world.close();
 });
 
+test("debug_draw_gives_motions_pairs_and_the_intervals_of_a_plane_sweep", () => {
+  const world = new thud.World(engine, { broadphase: "sweep", gravity: [0, 0] });
+  const ball = (x, velocity) => {
+    const body = world.createBody({ kind: "dynamic", position: [x, 0], velocity });
+    world.createCircle(body, { radius: 0.5 });
+  };
+  ball(0, [60, 0]);
+  ball(3, [0, 0]);
+  ball(3.95, [0, 0]);
+  world.step();
+  const view = { lower: [-10, -10], upper: [10, 10] };
+  const count = (options, list, stride, style) => {
+    const values = world.debugDraw({ ...view, ...options })[list];
+    let found = 0;
+    const last = list === "shapes" ? 7 : stride - 1;
+    for (let i = 0; i < values.length; i += stride)
+      if (values[i + last] === thud.DRAW_STYLES.indexOf(style)) found++;
+    return found;
+  };
+  assert.equal(count({ motions: true }, "shapes", 9, "motion"), 2);
+  assert.equal(count({ motions: true }, "lines", 5, "motion"), 2);
+  assert.equal(count({ pairs: true }, "lines", 5, "pair touching"), 1);
+  assert.equal(count({ axes: true }, "lines", 5, "interval"), 1);
+  assert.equal(count({ axes: true }, "lines", 5, "interval overlapping"), 2);
+  assert.equal(count({ cells: true }, "shapes", 9, "cell"), 0);
+  world.close();
+});
+
 test("advance_runs_whole_steps_and_keeps_the_rest_as_alpha", () => {
   const { world } = ballOnGround();
   const { steps, alpha } = world.advance(2.5 / 60, 10);

@@ -17,13 +17,18 @@ export const DRAWN = [
 type Style = (typeof DRAW_STYLES)[number];
 
 /** Outlines and lines, from the lowest to the highest. */
-function strokes(theme: Theme): [style: Style, colour: string, width: number][] {
+function strokes(
+  theme: Theme,
+  scale: number,
+): [style: Style, colour: string, width: number][] {
+  // From afar an outline must not fill what it goes around.
+  const thin = Math.min(1.5, Math.max(0.7, 0.06 * scale));
   return [
     ["cell", theme.cell, 1],
     ["bounds", theme.bounds, 1],
     ["interval", theme.interval, 2.5],
     ["interval overlapping", theme.touching, 2.5],
-    ["motion", theme.motion, 1.5],
+    ["motion", theme.motion, thin],
     ["pair", theme.pair, 1],
     ["pair touching", theme.touching, 1],
     ["normal", theme.normal, 1.5],
@@ -57,7 +62,7 @@ export function drawLists(
     path.moveTo(lines[i] * scale, -lines[i + 1] * scale);
     path.lineTo(lines[i + 2] * scale, -lines[i + 3] * scale);
   }
-  for (const [style, colour, width] of strokes(theme)) {
+  for (const [style, colour, width] of strokes(theme, scale)) {
     if (style === "normal" && !on.has("normals")) continue;
     context.strokeStyle = colour;
     context.lineWidth = width;

@@ -1,0 +1,193 @@
+/** The systems that a visitor can choose and see: detection, broadphases, Minkowski sums. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { DESKTOP, drawn, near, openVisitor, PHONE, stepBy, untilRunning } from "./page-support.mjs";
+
+const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
+
+let visitor;
+before(async () => {
+  visitor = await openVisitor();
+});
+after(() => visitor.close());
+
+/** Pixels of the overlay, faint ones too, in the picture after next. */
+async function overlay(page) {
+  await page.waitForTimeout(250);
+  return drawn(page, "overlay", 17);
+}
+
+/** Pixels of the overlay that are nearly of a colour, and the middle of them on the page. */
+async function coloured(page, [red, green, blue]) {
+  await page.waitForTimeout(250);
+  return page.evaluate(
+    ([r, g, b]) => {
+      const { width, height } = document.getElementById("overlay");
+      const copy = Object.assign(document.createElement("canvas"), { width, height });
+      const context = copy.getContext("2d", { willReadFrequently: true });
+      context.drawImage(document.getElementById("overlay"), 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      let [count, x, y] = [0, 0, 0];
+      for (let i = 0; i < data.length; i += 4) {
+        const off = Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b);
+        if (data[i + 3] < 200 || off > 30) continue;
+        count++;
+        x += (i / 4) % width;
+        y += Math.floor(i / 4 / width);
+      }
+      const ratio = width / innerWidth;
+      return { count, x: x / count / ratio, y: y / count / ratio };
+    },
+    [red, green, blue],
+  );
+}
+
+const SUM = [124, 245, 196];
+const OVERLAPPING = [255, 143, 163];
+
+/** Brings the options up, picks one and closes them again, as a visitor does. */
+async function choose(page, set, value) {
+  await page.click("#options-button");
+  await page.locator(`#${set} label`, { hasText: value }).click();
+  await page.click("#options .close");
+  await page.waitForSelector("#options", { state: "hidden" });
+}
+
+for (const [size, options] of SIZES)
+  test(`detection_and_broadphase_are_chosen_and_kept_in_the_url_on_a_${size}`, async () => {
+    const { page, errors, close } = await visitor.open("?scene=cradle&paused=1", options);
+    await stepBy(page, 20);
+    await choose(page, "detection", "swept");
+    await page.waitForFunction(() => document.querySelector("#hud").dataset.steps === "0");
+    await choose(page, "broadphase", "sweep");
+    const search = new URL(page.url()).searchParams;
+    assert.deepEqual([search.get("detection"), search.get("broadphase")], ["swept", "sweep"]);
+    await page.reload();
+    await stepBy(page, 5);
+    assert.ok(await page.isChecked("[name=detection][value=swept]"));
+    assert.ok(await page.isChecked("[name=broadphase][value=sweep]"));
+    await choose(page, "detection", "continuous");
+    await choose(page, "broadphase", "grid");
+    assert.doesNotMatch(page.url(), /detection|broadphase/);
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
+test("unknown_detection_in_the_url_is_left_out", async () => {
+  const { page, errors, close } = await visitor.open("?scene=cradle&detection=magic&broadphase=tree");
+  await untilRunning(page);
+  assert.ok(await page.isChecked("[name=detection][value=continuous]"));
+  assert.ok(await page.isChecked("[name=broadphase][value=grid]"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+for (const [size, options] of SIZES)
+  test(`options_fit_a_${size}_and_scroll_to_their_end`, async () => {
+    const { page, close } = await visitor.open("?scene=cradle&paused=1", options);
+    await stepBy(page, 1);
+    await page.click("#options-button");
+    const { width, height } = options.viewport;
+    const box = await page.locator("#options").boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= width, JSON.stringify(box));
+    assert.ok(box.y >= 0 && box.y + box.height <= height, JSON.stringify(box));
+    for (const label of await page.locator(".choices span").all()) {
+      const overflow = await label.evaluate((span) => span.scrollWidth - span.clientWidth);
+      assert.ok(overflow <= 0, `${await label.innerText()} is ${overflow} wider than its place`);
+    }
+    await page.locator("#theme label").last().click();
+    await close();
+  });
+
+for (const [size, options] of SIZES)
+  test(`scene_of_broadphases_shows_cells_or_intervals_on_a_${size}`, async () => {
+    const { page, errors, close } = await visitor.open("?scene=broadphases&paused=1", options);
+    await stepBy(page, 10);
+    assert.ok((await overlay(page)).count > 300, "no cells");
+    await choose(page, "broadphase", "sweep");
+    await stepBy(page, 10);
+    const { count, y } = await overlay(page);
+    assert.ok(count > 300, "no intervals");
+    assert.ok(y > 0.6 * options.viewport.height, `the intervals' middle is at ${y}`);
+    await choose(page, "broadphase", "all");
+    await stepBy(page, 10);
+    assert.equal((await overlay(page)).count, 0);
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
+test("overlays_of_a_scene_go_with_it_and_those_of_the_visitor_stay", async () => {
+  const { page, close } = await visitor.open("?scene=broadphases&paused=1");
+  await stepBy(page, 1);
+  const shown = () =>
+    page.$$eval("[name=overlay]:checked", (boxes) => boxes.map(({ value }) => value).sort());
+  assert.deepEqual(await shown(), ["axes", "cells", "sleeping"]);
+  await page.keyboard.press("3");
+  await page.keyboard.press("8");
+  await page.keyboard.press("8");
+  await page.click("#scenes-button");
+  await page.click('[data-entry="scene/cradle"]');
+  await page.waitForFunction(() => document.title.startsWith("Newton"));
+  assert.deepEqual(await shown(), ["axes", "bounds", "sleeping"]);
+  await close();
+});
+
+test("keys_toggle_pairs_and_motions_and_go_through_detections", async () => {
+  const { page, errors, close } = await visitor.open("?scene=tall_stack&paused=1");
+  await stepBy(page, 5);
+  await page.keyboard.press("9");
+  assert.ok((await overlay(page)).count > 20, "no pairs");
+  await page.keyboard.press("9");
+  await page.keyboard.press("m");
+  assert.equal((await overlay(page)).count, 0, "a stack at rest has motions");
+  for (const name of ["bisect", "swept", "overlap", "continuous"]) {
+    await page.keyboard.press("e");
+    assert.ok(await page.isChecked(`[name=detection][value=${name}]`), name);
+  }
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+for (const [size, options] of SIZES)
+  test(`four_ways_of_detection_show_swept_volumes_on_a_${size}`, async () => {
+    const { page, errors, close } = await visitor.open("?scene=detection&paused=1", options);
+    await stepBy(page, 30);
+    const { count } = await overlay(page);
+    assert.ok(count > 150, `${count} pixels of motions`);
+    await page.keyboard.press("m");
+    assert.equal((await overlay(page)).count, 0);
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
+for (const [size, options] of SIZES)
+  test(`minkowski_sum_tells_that_dragged_shapes_overlap_on_a_${size}`, async () => {
+    const { page, errors, close } = await visitor.open("?scene=minkowski", { ...options, colorScheme: "dark" });
+    await untilRunning(page);
+    const apart = await coloured(page, SUM);
+    assert.ok(apart.count > 1000, `${apart.count} pixels of the sums`);
+    assert.equal((await coloured(page, OVERLAPPING)).count, 0);
+    // The view is 17 m high about (0.4, 0), or as wide as what moves; the upper pair's first shape
+    // is at (-0.8, 4), its second one at (2.3, 6).
+    const [top, bottom] = await page.evaluate(() => [
+      document.querySelector("#top").getBoundingClientRect().bottom + 8,
+      innerHeight - document.querySelector("#controls").getBoundingClientRect().top + 8,
+    ]);
+    const { width, height } = options.viewport;
+    const scale = Math.min((height - top - bottom) / 17, (width - 32) / (2.2 * 1.9));
+    const at = (x, y) => [
+      width / 2 + (x - 0.4) * scale,
+      (height + top - bottom) / 2 - y * scale,
+    ];
+    const [from, to] = [at(2.3, 6), at(-0.2, 4.5)];
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    await page.mouse.move(...to, { steps: 5 });
+    await page.waitForTimeout(1200);
+    const over = await coloured(page, OVERLAPPING);
+    assert.ok(over.count > 500, `${over.count} pixels of the sum tell it`);
+    await page.mouse.up();
+    near(over.x, to[0], 60, "the sum's middle");
+    assert.deepEqual(errors, []);
+    await close();
+  });
