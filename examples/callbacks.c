@@ -1,0 +1,119 @@
+/* callbacks.c: the rules of a small game, told to the engine by what shapes are made of: ice, a
+ * trampoline, a platform that lets through from below, a conveyor belt, a coin to collect. */
+#include <math.h>
+#include <stdio.h>
+#include <thud/thud.h>
+
+enum { PLAIN, ICE, TRAMPOLINE, ONE_WAY }; /* kept in the shapes' user data */
+
+static uint64_t material_of(const thud_world *world, thud_shape_id shape)
+{
+    thud_shape_state state = {.user_data = PLAIN};
+    thud_shape_get(world, shape, &state);
+    return state.user_data;
+}
+
+/* Asked before a pair is solved. Static shapes come first: a is what b meets. */
+static bool prologue(thud_world *world, const thud_contact *contact,
+                     thud_contact_settings *settings, void *context)
+{
+    (void)context;
+    thud_body_state body;
+    switch (material_of(world, contact->shape_a)) {
+    case ICE:
+        settings->friction = 0;
+        break;
+    case TRAMPOLINE:
+        settings->restitution = 1.2f; /* higher each time */
+        break;
+    case ONE_WAY: /* holds what comes down on it and was above it a step ago */
+        thud_body_get(world, contact->body_b, &body);
+        return contact->normal.y > 0.7f && body.velocity.y < 0.2f &&
+               contact->separation > body.velocity.y / 60 - 0.05f;
+    }
+    return true;
+}
+
+/* Told after a pair was solved, with the impulses that were applied. */
+static void epilogue(thud_world *world, const thud_contact *contact, void *context)
+{
+    (void)world;
+    float *loudest = context;
+    *loudest = fmaxf(*loudest, contact->normal_impulse);
+}
+
+static thud_shape_id add_box(thud_world *world, double x, double y, float half_width,
+                             thud_shape_def def)
+{
+    thud_body_def body_def = thud_default_body_def();
+    thud_body_id body;
+    thud_shape_id shape;
+    body_def.position = (thud_pos){x, y};
+    thud_body_create(world, &body_def, &body);
+    thud_shape_create_aabb(world, body, &def, (thud_vec2){0, 0}, (thud_vec2){half_width, 0.25f},
+                           &shape);
+    return shape;
+}
+
+/* A crate of 1 by 1 and mass 1. */
+static thud_body_id add_crate(thud_world *world, double x, double y, float vx, float vy)
+{
+    thud_body_def body_def = thud_default_body_def();
+    thud_shape_def shape_def = thud_default_shape_def();
+    thud_body_id body;
+    body_def.kind = THUD_DYNAMIC;
+    body_def.position = (thud_pos){x, y};
+    body_def.velocity = (thud_vec2){vx, vy};
+    thud_body_create(world, &body_def, &body);
+    thud_shape_create_aabb(world, body, &shape_def, (thud_vec2){0, 0}, (thud_vec2){0.5f, 0.5f},
+                           NULL);
+    return body;
+}
+
+static thud_body_state state_of(const thud_world *world, thud_body_id body)
+{
+    thud_body_state state = {0};
+    thud_body_get(world, body, &state);
+    return state;
+}
+
+int main(void)
+{
+    float loudest = 0;
+    thud_world *world;
+    thud_world_def world_def = thud_default_world_def();
+    world_def.prologue = prologue;
+    world_def.epilogue = epilogue;
+    world_def.callback_context = &loudest;
+    if (thud_world_create(&world_def, &world) != THUD_OK) return 1;
+
+    thud_shape_def def = thud_default_shape_def();
+    add_box(world, 0, -0.25, 8, (def.user_data = ICE, def));
+    add_box(world, 20, -0.25, 2, (def.user_data = TRAMPOLINE, def));
+    add_box(world, 30, -0.25, 2, (def.user_data = ONE_WAY, def));
+    def.user_data = PLAIN;
+    def.surface_speed = 2; /* no callback needed: it runs to +x on its top */
+    add_box(world, 50, -0.25, 8, def);
+    def.surface_speed = 0;
+    def.sensor = true;
+    add_box(world, 50, 0.25, 1, def); /* a coin above the belt */
+
+    thud_body_id skater = add_crate(world, -6, 0.5, 3, 0);
+    thud_body_id jumper = add_crate(world, 20, 2.5, 0, 0);
+    thud_body_id climber = add_crate(world, 30, -3, 0, 10);
+    thud_body_id parcel = add_crate(world, 46, 0.5, 0, 0);
+    double highest = 0;
+    int coins = 0;
+    for (int i = 0; i < 180; i++) {
+        thud_world_step(world);
+        coins += thud_world_events(world).sensor_begin_count;
+        highest = fmax(highest, i > 60 ? state_of(world, jumper).position.y : 0);
+    }
+    printf("the skater glides at %.2f\n", (double)state_of(world, skater).velocity.x);
+    printf("the jumper fell from 2.5 and rose to %.1f\n", highest);
+    printf("the climber stands at %.2f\n", state_of(world, climber).position.y);
+    printf("the parcel rides at %.2f and collected %d coin\n",
+           (double)state_of(world, parcel).velocity.x, coins);
+    printf("the loudest thud: %.0f\n", (double)loudest);
+    thud_world_destroy(world);
+}
