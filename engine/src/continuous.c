@@ -27,7 +27,17 @@ typedef struct sweep {
     td_bounds bounds;     /* of the whole sweep, about start */
 } sweep;
 
-/* The shape at `time`, in its full size, and the static one as the prologue sees them. */
+/* The ground below the middle of the shape stands for where they meet. */
+static thud_closest ground_below(const thud_world *w, int terrain_shape, const thud_placed *shape)
+{
+    thud_terrain terrain = td_terrain_view(w, terrain_shape);
+    thud_terrain_sample ground = {.height = shape->y, .ny = 1.0};
+    thud_terrain_sample_at(&terrain, shape->x, &ground);
+    return (thud_closest){.nx = ground.nx, .ny = ground.ny, .ax = shape->x, .ay = ground.height,
+                          .bx = shape->x, .by = ground.height};
+}
+
+/* The pair as the prologue sees it: the shape at `time`, in its full size. */
 static thud_contact view(const sweep *s, int other, double time)
 {
     const thud_world *w = s->w;
@@ -38,13 +48,12 @@ static thud_contact view(const sweep *s, int other, double time)
     shape.y += (double)(s->start.y - origin.y) / w->to_fixed;
     shape.hx += s->shrink;
     shape.hy += shape.kind == THUD_CIRCLE ? 0.0 : s->shrink;
-    thud_closest c = {0};
+    thud_closest c;
     if (ground) {
-        thud_terrain terrain = td_terrain_view(w, other);
-        thud_terrain_closest(&terrain, &shape, &c);
+        c = ground_below(w, other, &shape);
     } else {
         thud_placed b = td_shape_placed(w, other, origin);
-        thud_shapes_closest(&b, &shape, &c);
+        td_closest(&b, &shape, &c);
     }
     td_place at = {origin.x + td_round64(0.5 * (c.ax + c.bx) * w->to_fixed),
                    origin.y + td_round64(0.5 * (c.ay + c.by) * w->to_fixed)};
