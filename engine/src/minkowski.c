@@ -190,20 +190,12 @@ double td_minkowski_distance(const thud_minkowski *sum, double x, double y, doub
 
 bool td_minkowski_contains(const thud_minkowski *sum, double x, double y)
 {
+    double nx, ny;
     if (sum->count == 1) {
         return x * x + y * y <= sum->radius * sum->radius;
     }
-    double out;
-    int face = outermost(sum, x, y, &out);
-    if (face == TD_NONE) {
-        return false; /* not a number: of a segment too short to have a direction */
-    }
-    if (out <= 0.0 || out > sum->radius) {
-        return out <= 0.0;
-    }
-    thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];
-    double dx = x - vertex.x, dy = y - vertex.y;
-    return beside(sum, face, x, y) == 0 || dx * dx + dy * dy <= sum->radius * sum->radius;
+    /* A segment too short to have a direction gives a distance that is no number. */
+    return td_minkowski_distance(sum, x, y, &nx, &ny) <= 0.0;
 }
 
 /* Where the point enters the circle about a vertex. */
@@ -277,8 +269,12 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
             return false;
         }
     }
-    int corner = sum->radius > 0.0 ? beside(sum, face, x + enter * dx, y + enter * dy) : 0;
-    if (corner != 0) {
+    double px = x + enter * dx, py = y + enter * dy, u, v;
+    int corner = sum->radius > 0.0 ? beside(sum, face, px, py) : 0;
+    /* Of faces that are all but parallel, rounding may have taken one that the point is beside, and
+     * all the same it is in the rounded sum, in front of the other. */
+    double rounding = 1e-15 * (td_abs(px) + td_abs(py) + td_abs(x) + td_abs(y));
+    if (corner != 0 && td_minkowski_distance(sum, px, py, &u, &v) > rounding) {
         int vertex = face + (corner > 0) + (side < 0.0 ? faces : 0);
         return enter_circle(sum->vertices[vertex % sum->count], sum->radius, x, y, dx, dy, fraction,
                             nx, ny);

@@ -1,20 +1,12 @@
 /* toi.c: time of impact. Shapes that do not turn meet where their path enters their Minkowski sum,
- * in closed form. Turning ones meet by conservative advancement (Mirtich 1996): along the present
- * closest normal the shapes cannot meet before they have closed their distance at the fastest rate
- * that their motion allows, so time may safely jump that far. The jump is exact for motion along
- * the normal, and never goes past an impact. */
+ * in closed form. Turning ones meet by conservative advancement (Mirtich 1996): in the direction of
+ * the present closest features the shapes cannot meet before the first corner has come across, so
+ * time may safely jump to there. A turning corner's way is bounded by its Taylor polynomial, with
+ * the second derivative at its largest: near the impact each jump squares what is left. */
 #include "minkowski.h"
 
-enum { MAX_JUMPS = 200 };
-
-/* How fast turning may move a point of the shape. */
-static double turning(const thud_placed *shape, const thud_motion *m)
-{
-    if (shape->kind != THUD_OBB) {
-        return 0.0;
-    }
-    return td_abs(m->turn) * __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
-}
+/* Shapes that turn close by each other for long need many; most need less than ten. */
+enum { MAX_JUMPS = 1000 };
 
 /* In closed form: the second centre is a point that enters the sum of both shapes. */
 static void translating(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
@@ -32,43 +24,116 @@ static void translating(const thud_placed *a, const thud_motion *ma, const thud_
     }
 }
 
+static bool turns(const thud_placed *shape, const thud_motion *m)
+{
+    return shape->kind == THUD_OBB && m->turn != 0.0;
+}
+
+/* A corner that may come across first: how far it is along the direction, from its shape's centre,
+ * and how fast it goes on. */
+typedef struct corner {
+    double along, speed;
+} corner;
+
+/* The corners of a shape that turns by `turn`, or of another the one that is furthest. */
+static int corners_along(const thud_placed *shape, double turn, double nx, double ny, corner out[4])
+{
+    if (shape->kind == THUD_CIRCLE) {
+        out[0] = (corner){shape->hx, 0.0};
+        return 1;
+    }
+    if (turn == 0.0) {
+        out[0] = (corner){td_shadow(shape, nx, ny), 0.0};
+        return 1;
+    }
+    thud_placed box = *shape;
+    box.x = box.y = 0.0;
+    for (int i = 0; i < 4; i++) {
+        double x, y;
+        td_corner(&box, i, &x, &y);
+        out[i] = (corner){x * nx + y * ny, turn * (x * ny - y * nx)};
+    }
+    return 4;
+}
+
+/* The root of gap = speed t + bend t^2, for a positive gap; without one, more than any motion. */
+static double time_to_close(double gap, double speed, double bend)
+{
+    double root = __builtin_sqrt(speed * speed + 4.0 * bend * gap);
+    if (speed > 0.0) {
+        return 2.0 * gap / (speed + root);
+    }
+    return bend > 0.0 ? (root - speed) / (2.0 * bend) : 2.0;
+}
+
+static double radius_of(const thud_placed *box)
+{
+    return __builtin_sqrt(box->hx * box->hx + box->hy * box->hy);
+}
+
+/* For how long nothing can come across the direction of c, in which the shapes are apart by more
+ * than the target: not before the circles about turning shapes, nor before the first corner. The
+ * second derivative of a corner's way is at most turn^2 times the circle's radius. */
+static double jump(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
+                   const thud_motion *mb, const thud_closest *c, double target)
+{
+    corner of_a[4], of_b[4];
+    double turn_a = turns(a, ma) ? ma->turn : 0.0, turn_b = turns(b, mb) ? mb->turn : 0.0;
+    int count_a = corners_along(a, turn_a, c->nx, c->ny, of_a);
+    int count_b = corners_along(b, turn_b, -c->nx, -c->ny, of_b);
+    double radius_a = count_a > 1 ? radius_of(a) : of_a[0].along;
+    double radius_b = count_b > 1 ? radius_of(b) : of_b[0].along;
+    double bend = 0.5 * (turn_a * turn_a * radius_a + turn_b * turn_b * radius_b);
+    double apart = (b->x - a->x) * c->nx + (b->y - a->y) * c->ny - target;
+    double closing = (ma->dx - mb->dx) * c->nx + (ma->dy - mb->dy) * c->ny;
+    double circles = apart - radius_a - radius_b, corners = 2.0;
+    for (int i = 0; i < count_a; i++) {
+        for (int j = 0; j < count_b; j++) {
+            double time = time_to_close(apart - of_a[i].along - of_b[j].along,
+                                        closing + of_a[i].speed + of_b[j].speed, bend);
+            corners = time < corners ? time : corners;
+        }
+    }
+    return circles > 0.0 ? td_max_double(corners, time_to_close(circles, closing, 0.0)) : corners;
+}
+
 /* The distance at which shapes count as met: far below what anyone sees, above the rounding of
  * their places. */
 static double tolerance_of(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
                            const thud_motion *mb)
 {
-    double size = td_reach(a) + td_reach(b);
-    double place = td_abs(a->x) + td_abs(a->y) + td_abs(b->x) + td_abs(b->y) + td_abs(ma->dx) +
-                   td_abs(ma->dy) + td_abs(mb->dx) + td_abs(mb->dy);
-    return 1e-10 * size + 1e-15 * place;
+    double way = td_abs(ma->dx) + td_abs(ma->dy) + td_abs(mb->dx) + td_abs(mb->dy);
+    return 1e-10 * (td_reach(a) + td_reach(b)) + 1e-15 * (td_abs(b->x) + td_abs(b->y) + way);
 }
 
 void td_time_of_near_impact(const thud_placed *a, thud_motion ma, const thud_placed *b,
                             thud_motion mb, double target, double tolerance, bool *hit,
                             double *time)
 {
-    double spin = turning(a, &ma) + turning(b, &mb);
-    if (spin == 0.0 && target >= 0.0) {
+    if (!turns(a, &ma) && !turns(b, &mb) && target >= 0.0) {
         translating(a, &ma, b, &mb, target, hit, time);
         return;
     }
-    tolerance = td_max_double(tolerance, tolerance_of(a, &ma, b, &mb));
+    /* Relative to a: far from the origin, places are too coarse to work with. */
+    thud_placed here = *a, there = *b;
+    here.x = here.y = 0.0;
+    there.x -= a->x;
+    there.y -= a->y;
+    tolerance = td_max_double(tolerance, tolerance_of(&here, &ma, &there, &mb));
     double t = 0.0;
     *hit = false;
     *time = 1.0;
     for (int i = 0; i < MAX_JUMPS; i++) {
-        thud_placed pa = td_placed_at(a, &ma, t), pb = td_placed_at(b, &mb, t);
+        thud_placed pa = td_placed_at(&here, &ma, t), pb = td_placed_at(&there, &mb, t);
         thud_closest closest;
         td_closest(&pa, &pb, &closest);
-        double gap = closest.distance - target;
-        if (gap <= tolerance) {
+        if (closest.distance - target <= tolerance) {
             break;
         }
-        double closing = (ma.dx - mb.dx) * closest.nx + (ma.dy - mb.dy) * closest.ny + spin;
-        if (!(closing > 0.0) || t + gap / closing > 1.0) {
+        t += jump(&pa, &ma, &pb, &mb, &closest, target);
+        if (t > 1.0) {
             return;
         }
-        t += gap / closing;
     }
     /* Out of jumps: they are almost there, and this time is still before the impact. */
     *hit = true;

@@ -229,8 +229,7 @@ static void overlap_case(const ground *g, source *r, int i)
 
 static void translating_case(const ground *g, source *r, int i)
 {
-    (void)i;
-    check_translating(g, draw_motion_over(r, g, false), 0.0);
+    check_translating(g, draw_motion_over(r, g, false), i % 3 ? 0.0 : 0.05);
 }
 
 static void turning_case(const ground *g, source *r, int i)
@@ -262,7 +261,7 @@ static void impact_on_ground_with_turning_comes_no_later_and_no_earlier(void **s
     (void)state;
     totals t = each_ground(161, case_count(QUICK_TURNING), turning_case);
     assert_true(t.hits > t.cases / 10);
-    assert_true(t.stopped_early * 50 <= t.hits);
+    assert_true(t.stopped_early * 5000 <= t.hits);
 }
 
 static void collision_with_ground_is_between_apart_and_together(void **state)
