@@ -63,7 +63,7 @@ bool td_pairs_sort(thud_world *w)
     if (!td_array_reserve(&w->memory, pairs, 2 * count)) {
         return false;
     }
-    td_new_pair *at = pairs->data, *other = at + count;
+    td_new_pair *at = pairs->data, *other = count ? at + count : at;
     for (int i = 0; i < count; i++) {
         if (at[i].a > at[i].b) {
             at[i] = (td_new_pair){at[i].b, at[i].a, at[i].child};

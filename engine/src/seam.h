@@ -5,8 +5,9 @@
 #include "placed.h"
 #include "world.h"
 
-/* In length scales: neighbours may be so far apart or overlap so much, and what lies this far outside
- * a face is looked at to see whether it is covered. */
+/* In length scales: neighbours may be so far apart or overlap so much. What lies twice as far outside
+ * a face is looked at to see whether it is covered: a neighbour's face in line with it does not reach
+ * there. */
 #define TD_FLUSH 1e-3
 
 /* A pair of which the first shape is static, relative to the centre of that; `other` may be TD_NONE. */

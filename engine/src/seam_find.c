@@ -22,11 +22,11 @@ static void set(thud_world *w, int shape, unsigned seams, unsigned hidden)
     }
 }
 
-/* A strip just outside a face, short of its ends. */
+/* A strip outside a face, from one to two widths away, short of its ends. */
 static thud_placed strip_of(const thud_placed *box, int face, double width)
 {
     thud_placed strip = *box;
-    double along = face % 2 ? box->hx : box->hy, out = (face % 2 ? box->hy : box->hx) + 0.5 * width;
+    double along = face % 2 ? box->hx : box->hy, out = (face % 2 ? box->hy : box->hx) + 1.5 * width;
     double u = face % 2 ? 0.0 : out, v = face % 2 ? out : 0.0, x, y;
     td_from_frame(box, face >= 2 ? -u : u, face >= 2 ? -v : v, &x, &y);
     strip.x += x;

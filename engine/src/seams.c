@@ -30,7 +30,7 @@ typedef struct probe {
 static bool covers(const td_seam *s, int neighbour, void *context)
 {
     const probe *p = context;
-    return td_seam_holds(s, neighbour, p->x, p->y, TD_FLUSH * s->unit);
+    return td_seam_holds(s, neighbour, p->x, p->y, 0.5 * TD_FLUSH * s->unit);
 }
 
 static bool hides_corner(const td_seam *s, int neighbour, void *context)
@@ -45,7 +45,7 @@ static bool face_hidden(const td_seam *s, int face, double from, double to)
 {
     double half = face % 2 ? s->a.hx : s->a.hy, out = face % 2 ? s->a.hy : s->a.hx;
     double beyond = BEYOND * (s->b.kind == THUD_CIRCLE || s->b.hx < s->b.hy ? s->b.hx : s->b.hy);
-    out += TD_FLUSH * s->unit;
+    out += 2.0 * TD_FLUSH * s->unit;
     out = face >= 2 ? -out : out;
     from = td_clamp(from - beyond, -half, half);
     to = td_clamp(to + beyond, -half, half);

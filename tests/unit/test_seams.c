@@ -195,6 +195,33 @@ static void box_and_ball_in_a_corner_rest_on_the_floor(void **state)
     }
 }
 
+/* Floors that lie in each other, with their tops in line, or twice the same one. */
+static void floors_that_overlap_bear_all_the_same(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 3; kind++) {
+        for (int upright = 0; upright < 2; upright++) {
+            thud_world *world = make_world(thud_default_world_def());
+            add_tile(world, 0, -1, 5, 1, upright);
+            add_tile(world, 0, -1, 5, 1, upright);
+            add_tile(world, 4, -0.5, 5, 0.5f, true);
+            add_tile(world, -2, -2, 1, 2, false);
+            double at[] = {-2, 0, 1.2, 4.8, 5, 7};
+            thud_body_id bodies[6];
+            for (int i = 0; i < 6; i++) {
+                bodies[i] = add_slider(world, kind, at[i] * 1.5);
+            }
+            run(world, 120);
+            for (int i = 0; i < 6; i++) {
+                if (at[i] * 1.5 > -5 && at[i] * 1.5 < 9) {
+                    near_to(state_of(world, bodies[i]).position.y, kind ? 0.3 : 0.5, 0.002);
+                }
+            }
+            thud_world_destroy(world);
+        }
+    }
+}
+
 /* Tiles that form a hill: up, over the top and down, without leaving it or getting stuck. */
 static void rolling_over_a_hill_of_turned_tiles_follows_it(void **state)
 {
@@ -235,6 +262,7 @@ int main(void)
         cmocka_unit_test(neighbour_that_goes_uncovers_the_face_it_hid),
         cmocka_unit_test(neighbour_that_is_not_met_hides_nothing),
         cmocka_unit_test(box_and_ball_in_a_corner_rest_on_the_floor),
+        cmocka_unit_test(floors_that_overlap_bear_all_the_same),
         cmocka_unit_test(rolling_over_a_hill_of_turned_tiles_follows_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
