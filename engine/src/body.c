@@ -238,11 +238,12 @@ thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state 
         .inertia = body->inertia,
         .gravity_scale = body->gravity_scale,
         .awake = body->awake > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)),
+        .enabled = !(body->flags & TD_BODY_DISABLED),
         .quarantined = (body->flags & TD_BODY_QUARANTINED) != 0,
         .user_data = body->user_data,
         .shape_count = body->shape_count,
     };
-    if (body->kind == THUD_STATIC) {
+    if (body->kind == THUD_STATIC || !out->enabled) {
         out->awake = false;
     }
     return THUD_OK;

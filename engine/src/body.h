@@ -46,7 +46,8 @@ typedef enum td_put_off_kind {
     TD_PUT_VELOCITY,
     TD_PUT_IMPULSE,
     TD_PUT_FORCE,
-    TD_PUT_AWAKE
+    TD_PUT_AWAKE,
+    TD_PUT_ENABLED
 } td_put_off_kind;
 
 /* Does what callbacks asked for during the last step, in the order they asked. */

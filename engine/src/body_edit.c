@@ -57,10 +57,21 @@ static void set_awake(thud_world *w, int index, const double v[4])
     td_body_mark(w, index, v[0] != 0.0 ? TD_CHANGE_WAKE : TD_CHANGE_SLEEP);
 }
 
+static void set_enabled(thud_world *w, int index, const double v[4])
+{
+    td_body *body = td_body_at(w, index);
+    uint8_t flags = (uint8_t)(body->flags & ~TD_BODY_DISABLED);
+    flags |= v[0] != 0.0 ? 0 : TD_BODY_DISABLED;
+    if (flags != body->flags) {
+        body->flags = flags;
+        td_body_mark(w, index, TD_CHANGE_ENABLE);
+    }
+}
+
 static void act(thud_world *w, int index, td_put_off_kind what, const double v[4])
 {
     static void (*const acts[])(thud_world *, int, const double[4]) = {
-        transform, set_velocity, impulse, force, set_awake};
+        transform, set_velocity, impulse, force, set_awake, set_enabled};
     if (!(td_body_at(w, index)->flags & TD_BODY_QUARANTINED)) {
         acts[what](w, index, v);
     }
@@ -195,4 +206,13 @@ thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake)
     result = check_dynamic(w, index, "set awake: the body is not dynamic");
     return result != THUD_OK ? result
                              : edit(w, index, TD_PUT_AWAKE, (double[4]){awake ? 1.0 : 0.0});
+}
+
+thud_result thud_body_set_enabled(thud_world *w, thud_body_id id, bool enabled)
+{
+    int index;
+    thud_result result = td_find_body(w, id, &index);
+    return result != THUD_OK
+               ? result
+               : edit(w, index, TD_PUT_ENABLED, (double[4]){enabled ? 1.0 : 0.0});
 }

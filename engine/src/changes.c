@@ -8,6 +8,8 @@
 #include "shape.h"
 #include "step.h"
 
+#include <string.h>
+
 static int other_body(const thud_world *w, int edge)
 {
     const td_contact *contact = td_contact_at(w, edge / 2);
@@ -120,6 +122,26 @@ static void renew_terrain(thud_world *w, int index)
     }
 }
 
+/* Its shapes stay where the broadphase has them: nothing may pair with those of a disabled body, and all
+ * pairs of an enabled one are new. */
+static void change_enabled(thud_world *w, int index)
+{
+    td_body *body = td_body_at(w, index);
+    bool enabled = !(body->flags & TD_BODY_DISABLED);
+    destroy_contacts(w, index, TD_NONE);
+    if (!enabled && body->awake > 0) {
+        td_awake_remove(w, index);
+    } else if (enabled && body->awake < 0 && body->kind != THUD_STATIC) {
+        td_awake_add(w, index);
+    }
+    memset(body->force, 0, sizeof body->force);
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        *td_marks_at(w, i) |= TD_MARK_FRESH;
+    }
+    td_population_forget(&w->awake_shapes);
+    td_population_forget(&w->rest_shapes);
+}
+
 /* Contacts with segments that an edit of a line took away. */
 static void destroy_gone(thud_world *w, int index)
 {
@@ -136,7 +158,7 @@ static bool apply(thud_world *w, int index)
 {
     td_body *body = td_body_at(w, index);
     int changes = body->changes;
-    int edits = TD_CHANGE_LEAVE | TD_CHANGE_SHAPES | TD_CHANGE_PLACE;
+    int edits = TD_CHANGE_LEAVE | TD_CHANGE_SHAPES | TD_CHANGE_PLACE | TD_CHANGE_ENABLE;
     if (!reserve_ends(w, index) || ((changes & edits) && w->seams && !w->seams->lose(w, index)) ||
         ((changes & edits || body->kind == THUD_KINEMATIC) && !wake_touching(w, index)) ||
         (changes != TD_CHANGE_SLEEP && !(changes & TD_CHANGE_LEAVE) && !td_wake(w, index))) {
@@ -144,7 +166,8 @@ static bool apply(thud_world *w, int index)
     }
     body->changes = 0;
     bool rests = body->awake < 0;
-    if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) && body->kind != THUD_STATIC) {
+    if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) && body->kind != THUD_STATIC &&
+        !(body->flags & TD_BODY_DISABLED)) {
         td_awake_add(w, index);
         rests = false;
     }
@@ -165,7 +188,10 @@ static bool apply(thud_world *w, int index)
     if (changes & TD_CHANGE_PLACE) {
         renew_terrain(w, index);
     }
-    if (changes & (TD_CHANGE_SHAPES | TD_CHANGE_PLACE | TD_CHANGE_ENTER)) {
+    if (changes & TD_CHANGE_ENABLE) {
+        change_enabled(w, index);
+    }
+    if (changes & (edits | TD_CHANGE_ENTER)) {
         td_body_place_shapes(w, index);
     }
     if (body->awake > 0) {

@@ -54,8 +54,9 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b)
     if (a->body == b->body || ((a->flags & b->flags) & TD_SHAPE_SENSOR)) {
         return false;
     }
-    if (td_body_at(w, a->body)->kind != THUD_DYNAMIC &&
-        td_body_at(w, b->body)->kind != THUD_DYNAMIC) {
+    const td_body *body_a = td_body_at(w, a->body), *body_b = td_body_at(w, b->body);
+    if ((body_a->kind != THUD_DYNAMIC && body_b->kind != THUD_DYNAMIC) ||
+        ((body_a->flags | body_b->flags) & TD_BODY_DISABLED)) {
         return false;
     }
     if (a->filter.group == b->filter.group && a->filter.group != 0) {

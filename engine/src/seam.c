@@ -20,7 +20,8 @@ bool td_is_ground(const thud_world *w, int shape)
 {
     const td_shape *s = td_shape_at(w, shape);
     return (s->flags & TD_SHAPE_LIVE) && !(s->flags & TD_SHAPE_SENSOR) &&
-           td_body_at(w, s->body)->kind == THUD_STATIC;
+           td_body_at(w, s->body)->kind == THUD_STATIC &&
+           !(td_body_at(w, s->body)->flags & TD_BODY_DISABLED);
 }
 
 bool td_seam_holds(const td_seam *s, int neighbour, double x, double y, double slack)

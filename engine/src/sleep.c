@@ -20,7 +20,7 @@ static int other_body(const thud_world *w, int edge)
 static bool may_wake(const td_body *body)
 {
     return body->kind == THUD_DYNAMIC && body->awake < 0 &&
-           !(body->flags & TD_BODY_QUARANTINED) && !(body->changes & TD_CHANGE_ENTER);
+           !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) && !(body->changes & TD_CHANGE_ENTER);
 }
 
 static bool lists_room(thud_world *w)

@@ -30,7 +30,8 @@ enum { /* td_body.flags */
     TD_BODY_LIVE = 1,
     TD_BODY_FIXED = 2,      /* rotation is fixed by its def */
     TD_BODY_RESTLESS = 4,   /* may not sleep */
-    TD_BODY_QUARANTINED = 8
+    TD_BODY_QUARANTINED = 8,
+    TD_BODY_DISABLED = 16 /* has no contacts and no awake slot */
 };
 
 typedef struct td_body {
@@ -131,7 +132,8 @@ typedef enum td_change_kind {
     TD_CHANGE_SHAPES = 4,     /* shapes came or went */
     TD_CHANGE_WAKE = 8,
     TD_CHANGE_PLACE = 16,     /* teleported */
-    TD_CHANGE_SLEEP = 32
+    TD_CHANGE_SLEEP = 32,
+    TD_CHANGE_ENABLE = 64     /* enabled or disabled */
 } td_change_kind;
 
 /* An edit made inside a callback, put off to the start of the next step. */

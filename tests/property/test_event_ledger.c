@@ -136,7 +136,7 @@ static void edit(chaos *c)
     thud_shape_id shape;
     thud_vec2 v = {(float)random_in(&c->seed, -30, 30), (float)random_in(&c->seed, -5, 15)};
     thud_pos at = {random_in(&c->seed, -8, 8), random_in(&c->seed, 0, 6)};
-    switch (pick(c, 8)) {
+    switch (pick(c, 9)) {
     case 0:
         fine_or_gone(thud_body_destroy(w, body));
         break;
@@ -163,6 +163,9 @@ static void edit(chaos *c)
         if (thud_body_is_valid(w, body) && state_of(w, body).shape_count < 4) {
             add_random_shape(c, body);
         }
+        break;
+    case 7:
+        fine_or_gone(thud_body_set_enabled(w, body, pick(c, 3) != 0));
         break;
     default:
         if (thud_body_is_valid(w, body)) {

@@ -171,7 +171,7 @@ typedef struct thud_body_state {
     float mass, inertia;       /* 0 for static and kinematic, and 1 for a dynamic body without any;
                                   inertia 0 when rotation is fixed */
     float gravity_scale;
-    bool awake, quarantined;
+    bool awake, enabled, quarantined;
     uint64_t user_data;
     int shape_count;
 } thud_body_state;
@@ -191,6 +191,9 @@ thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec
                                   float torque);
 /* False: the body counts as at rest from now on, and sleeps as soon as its whole island does. */
 thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
+/* False takes the body and its shapes out of the world, as if destroyed: its contacts end, nothing
+ * moves, meets or finds them. True brings it back, where it is and at the velocity it had. */
+thud_result thud_body_set_enabled(thud_world *world, thud_body_id body, bool enabled);
 thud_result thud_body_set_user_data(thud_world *world, thud_body_id body, uint64_t user_data);
 /* Writes up to `capacity` shape handles; *count is how many the body has. */
 thud_result thud_body_shapes(const thud_world *world, thud_body_id body, thud_shape_id *out,
