@@ -46,6 +46,32 @@ test("load_of_foreign_module_throws_load_error", async () => {
   await assert.rejects(thud.load(empty), { code: "load" });
 });
 
+test("box_on_a_conveyor_belt_gets_its_speed", () => {
+  const world = engine.createWorld();
+  const belt = world.createBody();
+  const shape = world.createAabb(belt, { halfWidth: 50, halfHeight: 0.5, surfaceSpeed: 2 });
+  const box = world.createBody({ kind: "dynamic", position: [0, 1] });
+  world.createAabb(box, { halfWidth: 0.5, halfHeight: 0.5 });
+  for (let i = 0; i < 60; i++) world.step();
+  assert.ok(Math.abs(world.bodyState(box).velocity[0] - 2) < 0.01);
+  assert.equal(world.shapeState(shape).surfaceSpeed, 2);
+  const tooFast = { halfWidth: 1, halfHeight: 1, surfaceSpeed: 1e9 };
+  throwsCode("invalid", () => world.createAabb(belt, tooFast), /surface_speed/);
+  world.close();
+});
+
+test("disabled_body_stays_where_it_is_until_it_is_enabled", () => {
+  const { world, ball } = ballOnGround();
+  world.setEnabled(ball, false);
+  for (let i = 0; i < 60; i++) world.step();
+  assert.equal(world.bodyState(ball).enabled, false);
+  assert.equal(world.bodyState(ball).position[1], 5);
+  world.setEnabled(ball, true);
+  for (let i = 0; i < 10; i++) world.step();
+  assert.ok(world.bodyState(ball).position[1] < 4.95);
+  world.close();
+});
+
 test("free_fall_of_one_second_matches_parabola", () => {
   const world = engine.createWorld();
   const body = world.createBody({ kind: "dynamic", position: [3, 100], velocity: [2, 0] });

@@ -58,7 +58,7 @@ int api_body_is_valid(const thud_world *world, uint32_t index1, uint32_t generat
 
 /* Slots out: 0 kind  1, 2 position  3, 4 centre of mass  5 angle  6, 7 velocity
  * 8 angular velocity  9 mass  10 inertia  11 gravity scale  12 awake  13 quarantined
- * 14 user data  15 number of shapes. */
+ * 14 user data  15 number of shapes  16 enabled. */
 int api_body_get(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_state state;
     thud_result result = thud_body_get(world, api_body(index1, generation), &state);
@@ -81,6 +81,7 @@ int api_body_get(const thud_world *world, uint32_t index1, uint32_t generation) 
     s[13] = state.quarantined;
     s[14] = (double)state.user_data;
     s[15] = state.shape_count;
+    s[16] = state.enabled;
     return THUD_OK;
 }
 
@@ -109,6 +110,10 @@ int api_body_apply_force(thud_world *world, uint32_t index1, uint32_t generation
 
 int api_body_set_awake(thud_world *world, uint32_t index1, uint32_t generation, int awake) {
     return thud_body_set_awake(world, api_body(index1, generation), awake != 0);
+}
+
+int api_body_set_enabled(thud_world *world, uint32_t index1, uint32_t generation, int enabled) {
+    return thud_body_set_enabled(world, api_body(index1, generation), enabled != 0);
 }
 
 int api_body_set_user_data(thud_world *world, uint32_t index1, uint32_t generation, double data) {

@@ -2,7 +2,7 @@
 #include "api.h"
 
 /* Slots: 0 density  1 friction  2 restitution  3 category  4 mask  5 group  6 sensor
- * 7 user data. */
+ * 7 user data  8 surface speed. */
 void api_shape_defaults(void) {
     thud_shape_def def = thud_default_shape_def();
     double *s = api_slots;
@@ -14,6 +14,7 @@ void api_shape_defaults(void) {
     s[5] = def.filter.group;
     s[6] = def.sensor;
     s[7] = (double)def.user_data;
+    s[8] = def.surface_speed;
 }
 
 /* From the slots of api_shape_defaults. */
@@ -28,6 +29,7 @@ static thud_shape_def read_def(void) {
     def.filter.group = api_to_int(s[5]);
     def.sensor = s[6] != 0.0;
     def.user_data = (uint64_t)s[7];
+    def.surface_speed = (float)s[8];
     return def;
 }
 
@@ -93,7 +95,7 @@ int api_shape_is_valid(const thud_world *world, uint32_t index1, uint32_t genera
 }
 
 /* Slots out: 0 kind  1, 2 body  3, 4 offset  5, 6 half extents  7 angle  8 density  9 friction
- * 10 restitution  11 category  12 mask  13 group  14 sensor  15 user data. */
+ * 10 restitution  11 category  12 mask  13 group  14 sensor  15 user data  16 surface speed. */
 int api_shape_get(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_shape_state state;
     thud_result result = thud_shape_get(world, api_shape(index1, generation), &state);
@@ -116,6 +118,7 @@ int api_shape_get(const thud_world *world, uint32_t index1, uint32_t generation)
     s[13] = state.filter.group;
     s[14] = state.sensor;
     s[15] = (double)state.user_data;
+    s[16] = state.surface_speed;
     return THUD_OK;
 }
 

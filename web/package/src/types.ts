@@ -100,6 +100,11 @@ export interface ShapeOptions {
   friction?: number;
   /** [0, 1]. Default 0; a pair's is the larger. */
   restitution?: number;
+  /**
+   * A second, along the surface, clockwise about the shape: to +x on its top, as a conveyor belt runs.
+   * Default 0; a pair's is the sum.
+   */
+  surfaceSpeed?: number;
   /** What it is: bits. Default 1. */
   category?: number;
   /** What it meets: bits. Default all. */
@@ -167,6 +172,7 @@ export interface BodyState {
   inertia: number;
   gravityScale: number;
   awake: boolean;
+  enabled: boolean;
   /** Frozen because it became non-finite. */
   quarantined: boolean;
   userData: number;
@@ -183,6 +189,7 @@ export interface ShapeState {
   density: number;
   friction: number;
   restitution: number;
+  surfaceSpeed: number;
   category: number;
   mask: number;
   group: number;

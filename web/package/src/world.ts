@@ -194,6 +194,7 @@ export class World {
       inertia: s[10],
       gravityScale: s[11],
       awake: s[12] !== 0,
+      enabled: s[16] !== 0,
       quarantined: s[13] !== 0,
       userData: s[14],
       shapeCount: s[15],
@@ -219,6 +220,14 @@ export class World {
 
   setAwake(body: BodyId, awake: boolean): void {
     this.#onBody("api_body_set_awake", body, Number(awake));
+  }
+
+  /**
+   * False takes the body and its shapes out of the world: nothing moves, meets or finds them. True
+   * brings it back, where it is and at the velocity it had.
+   */
+  setEnabled(body: BodyId, enabled: boolean): void {
+    this.#onBody("api_body_set_enabled", body, Number(enabled));
   }
 
   setUserData(body: BodyId, data: number): void {
@@ -292,6 +301,7 @@ export class World {
       density: s[8],
       friction: s[9],
       restitution: s[10],
+      surfaceSpeed: s[16],
       category: s[11],
       mask: s[12],
       group: s[13],
@@ -626,6 +636,7 @@ export class World {
       options.group,
       options.sensor,
       userData(options.userData),
+      options.surfaceSpeed,
     ]);
     this.#onBody(name, body, ...args);
     return shapeId(engine.slots[0], engine.slots[1]);
