@@ -19,8 +19,8 @@ const engine = await thud.load(demoWasm);
 const thudRun = findThudRun();
 const skip = thudRun ? false : "thud-run is not built (./run test builds it)";
 
-function nativeHash(what) {
-  const args = [what, "--steps", String(STEPS), "--json"];
+function nativeHash(what, ...options) {
+  const args = [what, "--steps", String(STEPS), "--json", ...options];
   const output = execFileSync(thudRun, args, { encoding: "utf8", cwd: root });
   const report = JSON.parse(output);
   assert.equal(report.steps, STEPS);
@@ -34,6 +34,8 @@ function hashAfterSteps(world) {
   return hash;
 }
 
+const names = sceneNames(engine);
+
 test("there_are_four_levels_at_least", () => {
   assert.ok(levelFiles.length >= 4);
 });
@@ -44,8 +46,16 @@ for (const file of levelFiles)
     assert.equal(hashAfterSteps(level.buildLevel(engine, read)), nativeHash(`assets/levels/${file}`));
   });
 
-sceneNames(engine).forEach((name, index) =>
+names.forEach((name, index) =>
   test(`scene_${name}_has_equal_hash_native_and_wasm`, { skip }, () => {
     assert.equal(hashAfterSteps(buildScene(engine, index)), nativeHash(name));
   }),
 );
+
+for (const detection of ["overlap", "bisect", "swept"])
+  for (const name of ["bullets", "cradle", "slopes"])
+    test(`scene_${name}_with_${detection}_has_equal_hash_native_and_wasm`, { skip }, () => {
+      const world = buildScene(engine, names.indexOf(name), { detection, broadphase: "sweep" });
+      const options = ["--detection", detection, "--broadphase", "all"];
+      assert.equal(hashAfterSteps(world), nativeHash(name, ...options));
+    });
