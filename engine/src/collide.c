@@ -146,8 +146,11 @@ thud_contact td_impact_view(const thud_world *w, const td_encounter *e, const td
 {
     td_place place = {at->origin.x + td_round64(at->x * w->to_fixed),
                       at->origin.y + td_round64(at->y * w->to_fixed)};
-    return td_contact_between(w, e->shape[0], e->shape[1], place,
-                              (thud_vec2){(float)at->nx, (float)at->ny}, at->distance);
+    int a = e->shape[0], b = e->shape[1];
+    td_pair_of(w, &a, &b); /* callers see them in the order of a contact */
+    double sign = a == e->shape[0] ? 1.0 : -1.0;
+    thud_vec2 normal = {(float)(sign * at->nx), (float)(sign * at->ny)};
+    return td_contact_between(w, a, b, place, normal, at->distance);
 }
 
 void td_impact_resolve(thud_world *w, const td_encounter *e, const td_impact_point *at,

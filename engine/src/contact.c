@@ -165,7 +165,7 @@ bool td_contact_end_reserve(thud_world *w, int more)
                              w->events.sensor_end.count + more));
 }
 
-/* A line has a contact a segment, but callers hear of it as of one shape: that a pair begins with its
+/* A line has a contact a segment, but callers hear of it as of one shape: a pair begins with its
  * first segment and ends with its last. */
 static bool open_elsewhere(const thud_world *w, int contact_index)
 {

@@ -1,4 +1,4 @@
-/* surface.h: how the surfaces of two shapes act on each other: as their defs have it, as the prologue
+/* surface.h: how the surfaces of two shapes act on each other: as their defs have it, as a prologue
  * wants it for a step, and as a lane of the solver keeps it. */
 #ifndef TD_SURFACE_H
 #define TD_SURFACE_H

@@ -53,9 +53,9 @@ static void one_way_platform_lets_through_from_below_and_holds_from_above(void *
 static bool refuse(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                    void *context)
 {
-    (void)world;
-    (void)contact;
     (void)settings;
+    assert_int_equal(state_of(world, contact->body_a).kind, THUD_STATIC);
+    assert_int_equal(state_of(world, contact->body_b).kind, THUD_DYNAMIC);
     ++*(int *)context;
     return false;
 }
@@ -76,10 +76,10 @@ static void veto_lets_fast_bodies_through_a_wall_at_full_speed(void **state)
                 } else {
                     add_shape(world, wall, 20, 2, true, NULL);
                 }
-                thud_body_id body = add_kind(world, kind, 0, 20, NULL);
+                thud_body_id body = add_kind(world, kind, 0, 4, NULL); /* there in the first step */
                 OK(thud_body_set_velocity(world, body, (thud_vec2){0, -300}, 0));
                 run(world, 10);
-                near_to(state_of(world, body).position.y, 20 - 50, 1e-3);
+                near_to(state_of(world, body).position.y, 4 - 50, 1e-3);
                 assert_true(asked > 0);
                 thud_world_destroy(world);
             }

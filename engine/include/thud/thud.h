@@ -44,7 +44,7 @@ typedef struct thud_allocator {
 typedef void thud_log_fn(thud_result result, const char *message, void *context);
 typedef double thud_clock_fn(void *context); /* seconds, from any start, never backwards */
 
-/* One touching pair, as callbacks see it. */
+/* One touching pair, as callbacks see it: of a static and a moving shape, a is the static one. */
 typedef struct thud_contact {
     thud_shape_id shape_a, shape_b;
     thud_body_id body_a, body_b;
