@@ -72,6 +72,9 @@ static void step_after_failed_ones_is_the_same_step(void **state)
             if (thud_world_hash(never) != thud_world_hash(often)) {
                 fail_msg("%s: differs at step %d", scenes[i].name, k);
             }
+            thud_events e = thud_world_events(never), f = thud_world_events(often);
+            assert_int_equal(e.begin_count, f.begin_count);
+            assert_int_equal(e.end_count, f.end_count);
         }
         assert_true(failures > 5);
         thud_world_destroy(never);
