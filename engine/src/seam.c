@@ -34,7 +34,12 @@ bool td_seam_holds(const td_seam *s, int neighbour, double x, double y, double s
         point.y -= n.y;
         return thud_terrain_overlap(&terrain, &point);
     }
-    return thud_shapes_overlap(&n, &point);
+    if (n.kind == THUD_CIRCLE) {
+        return thud_shapes_overlap(&n, &point);
+    }
+    double u, v;
+    td_to_frame(&n, x - n.x, y - n.y, &u, &v);
+    return td_abs(u) <= n.hx + slack && td_abs(v) <= n.hy + slack;
 }
 
 bool td_seam_rises(const td_seam *s, int neighbour, double x, double y, double nx, double ny,

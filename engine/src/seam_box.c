@@ -41,22 +41,44 @@ static int clip(const thud_placed *face, const thud_placed *other, double nx, do
     return count;
 }
 
+/* One of the axes of the two boxes, turned to look from a to b, and how far apart they are along it. */
+static double axis_of(const thud_placed *a, const thud_placed *b, int i, double *nx, double *ny)
+{
+    const thud_placed *box = i < 2 ? a : b;
+    double x = i % 2 ? -box->s : box->c, y = i % 2 ? box->c : box->s;
+    double along = (b->x - a->x) * x + (b->y - a->y) * y;
+    *nx = along < 0.0 ? -x : x;
+    *ny = along < 0.0 ? -y : y;
+    return td_abs(along) - td_shadow(a, x, y) - td_shadow(b, x, y);
+}
+
+/* Upright ones have the same. */
+static int axes_of(const thud_placed *a, const thud_placed *b)
+{
+    return a->kind == THUD_AABB && b->kind == THUD_AABB ? 2 : 4;
+}
+
+bool td_seam_boxes_meet(const thud_placed *a, const thud_placed *b)
+{
+    double nx, ny;
+    for (int i = 0; i < axes_of(a, b); i++) {
+        if (axis_of(a, b, i, &nx, &ny) > 0.0) {
+            return false;
+        }
+    }
+    return true;
+}
+
 bool td_seam_boxes(const thud_placed *a, const thud_placed *b, double margin,
                    td_axis_hidden_fn *hidden, void *context, td_seam_contact *out)
 {
-    double dx = b->x - a->x, dy = b->y - a->y, best = -1e300;
+    double best = -1e300;
     const thud_placed *face = NULL;
-    int axes = a->kind == THUD_AABB && b->kind == THUD_AABB ? 2 : 4; /* those of both are the same */
-    for (int i = 0; i < axes; i++) {
-        const thud_placed *box = i < 2 ? a : b;
-        double nx = i % 2 ? -box->s : box->c, ny = i % 2 ? box->c : box->s;
-        double along = dx * nx + dy * ny;
-        double separation = td_abs(along) - td_shadow(a, nx, ny) - td_shadow(b, nx, ny);
-        nx = along < 0.0 ? -nx : nx;
-        ny = along < 0.0 ? -ny : ny;
+    for (int i = 0; i < axes_of(a, b); i++) {
+        double nx, ny, separation = axis_of(a, b, i, &nx, &ny);
         if (separation > best && !hidden(nx, ny, context)) {
             best = separation;
-            face = box;
+            face = i < 2 ? a : b;
             out->nx = nx;
             out->ny = ny;
         }

@@ -11,6 +11,9 @@ typedef struct td_seam_contact {
     double x[2], y[2], separation[2];
 } td_seam_contact;
 
+/* Whether two boxes share a point. */
+bool td_seam_boxes_meet(const thud_placed *a, const thud_placed *b);
+
 /* Whether a normal, from a to b, is out of the question. */
 typedef bool td_axis_hidden_fn(double nx, double ny, void *context);
 

@@ -2,6 +2,7 @@
 #include "contact.h"
 #include "lanes.h"
 #include "seam.h"
+#include "seam_box.h"
 #include "seams.h"
 #include "shape.h"
 #include "terrain.h"
@@ -93,7 +94,8 @@ static void note_box(const td_seam *s, int shape, const thud_placed *box, int ne
             strip.y -= other.y;
             covered = thud_terrain_overlap(&terrain, &strip);
         } else {
-            covered = thud_shapes_overlap(&other, &strip);
+            covered = other.kind == THUD_CIRCLE ? thud_shapes_overlap(&other, &strip)
+                                                : td_seam_boxes_meet(&other, &strip);
         }
         seams |= (unsigned)covered << f;
         /* What holds both ends of a face, and is convex, holds all of it. */
@@ -123,6 +125,10 @@ static uint8_t ends_at(const td_seam *s, int terrain_shape, int neighbour)
 static bool note_pair(const td_seam *s, int neighbour, void *context)
 {
     (void)context;
+    /* Of two that came together the one with the higher slot speaks for both. */
+    if ((*td_marks_at(s->w, neighbour) & TD_MARK_FRESH) && neighbour > s->shape) {
+        return false;
+    }
     thud_placed n = td_shape_placed(s->w, neighbour, s->origin);
     bool box = s->a.kind == THUD_AABB || s->a.kind == THUD_OBB;
     bool other_box = n.kind == THUD_AABB || n.kind == THUD_OBB;
