@@ -45,11 +45,4 @@ static inline double gap_at_rest(int detection)
                : 0.0;
 }
 
-/* The share of its speed that a bounce may lose: the contact solver lets one corner of a box that lands
- * flat bounce before the other. */
-static inline double bounce_lost(int detection, int kind)
-{
-    return kind == 2 && gap_at_rest(detection) == 0.0 ? 0.12 : 0.0;
-}
-
 #endif
