@@ -42,6 +42,14 @@ bool td_seam_holds(const td_seam *s, int neighbour, double x, double y, double s
     return td_abs(u) <= n.hx + slack && td_abs(v) <= n.hy + slack;
 }
 
+/* Whether a line ends at a place: its sealed end is no edge of its own, and leaves it to a box's corner
+ * that is there. */
+static bool ends_at(const td_seam *s, const thud_terrain *t, int vertex, double at, double x)
+{
+    bool end = t->kind != THUD_TERRAIN_FLAT && (vertex == 0 || vertex == t->count - 1);
+    return end && td_abs(at - x) <= 2.0 * TD_FLUSH * s->unit;
+}
+
 bool td_seam_rises(const td_seam *s, int neighbour, double x, double y, double nx, double ny,
                   double level)
 {
@@ -49,13 +57,16 @@ bool td_seam_rises(const td_seam *s, int neighbour, double x, double y, double n
     double past = (n.x - x) * nx + (n.y - y) * ny;
     if (n.kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
+        double near = 2.0 * TD_FLUSH * s->unit; /* the ground further away is met on its own */
         int first, last;
-        thud_terrain_segments(&terrain, x - n.x - s->unit, x - n.x + s->unit, &first, &last);
+        thud_terrain_segments(&terrain, x - n.x - near, x - n.x + near, &first, &last);
         bool higher = ny < 0.0;
         for (int i = first; i <= last; i++) {
             td_segment t = td_terrain_segment(&terrain, i, x - n.x - s->unit, x - n.x + s->unit);
-            higher |= past + t.p.x * nx + t.p.y * ny > level;
-            higher |= past + t.q.x * nx + t.q.y * ny > level;
+            higher |= !ends_at(s, &terrain, i, t.p.x, x - n.x) &&
+                      past + t.p.x * nx + t.p.y * ny > level;
+            higher |= !ends_at(s, &terrain, i + 1, t.q.x, x - n.x) &&
+                      past + t.q.x * nx + t.q.y * ny > level;
         }
         return higher;
     }

@@ -18,7 +18,7 @@ bool td_seam_boxes_meet(const thud_placed *a, const thud_placed *b);
 typedef bool td_axis_hidden_fn(double nx, double ny, void *context);
 
 /* The separating axis with the largest separation among those that are not hidden; false where there
- * is none, or no point within `margin`. */
+ * is none, or one that would push much further than a hidden one, or no point within `margin`. */
 bool td_seam_boxes(const thud_placed *a, const thud_placed *b, double margin,
                    td_axis_hidden_fn *hidden, void *context, td_seam_contact *out);
 

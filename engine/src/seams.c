@@ -40,8 +40,9 @@ static bool hides_corner(const td_seam *s, int neighbour, void *context)
            td_seam_rises(s, neighbour, p->x, p->y, p->nx, p->ny, LEVEL * s->unit);
 }
 
-/* Whether what touches a face between two places along it, in the box's frame, meets nothing open. */
-static bool face_hidden(const td_seam *s, int face, double from, double to)
+/* Whether what touches a face between two places along it, and deepest at a third, in the box's frame,
+ * meets nothing open. */
+static bool face_hidden(const td_seam *s, int face, double from, double to, double deepest)
 {
     double half = face % 2 ? s->a.hx : s->a.hy, out = face % 2 ? s->a.hy : s->a.hx;
     double beyond = BEYOND * (s->b.kind == THUD_CIRCLE || s->b.hx < s->b.hy ? s->b.hx : s->b.hy);
@@ -49,9 +50,10 @@ static bool face_hidden(const td_seam *s, int face, double from, double to)
     out = face >= 2 ? -out : out;
     from = td_clamp(from - beyond, -half, half);
     to = td_clamp(to + beyond, -half, half);
-    for (int i = 0; i <= 2; i++) {
-        double along = from + 0.5 * i * (to - from), x, y;
-        td_from_frame(&s->a, face % 2 ? along : out, face % 2 ? out : along, &x, &y);
+    double at[] = {from, 0.5 * (from + to), to, td_clamp(deepest, -half, half)};
+    for (int i = 0; i < 4; i++) {
+        double x, y;
+        td_from_frame(&s->a, face % 2 ? at[i] : out, face % 2 ? out : at[i], &x, &y);
         probe p = {s->a.x + x, s->a.y + y, 0.0, 0.0};
         if (!td_seam_any(s, covers, &p)) {
             return false;
@@ -93,13 +95,19 @@ static bool corner_hidden(const td_seam *s, const site *at, double nx, double ny
 /* What the second box or circle takes up along a face. */
 static bool shadow_hidden(const td_seam *s, int face)
 {
-    double u, v, half = 0.0;
+    double u, v, half = 0.0, deepest = 0.0;
     td_to_frame(&s->a, s->b.x - s->a.x, s->b.y - s->a.y, &u, &v);
-    if (s->b.kind != THUD_CIRCLE) {
-        half = face % 2 ? td_shadow(&s->b, s->a.c, s->a.s) : td_shadow(&s->b, -s->a.s, s->a.c);
-    }
     double middle = face % 2 ? u : v;
-    return face_hidden(s, face, middle - half, middle + half);
+    if (s->b.kind != THUD_CIRCLE) {
+        double nx, ny, p, q;
+        half = face % 2 ? td_shadow(&s->b, s->a.c, s->a.s) : td_shadow(&s->b, -s->a.s, s->a.c);
+        td_from_frame(&s->a, face % 2 ? 0.0 : 1.0, face % 2 ? 1.0 : 0.0, &nx, &ny);
+        td_to_frame(&s->b, face >= 2 ? nx : -nx, face >= 2 ? ny : -ny, &u, &v);
+        td_from_frame(&s->b, u < 0.0 ? -s->b.hx : s->b.hx, v < 0.0 ? -s->b.hy : s->b.hy, &p, &q);
+        td_to_frame(&s->a, p, q, &u, &v);
+        deepest = face % 2 ? u : v;
+    }
+    return face_hidden(s, face, middle - half, middle + half, middle + deepest);
 }
 
 /* Whether the first shape cannot be met along a normal. */

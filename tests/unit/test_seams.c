@@ -222,6 +222,38 @@ static void floors_that_overlap_bear_all_the_same(void **state)
     }
 }
 
+/* The line begins at the corner of the upper box and goes down steeply, then up again: neither hides the
+ * corner, and nothing that lies across it sinks in. */
+static void corner_at_the_start_of_a_steep_line_is_met(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 20; k++) {
+        thud_world *world = make_world(thud_default_world_def());
+        const thud_pos points[] = {{0, 0.002}, {0.33, -0.26}, {0.6, -0.16}, {6, -0.16}};
+        add_tile(world, -1, -0.1, 1, 0.1f, false);
+        add_tile(world, 2, -1.2, 5, 0.97f, true);
+        add_line(world, 0, points, 4);
+        thud_shape_def def = thud_default_shape_def();
+        thud_body_id box = add_body(world, THUD_DYNAMIC, 0.4 + 0.01 * k, 1, 0);
+        add_shape(world, box, 0.06f, 0.27f, false, &def);
+        run(world, 150);
+        thud_body_state s = state_of(world, box);
+        thud_placed b = {THUD_OBB, s.position.x, s.position.y, cos(s.angle), sin(s.angle), 0.06, 0.27};
+        thud_placed upper = {THUD_AABB, -1, -0.1, 1, 0, 1, 0.1};
+        thud_placed lower = {THUD_AABB, 2, -1.2, 1, 0, 5, 0.97};
+        thud_closest c;
+        OK(thud_shapes_closest(&upper, &b, &c));
+        if (!(c.distance > -0.005)) {
+            fail_msg("case %d: in the upper box by %g", k, -c.distance);
+        }
+        OK(thud_shapes_closest(&lower, &b, &c));
+        if (!(c.distance > -0.005)) {
+            fail_msg("case %d: in the lower box by %g", k, -c.distance);
+        }
+        thud_world_destroy(world);
+    }
+}
+
 /* Tiles that form a hill: up, over the top and down, without leaving it or getting stuck. */
 static void rolling_over_a_hill_of_turned_tiles_follows_it(void **state)
 {
@@ -263,6 +295,7 @@ int main(void)
         cmocka_unit_test(neighbour_that_is_not_met_hides_nothing),
         cmocka_unit_test(box_and_ball_in_a_corner_rest_on_the_floor),
         cmocka_unit_test(floors_that_overlap_bear_all_the_same),
+        cmocka_unit_test(corner_at_the_start_of_a_steep_line_is_met),
         cmocka_unit_test(rolling_over_a_hill_of_turned_tiles_follows_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
