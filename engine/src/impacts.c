@@ -157,6 +157,20 @@ static bool vetoes(thud_world *w, int number, const td_encounter *e, const thud_
     return veto;
 }
 
+/* Shapes that swing about their bodies' centres are stopped early, where their arcs may be near: from
+ * there on less of the arc is left. This counts as having met, or they would never arrive. */
+static void look_again(thud_world *w, int number, td_flight *const flights[2])
+{
+    for (int side = 0; side < 2; side++) {
+        td_flight *f = flights[side];
+        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && ++f->impacts > MOST_IMPACTS) {
+            hold(w, f);
+            schedule_all_of(w, f);
+        }
+    }
+    schedule(w, number);
+}
+
 /* The two are at the place of their collision now. Whoever is asleep wakes in the next step, and is
  * met then. */
 static void collide(thud_world *w, int number, double time)
@@ -172,6 +186,7 @@ static void collide(thud_world *w, int number, double time)
     }
     td_impact_point at;
     if (!td_impact_point_of(w, &e, time, &at)) {
+        look_again(w, number, flights);
         return;
     }
     td_impact impact = {.seen = td_impact_view(w, &e, &at)};
