@@ -73,13 +73,13 @@ bool td_seam_rises(const td_seam *s, int neighbour, double x, double y, double n
     return past + (n.kind == THUD_CIRCLE ? n.hx : td_shadow(&n, nx, ny)) > level;
 }
 
-bool td_seam_any(const td_seam *s, td_neighbour_fn *fn, void *context)
+bool td_seam_any(const td_seam *s, const thud_placed *where, td_neighbour_fn *fn, void *context)
 {
     thud_world *w = s->w;
     td_array *hits = &w->scratch.hits;
-    td_bounds b = td_placed_bounds(w, &s->a, s->origin, 2.0 * TD_FLUSH * s->unit);
+    td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_FLUSH * s->unit);
     hits->count = 0;
-    if (s->a.kind != THUD_TERRAIN &&
+    if (where->kind != THUD_TERRAIN &&
         !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, hits)) {
         return false;
     }

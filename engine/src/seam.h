@@ -31,8 +31,8 @@ bool td_seam_rises(const td_seam *s, int neighbour, double x, double y, double n
 
 typedef bool td_neighbour_fn(const td_seam *s, int neighbour, void *context);
 
-/* Asks of each static shape about the first one that the other one meets too, until one answers
- * true. */
-bool td_seam_any(const td_seam *s, td_neighbour_fn *fn, void *context);
+/* Asks of each static shape near a place, relative to the origin, that the other shape meets too, until
+ * one answers true. */
+bool td_seam_any(const td_seam *s, const thud_placed *where, td_neighbour_fn *fn, void *context);
 
 #endif

@@ -171,7 +171,7 @@ bool td_seams_find(thud_world *w, int shape)
     if (!reserve(w)) {
         return false;
     }
-    td_seam_any(&s, note_pair, NULL);
+    td_seam_any(&s, &s.a, note_pair, NULL);
     return true;
 }
 
@@ -196,7 +196,7 @@ bool td_seams_lose(thud_world *w, int body)
     for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (td_shape_at(w, i)->seams) {
             td_seam s = td_seam_of(w, i, TD_NONE);
-            td_seam_any(&s, look_anew, NULL);
+            td_seam_any(&s, &s.a, look_anew, NULL);
             set(w, i, 0, 0);
         }
     }

@@ -40,6 +40,13 @@ static bool hides_corner(const td_seam *s, int neighbour, void *context)
            td_seam_rises(s, neighbour, p->x, p->y, p->nx, p->ny, LEVEL * s->unit);
 }
 
+/* Whoever covers a place is at it. */
+static bool any_at(const td_seam *s, td_neighbour_fn *fn, probe *p)
+{
+    thud_placed place = {.kind = THUD_CIRCLE, .x = p->x, .y = p->y, .c = 1.0};
+    return td_seam_any(s, &place, fn, p);
+}
+
 /* Whether what touches a face between two places along it, and deepest at a third, in the box's frame,
  * meets nothing open. */
 static bool face_hidden(const td_seam *s, int face, double from, double to, double deepest)
@@ -55,7 +62,7 @@ static bool face_hidden(const td_seam *s, int face, double from, double to, doub
         double x, y;
         td_from_frame(&s->a, face % 2 ? at[i] : out, face % 2 ? out : at[i], &x, &y);
         probe p = {s->a.x + x, s->a.y + y, 0.0, 0.0};
-        if (!td_seam_any(s, covers, &p)) {
+        if (!any_at(s, covers, &p)) {
             return false;
         }
     }
@@ -89,7 +96,7 @@ static bool corner_hidden(const td_seam *s, const site *at, double nx, double ny
     double x, y;
     td_from_frame(&s->a, at->right ? s->a.hx : -s->a.hx, at->top ? s->a.hy : -s->a.hy, &x, &y);
     probe p = {s->a.x + x, s->a.y + y, nx, ny};
-    return td_seam_any(s, hides_corner, &p);
+    return any_at(s, hides_corner, &p);
 }
 
 /* What the second box or circle takes up along a face. */
