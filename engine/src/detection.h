@@ -13,6 +13,7 @@ typedef struct td_approach {
     double distance; /* now, where it is small; negative: overlap */
     double target;   /* the distance at which they count as met, less than the present one;
                         negative where they touch already */
+    double swing;     /* so far may their arcs be from the straight ways */
     double tolerance; /* they may be so much further apart when they meet */
 } td_approach;
 

@@ -131,26 +131,27 @@ static bool above_ground(const thud_world *w, int terrain_shape, const td_approa
 }
 
 static thud_motion motion_between(const td_flight *f, const thud_placed *from,
-                                  const thud_placed *to, double now)
+                                  const thud_placed *to, double rest)
 {
     return (thud_motion){to->x - from->x, to->y - from->y,
-                         from->kind == THUD_OBB ? f->motion[2] * (1.0 - now) : 0.0};
+                         from->kind == THUD_OBB ? f->motion[2] * rest : 0.0};
 }
 
 /* A shape off its body's centre of mass moves on an arc, of which the chord is tested: no further
  * apart than this. */
-static double arc_error(const thud_world *w, const td_flight *f, int index, double now)
+static double arc_error(const thud_world *w, const td_flight *f, int index, double rest)
 {
     const td_shape *shape = td_shape_at(w, index);
-    double turn = f->motion[2] * (1.0 - now);
+    double turn = f->motion[2] * rest;
     double arm = td_abs((double)shape->arm_x) + td_abs((double)shape->arm_y);
     return 0.125 * arm * turn * turn;
 }
 
-bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, td_approach *p)
+bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, double until,
+                           td_approach *p)
 {
     td_flight a = td_flight_of(w, e->body[0]), b = td_flight_of(w, e->body[1]);
-    double target = (double)(TD_MEET * w->unit) + arc_error(w, &b, e->shape[1], now);
+    double target = (double)(TD_MEET * w->unit) + arc_error(w, &b, e->shape[1], until - now);
     td_place origin = a.place;
     *p = (td_approach){.target = target};
     if (td_shape_at(w, e->shape[0])->kind == THUD_TERRAIN) {
@@ -158,8 +159,8 @@ bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, td_
         p->on_ground = true;
         p->ground = td_terrain_view(w, e->shape[0]);
         p->a = td_flight_shape(w, &b, e->shape[1], now, origin);
-        thud_placed end = td_flight_shape(w, &b, e->shape[1], 1.0, origin);
-        p->motion_a = motion_between(&b, &p->a, &end, now);
+        thud_placed end = td_flight_shape(w, &b, e->shape[1], until, origin);
+        p->motion_a = motion_between(&b, &p->a, &end, until - now);
         w->stats.motion_pairs++;
         if (above_ground(w, e->shape[0], p)) {
             return false;
@@ -168,17 +169,19 @@ bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, td_
         w->stats.motion_boxes++;
         thud_contacts near;
         thud_terrain_contacts(&p->ground, &p->a, 2.0 * target, &near);
+        p->swing = target - (double)(TD_MEET * w->unit);
         p->distance = near.count ? near.point[0].distance : 4.0 * target;
         p->target = 0.5 * p->distance < target ? 0.5 * p->distance : target;
         return true;
     }
-    p->target += arc_error(w, &a, e->shape[0], now);
+    p->target += arc_error(w, &a, e->shape[0], until - now);
+    p->swing = p->target - (double)(TD_MEET * w->unit);
     p->a = td_flight_shape(w, &a, e->shape[0], now, origin);
     p->b = td_flight_shape(w, &b, e->shape[1], now, origin);
-    thud_placed end_a = td_flight_shape(w, &a, e->shape[0], 1.0, origin);
-    thud_placed end_b = td_flight_shape(w, &b, e->shape[1], 1.0, origin);
-    p->motion_a = motion_between(&a, &p->a, &end_a, now);
-    p->motion_b = motion_between(&b, &p->b, &end_b, now);
+    thud_placed end_a = td_flight_shape(w, &a, e->shape[0], until, origin);
+    thud_placed end_b = td_flight_shape(w, &b, e->shape[1], until, origin);
+    p->motion_a = motion_between(&a, &p->a, &end_a, until - now);
+    p->motion_b = motion_between(&b, &p->b, &end_b, until - now);
     if (motions_miss(w, p)) {
         return false;
     }

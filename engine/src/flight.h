@@ -44,8 +44,9 @@ thud_placed td_flight_shape(const thud_world *w, const td_flight *flight, int sh
 td_encounter *td_extra_at(const thud_world *w, int number);
 td_encounter td_encounter_at(const thud_world *w, int number);
 
-/* How the two fly from `now` on; false where they surely do not meet. */
-bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, td_approach *approach);
+/* How the two fly from `now` until a later time; false where they surely do not meet. */
+bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, double until,
+                           td_approach *approach);
 
 /* Where two shapes are nearest to each other, relative to `origin`. */
 typedef struct td_features {

@@ -78,13 +78,24 @@ static bool meets(thud_world *w, const td_encounter *e, double *time)
     *time = now;
     bool fixed = !gives_way(w, e->body[0]) && !gives_way(w, e->body[1]);
     if (e->vetoed || !detection->meet || now >= 1.0 || fixed ||
-        !td_encounter_approach(w, e, now, &approach)) {
+        !td_encounter_approach(w, e, now, 1.0, &approach)) {
         return false;
+    }
+    /* Where an arc may swing further than they are apart, only as much of it as is nearly straight. */
+    double until = 1.0, apart = later(approach.distance, TOUCHING * unit);
+    if (approach.swing > 0.5 * apart) {
+        until = now + (1.0 - now) * __builtin_sqrt(0.5 * apart / approach.swing);
+        if (!td_encounter_approach(w, e, now, until, &approach)) {
+            *time = until;
+            return true;
+        }
     }
     approach.tolerance = 0.1 * approach.target;
     if (approach.target <= TOUCHING * unit) {
         if (approach.on_ground) {
-            return presses(w, e, now);
+            bool met = presses(w, e, now);
+            *time = met ? now : until;
+            return met || until < 1.0;
         }
         approach.target =
             approach.distance - (approach.distance > 0.0 ? NOTHING : PRESSED) * unit;
@@ -93,8 +104,8 @@ static bool meets(thud_world *w, const td_encounter *e, double *time)
     double part;
     w->stats.motion_exact++;
     bool hit = detection->meet(&approach, &part);
-    *time = now + (1.0 - now) * part;
-    return hit;
+    *time = hit ? now + (until - now) * part : until;
+    return hit || until < 1.0;
 }
 
 /* Puts down when the two meet. */

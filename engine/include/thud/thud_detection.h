@@ -44,8 +44,7 @@ extern const thud_detection thud_detection_bisect;
  * a kinematic body goes its way whatever stands in it, and load may press what touches together, by
  * up to 0.0002 length scales a step, before the contacts have settled. A body that meets more than 8
  * times in a step is held for the rest of it, which the statistics tell; in a pile under impact that
- * is up to one in ten. A shape off its body's centre that spins by radians a step may, one time in
- * thousands, end inside a wall.
+ * is up to one in ten.
  *
  * Both of the last two take the motion of a step as straight and at constant speed: gravity g bends
  * it by up to g * time_step^2 / 8 on the way. In a world that chooses them contacts rest 0.004 length
