@@ -139,8 +139,7 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
         viewer_look_home(v);
         break;
     case SDLK_q:
-        session_set_quality(&v->session,
-                            (thud_quality)((v->session.quality + 1) % THUD_QUALITY_COUNT));
+        session_set_quality(&v->session, (v->session.quality + 1) % QUALITY_CHOICES);
         break;
     case SDLK_e:
         viewer_set_detection(v, (v->session.detection + 1) % DETECTION_CHOICES);

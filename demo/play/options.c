@@ -67,12 +67,8 @@ static bool parse_size(options *o, const char *text) {
 }
 
 static bool parse_quality(options *o, const char *text) {
-    for (int i = 0; i < THUD_QUALITY_COUNT; i++)
-        if (strcmp(text, SESSION_QUALITIES[i]) == 0) {
-            o->quality = (thud_quality)i;
-            return true;
-        }
-    return complain("--quality needs draft, default, high or exact, not", text);
+    o->quality = quality_find(text);
+    return o->quality >= 0 || complain("--quality needs draft, default, high or exact, not", text);
 }
 
 static bool parse_detection(options *o, const char *text) {
@@ -137,7 +133,7 @@ bool options_parse(options *o, int argc, char **argv) {
                    .width = 1280,
                    .height = 800,
                    .overlays = OVERLAYS_DEFAULT,
-                   .quality = THUD_QUALITY_DEFAULT,
+                   .quality = QUALITY_DEFAULT,
                    .detection = DETECTION_DEFAULT,
                    .broadphase = BROADPHASE_DEFAULT};
     for (int i = 1; i < argc; i++) {

@@ -12,7 +12,7 @@ typedef struct options {
     int frames;             /* to run before the end; -1 for no end */
     int width, height;
     overlay_set overlays;
-    thud_quality quality;
+    int quality; /* of QUALITIES in choices.h */
     int detection, broadphase; /* as in session.h */
     bool overlays_given; /* else those of the scene */
     bool bare, paused, list, help;

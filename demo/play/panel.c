@@ -62,10 +62,10 @@ static float draw_time_controls(viewer *v, float y) {
 
 static float draw_quality(viewer *v, float y) {
     y = label(v, y, "Quality");
-    for (int i = 0; i < THUD_QUALITY_COUNT; i++)
-        if (ui_button(&v->ui, &v->canvas, cell(v, y, i, THUD_QUALITY_COUNT), SESSION_QUALITIES[i],
-                      v->session.quality == (thud_quality)i))
-            session_set_quality(&v->session, (thud_quality)i);
+    for (int i = 0; i < QUALITY_CHOICES; i++)
+        if (ui_button(&v->ui, &v->canvas, cell(v, y, i, QUALITY_CHOICES), QUALITIES[i]->name,
+                      v->session.quality == i))
+            session_set_quality(&v->session, i);
     return y + (ROW + GAP) * v->canvas.unit;
 }
 

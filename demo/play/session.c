@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const SESSION_QUALITIES[THUD_QUALITY_COUNT] = {"draft", "default", "high", "exact"};
-
 /* A frame that steps for longer than this feels stuck: the world then runs slower than asked. */
 static const double STEPPING_BUDGET = 0.040;
 enum { STEPS_PER_FRAME = 16 };
@@ -26,7 +24,7 @@ static void log_message(thud_result result, const char *text, void *context) {
 }
 
 void session_init(session *s) {
-    *s = (session){.quality = THUD_QUALITY_DEFAULT,
+    *s = (session){.quality = QUALITY_DEFAULT,
                    .detection = DETECTION_DEFAULT,
                    .broadphase = BROADPHASE_DEFAULT,
                    .speed = 1,
@@ -113,7 +111,7 @@ bool session_load(session *s, const catalog_entry *entry) {
     if (!catalog_fill(entry, &fresh, s->message, sizeof s->message))
         return false;
     thud_world_def def = thud_default_world_def();
-    def.quality = s->quality;
+    def.quality = QUALITIES[s->quality];
     def.detection = DETECTIONS[s->detection].detection;
     def.broadphase = BROADPHASES[s->broadphase].broadphase;
     def.log = log_message;
@@ -176,10 +174,10 @@ void session_step(session *s) {
     s->alpha = 1;
 }
 
-void session_set_quality(session *s, thud_quality quality) {
+void session_set_quality(session *s, int quality) {
     s->quality = quality;
     if (s->world)
-        thud_world_set_quality(s->world, quality);
+        thud_world_set_quality(s->world, QUALITIES[quality]);
 }
 
 void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {

@@ -34,7 +34,7 @@ struct session {
     session_body *bodies;
     session_shape *shapes;
     int body_count, body_capacity, shape_count, shape_capacity;
-    thud_quality quality;
+    int quality; /* of QUALITIES in choices.h */
     int detection, broadphase; /* of DETECTIONS and BROADPHASES; the next load heeds them */
     bool paused;
     double speed; /* seconds of the world per second */
@@ -45,7 +45,6 @@ struct session {
     char message[256]; /* the last thing that went wrong; empty if nothing did */
 };
 
-extern const char *const SESSION_QUALITIES[THUD_QUALITY_COUNT];
 
 void session_init(session *s);
 void session_free(session *s);
@@ -56,7 +55,7 @@ bool session_load(session *s, const catalog_entry *entry);
 /* Runs as many steps as `elapsed` seconds ask for at the session's speed; none while paused. */
 void session_advance(session *s, double elapsed);
 void session_step(session *s); /* exactly one */
-void session_set_quality(session *s, thud_quality quality);
+void session_set_quality(session *s, int quality);
 
 /* Drops a new body of `size` times the scene's typical size at a place. */
 void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size);

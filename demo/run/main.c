@@ -84,7 +84,7 @@ static bool load(const run_options *options, scene *s) {
 
 static thud_world *build(const run_options *options, const scene *s, pool *threads) {
     thud_world_def def = thud_default_world_def();
-    def.quality = options->quality;
+    def.quality = QUALITIES[options->quality];
     def.detection = DETECTIONS[options->detection].detection;
     def.broadphase = BROADPHASES[options->broadphase].broadphase;
     def.sleeping = !options->no_sleeping;

@@ -9,12 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const QUALITIES[THUD_QUALITY_COUNT] = {"draft", "default", "high", "exact"};
-
-const char *run_quality_name(thud_quality quality) {
-    return QUALITIES[quality];
-}
-
 static bool complain(const char *what, const char *argument) {
     fprintf(stderr, "thud-run: %s '%s'; see thud-run --help\n", what, argument);
     return false;
@@ -31,17 +25,6 @@ static bool parse_number(const char *option, const char *text, long low, long hi
     }
     *out = value;
     return true;
-}
-
-static bool parse_quality(const char *text, thud_quality *out) {
-    for (int i = 0; i < THUD_QUALITY_COUNT; i++) {
-        if (strcmp(text, QUALITIES[i]) == 0) {
-            *out = (thud_quality)i;
-            return true;
-        }
-    }
-    fprintf(stderr, "thud-run: --quality takes draft, default, high or exact, not '%s'\n", text);
-    return false;
 }
 
 /* `found` is the index of a name, or -1. */
@@ -62,7 +45,7 @@ static bool parse_valued(const char *option, const char *value, run_options *out
     if (strcmp(option, "--steps") == 0)
         return parse_number(option, value, 1, 1000000000, &out->steps);
     if (strcmp(option, "--quality") == 0)
-        return parse_quality(value, &out->quality);
+        return choose(option, "draft, default, high or exact", value, quality_find(value), &out->quality);
     if (strcmp(option, "--detection") == 0)
         return choose(option, "overlap, continuous, bisect or swept", value, detection_find(value),
                       &out->detection);
@@ -96,7 +79,7 @@ bool run_options_parse(int count, char **arguments, run_options *out) {
     static const char *const with_value[] = {"--steps",   "--size",      "--quality",
                                              "--workers", "--detection", "--broadphase"};
     *out = (run_options){.steps = 600,
-                         .quality = THUD_QUALITY_DEFAULT,
+                         .quality = QUALITY_DEFAULT,
                          .detection = DETECTION_DEFAULT,
                          .broadphase = BROADPHASE_DEFAULT};
     for (int i = 1; i < count; i++) {
@@ -133,7 +116,7 @@ void run_print_help(void) {
          "\n"
          "  --steps N            steps of 1/60 s to run (600)\n"
          "  --size N             how big a built-in scene is, see --list\n"
-         "  --quality Q          draft, default, high or exact: 2, 4, 8 or 16 substeps\n"
+         "  --quality Q          draft, default, high or exact\n"
          "  --detection D        overlap, continuous (the default), bisect or swept\n"
          "  --broadphase B       grid (the default), sweep or all\n"
          "  --workers N          threads to work on (1); the state is the same with any number\n"

@@ -9,8 +9,7 @@ typedef struct run_options {
     long steps;
     int size; /* of a built-in scene; 0 is its default */
     int workers; /* threads; 0 as 1 */
-    thud_quality quality;
-    int detection, broadphase; /* of DETECTIONS and BROADPHASES in choices.h */
+    int quality, detection, broadphase; /* of QUALITIES, DETECTIONS and BROADPHASES in choices.h */
     bool json, skip_unsupported, no_sleeping, list, help;
 } run_options;
 
@@ -20,6 +19,5 @@ bool run_options_parse(int count, char **arguments, run_options *out);
 void run_print_help(void);
 void run_print_list(void);
 
-const char *run_quality_name(thud_quality quality);
 
 #endif

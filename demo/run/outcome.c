@@ -1,4 +1,5 @@
 /* outcome.c: prints the result of a run, for people or as JSON. */
+#include "choices.h"
 #include "outcome.h"
 
 #include <cjson/cJSON.h>
@@ -14,7 +15,7 @@ static double ms_per_step(const run_outcome *o, double seconds) {
 }
 
 void run_print_text(const run_outcome *o, const scene *s, const run_options *options) {
-    printf("scene        %s (quality %s)\n", s->name, run_quality_name(options->quality));
+    printf("scene        %s (quality %s)\n", s->name, QUALITIES[options->quality]->name);
     printf("steps        %ld\n", o->steps);
     printf("bodies       %d (%d awake), %d shapes\n", o->stats.bodies, o->stats.awake_bodies,
            o->stats.shapes);
@@ -39,7 +40,7 @@ bool run_print_json(const run_outcome *o, const scene *s, const run_options *opt
     snprintf(hash, sizeof hash, "%016" PRIx64, o->hash);
     cJSON *json = cJSON_CreateObject();
     cJSON_AddStringToObject(json, "scene", s->name);
-    cJSON_AddStringToObject(json, "quality", run_quality_name(options->quality));
+    cJSON_AddStringToObject(json, "quality", QUALITIES[options->quality]->name);
     cJSON_AddNumberToObject(json, "steps", (double)o->steps);
     cJSON_AddNumberToObject(json, "bodies", o->stats.bodies);
     cJSON_AddNumberToObject(json, "awake", o->stats.awake_bodies);

@@ -80,7 +80,7 @@ static thud_result add_body(thud_world *world, const scene *s, const scene_body 
     def.may_sleep = body->may_sleep;
     def.user_data = body->id;
     if (body->detection != SCENE_AS_WORLD)
-        def.detection = DETECTIONS[body->detection - SCENE_OVERLAP].detection;
+        def.detection = DETECTIONS[1 + body->detection - SCENE_OVERLAP].detection;
     thud_result result = thud_body_create(world, &def, out);
     for (int i = 0; result == THUD_OK && i < body->shape_count; i++)
         result = add_shape(world, *out, s, &s->shapes[body->first_shape + i]);

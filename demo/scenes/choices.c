@@ -3,7 +3,11 @@
 
 #include <string.h>
 
+const thud_quality *const QUALITIES[QUALITY_CHOICES] = {
+    &thud_quality_draft, &thud_quality_default, &thud_quality_high, &thud_quality_exact};
+
 const detection_choice DETECTIONS[DETECTION_CHOICES] = {
+    {"auto", NULL},
     {"overlap", &thud_detection_overlap},
     {"continuous", &thud_detection_continuous},
     {"bisect", &thud_detection_bisect},
@@ -15,6 +19,13 @@ const broadphase_choice BROADPHASES[BROADPHASE_CHOICES] = {
     {"sweep", &thud_broadphase_sweep},
     {"all", &thud_broadphase_all},
 };
+
+int quality_find(const char *name) {
+    for (int i = 0; i < QUALITY_CHOICES; i++)
+        if (strcmp(QUALITIES[i]->name, name) == 0)
+            return i;
+    return -1;
+}
 
 int detection_find(const char *name) {
     for (int i = 0; i < DETECTION_CHOICES; i++)

@@ -44,6 +44,16 @@ static const char *def_error(const thud_world *w, const thud_body_def *def)
     return NULL;
 }
 
+void td_wake_all(thud_world *w)
+{
+    for (int i = 0; i < w->bodies.count; i++) {
+        if (td_body_at(w, i)->flags & TD_BODY_LIVE) {
+            td_body_mark(w, i, TD_CHANGE_WAKE);
+        }
+    }
+    w->push_stale = true;
+}
+
 thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_id *out)
 {
     if (!w || !def) {
@@ -65,14 +75,15 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         .generation = body->generation,
         .kind = (uint8_t)def->kind,
         .flags = (uint8_t)(TD_BODY_LIVE | (def->fixed_rotation ? TD_BODY_FIXED : 0) |
-                           (def->may_sleep ? 0 : TD_BODY_RESTLESS)),
+                           (def->may_sleep ? 0 : TD_BODY_RESTLESS) |
+                           (def->detection ? TD_BODY_CHOSE : 0)),
         .awake = TD_NONE,
         .first_shape = TD_NONE,
         .first_contact = TD_NONE,
         .gravity_scale = def->gravity_scale,
         .linear_damping = def->linear_damping,
         .angular_damping = def->angular_damping,
-        .detection = def->detection ? def->detection : w->def.detection,
+        .detection = def->detection ? def->detection : w->quality.detection,
         .user_data = def->user_data,
     };
     w->detections[body->detection->rank] = body->detection;

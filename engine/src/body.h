@@ -7,6 +7,9 @@
 /* Puts the body on the change list; `change` is a td_change_kind. */
 void td_body_mark(thud_world *w, int body, td_change_kind change);
 
+/* A new setting changes what every resting body would do. */
+void td_wake_all(thud_world *w);
+
 /* Mass, centre of mass and reach from the shapes that it has now. */
 void td_body_weigh(thud_world *w, int body);
 

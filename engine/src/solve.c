@@ -34,9 +34,9 @@ static td_solve_context solve_context(const thud_world *w, float h)
     c.keep_tangents = w->def.epilogue != NULL;
     c.belts = w->belts > 0;
     /* Against static bodies twice as stiff: nothing gives way there. */
-    float hertz = w->def.contact_stiffness / h;
-    soften(&c, 0, hertz, w->def.contact_damping, h);
-    soften(&c, 1, 2.0f * hertz, w->def.contact_damping, h);
+    float hertz = w->quality.contact_stiffness / h;
+    soften(&c, 0, hertz, w->quality.contact_damping, h);
+    soften(&c, 1, 2.0f * hertz, w->quality.contact_damping, h);
     return c;
 }
 

@@ -6,12 +6,11 @@
 #include "collide.h"
 #include "handles.h"
 #include "lanes.h"
+#include "quality.h"
 #include "step.h"
 
 #include <stdatomic.h>
 #include <string.h>
-
-static const int quality_substeps[THUD_QUALITY_COUNT] = {2, 4, 8, 16};
 
 thud_world_def thud_default_world_def(void)
 {
@@ -19,7 +18,7 @@ thud_world_def thud_default_world_def(void)
         .gravity = {0.0f, -10.0f},
         .time_step = 1.0 / 60.0,
         .length_scale = 1.0f,
-        .quality = THUD_QUALITY_DEFAULT,
+        .quality = &thud_quality_default,
         .push_speed = 3.0f,
         .restitution_threshold = 1.0f,
         .hit_speed = 1.0f,
@@ -27,7 +26,6 @@ thud_world_def thud_default_world_def(void)
         .sleeping = true,
         .contact_events = true,
         .broadphase = &thud_broadphase_grid,
-        .detection = &thud_detection_continuous,
     };
 }
 
@@ -47,8 +45,8 @@ static const char *def_error(const thud_world_def *d)
     if (!between((double)d->length_scale, 1e-6, 1e6)) {
         return "world def: length_scale is not in [1e-6, 1e6]";
     }
-    if ((int)d->quality < 0 || d->quality >= THUD_QUALITY_COUNT) {
-        return "world def: no such quality";
+    if (d->quality && td_quality_error(d->quality)) {
+        return td_quality_error(d->quality);
     }
     if (d->substeps < 0 || d->substeps > 64) {
         return "world def: substeps is not in 0..64";
@@ -165,12 +163,6 @@ static void set_strides(thud_world *w)
     }
 }
 
-static void set_substeps(thud_world *w)
-{
-    w->substeps = w->def.substeps ? w->def.substeps : quality_substeps[w->def.quality];
-    w->push_stale = true;
-}
-
 thud_result thud_world_create(const thud_world_def *def, thud_world **out)
 {
     static atomic_uint made;
@@ -193,25 +185,16 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out)
     w->memory = memory;
     w->number = atomic_fetch_add(&made, 1u) + 1u;
     w->wide = wide_here(def->baseline_simd);
-    w->def.detection = def->detection ? def->detection : &thud_detection_continuous;
-    w->detections[w->def.detection->rank] = w->def.detection;
     w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;
-    if (w->def.contact_stiffness == 0.0f) {
-        w->def.contact_stiffness = 0.16f;
-    }
-    if (w->def.contact_damping == 0.0f) {
-        w->def.contact_damping = 10.0f;
-    }
     double unit = power_below((double)def->length_scale);
     w->unit = (float)unit;
     w->to_fixed = TD_FIXED_ONE / unit;
     w->to_coarse = TD_COARSE_ONE / unit;
     w->quantum = (float)(unit / TD_FIXED_ONE);
-    w->skin = w->def.detection->rank >= TD_RANK_BISECT ? TD_SKIN * w->unit : 0.0f;
     w->thinnest_stale = true;
     set_strides(w);
     td_agenda_init(&w->scratch.agenda);
-    set_substeps(w);
+    td_quality_take(w, def->quality ? def->quality : &thud_quality_default);
     if (!td_awake_reserve(w, 0)) {
         thud_world_destroy(w);
         return THUD_ERROR_MEMORY;
@@ -263,17 +246,6 @@ void thud_world_destroy(thud_world *w)
 
 /* ---- settings ---- */
 
-/* A new setting changes what every resting body would do. */
-static void wake_all(thud_world *w)
-{
-    for (int i = 0; i < w->bodies.count; i++) {
-        if (td_body_at(w, i)->flags & TD_BODY_LIVE) {
-            td_body_mark(w, i, TD_CHANGE_WAKE);
-        }
-    }
-    w->push_stale = true;
-}
-
 thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity)
 {
     if (!w) {
@@ -283,7 +255,7 @@ thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity)
         return td_refuse(w, THUD_ERROR_INVALID, "set gravity: not finite");
     }
     w->def.gravity = gravity;
-    wake_all(w);
+    td_wake_all(w);
     return THUD_OK;
 }
 
@@ -301,20 +273,6 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step)
     return THUD_OK;
 }
 
-thud_result thud_world_set_quality(thud_world *w, thud_quality quality)
-{
-    if (!w) {
-        return THUD_ERROR_NULL;
-    }
-    if ((int)quality < 0 || quality >= THUD_QUALITY_COUNT) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set quality: no such quality");
-    }
-    w->def.quality = quality;
-    w->def.substeps = 0;
-    set_substeps(w);
-    return THUD_OK;
-}
-
 thud_result thud_world_set_sleeping(thud_world *w, bool sleeping)
 {
     if (!w) {
@@ -322,7 +280,7 @@ thud_result thud_world_set_sleeping(thud_world *w, bool sleeping)
     }
     w->def.sleeping = sleeping;
     if (!sleeping) {
-        wake_all(w);
+        td_wake_all(w);
     }
     return THUD_OK;
 }

@@ -31,7 +31,8 @@ enum { /* td_body.flags */
     TD_BODY_FIXED = 2,      /* rotation is fixed by its def */
     TD_BODY_RESTLESS = 4,   /* may not sleep */
     TD_BODY_QUARANTINED = 8,
-    TD_BODY_DISABLED = 16 /* has no contacts and no awake slot */
+    TD_BODY_DISABLED = 16, /* has no contacts and no awake slot */
+    TD_BODY_CHOSE = 32     /* its detection itself */
 };
 
 typedef struct td_body {
@@ -157,6 +158,7 @@ struct thud_world {
     float quantum;                                    /* caller's unit a position quantum */
     double to_fixed;                                  /* position quanta a caller's unit */
     double to_coarse;                                 /* bounds quanta a caller's unit */
+    thud_quality quality;                             /* with what the def itself named */
     int substeps;
     const thud_detection *detections[TD_RANK_COUNT];  /* those that the world or a body ever chose */
     float skin;                                       /* at which contacts rest */

@@ -15,6 +15,10 @@
 
 #define OK(call) assert_int_equal((call), THUD_OK)
 
+static const thud_quality *const qualities[] = {&thud_quality_draft, &thud_quality_default,
+                                                &thud_quality_high, &thud_quality_exact};
+enum { QUALITIES = 4 };
+
 static inline thud_world *make_world(thud_world_def def)
 {
     thud_world *world = NULL;

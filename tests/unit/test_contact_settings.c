@@ -223,11 +223,11 @@ static void epilogue_hears_all_of_friction_and_weight(void **state)
 {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
-        for (int quality = 0; quality < THUD_QUALITY_COUNT; quality++) {
+        for (int quality = 0; quality < QUALITIES; quality++) {
             pushes p = {0, 0};
             thud_world_def def = thud_default_world_def();
             def.detection = detections[d];
-            def.quality = (thud_quality)quality;
+            def.quality = qualities[quality];
             def.epilogue = add_up;
             def.callback_context = &p;
             thud_world *world = make_world(def);

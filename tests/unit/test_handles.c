@@ -81,7 +81,15 @@ static void bad_worlds_are_refused(void **state)
     REFUSED(time_step, 2);
     REFUSED(length_scale, 0);
     REFUSED(length_scale, NAN);
-    REFUSED(quality, THUD_QUALITY_COUNT);
+    thud_quality none = thud_quality_default;
+    none.substeps = 0;
+    REFUSED(quality, &none);
+    none = thud_quality_default;
+    none.detection = NULL;
+    REFUSED(quality, &none);
+    none = thud_quality_default;
+    none.load_limit = NAN;
+    REFUSED(quality, &none);
     REFUSED(substeps, -1);
     REFUSED(substeps, 65);
     REFUSED(contact_stiffness, 0.6f);
@@ -159,7 +167,9 @@ static void bad_calls_change_nothing(void **state)
     INVALID(thud_body_set_awake(world, floor, true));
     INVALID(thud_world_set_gravity(world, (thud_vec2){NAN, 0}));
     INVALID(thud_world_set_time_step(world, 0));
-    INVALID(thud_world_set_quality(world, (thud_quality)9));
+    thud_quality stiff = thud_quality_default;
+    stiff.contact_stiffness = 0.6f;
+    INVALID(thud_world_set_quality(world, &stiff));
     INVALID(thud_world_advance(world, -1, 1, NULL, NULL));
     INVALID(thud_world_advance(world, NAN, 1, NULL, NULL));
     INVALID(thud_world_advance(world, 1, 0, NULL, NULL));

@@ -121,9 +121,9 @@ static void more_substeps_sink_less(void **state)
 {
     (void)state;
     double last = 1e9;
-    for (int quality = 0; quality < THUD_QUALITY_COUNT; quality++) {
+    for (int quality = 0; quality < QUALITIES; quality++) {
         thud_world_def def = thud_default_world_def();
-        def.quality = (thud_quality)quality;
+        def.quality = qualities[quality];
         thud_world *world = make_world(def);
         add_floor(world, NULL);
         for (int i = 0; i < 10; i++) {

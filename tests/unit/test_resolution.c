@@ -169,9 +169,9 @@ static void sliding_box_stops_after_the_distance_of_coulomb(void **state)
 {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
-        for (int quality = 0; quality < THUD_QUALITY_COUNT; quality++) {
+        for (int quality = 0; quality < QUALITIES; quality++) {
             thud_world *world = make_world_with(detections[d], NULL, NULL, true);
-            OK(thud_world_set_quality(world, (thud_quality)quality));
+            OK(thud_world_set_quality(world, qualities[quality]));
             thud_shape_def floor = surface(0.25f, 0), box = surface(0.64f, 0); /* 0.4 */
             add_floor(world, &floor);
             thud_body_id slider = add_body(world, THUD_DYNAMIC, 0, 0.5 + gap_at_rest(d), 0);

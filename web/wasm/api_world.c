@@ -31,6 +31,14 @@ const thud_detection *api_detection(double number) {
     return i >= 0 && i < 4 ? all[i] : NULL;
 }
 
+/* What is no number of a quality is null, which the engine refuses or takes for the default. */
+static const thud_quality *api_quality(double number) {
+    static const thud_quality *const all[] = {&thud_quality_draft, &thud_quality_default,
+                                              &thud_quality_high, &thud_quality_exact};
+    int i = api_to_int(number);
+    return i >= 0 && i < 4 ? all[i] : NULL;
+}
+
 static const thud_broadphase *api_broadphase(double number) {
     static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                  &thud_broadphase_all};
@@ -48,7 +56,7 @@ void api_world_defaults(void) {
     s[1] = def.gravity.y;
     s[2] = def.time_step;
     s[3] = def.length_scale;
-    s[4] = def.quality;
+    s[4] = 1.0; /* default */
     s[5] = def.substeps;
     s[6] = def.contact_stiffness;
     s[7] = def.contact_damping;
@@ -57,7 +65,7 @@ void api_world_defaults(void) {
     s[10] = def.hit_speed;
     s[11] = def.maximum_speed;
     s[12] = def.sleeping;
-    s[13] = 1.0; /* continuous */
+    s[13] = -1.0; /* the quality's */
     s[14] = def.contact_events;
     s[15] = 0.0;
     s[16] = 0.0; /* grid */
@@ -69,7 +77,7 @@ thud_world_def api_world_def(void) {
     def.gravity = (thud_vec2){(float)s[0], (float)s[1]};
     def.time_step = s[2];
     def.length_scale = (float)s[3];
-    def.quality = (thud_quality)api_to_int(s[4]);
+    def.quality = api_quality(s[4]);
     def.substeps = api_to_int(s[5]);
     def.contact_stiffness = (float)s[6];
     def.contact_damping = (float)s[7];
@@ -122,7 +130,7 @@ int api_world_set_time_step(thud_world *world, double time_step) {
 }
 
 int api_world_set_quality(thud_world *world, double quality) {
-    return thud_world_set_quality(world, (thud_quality)api_to_int(quality));
+    return thud_world_set_quality(world, api_quality(quality));
 }
 
 int api_world_set_sleeping(thud_world *world, int sleeping) {

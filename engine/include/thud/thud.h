@@ -15,6 +15,7 @@
 #include "thud_ids.h"
 #include "thud_jobs.h"
 #include "thud_math.h"
+#include "thud_quality.h"
 #include "thud_queries.h"
 #include "thud_shapes.h"
 #include "thud_terrain.h"
@@ -24,16 +25,6 @@ extern "C" {
 #endif
 
 /* ---- world ---- */
-
-/* The knob between speed and accuracy: how many substeps a step is cut into. Contact stiffness
- * rises with the substep rate, so more substeps also sink less. */
-typedef enum thud_quality {
-    THUD_QUALITY_DRAFT = 0, /* 2 substeps */
-    THUD_QUALITY_DEFAULT,   /* 4 substeps */
-    THUD_QUALITY_HIGH,      /* 8 substeps */
-    THUD_QUALITY_EXACT,     /* 16 substeps */
-    THUD_QUALITY_COUNT
-} thud_quality;
 
 typedef struct thud_allocator {
     void *(*allocate)(size_t bytes, void *context); /* 64-byte aligned, or null */
@@ -84,11 +75,10 @@ typedef struct thud_world_def {
     double time_step;            /* s, (0, 1]; default 1/60 */
     float length_scale;          /* size of a typical body in the caller's unit, [1e-6, 1e6]; default
                                     1 for metres; every tolerance is a multiple of it */
-    thud_quality quality;        /* default THUD_QUALITY_DEFAULT */
+    const thud_quality *quality; /* default (also null): &thud_quality_default */
     int substeps;                /* experts: 1..64; 0 (default) takes the quality's */
-    float contact_stiffness;     /* experts: contact frequency over substep rate, [0.01, 0.5];
-                                    0 takes the default, 0.16 */
-    float contact_damping;       /* experts: damping ratio, [0, 100]; 0 takes the default, 10 */
+    float contact_stiffness;     /* experts: [0.01, 0.5]; 0 (default) takes the quality's */
+    float contact_damping;       /* experts: [0, 100]; 0 (default) takes the quality's */
     float push_speed;            /* highest speed at which overlap is pushed apart, lengths/s, in
                                     multiples of length_scale; default 3 */
     float restitution_threshold; /* slower approaches do not bounce; multiples of length_scale per
@@ -106,7 +96,7 @@ typedef struct thud_world_def {
     void *log_context;
     thud_clock_fn *clock;        /* null: stages are not timed */
     void *clock_context;
-    const thud_detection *detection;   /* default (also null): &thud_detection_continuous */
+    const thud_detection *detection;   /* default null: the quality's */
     const thud_broadphase *broadphase; /* default (also null): &thud_broadphase_grid */
     thud_crew crew;              /* threads to work on; default: the calling one alone */
 } thud_world_def;
@@ -127,7 +117,8 @@ thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
 
 thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity); /* wakes everything */
 thud_result thud_world_set_time_step(thud_world *world, double time_step);
-thud_result thud_world_set_quality(thud_world *world, thud_quality quality);
+/* What the def itself named stays as it is. Wakes everything. */
+thud_result thud_world_set_quality(thud_world *world, const thud_quality *quality);
 thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
 
 /* ---- bodies ---- */

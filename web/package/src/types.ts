@@ -65,7 +65,7 @@ export interface WorldOptions {
   maximumSpeed?: number;
   /** Default true. */
   sleeping?: boolean;
-  /** How moving shapes are tested. Default "continuous": fast bodies stop at static shapes. */
+  /** How moving shapes are tested. Default: as the quality says. */
   detection?: Detection;
   /** How pairs are found; all find the same. Default "grid". */
   broadphase?: Broadphase;

@@ -1,0 +1,41 @@
+/* thud_quality.h: the knob between speed and accuracy, for a world def to choose from. A program that
+ * never names a quality does not link what only that one uses.
+ *
+ * What each costs and gets wrong is measured by `./run tradeoff` and stands in docs/tradeoff.md. */
+#ifndef THUD_QUALITY_H
+#define THUD_QUALITY_H
+
+#include "thud_detection.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How islands that the soft solver cannot hold are solved instead: all their contacts at once. */
+typedef struct thud_island_solver thud_island_solver;
+extern const thud_island_solver thud_islands_direct;
+
+/* Four stand below; a caller may take one, change it and use that instead. Worlds keep a copy. */
+typedef struct thud_quality {
+    const char *name;
+    int substeps;            /* a step is cut into so many, 1..64. Contact stiffness rises with the
+                                substep rate, so that more of them also sink less */
+    float contact_stiffness; /* contact frequency over substep rate, [0.01, 0.5] */
+    float contact_damping;   /* damping ratio of overlap that is pushed apart, [0, 100] */
+    const thud_detection *detection;   /* not null */
+    const thud_island_solver *islands; /* null: the soft solver does all */
+    float load_limit;        /* >= 0: an island in which a body carries more than so many times the
+                                weight of the lighter body of a contact goes to `islands`; 0: each */
+    int island_limit;        /* >= 1: islands of more bodies stay with the soft solver */
+} thud_quality;
+
+extern const thud_quality thud_quality_draft;
+extern const thud_quality thud_quality_default;
+extern const thud_quality thud_quality_high;
+extern const thud_quality thud_quality_exact;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,82 @@
+/* quality.c: see quality.h. */
+#include "quality.h"
+
+#include "body.h"
+#include "handles.h"
+#include "lanes.h"
+
+static bool between(float x, float low, float high)
+{
+    return x >= low && x <= high;
+}
+
+const char *td_quality_error(const thud_quality *q)
+{
+    if (q->substeps < 1 || q->substeps > 64) {
+        return "quality: substeps is not in 1..64";
+    }
+    if (!between(q->contact_stiffness, 0.01f, 0.5f) || !between(q->contact_damping, 0.0f, 100.0f)) {
+        return "quality: contact_stiffness is not in [0.01, 0.5], or contact_damping in [0, 100]";
+    }
+    if (!q->detection) {
+        return "quality: detection is null";
+    }
+    if (!(q->load_limit >= 0.0f) || q->island_limit < 1) {
+        return "quality: load_limit is negative, or island_limit less than 1";
+    }
+    return NULL;
+}
+
+/* Bodies that chose nothing themselves follow the world. */
+static void detect_by(thud_world *w, const thud_detection *detection)
+{
+    float skin = detection->rank >= TD_RANK_BISECT ? TD_SKIN * w->unit : 0.0f;
+    w->detections[detection->rank] = detection;
+    for (int i = 0; i < w->bodies.count; i++) {
+        td_body *body = td_body_at(w, i);
+        if (!(body->flags & TD_BODY_CHOSE)) {
+            body->detection = detection;
+        }
+    }
+    for (int i = 0; i < w->contacts.count && skin != w->skin; i++) {
+        const td_contact *contact = td_contact_at(w, i);
+        if (contact->live && contact->state == TD_TOUCHING) {
+            td_lane_renew(w, i);
+        }
+    }
+    w->skin = skin;
+}
+
+void td_quality_take(thud_world *w, const thud_quality *quality)
+{
+    w->quality = *quality;
+    if (w->def.substeps) {
+        w->quality.substeps = w->def.substeps;
+    }
+    if (w->def.contact_stiffness != 0.0f) {
+        w->quality.contact_stiffness = w->def.contact_stiffness;
+    }
+    if (w->def.contact_damping != 0.0f) {
+        w->quality.contact_damping = w->def.contact_damping;
+    }
+    if (w->def.detection) {
+        w->quality.detection = w->def.detection;
+    }
+    w->substeps = w->quality.substeps;
+    w->push_stale = true;
+    detect_by(w, w->quality.detection);
+}
+
+thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality)
+{
+    if (!w || !quality) {
+        return td_refuse(w, THUD_ERROR_NULL, "set quality: world or quality is null");
+    }
+    const char *error = td_quality_error(quality);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    td_quality_take(w, quality);
+    td_wake_all(w);
+    return THUD_OK;
+}

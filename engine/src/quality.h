@@ -1,0 +1,13 @@
+/* quality.h: the settings that a world works with. */
+#ifndef TD_QUALITY_H
+#define TD_QUALITY_H
+
+#include "world.h"
+
+/* What is wrong with it, or null. */
+const char *td_quality_error(const thud_quality *quality);
+
+/* Puts the quality's settings to work, but for those that the world's def named itself. */
+void td_quality_take(thud_world *w, const thud_quality *quality);
+
+#endif
