@@ -1,0 +1,71 @@
+/* energy_scenes.c: no built-in scene gains energy. */
+#include "energy.h"
+
+#include <math.h>
+
+/* Something moves, and only by what it started with. */
+static bool is_closed(const scene *s) {
+    bool moves = false;
+    for (int i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_KINEMATIC)
+            return false;
+        moves = moves || s->bodies[i].kind == SCENE_DYNAMIC;
+    }
+    return moves;
+}
+
+/* Hundreds of bodies at most. */
+static int small_size(const scene_info *info, bool quick) {
+    if (info->default_size > 1000)
+        return quick ? 100 : 500;
+    return info->default_size > 50 ? 20 : 0;
+}
+
+static double lowest_start(const scene *s) {
+    double lowest = INFINITY;
+    for (int i = 0; i < s->body_count; i++)
+        if (s->bodies[i].kind == SCENE_DYNAMIC)
+            lowest = fmin(lowest, s->bodies[i].y);
+    return lowest;
+}
+
+/* The scale is what there was to lose: all that it had above where its lowest body started, or more
+ * where it came to lie lower still. */
+static double most_gained(ledger *l, entrant e, const scene *s) {
+    double floor = lowest_start(s), start = NAN, most = -INFINITY, least = INFINITY;
+    trial *t = trial_begin(l, e, s, (trial_settings){0});
+    if (!t)
+        return NAN;
+    start = trial_energy(t, floor);
+    int steps = l->quick ? 60 : 600;
+    for (int i = 0; i < steps && trial_step(t); i++) {
+        double now = trial_energy(t, floor);
+        most = isfinite(now) ? fmax(most, now) : INFINITY;
+        least = fmin(least, now);
+    }
+    trial_end(t);
+    double scale = fmax(start, start - least);
+    double gained = fmax(most - start, 0);
+    return gained > 0 ? 100 * gained / scale : 0;
+}
+
+void energy_of_scenes(ledger *l) {
+    for (int i = 0; i < scenes_count(); i++) {
+        const scene_info *info = scenes_at(i);
+        scene s;
+        if (!scenes_fill(info, small_size(info, l->quick), &s)) {
+            l->failed = true;
+            continue;
+        }
+        if (is_closed(&s)) {
+            figure *f =
+                ledger_add(l, bound_at_most(0.1, ON_THUD), "%s: energy gained, %%", info->name);
+            for (entrant e = 0; e < ENTRANTS; e++) {
+                ledger_progress(l, f->what, 0.5 + 0.5 * i / scenes_count());
+                if (ledger_has(l, e))
+                    figure_tell(f, e, most_gained(l, e, &s));
+            }
+        }
+        scene_free(&s);
+    }
+}

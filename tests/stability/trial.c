@@ -1,0 +1,134 @@
+/* trial.c: runs a scene by one entrant, and measures it alike for all. */
+#include "trial_engine.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+struct trial {
+    const trial_engine *engine;
+    const scene *scene;
+    trial_settings settings;
+    void *world;
+    contender_body *bodies;
+    penetration_meter *meter;
+};
+
+static const trial_engine *engine_of(entrant e) {
+#ifdef THUD_BOX2D_BUILD
+    if (e == ENTRANT_BOX2D)
+        return &TRIAL_BOX2D;
+#endif
+    return e == ENTRANT_BOX2D ? NULL : &TRIAL_THUD;
+}
+
+trial *trial_begin(ledger *l, entrant e, const scene *s, trial_settings settings) {
+    if (settings.time_step == 0)
+        settings.time_step = CONTENDER_TIME_STEP;
+    trial *t = calloc(1, sizeof *t);
+    if (t) {
+        *t = (trial){.engine = engine_of(e), .scene = s, .settings = settings};
+        t->bodies = calloc((size_t)s->body_count + 1, sizeof *t->bodies);
+        t->world = t->engine ? t->engine->create(s, e, &settings) : NULL;
+    }
+    if (!t || !t->bodies || !t->world) {
+        fprintf(stderr, "stability: %s could not make a world of %d bodies\n", entrant_name(e),
+                s->body_count);
+        l->failed = true;
+        trial_end(t);
+        return NULL;
+    }
+    return t;
+}
+
+void trial_end(trial *t) {
+    if (!t)
+        return;
+    if (t->world)
+        t->engine->destroy(t->world);
+    penetration_meter_destroy(t->meter);
+    free(t->bodies);
+    free(t);
+}
+
+bool trial_step(trial *t) {
+    return t->engine->step(t->world);
+}
+
+bool trial_steps(trial *t, int count) {
+    for (int i = 0; i < count; i++)
+        if (!trial_step(t))
+            return false;
+    return true;
+}
+
+bool trial_set_time_step(trial *t, double seconds) {
+    return t->engine->set_time_step(t->world, seconds);
+}
+
+const contender_body *trial_read(trial *t) {
+    t->engine->read(t->world, t->bodies);
+    for (int i = 0; i < t->scene->body_count; i++) {
+        t->bodies[i].x -= t->settings.origin_x;
+        t->bodies[i].y -= t->settings.origin_y;
+    }
+    return t->bodies;
+}
+
+void trial_pose(trial *t, int body, thud_pose *out) {
+    t->engine->pose(t->world, body, (thud_pos){t->settings.origin_x, t->settings.origin_y}, out);
+}
+
+void trial_penetration(trial *t, penetration *seen) {
+    if (!t->meter)
+        t->meter = penetration_meter_create(t->scene);
+    if (!t->meter) {
+        seen->worst = INFINITY;
+        return;
+    }
+    t->engine->read(t->world, t->bodies); /* not relative: the meter knows where the ground is */
+    penetration_sample(t->meter, t->bodies, seen);
+    if (seen->lost > 0)
+        seen->worst = INFINITY;
+}
+
+double trial_energy(trial *t, double floor) {
+    const contender_body *bodies = trial_read(t);
+    const scene *s = t->scene;
+    double energy = 0;
+    for (int i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind != SCENE_DYNAMIC)
+            continue;
+        const contender_body *b = &bodies[i];
+        double gx = s->gravity_x * s->bodies[i].gravity_scale;
+        double gy = s->gravity_y * s->bodies[i].gravity_scale;
+        energy += 0.5 * b->mass * (b->vx * b->vx + b->vy * b->vy) +
+                  0.5 * b->inertia * b->angular_velocity * b->angular_velocity -
+                  b->mass * (gx * b->x + gy * (b->y - floor));
+    }
+    return energy;
+}
+
+double trial_speed(trial *t) {
+    const contender_body *bodies = trial_read(t);
+    double fastest = 0;
+    for (int i = 0; i < t->scene->body_count; i++) {
+        double speed = hypot(bodies[i].vx, bodies[i].vy);
+        if (!isfinite(speed) || !isfinite(bodies[i].x) || !isfinite(bodies[i].y))
+            return INFINITY;
+        fastest = speed > fastest ? speed : fastest;
+    }
+    return fastest;
+}
+
+uint64_t trial_bytes(trial *t) {
+    return t->engine->bytes(t->world);
+}
+
+uint64_t trial_allocations(trial *t) {
+    return t->engine->allocations(t->world);
+}
+
+const scene *trial_scene(const trial *t) {
+    return t->scene;
+}

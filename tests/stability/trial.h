@@ -1,0 +1,47 @@
+/* trial.h: a scene run by one entrant, seen the same way whoever it is. */
+#ifndef THUD_STABILITY_TRIAL_H
+#define THUD_STABILITY_TRIAL_H
+
+#include "contender.h"
+#include "extreme.h"
+#include "penetration.h"
+
+#include <thud/thud.h>
+
+/* Each engine at its defaults with sleeping off, but for these. */
+typedef struct trial_settings {
+    double time_step;       /* s; 0: 1/60 */
+    bool every_bounce;      /* no approach is too slow to bounce */
+    double origin_x, origin_y; /* places are read relative to here */
+} trial_settings;
+
+typedef struct trial trial;
+
+/* Null, and the ledger has failed, when the world cannot be made. The scene must outlive it. */
+trial *trial_begin(ledger *l, entrant e, const scene *s, trial_settings settings);
+void trial_end(trial *t); /* null is fine */
+
+/* False when a step is refused. */
+bool trial_step(trial *t);
+bool trial_steps(trial *t, int count);
+bool trial_set_time_step(trial *t, double seconds);
+
+/* All bodies in the scene's order, as of now. Belongs to the trial, valid until its next call. */
+const contender_body *trial_read(trial *t);
+/* The same as the engine's own floats, relative to the origin: equal bits are equal states. */
+void trial_pose(trial *t, int body, thud_pose *out);
+
+/* Overlaps as of now, by exact geometry in double precision: no engine's own measure. `seen` adds
+ * up what several calls saw. */
+void trial_penetration(trial *t, penetration *seen);
+/* Kinetic and potential, the latter above `floor` (y, relative to the origin). */
+double trial_energy(trial *t, double floor);
+/* The largest speed of any body; infinite when a body's state is not finite. */
+double trial_speed(trial *t);
+uint64_t trial_bytes(trial *t); /* memory held by the world */
+/* Memory blocks that the last step asked for; 0 for Box2D, which does not tell. */
+uint64_t trial_allocations(trial *t);
+
+const scene *trial_scene(const trial *t);
+
+#endif

@@ -1,0 +1,103 @@
+/* trial_box2d.c: Box2D v3.2 with the 4 substeps that its manual recommends. */
+#include "build_box2d.h"
+#include "trial_engine.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { SUBSTEPS = 4 };
+
+typedef struct box2d_trial {
+    b2WorldId id;
+    float time_step;
+    int body_count;
+    b2BodyId bodies[];
+} box2d_trial;
+
+static void *create(const scene *s, entrant e, const trial_settings *settings) {
+    (void)e;
+#if defined(__x86_64__)
+    if (!__builtin_cpu_supports("avx2")) {
+        fprintf(stderr, "Box2D: this processor has no AVX2, which the library was built for\n");
+        return NULL;
+    }
+#endif
+    box2d_trial *own = calloc(1, sizeof *own + (size_t)s->body_count * sizeof own->bodies[0]);
+    box2d_settings awake = {.sleeping = false, .events = false};
+    if (!own || !scene_build_box2d(s, awake, &own->id, own->bodies)) {
+        free(own);
+        return NULL;
+    }
+    own->time_step = (float)settings->time_step;
+    own->body_count = s->body_count;
+    if (settings->every_bounce)
+        b2World_SetRestitutionThreshold(own->id, 0);
+    return own;
+}
+
+static void destroy(void *state) {
+    box2d_trial *own = state;
+    b2DestroyWorld(own->id);
+    free(own);
+}
+
+static bool step(void *state) {
+    box2d_trial *own = state;
+    b2World_Step(own->id, own->time_step, SUBSTEPS);
+    return true;
+}
+
+static bool set_time_step(void *state, double seconds) {
+    box2d_trial *own = state;
+    own->time_step = (float)seconds;
+    return true;
+}
+
+static void read_bodies(void *state, contender_body *bodies) {
+    box2d_trial *own = state;
+    for (int i = 0; i < own->body_count; i++) {
+        b2BodyId id = own->bodies[i];
+        b2WorldTransform pose = b2Body_GetTransform(id);
+        b2Vec2 velocity = b2Body_GetLinearVelocity(id);
+        bodies[i] = (contender_body){
+            .x = pose.p.x,
+            .y = pose.p.y,
+            .cosine = pose.q.c,
+            .sine = pose.q.s,
+            .vx = velocity.x,
+            .vy = velocity.y,
+            .angular_velocity = b2Body_GetAngularVelocity(id),
+            .mass = b2Body_GetMass(id),
+            .inertia = b2Body_GetRotationalInertia(id),
+            .awake = b2Body_IsAwake(id),
+        };
+    }
+}
+
+static void read_pose(void *state, int body, thud_pos origin, thud_pose *out) {
+    box2d_trial *own = state;
+    b2WorldTransform pose = b2Body_GetTransform(own->bodies[body]);
+    *out =
+        (thud_pose){(float)(pose.p.x - origin.x), (float)(pose.p.y - origin.y), pose.q.c, pose.q.s};
+}
+
+static uint64_t bytes(void *state) {
+    box2d_trial *own = state;
+    return (uint64_t)b2World_GetCounters(own->id).byteCount;
+}
+
+static uint64_t allocations(void *state) {
+    (void)state;
+    return 0;
+}
+
+const trial_engine TRIAL_BOX2D = {
+    .create = create,
+    .destroy = destroy,
+    .step = step,
+    .set_time_step = set_time_step,
+    .read = read_bodies,
+    .pose = read_pose,
+    .bytes = bytes,
+    .allocations = allocations,
+};

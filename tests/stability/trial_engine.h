@@ -1,0 +1,21 @@
+/* trial_engine.h: what trial.c asks of an engine. */
+#ifndef THUD_STABILITY_TRIAL_ENGINE_H
+#define THUD_STABILITY_TRIAL_ENGINE_H
+
+#include "trial.h"
+
+typedef struct trial_engine {
+    void *(*create)(const scene *s, entrant e, const trial_settings *settings); /* null: failed */
+    void (*destroy)(void *world);
+    bool (*step)(void *world);
+    bool (*set_time_step)(void *world, double seconds);
+    void (*read)(void *world, contender_body *bodies); /* places in the world */
+    void (*pose)(void *world, int body, thud_pos origin, thud_pose *out);
+    uint64_t (*bytes)(void *world);
+    uint64_t (*allocations)(void *world);
+} trial_engine;
+
+extern const trial_engine TRIAL_THUD;
+extern const trial_engine TRIAL_BOX2D; /* only where THUD_BOX2D_BUILD is defined */
+
+#endif

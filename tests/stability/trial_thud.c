@@ -1,0 +1,112 @@
+/* trial_thud.c: thud at each of its qualities. */
+#include "build_thud.h"
+#include "trial_engine.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const thud_quality QUALITIES[] = {
+    [ENTRANT_DRAFT] = THUD_QUALITY_DRAFT,
+    [ENTRANT_DEFAULT] = THUD_QUALITY_DEFAULT,
+    [ENTRANT_HIGH] = THUD_QUALITY_HIGH,
+    [ENTRANT_EXACT] = THUD_QUALITY_EXACT,
+};
+
+typedef struct thud_trial {
+    thud_world *world;
+    int body_count;
+    thud_body_id bodies[];
+} thud_trial;
+
+static void print_log(thud_result result, const char *message, void *context) {
+    (void)context;
+    fprintf(stderr, "thud: %s (%s)\n", message, thud_result_text(result));
+}
+
+static void *create(const scene *s, entrant e, const trial_settings *settings) {
+    thud_trial *own = calloc(1, sizeof *own + (size_t)s->body_count * sizeof own->bodies[0]);
+    if (!own)
+        return NULL;
+    thud_world_def def = thud_default_world_def();
+    def.quality = QUALITIES[e];
+    def.time_step = settings->time_step;
+    def.sleeping = false;
+    if (settings->every_bounce)
+        def.restitution_threshold = 0;
+    def.log = print_log;
+    if (scene_build_thud(s, &def, &own->world, own->bodies, NULL) != THUD_OK) {
+        free(own);
+        return NULL;
+    }
+    own->body_count = s->body_count;
+    return own;
+}
+
+static void destroy(void *state) {
+    thud_trial *own = state;
+    thud_world_destroy(own->world);
+    free(own);
+}
+
+static bool step(void *state) {
+    thud_trial *own = state;
+    return thud_world_step(own->world) == THUD_OK;
+}
+
+static bool set_time_step(void *state, double seconds) {
+    thud_trial *own = state;
+    return thud_world_set_time_step(own->world, seconds) == THUD_OK;
+}
+
+static void read_bodies(void *state, contender_body *bodies) {
+    thud_trial *own = state;
+    for (int i = 0; i < own->body_count; i++) {
+        thud_body_state body;
+        if (thud_body_get(own->world, own->bodies[i], &body) != THUD_OK || body.quarantined) {
+            bodies[i] = (contender_body){.x = NAN, .y = NAN};
+            continue;
+        }
+        bodies[i] = (contender_body){
+            .x = body.position.x,
+            .y = body.position.y,
+            .cosine = body.cosine,
+            .sine = body.sine,
+            .vx = body.velocity.x,
+            .vy = body.velocity.y,
+            .angular_velocity = body.angular_velocity,
+            .mass = body.mass,
+            .inertia = body.inertia,
+            .awake = body.awake,
+        };
+    }
+}
+
+static void read_pose(void *state, int body, thud_pos origin, thud_pose *out) {
+    thud_trial *own = state;
+    int count;
+    const thud_pose *poses = thud_world_poses(own->world, origin, 1, &count);
+    uint32_t slot = own->bodies[body].index1 - 1;
+    *out = poses && slot < (uint32_t)count ? poses[slot] : (thud_pose){NAN, NAN, NAN, NAN};
+}
+
+static uint64_t bytes(void *state) {
+    thud_trial *own = state;
+    return thud_world_stats(own->world).bytes;
+}
+
+static uint64_t allocations(void *state) {
+    thud_trial *own = state;
+    return thud_world_stats(own->world).step_allocations;
+}
+
+const trial_engine TRIAL_THUD = {
+    .create = create,
+    .destroy = destroy,
+    .step = step,
+    .set_time_step = set_time_step,
+    .read = read_bodies,
+    .pose = read_pose,
+    .bytes = bytes,
+    .allocations = allocations,
+};
