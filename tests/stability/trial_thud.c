@@ -6,11 +6,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const thud_quality QUALITIES[] = {
-    [ENTRANT_DRAFT] = THUD_QUALITY_DRAFT,
-    [ENTRANT_DEFAULT] = THUD_QUALITY_DEFAULT,
-    [ENTRANT_HIGH] = THUD_QUALITY_HIGH,
-    [ENTRANT_EXACT] = THUD_QUALITY_EXACT,
+static const thud_quality *const QUALITIES[] = {
+    [ENTRANT_DRAFT] = &thud_quality_draft,
+    [ENTRANT_DEFAULT] = &thud_quality_default,
+    [ENTRANT_HIGH] = &thud_quality_high,
+    [ENTRANT_EXACT] = &thud_quality_exact,
 };
 
 typedef struct thud_trial {
