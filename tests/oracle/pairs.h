@@ -1,0 +1,30 @@
+/* pairs.h: which shapes are near each other, by sort and sweep along x. */
+#ifndef THUD_ORACLE_PAIRS_H
+#define THUD_ORACLE_PAIRS_H
+
+#include "model.h"
+
+/* Indices of shapes; `a` is the ground where one of them is, else the lower index. */
+typedef struct near_pair {
+    int a, b;
+} near_pair;
+
+typedef struct near_span {
+    double low, high, bottom, top;
+    int shape;
+} near_span;
+
+typedef struct near_pairs {
+    near_pair *pairs; /* by a, then by b */
+    int count, capacity;
+    near_span *spans; /* room for the sweep */
+} near_pairs;
+
+bool near_pairs_init(near_pairs *near, const model *m); /* false without memory */
+void near_pairs_free(near_pairs *near);
+
+/* All pairs that may collide and whose bounding boxes, grown by margins[shape] (m) on every side,
+ * overlap; shapes without a finite place are left out. False if memory runs out. */
+bool near_pairs_find(near_pairs *near, const model *m, const double *margins);
+
+#endif

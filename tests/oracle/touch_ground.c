@@ -1,0 +1,157 @@
+/* touch_ground.c: a shape on a line with solid below. A circle touches segments at the foot of its
+ * centre, and convex vertices where the foot is on neither segment; a box touches segments with its
+ * corners, and convex vertices with its faces. So nothing catches on the joint of two segments. */
+#include "touch.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+typedef struct segment {
+    scene_point start, along; /* along: unit, to the right */
+    double length;
+} segment;
+
+static segment segment_at(const depth_ground *ground, int index) {
+    scene_point a = ground->points[index], b = ground->points[index + 1];
+    double length = hypot(b.x - a.x, b.y - a.y);
+    return (segment){a, {(b.x - a.x) / length, (b.y - a.y) / length}, length};
+}
+
+/* The first segment whose right end is right of x. */
+static int first_segment(const depth_ground *ground, double x) {
+    int low = 0, high = ground->count - 2;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (ground->points[middle + 1].x <= x)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Found points, the deepest if there are too many. */
+typedef struct found {
+    touch_point *points;
+    int count;
+} found;
+
+static void keep(found *f, touch_point p) {
+    if (f->count < TOUCH_GROUND_POINTS) {
+        f->points[f->count++] = p;
+        return;
+    }
+    int shallowest = 0;
+    for (int i = 1; i < f->count; i++)
+        if (f->points[i].gap > f->points[shallowest].gap)
+            shallowest = i;
+    if (p.gap < f->points[shallowest].gap)
+        f->points[shallowest] = p;
+}
+
+/* (x, y) carries a ball of the radius; a corner is one without any. */
+typedef struct ball {
+    double x, y, radius;
+    int feature; /* of its first contact */
+} ball;
+
+static void ball_on_segment(const depth_ground *ground, const ball *b, int index, double margin,
+                            found *f) {
+    segment s = segment_at(ground, index);
+    double dx = b->x - s.start.x, dy = b->y - s.start.y;
+    double foot = dx * s.along.x + dy * s.along.y;
+    double height = dy * s.along.x - dx * s.along.y;
+    /* Half-open, so that in line with each other two segments share no foot. Behind the line only
+     * the segment straight above is meant, not every one whose plane is. */
+    bool beside = foot < 0 || foot >= s.length;
+    bool under = dx >= 0 && b->x < ground->points[index + 1].x;
+    if (beside || height - b->radius > margin || (height < 0 && !under))
+        return;
+    touch_point p = {.normal_x = -s.along.y,
+                     .normal_y = s.along.x,
+                     .gap = height - b->radius,
+                     .feature = b->feature + 8 * index};
+    p.x = s.start.x + foot * s.along.x + 0.5 * p.gap * p.normal_x;
+    p.y = s.start.y + foot * s.along.y + 0.5 * p.gap * p.normal_y;
+    keep(f, p);
+}
+
+/* Vertex `index` is between segments index - 1 and index. */
+static void ball_on_vertex(const depth_ground *ground, const ball *b, int index, double margin,
+                           found *f) {
+    segment left = segment_at(ground, index - 1), right = segment_at(ground, index);
+    double dx = b->x - right.start.x, dy = b->y - right.start.y, distance = hypot(dx, dy);
+    bool past_left = dx * left.along.x + dy * left.along.y >= 0;
+    bool before_right = dx * right.along.x + dy * right.along.y < 0;
+    if (!past_left || !before_right || distance == 0 || distance - b->radius > margin)
+        return;
+    double gap = distance - b->radius;
+    double nx = dx / distance, ny = dy / distance;
+    keep(f, (touch_point){right.start.x + 0.5 * gap * nx, right.start.y + 0.5 * gap * ny, nx, ny,
+                          gap, b->feature + 8 * index + 1});
+}
+
+/* A face of the box above a convex vertex, if it looks between the two segments' normals. */
+static void vertex_in_box(const depth_ground *ground, const depth_shape *box, int index,
+                          double margin, found *f) {
+    segment left = segment_at(ground, index - 1), right = segment_at(ground, index);
+    if (left.along.x * right.along.y - left.along.y * right.along.x >= 0)
+        return; /* concave or straight */
+    double dx = right.start.x - box->x, dy = right.start.y - box->y;
+    for (int face = 0; face < 4; face++) {
+        double sign = face < 2 ? 1 : -1;
+        bool upright = face % 2 == 1;
+        /* Outward normal, and the vertex's place along it and across. */
+        double nx = sign * (upright ? -box->sine : box->cosine);
+        double ny = sign * (upright ? box->cosine : box->sine);
+        double gap = dx * nx + dy * ny - (upright ? box->hy : box->hx);
+        double across = fabs(dx * ny - dy * nx), half = upright ? box->hx : box->hy;
+        /* Against the normal is away from the ground: right of the left segment's direction's
+         * normal, left of the right one's. */
+        bool in_cone = -nx * left.along.x - ny * left.along.y >= 0 &&
+                       -nx * right.along.x - ny * right.along.y <= 0 &&
+                       -ny * left.along.x + nx * left.along.y > 0;
+        if (gap > margin || gap < -half || across > half || !in_cone)
+            continue;
+        keep(f, (touch_point){right.start.x - 0.5 * gap * -nx, right.start.y - 0.5 * gap * -ny,
+                              -nx, -ny, gap, 4 + 8 * index + face % 4 * 0x100000});
+    }
+}
+
+static void touch_circle(const depth_ground *ground, const depth_shape *circle, double margin,
+                         found *f) {
+    ball b = {circle->x, circle->y, circle->hx, 0};
+    double reach = circle->hx + margin;
+    for (int i = first_segment(ground, b.x - reach);
+         i < ground->count - 1 && ground->points[i].x <= b.x + reach; i++) {
+        ball_on_segment(ground, &b, i, margin, f);
+        if (i > 0)
+            ball_on_vertex(ground, &b, i, margin, f);
+    }
+}
+
+static void touch_box(const depth_ground *ground, const depth_shape *box, double margin, found *f) {
+    for (int corner = 0; corner < 4; corner++) {
+        double hx = corner & 1 ? box->hx : -box->hx, hy = corner & 2 ? box->hy : -box->hy;
+        ball b = {box->x + hx * box->cosine - hy * box->sine,
+                  box->y + hx * box->sine + hy * box->cosine, 0, corner};
+        for (int i = first_segment(ground, b.x - margin);
+             i < ground->count - 1 && ground->points[i].x <= b.x + margin; i++)
+            ball_on_segment(ground, &b, i, margin, f);
+    }
+    double half = fabs(box->hx * box->cosine) + fabs(box->hy * box->sine) + margin;
+    for (int i = first_segment(ground, box->x - half);
+         i < ground->count - 1 && ground->points[i].x <= box->x + half; i++)
+        if (i > 0)
+            vertex_in_box(ground, box, i, margin, f);
+}
+
+int touch_ground(const depth_ground *ground, const depth_shape *shape, double margin,
+                 touch_point points[TOUCH_GROUND_POINTS]) {
+    found f = {points, 0};
+    if (shape->circle)
+        touch_circle(ground, shape, margin, &f);
+    else
+        touch_box(ground, shape, margin, &f);
+    return f.count;
+}
