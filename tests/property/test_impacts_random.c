@@ -2,6 +2,7 @@
  * speeds, of several shapes, with sensors, filters and kinematic bodies, edited by their callbacks:
  * they stay finite, run twice alike (with wide and with plain SIMD, and with allocations that fail),
  * keep to their bounds on work, and let nothing swept out of the room. */
+#include "../support/hostile_memory.h"
 #include "../unit/engine_support.h"
 
 #include "geometry_random.h"
@@ -24,20 +25,6 @@ typedef struct room {
 /* ---- memory that fails ---- */
 
 static bool fails;
-static long allowed = -1; /* allocations until one fails; negative: no end */
-
-static void *allocate(size_t bytes, void *context)
-{
-    (void)context;
-    return allowed >= 0 && allowed-- == 0 ? NULL : aligned_alloc(64, bytes);
-}
-
-static void release(void *block, size_t bytes, void *context)
-{
-    (void)bytes;
-    (void)context;
-    free(block);
-}
 
 /* ---- callbacks ---- */
 
@@ -151,7 +138,7 @@ static void make_room(room *m, uint64_t seed, bool plain_simd)
     def.callback_context = m;
     def.prologue = prologue;
     def.epilogue = epilogue;
-    def.allocator = (thud_allocator){allocate, release, NULL};
+    def.allocator = hostile_memory();
     m->world = make_world(def);
     add_walls(m->world);
     for (int i = 0; i < BODIES; i++) {
@@ -201,9 +188,9 @@ static void step_with_failures(room *m, int step)
 {
     for (long failures = 0;; failures++) {
         fails = step % 16 == 3;
-        allowed = fails ? failures : -1;
+        memory_allowed = fails ? failures : -1;
         thud_result result = thud_world_step(m->world);
-        allowed = -1;
+        memory_allowed = -1;
         fails = false;
         if (result == THUD_OK) {
             return;

@@ -1,37 +1,18 @@
 /* test_memory.c: failed allocations leave the world as it was, and a settled step makes none. */
 #include "engine_support.h"
 
+#include "../support/hostile_memory.h"
+
 #include "build_thud.h"
 #include "scenes.h"
-
-static long allowed = -1; /* allocations until one fails; negative: no end */
-static long held;
-
-static void *allocate(size_t bytes, void *context)
-{
-    (void)context;
-    if (allowed >= 0 && allowed-- == 0) {
-        return NULL;
-    }
-    held++;
-    return aligned_alloc(64, bytes);
-}
-
-static void release(void *block, size_t bytes, void *context)
-{
-    (void)bytes;
-    (void)context;
-    held--;
-    free(block);
-}
 
 static thud_world *build(const char *name, int size)
 {
     scene s;
     thud_world *world;
     thud_world_def def = thud_default_world_def();
-    def.allocator = (thud_allocator){allocate, release, NULL};
-    allowed = -1;
+    def.allocator = hostile_memory();
+    memory_allowed = -1;
     assert_true(scenes_fill(scenes_find(name), size, &s));
     OK(scene_build_thud(&s, &def, &world, NULL, NULL));
     scene_free(&s);
@@ -43,9 +24,9 @@ static long step_with_failures(thud_world *world)
 {
     for (long failures = 0;; failures++) {
         uint64_t before = thud_world_hash(world);
-        allowed = failures;
+        memory_allowed = failures;
         thud_result result = thud_world_step(world);
-        allowed = -1;
+        memory_allowed = -1;
         if (result == THUD_OK) {
             return failures;
         }
@@ -80,53 +61,53 @@ static void step_after_failed_ones_is_the_same_step(void **state)
         thud_world_destroy(never);
         thud_world_destroy(often);
     }
-    assert_int_equal(held, 0);
+    assert_int_equal(memory_held, 0);
 }
 
 static void creation_that_fails_leaves_nothing_behind(void **state)
 {
     (void)state;
     thud_world_def def = thud_default_world_def();
-    def.allocator = (thud_allocator){allocate, release, NULL};
+    def.allocator = hostile_memory();
     thud_world *world = NULL;
     for (long n = 0;; n++) {
-        allowed = n;
+        memory_allowed = n;
         thud_result result = thud_world_create(&def, &world);
-        allowed = -1;
+        memory_allowed = -1;
         if (result == THUD_OK) {
             break;
         }
         assert_int_equal(result, THUD_ERROR_MEMORY);
-        assert_int_equal(held, 0);
+        assert_int_equal(memory_held, 0);
     }
     thud_body_def body = thud_default_body_def();
     thud_shape_def shape = thud_default_shape_def();
     thud_body_id id;
     int refused = 0;
     for (int made = 0; made < 300;) {
-        allowed = 0;
+        memory_allowed = 0;
         thud_stats before = thud_world_stats(world);
         thud_result result = thud_body_create(world, &body, &id);
         if (result != THUD_OK) {
             assert_int_equal(thud_world_stats(world).bodies, before.bodies);
             refused++;
-            allowed = -1;
+            memory_allowed = -1;
             OK(thud_body_create(world, &body, &id));
         }
-        allowed = 0;
+        memory_allowed = 0;
         result = thud_shape_create_circle(world, id, &shape, (thud_vec2){0, 0}, 1, NULL);
         if (result != THUD_OK) {
             assert_int_equal(thud_world_stats(world).shapes, before.shapes);
             refused++;
-            allowed = -1;
+            memory_allowed = -1;
             OK(thud_shape_create_circle(world, id, &shape, (thud_vec2){0, 0}, 1, NULL));
         }
         made++;
     }
-    allowed = -1;
+    memory_allowed = -1;
     assert_true(refused > 5);
     thud_world_destroy(world);
-    assert_int_equal(held, 0);
+    assert_int_equal(memory_held, 0);
 }
 
 static void settled_world_allocates_nothing(void **state)

@@ -2,6 +2,8 @@
  * hand, and what each of them refuses. */
 #include "engine_support.h"
 
+#include "../support/hostile_memory.h"
+
 enum { ROOM = 8 };
 
 static thud_shape_id add_ground(thud_world *world, double x, double y, const thud_terrain *terrain)
@@ -354,26 +356,11 @@ static void closest_refuses_bad_input_and_leaves_outputs_alone(void **state)
     thud_world_destroy(world);
 }
 
-static long allowed = -1; /* allocations until one fails; negative: no end */
-
-static void *allocate(size_t bytes, void *context)
-{
-    (void)context;
-    return allowed >= 0 && allowed-- == 0 ? NULL : aligned_alloc(64, bytes);
-}
-
-static void release(void *block, size_t bytes, void *context)
-{
-    (void)bytes;
-    (void)context;
-    free(block);
-}
-
 static void queries_without_memory_say_so_and_work_once_there_is_some(void **state)
 {
     (void)state;
     thud_world_def def = weightless();
-    def.allocator = (thud_allocator){allocate, release, NULL};
+    def.allocator = hostile_memory();
     thud_world *world = make_world(def);
     for (int i = 0; i < 50; i++) {
         add_ball(world, 3 * i, 0, 1);
@@ -384,7 +371,7 @@ static void queries_without_memory_say_so_and_work_once_there_is_some(void **sta
     int failures = 0, count = 77;
     unsigned char hit = 2;
     for (;; failures++) {
-        allowed = failures;
+        memory_allowed = failures;
         thud_result result =
             thud_world_cast_ray_all(world, (thud_pos){-5, 0}, 99, 0, NULL, &out, 1, &count);
         if (result == THUD_OK) {
@@ -392,7 +379,7 @@ static void queries_without_memory_say_so_and_work_once_there_is_some(void **sta
         }
         REFUSED(result, THUD_ERROR_MEMORY);
     }
-    allowed = -1;
+    memory_allowed = -1;
     assert_true(failures > 1);
     assert_int_equal(count, 32);
     thud_world_destroy(world);

@@ -1,20 +1,7 @@
 /* test_terrain_refused.c: edits of ground that are refused leave everything as it was. */
 #include "terrain_support.h"
 
-static long allowed = -1; /* allocations until one fails; negative: no end */
-
-static void *allocate(size_t bytes, void *context)
-{
-    (void)context;
-    return allowed >= 0 && allowed-- == 0 ? NULL : aligned_alloc(64, bytes);
-}
-
-static void release(void *block, size_t bytes, void *context)
-{
-    (void)bytes;
-    (void)context;
-    free(block);
-}
+#include "../support/hostile_memory.h"
 
 static thud_result edit_result(const ground *g, int which)
 {
@@ -36,7 +23,7 @@ static void edit_without_memory_leaves_line_and_world_as_they_were(void **state)
 {
     (void)state;
     thud_world_def def = thud_default_world_def();
-    def.allocator = (thud_allocator){allocate, release, NULL};
+    def.allocator = hostile_memory();
     ground g = level_ground(THUD_TERRAIN_IRREGULAR, def);
     thud_body_id box = add_box(g.world, 0, 0.25, 0.25f, 0.25f);
     thud_pos room[ROOM];
@@ -45,9 +32,9 @@ static void edit_without_memory_leaves_line_and_world_as_they_were(void **state)
         int failures = 0;
         for (thud_result result = THUD_ERROR_MEMORY; result != THUD_OK; failures++) {
             thud_terrain old = keep_line(&g, room);
-            allowed = failures;
+            memory_allowed = failures;
             result = edit_result(&g, which);
-            allowed = -1;
+            memory_allowed = -1;
             if (result != THUD_OK) {
                 assert_int_equal(result, THUD_ERROR_MEMORY);
                 line_is(&g, &old);
