@@ -103,8 +103,9 @@ bool oracle_advance(oracle *o, double seconds);
 /* The present state, in the scene's order, for oracle_measure and oracle_compare. */
 void oracle_read(const oracle *o, contender_body *bodies);
 oracle_report oracle_get_report(const oracle *o);
-/* Belongs to the oracle, valid until it goes on. */
-const oracle_force *oracle_forces(const oracle *o, int *count);
+/* The forces at all points that bear any. Belongs to the oracle, valid until its next call; null,
+ * and *count 0, if memory runs out. */
+const oracle_force *oracle_forces(oracle *o, int *count);
 
 /* The whole in one call: the states at `count` increasing times (s, >= 0) go one after the other
  * to `samples`, which has room for count times body_count of them. *report may be null. */
