@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 struct trial {
+    ledger *ledger;
     const trial_engine *engine;
     const scene *scene;
     trial_settings settings;
@@ -27,7 +28,7 @@ trial *trial_begin(ledger *l, entrant e, const scene *s, trial_settings settings
         settings.time_step = CONTENDER_TIME_STEP;
     trial *t = calloc(1, sizeof *t);
     if (t) {
-        *t = (trial){.engine = engine_of(e), .scene = s, .settings = settings};
+        *t = (trial){.ledger = l, .engine = engine_of(e), .scene = s, .settings = settings};
         t->bodies = calloc((size_t)s->body_count + 1, sizeof *t->bodies);
         t->world = t->engine ? t->engine->create(s, e, &settings) : NULL;
     }
@@ -52,7 +53,10 @@ void trial_end(trial *t) {
 }
 
 bool trial_step(trial *t) {
-    return t->engine->step(t->world);
+    bool stepped = t->engine->step(t->world);
+    if (!stepped)
+        t->ledger->failed = true;
+    return stepped;
 }
 
 bool trial_steps(trial *t, int count) {

@@ -21,7 +21,7 @@ typedef struct trial trial;
 trial *trial_begin(ledger *l, entrant e, const scene *s, trial_settings settings);
 void trial_end(trial *t); /* null is fine */
 
-/* False when a step is refused. */
+/* False, and the ledger has failed, when a step is refused. */
 bool trial_step(trial *t);
 bool trial_steps(trial *t, int count);
 bool trial_set_time_step(trial *t, double seconds);
