@@ -59,7 +59,7 @@ void energy_of_scenes(ledger *l) {
         }
         if (is_closed(&s)) {
             figure *f =
-                ledger_add(l, bound_at_most(0.1, ON_THUD), "%s: energy gained, %%", info->name);
+                ledger_add(l, bound_at_most(0.01, ON_THUD), "%s: energy gained, %%", info->name);
             for (entrant e = 0; e < ENTRANTS; e++) {
                 ledger_progress(l, f->what, 0.5 + 0.5 * i / scenes_count());
                 if (ledger_has(l, e))

@@ -33,7 +33,6 @@ typedef struct bound {
     enum { BOUND_NONE, BOUND_AT_MOST, BOUND_AT_LEAST } kind; /* none: told for comparison */
     double value;
     unsigned on; /* whom it binds: ON_ */
-    bool missed; /* known not to be met yet: told as missed, and not asserted by the tests */
 } bound;
 
 enum { FIGURE_TEXT = 120 };
@@ -82,10 +81,14 @@ bool ledger_has(const ledger *l, entrant e);
 bound bound_none(void);
 bound bound_at_most(double value, unsigned on);
 bound bound_at_least(double value, unsigned on);
-/* The same, known not to be met yet. */
-bound bound_missed(bound b);
 
 /* Whether the entrant keeps the figure's bound; true if it binds him not, or was not measured. */
 bool figure_holds(const figure *f, entrant e);
+
+/* Who is known not to keep this line's bound: ON_. Such a miss is told, and not asserted by the
+ * tests. The list stands in known_misses.c. */
+unsigned known_misses(const extreme *x, const figure *f);
+/* The text of a known miss of the extreme that none of its figures has; null if there is none. */
+const char *known_misses_stray(const extreme *x, const ledger *l);
 
 #endif

@@ -53,7 +53,8 @@ static void run(ledger *l) {
     enum { SCENE_COUNT = 4, PLACES = 3 };
     for (int i = 0; i < SCENE_COUNT; i++) {
         for (int place = 0; place < PLACES; place++) {
-            if (l->quick && place + 1 < PLACES)
+            /* One scene is enough to see from where on Box2D gives way. */
+            if (place + 1 < PLACES && (l->quick || i > 0))
                 continue;
             const char *name = SCENES[i].info->name;
             int power = (int)round(log10(AWAY[place]));

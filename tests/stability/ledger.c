@@ -51,11 +51,6 @@ bound bound_at_least(double value, unsigned on) {
     return (bound){.kind = BOUND_AT_LEAST, .value = value, .on = on};
 }
 
-bound bound_missed(bound b) {
-    b.missed = true;
-    return b;
-}
-
 bool figure_holds(const figure *f, entrant e) {
     if (f->bound.kind == BOUND_NONE || !(f->bound.on & f->measured & 1u << e))
         return true;

@@ -9,8 +9,8 @@ static void run(ledger *l) {
     int steps = l->quick ? 1800 : 60 * 60 * 60;
     scene s;
     stack_init(&s, BOXES, 1);
-    figure *drift = ledger_add(l, bound_missed(bound_at_most(1, ON_THUD)),
-                               "stack of ten: furthest that a box has moved, mm");
+    figure *drift =
+        ledger_add(l, bound_at_most(1, ON_THUD), "stack of ten: furthest that a box has moved, mm");
     figure *growth = ledger_add(l, bound_at_most(0, ON_THUD), "the same: memory grown by, bytes");
     figure *blocks =
         ledger_add(l, bound_at_most(0, ON_THUD), "the same: memory blocks asked for in steps");

@@ -44,8 +44,8 @@ static double worst_penetration(ledger *l, entrant e, const scene *s) {
 
 static bound bound_of(double ratio) {
     if (ratio == 1e3)
-        return bound_missed(bound_at_most(1, ON_DEFAULT));
-    return ratio == 1e5 ? bound_missed(bound_at_most(0.1, ON_EXACT)) : bound_none();
+        return bound_at_most(1, ON_DEFAULT);
+    return ratio == 1e5 ? bound_at_most(0.1, ON_EXACT) : bound_none();
 }
 
 static void run(ledger *l) {

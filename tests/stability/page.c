@@ -11,7 +11,7 @@ static void write_value(FILE *out, double value) {
     else if (isinf(value))
         fprintf(out, "fails");
     else
-        fprintf(out, "%.3g", value);
+        fprintf(out, "%.4g", value);
 }
 
 /* Whom a bound binds, in a word or two. */
@@ -20,7 +20,7 @@ static void write_bound(FILE *out, const bound *b) {
         fprintf(out, "–");
         return;
     }
-    fprintf(out, b->kind == BOUND_AT_MOST ? "≤ %g" : "≥ %g", b->value);
+    fprintf(out, b->kind == BOUND_AT_MOST ? "≤ %.4g" : "≥ %.4g", b->value);
     if ((b->on & ON_THUD) == ON_THUD) {
         fprintf(out, " at all");
         return;

@@ -51,7 +51,7 @@ static void run(ledger *l) {
     enum { POWERS = 7, FLEAS = 3 };
     static const double FLEA[FLEAS] = {0.01, 0.1, 1};
     for (int i = 0; i < POWERS + FLEAS; i++) {
-        bound b = bound_missed(bound_at_most(1, ON_DEFAULT));
+        bound b = bound_at_most(1, ON_DEFAULT | ON_EXACT);
         double size = i < POWERS ? pow(10, i - 3) : FLEA[i - POWERS];
         figure *f = i < POWERS ? ledger_add(l, b, "ten boxes of %g", size)
                                : ledger_add(l, b, "a box of %g on one of %g", size, 1000 * size);

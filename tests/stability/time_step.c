@@ -33,7 +33,7 @@ static void run(ledger *l) {
     enum { CASE_COUNT = sizeof RATES / sizeof RATES[0] };
     for (int i = 0; i < CASE_COUNT; i++) {
         int first = RATES[i][0], second = RATES[i][1];
-        bound b = bound_missed(bound_at_most(0.1, ON_DEFAULT));
+        bound b = bound_at_most(0.1, ON_DEFAULT | ON_EXACT);
         figure *f = first == second ? ledger_add(l, b, "1/%d s", first)
                                     : ledger_add(l, b, "1/%d s and 1/%d s in turn", first, second);
         for (entrant e = 0; e < ENTRANTS; e++) {
@@ -48,6 +48,6 @@ const extreme extreme_time_step = {
     .name = "time-step",
     .title = "Time step",
     .about = "A column of ten boxes for 20 s. Figures: by how much the top is lower than it "
-             "started, in box heights; the bound is 1 % of the height a box.",
+             "started, in box heights; the bound is 1 % a box.",
     .run = run,
 };
