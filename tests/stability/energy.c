@@ -99,8 +99,10 @@ static void run(ledger *l) {
 const extreme extreme_energy = {
     .name = "energy",
     .title = "Energy",
-    .about = "Elastic bodies keep it; and no built-in scene gains any in 10 s: at no time has it "
-             "more than it started with, in % of all that it could lose by falling to its lowest "
-             "point and stopping. Scenes with motors are left out.",
+    .about =
+        "Elastic bodies keep it, for a minute; and no built-in scene gains any in 10 s: neither "
+        "above what it started with, nor back from what it has lost; in % of all that it could "
+        "lose by falling to its lowest point and stopping. Being pushed out of an overlap lifts "
+        "what rests, hence the 0.1 %. Scenes with motors are left out.",
     .run = run,
 };

@@ -6,7 +6,7 @@
 #include "scenes.h"
 #include "trial.h"
 
-/* A figure for each built-in scene: the most energy that it ever gained. */
+/* Two figures for each built-in scene: the most energy that it ever gained. */
 void energy_of_scenes(ledger *l);
 
 #endif

@@ -29,24 +29,33 @@ static double lowest_start(const scene *s) {
     return lowest;
 }
 
-/* The scale is what there was to lose: all that it had above where its lowest body started, or more
+typedef struct gain {
+    double above_start; /* the most that the scene ever had, over what it started with */
+    double rise;        /* the most that it ever had over the least before: what it got back */
+} gain;
+
+/* In % of what there was to lose: all that it had above where its lowest body started, or more
  * where it came to lie lower still. */
-static double most_gained(ledger *l, entrant e, const scene *s) {
-    double floor = lowest_start(s), start = NAN, most = -INFINITY, least = INFINITY;
+static gain most_gained(ledger *l, entrant e, const scene *s) {
     trial *t = trial_begin(l, e, s, (trial_settings){0});
     if (!t)
-        return NAN;
-    start = trial_energy(t, floor);
+        return (gain){NAN, NAN};
+    double floor = lowest_start(s), start = trial_energy(t, floor), least = start;
+    gain g = {0, 0};
     int steps = l->quick ? 60 : 600;
     for (int i = 0; i < steps && trial_step(t); i++) {
         double now = trial_energy(t, floor);
-        most = isfinite(now) ? fmax(most, now) : INFINITY;
+        if (!isfinite(now))
+            now = INFINITY;
+        g.above_start = fmax(g.above_start, now - start);
+        g.rise = fmax(g.rise, now - least);
         least = fmin(least, now);
     }
     trial_end(t);
     double scale = fmax(start, start - least);
-    double gained = fmax(most - start, 0);
-    return gained > 0 ? 100 * gained / scale : 0;
+    if (scale > 0)
+        return (gain){100 * g.above_start / scale, 100 * g.rise / scale};
+    return g.rise > 0 ? (gain){INFINITY, INFINITY} : g;
 }
 
 void energy_of_scenes(ledger *l) {
@@ -58,12 +67,17 @@ void energy_of_scenes(ledger *l) {
             continue;
         }
         if (is_closed(&s)) {
-            figure *f =
-                ledger_add(l, bound_at_most(0.01, ON_THUD), "%s: energy gained, %%", info->name);
+            figure *above = ledger_add(l, bound_at_most(0.01, ON_THUD),
+                                       "%s: energy above its start, %%", info->name);
+            figure *rise = ledger_add(l, bound_at_most(0.1, ON_THUD),
+                                      "%s: energy above its lowest before, %%", info->name);
             for (entrant e = 0; e < ENTRANTS; e++) {
-                ledger_progress(l, f->what, 0.5 + 0.5 * i / scenes_count());
-                if (ledger_has(l, e))
-                    figure_tell(f, e, most_gained(l, e, &s));
+                ledger_progress(l, above->what, 0.5 + 0.5 * i / scenes_count());
+                if (!ledger_has(l, e))
+                    continue;
+                gain g = most_gained(l, e, &s);
+                figure_tell(above, e, g.above_start);
+                figure_tell(rise, e, g.rise);
             }
         }
         scene_free(&s);

@@ -23,7 +23,9 @@ const char *entrant_name(entrant e); /* "default", "Box2D" */
 
 /* Sets of entrants. */
 enum {
+    ON_DRAFT = 1 << ENTRANT_DRAFT,
     ON_DEFAULT = 1 << ENTRANT_DEFAULT,
+    ON_HIGH = 1 << ENTRANT_HIGH,
     ON_EXACT = 1 << ENTRANT_EXACT,
     ON_THUD = (1 << ENTRANT_BOX2D) - 1, /* at every quality */
     ON_ALL = (1 << ENTRANTS) - 1
