@@ -13,7 +13,7 @@
 
 enum { PARTINGS = 8, MOST_EVENTS = 2000 };
 
-/* An approach that gravity alone makes within this many steps is no impact. */
+/* An approach that gravity makes within this many steps is no impact, unless it bounces. */
 static const double SLOW_STEPS = 4;
 
 oracle_settings oracle_default_settings(void) {
@@ -61,8 +61,8 @@ oracle *oracle_create(const scene *s, const oracle_settings *settings) {
         oracle_destroy(o);
         return NULL;
     }
-    o->slow = fmax(SLOW_STEPS * hypot(s->gravity_x, s->gravity_y) * chosen.step,
-                   1e-6 * s->length_scale);
+    o->tiny = 1e-6 * s->length_scale;
+    o->slow = fmax(SLOW_STEPS * hypot(s->gravity_x, s->gravity_y) * chosen.step, o->tiny);
     place_bodies(o);
     return o;
 }
@@ -120,7 +120,7 @@ static bool activate(oracle *o, double time) {
     for (int i = 0; i < o->found.count; i++) {
         contact c = o->found.contacts[i];
         double approach = -contact_normal_speed(&c, o->velocities);
-        if (c.gap > 0 && approach > o->slow && c.gap > 0.4 * approach * time)
+        if (c.gap > 0 && approach > sim_least_impact(o, &c) && c.gap > 0.4 * approach * time)
             continue;
         c.bias = fmax(0, c.gap) / time;
         if (!sim_list_add(&o->active, &c))
@@ -140,7 +140,11 @@ static bool look(oracle *o, double time) {
 
 /* One step, of `limit` seconds at most; *taken is how long it was. */
 static bool step(oracle *o, double limit, bool heed_impacts, double *taken) {
+    long before = o->report.impacts;
     if (!look(o, limit) || !sim_impacts(o))
+        return false;
+    /* What has bounced goes elsewhere, and may be faster than before. */
+    if (o->report.impacts > before && !sim_find_contacts(o, limit))
         return false;
     double time = heed_impacts ? sim_time_to_impact(o, limit) : limit;
     drift(o, 0.5 * time);

@@ -26,7 +26,7 @@ struct oracle {
     contact_list active;         /* solved in the last step, in the order of `contact_order` */
     contact_list chosen;         /* room for a part of `found` */
     double last_step;            /* s, which `active` acted for */
-    double slow;                 /* m/s: an approach below is no impact, the step absorbs it */
+    double slow, tiny;           /* m/s, see sim_least_impact */
     oracle_force *forces;
     oracle_report report;
 };
@@ -41,8 +41,11 @@ bool sim_find_contacts(oracle *o, double time);
 
 bool sim_list_add(contact_list *list, const contact *c); /* false without memory */
 
-/* Seconds until the first contact of `found` that is open now closes faster than `slow`; at most
- * `limit`. */
+/* A slower approach, in m/s, is no impact: the step absorbs it. What does not bounce may be as fast
+ * as gravity makes it within a few steps, what does bounce only as fast as the settings say. */
+double sim_least_impact(const oracle *o, const contact *c);
+
+/* Seconds until the next impact of the contacts of `found` that are open now; at most `limit`. */
 double sim_time_to_impact(oracle *o, double limit);
 
 /* At once: every closed contact that approaches bounces, then comes to rest what does not. */

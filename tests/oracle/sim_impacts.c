@@ -34,6 +34,10 @@ static double gravity_approach(const oracle *o, int body_a, int body_b, double n
     return -(of_b - of_a) * (s->gravity_x * normal_x + s->gravity_y * normal_y);
 }
 
+double sim_least_impact(const oracle *o, const contact *c) {
+    return c->restitution > 0 ? fmax(o->settings.restitution_threshold, o->tiny) : o->slow;
+}
+
 static bool is_closed(const contact *c) {
     return c->gap <= SIM_CLOSED * c->size;
 }
@@ -73,7 +77,7 @@ double sim_time_to_impact(oracle *o, double limit) {
         double speed, approach = -contact_normal_speed(c, o->velocities);
         double gravity = gravity_approach(o, c->body_a, c->body_b, c->normal_x, c->normal_y);
         double t = time_to_close(c->gap, approach, gravity, &speed);
-        if (t < time && speed > o->slow)
+        if (t < time && speed > sim_least_impact(o, c))
             time = t;
     }
     for (int i = 0; i < o->near.count; i++) {
@@ -97,12 +101,11 @@ static bool solve_chosen(oracle *o) {
 
 /* Picks the contacts that bounce now. */
 static bool choose_bouncing(oracle *o) {
-    double least = fmax(o->settings.restitution_threshold, o->slow);
     o->chosen.count = 0;
     for (int i = 0; i < o->found.count; i++) {
         contact c = o->found.contacts[i];
         double approach = -contact_normal_speed(&c, o->velocities);
-        if (!is_closed(&c) || c.restitution <= 0 || approach <= least)
+        if (!is_closed(&c) || c.restitution <= 0 || approach <= sim_least_impact(o, &c))
             continue;
         c.bias = -c.restitution * approach;
         c.state = CONTACT_STICK;
