@@ -1,0 +1,355 @@
+/* test_extreme_values.c: values that are accepted and yet too much: speeds, forces and impulses of
+ * 1e38, hardly any mass, the edge of the world, the shortest step. The world stays finite; a body that
+ * does not is quarantined and told; bystanders go on to the bit as if nothing had happened, and
+ * neighbours as if the body were gone. */
+#include "village.h"
+
+static const float HUGE_VALUE = 3e38f;
+
+/* ---- one body to which it happens ---- */
+
+static void fling(thud_world *w, thud_body_id b)
+{
+    OK(thud_body_set_velocity(w, b, (thud_vec2){HUGE_VALUE, -HUGE_VALUE}, 0));
+}
+
+static void spin(thud_world *w, thud_body_id b)
+{
+    OK(thud_body_set_velocity(w, b, (thud_vec2){0, 0}, HUGE_VALUE));
+}
+
+static void strike(thud_world *w, thud_body_id b)
+{
+    OK(thud_body_apply_impulse(w, b, (thud_vec2){HUGE_VALUE, HUGE_VALUE}, state_of(w, b).position));
+}
+
+static void strike_twice(thud_world *w, thud_body_id b)
+{
+    strike(w, b);
+    strike(w, b);
+}
+
+static void strike_from_afar(thud_world *w, thud_body_id b)
+{
+    OK(thud_body_apply_impulse(w, b, (thud_vec2){0, 1e37f}, (thud_pos){1e9, 0}));
+}
+
+static void strike_to_and_fro(thud_world *w, thud_body_id b)
+{
+    thud_pos at = state_of(w, b).position;
+    for (int i = 0; i < 3; i++) {
+        OK(thud_body_apply_impulse(w, b, (thud_vec2){HUGE_VALUE, 0}, at));
+    }
+    for (int i = 0; i < 3; i++) {
+        OK(thud_body_apply_impulse(w, b, (thud_vec2){-HUGE_VALUE, 0}, at));
+    }
+}
+
+static void force(thud_world *w, thud_body_id b)
+{
+    OK(thud_body_apply_force(w, b, (thud_vec2){-HUGE_VALUE, HUGE_VALUE}, 0));
+}
+
+static void force_down(thud_world *w, thud_body_id b)
+{
+    OK(thud_body_apply_force(w, b, (thud_vec2){0, -HUGE_VALUE}, 0));
+}
+
+static void force_twice(thud_world *w, thud_body_id b)
+{
+    force(w, b);
+    force(w, b);
+}
+
+static void twist(thud_world *w, thud_body_id b)
+{
+    OK(thud_body_apply_force(w, b, (thud_vec2){0, 0}, HUGE_VALUE));
+}
+
+static void force_there_and_back(thud_world *w, thud_body_id b)
+{
+    force_twice(w, b);
+    for (int i = 0; i < 2; i++) {
+        OK(thud_body_apply_force(w, b, (thud_vec2){HUGE_VALUE, -HUGE_VALUE}, 0));
+    }
+}
+
+typedef struct blow {
+    const char *name;
+    void (*deal)(thud_world *w, thud_body_id b);
+    bool alone; /* not dealt to one that touches others: it takes a neighbour with it */
+} blow;
+
+static const blow blows[] = {
+    {"velocity", fling, true},
+    {"spin", spin, false},
+    {"impulse", strike, true},
+    {"two impulses", strike_twice, false},
+    {"impulse from afar", strike_from_afar, true},
+    {"impulses to and fro", strike_to_and_fro, false},
+    {"force", force, false},
+    {"force down", force_down, false},
+    {"two forces", force_twice, false},
+    {"torque", twist, false},
+    {"forces to and fro", force_there_and_back, false},
+};
+enum { BLOWS = sizeof blows / sizeof *blows };
+
+static const thud_detection *const detections[] = {
+    &thud_detection_overlap, &thud_detection_continuous, &thud_detection_bisect,
+    &thud_detection_swept};
+enum { DETECTIONS = 4 };
+
+static bool body_is_finite(const thud_world *w, thud_body_id b)
+{
+    thud_body_state s = state_of(w, b);
+    return isfinite(s.position.x + s.position.y + s.angle) &&
+           isfinite((double)s.velocity.x + (double)s.velocity.y + (double)s.angular_velocity) &&
+           isfinite((double)s.cosine + (double)s.sine);
+}
+
+/* ---- bystanders ---- */
+
+enum { STACK = 6 };
+
+typedef struct site {
+    thud_world *world;
+    thud_body_id stack[STACK], ball, victim;
+} site;
+
+static site make_site(const thud_detection *detection, bool with_victim)
+{
+    thud_world_def def = thud_default_world_def();
+    site s = {.victim = {0, 0}};
+    def.detection = detection;
+    s.world = make_world(def);
+    add_floor(s.world, NULL);
+    for (int i = 0; i < STACK; i++) {
+        s.stack[i] = add_box(s.world, 0, 0.5 + i, 0.5f, 0.5f);
+    }
+    s.ball = add_ball(s.world, -20, 0.5, 0.5f);
+    OK(thud_body_set_velocity(s.world, s.ball, (thud_vec2){1, 0}, 0));
+    if (with_victim) {
+        s.victim = add_box(s.world, 80, 30, 0.5f, 0.25f); /* in the air, out of everybody's way */
+    }
+    run(s.world, 20);
+    return s;
+}
+
+static void body_is_as(const site *a, thud_body_id of_a, const site *b, thud_body_id of_b,
+                       const char *name, int step)
+{
+    char one[1024], other[1024];
+    village_body_text(a->world, of_a, one, sizeof one);
+    village_body_text(b->world, of_b, other, sizeof other);
+    if (strcmp(one, other) != 0) {
+        fail_msg("%s, step %d: a bystander is affected\n%s%s", name, step, one, other);
+    }
+}
+
+static void blow_far_from_others_leaves_them_as_they_are_to_the_bit(void **state)
+{
+    (void)state;
+    for (int i = 0; i < BLOWS * DETECTIONS; i++) {
+        const blow *dealt = &blows[i / DETECTIONS];
+        site hit = make_site(detections[i % DETECTIONS], true);
+        site without = make_site(detections[i % DETECTIONS], false);
+        dealt->deal(hit.world, hit.victim);
+        for (int step = 0; step < 120; step++) {
+            run(hit.world, 1);
+            run(without.world, 1);
+            for (int k = 0; k < STACK; k++) {
+                body_is_as(&hit, hit.stack[k], &without, without.stack[k], dealt->name, step);
+            }
+            body_is_as(&hit, hit.ball, &without, without.ball, dealt->name, step);
+            if (!body_is_finite(hit.world, hit.victim)) {
+                fail_msg("%s, step %d: the body is not finite", dealt->name, step);
+            }
+        }
+        thud_world_destroy(hit.world);
+        thud_world_destroy(without.world);
+    }
+}
+
+/* The victim stands in the stack, third from below. */
+static void blow_to_one_of_a_stack_leaves_the_others_finite(void **state)
+{
+    (void)state;
+    for (int i = 0; i < BLOWS * DETECTIONS; i++) {
+        const blow *dealt = &blows[i / DETECTIONS];
+        if (dealt->alone) {
+            continue;
+        }
+        site s = make_site(detections[i % DETECTIONS], false);
+        thud_body_id victim = s.stack[2];
+        int quarantined = 0;
+        dealt->deal(s.world, victim);
+        for (int step = 0; step < 240; step++) {
+            run(s.world, 1);
+            thud_events e = thud_world_events(s.world);
+            for (int k = 0; k < e.quarantined_count; k++) {
+                quarantined++;
+                if (e.quarantined[k].index1 != victim.index1) {
+                    fail_msg("%s, step %d: body %u is quarantined, too", dealt->name, step,
+                             e.quarantined[k].index1);
+                }
+            }
+            for (int k = 0; k < STACK; k++) {
+                if (!body_is_finite(s.world, s.stack[k])) {
+                    fail_msg("%s, step %d: box %d is not finite", dealt->name, step, k);
+                }
+            }
+        }
+        assert_int_equal(quarantined, state_of(s.world, victim).quarantined);
+        thud_world_destroy(s.world);
+    }
+}
+
+/* ---- worlds and bodies at the ends of their ranges ---- */
+
+/* A pile of balls and boxes on a floor, and what there is of them after two seconds: finite, not
+ * quarantined, and as many as there were. */
+typedef struct pile {
+    thud_world_def world;
+    thud_body_def body;
+    thud_shape_def shape;
+    double size, x, y; /* of the bodies; of the floor's top */
+} pile;
+
+static pile usual_pile(void)
+{
+    pile p = {.world = thud_default_world_def(), .body = thud_default_body_def(),
+              .shape = thud_default_shape_def(), .size = 0.5};
+    p.body.kind = THUD_DYNAMIC;
+    return p;
+}
+
+enum { PILE = 12 };
+
+static void fill_pile(const pile *p, thud_world *w, thud_body_id made[PILE])
+{
+    float half = (float)p->size;
+    thud_body_def body = p->body;
+    thud_body_id floor = add_body(w, THUD_STATIC, p->x, p->y - p->size, 0);
+    add_shape(w, floor, 20 * half, half, true, &p->shape);
+    for (int i = 0; i < PILE; i++) {
+        body.position = (thud_pos){p->x + (i % 3 - 1) * 2.02 * p->size,
+                                   p->y + (1 + 2 * (i / 3)) * p->size};
+        OK(thud_body_create(w, &body, &made[i]));
+        add_shape(w, made[i], half, i % 2 ? half : 0, i % 4 == 1 && body.angle == 0, &p->shape);
+    }
+}
+
+static void pile_stays_finite(const pile *p, const char *name)
+{
+    for (int d = 0; d < DETECTIONS; d++) {
+        thud_world_def def = p->world;
+        thud_body_id made[PILE];
+        def.detection = detections[d];
+        thud_world *w = make_world(def);
+        fill_pile(p, w, made);
+        for (int step = 0; step < 120; step++) {
+            run(w, 1);
+            if (thud_world_events(w).quarantined_count) {
+                fail_msg("%s, %s, step %d: a body is quarantined", name,
+                         thud_detection_name(detections[d]), step);
+            }
+        }
+        for (int i = 0; i < PILE; i++) {
+            if (!body_is_finite(w, made[i])) {
+                fail_msg("%s, %s: body %d is not finite", name, thud_detection_name(detections[d]),
+                         i);
+            }
+        }
+        thud_measure m = thud_world_measure(w);
+        assert_true(isfinite(m.kinetic_energy + m.potential_energy + m.penetration_max));
+        thud_world_destroy(w);
+    }
+}
+
+#define PILE_WITH(field, value)                                                                    \
+    do {                                                                                           \
+        pile with_ = usual_pile();                                                                 \
+        with_.field = (value);                                                                     \
+        pile_stays_finite(&with_, #field " = " #value);                                            \
+    } while (0)
+
+static void worlds_at_the_ends_of_their_ranges_stay_finite(void **state)
+{
+    (void)state;
+    PILE_WITH(world.gravity.y, -HUGE_VALUE);
+    PILE_WITH(world.gravity.x, HUGE_VALUE);
+    PILE_WITH(world.gravity.y, -1e-45f);
+    PILE_WITH(world.time_step, 1);
+    PILE_WITH(world.time_step, 1e-9);
+    PILE_WITH(world.time_step, 1e-30);
+    PILE_WITH(world.time_step, 1e-45);
+    PILE_WITH(world.time_step, 1e-300);
+    PILE_WITH(world.time_step, 5e-324);
+    PILE_WITH(world.maximum_speed, 1e-45f);
+    PILE_WITH(world.maximum_speed, 1e6f);
+    PILE_WITH(world.push_speed, 0);
+    PILE_WITH(world.push_speed, 1e6f);
+    PILE_WITH(world.substeps, 1);
+    PILE_WITH(world.substeps, 64);
+    PILE_WITH(world.contact_damping, 0.0001f);
+    PILE_WITH(world.contact_damping, 100);
+    PILE_WITH(world.contact_stiffness, 0.5f);
+    PILE_WITH(world.contact_stiffness, 0.0101f);
+}
+
+static void bodies_at_the_ends_of_their_ranges_stay_finite(void **state)
+{
+    (void)state;
+    PILE_WITH(body.gravity_scale, 1e37f);
+    PILE_WITH(body.gravity_scale, -1e37f);
+    PILE_WITH(body.linear_damping, HUGE_VALUE);
+    PILE_WITH(body.angular_damping, HUGE_VALUE);
+    PILE_WITH(body.linear_damping, 1e-45f);
+    PILE_WITH(body.velocity.x, 1e6f);
+    PILE_WITH(body.velocity.y, -1e6f);
+    PILE_WITH(body.angle, 1e6);
+    PILE_WITH(shape.density, 0);
+    PILE_WITH(shape.density, 1e-30f);
+    PILE_WITH(shape.density, 1e12f);
+    PILE_WITH(shape.friction, 1e6f);
+    PILE_WITH(shape.restitution, 1);
+    PILE_WITH(shape.surface_speed, 1e6f);
+    PILE_WITH(size, 1.01e-4);
+    PILE_WITH(size, 800);
+    PILE_WITH(x, 1e9 - 20);
+    PILE_WITH(y, -1e9 + 20);
+}
+
+/* What leaves the world's range by its own motion flies on, and no query reaches it there. */
+static void body_that_flies_past_the_edge_of_the_world_flies_on(void **state)
+{
+    (void)state;
+    for (int d = 0; d < DETECTIONS; d++) {
+        thud_world_def def = weightless();
+        def.detection = detections[d];
+        def.time_step = 1;
+        thud_world *w = make_world(def);
+        thud_body_id box = add_box(w, 1e9 - 1e6, -1e9, 0.5f, 0.5f);
+        bool hit = true;
+        OK(thud_body_set_velocity(w, box, (thud_vec2){1e6f, -1e5f}, 0));
+        run(w, 40);
+        near_to(state_of(w, box).position.x, 1.039e9, 1);
+        near_to(state_of(w, box).position.y, -1.004e9, 1);
+        OK(thud_world_cast_ray(w, (thud_pos){-1e9, -1e9}, 2e9, 0, NULL, &hit, NULL));
+        assert_false(hit);
+        thud_world_destroy(w);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(blow_far_from_others_leaves_them_as_they_are_to_the_bit),
+        cmocka_unit_test(blow_to_one_of_a_stack_leaves_the_others_finite),
+        cmocka_unit_test(worlds_at_the_ends_of_their_ranges_stay_finite),
+        cmocka_unit_test(bodies_at_the_ends_of_their_ranges_stay_finite),
+        cmocka_unit_test(body_that_flies_past_the_edge_of_the_world_flies_on),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

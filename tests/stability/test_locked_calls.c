@@ -1,0 +1,402 @@
+/* test_locked_calls.c: whatever a callback calls. An edit made inside one takes effect at the start
+ * of the next step: a village whose callback makes it goes on exactly as one in which it is made
+ * between the two steps. What cannot wait is refused and told. */
+#include "village.h"
+
+#include <thud/thud_draw.h>
+
+/* ---- edits that wait for the next step ---- */
+
+static void move(village *v)
+{
+    OK(thud_body_set_transform(v->world, v->box, (thud_pos){-3, 2}, 0.5));
+}
+
+static void hurry(village *v)
+{
+    OK(thud_body_set_velocity(v->world, v->plank, (thud_vec2){3, 4}, 0));
+}
+
+static void hit(village *v)
+{
+    OK(thud_body_apply_impulse(v->world, v->box, (thud_vec2){2, 1}, (thud_pos){3, 1}));
+}
+
+static void pull(village *v)
+{
+    OK(thud_body_apply_force(v->world, v->ball, (thud_vec2){50, 0}, 1));
+}
+
+static void lull(village *v)
+{
+    OK(thud_body_set_awake(v->world, v->plank, false));
+}
+
+static void switch_off(village *v)
+{
+    OK(thud_body_set_enabled(v->world, v->box, false));
+}
+
+static void switch_on(village *v)
+{
+    OK(thud_body_set_enabled(v->world, v->switched_off, true));
+}
+
+static void destroy_body(village *v)
+{
+    OK(thud_body_destroy(v->world, v->ball));
+    assert_false(thud_body_is_valid(v->world, v->ball));
+    assert_int_equal(thud_body_destroy(v->world, v->ball), THUD_ERROR_STALE);
+}
+
+static void destroy_floor(village *v)
+{
+    OK(thud_body_destroy(v->world, v->floor));
+}
+
+static void destroy_shape(village *v)
+{
+    OK(thud_shape_destroy(v->world, v->box_shape));
+}
+
+static void destroy_line(village *v)
+{
+    OK(thud_shape_destroy(v->world, v->hill));
+}
+
+static void create(village *v)
+{
+    add_ball(v->world, -9, 3, 0.25f);
+    add_box(v->world, 3, 6, 0.5f, 0.25f);
+}
+
+static void create_hundreds(village *v)
+{
+    for (int i = 0; i < 300; i++) {
+        add_ball(v->world, 60 + i, 3, 0.25f);
+    }
+}
+
+static void add_to_body(village *v)
+{
+    add_shape(v->world, v->ball, 0.75f, 0, false, NULL);
+}
+
+static void create_and_destroy(village *v)
+{
+    thud_body_id body = add_ball(v->world, -9, 3, 0.25f);
+    OK(thud_body_set_velocity(v->world, body, (thud_vec2){1, 1}, 1));
+    OK(thud_body_destroy(v->world, body));
+}
+
+static void turn_gravity(village *v)
+{
+    OK(thud_world_set_gravity(v->world, (thud_vec2){5, 10}));
+}
+
+static void stretch_time(village *v)
+{
+    OK(thud_world_set_time_step(v->world, 1.0 / 30));
+}
+
+static void sharpen(village *v)
+{
+    OK(thud_world_set_quality(v->world, &thud_quality_high));
+}
+
+static void forbid_sleep(village *v)
+{
+    OK(thud_world_set_sleeping(v->world, false));
+}
+
+static void rename_body(village *v)
+{
+    OK(thud_body_set_user_data(v->world, v->box, 77));
+}
+
+typedef struct village_edit {
+    const char *name;
+    void (*make)(village *v);
+} village_edit;
+
+static const village_edit edits[] = {
+    {"transform", move},
+    {"velocity", hurry},
+    {"impulse", hit},
+    {"force", pull},
+    {"sleep", lull},
+    {"disable", switch_off},
+    {"enable", switch_on},
+    {"destroy body", destroy_body},
+    {"destroy floor", destroy_floor},
+    {"destroy shape", destroy_shape},
+    {"destroy line", destroy_line},
+    {"create", create},
+    {"create hundreds", create_hundreds},
+    {"add to a body", add_to_body},
+    {"create and destroy", create_and_destroy},
+    {"user data", rename_body},
+};
+enum { EDITS = sizeof edits / sizeof *edits };
+
+static const village_edit world_settings[] = {
+    {"gravity", turn_gravity},
+    {"time step", stretch_time},
+    {"quality", sharpen},
+    {"sleeping", forbid_sleep},
+};
+enum { SETTINGS = sizeof world_settings / sizeof *world_settings };
+
+/* ---- what is refused ---- */
+
+static void never(thud_vec2 p, thud_draw_style style, void *context)
+{
+    (void)p;
+    (void)style;
+    (void)context;
+    fail_msg("%s", "drawn inside a callback");
+}
+
+static void try_what_cannot_wait(village *v)
+{
+    const double height = 3;
+    const thud_pos point = {1, 3};
+    const thud_debug_draw draw = {.flags = 0xff, .upper = {9, 9}, .point = never};
+    int told = v->told;
+    assert_int_equal(thud_world_step(v->world), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_world_advance(v->world, 1, 5, NULL, NULL), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_world_draw(v->world, &draw), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_shape_set_heights(v->world, v->dunes, 1, &height, 1), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_shape_dig(v->world, v->hill, (thud_pos){200, 3}, 1), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_shape_raise(v->world, v->hill, 200, 3, 1), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_shape_replace_range(v->world, v->hill, 0, 2, &point, 1),
+                     THUD_ERROR_LOCKED);
+    assert_int_equal(v->told, told + 7);
+    v->told = told;
+}
+
+/* ---- what is allowed, and changes nothing ---- */
+
+static bool count_shape(thud_shape_id shape, void *context)
+{
+    (void)shape;
+    (*(int *)context)++;
+    return true;
+}
+
+/* Queries of every kind; what they find of the ground does not move, and is known. */
+static void ask_everything(village *v)
+{
+    thud_world *w = v->world;
+    const thud_pos high = {200, 9};
+    thud_ray_hit hit_, hits[8];
+    thud_closest_hit nearest;
+    thud_volume volume;
+    bool found = false;
+    int count = 0, touching = 0;
+    OK(thud_world_cast_ray(w, (thud_pos){190, 9}, 0, -20, NULL, &found, &hit_));
+    assert_true(found && hit_.shape.index1 == v->hill.index1);
+    OK(thud_world_cast_ray_all(w, (thud_pos){-50, 9}, 0, -20, NULL, hits, 8, &count));
+    assert_int_equal(count, 1);
+    OK(thud_world_cast_circle_all(w, high, 1, -9, -20, NULL, hits, 8, &count));
+    assert_true(count >= 1);
+    OK(thud_world_overlap_aabb(w, (thud_pos){-99, -1}, (thud_pos){99, 0.25}, NULL, count_shape,
+                               &touching));
+    assert_true(touching >= 3);
+    OK(thud_world_closest(w, (thud_pos){185, 1}, 50, NULL, &found, &nearest));
+    assert_true(found && nearest.shape.index1 == v->hill.index1);
+    OK(thud_body_volume(w, v->floor, THUD_CIRCLE, high, &volume));
+    assert_true(thud_world_measure(w).kinetic_energy > 0);
+    (void)thud_world_events(w);
+}
+
+/* ---- the callbacks ---- */
+
+typedef enum site { SITE_PROLOGUE = 0, SITE_EPILOGUE, SITE_OVERLAP, SITE_PASS } site;
+
+typedef struct caller {
+    village v;
+    void (*edit)(village *v); /* made by the next callback; null: none */
+    site site;
+    int asked;
+} caller;
+
+static void call(caller *c, site s)
+{
+    if (s == c->site) {
+        c->asked++;
+        if (c->edit) {
+            void (*edit)(village *) = c->edit;
+            c->edit = NULL;
+            edit(&c->v);
+        }
+    }
+}
+
+static bool prologue(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                     void *context)
+{
+    (void)world;
+    (void)contact;
+    (void)settings;
+    call(context, SITE_PROLOGUE);
+    return true;
+}
+
+static void epilogue(thud_world *world, const thud_contact *contact, void *context)
+{
+    (void)world;
+    (void)contact;
+    call(context, SITE_EPILOGUE);
+}
+
+static bool overlap(thud_shape_id shape, void *context)
+{
+    (void)shape;
+    call(context, SITE_OVERLAP);
+    return true;
+}
+
+static bool pass(const thud_mover *mover, const thud_mover_hit *hit_, thud_vec2 velocity,
+                 void *context)
+{
+    (void)mover;
+    (void)hit_;
+    (void)velocity;
+    call(context, SITE_PASS);
+    return false;
+}
+
+/* A step, a query and the mover's move: each asks its callback. */
+static void go_on(caller *c)
+{
+    village_step(&c->v);
+    OK(thud_world_overlap_circle(c->v.world, (thud_pos){3, 1}, 3, NULL, overlap, c));
+}
+
+static void make_caller(caller *c, site s, const thud_detection *detection)
+{
+    thud_world_def def = thud_default_world_def();
+    *c = (caller){.site = s};
+    def.detection = detection;
+    def.prologue = prologue;
+    def.epilogue = epilogue;
+    def.callback_context = c;
+    village_make(&c->v, def);
+    c->v.mover.pass = pass;
+    c->v.mover.context = c;
+    go_on(c);
+}
+
+static void alike(const caller *a, const caller *b, const char *name, int step)
+{
+    const thud_world *one = a->v.world, *other = b->v.world;
+    thud_stats s = thud_world_stats(one), t = thud_world_stats(other);
+    thud_events e = thud_world_events(one), f = thud_world_events(other);
+    if (thud_world_hash(one) != thud_world_hash(other) || s.bodies != t.bodies ||
+        s.shapes != t.shapes || s.contacts != t.contacts || s.awake_bodies != t.awake_bodies ||
+        e.begin_count != f.begin_count || e.end_count != f.end_count) {
+        fail_msg("%s in callback %d: step %d differs from that after the same edit between steps",
+                 name, (int)a->site, step);
+    }
+}
+
+static void edit_in(site s, const village_edit *edit, const thud_detection *detection)
+{
+    caller inside, between;
+    make_caller(&inside, s, detection);
+    make_caller(&between, s, detection);
+    inside.edit = edit->make;
+    go_on(&inside);
+    assert_null(inside.edit); /* the callback was called, and has made it */
+    go_on(&between);
+    edit->make(&between.v);
+    for (int step = 0; step < 90; step++) {
+        go_on(&inside);
+        go_on(&between);
+        alike(&inside, &between, edit->name, step);
+    }
+    assert_int_equal(inside.v.told, between.v.told);
+    village_free(&inside.v);
+    village_free(&between.v);
+}
+
+static const thud_detection *const detections[] = {
+    &thud_detection_overlap, &thud_detection_continuous, &thud_detection_bisect,
+    &thud_detection_swept};
+enum { DETECTIONS = 4 };
+
+static void edits_inside_callbacks_wait_for_the_next_step(void **state)
+{
+    (void)state;
+    for (site s = SITE_PROLOGUE; s <= SITE_OVERLAP; s++) {
+        for (int i = 0; i < EDITS * DETECTIONS; i++) {
+            edit_in(s, &edits[i / DETECTIONS], detections[i % DETECTIONS]);
+        }
+    }
+}
+
+static void settings_after_the_motion_wait_for_the_next_step(void **state)
+{
+    (void)state;
+    for (site s = SITE_EPILOGUE; s <= SITE_OVERLAP; s++) {
+        for (int i = 0; i < SETTINGS * DETECTIONS; i++) {
+            edit_in(s, &world_settings[i / DETECTIONS], detections[i % DETECTIONS]);
+        }
+    }
+}
+
+static void what_cannot_wait_is_refused_inside_every_locked_callback(void **state)
+{
+    (void)state;
+    for (site s = SITE_PROLOGUE; s <= SITE_OVERLAP; s++) {
+        caller c, untouched;
+        make_caller(&c, s, &thud_detection_swept);
+        make_caller(&untouched, s, &thud_detection_swept);
+        for (int step = 0; step < 30; step++) {
+            c.edit = try_what_cannot_wait;
+            go_on(&c);
+            go_on(&untouched);
+            assert_null(c.edit);
+            alike(&c, &untouched, "what is refused", step);
+        }
+        village_free(&c.v);
+        village_free(&untouched.v);
+    }
+}
+
+static void questions_inside_callbacks_are_answered_and_change_nothing(void **state)
+{
+    (void)state;
+    const site asked[] = {SITE_PROLOGUE, SITE_EPILOGUE, SITE_PASS};
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < DETECTIONS; i++) {
+            site s = asked[k];
+            caller c, untouched;
+            make_caller(&c, s, detections[i]);
+            make_caller(&untouched, s, detections[i]);
+            for (int step = 0; step < 60; step++) {
+                c.edit = ask_everything;
+                c.asked = untouched.asked = 0;
+                go_on(&c);
+                go_on(&untouched);
+                alike(&c, &untouched, "a question", step);
+                assert_int_equal(c.asked, untouched.asked);
+            }
+            assert_null(c.edit);
+            village_free(&c.v);
+            village_free(&untouched.v);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(edits_inside_callbacks_wait_for_the_next_step),
+        cmocka_unit_test(settings_after_the_motion_wait_for_the_next_step),
+        cmocka_unit_test(questions_inside_callbacks_are_answered_and_change_nothing),
+        cmocka_unit_test(what_cannot_wait_is_refused_inside_every_locked_callback),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
