@@ -52,6 +52,7 @@ enum { LEDGER_FIGURES = 64 };
 /* Where an extreme writes down what it measures. */
 typedef struct ledger {
     bool quick;
+    bool baseline_simd; /* thud never takes AVX2: the same bits */
     unsigned entrants; /* who can be run here: without Box2D its bit is missing */
     figure figures[LEDGER_FIGURES];
     int count;

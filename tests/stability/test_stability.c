@@ -1,5 +1,6 @@
 /* test_stability.c: every extreme in its quick form. What is asserted: that all of it can be run,
- * that every figure of thud is a number, and every bound but those known to be missed. */
+ * that every figure of thud is a number and equal to the bit with and without AVX2, and every bound
+ * but those known to be missed. */
 #include "extreme.h"
 
 #include <math.h>
@@ -27,22 +28,39 @@ static void check_figure(const extreme *x, const figure *f) {
     }
 }
 
-static void extreme_in_quick_form_keeps_its_bounds(void **state) {
-    const extreme *x = *state;
+static ledger *run_quickly(const extreme *x, bool baseline_simd) {
     ledger *l = calloc(1, sizeof *l);
     assert_non_null(l);
-    l->quick = true;
-    l->entrants = ON_THUD;
+    *l = (ledger){.quick = true, .baseline_simd = baseline_simd, .entrants = ON_THUD};
     x->run(l);
     assert_false(l->failed);
     assert_true(l->count > 0);
+    return l;
+}
+
+/* Every width must compute the same bits, so that every figure is equal, and not only nearly. */
+static void check_equal(const extreme *x, const figure *f, const figure *baseline) {
+    assert_string_equal(f->what, baseline->what);
+    assert_int_equal(f->measured, baseline->measured);
+    for (entrant e = 0; e < ENTRANT_BOX2D; e++)
+        if (f->measured & 1u << e && f->reached[e] != baseline->reached[e])
+            fail_msg("%s: %s: %.17g, but %.17g without AVX2 (%s)", x->name, f->what, f->reached[e],
+                     baseline->reached[e], entrant_name(e));
+}
+
+static void extreme_keeps_its_bounds_with_every_simd_width(void **state) {
+    const extreme *x = *state;
+    ledger *l = run_quickly(x, false), *baseline = run_quickly(x, true);
+    assert_int_equal(l->count, baseline->count);
     for (int i = 0; i < l->count; i++) {
         assert_true(l->figures[i].measured != 0);
         check_figure(x, &l->figures[i]);
+        check_equal(x, &l->figures[i], &baseline->figures[i]);
     }
     const char *stray = known_misses_stray(x, l);
     if (stray)
         fail_msg("%s: known_misses.c has a line that is no figure: %s", x->name, stray);
+    free(baseline);
     free(l);
 }
 
@@ -52,7 +70,7 @@ int main(void) {
         return 1;
     for (int i = 0; i < EXTREME_COUNT; i++)
         tests[i] = (struct CMUnitTest){.name = EXTREMES[i]->name,
-                                       .test_func = extreme_in_quick_form_keeps_its_bounds,
+                                       .test_func = extreme_keeps_its_bounds_with_every_simd_width,
                                        .initial_state = (void *)EXTREMES[i]};
     int failed = _cmocka_run_group_tests("stability", tests, (size_t)EXTREME_COUNT, NULL, NULL);
     free(tests);

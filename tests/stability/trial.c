@@ -30,7 +30,7 @@ trial *trial_begin(ledger *l, entrant e, const scene *s, trial_settings settings
     if (t) {
         *t = (trial){.ledger = l, .engine = engine_of(e), .scene = s, .settings = settings};
         t->bodies = calloc((size_t)s->body_count + 1, sizeof *t->bodies);
-        t->world = t->engine ? t->engine->create(s, e, &settings) : NULL;
+        t->world = t->engine ? t->engine->create(l, e, s, &settings) : NULL;
     }
     if (!t || !t->bodies || !t->world) {
         fprintf(stderr, "stability: %s could not make a world of %d bodies\n", entrant_name(e),

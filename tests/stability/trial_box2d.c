@@ -14,7 +14,8 @@ typedef struct box2d_trial {
     b2BodyId bodies[];
 } box2d_trial;
 
-static void *create(const scene *s, entrant e, const trial_settings *settings) {
+static void *create(const ledger *l, entrant e, const scene *s, const trial_settings *settings) {
+    (void)l;
     (void)e;
 #if defined(__x86_64__)
     if (!__builtin_cpu_supports("avx2")) {

@@ -5,7 +5,8 @@
 #include "trial.h"
 
 typedef struct trial_engine {
-    void *(*create)(const scene *s, entrant e, const trial_settings *settings); /* null: failed */
+    /* Null when it fails. */
+    void *(*create)(const ledger *l, entrant e, const scene *s, const trial_settings *settings);
     void (*destroy)(void *world);
     bool (*step)(void *world);
     bool (*set_time_step)(void *world, double seconds);

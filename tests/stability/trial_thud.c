@@ -24,7 +24,7 @@ static void print_log(thud_result result, const char *message, void *context) {
     fprintf(stderr, "thud: %s (%s)\n", message, thud_result_text(result));
 }
 
-static void *create(const scene *s, entrant e, const trial_settings *settings) {
+static void *create(const ledger *l, entrant e, const scene *s, const trial_settings *settings) {
     thud_trial *own = calloc(1, sizeof *own + (size_t)s->body_count * sizeof own->bodies[0]);
     if (!own)
         return NULL;
@@ -32,6 +32,7 @@ static void *create(const scene *s, entrant e, const trial_settings *settings) {
     def.quality = QUALITIES[e];
     def.time_step = settings->time_step;
     def.sleeping = false;
+    def.baseline_simd = l->baseline_simd;
     if (settings->every_bounce)
         def.restitution_threshold = 0;
     def.log = print_log;
