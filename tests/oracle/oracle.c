@@ -1,8 +1,8 @@
 /* oracle.c: the reference simulation. A step goes to the next impact, or as far as is allowed, by
  * Moreau's midpoint rule: half of the way at the old velocities, contact laws there on the new
  * ones, the other half at the new ones (J. J. Moreau, Unilateral contact and dry friction in finite
- * freedom dynamics, 1988). Under constant forces that is exact; else it is of first order where
- * contacts turn, and of second order where they do not. */
+ * freedom dynamics, 1988). Under constant forces that is exact; else it is of second order, and of
+ * first where a body turns about a corner. */
 #include "oracle.h"
 
 #include "sim.h"
@@ -210,16 +210,19 @@ oracle_report oracle_get_report(const oracle *o) {
 
 const oracle_force *oracle_forces(oracle *o, int *count) {
     *count = 0;
-    oracle_force *forces =
-        realloc(o->forces, ((size_t)o->active.count + 1) * sizeof *forces);
+    oracle_force *forces = realloc(o->forces, ((size_t)o->active.count + 1) * sizeof *forces);
     if (!forces)
         return NULL;
     o->forces = forces;
     for (int i = 0; i < o->active.count; i++) {
         const contact *c = &o->active.contacts[i];
         if (c->normal > 0)
-            forces[(*count)++] = (oracle_force){c->body_a, c->body_b, c->x, c->y,
-                                                c->normal_x, c->normal_y,
+            forces[(*count)++] = (oracle_force){c->body_a,
+                                                c->body_b,
+                                                c->x,
+                                                c->y,
+                                                c->normal_x,
+                                                c->normal_y,
                                                 c->normal / o->last_step,
                                                 c->tangent / o->last_step};
     }

@@ -61,17 +61,14 @@ static void weigh_body(const scene *s, int index, const model_body *body, const 
     double vx = at->vx, vy = at->vy, spin = body->inertia > 0 ? at->angular_velocity : 0;
     double scale = s->bodies[index].gravity_scale;
     double gravity = hypot(s->gravity_x, s->gravity_y);
-    double height = gravity > 0
-                        ? -(s->gravity_x * center.x + s->gravity_y * center.y) / gravity
-                        : center.y;
-    score->kinetic_energy +=
-        0.5 * (body->mass * (vx * vx + vy * vy) + body->inertia * spin * spin);
+    double height =
+        gravity > 0 ? -(s->gravity_x * center.x + s->gravity_y * center.y) / gravity : center.y;
+    score->kinetic_energy += 0.5 * (body->mass * (vx * vx + vy * vy) + body->inertia * spin * spin);
     score->potential_energy -=
         body->mass * scale * (s->gravity_x * center.x + s->gravity_y * center.y);
     score->momentum_x += body->mass * vx;
     score->momentum_y += body->mass * vy;
-    score->angular_momentum +=
-        body->mass * (center.x * vy - center.y * vx) + body->inertia * spin;
+    score->angular_momentum += body->mass * (center.x * vy - center.y * vx) + body->inertia * spin;
     score->speed_max = fmax(score->speed_max, hypot(vx, vy));
     score->height = fmax(score->height, height);
 }

@@ -6,7 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Contacts farther apart than this share of a size, plus what the bodies can travel, are none yet. */
+/* Contacts farther apart than this share of a size, plus what the bodies can travel, are none yet.
+ */
 static const double ALERT = 1e-3;
 
 bool sim_list_add(contact_list *list, const contact *c) {
@@ -36,11 +37,11 @@ static int contact_order(const void *left, const void *right) {
     const contact *c = left, *d = right;
     int high = larger(c->body_a, c->body_b) - larger(d->body_a, d->body_b);
     int low = smaller(c->body_a, c->body_b) - smaller(d->body_a, d->body_b);
-    return high != 0                     ? high
-           : low != 0                    ? low
-           : c->shape_a != d->shape_a    ? c->shape_a - d->shape_a
-           : c->shape_b != d->shape_b    ? c->shape_b - d->shape_b
-                                         : c->feature - d->feature;
+    return high != 0                  ? high
+           : low != 0                 ? low
+           : c->shape_a != d->shape_a ? c->shape_a - d->shape_a
+           : c->shape_b != d->shape_b ? c->shape_b - d->shape_b
+                                      : c->feature - d->feature;
 }
 
 static const contact *same_contact(const contact_list *list, const contact *like) {

@@ -50,8 +50,7 @@ static double time_between_boxes(const oracle *o, near_pair pair, double limit) 
     touch_axis axis;
     touch_pair(&a->solid, &b->solid, HUGE_VAL, points, &axis);
     const motion *va = &o->velocities[a->body], *vb = &o->velocities[b->body];
-    double approach =
-        -(vb->x - va->x) * axis.normal_x - (vb->y - va->y) * axis.normal_y;
+    double approach = -(vb->x - va->x) * axis.normal_x - (vb->y - va->y) * axis.normal_y;
     double turning = fabs(va->turn) * a->reach + fabs(vb->turn) * b->reach;
     double size = fmin(a->size, b->size);
     if (axis.separation <= SIM_CLOSED * size || approach < turning || approach * limit < 0.1 * size)

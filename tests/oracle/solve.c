@@ -240,8 +240,8 @@ static contact_state next_state(const contact *c, contact_block w, const motion 
 }
 
 /* True once a guess proves itself right. */
-static bool active_set(contact_solver *s, contact *contacts, int count,
-                       const inverse_mass *masses, double zero) {
+static bool active_set(contact_solver *s, contact *contacts, int count, const inverse_mass *masses,
+                       double zero) {
     for (int step = 0; step < NEWTON_STEPS; step++) {
         if (!solve_guess(s, contacts, count, masses))
             return false;

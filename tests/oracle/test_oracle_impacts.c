@@ -153,7 +153,7 @@ static void oracle_elastic_gas_keeps_its_energy(void **state) {
         oracle_read(o, bodies);
         assert_true(oracle_measure(meter, bodies, &after));
         assert_true(oracle_get_report(o).impacts > 1000);
-        assert_near(after.energy, before.energy, 1e-6 * before.energy);
+        assert_near(after.energy, before.energy, 1e-9 * before.energy);
         assert_near(after.penetration_max, 0, 1e-8);
         free(bodies);
         oracle_meter_destroy(meter);

@@ -103,8 +103,8 @@ static void oracle_box_on_slope_slides_at_coulombs_rate(void **state) {
     (void)state;
     const double frictions[] = {0, 0.1, 0.2, 0.4};
     for (int i = 0; i < 4; i++)
-        assert_near(acceleration_on_slope(false, frictions[i]), G * (1 - 2 * frictions[i]) / sqrt(5),
-                    1e-8);
+        assert_near(acceleration_on_slope(false, frictions[i]),
+                    G * (1 - 2 * frictions[i]) / sqrt(5), 1e-8);
 }
 
 /* tan(26.57 degrees) is one half. */

@@ -35,8 +35,8 @@ static void score_two_overlaps_gives_worst_and_mean(void **state) {
     scene s;
     scene_init(&s);
     scene_static_box(&s, 0, -1, 10, 1);
-    scene_dynamic_box(&s, 0, 0.375, 1, 0.5);      /* 0.125 deep, shorter side 1 */
-    scene_dynamic_circle(&s, 5, 0.1875, 0.25);    /* 0.0625 deep, diameter 0.5 */
+    scene_dynamic_box(&s, 0, 0.375, 1, 0.5); /* 0.125 deep, shorter side 1 */
+    scene_dynamic_circle(&s, 5, 0.1875, 0.25); /* 0.0625 deep, diameter 0.5 */
     oracle_score score = score_at_start(&s);
     assert_int_equal(score.touching, 2);
     assert_near(score.penetration_max, 0.125, 1e-12);
@@ -97,8 +97,8 @@ static void score_energy_and_momentum_are_the_textbooks(void **state) {
     box->gravity_scale = 0.5;
     oracle_score score = score_at_start(&s);
     double m = PI / 2;
-    assert_near(score.kinetic_energy,
-                0.5 * (m * 5 + m / 8 * 16) + 0.5 * (4 * 9 + 5.0 / 3 * 4), 1e-12);
+    assert_near(score.kinetic_energy, 0.5 * (m * 5 + m / 8 * 16) + 0.5 * (4 * 9 + 5.0 / 3 * 4),
+                1e-12);
     assert_near(score.potential_energy, m * 10 * 3 + 4 * 5 * 7, 1e-12);
     assert_near(score.energy, score.kinetic_energy + score.potential_energy, 0);
     assert_near(score.momentum_x, 2 * m, 1e-12);

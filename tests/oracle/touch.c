@@ -17,8 +17,12 @@ static touch_point flipped(touch_point p) {
 /* The point on the surface of a, `from`, and the gap behind it along the normal. */
 static touch_point point_at(scene_point from, double normal_x, double normal_y, double gap,
                             int feature) {
-    return (touch_point){from.x + 0.5 * gap * normal_x, from.y + 0.5 * gap * normal_y,
-                         normal_x, normal_y, gap, feature};
+    return (touch_point){from.x + 0.5 * gap * normal_x,
+                         from.y + 0.5 * gap * normal_y,
+                         normal_x,
+                         normal_y,
+                         gap,
+                         feature};
 }
 
 static touch_point circle_circle(const depth_shape *a, const depth_shape *b) {
@@ -154,8 +158,8 @@ static int clip(const depth_shape *reference, const face *f, const depth_shape *
     return count;
 }
 
-static int box_box(const depth_shape *a, const depth_shape *b, double margin,
-                   touch_point points[2], touch_axis *axis) {
+static int box_box(const depth_shape *a, const depth_shape *b, double margin, touch_point points[2],
+                   touch_axis *axis) {
     double by_a, by_b;
     face of_a = best_face(a, b, &by_a), of_b = best_face(b, a, &by_b);
     bool flip = by_b > by_a + AXIS_PREFERENCE * (a->hx + a->hy);

@@ -113,8 +113,8 @@ static void vertex_in_box(const depth_ground *ground, const depth_shape *box, in
                        -ny * left.along.x + nx * left.along.y > 0;
         if (gap > margin || gap < -half || across > half || !in_cone)
             continue;
-        keep(f, (touch_point){right.start.x - 0.5 * gap * -nx, right.start.y - 0.5 * gap * -ny,
-                              -nx, -ny, gap, 4 + 8 * index + face % 4 * 0x100000});
+        keep(f, (touch_point){right.start.x - 0.5 * gap * -nx, right.start.y - 0.5 * gap * -ny, -nx,
+                              -ny, gap, 4 + 8 * index + face % 4 * 0x100000});
     }
 }
 
