@@ -16,7 +16,9 @@ envelope() {
         esac
     done
     ensure bench
-    build_bench
+    sh tests/baseline/build.sh build/baseline
+    build bench --preset release -DTHUD_WERROR=ON -DTHUD_TESTS=OFF \
+        -DTHUD_BOX2D="$root/build/baseline"
     if [ "$place" = docs ]; then
         set -- "$@" --out "$root/docs/stability.md"
         say "Writing docs/stability.md"
