@@ -5,12 +5,16 @@
 
 #include <string.h>
 
+/* The arrays that a body has a place in. */
+#define BY_SLOT(w)                                                                                 \
+    &(w)->velocity, &(w)->delta, &(w)->start, &(w)->push, &(w)->damping, &(w)->idle, &(w)->reach,  \
+        &(w)->mass, &(w)->inertia, &(w)->weight, &(w)->body_of, &(w)->lone, &(w)->colours
+
 bool td_awake_reserve(thud_world *w, int more)
 {
     /* The wide kernels work on whole eights, so a last partial one must exist in memory. */
     int capacity = w->bodies.live + more + 1 + TD_LANES;
-    td_array *arrays[] = {&w->velocity, &w->delta, &w->start,   &w->push,   &w->damping,
-                          &w->idle,     &w->reach, &w->body_of, &w->lone,  &w->colours};
+    td_array *arrays[] = {BY_SLOT(w)};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         if (!td_array_reserve(&w->memory, arrays[i], capacity)) {
             return false;
@@ -32,6 +36,9 @@ void td_awake_refresh(thud_world *w, int index)
     float *damping = td_row(&w->damping, body->awake);
     w->damped -= damping[0] > 0.0f || damping[1] > 0.0f;
     td_row(&w->velocity, body->awake)[3] = body->inv_mass;
+    *td_row(&w->mass, body->awake) = body->mass;
+    *td_row(&w->inertia, body->awake) = body->inertia;
+    *td_row(&w->weight, body->awake) = body->mass * body->gravity_scale;
     reach[0] = body->core;
     reach[1] = body->rim;
     int lone = body->shape_count == 1 ? body->first_shape : TD_NONE;
@@ -42,7 +49,7 @@ void td_awake_refresh(thud_world *w, int index)
     damping[0] = body->linear_damping;
     damping[1] = body->angular_damping;
     w->damped += damping[0] > 0.0f || damping[1] > 0.0f;
-    w->push_stale = true;
+    w->push_stale = w->kinetic_stale = true;
 }
 
 void td_awake_add(thud_world *w, int index)
@@ -62,8 +69,7 @@ void td_awake_add(thud_world *w, int index)
 
 static void move_slot(thud_world *w, int from, int to)
 {
-    td_array *arrays[] = {&w->velocity, &w->delta, &w->start,   &w->push,   &w->damping,
-                          &w->idle,     &w->reach, &w->body_of, &w->lone,  &w->colours};
+    td_array *arrays[] = {BY_SLOT(w)};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         memcpy(td_at(arrays[i], to), td_at(arrays[i], from), (size_t)arrays[i]->stride);
     }
@@ -91,4 +97,5 @@ void td_awake_remove(thud_world *w, int index)
     }
     memset(td_row(&w->velocity, last), 0, sizeof(float[4]));
     w->body_of.count = last;
+    w->kinetic_stale = true;
 }

@@ -19,6 +19,8 @@
 #define TD_SPECULATIVE 0.02f
 /* Overlap that the continuous stage leaves, so that the next step finds a contact. */
 #define TD_SLOP 0.005f
+/* Separation of a point that is not there: no motion brings it near. */
+#define TD_APART 1e18f
 /* In a world that is bisected or swept, contacts rest this far apart, so that what load presses
  * together does not overlap. */
 #define TD_SKIN 0.004f

@@ -84,6 +84,8 @@ typedef struct td_block {
 
 enum { TD_AWAKE_BYTES = 4 * (int)sizeof(float) };
 
+enum { TD_CHUNK_BLOCKS = 24 }; /* enough work for a worker to be worth taking */
+
 static inline td_point_history *td_history_of(td_block *block, int points)
 {
     return (td_point_history *)&block->point[points];
@@ -158,6 +160,7 @@ typedef struct td_solve_context {
     bool keep_tangents;         /* ... or td_surface.total */
     bool belts;                 /* a lane has a surface speed */
     bool first;                 /* substep: totals start anew */
+    struct td_tally *tally;     /* the last relax pass notes approaches there */
 } td_solve_context;
 
 /* Fills normal, crosses, masses, base and separation of the blocks from the present poses, and
@@ -176,7 +179,7 @@ typedef td_sifted td_sift_fn(const int32_t *shape_a, const int32_t *shape_b,
 
 /* The passes over blocks of one number of points: [0] both sides move, [1] side a is static. */
 typedef struct td_solve_ops {
-    td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce[2];
+    td_solve_fn *warm_start[2], *solve[2], *relax[2], *last_relax[2], *bounce[2];
 } td_solve_ops;
 
 /* Kinds of pairs that have their own narrowphase; the names say (a, b). */

@@ -111,6 +111,7 @@ void td_body_mark(thud_world *w, int index, td_change_kind change)
         td_push_int(&w->changed, index);
     }
     body->changes |= (uint8_t)change;
+    w->kinetic_stale = true; /* its velocity may have been edited */
 }
 
 thud_result thud_body_destroy(thud_world *w, thud_body_id id)

@@ -47,6 +47,7 @@ static void disable(const thud_world *w, td_block *block, int lane)
     for (int k = 0; k < points; k++) {
         td_point *p = &block->point[k];
         p->normal_mass[lane] = p->normal_impulse[lane] = 0.0f;
+        p->separation[lane] = p->base[lane] = TD_APART;
     }
     block->tangent_mass[lane] = block->tangent_impulse[lane] = 0.0f;
 }

@@ -31,6 +31,8 @@ TD_DECLARE_WIDE(td_find_fn, td_grid_find);
 TD_DECLARE_WIDE(td_find_fn, td_row_find);
 TD_DECLARE_WIDE(td_integrate_velocity_fn, td_integrate_velocity);
 TD_DECLARE_WIDE(td_integrate_position_fn, td_integrate_position);
+TD_DECLARE_WIDE(td_tally_fn, td_tally_points);
+TD_DECLARE_WIDE(td_kinetic_energy_fn, td_kinetic_energy);
 TD_DECLARE_WIDE(td_finish_bodies_fn, td_finish_bodies);
 TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_circle);
 TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_circle);

@@ -23,8 +23,6 @@ static inline bool td_run_is_single(const td_run *run)
     return run->shared || run->bin % TD_COLOURS == TD_OVERFLOW;
 }
 
-enum { TD_CHUNK_BLOCKS = 24 }; /* enough work to be worth taking */
-
 /* A piece of a run, and what the narrowphase found of it. */
 typedef struct td_chunk {
     int32_t run, first, count; /* blocks */

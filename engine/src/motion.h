@@ -18,10 +18,13 @@ typedef struct td_motion_context {
  * body instead of a pass over the contacts. */
 typedef void td_integrate_velocity_fn(const td_motion_context *context, bool first);
 typedef void td_integrate_position_fn(const td_motion_context *context);
-
 struct thud_world;
 
-/* wide_finish.c: the end of the step; fills scratch.odd, scratch.fast and the moved list. */
+/* wide_finish.c: the end of the step; fills scratch.odd, scratch.fast and the moved list, and sums up
+ * energies. */
 typedef void td_finish_bodies_fn(struct thud_world *world);
+
+/* Kinetic energy of all awake bodies, to the bit as the finish sums it up. */
+typedef double td_kinetic_energy_fn(const struct thud_world *world);
 
 #endif

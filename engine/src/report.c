@@ -93,6 +93,21 @@ thud_stats thud_world_stats(const thud_world *w)
     return stats;
 }
 
+thud_step_error thud_world_error(const thud_world *w)
+{
+    if (!w) {
+        return (thud_step_error){0};
+    }
+    const td_errors *e = &w->errors;
+    return (thud_step_error){
+        .penetration_max = (double)e->deepest,
+        .penetration_mean = e->points ? e->depth / w->to_fixed / (double)e->points : 0.0,
+        .residual = (double)e->residual,
+        .energy_change = e->energy_change,
+        .overlaps = (int)e->overlaps,
+    };
+}
+
 static void measure_penetration(const thud_world *w, thud_measure *m)
 {
     int points = 0;

@@ -3,6 +3,7 @@
  * In each: integrate velocity and warm start, solve with bias, integrate position, relax. Contact
  * frequency rises with the substep rate, so that more substeps also make contacts stiffer. */
 #include "crew.h"
+#include "error.h"
 #include "kinds.h"
 #include "lanes.h"
 #include "step.h"
@@ -63,18 +64,32 @@ static void refresh_push(thud_world *w, float h)
 
 /* ---- the passes ---- */
 
-typedef enum pass { WARM_START, SOLVE, RELAX, BOUNCE } pass;
+typedef enum pass { WARM_START, SOLVE, RELAX, LAST_RELAX, BOUNCE } pass;
 
 /* What all workers share, and what each has of its own: where it is. */
 typedef struct solving {
     thud_world *w;
     td_solve_context contacts;
     td_motion_context motion;
+    td_tally_context tally;
+    td_tally *tallies; /* by worker */
     td_crew_task *task;
     td_worker worker;
     pass which;      /* of the pass that is being walked */
     int first_chunk; /* of its phase */
 } solving;
+
+/* What the pass left is tallied while it is near at hand. */
+static void solve_and_tally(const solving *s, td_solve_fn *solve, td_block *const *blocks, int count,
+                            int points)
+{
+    td_tally_fn *tally = &TD_PICK_WIDE(s->w, td_tally_points);
+    for (int i = 0; i < count; i += TD_CHUNK_BLOCKS) {
+        int part = td_min_int(count - i, TD_CHUNK_BLOCKS);
+        solve(blocks + i, part, &s->contacts);
+        tally(s->contacts.tally, blocks + i, part, points, &s->tally);
+    }
+}
 
 static void solve_chunk(void *work, int index)
 {
@@ -84,11 +99,17 @@ static void solve_chunk(void *work, int index)
     const td_run *run = td_at(&w->scratch.runs, chunk->run);
     const td_pair_ops *pair = w->pairs[run->kind];
     const td_solve_ops *ops = run->armed ? pair->solve : pair->solve_unarmed;
-    td_solve_fn *const *fns = s->which == WARM_START ? ops->warm_start
-                              : s->which == SOLVE    ? ops->solve
-                              : s->which == RELAX    ? ops->relax
-                                                     : ops->bounce;
-    fns[run->fixed]((td_block **)w->scratch.blocks.data + chunk->first, chunk->count, &s->contacts);
+    td_block *const *blocks = (td_block **)w->scratch.blocks.data + chunk->first;
+    td_solve_fn *const *fns = s->which == WARM_START   ? ops->warm_start
+                              : s->which == SOLVE      ? ops->solve
+                              : s->which == RELAX      ? ops->relax
+                              : s->which == LAST_RELAX ? ops->last_relax
+                                                       : ops->bounce;
+    if (s->which == LAST_RELAX) {
+        solve_and_tally(s, fns[run->fixed], blocks, chunk->count, td_form_points(pair->form));
+    } else {
+        fns[run->fixed](blocks, chunk->count, &s->contacts);
+    }
 }
 
 static const td_run *run_of_chunk(const thud_world *w, int chunk)
@@ -171,7 +192,9 @@ static void substeps(void *argument)
     solving own = *(const solving *)argument, *s = &own;
     s->worker = td_worker_arrive(s->task);
     int bodies = (s->motion.count + bodies_at_once(s) - 1) / bodies_at_once(s);
-    for (int i = 0; i < s->w->substeps; i++) {
+    int last = s->w->substeps - 1;
+    s->contacts.tally = &s->tallies[s->worker.index];
+    for (int i = 0; i <= last; i++) {
         s->contacts.first = i == 0;
         td_worker_walk(&s->worker, bodies, i ? velocities : first_velocities, s);
         if (i == 0) {
@@ -179,7 +202,7 @@ static void substeps(void *argument)
         }
         walk(s, SOLVE);
         td_worker_walk(&s->worker, bodies, positions, s);
-        walk(s, RELAX);
+        walk(s, i == last ? LAST_RELAX : RELAX);
     }
     if (s->contacts.keep_totals) {
         walk(s, BOUNCE);
@@ -188,6 +211,7 @@ static void substeps(void *argument)
 
 void td_solve(thud_world *w)
 {
+    td_tally tallies[THUD_WORKERS_MAX];
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
     td_crew_task task = td_crew_begin(w);
@@ -203,7 +227,14 @@ void td_solve(thud_world *w)
                    .h = h,
                    .max_speed = w->def.maximum_speed * w->unit,
                    .max_turn = 0.25f * (float)TD_PI / h}, /* an eighth of a turn a substep */
+        .tally = {.skin = w->skin, .overlap = td_error_overlap(w), .to_fixed = w->to_fixed},
+        .tallies = tallies,
         .task = &task,
     };
+    memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
+    td_error_begin(w);
     td_crew_run(w, &task, substeps, &s);
+    for (int i = 0; i < task.workers; i++) {
+        td_error_add(w, &tallies[i]);
+    }
 }

@@ -168,7 +168,7 @@ TD_INLINE td_found middle_of(const td_found *found, int points)
 TD_INLINE void td_write_points(td_block *block, const td_found *found, int points,
                                const i8 *fresh, const td_collide_context *c)
 {
-    f8 one = f8_all(1.0f);
+    f8 apart = f8_all(TD_APART);
     f8 nx = block->nx, ny = block->ny;
     f8 ia = block->inv_inertia_a, ib = block->inv_inertia_b;
     td_rows va = td_gather(c->velocity, block->a), vb = td_gather(c->velocity, block->b);
@@ -189,7 +189,7 @@ TD_INLINE void td_write_points(td_block *block, const td_found *found, int point
         f8 cross_a = f8_keep(f->valid, f->rax * ny - f->ray * nx);
         f8 cross_b = f8_keep(f->valid, f->rbx * ny - f->rby * nx);
         f8 lever_a = ia * cross_a, lever_b = ib * cross_b;
-        f8 separation = f8_pick(f->valid, f->separation - f8_all(c->skin), one);
+        f8 separation = f8_pick(f->valid, f->separation - f8_all(c->skin), apart);
         td_set_row(&point->separation, fresh, separation);
         td_set_row(&point->base, fresh, separation);
         td_set_row(&point->cross_a, fresh, cross_a);

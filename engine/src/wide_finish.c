@@ -4,6 +4,7 @@
  * scratch.odd, for finish.c to do one by one. */
 #include "motion.h"
 #include "rotation.h"
+#include "wide_energy.h"
 #include "world.h"
 
 #include <stddef.h>
@@ -182,8 +183,11 @@ td_finish_bodies_fn TD_WIDE(td_finish_bodies);
 void TD_WIDE(td_finish_bodies)(thud_world *w)
 {
     const float(*velocity)[4] = w->velocity.data, (*delta)[4] = w->delta.data;
+    const float *mass = w->mass.data, *inertia = w->inertia.data, *weight = w->weight.data;
     i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
     f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
+    f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
+    d4 kinetic = {0}, gained = {0};
     int count = w->body_of.count;
     for (int first = 0; first < count; first += TD_LANES) {
         td_rows v = td_load_rows(velocity + first), d = td_load_rows(delta + first);
@@ -194,6 +198,10 @@ void TD_WIDE(td_finish_bodies)(thud_world *w)
         i8 slot = i8_all(first) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
         f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
         i8 finite = sum - sum == zero;
+        f8 fallen = f8_load(weight + first) * (gx * d.x + gy * d.y);
+        f8 moving = td_kinetic_of(&v, mass + first, inertia + first);
+        kinetic += td_pairs_of(f8_keep(here & finite, moving));
+        gained += td_pairs_of(f8_keep(here & finite, fallen));
         if (w->def.sleeping) {
             count_idle(w, first, &v, rim, here & finite);
         }
@@ -211,4 +219,23 @@ void TD_WIDE(td_finish_bodies)(thud_world *w)
             place_lanes(w, first, d.z, bits);
         }
     }
+    w->kinetic = td_total_of(kinetic);
+    w->kinetic_stale = false;
+    w->errors.energy_change += w->kinetic - td_total_of(gained);
+}
+
+td_kinetic_energy_fn TD_WIDE(td_kinetic_energy);
+double TD_WIDE(td_kinetic_energy)(const thud_world *w)
+{
+    const float(*velocity)[4] = w->velocity.data;
+    const float *mass = w->mass.data, *inertia = w->inertia.data;
+    i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    d4 kinetic = {0};
+    int count = w->body_of.count;
+    for (int first = 0; first < count; first += TD_LANES) {
+        td_rows v = td_load_rows(velocity + first);
+        i8 slot = i8_all(first) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
+        kinetic += td_pairs_of(f8_keep(here, td_kinetic_of(&v, mass + first, inertia + first)));
+    }
+    return td_total_of(kinetic);
 }

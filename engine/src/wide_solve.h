@@ -8,7 +8,7 @@
 #ifndef TD_WIDE_SOLVE_H
 #define TD_WIDE_SOLVE_H
 
-#include "block.h"
+#include "tally.h"
 
 /* Velocities (or motions) of both sides; side a stays zero where it is static. */
 typedef struct sides {
@@ -186,10 +186,11 @@ TD_INLINE f8 rub(const td_solve_context *c, td_block *block, int points, td_arms
     return now - old;
 }
 
+/* The last one also notes the fastest approach that it finds. */
 TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                            int points, td_arms arms, bool fixed)
+                            int points, td_arms arms, bool fixed, bool last)
 {
-    f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h);
+    f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h), slowest = zero;
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_fetch_early(blocks, i, count, points);
@@ -218,6 +219,9 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
             if (k) {
                 speed += by_first(block, &v, fixed) * change.normal[0];
             }
+            if (last) {
+                slowest = f8_min(speed, slowest);
+            }
             f8 old = p->normal_impulse;
             f8 now = f8_max(old - p->normal_mass * speed, zero);
             p->normal_impulse = now;
@@ -228,6 +232,9 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
             }
         }
         push(c, block, points, arms, fixed, true, v, change);
+    }
+    if (last) {
+        c->tally->slowest = f8_min(slowest, c->tally->slowest);
     }
 }
 

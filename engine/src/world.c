@@ -108,6 +108,9 @@ static void set_strides(thud_world *w)
         {&w->damping, sizeof(float[2])},
         {&w->idle, sizeof(float)},
         {&w->reach, sizeof(float[2])},
+        {&w->mass, sizeof(float)},
+        {&w->inertia, sizeof(float)},
+        {&w->weight, sizeof(float)},
         {&w->body_of, sizeof(int)},
         {&w->lone, sizeof(int)},
         {&w->colours, sizeof(td_colours)},
@@ -214,7 +217,7 @@ void thud_world_destroy(thud_world *w)
     td_array *arrays[] = {
         &w->pose,
         &w->stance, &w->was, &w->marks, &w->velocity, &w->delta, &w->start, &w->push,
-        &w->damping, &w->idle, &w->reach, &w->body_of, &w->lone, &w->colours, &w->moved,
+        &w->damping, &w->idle, &w->reach, &w->mass, &w->inertia, &w->weight, &w->body_of, &w->lone, &w->colours, &w->moved,
         &w->changed, &w->put_off, &w->poses,
         &w->events.begin, &w->events.end, &w->events.sensor_begin, &w->events.sensor_end,
         &w->events.hit, &w->events.quarantined, &w->told.begin, &w->told.end,

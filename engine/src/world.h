@@ -11,6 +11,7 @@
 #include "detection.h"
 #include "memory.h"
 #include "population.h"
+#include "tally.h"
 
 enum {
     TD_COLOURS = 64,                      /* the last one is overflow: one lane a block */
@@ -145,6 +146,14 @@ typedef struct td_put_off {
     double value[4];
 } td_put_off;
 
+/* What a step has found of its errors; see thud_step_error. */
+typedef struct td_errors {
+    int64_t points, overlaps;
+    double depth; /* sum of penetrations, whole position quanta */
+    float deepest, residual;
+    double energy_change;
+} td_errors;
+
 struct thud_world {
     /* Configuration: not part of a snapshot. */
     thud_world_def def;
@@ -177,6 +186,8 @@ struct thud_world {
     td_array damping;                                  /* float[2], by awake slot */
     td_array idle;                                     /* float, by awake slot: time at rest */
     td_array reach;                                    /* float[2], by awake slot: core, rim */
+    td_array mass, inertia, weight;                    /* float, by awake slot; weight: mass by
+                                                          gravity scale */
     td_array body_of;                                  /* int, by awake slot */
     td_array lone;                                     /* int, by awake slot: the only shape of the
                                                           body, if it is plain; else TD_NONE */
@@ -193,6 +204,8 @@ struct thud_world {
     int contact_count[TD_PAIR_COUNT];
     int damped;                                        /* awake bodies with damping */
     bool push_stale;                                   /* `push` must be made anew */
+    double kinetic;                                    /* energy of the awake bodies, ... */
+    bool kinetic_stale;                                /* ... unless they changed since */
     int idle_bodies;                                   /* at rest for long enough to sleep */
     float thinnest;                                    /* no shape is thinner; see td_thinnest */
     bool thinnest_stale;
@@ -234,6 +247,7 @@ struct thud_world {
         td_array order;       /* while a population is put into its order */
     } scratch;
     td_array poses; /* thud_pose */
+    td_errors errors;
     thud_stats stats;
 };
 

@@ -332,6 +332,23 @@ thud_stats thud_world_stats(const thud_world *world);
  * left out, a time step; infinite without shapes. A scene whose bodies stay below it loses nothing. */
 thud_result thud_world_bisection_limit(thud_world *world, double *speed);
 
+/* What the last step got wrong, found as it was solved: costs nothing to ask. Of contacts that are
+ * awake, and as the solver left them: collisions that detection then finds within the step, and
+ * bodies that it holds back, come on top. The same with any number of workers. */
+typedef struct thud_step_error {
+    double penetration_max, penetration_mean; /* lengths, at the end of the step, over the points of
+                                    touching pairs, with turns taken as linear in their angle */
+    double residual;       /* length/s: fastest approach that the solver's last pass still met, before
+                                    it took it away */
+    double energy_change;  /* of kinetic and potential energy, mass length^2/s^2, to a millionth of the
+                                    kinetic: negative where friction, damping and restitution take
+                                    some; positive is energy that nobody put in, or that forces,
+                                    kinematic bodies and moving surfaces did */
+    int overlaps;          /* points deeper than 0.005 length scales */
+} thud_step_error;
+
+thud_step_error thud_world_error(const thud_world *world); /* all 0 before the first step */
+
 /* Error and energy of the present state; costs a pass over contacts and bodies. */
 typedef struct thud_measure {
     double penetration_max, penetration_mean; /* over touching points, lengths */
