@@ -138,8 +138,10 @@ static void write_note(FILE *out, const char *notes, const char *name) {
         const char *title = at + 3, *end = line_end(at);
         if ((size_t)(end - title) != strlen(name) || strncmp(title, name, strlen(name)) != 0)
             continue;
-        const char *stop = next_heading(end);
-        fwrite(end, 1, (size_t)(stop - end), out);
+        const char *stop = next_heading(end), *text = *end == '\n' ? end + 1 : end;
+        while (stop > text && stop[-1] == '\n')
+            stop--;
+        fprintf(out, "%.*s\n", (int)(stop - text), text);
     }
 }
 
