@@ -39,7 +39,7 @@ static const struct {
     {"energy", "detection: energy above its lowest before, %", ON_THUD},
     {"energy", "broadphases: energy above its start, %", ON_THUD},
     {"energy", "broadphases: energy above its lowest before, %", ON_THUD},
-    {"long-run", "stack of ten: furthest that a box has moved, mm", ON_DRAFT},
+    {"long-run", "stack of ten, an hour: furthest that a box has moved, mm", ON_DRAFT},
     {"crowding", "all in one place: highest speed, m/s", ON_THUD},
 };
 

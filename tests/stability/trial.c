@@ -70,6 +70,13 @@ bool trial_set_time_step(trial *t, double seconds) {
     return t->engine->set_time_step(t->world, seconds);
 }
 
+bool trial_renew(trial *t, int body) {
+    bool renewed = t->engine->renew(t->world, t->scene, body);
+    if (!renewed)
+        t->ledger->failed = true;
+    return renewed;
+}
+
 const contender_body *trial_read(trial *t) {
     t->engine->read(t->world, t->bodies);
     for (int i = 0; i < t->scene->body_count; i++) {

@@ -26,6 +26,10 @@ bool trial_step(trial *t);
 bool trial_steps(trial *t, int count);
 bool trial_set_time_step(trial *t, double seconds);
 
+/* Destroys a body of one circle, and makes it anew as the scene has it. False, and the ledger has
+ * failed, when that is refused. */
+bool trial_renew(trial *t, int body);
+
 /* All bodies in the scene's order, as of now. Belongs to the trial, valid until its next call. */
 const contender_body *trial_read(trial *t);
 /* The same as the engine's own floats, relative to the origin: equal bits are equal states. */

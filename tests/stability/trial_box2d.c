@@ -82,6 +82,19 @@ static void read_pose(void *state, int body, thud_pos origin, thud_pose *out) {
         (thud_pose){(float)(pose.p.x - origin.x), (float)(pose.p.y - origin.y), pose.q.c, pose.q.s};
 }
 
+static bool renew(void *state, const scene *s, int body) {
+    box2d_trial *own = state;
+    const scene_body *from = &s->bodies[body];
+    b2BodyDef def = b2DefaultBodyDef();
+    b2ShapeDef shape = b2DefaultShapeDef();
+    b2Circle circle = {{0, 0}, (float)s->shapes[from->first_shape].hx};
+    def.type = b2_dynamicBody;
+    def.position = (b2Vec2){(float)from->x, (float)from->y};
+    b2DestroyBody(own->bodies[body]);
+    own->bodies[body] = b2CreateBody(own->id, &def);
+    return B2_IS_NON_NULL(b2CreateCircleShape(own->bodies[body], &shape, &circle));
+}
+
 static uint64_t bytes(void *state) {
     box2d_trial *own = state;
     return (uint64_t)b2World_GetCounters(own->id).byteCount;
@@ -99,6 +112,7 @@ const trial_engine TRIAL_BOX2D = {
     .set_time_step = set_time_step,
     .read = read_bodies,
     .pose = read_pose,
+    .renew = renew,
     .bytes = bytes,
     .allocations = allocations,
 };

@@ -12,6 +12,7 @@ typedef struct trial_engine {
     bool (*set_time_step)(void *world, double seconds);
     void (*read)(void *world, contender_body *bodies); /* places in the world */
     void (*pose)(void *world, int body, thud_pos origin, thud_pose *out);
+    bool (*renew)(void *world, const scene *s, int body);
     uint64_t (*bytes)(void *world);
     uint64_t (*allocations)(void *world);
 } trial_engine;

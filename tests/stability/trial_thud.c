@@ -91,6 +91,20 @@ static void read_pose(void *state, int body, thud_pos origin, thud_pose *out) {
     *out = poses && slot < (uint32_t)count ? poses[slot] : (thud_pose){NAN, NAN, NAN, NAN};
 }
 
+static bool renew(void *state, const scene *s, int body) {
+    thud_trial *own = state;
+    const scene_body *from = &s->bodies[body];
+    const scene_shape *circle = &s->shapes[from->first_shape];
+    thud_body_def def = thud_default_body_def();
+    thud_shape_def shape = thud_default_shape_def();
+    def.kind = THUD_DYNAMIC;
+    def.position = (thud_pos){from->x, from->y};
+    return thud_body_destroy(own->world, own->bodies[body]) == THUD_OK &&
+           thud_body_create(own->world, &def, &own->bodies[body]) == THUD_OK &&
+           thud_shape_create_circle(own->world, own->bodies[body], &shape, (thud_vec2){0, 0},
+                                    (float)circle->hx, NULL) == THUD_OK;
+}
+
 static uint64_t bytes(void *state) {
     thud_trial *own = state;
     return thud_world_stats(own->world).bytes;
@@ -108,6 +122,7 @@ const trial_engine TRIAL_THUD = {
     .set_time_step = set_time_step,
     .read = read_bodies,
     .pose = read_pose,
+    .renew = renew,
     .bytes = bytes,
     .allocations = allocations,
 };
