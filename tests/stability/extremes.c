@@ -4,11 +4,13 @@
 #include <string.h>
 
 extern const extreme extreme_mass_ratio, extreme_columns, extreme_far_away, extreme_sizes,
-    extreme_time_step, extreme_energy, extreme_long_run, extreme_crowding;
+    extreme_time_step, extreme_energy, extreme_long_run, extreme_crowding,
+    extreme_slopes, extreme_speed;
 
 const extreme *const EXTREMES[] = {
     &extreme_mass_ratio, &extreme_columns, &extreme_far_away, &extreme_sizes,
     &extreme_time_step,  &extreme_energy,  &extreme_long_run, &extreme_crowding,
+    &extreme_slopes,     &extreme_speed,
 };
 const int EXTREME_COUNT = sizeof EXTREMES / sizeof EXTREMES[0];
 

@@ -41,6 +41,9 @@ static const struct {
     {"energy", "broadphases: energy above its lowest before, %", ON_THUD},
     {"long-run", "stack of ten, an hour: furthest that a box has moved, mm", ON_DRAFT},
     {"crowding", "all in one place: highest speed, m/s", ON_THUD},
+    {"speed", "circles at dynamic walls, detection of the quality: passed, %", ON_EXACT},
+    {"speed", "upright boxes at dynamic walls, detection of the quality: passed, %", ON_EXACT},
+    {"speed", "turning boxes at dynamic walls, detection of the quality: passed, %", ON_EXACT},
 };
 
 enum { MISS_COUNT = sizeof MISSES / sizeof MISSES[0] };

@@ -14,6 +14,13 @@ typedef struct box2d_trial {
     b2BodyId bodies[];
 } box2d_trial;
 
+static void be_bullets(box2d_trial *own, const scene *s) {
+    b2World_SetMaximumLinearSpeed(own->id, 1e9f);
+    for (int i = 0; i < own->body_count; i++)
+        if (s->bodies[i].kind == SCENE_DYNAMIC)
+            b2Body_SetBullet(own->bodies[i], true);
+}
+
 static void *create(const ledger *l, entrant e, const scene *s, const trial_settings *settings) {
     (void)l;
     (void)e;
@@ -31,6 +38,8 @@ static void *create(const ledger *l, entrant e, const scene *s, const trial_sett
     }
     own->time_step = (float)settings->time_step;
     own->body_count = s->body_count;
+    if (settings->bullets)
+        be_bullets(own, s);
     if (settings->every_bounce)
         b2World_SetRestitutionThreshold(own->id, 0);
     return own;

@@ -1,0 +1,160 @@
+/* speed.c: shots at thin walls. A wall and a bullet a lane, and lanes do not meet each other. Bullets
+ * start at all parts of a step from the wall, and come at any angle down to a degree from the wall's
+ * own direction. Walls do not turn, and are so long that nothing gets around their ends meanwhile:
+ * what is beyond the wall in the end has gone through it. */
+#include "random.h"
+#include "trial.h"
+
+#include <math.h>
+
+enum { LANES = 50, SPEED_COUNT = 5 };
+
+static const double SPEEDS[SPEED_COUNT] = {1e1, 1e2, 1e3, 1e4, 1e5};
+static const double THICKNESS = 0.02, STEP = CONTENDER_TIME_STEP, DEGREE = 0.017453292519943295;
+static const double WALL_MASS = 4; /* of one that moves; about a hundred bullets */
+static const double CLEAR = 0.25; /* of the wall at the start; no bullet reaches as far */
+static const double SLANT = 89;   /* degrees, the most */
+
+typedef struct range {
+    scene_shape_kind bullet;
+    scene_body_kind wall;
+    scene_detection detection; /* of bullets and walls */
+} range;
+
+/* Until the last has come, and three more. */
+static int steps_of(double speed) {
+    return (int)ceil(CLEAR / cos(SLANT * DEGREE) / (speed * STEP)) + 4;
+}
+
+static void add_wall(scene *s, scene_random *random, const range *r, double speed, int lane) {
+    double half = 2 + steps_of(speed) * speed * STEP;
+    scene_body *wall = scene_add_body(s, r->wall, 16.0 * (lane % 8), 16.0 * (lane / 8));
+    wall->fixed_rotation = true;
+    wall->detection = r->detection;
+    bool upright = lane % 2;
+    if (!upright)
+        wall->angle = scene_random_range(random, -3, 3);
+    if (upright)
+        scene_add_aabb(s, THICKNESS / 2, half);
+    else
+        scene_add_obb(s, THICKNESS / 2, half);
+    s->shapes[s->shape_count - 1].material.density = WALL_MASS / (2 * half * THICKNESS);
+}
+
+/* The wall's outward direction, on the side of the bullet. */
+static scene_point face_of(const scene_body *wall) {
+    return (scene_point){-cos(wall->angle), -sin(wall->angle)};
+}
+
+static void add_bullet(scene *s, scene_random *random, const range *r, double speed) {
+    const scene_body *wall = &s->bodies[s->body_count - 1];
+    scene_point n = face_of(wall), at = {wall->x, wall->y};
+    double aim = scene_random_range(random, -1, 1);
+    double slant = scene_random_range(random, -SLANT, SLANT) * DEGREE;
+    /* The way from the wall back to the start, and the place that it leads from. */
+    double bx = n.x * cos(slant) - n.y * sin(slant), by = n.x * sin(slant) + n.y * cos(slant);
+    double way = CLEAR / cos(slant) + scene_random_range(random, 0, speed * STEP);
+    scene_body *b = scene_add_body(s, SCENE_DYNAMIC, at.x - aim * n.y + way * bx,
+                                   at.y + aim * n.x + way * by);
+    b->detection = r->detection;
+    b->vx = -speed * bx;
+    b->vy = -speed * by;
+    if (r->bullet == SCENE_CIRCLE) {
+        scene_add_circle(s, 0.1);
+    } else if (r->bullet == SCENE_AABB) {
+        scene_add_aabb(s, 0.15, 0.1);
+    } else {
+        b->angle = scene_random_range(random, -3, 3);
+        b->angular_velocity = scene_random_range(random, -10, 10);
+        scene_add_obb(s, 0.15, 0.1);
+    }
+}
+
+static void fill(scene *s, scene_random *random, const range *r, double speed) {
+    scene_init(s);
+    s->gravity_y = 0;
+    s->material = (scene_material){.density = 1, .friction = 0.1, .restitution = 0.5};
+    for (int lane = 0; lane < LANES; lane++) {
+        add_wall(s, random, r, speed, lane);
+        add_bullet(s, random, r, speed);
+        for (int k = s->shape_count - 2; k < s->shape_count; k++) {
+            s->shapes[k].mask = 0; /* nobody but the other one of the lane */
+            s->shapes[k].group = lane + 1;
+        }
+    }
+}
+
+/* What is lost counts as passed. */
+static int count_passed(trial *t) {
+    const contender_body *now = trial_read(t);
+    const scene *s = trial_scene(t);
+    int passed = 0;
+    for (int i = 0; i + 1 < s->body_count; i += 2) {
+        scene_point n = face_of(&s->bodies[i]);
+        double side = (now[i + 1].x - now[i].x) * n.x + (now[i + 1].y - now[i].y) * n.y;
+        passed += !(side > 0);
+    }
+    return passed;
+}
+
+/* `shots` at each speed; how many pass, in %. Infinite when a world fails. */
+static double fire(ledger *l, entrant e, const range *r, int shots) {
+    scene_random random = {8};
+    double passed = 0;
+    for (int i = 0; i < SPEED_COUNT; i++) {
+        for (int done = 0; done < shots; done += LANES) {
+            scene s;
+            fill(&s, &random, r, SPEEDS[i]);
+            trial *t = trial_begin(l, e, &s, (trial_settings){.bullets = true});
+            passed += t && trial_steps(t, steps_of(SPEEDS[i])) ? count_passed(t) : INFINITY;
+            trial_end(t);
+            scene_free(&s);
+        }
+    }
+    return 100 * passed / (SPEED_COUNT * shots);
+}
+
+static void run(ledger *l) {
+    static const struct {
+        const char *name;
+        scene_shape_kind kind;
+    } BULLETS[] = {
+        {"circles", SCENE_CIRCLE}, {"upright boxes", SCENE_AABB}, {"turning boxes", SCENE_OBB}};
+    static const struct {
+        const char *name;
+        scene_detection detection;
+        unsigned by;       /* entrants */
+        unsigned binds[2]; /* of them: at static walls, at dynamic ones */
+    } WAYS[] = {
+        {"detection of the quality", SCENE_AS_WORLD, ON_ALL, {ON_DEFAULT | ON_EXACT, ON_EXACT}},
+        {"swept",
+         SCENE_SWEPT,
+         ON_DEFAULT | ON_EXACT,
+         {ON_DEFAULT | ON_EXACT, ON_DEFAULT | ON_EXACT}},
+        {"overlap", SCENE_OVERLAP, ON_DEFAULT, {0, 0}},
+    };
+    int shots = l->quick ? 4 * LANES : 10000;
+    for (int i = 0; i < 18; i++) {
+        int way = i / 6, wall = i / 3 % 2, bullet = i % 3;
+        unsigned binds = WAYS[way].binds[wall];
+        range r = {BULLETS[bullet].kind, wall ? SCENE_DYNAMIC : SCENE_STATIC, WAYS[way].detection};
+        figure *f = ledger_add(l, binds ? bound_at_most(0, binds) : bound_none(),
+                               "%s at %s walls, %s: passed, %%", BULLETS[bullet].name,
+                               wall ? "dynamic" : "static", WAYS[way].name);
+        for (entrant e = 0; e < ENTRANTS; e++) {
+            ledger_progress(l, f->what, i / 18.0);
+            if (ledger_has(l, e) && (WAYS[way].by & 1u << e))
+                figure_tell(f, e, fire(l, e, &r, shots));
+        }
+    }
+}
+
+const extreme extreme_speed = {
+    .name = "speed",
+    .title = "Speed",
+    .about = "Bullets of 20 to 30 cm at walls of 2 cm, at 10, 100, ... 100,000 m/s and from head-on to "
+             "a degree from grazing, 10,000 shots at each speed. Box2D's bullets are marked as "
+             "such, and its speed limit is lifted. Figures: how many of all 50,000 are "
+             "beyond the wall in the end.",
+    .run = run,
+};
