@@ -1,4 +1,5 @@
 /* step.c: the whole engine at a glance. Data flows one way; stages meet in the world's state. */
+#include "budget.h"
 #include "handles.h"
 #include "step.h"
 
@@ -73,6 +74,7 @@ static thud_result run_stages(thud_world *w)
 
     td_contacts_ask(w);
     mark(w, THUD_STAGE_CONTACTS, &last);
+    w->stats.substeps = w->substeps;
     td_solve(w);
     mark(w, THUD_STAGE_SOLVE, &last);
     td_finish(w);
@@ -85,6 +87,7 @@ static thud_result run_stages(thud_world *w)
     mark(w, THUD_STAGE_SLEEP, &last);
     tell_events(w);
     w->stats.step_seconds = last - start;
+    td_budget_keep(w);
     return THUD_OK;
 }
 

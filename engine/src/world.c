@@ -61,6 +61,9 @@ static const char *def_error(const thud_world_def *d)
         !(d->maximum_speed > 0.0f && d->maximum_speed <= 1e6f)) {
         return "world def: a damping ratio or speed is out of range";
     }
+    if (!between(d->time_budget, 0.0, 1.0) || (d->time_budget > 0.0 && !d->clock)) {
+        return "world def: time_budget is not in [0, 1], or there is no clock";
+    }
     if (d->crew.workers < 0 || d->crew.workers > THUD_WORKERS_MAX ||
         (d->crew.workers > 1 && !d->crew.run)) {
         return "world def: crew.workers is not in 0..64, or there is nobody to run them";

@@ -154,6 +154,14 @@ typedef struct td_errors {
     double energy_change;
 } td_errors;
 
+enum { TD_BUDGET_STEPS = 9 }; /* between two decisions */
+
+/* What the last steps took, and would have with twice the substeps: seconds. */
+typedef struct td_budget {
+    double taken[TD_BUDGET_STEPS], doubled[TD_BUDGET_STEPS];
+    int count;
+} td_budget;
+
 struct thud_world {
     /* Configuration: not part of a snapshot. */
     thud_world_def def;
@@ -248,6 +256,7 @@ struct thud_world {
     } scratch;
     td_array poses; /* thud_pose */
     td_errors errors;
+    td_budget budget;
     thud_stats stats;
 };
 

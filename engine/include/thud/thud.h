@@ -96,6 +96,9 @@ typedef struct thud_world_def {
     void *log_context;
     thud_clock_fn *clock;        /* null: stages are not timed */
     void *clock_context;
+    double time_budget;          /* s, [0, 1]; default 0: none. Where steps take longer, substeps are
+                                    halved, down to 1, and doubled again when there is time: the
+                                    clock then decides what happens, and runs differ. Needs `clock` */
     const thud_detection *detection;   /* default null: the quality's */
     const thud_broadphase *broadphase; /* default (also null): &thud_broadphase_grid */
     thud_crew crew;              /* threads to work on; default: the calling one alone */
@@ -311,6 +314,7 @@ typedef struct thud_stats {
     uint64_t steps;
     int bodies, shapes, awake_bodies, pairs, contacts; /* contacts: touching pairs */
     int colours, blocks;
+    int substeps;                         /* of the last step; see time_budget */
     uint64_t bytes;                       /* memory held by the world */
     uint64_t step_allocations;            /* made by the last step */
     double stage_seconds[THUD_STAGE_COUNT]; /* of the last step; 0 without a clock */
