@@ -26,7 +26,7 @@ typedef struct oracle_score {
     double relative_max;      /* the same two in sizes */
     double relative_mean;
     double approach_max;      /* m/s, fastest approach at a touching point: the velocity residual.
-                            A pair that met within the last step may approach rightly */
+                       A pair that met within the last step may approach rightly */
     double approach_rms;      /* m/s, over the touching points; parting counts as 0 */
     double kinetic_energy;    /* J, of dynamic bodies, like all below */
     double potential_energy;  /* J, 0 at the world's origin */
@@ -35,7 +35,7 @@ typedef struct oracle_score {
     double angular_momentum;  /* kg m^2/s, about the world's origin */
     double speed_max;         /* m/s, of a centre of mass */
     double height;            /* m, of the highest centre of mass against gravity; in a world
-                      without gravity along y */
+           without gravity along y */
     int lost;                 /* bodies without a finite state; they count nowhere else */
 } oracle_score;
 

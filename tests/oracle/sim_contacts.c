@@ -88,8 +88,8 @@ static bool add_point(oracle *o, near_pair pair, const touch_point *p) {
         .restitution = fmax(one->restitution, other->restitution),
     };
     const contact *before = same_contact(&o->active, &c);
-    if (before)
-        c.state = before->state;
+    /* A column closes from the ground up, a contact with every guess, unless it is guessed shut. */
+    c.state = before ? before->state : c.gap <= SIM_CLOSED * c.size ? CONTACT_STICK : CONTACT_OPEN;
     return sim_list_add(&o->found, &c);
 }
 

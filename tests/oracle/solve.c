@@ -2,16 +2,18 @@
  * solve.h and ends, where it ends, at an exact solution: guess which contacts are open, stick or
  * slip, solve the linear system that the guess leaves (slip ties the tangent impulse to the normal
  * one, so that it is not symmetric), and guess anew from the answer (Alart and Curnier 1991,
- * Hintermueller et al. 2002). Where it runs in circles, sweeps give it another start. */
+ * Hintermueller et al. 2002). Where it runs in circles, as it may in piles with friction, sweeps
+ * and chance lead it out. */
 #include "solve.h"
 
+#include "random.h"
 #include "solve_rows.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { NEWTON_STEPS = 25, ROUNDS = 12, FIRST_SWEEPS = 20, MOST_SWEEPS = 20000 };
+enum { NEWTON_STEPS = 40, ROUNDS = 8, FIRST_SWEEPS = 20, CORRECTIONS = 2 };
 
 /* Redundant contacts make W singular; as much as this of its diagonal makes it regular, and shares
  * a load evenly. A solve is repaired once by its own residual, so that it costs no accuracy. */
@@ -26,6 +28,7 @@ struct contact_solver {
     int *list;
     int *row;              /* first of a contact in the matrix; -1 while open */
     contact_block *blocks;
+    contact *kept;         /* a copy of all */
     double *x;
     motion *free_motion, *work;
     skyline matrix;
@@ -54,6 +57,7 @@ void contact_solver_destroy(contact_solver *s) {
     free(s->list);
     free(s->row);
     free(s->blocks);
+    free(s->kept);
     free(s->x);
     free(s->free_motion);
     free(s->work);
@@ -68,13 +72,16 @@ static bool make_room(contact_solver *s, int count) {
     free(s->list);
     free(s->row);
     free(s->blocks);
+    free(s->kept);
     free(s->x);
     s->capacity = 0;
     s->list = malloc(2 * (size_t)capacity * sizeof *s->list);
     s->row = malloc((size_t)capacity * sizeof *s->row);
     s->blocks = malloc((size_t)capacity * sizeof *s->blocks);
+    s->kept = malloc((size_t)capacity * sizeof *s->kept);
     s->x = malloc(2 * (size_t)capacity * sizeof *s->x);
-    if (!skyline_init(&s->matrix, 2 * capacity) || !s->list || !s->row || !s->blocks || !s->x)
+    if (!skyline_init(&s->matrix, 2 * capacity) || !s->list || !s->row || !s->blocks || !s->kept ||
+        !s->x)
         return false;
     s->capacity = capacity;
     return true;
@@ -212,8 +219,8 @@ static bool solve_guess(contact_solver *s, contact *contacts, int count,
     memcpy(s->work, s->free_motion, (size_t)s->body_count * sizeof *s->work);
     for (int i = 0; i < count; i++)
         contacts[i].normal = contacts[i].tangent = 0;
-    correct(s, contacts, count, masses);
-    correct(s, contacts, count, masses);
+    for (int i = 0; i < CORRECTIONS; i++)
+        correct(s, contacts, count, masses);
     return true;
 }
 
@@ -239,19 +246,29 @@ static contact_state next_state(const contact *c, contact_block w, const motion 
     return CONTACT_STICK;
 }
 
+/* Takes contacts to the states that the last guess asks for: all that disagree or, to get out of a
+ * circle, a random half of them. False if none does: the guess has proved itself right. */
+static bool guess_anew(const contact_solver *s, contact *contacts, int count, double zero,
+                       scene_random *random) {
+    bool changed = false;
+    for (int i = 0; i < count; i++) {
+        contact_state next = next_state(&contacts[i], s->blocks[i], s->work, zero);
+        if (next == contacts[i].state)
+            continue;
+        changed = true;
+        if (!random || scene_random_bits(random) >> 63)
+            contacts[i].state = next;
+    }
+    return changed;
+}
+
 /* True once a guess proves itself right. */
 static bool active_set(contact_solver *s, contact *contacts, int count, const inverse_mass *masses,
-                       double zero) {
+                       double zero, scene_random *random) {
     for (int step = 0; step < NEWTON_STEPS; step++) {
         if (!solve_guess(s, contacts, count, masses))
             return false;
-        bool changed = false;
-        for (int i = 0; i < count; i++) {
-            contact_state next = next_state(&contacts[i], s->blocks[i], s->work, zero);
-            changed = changed || next != contacts[i].state;
-            contacts[i].state = next;
-        }
-        if (!changed)
+        if (!guess_anew(s, contacts, count, zero, random))
             return true;
     }
     return false;
@@ -287,9 +304,32 @@ static double fastest(const contact *contacts, int count, const motion *velociti
     for (int i = 0; i < count; i++) {
         speed = fmax(speed, fabs(contact_normal_speed(&contacts[i], velocities)));
         speed = fmax(speed, fabs(contact_tangent_speed(&contacts[i], velocities)));
-        speed = fmax(speed, fabs(contacts[i].bias));
+        speed = fmax(speed, -contacts[i].bias);
     }
     return speed;
+}
+
+/* Where the active set runs in circles: sweeps, and from where they have come to, the active set
+ * again, in random parts. If nothing helps, the sweeps' own result is left. The random numbers are
+ * the same every time. */
+static bool lead_out(contact_solver *s, contact *contacts, int count, const inverse_mass *masses,
+                     double zero) {
+    size_t bytes = (size_t)count * sizeof *contacts;
+    for (int i = 0; i < count; i++)
+        contacts[i].normal = contacts[i].tangent = 0;
+    int sweeps = FIRST_SWEEPS;
+    scene_random random = {1};
+    for (int round = 0; round < ROUNDS; round++, sweeps *= 2) {
+        apply_impulses(s, contacts, count, masses);
+        contact_sweep(contacts, s->blocks, count, sweeps, masses, s->work);
+        memcpy(s->kept, contacts, bytes);
+        if (worst_breach(s, contacts, count) < zero)
+            return true;
+        if (active_set(s, contacts, count, masses, zero, &random))
+            return true;
+        memcpy(contacts, s->kept, bytes);
+    }
+    return false;
 }
 
 contact_solution contact_solve(contact_solver *s, contact *contacts, int count,
@@ -302,20 +342,12 @@ contact_solution contact_solve(contact_solver *s, contact *contacts, int count,
     for (int i = 0; i < count; i++)
         s->blocks[i] = contact_own_block(&contacts[i], masses);
     double zero = ROUNDING * fastest(contacts, count, velocities);
-    bool solved = active_set(s, contacts, count, masses, zero);
+    bool solved = active_set(s, contacts, count, masses, zero, NULL);
     solution.hard = !solved;
-    int sweeps = FIRST_SWEEPS;
-    for (int round = 0; !solved && round < ROUNDS; round++) {
-        make_lawful(contacts, count);
-        apply_impulses(s, contacts, count, masses);
-        contact_sweep(contacts, s->blocks, count, sweeps, masses, s->work);
-        solved = active_set(s, contacts, count, masses, zero);
-        sweeps *= 2;
-    }
+    if (!solved)
+        solved = lead_out(s, contacts, count, masses, zero);
     make_lawful(contacts, count);
     apply_impulses(s, contacts, count, masses);
-    if (!solved)
-        contact_sweep(contacts, s->blocks, count, MOST_SWEEPS / (1 + count / 50), masses, s->work);
     solution.residual = worst_breach(s, contacts, count);
     memcpy(velocities, s->work, (size_t)s->body_count * sizeof *velocities);
     return solution;

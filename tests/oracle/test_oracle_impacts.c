@@ -116,6 +116,25 @@ static void oracle_cradle_hands_on_all_of_its_momentum(void **state) {
     scene_free(&s);
 }
 
+/* The same on a floor, under gravity: four balls at rest, one slides in. */
+static void oracle_cradle_on_a_floor_hands_on_all_of_its_momentum(void **state) {
+    (void)state;
+    scene s;
+    begin(&s, 1, 0);
+    s.gravity_y = -10;
+    scene_static_box(&s, 0, -1, 50, 1);
+    for (int i = 0; i < 5; i++)
+        scene_dynamic_circle(&s, i == 0 ? -3 : i, 0.5, 0.5);
+    s.bodies[1].vx = 5;
+    contender_body end[6];
+    run(&s, 1, end);
+    for (int i = 1; i < 6; i++) {
+        assert_near(end[i].vx, i == 5 ? 5 : 0, 1e-12);
+        assert_near(end[i].y, 0.5, 1e-12);
+    }
+    scene_free(&s);
+}
+
 /* Of balls that halve in mass from one to the next, each goes on at 4/3 of the speed it got. */
 static void oracle_row_of_lighter_balls_multiplies_the_speed(void **state) {
     (void)state;
@@ -227,6 +246,7 @@ int main(void) {
         cmocka_unit_test(oracle_disc_against_rough_wall_gains_the_spin_of_coulomb),
         cmocka_unit_test(oracle_rod_hit_at_its_end_turns_as_rigid_bodies_do),
         cmocka_unit_test(oracle_cradle_hands_on_all_of_its_momentum),
+        cmocka_unit_test(oracle_cradle_on_a_floor_hands_on_all_of_its_momentum),
         cmocka_unit_test(oracle_row_of_lighter_balls_multiplies_the_speed),
         cmocka_unit_test(oracle_elastic_gas_keeps_its_energy),
         cmocka_unit_test(oracle_bullets_stay_in_their_rooms),

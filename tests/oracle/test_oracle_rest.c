@@ -181,6 +181,33 @@ static void oracle_box_and_plank_reach_their_common_speed(void **state) {
     scene_free(&s);
 }
 
+/* Nothing elastic: circles and boxes fall on hills and come to rest, ever lower in energy. */
+static void oracle_pile_on_terrain_loses_energy_and_does_not_overlap(void **state) {
+    (void)state;
+    scene s;
+    assert_true(scenes_fill(&scene_mixed_terrain, 40, &s));
+    oracle *o = oracle_create(&s, &(oracle_settings){1.0 / 240, 0.01});
+    oracle_meter *meter = oracle_meter_create(&s);
+    contender_body *bodies = calloc((size_t)s.body_count, sizeof *bodies);
+    assert_true(o && meter && bodies);
+    double energy = HUGE_VAL;
+    for (int i = 0; i < 12; i++) {
+        oracle_score score;
+        assert_true(oracle_advance(o, 0.25));
+        oracle_read(o, bodies);
+        assert_true(oracle_measure(meter, bodies, &score));
+        assert_true(score.energy < energy + 1e-9);
+        assert_near(score.penetration_max, 0, 2e-4);
+        energy = score.energy;
+    }
+    assert_true(oracle_get_report(o).residual_max < 1e-4);
+    assert_true(oracle_get_report(o).impacts > 100);
+    free(bodies);
+    oracle_meter_destroy(meter);
+    oracle_destroy(o);
+    scene_free(&s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(oracle_column_of_thirty_bears_what_is_above),
@@ -190,6 +217,7 @@ int main(void) {
         cmocka_unit_test(oracle_plank_beyond_the_edge_tips_at_the_known_rate),
         cmocka_unit_test(oracle_box_on_steep_slope_topples_only_if_tall),
         cmocka_unit_test(oracle_box_and_plank_reach_their_common_speed),
+        cmocka_unit_test(oracle_pile_on_terrain_loses_energy_and_does_not_overlap),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
