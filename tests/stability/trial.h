@@ -12,7 +12,8 @@
 typedef struct trial_settings {
     double time_step;       /* s; 0: 1/60 */
     bool every_bounce;      /* no approach is too slow to bounce */
-    bool bullets;           /* Box2D: moving bodies are bullets, of any speed; thud has no such thing */
+    bool (*is_bullet)(int body); /* Box2D: bodies that are bullets, without a limit of speed; thud
+                               knows neither. Null: none */
     double origin_x, origin_y; /* places are read relative to here */
 } trial_settings;
 

@@ -14,11 +14,10 @@ typedef struct box2d_trial {
     b2BodyId bodies[];
 } box2d_trial;
 
-static void be_bullets(box2d_trial *own, const scene *s) {
+static void be_bullets(box2d_trial *own, bool (*is_bullet)(int body)) {
     b2World_SetMaximumLinearSpeed(own->id, 1e9f);
     for (int i = 0; i < own->body_count; i++)
-        if (s->bodies[i].kind == SCENE_DYNAMIC)
-            b2Body_SetBullet(own->bodies[i], true);
+        b2Body_SetBullet(own->bodies[i], is_bullet(i));
 }
 
 static void *create(const ledger *l, entrant e, const scene *s, const trial_settings *settings) {
@@ -38,8 +37,8 @@ static void *create(const ledger *l, entrant e, const scene *s, const trial_sett
     }
     own->time_step = (float)settings->time_step;
     own->body_count = s->body_count;
-    if (settings->bullets)
-        be_bullets(own, s);
+    if (settings->is_bullet)
+        be_bullets(own, settings->is_bullet);
     if (settings->every_bounce)
         b2World_SetRestitutionThreshold(own->id, 0);
     return own;
