@@ -59,6 +59,11 @@ static inline float td_max_float(float a, float b)
     return a > b ? a : b;
 }
 
+static inline double td_min_double(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 static inline double td_max_double(double a, double b)
 {
     return a > b ? a : b;

@@ -2,11 +2,13 @@
 #include "collide.h"
 
 #include "body.h"
+#include "bounces.h"
 #include "contact.h"
 #include "placed.h"
 
 /* One of the two bodies, at the point where they meet. */
 typedef struct side {
+    int index;
     td_body *body;
     td_flight *flight; /* null where nothing moves it */
     double inv_mass, inv_inertia;
@@ -15,18 +17,20 @@ typedef struct side {
     double motion[3];    /* per second of the rest of the step */
 } side;
 
-static side side_of(thud_world *w, int index, const td_impact_point *at)
+static side side_of(thud_world *w, int index, const td_impact_point *at, double time)
 {
     td_body *body = td_body_at(w, index);
     td_flight f = td_flight_of(w, index);
-    side s = {.body = body,
+    side s = {.index = index,
+              .body = body,
               .x = at->x - (double)(f.place.x - at->origin.x) / w->to_fixed,
               .y = at->y - (double)(f.place.y - at->origin.y) / w->to_fixed};
     if (body->awake > 0) {
         const float *velocity = td_row(&w->velocity, body->awake);
         for (int k = 0; k < 3; k++) {
-            s.velocity[k] = (double)velocity[k];
-            s.motion[k] = f.motion[k] / w->def.time_step;
+            double fall = k < 2 ? f.fall[k] : 0.0;
+            s.velocity[k] = (double)velocity[k] - fall * (1.0 - time) / w->def.time_step;
+            s.motion[k] = (f.motion[k] + fall * (time - f.since)) / w->def.time_step;
         }
         s.flight = td_flight_at(w, body->awake);
         if (body->kind == THUD_DYNAMIC) {
@@ -53,12 +57,15 @@ static bool gives_way(const side *s, bool of_motion)
     return !of_motion || (s->flight && !s->flight->held);
 }
 
-/* Speed along (x, y) that a unit of impulse along it gives. */
-static double softness(const side *a, const side *b, bool of_motion, double x, double y)
+/* Speed along (tx, ty) that a unit of impulse along (x, y) gives. */
+static double softness(const side *a, const side *b, bool of_motion, double x, double y, double tx,
+                       double ty)
 {
-    double ca = a->x * y - a->y * x, cb = b->x * y - b->y * x;
-    double soft_a = a->inv_mass + a->inv_inertia * ca * ca;
-    double soft_b = b->inv_mass + b->inv_inertia * cb * cb;
+    double along = x * tx + y * ty;
+    double turn_a = (a->x * y - a->y * x) * (a->x * ty - a->y * tx);
+    double turn_b = (b->x * y - b->y * x) * (b->x * ty - b->y * tx);
+    double soft_a = a->inv_mass * along + a->inv_inertia * turn_a;
+    double soft_b = b->inv_mass * along + b->inv_inertia * turn_b;
     return (gives_way(a, of_motion) ? soft_a : 0.0) + (gives_way(b, of_motion) ? soft_b : 0.0);
 }
 
@@ -73,11 +80,20 @@ static void push(side *s, bool of_motion, double x, double y)
     v[2] += s->inv_inertia * (s->x * y - s->y * x);
 }
 
-static double closing_at(thud_world *w, const td_encounter *e, const td_impact_point *at,
-                         double time)
+/* How gravity speeds b up against a along (x, y): lengths a step, in a step. */
+static double fall_along(const side *a, const side *b, double x, double y)
 {
-    side a = side_of(w, e->body[0], at), b = side_of(w, e->body[1], at);
-    return -speed_along(&a, &b, true, at->nx, at->ny) * w->def.time_step * (1.0 - time);
+    double fx = (b->flight ? b->flight->fall[0] : 0.0) - (a->flight ? a->flight->fall[0] : 0.0);
+    double fy = (b->flight ? b->flight->fall[1] : 0.0) - (a->flight ? a->flight->fall[1] : 0.0);
+    return fx * x + fy * y;
+}
+
+static void look_at(thud_world *w, const td_encounter *e, td_impact_point *at, double time)
+{
+    side a = side_of(w, e->body[0], at, time), b = side_of(w, e->body[1], at, time);
+    double rest = 1.0 - time;
+    at->speed = -speed_along(&a, &b, true, at->nx, at->ny) * w->def.time_step;
+    at->closing = (at->speed - 0.5 * fall_along(&a, &b, at->nx, at->ny) * rest) * rest;
 }
 
 bool td_impact_point_of(thud_world *w, const td_encounter *e, double time, td_impact_point *at)
@@ -88,8 +104,8 @@ bool td_impact_point_of(thud_world *w, const td_encounter *e, double time, td_im
     for (int k = 0; k < f.contacts.count; k++) {
         const thud_closest *c = &f.contacts.point[k];
         points[k] = (td_impact_point){f.origin, c->nx, c->ny, 0.5 * (c->ax + c->bx),
-                                      0.5 * (c->ay + c->by), c->distance, 0.0};
-        points[k].closing = closing_at(w, e, &points[k], time);
+                                      0.5 * (c->ay + c->by), c->distance, 0.0, 0.0};
+        look_at(w, e, &points[k], time);
     }
     if (f.contacts.count == 0) {
         return false;
@@ -107,39 +123,103 @@ typedef struct surface {
     double nx, ny, friction, restitution, speed, bounce_speed;
 } surface;
 
-/* Takes the approach out of the velocities or out of the motions; returns normal impulse and, in
- * *tangent, that along (ny, -nx). */
-static double bounce(side *a, side *b, bool of_motion, const surface *u, double *tangent)
+/* What an impact did: impulses along the normal and along (ny, -nx), and whether the two part. */
+typedef struct outcome {
+    double normal, tangent;
+    bool bounced;
+} outcome;
+
+/* Takes the approach out of the velocities or out of the motions, after A. Chatterjee and A. Ruina, "A
+ * New Algebraic Rigid-Body Collision Law Based on Impulse Space Considerations" (1998), without
+ * tangential restitution: (1 + e) times the impulse that stops the approach without friction, and of the
+ * one that from there stops the sliding as much as the friction cone allows. It obeys e and Coulomb's
+ * law, and where friction and normal act on each other through the turn, no impact gains energy. */
+static outcome bounce(side *a, side *b, bool of_motion, const surface *u)
 {
-    double closing = speed_along(a, b, of_motion, u->nx, u->ny);
-    double soft = softness(a, b, of_motion, u->nx, u->ny);
-    *tangent = 0.0;
-    if (!(closing < 0.0 && soft > 0.0)) {
-        return 0.0;
-    }
-    double leaving = -closing > u->bounce_speed ? u->restitution : 0.0;
-    double normal = -(1.0 + leaving) * closing / soft, most = u->friction * normal;
+    double closing = -speed_along(a, b, of_motion, u->nx, u->ny);
     double tx = u->ny, ty = -u->nx;
-    double slide = speed_along(a, b, of_motion, tx, ty) - u->speed;
-    *tangent = td_clamp(-slide / softness(a, b, of_motion, tx, ty), -most, most);
-    double x = normal * u->nx + *tangent * tx, y = normal * u->ny + *tangent * ty;
+    double soft = softness(a, b, of_motion, u->nx, u->ny, u->nx, u->ny);
+    if (!(closing > 0.0 && soft > 0.0)) {
+        return (outcome){0.0, 0.0, false};
+    }
+    bool bounced = u->restitution > 0.0 && closing > u->bounce_speed;
+    double stop = closing / soft, normal = (1.0 + (bounced ? u->restitution : 0.0)) * stop;
+    double mixed = softness(a, b, of_motion, u->nx, u->ny, tx, ty);
+    double slide = speed_along(a, b, of_motion, tx, ty) - u->speed + mixed * stop;
+    double tangent = -slide / (softness(a, b, of_motion, tx, ty, tx, ty) - mixed * mixed / soft);
+    double along = -tangent * mixed / soft; /* keeps the normal speed as it is */
+    double part = 1.0, most = u->friction * (normal + along);
+    if (td_abs(tangent) > most) {
+        part = u->friction * normal / (td_abs(tangent) - u->friction * along);
+    }
+    normal += part * along;
+    tangent *= part;
+    double x = normal * u->nx + tangent * tx, y = normal * u->ny + tangent * ty;
     push(a, of_motion, -x, -y);
     push(b, of_motion, x, y);
-    return normal;
+    return (outcome){normal, tangent, bounced};
+}
+
+/* What did not part does not fall on into each other: each bears as much as the other falls less. */
+static void bear(const thud_world *w, const side *a, const side *b, const surface *u)
+{
+    double x = u->nx, y = u->ny;
+    double fall_a = a->flight ? a->flight->fall[0] * x + a->flight->fall[1] * y : 0.0;
+    double fall_b = b->flight ? b->flight->fall[0] * x + b->flight->fall[1] * y : 0.0;
+    double less_a = fall_a - td_max_double(fall_b, 0.0);
+    double less_b = fall_b - td_min_double(fall_a, 0.0);
+    if (a->flight && less_a > 0.0) {
+        td_flight_bear(w, a->flight, less_a * x, less_a * y);
+    }
+    if (b->flight && less_b < 0.0) {
+        td_flight_bear(w, b->flight, less_b * x, less_b * y);
+    }
 }
 
 static void write_back(const thud_world *w, const side *s)
 {
-    if (!s->flight || s->body->kind != THUD_DYNAMIC) {
+    td_flight *f = s->flight;
+    if (!f || s->body->kind != THUD_DYNAMIC) {
         return;
     }
     float *velocity = td_row(&w->velocity, s->body->awake);
     for (int k = 0; k < 3; k++) {
-        velocity[k] = (float)s->velocity[k];
-        s->flight->motion[k] = s->motion[k] * w->def.time_step;
+        double fall = k < 2 ? f->fall[k] : 0.0;
+        velocity[k] = (float)(s->velocity[k] + fall * (1.0 - f->since) / w->def.time_step);
+        f->motion[k] = s->motion[k] * w->def.time_step;
     }
-    s->flight->changed = true;
-    s->flight->impacts++;
+    f->changed = true;
+    f->impacts++;
+}
+
+/* It moves as its velocity says. */
+static bool is_free(const side *s)
+{
+    return !s->flight || s->flight->free || s->body->kind != THUD_DYNAMIC;
+}
+
+static void move_as_velocity(side *s)
+{
+    for (int k = 0; k < 3; k++) {
+        s->motion[k] = s->velocity[k];
+    }
+}
+
+/* Slower approaches do not bounce: see bounces.h. */
+static double bounce_speed(const thud_world *w, const side *a, const side *b, const surface *u)
+{
+    double slow = (double)(w->def.restitution_threshold * w->unit), dt = w->def.time_step;
+    bool elastic = u->restitution >= 1.0;
+    if (td_detection_of(w, a->index, b->index)->rank != TD_RANK_SWEPT) {
+        return slow;
+    }
+    if (is_free(a) && is_free(b)) {
+        double rest = TD_BOUNCE_REST * td_abs(fall_along(a, b, u->nx, u->ny)) / dt;
+        return elastic ? td_min_double(rest, slow) : td_max_double(rest, slow);
+    }
+    double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
+    double rest = TD_BOUNCE_BORNE * __builtin_sqrt(x * x + y * y) * dt;
+    return elastic ? td_min_double(rest, slow) : slow;
 }
 
 thud_contact td_impact_view(const thud_world *w, const td_encounter *e, const td_impact_point *at)
@@ -154,20 +234,29 @@ thud_contact td_impact_view(const thud_world *w, const td_encounter *e, const td
 }
 
 void td_impact_resolve(thud_world *w, const td_encounter *e, const td_impact_point *at,
-                       const thud_contact_settings *settings, td_impact *impact)
+                       double time, const thud_contact_settings *settings, td_impact *impact)
 {
     surface u = {.nx = at->nx,
                  .ny = at->ny,
                  .friction = (double)settings->friction,
                  .restitution = (double)settings->restitution,
-                 .speed = (double)settings->surface_speed,
-                 .bounce_speed = (double)(w->def.restitution_threshold * w->unit)};
-    side a = side_of(w, e->body[0], at), b = side_of(w, e->body[1], at);
-    double tangent, unused;
+                 .speed = (double)settings->surface_speed};
+    side a = side_of(w, e->body[0], at, time), b = side_of(w, e->body[1], at, time);
+    bool free = is_free(&a) && is_free(&b);
+    u.bounce_speed = bounce_speed(w, &a, &b, &u);
     impact->approach = (float)-speed_along(&a, &b, false, u.nx, u.ny);
-    impact->seen.normal_impulse = (float)bounce(&a, &b, false, &u, &tangent);
-    impact->seen.tangent_impulse = (float)tangent;
-    bounce(&a, &b, true, &u, &unused);
+    outcome done = bounce(&a, &b, false, &u);
+    impact->seen.normal_impulse = (float)done.normal;
+    impact->seen.tangent_impulse = (float)done.tangent;
+    if (free) {
+        move_as_velocity(&a);
+        move_as_velocity(&b);
+    } else {
+        bounce(&a, &b, true, &u);
+    }
     write_back(w, &a);
     write_back(w, &b);
+    if (!done.bounced) {
+        bear(w, &a, &b, &u);
+    }
 }

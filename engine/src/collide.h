@@ -16,6 +16,7 @@ typedef struct td_impact_point {
     double nx, ny; /* from the first to the second */
     double x, y;
     double distance;
+    double speed;   /* at which they close there, by their motions; lengths a step */
     double closing; /* how far the rest of their motion takes them into each other there */
 } td_impact_point;
 
@@ -29,6 +30,6 @@ thud_contact td_impact_view(const thud_world *w, const td_encounter *e, const td
 /* Newtonian impact with restitution and Coulomb friction. Their flights, which stand at the time of
  * the impact, go on without approaching each other. */
 void td_impact_resolve(thud_world *w, const td_encounter *e, const td_impact_point *at,
-                       const thud_contact_settings *settings, td_impact *impact);
+                       double time, const thud_contact_settings *settings, td_impact *impact);
 
 #endif

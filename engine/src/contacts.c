@@ -41,17 +41,6 @@ thud_contact td_contact_view(const thud_world *w, td_block *block, int lane)
     return seen;
 }
 
-static void disable(const thud_world *w, td_block *block, int lane)
-{
-    int points = td_form_points(w->pairs[td_contact_at(w, block->contact[lane])->kind]->form);
-    for (int k = 0; k < points; k++) {
-        td_point *p = &block->point[k];
-        p->normal_mass[lane] = p->normal_impulse[lane] = 0.0f;
-        p->separation[lane] = p->base[lane] = TD_APART;
-    }
-    block->tangent_mass[lane] = block->tangent_impulse[lane] = 0.0f;
-}
-
 /* How fast a point closes, > 0, at the start of the step. */
 static float closing_of(const thud_world *w, const td_block *block, const td_point *p, int lane)
 {
@@ -59,30 +48,6 @@ static float closing_of(const thud_world *w, const td_block *block, const td_poi
     const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
     return (a[0] - b[0]) * block->nx[lane] + (a[1] - b[1]) * block->ny[lane] +
            a[2] * p->cross_a[lane] - b[2] * p->cross_b[lane];
-}
-
-/* What is still apart and closes fast bounces within the step: a matter of impacts.c, to which the
- * solver would lose the rest of the step. */
-static void leave_impacts(thud_world *w)
-{
-    float fast = w->def.restitution_threshold * w->unit;
-    for (int i = 0; i < w->scratch.blocks.count; i++) {
-        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
-        for (int lane = 0; lane < block->used; lane++) {
-            int kind = td_contact_at(w, block->contact[lane])->kind;
-            int points = td_form_points(w->pairs[kind]->form);
-            bool apart = block->restitution[lane] > 0.0f, closes = false;
-            for (int k = 0; k < points; k++) {
-                const td_point *p = &block->point[k];
-                bool here = p->normal_mass[lane] > 0.0f;
-                apart &= !here || p->separation[lane] + w->skin > TD_MEET * w->unit;
-                closes |= here && closing_of(w, block, p, lane) > fast;
-            }
-            if (apart && closes) {
-                disable(w, block, lane);
-            }
-        }
-    }
 }
 
 /* Lanes that did not bounce before may not know how fast they close in. */
@@ -108,7 +73,7 @@ static void ask(thud_world *w, td_block *block, int lane)
         note_approach(w, block, points, lane);
     }
     if (contact->vetoed) {
-        disable(w, block, lane);
+        td_surface_mute(block, points, lane);
     }
 }
 
@@ -120,8 +85,33 @@ void td_contacts_ask(thud_world *w)
             ask(w, block, lane);
         }
     }
-    if (w->skin > 0.0f) {
-        leave_impacts(w);
+}
+
+/* What meets within the step, or does nothing in it, has no points here: see bounces.c. */
+void td_contacts_hit(thud_world *w)
+{
+    float least = -w->def.hit_speed * w->unit;
+    for (int i = 0; i < w->scratch.begins.count && w->def.contact_events; i++) {
+        int index = *(int *)td_at(&w->scratch.begins, i);
+        const td_contact *contact = td_contact_at(w, index);
+        if (contact->state != TD_TOUCHING) {
+            continue;
+        }
+        td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+        int lane = contact->slot % TD_LANES, points = td_form_points(w->pairs[contact->kind]->form);
+        const td_point_history *history = td_history_of(block, points);
+        float approach = history[0].approach[lane];
+        if (points == 2) {
+            approach = td_min_float(approach, history[1].approach[lane]);
+        }
+        if (approach >= least) {
+            continue;
+        }
+        thud_contact seen = td_contact_view(w, block, lane);
+        if (seen.point_count > 0) {
+            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) =
+                (thud_hit_event){seen.shape_a, seen.shape_b, seen.point, seen.normal, -approach};
+        }
     }
 }
 

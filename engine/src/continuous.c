@@ -296,4 +296,4 @@ static void run(thud_world *w)
 const thud_detection thud_detection_continuous = {.name = "continuous",
                                                   .rank = TD_RANK_CONTINUOUS,
                                                   .reserve = reserve,
-                                                  .run = run};
+                                                  .run = {[TD_AFTER_MOVING] = run}};

@@ -39,5 +39,5 @@ static bool meet(const td_approach *p, double *time)
 const thud_detection thud_detection_bisect = {.name = "bisect",
                                               .rank = TD_RANK_BISECT,
                                               .reserve = td_impacts_reserve,
-                                              .run = td_impacts,
+                                              .run = {td_impacts_prepare, td_impacts_launch, td_impacts},
                                               .meet = meet};

@@ -17,5 +17,5 @@ static bool meet(const td_approach *p, double *time)
 const thud_detection thud_detection_swept = {.name = "swept",
                                              .rank = TD_RANK_SWEPT,
                                              .reserve = td_impacts_reserve,
-                                             .run = td_impacts,
+                                             .run = {td_impacts_prepare, td_impacts_launch, td_impacts},
                                              .meet = meet};

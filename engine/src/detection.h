@@ -25,12 +25,19 @@ enum { TD_RANK_OVERLAP, TD_RANK_CONTINUOUS, TD_RANK_BISECT, TD_RANK_SWEPT, TD_RA
 
 struct thud_world;
 
+/* When in a step detection has its say. */
+typedef enum td_moment {
+    TD_BEFORE_SOLVING,
+    TD_BEFORE_MOVING, /* velocities and motions are known, and no body is where they take it */
+    TD_AFTER_MOVING,
+    TD_MOMENT_COUNT
+} td_moment;
+
 struct thud_detection {
     const char *name;
     int rank; /* TD_RANK_...; the higher of two moving bodies' decides on their pair */
-    /* What is done with the bodies after their motion; null: nothing. */
     bool (*reserve)(struct thud_world *w); /* room, so that `run` cannot fail; false: out of memory */
-    void (*run)(struct thud_world *w);
+    void (*run[TD_MOMENT_COUNT])(struct thud_world *w); /* null: nothing */
     td_meet_fn *meet; /* for impacts.c */
 };
 

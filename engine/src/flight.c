@@ -7,6 +7,14 @@
 #include "shape.h"
 #include "terrain.h"
 
+const thud_detection *td_detection_of(const thud_world *w, int body_a, int body_b)
+{
+    const td_body *a = td_body_at(w, body_a), *b = td_body_at(w, body_b);
+    bool moves_a = a->kind == THUD_DYNAMIC, moves_b = b->kind == THUD_DYNAMIC;
+    return !moves_b || (moves_a && a->detection->rank > b->detection->rank) ? a->detection
+                                                                            : b->detection;
+}
+
 td_flight td_flight_of(const thud_world *w, int body)
 {
     int slot = td_body_at(w, body)->awake;
@@ -24,27 +32,44 @@ static uint32_t angle_at(const td_flight *f, double time)
     return f->angle + (uint32_t)(uint64_t)td_round64(turn * (1.0 / TD_RADIANS_A_QUANTUM));
 }
 
-void td_flight_advance(const thud_world *w, td_flight *f, double time)
+/* How far it goes along x or y from `since` on. */
+static double way_of(const td_flight *f, int axis, double time)
 {
     double part = time - f->since;
-    f->place.x += td_round64(f->motion[0] * part * w->to_fixed);
-    f->place.y += td_round64(f->motion[1] * part * w->to_fixed);
+    return (f->motion[axis] + 0.5 * f->fall[axis] * part) * part;
+}
+
+void td_flight_advance(const thud_world *w, td_flight *f, double time)
+{
+    f->place.x += td_round64(way_of(f, 0, time) * w->to_fixed);
+    f->place.y += td_round64(way_of(f, 1, time) * w->to_fixed);
     f->angle = angle_at(f, time);
+    f->motion[0] += f->fall[0] * (time - f->since);
+    f->motion[1] += f->fall[1] * (time - f->since);
     f->since = time;
+}
+
+void td_flight_bear(const thud_world *w, td_flight *f, double x, double y)
+{
+    float *velocity = td_row(&w->velocity, td_body_at(w, f->body)->awake);
+    double rest = (1.0 - f->since) / w->def.time_step;
+    velocity[0] = (float)((double)velocity[0] - x * rest);
+    velocity[1] = (float)((double)velocity[1] - y * rest);
+    f->fall[0] -= x;
+    f->fall[1] -= y;
 }
 
 thud_placed td_flight_shape(const thud_world *w, const td_flight *f, int index, double time,
                             td_place origin)
 {
     const td_shape *shape = td_shape_at(w, index);
-    double part = time - f->since;
     float c, s;
     td_angle_turn(angle_at(f, time), &c, &s);
     thud_placed p = {
         .kind = (thud_shape_kind)shape->kind,
-        .x = (double)(f->place.x - origin.x) / w->to_fixed + f->motion[0] * part +
+        .x = (double)(f->place.x - origin.x) / w->to_fixed + way_of(f, 0, time) +
              (double)(c * shape->arm_x - s * shape->arm_y),
-        .y = (double)(f->place.y - origin.y) / w->to_fixed + f->motion[1] * part +
+        .y = (double)(f->place.y - origin.y) / w->to_fixed + way_of(f, 1, time) +
              (double)(s * shape->arm_x + c * shape->arm_y),
         .c = 1.0,
         .hx = (double)shape->half_x,
@@ -147,11 +172,18 @@ static double arc_error(const thud_world *w, const td_flight *f, int index, doub
     return 0.125 * arm * turn * turn;
 }
 
+double td_flights_bend(const td_flight *a, const td_flight *b, double rest)
+{
+    double x = b->fall[0] - a->fall[0], y = b->fall[1] - a->fall[1];
+    return 0.125 * __builtin_sqrt(x * x + y * y) * rest * rest;
+}
+
 bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, double until,
                            td_approach *p)
 {
     td_flight a = td_flight_of(w, e->body[0]), b = td_flight_of(w, e->body[1]);
-    double target = (double)(TD_MEET * w->unit) + arc_error(w, &b, e->shape[1], until - now);
+    double target = (double)(TD_MEET * w->unit) + arc_error(w, &b, e->shape[1], until - now) +
+                    td_flights_bend(&a, &b, until - now);
     td_place origin = a.place;
     *p = (td_approach){.target = target};
     if (td_shape_at(w, e->shape[0])->kind == THUD_TERRAIN) {

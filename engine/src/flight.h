@@ -5,7 +5,7 @@
 #include "detection.h"
 #include "world.h"
 
-/* The way of an awake body from `since` to the end of the step, straight and at constant speed. */
+/* The way of an awake body from `since` to the end of the step: at constant speed, or falling. */
 typedef struct td_flight {
     td_place place;   /* of the centre of mass, at `since` */
     uint32_t angle;
@@ -13,7 +13,10 @@ typedef struct td_flight {
     int32_t extras;   /* edge of its first extra encounter: extra * 2 + side, or TD_NONE */
     int32_t impacts;
     double since;     /* in [0, 1] of the step */
-    double motion[3]; /* in a whole step: x, y, angle */
+    double motion[3]; /* in a whole step at the speed of `since`: x, y, angle */
+    double fall[2];   /* by how much gravity changes that in a step; 0 where something bears it */
+    bool free;        /* nothing but gravity acted on it: it moves as its velocity says */
+    bool borne;       /* contacts pushed it in the step before */
     bool changed;     /* its way is no more the one that finish.c took */
     bool held;        /* stays where it is for the rest of the step */
     bool strays;      /* may leave the bounds that its shapes had at the start */
@@ -33,13 +36,21 @@ static inline td_flight *td_flight_at(const thud_world *w, int slot)
     return td_at(&w->scratch.flights, slot);
 }
 
+/* What finds out when the two meet. */
+const thud_detection *td_detection_of(const thud_world *w, int body_a, int body_b);
+
 /* The flight of any body; those at rest stay where they are. */
 td_flight td_flight_of(const thud_world *w, int body);
 /* Brings it to `time`, which is no earlier than `since`. */
 void td_flight_advance(const thud_world *w, td_flight *flight, double time);
+/* From `since` on something bears this part of the fall; the velocity at the end lacks it as well. */
+void td_flight_bear(const thud_world *w, td_flight *flight, double x, double y);
 /* One of the body's shapes at `time`, relative to `origin`. */
 thud_placed td_flight_shape(const thud_world *w, const td_flight *flight, int shape, double time,
                             td_place origin);
+
+/* How far a parabola may be from its chord, of one body as the other sees it. */
+double td_flights_bend(const td_flight *a, const td_flight *b, double rest);
 
 td_encounter *td_extra_at(const thud_world *w, int number);
 td_encounter td_encounter_at(const thud_world *w, int number);

@@ -6,7 +6,9 @@
  * bounds reach as far as the bodies were expected to move; who strays from that looks around for
  * himself. The work is bounded: a body that met others too often is held where it is for the rest of
  * the step, which the statistics tell. */
+#include "ballistics.h"
 #include "body.h"
+#include "bounces.h"
 #include "collide.h"
 #include "contact.h"
 #include "encounters.h"
@@ -23,18 +25,10 @@
 #define PRESSED 0.2
 
 enum {
-    MOST_IMPACTS = 8, /* of a body in a step, before it is held */
+    MOST_IMPACTS = 8,   /* of a body in a step, before it is held */
+    MOST_BOUNCES = 16,  /* ... while those that it meets are elastic */
     SPARE = 256       /* room for so many encounters more than there are bodies */
 };
-
-static const thud_detection *detection_of(const thud_world *w, const td_encounter *e)
-{
-    const thud_detection *a = td_body_at(w, e->body[0])->detection;
-    const thud_detection *b = td_body_at(w, e->body[1])->detection;
-    bool moves_a = td_body_at(w, e->body[0])->kind == THUD_DYNAMIC;
-    bool moves_b = td_body_at(w, e->body[1])->kind == THUD_DYNAMIC;
-    return !moves_b || (moves_a && a->rank > b->rank) ? a : b;
-}
 
 /* ---- the agenda ---- */
 
@@ -45,7 +39,9 @@ static void hold(thud_world *w, td_flight *f)
         w->stats.held_bodies++;
         w->stats.held_seconds += (1.0 - f->since) * w->def.time_step;
     }
+    td_flight_bear(w, f, f->fall[0], f->fall[1]);
     f->motion[0] = f->motion[1] = f->motion[2] = 0.0;
+    f->free = false;
     f->changed = true;
 }
 
@@ -72,7 +68,7 @@ static bool gives_way(const thud_world *w, int body)
 static bool meets(thud_world *w, const td_encounter *e, double *time)
 {
     td_approach approach;
-    const thud_detection *detection = detection_of(w, e);
+    const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
     double unit = (double)(TD_MEET * w->unit);
     double now = later(td_flight_of(w, e->body[0]).since, td_flight_of(w, e->body[1]).since);
     *time = now;
@@ -196,7 +192,7 @@ static void collide(thud_world *w, int number, double time)
         }
     }
     td_impact_point at;
-    if (!td_impact_point_of(w, &e, time, &at)) {
+    if (!td_impact_point_of(w, &e, time, &at) || at.speed <= 0.0) {
         look_again(w, number, flights);
         return;
     }
@@ -207,13 +203,14 @@ static void collide(thud_world *w, int number, double time)
     }
     bool sleeper = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]);
     if (!sleeper) {
-        td_impact_resolve(w, &e, &at, &settings, &impact);
+        td_impact_resolve(w, &e, &at, time, &settings, &impact);
         *(td_impact *)td_at(&w->scratch.impacts, w->scratch.impacts.count++) = impact;
     }
+    int most = settings.restitution < 1.0f ? MOST_IMPACTS : MOST_BOUNCES;
     for (int side = 0; side < 2; side++) {
         td_flight *f = flights[side];
         if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC &&
-            (sleeper || f->impacts > MOST_IMPACTS || !td_encounters_around(w, f))) {
+            (sleeper || f->impacts > most || !td_encounters_around(w, f))) {
             hold(w, f);
         }
     }
@@ -239,13 +236,20 @@ static void take_off(thud_world *w, int slot)
     int index = *(int *)td_at(&w->body_of, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
+    td_flight f = *td_flight_at(w, slot);
+    if (f.body != index) { /* somebody was quarantined, and it stands in his slot */
+        f = (td_flight){.body = index};
+    }
     *td_flight_at(w, slot) = (td_flight){
         .place = {pose->center.x - td_length_from(w, delta[0]),
                   pose->center.y - td_length_from(w, delta[1])},
         .angle = pose->angle - td_angle_between(delta[2]),
         .body = index,
         .extras = TD_NONE,
-        .motion = {(double)delta[0], (double)delta[1], (double)delta[2]}};
+        .motion = {(double)delta[0] - 0.5 * f.fall[0], (double)delta[1] - 0.5 * f.fall[1],
+                   (double)delta[2]},
+        .fall = {f.fall[0], f.fall[1]},
+        .free = f.free};
 }
 
 static void land(thud_world *w, int slot)
@@ -338,14 +342,26 @@ static void hit_events(thud_world *w)
 bool td_impacts_reserve(thud_world *w)
 {
     /* Every impact has a body that was not held before it. */
-    int awake = w->body_of.count, most = (MOST_IMPACTS + 1) * awake;
+    int awake = w->body_of.count, most = (MOST_BOUNCES + 1) * awake;
     int extras = awake * (w->terrains.live + 1) + SPARE;
+    int hits = w->scratch.begins.count; /* of contacts */
     return td_array_reserve(&w->memory, &w->scratch.flights, awake) &&
            td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
            td_array_reserve(&w->memory, &w->scratch.impacts, most) &&
            td_array_reserve(&w->memory, &w->scratch.encounters, extras) &&
-           td_array_reserve(&w->memory, &w->events.hit, w->events.hit.count + most) &&
+           td_array_reserve(&w->memory, &w->events.hit, w->events.hit.count + hits + most) &&
            td_agenda_reserve(&w->memory, &w->scratch.agenda, w->contacts.count + extras);
+}
+
+void td_impacts_prepare(thud_world *w)
+{
+    td_ballistics_note(w);
+    td_bounces_take(w);
+}
+
+void td_impacts_launch(thud_world *w)
+{
+    td_ballistics_fly(w);
 }
 
 void td_impacts(thud_world *w)

@@ -334,30 +334,6 @@ static bool part_contacts(thud_world *w)
     return td_lanes_sequence(w) && td_crew_reserve(w);
 }
 
-static void hit_events(thud_world *w)
-{
-    float least = -w->def.hit_speed * w->unit;
-    for (int i = 0; i < w->scratch.begins.count; i++) {
-        int index = *(int *)td_at(&w->scratch.begins, i);
-        const td_contact *contact = td_contact_at(w, index);
-        if (contact->state != TD_TOUCHING) {
-            continue;
-        }
-        td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-        int lane = contact->slot % TD_LANES, points = td_form_points(w->pairs[contact->kind]->form);
-        const td_point_history *history = td_history_of(block, points);
-        float approach = history[0].approach[lane];
-        if (points == 2) {
-            approach = td_min_float(approach, history[1].approach[lane]);
-        }
-        if (approach < least) {
-            thud_contact seen = td_contact_view(w, block, lane);
-            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) =
-                (thud_hit_event){seen.shape_a, seen.shape_b, seen.point, seen.normal, -approach};
-        }
-    }
-}
-
 bool td_narrowphase(thud_world *w)
 {
     int contacts = w->contacts.live;
@@ -385,11 +361,5 @@ bool td_narrowphase(thud_world *w)
     if (w->seams) {
         w->seams->amend_all(w);
     }
-    if (!part_contacts(w)) {
-        return false;
-    }
-    if (w->def.contact_events) {
-        hit_events(w);
-    }
-    return true;
+    return part_contacts(w);
 }

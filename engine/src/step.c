@@ -25,11 +25,12 @@ static void mark(thud_world *w, thud_stage stage, double *last)
     }
 }
 
-/* Bisection and sweeping share their stage. */
+/* Bisection and sweeping share their stages. */
 static bool is_repeated(const thud_world *w, int rank)
 {
     return rank > 0 && w->detections[rank - 1] &&
-           w->detections[rank - 1]->run == w->detections[rank]->run;
+           w->detections[rank - 1]->run[TD_AFTER_MOVING] ==
+               w->detections[rank]->run[TD_AFTER_MOVING];
 }
 
 static bool reserve_detection(thud_world *w)
@@ -42,18 +43,22 @@ static bool reserve_detection(thud_world *w)
     return done;
 }
 
-static void detect(thud_world *w)
+static void detect(thud_world *w, td_moment moment)
+{
+    for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
+        const thud_detection *d = w->detections[rank];
+        if (d && d->run[moment] && !is_repeated(w, rank)) {
+            d->run[moment](w);
+        }
+    }
+}
+
+static void forget_motions(thud_world *w)
 {
     w->stats.impacts = w->stats.held_bodies = w->stats.unbisectable = 0;
     w->stats.motion_pairs = w->stats.motion_circles = w->stats.motion_boxes = 0;
     w->stats.motion_exact = 0;
     w->stats.held_seconds = 0.0;
-    for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
-        const thud_detection *d = w->detections[rank];
-        if (d && d->run && !is_repeated(w, rank)) {
-            d->run(w);
-        }
-    }
 }
 
 static thud_result run_stages(thud_world *w)
@@ -73,13 +78,17 @@ static thud_result run_stages(thud_world *w)
     }
 
     td_contacts_ask(w);
+    detect(w, TD_BEFORE_SOLVING);
+    td_contacts_hit(w);
     mark(w, THUD_STAGE_CONTACTS, &last);
     w->stats.substeps = w->substeps;
     td_solve(w);
+    detect(w, TD_BEFORE_MOVING);
     mark(w, THUD_STAGE_SOLVE, &last);
     td_finish(w);
     mark(w, THUD_STAGE_FINISH, &last);
-    detect(w);
+    forget_motions(w);
+    detect(w, TD_AFTER_MOVING);
     mark(w, THUD_STAGE_CONTINUOUS, &last);
     td_contacts_tell(w);
     mark(w, THUD_STAGE_EVENTS, &last);

@@ -12,10 +12,11 @@ bool td_changes_apply(thud_world *w);
 /* broadphase.c: makes a contact of each new pair of overlapping fat bounds. */
 bool td_broadphase(thud_world *w);
 bool td_broadphase_refresh(thud_world *w); /* both grids hold the present bounds */
-/* narrowphase.c: which pairs touch; lanes, begin, end and hit events; manifolds of all lanes. */
+/* narrowphase.c: which pairs touch; lanes, begin and end events; manifolds of all lanes. */
 bool td_narrowphase(thud_world *w);
-/* contacts.c: asks the prologue. */
+/* contacts.c: asks the prologue; hit events of what the solver will stop. */
 void td_contacts_ask(thud_world *w);
+void td_contacts_hit(thud_world *w);
 /* solve.c: substeps. */
 void td_solve(thud_world *w);
 /* finish.c: motion becomes pose; shapes, bounds, idle times; quarantine. */
@@ -23,6 +24,8 @@ void td_finish(thud_world *w);
 /* Detection, as the bodies have chosen it; continuous.c: fast bodies go back to where they first met
  * a static shape; impacts.c: bodies that are bisected or swept move on from each collision. */
 bool td_impacts_reserve(thud_world *w);
+void td_impacts_prepare(thud_world *w); /* before the solver: what it is to leave alone */
+void td_impacts_launch(thud_world *w);  /* after it: who flies freely */
 void td_impacts(thud_world *w);
 /* contacts.c: tells the epilogue. */
 void td_contacts_tell(thud_world *w);

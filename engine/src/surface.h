@@ -15,6 +15,8 @@ bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settin
 /* Of one lane. What it had is all zero while it is empty. */
 void td_surface_set(thud_world *w, td_block *block, int points, int lane,
                     const thud_contact_settings *settings);
+/* It does nothing in this step. */
+void td_surface_mute(td_block *block, int points, int lane);
 thud_contact_settings td_surface_get(td_block *block, int points, int lane);
 
 #endif

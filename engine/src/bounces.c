@@ -1,0 +1,163 @@
+/* bounces.c: see bounces.h. The solver would stop what closes in at a distance, and push apart what has
+ * just bounced: both change its energy. It keeps what rests on each other. */
+#include "bounces.h"
+
+#include "flight.h"
+#include "lanes.h"
+#include "surface.h"
+
+/* As TD_BOUNCE_REST, of pairs in flight: the solver gets them if they meet more slowly. As little as can
+ * be, since its touch breaks their flight. */
+#define TOUCH 0.015625
+/* Share of a weight; less is but what roundings leave. */
+#define LOAD 0.01f
+/* In multiples of TD_MEET: what touches may be pressed together by nearly as much, see impacts.c. */
+#define PRESSED 0.25f
+
+/* One side's gravity along the normal, and how strong it is; lengths/s^2. */
+static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *most)
+{
+    int slot = (int)(side / TD_AWAKE_BYTES);
+    const td_body *body = slot ? td_body_at(w, *(int *)td_at(&w->body_of, slot)) : NULL;
+    if (!body || body->kind != THUD_DYNAMIC) {
+        return 0.0;
+    }
+    double x = (double)(w->def.gravity.x * body->gravity_scale);
+    double y = (double)(w->def.gravity.y * body->gravity_scale);
+    *most = td_max_double(*most, __builtin_sqrt(x * x + y * y));
+    return x * nx + y * ny;
+}
+
+static td_flight *flight_of(const thud_world *w, uint32_t side)
+{
+    int slot = (int)(side / TD_AWAKE_BYTES);
+    return slot ? td_flight_at(w, slot) : NULL;
+}
+
+typedef struct lane {
+    td_block *block;
+    int index, points;
+    bool loaded; /* in the step before it bore more than a share of a weight */
+} lane;
+
+static lane lane_of(const thud_world *w, td_block *block, int index)
+{
+    int kind = td_contact_at(w, block->contact[index])->kind;
+    lane l = {block, index, td_form_points(w->pairs[kind]->form), false};
+    float x = w->def.gravity.x, y = w->def.gravity.y;
+    float least = LOAD * __builtin_sqrtf(x * x + y * y) * (float)(w->def.time_step / w->substeps);
+    for (int k = 0; k < l.points; k++) {
+        const td_point *p = &block->point[k];
+        l.loaded |= p->normal_impulse[index] > p->normal_mass[index] * least;
+    }
+    return l;
+}
+
+static bool is_borne(const thud_world *w, const lane *l)
+{
+    const td_flight *a = flight_of(w, l->block->a[l->index]);
+    const td_flight *b = flight_of(w, l->block->b[l->index]);
+    return (a && a->borne) || (b && b->borne);
+}
+
+static void note_borne(const thud_world *w, td_block *block)
+{
+    for (int k = 0; k < block->used; k++) {
+        if (lane_of(w, block, k).loaded) {
+            td_flight *a = flight_of(w, block->a[k]), *b = flight_of(w, block->b[k]);
+            if (a) {
+                a->borne = true;
+            }
+            if (b) {
+                b->borne = true;
+            }
+        }
+    }
+}
+
+/* Distance of the nearest point, and the greatest square of the speed at which a point will meet:
+ * closing^2 + 2 * gravity * height. A pair that the solver bears stands a skin above where it meets.
+ * What goes apart meets, if at all, as fast as it left: `returns` counts it. */
+static double meeting_speed2(const thud_world *w, const lane *l, double pull, bool returns,
+                             double *least)
+{
+    double fastest = -1.0, floor = l->loaded ? TD_SKIN : TD_MEET;
+    *least = 1e30;
+    for (int k = 0; k < l->points; k++) {
+        const td_point *p = &l->block->point[k];
+        if (p->normal_mass[l->index] > 0.0f) {
+            double closing = -(double)td_history_of(l->block, l->points)[k].approach[l->index];
+            double distance = (double)(p->separation[l->index] + w->skin);
+            double height = td_max_double(distance - floor * (double)w->unit, 0.0);
+            if (closing > 0.0 || returns) {
+                double speed2 = closing * closing + 2.0 * td_max_double(pull, 0.0) * height;
+                fastest = td_max_double(fastest, speed2);
+            }
+            *least = td_min_double(distance, *least);
+        }
+    }
+    return fastest;
+}
+
+/* Whether the pair is one that bounces; of bisected ones only what is well apart. */
+static bool bounces(const thud_world *w, const lane *l, bool swept, bool elastic)
+{
+    double nx = (double)l->block->nx[l->index], ny = (double)l->block->ny[l->index];
+    double most = 0.0, least, slow = (double)(w->def.restitution_threshold * w->unit);
+    double pull = gravity_of(w, l->block->a[l->index], nx, ny, &most);
+    pull -= gravity_of(w, l->block->b[l->index], nx, ny, &most);
+    if (elastic) {
+        double rest = (is_borne(w, l) ? TD_BOUNCE_BORNE : TOUCH) * most * w->def.time_step;
+        slow = td_min_double(rest, slow);
+    }
+    double speed2 = meeting_speed2(w, l, swept ? pull : 0.0, elastic, &least);
+    double nearest = (swept ? -1.0 : 1.0) * (double)(TD_MEET * w->unit);
+    return least > nearest && (elastic ? speed2 >= slow * slow : speed2 > slow * slow);
+}
+
+/* What touches without load is not pushed apart to the distance at which contacts rest. */
+static void stay(const thud_world *w, const lane *l)
+{
+    for (int k = 0; k < l->points; k++) {
+        td_point *p = &l->block->point[k];
+        float distance = p->base[l->index] + w->skin;
+        if (p->base[l->index] < 0.0f && distance > -PRESSED * TD_MEET * w->unit) {
+            p->separation[l->index] = p->base[l->index] = 0.0f;
+        }
+    }
+}
+
+static void take(thud_world *w, td_block *block, int index)
+{
+    const td_contact *contact = td_contact_at(w, block->contact[index]);
+    const thud_detection *detection = td_detection_of(w, contact->body[0], contact->body[1]);
+    if (!detection->meet) {
+        return;
+    }
+    lane l = lane_of(w, block, index);
+    bool swept = detection->rank == TD_RANK_SWEPT;
+    bool elastic = swept && block->restitution[index] >= 1.0f;
+    if (bounces(w, &l, swept, elastic)) {
+        td_surface_mute(block, l.points, index);
+    } else if (elastic && !l.loaded) {
+        stay(w, &l);
+    }
+}
+
+void td_bounces_take(thud_world *w)
+{
+    if (w->bouncy == 0 || w->skin == 0.0f) {
+        return;
+    }
+    td_block **blocks = w->scratch.blocks.data;
+    for (int i = 0; i < w->scratch.blocks.count; i++) {
+        note_borne(w, blocks[i]);
+    }
+    for (int i = 0; i < w->scratch.blocks.count; i++) {
+        for (int k = 0; k < blocks[i]->used && blocks[i]->bouncy; k++) {
+            if (blocks[i]->restitution[k] > 0.0f) {
+                take(w, blocks[i], k);
+            }
+        }
+    }
+}
