@@ -36,8 +36,8 @@ Drives thud, at each of its qualities, and Box2D v3.2 beside it to the extremes,
 reached to docs/stability.md.
 
   --only ROW       only this extreme, to standard output; may be given several times: mass-ratio,
-                   columns, far-away, sizes, time-step, energy, long-run, crowding, slopes,
-                   speed
+                   columns, far-away, speed, sizes, time-step, energy, slopes, long-run,
+                   crowding
   --quick          seconds of simulated time, as in the tests: shows that it runs
   --without-box2d  thud alone
   --out FILE       writes to FILE instead
