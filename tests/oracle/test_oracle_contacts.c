@@ -144,6 +144,24 @@ static void touch_box_on_ridge_is_touched_by_the_vertex(void **state) {
     assert_near(points[0].gap, -0.01, 1e-12);
 }
 
+/* A corner right below a valley of two slopes of 45 degrees is neither's by its foot. */
+static void touch_corner_below_a_valley_is_pushed_by_both_slopes(void **state) {
+    (void)state;
+    const scene_point line[] = {{-2, 2}, {0, 0}, {2, 2}};
+    depth_ground ground = {line, 3};
+    double c = cos(0.75), s = sin(0.75); /* nearly on its corner, which is at the lowest point */
+    depth_shape box = {false, 0, 0, c, s, 0.5, 0.5};
+    box.x = 0.5 * c - 0.5 * s;
+    box.y = 0.5 * s + 0.5 * c - 0.01;
+    touch_point points[TOUCH_GROUND_POINTS];
+    int count = touch_ground(&ground, &box, 0, points);
+    int slopes = 0;
+    for (int i = 0; i < count; i++)
+        slopes |= points[i].normal_x > 0 ? 1 : 2;
+    assert_int_equal(slopes, 3);
+    assert_near(deepest(points, count), 0.01 * sqrt(0.5), 1e-4);
+}
+
 /* Row i of a random matrix that is diagonal enough, in a ragged profile. */
 static void skyline_solution_of_ragged_matrix_gives_right_side_back(void **state) {
     (void)state;
@@ -185,6 +203,7 @@ int main(void) {
         cmocka_unit_test(touch_ball_on_random_ground_is_as_deep_as_its_depth),
         cmocka_unit_test(touch_along_straight_line_has_no_contact_with_hidden_ends),
         cmocka_unit_test(touch_box_on_ridge_is_touched_by_the_vertex),
+        cmocka_unit_test(touch_corner_below_a_valley_is_pushed_by_both_slopes),
         cmocka_unit_test(skyline_solution_of_ragged_matrix_gives_right_side_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -55,16 +55,28 @@ typedef struct ball {
     int feature; /* of its first contact */
 } ball;
 
+/* Whether the line turns up at a vertex, so that what is under it is under both segments. */
+static bool is_valley(const depth_ground *ground, int index) {
+    if (index <= 0 || index >= ground->count - 1)
+        return false;
+    segment left = segment_at(ground, index - 1), right = segment_at(ground, index);
+    return left.along.x * right.along.y - left.along.y * right.along.x > 0;
+}
+
 static void ball_on_segment(const depth_ground *ground, const ball *b, int index, double margin,
                             found *f) {
     segment s = segment_at(ground, index);
     double dx = b->x - s.start.x, dy = b->y - s.start.y;
     double foot = dx * s.along.x + dy * s.along.y;
     double height = dy * s.along.x - dx * s.along.y;
+    /* Just below a valley's ground neither segment has the foot, but both push. */
+    double beyond = height < 0 ? -2 * height : 0;
+    double before = is_valley(ground, index) ? beyond : 0;
+    double after = is_valley(ground, index + 1) ? beyond : 0;
     /* Half-open, so that in line with each other two segments share no foot. Behind the line only
      * the segment straight above is meant, not every one whose plane is. */
-    bool beside = foot < 0 || foot >= s.length;
-    bool under = dx >= 0 && b->x < ground->points[index + 1].x;
+    bool beside = foot < -before || foot >= s.length + after;
+    bool under = dx >= -before && b->x < ground->points[index + 1].x + after;
     if (beside || height - b->radius > margin || (height < 0 && !under))
         return;
     touch_point p = {.normal_x = -s.along.y,
@@ -135,8 +147,10 @@ static void touch_box(const depth_ground *ground, const depth_shape *box, double
         double hx = corner & 1 ? box->hx : -box->hx, hy = corner & 2 ? box->hy : -box->hy;
         ball b = {box->x + hx * box->cosine - hy * box->sine,
                   box->y + hx * box->sine + hy * box->cosine, 0, corner};
-        for (int i = first_segment(ground, b.x - margin);
-             i < ground->count - 1 && ground->points[i].x <= b.x + margin; i++)
+        /* Near a valley a corner below ground has two segments: as deep as this they are found. */
+        double reach = margin + 0.1 * (box->hx + box->hy);
+        for (int i = first_segment(ground, b.x - reach);
+             i < ground->count - 1 && ground->points[i].x <= b.x + reach; i++)
             ball_on_segment(ground, &b, i, margin, f);
     }
     double half = fabs(box->hx * box->cosine) + fabs(box->hy * box->sine) + margin;
