@@ -1,0 +1,163 @@
+/* measure.c: see measure.h. Each setting runs once to be looked at after every step, and then all of
+ * them together to be timed: their worlds take turns, a few steps each, so that whatever else the
+ * machine does hits all alike, and nothing is looked at meanwhile. Engines are deterministic, so that
+ * a step is the same work in every repetition, and the least of its times is the best estimate. */
+#include "measure.h"
+
+#include "series.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+enum { TURN = 8 };
+
+typedef struct run {
+    const tradeoff_case *c;
+    const measure_plan *plan;
+    scene scene;
+    int steps;
+    contender_body *bodies;
+    void *worlds[SETTINGS_MAX];
+    series times[SETTINGS_MAX];
+    double done, all; /* steps of any world, for the progress */
+} run;
+
+static double now_ms(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+static void tell(run *r, int steps) {
+    r->done += steps;
+    if (r->plan->progress)
+        r->plan->progress(r->c->name, r->done / r->all);
+}
+
+static bool fail(const run *r, int which, const char *what) {
+    const setting *how = r->plan->settings[which];
+    fprintf(stderr, "thud-tradeoff: %s: %s, %s: %s\n", r->c->name, how->engine->name, how->name,
+            what);
+    return false;
+}
+
+static bool open_world(run *r, int which) {
+    const setting *how = r->plan->settings[which];
+    r->worlds[which] = how->engine->create(&r->scene, how);
+    return r->worlds[which] || fail(r, which, "no world");
+}
+
+static void close_worlds(run *r) {
+    for (int i = 0; i < r->plan->setting_count; i++) {
+        r->plan->settings[i]->engine->destroy(r->worlds[i]);
+        r->worlds[i] = NULL;
+    }
+}
+
+static bool look_at(run *r, int which, yardstick *y) {
+    const setting_engine *engine = r->plan->settings[which]->engine;
+    if (!open_world(r, which))
+        return false;
+    engine->read(r->worlds[which], r->bodies);
+    yardstick_begin(y, r->bodies);
+    for (int step = 1; step <= r->steps; step++) {
+        if (!engine->step(r->worlds[which]))
+            return fail(r, which, "a step failed");
+        engine->read(r->worlds[which], r->bodies);
+        yardstick_look(y, r->bodies, step * CONTENDER_TIME_STEP);
+        if (step % TURN == 0)
+            tell(r, TURN);
+    }
+    return true;
+}
+
+static bool take_errors(run *r, int which, errors *out) {
+    yardstick *y = yardstick_create(r->c, &r->scene);
+    bool ok = y ? look_at(r, which, y) : fail(r, which, "out of memory");
+    if (ok)
+        *out = yardstick_conclude(y);
+    close_worlds(r);
+    yardstick_destroy(y);
+    return ok;
+}
+
+static bool take_turn(run *r, int which, double *ms, int count) {
+    const setting_engine *engine = r->plan->settings[which]->engine;
+    for (int i = 0; i < count; i++) {
+        double start = now_ms();
+        bool ok = engine->step(r->worlds[which]);
+        ms[i] = now_ms() - start;
+        if (!ok)
+            return fail(r, which, "a step failed");
+    }
+    tell(r, count);
+    return true;
+}
+
+static bool repeat_once(run *r, int repetition) {
+    int settings = r->plan->setting_count;
+    bool ok = true;
+    for (int i = 0; ok && i < settings; i++)
+        ok = open_world(r, i);
+    for (int first = 0; ok && first < r->steps; first += TURN) {
+        int count = r->steps - first < TURN ? r->steps - first : TURN;
+        /* Going first goes round. */
+        for (int i = 0; ok && i < settings; i++) {
+            int which = (first / TURN + repetition + i) % settings;
+            ok = take_turn(r, which, r->times[which].ms + repetition * r->steps + first, count);
+        }
+    }
+    close_worlds(r);
+    return ok;
+}
+
+static cost cost_of(const series *times) {
+    cost c = {.median = series_summarize(times).median};
+    for (int step = 0; step < times->steps; step++) {
+        double least = times->ms[step];
+        for (int i = 1; i < times->repetitions; i++)
+            least = times->ms[i * times->steps + step] < least ? times->ms[i * times->steps + step]
+                                                               : least;
+        c.total += least;
+    }
+    c.mean = c.total / times->steps;
+    return c;
+}
+
+static bool take_all(run *r, measurement *out) {
+    int settings = r->plan->setting_count, repetitions = r->plan->repetitions;
+    r->all = (double)settings * r->steps * (1 + repetitions);
+    *out = (measurement){.c = r->c,
+                         .bodies = r->scene.body_count,
+                         .steps = r->steps,
+                         .repetitions = repetitions,
+                         .point_count = settings};
+    r->bodies = calloc((size_t)r->scene.body_count + 1, sizeof *r->bodies);
+    bool ok = r->bodies != NULL;
+    for (int i = 0; ok && i < settings; i++)
+        ok = series_init(&r->times[i], r->steps, repetitions);
+    if (!ok)
+        fprintf(stderr, "thud-tradeoff: %s: out of memory\n", r->c->name);
+    for (int i = 0; ok && i < settings; i++)
+        ok = take_errors(r, i, &out->points[i].errors);
+    for (int i = 0; ok && i < repetitions; i++)
+        ok = repeat_once(r, i);
+    for (int i = 0; ok && i < settings; i++) {
+        out->points[i].how = r->plan->settings[i];
+        out->points[i].cost = cost_of(&r->times[i]);
+    }
+    for (int i = 0; i < settings; i++)
+        series_free(&r->times[i]);
+    free(r->bodies);
+    return ok;
+}
+
+bool measure_case(const tradeoff_case *c, const measure_plan *plan, measurement *out) {
+    run r = {.c = c, .plan = plan, .steps = plan->quick ? c->quick_steps : c->steps};
+    if (!case_fill(c, plan->quick, &r.scene))
+        return false;
+    bool ok = take_all(&r, out);
+    scene_free(&r.scene);
+    return ok;
+}
