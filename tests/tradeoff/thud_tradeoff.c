@@ -27,7 +27,7 @@ static const char USAGE[] =
     "  --repeat N     timed repetitions, 1 to 100 (default 3, with --quick 1)\n"
     "  --quick        small scenes and short runs, which show that it works\n"
     "  --progress     tells on stderr how far it is: lines of a case and a fraction\n"
-    "  --list         names the cases\n"
+    "  --list         names the cases, and how many bodies and steps each has\n"
     "  --help         this\n";
 
 static bool refuse(const char *what, const char *which) {
@@ -152,6 +152,19 @@ static bool run_cases(const options *o) {
     return true;
 }
 
+static bool list_cases(bool quick) {
+    for (int i = 0; i < cases_count(); i++) {
+        const tradeoff_case *c = cases_at(i);
+        scene s;
+        if (!case_fill(c, quick, &s))
+            return false;
+        printf("%-16s %5d %5d  %s\n", c->name, s.body_count, quick ? c->quick_steps : c->steps,
+               c->about);
+        scene_free(&s);
+    }
+    return true;
+}
+
 int main(int argc, char **argv) {
     options o = {0};
     if (!read_options(&o, argc, argv))
@@ -160,11 +173,8 @@ int main(int argc, char **argv) {
         fputs(USAGE, stdout);
         return 0;
     }
-    if (o.list) {
-        for (int i = 0; i < cases_count(); i++)
-            printf("%-16s %s\n", cases_at(i)->name, cases_at(i)->about);
-        return 0;
-    }
+    if (o.list)
+        return list_cases(o.plan.quick) ? 0 : 1;
     add_settings(&o.plan, SETTINGS_THUD, SETTINGS_THUD_COUNT);
 #ifdef THUD_TRADEOFF_BOX2D
     add_settings(&o.plan, SETTINGS_BOX2D, SETTINGS_BOX2D_COUNT);

@@ -1,0 +1,249 @@
+"""Error over cost as SVG: a chart for each case, and all of them small, side by side. Each point is
+named where it stands, so that nobody has to look for a legend."""
+
+import math
+from xml.sax.saxutils import escape
+
+import tradeoff_figures as figures
+
+# Colours that stay apart for the colour-blind, and signs that do so without colours. The pictures
+# bring their own white ground, so that a dark page does not matter.
+COLOURS = {"thud": "#00734d", "box2d": "#c4541c", "box2d stiff": "#3a5bbf"}
+SIGNS = {"thud": "circle", "box2d": "square", "box2d stiff": "triangle"}
+NAMES = {"thud": "thud", "box2d": "Box2D v3.2", "box2d stiff": "Box2D, stiffness scaled"}
+INK, GREY, PALE = "#202020", "#6b6b6b", "#e4e4e4"
+# Pixels.
+WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 900, 540, 92, 40, 92, 64
+PANEL_WIDTH, PANEL_HEIGHT, PANEL_COLUMNS, KEY = 300, 236, 3, 78
+LABEL, SMALL_LABEL, CHARACTER = 14, 11, 0.57
+
+
+def text(x, y, words, size=14, anchor="start", colour=INK, weight="normal", halo=False):
+    around = ' stroke="white" stroke-width="3" paint-order="stroke"' if halo else ""
+    return (f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size}" text-anchor="{anchor}" '
+            f'fill="{colour}" font-weight="{weight}"{around}>{escape(words)}</text>')
+
+
+def rule(x1, y1, x2, y2, colour=PALE, dashes=""):
+    return (f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" stroke="{colour}" '
+            f'stroke-width="1"{dashes}/>')
+
+
+def sign(kind, x, y, radius, colour):
+    if kind == "circle":
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}" fill="{colour}"/>'
+    if kind == "square":
+        return (f'<rect x="{x - radius:.1f}" y="{y - radius:.1f}" width="{2 * radius}" '
+                f'height="{2 * radius}" fill="{colour}"/>')
+    return (f'<path d="M {x - 1.2 * radius:.1f} {y + radius:.1f} h {2.4 * radius:.1f} '
+            f'L {x:.1f} {y - 1.2 * radius:.1f} Z" fill="{colour}"/>')
+
+
+class Axis:
+    """Maps the logarithm of values onto pixels."""
+
+    def __init__(self, values, start, end):
+        low, high = (math.log10(f(values)) for f in (min, max))
+        # A margin, and never less than a decade in all: small differences are to look small.
+        room = max(0.06 * (high - low), 0.5 * (1 - (high - low)))
+        self.low, self.high, self.start, self.end = low - room, high + room, start, end
+
+    def __call__(self, value):
+        part = (math.log10(value) - self.low) / (self.high - self.low)
+        return self.start + part * (self.end - self.start)
+
+    def ticks(self, at_most):
+        """Powers of ten, and where these are too few, twice and five times them."""
+        powers = range(math.floor(self.low), math.ceil(self.high) + 1)
+        inside = [[10.0 ** k * m for k in powers for m in steps
+                   if self.low <= math.log10(10.0 ** k * m) <= self.high]
+                  for steps in ((1, 2, 5), (1,))]
+        found = next((t for t in inside if len(t) <= at_most), inside[-1])
+        return found[::math.ceil(len(found) / at_most)] if found else inside[0]
+
+
+def short(value):
+    if value >= 1e4 or value < 1e-3:
+        return f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e")
+    return f"{value:,.0f}" if value >= 1 else f"{value:g}"
+
+
+def heights(case):
+    """Every point's error; lost ones stand above all others."""
+    errors = [figures.error(case, p) for p in case["points"]]
+    finite = [e for e in errors if math.isfinite(e)]
+    top = 10 * max(finite, default=1)
+    return {id(p): e if math.isfinite(e) else top for p, e in zip(case["points"], errors)}
+
+
+def axes_of(case, left, right, top, bottom):
+    ys = heights(case)
+    x = Axis([1e3 * figures.cost(p) for p in case["points"]], left, right)
+    y = Axis(list(ys.values()), bottom, top)
+    return x, y, {key: (x(1e3 * figures.cost(p)), y(ys[key]))
+                  for p in case["points"] for key in [id(p)]}
+
+
+def lines(case, places, width, radius):
+    """Curves, the rivals' first so that thud's lie on top."""
+    parts = []
+    for name in reversed(figures.CURVES):
+        points = [places[id(p)] for p in figures.curve(case, name)]
+        if len(points) > 1:
+            way = " L ".join(f"{px:.1f} {py:.1f}" for px, py in points)
+            dashes = ' stroke-dasharray="7 4"' if name == "box2d stiff" else ""
+            parts.append(f'<path d="M {way}" fill="none" stroke="{COLOURS[name]}" '
+                         f'stroke-width="{width}" stroke-linejoin="round"{dashes}/>')
+    for p in sorted(case["points"], key=lambda p: figures.CURVES.index(p["curve"]), reverse=True):
+        parts.append(sign(SIGNS[p["curve"]], *places[id(p)], radius, COLOURS[p["curve"]]))
+    return parts
+
+
+def along(start, end, every=6):
+    """Places on the straight way between two points."""
+    count = max(1, int(math.dist(start, end) / every))
+    return [(start[0] + (end[0] - start[0]) * i / count, start[1] + (end[1] - start[1]) * i / count)
+            for i in range(count + 1)]
+
+
+class Room:
+    """Finds places for labels, where they cover neither each other, nor a point, nor a line."""
+
+    def __init__(self, case, places, bounds, size):
+        self.bounds, self.size = bounds, size
+        half = 0.5 * size
+        self.taken = [(px - half, py - half, px + half, py + half) for px, py in places.values()]
+        for name in figures.CURVES:
+            points = [places[id(p)] for p in figures.curve(case, name)]
+            for start, end in zip(points, points[1:]):
+                self.taken += [(px - 2, py - 2, px + 2, py + 2) for px, py in along(start, end)]
+
+    def cost(self, box):
+        left, top, right, bottom = self.bounds
+        beyond = (max(0, left - box[0]) + max(0, box[2] - right) + max(0, top - box[1])
+                  + max(0, box[3] - bottom))
+        covered = sum(max(0, min(box[2], b[2]) - max(box[0], b[0]))
+                      * max(0, min(box[3], b[3]) - max(box[1], b[1])) for b in self.taken)
+        return 100 * beyond + covered
+
+    def place(self, px, py, words):
+        """The nearest free place round a point: x and y of the text's start."""
+        width, height = CHARACTER * self.size * len(words), self.size
+        tries = []
+        for far in (0.6, 1, 1.6, 2.4, 3.4, 4.5):
+            for dx, dy in ((1, 0), (-1, 0), (1, -1), (0, -1), (-1, -1), (0, 1), (1, 1), (-1, 1)):
+                cx = px + dx * (far * self.size + width / 2)
+                cy = py + dy * (far * self.size + 2)
+                box = (cx - width / 2, cy - height / 2, cx + width / 2, cy + height / 2)
+                tries.append((self.cost(box) + far * self.size, len(tries), box))
+        box = min(tries)[2]
+        self.taken.append(box)
+        return box[0], box[3] - 0.15 * self.size
+
+
+def labels(case, places, bounds):
+    room = Room(case, places, bounds, LABEL)
+    parts = []
+    for p in case["points"]:
+        words = figures.label(p)
+        if p["error"] is None:
+            words += ": lost"
+        elif figures.is_none(case, p):
+            words += ": none"
+        lx, ly = room.place(*places[id(p)], words)
+        parts.append(text(lx, ly, words, LABEL, colour=COLOURS[p["curve"]], halo=True,
+                          weight="bold" if p["curve"] == "thud" else "normal"))
+    return parts
+
+
+def end_labels(case, places, bounds):
+    """The same in a small picture, where there is room for the ends of the curves only."""
+    room = Room(case, places, bounds, SMALL_LABEL)
+    parts = []
+    for name in figures.CURVES:
+        points = [p for p in case["points"] if p["curve"] == name]
+        for p in points[:1] + points[-1:]:
+            words = p["setting"]
+            lx, ly = room.place(*places[id(p)], words)
+            parts.append(text(lx, ly, words, SMALL_LABEL, colour=COLOURS[name], halo=True))
+    return parts
+
+
+def frame(x, y, bounds, at_most, size):
+    left, top, right, bottom = bounds
+    parts = []
+    for tick in x.ticks(at_most):
+        parts.append(rule(x(tick), top, x(tick), bottom))
+        parts.append(text(x(tick), bottom + size + 5, short(tick), size, "middle", GREY))
+    for tick in y.ticks(at_most):
+        parts.append(rule(left, y(tick), right, y(tick)))
+        parts.append(text(left - 7, y(tick) + 4, short(tick), size, "end", GREY))
+    return parts
+
+
+def svg(width, height, title, parts):
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" '
+            f'width="{width}" height="{height}" font-family="sans-serif" role="img">\n'
+            f'<title>{escape(title)}</title>\n'
+            f'<rect width="{width}" height="{height}" fill="white"/>\n'
+            + "\n".join(parts) + "\n</svg>\n")
+
+
+def unit(case):
+    return f", {case['unit']}" if case["unit"] else ""
+
+
+def draw_case(case):
+    bounds = (LEFT, TOP, WIDTH - RIGHT, HEIGHT - BOTTOM)
+    x, y, places = axes_of(case, LEFT, WIDTH - RIGHT, TOP, HEIGHT - BOTTOM)
+    parts = [text(20, 34, f"{case['title']}: what accuracy costs", 18, weight="bold"),
+             text(20, 56, case["about"], 13, colour=GREY),
+             text(LEFT, TOP - 12, f"{case['error']}{unit(case)}", 13, colour=INK),
+             text(WIDTH - RIGHT, HEIGHT - BOTTOM + 42, "µs a step", 13, "end"),
+             text(LEFT, HEIGHT - BOTTOM + 42, "better: to the left and further down", 13,
+                  colour=GREY)]
+    parts += frame(x, y, bounds, 9, 12)
+    parts += lines(case, places, 2.5, 5)
+    parts += labels(case, places, bounds)
+    return svg(WIDTH, HEIGHT, f"{case['title']}: error over cost", parts)
+
+
+def key(width):
+    """Names of the curves beside the signs themselves."""
+    parts = [text(20, 34, "What accuracy costs: error over time a step", 18, weight="bold"),
+             text(width - 20, 34, "better: to the left and further down", 13, "end", GREY)]
+    at = 20
+    for name, more in (("thud", ": draft, default, high, exact"),
+                       ("box2d", ": 1, 2, 4, 8, 16 substeps"), ("box2d stiff", ": 8, 16")):
+        words = NAMES[name] + more
+        parts.append(sign(SIGNS[name], at + 6, 56, 5, COLOURS[name]))
+        parts.append(text(at + 18, 61, words, 14, colour=COLOURS[name],
+                          weight="bold" if name == "thud" else "normal"))
+        at += 18 + CHARACTER * 14 * len(words) + 24
+    return parts
+
+
+def panel(case, column, row):
+    left, top = column * PANEL_WIDTH + 52, KEY + row * PANEL_HEIGHT + 46
+    bounds = (left, top, (column + 1) * PANEL_WIDTH - 14, KEY + (row + 1) * PANEL_HEIGHT - 26)
+    x, y, places = axes_of(case, bounds[0], bounds[2], bounds[1], bounds[3])
+    parts = [text(left, top - 24, case["title"], 14, weight="bold"),
+             text(left, top - 9, f"{case['error']}{unit(case)}", 11, colour=GREY),
+             text(bounds[2], bounds[3] - 5, "µs", 10, "end", GREY)]
+    return parts + frame(x, y, bounds, 5, 10) + lines(case, places, 1.8, 3.5) \
+        + end_labels(case, places, bounds)
+
+
+def draw_overview(cases):
+    rows = math.ceil(len(cases) / PANEL_COLUMNS)
+    width, height = PANEL_COLUMNS * PANEL_WIDTH, KEY + rows * PANEL_HEIGHT
+    parts = key(width)
+    for i, case in enumerate(cases):
+        parts += panel(case, i % PANEL_COLUMNS, i // PANEL_COLUMNS)
+    return svg(width, height, "What accuracy costs, in all cases", parts)
+
+
+def draw(results):
+    """Every picture by its file's name."""
+    pictures = {f"{case['case']}.svg": draw_case(case) for case in results["cases"]}
+    return {**pictures, "overview.svg": draw_overview(results["cases"])}
