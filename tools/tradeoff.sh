@@ -14,7 +14,11 @@ tradeoff() {
     python3 tests/tradeoff/tradeoff.py "" --check "$@" || exit
     case " $* " in
         *' --again '*) ;;
-        *) build_bench ;;
+        *)
+            sh tests/baseline/build.sh build/baseline
+            build bench --preset release -DTHUD_WERROR=ON -DTHUD_TESTS=OFF \
+                -DTHUD_BOX2D="$root/build/baseline"
+            ;;
     esac
     name_commit
     cd "$caller"
