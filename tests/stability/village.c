@@ -176,31 +176,38 @@ static void say_mover(text *t, const thud_mover *m)
         (double)m->ground_sine);
 }
 
-/* An overlap query finds the handles of everything that is in the world. */
+enum { SHAPES = 512 };
+
+typedef struct shape_list {
+    thud_shape_id at[SHAPES];
+    int count;
+} shape_list;
+
 static bool list_shape(thud_shape_id shape, void *context)
 {
-    thud_shape_id **end = context;
-    *(*end)++ = shape;
+    shape_list *list = context;
+    assert_true(list->count < SHAPES);
+    list->at[list->count++] = shape;
     return true;
 }
 
 char *village_text(const village *v)
 {
-    enum { SIZE = 1 << 15, SHAPES = 64 };
+    enum { SIZE = 1 << 19 };
     text t = {malloc(SIZE), SIZE};
     char *start = t.at;
-    thud_shape_id shapes[SHAPES], *end = shapes;
+    shape_list list = {.count = 0};
     thud_query_filter all = thud_default_query_filter();
     all.sensors = true;
     say_world(&t, v);
     OK(thud_world_overlap_aabb(v->world, (thud_pos){-1e6, -1e6}, (thud_pos){1e6, 1e6}, &all,
-                               list_shape, &end));
-    for (const thud_shape_id *shape = shapes; shape < end; shape++) {
+                               list_shape, &list));
+    for (int i = 0; i < list.count; i++) {
         thud_shape_state state;
         char line[1024];
-        shape_text(v->world, *shape, line, sizeof line);
+        shape_text(v->world, list.at[i], line, sizeof line);
         SAY(&t, "%s", line);
-        OK(thud_shape_get(v->world, *shape, &state));
+        OK(thud_shape_get(v->world, list.at[i], &state));
         village_body_text(v->world, state.body, line, sizeof line);
         SAY(&t, "%s", line);
     }

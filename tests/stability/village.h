@@ -22,8 +22,8 @@ void village_make(village *v, thud_world_def def);
 void village_step(village *v);
 void village_free(village *v);
 
-/* Statistics (without times), energies, settings, every body and shape, every line, the mover. Owned
- * by the caller, who frees it. */
+/* Statistics (without times), energies, every body and shape, every line, the mover. Owned by the
+ * caller, who frees it. Applies edits, as every query does. */
 char *village_text(const village *v);
 
 /* As above, of one body. */
