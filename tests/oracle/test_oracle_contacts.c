@@ -144,22 +144,38 @@ static void touch_box_on_ridge_is_touched_by_the_vertex(void **state) {
     assert_near(points[0].gap, -0.01, 1e-12);
 }
 
-/* A corner right below a valley of two slopes of 45 degrees is neither's by its foot. */
+/* A corner right below a valley of two slopes of one half is neither's by its foot. */
 static void touch_corner_below_a_valley_is_pushed_by_both_slopes(void **state) {
     (void)state;
-    const scene_point line[] = {{-2, 2}, {0, 0}, {2, 2}};
+    const scene_point line[] = {{-2, 1}, {0, 0}, {2, 1}};
     depth_ground ground = {line, 3};
-    double c = cos(0.75), s = sin(0.75); /* nearly on its corner, which is at the lowest point */
-    depth_shape box = {false, 0, 0, c, s, 0.5, 0.5};
-    box.x = 0.5 * c - 0.5 * s;
-    box.y = 0.5 * s + 0.5 * c - 0.01;
+    depth_shape box = {false, 0, sqrt(0.5) - 0.01, sqrt(0.5), sqrt(0.5), 0.5, 0.5};
     touch_point points[TOUCH_GROUND_POINTS];
-    int count = touch_ground(&ground, &box, 0, points);
-    int slopes = 0;
-    for (int i = 0; i < count; i++)
-        slopes |= points[i].normal_x > 0 ? 1 : 2;
-    assert_int_equal(slopes, 3);
-    assert_near(deepest(points, count), 0.01 * sqrt(0.5), 1e-4);
+    assert_int_equal(touch_ground(&ground, &box, 0, points), 2);
+    for (int i = 0; i < 2; i++) {
+        assert_near(points[i].gap, -0.01 * 2 / sqrt(5), 1e-12);
+        assert_near(points[i].normal_x, (i == 0 ? 1 : -1) / sqrt(5), 1e-12);
+    }
+}
+
+/* A peak of 53 degrees, and a box beside it that its tip has entered: out through the nearest face,
+ * which looks along the far slope's normal nearly. */
+static void touch_sharp_peak_inside_a_box_is_pushed_out_of_its_nearest_face(void **state) {
+    (void)state;
+    const scene_point line[] = {{-2, -4}, {0, 0}, {2, -4}};
+    depth_ground ground = {line, 3};
+    const double c = cos(0.3), s = sin(0.3); /* the slope's normal is at 0.46 */
+    depth_shape box = {false, 0.49 * c, 0.49 * s, c, s, 0.5, 0.1};
+    touch_point points[TOUCH_GROUND_POINTS];
+    int count = touch_ground(&ground, &box, 0, points), tips = 0;
+    for (int i = 0; i < count; i++) {
+        if (fabs(points[i].gap + 0.01) > 1e-12)
+            continue;
+        tips++;
+        assert_near(points[i].normal_x, c, 1e-12);
+        assert_near(points[i].normal_y, s, 1e-12);
+    }
+    assert_int_equal(tips, 1);
 }
 
 /* Row i of a random matrix that is diagonal enough, in a ragged profile. */
@@ -204,6 +220,7 @@ int main(void) {
         cmocka_unit_test(touch_along_straight_line_has_no_contact_with_hidden_ends),
         cmocka_unit_test(touch_box_on_ridge_is_touched_by_the_vertex),
         cmocka_unit_test(touch_corner_below_a_valley_is_pushed_by_both_slopes),
+        cmocka_unit_test(touch_sharp_peak_inside_a_box_is_pushed_out_of_its_nearest_face),
         cmocka_unit_test(skyline_solution_of_ragged_matrix_gives_right_side_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -103,31 +103,39 @@ static void ball_on_vertex(const depth_ground *ground, const ball *b, int index,
                           gap, b->feature + 8 * index + 1});
 }
 
-/* A face of the box above a convex vertex, if it looks between the two segments' normals. */
+/* How far, as a sine, a face may look aside of the two slopes of a vertex that is in the box. */
+static const double ASIDE = 0.5;
+
+/* A convex vertex and the face of the box that it is nearest to. From outside it can meet a face
+ * only that looks between the normals of its two slopes, else a corner is there first; but once it
+ * is inside it must get out, also through a face that looks a little beyond. */
 static void vertex_in_box(const depth_ground *ground, const depth_shape *box, int index,
                           double margin, found *f) {
     segment left = segment_at(ground, index - 1), right = segment_at(ground, index);
     if (left.along.x * right.along.y - left.along.y * right.along.x >= 0)
         return; /* concave or straight */
     double dx = right.start.x - box->x, dy = right.start.y - box->y;
+    touch_point best = {.gap = -HUGE_VAL};
     for (int face = 0; face < 4; face++) {
         double sign = face < 2 ? 1 : -1;
         bool upright = face % 2 == 1;
-        /* Outward normal, and the vertex's place along it and across. */
-        double nx = sign * (upright ? -box->sine : box->cosine);
-        double ny = sign * (upright ? box->cosine : box->sine);
-        double gap = dx * nx + dy * ny - (upright ? box->hy : box->hx);
+        /* Into the box, and the vertex's place along it and across. */
+        double nx = sign * (upright ? box->sine : -box->cosine);
+        double ny = sign * (upright ? -box->cosine : -box->sine);
+        double gap = -dx * nx - dy * ny - (upright ? box->hy : box->hx);
         double across = fabs(dx * ny - dy * nx), half = upright ? box->hx : box->hy;
-        /* Against the normal is away from the ground: right of the left segment's direction's
-         * normal, left of the right one's. */
-        bool in_cone = -nx * left.along.x - ny * left.along.y >= 0 &&
-                       -nx * right.along.x - ny * right.along.y <= 0 &&
-                       -ny * left.along.x + nx * left.along.y > 0;
-        if (gap > margin || gap < -half || across > half || !in_cone)
+        double aside =
+            fmax(-nx * left.along.x - ny * left.along.y, nx * right.along.x + ny * right.along.y);
+        bool outward = ny * (left.along.x + right.along.x) > nx * (left.along.y + right.along.y);
+        if (gap > margin || across > half || !outward || aside > (gap < 0 ? ASIDE : 0))
             continue;
-        keep(f, (touch_point){right.start.x - 0.5 * gap * -nx, right.start.y - 0.5 * gap * -ny, -nx,
-                              -ny, gap, 4 + 8 * index + face % 4 * 0x100000});
+        if (gap > best.gap)
+            best = (touch_point){
+                right.start.x - 0.5 * gap * nx, right.start.y - 0.5 * gap * ny, nx, ny, gap,
+                4 + 8 * index + face * 0x100000};
     }
+    if (best.gap > -fmin(box->hx, box->hy))
+        keep(f, best);
 }
 
 static void touch_circle(const depth_ground *ground, const depth_shape *circle, double margin,
