@@ -37,7 +37,7 @@ reached to docs/stability.md.
 
   --only ROW       only this extreme, to standard output; may be given several times: mass-ratio,
                    columns, far-away, speed, sizes, time-step, energy, slopes, long-run,
-                   crowding
+                   crowding, wrong-input
   --quick          seconds of simulated time, as in the tests: shows that it runs
   --without-box2d  thud alone
   --out FILE       writes to FILE instead

@@ -77,6 +77,10 @@ bool trial_renew(trial *t, int body) {
     return renewed;
 }
 
+bool trial_misuse(trial *t, int body, misuse call, double value) {
+    return t->engine->misuse(t->world, body, call, value);
+}
+
 const contender_body *trial_read(trial *t) {
     t->engine->read(t->world, t->bodies);
     for (int i = 0; i < t->scene->body_count; i++) {

@@ -4,6 +4,7 @@
 
 #include "contender.h"
 #include "extreme.h"
+#include "misuse.h"
 #include "penetration.h"
 
 #include <thud/thud.h>
@@ -31,6 +32,9 @@ bool trial_set_time_step(trial *t, double seconds);
 /* Destroys a body of one circle, and makes it anew as the scene has it. False, and the ledger has
  * failed, when that is refused. */
 bool trial_renew(trial *t, int body);
+
+/* A wrong call, about this body where it is about one. True if the engine says that it is. */
+bool trial_misuse(trial *t, int body, misuse call, double value);
 
 /* All bodies in the scene's order, as of now. Belongs to the trial, valid until its next call. */
 const contender_body *trial_read(trial *t);

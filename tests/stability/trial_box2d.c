@@ -1,5 +1,6 @@
 /* trial_box2d.c: Box2D v3.2 with the 4 substeps that its manual recommends. */
 #include "build_box2d.h"
+#include "misuse_box2d.h"
 #include "trial_engine.h"
 
 #include <stdio.h>
@@ -103,6 +104,12 @@ static bool renew(void *state, const scene *s, int body) {
     return B2_IS_NON_NULL(b2CreateCircleShape(own->bodies[body], &shape, &circle));
 }
 
+static bool misuse_body(void *state, int body, misuse call, double value) {
+    box2d_trial *own = state;
+    misuse_box2d(own->id, own->bodies[body], call, value);
+    return false;
+}
+
 static uint64_t bytes(void *state) {
     box2d_trial *own = state;
     return (uint64_t)b2World_GetCounters(own->id).byteCount;
@@ -121,6 +128,7 @@ const trial_engine TRIAL_BOX2D = {
     .read = read_bodies,
     .pose = read_pose,
     .renew = renew,
+    .misuse = misuse_body,
     .bytes = bytes,
     .allocations = allocations,
 };

@@ -105,6 +105,11 @@ static bool renew(void *state, const scene *s, int body) {
                                     (float)circle->hx, NULL) == THUD_OK;
 }
 
+static bool misuse_body(void *state, int body, misuse call, double value) {
+    thud_trial *own = state;
+    return misuse_thud(own->world, own->bodies[body], call, value);
+}
+
 static uint64_t bytes(void *state) {
     thud_trial *own = state;
     return thud_world_stats(own->world).bytes;
@@ -123,6 +128,7 @@ const trial_engine TRIAL_THUD = {
     .read = read_bodies,
     .pose = read_pose,
     .renew = renew,
+    .misuse = misuse_body,
     .bytes = bytes,
     .allocations = allocations,
 };
