@@ -19,37 +19,24 @@ void td_ballistics_note(thud_world *w)
     }
 }
 
-/* What the solver did to a body beside gravity. */
-typedef struct kick {
-    double velocity[3], motion[3]; /* a second; a step */
-} kick;
-
-/* n substeps make of `push` alone v1 = v0 + n p, and the motion
- * d = h (v0 + p) + h (v0 + 2 p) + ... = n h v1 - h p n (n - 1) / 2. */
-static kick kick_of(const thud_world *w, int slot, double *rounding)
+/* Whether the solver, beside gravity, gave the body no more than `share` of velocity, at its rim as at
+ * its centre, and of motion. With steps of any number that is v1 = v0 + gain, and a motion from
+ * dt (v1 - gain / 2), of steps without end, to dt v1, of one. */
+static bool is_free(const thud_world *w, int slot, double share)
 {
     const td_flight *f = td_flight_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
     const float *push = td_row(&w->push, slot);
-    double n = w->substeps, h = w->def.time_step / n;
-    kick k;
-    for (int axis = 0; axis < 3; axis++) {
-        double v1 = (double)velocity[axis], gain = n * (double)push[axis];
-        k.velocity[axis] = v1 - f->motion[axis] - gain;
-        k.motion[axis] = (double)delta[axis] - h * (n * v1 - 0.5 * (n - 1.0) * gain);
-        rounding[axis] = 0x1p-22 * n * (td_abs(f->motion[axis]) + td_abs(gain));
+    double n = w->substeps;
+    bool free = true;
+    for (int k = 0; k < 3 && free; k++) {
+        double v1 = (double)velocity[k], gain = n * (double)push[k];
+        double rounding = 0x1p-22 * n * (td_abs(f->motion[k]) + td_abs(gain));
+        double most = rounding + (k < 2 ? share : share / (double)td_row(&w->reach, slot)[1]);
+        double off = (double)delta[k] / w->def.time_step - (v1 - 0.25 * gain);
+        free = td_abs(v1 - f->motion[k] - gain) <= most && td_abs(off) <= 0.25 * td_abs(gain) + most;
     }
-    return k;
-}
-
-static bool is_small(const kick *k, const double *least, double share, double rim, double dt)
-{
-    bool small = true;
-    for (int axis = 0; axis < 3; axis++) {
-        double most = least[axis] + (axis < 2 ? share : share / rim);
-        small &= td_abs(k->velocity[axis]) <= most && td_abs(k->motion[axis]) <= most * dt;
-    }
-    return small;
+    return free;
 }
 
 /* The parabola that ends with the body's velocity. Who was not touched at all gets that velocity from
@@ -72,7 +59,6 @@ static void fly(thud_world *w, int slot, bool touched)
 
 void td_ballistics_fly(thud_world *w)
 {
-    double dt = w->def.time_step;
     for (int slot = 1; slot < w->body_of.count; slot++) {
         td_flight *f = td_flight_at(w, slot);
         const td_body *body = td_body_at(w, f->body);
@@ -82,11 +68,9 @@ void td_ballistics_fly(thud_world *w)
         }
         const float *push = td_row(&w->push, slot);
         double gain = w->substeps * __builtin_sqrt((double)(push[0] * push[0] + push[1] * push[1]));
-        double rounding[3], rim = (double)td_row(&w->reach, slot)[1];
-        kick k = kick_of(w, slot, rounding);
-        f->free = is_small(&k, rounding, LITTLE * gain, rim, dt);
-        if (f->free) {
-            fly(w, slot, !is_small(&k, rounding, 0.0, rim, dt));
+        f->free = is_free(w, slot, LITTLE * gain);
+        if (f->free && gain > 0.0) {
+            fly(w, slot, !is_free(w, slot, 0.0));
         }
     }
 }

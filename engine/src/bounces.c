@@ -75,44 +75,42 @@ static void note_borne(const thud_world *w, td_block *block)
     }
 }
 
-/* Distance of the nearest point, and the greatest square of the speed at which a point will meet:
- * closing^2 + 2 * gravity * height. A pair that the solver bears stands a skin above where it meets.
- * What goes apart meets, if at all, as fast as it left: `returns` counts it. */
-static double meeting_speed2(const thud_world *w, const lane *l, double pull, bool returns,
-                             double *least)
+/* Restitution below 1: what is well apart and closes fast. Where it touches already, the solver is the
+ * one that takes a heap apart. */
+static bool bounces_lossily(const thud_world *w, const lane *l)
 {
-    double fastest = -1.0, floor = l->loaded ? TD_SKIN : TD_MEET;
-    *least = 1e30;
+    float slow = w->def.restitution_threshold * w->unit;
+    bool apart = true, closes = false;
     for (int k = 0; k < l->points; k++) {
         const td_point *p = &l->block->point[k];
-        if (p->normal_mass[l->index] > 0.0f) {
-            double closing = -(double)td_history_of(l->block, l->points)[k].approach[l->index];
-            double distance = (double)(p->separation[l->index] + w->skin);
-            double height = td_max_double(distance - floor * (double)w->unit, 0.0);
-            if (closing > 0.0 || returns) {
-                double speed2 = closing * closing + 2.0 * td_max_double(pull, 0.0) * height;
-                fastest = td_max_double(fastest, speed2);
-            }
-            *least = td_min_double(distance, *least);
-        }
+        bool here = p->normal_mass[l->index] > 0.0f;
+        apart &= !here || p->separation[l->index] + w->skin > TD_MEET * w->unit;
+        closes |= here && td_history_of(l->block, l->points)[k].approach[l->index] < -slow;
     }
-    return fastest;
+    return apart && closes;
 }
 
-/* Whether the pair is one that bounces; of bisected ones only what is well apart. */
-static bool bounces(const thud_world *w, const lane *l, bool swept, bool elastic)
+/* Elastic: what will meet faster than bodies at rest do, and what has; closing^2 + 2 * gravity * height
+ * is the square of that speed. A pair that the solver bears stands a skin above where it meets. */
+static bool bounces_elastically(const thud_world *w, const lane *l)
 {
-    double nx = (double)l->block->nx[l->index], ny = (double)l->block->ny[l->index];
-    double most = 0.0, least, slow = (double)(w->def.restitution_threshold * w->unit);
+    double nx = (double)l->block->nx[l->index], ny = (double)l->block->ny[l->index], most = 0.0;
     double pull = gravity_of(w, l->block->a[l->index], nx, ny, &most);
-    pull -= gravity_of(w, l->block->b[l->index], nx, ny, &most);
-    if (elastic) {
-        double rest = (is_borne(w, l) ? TD_BOUNCE_BORNE : TOUCH) * most * w->def.time_step;
-        slow = td_min_double(rest, slow);
+    pull = td_max_double(pull - gravity_of(w, l->block->b[l->index], nx, ny, &most), 0.0);
+    double rest = (is_borne(w, l) ? TD_BOUNCE_BORNE : TOUCH) * most * w->def.time_step;
+    double slow = td_min_double(rest, (double)(w->def.restitution_threshold * w->unit));
+    double meets_at = (double)((l->loaded ? TD_SKIN : TD_MEET) * w->unit);
+    bool apart = true, fast = false;
+    for (int k = 0; k < l->points; k++) {
+        const td_point *p = &l->block->point[k];
+        double closing = (double)td_history_of(l->block, l->points)[k].approach[l->index];
+        double distance = (double)(p->separation[l->index] + w->skin);
+        double speed2 = closing * closing + 2.0 * pull * td_max_double(distance - meets_at, 0.0);
+        bool here = p->normal_mass[l->index] > 0.0f;
+        apart &= !here || distance > -(double)(TD_MEET * w->unit);
+        fast |= here && speed2 >= slow * slow;
     }
-    double speed2 = meeting_speed2(w, l, swept ? pull : 0.0, elastic, &least);
-    double nearest = (swept ? -1.0 : 1.0) * (double)(TD_MEET * w->unit);
-    return least > nearest && (elastic ? speed2 >= slow * slow : speed2 > slow * slow);
+    return apart && fast;
 }
 
 /* What touches without load is not pushed apart to the distance at which contacts rest. */
@@ -135,9 +133,8 @@ static void take(thud_world *w, td_block *block, int index)
         return;
     }
     lane l = lane_of(w, block, index);
-    bool swept = detection->rank == TD_RANK_SWEPT;
-    bool elastic = swept && block->restitution[index] >= 1.0f;
-    if (bounces(w, &l, swept, elastic)) {
+    bool elastic = detection->rank == TD_RANK_SWEPT && block->restitution[index] >= 1.0f;
+    if (elastic ? bounces_elastically(w, &l) : bounces_lossily(w, &l)) {
         td_surface_mute(block, l.points, index);
     } else if (elastic && !l.loaded) {
         stay(w, &l);
@@ -150,7 +147,11 @@ void td_bounces_take(thud_world *w)
         return;
     }
     td_block **blocks = w->scratch.blocks.data;
-    for (int i = 0; i < w->scratch.blocks.count; i++) {
+    bool elastic = false;
+    for (int i = 0; i < w->scratch.blocks.count && !elastic; i++) {
+        elastic = blocks[i]->bouncy && i8_bits(blocks[i]->restitution >= f8_all(1.0f));
+    }
+    for (int i = 0; i < w->scratch.blocks.count && elastic; i++) {
         note_borne(w, blocks[i]);
     }
     for (int i = 0; i < w->scratch.blocks.count; i++) {
