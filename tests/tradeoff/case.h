@@ -5,16 +5,16 @@
 #define THUD_TRADEOFF_CASE_H
 
 #include "contender.h"
-#include "penetration.h"
+#include "oracle.h"
 #include "scenes.h"
 
-/* What can be seen of a world after a step, by no engine's own measure. */
+/* What can be seen of a world after a step, by no engine's own measure. Nothing is lost. */
 typedef struct sighting {
-    const scene *scene;          /* as it began */
-    const contender_body *bodies; /* as of now, in the scene's order; all are finite */
-    double time;                 /* s since the start */
-    penetration overlap;         /* of this step alone */
-    double energy, energy_start; /* J: kinetic, and potential above the lowest body's start */
+    const scene *scene;           /* as it began */
+    const contender_body *bodies; /* as of now, in the scene's order */
+    double time;                  /* s since the start */
+    oracle_score score;           /* of this step */
+    const oracle_score *start;    /* ... and of the scene as it began */
 } sighting;
 
 /* How the errors of the single steps make the one of the whole run. */

@@ -27,7 +27,7 @@ const tradeoff_case *cases_find(const char *name) {
 }
 
 double case_deepest_overlap(const sighting *now) {
-    return now->overlap.worst;
+    return now->score.penetration_max;
 }
 
 bool case_fill(const tradeoff_case *c, bool quick, scene *s) {

@@ -55,7 +55,7 @@ static bool fill_rubble(scene *s, int size) {
 }
 
 static double energy_drift(const sighting *now) {
-    return fabs(now->energy / now->energy_start - 1);
+    return fabs(now->score.energy / now->start->energy - 1);
 }
 
 const tradeoff_case case_rubble = {

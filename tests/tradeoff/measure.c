@@ -60,12 +60,14 @@ static bool look_at(run *r, int which, yardstick *y) {
     if (!open_world(r, which))
         return false;
     engine->read(r->worlds[which], r->bodies);
-    yardstick_begin(y, r->bodies);
+    if (!yardstick_begin(y, r->bodies))
+        return fail(r, which, "out of memory");
     for (int step = 1; step <= r->steps; step++) {
         if (!engine->step(r->worlds[which]))
             return fail(r, which, "a step failed");
         engine->read(r->worlds[which], r->bodies);
-        yardstick_look(y, r->bodies, step * CONTENDER_TIME_STEP);
+        if (!yardstick_look(y, r->bodies, step * CONTENDER_TIME_STEP))
+            return fail(r, which, "out of memory");
         if (step % TURN == 0)
             tell(r, TURN);
     }

@@ -4,6 +4,7 @@
 
 #include "contender.h"
 
+#include <thud/thud_detection.h>
 #include <thud/thud_quality.h>
 
 typedef struct setting setting;
@@ -21,11 +22,12 @@ typedef struct setting_engine {
 
 struct setting {
     const setting_engine *engine;
-    const char *name;            /* unique among those of its engine */
-    const char *curve;           /* settings of one curve go from cheap to dear in their order */
-    const thud_quality *quality; /* thud */
-    int substeps;                /* Box2D */
-    double contact_hertz;        /* Box2D: b2WorldDef.contactHertz */
+    const char *name;                /* unique among those of its engine */
+    const char *curve;               /* settings of one curve go from cheap to dear in their order */
+    const thud_quality *quality;     /* thud */
+    const thud_detection *detection; /* thud: null takes the quality's */
+    int substeps;                    /* Box2D */
+    double contact_hertz;            /* Box2D: b2WorldDef.contactHertz */
 };
 
 enum { SETTINGS_MAX = 16 };

@@ -1,4 +1,5 @@
-/* setting_thud.c: thud at each of its qualities, everything else at its defaults. */
+/* setting_thud.c: thud at each of its qualities, everything else at its defaults; and at the default
+ * one with swept detection, which is what to choose where all that matters is impacts. */
 #include "build_thud.h"
 #include "setting.h"
 
@@ -27,6 +28,7 @@ static void *create(const scene *s, const setting *how) {
     def.time_step = CONTENDER_TIME_STEP;
     def.sleeping = false;
     def.quality = how->quality;
+    def.detection = how->detection;
     def.log = print_log;
     thud_result result = scene_build_thud(s, &def, &own->world, own->bodies, NULL);
     if (result != THUD_OK) {
@@ -81,5 +83,10 @@ const setting SETTINGS_THUD[] = {
     {.engine = &ENGINE, .name = "default", .curve = "thud", .quality = &thud_quality_default},
     {.engine = &ENGINE, .name = "high", .curve = "thud", .quality = &thud_quality_high},
     {.engine = &ENGINE, .name = "exact", .curve = "thud", .quality = &thud_quality_exact},
+    {.engine = &ENGINE,
+     .name = "default swept",
+     .curve = "thud swept",
+     .quality = &thud_quality_default,
+     .detection = &thud_detection_swept},
 };
 const int SETTINGS_THUD_COUNT = sizeof SETTINGS_THUD / sizeof SETTINGS_THUD[0];

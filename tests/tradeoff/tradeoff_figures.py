@@ -3,7 +3,7 @@
 import math
 
 # A picture's curves; the second one's start is the first one's, see setting_box2d.c.
-CURVES = ["thud", "box2d", "box2d stiff"]
+CURVES = ["thud", "thud swept", "box2d", "box2d stiff"]
 SHARED_SUBSTEPS = 4
 
 
@@ -35,7 +35,7 @@ def rivals(case):
 
 
 def own(case):
-    return curve(case, "thud")
+    return [p for p in case["points"] if p["engine"] == "thud"]
 
 
 def label(point):
@@ -87,6 +87,6 @@ def holds(case):
 
 def not_monotone(case):
     """Pairs of thud's qualities of which the finer errs more, beyond what chance explains."""
-    points = own(case)
+    points = curve(case, "thud")
     return [(a, b) for i, a in enumerate(points) for b in points[i + 1:]
             if error(case, b) > max(case["floor"], case["chance"] * error(case, a))]

@@ -8,9 +8,10 @@ import tradeoff_figures as figures
 
 # Colours that stay apart for the colour-blind, and signs that do so without colours. The pictures
 # bring their own white ground, so that a dark page does not matter.
-COLOURS = {"thud": "#00734d", "box2d": "#c4541c", "box2d stiff": "#3a5bbf"}
-SIGNS = {"thud": "circle", "box2d": "square", "box2d stiff": "triangle"}
-NAMES = {"thud": "thud", "box2d": "Box2D v3.2", "box2d stiff": "Box2D, stiffness scaled"}
+COLOURS = {"thud": "#00734d", "thud swept": "#00734d", "box2d": "#c4541c", "box2d stiff": "#3a5bbf"}
+SIGNS = {"thud": "circle", "thud swept": "ring", "box2d": "square", "box2d stiff": "triangle"}
+KEY_WORDS = {"thud": "thud: draft, default, high, exact", "thud swept": "default swept",
+             "box2d": "Box2D v3.2: 1, 2, 4, 8, 16 substeps", "box2d stiff": "8, 16, stiffer"}
 INK, GREY, PALE = "#202020", "#6b6b6b", "#e4e4e4"
 # Pixels.
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 900, 540, 92, 40, 92, 64
@@ -32,6 +33,9 @@ def rule(x1, y1, x2, y2, colour=PALE, dashes=""):
 def sign(kind, x, y, radius, colour):
     if kind == "circle":
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}" fill="{colour}"/>'
+    if kind == "ring":
+        return (f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius - 0.5}" fill="white" '
+                f'stroke="{colour}" stroke-width="2"/>')
     if kind == "square":
         return (f'<rect x="{x - radius:.1f}" y="{y - radius:.1f}" width="{2 * radius}" '
                 f'height="{2 * radius}" fill="{colour}"/>')
@@ -152,7 +156,7 @@ def labels(case, places, bounds):
             words += ": none"
         lx, ly = room.place(*places[id(p)], words)
         parts.append(text(lx, ly, words, LABEL, colour=COLOURS[p["curve"]], halo=True,
-                          weight="bold" if p["curve"] == "thud" else "normal"))
+                          weight="bold" if p["engine"] == "thud" else "normal"))
     return parts
 
 
@@ -162,8 +166,8 @@ def end_labels(case, places, bounds):
     parts = []
     for name in figures.CURVES:
         points = [p for p in case["points"] if p["curve"] == name]
-        for p in points[:1] + points[-1:]:
-            words = p["setting"]
+        for p in points[:1] + points[1:][-1:]:
+            words = "swept" if name == "thud swept" else p["setting"]
             lx, ly = room.place(*places[id(p)], words)
             parts.append(text(lx, ly, words, SMALL_LABEL, colour=COLOURS[name], halo=True))
     return parts
@@ -213,13 +217,11 @@ def key(width):
     parts = [text(20, 34, "What accuracy costs: error over time a step", 18, weight="bold"),
              text(width - 20, 34, "better: to the left and further down", 13, "end", GREY)]
     at = 20
-    for name, more in (("thud", ": draft, default, high, exact"),
-                       ("box2d", ": 1, 2, 4, 8, 16 substeps"), ("box2d stiff", ": 8, 16")):
-        words = NAMES[name] + more
+    for name, words in KEY_WORDS.items():
         parts.append(sign(SIGNS[name], at + 6, 56, 5, COLOURS[name]))
         parts.append(text(at + 18, 61, words, 14, colour=COLOURS[name],
                           weight="bold" if name == "thud" else "normal"))
-        at += 18 + CHARACTER * 14 * len(words) + 24
+        at += 18 + CHARACTER * 14 * len(words) + 20
     return parts
 
 

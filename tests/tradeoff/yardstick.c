@@ -1,5 +1,5 @@
-/* yardstick.c: see yardstick.h. Masses are computed from the scene, places and velocities are read
- * back through each engine's public API: nothing that an engine says of its own errors counts. */
+/* yardstick.c: see yardstick.h. The oracle's meter scores each state: nothing that an engine says of
+ * its own errors counts. */
 #include "yardstick.h"
 
 #include <math.h>
@@ -7,29 +7,25 @@
 
 #define PI 3.14159265358979323846
 
-typedef struct inertial {
-    double mass, inertia; /* about the centre of mass, which is the origin: one shape, centred */
-} inertial;
-
 struct yardstick {
     const tradeoff_case *c;
     const scene *scene;
-    penetration_meter *meter;
-    inertial *inertial;
-    double floor_y, energy_start, energy_most, kinetic_most;
-    penetration overlap;
+    oracle_meter *meter;
+    double fall; /* J: everything's fall by a length scale */
+    oracle_score start;
+    double kinetic_most, energy_most;
+    double penetration_worst, penetration_sum; /* m; the sum over all touching pairs and steps */
+    double touching;                           /* so many */
     double folded; /* so far: the worst, the sum or the last of the steps' errors */
     long steps;
     int lost;
 };
 
-static inertial inertial_of(const scene_shape *shape) {
-    bool circle = shape->kind == SCENE_CIRCLE;
-    double area = circle ? PI * shape->hx * shape->hx : 4 * shape->hx * shape->hy;
-    double square = circle ? 0.5 * shape->hx * shape->hx
-                           : (shape->hx * shape->hx + shape->hy * shape->hy) / 3;
-    double mass = shape->material.density * area;
-    return (inertial){mass, mass * square};
+/* Of bodies of one shape. */
+static double mass_of(const scene_shape *shape) {
+    double area = shape->kind == SCENE_CIRCLE ? PI * shape->hx * shape->hx
+                                              : 4 * shape->hx * shape->hy;
+    return shape->material.density * area;
 }
 
 yardstick *yardstick_create(const tradeoff_case *c, const scene *s) {
@@ -38,101 +34,65 @@ yardstick *yardstick_create(const tradeoff_case *c, const scene *s) {
         return NULL;
     y->c = c;
     y->scene = s;
-    y->meter = penetration_meter_create(s);
-    y->inertial = calloc((size_t)s->body_count + 1, sizeof *y->inertial);
-    if (!y->meter || !y->inertial) {
+    y->meter = oracle_meter_create(s);
+    if (!y->meter) {
         yardstick_destroy(y);
         return NULL;
     }
-    y->floor_y = INFINITY;
-    for (int i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind != SCENE_DYNAMIC)
-            continue;
-        y->inertial[i] = inertial_of(&s->shapes[s->bodies[i].first_shape]);
-        y->floor_y = fmin(y->floor_y, s->bodies[i].y);
-    }
+    for (int i = 0; i < s->body_count; i++)
+        if (s->bodies[i].kind == SCENE_DYNAMIC)
+            y->fall += hypot(s->gravity_x, s->gravity_y) * s->length_scale *
+                       mass_of(&s->shapes[s->bodies[i].first_shape]);
     return y;
 }
 
 void yardstick_destroy(yardstick *y) {
     if (!y)
         return;
-    penetration_meter_destroy(y->meter);
-    free(y->inertial);
+    oracle_meter_destroy(y->meter);
     free(y);
 }
 
-typedef struct energy {
-    double kinetic, potential; /* J; potential above the lowest start */
-} energy;
-
-static energy energy_of(const yardstick *y, const contender_body *bodies) {
-    const scene *s = y->scene;
-    energy sum = {0};
-    for (int i = 0; i < s->body_count; i++) {
-        const contender_body *b = &bodies[i];
-        const inertial *m = &y->inertial[i];
-        if (m->mass == 0)
-            continue;
-        double turning = s->bodies[i].fixed_rotation ? 0 : b->angular_velocity;
-        sum.kinetic += 0.5 * m->mass * (b->vx * b->vx + b->vy * b->vy) +
-                       0.5 * m->inertia * turning * turning;
-        sum.potential -= s->bodies[i].gravity_scale * m->mass *
-                         (s->gravity_x * b->x + s->gravity_y * (b->y - y->floor_y));
-    }
-    return sum;
+bool yardstick_begin(yardstick *y, const contender_body *bodies) {
+    bool ok = oracle_measure(y->meter, bodies, &y->start);
+    y->energy_most = y->start.energy;
+    y->kinetic_most = y->start.kinetic_energy;
+    return ok;
 }
 
-void yardstick_begin(yardstick *y, const contender_body *bodies) {
-    energy e = energy_of(y, bodies);
-    y->energy_start = y->energy_most = e.kinetic + e.potential;
-    y->kinetic_most = e.kinetic;
-}
-
-static int count_lost(const yardstick *y, const contender_body *bodies) {
-    int lost = 0;
-    for (int i = 0; i < y->scene->body_count; i++) {
-        const contender_body *b = &bodies[i];
-        lost += !isfinite(b->x + b->y + b->cosine + b->sine + b->vx + b->vy + b->angular_velocity);
-    }
-    return lost;
-}
-
-void yardstick_look(yardstick *y, const contender_body *bodies, double time) {
-    y->steps++;
-    int lost = count_lost(y, bodies);
-    if (lost > 0) {
-        y->lost = lost > y->lost ? lost : y->lost;
-        return;
-    }
-    energy e = energy_of(y, bodies);
+bool yardstick_look(yardstick *y, const contender_body *bodies, double time) {
     sighting now = {
         .scene = y->scene,
         .bodies = bodies,
         .time = time,
-        .energy = e.kinetic + e.potential,
-        .energy_start = y->energy_start,
+        .start = &y->start,
     };
-    penetration_sample(y->meter, bodies, &now.overlap);
-    y->overlap.worst = fmax(y->overlap.worst, now.overlap.worst);
-    y->overlap.sum += now.overlap.sum;
-    y->overlap.pairs += now.overlap.pairs;
-    y->energy_most = fmax(y->energy_most, now.energy);
-    y->kinetic_most = fmax(y->kinetic_most, e.kinetic);
+    y->steps++;
+    if (!oracle_measure(y->meter, bodies, &now.score))
+        return false;
+    if (now.score.lost > 0) {
+        y->lost = now.score.lost > y->lost ? now.score.lost : y->lost;
+        return true;
+    }
+    y->penetration_worst = fmax(y->penetration_worst, now.score.penetration_max);
+    y->penetration_sum += now.score.penetration_mean * now.score.touching;
+    y->touching += now.score.touching;
+    y->energy_most = fmax(y->energy_most, now.score.energy);
+    y->kinetic_most = fmax(y->kinetic_most, now.score.kinetic_energy);
     double error = y->c->error_of(&now);
     y->folded = y->c->fold == CASE_WORST  ? fmax(y->folded, error)
                 : y->c->fold == CASE_MEAN ? y->folded + error
                                           : error;
+    return true;
 }
 
 errors yardstick_conclude(const yardstick *y) {
-    double turned_over = fmax(y->energy_start, y->kinetic_most);
     double error = y->c->fold == CASE_MEAN ? y->folded / (double)y->steps : y->folded;
     return (errors){
         .error = y->lost > 0 ? INFINITY : error,
-        .penetration_worst = y->overlap.worst,
-        .penetration_mean = penetration_mean(&y->overlap),
-        .energy_gained = turned_over > 0 ? (y->energy_most - y->energy_start) / turned_over : 0,
+        .penetration_worst = y->penetration_worst,
+        .penetration_mean = y->touching > 0 ? y->penetration_sum / y->touching : 0,
+        .energy_gained = (y->energy_most - y->start.energy) / fmax(y->fall, y->kinetic_most),
         .lost = y->lost,
     };
 }

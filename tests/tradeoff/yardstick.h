@@ -10,9 +10,9 @@ typedef struct yardstick yardstick;
 typedef struct errors {
     double error;             /* the case's own; infinite once a body was lost */
     double penetration_worst; /* m */
-    double penetration_mean;  /* m, over all pairs that overlapped and all steps */
-    double energy_gained;     /* the most over that of the start, as a part of the larger of that
-                                 and the most that ever was kinetic; 0: never more */
+    double penetration_mean;  /* m, over all pairs that touched and all steps */
+    double energy_gained;     /* the most over that of the start, as a part of the most that ever was
+                                 kinetic, or of what all weigh times a metre; 0: never more */
     int lost;                 /* bodies without a finite pose or velocity, in the worst step */
 } errors;
 
@@ -20,10 +20,11 @@ typedef struct errors {
 yardstick *yardstick_create(const tradeoff_case *c, const scene *s);
 void yardstick_destroy(yardstick *y); /* null is fine */
 
-/* `bodies`: those of the scene before the first step, in its order. */
-void yardstick_begin(yardstick *y, const contender_body *bodies);
+/* `bodies`: those of the scene before the first step, in its order. These two give false if memory
+ * runs out. */
+bool yardstick_begin(yardstick *y, const contender_body *bodies);
 /* As of the given time in s, once for every step. */
-void yardstick_look(yardstick *y, const contender_body *bodies, double time);
+bool yardstick_look(yardstick *y, const contender_body *bodies, double time);
 errors yardstick_conclude(const yardstick *y);
 
 #endif
