@@ -63,29 +63,51 @@ static bool is_valley(const depth_ground *ground, int index) {
     return left.along.x * right.along.y - left.along.y * right.along.x > 0;
 }
 
-static void ball_on_segment(const depth_ground *ground, const ball *b, int index, double margin,
-                            found *f) {
+/* How far the ball's centre is over a segment's line, and where; false if that is no place of the
+ * segment. Half-open, so that in line with each other two segments share no place. */
+static bool foot_on(const depth_ground *ground, const ball *b, int index, double *foot,
+                    double *height) {
     segment s = segment_at(ground, index);
     double dx = b->x - s.start.x, dy = b->y - s.start.y;
-    double foot = dx * s.along.x + dy * s.along.y;
-    double height = dy * s.along.x - dx * s.along.y;
+    *foot = dx * s.along.x + dy * s.along.y;
+    *height = dy * s.along.x - dx * s.along.y;
     /* Just below a valley's ground neither segment has the foot, but both push. */
-    double beyond = height < 0 ? -2 * height : 0;
+    double beyond = *height < 0 ? -2 * *height : 0;
     double before = is_valley(ground, index) ? beyond : 0;
     double after = is_valley(ground, index + 1) ? beyond : 0;
-    /* Half-open, so that in line with each other two segments share no foot. Behind the line only
-     * the segment straight above is meant, not every one whose plane is. */
-    bool beside = foot < -before || foot >= s.length + after;
-    bool under = dx >= -before && b->x < ground->points[index + 1].x + after;
-    if (beside || height - b->radius > margin || (height < 0 && !under))
-        return;
-    touch_point p = {.normal_x = -s.along.y,
-                     .normal_y = s.along.x,
-                     .gap = height - b->radius,
-                     .feature = b->feature + 8 * index};
-    p.x = s.start.x + foot * s.along.x + 0.5 * p.gap * p.normal_x;
-    p.y = s.start.y + foot * s.along.y + 0.5 * p.gap * p.normal_y;
-    keep(f, p);
+    return *foot >= -before && *foot < s.length + after;
+}
+
+static bool is_below(const depth_ground *ground, const ball *b) {
+    segment s = segment_at(ground, first_segment(ground, b->x));
+    return (b->y - s.start.y) * s.along.x < (b->x - s.start.x) * s.along.y;
+}
+
+/* Under ground every segment has the centre behind it, and those count that are near. */
+static const double NEAR = 3;
+
+static void ball_on_segments(const depth_ground *ground, const ball *b, double reach, double margin,
+                             found *f) {
+    const scene_point *vertices = ground->points;
+    int first = first_segment(ground, b->x - reach), last = first;
+    bool below = is_below(ground, b);
+    double nearest = HUGE_VAL, foot, height;
+    for (; last < ground->count - 1 && vertices[last].x <= b->x + reach; last++)
+        if (foot_on(ground, b, last, &foot, &height) && height < 0)
+            nearest = fmin(nearest, -height);
+    for (int i = first; i < last; i++) {
+        if (!foot_on(ground, b, i, &foot, &height) || height - b->radius > margin ||
+            (height < 0 && (!below || -height > NEAR * nearest)))
+            continue;
+        segment s = segment_at(ground, i);
+        touch_point p = {.normal_x = -s.along.y,
+                         .normal_y = s.along.x,
+                         .gap = height - b->radius,
+                         .feature = b->feature + 8 * i};
+        p.x = s.start.x + foot * s.along.x + 0.5 * p.gap * p.normal_x;
+        p.y = s.start.y + foot * s.along.y + 0.5 * p.gap * p.normal_y;
+        keep(f, p);
+    }
 }
 
 /* Vertex `index` is between segments index - 1 and index. */
@@ -142,12 +164,11 @@ static void touch_circle(const depth_ground *ground, const depth_shape *circle, 
                          found *f) {
     ball b = {circle->x, circle->y, circle->hx, 0};
     double reach = circle->hx + margin;
+    ball_on_segments(ground, &b, reach, margin, f);
     for (int i = first_segment(ground, b.x - reach);
-         i < ground->count - 1 && ground->points[i].x <= b.x + reach; i++) {
-        ball_on_segment(ground, &b, i, margin, f);
+         i < ground->count - 1 && ground->points[i].x <= b.x + reach; i++)
         if (i > 0)
             ball_on_vertex(ground, &b, i, margin, f);
-    }
 }
 
 static void touch_box(const depth_ground *ground, const depth_shape *box, double margin, found *f) {
@@ -155,11 +176,8 @@ static void touch_box(const depth_ground *ground, const depth_shape *box, double
         double hx = corner & 1 ? box->hx : -box->hx, hy = corner & 2 ? box->hy : -box->hy;
         ball b = {box->x + hx * box->cosine - hy * box->sine,
                   box->y + hx * box->sine + hy * box->cosine, 0, corner};
-        /* Near a valley a corner below ground has two segments: as deep as this they are found. */
-        double reach = margin + 0.1 * (box->hx + box->hy);
-        for (int i = first_segment(ground, b.x - reach);
-             i < ground->count - 1 && ground->points[i].x <= b.x + reach; i++)
-            ball_on_segment(ground, &b, i, margin, f);
+        /* So far aside the segment may be that has a corner's foot, once it is under ground. */
+        ball_on_segments(ground, &b, margin + 0.1 * (box->hx + box->hy), margin, f);
     }
     double half = fabs(box->hx * box->cosine) + fabs(box->hy * box->sine) + margin;
     for (int i = first_segment(ground, box->x - half);
