@@ -24,10 +24,12 @@ static void draw_numbers(viewer *v) {
     canvas *c = &v->canvas;
     float u = c->unit;
     thud_stats stats = thud_world_stats(v->session.world);
-    char text[160];
-    int length =
-        snprintf(text, sizeof text, "%d bodies  %d awake  %d contacts  %.2f ms", stats.bodies,
-                 stats.awake_bodies, stats.contacts, stats.step_seconds * 1e3);
+    thud_step_error error = thud_world_error(v->session.world);
+    char text[200];
+    int length = snprintf(text, sizeof text,
+                          "%d bodies  %d awake  %d contacts  %.4f deepest  %+.3g energy  %.2f ms",
+                          stats.bodies, stats.awake_bodies, stats.contacts, error.penetration_max,
+                          error.energy_change, stats.step_seconds * 1e3);
     if (v->frame_seconds > 0)
         snprintf(text + length, sizeof text - (size_t)length, "  %.0f fps", 1 / v->frame_seconds);
     float x = (float)c->width - 16 * u - font_width(&c->text, text, strlen(text));

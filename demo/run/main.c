@@ -9,6 +9,7 @@
 #include "pool.h"
 #include "scenes.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,6 +114,16 @@ static void show_progress(const run_options *options, long step, double start, d
     }
 }
 
+static void keep_worst(thud_step_error *worst, thud_step_error step, bool first) {
+    worst->penetration_max = fmax(worst->penetration_max, step.penetration_max);
+    worst->penetration_mean = fmax(worst->penetration_mean, step.penetration_mean);
+    worst->residual = fmax(worst->residual, step.residual);
+    if (first || step.energy_change > worst->energy_change)
+        worst->energy_change = step.energy_change;
+    if (step.overlaps > worst->overlaps)
+        worst->overlaps = step.overlaps;
+}
+
 static bool run(thud_world *world, const run_options *options, run_outcome *o) {
     bool terminal = isatty(STDERR_FILENO);
     double start = seconds_now(NULL), last_shown = 0;
@@ -131,6 +142,7 @@ static bool run(thud_world *world, const run_options *options, run_outcome *o) {
             o->worst_seconds = o->stats.step_seconds;
         for (int i = 0; i < THUD_STAGE_COUNT; i++)
             o->stage_seconds[i] += o->stats.stage_seconds[i];
+        keep_worst(&o->worst, thud_world_error(world), o->steps == 1);
         o->quarantined += thud_world_events(world).quarantined_count;
         o->measure = thud_world_measure(world);
         if (o->measure.penetration_max > o->penetration_max)

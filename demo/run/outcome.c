@@ -27,6 +27,9 @@ void run_print_text(const run_outcome *o, const scene *s, const run_options *opt
                ms_per_step(o, o->stage_seconds[i]));
     printf("penetration  %.6g at worst, at the end %.6g at worst and %.6g in the mean\n",
            o->penetration_max, o->measure.penetration_max, o->measure.penetration_mean);
+    printf("worst step   penetration %.6g in the mean, residual %.6g, %d overlaps, energy %+.6g\n",
+           o->worst.penetration_mean, o->worst.residual, o->worst.overlaps,
+           o->worst.energy_change);
     printf("energy       %.9g (kinetic %.9g, potential %.9g)\n", energy_of(o),
            o->measure.kinetic_energy, o->measure.potential_energy);
     printf("memory       %" PRIu64 " bytes\n", o->stats.bytes);
@@ -53,6 +56,12 @@ bool run_print_json(const run_outcome *o, const scene *s, const run_options *opt
                                 ms_per_step(o, o->stage_seconds[i]));
     cJSON_AddNumberToObject(json, "penetration_max", o->penetration_max);
     cJSON_AddNumberToObject(json, "penetration_end", o->measure.penetration_max);
+    cJSON *worst = cJSON_AddObjectToObject(json, "worst_step_error");
+    cJSON_AddNumberToObject(worst, "penetration_max", o->worst.penetration_max);
+    cJSON_AddNumberToObject(worst, "penetration_mean", o->worst.penetration_mean);
+    cJSON_AddNumberToObject(worst, "residual", o->worst.residual);
+    cJSON_AddNumberToObject(worst, "energy_change", o->worst.energy_change);
+    cJSON_AddNumberToObject(worst, "overlaps", o->worst.overlaps);
     cJSON_AddNumberToObject(json, "energy", energy_of(o));
     cJSON_AddNumberToObject(json, "bytes", (double)o->stats.bytes);
     cJSON_AddNumberToObject(json, "quarantined", (double)o->quarantined);

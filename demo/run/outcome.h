@@ -11,7 +11,8 @@ typedef struct run_outcome {
     long steps;
     double seconds, worst_seconds; /* all steps; the slowest one */
     double stage_seconds[THUD_STAGE_COUNT];
-    double penetration_max; /* of all steps */
+    double penetration_max; /* of all steps, sleepers too */
+    thud_step_error worst;  /* the largest of each over all steps */
     long quarantined;
     uint64_t hash;
 } run_outcome;

@@ -29,6 +29,11 @@ class ThudRun(unittest.TestCase):
         self.assertRegex(result["hash"], "^[0-9a-f]{16}$")
         self.assertGreater(result["ms_per_step"], 0)
         self.assertGreater(result["contacts"], 0)
+        worst = result["worst_step_error"]
+        self.assertEqual(sorted(worst), ["energy_change", "overlaps", "penetration_max",
+                                         "penetration_mean", "residual"])
+        self.assertAlmostEqual(worst["penetration_max"], result["penetration_max"], delta=1e-6)
+        self.assertGreater(worst["residual"], 0)
 
     def test_level_runs_and_hash_repeats(self):
         first, second = (json.loads(run(LEVEL, "--steps", "30", "--json").stdout)
@@ -39,7 +44,7 @@ class ThudRun(unittest.TestCase):
     def test_text_names_stages_and_hash(self):
         done = run("cradle", "--steps", "5", "--quality", "exact")
         self.assertEqual(done.returncode, 0, done.stderr)
-        for word in ("quality exact", "broadphase", "ms per step", "penetration", "hash"):
+        for word in ("quality exact", "broadphase", "ms per step", "penetration", "worst step", "hash"):
             self.assertIn(word, done.stdout)
 
     def test_quality_and_size_change_the_outcome(self):

@@ -347,6 +347,39 @@ test("stats_time_every_stage_when_asked", () => {
   world.close();
 });
 
+test("error_of_a_step_tells_overlap_and_lost_energy", () => {
+  const world = engine.createWorld({ gravity: [0, 0] });
+  const ground = world.createBody();
+  world.createTerrain(ground, { kind: "flat" });
+  const sunk = world.createBody({ kind: "dynamic", position: [0, 0.4] });
+  world.createCircle(sunk, { radius: 0.5 });
+  const slider = world.createBody({ kind: "dynamic", position: [5, 0.5], velocity: [3, -3] });
+  world.createCircle(slider, { radius: 0.5 });
+  assert.deepEqual(Object.values(world.error()), [0, 0, 0, 0, 0]);
+  const before = world.measure();
+  world.step();
+  const { penetrationMax, penetrationMean, residual, energyChange, overlaps } = world.error();
+  const after = world.measure();
+  assert.ok(penetrationMax > 0.02 && penetrationMax < 0.1);
+  assert.ok(Math.abs(penetrationMax - after.penetrationMax) < 1e-6);
+  assert.ok(penetrationMean > 0 && penetrationMean < penetrationMax);
+  assert.ok(residual >= 0 && residual < 1);
+  assert.ok(Math.abs(energyChange - (after.kineticEnergy - before.kineticEnergy)) < 1e-4);
+  assert.ok(energyChange < -1);
+  assert.equal(overlaps, 1);
+  world.close();
+});
+
+test("time_budget_that_no_step_meets_leaves_one_substep", () => {
+  const { world } = ballOnGround({ timeBudget: 1e-12, quality: "high" });
+  world.step();
+  assert.equal(world.stats().substeps, 8);
+  for (let i = 0; i < 60; i++) world.step();
+  assert.equal(world.stats().substeps, 1);
+  world.close();
+  throwsCode("invalid", () => engine.createWorld({ timeBudget: -1 }), /time_budget/);
+});
+
 test("hash_is_16_hex_digits_and_equal_for_equal_runs", () => {
   const hashes = [0, 1].map(() => {
     const { world } = ballOnGround();

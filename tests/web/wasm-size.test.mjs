@@ -12,9 +12,9 @@ import { root } from "./support.mjs";
 
 /** Kilobytes (1000 bytes) of the gzipped module: what is reached, and what is aimed at. */
 const PROGRAMS = [
-  { name: "circles", bound: 42, aim: 12 },
-  { name: "boxes", bound: 49, aim: 18 },
-  { name: "everything", bound: 68, aim: 40 },
+  { name: "circles", bound: 44, aim: 12 },
+  { name: "boxes", bound: 51, aim: 18 },
+  { name: "everything", bound: 69, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`)

@@ -1,5 +1,5 @@
 /** Figures over the scene: bodies, contacts, time per step with its recent course, frames. */
-import type { Stats } from "thud";
+import type { Stats, StepError } from "thud";
 
 /** Steps that the course shows. */
 const COURSE = 120;
@@ -12,7 +12,7 @@ export class Hud {
   readonly #root: HTMLElement;
   readonly #timings: HTMLElement;
   readonly #course: CanvasRenderingContext2D | null;
-  readonly #values: Record<"bodies" | "awake" | "contacts" | "ms" | "fps", HTMLElement>;
+  readonly #values: Record<"bodies" | "awake" | "contacts" | "deepest" | "ms" | "fps", HTMLElement>;
   #times: number[] = [];
   #steps = 0;
   #sinceRefresh = REFRESH;
@@ -28,6 +28,7 @@ export class Hud {
       bodies: find("bodies"),
       awake: find("awake"),
       contacts: find("contacts"),
+      deepest: find("deepest"),
       ms: find("ms"),
       fps: find("fps"),
     };
@@ -41,7 +42,7 @@ export class Hud {
     this.#sinceRefresh = REFRESH;
   }
 
-  frame(seconds: number, stats: Stats): void {
+  frame(seconds: number, stats: Stats, error: StepError): void {
     this.#frames++;
     this.#frameSeconds += seconds;
     this.#sinceRefresh += seconds;
@@ -59,6 +60,7 @@ export class Hud {
     this.#values.bodies.textContent = stats.bodies.toLocaleString("en");
     this.#values.awake.textContent = stats.awakeBodies.toLocaleString("en");
     this.#values.contacts.textContent = stats.contacts.toLocaleString("en");
+    this.#values.deepest.textContent = error.penetrationMax.toFixed(4);
     this.#values.ms.textContent = ms.toFixed(ms < 10 ? 2 : 1);
     this.#values.fps.textContent = String(Math.round(this.#frames / this.#frameSeconds));
     this.#root.dataset.steps = String(stats.steps);

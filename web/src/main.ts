@@ -273,7 +273,7 @@ function frame(time: number): void {
     running.frame(seconds);
     followCharacter(running, seconds);
     view.draw(running);
-    hud.frame(seconds, running.world.stats());
+    hud.frame(seconds, running.world.stats(), running.world.error());
   });
 }
 

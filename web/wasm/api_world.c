@@ -48,7 +48,8 @@ static const thud_broadphase *api_broadphase(double number) {
 
 /* Slots: 0, 1 gravity  2 time step  3 length scale  4 quality  5 substeps  6 contact stiffness
  * 7 contact damping  8 push speed  9 restitution threshold  10 hit speed  11 maximum speed
- * 12 sleeping  13 detection  14 contact events  15 stages are timed  16 broadphase. */
+ * 12 sleeping  13 detection  14 contact events  15 stages are timed  16 broadphase
+ * 17 time budget. */
 void api_world_defaults(void) {
     thud_world_def def = thud_default_world_def();
     double *s = api_slots;
@@ -69,6 +70,7 @@ void api_world_defaults(void) {
     s[14] = def.contact_events;
     s[15] = 0.0;
     s[16] = 0.0; /* grid */
+    s[17] = def.time_budget;
 }
 
 thud_world_def api_world_def(void) {
@@ -88,8 +90,9 @@ thud_world_def api_world_def(void) {
     def.sleeping = s[12] != 0.0;
     def.detection = api_detection(s[13]);
     def.contact_events = s[14] != 0.0;
-    def.clock = s[15] != 0.0 ? read_clock : NULL;
+    def.clock = s[15] != 0.0 || s[17] != 0.0 ? read_clock : NULL;
     def.broadphase = api_broadphase(s[16]);
+    def.time_budget = s[17];
     def.log = keep_message;
     return def;
 }
@@ -138,7 +141,7 @@ int api_world_set_sleeping(thud_world *world, int sleeping) {
 }
 
 /* Slots out: 0 steps  1 bodies  2 shapes  3 awake bodies  4 pairs  5 contacts  6 colours
- * 7 blocks  8 bytes  9 allocations of the last step  10 seconds of the last step  11... seconds
+ * 7 blocks  8 bytes  9 allocations of the last step  10 its substeps  11 its seconds  12... those
  * of its stages. */
 int api_world_stats(const thud_world *world) {
     thud_stats stats = thud_world_stats(world);
@@ -153,10 +156,21 @@ int api_world_stats(const thud_world *world) {
     s[7] = stats.blocks;
     s[8] = (double)stats.bytes;
     s[9] = (double)stats.step_allocations;
-    s[10] = stats.step_seconds;
+    s[10] = stats.substeps;
+    s[11] = stats.step_seconds;
     for (int i = 0; i < THUD_STAGE_COUNT; i++)
-        s[11 + i] = stats.stage_seconds[i];
+        s[12 + i] = stats.stage_seconds[i];
     return THUD_STAGE_COUNT;
+}
+
+/* Slots out: 0 largest penetration  1 mean penetration  2 residual  3 energy change  4 overlaps. */
+void api_world_error(const thud_world *world) {
+    thud_step_error error = thud_world_error(world);
+    api_slots[0] = error.penetration_max;
+    api_slots[1] = error.penetration_mean;
+    api_slots[2] = error.residual;
+    api_slots[3] = error.energy_change;
+    api_slots[4] = error.overlaps;
 }
 
 /* Slots out: 0 largest penetration  1 mean penetration  2 kinetic  3 potential energy. */

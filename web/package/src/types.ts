@@ -73,6 +73,11 @@ export interface WorldOptions {
   contactEvents?: boolean;
   /** Measure the time of every stage of the step. Default false. */
   timed?: boolean;
+  /**
+   * Seconds, up to 1. Where steps take longer, substeps are halved, and doubled again when there is
+   * time: the clock then decides what happens, and runs differ. Default 0, none.
+   */
+  timeBudget?: number;
 }
 
 export interface BodyOptions {
@@ -317,9 +322,27 @@ export interface Stats {
   bytes: number;
   /** Allocations made by the last step. */
   stepAllocations: number;
-  /** Of the last step; 0 unless the world is timed. */
+  /** Of the last step; fewer than the quality's where the time budget is short. */
+  substeps: number;
+  /** Of the last step; 0 unless the world is timed or has a time budget. */
   stepSeconds: number;
   stageSeconds: Readonly<Record<string, number>>;
+}
+
+/** What the last step got wrong, of the contacts that are awake. */
+export interface StepError {
+  /** Over the points of touching pairs, at the end of the step. */
+  penetrationMax: number;
+  penetrationMean: number;
+  /** Fastest approach at a contact that the solver's last pass still met, and took away. */
+  residual: number;
+  /**
+   * Of kinetic and potential energy. Negative where friction, damping and restitution take some;
+   * positive is energy that nobody put in, or that forces, kinematic bodies and moving surfaces did.
+   */
+  energyChange: number;
+  /** Points deeper than 0.005 length scales. */
+  overlaps: number;
 }
 
 /** Error and energy of the present state. */

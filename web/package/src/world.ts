@@ -37,6 +37,7 @@ import {
   type ShapeTable,
   type SolidShape,
   type Stats,
+  type StepError,
   type Terrain,
   type Vec2,
   type WorldOptions,
@@ -90,6 +91,7 @@ export class World {
       options.contactEvents,
       options.timed,
       options.broadphase && indexOf(BROADPHASES, options.broadphase, "broadphase"),
+      options.timeBudget,
     ]);
   }
 
@@ -435,9 +437,17 @@ export class World {
       blocks: s[7],
       bytes: s[8],
       stepAllocations: s[9],
-      stepSeconds: s[10],
-      stageSeconds: Object.fromEntries(engine.stageNames.map((name, i) => [name, s[11 + i]])),
+      substeps: s[10],
+      stepSeconds: s[11],
+      stageSeconds: Object.fromEntries(engine.stageNames.map((name, i) => [name, s[12 + i]])),
     };
+  }
+
+  /** Costs nothing: the step itself has found it. */
+  error(): StepError {
+    this.engine.exports.api_world_error(this.address);
+    const [penetrationMax, penetrationMean, residual, energyChange, overlaps] = this.engine.slots;
+    return { penetrationMax, penetrationMean, residual, energyChange, overlaps };
   }
 
   /** Costs a pass over contacts and bodies. */
