@@ -11,12 +11,12 @@ import tradeoff_figures as figures
 COLOURS = {"thud": "#00734d", "thud swept": "#00734d", "box2d": "#c4541c", "box2d stiff": "#3a5bbf"}
 SIGNS = {"thud": "circle", "thud swept": "ring", "box2d": "square", "box2d stiff": "triangle"}
 KEY_WORDS = {"thud": "thud: draft, default, high, exact", "thud swept": "default swept",
-             "box2d": "Box2D v3.2: 1, 2, 4, 8, 16 substeps", "box2d stiff": "8, 16, stiffer"}
+             "box2d": "Box2D v3.2: 1, 2, 4, 8, 16 substeps", "box2d stiff": "8, 16 stiffer"}
 INK, GREY, PALE = "#202020", "#6b6b6b", "#e4e4e4"
 # Pixels.
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 900, 540, 92, 40, 92, 64
 PANEL_WIDTH, PANEL_HEIGHT, PANEL_COLUMNS, KEY = 300, 236, 3, 78
-LABEL, SMALL_LABEL, CHARACTER = 14, 11, 0.57
+LABEL, SMALL_LABEL, CHARACTER = 14, 11, 0.63
 
 
 def text(x, y, words, size=14, anchor="start", colour=INK, weight="normal", halo=False):
@@ -178,7 +178,7 @@ def frame(x, y, bounds, at_most, size):
     parts = []
     for tick in x.ticks(at_most):
         parts.append(rule(x(tick), top, x(tick), bottom))
-        parts.append(text(x(tick), bottom + size + 5, short(tick), size, "middle", GREY))
+        parts.append(text(x(tick), bottom + size + 5, short(tick) + " µs", size, "middle", GREY))
     for tick in y.ticks(at_most):
         parts.append(rule(left, y(tick), right, y(tick)))
         parts.append(text(left - 7, y(tick) + 4, short(tick), size, "end", GREY))
@@ -203,7 +203,7 @@ def draw_case(case):
     parts = [text(20, 34, f"{case['title']}: what accuracy costs", 18, weight="bold"),
              text(20, 56, case["about"], 13, colour=GREY),
              text(LEFT, TOP - 12, f"{case['error']}{unit(case)}", 13, colour=INK),
-             text(WIDTH - RIGHT, HEIGHT - BOTTOM + 42, "µs a step", 13, "end"),
+             text(WIDTH - RIGHT, HEIGHT - BOTTOM + 42, "time a step", 13, "end"),
              text(LEFT, HEIGHT - BOTTOM + 42, "better: to the left and further down", 13,
                   colour=GREY)]
     parts += frame(x, y, bounds, 9, 12)
@@ -221,7 +221,7 @@ def key(width):
         parts.append(sign(SIGNS[name], at + 6, 56, 5, COLOURS[name]))
         parts.append(text(at + 18, 61, words, 14, colour=COLOURS[name],
                           weight="bold" if name == "thud" else "normal"))
-        at += 18 + CHARACTER * 14 * len(words) + 20
+        at += 18 + 0.58 * 14 * len(words) + 20
     return parts
 
 
@@ -230,8 +230,7 @@ def panel(case, column, row):
     bounds = (left, top, (column + 1) * PANEL_WIDTH - 14, KEY + (row + 1) * PANEL_HEIGHT - 26)
     x, y, places = axes_of(case, bounds[0], bounds[2], bounds[1], bounds[3])
     parts = [text(left, top - 24, case["title"], 14, weight="bold"),
-             text(left, top - 9, f"{case['error']}{unit(case)}", 11, colour=GREY),
-             text(bounds[2], bounds[3] - 5, "µs", 10, "end", GREY)]
+             text(left, top - 9, f"{case['error']}{unit(case)}", 11, colour=GREY)]
     return parts + frame(x, y, bounds, 5, 10) + lines(case, places, 1.8, 3.5) \
         + end_labels(case, places, bounds)
 
