@@ -177,6 +177,8 @@ static bool steps(oracle *o, double duration) {
 }
 
 bool oracle_advance(oracle *o, double seconds) {
+    if (!isfinite(seconds) || seconds < 0)
+        return false;
     double count = ceil(seconds / o->settings.step * (1 - 1e-9));
     for (double i = 0; i < count; i++)
         if (!steps(o, seconds / count))

@@ -26,7 +26,7 @@ typedef struct oracle_score {
     double relative_max;      /* the same two in sizes */
     double relative_mean;
     double approach_max;      /* m/s, fastest approach at a touching point: the velocity residual.
-                       A pair that met within the last step may approach rightly */
+                  A pair that met within the last step may approach rightly */
     double approach_rms;      /* m/s, over the touching points; parting counts as 0 */
     double kinetic_energy;    /* J, of dynamic bodies, like all below */
     double potential_energy;  /* J, 0 at the world's origin */
@@ -35,7 +35,7 @@ typedef struct oracle_score {
     double angular_momentum;  /* kg m^2/s, about the world's origin */
     double speed_max;         /* m/s, of a centre of mass */
     double height;            /* m, of the highest centre of mass against gravity; in a world
-           without gravity along y */
+without gravity along y */
     int lost;                 /* bodies without a finite state; they count nowhere else */
 } oracle_score;
 
@@ -96,8 +96,8 @@ typedef struct oracle oracle;
 oracle *oracle_create(const scene *s, const oracle_settings *settings);
 void oracle_destroy(oracle *o); /* null is fine */
 
-/* Goes on for so many seconds (>= 0). False if memory runs out; the state is then the last good
- * one. */
+/* Goes on for so many seconds. False, and nothing done, if they are negative or not finite; false
+ * as well if memory runs out, somewhere on the way. */
 bool oracle_advance(oracle *o, double seconds);
 
 /* The present state, in the scene's order, for oracle_measure and oracle_compare. */
@@ -108,7 +108,8 @@ oracle_report oracle_get_report(const oracle *o);
 const oracle_force *oracle_forces(oracle *o, int *count);
 
 /* The whole in one call: the states at `count` increasing times (s, >= 0) go one after the other
- * to `samples`, which has room for count times body_count of them. *report may be null. */
+ * to `samples`, which has room for count times body_count of them. `report` may be null. False for
+ * the same reasons as oracle_create and oracle_advance. */
 bool oracle_run(const scene *s, const oracle_settings *settings, const double *times, int count,
                 contender_body *samples, oracle_report *report);
 

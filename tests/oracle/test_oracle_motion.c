@@ -138,6 +138,28 @@ static void oracle_sliding_box_stops_after_the_known_way(void **state) {
     scene_free(&s);
 }
 
+/* The oracle is asked by programs that people configure. */
+static void oracle_bad_settings_and_times_are_refused(void **state) {
+    (void)state;
+    const oracle_settings bad[] = {{0, 0}, {-1, 0}, {NAN, 0}, {1.0 / 60, -1}, {1.0 / 60, INFINITY}};
+    scene s;
+    scene_init(&s);
+    scene_dynamic_circle(&s, 0, 0, 0.5);
+    for (int i = 0; i < 5; i++)
+        assert_null(oracle_create(&s, &bad[i]));
+    oracle *o = oracle_create(&s, NULL);
+    assert_non_null(o);
+    assert_false(oracle_advance(o, -1));
+    assert_false(oracle_advance(o, NAN));
+    assert_true(oracle_advance(o, 0));
+    assert_near(oracle_get_report(o).time, 0, 0);
+    oracle_destroy(o);
+    const double backwards[] = {1, 0.5};
+    contender_body samples[2];
+    assert_false(oracle_run(&s, NULL, backwards, 2, samples, NULL));
+    scene_free(&s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(oracle_body_in_flight_follows_the_parabola),
@@ -147,6 +169,7 @@ int main(void) {
         cmocka_unit_test(oracle_box_on_slope_slides_above_the_friction_angle_only),
         cmocka_unit_test(oracle_disc_on_slope_rolls_or_slips),
         cmocka_unit_test(oracle_sliding_box_stops_after_the_known_way),
+        cmocka_unit_test(oracle_bad_settings_and_times_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
