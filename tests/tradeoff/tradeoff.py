@@ -40,7 +40,7 @@ def parse(arguments):
     parser.add_argument("--case", action="append", metavar="NAME", dest="cases",
                         help="only this case; may be given several times")
     parser.add_argument("--repeat", type=int, metavar="N",
-                        help="timed repetitions (default 5, with --quick 1)")
+                        help="timed repetitions (default 9, with --quick 1)")
     # For ./run, before it builds.
     parser.add_argument("--check", action="store_true", help=argparse.SUPPRESS)
     how = parser.add_mutually_exclusive_group()
@@ -53,7 +53,7 @@ def parse(arguments):
         parser.error(f"--repeat wants a number from 1 to 100, not {found.repeat}")
     part = found.quick or found.cases
     found.out = found.out or os.path.join(ROOT, *(["build", "tradeoff"] if part else ["docs"]))
-    found.repeat = found.repeat or (1 if found.quick else 5)
+    found.repeat = found.repeat or (1 if found.quick else 9)
     return found
 
 
