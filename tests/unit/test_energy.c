@@ -94,6 +94,44 @@ static void elastic_ball_keeps_its_height_for_a_minute(void **state)
     }
 }
 
+/* Over ground of all kinds, in metres and in pixels, at long steps and short ones: the energy of its
+ * flight, bounce for bounce, in shares of the first. */
+static void elastic_bodies_keep_their_energy_over_any_ground(void **state)
+{
+    (void)state;
+    static const struct {
+        int kind;
+        double scale, time_step, angle;
+    } cases[] = {{CIRCLE, 1, 1 / 60.0, 0},  {UPRIGHT, 1, 1 / 60.0, 0}, {TURNED, 1, 1 / 60.0, 0.4},
+                 {CIRCLE, 50, 1 / 60.0, 0}, {TURNED, 1, 1 / 15.0, 0.4}, {CIRCLE, 0.01, 1 / 240.0, 0}};
+    thud_shape_def elastic = surface(1, 0);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        double unit = cases[k].scale;
+        thud_pos valley[] = {{-100 * unit, 20 * unit}, {-8 * unit, 0},         {0, 0.5 * unit},
+                             {6 * unit, 0},            {100 * unit, 30 * unit}};
+        thud_terrain grounds[] = {{.kind = THUD_TERRAIN_FLAT},
+                                  {.kind = THUD_TERRAIN_IRREGULAR, .points = valley, .count = 5}};
+        for (int ground = 0; ground < 2; ground++) {
+            thud_world_def def = weightless();
+            def.gravity.y = (float)(-10 * unit);
+            def.length_scale = (float)unit;
+            def.time_step = cases[k].time_step;
+            def.detection = &thud_detection_swept;
+            bodies b = {.world = make_world(def), .gravity = -10 * unit};
+            thud_body_id floor = add_body(b.world, THUD_STATIC, 0, 0, 0);
+            OK(thud_shape_create_terrain(b.world, floor, &elastic, &grounds[ground], NULL));
+            thud_body_id id = add(&b, cases[k].kind, 0.3 * unit, 2.5 * unit, 0.4f * (float)unit,
+                                  &elastic);
+            OK(thud_body_set_transform(b.world, id, (thud_pos){0.3 * unit, 2.5 * unit},
+                                       cases[k].angle));
+            double before = energy_of(&b);
+            run(b.world, 1200);
+            near_to(energy_of(&b) / before, 1, 1e-4);
+            thud_world_destroy(b.world);
+        }
+    }
+}
+
 /* Restitution e: after the first bounce it rises e^2 as high. */
 static void bounce_rises_by_the_square_of_restitution(void **state)
 {
@@ -287,6 +325,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_body_flies_an_exact_parabola),
         cmocka_unit_test(elastic_ball_keeps_its_height_for_a_minute),
+        cmocka_unit_test(elastic_bodies_keep_their_energy_over_any_ground),
         cmocka_unit_test(bounce_rises_by_the_square_of_restitution),
         cmocka_unit_test(elastic_gas_keeps_its_energy_for_a_minute),
         cmocka_unit_test(nothing_gains_energy),
