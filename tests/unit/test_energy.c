@@ -1,5 +1,5 @@
-/* test_energy.c: in swept worlds elastic bodies keep their energy and momentum, free ones fly parabolas,
- * and nothing ever gains energy, whatever the substeps. */
+/* test_energy.c: in swept worlds elastic bodies keep their energy and momentum, free ones fly
+ * parabolas, and nothing ever gains energy, whatever the substeps. */
 #include "engine_support.h"
 
 enum { CIRCLE, UPRIGHT, TURNED, KINDS, MOST_BODIES = 100, MINUTE = 3600 };
@@ -94,8 +94,7 @@ static void elastic_ball_keeps_its_height_for_a_minute(void **state)
     }
 }
 
-/* Over ground of all kinds, in metres and in pixels, at long steps and short ones: the energy of its
- * flight, bounce for bounce, in shares of the first. */
+/* Over ground of all kinds, in metres and in pixels, at long steps and short ones. */
 static void elastic_bodies_keep_their_energy_over_any_ground(void **state)
 {
     (void)state;
@@ -205,9 +204,10 @@ static void elastic_gas_keeps_its_energy_for_a_minute(void **state)
             floor -= (double)state_of(b.world, b.id[i]).mass * b.gravity * 4.8;
         }
         double before = energy_of(&b) + floor;
-        run(b.world, MINUTE);
+        double minutes = cases[k].kind == TURNED ? 0.25 : 1; /* boxes that turn take the most time */
+        run(b.world, (int)(minutes * MINUTE));
         double drift = (energy_of(&b) + floor) / before - 1;
-        if (!(fabs(drift) < 1e-4)) {
+        if (!(fabs(drift) < 1e-4 * minutes)) {
             fail_msg("case %d drifts by %g", (int)k, drift);
         }
         thud_world_destroy(b.world);
