@@ -79,6 +79,11 @@ void wrong_worlds(void **state)
     BAD(maximum_speed, 0);
     BAD(maximum_speed, -1);
     BAD(maximum_speed, 1.1e6f);
+    BAD(time_budget, NAN);
+    BAD(time_budget, INFINITY);
+    BAD(time_budget, -1);
+    BAD(time_budget, 1.1);
+    BAD(time_budget, 0.001); /* and no clock */
     BAD(crew.workers, -1);
     BAD(crew.workers, THUD_WORKERS_MAX + 1);
     BAD(crew.workers, 2); /* and nobody to run them */
@@ -149,6 +154,7 @@ void wrong_settings(void **state)
     assert_int_equal(thud_world_events(NULL).begin_count, 0);
     assert_int_equal(thud_world_stats(NULL).bodies, 0);
     assert_true(thud_world_measure(NULL).kinetic_energy == 0);
+    assert_true(thud_world_error(NULL).residual == 0);
     (void)thud_world_hash(NULL);
     assert_true(thud_stage_name((thud_stage)-1)[0] && thud_stage_name(THUD_STAGE_COUNT)[0]);
     assert_true(thud_result_text((thud_result)-1)[0] && thud_result_text((thud_result)99)[0]);
