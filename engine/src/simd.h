@@ -133,6 +133,17 @@ TD_INLINE f8 f8_sqrt(f8 x)
 #endif
 }
 
+/* Sums of lanes i and i + 4; exact, but for the one addition. */
+TD_INLINE d4 d4_folded(f8 x)
+{
+    f4 sums = __builtin_shufflevector(x, x, 0, 1, 2, 3) + __builtin_shufflevector(x, x, 4, 5, 6, 7);
+#if defined(__AVX2__)
+    return (d4)_mm256_cvtps_pd((__m128)sums); /* which gcc does not find by itself */
+#else
+    return __builtin_convertvector(sums, d4);
+#endif
+}
+
 /* Bit i is set where lane i is negative (masks are -1). */
 TD_INLINE unsigned i8_bits(i8 x)
 {

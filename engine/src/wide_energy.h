@@ -16,12 +16,6 @@ TD_INLINE f8 td_kinetic_of(const td_rows *v, const float *mass, const float *ine
     return f8_min(f8_all(0.5f) * twice, f8_all(TD_ENERGY_MAX));
 }
 
-TD_INLINE d4 td_pairs_of(f8 x)
-{
-    return __builtin_convertvector(__builtin_shufflevector(x, x, 0, 1, 2, 3) +
-                                       __builtin_shufflevector(x, x, 4, 5, 6, 7), d4);
-}
-
 TD_INLINE double td_total_of(d4 sum)
 {
     return (sum[0] + sum[2]) + (sum[1] + sum[3]);

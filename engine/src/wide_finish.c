@@ -200,8 +200,8 @@ void TD_WIDE(td_finish_bodies)(thud_world *w)
         i8 finite = sum - sum == zero;
         f8 fallen = f8_load(weight + first) * (gx * d.x + gy * d.y);
         f8 moving = td_kinetic_of(&v, mass + first, inertia + first);
-        kinetic += td_pairs_of(f8_keep(here & finite, moving));
-        gained += td_pairs_of(f8_keep(here & finite, fallen));
+        kinetic += d4_folded(f8_keep(here & finite, moving));
+        gained += d4_folded(f8_keep(here & finite, fallen));
         if (w->def.sleeping) {
             count_idle(w, first, &v, rim, here & finite);
         }
@@ -235,7 +235,7 @@ double TD_WIDE(td_kinetic_energy)(const thud_world *w)
     for (int first = 0; first < count; first += TD_LANES) {
         td_rows v = td_load_rows(velocity + first);
         i8 slot = i8_all(first) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
-        kinetic += td_pairs_of(f8_keep(here, td_kinetic_of(&v, mass + first, inertia + first)));
+        kinetic += d4_folded(f8_keep(here, td_kinetic_of(&v, mass + first, inertia + first)));
     }
     return td_total_of(kinetic);
 }

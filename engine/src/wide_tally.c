@@ -4,9 +4,7 @@
 /* Sums of floats stay within a few blocks; from there on it is whole quanta. */
 TD_INLINE d4 quanta_of(f8 length, double to_fixed)
 {
-    d4 low = __builtin_convertvector(__builtin_shufflevector(length, length, 0, 1, 2, 3), d4);
-    d4 high = __builtin_convertvector(__builtin_shufflevector(length, length, 4, 5, 6, 7), d4);
-    return ((low + high) * to_fixed + TD_ROUND_SHIFT) - TD_ROUND_SHIFT;
+    return (d4_folded(length) * to_fixed + TD_ROUND_SHIFT) - TD_ROUND_SHIFT;
 }
 
 /* In this order of operands what is not a number is left out. */
