@@ -15,10 +15,8 @@ static bool is_closed(const scene *s) {
 }
 
 /* Hundreds of bodies at most. */
-static int small_size(const scene_info *info, bool quick) {
-    if (info->default_size > 1000)
-        return quick ? 100 : 500;
-    return info->default_size > 50 ? 20 : 0;
+static int small_size(const scene_info *info) {
+    return info->default_size > 1000 ? 500 : info->default_size > 50 ? 20 : 0;
 }
 
 static double lowest_start(const scene *s) {
@@ -62,7 +60,7 @@ void energy_of_scenes(ledger *l) {
     for (int i = 0; i < scenes_count(); i++) {
         const scene_info *info = scenes_at(i);
         scene s;
-        if (!scenes_fill(info, small_size(info, l->quick), &s)) {
+        if (!scenes_fill(info, small_size(info), &s)) {
             l->failed = true;
             continue;
         }

@@ -34,7 +34,7 @@ static const struct {
     {"energy", "cradle of five, one in: momentum of the last one, %", ON_EXACT},
     {"energy", "cradle of five, two in: momentum of the last two, %", ON_EXACT},
     {"energy", "pyramid: energy above its lowest before, %", ON_DRAFT},
-    {"energy", "circle_pit: energy above its lowest before, %", ON_DRAFT | ON_DEFAULT},
+    {"energy", "circle_pit: energy above its lowest before, %", ON_DRAFT},
     {"energy", "smash: energy above its lowest before, %", ON_THUD},
     {"energy", "gas: energy above its start, %", ON_THUD},
     {"energy", "gas: energy above its lowest before, %", ON_THUD},
