@@ -4,11 +4,11 @@
 #include "kinds.h"
 #include "lanes.h"
 
-/* What wakes, falls asleep or is edited makes the energy of the last step stale; and so do collisions
- * that detection resolved after its finish. */
+/* What wakes, falls asleep or is edited makes the energy of the last step stale; and so may detection
+ * that resolves collisions after its finish. */
 void td_error_begin(thud_world *w)
 {
-    if (w->kinetic_stale || w->stats.impacts) {
+    if (w->kinetic_stale || w->detections[TD_RANK_BISECT] || w->detections[TD_RANK_SWEPT]) {
         w->kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
     }
     w->errors = (td_errors){.energy_change = -w->kinetic};

@@ -2,6 +2,7 @@
 #include "engine_support.h"
 
 #include "build_thud.h"
+#include "error.h"
 #include "pool.h"
 #include "scenes.h"
 
@@ -77,7 +78,8 @@ static void penetration_agrees_with_the_measure_in_every_scene(void **state)
         const char *name;
         int size;
     } scenes[] = {{"pyramid", 20}, {"circle_pit", 300}, {"mixed_terrain", 300}, {"tumbler", 100},
-                  {"platformer", 100}, {"heavy_on_light", 4}};
+                  {"platformer", 100}, {"gas", 200},
+                  {"heavy_on_light", 4}};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         thud_world_def def = thud_default_world_def();
         def.sleeping = false;
@@ -89,6 +91,27 @@ static void penetration_agrees_with_the_measure_in_every_scene(void **state)
             near_to(e.penetration_max, m.penetration_max, 1e-7 + 1e-6 * m.penetration_max);
             near_to(e.penetration_mean, m.penetration_mean, 1e-7 + 1e-5 * m.penetration_mean);
         }
+        thud_world_destroy(world);
+    }
+}
+
+static void recount_finds_what_the_step_found(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"pyramid", "circle_pit"};
+    for (int i = 0; i < 2; i++) {
+        thud_world_def def = thud_default_world_def();
+        def.sleeping = false;
+        thud_world *world = world_of(names[i], i ? 300 : 20, def);
+        run(world, 100);
+        thud_step_error step = error_of_step(world);
+        td_error_recount(world);
+        thud_step_error again = thud_world_error(world);
+        assert_true(again.penetration_max == step.penetration_max);
+        near_to(again.penetration_mean, step.penetration_mean, 1e-7);
+        assert_int_equal(again.overlaps, step.overlaps);
+        assert_true(again.energy_change == step.energy_change);
+        assert_true(again.residual > 0 && again.residual < 2 * step.residual);
         thud_world_destroy(world);
     }
 }
@@ -195,6 +218,20 @@ static void fall_changes_no_more_energy_than_the_integrator_loses(void **state)
         double tolerance = 1e-6 * thud_world_measure(world).kinetic_energy + 1e-7;
         near_to(change, energy_of(world) - before, tolerance);
         assert_true(change < tolerance && change > -lost - tolerance);
+    }
+    thud_world_destroy(world);
+}
+
+static void fall_on_exact_parabolas_changes_no_energy(void **state)
+{
+    (void)state;
+    thud_world_def def = thud_default_world_def();
+    def.detection = &thud_detection_swept;
+    thud_world *world = make_world(def);
+    add_ball(world, 0, 0, 0.5f);
+    for (int i = 0; i < 60; i++) {
+        double change = error_of_step(world).energy_change;
+        near_to(change, 0, 1e-6 * thud_world_measure(world).kinetic_energy + 1e-6);
     }
     thud_world_destroy(world);
 }
@@ -362,11 +399,13 @@ int main(void)
         cmocka_unit_test(penetration_of_a_sunk_ball_is_how_deep_it_ends),
         cmocka_unit_test(mean_counts_points_that_do_not_overlap),
         cmocka_unit_test(penetration_agrees_with_the_measure_in_every_scene),
+        cmocka_unit_test(recount_finds_what_the_step_found),
         cmocka_unit_test(contacts_of_sleepers_and_vetoed_ones_do_not_count),
         cmocka_unit_test(residual_is_large_where_the_solver_does_not_get_done),
         cmocka_unit_test(points_of_a_stack_overlap_under_a_weight_that_crushes_it),
         cmocka_unit_test(free_flight_changes_no_energy_at_all),
         cmocka_unit_test(fall_changes_no_more_energy_than_the_integrator_loses),
+        cmocka_unit_test(fall_on_exact_parabolas_changes_no_energy),
         cmocka_unit_test(slide_loses_what_friction_works),
         cmocka_unit_test(energy_change_leaves_edits_out),
         cmocka_unit_test(energy_counts_anew_after_a_collision_within_the_step),
