@@ -49,7 +49,15 @@ class Verdicts(unittest.TestCase):
     def test_cheaper_rival_is_named_with_how_much_dearer_thud_is(self):
         case = made([(3, 0.1)], [(2, 0.1)])
         self.assertFalse(figures.holds(case))
-        self.assertIn("takes 1.50 times its time, with quality 0", page.verdict(case))
+        self.assertIn("to err as little as Box2D 1 (0.10 m) thud takes 1.50 times as long.",
+                      page.verdict(case))
+        both = made([(3, 0.1)], [(2, 0.1), (2.5, 0.2)])
+        self.assertIn("Box2D 1 (0.10 m), Box2D 2 (0.20 m) thud takes 1.20 to 1.50 times as long.",
+                      page.verdict(both))
+
+    def test_factors_have_two_digits(self):
+        self.assertEqual([page.times(v) for v in (1.234, 12.6, 777182.4)],
+                         ["1.2", "13", "780,000"])
 
     def test_equal_errors_are_left_but_not_below(self):
         case = made([(1, 0.4)], [(2, 0.4)])

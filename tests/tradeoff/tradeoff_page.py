@@ -39,7 +39,10 @@ def amount(case, point):
 
 
 def times(value):
-    return f"{value:.1f}" if value < 10 else f"{value:,.0f}"
+    """A factor, with two digits."""
+    if value < 10:
+        return f"{value:.1f}"
+    return f"{round(value, 1 - math.floor(math.log10(value))):,.0f}"
 
 
 def span(values):
@@ -47,17 +50,26 @@ def span(values):
     return low if low == high else f"{low} to {high}"
 
 
-def exception(case, rival):
-    """Why a point of Box2D is not beaten."""
-    match = figures.cheapest_as_accurate(case, rival)
-    name = f"{figures.label(rival)} ({amount(case, rival)})"
-    if match is None:
+def named(case, rivals):
+    return ", ".join(f"{figures.label(r)} ({amount(case, r)})" for r in rivals)
+
+
+def exceptions(case):
+    """Why points of Box2D are not beaten, if any are not."""
+    missed = figures.unbeaten(case)
+    out_of_reach = [r for r in missed if figures.cheapest_as_accurate(case, r) is None]
+    dearer = [r for r in missed if figures.cheapest_as_accurate(case, r)]
+    parts = []
+    if out_of_reach:
         least = min(figures.own(case), key=lambda p: figures.error(case, p))
-        return f"nothing of thud errs as little as {name}; {least['setting']} has " \
-               f"{amount(case, least)}"
-    more = figures.cost(match) / figures.cost(rival)
-    return f"to err as little as {name} thud takes {more:.2f} times its time, with " \
-           f"{match['setting']}"
+        parts.append(f"nothing of thud errs as little as {named(case, out_of_reach)}; "
+                     f"{least['setting']} has {amount(case, least)}")
+    if dearer:
+        factors = [1 / figures.times_cheaper(case, r) for r in dearer]
+        low, high = f"{min(factors):.2f}", f"{max(factors):.2f}"
+        parts.append(f"to err as little as {named(case, dearer)} thud takes "
+                     f"{low if low == high else low + ' to ' + high} times as long")
+    return "; ".join(parts)
 
 
 def verdict(case):
@@ -67,9 +79,9 @@ def verdict(case):
         return UNMEASURED
     beaten = [r for r in rivals if figures.is_beaten(case, r)]
     cheaper = [figures.times_cheaper(case, r) for r in beaten]
-    missed = [exception(case, r) for r in figures.unbeaten(case)]
+    missed = exceptions(case)
     if missed:
-        text = f"**Not left of and below everywhere**: {'; '.join(missed)}."
+        text = f"**Not left of and below everywhere**: {missed}."
         if beaten:
             text += f" At the errors of the other {len(beaten)} points of Box2D thud is " \
                     f"{span(cheaper)} times as fast."
