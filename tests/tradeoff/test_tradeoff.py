@@ -56,8 +56,8 @@ class Verdicts(unittest.TestCase):
                       page.verdict(both))
 
     def test_factors_have_two_digits(self):
-        self.assertEqual([page.times(v) for v in (1.234, 12.6, 777182.4)],
-                         ["1.2", "13", "780,000"])
+        self.assertEqual([page.times(v) for v in (1.234, 12.6, 777182.4, math.inf)],
+                         ["1.2", "13", "780,000", "∞"])
 
     def test_equal_errors_are_left_but_not_below(self):
         case = made([(1, 0.4)], [(2, 0.4)])

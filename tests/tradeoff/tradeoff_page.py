@@ -39,7 +39,9 @@ def amount(case, point):
 
 
 def times(value):
-    """A factor, with two digits."""
+    """A factor, with two digits; over a point of Box2D that lost bodies it is infinite."""
+    if not math.isfinite(value):
+        return "∞"
     if value < 10:
         return f"{value:.1f}"
     return f"{round(value, 1 - math.floor(math.log10(value))):,.0f}"
