@@ -8,7 +8,8 @@
 /* The arrays that a body has a place in. */
 #define BY_SLOT(w)                                                                                 \
     &(w)->velocity, &(w)->delta, &(w)->start, &(w)->push, &(w)->damping, &(w)->idle, &(w)->reach,  \
-        &(w)->mass, &(w)->inertia, &(w)->weight, &(w)->body_of, &(w)->lone, &(w)->colours
+        &(w)->mass, &(w)->inertia, &(w)->weight, &(w)->body_of, &(w)->lone, &(w)->colours,       \
+        &(w)->hard, &(w)->strain
 
 bool td_awake_reserve(thud_world *w, int more)
 {
@@ -63,6 +64,8 @@ void td_awake_add(thud_world *w, int index)
     memset(td_row(&w->delta, slot), 0, sizeof(float[4]));
     memset(td_row(&w->damping, slot), 0, sizeof(float[2]));
     *td_row(&w->idle, slot) = 0.0f;
+    *(uint8_t *)td_at(&w->hard, slot) = body->hard;
+    *(uint8_t *)td_at(&w->strain, slot) = 0;
     *(td_colours *)td_at(&w->colours, slot) = (td_colours){0, 0};
     td_awake_refresh(w, index);
 }
@@ -91,6 +94,7 @@ void td_awake_remove(thud_world *w, int index)
     const float *damping = td_row(&w->damping, slot);
     w->damped -= damping[0] > 0.0f || damping[1] > 0.0f;
     memcpy(body->velocity, td_row(&w->velocity, slot), sizeof body->velocity);
+    body->hard = *(uint8_t *)td_at(&w->hard, slot);
     body->awake = TD_NONE;
     if (slot != last) {
         move_slot(w, last, slot);

@@ -68,7 +68,8 @@ typedef struct td_block {
     int32_t armed;              /* a lane's shape may be off its body's centre of mass */
     int32_t shared;             /* a lane has a kinematic body, which other blocks may have as well */
     uint8_t seams[TD_LANES];    /* of shape_a, where it is static */
-    int32_t padding[7];
+    uint8_t loaded[TD_LANES];   /* found to carry too much; see islands.c */
+    int32_t padding[5];
     /* The solver's rows begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slots, in bytes of their records of four floats; 0:
                                           that side is static */

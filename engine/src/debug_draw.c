@@ -149,7 +149,7 @@ thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw)
         return td_refuse(w, THUD_ERROR_LOCKED, "draw: not inside a callback");
     }
     if (!td_changes_apply(w) || !td_broadphase_refresh(w) ||
-        ((draw->flags & THUD_DRAW_ISLANDS) && !td_islands(w))) {
+        ((draw->flags & THUD_DRAW_ISLANDS) && !td_islands_label(w))) {
         return td_refuse(w, THUD_ERROR_MEMORY, "draw: out of memory");
     }
     td_drawing d = {w, draw, td_place_from(w, draw->origin), td_place_from(w, draw->lower),

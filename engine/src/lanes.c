@@ -109,6 +109,7 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
     to->armed |= from->armed;
     to->shared |= from->shared;
     to->seams[to_lane] = from->seams[from_lane];
+    to->loaded[to_lane] = from->loaded[from_lane];
     to->touching = (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
 }
 
@@ -122,7 +123,7 @@ static void clear_lane(td_block *block, int lane, int bytes)
         }
     }
     block->contact[lane] = TD_NONE;
-    block->seams[lane] = 0;
+    block->seams[lane] = block->loaded[lane] = 0;
     block->touching &= ~(1u << lane);
 }
 

@@ -21,8 +21,9 @@ const char *td_quality_error(const thud_quality *q)
     if (!q->detection) {
         return "quality: detection is null";
     }
-    if (!(q->load_limit >= 0.0f) || q->island_limit < 1) {
-        return "quality: load_limit is negative, or island_limit less than 1";
+    if (!(q->sag_limit >= 0.0f) || q->island_limit < 1 || q->island_work < 0 ||
+        q->island_patience < 0) {
+        return "quality: a limit of islands is negative, or island_limit less than 1";
     }
     return NULL;
 }
@@ -30,7 +31,9 @@ const char *td_quality_error(const thud_quality *q)
 /* Bodies that chose nothing themselves follow the world. */
 static void detect_by(thud_world *w, const thud_detection *detection)
 {
-    float skin = detection->rank >= TD_RANK_BISECT ? TD_SKIN * w->unit : 0.0f;
+    /* What is solved directly is not pressed together, and has no need of a thick skin. */
+    bool direct = w->quality.islands && w->quality.sag_limit == 0.0f;
+    float skin = detection->rank < TD_RANK_BISECT ? 0.0f : (direct ? TD_MEET : TD_SKIN) * w->unit;
     w->detections[detection->rank] = detection;
     for (int i = 0; i < w->bodies.count; i++) {
         td_body *body = td_body_at(w, i);

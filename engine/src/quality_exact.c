@@ -6,6 +6,10 @@ const thud_quality thud_quality_exact = {
     .substeps = 16,
     .contact_stiffness = 0.16f,
     .contact_damping = 10.0f,
-    .detection = &thud_detection_continuous,
-    .island_limit = 1,
+    .detection = &thud_detection_swept,
+    .islands = &thud_islands_direct,
+    .sag_limit = 0.0f,
+    .island_limit = 4096,
+    .island_work = 1000000000,
+    .island_patience = 0,
 };

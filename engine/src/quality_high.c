@@ -7,5 +7,9 @@ const thud_quality thud_quality_high = {
     .contact_stiffness = 0.16f,
     .contact_damping = 10.0f,
     .detection = &thud_detection_continuous,
-    .island_limit = 1,
+    .islands = &thud_islands_direct,
+    .sag_limit = 0.0f,
+    .island_limit = 2048,
+    .island_work = 2000000,
+    .island_patience = 5,
 };

@@ -145,7 +145,7 @@ static void tie(thud_world *w, int *parents, int a, int b)
     }
 }
 
-bool td_islands(thud_world *w)
+bool td_islands_label(thud_world *w)
 {
     td_array *parents = &w->scratch.parents;
     if (!td_array_reserve(&w->memory, parents, w->body_of.count)) {
@@ -230,7 +230,7 @@ bool td_sleep_reserve(thud_world *w)
 
 void td_sleep(thud_world *w)
 {
-    if (!is_due(w, w->idle_bodies) || !td_islands(w)) {
+    if (!is_due(w, w->idle_bodies) || !td_islands_label(w)) {
         return;
     }
     const int *root = w->scratch.parents.data;

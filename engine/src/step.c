@@ -61,6 +61,23 @@ static void forget_motions(thud_world *w)
     w->stats.held_seconds = 0.0;
 }
 
+static bool find_islands(thud_world *w)
+{
+    return !w->quality.islands || w->quality.islands->find(w);
+}
+
+/* Hard islands are solved twice, the second time at once and directly. */
+static void solve(thud_world *w)
+{
+    if (w->quality.islands) {
+        w->quality.islands->begin(w);
+    }
+    td_solve(w);
+    if (w->quality.islands) {
+        w->quality.islands->end(w);
+    }
+}
+
 static thud_result run_stages(thud_world *w)
 {
     double start = w->def.clock ? w->def.clock(w->def.clock_context) : 0.0, last = start;
@@ -70,8 +87,8 @@ static thud_result run_stages(thud_world *w)
     mark(w, THUD_STAGE_CHANGES, &last);
     done = done && td_broadphase(w);
     mark(w, THUD_STAGE_BROADPHASE, &last);
-    done = done && td_broadphase_refresh(w) && td_narrowphase(w) && td_finish_reserve(w) &&
-           reserve_detection(w) && td_sleep_reserve(w);
+    done = done && td_broadphase_refresh(w) && td_narrowphase(w) && find_islands(w) &&
+           td_finish_reserve(w) && reserve_detection(w) && td_sleep_reserve(w);
     mark(w, THUD_STAGE_NARROWPHASE, &last);
     if (!done) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
@@ -82,7 +99,7 @@ static thud_result run_stages(thud_world *w)
     td_contacts_hit(w);
     mark(w, THUD_STAGE_CONTACTS, &last);
     w->stats.substeps = w->substeps;
-    td_solve(w);
+    solve(w);
     detect(w, TD_BEFORE_MOVING);
     mark(w, THUD_STAGE_SOLVE, &last);
     td_finish(w);

@@ -40,7 +40,7 @@ bool td_sleep_reserve(thud_world *w);
 bool td_wake(thud_world *w, int body);
 
 /* sleep.c: scratch.parents gets the island of each awake slot, named by its lowest slot. */
-bool td_islands(thud_world *w);
+bool td_islands_label(thud_world *w);
 
 /* narrowphase.c: the context of the kernels for the present state. */
 td_collide_context td_collide_context_of(const thud_world *w);

@@ -110,6 +110,8 @@ static void set_strides(thud_world *w)
         {&w->push, sizeof(float[4])},
         {&w->damping, sizeof(float[2])},
         {&w->idle, sizeof(float)},
+        {&w->hard, sizeof(uint8_t)},
+        {&w->strain, sizeof(uint8_t)},
         {&w->reach, sizeof(float[2])},
         {&w->mass, sizeof(float)},
         {&w->inertia, sizeof(float)},
@@ -200,6 +202,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out)
     w->thinnest_stale = true;
     set_strides(w);
     td_agenda_init(&w->scratch.agenda);
+    td_islands_init(&w->islands);
     td_quality_take(w, def->quality ? def->quality : &thud_quality_default);
     if (!td_awake_reserve(w, 0)) {
         thud_world_destroy(w);
@@ -220,7 +223,7 @@ void thud_world_destroy(thud_world *w)
     td_array *arrays[] = {
         &w->pose,
         &w->stance, &w->was, &w->marks, &w->velocity, &w->delta, &w->start, &w->push,
-        &w->damping, &w->idle, &w->reach, &w->mass, &w->inertia, &w->weight, &w->body_of, &w->lone, &w->colours, &w->moved,
+        &w->damping, &w->idle, &w->hard, &w->strain, &w->reach, &w->mass, &w->inertia, &w->weight, &w->body_of, &w->lone, &w->colours, &w->moved,
         &w->changed, &w->put_off, &w->poses,
         &w->events.begin, &w->events.end, &w->events.sensor_begin, &w->events.sensor_end,
         &w->events.hit, &w->events.quarantined, &w->told.begin, &w->told.end,
@@ -243,6 +246,7 @@ void thud_world_destroy(thud_world *w)
     for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
         td_array_free(&w->memory, &w->waiting[kind]);
     }
+    td_islands_free(&w->memory, &w->islands);
     td_agenda_free(&w->memory, &w->scratch.agenda);
     td_population_free(&w->memory, &w->awake_shapes);
     td_population_free(&w->memory, &w->rest_shapes);

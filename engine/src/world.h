@@ -9,6 +9,7 @@
 #include "agenda.h"
 #include "block.h"
 #include "detection.h"
+#include "islands.h"
 #include "memory.h"
 #include "population.h"
 #include "tally.h"
@@ -50,6 +51,7 @@ typedef struct td_body {
     float core, rim;              /* smallest half extent; farthest reach from the centre of mass */
     float gravity_scale, linear_damping, angular_damping;
     uint32_t rest_epoch;          /* world's, when it fell asleep */
+    uint8_t hard;                 /* while there is no awake slot: see thud_world.hard */
     const thud_detection *detection;
     uint64_t user_data;
 } td_body;
@@ -193,6 +195,10 @@ struct thud_world {
                                                           gained a substep */
     td_array damping;                                  /* float[2], by awake slot */
     td_array idle;                                     /* float, by awake slot: time at rest */
+    td_array hard;                                     /* uint8_t, by awake slot: steps for which
+                                                          its island still counts as hard */
+    td_array strain;                                   /* uint8_t, by awake slot: steps that took
+                                                          its island's solver long */
     td_array reach;                                    /* float[2], by awake slot: core, rim */
     td_array mass, inertia, weight;                    /* float, by awake slot; weight: mass by
                                                           gravity scale */
@@ -254,6 +260,7 @@ struct thud_world {
         td_array odd;         /* int: awake slots that the wide part of finish leaves over */
         td_array order;       /* while a population is put into its order */
     } scratch;
+    td_islands islands; /* likewise, of hard islands */
     td_array poses; /* thud_pose */
     td_errors errors;
     td_budget budget;

@@ -42,6 +42,7 @@ static const struct {
     {"energy", "heavy_on_light: energy above its lowest before, %",
      ON_DRAFT | ON_DEFAULT | ON_EXACT},
     {"energy", "sizes: energy above its lowest before, %", ON_THUD},
+    {"energy", "asleep: energy above its start, %", ON_HIGH},
     {"energy", "detection: energy above its lowest before, %", ON_DRAFT | ON_DEFAULT | ON_HIGH},
     {"energy", "broadphases: energy above its start, %", ON_THUD},
     {"energy", "broadphases: energy above its lowest before, %", ON_THUD},

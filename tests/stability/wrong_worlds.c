@@ -92,8 +92,8 @@ void wrong_worlds(void **state)
     BAD_QUALITY(contact_stiffness, 0.6f);
     BAD_QUALITY(contact_damping, -1);
     BAD_QUALITY(detection, NULL);
-    BAD_QUALITY(load_limit, NAN);
-    BAD_QUALITY(load_limit, -1);
+    BAD_QUALITY(sag_limit, NAN);
+    BAD_QUALITY(sag_limit, -1);
     BAD_QUALITY(island_limit, 0);
 #undef BAD_QUALITY
 #undef BAD
@@ -127,7 +127,7 @@ void wrong_settings(void **state)
     bad[1].contact_stiffness = 0.6f;
     bad[2].contact_damping = NAN;
     bad[3].detection = NULL;
-    bad[4].load_limit = NAN;
+    bad[4].sag_limit = NAN;
     bad[5].island_limit = -1;
     for (int i = 0; i < COUNT(bad); i++) {
         REFUSED(INVALID, thud_world_set_quality(w, &bad[i]));

@@ -88,7 +88,7 @@ static void bad_worlds_are_refused(void **state)
     none.detection = NULL;
     REFUSED(quality, &none);
     none = thud_quality_default;
-    none.load_limit = NAN;
+    none.sag_limit = NAN;
     REFUSED(quality, &none);
     REFUSED(substeps, -1);
     REFUSED(substeps, 65);

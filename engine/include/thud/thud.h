@@ -319,6 +319,11 @@ typedef struct thud_stats {
     uint64_t step_allocations;            /* made by the last step */
     double stage_seconds[THUD_STAGE_COUNT]; /* of the last step; 0 without a clock */
     double step_seconds;
+    /* Islands solved at once in the last step. */
+    int hard_islands, hard_bodies;
+    int soft_islands;                     /* of them, that stayed as the soft solver had them */
+    int factorings;                       /* of matrices ... */
+    int64_t island_work;                  /* ... and operations on blocks, see thud_quality.h */
     /* Detection in the last step. */
     int impacts;                          /* collisions within the step, bisected or swept */
     int held_bodies;                      /* stopped before its end ... */

@@ -7,6 +7,8 @@
 
 #include "thud_detection.h"
 
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -24,9 +26,16 @@ typedef struct thud_quality {
     float contact_damping;   /* damping ratio of overlap that is pushed apart, [0, 100] */
     const thud_detection *detection;   /* not null */
     const thud_island_solver *islands; /* null: the soft solver does all */
-    float load_limit;        /* >= 0: an island in which a body carries more than so many times the
-                                weight of the lighter body of a contact goes to `islands`; 0: each */
+    float sag_limit;         /* >= 0: an island in which a contact gives way under its load by more than
+                                this share of the smaller body's size goes to `islands`; 0: each does */
     int island_limit;        /* >= 1: islands of more bodies stay with the soft solver */
+    int64_t island_work;     /* >= 0: operations on 3 x 3 blocks (some 20 ns each) that all islands
+                                together may take a step; those for which there is no more stay with
+                                the soft solver. A column takes 3 a body at rest, a pyramid of 500
+                                bodies 60 a body; in motion it is 20 to 100 times as much */
+    int island_patience;     /* >= 0: steps in succession in which an island may need more than eight
+                                matrices, before it is left to the soft solver for two seconds of
+                                steps of 1/60; 0: any number */
 } thud_quality;
 
 extern const thud_quality thud_quality_draft;

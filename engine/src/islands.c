@@ -1,0 +1,284 @@
+/* islands.c: finds the islands that are to be solved at once.
+ *
+ * An island is what touching contacts between dynamic bodies connect. It is hard when a body of it
+ * is: for TD_HARD_STEPS after a contact of it was last found to give way too much. That is looked for in an eighth of
+ * the blocks a step, and must be found twice in succession, since an impact is as heavy but
+ * passes; of a heavy body on a light one, which sinks in at once, the first time and half will do. Where the limit is 0
+ * every island is hard. */
+#include "islands.h"
+
+#include "contact.h"
+#include "lanes.h"
+
+#include <string.h>
+
+void td_islands_init(td_islands *s)
+{
+    s->island.stride = (int)sizeof(td_island);
+    s->slots.stride = s->contacts.stride = s->local.stride = (int)sizeof(int);
+    s->before.stride = (int)sizeof(float[4]);
+    s->impulses.stride = (int)sizeof(float[3]);
+    s->rows.stride = (int)sizeof(td_direct_contact);
+    s->bodies.stride = (int)sizeof(td_direct_body);
+    s->step.stride = s->work.stride = s->moved.stride = (int)sizeof(double[3]);
+    td_sparse_init(&s->matrix);
+}
+
+void td_islands_free(td_memory *memory, td_islands *s)
+{
+    td_array *const arrays[] = {&s->island,   &s->slots, &s->contacts, &s->local, &s->before,
+                                &s->impulses, &s->rows,  &s->bodies,   &s->step,  &s->work,
+                                &s->moved};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
+        td_array_free(memory, arrays[i]);
+    }
+    td_sparse_free(memory, &s->matrix);
+}
+
+/* Room from the start for what is usual, so that a world settles into what it has. */
+static bool roomy(thud_world *w, td_array *array, int count)
+{
+    return td_array_reserve(&w->memory, array, td_max_int(count, 64));
+}
+
+/* ... and for all bodies and contacts that there are, where that takes little. */
+static bool room_for_all(thud_world *w)
+{
+    td_islands *s = &w->islands;
+    int bodies = w->body_of.count, contacts = w->touching;
+    return roomy(w, &s->local, bodies) && roomy(w, &s->island, bodies) &&
+           roomy(w, &s->slots, bodies) && roomy(w, &s->before, bodies) &&
+           roomy(w, &s->contacts, contacts) && roomy(w, &s->impulses, contacts) &&
+           td_sparse_reserve(&w->memory, &s->matrix, bodies);
+}
+
+/* ---- which ---- */
+
+enum { TOO_MANY = -1 }; /* in `local`: its island has more bodies than the limit */
+
+static int *local_at(const thud_world *w, int slot)
+{
+    return td_at(&w->islands.local, slot);
+}
+
+static bool is_seed(const thud_world *w, int slot)
+{
+    int hard = *(uint8_t *)td_at(&w->hard, slot);
+    return hard <= TD_HARD_TIRED && (hard > 0 || w->quality.sag_limit == 0.0f) &&
+           *local_at(w, slot) == 0 && td_row(&w->velocity, slot)[3] > 0.0f;
+}
+
+static bool any_hard(const thud_world *w)
+{
+    const uint8_t *hard = w->hard.data;
+    uint8_t any = 0;
+    for (int slot = 1; slot < w->body_of.count; slot++) {
+        any |= hard[slot];
+    }
+    return any > 0;
+}
+
+static void tire(thud_world *w, int slot)
+{
+    *(uint8_t *)td_at(&w->hard, slot) = TD_HARD_TIRED + TD_TIRED_STEPS;
+    *(uint8_t *)td_at(&w->strain, slot) = 0;
+}
+
+void td_islands_leave(thud_world *w, const td_island *island)
+{
+    for (int i = 0; i < island->bodies; i++) {
+        tire(w, *(int *)td_at(&w->islands.slots, island->first_body + i));
+    }
+}
+
+void td_islands_settle(thud_world *w)
+{
+    uint8_t *hard = w->hard.data;
+    for (int slot = 1; slot < w->islands.local.count; slot++) {
+        int left = hard[slot] > TD_HARD_TIRED ? hard[slot] - 1 : hard[slot];
+        hard[slot] = left == TD_HARD_TIRED ? 0 : (uint8_t)left;
+        if (*local_at(w, slot) == TOO_MANY) {
+            tire(w, slot);
+        }
+    }
+}
+
+static void add_body(thud_world *w, td_island *island, int slot)
+{
+    td_push_int(&w->islands.slots, slot);
+    *local_at(w, slot) = ++island->bodies;
+}
+
+/* The awake slot of a dynamic body on the other side, or 0. */
+static int neighbour(const thud_world *w, const td_contact *contact, int side)
+{
+    const td_body *other = td_body_at(w, contact->body[1 - side]);
+    return other->kind == THUD_DYNAMIC && other->awake > 0 ? other->awake : 0;
+}
+
+/* Adds the contacts of a body, and whom they bring; each contact once, by its first side that is a
+ * body of an island. False: the island has too many bodies. */
+static bool spread(thud_world *w, td_island *island, int slot)
+{
+    int body = *(int *)td_at(&w->body_of, slot);
+    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_contact *contact = td_contact_at(w, e / 2);
+        if (contact->state != TD_TOUCHING) {
+            continue;
+        }
+        int other = neighbour(w, contact, e & 1);
+        bool is_new = other && *local_at(w, other) == 0;
+        if (other && (*local_at(w, other) == TOO_MANY ||
+                      (is_new && island->bodies == w->quality.island_limit))) {
+            return false;
+        }
+        if (!other || !(e & 1)) {
+            td_push_int(&w->islands.contacts, e / 2);
+        }
+        if (is_new) {
+            add_body(w, island, other);
+        }
+    }
+    return true;
+}
+
+/* Lists the island of a body, unless it has no contacts or too many bodies. */
+static void follow(thud_world *w, int seed)
+{
+    td_islands *s = &w->islands;
+    td_island island = {.first_body = s->slots.count, .first_contact = s->contacts.count};
+    bool whole = true;
+    add_body(w, &island, seed);
+    for (int i = island.first_body; whole && i < s->slots.count; i++) {
+        whole = spread(w, &island, *(int *)td_at(&s->slots, i));
+    }
+    island.contacts = s->contacts.count - island.first_contact;
+    if (whole && island.contacts) {
+        *(td_island *)td_at(&s->island, s->island.count++) = island;
+        return;
+    }
+    for (int i = island.first_body; i < s->slots.count && !whole; i++) {
+        *local_at(w, *(int *)td_at(&s->slots, i)) = TOO_MANY;
+    }
+    s->slots.count = island.first_body;
+    s->contacts.count = island.first_contact;
+}
+
+/* ---- room ---- */
+
+static bool order(thud_world *w, td_island *island)
+{
+    td_islands *s = &w->islands;
+    if (!td_sparse_begin(&w->memory, &s->matrix, island->bodies)) {
+        return false;
+    }
+    for (int i = 0; i < island->contacts; i++) {
+        const td_contact *contact =
+            td_contact_at(w, *(int *)td_at(&s->contacts, island->first_contact + i));
+        int a = neighbour(w, contact, 1), b = neighbour(w, contact, 0);
+        if (a && b) {
+            td_sparse_tie(&s->matrix, *local_at(w, a) - 1, *local_at(w, b) - 1);
+        }
+    }
+    bool ordered = td_sparse_order(&w->memory, &s->matrix);
+    island->system = s->matrix.now;
+    return ordered && roomy(w, &s->rows, island->contacts) &&
+           roomy(w, &s->bodies, island->bodies) && roomy(w, &s->step, island->bodies) &&
+           roomy(w, &s->moved, island->bodies) && roomy(w, &s->work, island->bodies);
+}
+
+bool td_islands_find(thud_world *w)
+{
+    td_islands *s = &w->islands;
+    int slots = w->body_of.count;
+    s->island.count = s->slots.count = s->contacts.count = 0;
+    td_sparse_forget(&s->matrix);
+    s->local.count = 0;
+    if (w->quality.sag_limit > 0.0f && !any_hard(w)) {
+        return true;
+    }
+    if (!room_for_all(w)) {
+        return false;
+    }
+    s->local.count = slots;
+    memset(s->local.data, 0, (size_t)slots * sizeof(int));
+    for (int slot = 1; slot < slots; slot++) {
+        if (is_seed(w, slot)) {
+            follow(w, slot);
+        }
+    }
+    for (int i = 0; i < s->island.count; i++) {
+        if (!order(w, td_at(&s->island, i))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- load ---- */
+
+#define UNEQUAL 30.0f /* masses */
+
+enum {
+    FEW = 32, /* blocks, that are all looked at */
+    OFTEN = 2
+};
+
+static void harden(thud_world *w, uint32_t record)
+{
+    int slot = (int)(record / TD_AWAKE_BYTES);
+    uint8_t *hard = td_at(&w->hard, slot);
+    if (td_row(&w->velocity, slot)[3] > 0.0f && *hard <= TD_HARD_TIRED) {
+        *hard = TD_HARD_STEPS;
+    }
+}
+
+/* A spring of frequency f gives way by (impulse / mass / h) / (2 pi f)^2 under an impulse a substep. */
+float td_islands_limit(const thud_world *w)
+{
+    float h = (float)(w->def.time_step / w->substeps);
+    float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* a substep */
+    return w->quality.sag_limit * omega * omega / h;
+}
+
+static float size_of(const thud_world *w, int slot)
+{
+    return slot ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
+}
+
+static void watch_block(thud_world *w, td_block *block, int points, float limit)
+{
+    for (int lane = 0; lane < block->used; lane++) {
+        float impulse = block->point[0].normal_impulse[lane];
+        if (points == 2) {
+            impulse += block->point[1].normal_impulse[lane];
+        }
+        int a = (int)(block->a[lane] / TD_AWAKE_BYTES), b = (int)(block->b[lane] / TD_AWAKE_BYTES);
+        float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
+        float light = td_max_float(inverse_a, inverse_b), other = td_min_float(inverse_a, inverse_b);
+        float load = impulse * light, most = limit * td_min_float(size_of(w, a), size_of(w, b));
+        bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
+        int seen = load > most ? block->loaded[lane] + 1 : 0;
+        if (sinks || seen >= OFTEN) {
+            harden(w, block->a[lane]);
+            harden(w, block->b[lane]);
+        }
+        block->loaded[lane] = (uint8_t)td_min_int(seen, OFTEN);
+    }
+}
+
+void td_islands_watch(thud_world *w)
+{
+    float limit = td_islands_limit(w);
+    if (limit == 0.0f) {
+        return;
+    }
+    int stride = w->scratch.blocks.count < FEW ? 1 : 8;
+    for (int i = (int)(w->steps % (uint64_t)stride); i < w->scratch.blocks.count; i += stride) {
+        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        if (block->used) {
+            int kind = td_contact_at(w, block->contact[0])->kind;
+            watch_block(w, block, td_form_points(w->pairs[kind]->form), limit);
+        }
+    }
+}
