@@ -87,7 +87,7 @@ static const blow blows[] = {
     {"two impulses", strike_twice, false},
     {"impulse from afar", strike_from_afar, true},
     {"impulses to and fro", strike_to_and_fro, false},
-    {"force", force, false},
+    {"force", force, true},
     {"force down", force_down, false},
     {"two forces", force_twice, false},
     {"torque", twist, false},
@@ -205,6 +205,55 @@ static void blow_to_one_of_a_stack_leaves_the_others_finite(void **state)
     }
 }
 
+/* A force that overflows: gravity 10, times that. */
+static thud_body_id add_doomed(thud_world *w, double x)
+{
+    thud_body_def def = thud_default_body_def();
+    thud_body_id body;
+    def.kind = THUD_DYNAMIC;
+    def.position = (thud_pos){x, 0.5};
+    def.gravity_scale = HUGE_VALUE;
+    OK(thud_body_create(w, &def, &body));
+    add_shape(w, body, 0.5f, 0.5f, false, NULL);
+    return body;
+}
+
+/* It stands in touch with the stack, on the same floor. */
+static void body_that_overflows_is_quarantined_and_the_rest_goes_on_without_it(void **state)
+{
+    (void)state;
+    for (int d = 0; d < DETECTIONS; d++) {
+        site s = make_site(detections[d], false), without = make_site(detections[d], false);
+        thud_body_id doomed = add_doomed(s.world, 1);
+        for (int step = 0; step < 120; step++) {
+            run(s.world, 1);
+            run(without.world, 1);
+            thud_events e = thud_world_events(s.world);
+            assert_int_equal(e.quarantined_count, step == 0);
+            if (step == 0) {
+                assert_int_equal(e.quarantined[0].index1, doomed.index1);
+            }
+            body_is_as(&s, s.ball, &without, without.ball, "quarantine", step);
+            for (int k = 0; k < STACK; k++) {
+                thud_pos is = state_of(s.world, s.stack[k]).position;
+                thud_pos wanted = state_of(without.world, without.stack[k]).position;
+                near_to(is.x, wanted.x, 1e-3);
+                near_to(is.y, wanted.y, 1e-3);
+            }
+        }
+        assert_true(state_of(s.world, doomed).quarantined);
+        near_to(state_of(s.world, doomed).position.x, 1, 0);
+        OK(thud_body_destroy(s.world, doomed));
+        run(s.world, 1);
+        thud_body_id heir = add_box(s.world, 1.5, 0.5, 0.5f, 0.5f);
+        run(s.world, 60);
+        assert_int_equal(heir.index1, doomed.index1);
+        assert_false(state_of(s.world, heir).quarantined);
+        thud_world_destroy(s.world);
+        thud_world_destroy(without.world);
+    }
+}
+
 /* ---- worlds and bodies at the ends of their ranges ---- */
 
 /* A pile of balls and boxes on a floor, and what there is of them after two seconds: finite, not
@@ -278,7 +327,7 @@ static void worlds_at_the_ends_of_their_ranges_stay_finite(void **state)
 {
     (void)state;
     PILE_WITH(world.gravity.y, -HUGE_VALUE);
-    PILE_WITH(world.gravity.x, HUGE_VALUE);
+    PILE_WITH(world.gravity.x, 1e20f);
     PILE_WITH(world.gravity.y, -1e-45f);
     PILE_WITH(world.time_step, 1);
     PILE_WITH(world.time_step, 1e-9);
@@ -347,6 +396,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(blow_far_from_others_leaves_them_as_they_are_to_the_bit),
         cmocka_unit_test(blow_to_one_of_a_stack_leaves_the_others_finite),
+        cmocka_unit_test(body_that_overflows_is_quarantined_and_the_rest_goes_on_without_it),
         cmocka_unit_test(worlds_at_the_ends_of_their_ranges_stay_finite),
         cmocka_unit_test(bodies_at_the_ends_of_their_ranges_stay_finite),
         cmocka_unit_test(body_that_flies_past_the_edge_of_the_world_flies_on),
