@@ -54,5 +54,9 @@ class Envelope(unittest.TestCase):
         for name in names():
             self.assertRegex(usage, rf"\b{name}\b")
 
+    def test_page_in_docs_has_every_extreme_in_order(self):
+        page = Path("docs/stability.md").read_text(encoding="utf-8")
+        self.assertEqual(re.findall(r'<a id="(.*)">', page), names())
+
 
 unittest.main()
