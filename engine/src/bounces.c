@@ -149,7 +149,9 @@ void td_bounces_take(thud_world *w)
     td_block **blocks = w->scratch.blocks.data;
     bool elastic = false;
     for (int i = 0; i < w->scratch.blocks.count && !elastic; i++) {
-        elastic = blocks[i]->bouncy && i8_bits(blocks[i]->restitution >= f8_all(1.0f));
+        for (int k = 0; k < blocks[i]->used && blocks[i]->bouncy; k++) {
+            elastic |= blocks[i]->restitution[k] >= 1.0f;
+        }
     }
     for (int i = 0; i < w->scratch.blocks.count && elastic; i++) {
         note_borne(w, blocks[i]);

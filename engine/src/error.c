@@ -28,7 +28,7 @@ void td_error_add(thud_world *w, const td_tally *found)
 
 float td_error_overlap(const thud_world *w)
 {
-    return TD_SLOP * w->unit;
+    return w->def.max_error > 0.0 ? (float)w->def.max_error : TD_SLOP * w->unit;
 }
 
 /* Normal velocity of a point; negative where it closes. */

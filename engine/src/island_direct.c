@@ -223,19 +223,19 @@ static void write_contact(const td_island_work *work, int i)
 static bool is_loaded(const td_island_work *work, const td_direct_contact *c)
 {
     thud_world *w = work->w;
-    double impulse = 0.0, inverse = 0.0, size = 3e38;
+    double impulse = 0.0, inverse = 0.0;
+    float size = 3e38f;
     for (int k = 0; k < TANGENT; k++) {
         impulse += c->row[k].used ? c->row[k].impulse : 0.0;
     }
     const int sides[2] = {c->a, c->b};
     for (int side = 0; side < 2; side++) {
         if (sides[side] != TD_NONE) {
-            double core = (double)td_row(&w->reach, work->slots[sides[side]])[0];
             inverse = td_max_double(inverse, work->problem.bodies[sides[side]].inverse_mass);
-            size = 2.0 * core < size ? 2.0 * core : size;
+            size = td_min_float(size, 2.0f * td_row(&w->reach, work->slots[sides[side]])[0]);
         }
     }
-    return impulse / w->substeps * inverse > TD_HARD_LEAVE * (double)td_islands_limit(w) * size;
+    return impulse / w->substeps * inverse > TD_HARD_LEAVE * (double)td_islands_most(w, size);
 }
 
 /* An island that takes many matrices step after step moves, and would do so for long. The first time

@@ -234,11 +234,14 @@ static void harden(thud_world *w, uint32_t record)
 }
 
 /* A spring of frequency f gives way by (impulse / mass / h) / (2 pi f)^2 under an impulse a substep. */
-float td_islands_limit(const thud_world *w)
+float td_islands_most(const thud_world *w, float size)
 {
-    float h = (float)(w->def.time_step / w->substeps);
+    float h = (float)(w->def.time_step / w->substeps), sag = w->quality.sag_limit * size;
     float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* a substep */
-    return w->quality.sag_limit * omega * omega / h;
+    if (w->def.max_error > 0.0) {
+        sag = td_min_float(sag, (float)w->def.max_error);
+    }
+    return sag * omega * omega / h;
 }
 
 static float size_of(const thud_world *w, int slot)
@@ -246,19 +249,21 @@ static float size_of(const thud_world *w, int slot)
     return slot ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
 }
 
-static void watch_block(thud_world *w, td_block *block, int points, float limit)
+static void watch_block(thud_world *w, td_block *block, int points)
 {
+    float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
     for (int lane = 0; lane < block->used; lane++) {
-        float impulse = block->point[0].normal_impulse[lane];
-        if (points == 2) {
-            impulse += block->point[1].normal_impulse[lane];
+        float impulse = 0.0f, depth = 0.0f;
+        for (int k = 0; k < points; k++) {
+            impulse += block->point[k].normal_impulse[lane];
+            depth = td_max_float(depth, -(block->point[k].separation[lane] + w->skin));
         }
         int a = (int)(block->a[lane] / TD_AWAKE_BYTES), b = (int)(block->b[lane] / TD_AWAKE_BYTES);
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
         float light = td_max_float(inverse_a, inverse_b), other = td_min_float(inverse_a, inverse_b);
-        float load = impulse * light, most = limit * td_min_float(size_of(w, a), size_of(w, b));
+        float load = impulse * light, most = td_islands_most(w, td_min_float(size_of(w, a), size_of(w, b)));
         bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
-        int seen = load > most ? block->loaded[lane] + 1 : 0;
+        int seen = load > most || depth > deep ? block->loaded[lane] + 1 : 0;
         if (sinks || seen >= OFTEN) {
             harden(w, block->a[lane]);
             harden(w, block->b[lane]);
@@ -269,8 +274,7 @@ static void watch_block(thud_world *w, td_block *block, int points, float limit)
 
 void td_islands_watch(thud_world *w)
 {
-    float limit = td_islands_limit(w);
-    if (limit == 0.0f) {
+    if (w->quality.sag_limit == 0.0f) {
         return;
     }
     int stride = w->scratch.blocks.count < FEW ? 1 : 8;
@@ -278,7 +282,7 @@ void td_islands_watch(thud_world *w)
         td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
         if (block->used) {
             int kind = td_contact_at(w, block->contact[0])->kind;
-            watch_block(w, block, td_form_points(w->pairs[kind]->form), limit);
+            watch_block(w, block, td_form_points(w->pairs[kind]->form));
         }
     }
 }

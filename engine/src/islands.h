@@ -41,9 +41,9 @@ void td_islands_free(td_memory *memory, td_islands *islands);
 bool td_islands_find(struct thud_world *w);
 /* Now that the step cannot fail: counts down, and leaves alone what has too many bodies. */
 void td_islands_settle(struct thud_world *w);
-/* Impulse a substep, over the lighter body's mass and the smaller one's size, at which the quality's
- * limit of sag is reached; 0: there is no limit. */
-float td_islands_limit(const struct thud_world *w);
+/* Impulse a substep, over the lighter body's mass, under which a contact gives way by as much as the
+ * quality or the world's max_error allows; `size` is the smaller body's. */
+float td_islands_most(const struct thud_world *w, float size);
 /* Looks for contacts that give way too much, a part of them each step. */
 void td_islands_watch(struct thud_world *w);
 

@@ -28,6 +28,15 @@ const char *td_quality_error(const thud_quality *q)
     return NULL;
 }
 
+const char *td_max_error_error(double max_error, const thud_quality *quality)
+{
+    if (!(max_error >= 0.0 && max_error <= 1e9)) {
+        return "max_error is not in [0, 1e9]";
+    }
+    return max_error > 0.0 && !quality->islands ? "max_error needs a quality with an island solver"
+                                                : NULL;
+}
+
 /* Bodies that chose nothing themselves follow the world. */
 static void detect_by(thud_world *w, const thud_detection *detection)
 {
@@ -76,10 +85,25 @@ thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality)
         return td_refuse(w, THUD_ERROR_NULL, "set quality: world or quality is null");
     }
     const char *error = td_quality_error(quality);
+    error = error ? error : td_max_error_error(w->def.max_error, quality);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
     td_quality_take(w, quality);
+    td_wake_all(w);
+    return THUD_OK;
+}
+
+thud_result thud_world_set_max_error(thud_world *w, double max_error)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    const char *error = td_max_error_error(max_error, &w->quality);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    w->def.max_error = max_error;
     td_wake_all(w);
     return THUD_OK;
 }

@@ -7,6 +7,9 @@
 /* What is wrong with it, or null. */
 const char *td_quality_error(const thud_quality *quality);
 
+/* What is wrong with a world's max_error at this quality, or null. */
+const char *td_max_error_error(double max_error, const thud_quality *quality);
+
 /* Puts the quality's settings to work, but for those that the world's def named itself. */
 void td_quality_take(thud_world *w, const thud_quality *quality);
 

@@ -45,8 +45,12 @@ static const char *def_error(const thud_world_def *d)
     if (!between((double)d->length_scale, 1e-6, 1e6)) {
         return "world def: length_scale is not in [1e-6, 1e6]";
     }
-    if (d->quality && td_quality_error(d->quality)) {
-        return td_quality_error(d->quality);
+    const thud_quality *quality = d->quality ? d->quality : &thud_quality_default;
+    if (td_quality_error(quality)) {
+        return td_quality_error(quality);
+    }
+    if (td_max_error_error(d->max_error, quality)) {
+        return td_max_error_error(d->max_error, quality);
     }
     if (d->substeps < 0 || d->substeps > 64) {
         return "world def: substeps is not in 0..64";

@@ -96,6 +96,10 @@ typedef struct thud_world_def {
     void *log_context;
     thud_clock_fn *clock;        /* null: stages are not timed */
     void *clock_context;
+    double max_error;            /* length, >= 0; default 0: none. Islands in which something overlaps by
+                                    more, or is going to under its load, go to the quality's island
+                                    solver, and back when they can. Needs a quality that has one: take
+                                    the one you want and set its `islands` */
     double time_budget;          /* s, [0, 1]; default 0: none. Where steps take longer, substeps are
                                     halved, down to 1, and doubled again when there is time: the
                                     clock then decides what happens, and runs differ. Needs `clock` */
@@ -121,6 +125,7 @@ thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
 thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity); /* wakes everything */
 thud_result thud_world_set_time_step(thud_world *world, double time_step);
 /* What the def itself named stays as it is. Wakes everything. */
+thud_result thud_world_set_max_error(thud_world *world, double max_error); /* see thud_world_def */
 thud_result thud_world_set_quality(thud_world *world, const thud_quality *quality);
 thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
 
@@ -353,7 +358,7 @@ typedef struct thud_step_error {
                                     kinetic: negative where friction, damping and restitution take
                                     some; positive is energy that nobody put in, or that forces,
                                     kinematic bodies and moving surfaces did */
-    int overlaps;          /* points deeper than 0.005 length scales */
+    int overlaps;          /* points deeper than max_error, or without one than 0.005 length scales */
 } thud_step_error;
 
 thud_step_error thud_world_error(const thud_world *world); /* all 0 before the first step */
