@@ -7,7 +7,7 @@ static double height_lost(ledger *l, entrant e, const scene *s, int boxes) {
     trial *t = trial_begin(l, e, s, (trial_settings){0});
     if (!t)
         return NAN;
-    double lost = trial_steps(t, l->quick ? 30 : 1200) ? stack_lost(t, boxes, 1) : INFINITY;
+    double lost = trial_steps(t, l->quick ? 60 : 1200) ? stack_lost(t, boxes, 1) : INFINITY;
     trial_end(t);
     return lost;
 }
