@@ -40,7 +40,7 @@ static gain most_gained(ledger *l, entrant e, const scene *s) {
         return (gain){NAN, NAN};
     double floor = lowest_start(s), start = trial_energy(t, floor), least = start;
     gain g = {0, 0};
-    int steps = l->quick ? 60 : 600;
+    int steps = l->quick ? 30 : 600;
     for (int i = 0; i < steps && trial_step(t); i++) {
         double now = trial_energy(t, floor);
         if (!isfinite(now))
