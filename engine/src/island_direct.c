@@ -13,6 +13,9 @@
 
 /* Matrices that are few. */
 #define EASY 8
+/* Speeds that are low, in multiples of what gravity gives in a step. */
+#define CALM 4.0f
+#define CALM_PATIENCE 20
 /* Radians a step; and speed, in multiples of the greatest that is there or wanted. */
 #define TURN_MOST 0.4
 #define SPEED_MOST 4.0
@@ -238,18 +241,21 @@ static bool is_loaded(const td_island_work *work, const td_direct_contact *c)
     return impulse / w->substeps * inverse > TD_HARD_LEAVE * (double)td_islands_most(w, size);
 }
 
-/* An island that takes many matrices step after step moves, and would do so for long. The first time
- * is as it should be: it was out of balance. */
+/* An island that takes many matrices step after step moves, and would do so for long; one that is calm
+ * may be just being pushed apart, and gets more time. */
 static bool strains(const td_island_work *work)
 {
     thud_world *w = work->w;
+    int patience = w->quality.island_patience;
+    patience *= td_island_is_slower(w, work->island, CALM) ? CALM_PATIENCE : 1;
     uint8_t most = 0;
     for (int i = 0; i < work->island->bodies; i++) {
         uint8_t *strain = td_at(&w->strain, work->slots[i]);
-        *strain = work->problem.factorings <= EASY ? 0 : *strain < UINT8_MAX ? *strain + 1 : *strain;
+        bool easy = work->problem.factorings <= EASY;
+        *strain = easy ? 0 : *strain < UINT8_MAX ? *strain + 1 : *strain;
         most = *strain > most ? *strain : most;
     }
-    return w->quality.island_patience > 0 && most > w->quality.island_patience;
+    return patience > 0 && most > patience;
 }
 
 static void write(const td_island_work *work)

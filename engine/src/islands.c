@@ -142,6 +142,17 @@ static bool spread(thud_world *w, td_island *island, int slot)
     return true;
 }
 
+bool td_island_is_slower(const thud_world *w, const td_island *island, float multiple)
+{
+    float x = w->def.gravity.x, y = w->def.gravity.y, fastest = 0.0f;
+    float most = multiple * __builtin_sqrtf(x * x + y * y) * (float)w->def.time_step;
+    for (int i = 0; i < island->bodies; i++) {
+        const float *v = td_row(&w->velocity, *(int *)td_at(&w->islands.slots, island->first_body + i));
+        fastest = td_max_float(fastest, v[0] * v[0] + v[1] * v[1]);
+    }
+    return fastest <= most * most;
+}
+
 /* Lists the island of a body, unless it has no contacts or too many bodies. */
 static void follow(thud_world *w, int seed)
 {
@@ -153,7 +164,7 @@ static void follow(thud_world *w, int seed)
         whole = spread(w, &island, *(int *)td_at(&s->slots, i));
     }
     island.contacts = s->contacts.count - island.first_contact;
-    if (whole && island.contacts) {
+    if (whole && island.contacts ) {
         *(td_island *)td_at(&s->island, s->island.count++) = island;
         return;
     }

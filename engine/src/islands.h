@@ -47,6 +47,8 @@ float td_islands_most(const struct thud_world *w, float size);
 /* Looks for contacts that give way too much, a part of them each step. */
 void td_islands_watch(struct thud_world *w);
 
+/* Whether none of its bodies is faster, in multiples of what gravity gives it in a step. */
+bool td_island_is_slower(const struct thud_world *w, const td_island *island, float multiple);
 /* Its solver was of no use: for a while it is not tried again, unless every island is. */
 void td_islands_leave(struct thud_world *w, const td_island *island);
 

@@ -10,6 +10,6 @@ const thud_quality thud_quality_default = {
     .islands = &thud_islands_direct,
     .sag_limit = 0.01f,
     .island_limit = 512,
-    .island_work = 25000,
+    .island_work = 15000,
     .island_patience = 5,
 };
