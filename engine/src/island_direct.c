@@ -4,8 +4,9 @@
  * failed or it ran out of patience, the soft one stands. Otherwise velocities, motions and impulses of
  * the island are written over. Two problems a step: the first is for the mean velocity, which brings
  * the bodies to where nothing overlaps, and is exact to second order; the second for the velocities to
- * go on with. Where nothing hits, bounces or is pushed apart the second one's solution follows from
- * the first. */
+ * go on with. Where nothing hits or is pushed apart the second one's solution follows from the first.
+ * A bounce is left to the soft solver: several at once, each with its share of the speed back, would
+ * gain energy. */
 #include "island_direct.h"
 
 #include "error.h"
@@ -59,8 +60,6 @@ static void want_velocity(td_island_work *work, int i)
     td_direct_contact *c = &work->problem.contacts[i];
     td_block *block = td_island_block(w, contact);
     int lane = contact->slot % TD_LANES, points = td_island_points(w, contact);
-    double threshold = (double)(w->def.restitution_threshold * w->unit);
-    double back = (double)block->restitution[lane];
     for (int k = 0; k < points; k++) {
         td_direct_row *r = &c->row[k];
         if (!r->used) {
@@ -68,10 +67,6 @@ static void want_velocity(td_island_work *work, int i)
         }
         double gap = gap_after(work, c, k, (double)block->point[k].base[lane]);
         r->wanted = gap > 0.0 ? -gap / work->time : 0.0;
-        if (back > 0.0 && r->impulse > 0.0) {
-            double closing = -(double)td_history_of(block, points)[k].approach[lane];
-            r->wanted = closing > threshold ? back * closing : r->wanted;
-        }
     }
 }
 
@@ -283,7 +278,9 @@ static void solve_island(thud_world *w, const td_island *island)
     td_island_work work = td_island_take(w, island);
     w->stats.hard_islands++;
     w->stats.hard_bodies += island->bodies;
-    if (work_out(&work) && !strains(&work)) {
+    if (work.bounces) {
+        w->stats.soft_islands++;
+    } else if (work_out(&work) && !strains(&work)) {
         write(&work);
     } else {
         td_islands_leave(w, island);

@@ -12,6 +12,7 @@ typedef struct td_island_work {
     const int *slots, *contacts;
     double (*moved)[3];
     double time;     /* of a step */
+    bool bounces;    /* something closes in so fast that it is going to bounce */
     double pushed;   /* greatest speed at which something is pushed apart */
 } td_island_work;
 

@@ -84,6 +84,17 @@ static double wanted_of(const thud_world *w, double gap, double blur)
     return depth < blur ? 0.0 : pushed < most ? pushed : most;
 }
 
+/* Whether the point closes in so fast that it is going to bounce in this step. */
+static bool bounces(const thud_world *w, const td_contact *contact, td_block *block, int k, int lane)
+{
+    if (!(block->restitution[lane] > 0.0f)) {
+        return false;
+    }
+    float approach = td_history_of(block, td_island_points(w, contact))[k].approach[lane];
+    return approach < -w->def.restitution_threshold * w->unit &&
+           block->point[k].base[lane] + approach * (float)w->def.time_step < 0.0f;
+}
+
 static void take_row(td_direct_contact *c, td_direct_row *r, double x, double y, double cross_a,
                      double cross_b, double known[2][3])
 {
@@ -105,7 +116,7 @@ static void take_contact(td_island_work *work, int i)
 {
     thud_world *w = work->w;
     const td_contact *contact = td_contact_at(w, work->contacts[i]);
-    const td_block *block = td_island_block(w, contact);
+    td_block *block = td_island_block(w, contact);
     const float *impulses = td_at(&w->islands.impulses, work->island->first_contact + i);
     int lane = contact->slot % TD_LANES;
     td_direct_contact *c = &work->problem.contacts[i];
@@ -129,6 +140,7 @@ static void take_contact(td_island_work *work, int i)
                  turns_b * (double)p->cross_b[lane], known);
         c->row[k].impulse = 0.5 * (double)impulses[k];
         c->row[k].wanted = wanted_of(w, (double)p->base[lane], blur_of(w, &c->row[k]));
+        work->bounces |= bounces(w, contact, block, k, lane);
         work->pushed = td_max_double(work->pushed, c->row[k].wanted);
     }
     td_direct_row *tangent = &c->row[TANGENT];
@@ -136,7 +148,7 @@ static void take_contact(td_island_work *work, int i)
              turns_b * (double)block->tangent_cross_b[lane], known);
     tangent->impulse = 0.5 * (double)impulses[TANGENT];
     tangent->wanted =
-        (double)td_surface_at((td_block *)block, td_island_points(w, contact))->speed[lane] *
+        (double)td_surface_at(block, td_island_points(w, contact))->speed[lane] *
         (w->belts > 0);
     tangent->used = block->tangent_mass[lane] > 0.0f && c->friction > 0.0;
 }

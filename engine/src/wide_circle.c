@@ -12,6 +12,29 @@ TD_INLINE f8 normalise(f8 *x, f8 *y)
     return f8_keep(long_enough, length);
 }
 
+/* A place in a square of its own for every shape. */
+TD_INLINE void scatter(int32_t shape, float *x, float *y)
+{
+    uint32_t bits = (uint32_t)shape * 0x9e3779b1u;
+    bits = (bits ^ bits >> 15) * 0x85ebca6bu;
+    *x = (float)(bits & 0xffffu);
+    *y = (float)(bits >> 16);
+}
+
+/* Centres that coincide part as if they lay scattered: a crowd in one place then comes apart to all
+ * sides, and not along a line, whose ends half of it would push. */
+TD_INLINE void part_coincident(const td_block *block, f8 *x, f8 *y)
+{
+    for (unsigned bits = i8_bits((*x == f8_all(0.0f)) & (*y == f8_all(0.0f))); bits; bits &= bits - 1) {
+        int lane = __builtin_ctz(bits);
+        float ax, ay, bx, by;
+        scatter(block->shape_a[lane], &ax, &ay);
+        scatter(block->shape_b[lane], &bx, &by);
+        (*x)[lane] = bx - ax;
+        (*y)[lane] = by - ay;
+    }
+}
+
 static void circle_circle(td_block *const *blocks, int count, const td_collide_context *c)
 {
     for (int i = 0; i < count; i++) {
@@ -20,7 +43,9 @@ static void circle_circle(td_block *const *blocks, int count, const td_collide_c
         td_fetch_shapes(blocks, i, count, c);
         td_pairs8 p = td_read_pairs(block, c);
         f8 nx = p.dx, ny = p.dy;
-        f8 separation = normalise(&nx, &ny) - p.ahx - p.bhx;
+        f8 separation = f8_sqrt(nx * nx + ny * ny) - p.ahx - p.bhx;
+        part_coincident(block, &nx, &ny);
+        normalise(&nx, &ny);
         i8 valid = td_used_mask(block) & (separation < f8_all(c->margin));
         block->nx = nx;
         block->ny = ny;

@@ -8,23 +8,12 @@ static const struct {
     const char *extreme, *what; /* a figure's text, as in the ledger */
     unsigned by;                /* ON_ */
 } MISSES[] = {
-    {"sizes", "ten boxes of 0.001", ON_DEFAULT},
-    {"sizes", "ten boxes of 0.01", ON_DEFAULT},
     {"energy", "pyramid: energy above its lowest before, %", ON_DRAFT},
-    {"energy", "circle_pit: energy above its lowest before, %", ON_DRAFT | ON_HIGH},
     {"energy", "smash: energy above its lowest before, %", ON_THUD},
     {"energy", "gas: energy above its start, %", ON_DRAFT | ON_DEFAULT | ON_HIGH},
     {"energy", "gas: energy above its lowest before, %", ON_DRAFT | ON_DEFAULT | ON_HIGH},
-    {"energy", "tall_stack: energy above its lowest before, %", ON_DRAFT},
     {"energy", "heavy_on_light: energy above its lowest before, %", ON_DRAFT | ON_DEFAULT},
-    {"energy", "sizes: energy above its lowest before, %", ON_THUD},
-    {"energy", "asleep: energy above its start, %", ON_HIGH},
-    {"energy", "detection: energy above its start, %", ON_HIGH | ON_EXACT},
-    {"energy", "detection: energy above its lowest before, %", ON_THUD},
-    {"energy", "broadphases: energy above its start, %", ON_DRAFT | ON_DEFAULT | ON_HIGH},
-    {"energy", "broadphases: energy above its lowest before, %", ON_DRAFT | ON_DEFAULT | ON_HIGH},
     {"long-run", "stack of ten, an hour: furthest that a box has moved, mm", ON_DRAFT},
-    {"crowding", "all in one place: highest speed, m/s", ON_THUD},
 };
 
 enum { MISS_COUNT = sizeof MISSES / sizeof MISSES[0] };
