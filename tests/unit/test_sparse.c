@@ -1,150 +1,8 @@
-/* test_sparse.c: block-sparse factors against dense ones, which are worked out here in long double. */
-#include "engine_support.h"
+/* test_sparse.c: block-sparse factors against dense ones in long double. */
+#include "dense_support.h"
 
 #include "../support/hostile_memory.h"
 #include "sparse.h"
-
-enum { NODES_MOST = 80, EDGES_MOST = NODES_MOST * NODES_MOST };
-
-/* Which nodes are tied. */
-typedef struct graph {
-    int nodes, edges;
-    int edge[EDGES_MOST][2];
-} graph;
-
-/* The same matrix in full, and a right side. */
-typedef struct dense {
-    int size; /* numbers a row */
-    long double at[3 * NODES_MOST][3 * NODES_MOST], right[3 * NODES_MOST];
-} dense;
-
-static graph g;
-static dense full;
-
-static void tie(int a, int b)
-{
-    g.edge[g.edges][0] = a;
-    g.edge[g.edges++][1] = b;
-}
-
-/* ---- graphs ---- */
-
-static void make_chain(int nodes)
-{
-    g = (graph){.nodes = nodes};
-    for (int i = 1; i < nodes; i++) {
-        tie(i - 1, i);
-    }
-}
-
-static void make_ring(int nodes)
-{
-    make_chain(nodes);
-    tie(nodes - 1, 0);
-}
-
-/* The middle one comes first, where an order by number would fill in everything. */
-static void make_star(int nodes)
-{
-    g = (graph){.nodes = nodes};
-    for (int i = 1; i < nodes; i++) {
-        tie(i, 0);
-    }
-}
-
-static void make_all(int nodes)
-{
-    g = (graph){.nodes = nodes};
-    for (int i = 0; i < nodes; i++) {
-        for (int k = 0; k < i; k++) {
-            tie(i, k);
-        }
-    }
-}
-
-static void make_grid(int side)
-{
-    g = (graph){.nodes = side * side};
-    for (int i = 0; i < side * side; i++) {
-        if (i % side) {
-            tie(i - 1, i);
-        }
-        if (i >= side) {
-            tie(i - side, i);
-        }
-    }
-}
-
-/* Some of its nodes may stand alone. */
-static void make_random(int nodes, double share, uint64_t *seed)
-{
-    g = (graph){.nodes = nodes};
-    for (int i = 0; i < nodes; i++) {
-        for (int k = 0; k < i; k++) {
-            if (random_in(seed, 0, 1) < share) {
-                tie(i, k);
-            }
-        }
-    }
-}
-
-/* ---- matrices ---- */
-
-/* Each row outweighs what stands beside its diagonal; nodes are up to 10^4 times as heavy as others. */
-static void fill_dense(uint64_t *seed)
-{
-    full = (dense){.size = 3 * g.nodes};
-    double scale[NODES_MOST];
-    for (int i = 0; i < g.nodes; i++) {
-        scale[i] = pow(10, random_in(seed, 0, 2));
-        for (int k = 0; k < 3; k++) {
-            full.at[3 * i + k][3 * i + k] = (long double)(scale[i] * scale[i]) * 3;
-            full.right[3 * i + k] = (long double)random_in(seed, -1, 1);
-        }
-        for (int k = 1; k < 3; k++) {
-            for (int j = 0; j < k; j++) {
-                full.at[3 * i + k][3 * i + j] = full.at[3 * i + j][3 * i + k] =
-                    (long double)(random_in(seed, -1, 1) * scale[i] * scale[i]);
-            }
-        }
-    }
-    for (int e = 0; e < g.edges; e++) {
-        int a = g.edge[e][0], b = g.edge[e][1];
-        for (int k = 0; k < 9; k++) {
-            long double value =
-                (long double)(random_in(seed, -1, 1) * scale[a] * scale[b]) / g.nodes;
-            full.at[3 * a + k / 3][3 * b + k % 3] = value;
-            full.at[3 * b + k % 3][3 * a + k / 3] = value;
-        }
-    }
-}
-
-/* Cholesky's, in place of `at`, and the solution in place of `right`. */
-static void solve_dense(void)
-{
-    for (int i = 0; i < full.size; i++) {
-        for (int k = 0; k <= i; k++) {
-            long double sum = full.at[i][k];
-            for (int j = 0; j < k; j++) {
-                sum -= full.at[i][j] * full.at[k][j];
-            }
-            assert_true(i != k || sum > 0);
-            full.at[i][k] = i == k ? sqrtl(sum) : sum / full.at[k][k];
-        }
-    }
-    for (int i = 0; i < full.size; i++) {
-        for (int k = 0; k < i; k++) {
-            full.right[i] -= full.at[i][k] * full.right[k];
-        }
-        full.right[i] /= full.at[i][i];
-    }
-    for (int i = full.size - 1; i >= 0; i--) {
-        for (int k = i + 1; k < full.size; k++) {
-            full.right[i] -= full.at[k][i] * full.right[k];
-        }
-        full.right[i] /= full.at[i][i];
-    }
-}
 
 static bool order(td_memory *memory, td_sparse *s)
 {
@@ -251,7 +109,7 @@ static void sparse_single_node_is_solved(void **state)
     assert_int_equal(work_of_graph(&seed), 1);
 }
 
-/* Nothing fills in: a column of a block each, but for the last. Work is 1 a diagonal, 1 an entry, and
+/* Nothing fills in: a column of a block each, but for the last. Work is 1 a diagonal, 1 an entry and
  * 1 a pair of entries. */
 static void sparse_chain_takes_three_operations_a_node(void **state)
 {

@@ -1,0 +1,206 @@
+/* direct_support.h: small problems for the direct solver, and what a solution has to be. */
+#ifndef DIRECT_SUPPORT_H
+#define DIRECT_SUPPORT_H
+
+#include "engine_support.h"
+
+#include "direct.h"
+
+enum { BODIES_MOST = 32, CONTACTS_MOST = 64, GROUND = TD_NONE };
+
+typedef struct problem {
+    td_memory memory;
+    td_sparse matrix;
+    td_direct d;
+    td_direct_body bodies[BODIES_MOST];
+    td_direct_contact contacts[CONTACTS_MOST];
+    double step[BODIES_MOST][3], work[BODIES_MOST][3];
+} problem;
+
+/* As fast as 1/60 s of gravity makes a body. */
+#define UNIT_SPEED (10.0 / 60)
+#define TOLERANCE (1e-3 * UNIT_SPEED)
+
+static inline void begin_problem(problem *p)
+{
+    *p = (problem){.memory = td_memory_make((thud_allocator){0})};
+    td_sparse_init(&p->matrix);
+    p->d = (td_direct){.bodies = p->bodies,
+                       .contacts = p->contacts,
+                       .matrix = &p->matrix,
+                       .step = p->step,
+                       .work = p->work,
+                       .patience = 200,
+                       .unit_speed = UNIT_SPEED};
+}
+
+static inline void end_problem(problem *p)
+{
+    td_sparse_free(&p->memory, &p->matrix);
+}
+
+/* Gravity has pulled it for a step. An inertia of 0: it does not turn. */
+static inline int add_mass(problem *p, double mass, double inertia)
+{
+    td_direct_body *b = &p->bodies[p->d.body_count];
+    *b = (td_direct_body){.inverse_mass = 1 / mass,
+                          .inverse_inertia = inertia > 0 ? 1 / inertia : 0,
+                          .free = {0, -UNIT_SPEED, 0}};
+    return p->d.body_count++;
+}
+
+static inline void put_row(td_direct_row *r, double x, double y, const double arm_a[2],
+                           const double arm_b[2])
+{
+    *r = (td_direct_row){.a = {-x, -y, -(arm_a[0] * y - arm_a[1] * x)},
+                         .b = {x, y, arm_b[0] * y - arm_b[1] * x},
+                         .used = true};
+}
+
+/* With `points` 1 or 2 of them, from a to b along (x, y), and the arms to the first; the second one
+ * lies further by `width` across the normal. */
+static inline td_direct_contact *add_contact(problem *p, int a, int b, double x, double y,
+                                             const double arms[2][2], int points, double width,
+                                             double friction)
+{
+    td_direct_contact *c = &p->contacts[p->d.contact_count++];
+    *c = (td_direct_contact){.a = a, .b = b, .friction = friction};
+    for (int k = 0; k < points; k++) {
+        double s = k * width;
+        double arm_a[2] = {arms[0][0] + s * y, arms[0][1] - s * x};
+        double arm_b[2] = {arms[1][0] + s * y, arms[1][1] - s * x};
+        put_row(&c->row[k], x, y, arm_a, arm_b);
+    }
+    double middle = 0.5 * (points - 1) * width;
+    double arm_a[2] = {arms[0][0] + middle * y, arms[0][1] - middle * x};
+    double arm_b[2] = {arms[1][0] + middle * y, arms[1][1] - middle * x};
+    put_row(&c->row[TD_DIRECT_TANGENT], y, -x, arm_a, arm_b);
+    c->row[TD_DIRECT_TANGENT].used = friction > 0;
+    return c;
+}
+
+/* Boxes of edge 1, of which b stands on a. */
+static inline td_direct_contact *stack(problem *p, int a, int b, double friction)
+{
+    const double arms[2][2] = {{-0.5, 0.5}, {-0.5, -0.5}};
+    return add_contact(p, a, b, 0, 1, arms, 2, 1, friction);
+}
+
+/* The order of the matrix, once all contacts are there. */
+static inline void order_problem(problem *p)
+{
+    assert_true(td_sparse_reserve(&p->memory, &p->matrix, p->d.body_count));
+    td_sparse_forget(&p->matrix);
+    assert_true(td_sparse_begin(&p->memory, &p->matrix, p->d.body_count));
+    for (int pass = 0; pass < 2; pass++) {
+        for (int i = 0; i < p->d.contact_count; i++) {
+            td_direct_contact *c = &p->contacts[i];
+            if (c->a == GROUND || c->b == GROUND) {
+                continue;
+            }
+            if (pass == 0) {
+                td_sparse_tie(&p->matrix, c->a, c->b);
+            } else {
+                c->entry = td_sparse_find(&p->matrix, c->a, c->b);
+                c->b_later = td_sparse_is_later(&p->matrix, c->b, c->a);
+            }
+        }
+        assert_true(pass || td_sparse_order(&p->memory, &p->matrix));
+    }
+}
+
+/* Impulses of the step before, for an active set to begin with. */
+static inline void forget_impulses(problem *p)
+{
+    for (int i = 0; i < p->d.contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            p->contacts[i].row[k].impulse = 0;
+        }
+    }
+    p->d.factorings = 0;
+}
+
+static inline double row_speed(const problem *p, const td_direct_contact *c, int k)
+{
+    const td_direct_row *r = &c->row[k];
+    double speed = r->known;
+    for (int j = 0; j < 3; j++) {
+        speed += c->a == GROUND ? 0 : r->a[j] * p->bodies[c->a].velocity[j];
+        speed += c->b == GROUND ? 0 : r->b[j] * p->bodies[c->b].velocity[j];
+    }
+    return speed;
+}
+
+static inline double load_of(const td_direct_contact *c)
+{
+    return c->row[0].used * c->row[0].impulse + c->row[1].used * c->row[1].impulse;
+}
+
+/* Impulses account for what the velocities have changed by. A row may be off by the tolerance times
+ * the mass that it feels, and rounding shows against the greatest load. */
+static inline void assert_balanced(const problem *p, double tolerance)
+{
+    for (int i = 0; i < p->d.body_count; i++) {
+        const td_direct_body *b = &p->bodies[i];
+        for (int j = 0; j < 3; j++) {
+            double inverse = j < 2 ? b->inverse_mass : b->inverse_inertia;
+            if (inverse == 0) {
+                near_to(b->velocity[j], 0, 0);
+                continue;
+            }
+            double off = (b->velocity[j] - b->free[j]) / inverse, doubt = 0;
+            double most = (fabs(b->velocity[j]) + fabs(b->free[j])) / inverse;
+            for (int n = 0; n < p->d.contact_count; n++) {
+                const td_direct_contact *c = &p->contacts[n];
+                for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+                    const td_direct_row *r = &c->row[k];
+                    double side = c->a == i ? r->a[j] : c->b == i ? r->b[j] : 0;
+                    off -= r->used ? side * r->impulse : 0;
+                    most += r->used ? fabs(side * r->impulse) : 0;
+                    doubt += r->used ? fabs(side) * r->mass : 0;
+                }
+            }
+            near_to(off, 0, tolerance * doubt + 1e-7 * most);
+        }
+    }
+}
+
+/* The conditions of Karush, Kuhn and Tucker, at the bounds of friction that the solver went by. */
+static inline void assert_solved(const problem *p, double tolerance)
+{
+    assert_balanced(p, tolerance);
+    for (int i = 0; i < p->d.contact_count; i++) {
+        const td_direct_contact *c = &p->contacts[i];
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            const td_direct_row *r = &c->row[k];
+            double over = row_speed(p, c, k) - r->wanted;
+            if (r->used) {
+                assert_true(over >= -tolerance);
+                assert_true(r->impulse >= 0);
+                assert_true(fmin(over, r->impulse / r->mass) <= tolerance);
+            }
+        }
+        const td_direct_row *t = &c->row[TD_DIRECT_TANGENT];
+        if (t->used) {
+            double slip = row_speed(p, c, TD_DIRECT_TANGENT) - t->wanted;
+            double left = t->most - (slip > 0 ? -t->impulse : t->impulse);
+            assert_true(fabs(t->impulse) <= t->most + tolerance * t->mass);
+            assert_true(fmin(fabs(slip), left / t->mass) <= tolerance);
+        }
+    }
+}
+
+/* Friction within its cone of the impulses that came out, but for two parts in a hundred. */
+static inline void assert_within_cones(const problem *p, double tolerance)
+{
+    for (int i = 0; i < p->d.contact_count; i++) {
+        const td_direct_contact *c = &p->contacts[i];
+        const td_direct_row *t = &c->row[TD_DIRECT_TANGENT];
+        if (t->used) {
+            near_to(fmax(fabs(t->impulse) - 1.02 * c->friction * load_of(c), 0), 0,
+                    tolerance * t->mass);
+        }
+    }
+}
+
+#endif

@@ -1,0 +1,301 @@
+/* test_direct.c: the direct solver on problems whose answers are known. */
+#include "direct_support.h"
+
+/* A problem of so many boxes of mass 1, each on the one before, the first on the ground. */
+static void make_column(problem *p, int boxes, double friction)
+{
+    begin_problem(p);
+    for (int i = 0; i < boxes; i++) {
+        add_mass(p, 1, 1.0 / 6);
+        stack(p, i - 1, i, friction);
+    }
+    order_problem(p);
+}
+
+static void assert_at_rest(const problem *p, double tolerance)
+{
+    for (int i = 0; i < p->d.body_count; i++) {
+        for (int k = 0; k < 3; k++) {
+            near_to(p->bodies[i].velocity[k], 0, tolerance);
+        }
+    }
+}
+
+static void direct_column_bears_what_is_above(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 30, 0.6);
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    assert_solved(&p, TOLERANCE);
+    /* Each may sink into the one below as fast as the tolerance says. */
+    assert_at_rest(&p, 30 * TOLERANCE);
+    for (int i = 0; i < 30; i++) {
+        near_to(load_of(&p.contacts[i]), (30 - i) * UNIT_SPEED, 30 * 30 / 2 * TOLERANCE);
+    }
+    end_problem(&p);
+}
+
+/* From the impulses of the step before. */
+static void direct_column_at_rest_takes_one_matrix(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 30, 0.6);
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    p.d.factorings = 0;
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    assert_int_equal(p.d.factorings, 1);
+    assert_solved(&p, TOLERANCE);
+    end_problem(&p);
+}
+
+/* Light under heavy, with ratios of up to 10^6: to a thousandth of what the light one's own weight
+ * would be. */
+static void direct_heavy_on_light_rests(void **state)
+{
+    (void)state;
+    for (double mass = 1; mass <= 1e6; mass *= 10) {
+        problem p;
+        begin_problem(&p);
+        add_mass(&p, 1, 1.0 / 6);
+        add_mass(&p, mass, mass / 6);
+        stack(&p, GROUND, 0, 0.6);
+        stack(&p, 0, 1, 0.6);
+        order_problem(&p);
+        assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+        assert_solved(&p, TOLERANCE);
+        assert_at_rest(&p, 3 * TOLERANCE);
+        near_to(load_of(&p.contacts[0]) / ((1 + mass) * UNIT_SPEED), 1, 3e-3);
+        end_problem(&p);
+    }
+}
+
+/* A box of mass 4 on two small ones of 1, at -1 and at 1, with its centre at 0.5: by the lever law a
+ * quarter of it rests on the left one. */
+static void direct_plank_shares_its_load_by_the_lever_law(void **state)
+{
+    (void)state;
+    for (int interior = 0; interior < 2; interior++) {
+        problem p;
+        const double left[2][2] = {{0, 0.5}, {-1.5, -0.5}}, right[2][2] = {{0, 0.5}, {0.5, -0.5}};
+        begin_problem(&p);
+        add_mass(&p, 1, 1.0 / 6);
+        add_mass(&p, 1, 1.0 / 6);
+        add_mass(&p, 4, 4);
+        stack(&p, GROUND, 0, 0.6);
+        stack(&p, GROUND, 1, 0.6);
+        add_contact(&p, 0, 2, 0, 1, left, 1, 0, 0.6);
+        add_contact(&p, 1, 2, 0, 1, right, 1, 0, 0.6);
+        order_problem(&p);
+        assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+        if (interior) {
+            assert_true(td_direct_interior(&p.d, TOLERANCE));
+        }
+        assert_solved(&p, TOLERANCE);
+        near_to(load_of(&p.contacts[2]), 1 * UNIT_SPEED, 8 * TOLERANCE);
+        near_to(load_of(&p.contacts[3]), 3 * UNIT_SPEED, 8 * TOLERANCE);
+        end_problem(&p);
+    }
+}
+
+/* A box that slides: its friction is the coefficient times its weight, against the motion. */
+static void direct_slider_loses_what_friction_takes(void **state)
+{
+    (void)state;
+    for (int side = -1; side <= 1; side += 2) {
+        problem p;
+        make_column(&p, 1, 0.3);
+        p.bodies[0].free[0] = 2.0 * side;
+        assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+        p.bodies[0].free[0] = 2.0 * side;
+        assert_solved(&p, TOLERANCE);
+        assert_within_cones(&p, TOLERANCE);
+        near_to(p.bodies[0].velocity[0], side * (2 - 0.3 * UNIT_SPEED), 0.02 * UNIT_SPEED);
+        end_problem(&p);
+    }
+}
+
+/* What is slow enough stops, and what pushes less than friction holds does not begin to move. */
+static void direct_box_sticks_below_the_bound_of_friction(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 1, 0.3);
+    p.bodies[0].free[0] = 0.25 * UNIT_SPEED;
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    near_to(p.bodies[0].velocity[0], 0, TOLERANCE);
+    end_problem(&p);
+}
+
+/* A belt that runs at 0.1 takes along at once what is slow, by friction enough. */
+static void direct_belt_takes_a_box_along(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 1, 10);
+    p.contacts[0].row[TD_DIRECT_TANGENT].wanted = 0.1;
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    near_to(p.bodies[0].velocity[0], 0.1, TOLERANCE);
+    assert_solved(&p, TOLERANCE);
+    end_problem(&p);
+}
+
+/* The ground rises at 3, and all goes with it. */
+static void direct_known_speed_of_the_ground_is_taken_on(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 5, 0.6);
+    p.contacts[0].row[0].known = p.contacts[0].row[1].known = -3;
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    for (int i = 0; i < 5; i++) {
+        near_to(p.bodies[i].velocity[1], 3, 10 * TOLERANCE);
+    }
+    end_problem(&p);
+}
+
+static void direct_contacts_that_part_do_not_push(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 3, 0.6);
+    p.bodies[2].free[1] = 5;
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    assert_solved(&p, TOLERANCE);
+    near_to(load_of(&p.contacts[2]), 0, 0);
+    near_to(p.bodies[2].velocity[1], 5, 1e-12);
+    end_problem(&p);
+}
+
+/* Two further contacts at the same points. */
+static void direct_redundant_contacts_change_nothing(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 4, 0.6);
+    stack(&p, GROUND, 0, 0.6);
+    stack(&p, 1, 2, 0.6);
+    order_problem(&p);
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    assert_solved(&p, TOLERANCE);
+    assert_at_rest(&p, 20 * TOLERANCE);
+    near_to(load_of(&p.contacts[0]) + load_of(&p.contacts[4]), 4 * UNIT_SPEED, 10 * TOLERANCE);
+    forget_impulses(&p);
+    assert_true(td_direct_interior(&p.d, TOLERANCE));
+    assert_solved(&p, TOLERANCE);
+    end_problem(&p);
+}
+
+/* What presses a box from both sides, by walls that want it gone at 1. */
+static void direct_wedge_that_cannot_be_says_so(void **state)
+{
+    (void)state;
+    problem p;
+    const double left[2][2] = {{0, 0}, {-0.5, 0}}, right[2][2] = {{0, 0}, {0.5, 0}};
+    begin_problem(&p);
+    add_mass(&p, 1, 1);
+    add_contact(&p, GROUND, 0, 1, 0, left, 1, 0, 0.6)->row[0].wanted = 1;
+    add_contact(&p, GROUND, 0, -1, 0, right, 1, 0, 0.6)->row[0].wanted = 1;
+    order_problem(&p);
+    double miss = td_direct_solve(&p.d, TOLERANCE);
+    assert_true(miss >= 1 - TOLERANCE);
+    assert_true(p.d.factorings <= p.d.patience);
+    end_problem(&p);
+}
+
+/* By a wedge so narrow that much speed comes of little. */
+static void direct_narrow_wedge_is_pushed_out(void **state)
+{
+    (void)state;
+    for (double angle = 0.1; angle >= 1e-3; angle *= 0.1) {
+        problem p;
+        const double left[2][2] = {{0, 0}, {-0.5, 0}}, right[2][2] = {{0, 0}, {0.5, 0}};
+        begin_problem(&p);
+        add_mass(&p, 1, 1);
+        add_contact(&p, GROUND, 0, cos(angle), sin(angle), left, 1, 0, 0)->row[0].wanted = 0.1;
+        add_contact(&p, GROUND, 0, -cos(angle), sin(angle), right, 1, 0, 0)->row[0].wanted = 0.1;
+        order_problem(&p);
+        assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+        assert_solved(&p, TOLERANCE);
+        near_to(p.bodies[0].velocity[1] * sin(angle), 0.1, 2 * TOLERANCE);
+        end_problem(&p);
+    }
+}
+
+static void direct_solver_takes_no_more_matrices_than_it_may(void **state)
+{
+    (void)state;
+    for (int patience = 0; patience < 30; patience++) {
+        problem p;
+        make_column(&p, 20, 0.6);
+        for (int i = 0; i < 20; i++) {
+            p.bodies[i].free[1] = i % 3 - 1.0;
+            p.bodies[i].free[2] = i % 2;
+        }
+        p.d.patience = patience;
+        double miss = td_direct_solve(&p.d, TOLERANCE);
+        assert_true(miss >= 0);
+        assert_true(p.d.factorings <= patience);
+        end_problem(&p);
+    }
+}
+
+/* Twice the speeds, of what stands on the ground: the same matrix gives twice the impulses. */
+static void direct_same_rows_again_take_no_matrix(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 10, 0.6);
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    td_direct_bound(&p.d); /* from now on friction knows what it may bear */
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    int factorings = p.d.factorings;
+    for (int i = 0; i < 10; i++) {
+        p.bodies[i].free[1] *= 2;
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            p.contacts[i].row[k].impulse *= 2;
+        }
+    }
+    td_direct_bound(&p.d);
+    td_direct_measure(&p.d);
+    assert_true(td_direct_again(&p.d, TOLERANCE));
+    assert_int_equal(p.d.factorings, factorings);
+    assert_solved(&p, TOLERANCE);
+    near_to(load_of(&p.contacts[0]), 20 * UNIT_SPEED, 20 * TOLERANCE);
+    end_problem(&p);
+}
+
+/* The column's top flies off, which takes other rows. */
+static void direct_other_rows_are_not_solved_again(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 10, 0.6);
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    p.bodies[9].free[1] = 3;
+    assert_false(td_direct_again(&p.d, TOLERANCE));
+    end_problem(&p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(direct_column_bears_what_is_above),
+        cmocka_unit_test(direct_column_at_rest_takes_one_matrix),
+        cmocka_unit_test(direct_heavy_on_light_rests),
+        cmocka_unit_test(direct_plank_shares_its_load_by_the_lever_law),
+        cmocka_unit_test(direct_slider_loses_what_friction_takes),
+        cmocka_unit_test(direct_box_sticks_below_the_bound_of_friction),
+        cmocka_unit_test(direct_belt_takes_a_box_along),
+        cmocka_unit_test(direct_known_speed_of_the_ground_is_taken_on),
+        cmocka_unit_test(direct_contacts_that_part_do_not_push),
+        cmocka_unit_test(direct_redundant_contacts_change_nothing),
+        cmocka_unit_test(direct_wedge_that_cannot_be_says_so),
+        cmocka_unit_test(direct_narrow_wedge_is_pushed_out),
+        cmocka_unit_test(direct_solver_takes_no_more_matrices_than_it_may),
+        cmocka_unit_test(direct_same_rows_again_take_no_matrix),
+        cmocka_unit_test(direct_other_rows_are_not_solved_again),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
