@@ -1,5 +1,5 @@
-/* test_direct_random.c: the direct solver's two methods on problems by chance, against what a solution
- * has to be, and against a search through all sets of contacts that may push. */
+/* test_direct_random.c: the direct solver's two methods on problems by chance, against what a
+ * solution has to be, and against a search through all sets of contacts that may push. */
 #include "../unit/direct_support.h"
 
 /* ---- problems ---- */

@@ -71,8 +71,8 @@ static void direct_heavy_on_light_rests(void **state)
     }
 }
 
-/* A box of mass 4 on two small ones of 1, at -1 and at 1, with its centre at 0.5: by the lever law a
- * quarter of it rests on the left one. */
+/* A box of mass 4 on two small ones of 1, at -1 and at 1, with its centre at 0.5: by the lever law
+ * a quarter of it rests on the left one. */
 static void direct_plank_shares_its_load_by_the_lever_law(void **state)
 {
     (void)state;

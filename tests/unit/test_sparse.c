@@ -109,8 +109,8 @@ static void sparse_single_node_is_solved(void **state)
     assert_int_equal(work_of_graph(&seed), 1);
 }
 
-/* Nothing fills in: a column of a block each, but for the last. Work is 1 a diagonal, 1 an entry and
- * 1 a pair of entries. */
+/* Nothing fills in: a column of a block each, but for the last. Work is 1 a diagonal, 1 an entry
+ * and 1 a pair of entries. */
 static void sparse_chain_takes_three_operations_a_node(void **state)
 {
     (void)state;
