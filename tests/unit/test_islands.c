@@ -25,6 +25,22 @@ static void islands_heavy_on_light_turns_hard_by_itself(void **state)
     thud_world_destroy(world);
 }
 
+/* A second after the load is gone, and not before: it might be about to come back. */
+static void islands_turn_soft_a_second_after_their_load_is_gone(void **state)
+{
+    (void)state;
+    thud_world *world = world_of(&thud_quality_default);
+    add_column(world, 0, 2, NULL);
+    thud_body_id top = add_heavy(world, 0, 2.5, 0.5f, 1000);
+    run(world, 60);
+    OK(thud_body_destroy(world, top));
+    for (int i = 0; i < 90; i++) {
+        run(world, 1);
+        assert_int_equal(thud_world_stats(world).hard_bodies, i < 60 ? 2 : 0);
+    }
+    thud_world_destroy(world);
+}
+
 static void islands_of_equal_boxes_stay_soft_at_default(void **state)
 {
     (void)state;
@@ -376,6 +392,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(islands_heavy_on_light_turns_hard_by_itself),
+        cmocka_unit_test(islands_turn_soft_a_second_after_their_load_is_gone),
         cmocka_unit_test(islands_of_equal_boxes_stay_soft_at_default),
         cmocka_unit_test(islands_are_all_hard_where_the_limit_is_zero),
         cmocka_unit_test(islands_are_none_without_a_solver),
