@@ -65,7 +65,7 @@ void td_awake_add(thud_world *w, int index)
     memset(td_row(&w->damping, slot), 0, sizeof(float[2]));
     *td_row(&w->idle, slot) = 0.0f;
     *(uint8_t *)td_at(&w->hard, slot) = body->hard;
-    *(uint8_t *)td_at(&w->strain, slot) = 0;
+    *(uint16_t *)td_at(&w->strain, slot) = 0;
     *(td_colours *)td_at(&w->colours, slot) = (td_colours){0, 0};
     td_awake_refresh(w, index);
 }

@@ -154,6 +154,20 @@ static void destroy_gone(thud_world *w, int index)
     }
 }
 
+/* What moves on from collision to collision is looked for as far as it goes in this step. */
+static void expect(thud_world *w, int index)
+{
+    const td_body *body = td_body_at(w, index);
+    if (body->awake < 0 || !body->detection->meet) {
+        return;
+    }
+    const float *v = td_row(&w->velocity, body->awake);
+    float h = (float)w->def.time_step;
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        td_shape_expect(w, i, v[0] * h, v[1] * h);
+    }
+}
+
 static bool apply(thud_world *w, int index)
 {
     td_body *body = td_body_at(w, index);
@@ -193,6 +207,7 @@ static bool apply(thud_world *w, int index)
     }
     if (changes & (edits | TD_CHANGE_ENTER)) {
         td_body_place_shapes(w, index);
+        expect(w, index);
     }
     if (body->awake > 0) {
         *td_row(&w->idle, body->awake) = changes == TD_CHANGE_SLEEP ? TD_SLEEP_TIME : 0.0f;

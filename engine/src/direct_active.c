@@ -148,6 +148,28 @@ static double slip(const td_direct *d)
     return worst;
 }
 
+/* The greatest speed at which something parts that is still pushed: impulses kept from a hit in the step
+ * before are far too great for this one, and a penalty alone would let them push for another step. */
+static double overshoot(const td_direct *d)
+{
+    double worst = 0.0;
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            const td_direct_row *r = &d->contacts[i].row[k];
+            if (r->used && r->impulse > 0.0) {
+                worst = td_max_double(worst, r->speed - r->wanted);
+            }
+        }
+    }
+    return worst;
+}
+
+/* The greatest speed by which anything is not as it should be. */
+static double off(const td_direct *d)
+{
+    return td_max_double(td_direct_miss(d), td_max_double(overshoot(d), slip(d)));
+}
+
 bool td_direct_active(td_direct *d, double tolerance)
 {
     int most = td_min_int(d->factorings + PATIENCE, d->patience);
@@ -161,7 +183,7 @@ bool td_direct_active(td_direct *d, double tolerance)
                 return false;
             }
         }
-        if (td_max_double(td_direct_miss(d), slip(d)) <= tolerance) {
+        if (off(d) <= tolerance) {
             d->factored = true;
             return true;
         }
@@ -184,5 +206,5 @@ bool td_direct_again(td_direct *d, double tolerance)
     }
     bool settled;
     return leap(d, DOUBT * tolerance, &settled) && settled &&
-           td_max_double(td_direct_miss(d), slip(d)) <= tolerance;
+           off(d) <= tolerance;
 }

@@ -135,10 +135,10 @@ static double cut(double part, double value, double change)
     return value + part * change < 0.0 ? -value / change : part;
 }
 
-/* The part of the step up to which nothing is negative. */
-static double reach(const td_direct *d)
+/* So many steps, or parts of one, may be taken until something is negative; at most `most`. */
+static double reach(const td_direct *d, double most)
 {
-    double part = 1.0;
+    double part = most;
     for (int i = 0; i < d->contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &d->contacts[i].row[k];
@@ -231,13 +231,12 @@ bool td_direct_interior(td_direct *d, double tolerance)
         }
         td_direct_step(d);
         for_rows(d, follow_row, 0.0, 0.0);
-        double now = gap(d, 0.0), after = gap(d, reach(d)), share = now > 0.0 ? after / now : 0.0;
+        double now = gap(d, 0.0), after = gap(d, reach(d, 1.0)), share = now > 0.0 ? after / now : 0.0;
         double aim = share * share * share * now;
         for_rows(d, prepare_row, aim, 1.0);
         td_direct_step(d);
         for_rows(d, follow_row, aim, 1.0);
-        double part = NEARLY * reach(d);
-        if (!advance(d, part < NEARLY ? part : 1.0)) {
+        if (!advance(d, NEARLY * reach(d, 1.0 / NEARLY))) {
             return false;
         }
         if (gap(d, 0.0) <= close && lack(d) <= tolerance) {

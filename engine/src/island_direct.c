@@ -243,11 +243,11 @@ static bool strains(const td_island_work *work)
     thud_world *w = work->w;
     int patience = w->quality.island_patience;
     patience *= td_island_is_slower(w, work->island, CALM) ? CALM_PATIENCE : 1;
-    uint8_t most = 0;
+    int most = 0;
     for (int i = 0; i < work->island->bodies; i++) {
-        uint8_t *strain = td_at(&w->strain, work->slots[i]);
+        uint16_t *strain = td_at(&w->strain, work->slots[i]);
         bool easy = work->problem.factorings <= EASY;
-        *strain = easy ? 0 : *strain < UINT8_MAX ? *strain + 1 : *strain;
+        *strain = easy ? 0 : *strain < UINT16_MAX ? *strain + 1 : *strain;
         most = *strain > most ? *strain : most;
     }
     return patience > 0 && most > patience;
@@ -296,8 +296,6 @@ static void begin(thud_world *w)
 
 static void end(thud_world *w)
 {
-    w->stats.hard_islands = w->stats.hard_bodies = w->stats.soft_islands = w->stats.factorings = 0;
-    w->stats.island_work = 0;
     for (int i = 0; i < w->islands.island.count; i++) {
         solve_island(w, td_at(&w->islands.island, i));
     }

@@ -11,6 +11,8 @@
 
 enum { TANGENT = TD_DIRECT_TANGENT, PATIENCE = 200 };
 
+/* The soft solver begins without impulses, since direct ones would be too much for it to take back: a
+ * light body between heavy ones would leave at any speed. */
 void td_island_note(thud_world *w)
 {
     td_islands *s = &w->islands;
@@ -21,13 +23,15 @@ void td_island_note(thud_world *w)
     float steps = (float)w->substeps;
     for (int i = 0; i < s->contacts.count; i++) {
         const td_contact *contact = td_contact_at(w, *(int *)td_at(&s->contacts, i));
-        const td_block *block = td_island_block(w, contact);
+        td_block *block = td_island_block(w, contact);
         float *impulses = td_at(&s->impulses, i);
         int lane = contact->slot % TD_LANES;
         for (int k = 0; k < td_island_points(w, contact); k++) {
             impulses[k] = steps * block->point[k].normal_impulse[lane];
+            block->point[k].normal_impulse[lane] = 0.0f;
         }
         impulses[TANGENT] = steps * block->tangent_impulse[lane];
+        block->tangent_impulse[lane] = 0.0f;
     }
 }
 
@@ -143,9 +147,13 @@ static void take_contact(td_island_work *work, int i)
         work->bounces |= bounces(w, contact, block, k, lane);
         work->pushed = td_max_double(work->pushed, c->row[k].wanted);
     }
+    /* Arms end in the middle of the gap. Where that is open, as it is about a skin, a disc would roll
+     * as if it were greater: beside what does not move, friction acts at the surface. */
+    double gap = (double)(block->point[0].base[lane] + w->skin);
+    double outside = c->a == TD_NONE && gap > 0.0 ? 0.5 * gap : 0.0;
     td_direct_row *tangent = &c->row[TANGENT];
     take_row(c, tangent, y, -x, turns_a * (double)block->tangent_cross_a[lane],
-             turns_b * (double)block->tangent_cross_b[lane], known);
+             turns_b * ((double)block->tangent_cross_b[lane] - outside), known);
     tangent->impulse = 0.5 * (double)impulses[TANGENT];
     tangent->wanted =
         (double)td_surface_at(block, td_island_points(w, contact))->speed[lane] *

@@ -81,7 +81,7 @@ static bool any_hard(const thud_world *w)
 static void tire(thud_world *w, int slot)
 {
     *(uint8_t *)td_at(&w->hard, slot) = TD_HARD_TIRED + TD_TIRED_STEPS;
-    *(uint8_t *)td_at(&w->strain, slot) = 0;
+    *(uint16_t *)td_at(&w->strain, slot) = 0;
 }
 
 void td_islands_leave(thud_world *w, const td_island *island)
@@ -164,7 +164,7 @@ static void follow(thud_world *w, int seed)
         whole = spread(w, &island, *(int *)td_at(&s->slots, i));
     }
     island.contacts = s->contacts.count - island.first_contact;
-    if (whole && island.contacts ) {
+    if (whole && island.contacts) {
         *(td_island *)td_at(&s->island, s->island.count++) = island;
         return;
     }

@@ -49,7 +49,7 @@ void td_islands_watch(struct thud_world *w);
 
 /* Whether none of its bodies is faster, in multiples of what gravity gives it in a step. */
 bool td_island_is_slower(const struct thud_world *w, const td_island *island, float multiple);
-/* Its solver was of no use: for a while it is not tried again, unless every island is. */
+/* Its solver was of no use: it is not tried again for TD_TIRED_STEPS. */
 void td_islands_leave(struct thud_world *w, const td_island *island);
 
 /* An island stays with its solver for so many steps after it last had to. */

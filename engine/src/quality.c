@@ -22,8 +22,8 @@ const char *td_quality_error(const thud_quality *q)
         return "quality: detection is null";
     }
     if (!(q->sag_limit >= 0.0f) || q->island_limit < 1 || q->island_work < 0 ||
-        q->island_patience < 0) {
-        return "quality: a limit of islands is negative, or island_limit less than 1";
+        q->island_patience < 0 || q->island_patience > 1000) {
+        return "quality: a limit of islands is out of range";
     }
     return NULL;
 }

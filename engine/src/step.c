@@ -69,6 +69,8 @@ static bool find_islands(thud_world *w)
 /* Hard islands are solved twice, the second time at once and directly. */
 static void solve(thud_world *w)
 {
+    w->stats.hard_islands = w->stats.hard_bodies = w->stats.soft_islands = w->stats.factorings = 0;
+    w->stats.island_work = 0;
     if (w->quality.islands) {
         w->quality.islands->begin(w);
     }

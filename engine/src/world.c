@@ -115,7 +115,7 @@ static void set_strides(thud_world *w)
         {&w->damping, sizeof(float[2])},
         {&w->idle, sizeof(float)},
         {&w->hard, sizeof(uint8_t)},
-        {&w->strain, sizeof(uint8_t)},
+        {&w->strain, sizeof(uint16_t)},
         {&w->reach, sizeof(float[2])},
         {&w->mass, sizeof(float)},
         {&w->inertia, sizeof(float)},

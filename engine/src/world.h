@@ -197,7 +197,7 @@ struct thud_world {
     td_array idle;                                     /* float, by awake slot: time at rest */
     td_array hard;                                     /* uint8_t, by awake slot: steps for which
                                                           its island still counts as hard */
-    td_array strain;                                   /* uint8_t, by awake slot: steps that took
+    td_array strain;                                   /* uint16_t, by awake slot: steps that took
                                                           its island's solver long */
     td_array reach;                                    /* float[2], by awake slot: core, rim */
     td_array mass, inertia, weight;                    /* float, by awake slot; weight: mass by

@@ -18,7 +18,7 @@ from xml.etree import ElementTree
 import tradeoff_figures as figures
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-QUALITIES = ["draft", "default", "high", "exact", "default swept"]
+QUALITIES = ["draft", "default", "high", "exact", "soft 4", "soft 8", "soft 16", "default swept"]
 SUBSTEPS = ["1", "2", "4", "8", "16", "8 stiff", "16 stiff"]
 MEASURES = ["ms_median", "ms_mean", "ms_total", "penetration_worst", "penetration_mean",
             "energy_gained"]

@@ -1,5 +1,6 @@
-/* setting_thud.c: thud at each of its qualities, everything else at its defaults; and at the default
- * one with swept detection, which is what to choose where all that matters is impacts. */
+/* setting_thud.c: thud at each of its qualities, everything else at its defaults; with the soft solver
+ * alone at more substeps; and at the default quality with swept detection, which is what to choose where
+ * all that matters is impacts. */
 #include "build_thud.h"
 #include "setting.h"
 
@@ -78,11 +79,34 @@ static void read_bodies(void *state, contender_body *bodies) {
 
 static const setting_engine ENGINE = {"thud", create, destroy, step, read_bodies};
 
+/* The soft solver alone, as it would be at more substeps: beside Box2D's, which is soft at all of its. */
+static const thud_quality SOFT_4 = {.name = "soft 4",
+                                    .substeps = 4,
+                                    .contact_stiffness = 0.16f,
+                                    .contact_damping = 10.0f,
+                                    .detection = &thud_detection_continuous,
+                                    .island_limit = 1};
+static const thud_quality SOFT_8 = {.name = "soft 8",
+                                    .substeps = 8,
+                                    .contact_stiffness = 0.16f,
+                                    .contact_damping = 10.0f,
+                                    .detection = &thud_detection_continuous,
+                                    .island_limit = 1};
+static const thud_quality SOFT_16 = {.name = "soft 16",
+                                     .substeps = 16,
+                                     .contact_stiffness = 0.16f,
+                                     .contact_damping = 10.0f,
+                                     .detection = &thud_detection_continuous,
+                                     .island_limit = 1};
+
 const setting SETTINGS_THUD[] = {
     {.engine = &ENGINE, .name = "draft", .curve = "thud", .quality = &thud_quality_draft},
     {.engine = &ENGINE, .name = "default", .curve = "thud", .quality = &thud_quality_default},
     {.engine = &ENGINE, .name = "high", .curve = "thud", .quality = &thud_quality_high},
     {.engine = &ENGINE, .name = "exact", .curve = "thud", .quality = &thud_quality_exact},
+    {.engine = &ENGINE, .name = "soft 4", .curve = "thud soft", .quality = &SOFT_4},
+    {.engine = &ENGINE, .name = "soft 8", .curve = "thud soft", .quality = &SOFT_8},
+    {.engine = &ENGINE, .name = "soft 16", .curve = "thud soft", .quality = &SOFT_16},
     {.engine = &ENGINE,
      .name = "default swept",
      .curve = "thud swept",

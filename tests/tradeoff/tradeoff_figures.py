@@ -3,7 +3,7 @@
 import math
 
 # A picture's curves; the second one's start is the first one's, see setting_box2d.c.
-CURVES = ["thud", "thud swept", "box2d", "box2d stiff"]
+CURVES = ["thud", "thud soft", "thud swept", "box2d", "box2d stiff"]
 SHARED_SUBSTEPS = 4
 
 

@@ -8,9 +8,12 @@ import tradeoff_figures as figures
 
 # Colours that stay apart for the colour-blind, and signs that do so without colours. The pictures
 # bring their own white ground, so that a dark page does not matter.
-COLOURS = {"thud": "#00734d", "thud swept": "#00734d", "box2d": "#c4541c", "box2d stiff": "#3a5bbf"}
-SIGNS = {"thud": "circle", "thud swept": "ring", "box2d": "square", "box2d stiff": "triangle"}
-KEY_WORDS = {"thud": "thud: draft, default, high, exact", "thud swept": "default swept",
+COLOURS = {"thud": "#00734d", "thud soft": "#3fae86", "thud swept": "#00734d", "box2d": "#c4541c",
+           "box2d stiff": "#3a5bbf"}
+SIGNS = {"thud": "circle", "thud soft": "circle", "thud swept": "ring", "box2d": "square",
+         "box2d stiff": "triangle"}
+KEY_WORDS = {"thud": "thud: draft, default, high, exact", "thud soft": "soft 4, 8, 16",
+             "thud swept": "default swept",
              "box2d": "Box2D v3.2: 1, 2, 4, 8, 16 substeps", "box2d stiff": "8, 16 stiffer"}
 INK, GREY, PALE = "#202020", "#6b6b6b", "#e4e4e4"
 # Pixels.

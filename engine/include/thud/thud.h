@@ -124,8 +124,8 @@ thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
 
 thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity); /* wakes everything */
 thud_result thud_world_set_time_step(thud_world *world, double time_step);
-/* What the def itself named stays as it is. Wakes everything. */
 thud_result thud_world_set_max_error(thud_world *world, double max_error); /* see thud_world_def */
+/* What the def itself named stays as it is. Wakes everything. */
 thud_result thud_world_set_quality(thud_world *world, const thud_quality *quality);
 thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
 

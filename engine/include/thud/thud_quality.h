@@ -33,9 +33,9 @@ typedef struct thud_quality {
                                 together may take a step; those for which there is no more stay with
                                 the soft solver. A column takes 3 a body at rest, a pyramid of 500
                                 bodies 60 a body; in motion it is 20 to 100 times as much */
-    int island_patience;     /* >= 0: steps in succession in which an island may need more than eight
-                                matrices, before it is left to the soft solver for two seconds of
-                                steps of 1/60; 0: any number */
+    int island_patience;     /* 0..1000: steps in succession in which an island may need more than eight
+                                matrices, or twenty times as many while it hardly moves, before it is
+                                left to the soft solver for 120 steps; 0: any number */
 } thud_quality;
 
 extern const thud_quality thud_quality_draft;
