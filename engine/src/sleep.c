@@ -222,8 +222,10 @@ static bool is_due(const thud_world *w, int bodies)
 
 bool td_sleep_reserve(thud_world *w)
 {
+    /* A body that enters or wakes has not been counted: a long step by itself may be enough for it. */
+    bool long_step = (float)w->def.time_step >= TD_SLEEP_TIME;
     /* Room for parking may move the blocks, so they are listed again. */
-    return !is_due(w, w->drowsy_bodies) ||
+    return !is_due(w, long_step ? w->body_of.count : w->drowsy_bodies) ||
            (lists_room(w) && td_lanes_reserve_parking(w) && td_lanes_sequence(w) &&
             td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count));
 }
