@@ -1,5 +1,5 @@
-/* quality_default.c: see thud_quality.h. */
-#include "thud/thud_quality.h"
+/* quality_default.c: the quality that a world has unless it names another one. */
+#include "thud/thud.h"
 
 const thud_quality thud_quality_default = {
     .name = "default",
@@ -13,3 +13,8 @@ const thud_quality thud_quality_default = {
     .island_work = 15000,
     .island_patience = 5,
 };
+
+thud_world_def thud_default_world_def(void)
+{
+    return thud_world_def_of(&thud_quality_default);
+}

@@ -12,13 +12,13 @@
 #include <stdatomic.h>
 #include <string.h>
 
-thud_world_def thud_default_world_def(void)
+thud_world_def thud_world_def_of(const thud_quality *quality)
 {
     return (thud_world_def){
         .gravity = {0.0f, -10.0f},
         .time_step = 1.0 / 60.0,
         .length_scale = 1.0f,
-        .quality = &thud_quality_default,
+        .quality = quality,
         .push_speed = 3.0f,
         .restitution_threshold = 1.0f,
         .hit_speed = 1.0f,
@@ -45,12 +45,14 @@ static const char *def_error(const thud_world_def *d)
     if (!between((double)d->length_scale, 1e-6, 1e6)) {
         return "world def: length_scale is not in [1e-6, 1e6]";
     }
-    const thud_quality *quality = d->quality ? d->quality : &thud_quality_default;
-    if (td_quality_error(quality)) {
-        return td_quality_error(quality);
+    if (!d->quality) {
+        return "world def: quality is null";
     }
-    if (td_max_error_error(d->max_error, quality)) {
-        return td_max_error_error(d->max_error, quality);
+    if (td_quality_error(d->quality)) {
+        return td_quality_error(d->quality);
+    }
+    if (td_max_error_error(d->max_error, d->quality)) {
+        return td_max_error_error(d->max_error, d->quality);
     }
     if (d->substeps < 0 || d->substeps > 64) {
         return "world def: substeps is not in 0..64";
@@ -207,7 +209,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out)
     set_strides(w);
     td_agenda_init(&w->scratch.agenda);
     td_islands_init(&w->islands);
-    td_quality_take(w, def->quality ? def->quality : &thud_quality_default);
+    td_quality_take(w, def->quality);
     if (!td_awake_reserve(w, 0)) {
         thud_world_destroy(w);
         return THUD_ERROR_MEMORY;

@@ -104,7 +104,7 @@ static void limit_that_cannot_be_kept_is_refused(void **state)
     def.max_error = 0.01;
     def.quality = &thud_quality_draft; /* has no solver that could */
     assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
-    def.quality = NULL;
+    def.quality = &thud_quality_default;
     world = make_world(def);
     assert_int_equal(thud_world_set_max_error(world, NAN), THUD_ERROR_INVALID);
     assert_int_equal(thud_world_set_max_error(NULL, 0.1), THUD_ERROR_NULL);

@@ -1,5 +1,5 @@
 /**
- * What a program links: three small ones, built for size, that use ever more of the engine. Bounds are
+ * What a program links: small ones, built for size, that use ever more of the engine. Bounds are
  * what is reached, so that nobody links more by accident; the aims stand beside them.
  */
 import assert from "node:assert/strict";
@@ -12,9 +12,10 @@ import { root } from "./support.mjs";
 
 /** Kilobytes (1000 bytes) of the gzipped module: what is reached, and what is aimed at. */
 const PROGRAMS = [
-  { name: "circles", bound: 44, aim: 12 },
-  { name: "boxes", bound: 51, aim: 18 },
-  { name: "everything", bound: 69, aim: 40 },
+  { name: "circles", bound: 45, aim: 12 },
+  { name: "boxes", bound: 52, aim: 18 },
+  { name: "islands", bound: 54, aim: 18 },
+  { name: "everything", bound: 79, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`)

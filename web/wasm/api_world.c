@@ -31,7 +31,7 @@ const thud_detection *api_detection(double number) {
     return i >= 0 && i < 4 ? all[i] : NULL;
 }
 
-/* What is no number of a quality is null, which the engine refuses or takes for the default. */
+/* What is no number of a quality is null, which the engine refuses. */
 static const thud_quality *api_quality(double number) {
     static const thud_quality *const all[] = {&thud_quality_draft, &thud_quality_default,
                                               &thud_quality_high, &thud_quality_exact};

@@ -75,7 +75,7 @@ typedef struct thud_world_def {
     double time_step;            /* s, (0, 1]; default 1/60 */
     float length_scale;          /* size of a typical body in the caller's unit, [1e-6, 1e6]; default
                                     1 for metres; every tolerance is a multiple of it */
-    const thud_quality *quality; /* default (also null): &thud_quality_default */
+    const thud_quality *quality; /* default &thud_quality_default; never null */
     int substeps;                /* experts: 1..64; 0 (default) takes the quality's */
     float contact_stiffness;     /* experts: [0.01, 0.5]; 0 (default) takes the quality's */
     float contact_damping;       /* experts: [0, 100]; 0 (default) takes the quality's */
@@ -109,6 +109,9 @@ typedef struct thud_world_def {
 } thud_world_def;
 
 thud_world_def thud_default_world_def(void);
+/* The same with another quality. A program that never asks for the default one does not link what that
+ * needs: at draft it goes without the island solver. */
+thud_world_def thud_world_def_of(const thud_quality *quality);
 
 thud_result thud_world_create(const thud_world_def *def, thud_world **out);
 void thud_world_destroy(thud_world *world); /* null is fine */

@@ -1,4 +1,5 @@
-/* circles.c: a program that uses circles only; for the size of what is linked. */
+/* circles.c: a program that uses circles only, at draft, unless QUALITY is another one; for the size of
+ * what is linked. */
 #include <thud/thud.h>
 
 #if defined(__wasm__)
@@ -7,9 +8,13 @@
 #define EXPORT(name)
 #endif
 
+#ifndef QUALITY
+#define QUALITY thud_quality_draft
+#endif
+
 static thud_world *open_world(void)
 {
-    thud_world_def def = thud_default_world_def();
+    thud_world_def def = thud_world_def_of(&QUALITY);
     thud_world *world = NULL;
     thud_world_create(&def, &world);
     return world;

@@ -1,4 +1,5 @@
 /* everything.c: a program that uses every kind of shape, queries and debug drawing. */
+#define QUALITY thud_quality_default
 #include "boxes.c"
 
 EXPORT("oriented_height") double oriented_height(int steps)
