@@ -86,7 +86,6 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         .detection = def->detection ? def->detection : w->quality.detection,
         .user_data = def->user_data,
     };
-    w->detections[body->detection->rank] = body->detection;
     if (def->kind != THUD_STATIC) {
         body->velocity[0] = def->velocity.x;
         body->velocity[1] = def->velocity.y;

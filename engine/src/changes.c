@@ -193,6 +193,10 @@ static bool apply(thud_world *w, int index)
         leave(w, index);
         return true;
     }
+    if (changes & TD_CHANGE_ENTER) {
+        /* Not before: a step that a callback interrupts has no room for another kind of detection. */
+        w->detections[body->detection->rank] = body->detection;
+    }
     if (changes & TD_CHANGE_WAKE) {
         destroy_gone(w, index);
     }

@@ -89,6 +89,9 @@ thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality)
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set quality: not inside a callback");
+    }
     td_quality_take(w, quality);
     td_wake_all(w);
     return THUD_OK;
@@ -102,6 +105,9 @@ thud_result thud_world_set_max_error(thud_world *w, double max_error)
     const char *error = td_max_error_error(max_error, &w->quality);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set max_error: not inside a callback");
     }
     w->def.max_error = max_error;
     td_wake_all(w);

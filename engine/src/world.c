@@ -270,6 +270,9 @@ thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity)
     if (!td_finite((double)gravity.x) || !td_finite((double)gravity.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set gravity: not finite");
     }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set gravity: not inside a callback");
+    }
     w->def.gravity = gravity;
     td_wake_all(w);
     return THUD_OK;
@@ -283,6 +286,9 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step)
     if (!(time_step > 0.0 && time_step <= 1.0)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set time step: not in (0, 1]");
     }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set time step: not inside a callback");
+    }
     w->def.time_step = time_step;
     w->drowsy_bodies = w->body_of.count; /* a longer step may bring sleep sooner than expected */
     w->push_stale = true;
@@ -293,6 +299,9 @@ thud_result thud_world_set_sleeping(thud_world *w, bool sleeping)
 {
     if (!w) {
         return THUD_ERROR_NULL;
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set sleeping: not inside a callback");
     }
     w->def.sleeping = sleeping;
     if (!sleeping) {

@@ -125,6 +125,8 @@ thud_result thud_world_step(thud_world *world);
 thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps, int *steps,
                                double *alpha);
 
+/* Settings hold from the next step on. Inside a callback they are refused with THUD_ERROR_LOCKED, since
+ * the step under way has begun with the old ones. */
 thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity); /* wakes everything */
 thud_result thud_world_set_time_step(thud_world *world, double time_step);
 thud_result thud_world_set_max_error(thud_world *world, double max_error); /* see thud_world_def */
