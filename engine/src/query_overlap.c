@@ -29,15 +29,20 @@ static void tell(thud_world *w, td_place origin, const thud_placed *exact,
                  const thud_query_filter *filter, thud_overlap_fn *fn, void *context)
 {
     bool was_locked = w->locked;
+    /* The callback may ask in turn: such queries list their hits elsewhere. */
+    td_array hits = w->scratch.hits;
+    w->scratch.hits = (td_array){.stride = hits.stride};
     w->locked = true;
-    for (int i = 0; i < w->scratch.hits.count; i++) {
-        int index = *(int *)td_at(&w->scratch.hits, i);
+    for (int i = 0; i < hits.count; i++) {
+        int index = *(int *)td_at(&hits, i);
         if (td_query_passes(w, index, filter) && overlaps(w, index, origin, exact) &&
             !fn(td_shape_handle(w, index), context)) {
             break;
         }
     }
     w->locked = was_locked;
+    td_array_free(&w->memory, &w->scratch.hits);
+    w->scratch.hits = hits;
 }
 
 thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, const thud_placed *shape,

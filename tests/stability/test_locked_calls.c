@@ -353,10 +353,8 @@ static void what_cannot_wait_is_refused_inside_every_locked_callback(void **stat
 static void questions_inside_callbacks_are_answered_and_change_nothing(void **state)
 {
     (void)state;
-    const site asked[] = {SITE_PROLOGUE, SITE_EPILOGUE, SITE_PASS};
-    for (int k = 0; k < 3; k++) {
+    for (site s = SITE_PROLOGUE; s <= SITE_PASS; s++) {
         for (int i = 0; i < DETECTIONS; i++) {
-            site s = asked[k];
             caller c, untouched;
             make_caller(&c, s, detections[i]);
             make_caller(&untouched, s, detections[i]);
