@@ -67,8 +67,11 @@ void td_ballistics_fly(thud_world *w)
             continue;
         }
         const float *push = td_row(&w->push, slot);
-        double gain = w->substeps * __builtin_sqrt((double)(push[0] * push[0] + push[1] * push[1]));
-        f->free = is_free(w, slot, LITTLE * gain);
+        double x = (double)push[0], y = (double)push[1];
+        double gain = w->substeps * __builtin_sqrt(x * x + y * y);
+        /* A parabola steeper than the highest speed is not flown. */
+        f->free = gain <= (double)(w->def.maximum_speed * w->unit) &&
+                  is_free(w, slot, LITTLE * gain);
         if (f->free && gain > 0.0) {
             fly(w, slot, !is_free(w, slot, 0.0));
         }

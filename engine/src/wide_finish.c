@@ -118,7 +118,7 @@ TD_INLINE td_rows move_eight(const thud_world *w, int first, void *const poses[T
         d2 quanta = {(double)delta[0], (double)delta[1]};
         l2 center, moved = (l2)(quanta * w->to_fixed + TD_ROUND_SHIFT) - TD_ROUND_BITS;
         __builtin_memcpy(&center, poses[i], sizeof center);
-        center += moved;
+        center = (l2)((v2)center + (v2)moved); /* odd ones, to the spare pose, may wrap around */
         __builtin_memcpy(poses[i], &center, sizeof center);
         __builtin_memcpy(stances[i], &center, sizeof center);
         /* The low halves hold x and y; the sign does not reach them. */

@@ -77,21 +77,20 @@ static void force_there_and_back(thud_world *w, thud_body_id b)
 typedef struct blow {
     const char *name;
     void (*deal)(thud_world *w, thud_body_id b);
-    bool alone; /* not dealt to one that touches others: it takes a neighbour with it */
 } blow;
 
 static const blow blows[] = {
-    {"velocity", fling, true},
-    {"spin", spin, false},
-    {"impulse", strike, true},
-    {"two impulses", strike_twice, false},
-    {"impulse from afar", strike_from_afar, true},
-    {"impulses to and fro", strike_to_and_fro, false},
-    {"force", force, true},
-    {"force down", force_down, false},
-    {"two forces", force_twice, false},
-    {"torque", twist, false},
-    {"forces to and fro", force_there_and_back, false},
+    {"velocity", fling},
+    {"spin", spin},
+    {"impulse", strike},
+    {"two impulses", strike_twice},
+    {"impulse from afar", strike_from_afar},
+    {"impulses to and fro", strike_to_and_fro},
+    {"force", force},
+    {"force down", force_down},
+    {"two forces", force_twice},
+    {"torque", twist},
+    {"forces to and fro", force_there_and_back},
 };
 enum { BLOWS = sizeof blows / sizeof *blows };
 
@@ -177,9 +176,6 @@ static void blow_to_one_of_a_stack_leaves_the_others_finite(void **state)
     (void)state;
     for (int i = 0; i < BLOWS * DETECTIONS; i++) {
         const blow *dealt = &blows[i / DETECTIONS];
-        if (dealt->alone) {
-            continue;
-        }
         site s = make_site(detections[i % DETECTIONS], false);
         thud_body_id victim = s.stack[2];
         int quarantined = 0;
@@ -330,7 +326,7 @@ static void worlds_at_the_ends_of_their_ranges_stay_finite(void **state)
 {
     (void)state;
     PILE_WITH(world.gravity.y, -HUGE_VALUE);
-    PILE_WITH(world.gravity.x, 1e20f);
+    PILE_WITH(world.gravity.x, HUGE_VALUE);
     PILE_WITH(world.gravity.y, -1e-45f);
     PILE_WITH(world.time_step, 1);
     PILE_WITH(world.time_step, 1e-9);
