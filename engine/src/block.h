@@ -68,7 +68,7 @@ typedef struct td_block {
     int32_t armed;              /* a lane's shape may be off its body's centre of mass */
     int32_t shared;             /* a lane has a kinematic body, which other blocks may have as well */
     uint8_t seams[TD_LANES];    /* of shape_a, where it is static */
-    uint8_t loaded[TD_LANES];   /* found to carry too much; see islands.c */
+    uint8_t loaded[TD_LANES];   /* how often found to carry too much, see islands.c; and TD_DIRECT */
     int32_t padding[5];
     /* The solver's rows begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slots, in bytes of their records of four floats; 0:
@@ -82,6 +82,8 @@ typedef struct td_block {
     f8 restitution;
     td_point point[]; /* one or two */
 } td_block;
+
+enum { TD_DIRECT = 128 }; /* in td_block.loaded: impulses are the direct solver's */
 
 enum { TD_AWAKE_BYTES = 4 * (int)sizeof(float) };
 

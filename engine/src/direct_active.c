@@ -37,6 +37,7 @@ static void answer(td_direct_row *r, bool tangent, double doubt)
         /* From one bound to the other it sticks in between. */
         double against = r->impulse < 0.0 ? -impulse : impulse;
         r->active = r->active ? size_of(impulse) < r->most + little : against < r->most - little;
+        r->active = r->active && r->most > 0.0; /* which has no direction to have slid in */
         r->impulse = clamped(impulse, r->most);
     } else {
         r->active = r->active ? impulse > -little : r->speed < r->wanted - doubt;
@@ -87,18 +88,28 @@ static void guess(td_direct *d, double doubt)
     }
 }
 
-/* The multipliers take the impulses. Friction that had reached a bound, which has grown since, sticks
- * for now. */
-static void take_multipliers(td_direct *d)
+/* Friction that has slid all the way to its bound slides on where that has grown a little since. */
+static bool slides_on(const td_direct_row *r, double doubt)
+{
+    double slip = r->impulse < 0.0 ? r->speed - r->wanted : r->wanted - r->speed;
+    return slip > doubt && size_of(r->impulse) > 0.9 * r->most;
+}
+
+/* The multipliers take the impulses. Friction that had reached a bound, which has grown by much since,
+ * sticks for now. */
+static void take_multipliers(td_direct *d, double doubt)
 {
     for (int i = 0; i < d->contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->contacts[i].row[k];
-            r->base = r->impulse;
-            if (k == TD_DIRECT_TANGENT) {
+            if (k == TD_DIRECT_TANGENT && slides_on(r, doubt)) {
+                r->active = false;
+                r->impulse = r->impulse < 0.0 ? -r->most : r->most;
+            } else if (k == TD_DIRECT_TANGENT) {
                 r->active = size_of(r->impulse) < 0.999 * r->most;
-                r->base = r->impulse = clamped(r->impulse, r->most);
+                r->impulse = clamped(r->impulse, r->most);
             }
+            r->base = r->impulse;
             r->force = r->active ? r->base - r->weight * (r->speed - r->wanted) : r->base;
         }
     }
@@ -174,7 +185,7 @@ bool td_direct_active(td_direct *d, double tolerance)
 {
     int most = td_min_int(d->factorings + PATIENCE, d->patience);
     guess(d, DOUBT * tolerance);
-    take_multipliers(d);
+    take_multipliers(d, DOUBT * tolerance);
     for (;;) {
         bool settled = false;
         while (!settled) {
@@ -188,7 +199,7 @@ bool td_direct_active(td_direct *d, double tolerance)
             return true;
         }
         td_direct_bound(d);
-        take_multipliers(d);
+        take_multipliers(d, DOUBT * tolerance);
     }
 }
 
@@ -205,6 +216,13 @@ bool td_direct_again(td_direct *d, double tolerance)
         }
     }
     bool settled;
-    return leap(d, DOUBT * tolerance, &settled) && settled &&
-           off(d) <= tolerance;
+    bool done = leap(d, DOUBT * tolerance, &settled) && settled && off(d) <= tolerance;
+    /* Rows that have changed their mind have impulses of penalties, which mean nothing yet; nothing
+     * is to be bounded by them. */
+    for (int i = 0; i < d->contact_count && !done; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            d->contacts[i].row[k].impulse = d->contacts[i].row[k].base;
+        }
+    }
+    return done;
 }

@@ -214,6 +214,7 @@ static void write_contact(const td_island_work *work, int i)
     }
     float tangent = c->row[TANGENT].used ? (float)c->row[TANGENT].impulse : 0.0f;
     block->tangent_impulse[lane] = part * tangent;
+    block->loaded[lane] |= TD_DIRECT;
     td_surface_at(block, points)->total[lane] = tangent;
 }
 

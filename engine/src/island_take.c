@@ -11,8 +11,8 @@
 
 enum { TANGENT = TD_DIRECT_TANGENT, PATIENCE = 200 };
 
-/* The soft solver begins without impulses, since direct ones would be too much for it to take back: a
- * light body between heavy ones would leave at any speed. */
+/* The soft solver begins without the direct one's impulses, which would be too much for it to take back:
+ * a light body between heavy ones would leave at any speed. */
 void td_island_note(thud_world *w)
 {
     td_islands *s = &w->islands;
@@ -26,12 +26,14 @@ void td_island_note(thud_world *w)
         td_block *block = td_island_block(w, contact);
         float *impulses = td_at(&s->impulses, i);
         int lane = contact->slot % TD_LANES;
+        float kept = block->loaded[lane] & TD_DIRECT ? 0.0f : 1.0f;
         for (int k = 0; k < td_island_points(w, contact); k++) {
             impulses[k] = steps * block->point[k].normal_impulse[lane];
-            block->point[k].normal_impulse[lane] = 0.0f;
+            block->point[k].normal_impulse[lane] *= kept;
         }
         impulses[TANGENT] = steps * block->tangent_impulse[lane];
-        block->tangent_impulse[lane] = 0.0f;
+        block->tangent_impulse[lane] *= kept;
+        block->loaded[lane] &= TD_DIRECT - 1;
     }
 }
 

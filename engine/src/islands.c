@@ -274,12 +274,13 @@ static void watch_block(thud_world *w, td_block *block, int points)
         float light = td_max_float(inverse_a, inverse_b), other = td_min_float(inverse_a, inverse_b);
         float load = impulse * light, most = td_islands_most(w, td_min_float(size_of(w, a), size_of(w, b)));
         bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
-        int seen = load > most || depth > deep ? block->loaded[lane] + 1 : 0;
+        int direct = block->loaded[lane] & TD_DIRECT, before = block->loaded[lane] - direct;
+        int seen = load > most || depth > deep ? td_min_int(before + 1, OFTEN) : 0;
         if (sinks || seen >= OFTEN) {
             harden(w, block->a[lane]);
             harden(w, block->b[lane]);
         }
-        block->loaded[lane] = (uint8_t)td_min_int(seen, OFTEN);
+        block->loaded[lane] = (uint8_t)(seen | direct);
     }
 }
 

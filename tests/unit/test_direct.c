@@ -278,6 +278,88 @@ static void direct_other_rows_are_not_solved_again(void **state)
     end_problem(&p);
 }
 
+/* Loads never are just what they were, and neither are the bounds of friction. */
+static void direct_slider_whose_bound_grows_a_little_takes_one_matrix(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 1, 0.3);
+    p.bodies[0].free[0] = 2;
+    for (int n = 0; n < 3; n++) {
+        p.d.factorings = 0;
+        p.contacts[0].friction *= 1.005;
+        assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    }
+    assert_int_equal(p.d.factorings, 1);
+    assert_solved(&p, TOLERANCE);
+    end_problem(&p);
+}
+
+/* A row of boxes that a wall pushes over the ground at 1: one matrix a step, from the second on. */
+static void direct_pushed_row_takes_one_matrix_a_step(void **state)
+{
+    (void)state;
+    problem p;
+    const double arms[2][2] = {{0.5, 0.5}, {-0.5, 0.5}};
+    begin_problem(&p);
+    for (int i = 0; i < 5; i++) {
+        add_mass(&p, 1, 1.0 / 6);
+        stack(&p, GROUND, i, 0.6);
+        td_direct_contact *c = add_contact(&p, i - 1, i, 1, 0, arms, 2, 1, 0.6);
+        c->row[0].known = c->row[1].known = i == 0 ? -1 : 0;
+        p.bodies[i].velocity[0] = p.bodies[i].free[0] = 1;
+    }
+    order_problem(&p);
+    for (int n = 0; n < 5; n++) {
+        p.d.factorings = 0;
+        assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+        assert_true(n == 0 || p.d.factorings == 1);
+    }
+    assert_solved(&p, TOLERANCE);
+    assert_within_cones(&p, TOLERANCE);
+    end_problem(&p);
+}
+
+/* A box thrown to either side and, by less than the tolerance, up: nothing holds it. */
+static void direct_contact_without_load_slides_without_friction(void **state)
+{
+    (void)state;
+    for (int side = -1; side <= 1; side += 2) {
+        problem p;
+        make_column(&p, 1, 0.6);
+        p.bodies[0].free[0] = side;
+        p.bodies[0].free[1] = 0.02 * TOLERANCE;
+        assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+        assert_in_range(p.d.factorings, 1, 2);
+        near_to(p.bodies[0].velocity[0], side, TOLERANCE);
+        end_problem(&p);
+    }
+}
+
+/* Where it does not work out, impulses are as before: friction is not bounded by what penalties
+ * made of them. A box that did not touch does now, and slides. */
+static void direct_rows_not_solved_again_keep_their_impulses(void **state)
+{
+    (void)state;
+    problem p;
+    make_column(&p, 1, 0.4);
+    p.bodies[0].inverse_inertia = 0; /* nor does it tip */
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+        p.contacts[0].row[k].b[2] = 0;
+    }
+    p.bodies[0].free[0] = 8;
+    p.contacts[0].row[0].wanted = p.contacts[0].row[1].wanted = -1;
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    p.contacts[0].row[0].wanted = p.contacts[0].row[1].wanted = 0;
+    td_direct_bound(&p.d);
+    td_direct_measure(&p.d);
+    assert_false(td_direct_again(&p.d, TOLERANCE));
+    near_to(load_of(&p.contacts[0]), 0, 0);
+    assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
+    near_to(p.bodies[0].velocity[0], 8 - 0.4 * UNIT_SPEED, 0.02 * UNIT_SPEED);
+    end_problem(&p);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -296,6 +378,10 @@ int main(void)
         cmocka_unit_test(direct_solver_takes_no_more_matrices_than_it_may),
         cmocka_unit_test(direct_same_rows_again_take_no_matrix),
         cmocka_unit_test(direct_other_rows_are_not_solved_again),
+        cmocka_unit_test(direct_slider_whose_bound_grows_a_little_takes_one_matrix),
+        cmocka_unit_test(direct_pushed_row_takes_one_matrix_a_step),
+        cmocka_unit_test(direct_contact_without_load_slides_without_friction),
+        cmocka_unit_test(direct_rows_not_solved_again_keep_their_impulses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
