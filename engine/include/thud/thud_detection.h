@@ -43,12 +43,13 @@ extern const thud_detection thud_detection_bisect;
  * there and move on. Nothing passes through anything, and what is apart does not come to overlap; but
  * a kinematic body goes its way whatever stands in it, and load may press what touches together, by
  * up to 0.0002 length scales a step, before the contacts have settled. A body that meets more than 8
- * times in a step is held for the rest of it, which the statistics tell; in a pile under impact that
- * is up to one in ten.
+ * times, 16 if elastic, in a step is held for the rest of it, which the statistics tell; in a pile
+ * under impact that is up to one in ten.
  *
- * Both of the last two take the motion of a step as straight and at constant speed: gravity g bends
- * it by up to g * time_step^2 / 8 on the way. In a world that chooses them contacts rest 0.004 length
- * scales apart, so that what load presses together does not overlap. */
+ * Bisection takes the motion of a step as straight: gravity g bends it by up to g * time_step^2 / 8.
+ * Swept bodies that nothing bears fly exact parabolas, and elastic ones (restitution 1) keep their
+ * energy. In a world that chooses one of the two contacts rest 0.004 length scales apart, so that what
+ * load presses together does not overlap. */
 extern const thud_detection thud_detection_swept;
 
 const char *thud_detection_name(const thud_detection *detection); /* "" for null */
