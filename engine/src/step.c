@@ -156,7 +156,8 @@ thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int
         w->spare_time = spare;
     }
     /* What max_steps leaves over is dropped, but for the part of a step. */
-    spare -= h * (double)(int64_t)(spare / h);
+    double steps_left = spare / h;
+    spare = steps_left < 0x1p62 ? spare - h * (double)(int64_t)steps_left : 0.0;
     w->spare_time = spare >= 0.0 && spare < h ? spare : 0.0;
     if (steps) {
         *steps = done;
