@@ -35,7 +35,7 @@
 #define TD_SLEEP_SPEED 0.05f
 #define TD_SLEEP_TIME 0.5f
 /* Sizes and places that are accepted. */
-#define TD_SIZE_MIN 1e-4
+#define TD_SIZE_MIN ((double)1e-4f) /* as callers say it, in single precision */
 #define TD_SIZE_MAX 16384.0
 #define TD_PLACE_MAX 1e9
 

@@ -268,6 +268,9 @@ thud_result thud_body_shapes(const thud_world *w, thud_body_id id, thud_shape_id
     if (result != THUD_OK) {
         return result;
     }
+    if (capacity < 0) {
+        return td_refuse(w, THUD_ERROR_INVALID, "body shapes: capacity is negative");
+    }
     for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (!(td_shape_at(w, i)->flags & TD_SHAPE_LIVE)) {
             continue;

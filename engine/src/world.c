@@ -42,7 +42,7 @@ static const char *def_error(const thud_world_def *d)
     if (!(d->time_step > 0.0 && d->time_step <= 1.0)) {
         return "world def: time_step is not in (0, 1]";
     }
-    if (!between((double)d->length_scale, 1e-6, 1e6)) {
+    if (!between((double)d->length_scale, (double)1e-6f, 1e6)) {
         return "world def: length_scale is not in [1e-6, 1e6]";
     }
     if (!d->quality) {
@@ -57,7 +57,7 @@ static const char *def_error(const thud_world_def *d)
     if (d->substeps < 0 || d->substeps > 64) {
         return "world def: substeps is not in 0..64";
     }
-    if (d->contact_stiffness != 0.0f && !between((double)d->contact_stiffness, 0.01, 0.5)) {
+    if (d->contact_stiffness != 0.0f && !between((double)d->contact_stiffness, (double)0.01f, 0.5)) {
         return "world def: contact_stiffness is neither 0 nor in [0.01, 0.5]";
     }
     if (!between((double)d->contact_damping, 0.0, 100.0) ||

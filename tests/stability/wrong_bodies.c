@@ -64,6 +64,7 @@ void wrong_body_edits(void **state)
         REFUSED(INVALID, thud_body_apply_force(w, ball, zero, f));
     }
     /* Upright shapes keep their bodies upright, and what does not move is not moved. */
+    REFUSED(INVALID, thud_body_shapes(w, ball, wrong_out.shapes, -1, &wrong_out.count));
     REFUSED(INVALID, thud_body_set_transform(w, p->here.plank, here, 0.1));
     REFUSED(INVALID, thud_body_set_transform(w, floor, here, 1));
     REFUSED(INVALID, thud_body_set_velocity(w, floor, zero, 0));

@@ -82,7 +82,9 @@ typedef struct thud_world_def {
     float push_speed;            /* highest speed at which overlap is pushed apart, lengths/s, in
                                     multiples of length_scale; default 3 */
     float restitution_threshold; /* slower approaches do not bounce; multiples of length_scale per
-                                    second; default 1 */
+                                    second; default 1. Swept pairs of restitution 1 bounce below it
+                                    too, down to gravity * time_step / 8 in flight, and
+                                    4 * gravity * time_step where something bears one of them */
     float hit_speed;             /* approaches faster than this are hit events; default 1, as above */
     float maximum_speed;         /* multiples of length_scale per second; default 1e6 */
     bool sleeping;               /* default true */
@@ -199,7 +201,8 @@ thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake
  * moves, meets or finds them. True brings it back, where it is and at the velocity it had. */
 thud_result thud_body_set_enabled(thud_world *world, thud_body_id body, bool enabled);
 thud_result thud_body_set_user_data(thud_world *world, thud_body_id body, uint64_t user_data);
-/* Writes up to `capacity` shape handles; *count is how many the body has. */
+/* Writes up to `capacity` (>= 0) shape handles to `out`, unless it is null; *count (likewise) is how
+ * many the body has. */
 thud_result thud_body_shapes(const thud_world *world, thud_body_id body, thud_shape_id *out,
                              int capacity, int *count);
 
