@@ -189,7 +189,7 @@ bool td_direct_active(td_direct *d, double tolerance)
     for (;;) {
         bool settled = false;
         while (!settled) {
-            if (d->factorings == most || !td_direct_factor(d) ||
+            if (d->factorings >= most || !td_direct_factor(d) ||
                 !leap(d, DOUBT * tolerance, &settled)) {
                 return false;
             }

@@ -163,11 +163,13 @@ static void take_contact(td_island_work *work, int i)
     tangent->used = block->tangent_mass[lane] > 0.0f && c->friction > 0.0;
 }
 
-/* Matrices that the island may take of what the quality allows for the step. */
+/* Matrices that the island may take of what the quality allows for the step; a time budget that lowers
+ * the substeps lowers that as well. */
 static int patience_for(const thud_world *w, const td_island *island)
 {
-    int64_t most = (w->quality.island_work - w->stats.island_work) / island->system.work;
-    return most < PATIENCE ? (int)most : PATIENCE;
+    int64_t work = w->quality.island_work / w->quality.substeps * w->substeps;
+    int64_t most = (work - w->stats.island_work) / island->system.work;
+    return most < 0 ? 0 : most < PATIENCE ? (int)most : PATIENCE;
 }
 
 static td_direct problem_of(thud_world *w, const td_island *island)

@@ -54,7 +54,10 @@ static bool room_for_all(thud_world *w)
 
 /* ---- which ---- */
 
-enum { TOO_MANY = -1 }; /* in `local`: its island has more bodies than the limit */
+enum { /* in `local` */
+    TOO_MANY = -1, /* its island has more bodies than the limit */
+    ALONE = -2     /* nothing touches it */
+};
 
 static int *local_at(const thud_world *w, int slot)
 {
@@ -99,6 +102,8 @@ void td_islands_settle(thud_world *w)
         hard[slot] = left == TD_HARD_TIRED ? 0 : (uint8_t)left;
         if (*local_at(w, slot) == TOO_MANY) {
             tire(w, slot);
+        } else if (*local_at(w, slot) == ALONE) {
+            hard[slot] = 0;
         }
     }
 }
@@ -168,8 +173,8 @@ static void follow(thud_world *w, int seed)
         *(td_island *)td_at(&s->island, s->island.count++) = island;
         return;
     }
-    for (int i = island.first_body; i < s->slots.count && !whole; i++) {
-        *local_at(w, *(int *)td_at(&s->slots, i)) = TOO_MANY;
+    for (int i = island.first_body; i < s->slots.count; i++) {
+        *local_at(w, *(int *)td_at(&s->slots, i)) = whole ? ALONE : TOO_MANY;
     }
     s->slots.count = island.first_body;
     s->contacts.count = island.first_contact;

@@ -6,6 +6,8 @@
 
 struct thud_world;
 
+enum { TD_ISLAND_MOST = 16384 }; /* bodies; ordering them takes the square of that in bits */
+
 /* Bodies and contacts of an island, in the lists of td_islands. */
 typedef struct td_island {
     int first_body, bodies, first_contact, contacts;

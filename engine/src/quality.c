@@ -21,7 +21,7 @@ const char *td_quality_error(const thud_quality *q)
     if (!q->detection) {
         return "quality: detection is null";
     }
-    if (!(q->sag_limit >= 0.0f) || q->island_limit < 1 || q->island_work < 0 ||
+    if (!(q->sag_limit >= 0.0f) || q->island_limit < 1 || q->island_limit > TD_ISLAND_MOST || q->island_work < 0 ||
         q->island_patience < 0 || q->island_patience > 1000) {
         return "quality: a limit of islands is out of range";
     }

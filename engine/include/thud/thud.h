@@ -103,8 +103,9 @@ typedef struct thud_world_def {
                                     solver, and back when they can. Needs a quality that has one: take
                                     the one you want and set its `islands` */
     double time_budget;          /* s, [0, 1]; default 0: none. Where steps take longer, substeps are
-                                    halved, down to 1, and doubled again when there is time: the
-                                    clock then decides what happens, and runs differ. Needs `clock` */
+                                    halved, down to 1, and doubled again when there is time, and the
+                                    quality's island_work with them: the clock then decides what
+                                    happens, and runs differ. Needs `clock` */
     const thud_detection *detection;   /* default null: the quality's */
     const thud_broadphase *broadphase; /* default (also null): &thud_broadphase_grid */
     thud_crew crew;              /* threads to work on; default: the calling one alone */
@@ -361,7 +362,8 @@ typedef struct thud_step_error {
     double penetration_max, penetration_mean; /* lengths, at the end of the step, over the points of
                                     touching pairs, with turns taken as linear in their angle */
     double residual;       /* length/s: fastest approach that the solver's last pass still met, before
-                                    it took it away */
+                                    it took it away; in a step that solved islands directly, what is
+                                    left */
     double energy_change;  /* of kinetic and potential energy, mass length^2/s^2, to a millionth of the
                                     kinetic: negative where friction, damping and restitution take
                                     some; positive is energy that nobody put in, or that forces,
