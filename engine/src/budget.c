@@ -3,7 +3,7 @@
  * the clock, and therefore not deterministic. */
 #include "budget.h"
 
-#include "lanes.h"
+#include "quality.h"
 
 /* Substeps rise where this share of the budget would still be enough: less than all of it, so that
  * they do not fall again at the next breath. */
@@ -22,32 +22,6 @@ static double median_of(const double *times)
     return sorted[TD_BUDGET_STEPS / 2];
 }
 
-/* Impulses are those of one substep, and carry over into substeps of another length. */
-static void scale_impulses(thud_world *w, float scale)
-{
-    for (int i = 0; i < w->contacts.count; i++) {
-        const td_contact *contact = td_contact_at(w, i);
-        if (!contact->live || contact->state != TD_TOUCHING) {
-            continue;
-        }
-        td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-        int lane = contact->slot % TD_LANES;
-        block->tangent_impulse[lane] *= scale;
-        for (int k = 0; k < td_form_points(w->pairs[contact->kind]->form); k++) {
-            block->point[k].normal_impulse[lane] *= scale;
-        }
-    }
-}
-
-static void set_substeps(thud_world *w, int substeps)
-{
-    if (substeps != w->substeps) {
-        scale_impulses(w, (float)w->substeps / (float)substeps);
-        w->substeps = substeps;
-        w->push_stale = true;
-    }
-}
-
 void td_budget_keep(thud_world *w)
 {
     td_budget *b = &w->budget;
@@ -61,8 +35,8 @@ void td_budget_keep(thud_world *w)
     }
     b->count = 0;
     if (median_of(b->taken) > w->def.time_budget) {
-        set_substeps(w, td_max_int(w->substeps / 2, 1));
+        td_substeps_set(w, td_max_int(w->substeps / 2, 1));
     } else if (median_of(b->doubled) <= RISE_SHARE * w->def.time_budget) {
-        set_substeps(w, td_min_int(2 * w->substeps, w->quality.substeps));
+        td_substeps_set(w, td_min_int(2 * w->substeps, w->quality.substeps));
     }
 }

@@ -59,6 +59,32 @@ static void detect_by(thud_world *w, const thud_detection *detection)
     w->skin = skin;
 }
 
+/* Impulses are those of one substep, and carry over into substeps of another length. */
+static void scale_impulses(thud_world *w, float scale)
+{
+    for (int i = 0; i < w->contacts.count; i++) {
+        const td_contact *contact = td_contact_at(w, i);
+        if (!contact->live || contact->state != TD_TOUCHING) {
+            continue;
+        }
+        td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+        int lane = contact->slot % TD_LANES;
+        block->tangent_impulse[lane] *= scale;
+        for (int k = 0; k < td_form_points(w->pairs[contact->kind]->form); k++) {
+            block->point[k].normal_impulse[lane] *= scale;
+        }
+    }
+}
+
+void td_substeps_set(thud_world *w, int substeps)
+{
+    if (substeps != w->substeps) {
+        scale_impulses(w, (float)w->substeps / (float)substeps);
+        w->substeps = substeps;
+        w->push_stale = true;
+    }
+}
+
 void td_quality_take(thud_world *w, const thud_quality *quality)
 {
     w->quality = *quality;
@@ -74,8 +100,7 @@ void td_quality_take(thud_world *w, const thud_quality *quality)
     if (w->def.detection) {
         w->quality.detection = w->def.detection;
     }
-    w->substeps = w->quality.substeps;
-    w->push_stale = true;
+    td_substeps_set(w, w->quality.substeps);
     detect_by(w, w->quality.detection);
 }
 

@@ -30,9 +30,10 @@ typedef struct thud_quality {
                                 this share of the smaller body's size goes to `islands`; 0: each does */
     int island_limit;        /* 1..16384: islands of more bodies stay with the soft solver */
     int64_t island_work;     /* >= 0: operations on 3 x 3 blocks (some 20 ns each) that all islands
-                                together may take a step, putting them in order not counted; those for which there is no more stay with
-                                the soft solver. A column takes 3 a body at rest, a pyramid of 500
-                                bodies 60 a body; in motion it is 20 to 100 times as much */
+                                together may take a step, putting their bodies in order not counted;
+                                those for which there is no more stay with the soft solver. A column
+                                takes 3 a body at rest, a pyramid of 500 bodies 60 a body; in motion it
+                                is 20 to 100 times as much */
     int island_patience;     /* 0..1000: steps in succession in which an island may need more than eight
                                 matrices, or twenty times as many while it hardly moves, before it is
                                 left to the soft solver for 120 steps; 0: any number */
