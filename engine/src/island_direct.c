@@ -284,7 +284,9 @@ static void solve_island(thud_world *w, const td_island *island)
     } else if (work_out(&work) && !strains(&work)) {
         write(&work);
     } else {
-        td_islands_leave(w, island);
+        if (w->quality.island_patience > 0) {
+            td_islands_leave(w, island);
+        }
         w->stats.soft_islands++;
     }
 }

@@ -36,7 +36,8 @@ typedef struct thud_quality {
                                 is 20 to 100 times as much */
     int island_patience;     /* 0..1000: steps in succession in which an island may need more than eight
                                 matrices, or twenty times as many while it hardly moves, before it is
-                                left to the soft solver for 120 steps; 0: any number */
+                                left to the soft solver for 120 steps, as it is where the direct
+                                result is no good; 0: any number, and each step is tried anew */
 } thud_quality;
 
 extern const thud_quality thud_quality_draft;
