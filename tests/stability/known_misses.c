@@ -13,6 +13,12 @@ static const struct {
     {"energy", "gas: energy above its start, %", ON_DRAFT | ON_DEFAULT | ON_HIGH},
     {"energy", "gas: energy above its lowest before, %", ON_DRAFT | ON_DEFAULT | ON_HIGH},
     {"energy", "heavy_on_light: energy above its lowest before, %", ON_DRAFT | ON_DEFAULT},
+    {"energy", "circle_pit: energy above its lowest before, %", ON_DRAFT | ON_HIGH},
+    {"energy", "tall_stack: energy above its lowest before, %", ON_DRAFT},
+    {"energy", "sizes: energy above its lowest before, %", ON_THUD},
+    {"energy", "detection: energy above its lowest before, %", ON_DRAFT | ON_DEFAULT | ON_EXACT},
+    {"energy", "broadphases: energy above its start, %", ON_DRAFT | ON_DEFAULT | ON_HIGH},
+    {"energy", "broadphases: energy above its lowest before, %", ON_DRAFT | ON_DEFAULT | ON_HIGH},
     {"long-run", "stack of ten, an hour: furthest that a box has moved, mm", ON_DRAFT},
 };
 
