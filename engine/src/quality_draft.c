@@ -1,4 +1,7 @@
-/* quality_draft.c: see thud_quality.h. */
+/* quality_draft.c: two substeps, and no island solver to link. Beside default it takes 0.6 to 0.7
+ * times as long a step where contacts rest, and errs 2 to 4 times as much: a column of 30 sinks by
+ * 0.8 of a box (default 0.2), a slide is 86 mm off its path after 4 s (43), a pit overlaps by 105
+ * mm (50). A column of 100 falls, and 10^3 on 1 sinks through. docs/tradeoff.md has all. */
 #include "thud/thud_quality.h"
 
 const thud_quality thud_quality_draft = {

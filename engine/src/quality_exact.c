@@ -1,4 +1,8 @@
-/* quality_exact.c: see thud_quality.h. */
+/* quality_exact.c: every island solved directly, whatever it takes, and bodies swept from impact
+ * to impact. Beside high columns and pyramids take 1.1 to 1.6 times as long a step, a gas 1.5
+ * times, rubble 4 times, a pit 26 times; nothing overlaps that flies free, a pit by 0.6 mm (high
+ * 31), a slide is exact, a gas and a cradle keep their energy and momentum to 10^-6.
+ * docs/tradeoff.md has all. */
 #include "thud/thud_quality.h"
 
 const thud_quality thud_quality_exact = {

@@ -222,9 +222,9 @@ def key(width):
     at = 20
     for name, words in KEY_WORDS.items():
         parts.append(sign(SIGNS[name], at + 6, 56, 5, COLOURS[name]))
-        parts.append(text(at + 18, 61, words, 14, colour=COLOURS[name],
+        parts.append(text(at + 16, 60, words, 12, colour=COLOURS[name],
                           weight="bold" if name == "thud" else "normal"))
-        at += 18 + 0.58 * 14 * len(words) + 20
+        at += 16 + 0.58 * 12 * len(words) + 14
     return parts
 
 
