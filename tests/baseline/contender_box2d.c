@@ -1,6 +1,7 @@
 /* contender_box2d.c: Box2D v3.2, one thread, 4 substeps as its manual recommends. */
 #include "build_box2d.h"
 #include "contender.h"
+#include "read_box2d.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,12 +15,8 @@ typedef struct box2d_world {
 } box2d_world;
 
 static void *create(const scene *s, contender_settings settings) {
-#if defined(__x86_64__)
-    if (!__builtin_cpu_supports("avx2")) {
-        fprintf(stderr, "box2d: this processor has no AVX2, which the library was built for\n");
+    if (!box2d_can_run())
         return NULL;
-    }
-#endif
     box2d_world *world =
         calloc(1, sizeof *world + (size_t)s->body_count * sizeof world->bodies[0]);
     box2d_settings own = {.sleeping = settings.sleeping, .events = settings.events};
@@ -47,23 +44,7 @@ static bool step(void *state) {
 
 static void read_bodies(void *state, contender_body *bodies) {
     box2d_world *world = state;
-    for (int i = 0; i < world->body_count; i++) {
-        b2BodyId id = world->bodies[i];
-        b2WorldTransform pose = b2Body_GetTransform(id);
-        b2Vec2 velocity = b2Body_GetLinearVelocity(id);
-        bodies[i] = (contender_body){
-            .x = pose.p.x,
-            .y = pose.p.y,
-            .cosine = pose.q.c,
-            .sine = pose.q.s,
-            .vx = velocity.x,
-            .vy = velocity.y,
-            .angular_velocity = b2Body_GetAngularVelocity(id),
-            .mass = b2Body_GetMass(id),
-            .inertia = b2Body_GetRotationalInertia(id),
-            .awake = b2Body_IsAwake(id),
-        };
-    }
+    read_box2d(world->bodies, world->body_count, bodies);
 }
 
 static contender_events events(void *state) {

@@ -1,8 +1,8 @@
 /* contender_thud.c: thud at its defaults. */
 #include "build_thud.h"
 #include "contender.h"
+#include "read_thud.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -11,11 +11,6 @@ typedef struct thud_contender {
     int body_count;
     thud_body_id bodies[];
 } thud_contender;
-
-static void print_log(thud_result result, const char *message, void *context) {
-    (void)context;
-    fprintf(stderr, "thud: %s (%s)\n", message, thud_result_text(result));
-}
 
 static void *create(const scene *s, contender_settings settings) {
     thud_contender *own = calloc(1, sizeof *own + (size_t)s->body_count * sizeof own->bodies[0]);
@@ -27,7 +22,7 @@ static void *create(const scene *s, contender_settings settings) {
     def.time_step = CONTENDER_TIME_STEP;
     def.sleeping = settings.sleeping;
     def.contact_events = def.contact_events || settings.events;
-    def.log = print_log;
+    def.log = print_thud_log;
     int refused = -1;
     thud_result result = scene_build_thud(s, &def, &own->world, own->bodies, &refused);
     if (result != THUD_OK) {
@@ -54,25 +49,7 @@ static bool step(void *state) {
 
 static void read_bodies(void *state, contender_body *bodies) {
     thud_contender *own = state;
-    for (int i = 0; i < own->body_count; i++) {
-        thud_body_state body;
-        if (thud_body_get(own->world, own->bodies[i], &body) != THUD_OK) {
-            bodies[i] = (contender_body){.x = NAN, .y = NAN};
-            continue;
-        }
-        bodies[i] = (contender_body){
-            .x = body.position.x,
-            .y = body.position.y,
-            .cosine = body.cosine,
-            .sine = body.sine,
-            .vx = body.velocity.x,
-            .vy = body.velocity.y,
-            .angular_velocity = body.angular_velocity,
-            .mass = body.mass,
-            .inertia = body.inertia,
-            .awake = body.awake,
-        };
-    }
+    read_thud(own->world, own->bodies, own->body_count, bodies);
 }
 
 static contender_events events(void *state) {

@@ -1,9 +1,9 @@
 /* trial_box2d.c: Box2D v3.2 with the 4 substeps that its manual recommends. */
 #include "build_box2d.h"
 #include "misuse_box2d.h"
+#include "read_box2d.h"
 #include "trial_engine.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
 enum { SUBSTEPS = 4 };
@@ -24,12 +24,8 @@ static void be_bullets(box2d_trial *own, bool (*is_bullet)(int body)) {
 static void *create(const ledger *l, entrant e, const scene *s, const trial_settings *settings) {
     (void)l;
     (void)e;
-#if defined(__x86_64__)
-    if (!__builtin_cpu_supports("avx2")) {
-        fprintf(stderr, "Box2D: this processor has no AVX2, which the library was built for\n");
+    if (!box2d_can_run())
         return NULL;
-    }
-#endif
     box2d_trial *own = calloc(1, sizeof *own + (size_t)s->body_count * sizeof own->bodies[0]);
     box2d_settings awake = {.sleeping = false, .events = false};
     if (!own || !scene_build_box2d(s, awake, &own->id, own->bodies)) {
@@ -65,23 +61,7 @@ static bool set_time_step(void *state, double seconds) {
 
 static void read_bodies(void *state, contender_body *bodies) {
     box2d_trial *own = state;
-    for (int i = 0; i < own->body_count; i++) {
-        b2BodyId id = own->bodies[i];
-        b2WorldTransform pose = b2Body_GetTransform(id);
-        b2Vec2 velocity = b2Body_GetLinearVelocity(id);
-        bodies[i] = (contender_body){
-            .x = pose.p.x,
-            .y = pose.p.y,
-            .cosine = pose.q.c,
-            .sine = pose.q.s,
-            .vx = velocity.x,
-            .vy = velocity.y,
-            .angular_velocity = b2Body_GetAngularVelocity(id),
-            .mass = b2Body_GetMass(id),
-            .inertia = b2Body_GetRotationalInertia(id),
-            .awake = b2Body_IsAwake(id),
-        };
-    }
+    read_box2d(own->bodies, own->body_count, bodies);
 }
 
 static void read_pose(void *state, int body, thud_pos origin, thud_pose *out) {

@@ -1,9 +1,9 @@
 /* trial_thud.c: thud at each of its qualities. */
 #include "build_thud.h"
+#include "read_thud.h"
 #include "trial_engine.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 static const thud_quality *const QUALITIES[] = {
@@ -19,11 +19,6 @@ typedef struct thud_trial {
     thud_body_id bodies[];
 } thud_trial;
 
-static void print_log(thud_result result, const char *message, void *context) {
-    (void)context;
-    fprintf(stderr, "thud: %s (%s)\n", message, thud_result_text(result));
-}
-
 static void *create(const ledger *l, entrant e, const scene *s, const trial_settings *settings) {
     thud_trial *own = calloc(1, sizeof *own + (size_t)s->body_count * sizeof own->bodies[0]);
     if (!own)
@@ -35,7 +30,7 @@ static void *create(const ledger *l, entrant e, const scene *s, const trial_sett
     def.baseline_simd = l->baseline_simd;
     if (settings->every_bounce)
         def.restitution_threshold = 0;
-    def.log = print_log;
+    def.log = print_thud_log;
     if (scene_build_thud(s, &def, &own->world, own->bodies, NULL) != THUD_OK) {
         free(own);
         return NULL;
@@ -62,25 +57,7 @@ static bool set_time_step(void *state, double seconds) {
 
 static void read_bodies(void *state, contender_body *bodies) {
     thud_trial *own = state;
-    for (int i = 0; i < own->body_count; i++) {
-        thud_body_state body;
-        if (thud_body_get(own->world, own->bodies[i], &body) != THUD_OK || body.quarantined) {
-            bodies[i] = (contender_body){.x = NAN, .y = NAN};
-            continue;
-        }
-        bodies[i] = (contender_body){
-            .x = body.position.x,
-            .y = body.position.y,
-            .cosine = body.cosine,
-            .sine = body.sine,
-            .vx = body.velocity.x,
-            .vy = body.velocity.y,
-            .angular_velocity = body.angular_velocity,
-            .mass = body.mass,
-            .inertia = body.inertia,
-            .awake = body.awake,
-        };
-    }
+    read_thud(own->world, own->bodies, own->body_count, bodies);
 }
 
 static void read_pose(void *state, int body, thud_pos origin, thud_pose *out) {

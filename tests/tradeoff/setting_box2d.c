@@ -13,6 +13,7 @@
  * The highest speed, 400 m/s by default, is lifted: what is cut to it errs in speed, and would be
  * compared at something else than the trial asks. All else is at its defaults. */
 #include "build_box2d.h"
+#include "read_box2d.h"
 #include "setting.h"
 
 #include <stdio.h>
@@ -31,12 +32,8 @@ typedef struct own_world {
 } own_world;
 
 static void *create(const scene *s, const setting *how) {
-#if defined(__x86_64__)
-    if (!__builtin_cpu_supports("avx2")) {
-        fprintf(stderr, "box2d: this processor has no AVX2, which the library was built for\n");
+    if (!box2d_can_run())
         return NULL;
-    }
-#endif
     own_world *own = calloc(1, sizeof *own + (size_t)s->body_count * sizeof own->bodies[0]);
     box2d_settings defaults = {.sleeping = false};
     if (!own || !scene_build_box2d(s, defaults, &own->id, own->bodies)) {
@@ -68,23 +65,7 @@ static bool step(void *state) {
 
 static void read_bodies(void *state, contender_body *bodies) {
     own_world *own = state;
-    for (int i = 0; i < own->body_count; i++) {
-        b2BodyId id = own->bodies[i];
-        b2WorldTransform pose = b2Body_GetTransform(id);
-        b2Vec2 velocity = b2Body_GetLinearVelocity(id);
-        bodies[i] = (contender_body){
-            .x = pose.p.x,
-            .y = pose.p.y,
-            .cosine = pose.q.c,
-            .sine = pose.q.s,
-            .vx = velocity.x,
-            .vy = velocity.y,
-            .angular_velocity = b2Body_GetAngularVelocity(id),
-            .mass = b2Body_GetMass(id),
-            .inertia = b2Body_GetRotationalInertia(id),
-            .awake = b2Body_IsAwake(id),
-        };
-    }
+    read_box2d(own->bodies, own->body_count, bodies);
 }
 
 static const setting_engine ENGINE = {"box2d", create, destroy, step, read_bodies};

@@ -2,9 +2,9 @@
  * alone at more substeps; and at the default quality with swept detection, which is what to choose where
  * all that matters is impacts. */
 #include "build_thud.h"
+#include "read_thud.h"
 #include "setting.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -13,11 +13,6 @@ typedef struct own_world {
     int body_count;
     thud_body_id bodies[];
 } own_world;
-
-static void print_log(thud_result result, const char *message, void *context) {
-    (void)context;
-    fprintf(stderr, "thud: %s (%s)\n", message, thud_result_text(result));
-}
 
 static void *create(const scene *s, const setting *how) {
     own_world *own = calloc(1, sizeof *own + (size_t)s->body_count * sizeof own->bodies[0]);
@@ -30,7 +25,7 @@ static void *create(const scene *s, const setting *how) {
     def.sleeping = false;
     def.quality = how->quality;
     def.detection = how->detection;
-    def.log = print_log;
+    def.log = print_thud_log;
     thud_result result = scene_build_thud(s, &def, &own->world, own->bodies, NULL);
     if (result != THUD_OK) {
         fprintf(stderr, "thud: scene %s could not be built: %s\n", s->name,
@@ -56,57 +51,26 @@ static bool step(void *state) {
 
 static void read_bodies(void *state, contender_body *bodies) {
     own_world *own = state;
-    for (int i = 0; i < own->body_count; i++) {
-        thud_body_state body;
-        if (thud_body_get(own->world, own->bodies[i], &body) != THUD_OK) {
-            bodies[i] = (contender_body){.x = NAN, .y = NAN};
-            continue;
-        }
-        bodies[i] = (contender_body){
-            .x = body.position.x,
-            .y = body.position.y,
-            .cosine = body.cosine,
-            .sine = body.sine,
-            .vx = body.velocity.x,
-            .vy = body.velocity.y,
-            .angular_velocity = body.angular_velocity,
-            .mass = body.mass,
-            .inertia = body.inertia,
-            .awake = body.awake,
-        };
-    }
+    read_thud(own->world, own->bodies, own->body_count, bodies);
 }
 
 static const setting_engine ENGINE = {"thud", create, destroy, step, read_bodies};
 
 /* The soft solver alone, as it would be at more substeps: beside Box2D's, which is soft at all of its. */
-static const thud_quality SOFT_4 = {.name = "soft 4",
-                                    .substeps = 4,
-                                    .contact_stiffness = 0.16f,
-                                    .contact_damping = 10.0f,
-                                    .detection = &thud_detection_continuous,
-                                    .island_limit = 1};
-static const thud_quality SOFT_8 = {.name = "soft 8",
-                                    .substeps = 8,
-                                    .contact_stiffness = 0.16f,
-                                    .contact_damping = 10.0f,
-                                    .detection = &thud_detection_continuous,
-                                    .island_limit = 1};
-static const thud_quality SOFT_16 = {.name = "soft 16",
-                                     .substeps = 16,
-                                     .contact_stiffness = 0.16f,
-                                     .contact_damping = 10.0f,
-                                     .detection = &thud_detection_continuous,
-                                     .island_limit = 1};
+#define SOFT(n)                                                                                    \
+    {.engine = &ENGINE, .name = "soft " #n, .curve = "thud soft",                                   \
+     .quality = &(const thud_quality){.name = "soft " #n, .substeps = n, .contact_stiffness = 0.16f, \
+                                      .contact_damping = 10.0f,                                     \
+                                      .detection = &thud_detection_continuous, .island_limit = 1}}
 
 const setting SETTINGS_THUD[] = {
     {.engine = &ENGINE, .name = "draft", .curve = "thud", .quality = &thud_quality_draft},
     {.engine = &ENGINE, .name = "default", .curve = "thud", .quality = &thud_quality_default},
     {.engine = &ENGINE, .name = "high", .curve = "thud", .quality = &thud_quality_high},
     {.engine = &ENGINE, .name = "exact", .curve = "thud", .quality = &thud_quality_exact},
-    {.engine = &ENGINE, .name = "soft 4", .curve = "thud soft", .quality = &SOFT_4},
-    {.engine = &ENGINE, .name = "soft 8", .curve = "thud soft", .quality = &SOFT_8},
-    {.engine = &ENGINE, .name = "soft 16", .curve = "thud soft", .quality = &SOFT_16},
+    SOFT(4),
+    SOFT(8),
+    SOFT(16),
     {.engine = &ENGINE,
      .name = "default swept",
      .curve = "thud swept",
