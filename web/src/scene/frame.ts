@@ -1,0 +1,87 @@
+/**
+ * What the worker sends the page to draw: one message, arrays transferred, nothing of the world
+ * itself. The page draws between `before` and `now`, so that the picture is as smooth as the
+ * display, whatever the step is.
+ */
+import type { Stats, StepError, Terrain, Vec2 } from "thud";
+import type { Paint } from "./scene";
+
+export interface Frame {
+  /** Counts the scenes run: a frame of an earlier one is dropped. */
+  run: number;
+  step: number;
+  /** Poses are relative to it. */
+  origin: Vec2;
+  /** Four numbers a slot, as World.poses gives them: x, y, cosine, sine; NaN in empty slots. */
+  before: Float32Array;
+  now: Float32Array;
+  /** When shapes came or went. */
+  shapes?: Shapes;
+  /** When the ground changed. */
+  terrains?: PlacedTerrain[];
+  /** For each row of the last shapes 1 if it is awake; now and then. */
+  awake?: Uint8Array;
+  /** For each row the number of a class to be coloured by (island, solver colour); with overlays. */
+  classes?: Int32Array;
+  /** The engine's debug drawing, relative to `origin`, when asked for. */
+  drawing?: Drawing;
+  sums?: Sum[];
+  /** The line from a held body to the pointer. */
+  pull: readonly [Vec2, Vec2] | null;
+  paint: Paint | null;
+  stats: Stats;
+  error: StepError;
+  /** Energy, kinetic and potential; only every few steps. */
+  energy?: readonly [number, number];
+  /** The other engine's state of the same moment, while there is one. */
+  rival?: RivalFrame;
+}
+
+export interface RivalFrame {
+  before: Float32Array;
+  now: Float32Array;
+  /** Of the step, ms. */
+  milliseconds: number;
+  penetration: number;
+  energy?: readonly [number, number];
+}
+
+/** Copies of DrawLists. */
+export interface Drawing {
+  shapes: Float32Array;
+  lines: Float32Array;
+  points: Float32Array;
+}
+
+export interface PlacedTerrain {
+  x: number;
+  y: number;
+  terrain: Terrain;
+}
+
+/** Circles and boxes. */
+export interface Shapes {
+  /** Ten numbers a row, as ShapeTable.rows of the package. */
+  rows: Float32Array;
+  count: number;
+  /** The slot that ends the bodies. */
+  slots: number;
+  /** Dynamic bodies, and by slot the place of each among them. */
+  moving: number;
+  order: Uint32Array;
+  /** Of a typical moving body: half its width; 0 where nothing moves. */
+  typicalSize: number;
+}
+
+/** A Minkowski sum, relative to `Frame.origin`. */
+export interface Sum {
+  /** The first shape's centre, which the outline is about, and the second's. */
+  origin: Vec2;
+  point: Vec2;
+  /** Whether the point is in the sum: the shapes overlap. */
+  overlaps: boolean;
+  /** The place on the edge of the sum that is nearest to the point. */
+  edge: Vec2;
+  /** Counter-clockwise, x and y in turn, about the first shape's centre. */
+  outline: Float64Array;
+}

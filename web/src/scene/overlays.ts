@@ -1,0 +1,16 @@
+/** What can be shown over the bodies. */
+export const OVERLAYS = [
+  "contacts",
+  "normals",
+  "bounds",
+  "cells",
+  "islands",
+  "sleeping",
+  "axes",
+  "pairs",
+  "stages",
+  "motions",
+  "colours",
+  "sums",
+] as const;
+export type OverlayName = (typeof OVERLAYS)[number];
