@@ -5,7 +5,7 @@
  * but `Paint`, `View` and the plain data in `state`.
  */
 import type { Engine, Mover, MoverOptions, Vec2, World, WorldOptions } from "thud";
-import type { buildLevel, readLevel } from "thud/level";
+import type { readLevel } from "thud/level";
 import type { OverlayName } from "./overlays";
 
 /** A module of web/public/scenes. */
@@ -40,6 +40,9 @@ export interface SceneSetting {
   seed: number;
   /** Uniform in [low, high); the same on every machine (SplitMix64). Each call starts a sequence. */
   random(seed: number): (low: number, high: number) => number;
+  /** The nearest multiple of 2^-16. Places on it stay exact when a world is moved by whole numbers
+   * up to 10^7. */
+  grid(x: number): number;
 }
 
 export interface Scene {

@@ -1,0 +1,45 @@
+/** What a scene module is given: the same in the worker and, for tests and thumbnails, in Node.js. */
+import { type Engine, Mover, type WorldOptions } from "thud";
+import { buildLevel, readLevel } from "thud/level";
+import { random } from "./random";
+import type { SceneModule, SceneSetting } from "./scene";
+
+export interface SettingOptions {
+  thud: Engine;
+  /** The visitor's: put over what the scene asks for. */
+  choices?: WorldOptions;
+  /** Brought between the module's least and most; without it the usual one. */
+  size?: number;
+  seed?: number;
+  readText(file: string): Promise<string>;
+}
+
+export function createSetting(
+  module: SceneModule,
+  { thud, choices = {}, size, seed = 0, readText }: SettingOptions,
+): SceneSetting {
+  return {
+    thud,
+    createWorld: (options = {}) => thud.createWorld({ ...options, ...choices }),
+    buildLevel: (level) => buildLevel(thud, level, choices),
+    readLevel,
+    createMover: (world, options) => new Mover(world, options),
+    readText,
+    size: sizeOf(module, size),
+    seed,
+    random,
+    grid,
+  };
+}
+
+/** The size that a module is run at when a visitor asks for `size`. */
+export function sizeOf({ size }: SceneModule, wanted?: number): number {
+  if (!size) return 0;
+  const whole = Math.floor(wanted ?? size.usual);
+  return Math.min(size.most, Math.max(size.least, whole));
+}
+
+/** See SceneSetting. Equal to scene_grid in demo/scenes/scene.c. */
+function grid(x: number): number {
+  return Math.floor(x * 65536 + 0.5) / 65536;
+}

@@ -1,0 +1,27 @@
+/** The page's scenes in Node.js, as the tests and the thumbnails run them. */
+import { readFile } from "node:fs/promises";
+import { fileURLToPath } from "node:url";
+import { runnerImport } from "vite";
+
+const web = new URL("../", import.meta.url);
+
+async function importTypeScript(path) {
+  const { module } = await runnerImport(fileURLToPath(new URL(path, web)), { configFile: false });
+  return module;
+}
+
+export const { SCENES, sceneFile } = await importTypeScript("src/scene/registry.ts");
+export const { random } = await importTypeScript("src/scene/random.ts");
+export const { createSetting, sizeOf } = await importTypeScript("src/scene/setting.ts");
+
+/** Where the page finds "levels/…" and "terrain/…". */
+export function readText(file) {
+  return readFile(new URL(`../assets/${file}`, web), "utf8");
+}
+
+/** Builds a scene of the registry: { module, setting, scene }. `options` as for createSetting. */
+export async function buildScene(thud, name, options = {}) {
+  const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
+  const setting = createSetting(module, { thud, readText, ...options });
+  return { module, setting, scene: await module.default(setting) };
+}
