@@ -1,0 +1,13 @@
+// Rubble of every size and weight slides down the benches of a quarry. One stone in nine is of ore,
+// six times as heavy.
+// The map was drawn in Tiled (www.mapeditor.org); its properties say what is heavy, rough or moving.
+
+export default async function ({ readText, readLevel, buildLevel }) {
+  const level = readLevel("quarry", await readText("levels/quarry.tmj"));
+  const [x, y] = level.camera;
+  return {
+    world: buildLevel(level),
+    view: { x, y, height: level.cameraHeight },
+    spawn: level.spawn,
+  };
+}

@@ -1,0 +1,12 @@
+// A heavy ball flies into towers of blocks and planks, one after the other.
+// The map was drawn in Tiled (www.mapeditor.org); its properties say what is heavy, rough or moving.
+
+export default async function ({ readText, readLevel, buildLevel }) {
+  const level = readLevel("towers", await readText("levels/towers.tmj"));
+  const [x, y] = level.camera;
+  return {
+    world: buildLevel(level),
+    view: { x, y, height: level.cameraHeight },
+    spawn: level.spawn,
+  };
+}
