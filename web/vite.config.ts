@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
+import { offline } from "./tools/offline-plugin.mjs";
 
 /** What of assets/ the scenes read: the page finds it under the same names. */
 const ASSETS = [
@@ -31,7 +32,7 @@ const sceneAssets: Plugin = {
 export default defineConfig({
   // Relative addresses: the built folder can be served from anywhere.
   base: "./",
-  plugins: [sceneAssets],
+  plugins: [sceneAssets, offline()],
   build: {
     target: "es2022",
     // The content security policy allows neither inline scripts nor data: addresses.

@@ -4,7 +4,8 @@ import { spawn, spawnSync } from "node:child_process";
 import { request } from "node:http";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { createStaticServer, listenFrom } from "../../web/tools/serve.mjs";
+import { listenFrom } from "../../web/tools/serve.mjs";
+import { createStaticServer } from "../../web/tools/static-server.mjs";
 
 const script = fileURLToPath(new URL("../../web/tools/serve.mjs", import.meta.url));
 const folder = fileURLToPath(new URL("../../web/dist", import.meta.url));

@@ -100,13 +100,9 @@ async function inNode(plans, done) {
 /** The page has no script of its own: modules come from a server of web/, steps from here. */
 async function inChromium(plans, done) {
   const { launchChromium } = await import("./browser.mjs");
-  const { createStaticServer, listenFrom } = await import("./serve.mjs");
+  const { listenFrom } = await import("./serve.mjs");
+  const { createStaticServer } = await import("./static-server.mjs");
   const server = createStaticServer(web);
-  // An isolated page has a clock of five microseconds; others have one of a hundred.
-  server.prependListener("request", (_, response) => {
-    response.setHeader("Cross-Origin-Opener-Policy", "same-origin");
-    response.setHeader("Cross-Origin-Embedder-Policy", "require-corp");
-  });
   const url = `http://127.0.0.1:${await listenFrom(server, 0)}/`;
   const browser = await launchChromium({ webgl: false });
   try {

@@ -3,7 +3,8 @@ import { accessSync, constants } from "node:fs";
 import { delimiter, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
-import { createStaticServer, listenFrom } from "./serve.mjs";
+import { listenFrom } from "./serve.mjs";
+import { createStaticServer } from "./static-server.mjs";
 
 const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 
@@ -40,12 +41,12 @@ export function launchChromium({ webgl = true } = {}) {
   });
 }
 
-/** Serves the built page on some free port. */
-export async function servePage() {
-  const server = createStaticServer(fileURLToPath(new URL("../dist", import.meta.url)));
+/** Serves the built page on some free port, at the root or another path. */
+export async function servePage(under = "/") {
+  const server = createStaticServer(fileURLToPath(new URL("../dist", import.meta.url)), under);
   const port = await listenFrom(server, 0);
   return {
-    url: `http://127.0.0.1:${port}/`,
+    url: `http://127.0.0.1:${port}${under}`,
     close: () => {
       server.closeAllConnections();
       return new Promise((done) => server.close(done));

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the two WebAssembly modules with emcc: thud.wasm into the package, thud-demo.wasm into
-# the page's public folder. THUD_WASM_BUILD names another build directory than build/wasm.
+# Builds the WebAssembly modules with emcc: thud.wasm and thud-scalar.wasm into the package,
+# thud-demo.wasm for the page. THUD_WASM_BUILD names another build directory than build/wasm.
 set -eu
 cd "$(dirname "$0")/../.."
 build=${THUD_WASM_BUILD:-build/wasm}
@@ -15,10 +15,21 @@ if [ -d /usr/share/nodejs ]; then
     export NODE_PATH
 fi
 
-emcmake cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS=-msimd128 \
-    --log-level=WARNING >/dev/null
-cmake --build "$build" --parallel 2 --target thud-web thud-demo
+# compile DIRECTORY FLAGS TARGET...
+compile() {
+    directory=$1
+    flags=$2
+    shift 2
+    emcmake cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS="$flags" \
+        --log-level=WARNING >/dev/null
+    cmake --build "$directory" --parallel 2 --target "$@"
+}
+
+compile "$build" -msimd128 thud-web thud-demo
+# For browsers without WebAssembly SIMD: the same source and the same results, only slower.
+compile "$build-scalar" "" thud-web
 
 mkdir -p web/package/dist web/generated
 cp -p "$build/web/thud-web.wasm" web/package/dist/thud.wasm
+cp -p "$build-scalar/web/thud-web.wasm" web/package/dist/thud-scalar.wasm
 cp -p "$build/web/thud-demo.wasm" web/generated/thud-demo.wasm

@@ -1,11 +1,10 @@
 #!/usr/bin/env node
 /** Serves the built page, web/dist, on 127.0.0.1 until Ctrl-C. */
 import { spawn } from "node:child_process";
-import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
-import { createServer } from "node:http";
-import { extname, join, resolve, sep } from "node:path";
+import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
+import { createStaticServer } from "./static-server.mjs";
 
 const USAGE = `usage: node serve.mjs [--port N] [--open]
 
@@ -16,68 +15,6 @@ const USAGE = `usage: node serve.mjs [--port N] [--open]
 const HOST = "127.0.0.1";
 /** How many ports are tried. */
 const TRIES = 50;
-
-const TYPES = {
-  ".css": "text/css; charset=utf-8",
-  ".html": "text/html; charset=utf-8",
-  ".js": "text/javascript; charset=utf-8",
-  ".mjs": "text/javascript; charset=utf-8",
-  ".json": "application/json",
-  ".map": "application/json",
-  ".png": "image/png",
-  ".svg": "image/svg+xml",
-  ".tmj": "application/json",
-  ".wasm": "application/wasm",
-};
-
-/** A server of one folder: its files and nothing beside them. */
-export function createStaticServer(folder) {
-  const root = resolve(folder);
-  return createServer((request, response) => {
-    answer(root, request, response).catch(() => refuse(response, 500, "Internal error"));
-  });
-}
-
-async function answer(root, request, response) {
-  if (request.method !== "GET" && request.method !== "HEAD") {
-    response.setHeader("Allow", "GET, HEAD");
-    return refuse(response, 405, "Only GET and HEAD");
-  }
-  const path = fileOf(root, request.url ?? "/");
-  const info = path && (await stat(path).catch(() => null));
-  if (!info?.isFile()) return refuse(response, 404, "Not found");
-  response.writeHead(200, {
-    "Content-Type": TYPES[extname(path)] ?? "application/octet-stream",
-    "Content-Length": info.size,
-    // A rebuilt page must not meet files of the last build.
-    "Cache-Control": "no-cache",
-    "X-Content-Type-Options": "nosniff",
-  });
-  if (request.method === "HEAD") return response.end();
-  createReadStream(path)
-    .on("error", () => response.destroy())
-    .pipe(response);
-}
-
-/** The file that a request means, or null if that would lie outside the folder. */
-function fileOf(root, url) {
-  let path;
-  try {
-    path = decodeURIComponent(new URL(url, "http://localhost").pathname);
-  } catch {
-    return null;
-  }
-  if (path.includes("\0")) return null;
-  const file = resolve(root, `.${sep}${path}`);
-  if (file !== root && !file.startsWith(root + sep)) return null;
-  return path.endsWith("/") ? join(file, "index.html") : file;
-}
-
-function refuse(response, status, text) {
-  if (response.headersSent) return response.destroy();
-  response.writeHead(status, { "Content-Type": "text/plain; charset=utf-8" });
-  response.end(`${text}\n`);
-}
 
 /** Listens on the first free port from `port` on; resolves to that port. */
 export function listenFrom(server, port, say = () => {}) {

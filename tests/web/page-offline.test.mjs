@@ -1,0 +1,118 @@
+/** After one visit the page needs no network; a new build takes over when the visitor agrees. */
+import assert from "node:assert/strict";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { launchChromium } from "../../web/tools/browser.mjs";
+import { writeServiceWorker } from "../../web/tools/offline-plugin.mjs";
+import { createStaticServer } from "../../web/tools/static-server.mjs";
+import { copyOfPage, createPlainServer, serve, untilOffline } from "./built-page.mjs";
+import { untilRunning } from "./page-support.mjs";
+
+let browser;
+before(async () => {
+  browser = await launchChromium({ webgl: false });
+});
+after(() => browser.close());
+
+/** A visitor of their own, without what earlier ones have kept. */
+async function newVisitor(t) {
+  const context = await browser.newContext();
+  t.after(() => context.close());
+  return context.newPage();
+}
+
+test("page_without_network_after_one_visit_runs_other_scenes_and_levels", async (t) => {
+  const { url, cut } = await serve(t, createStaticServer(copyOfPage(t)));
+  const page = await newVisitor(t);
+  await page.goto(url);
+  await untilOffline(page);
+  await cut();
+  for (const search of ["", "?scene=tumbler", "?level=towers"]) {
+    await page.goto(url + search);
+    await untilRunning(page);
+  }
+  assert.match(await page.title(), /Towers/i);
+});
+
+test("page_kept_offline_is_isolated_even_from_a_plain_host", async (t) => {
+  const { url } = await serve(t, createPlainServer(copyOfPage(t)));
+  const page = await newVisitor(t);
+  await page.goto(url);
+  assert.equal(await page.evaluate(() => crossOriginIsolated), false);
+  await untilOffline(page);
+  await page.reload();
+  assert.equal(await page.evaluate(() => crossOriginIsolated), true);
+  await untilRunning(page);
+});
+
+test("browser_without_simd_keeps_the_scalar_engine_and_the_others_do_not", async (t) => {
+  const { url } = await serve(t, createStaticServer(copyOfPage(t)));
+  const page = await newVisitor(t);
+  await page.goto(url);
+  await untilOffline(page);
+  const kept = await page.evaluate(async () => {
+    const cache = await caches.open((await caches.keys())[0]);
+    return (await cache.keys()).map((request) => request.url);
+  });
+  const engines = kept.filter((address) => /assets\/thud-(scalar-)?[\w-]{8}\.wasm$/.test(address));
+  assert.equal(engines.length, 1, kept.join("\n"));
+  assert.doesNotMatch(engines[0], /scalar/);
+  assert.ok(!kept.some((address) => /box2d/i.test(address)), kept.join("\n"));
+});
+
+test("new_build_waits_for_the_visitor_and_then_replaces_the_old_one", async (t) => {
+  const folder = copyOfPage(t);
+  const { url } = await serve(t, createStaticServer(folder));
+  const page = await newVisitor(t);
+  await page.goto(url);
+  await untilOffline(page);
+  const former = await page.evaluate(() => caches.keys());
+
+  const index = join(folder, "index.html");
+  writeFileSync(index, readFileSync(index, "utf8").replace("<html", '<html data-build="2"'));
+  await writeServiceWorker(folder);
+  await page.goto(url);
+  await page.waitForFunction(async () => {
+    const registration = await navigator.serviceWorker.getRegistration();
+    return registration.waiting?.state === "installed";
+  });
+  assert.equal(await page.getAttribute("html", "data-build"), null, "a running page is left alone");
+
+  await page.getByRole("button", { name: /reload/i }).click();
+  await page.waitForSelector('html[data-build="2"]');
+  const present = await page.evaluate(() => caches.keys());
+  assert.equal(present.length, 1);
+  assert.notDeepEqual(present, former);
+});
+
+test("build_with_a_missing_file_is_not_kept_and_the_page_runs", async (t) => {
+  const folder = copyOfPage(t);
+  rmSync(join(folder, "icon.svg"));
+  const { url } = await serve(t, createStaticServer(folder));
+  const page = await newVisitor(t);
+  await page.addInitScript(() => {
+    const register = navigator.serviceWorker.register.bind(navigator.serviceWorker);
+    navigator.serviceWorker.register = async (...args) => {
+      const registration = await register(...args);
+      const worker = registration.installing;
+      worker.addEventListener("statechange", () => (window.workerState = worker.state));
+      return registration;
+    };
+  });
+  await page.goto(url);
+  await page.waitForFunction(() => window.workerState === "redundant");
+  assert.equal(await page.evaluate(() => navigator.serviceWorker.controller), null);
+  await untilRunning(page);
+});
+
+test("page_without_service_workers_runs_without_errors", async (t) => {
+  const { url } = await serve(t, createStaticServer(copyOfPage(t)));
+  const page = await newVisitor(t);
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  await page.addInitScript(() => delete Navigator.prototype.serviceWorker);
+  await page.goto(url);
+  await untilRunning(page);
+  assert.deepEqual(errors, []);
+});

@@ -1,0 +1,70 @@
+/** A plugin of Vite that ends a build by writing dist/sw.js, which knows the build's files. */
+import { createHash } from "node:crypto";
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join, relative, sep } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build } from "vite";
+import { ISOLATION, WORKER_POLICY } from "./headers.mjs";
+
+const ENTRY = fileURLToPath(new URL("../src/offline/sw.ts", import.meta.url));
+
+/** Which list of the service worker's `BUILD` a file belongs to, by its path; null is for none. */
+function listOf(url) {
+  if (url === "sw.js" || url.endsWith(".map")) return null;
+  if (/^assets\/thud-[\w-]{8}\.wasm$/.test(url)) return "simd";
+  if (/^assets\/thud-scalar-[\w-]{8}\.wasm$/.test(url)) return "scalar";
+  // Box2D is four times the rest, and a page of its own to most visitors.
+  return /^assets\/box2d/i.test(url) ? "later" : "files";
+}
+
+function filesOf(folder) {
+  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
+    const path = join(folder, entry.name);
+    return entry.isDirectory() ? filesOf(path) : [path];
+  });
+}
+
+export function offline() {
+  return {
+    name: "thud-offline",
+    apply: "build",
+    writeBundle: ({ dir }) => writeServiceWorker(dir),
+  };
+}
+
+/** Writes sw.js for the files that a built folder has now. */
+export async function writeServiceWorker(dir) {
+  const lists = { files: [], simd: [], scalar: [], later: [] };
+  const version = createHash("sha256");
+  for (const path of filesOf(dir).sort()) {
+    const url = relative(dir, path).split(sep).join("/");
+    const list = listOf(url);
+    if (!list) continue;
+    const hash = createHash("sha256").update(readFileSync(path)).digest("base64");
+    version.update(`${url} ${hash}\n`);
+    lists[list].push({ url, integrity: `sha256-${hash}` });
+  }
+  const BUILD = {
+    version: version.digest("hex").slice(0, 16),
+    ...lists,
+    headers: ISOLATION,
+    scriptPolicy: WORKER_POLICY,
+  };
+  writeFileSync(join(dir, "sw.js"), await bundle(BUILD));
+}
+
+/** One classic script: browsers know those as service workers longer than modules. */
+async function bundle(BUILD) {
+  const [{ output }] = await build({
+    configFile: false,
+    logLevel: "warn",
+    publicDir: false,
+    define: { BUILD: JSON.stringify(BUILD) },
+    build: {
+      write: false,
+      target: "es2022",
+      lib: { entry: ENTRY, formats: ["iife"], name: "thudOffline" },
+    },
+  });
+  return output[0].code;
+}
