@@ -1,0 +1,171 @@
+/**
+ * The camera: which place of the world stands in the middle, and how many CSS pixels a metre has.
+ * Everything is in double, so that scenes far from the world's origin stay still. The canvas may be
+ * parted into two panes that show the same place.
+ */
+import type { Vec2 } from "thud";
+
+export interface Insets {
+  top: number;
+  right: number;
+  bottom: number;
+  left: number;
+}
+
+/** A box in the world. */
+export interface Box {
+  x0: number;
+  y0: number;
+  x1: number;
+  y1: number;
+}
+
+/** A part of the canvas, in CSS pixels, and where in it the camera's place stands. */
+export interface Pane {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+  readonly middleX: number;
+  readonly middleY: number;
+}
+
+/** A part that the controls leave free is taken to be no smaller, in CSS pixels. */
+const LEAST_FREE = 50;
+
+export class Camera {
+  x = 0;
+  y = 0;
+  scale = 20;
+  width = 1;
+  height = 1;
+  /** Where controls lie over the canvas; the world's middle is that of what they leave free. */
+  insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
+  #split = false;
+  #home = { x: 0, y: 0, height: 20, width: 0 };
+
+  get middleX(): number {
+    return this.panes[0].middleX;
+  }
+
+  get middleY(): number {
+    return this.panes[0].middleY;
+  }
+
+  /** Whether there are two panes. */
+  get split(): boolean {
+    return this.#split;
+  }
+
+  /** What fills a pane goes on filling it. */
+  set split(split: boolean) {
+    if (split === this.#split) return;
+    const before = this.#homeScale();
+    this.#split = split;
+    this.scale *= this.#homeScale() / before;
+  }
+
+  /** One, or two of the same free size: side by side, on an upright canvas one above the other. */
+  get panes(): readonly Pane[] {
+    const { width, height, insets } = this;
+    const right = width - insets.right;
+    const bottom = height - insets.bottom;
+    const middleX = (insets.left + right) / 2;
+    const middleY = (insets.top + bottom) / 2;
+    if (!this.#split) return [{ left: 0, top: 0, width, height, middleX, middleY }];
+    if (right - insets.left >= bottom - insets.top) {
+      const part = Math.round(middleX);
+      const common = { top: 0, height, middleY };
+      return [
+        { ...common, left: 0, width: part, middleX: (insets.left + part) / 2 },
+        { ...common, left: part, width: width - part, middleX: (part + right) / 2 },
+      ];
+    }
+    const part = Math.round(middleY);
+    const common = { left: 0, width, middleX };
+    return [
+      { ...common, top: 0, height: part, middleY: (insets.top + part) / 2 },
+      { ...common, top: part, height: height - part, middleY: (part + bottom) / 2 },
+    ];
+  }
+
+  /** The pane under a point of the canvas. */
+  paneAt(x: number, y: number): Pane {
+    const { panes } = this;
+    const last = panes[panes.length - 1];
+    return x >= last.left && y >= last.top ? last : panes[0];
+  }
+
+  toScreen(x: number, y: number, pane: Pane = this.panes[0]): [x: number, y: number] {
+    return [pane.middleX + (x - this.x) * this.scale, pane.middleY - (y - this.y) * this.scale];
+  }
+
+  toWorld(x: number, y: number, pane: Pane = this.paneAt(x, y)): [x: number, y: number] {
+    return [this.x + (x - pane.middleX) / this.scale, this.y - (y - pane.middleY) / this.scale];
+  }
+
+  /** The world's part that the first pane shows. */
+  get visible(): Box {
+    return this.visibleIn(this.panes[0]);
+  }
+
+  visibleIn(pane: Pane): Box {
+    const [x0, y1] = this.toWorld(pane.left, pane.top, pane);
+    const [x1, y0] = this.toWorld(pane.left + pane.width, pane.top + pane.height, pane);
+    return { x0, y0, x1, y1 };
+  }
+
+  /** Remembers a scene's view: its middle, and what must fit, in metres. */
+  setHome(x: number, y: number, height: number, width = 0): void {
+    this.#home = { x, y, height, width };
+    this.goHome();
+  }
+
+  /** As `setHome`, with all of a box in view. */
+  fit({ x0, y0, x1, y1 }: Box): void {
+    this.setHome((x0 + x1) / 2, (y0 + y1) / 2, y1 - y0, x1 - x0);
+  }
+
+  goHome(): void {
+    this.x = this.#home.x;
+    this.y = this.#home.y;
+    this.scale = this.#homeScale();
+  }
+
+  #homeScale(): number {
+    const { height, width } = this.#home;
+    const [{ left, top, middleX, middleY }] = this.panes;
+    const freeWidth = Math.max(LEAST_FREE, 2 * (middleX - Math.max(left, this.insets.left)));
+    const freeHeight = Math.max(LEAST_FREE, 2 * (middleY - Math.max(top, this.insets.top)));
+    const fitting = Math.min(freeHeight / height, width > 0 ? freeWidth / width : Infinity);
+    return Number.isFinite(fitting) ? fitting : this.scale;
+  }
+
+  /** Goes the given part of the way to a place. */
+  follow([x, y]: Vec2, part: number): void {
+    this.x += part * (x - this.x);
+    this.y += part * (y - this.y);
+  }
+
+  resize(width: number, height: number): void {
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
+  }
+
+  pan(dx: number, dy: number): void {
+    this.x -= dx / this.scale;
+    this.y += dy / this.scale;
+  }
+
+  /** Zooms about a point of the screen, which keeps its place. */
+  zoom(factor: number, screenX = this.middleX, screenY = this.middleY): void {
+    const [x, y] = this.toWorld(screenX, screenY);
+    const home = this.#home.height;
+    const least = Math.min(this.width, this.height) / (home * 50);
+    const most = (200 * Math.min(this.width, this.height)) / home;
+    this.scale = Math.min(most, Math.max(least, this.scale * factor));
+    const [newX, newY] = this.toWorld(screenX, screenY);
+    this.x += x - newX;
+    this.y += y - newY;
+  }
+}

@@ -1,0 +1,170 @@
+/** Bodies by Canvas 2D, where WebGL2 is missing: rows of one colour share one path. */
+import type { Shapes } from "../scene/frame";
+import type { Camera, Pane } from "./camera";
+import { cssColour, mix, type Rgb } from "./palette";
+import { poseBetween, type Poses } from "./poses";
+import type { Look, Renderer } from "./renderer";
+import { BODY, CIRCLE, HALF, OFFSET, ROW, SHAPE, SLOT, STATIC, TURN } from "./rows";
+
+/** Colours are rounded to this many steps a channel, so that paths can be shared. */
+const STEP = 24;
+/** In device pixels: smaller bodies have no rim, and no bead that shows how a circle turns. */
+const LEAST_RIM = 2.5;
+const LEAST_BEAD = 5;
+
+interface Batch {
+  fill: string;
+  rim: string;
+  /** Null for what never moves. */
+  bead: string | null;
+  rows: number[];
+}
+
+export class CanvasRenderer implements Renderer {
+  readonly name = "canvas2d";
+  readonly canvas: HTMLCanvasElement;
+  readonly #context: CanvasRenderingContext2D;
+  #ratio = 1;
+  #shapes: Shapes | null = null;
+  #batches: Record<"state" | "plain", Batch[]> = { state: [], plain: [] };
+  #movingRows: number[] = [];
+
+  static create(canvas: HTMLCanvasElement): CanvasRenderer | null {
+    const context = canvas.getContext("2d");
+    return context && new CanvasRenderer(canvas, context);
+  }
+
+  private constructor(canvas: HTMLCanvasElement, context: CanvasRenderingContext2D) {
+    this.canvas = canvas;
+    this.#context = context;
+  }
+
+  resize(width: number, height: number, ratio: number): void {
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.#ratio = ratio;
+  }
+
+  setShapes(shapes: Shapes): void {
+    this.#shapes = shapes;
+    this.#movingRows = [];
+    for (let row = 0; row < shapes.count; row++)
+      if (shapes.rows[row * ROW + BODY] !== STATIC) this.#movingRows.push(row);
+  }
+
+  setColours(state: Uint8Array, plain: Uint8Array): void {
+    if (!this.#shapes) return;
+    this.#batches = { state: sort(this.#shapes, state), plain: sort(this.#shapes, plain) };
+  }
+
+  clear(): void {
+    this.#context.setTransform(1, 0, 0, 1, 0, 0);
+    this.#context.clearRect(0, 0, this.canvas.width, this.canvas.height);
+  }
+
+  draw(poses: Poses, camera: Camera, pane: Pane, look: Look): void {
+    const shapes = this.#shapes;
+    if (!shapes) return;
+    const context = this.#context;
+    const ratio = this.#ratio;
+    const pixels = camera.scale * ratio;
+    context.save();
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.beginPath();
+    context.rect(pane.left, pane.top, pane.width, pane.height);
+    context.clip();
+    context.setTransform(1, 0, 0, 1, pane.middleX * ratio, pane.middleY * ratio);
+    if (look.kind === "outline") {
+      this.#trace(this.#movingRows, shapes, poses, pixels);
+      context.lineWidth = 1.75 * ratio;
+      context.strokeStyle = cssColour(look.colour);
+      context.stroke();
+    } else {
+      context.lineWidth = ratio;
+      for (const batch of this.#batches[look.kind]) this.#fill(batch, shapes, poses, pixels);
+    }
+    context.restore();
+  }
+
+  #fill(batch: Batch, shapes: Shapes, poses: Poses, pixels: number): void {
+    const context = this.#context;
+    const beads = this.#trace(batch.rows, shapes, poses, pixels);
+    context.fillStyle = batch.fill;
+    context.fill();
+    if (pixels * (shapes.typicalSize || 1) > LEAST_RIM) {
+      context.strokeStyle = batch.rim;
+      context.stroke();
+    }
+    if (beads && batch.bead) {
+      context.fillStyle = batch.bead;
+      context.fill(beads);
+    }
+  }
+
+  /** Leaves the outlines as the current path; returns the beads that show how circles turn. */
+  #trace(rows: number[], shapes: Shapes, poses: Poses, pixels: number): Path2D | null {
+    const context = this.#context;
+    const data = shapes.rows;
+    const { width, height } = this.canvas;
+    const pose = new Float64Array(4);
+    let beads: Path2D | null = null;
+    context.beginPath();
+    for (const row of rows) {
+      const at = row * ROW;
+      if (!poseBetween(poses, data[at + SLOT], pose)) continue;
+      const [px, py, c, s] = pose;
+      const x = (px + c * data[at + OFFSET] - s * data[at + OFFSET + 1]) * pixels;
+      const y = -(py + s * data[at + OFFSET] + c * data[at + OFFSET + 1]) * pixels;
+      const hx = Math.max(0.6, data[at + HALF] * pixels);
+      const hy = Math.max(0.6, data[at + HALF + 1] * pixels);
+      const reach = hx + hy;
+      if (!(Math.abs(x) < width + reach && Math.abs(y) < height + reach)) continue;
+      if (data[at + SHAPE] === CIRCLE) {
+        context.moveTo(x + hx, y);
+        context.arc(x, y, hx, 0, 2 * Math.PI);
+        if (hx > LEAST_BEAD) {
+          beads ??= new Path2D();
+          const beadX = x + 0.58 * hx * c;
+          const beadY = y - 0.58 * hx * s;
+          beads.moveTo(beadX + 0.15 * hx, beadY);
+          beads.arc(beadX, beadY, 0.15 * hx, 0, 2 * Math.PI);
+        }
+        continue;
+      }
+      const cosine = c * data[at + TURN] - s * data[at + TURN + 1];
+      const sine = s * data[at + TURN] + c * data[at + TURN + 1];
+      const [ax, ay] = [cosine * hx, -sine * hx];
+      const [bx, by] = [-sine * hy, -cosine * hy];
+      context.moveTo(x - ax - bx, y - ay - by);
+      context.lineTo(x + ax - bx, y + ay - by);
+      context.lineTo(x + ax + bx, y + ay + by);
+      context.lineTo(x - ax + bx, y - ay + by);
+      context.closePath();
+    }
+    return beads;
+  }
+}
+
+/** Rows of nearly the same colour, whose bodies all move or all do not. */
+function sort(shapes: Shapes, colours: Uint8Array): Batch[] {
+  const batches = new Map<string, Batch>();
+  for (let row = 0; row < shapes.count; row++) {
+    const [red, green, blue, opacity] = colours.subarray(4 * row, 4 * row + 4);
+    const fixed = shapes.rows[row * ROW + BODY] === STATIC;
+    const step = (value: number) => Math.round(value / STEP);
+    const key = `${step(red)} ${step(green)} ${step(blue)} ${opacity} ${fixed}`;
+    let batch = batches.get(key);
+    if (!batch) {
+      const colour: Rgb = [red, green, blue];
+      batch = {
+        fill: cssColour(colour, 1, opacity / 255),
+        rim: cssColour(colour, fixed ? 0.82 : 0.64),
+        bead: fixed ? null : cssColour(mix(colour, [255, 255, 255], 0.65)),
+        rows: [],
+      };
+      batches.set(key, batch);
+    }
+    batch.rows.push(row);
+  }
+  return [...batches.values()];
+}

@@ -1,0 +1,150 @@
+/** A scene's own marks, and their places between two steps. */
+import type { Vec2 } from "thud";
+import type { Mark, Paint } from "../scene/scene";
+import type { Camera, Pane } from "./camera";
+import type { Theme } from "./palette";
+
+/** Width of outlines, in CSS pixels. */
+const OUTLINE = 2;
+const TEXT_SIZE = 14;
+const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", sans-serif';
+
+/** `part` from 0, before, to 1, now. */
+export function smoothMarks(before: Paint | null, now: Paint, part: number): readonly Mark[] {
+  const last = now.marks ?? [];
+  const first = before?.marks ?? [];
+  const alike =
+    first.length === last.length && first.every((mark, i) => mark.kind === last[i].kind);
+  return alike ? last.map((mark, i) => between(first[i], mark, part)) : last;
+}
+
+/** Where the view goes. */
+export function smoothFollow(before: Paint | null, now: Paint, part: number): Vec2 | null {
+  if (!now.follow) return null;
+  return before?.follow ? betweenPoints(before.follow, now.follow, part) : now.follow;
+}
+
+function between(first: Mark, last: Mark, part: number): Mark {
+  if (last.kind === "line") {
+    if (first.kind !== "line" || first.points.length !== last.points.length) return last;
+    const points = last.points.map((point, i) => betweenPoints(first.points[i], point, part));
+    return { ...last, points };
+  }
+  if (first.kind === "line") return last;
+  const [x, y] = betweenPoints([first.x, first.y], [last.x, last.y], part);
+  if (last.kind !== "box" || first.kind !== "box") return { ...last, x, y };
+  const [from, to] = [first.angle ?? 0, last.angle ?? 0];
+  // The short way round.
+  const turn = Math.atan2(Math.sin(to - from), Math.cos(to - from));
+  return { ...last, x, y, angle: from + part * turn };
+}
+
+function betweenPoints(first: Vec2, last: Vec2, part: number): Vec2 {
+  return [first[0] + part * (last[0] - first[0]), first[1] + part * (last[1] - first[1])];
+}
+
+export function drawMarks(
+  context: CanvasRenderingContext2D,
+  camera: Camera,
+  pane: Pane,
+  theme: Theme,
+  marks: readonly Mark[],
+): void {
+  context.lineJoin = "round";
+  context.lineCap = "round";
+  for (const mark of marks) {
+    const colour = theme.inks[mark.ink] ?? theme.inks.ink;
+    context.strokeStyle = colour;
+    context.fillStyle = colour;
+    if (mark.kind === "line") {
+      drawLine(context, camera, pane, mark);
+      continue;
+    }
+    context.save();
+    context.translate(...camera.toScreen(mark.x, mark.y, pane));
+    if (mark.kind === "text") drawText(context, theme, mark);
+    else if (mark.kind === "figure") drawFigure(context, camera.scale, mark);
+    else drawShape(context, camera.scale, mark);
+    context.restore();
+  }
+}
+
+type Of<Kind extends Mark["kind"]> = Extract<Mark, { kind: Kind }>;
+
+function drawLine(
+  context: CanvasRenderingContext2D,
+  camera: Camera,
+  pane: Pane,
+  { points, width = OUTLINE, dashed = false }: Of<"line">,
+): void {
+  context.beginPath();
+  for (const [x, y] of points) context.lineTo(...camera.toScreen(x, y, pane));
+  context.lineWidth = width;
+  context.setLineDash(dashed ? [2 * width + 3, 2 * width + 4] : []);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+/** About the canvas' origin. */
+function drawShape(
+  context: CanvasRenderingContext2D,
+  scale: number,
+  mark: Of<"circle"> | Of<"box">,
+): void {
+  context.globalAlpha = mark.opacity ?? 1;
+  context.beginPath();
+  if (mark.kind === "circle") {
+    context.arc(0, 0, Math.max(0, mark.radius) * scale, 0, 2 * Math.PI);
+  } else {
+    const [hx, hy] = [mark.halfWidth * scale, mark.halfHeight * scale];
+    context.rotate(-(mark.angle ?? 0));
+    context.roundRect(-hx, -hy, 2 * hx, 2 * hy, Math.max(0, mark.round ?? 0) * scale);
+  }
+  context.lineWidth = OUTLINE;
+  if (mark.filled) context.fill();
+  else context.stroke();
+}
+
+/** A rounded box that looks where it goes. */
+function drawFigure(
+  context: CanvasRenderingContext2D,
+  scale: number,
+  { halfWidth, halfHeight, facing }: Of<"figure">,
+): void {
+  const [hx, hy] = [halfWidth * scale, halfHeight * scale];
+  context.beginPath();
+  context.roundRect(-hx, -hy, 2 * hx, 2 * hy, 0.6 * Math.min(hx, hy));
+  context.fill();
+  context.globalAlpha = 0.35;
+  context.lineWidth = 1.5;
+  context.strokeStyle = "#12161f";
+  context.stroke();
+  context.globalAlpha = 1;
+  const eyes = (radius: number, offset: number, colour: string) => {
+    context.beginPath();
+    for (const side of [-1, 1]) {
+      const at = hx * (0.35 * facing + 0.32 * side + offset * facing);
+      context.moveTo(at + radius, -0.5 * hy);
+      context.arc(at, -0.5 * hy, radius, 0, 2 * Math.PI);
+    }
+    context.fillStyle = colour;
+    context.fill();
+  };
+  eyes(0.27 * hx, 0, "#ffffff");
+  eyes(0.14 * hx, 0.1, "#12161f");
+}
+
+/** Its size is that on the screen; a halo keeps it readable over anything. */
+function drawText(
+  context: CanvasRenderingContext2D,
+  theme: Theme,
+  { text, size = TEXT_SIZE }: Of<"text">,
+): void {
+  context.font = `600 ${size}px ${FONT}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.lineWidth = Math.max(3, 0.3 * size);
+  context.strokeStyle = theme.halo;
+  context.strokeText(text, 0, 0);
+  context.fillText(text, 0, 0);
+}

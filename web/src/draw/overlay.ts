@@ -1,0 +1,138 @@
+/**
+ * What lies over the bodies: the engine's debug drawing, Minkowski sums, a scene's marks, the body
+ * that is held, the line that pulls it, and which engine a pane shows.
+ */
+import type { Vec2 } from "thud";
+import type { Frame, Shapes } from "../scene/frame";
+import type { OverlayName } from "../scene/overlays";
+import type { Mark } from "../scene/scene";
+import type { Camera, Pane } from "./camera";
+import { drawLists } from "./debug";
+import { drawLabels } from "./labels";
+import { Layer } from "./layer";
+import { drawMarks } from "./marks";
+import type { Theme } from "./palette";
+import { poseBetween, type Poses } from "./poses";
+import { CIRCLE, HALF, OFFSET, ROW, SHAPE, SLOT, TURN } from "./rows";
+import { drawSums } from "./sums";
+
+/** What there is to draw now. */
+export interface OverlayPicture {
+  frame: Frame;
+  shapes: Shapes | null;
+  poses: Poses;
+  marks: readonly Mark[];
+  /** The slot of a body to be outlined. */
+  held: number | null;
+  rival: "none" | "side" | "over";
+}
+
+export class Overlay {
+  readonly #layer: Layer;
+  #clean = false;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.#layer = new Layer(canvas);
+  }
+
+  resize(width: number, height: number, ratio: number): void {
+    this.#layer.resize(width, height, ratio);
+    this.#clean = true;
+  }
+
+  draw(
+    picture: OverlayPicture,
+    camera: Camera,
+    theme: Theme,
+    on: ReadonlySet<OverlayName>,
+  ): void {
+    const { frame, shapes, poses, marks, held, rival } = picture;
+    const { drawing, sums, pull } = frame;
+    const empty =
+      !drawing && !sums?.length && !pull && marks.length === 0 && held === null && rival === "none";
+    if (empty && this.#clean) return;
+    this.#layer.clear();
+    this.#clean = empty;
+    if (empty) return;
+    const [pane] = camera.panes;
+    this.#layer.inPane(pane, (context) => {
+      const [originX, originY] = camera.toScreen(...frame.origin, pane);
+      context.translate(originX, originY);
+      if (drawing) drawLists(context, drawing, camera.scale, theme, on);
+      if (sums) drawSums(context, sums, camera.scale, theme);
+      context.translate(-originX, -originY);
+      drawMarks(context, camera, pane, theme, marks);
+      if (held !== null && shapes) drawHeld(context, camera, pane, theme, shapes, poses, held);
+      if (pull) drawPull(context, camera, pane, theme, pull);
+    });
+    if (rival !== "none") drawLabels(this.#layer, camera, theme, rival);
+  }
+}
+
+/** The outlines of one body's shapes. */
+function drawHeld(
+  context: CanvasRenderingContext2D,
+  camera: Camera,
+  pane: Pane,
+  theme: Theme,
+  shapes: Shapes,
+  poses: Poses,
+  slot: number,
+): void {
+  const pose = new Float64Array(4);
+  if (!poseBetween(poses, slot, pose)) return;
+  const [x, y, c, s] = pose;
+  const { scale } = camera;
+  context.save();
+  context.translate(pane.middleX + x * scale, pane.middleY - y * scale);
+  context.transform(c, -s, s, c, 0, 0);
+  context.beginPath();
+  for (let row = 0; row < shapes.count; row++) {
+    if (shapes.rows[row * ROW + SLOT] !== slot) continue;
+    const numbers = shapes.rows.subarray(row * ROW, row * ROW + ROW);
+    const [hx, hy] = [numbers[HALF] * scale, numbers[HALF + 1] * scale];
+    context.save();
+    context.translate(numbers[OFFSET] * scale, -numbers[OFFSET + 1] * scale);
+    context.transform(numbers[TURN], -numbers[TURN + 1], numbers[TURN + 1], numbers[TURN], 0, 0);
+    if (numbers[SHAPE] === CIRCLE) {
+      context.moveTo(hx, 0);
+      context.arc(0, 0, hx, 0, 2 * Math.PI);
+    } else context.rect(-hx, -hy, 2 * hx, 2 * hy);
+    context.restore();
+  }
+  context.lineJoin = "round";
+  context.lineWidth = 5;
+  context.strokeStyle = theme.halo;
+  context.stroke();
+  context.lineWidth = 2;
+  context.strokeStyle = theme.inks.ink;
+  context.stroke();
+  context.restore();
+}
+
+function drawPull(
+  context: CanvasRenderingContext2D,
+  camera: Camera,
+  pane: Pane,
+  theme: Theme,
+  [from, to]: readonly [Vec2, Vec2],
+): void {
+  const [x0, y0] = camera.toScreen(...from, pane);
+  const [x1, y1] = camera.toScreen(...to, pane);
+  context.lineCap = "round";
+  context.beginPath();
+  context.moveTo(x0, y0);
+  context.lineTo(x1, y1);
+  context.lineWidth = 5;
+  context.strokeStyle = theme.halo;
+  context.stroke();
+  context.lineWidth = 2;
+  context.strokeStyle = theme.inks.ink;
+  context.stroke();
+  context.fillStyle = theme.inks.ink;
+  context.beginPath();
+  context.arc(x0, y0, 4, 0, 2 * Math.PI);
+  context.moveTo(x1 + 3, y1);
+  context.arc(x1, y1, 3, 0, 2 * Math.PI);
+  context.fill();
+}

@@ -1,0 +1,165 @@
+/** Colours of the drawing, in both themes. Controls have theirs in the style sheets. */
+import type { Ink } from "../scene/scene";
+
+export type Rgb = readonly [red: number, green: number, blue: number];
+
+export interface Theme {
+  readonly dark: boolean;
+  readonly skyTop: string;
+  readonly skyBottom: string;
+  readonly grid: string;
+  readonly gridStrong: string;
+  readonly soilTop: string;
+  readonly soilBottom: string;
+  /** Lines in the soil that follow the ground. */
+  readonly layer: string;
+  readonly turf: string;
+  readonly grass: string;
+  readonly fixed: Rgb;
+  readonly kinematic: Rgb;
+  readonly sensor: Rgb;
+  /** What sleeping bodies fade towards. */
+  readonly sleep: Rgb;
+  /** Bodies in no class. */
+  readonly classless: Rgb;
+  /** Box2D's bodies, where they lie over thud's. */
+  readonly box2d: Rgb;
+  readonly inks: Readonly<Record<Ink, string>>;
+  /** Around text and thin lines, so that they can be read over anything. */
+  readonly halo: string;
+  /** By the name of the engine's drawing style; others get a colour of their own. */
+  readonly styles: Readonly<Record<string, string>>;
+  /** A Minkowski sum without and with overlap. */
+  readonly sum: string;
+  readonly sumOverlapping: string;
+}
+
+/** Moving bodies, from the first one created to the last. */
+const RAMP: readonly Rgb[] = [
+  [239, 83, 80],
+  [245, 124, 82],
+  [250, 173, 99],
+  [250, 214, 145],
+  [170, 214, 176],
+  [88, 184, 190],
+  [66, 141, 205],
+  [98, 105, 200],
+  [141, 94, 184],
+];
+
+export const DARK: Theme = {
+  dark: true,
+  skyTop: "#0b0f17",
+  skyBottom: "#1a2433",
+  grid: "rgba(148, 170, 210, 0.045)",
+  gridStrong: "rgba(148, 170, 210, 0.10)",
+  soilTop: "#2c3340",
+  soilBottom: "#141922",
+  layer: "rgba(170, 190, 220, 0.07)",
+  turf: "#2f6b4d",
+  grass: "#6fcf8e",
+  fixed: [66, 80, 104],
+  kinematic: [122, 142, 178],
+  sensor: [104, 211, 197],
+  sleep: [38, 48, 66],
+  classless: [92, 102, 122],
+  box2d: [255, 92, 214],
+  inks: {
+    ink: "#eef2f9",
+    soft: "#9fb0cb",
+    accent: "#ff9468",
+    good: "#6ee7a0",
+    bad: "#ff8080",
+    gold: "#ffd166",
+    player: "#ff9d5c",
+    rival: "#6cc4ff",
+  },
+  halo: "#0f1521",
+  styles: {
+    bounds: "rgba(125, 211, 252, 0.75)",
+    cell: "rgba(167, 139, 250, 0.45)",
+    contact: "#ffe08a",
+    normal: "#ff8fa3",
+    interval: "#4dd0e1",
+    "interval overlapping": "#ffd166",
+    pair: "rgba(176, 190, 197, 0.8)",
+    "pair touching": "#ffd166",
+    motion: "#f78fb3",
+  },
+  sum: "#7cf5c4",
+  sumOverlapping: "#ff8fa3",
+};
+
+export const LIGHT: Theme = {
+  dark: false,
+  skyTop: "#f3f7fc",
+  skyBottom: "#faf6ef",
+  grid: "rgba(60, 80, 120, 0.055)",
+  gridStrong: "rgba(60, 80, 120, 0.12)",
+  soilTop: "#cfc6b8",
+  soilBottom: "#e9e3d9",
+  layer: "rgba(90, 70, 40, 0.09)",
+  turf: "#8fc49a",
+  grass: "#3f8f58",
+  fixed: [150, 163, 184],
+  kinematic: [92, 110, 142],
+  sensor: [20, 150, 138],
+  sleep: [208, 212, 219],
+  classless: [176, 184, 198],
+  box2d: [190, 0, 140],
+  inks: {
+    ink: "#1b2230",
+    soft: "#56637a",
+    accent: "#b8431f",
+    good: "#14713c",
+    bad: "#c22727",
+    gold: "#8a5a00",
+    player: "#b5480c",
+    rival: "#1f63b8",
+  },
+  halo: "#fbfaf7",
+  styles: {
+    bounds: "rgba(2, 100, 170, 0.75)",
+    cell: "rgba(109, 40, 217, 0.40)",
+    contact: "#8a2be2",
+    normal: "#d6336c",
+    interval: "#0b7285",
+    "interval overlapping": "#c76a00",
+    pair: "rgba(73, 80, 87, 0.8)",
+    "pair touching": "#c76a00",
+    motion: "#c2255c",
+  },
+  sum: "#087f5b",
+  sumOverlapping: "#d6336c",
+};
+
+/** A colour of the ramp; t from 0 to 1. */
+export function rampColour(t: number): Rgb {
+  const at = Math.min(1, Math.max(0, t)) * (RAMP.length - 1);
+  const i = Math.min(RAMP.length - 2, Math.floor(at));
+  return mix(RAMP[i], RAMP[i + 1], at - i);
+}
+
+export function mix(a: Rgb, b: Rgb, t: number): Rgb {
+  return [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
+}
+
+export function cssColour(colour: Rgb, factor = 1, alpha = 1): string {
+  const part = (value: number) => Math.min(255, Math.round(value * factor));
+  return `rgb(${part(colour[0])} ${part(colour[1])} ${part(colour[2])} / ${alpha})`;
+}
+
+/** A distinct colour for every class (island, solver colour), by the golden angle. */
+export function classColour(number: number, dark: boolean): Rgb {
+  return hslColour((number * 137.508) % 360, 0.7, dark ? 0.62 : 0.48);
+}
+
+/** Hue in degrees; the formula of CSS Color 4, section 7.1. */
+function hslColour(hue: number, saturation: number, lightness: number): Rgb {
+  const reach = saturation * Math.min(lightness, 1 - lightness);
+  const channel = (n: number) => {
+    const k = (n + hue / 30) % 12;
+    return 255 * (lightness - reach * Math.max(-1, Math.min(k - 3, 9 - k, 1)));
+  };
+  return [channel(0), channel(8), channel(4)];
+}

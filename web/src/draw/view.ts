@@ -1,0 +1,176 @@
+/**
+ * Draws what the worker's frames hold: three canvases on top of each other, for backdrop, bodies
+ * and overlay. It knows no world, only the last frame and where between its two states time is.
+ */
+import type { Vec2 } from "thud";
+import type { Frame, Shapes } from "../scene/frame";
+import type { OverlayName } from "../scene/overlays";
+import type { Paint } from "../scene/scene";
+import { Backdrop } from "./backdrop";
+import { Bodies, type RendererChange } from "./bodies";
+import { Camera } from "./camera";
+import { smoothFollow, smoothMarks } from "./marks";
+import { Overlay } from "./overlay";
+import { DARK, LIGHT, type Theme } from "./palette";
+import type { Poses } from "./poses";
+
+export interface DrawOptions {
+  /** Box2D's bodies, where a frame has some: in a pane of their own, or as outlines over thud's. */
+  split: "none" | "side" | "over";
+  /** The slot of a body to be outlined: held, or under the pointer. */
+  held: number | null;
+}
+
+export interface Canvases {
+  backdrop: HTMLCanvasElement;
+  bodies: HTMLCanvasElement;
+  overlay: HTMLCanvasElement;
+}
+
+/** More device pixels than this a CSS pixel cost time and show nothing. */
+const MOST_PIXELS = 2;
+/** Marks of frames that are further apart, in steps, are not smoothed: time has jumped. */
+const MOST_STEPS = 8;
+
+export class View {
+  readonly camera = new Camera();
+  readonly shown = new Set<OverlayName>(["sleeping"]);
+  readonly #backdrop: Backdrop;
+  readonly #bodies: Bodies;
+  readonly #overlay: Overlay;
+  #theme: Theme = DARK;
+  #frame: Frame | null = null;
+  #shapes: Shapes | null = null;
+  #awake: Uint8Array | null = null;
+  #classes: Int32Array | null = null;
+  /** What the bodies' colours showed last. */
+  #coloured = { sleep: false, classes: false };
+  #stale = true;
+  /** Of the frame before, and how many steps before. */
+  #paint: { paint: Paint; steps: number } | null = null;
+
+  /** `changed` is told when a WebGL context was lost or came back. */
+  constructor(canvases: Canvases, changed: RendererChange = () => {}) {
+    this.#backdrop = new Backdrop(canvases.backdrop);
+    this.#overlay = new Overlay(canvases.overlay);
+    this.#bodies = new Bodies(canvases.bodies, (name) => {
+      this.resize();
+      changed(name);
+    });
+  }
+
+  setTheme(dark: boolean): void {
+    this.#theme = dark ? DARK : LIGHT;
+    this.#stale = true;
+  }
+
+  /** To the window's size. */
+  resize(): void {
+    const ratio = Math.min(MOST_PIXELS, devicePixelRatio);
+    const { innerWidth: width, innerHeight: height } = window;
+    this.camera.resize(width, height);
+    for (const layer of [this.#backdrop, this.#bodies.renderer, this.#overlay])
+      layer.resize(width, height, ratio);
+  }
+
+  /** Keeps what a frame brings only when it changes; `draw` does it too. Every frame must come by
+   * here, in order, those that are not drawn as well. */
+  receive(frame: Frame): void {
+    const last = this.#frame;
+    if (frame === last) return;
+    this.#frame = frame;
+    const sameRun = last !== null && last.run === frame.run;
+    const steps = sameRun ? frame.step - last.step : 0;
+    if (steps > 0 && steps <= MOST_STEPS && last?.paint) this.#paint = { paint: last.paint, steps };
+    else if (steps !== 0 || !sameRun) this.#paint = null;
+    if (!sameRun) this.#forget();
+    if (frame.terrains) this.#backdrop.setTerrains(frame.terrains);
+    if (frame.shapes) {
+      this.#shapes = frame.shapes;
+      this.#bodies.setShapes(frame.shapes);
+      this.#awake = null;
+      this.#classes = null;
+      this.#stale = true;
+    }
+    if (frame.awake) this.#awake = frame.awake;
+    if (frame.classes) this.#classes = frame.classes;
+    if (frame.awake || frame.classes) this.#stale = true;
+  }
+
+  /** `alpha` from 0, the frame's `before`, to 1, its `now`. */
+  draw(frame: Frame, alpha: number, options: DrawOptions): void {
+    this.receive(frame);
+    const { camera } = this;
+    const split = frame.rival ? options.split : "none";
+    camera.split = split === "side";
+    this.#colour();
+    this.#backdrop.draw(camera, this.#theme, this.#shapes?.typicalSize ?? 0);
+
+    const { renderer } = this.#bodies;
+    const offset = [frame.origin[0] - camera.x, frame.origin[1] - camera.y] as const;
+    const { before, now, rival } = frame;
+    const poses: Poses = { engine: "thud", before, now, alpha, offset };
+    renderer.clear();
+    renderer.draw(poses, camera, camera.panes[0], { kind: "state" });
+    if (rival && split !== "none") {
+      const others: Poses = { ...poses, engine: "box2d", before: rival.before, now: rival.now };
+      if (split === "side") renderer.draw(others, camera, camera.panes[1], { kind: "plain" });
+      else {
+        const look = { kind: "outline", colour: this.#theme.box2d } as const;
+        renderer.draw(others, camera, camera.panes[0], look);
+      }
+    }
+
+    const marks = frame.paint
+      ? smoothMarks(this.#paint?.paint ?? null, frame.paint, this.#part(alpha))
+      : [];
+    const picture = {
+      frame, shapes: this.#shapes, poses, marks, held: options.held, rival: split,
+    };
+    this.#overlay.draw(picture, camera, this.#theme, this.shown);
+  }
+
+  /** Where the scene wants the view to go, smoothed as its marks are. */
+  follow(frame: Frame, alpha: number): Vec2 | null {
+    this.receive(frame);
+    if (!frame.paint) return null;
+    return smoothFollow(this.#paint?.paint ?? null, frame.paint, this.#part(alpha));
+  }
+
+  /** How far the present is from the last paint to this one, which may be some steps apart. */
+  #part(alpha: number): number {
+    return 1 - (1 - alpha) / (this.#paint?.steps ?? 1);
+  }
+
+  #forget(): void {
+    this.#shapes = null;
+    this.#awake = null;
+    this.#classes = null;
+    this.#backdrop.setTerrains([]);
+    this.#bodies.setShapes(NOTHING);
+    this.#stale = true;
+  }
+
+  #colour(): void {
+    const sleep = this.shown.has("sleeping");
+    const classes = this.shown.has("islands") || this.shown.has("colours");
+    const same = sleep === this.#coloured.sleep && classes === this.#coloured.classes;
+    if (same && !this.#stale) return;
+    this.#stale = false;
+    this.#coloured = { sleep, classes };
+    this.#bodies.setColours({
+      theme: this.#theme,
+      awake: sleep ? this.#awake : null,
+      classes: classes ? this.#classes : null,
+    });
+  }
+}
+
+const NOTHING: Shapes = {
+  rows: new Float32Array(0),
+  count: 0,
+  slots: 0,
+  moving: 0,
+  order: new Uint32Array(0),
+  typicalSize: 0,
+};
