@@ -1,0 +1,136 @@
+// What is drawn over the bodies: tanks, shell, aim, wind, explosions, and the figures at the top.
+
+import { MOST_SPEED } from "./controls.js";
+import { flightAt } from "./flight.js";
+import { barrel, SHELL_RADIUS, TANK } from "./tanks.js";
+
+const INKS = ["player", "rival"];
+const FULL_HEALTH = 100;
+
+export function picture(world, ground, view, tanks, shell, game) {
+  const marks = [];
+  tanks.forEach((tank, i) => paintTank(marks, world, tank, game.tanks[i], INKS[i]));
+  if (game.phase === "choose") paintChoice(marks, view);
+  else paintWind(marks, view, game.wind);
+  if (game.phase === "aim") paintAim(marks, world, tanks[game.turn], game);
+  if (game.phase === "fly") paintShell(marks, world, shell, game);
+  game.effects.forEach((effect) => paintEffect(marks, effect));
+  return { marks, figures: figures(game), message: game.message, follow: follow(world, view, shell, game) };
+}
+
+/** Both tanks stay in sight: the view goes after a shell only upward. */
+function follow(world, view, shell, game) {
+  if (game.phase !== "fly") return [view.x, view.y];
+  const [, y] = world.bodyState(shell).position;
+  return [view.x, Math.max(view.y, y - 0.35 * view.height)];
+}
+
+function figures(game) {
+  const names = game.computer ? ["You", "Computer"] : ["Left", "Right"];
+  const health = names.map((label, i) => ({ label, value: `${game.tanks[i].health}` }));
+  if (game.phase === "choose") return health;
+  const { angle, speed } = game.tanks[game.turn];
+  const elevation = angle > 90 ? 180 - angle : angle;
+  return [
+    ...health,
+    { label: "Wind", value: `${Math.abs(game.wind).toFixed(1)} ${game.wind < 0 ? "←" : "→"}` },
+    { label: "Angle", value: `${Math.round(elevation)}° ${angle > 90 ? "←" : "→"}` },
+    { label: "Power", value: `${Math.round((100 * speed) / MOST_SPEED)} %` },
+  ];
+}
+
+function paintTank(marks, world, tank, { health, angle: aim }, ink) {
+  const { position, angle } = world.bodyState(tank.body);
+  const [x, y] = position;
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const place = (across, up) => [x + across * c - up * s, y + across * s + up * c];
+  const { pivot, muzzle } = barrel(world, tank, aim);
+  const colour = health > 0 ? ink : "soft";
+  marks.push({ kind: "line", points: [pivot, muzzle], ink: colour, width: 5 });
+  marks.push({ kind: "circle", x: pivot[0], y: pivot[1], radius: 0.5, ink: colour, filled: true });
+  const [hx, hy] = place(0, 0.12);
+  const hull = { halfWidth: TANK.halfWidth, halfHeight: 0.32, round: 0.2 };
+  marks.push({ kind: "box", x: hx, y: hy, ...hull, angle, ink: colour, filled: true });
+  for (const across of [-0.85, -0.28, 0.28, 0.85]) {
+    const [wx, wy] = place(across, -TANK.halfHeight + 0.24);
+    marks.push({ kind: "circle", x: wx, y: wy, radius: 0.24, ink: "ink", filled: true });
+  }
+  const half = 1.5;
+  const share = health / FULL_HEALTH;
+  const above = y + 2.7;
+  const bar = { kind: "box", y: above, round: 0.1 };
+  marks.push({ ...bar, x, halfWidth: half, halfHeight: 0.2, ink: "soft", opacity: 0.5, filled: true });
+  const left = { x: x - half * (1 - share), halfWidth: Math.max(0.01, half * share), halfHeight: 0.2 };
+  const level = share > 0.6 ? "good" : share > 0.3 ? "gold" : "bad";
+  marks.push({ ...bar, ...left, ink: level, filled: true });
+}
+
+function paintChoice(marks, view) {
+  const y = view.y + 4;
+  const choices = [
+    [-10.5, "player", "← One player"],
+    [10.5, "rival", "Two players →"],
+  ];
+  for (const [x, ink, text] of choices) {
+    const button = { halfWidth: 9, halfHeight: 2, round: 0.6 };
+    marks.push({ kind: "box", x, y, ...button, ink, opacity: 0.2, filled: true });
+    marks.push({ kind: "box", x, y, ...button, ink });
+    marks.push({ kind: "text", x, y, text, ink: "ink", size: 16 });
+  }
+}
+
+/** An arrow above the field, as long as the wind is strong. */
+function paintWind(marks, view, wind) {
+  const y = view.y + 0.36 * view.height;
+  const tip = view.x + 2.4 * wind;
+  const back = tip - Math.sign(wind) * 0.7;
+  marks.push({ kind: "line", points: [[view.x - 2.4 * wind, y], [tip, y]], ink: "accent", width: 3 });
+  const head = [[back, y + 0.6], [tip, y], [back, y - 0.6]];
+  marks.push({ kind: "line", points: head, ink: "accent", width: 3 });
+  marks.push({ kind: "text", x: view.x, y: y + 1.3, text: "Wind", ink: "ink" });
+}
+
+/** Whose turn it is, the first part of the flight, and the slingshot's string. */
+function paintAim(marks, world, tank, game) {
+  const { angle, speed } = game.tanks[game.turn];
+  const ink = INKS[game.turn];
+  const { pivot, muzzle, direction } = barrel(world, tank, angle);
+  const bob = 0.25 * Math.sin(game.waited / 8);
+  const [x, y] = [world.bodyState(tank.body).position[0], pivot[1] + 3.4 + bob];
+  const pointer = [[x - 0.6, y + 0.8], [x, y], [x + 0.6, y + 0.8]];
+  marks.push({ kind: "line", points: pointer, ink, width: 4 });
+  if (game.computer && game.turn === 1) return;
+  const velocity = [speed * direction[0], speed * direction[1]];
+  for (let i = 1; i <= 12; i++) {
+    const [px, py] = flightAt(muzzle, velocity, game.wind, 0.07 * i);
+    const dot = { radius: 0.16, opacity: 1 - i / 14 };
+    marks.push({ kind: "circle", x: px, y: py, ...dot, ink, filled: true });
+  }
+  if (!game.pull) return;
+  const [bx, by] = game.pull.by;
+  const end = [pivot[0] - bx, pivot[1] - by];
+  marks.push({ kind: "line", points: [pivot, end], ink, dashed: true });
+  marks.push({ kind: "circle", x: end[0], y: end[1], radius: 0.4, ink });
+}
+
+function paintShell(marks, world, shell, { trail }) {
+  const [x, y] = world.bodyState(shell).position;
+  for (let i = 0; i < 16; i++) {
+    const [tx, ty] = trail[trail.length - 16 + i] ?? trail[0] ?? [x, y];
+    const puff = { radius: 0.06 + 0.01 * i, opacity: (i + 1) / 24 };
+    marks.push({ kind: "circle", x: tx, y: ty, ...puff, ink: "ink", filled: true });
+  }
+  marks.push({ kind: "circle", x, y, radius: SHELL_RADIUS + 0.06, ink: "ink", filled: true });
+}
+
+function paintEffect(marks, { kind, x, y, age, life, radius, text }) {
+  const share = age / life;
+  const opacity = 1 - share;
+  if (kind === "loss") marks.push({ kind: "text", x, y: y + 2 * share, text, ink: "bad", size: 18 });
+  if (kind === "flash")
+    marks.push({ kind: "circle", x, y, radius: 0.4 + share, ink: "gold", opacity, filled: true });
+  if (kind !== "ring") return;
+  const grown = radius * Math.sqrt(share);
+  marks.push({ kind: "circle", x, y, radius: 0.7 * grown, ink: "gold", opacity: 0.7 * opacity, filled: true });
+  marks.push({ kind: "circle", x, y, radius: grown, ink: "bad", opacity });
+}

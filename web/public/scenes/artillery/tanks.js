@@ -1,0 +1,63 @@
+// The tanks, the one shell that they share, and the loose things about them.
+
+import { REACH } from "./ground.js";
+
+export const TANK = { halfWidth: 1.2, halfHeight: 0.4 };
+export const SHELL_RADIUS = 0.22;
+const PIVOT = 0.6; // of the barrel, above the middle of the hull
+const BARREL = 1.7;
+
+export function buildTank(world, site) {
+  const position = [site.x, site.y + TANK.halfHeight + 0.1];
+  const body = world.createBody({ kind: "dynamic", position, angularDamping: 1 });
+  world.createObb(body, { ...TANK, density: 4, friction: 0.6 });
+  return { body, position };
+}
+
+/** It is there all the time, and in the world only while it flies. */
+export function buildShell(world) {
+  const body = world.createBody({ kind: "dynamic", position: [0, 100], detection: "swept" });
+  world.createCircle(body, { radius: SHELL_RADIUS, density: 2, friction: 1 });
+  world.setEnabled(body, false);
+  return body;
+}
+
+/** Crates in heaps and rocks, between the tanks and behind them. */
+export function buildLoose(world, ground, chance) {
+  const things = [];
+  const add = (x, above, halfWidth, halfHeight) => {
+    const position = [x, world.groundAt(ground, x).height + above];
+    const body = world.createBody({ kind: "dynamic", position, angularDamping: 0.5 });
+    world.createObb(body, { halfWidth, halfHeight, density: 0.6, friction: 0.8 });
+    things.push({ body, position });
+  };
+  for (const middle of [-7, 0, 7]) {
+    const x = middle + chance(-2, 2);
+    for (let i = 0; i < 3; i++) add(x + chance(-0.1, 0.1), 1 + 1.3 * i, 0.5, 0.5);
+  }
+  for (let i = 0; i < 10; i++) {
+    const x = chance(-REACH + 14, REACH - 14);
+    const nearTank = Math.abs(Math.abs(x) - 16.5) < 5;
+    if (!nearTank) add(x, 5 + i % 3, chance(0.25, 0.5), chance(0.2, 0.4));
+  }
+  return things;
+}
+
+/** Where the barrel turns and where it ends; the angle counts from +x counter-clockwise. */
+export function barrel(world, { body }, degrees) {
+  const { position, angle } = world.bodyState(body);
+  const radians = (degrees * Math.PI) / 180;
+  const pivot = [position[0] - PIVOT * Math.sin(angle), position[1] + PIVOT * Math.cos(angle)];
+  const direction = [Math.cos(radians), Math.sin(radians)];
+  const muzzle = [pivot[0] + BARREL * direction[0], pivot[1] + BARREL * direction[1]];
+  return { pivot, direction, muzzle };
+}
+
+/** Puts a tank that lies on its side or roof back onto its tracks. */
+export function right(world, ground, { body }) {
+  const { position, angle } = world.bodyState(body);
+  if (Math.cos(angle) > 0.4) return;
+  const { normal } = world.groundAt(ground, Math.max(-REACH, Math.min(REACH, position[0])));
+  world.setTransform(body, [position[0], position[1] + 0.8], Math.atan2(-normal[0], normal[1]));
+  world.setVelocity(body, [0, 0]);
+}
