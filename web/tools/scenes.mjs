@@ -10,9 +10,11 @@ async function importTypeScript(path) {
   return module;
 }
 
-export const { SCENES, sceneFile } = await importTypeScript("src/scene/registry.ts");
+export const { SCENES, sceneFile, thumbnailFile } = await importTypeScript("src/scene/registry.ts");
+export const { KEY_NAMES } = await importTypeScript("src/scene/scene.ts");
+export const { DARK, cssColour } = await importTypeScript("src/render/palette.ts");
 export const { random } = await importTypeScript("src/scene/random.ts");
-export const { createSetting, sizeOf } = await importTypeScript("src/scene/setting.ts");
+export const { createSetting } = await importTypeScript("src/scene/setting.ts");
 
 /** Where the page finds "levels/…" and "terrain/…". */
 export function readText(file) {

@@ -17,11 +17,18 @@ export interface SceneEntry {
   /** What to look at, in one sentence. */
   about: string;
   group: Group;
-  /** After how many steps its thumbnail is taken. */
-  thumbnailStep: number;
+  thumbnail: Thumbnail;
 }
 
-type Row = readonly [name: string, title: string, about: string, thumbnailStep?: number];
+/** When and at what size a scene looks best as a small picture. */
+export interface Thumbnail {
+  /** Default 60. */
+  steps?: number;
+  /** Default the scene's usual size. */
+  size?: number;
+}
+
+type Row = readonly [name: string, title: string, about: string, thumbnail?: Thumbnail];
 
 const ROWS: Record<Group, readonly Row[]> = {
   Games: [
@@ -34,18 +41,42 @@ const ROWS: Record<Group, readonly Row[]> = {
     ["mountain", "Mountain drive", "Wheels and boulders roll over a real ridge in Tennessee."],
   ],
   "Piles and stacks": [
-    ["pyramid", "Pyramid", "A pyramid of boxes stands on its base and does not spread."],
-    ["circle_pit", "Circle pit", "Circles of many sizes fall into a pit and settle into a heap."],
+    [
+      "circle_pit",
+      "Circle pit",
+      "Ten thousand circles fall into a pit and settle into a heap.",
+      { size: 500, steps: 90 },
+    ],
+    [
+      "pyramid",
+      "Pyramid",
+      "A pyramid of boxes stands on its base and does not spread.",
+      { size: 22 },
+    ],
+    [
+      "brick_wall",
+      "Brick wall",
+      "A heavy ball flies into a wall of loose bricks; explode what is left.",
+      { steps: 75 },
+    ],
+    ["digging", "Digging", "Boxes and balls on real hills: dig the ground away under them."],
+    [
+      "avalanche",
+      "Avalanche",
+      "Rubble comes down both sides of a real mountain; the large stones run ahead.",
+      { size: 1000, steps: 300 },
+    ],
     [
       "mixed_terrain",
       "Mixed bodies on terrain",
       "Circles and boxes rain on irregular ground and gather in its valleys.",
+      { size: 300, steps: 150 },
     ],
-    ["digging", "Digging", "Boxes and balls on real hills: dig the ground away under them."],
     [
       "tall_stack",
       "Tall stack",
       "A single column of boxes stands; its height tells how soft the contacts are.",
+      { size: 14 },
     ],
     [
       "heavy_on_light",
@@ -54,18 +85,50 @@ const ROWS: Record<Group, readonly Row[]> = {
     ],
   ],
   "In motion": [
-    ["tumbler", "Tumbler", "A turning drum churns boxes without end; none escapes."],
+    [
+      "dominoes",
+      "Dominoes",
+      "Each knocks over one a little larger, until a giant falls.",
+      { steps: 330 },
+    ],
+    [
+      "hourglass",
+      "Hourglass",
+      "Three thousand grains run through a neck; every half minute the glass turns.",
+      { steps: 480 },
+    ],
+    [
+      "conveyors",
+      "Conveyor belts",
+      "Belts whose surface runs carry parcels to and fro, round and round.",
+      { steps: 420 },
+    ],
+    ["pistons", "Pistons", "Forty pistons run as a wave and carry what lies on them.", { steps: 200 }],
+    [
+      "tumbler",
+      "Tumbler",
+      "A turning drum churns boxes without end; none escapes.",
+      { size: 300, steps: 150 },
+    ],
     [
       "tumbler_half",
       "Tumbler, half circles",
       "The same drum with circles and boxes, which flow like gravel.",
+      { size: 300, steps: 100 },
     ],
-    ["smash", "Smash", "A heavy box flies into a block of small ones: watch the shock run."],
+    [
+      "smash",
+      "Smash",
+      "A heavy box flies into a block of small ones: watch the shock run.",
+      { size: 500, steps: 45 },
+    ],
     [
       "cradle",
       "Newton's cradle",
       "As many balls leave on one side as arrive on the other, at the same speed.",
+      { steps: 30 },
     ],
+    ["bounce", "Bouncing", "Restitution from 0 to 1: the last ball should never tire.", { steps: 130 }],
     [
       "slopes",
       "Rolling and sliding",
@@ -76,7 +139,12 @@ const ROWS: Record<Group, readonly Row[]> = {
       "Bullets at thin walls",
       "Bullets of up to 100 km/s bounce between walls 2 cm thick; none gets out.",
     ],
-    ["gas", "Gas", "Elastic circles fly about in a closed box; watch the energy."],
+    [
+      "gas",
+      "Gas",
+      "Elastic circles fly about in a closed box; watch the energy.",
+      { size: 250, steps: 90 },
+    ],
   ],
   "How it is done": [
     [
@@ -85,9 +153,22 @@ const ROWS: Record<Group, readonly Row[]> = {
       "Overlap, continuous, bisect, swept: bullets pass thin walls in the first lane and the third.",
     ],
     [
+      "galton_board",
+      "Galton board",
+      "Sensors count the balls that reach each bin: the numbers come out bell-shaped.",
+      { steps: 700 },
+    ],
+    [
+      "filters",
+      "Filters",
+      "Two heaps in one pit, circles and boxes, that do not know of each other.",
+      { size: 300, steps: 90 },
+    ],
+    [
       "minkowski",
       "Minkowski sums",
       "Drag the shapes: they overlap where the second's centre is in the sum about the first.",
+      { size: 1 },
     ],
     [
       "broadphases",
@@ -97,23 +178,45 @@ const ROWS: Record<Group, readonly Row[]> = {
   ],
   "Crowds and extremes": [
     [
+      "far_away",
+      "Ten thousand kilometres away",
+      "A heap 10,000 km from the origin, and how far it is from its twin at the origin.",
+      { steps: 75 },
+    ],
+    [
+      "sizes",
+      "From 5 cm to 20 m",
+      "Sizes differ by 400 times in one heap; none is crushed.",
+      { size: 700, steps: 200 },
+    ],
+    [
       "platformer",
       "Platformer tiles",
       "Upright boxes run over storeys of separate tiles; gliders keep their speed.",
+      { size: 120 },
     ],
-    ["sizes", "From 5 cm to 20 m", "Sizes differ by 400 times in one heap; none is crushed."],
-    ["one_spot", "All in one spot", "A crowd collapses in one spot of a world 10 km wide."],
-    ["asleep", "Twenty thousand asleep", "What sleeps costs nothing; a hundred circles stay awake."],
+    [
+      "one_spot",
+      "All in one spot",
+      "A crowd collapses in one spot of a world 10 km wide.",
+      { size: 500, steps: 80 },
+    ],
+    [
+      "asleep",
+      "Twenty thousand asleep",
+      "What sleeps costs nothing; a hundred circles stay awake.",
+      { size: 500 },
+    ],
   ],
 };
 
 export const SCENES: readonly SceneEntry[] = GROUPS.flatMap((group) =>
-  ROWS[group].map(([name, title, about, thumbnailStep = 60]) => ({
+  ROWS[group].map(([name, title, about, thumbnail = {}]) => ({
     name,
     title,
     about,
     group,
-    thumbnailStep,
+    thumbnail,
   })),
 );
 

@@ -1,0 +1,165 @@
+/**
+ * A small SVG of a scene as its world stands. Sizes are in units of the picture, 640 by 400, which
+ * is shown four times as small. Colours work on light and on dark.
+ */
+const WIDTH = 640;
+const HEIGHT = 400;
+/** Thinner than this cannot be seen. */
+const LEAST = 1.2;
+const STONE = "rgb(118 134 162)";
+const KINDS = { circle: 0, terrain: 3 };
+const BODIES = { static: 0, kinematic: 1, dynamic: 2 };
+
+const INKS = {
+  ink: STONE,
+  soft: STONE,
+  accent: "rgb(66 141 205)",
+  good: "rgb(88 184 150)",
+  bad: "rgb(239 83 80)",
+  gold: "rgb(240 180 70)",
+  player: "rgb(245 124 82)",
+  rival: "rgb(98 105 200)",
+};
+
+/** `ramp`: CSS colours of moving bodies, from the first created to the last. */
+export function drawScene(scene, ramp) {
+  const place = placing(scene.view ?? { x: 0, y: 0, height: 20 });
+  const paths = new Map();
+  const add = (style, path) => paths.set(style, (paths.get(style) ?? "") + path);
+  for (const { style, path } of shapePaths(scene, place, ramp)) add(style, path);
+  for (const { style, path } of overlayPaths(scene, place)) add(style, path);
+  for (const mark of scene.paint?.().marks ?? []) {
+    const drawn = markPath(mark, place);
+    if (drawn) add(drawn.style, drawn.path);
+  }
+  const body = [...paths].map(([style, path]) => `<path ${style} d="${path}"/>`).join("\n");
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${HEIGHT}">\n${body}\n</svg>\n`;
+}
+
+/** From the world to the picture, so that the view fits. */
+function placing({ x, y, height, width = 0 }) {
+  const scale = Math.min(HEIGHT / height, width > 0 ? WIDTH / width : Infinity);
+  return {
+    scale,
+    origin: [x, y],
+    at: (dx, dy) => [WIDTH / 2 + dx * scale, HEIGHT / 2 - dy * scale],
+    sees: ([px, py], reach) =>
+      px > -reach && px < WIDTH + reach && py > -reach && py < HEIGHT + reach,
+  };
+}
+
+const round = (value) => Math.round(value);
+const point = ([x, y]) => `${round(x)} ${round(y)}`;
+
+function circle([x, y], radius) {
+  const r = +radius.toFixed(1);
+  return `M${+(x - r).toFixed(1)} ${round(y)}a${r} ${r} 0 1 1 ${+(2 * r).toFixed(1)} 0a${r} ${r} 0 1 1 ${-(2 * r).toFixed(1)} 0`;
+}
+
+function box([x, y], hx, hy, c, s) {
+  const corner = (u, v) => [x + c * u * hx + s * v * hy, y - s * u * hx + c * v * hy];
+  return `M${point(corner(-1, -1))}L${[corner(1, -1), corner(1, 1), corner(-1, 1)].map(point).join(" ")}z`;
+}
+
+function* shapePaths({ world, hidden = [] }, place, ramp) {
+  const table = world.shapeTable();
+  const rows = table.rows.slice();
+  const handles = table.handles.slice();
+  const poses = world.poses(1, ...place.origin).slice();
+  const unseen = new Set(hidden);
+  const moving = [];
+  for (let i = 0; i < rows.length; i += 10)
+    if (rows[i + 2] === BODIES.dynamic) moving.push(rows[i]);
+  const last = Math.max(1, ...moving);
+  const first = moving.length > 0 ? Math.min(...moving) : 0;
+
+  for (let row = 0; row < table.count; row++) {
+    const [slot, kind, bodyKind, sensor, ox, oy, hx, hy, sc, ss] = rows.subarray(10 * row);
+    if (unseen.has(slot)) continue;
+    const [bx, by, bc, bs] = poses.subarray(4 * slot);
+    const center = place.at(bx + bc * ox - bs * oy, by + bs * ox + bc * oy);
+    const [w, h] = [hx * place.scale, hy * place.scale];
+    if (kind === KINDS.terrain) {
+      const id = { kind: "shape", index: handles[4 * row] - 1, generation: handles[4 * row + 1] };
+      yield { style: `fill="${STONE}" fill-opacity=".55"`, path: ground(world.terrain(id), place, bx, by) };
+      continue;
+    }
+    if (!place.sees(center, Math.hypot(w, h))) continue;
+    if (bodyKind === BODIES.dynamic && Math.max(w, h) < LEAST) continue;
+    const [c, s] = [bc * sc - bs * ss, bs * sc + bc * ss];
+    const [halfW, halfH] = [Math.max(w, LEAST), Math.max(h, LEAST)];
+    yield {
+      style: sensor ? `fill="${INKS.good}" fill-opacity=".5"` : styleOf(bodyKind, ramp, (slot - first) / (last - first + 1)),
+      path: kind === KINDS.circle ? circle(center, halfW) : box(center, halfW, halfH, c, s),
+    };
+  }
+}
+
+function styleOf(bodyKind, ramp, t) {
+  if (bodyKind === BODIES.static) return `fill="${STONE}" fill-opacity=".8"`;
+  if (bodyKind === BODIES.kinematic) return `fill="${STONE}"`;
+  const colour = ramp[Math.floor(t * ramp.length)];
+  return `fill="${colour}" stroke="#10141c" stroke-opacity=".45" stroke-width="1.5"`;
+}
+
+/** What of a terrain is in the picture, closed along its lower edge. */
+function ground(terrain, place, x, y) {
+  const reach = (WIDTH / place.scale) * 0.6;
+  const points =
+    terrain.kind === "flat"
+      ? [-reach, reach].map((dx) => [dx - x, (terrain.slope ?? 0) * (dx - x)])
+      : terrain.kind === "uniform"
+        ? Array.from(terrain.heights, (height, i) => [terrain.x0 + i * terrain.spacing, height])
+        : terrain.points;
+  const shown = points.filter(([px], i) => {
+    const next = points[i + 1] ?? points[i];
+    const before = points[i - 1] ?? points[i];
+    return next[0] + x > -reach && before[0] + x < reach && px !== undefined;
+  });
+  if (shown.length < 2) return "";
+  const line = shown.map(([px, py]) => place.at(px + x, py + y));
+  const bottom = HEIGHT + 10;
+  return `M${round(line[0][0])} ${bottom}L${line.map(point).join(" ")} ${round(line.at(-1)[0])} ${bottom}z`;
+}
+
+/** The engine's debug drawing, where the scene is about it. */
+function* overlayPaths({ world, view, show = [] }, place) {
+  if (show.length === 0 || !view) return;
+  const [halfX, halfY] = [WIDTH / 2 / place.scale, HEIGHT / 2 / place.scale];
+  const { lines } = world.debugDraw({
+    ...Object.fromEntries(show.map((name) => [name, true])),
+    origin: place.origin,
+    lower: [view.x - halfX, view.y - halfY],
+    upper: [view.x + halfX, view.y + halfY],
+  });
+  for (let i = 0; i < lines.length; i += 5) {
+    const [x0, y0, x1, y1] = lines.subarray(i);
+    yield {
+      style: `fill="none" stroke="${INKS.rival}" stroke-opacity=".6" stroke-width="2"`,
+      path: `M${point(place.at(x0, y0))}L${point(place.at(x1, y1))}`,
+    };
+  }
+}
+
+function markPath(mark, { at, scale, origin }) {
+  const ink = INKS[mark.ink];
+  const from = ([x, y]) => at(x - origin[0], y - origin[1]);
+  if (mark.kind === "line") {
+    const dashed = mark.dashed ? ' stroke-dasharray="14 10"' : "";
+    return {
+      style: `fill="none" stroke="${ink}" stroke-width="4"${dashed}`,
+      path: `M${mark.points.map((p) => point(from(p))).join("L")}`,
+    };
+  }
+  if (mark.kind === "text") return null;
+  const center = from([mark.x, mark.y]);
+  const style = mark.filled
+    ? `fill="${ink}" fill-opacity="${mark.opacity ?? 1}"`
+    : mark.kind === "figure"
+      ? `fill="${ink}"`
+      : `fill="none" stroke="${ink}" stroke-width="3" stroke-opacity="${mark.opacity ?? 1}"`;
+  if (mark.kind === "circle") return { style, path: circle(center, mark.radius * scale) };
+  const angle = mark.angle ?? 0;
+  const [w, h] = [mark.halfWidth * scale, mark.halfHeight * scale];
+  return { style, path: box(center, w, h, Math.cos(angle), Math.sin(angle)) };
+}

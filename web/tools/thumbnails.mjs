@@ -1,0 +1,56 @@
+#!/usr/bin/env node
+/**
+ * Draws a small picture of every scene into web/public/thumbs: runs the scene without a browser
+ * for some steps and draws what it has come to. Pictures newer than what they are made of stay.
+ */
+import { mkdirSync, statSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { load } from "../package/dist/node.js";
+import { drawScene } from "./picture.mjs";
+import {
+  buildScene,
+  cssColour,
+  DARK,
+  KEY_NAMES,
+  SCENES,
+  sceneFile,
+  thumbnailFile,
+} from "./scenes.mjs";
+
+const web = new URL("../", import.meta.url);
+const path = (file) => fileURLToPath(new URL(file, web));
+const time = (file) => statSync(path(file), { throwIfNoEntry: false })?.mtimeMs ?? 0;
+
+/** Every picture depends on these. */
+const COMMON = Math.max(
+  ...[
+    "src/scene/registry.ts",
+    "src/scene/setting.ts",
+    "src/scene/random.ts",
+    "src/render/palette.ts",
+    "tools/picture.mjs",
+    "tools/scenes.mjs",
+    "tools/thumbnails.mjs",
+    "package/dist/thud.wasm",
+  ].map(time),
+);
+const COLOURS = DARK.ramp.map((colour) => cssColour(colour));
+const NOTHING = Object.fromEntries(KEY_NAMES.map((key) => [key, false]));
+
+const thud = await load();
+mkdirSync(path("public/thumbs"), { recursive: true });
+for (const { name, thumbnail } of SCENES) {
+  const file = `public/${thumbnailFile(name)}`;
+  if (time(`public/${sceneFile(name)}`) === 0) {
+    console.warn(`thumbnails: there is no scene ${name} yet`);
+    continue;
+  }
+  if (time(file) > Math.max(COMMON, time(`public/${sceneFile(name)}`))) continue;
+  const { scene } = await buildScene(thud, name, { size: thumbnail.size });
+  for (let step = 0; step < (thumbnail.steps ?? 60); step++) {
+    scene.update?.({ step, held: NOTHING, pointer: null });
+    scene.world.step();
+  }
+  writeFileSync(path(file), drawScene(scene, COLOURS));
+  scene.world.close();
+}
