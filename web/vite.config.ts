@@ -39,5 +39,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
   },
+  // Box2D is a chunk of its own in the worker, which only modules can have.
+  worker: { format: "es" },
   server: { fs: { allow: [".."] } },
 });

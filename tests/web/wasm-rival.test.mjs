@@ -1,0 +1,426 @@
+/** The page's Box2D side: the same scene, built of a thud world and kept like it. */
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { test } from "node:test";
+import { demoWasm, root, thud } from "./support.mjs";
+
+// Vite brings esbuild. The bundle lies as deep below web/ as its sources, for their paths' sake.
+const require = createRequire(createRequire(`${root}web/package.json`).resolve("vite"));
+const bundle = `${root}web/generated/rival/rival.mjs`;
+await require("esbuild").build({
+  stdin: {
+    contents: ["box2d", "hands", "rival", "ruler"].map((name) => `export * from "./${name}"`).join("\n"),
+    resolveDir: `${root}web/src/rival`,
+  },
+  outfile: bundle,
+  bundle: true,
+  format: "esm",
+  external: ["*.mjs"],
+});
+const { loadBox2D, Rival, Ruler, explode, inWorld, pull } = await import(bundle);
+const box2d = await loadBox2D();
+const engine = await thud.load(demoWasm);
+
+const BLOCK = { halfWidth: 0.5, halfHeight: 0.5 };
+
+/** A thud world with its rival, closed after `use`. `build` gets the world. */
+function withRival(options, build, use, settings = {}) {
+  const world = engine.createWorld(options);
+  const built = build(world);
+  const rival = new Rival(box2d, world, { ...settings, options });
+  try {
+    use(world, rival, built);
+  } finally {
+    rival.close();
+    world.close();
+  }
+}
+
+function step(world, rival, steps, deed = () => {}) {
+  for (let i = 0; i < steps; i++) {
+    rival.sync();
+    deed();
+    world.step();
+    rival.step();
+  }
+}
+
+function addGround(world, terrain = { kind: "flat" }, options = {}) {
+  return world.createTerrain(world.createBody(), terrain, options);
+}
+
+function addBall(world, position, options = {}) {
+  const { radius = 0.5, velocity, ...material } = options;
+  const ball = world.createBody({ kind: "dynamic", position, velocity });
+  world.createCircle(ball, { radius, ...material });
+  return ball;
+}
+
+function addBox(world, position, angle = 0) {
+  const box = world.createBody({ kind: "dynamic", position, angle });
+  world.createObb(box, BLOCK);
+  return box;
+}
+
+const near = (actual, expected, tolerance, what = "") =>
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${what} ${actual}, expected ${expected}`);
+
+const heightOf = (rival, body) => rival.poses()[4 * body.index + 1];
+
+test("ball_on_flat_ground_rests_as_high_as_in_thud", () => {
+  const build = (world) => (addGround(world), addBall(world, [3, 2]));
+  withRival({}, build, (world, rival, ball) => {
+    step(world, rival, 180);
+    near(heightOf(rival, ball), world.bodyState(ball).position[1], 0.01);
+    near(heightOf(rival, ball), 0.5, 0.01);
+    near(rival.poses()[4 * ball.index], 3, 1e-3);
+  });
+});
+
+test("balls_dropped_on_both_kinds_of_line_stay_in_their_hollow", () => {
+  const uniform = { kind: "uniform", x0: -10, spacing: 2, heights: [3, 1, 0, 0, 0, 0, 0, 0, 0, 1, 3] };
+  const points = [[-10, 3], [-7, 1], [-3, 0], [5, 0], [10, 3]];
+  for (const terrain of [uniform, { kind: "irregular", points }]) {
+    const build = (world) => {
+      addGround(world, terrain);
+      return [-9, 0.3, 8].map((x) => addBall(world, [x, 5]));
+    };
+    withRival({}, build, (world, rival, balls) => {
+      step(world, rival, 240);
+      for (const { index } of balls) {
+        const [x, y] = rival.poses().subarray(4 * index);
+        assert.ok(x > -7 && x < 8, `${terrain.kind}: x ${x}`);
+        assert.ok(y > 0.49 && y < 2, `${terrain.kind}: y ${y}`);
+      }
+      near(heightOf(rival, balls[1]), world.bodyState(balls[1]).position[1], 0.01);
+    });
+  }
+});
+
+test("pyramid_of_boxes_stands", () => {
+  const build = (world) => {
+    const ground = world.createBody({ position: [0, -1] });
+    world.createAabb(ground, { halfWidth: 20, halfHeight: 1 });
+    const boxes = [];
+    for (let row = 0; row < 8; row++)
+      for (let i = 0; i < 8 - row; i++) boxes.push(addBox(world, [i + row / 2, row + 0.5]));
+    return boxes;
+  };
+  withRival({}, build, (world, rival, boxes) => {
+    step(world, rival, 120);
+    const poses = rival.poses();
+    for (const { index } of boxes) {
+      const start = world.bodyState(boxes[index - 1]).position;
+      near(poses[4 * index], start[0], 0.02);
+      near(poses[4 * index + 1], start[1], 0.05);
+      near(poses[4 * index + 2], 1, 1e-4);
+    }
+    assert.ok(rival.penetration() < 0.02);
+  });
+});
+
+test("masses_and_inertia_equal_those_of_thud_in_any_unit", () => {
+  for (const lengthScale of [1, 32]) {
+    const build = (world) => {
+      const bodies = [0, 1, 2].map((i) => world.createBody({ kind: "dynamic", position: [i * 4, 0] }));
+      const density = 0.7;
+      world.createCircle(bodies[0], { radius: 3, density });
+      world.createObb(bodies[1], { halfWidth: 2, halfHeight: 5, angle: 0.4, offset: [1, 2], density });
+      world.createCircle(bodies[1], { radius: 2, offset: [-3, 1] });
+      world.createAabb(bodies[2], { halfWidth: 2, halfHeight: 1 });
+      return bodies;
+    };
+    withRival({ lengthScale }, build, (world, rival, bodies) => {
+      for (const body of bodies) {
+        const [own, other] = [world.bodyState(body), rival.bodyState(body)];
+        near(other.mass, own.mass, 1e-4 * own.mass, "mass");
+        near(other.inertia, own.inertia, 1e-4 * own.inertia, "inertia");
+        for (const k of [0, 1]) near(other.center[k], own.center[k], 1e-4, "centre");
+      }
+    });
+  }
+});
+
+test("free_fall_in_pixels_follows_the_parabola", () => {
+  const options = { lengthScale: 32, gravity: [0, -320] };
+  const build = (world) => addBall(world, [100, 1000], { radius: 16, velocity: [64, 0] });
+  withRival(options, build, (world, rival, ball) => {
+    step(world, rival, 60);
+    near(rival.poses()[4 * ball.index], 164, 0.1);
+    // Semi-implicit Euler with 4 substeps: h g t / 2 below the parabola.
+    near(heightOf(rival, ball), 1000 - 160 - 320 / 240 / 2, 0.1);
+    near(rival.bodyState(ball).velocity[1], -320, 0.1);
+    near(rival.poses(0)[4 * ball.index], 164 - 64 / 60, 0.1);
+    near(rival.poses(1, 150, 800)[4 * ball.index], 14, 0.1);
+  });
+});
+
+test("energy_of_the_start_equals_that_of_thud_and_the_formula", () => {
+  const build = (world) => {
+    addGround(world);
+    const ball = addBall(world, [2, 7], { radius: 1, velocity: [3, -4] });
+    world.setVelocity(ball, [3, -4], 2);
+    return ball;
+  };
+  withRival({ gravity: [0, -9.81] }, build, (world, rival) => {
+    const [kinetic, potential] = rival.energy();
+    const mass = Math.PI;
+    near(kinetic, 0.5 * mass * 25 + 0.5 * (0.5 * mass) * 4, 1e-3);
+    near(potential, mass * 9.81 * 7, 1e-3);
+    const own = world.measure();
+    near(kinetic, own.kineticEnergy, 1e-3);
+    near(potential, own.potentialEnergy, 1e-3);
+  });
+});
+
+test("penetration_of_overlapping_circles_is_the_radii_less_the_distance", () => {
+  const build = (world) => {
+    const rock = world.createBody();
+    world.createCircle(rock, { radius: 1 });
+    return [addBall(world, [1.2, 0]), addBall(world, [0, 5]), addBall(world, [0.8, 5])];
+  };
+  withRival({ gravity: [0, 0] }, build, (world, rival, [first, second]) => {
+    near(rival.penetration(), 0.3, 1e-5);
+    rival.setTransform(first, [1.4, 0]);
+    near(rival.penetration(), 0.2, 1e-5);
+    rival.setTransform(first, [2, 0]);
+    rival.setTransform(second, [-1, 5]);
+    assert.equal(rival.penetration(), 0);
+  });
+});
+
+test("ruler_reads_the_poses_of_thud_far_from_the_origin", () => {
+  const origin = [1e6, -1e6];
+  const world = engine.createWorld({ gravity: [0, 0] });
+  addBall(world, origin);
+  addBall(world, [origin[0] + 0.75, origin[1]]);
+  const ruler = new Ruler(world);
+  ruler.sync();
+  near(ruler.penetration(world.poses(1, ...origin), ...origin), 0.25, 1e-5);
+  ruler.close();
+  world.close();
+});
+
+test("pulled_body_comes_to_the_pointer_in_both_and_does_not_overshoot", () => {
+  const build = (world) => (addGround(world), addBox(world, [0, 0.5]));
+  withRival({}, build, (world, rival, body) => {
+    const held = { body, anchor: [0.4, 0.4], target: [3, 4] };
+    let highest = 0;
+    step(world, rival, 120, () => {
+      for (const hands of [world, rival]) {
+        pull(hands, held);
+        highest = Math.max(highest, inWorld(hands.bodyState(body), held.anchor)[1]);
+      }
+    });
+    for (const hands of [world, rival]) {
+      const [x, y] = inWorld(hands.bodyState(body), held.anchor);
+      assert.ok(Math.hypot(x - 3, y - 4) < 0.1, `${x} ${y}`);
+    }
+    assert.ok(highest < 4.1, `${highest}`);
+  });
+});
+
+test("explosion_throws_the_bodies_in_its_radius_outward_alike", () => {
+  const build = (world) => [addBall(world, [2, 0]), addBall(world, [-1, 0]), addBall(world, [9, 0])];
+  withRival({ gravity: [0, 0] }, build, (world, rival, bodies) => {
+    for (const hands of [world, rival]) {
+      explode(hands, bodies, [0, 0], 4, 10);
+      const speeds = bodies.map((body) => hands.bodyState(body).velocity[0]);
+      near(speeds[0], 5, 1e-4);
+      near(speeds[1], -7.5, 1e-4);
+      assert.equal(speeds[2], 0);
+    }
+  });
+});
+
+test("dug_ground_lets_a_ball_sink_into_the_crater", () => {
+  const points = [[-20, 0], [-5, 0], [5, 0], [20, 0]];
+  const build = (world) => [addGround(world, { kind: "irregular", points }), addBall(world, [0, 0.5])];
+  withRival({}, build, (world, rival, [ground, ball]) => {
+    step(world, rival, 10);
+    near(heightOf(rival, ball), 0.5, 0.01);
+    world.dig(ground, [0, 0], 3);
+    step(world, rival, 180);
+    near(heightOf(rival, ball), -2.5, 0.1);
+    near(heightOf(rival, ball), world.bodyState(ball).position[1], 0.1);
+    assert.ok(rival.penetration() < 0.02);
+  });
+});
+
+test("bodies_that_come_and_go_do_so_in_the_rival_under_the_slot_of_thud", () => {
+  const build = (world) => (addGround(world), addBall(world, [0, 0.5]));
+  withRival({}, build, (world, rival, first) => {
+    step(world, rival, 1);
+    world.destroy(first);
+    rival.sync();
+    assert.ok(Number.isNaN(heightOf(rival, first)));
+    assert.ok(!rival.isValid(first));
+    const second = addBall(world, [4, 6], { radius: 0.3 });
+    assert.equal(second.index, first.index);
+    assert.ok(!rival.isValid(second));
+    step(world, rival, 120);
+    assert.throws(() => rival.bodyState(first), /no body in slot/);
+    near(heightOf(rival, second), 0.3, 0.01);
+    const shapes = world.shapesOf(second);
+    world.createCircle(second, { radius: 0.8 });
+    world.destroy(shapes[0]);
+    step(world, rival, 120);
+    near(heightOf(rival, second), 0.8, 0.02);
+    near(rival.bodyState(second).mass, Math.PI * 0.64, 1e-3);
+  });
+});
+
+test("kinematic_body_moves_as_steered_and_jumps_as_placed", () => {
+  const build = (world) => {
+    const lift = world.createBody({ kind: "kinematic", position: [0, 0], velocity: [0, 1] });
+    world.createAabb(lift, { halfWidth: 3, halfHeight: 0.5 });
+    return [lift, addBall(world, [0, 1])];
+  };
+  withRival({}, build, (world, rival, [lift, ball]) => {
+    step(world, rival, 60);
+    near(heightOf(rival, lift), 1, 1e-3);
+    near(heightOf(rival, ball), 2, 0.02);
+    world.setVelocity(lift, [2, 0]);
+    step(world, rival, 30);
+    near(rival.poses()[4 * lift.index], 1, 1e-3);
+    world.setTransform(lift, [7, 9]);
+    world.setVelocity(lift, [0, 0]);
+    rival.sync();
+    near(rival.bodyState(lift).position[0], 7, 1e-6);
+  });
+});
+
+test("belt_carries_a_box_to_the_side_to_which_it_does_in_thud", () => {
+  for (const surfaceSpeed of [2, -2]) {
+    const build = (world) => {
+      const belt = world.createBody({ position: [0, -0.5] });
+      world.createAabb(belt, { halfWidth: 30, halfHeight: 0.5, surfaceSpeed });
+      const points = [[40, 0], [100, 0]];
+      addGround(world, { kind: "irregular", points }, { surfaceSpeed });
+      return [addBox(world, [0, 0.5]), addBox(world, [70, 0.5])];
+    };
+    withRival({}, build, (world, rival, boxes) => {
+      step(world, rival, 120);
+      for (const box of boxes) {
+        near(world.bodyState(box).velocity[0], surfaceSpeed, 0.05, "thud");
+        near(rival.bodyState(box).velocity[0], surfaceSpeed, 0.05, "Box2D");
+      }
+    });
+  }
+});
+
+test("friction_and_restitution_hold_on_ground_lines", () => {
+  const points = [[-50, 20], [0, 0], [50, 0]];
+  const build = (world) => {
+    addGround(world, { kind: "irregular", points }, { friction: 0.8, restitution: 0.5 });
+    const slope = Math.atan2(-20, 50);
+    return [addBox(world, [-25 + 0.19, 10 + 0.47], slope), addBall(world, [20, 5.5])];
+  };
+  withRival({}, build, (world, rival, [box, ball]) => {
+    let [least, highest] = [Infinity, 0];
+    step(world, rival, 105, () => {
+      least = Math.min(least, heightOf(rival, ball));
+      if (least < 0.6) highest = Math.max(highest, heightOf(rival, ball));
+    });
+    near(rival.poses()[4 * box.index], -25 + 0.19, 0.05, "the box slid to");
+    near(highest, 0.5 + 5 / 4, 0.1, "the ball bounced to");
+  });
+});
+
+test("filters_groups_and_sensors_let_pass_what_thud_lets_pass", () => {
+  const bit = 0x80000000;
+  const build = (world) => {
+    addGround(world);
+    const shelf = world.createBody({ position: [0, 3] });
+    world.createAabb(shelf, { halfWidth: 50, halfHeight: 0.1, category: bit, group: -3 });
+    return [
+      addBall(world, [0, 4]),
+      addBall(world, [5, 4], { mask: 1 }),
+      addBall(world, [10, 4], { group: -3 }),
+      addBall(world, [15, 4], { mask: bit + 1 }),
+      addBall(world, [20, 4], { sensor: true }),
+    ];
+  };
+  withRival({}, build, (world, rival, balls) => {
+    step(world, rival, 120);
+    for (const ball of balls)
+      near(heightOf(rival, ball), world.bodyState(ball).position[1], 0.3, `ball ${ball.index}`);
+  });
+});
+
+test("damping_and_gravity_scale_slow_and_lift_as_in_thud", () => {
+  const records = new Map();
+  const build = (world) =>
+    [{ linearDamping: 1.5, angularDamping: 3 }, { gravityScale: -0.5 }].map((options, i) => {
+      const body = world.createBody({
+        kind: "dynamic",
+        position: [4 * i, 0],
+        velocity: [5, 0],
+        angularVelocity: 4,
+        ...options,
+      });
+      world.createCircle(body, { radius: 0.5 });
+      records.set(body.index, options);
+      return body;
+    });
+  const settings = { bodyOptions: ({ index }) => records.get(index) };
+  withRival({}, build, (world, rival, bodies) => {
+    step(world, rival, 60);
+    for (const body of bodies) {
+      const [own, other] = [world.bodyState(body), rival.bodyState(body)];
+      near(other.velocity[0], own.velocity[0], 0.02);
+      near(other.velocity[1], own.velocity[1], 0.1);
+      near(other.angularVelocity, own.angularVelocity, 0.05);
+    }
+  }, settings);
+});
+
+test("sleeping_pile_stays_put_and_holds_when_it_is_woken", () => {
+  const build = (world) => {
+    addGround(world);
+    const boxes = [0.5, 1.5, 2.5].map((y) => addBox(world, [0, y]));
+    for (let i = 0; i < 120; i++) world.step();
+    assert.equal(world.stats().awakeBodies, 0);
+    return boxes;
+  };
+  withRival({}, build, (world, rival, boxes) => {
+    step(world, rival, 2);
+    for (const box of boxes) assert.equal(rival.energy()[0], 0);
+    rival.applyImpulse(boxes[2], [0.1, 0], rival.bodyState(boxes[2]).center);
+    step(world, rival, 60);
+    boxes.forEach((box, i) => near(heightOf(rival, box), i + 0.5, 0.03));
+  });
+});
+
+test("two_thousand_bodies_made_and_destroyed_leave_no_memory_behind", () => {
+  const points = Array.from({ length: 50 }, (_, i) => [i, 0]);
+  const build = (world) => addGround(world, { kind: "irregular", points });
+  withRival({}, build, (world, rival, ground) => {
+    const cycle = (count) => {
+      for (let i = 0; i < count; i++) {
+        const ball = addBall(world, [10 + (i % 20), 1]);
+        rival.sync();
+        world.destroy(ball);
+        rival.sync();
+      }
+    };
+    cycle(100);
+    const [bytes, heap] = [rival.bytes, box2d.HEAPU8.length];
+    cycle(2000);
+    assert.equal(rival.bytes, bytes);
+    assert.equal(box2d.HEAPU8.length, heap);
+    assert.ok(ground);
+  });
+});
+
+test("worlds_closed_make_room_for_others", () => {
+  // Box2D holds 128 worlds at most.
+  const world = engine.createWorld();
+  addBall(world, [0, 0]);
+  for (let i = 0; i < 200; i++) {
+    const rival = new Rival(box2d, world);
+    rival.step();
+    rival.close();
+  }
+  world.close();
+});

@@ -1,0 +1,94 @@
+/**
+ * What a visitor does to bodies by hand, for either engine: each takes it by the same rule from its
+ * own state of the body. A World of thud has such hands, and a Rival.
+ */
+import type { BodyId, BodyState, Vec2 } from "thud";
+
+export type Held = Pick<
+  BodyState,
+  "kind" | "position" | "center" | "angle" | "velocity" | "angularVelocity" | "mass" | "inertia"
+>;
+
+export interface Hands {
+  isValid(body: BodyId): boolean;
+  bodyState(body: BodyId): Held;
+  setVelocity(body: BodyId, velocity: Vec2, angularVelocity?: number): void;
+  applyImpulse(body: BodyId, impulse: Vec2, point: Vec2): void;
+}
+
+export interface Pull {
+  body: BodyId;
+  /** Where it was taken, in the body's frame. */
+  anchor: Vec2;
+  /** The pointer. */
+  target: Vec2;
+}
+
+/** How hard a pulled body follows, as speed per distance (1/s). */
+const PULL_RATE = 14;
+/** Largest change of speed per step by pulling, in lengths a second. */
+const PULL_LIMIT = 60;
+/** What is left of the spin after each step: a body on a short line swings for ever without. */
+const PULL_SPIN = 0.92;
+
+/**
+ * An impulse at the anchor that gives it the speed of an exponential approach to the pointer:
+ * J = K⁻¹·(wanted - actual), with K the inverse mass that the anchor has. It does not overshoot.
+ * Before each step.
+ */
+export function pull(hands: Hands, { body, anchor, target }: Pull): void {
+  if (!hands.isValid(body)) return;
+  const state = hands.bodyState(body);
+  if (state.mass <= 0) return;
+  const point = inWorld(state, anchor);
+  const rx = point[0] - state.center[0];
+  const ry = point[1] - state.center[1];
+  const inverseMass = 1 / state.mass;
+  const inverseInertia = state.inertia > 0 ? 1 / state.inertia : 0;
+  const spin = state.angularVelocity;
+  let dx = (target[0] - point[0]) * PULL_RATE - (state.velocity[0] - spin * ry);
+  let dy = (target[1] - point[1]) * PULL_RATE - (state.velocity[1] + spin * rx);
+  const change = Math.hypot(dx, dy);
+  if (change > PULL_LIMIT) {
+    dx *= PULL_LIMIT / change;
+    dy *= PULL_LIMIT / change;
+  }
+  const kxx = inverseMass + inverseInertia * ry * ry;
+  const kyy = inverseMass + inverseInertia * rx * rx;
+  const kxy = -inverseInertia * rx * ry;
+  const determinant = kxx * kyy - kxy * kxy;
+  const impulse: Vec2 = [(kyy * dx - kxy * dy) / determinant, (kxx * dy - kxy * dx) / determinant];
+  hands.applyImpulse(body, impulse, point);
+  const after = hands.bodyState(body);
+  hands.setVelocity(body, after.velocity, after.angularVelocity * PULL_SPIN);
+}
+
+/**
+ * Throws bodies away from `center`: each gains `speed` at the centre of the blast, less with its
+ * distance, and nothing at `radius`. What has no mass stays.
+ */
+export function explode(
+  hands: Hands,
+  bodies: Iterable<BodyId>,
+  center: Vec2,
+  radius: number,
+  speed: number,
+): void {
+  for (const body of bodies) {
+    if (!hands.isValid(body)) continue;
+    const state = hands.bodyState(body);
+    const [dx, dy] = [state.center[0] - center[0], state.center[1] - center[1]];
+    const distance = Math.hypot(dx, dy);
+    if (state.kind !== "dynamic" || distance >= radius) continue;
+    const impulse = state.mass * speed * (1 - distance / radius);
+    // In the very middle there is no direction but up.
+    const [nx, ny] = distance > 0 ? [dx / distance, dy / distance] : [0, 1];
+    hands.applyImpulse(body, [impulse * nx, impulse * ny], state.center);
+  }
+}
+
+/** A place in the body's frame, in the world. */
+export function inWorld({ position, angle }: Pick<Held, "position" | "angle">, place: Vec2): Vec2 {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return [position[0] + c * place[0] - s * place[1], position[1] + s * place[0] + c * place[1]];
+}

@@ -1,0 +1,186 @@
+/**
+ * Makes Box2D's bodies, shapes and chains of thud's. What needs translation:
+ *
+ * - Box2D's tolerances are lengths in metres, for bodies of about one metre, and this build of it
+ *   cannot be told another unit. A world whose typical body has another size is scaled to it, as
+ *   Box2D's manual advises; `unit` is a metre in the world's lengths. Times and masses stay.
+ * - A body that cannot turn (fixed rotation, or an AABB) is one without inertia.
+ * - Terrain is a chain: one-sided, solid to the left of its direction of travel, so its points go
+ *   from right to left. A chain's first and last edge do not collide, so that each end gets a ghost
+ *   point that continues the last edge.
+ * - Friction mixes as the square root of the product and restitution as the larger in both engines.
+ */
+import type { BodyOptions, BodyState, ShapeState, Terrain, Vec2, WorldOptions } from "thud";
+import type {
+  b2BodyId,
+  b2ChainId,
+  b2Filter,
+  b2ShapeDef,
+  b2ShapeId,
+  b2SurfaceMaterial,
+  b2WorldId,
+} from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
+import type { Box2D } from "./box2d";
+
+/** Half the width of what stands in for endless ground, in metres. */
+const FLAT_HALF_WIDTH = 4096;
+
+/** What all of a world's bodies have in common. */
+export interface Common {
+  box2d: Box2D;
+  /** Lengths of thud's world to a metre. */
+  unit: number;
+  /** Whether contacts are to be told of: it costs Box2D as it costs thud. */
+  events: boolean;
+}
+
+/** As fast as thud lets bodies be, in length scales a second; Box2D's default is 400. */
+const MAXIMUM_SPEED = 1e6;
+
+/** Where `options` say nothing, Box2D keeps its defaults but for gravity and the highest speed. */
+export function createWorld(
+  { box2d, unit }: Common,
+  options: WorldOptions,
+  contactHertz?: number,
+): b2WorldId {
+  const [x, y] = options.gravity ?? [0, -10];
+  const def = box2d.b2DefaultWorldDef();
+  def.gravity.Set(x / unit, y / unit);
+  def.maximumLinearSpeed = options.maximumSpeed ?? MAXIMUM_SPEED;
+  def.enableSleep = options.sleeping ?? true;
+  def.restitutionThreshold = options.restitutionThreshold ?? def.restitutionThreshold;
+  def.hitEventThreshold = options.hitSpeed ?? def.hitEventThreshold;
+  def.contactHertz = contactHertz ?? def.contactHertz;
+  const world = box2d.b2CreateWorld(def);
+  def.delete();
+  if (world.index1 === 0) throw new Error("Box2D has no room for another world");
+  return world;
+}
+
+/** A body without its shapes. What a thud world does not tell of a body comes in `options`. */
+export function makeBody(
+  { box2d, unit }: Common,
+  world: b2WorldId,
+  state: BodyState,
+  options: BodyOptions,
+  bullet: boolean,
+): b2BodyId {
+  const def = box2d.b2DefaultBodyDef();
+  const { b2_staticBody, b2_kinematicBody, b2_dynamicBody } = box2d.b2BodyType;
+  def.type = { static: b2_staticBody, kinematic: b2_kinematicBody, dynamic: b2_dynamicBody }[
+    state.kind
+  ];
+  def.position.Set(state.position[0] / unit, state.position[1] / unit);
+  def.rotation.c = Math.cos(state.angle);
+  def.rotation.s = Math.sin(state.angle);
+  def.gravityScale = state.gravityScale;
+  def.linearDamping = options.linearDamping ?? 0;
+  def.angularDamping = options.angularDamping ?? 0;
+  def.motionLocks.angularZ = state.kind === "dynamic" && state.inertia === 0;
+  def.enableSleep = options.maySleep ?? true;
+  def.isBullet = bullet;
+  def.isEnabled = state.enabled;
+  const body = box2d.b2CreateBody(world, def);
+  def.delete();
+  return body;
+}
+
+/** A circle or a box. */
+export function makeShape(common: Common, body: b2BodyId, shape: ShapeState): b2ShapeId {
+  const { box2d, unit, events } = common;
+  const def: b2ShapeDef = box2d.b2DefaultShapeDef();
+  def.density = shape.density * unit * unit;
+  def.isSensor = shape.sensor;
+  def.enableContactEvents = events;
+  def.enableHitEvents = events;
+  def.enableSensorEvents = events;
+  setMaterial(def.material, shape, unit);
+  setFilter(def.filter, shape);
+  const offset = new box2d.b2Vec2(shape.offset[0] / unit, shape.offset[1] / unit);
+  const [hx, hy] = [shape.halfExtents[0] / unit, shape.halfExtents[1] / unit];
+  let made: b2ShapeId;
+  if (shape.kind === "circle") {
+    const circle = new box2d.b2Circle();
+    circle.center = offset;
+    circle.radius = hx;
+    made = box2d.b2CreateCircleShape(body, def, circle);
+    circle.delete();
+  } else {
+    const turn = new box2d.b2Rot();
+    // An AABB has no angle of its own, and its body none either.
+    turn.c = Math.cos(shape.angle);
+    turn.s = Math.sin(shape.angle);
+    const box = box2d.b2MakeOffsetBox(hx, hy, offset, turn);
+    made = box2d.b2CreatePolygonShape(body, def, box);
+    box.delete();
+    turn.delete();
+  }
+  offset.delete();
+  def.delete();
+  return made;
+}
+
+export function makeChain(
+  { box2d, unit, events }: Common,
+  body: b2BodyId,
+  shape: ShapeState,
+  terrain: Terrain,
+): b2ChainId {
+  const def = box2d.b2DefaultChainDef();
+  const points = chainPoints(terrain, unit).map(([x, y]) => new box2d.b2Vec2(x, y));
+  setFilter(def.filter, shape);
+  def.enableSensorEvents = events;
+  def.SetPoints(points);
+  const chain = box2d.b2CreateChain(body, def);
+  // The bindings' own SetMaterials leaves zeros in the definition.
+  const material = box2d.b2DefaultSurfaceMaterial();
+  setMaterial(material, shape, unit);
+  const count = box2d.b2Chain_GetSegmentCount(chain);
+  for (const segment of box2d.b2Chain_GetSegments(chain, count) as b2ShapeId[])
+    box2d.b2Shape_SetSurfaceMaterial(segment, material);
+  for (const handle of [def, material, ...points]) handle.delete();
+  return chain;
+}
+
+/** From right to left, with the ghost points, in metres. */
+function chainPoints(terrain: Terrain, unit: number): Vec2[] {
+  const points = vertices(terrain, unit).reverse();
+  const last = points.length - 1;
+  return [beyond(points[0], points[1]), ...points, beyond(points[last], points[last - 1])];
+}
+
+/** As far past `end` as `before` is in front of it. */
+function beyond(end: Vec2, before: Vec2): Vec2 {
+  return [2 * end[0] - before[0], 2 * end[1] - before[1]];
+}
+
+function vertices(terrain: Terrain, unit: number): Vec2[] {
+  switch (terrain.kind) {
+    case "flat": {
+      const rise = (terrain.slope ?? 0) * FLAT_HALF_WIDTH;
+      return [
+        [-FLAT_HALF_WIDTH, -rise],
+        [FLAT_HALF_WIDTH, rise],
+      ];
+    }
+    case "uniform":
+      return Array.from(terrain.heights, (height, i): Vec2 => [
+        (terrain.x0 + i * terrain.spacing) / unit,
+        height / unit,
+      ]);
+    case "irregular":
+      return Array.from(terrain.points, ([x, y]): Vec2 => [x / unit, y / unit]);
+  }
+}
+
+function setMaterial(material: b2SurfaceMaterial, shape: ShapeState, unit: number): void {
+  material.friction = shape.friction;
+  material.restitution = shape.restitution;
+  material.tangentSpeed = shape.surfaceSpeed / unit;
+}
+
+function setFilter(filter: b2Filter, shape: ShapeState): void {
+  filter.categoryBits = shape.category;
+  filter.maskBits = shape.mask;
+  filter.groupIndex = shape.group;
+}

@@ -1,0 +1,145 @@
+/**
+ * Keeps a copy of a thud world as its bodies and shapes come and go and its ground is dug. What the
+ * copy is made of, its `Twin` knows.
+ */
+import type { BodyId, BodyState, ShapeId, ShapeState, Terrain, World } from "thud";
+
+export interface Twin {
+  addBody(id: BodyId, state: BodyState): void;
+  addShape(body: BodyId, id: ShapeId, state: ShapeState, terrain: Terrain | null): void;
+  /** After the shapes of a new body. */
+  finishBody(id: BodyId, state: BodyState): void;
+  removeShape(body: BodyId, id: ShapeId): void;
+  /** With its shapes. */
+  removeBody(id: BodyId): void;
+}
+
+interface Member {
+  id: BodyId;
+  /** By index. */
+  shapes: Map<number, ShapeId>;
+}
+
+interface Ground {
+  body: BodyId;
+  id: ShapeId;
+  terrain: Terrain;
+}
+
+export class Mirror {
+  readonly #world: World;
+  readonly #twin: Twin;
+  #handles = new Uint32Array(0);
+  /** By slot. */
+  #members = new Map<number, Member>();
+  /** By index of the shape. */
+  readonly #grounds = new Map<number, Ground>();
+
+  constructor(world: World, twin: Twin) {
+    this.#world = world;
+    this.#twin = twin;
+  }
+
+  /** A body without shapes is left out. */
+  sync(): void {
+    const { handles } = this.#world.shapeTable();
+    if (!equal(handles, this.#handles)) {
+      this.#handles = handles.slice();
+      this.#follow(membersOf(this.#handles));
+    }
+    for (const ground of this.#grounds.values()) this.#followGround(ground);
+  }
+
+  #follow(members: Map<number, Member>): void {
+    const old = this.#members;
+    this.#members = members;
+    for (const [slot, was] of old) {
+      const is = members.get(slot);
+      if (is && same(is.id, was.id)) this.#removeShapes(was, is);
+      else this.#removeBody(was);
+    }
+    for (const [slot, is] of members) {
+      const was = old.get(slot);
+      if (was && same(is.id, was.id)) this.#addShapes(was, is);
+      else this.#addBody(is);
+    }
+  }
+
+  #addBody(member: Member): void {
+    const state = this.#world.bodyState(member.id);
+    this.#twin.addBody(member.id, state);
+    for (const shape of member.shapes.values()) this.#addShape(member.id, shape);
+    this.#twin.finishBody(member.id, state);
+  }
+
+  #removeBody(member: Member): void {
+    for (const index of member.shapes.keys()) this.#grounds.delete(index);
+    this.#twin.removeBody(member.id);
+  }
+
+  #removeShapes(was: Member, is: Member): void {
+    for (const [index, shape] of was.shapes) {
+      const left = is.shapes.get(index);
+      if (left && same(left, shape)) continue;
+      this.#grounds.delete(index);
+      this.#twin.removeShape(was.id, shape);
+    }
+  }
+
+  #addShapes(was: Member, is: Member): void {
+    for (const [index, shape] of is.shapes) {
+      const known = was.shapes.get(index);
+      if (!known || !same(known, shape)) this.#addShape(is.id, shape);
+    }
+  }
+
+  #addShape(body: BodyId, id: ShapeId): void {
+    const state = this.#world.shapeState(id);
+    const terrain = state.kind === "terrain" ? this.#world.terrain(id) : null;
+    if (terrain) this.#grounds.set(id.index, { body, id, terrain });
+    this.#twin.addShape(body, id, state, terrain);
+  }
+
+  #followGround(ground: Ground): void {
+    const { body, id } = ground;
+    const terrain = this.#world.terrain(id);
+    if (equalTerrains(terrain, ground.terrain)) return;
+    ground.terrain = terrain;
+    this.#twin.removeShape(body, id);
+    this.#twin.addShape(body, id, this.#world.shapeState(id), terrain);
+  }
+}
+
+/** Of the handles of a ShapeTable. */
+function membersOf(handles: Uint32Array): Map<number, Member> {
+  const members = new Map<number, Member>();
+  for (let i = 0; i < handles.length; i += 4) {
+    const slot = handles[i + 2] - 1;
+    let member = members.get(slot);
+    if (!member) {
+      const id: BodyId = { kind: "body", index: slot, generation: handles[i + 3] };
+      members.set(slot, (member = { id, shapes: new Map() }));
+    }
+    const index = handles[i] - 1;
+    member.shapes.set(index, { kind: "shape", index, generation: handles[i + 1] });
+  }
+  return members;
+}
+
+function same(a: BodyId | ShapeId, b: BodyId | ShapeId): boolean {
+  return a.index === b.index && a.generation === b.generation;
+}
+
+function equal(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
+  return true;
+}
+
+function equalTerrains(a: Terrain, b: Terrain): boolean {
+  if (a.kind === "uniform" && b.kind === "uniform") return equal(a.heights, b.heights);
+  if (a.kind !== "irregular" || b.kind !== "irregular") return true;
+  if (a.points.length !== b.points.length) return false;
+  for (let i = 0; i < a.points.length; i++) if (!equal(a.points[i], b.points[i])) return false;
+  return true;
+}

@@ -1,0 +1,377 @@
+/**
+ * The same scene in Box2D: built of what a thud world holds at the moment, stepped beside it, and
+ * following it as bodies come and go, ground is dug and kinematic bodies are steered. Everything goes
+ * in and out in the thud world's units and by its handles.
+ *
+ * A step of both: `rival.sync()`, the same deeds to both, `world.step()`, `rival.step()`.
+ */
+import type {
+  BodyId,
+  BodyOptions,
+  BodyState,
+  ShapeId,
+  ShapeState,
+  Terrain,
+  Vec2,
+  World,
+  WorldOptions,
+} from "thud";
+import type {
+  b2BodyId,
+  b2ChainId,
+  b2ShapeId,
+  b2Vec2,
+  b2WorldId,
+} from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
+import type { Box2D } from "./box2d";
+import type { Hands, Held } from "./hands";
+import { type Common, createWorld, makeBody, makeChain, makeShape } from "./make";
+import { Mirror, type Twin } from "./mirror";
+import { Moves } from "./moves";
+import { Ruler } from "./ruler";
+
+export interface RivalSettings {
+  /** What the thud world was made with, which it does not tell. */
+  options?: WorldOptions;
+  /** What its bodies were made with: their damping, sleep and detection count. */
+  bodyOptions?(body: BodyId): BodyOptions | undefined;
+  /** A step. Default 4, as Box2D's manual recommends. */
+  substeps?: number;
+  /** Of contacts, Hz. Default 30, Box2D's own; it takes at most an eighth of its substep rate. */
+  contactHertz?: number;
+}
+
+/** A body that Box2D steers and thud set elsewhere is moved there from this distance on, in metres. */
+const STRAY = 0.002;
+
+type Made = { shape: b2ShapeId } | { chain: b2ChainId };
+
+interface Weight {
+  mass: number;
+  /** About the centre of mass; 0 if it cannot turn. */
+  inertia: number;
+  /** Centre of mass in the body's frame. */
+  center: Vec2;
+}
+
+interface Entry {
+  id: BodyId;
+  body: b2BodyId;
+  kind: BodyState["kind"];
+  turns: boolean;
+  gravityScale: number;
+  /** By the index of the shape. */
+  made: Map<number, Made>;
+  /** Null after its shapes changed. */
+  weight: Weight | null;
+}
+
+export class Rival implements Hands, Twin {
+  readonly #source: World;
+  readonly #settings: RivalSettings;
+  readonly #common: Common;
+  readonly #world: b2WorldId;
+  readonly #mirror: Mirror;
+  readonly #moves: Moves;
+  /** By slot of the thud world. */
+  readonly #entries = new Map<number, Entry>();
+  /** By index of the b2BodyId. */
+  readonly #slots: number[] = [];
+  /** By slot, in metres. */
+  #before = new Float32Array(0);
+  #now = new Float32Array(0);
+  #gravity: Vec2;
+  #timeStep: number;
+  #ruler: Ruler | null = null;
+
+  constructor(box2d: Box2D, source: World, settings: RivalSettings = {}) {
+    const { options = {} } = settings;
+    this.#source = source;
+    this.#settings = settings;
+    this.#gravity = options.gravity ?? [0, -10];
+    this.#timeStep = options.timeStep ?? 1 / 60;
+    this.#common = {
+      box2d,
+      unit: options.lengthScale ?? 1,
+      events: options.contactEvents ?? true,
+    };
+    this.#world = createWorld(this.#common, options, settings.contactHertz);
+    this.#moves = new Moves(box2d);
+    this.#mirror = new Mirror(source, this);
+    this.#mirror.sync();
+  }
+
+  /** Frees everything. It must not be used afterwards. */
+  close(): void {
+    this.#ruler?.close();
+    this.#box2d.b2DestroyWorld(this.#world);
+    this.#entries.clear();
+  }
+
+  get #box2d(): Box2D {
+    return this.#common.box2d;
+  }
+
+  // ---- time ----
+
+  /**
+   * Brings over what the thud world gained or lost, ground that was dug, and how its kinematic
+   * bodies move. Before the step of either.
+   */
+  sync(): void {
+    this.#mirror.sync();
+    for (const entry of this.#entries.values()) if (entry.kind === "kinematic") this.#steer(entry);
+  }
+
+  #steer({ id }: Entry): void {
+    const { position, angle, velocity, angularVelocity } = this.#source.bodyState(id);
+    const { unit } = this.#common;
+    const [x, y, cosine, sine] = this.#now.subarray(4 * id.index, 4 * id.index + 4);
+    const strayed =
+      Math.hypot(position[0] / unit - x, position[1] / unit - y) +
+      Math.hypot(Math.cos(angle) - cosine, Math.sin(angle) - sine);
+    if (!(strayed < STRAY)) this.setTransform(id, position, angle);
+    this.setVelocity(id, velocity, angularVelocity);
+  }
+
+  /** Returns what the step took, in milliseconds, and nothing but the step. */
+  step(): number {
+    const { b2World_Step } = this.#box2d;
+    const start = performance.now();
+    b2World_Step(this.#world, this.#timeStep, this.#settings.substeps ?? 4);
+    const milliseconds = performance.now() - start;
+    this.#before.set(this.#now);
+    this.#moves.read(this.#world);
+    for (let i = 0; i < this.#moves.count; i++)
+      this.#moves.copyPose(i, this.#now, 4 * this.#slots[this.#moves.index1(i)]);
+    return milliseconds;
+  }
+
+  // ---- reading ----
+
+  /**
+   * As World.poses: four numbers a slot, x, y relative to the origin, cosine, sine, NaN in empty
+   * slots; of the last step, or for alpha 0 of the one before. A copy.
+   */
+  poses(alpha: 0 | 1 = 1, originX = 0, originY = 0): Float32Array<ArrayBuffer> {
+    const { unit } = this.#common;
+    const poses = new Float32Array(alpha === 0 ? this.#before : this.#now);
+    for (let i = 0; i < poses.length; i += 4) {
+      poses[i] = poses[i] * unit - originX;
+      poses[i + 1] = poses[i + 1] * unit - originY;
+    }
+    return poses;
+  }
+
+  /** Of the deepest overlap at present. Costs about as much as a step of thud at draft. */
+  penetration(): number {
+    this.#ruler ??= new Ruler(this.#source, this.#common.unit);
+    this.#ruler.sync();
+    return this.#ruler.penetration(this.poses());
+  }
+
+  /** Kinetic and potential, as World.measure has them. Costs some microseconds a body. */
+  energy(): [kinetic: number, potential: number] {
+    let [kinetic, potential] = [0, 0];
+    for (const entry of this.#entries.values()) {
+      if (entry.kind !== "dynamic") continue;
+      const { center, velocity, angularVelocity, mass, inertia } = this.#held(entry);
+      const [vx, vy] = velocity;
+      kinetic += 0.5 * mass * (vx * vx + vy * vy) + 0.5 * inertia * angularVelocity ** 2;
+      const [gx, gy] = this.#gravity;
+      potential -= entry.gravityScale * mass * (gx * center[0] + gy * center[1]);
+    }
+    return [kinetic, potential];
+  }
+
+  /** Memory that Box2D holds, over all its worlds. */
+  get bytes(): number {
+    const counters = this.#box2d.b2World_GetCounters(this.#world);
+    const { byteCount } = counters;
+    counters.delete();
+    return byteCount;
+  }
+
+  // ---- hands: as the same methods of World ----
+
+  /** False also for what has not been brought over yet, which `sync` does with all that was done to it. */
+  isValid(body: BodyId): boolean {
+    return this.#entries.get(body.index)?.id.generation === body.generation;
+  }
+
+  bodyState(body: BodyId): Held {
+    return this.#held(this.#entry(body));
+  }
+
+  setTransform(body: BodyId, position: Vec2, angle = 0): void {
+    const { b2Rot, b2Body_SetTransform } = this.#box2d;
+    const entry = this.#entry(body);
+    const turn = new b2Rot();
+    turn.c = Math.cos(angle);
+    turn.s = Math.sin(angle);
+    this.#withMetres(position, (place) => b2Body_SetTransform(entry.body, place, turn));
+    turn.delete();
+    this.#place(body.index, position, angle);
+  }
+
+  setVelocity(body: BodyId, velocity: Vec2, angularVelocity = 0): void {
+    const { b2Body_SetLinearVelocity, b2Body_SetAngularVelocity } = this.#box2d;
+    const entry = this.#entry(body);
+    this.#withMetres(velocity, (v) => b2Body_SetLinearVelocity(entry.body, v));
+    b2Body_SetAngularVelocity(entry.body, angularVelocity);
+  }
+
+  applyImpulse(body: BodyId, impulse: Vec2, point: Vec2): void {
+    const { b2Body_ApplyLinearImpulse } = this.#box2d;
+    const entry = this.#entry(body);
+    this.#withMetres(impulse, (j) =>
+      this.#withMetres(point, (at) => b2Body_ApplyLinearImpulse(entry.body, j, at, true)),
+    );
+  }
+
+  applyForce(body: BodyId, force: Vec2, torque = 0): void {
+    const { b2Body_ApplyForceToCenter, b2Body_ApplyTorque } = this.#box2d;
+    const entry = this.#entry(body);
+    this.#withMetres(force, (f) => b2Body_ApplyForceToCenter(entry.body, f, true));
+    b2Body_ApplyTorque(entry.body, torque / this.#common.unit ** 2, true);
+  }
+
+  setAwake(body: BodyId, awake: boolean): void {
+    this.#box2d.b2Body_SetAwake(this.#entry(body).body, awake);
+  }
+
+  setEnabled(body: BodyId, enabled: boolean): void {
+    const { b2Body_Enable, b2Body_Disable } = this.#box2d;
+    (enabled ? b2Body_Enable : b2Body_Disable)(this.#entry(body).body);
+  }
+
+  setGravity(gravity: Vec2): void {
+    this.#gravity = gravity;
+    this.#withMetres(gravity, (g) => this.#box2d.b2World_SetGravity(this.#world, g));
+  }
+
+  setTimeStep(seconds: number): void {
+    this.#timeStep = seconds;
+  }
+
+  #withMetres([x, y]: Vec2, use: (vector: b2Vec2) => void): void {
+    const { unit } = this.#common;
+    const vector = new this.#box2d.b2Vec2(x / unit, y / unit);
+    use(vector);
+    vector.delete();
+  }
+
+  #entry(body: BodyId): Entry {
+    const entry = this.#entries.get(body.index);
+    if (!entry || entry.id.generation !== body.generation)
+      throw new Error(`Box2D has no body in slot ${body.index} yet`);
+    return entry;
+  }
+
+  #held(entry: Entry): Held {
+    const { unit } = this.#common;
+    const [x, y, c, s] = this.#now.subarray(4 * entry.id.index, 4 * entry.id.index + 4);
+    const { mass, inertia, center } = (entry.weight ??= this.#weigh(entry));
+    const velocity = this.#box2d.b2Body_GetLinearVelocity(entry.body);
+    const [vx, vy] = [velocity.x * unit, velocity.y * unit];
+    velocity.delete();
+    return {
+      kind: entry.kind,
+      position: [x * unit, y * unit],
+      center: [
+        x * unit + c * center[0] - s * center[1],
+        y * unit + s * center[0] + c * center[1],
+      ],
+      angle: Math.atan2(s, c),
+      velocity: [vx, vy],
+      angularVelocity: this.#box2d.b2Body_GetAngularVelocity(entry.body),
+      mass,
+      inertia,
+    };
+  }
+
+  #weigh({ body, turns }: Entry): Weight {
+    const { unit } = this.#common;
+    const data = this.#box2d.b2Body_GetMassData(body);
+    const { mass, rotationalInertia, center } = data;
+    const weight: Weight = {
+      mass,
+      inertia: turns ? rotationalInertia * unit * unit : 0,
+      center: [center.x * unit, center.y * unit],
+    };
+    data.delete();
+    return weight;
+  }
+
+  #place(slot: number, [x, y]: Vec2, angle: number): void {
+    const { unit } = this.#common;
+    this.#now.set([x / unit, y / unit, Math.cos(angle), Math.sin(angle)], 4 * slot);
+  }
+
+  // ---- Twin ----
+
+  addBody(id: BodyId, state: BodyState): void {
+    const options = this.#settings.bodyOptions?.(id) ?? {};
+    const { detection, quality } = this.#settings.options ?? {};
+    const ofWorld = detection ?? (quality === "exact" ? "swept" : "continuous");
+    const bullet = (options.detection ?? ofWorld) === "swept";
+    const body = makeBody(this.#common, this.#world, state, options, bullet);
+    this.#entries.set(id.index, {
+      id,
+      body,
+      kind: state.kind,
+      turns: state.kind !== "dynamic" || state.inertia > 0,
+      gravityScale: state.gravityScale,
+      made: new Map(),
+      weight: null,
+    });
+    this.#slots[body.index1] = id.index;
+    if (4 * id.index >= this.#now.length) this.#grow(id.index);
+    this.#place(id.index, state.position, state.angle);
+    const end = 4 * id.index + 4;
+    this.#before.set(this.#now.subarray(end - 4, end), end - 4);
+  }
+
+  addShape(body: BodyId, id: ShapeId, state: ShapeState, terrain: Terrain | null): void {
+    const entry = this.#entry(body);
+    const made = terrain
+      ? { chain: makeChain(this.#common, entry.body, state, terrain) }
+      : { shape: makeShape(this.#common, entry.body, state) };
+    entry.made.set(id.index, made);
+    entry.weight = null;
+  }
+
+  /** Box2D is given the velocity of the centre of mass, which shapes determine. */
+  finishBody(id: BodyId, state: BodyState): void {
+    this.setVelocity(id, state.velocity, state.angularVelocity);
+    if (!state.awake && state.kind === "dynamic") this.setAwake(id, false);
+  }
+
+  removeShape(body: BodyId, { index }: ShapeId): void {
+    const entry = this.#entry(body);
+    const made = entry.made.get(index);
+    if (!made) return;
+    if ("chain" in made) this.#box2d.b2DestroyChain(made.chain);
+    else this.#box2d.b2DestroyShape(made.shape, true);
+    entry.made.delete(index);
+    entry.weight = null;
+  }
+
+  removeBody(body: BodyId): void {
+    this.#box2d.b2DestroyBody(this.#entry(body).body);
+    this.#entries.delete(body.index);
+    const end = 4 * body.index + 4;
+    this.#now.fill(NaN, end - 4, end);
+    this.#before.fill(NaN, end - 4, end);
+  }
+
+  #grow(slot: number): void {
+    const grown = (old: Float32Array) => {
+      const larger = new Float32Array(4 * Math.max(slot + 1, 64, old.length / 2)).fill(NaN);
+      larger.set(old);
+      return larger;
+    };
+    this.#now = grown(this.#now);
+    this.#before = grown(this.#before);
+  }
+}
