@@ -5,110 +5,12 @@ Needs nothing but Python 3; running it again gives the same files. What the prop
 in assets/levels/README.md."""
 
 import csv
-import json
-import math
 import random
-import re
 import struct
 import zlib
-from pathlib import Path
 
-ASSETS = Path(__file__).resolve().parent.parent / "assets"
-LEVELS = ASSETS / "levels"
-TILE = 32  # pixels, and one metre
-
-EMPTY, STONE, BRICK, ICE, GRASS = range(5)  # tile numbers, as cells hold them
-
-
-def properties(**values):
-    """Custom properties in Tiled's form, sorted by name as the editor does."""
-    kinds = {bool: "bool", int: "int", float: "float", str: "string"}
-    return [{"name": name, "type": kinds[type(value)], "value": value}
-            for name, value in sorted(values.items())]
-
-
-class Map:
-    """A map under construction. Places are given in tiles from its lower left corner, y up, as in
-    the world; it writes pixels, y down."""
-
-    def __init__(self, columns, rows, tile=TILE, **custom):
-        self.columns, self.rows, self.tile = columns, rows, tile
-        self.custom = custom
-        self.layers, self.next_object = [], 1
-
-    def pixel(self, x, y):
-        return round(x * self.tile, 3), round((self.rows - y) * self.tile, 3)
-
-    def object_layer(self, name, **custom):
-        layer = {"draworder": "topdown", "id": len(self.layers) + 1, "name": name, "objects": [],
-                 "opacity": 1, "properties": properties(**custom), "type": "objectgroup",
-                 "visible": True, "x": 0, "y": 0}
-        self.layers.append(layer)
-        return layer["objects"]
-
-    def tile_layer(self, name, cells, **custom):
-        """cells maps (column, row from below) to a tile number."""
-        data = [cells.get((i, self.rows - 1 - j), EMPTY)
-                for j in range(self.rows) for i in range(self.columns)]
-        self.layers.append({"data": data, "height": self.rows, "id": len(self.layers) + 1,
-                            "name": name, "opacity": 1, "properties": properties(**custom),
-                            "type": "tilelayer", "visible": True, "width": self.columns,
-                            "x": 0, "y": 0})
-
-    def add(self, layer, x, y, width=0, height=0, rotation=0, name="", kind="", **rest):
-        """An object whose upper left corner (before rotation) is at (x, y)."""
-        custom = rest.pop("custom", {})
-        px, py = self.pixel(x, y)
-        entry = {"height": round(height * self.tile, 3), "id": self.next_object, "name": name,
-                 "rotation": round(rotation, 3), "type": kind, "visible": True,
-                 "width": round(width * self.tile, 3), "x": px, "y": py, **rest}
-        if custom:
-            entry["properties"] = properties(**custom)
-        self.next_object += 1
-        layer.append(entry)
-
-    def box(self, layer, x, y, width, height, degrees=0, **rest):
-        """A box about (x, y), turned clockwise: Tiled wants the corner it is turned about."""
-        a = math.radians(-degrees)
-        corner_x = -width / 2 * math.cos(a) - height / 2 * math.sin(a)
-        corner_y = -width / 2 * math.sin(a) + height / 2 * math.cos(a)
-        self.add(layer, x + corner_x, y + corner_y, width, height, degrees, **rest)
-
-    def circle(self, layer, x, y, radius, **rest):
-        self.add(layer, x - radius, y + radius, 2 * radius, 2 * radius, ellipse=True, **rest)
-
-    def spawn(self, layer, x, y):
-        self.add(layer, x, y, name="spawn", kind="spawn", point=True)
-
-    def line(self, layer, points, **rest):
-        x0, y0 = points[0]
-        polyline = [{"x": round((x - x0) * self.tile, 3), "y": round((y0 - y) * self.tile, 3)}
-                    for x, y in points]
-        self.add(layer, x0, y0, polyline=polyline, **rest)
-
-    def write(self, name):
-        uses_tiles = any(layer["type"] == "tilelayer" for layer in self.layers)
-        text = json.dumps({
-            "compressionlevel": -1, "height": self.rows, "infinite": False, "layers": self.layers,
-            "nextlayerid": len(self.layers) + 1, "nextobjectid": self.next_object,
-            "orientation": "orthogonal", "properties": properties(**self.custom),
-            "renderorder": "right-down", "tiledversion": "1.10.2", "tileheight": self.tile,
-            "tilesets": [tileset()] if uses_tiles else [], "tilewidth": self.tile, "type": "map",
-            "version": "1.10", "width": self.columns}, indent=1)
-        # Lists of numbers, and points, stand on one line, as the editor writes them.
-        text = re.sub(r"\[[\d\s,]+\]", lambda m: re.sub(r"\s+", " ", m.group()), text)
-        text = re.sub(r'\{\s+"x": (\S+),\s+"y": (\S+)\s+\}', r'{ "x": \1, "y": \2 }', text)
-        (LEVELS / f"{name}.tmj").write_text(text + "\n", encoding="utf-8")
-
-
-def tileset():
-    return {"columns": 4, "firstgid": 1, "image": "tiles.png", "imageheight": TILE,
-            "imagewidth": 4 * TILE, "margin": 0, "name": "tiles",
-            "properties": properties(solid=True), "spacing": 0, "tilecount": 4,
-            "tileheight": TILE,
-            "tiles": [{"id": ICE - 1, "properties": properties(friction=0.02)},
-                      {"id": GRASS - 1, "properties": properties(solid=False)}],
-            "tilewidth": TILE}
+from adventure_level import adventure
+from tiled_map import ASSETS, BRICK, GRASS, ICE, LEVELS, STONE, TILE, Map
 
 
 def tile_pixel(tile, x, y):
@@ -344,3 +246,4 @@ if __name__ == "__main__":
     quarry()
     towers()
     mountain()
+    adventure()
