@@ -79,9 +79,8 @@ def adventure():
         m.box(stops, x, y, 0.4, 0.4)
     crates = m.object_layer("crates", body="dynamic", density=0.5)
     m.box(crates, 102, 4.7, 1.4, 1.4, name="to stand on", custom={"fixed_rotation": True})
-    for row in range(3):
-        for i in range(3 - row):
-            m.box(crates, 175.2 + (i - 0.5 * (2 - row)) * 0.95, 4.45 + 0.9 * row, 0.9, 0.9)
+    for x, y in ((175, 4.45), (175.95, 4.45), (175.5, 5.35)):
+        m.box(crates, x, y, 0.9, 0.9, name="to run through", custom={"friction": 0.2})
     coins = m.object_layer("coins", sensor=True, category=COIN)
     for x, y in COINS:
         m.circle(coins, x, y, 0.35)

@@ -1,0 +1,182 @@
+/**
+ * A run through the level of the game "Platformer" that takes every coin: what a player holds, and
+ * until when. `at` is { x, y, vx, vy, standing, lifts }, of the figure's middle and the lifts' from
+ * left to right.
+ */
+import { findLifts } from "../../web/public/scenes/platformer_game/lifts.js";
+
+const after = (x) => (at) => at.x >= x;
+const before = (x) => (at) => at.x <= x;
+const above = (y) => (at) => at.y >= y;
+const below = (y) => (at) => at.y <= y;
+const lift = ({ lifts }, i) => {
+  const [[x, y], [vx, vy]] = [lifts[i].position, lifts[i].velocity];
+  return { x, y, vx, vy };
+};
+const stands = (at) => at.standing;
+
+export const RUN = [
+  // The first steps.
+  ["right", after(8)],
+  ["right up", after(9.9)],
+  ["up", stands],
+  ["right", after(11.4)],
+  ["right up", after(14.6)],
+  ["up", stands],
+  ["right", after(17.4)],
+  ["right", stands],
+  ["right", after(21)],
+  ["right up", after(24)],
+  // Planks up, with the one at the side, and down through one.
+  ["right", after(35)],
+  ["up", above(7)],
+  ["", stands],
+  ["right", after(36.7)],
+  ["left", before(35.9)],
+  ["left up", before(34.5)],
+  ["up", stands],
+  ["left", before(32.4)],
+  ["left up", before(30.6)],
+  ["up", stands],
+  ["right", after(30.7)],
+  ["right up", after(33)],
+  ["", stands],
+  ["right", after(34.7)],
+  ["right up", after(36.8)],
+  ["up", stands],
+  ["right", after(38.6)],
+  ["right up", after(40.3)],
+  ["", stands],
+  ["right", after(43.5)],
+  ["", stands],
+  ["down", below(5)],
+  // The hills.
+  ["right", after(56)],
+  ["right", after(71.8)],
+  ["right", after(78.6)],
+  // The lift across.
+  ["", (at) => lift(at, 0).x < 83 && lift(at, 0).vx < 0],
+  ["right", after(82)],
+  ["", (at) => at.x > 82.6],
+  ["right up", after(83.9)],
+  ["up", stands],
+  ["", stands],
+  ["right up", after(86.1)],
+  ["up", stands],
+  ["", after(87.3)],
+  ["right up", after(88.3)],
+  ["right", after(92.5)],
+  ["right", stands],
+  // The crate, to the wall, and from it up.
+  ["right", after(100.2)],
+  ["right", (at) => at.x > 105 && at.vx < 0.1],
+  ["left", before(106.5)],
+  ["right", after(106.8)],
+  ["right up", after(108.7)],
+  ["", stands],
+  ["up", above(8)],
+  ["right up", after(110.4)],
+  ["", stands],
+  ["right", after(111)],
+  ["left", before(110.5)],
+  ["left up", before(107)],
+  ["", stands],
+  ["left", before(104.9)],
+  ["right", after(106.3)],
+  // The lift up.
+  ["right", after(110.4)],
+  ["right", after(111.4)],
+  ["", (at) => lift(at, 1).y < 7.5 && lift(at, 1).vy > 0],
+  ["right", after(113.6)],
+  ["", stands],
+  ["right", after(116.2)],
+  ["", above(12.5)],
+  ["left", before(113.8)],
+  ["", above(16.6)],
+  ["right up", after(117.6)],
+  ["", stands],
+  // The cliff, over spikes on planks, and the chasm.
+  ["right", after(124)],
+  ["right up", after(126)],
+  ["up", stands],
+  ["right", after(127.4)],
+  ["right up", after(130)],
+  ["up", stands],
+  ["right", after(136.5)],
+  ["", stands],
+  ["", (at) => lift(at, 2).x < 141 && lift(at, 2).vx < 0],
+  ["right", after(139.3)],
+  ["", stands],
+  ["", after(140.8)],
+  ["right up", after(141.9)],
+  ["up", stands],
+  ["", after(143.9)],
+  ["right up", after(145)],
+  ["up", stands],
+  ["", after(147)],
+  ["right up", after(148.1)],
+  ["up", stands],
+  ["right up", after(153)],
+  // Down, over the crates, over the last spikes, up the stairs to the flag.
+  ["right", after(159)],
+  ["right", after(172.5)],
+  ["right up", after(177)],
+  ["right", after(181.6)],
+  ["right up", after(186)],
+  ["right", after(187.6)],
+  ["right up", after(193)],
+  ["right", stands],
+  ["right", after(193.6)],
+  ["right up", after(196)],
+  ["right", stands],
+  ["right up", after(198.4)],
+  ["right", (at) => at.phase === "won"],
+];
+
+/** Keys held, by name, as an Input has them. */
+export function held(keys) {
+  const names = keys.split(" ");
+  const has = (name) => names.includes(name);
+  return {
+    left: has("left"),
+    right: has("right"),
+    up: has("up"),
+    down: has("down"),
+    fire: has("fire"),
+    restart: has("restart"),
+  };
+}
+
+/** Drives a scene by a run; each leg lasts at most 15 s. `each` is called after every step. */
+export function drive(scene, run, each = () => {}) {
+  const lifts = findLifts(scene.world).filter(({ body }) => !scene.hidden.includes(body.index));
+  const inputs = [];
+  run.forEach(([keys, done], leg) => {
+    let left = 15 * 60;
+    do {
+      if (left-- === 0) throw new Error(`leg ${leg}, "${keys}", does not end: ${JSON.stringify(see(scene, lifts))}`);
+      step(scene, keys, inputs);
+      each(see(scene, lifts), leg);
+    } while (!done(see(scene, lifts)));
+  });
+  return inputs;
+}
+
+function step(scene, keys, inputs) {
+  scene.update({ step: inputs.length, held: held(keys), pointer: null });
+  scene.world.step();
+  inputs.push(keys);
+}
+
+function see(scene, lifts) {
+  const { place, velocity, ground } = scene.state.figure;
+  return {
+    x: place[0],
+    y: place[1],
+    vx: velocity[0],
+    vy: velocity[1],
+    standing: ground !== null,
+    phase: scene.state.phase,
+    lifts: lifts.map(({ body }) => scene.world.bodyState(body)),
+  };
+}
