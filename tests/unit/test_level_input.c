@@ -12,7 +12,8 @@
 #include <cmocka.h>
 
 static const char *const LEVELS[] = {"assets/levels/platform.tmj", "assets/levels/quarry.tmj",
-                                     "assets/levels/towers.tmj", "assets/levels/mountain.tmj"};
+                                     "assets/levels/towers.tmj", "assets/levels/mountain.tmj",
+                                     "assets/levels/adventure.tmj"};
 enum { LEVEL_COUNT = sizeof LEVELS / sizeof LEVELS[0] };
 
 #define MAP(fields)                                                                                \
