@@ -32,6 +32,10 @@ export interface Pane {
 
 /** A part that the controls leave free is taken to be no smaller, in CSS pixels. */
 const LEAST_FREE = 50;
+/** Of two panes, in CSS pixels: kept free on either side of the line between them. */
+const GAP = 12;
+/** Of two panes, in CSS pixels: kept free at the top of each for its name. */
+export const PANE_HEAD = 42;
 
 export class Camera {
   x = 0;
@@ -70,22 +74,25 @@ export class Camera {
     const { width, height, insets } = this;
     const right = width - insets.right;
     const bottom = height - insets.bottom;
-    const middleX = (insets.left + right) / 2;
-    const middleY = (insets.top + bottom) / 2;
+    const middle = (low: number, high: number) => (low + high) / 2;
+    const middleX = middle(insets.left, right);
+    const middleY = middle(insets.top, bottom);
     if (!this.#split) return [{ left: 0, top: 0, width, height, middleX, middleY }];
     if (right - insets.left >= bottom - insets.top) {
       const part = Math.round(middleX);
-      const common = { top: 0, height, middleY };
+      const common = { top: 0, height, middleY: middle(insets.top + PANE_HEAD, bottom) };
       return [
-        { ...common, left: 0, width: part, middleX: (insets.left + part) / 2 },
-        { ...common, left: part, width: width - part, middleX: (part + right) / 2 },
+        { ...common, left: 0, width: part, middleX: middle(insets.left, part - GAP) },
+        { ...common, left: part, width: width - part, middleX: middle(part + GAP, right) },
       ];
     }
     const part = Math.round(middleY);
     const common = { left: 0, width, middleX };
+    const upper = middle(insets.top + PANE_HEAD, part - GAP);
+    const lower = middle(part + PANE_HEAD, bottom - GAP);
     return [
-      { ...common, top: 0, height: part, middleY: (insets.top + part) / 2 },
-      { ...common, top: part, height: height - part, middleY: (part + bottom) / 2 },
+      { ...common, top: 0, height: part, middleY: upper },
+      { ...common, top: part, height: height - part, middleY: lower },
     ];
   }
 
@@ -134,9 +141,10 @@ export class Camera {
 
   #homeScale(): number {
     const { height, width } = this.#home;
-    const [{ left, top, middleX, middleY }] = this.panes;
-    const freeWidth = Math.max(LEAST_FREE, 2 * (middleX - Math.max(left, this.insets.left)));
-    const freeHeight = Math.max(LEAST_FREE, 2 * (middleY - Math.max(top, this.insets.top)));
+    const [{ middleX, middleY }] = this.panes;
+    const head = this.#split ? PANE_HEAD : 0;
+    const freeWidth = Math.max(LEAST_FREE, 2 * (middleX - this.insets.left));
+    const freeHeight = Math.max(LEAST_FREE, 2 * (middleY - this.insets.top - head));
     const fitting = Math.min(freeHeight / height, width > 0 ? freeWidth / width : Infinity);
     return Number.isFinite(fitting) ? fitting : this.scale;
   }

@@ -3,19 +3,21 @@ import type { Shapes } from "../scene/frame";
 import type { Camera, Pane } from "./camera";
 import { cssColour, mix, type Rgb } from "./palette";
 import { poseBetween, type Poses } from "./poses";
-import type { Look, Renderer } from "./renderer";
-import { BODY, CIRCLE, HALF, OFFSET, ROW, SHAPE, SLOT, STATIC, TURN } from "./rows";
+import { type Look, OUTLINE, type Renderer } from "./renderer";
+import { BODY, CIRCLE, DYNAMIC, HALF, OFFSET, ROW, SHAPE, SLOT, STATIC, TURN } from "./rows";
 
-/** Colours are rounded to this many steps a channel, so that paths can be shared. */
+/** Of 255: channels are rounded to multiples of it, so that paths can be shared. */
 const STEP = 24;
-/** In device pixels: smaller bodies have no rim, and no bead that shows how a circle turns. */
+/** Half widths in device pixels: smaller bodies are upright squares, because thousands of contours in
+ * one path are slow; have no rim; and no bead that shows how a circle turns. */
+const LEAST_SHAPE = 2;
 const LEAST_RIM = 2.5;
 const LEAST_BEAD = 5;
 
 interface Batch {
   fill: string;
   rim: string;
-  /** Null for what never moves. */
+  /** Null where nothing is dynamic. */
   bead: string | null;
   rows: number[];
 }
@@ -75,8 +77,10 @@ export class CanvasRenderer implements Renderer {
     context.clip();
     context.setTransform(1, 0, 0, 1, pane.middleX * ratio, pane.middleY * ratio);
     if (look.kind === "outline") {
+      context.fillStyle = cssColour(look.colour);
       this.#trace(this.#movingRows, shapes, poses, pixels);
-      context.lineWidth = 1.75 * ratio;
+      const wanted = OUTLINE.part * shapes.typicalSize * camera.scale;
+      context.lineWidth = ratio * Math.min(OUTLINE.most, Math.max(OUTLINE.least, wanted));
       context.strokeStyle = cssColour(look.colour);
       context.stroke();
     } else {
@@ -88,8 +92,8 @@ export class CanvasRenderer implements Renderer {
 
   #fill(batch: Batch, shapes: Shapes, poses: Poses, pixels: number): void {
     const context = this.#context;
-    const beads = this.#trace(batch.rows, shapes, poses, pixels);
     context.fillStyle = batch.fill;
+    const beads = this.#trace(batch.rows, shapes, poses, pixels);
     context.fill();
     if (pixels * (shapes.typicalSize || 1) > LEAST_RIM) {
       context.strokeStyle = batch.rim;
@@ -101,7 +105,8 @@ export class CanvasRenderer implements Renderer {
     }
   }
 
-  /** Leaves the outlines as the current path; returns the beads that show how circles turn. */
+  /** Leaves the outlines as the current path, but for the smallest bodies, which it fills; returns
+   * the beads that show how circles turn. */
   #trace(rows: number[], shapes: Shapes, poses: Poses, pixels: number): Path2D | null {
     const context = this.#context;
     const data = shapes.rows;
@@ -112,13 +117,18 @@ export class CanvasRenderer implements Renderer {
     for (const row of rows) {
       const at = row * ROW;
       if (!poseBetween(poses, data[at + SLOT], pose)) continue;
-      const [px, py, c, s] = pose;
-      const x = (px + c * data[at + OFFSET] - s * data[at + OFFSET + 1]) * pixels;
-      const y = -(py + s * data[at + OFFSET] + c * data[at + OFFSET + 1]) * pixels;
+      const c = pose[2];
+      const s = pose[3];
+      const x = (pose[0] + c * data[at + OFFSET] - s * data[at + OFFSET + 1]) * pixels;
+      const y = -(pose[1] + s * data[at + OFFSET] + c * data[at + OFFSET + 1]) * pixels;
       const hx = Math.max(0.6, data[at + HALF] * pixels);
       const hy = Math.max(0.6, data[at + HALF + 1] * pixels);
       const reach = hx + hy;
       if (!(Math.abs(x) < width + reach && Math.abs(y) < height + reach)) continue;
+      if (hx < LEAST_SHAPE && hy < LEAST_SHAPE) {
+        context.fillRect(x - hx, y - hx, 2 * hx, 2 * hx);
+        continue;
+      }
       if (data[at + SHAPE] === CIRCLE) {
         context.moveTo(x + hx, y);
         context.arc(x, y, hx, 0, 2 * Math.PI);
@@ -133,8 +143,10 @@ export class CanvasRenderer implements Renderer {
       }
       const cosine = c * data[at + TURN] - s * data[at + TURN + 1];
       const sine = s * data[at + TURN] + c * data[at + TURN + 1];
-      const [ax, ay] = [cosine * hx, -sine * hx];
-      const [bx, by] = [-sine * hy, -cosine * hy];
+      const ax = cosine * hx;
+      const ay = -sine * hx;
+      const bx = -sine * hy;
+      const by = -cosine * hy;
       context.moveTo(x - ax - bx, y - ay - by);
       context.lineTo(x + ax - bx, y + ay - by);
       context.lineTo(x + ax + bx, y + ay + by);
@@ -145,26 +157,30 @@ export class CanvasRenderer implements Renderer {
   }
 }
 
-/** Rows of nearly the same colour, whose bodies all move or all do not. */
+/** Rows of nearly the same colour, whose bodies are all dynamic or all are not. */
 function sort(shapes: Shapes, colours: Uint8Array): Batch[] {
-  const batches = new Map<string, Batch>();
+  const batches = new Map<number, Batch>();
   for (let row = 0; row < shapes.count; row++) {
-    const [red, green, blue, opacity] = colours.subarray(4 * row, 4 * row + 4);
-    const fixed = shapes.rows[row * ROW + BODY] === STATIC;
-    const step = (value: number) => Math.round(value / STEP);
-    const key = `${step(red)} ${step(green)} ${step(blue)} ${opacity} ${fixed}`;
+    const free = shapes.rows[row * ROW + BODY] === DYNAMIC;
+    let key = free ? 1 : 0;
+    for (let i = 4 * row; i < 4 * row + 3; i++) key = 16 * key + Math.round(colours[i] / STEP);
+    key = 256 * key + colours[4 * row + 3];
     let batch = batches.get(key);
     if (!batch) {
-      const colour: Rgb = [red, green, blue];
-      batch = {
-        fill: cssColour(colour, 1, opacity / 255),
-        rim: cssColour(colour, fixed ? 0.82 : 0.64),
-        bead: fixed ? null : cssColour(mix(colour, [255, 255, 255], 0.65)),
-        rows: [],
-      };
+      batch = newBatch(colours.subarray(4 * row, 4 * row + 4), free);
       batches.set(key, batch);
     }
     batch.rows.push(row);
   }
   return [...batches.values()];
+}
+
+function newBatch([red, green, blue, opacity]: Uint8Array, free: boolean): Batch {
+  const colour: Rgb = [red, green, blue];
+  return {
+    fill: cssColour(colour, 1, opacity / 255),
+    rim: cssColour(colour, free ? 0.64 : 0.82),
+    bead: free ? cssColour(mix(colour, [255, 255, 255], 0.65)) : null,
+    rows: [],
+  };
 }

@@ -11,7 +11,7 @@ export interface Theme {
   readonly gridStrong: string;
   readonly soilTop: string;
   readonly soilBottom: string;
-  /** Lines in the soil that follow the ground. */
+  /** Lies over the soil below each layer. */
   readonly layer: string;
   readonly turf: string;
   readonly grass: string;
@@ -53,9 +53,9 @@ export const DARK: Theme = {
   skyBottom: "#1a2433",
   grid: "rgba(148, 170, 210, 0.045)",
   gridStrong: "rgba(148, 170, 210, 0.10)",
-  soilTop: "#2c3340",
-  soilBottom: "#141922",
-  layer: "rgba(170, 190, 220, 0.07)",
+  soilTop: "#303a48",
+  soilBottom: "#181e29",
+  layer: "rgba(6, 9, 16, 0.14)",
   turf: "#2f6b4d",
   grass: "#6fcf8e",
   fixed: [66, 80, 104],
@@ -98,7 +98,7 @@ export const LIGHT: Theme = {
   gridStrong: "rgba(60, 80, 120, 0.12)",
   soilTop: "#cfc6b8",
   soilBottom: "#e9e3d9",
-  layer: "rgba(90, 70, 40, 0.09)",
+  layer: "rgba(120, 96, 60, 0.07)",
   turf: "#8fc49a",
   grass: "#3f8f58",
   fixed: [150, 163, 184],

@@ -17,22 +17,23 @@ export interface Poses {
 export function poseBetween(poses: Poses, slot: number, into: Float64Array): boolean {
   const { before, now, alpha, offset } = poses;
   const at = 4 * slot;
-  let [x, y, c, s] = [now[at], now[at + 1], now[at + 2], now[at + 3]];
-  if (!(x === x) || at + 4 > now.length) return false;
-  if (at + 4 <= before.length && before[at] === before[at]) {
-    x = before[at] + alpha * (x - before[at]);
-    y = before[at + 1] + alpha * (y - before[at + 1]);
-    const turnC = before[at + 2] + alpha * (c - before[at + 2]);
-    const turnS = before[at + 3] + alpha * (s - before[at + 3]);
-    const length = Math.hypot(turnC, turnS);
+  if (!isPose(now, at)) return false;
+  for (let i = 0; i < 4; i++) into[i] = now[at + i];
+  if (isPose(before, at)) {
+    for (let i = 0; i < 4; i++) into[i] = before[at + i] + alpha * (into[i] - before[at + i]);
+    const length = Math.sqrt(into[2] * into[2] + into[3] * into[3]);
     // Between opposite directions lies none.
-    if (length > LEAST_LENGTH) [c, s] = [turnC / length, turnS / length];
+    const turned = length > LEAST_LENGTH;
+    into[2] = turned ? into[2] / length : now[at + 2];
+    into[3] = turned ? into[3] / length : now[at + 3];
   }
-  into[0] = x + offset[0];
-  into[1] = y + offset[1];
-  into[2] = c;
-  into[3] = s;
+  into[0] += offset[0];
+  into[1] += offset[1];
   return true;
+}
+
+function isPose(poses: Float32Array, at: number): boolean {
+  return at + 4 <= poses.length && poses[at] === poses[at];
 }
 
 /** Of the sum of two directions; the shader's too. */

@@ -7,6 +7,9 @@ import type { Poses } from "./poses";
 /** Filled, with or without what is known of thud's bodies (sleep, classes), or an outline only. */
 export type Look = { kind: "state" } | { kind: "plain" } | { kind: "outline"; colour: Rgb };
 
+/** How wide an outline is: its part of a body's half width, and its bounds in CSS pixels. */
+export const OUTLINE = { part: 0.2, least: 0.8, most: 1.75 } as const;
+
 export interface Renderer {
   readonly name: "webgl2" | "canvas2d";
   readonly canvas: HTMLCanvasElement;

@@ -16,10 +16,11 @@ export const TURN = 8;
 
 export const CIRCLE = SHAPE_KINDS.indexOf("circle");
 export const STATIC = BODY_KINDS.indexOf("static");
+export const DYNAMIC = BODY_KINDS.indexOf("dynamic");
 const KINEMATIC = BODY_KINDS.indexOf("kinematic");
 
 /** How far a sleeping body's colour fades. */
-const FADE = 0.55;
+const FADE = 0.4;
 /** Opacity of sensors, of 255. */
 const SENSOR_ALPHA = 72;
 

@@ -1,6 +1,7 @@
 /** The GLSL of the WebGL2 renderer: places, shades and outlines a body's shape on one quad. */
 import { LEAST_LENGTH } from "./poses";
-import { CIRCLE, STATIC } from "./rows";
+import { OUTLINE } from "./renderer";
+import { CIRCLE, DYNAMIC, STATIC } from "./rows";
 
 /** Poses a row of their textures. */
 export const TEXTURE_WIDTH = 1024;
@@ -31,7 +32,7 @@ out vec2 upright;
 flat out vec2 extent;
 flat out vec4 tint;
 flat out int circle;
-flat out int fixedBody;
+flat out int free;
 
 vec2 rotate(vec2 r, vec2 v) { return vec2(r.x * v.x - r.y * v.y, r.y * v.x + r.x * v.y); }
 
@@ -49,13 +50,14 @@ vec4 poseBetween(int slot, vec4 last) {
 
 void main() {
   gl_Position = vec4(2.0, 2.0, 0.0, 1.0);
-  fixedBody = head.z == ${STATIC}.0 ? 1 : 0;
   int slot = int(head.x);
-  if (slot >= slots.y || (look == ${LOOKS.outline} && fixedBody == 1)) return;
+  // Static bodies stand where the other engine's stand.
+  if (slot >= slots.y || (look == ${LOOKS.outline} && head.z == ${STATIC}.0)) return;
   vec4 last = texelFetch(now, ivec2(slot % ${TEXTURE_WIDTH}, slot / ${TEXTURE_WIDTH}), 0);
   if (!isNumber(last.x)) return;
   vec4 pose = poseBetween(slot, last);
   circle = head.y == ${CIRCLE}.0 ? 1 : 0;
+  free = head.z == ${DYNAMIC}.0 ? 1 : 0;
   // What is smaller than a pixel can still be seen.
   extent = max(circle == 1 ? place.zz : place.zw, 0.6 / pixels);
   vec2 rotation = rotate(pose.zw, turn);
@@ -75,7 +77,7 @@ in vec2 upright;
 flat in vec2 extent;
 flat in vec4 tint;
 flat in int circle;
-flat in int fixedBody;
+flat in int free;
 uniform float pixels;
 uniform float ratio; // device pixels a CSS pixel
 uniform int look;
@@ -87,14 +89,16 @@ void main() {
   if (circle == 1) {
     surface = length(local) - extent.x;
   } else {
-    float corner = fixedBody == 1 ? 0.0 : min(0.14 * size, 5.0 * ratio / pixels);
+    float corner = free == 1 ? min(0.14 * size, 5.0 * ratio / pixels) : 0.0;
     vec2 q = abs(local) - extent + corner;
     surface = length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - corner;
   }
   float depth = -surface * pixels;
   float cover = clamp(0.5 + depth, 0.0, 1.0);
   if (look == ${LOOKS.outline}) {
-    cover *= clamp(0.5 + 1.75 * ratio - depth, 0.0, 1.0);
+    float part = ${OUTLINE.part} * size * pixels / ratio;
+    float stroke = ratio * clamp(part, ${OUTLINE.least}, ${OUTLINE.most});
+    cover *= clamp(0.5 + stroke - depth, 0.0, 1.0);
     result = vec4(tint.rgb * cover, cover);
     return;
   }
@@ -102,22 +106,22 @@ void main() {
   // Light from above, softer on what does not move.
   float reach = circle == 1 ? extent.x : length(extent) * 0.75;
   float light = clamp(upright.y / reach, -1.0, 1.0);
-  vec3 base = tint.rgb * (1.0 + (fixedBody == 1 ? 0.05 : 0.13) * light);
+  vec3 base = tint.rgb * (1.0 + (free == 1 ? 0.13 : 0.05) * light);
   if (circle == 1) base *= 1.06 - 0.12 * dot(local, local) / (extent.x * extent.x);
 
   // A darker rim keeps neighbours apart; it fades where bodies are a few pixels small.
   float small = size * pixels;
   float width = clamp(small * 0.12, 0.9, 1.6 * ratio);
   float rim = (1.0 - smoothstep(width - 0.6, width + 0.6, depth)) * smoothstep(1.5, 5.0, small);
-  base *= 1.0 - (fixedBody == 1 ? 0.2 : 0.38) * rim;
+  base *= 1.0 - (free == 1 ? 0.38 : 0.2) * rim;
   // Inside it a bright line where the light meets the edge.
-  if (fixedBody == 0) {
+  if (free == 1) {
     float line = 1.0 - smoothstep(0.4, 1.0, abs(depth - width - 0.8) / ratio);
     base += 0.12 * line * max(light, 0.0) * smoothstep(6.0, 14.0, small);
   }
 
   // A bead near the rim shows how a circle turns.
-  if (circle == 1 && small > 5.0 && fixedBody == 0) {
+  if (circle == 1 && small > 5.0 && free == 1) {
     float bead = length(local - vec2(0.58 * extent.x, 0.0)) - 0.15 * extent.x;
     base = mix(base, mix(base, vec3(1.0), 0.65), clamp(0.5 - bead * pixels, 0.0, 1.0));
   }

@@ -6,8 +6,8 @@ import type { Theme } from "./palette";
 
 /** A vertex nearer than this to the last one, in CSS pixels, cannot be told from it. */
 const LEAST_DISTANCE = 0.6;
-/** How far below the ground the lines in the soil run, in CSS pixels. */
-const LAYERS = [34, 78, 136];
+/** How far below the ground the layers of soil begin, in CSS pixels. */
+const LAYERS = [26, 64, 118, 190];
 
 /** `grass` is how thick it is, in CSS pixels. */
 export function drawTerrain(
@@ -37,6 +37,12 @@ export function drawTerrain(
   shade.addColorStop(1, theme.soilBottom);
   context.fillStyle = shade;
   context.fill(soil);
+  context.fillStyle = theme.layer;
+  for (const depth of LAYERS) {
+    context.translate(0, depth);
+    context.fill(soil);
+    context.translate(0, -depth);
+  }
 
   context.save();
   context.clip(soil);
@@ -44,13 +50,6 @@ export function drawTerrain(
   context.lineWidth = 2 * grass;
   context.strokeStyle = theme.turf;
   context.stroke(ground);
-  context.lineWidth = 1.5;
-  context.strokeStyle = theme.layer;
-  for (const depth of LAYERS) {
-    context.translate(0, depth);
-    context.stroke(ground);
-    context.translate(0, -depth);
-  }
   context.restore();
   context.lineJoin = "round";
   context.lineWidth = Math.min(2.5, Math.max(1.5, 0.35 * grass));
@@ -58,7 +57,7 @@ export function drawTerrain(
   context.stroke(ground);
 }
 
-/** The part of a ground line that can be seen, one vertex beyond on either side: x and y in turn. */
+/** The part of a ground line that can be seen and a vertex beyond on each side: x and y in turn. */
 function screenLine(camera: Camera, pane: Pane, { x, y, terrain }: PlacedTerrain): number[] {
   const { x0, x1 } = camera.visibleIn(pane);
   const line: number[] = [];

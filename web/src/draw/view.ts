@@ -92,9 +92,9 @@ export class View {
       this.#classes = null;
       this.#stale = true;
     }
-    if (frame.awake) this.#awake = frame.awake;
-    if (frame.classes) this.#classes = frame.classes;
-    if (frame.awake || frame.classes) this.#stale = true;
+    this.#stale ||= differs(this.#awake, frame.awake) || differs(this.#classes, frame.classes);
+    this.#awake = frame.awake ?? this.#awake;
+    this.#classes = frame.classes ?? this.#classes;
   }
 
   /** `alpha` from 0, the frame's `before`, to 1, its `now`. */
@@ -103,7 +103,7 @@ export class View {
     const { camera } = this;
     const split = frame.rival ? options.split : "none";
     camera.split = split === "side";
-    this.#colour();
+    this.#colour(split === "none");
     this.#backdrop.draw(camera, this.#theme, this.#shapes?.typicalSize ?? 0);
 
     const { renderer } = this.#bodies;
@@ -151,8 +151,9 @@ export class View {
     this.#stale = true;
   }
 
-  #colour(): void {
-    const sleep = this.shown.has("sleeping");
+  /** `alone`: beside another engine, of which nothing is known but poses, sleep is not shown. */
+  #colour(alone: boolean): void {
+    const sleep = alone && this.shown.has("sleeping");
     const classes = this.shown.has("islands") || this.shown.has("colours");
     const same = sleep === this.#coloured.sleep && classes === this.#coloured.classes;
     if (same && !this.#stale) return;
@@ -164,6 +165,14 @@ export class View {
       classes: classes ? this.#classes : null,
     });
   }
+}
+
+/** Whether something new has come; most bodies stay as they are for long. */
+function differs(old: ArrayLike<number> | null, fresh: ArrayLike<number> | undefined): boolean {
+  if (!fresh) return false;
+  if (!old || old.length !== fresh.length) return true;
+  for (let i = 0; i < fresh.length; i++) if (old[i] !== fresh[i]) return true;
+  return false;
 }
 
 const NOTHING: Shapes = {
