@@ -1,9 +1,12 @@
 /**
  * A run through the level of the game "Platformer" that takes every coin: what a player holds, and
- * until when. `at` is { x, y, vx, vy, standing, lifts }, of the figure's middle and the lifts' from
- * left to right.
+ * until when. `at` is what the player sees: { x, y, vx, vy } of the figure's middle, whether it is
+ * standing, the phase of the game, and the lifts' states from left to right.
  */
 import { findLifts } from "../../web/public/scenes/platformer_game/lifts.js";
+
+const KEY_NAMES = ["left", "right", "up", "down", "fire", "restart"];
+const LONGEST_LEG = 15 * 60; // steps
 
 const after = (x) => (at) => at.x >= x;
 const before = (x) => (at) => at.x <= x;
@@ -134,50 +137,43 @@ export const RUN = [
   ["right", (at) => at.phase === "won"],
 ];
 
-/** Keys held, by name, as an Input has them. */
-export function held(keys) {
+/** Makes steps with these keys, named with spaces between. */
+export function hold(scene, keys, steps) {
   const names = keys.split(" ");
-  const has = (name) => names.includes(name);
-  return {
-    left: has("left"),
-    right: has("right"),
-    up: has("up"),
-    down: has("down"),
-    fire: has("fire"),
-    restart: has("restart"),
-  };
+  const held = Object.fromEntries(KEY_NAMES.map((name) => [name, names.includes(name)]));
+  for (let i = 0; i < steps; i++) {
+    scene.update({ step: scene.world.stats().steps, held, pointer: null });
+    scene.world.step();
+  }
 }
 
-/** Drives a scene by a run; each leg lasts at most 15 s. `each` is called after every step. */
-export function drive(scene, run, each = () => {}) {
-  const lifts = findLifts(scene.world).filter(({ body }) => !scene.hidden.includes(body.index));
-  const inputs = [];
-  run.forEach(([keys, done], leg) => {
-    let left = 15 * 60;
-    do {
-      if (left-- === 0) throw new Error(`leg ${leg}, "${keys}", does not end: ${JSON.stringify(see(scene, lifts))}`);
-      step(scene, keys, inputs);
-      each(see(scene, lifts), leg);
-    } while (!done(see(scene, lifts)));
-  });
-  return inputs;
-}
-
-function step(scene, keys, inputs) {
-  scene.update({ step: inputs.length, held: held(keys), pointer: null });
-  scene.world.step();
-  inputs.push(keys);
-}
-
-function see(scene, lifts) {
-  const { place, velocity, ground } = scene.state.figure;
+/** What `at` is above. */
+export function look({ world, state, hidden }) {
+  const { place, velocity, ground } = state.figure;
   return {
     x: place[0],
     y: place[1],
     vx: velocity[0],
     vy: velocity[1],
     standing: ground !== null,
-    phase: scene.state.phase,
-    lifts: lifts.map(({ body }) => scene.world.bodyState(body)),
+    phase: state.phase,
+    // The figure's own body is hidden.
+    lifts: findLifts(world)
+      .filter(({ body }) => !hidden.includes(body.index))
+      .map(({ body }) => world.bodyState(body)),
   };
+}
+
+/** Drives a scene by a run; each leg lasts at most 15 s. Returns the keys of every step. */
+export function drive(scene, run) {
+  const inputs = [];
+  run.forEach(([keys, done], leg) => {
+    const end = inputs.length + LONGEST_LEG;
+    do {
+      if (inputs.length === end) throw new Error(`leg ${leg}, "${keys}", does not end`);
+      hold(scene, keys, 1);
+      inputs.push(keys);
+    } while (!done(look(scene)));
+  });
+  return inputs;
 }
