@@ -25,7 +25,6 @@ static bool is_awake(const thud_world *w, int shape)
 static bool list_population(thud_world *w, td_population *grid, bool awake)
 {
     td_array *list = &grid->list;
-    list->stride = (int)sizeof(int);
     if (grid->listed) {
         return true;
     }

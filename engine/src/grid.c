@@ -140,8 +140,6 @@ enum { MEASURES_BYTES = 2 * (int)sizeof(double) + 2 * (int)sizeof(int32_t) + 8 }
 static bool reserve(thud_world *w, td_population *grid, bool quiet)
 {
     int count = grid->list.count;
-    grid->spot.stride = grid->anchor_x.stride = grid->anchor_y.stride = (int)sizeof(int32_t);
-    grid->cells.stride = (int)sizeof(int32_t);
     w->scratch.order.stride = MEASURES_BYTES;
     return td_population_reserve(w, grid) &&
            td_array_reserve(&w->memory, &grid->cells, count + TD_LANES) &&
@@ -218,7 +216,6 @@ static bool build(thud_world *w, td_population *grid, bool quiet)
     td_grid_measures m = measures_in(&w->scratch.order, &grid->list);
     measure(w, grid, &m);
     int starts_count = lay_out(grid, quiet);
-    grid->starts.stride = (int)sizeof(int);
     if (!td_array_reserve(&w->memory, &grid->starts, starts_count)) {
         return false;
     }

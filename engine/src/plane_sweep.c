@@ -12,7 +12,6 @@
 
 static bool reserve(thud_world *w, td_population *row)
 {
-    row->keys.stride = (int)sizeof(td_sweep_key);
     w->scratch.order.stride = (int)sizeof(uint8_t);
     return td_population_reserve(w, row) &&
            td_array_reserve(&w->memory, &row->keys, td_max_int(row->list.count, 1)) &&

@@ -3,12 +3,21 @@
 
 #include "world.h"
 
+void td_population_init(td_population *p)
+{
+    td_array *ints[] = {&p->list,  &p->ids,   &p->min_x,  &p->min_y, &p->max_x,    &p->max_y,
+                        &p->moved, &p->cells, &p->starts, &p->spot,  &p->anchor_x, &p->anchor_y};
+    for (size_t i = 0; i < sizeof ints / sizeof *ints; i++) {
+        ints[i]->stride = (int)sizeof(int32_t);
+    }
+    p->keys.stride = (int)sizeof(td_sweep_key);
+}
+
 bool td_population_reserve(thud_world *w, td_population *p)
 {
     td_array *arrays[] = {&p->ids, &p->min_x, &p->min_y, &p->max_x, &p->max_y, &p->moved};
     int count = p->list.count;
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        arrays[i]->stride = (int)sizeof(int32_t);
         if (!td_array_reserve(&w->memory, arrays[i], count + TD_LANES)) {
             return false;
         }

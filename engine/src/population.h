@@ -76,6 +76,8 @@ struct thud_broadphase {
 typedef int td_population_fill_fn(td_population *population, const td_stance *stance,
                                   const uint8_t *marks);
 
+void td_population_init(td_population *population); /* population.c */
+
 /* population.c: room for the shapes in `list`, as many ids, and what filling writes beyond. */
 bool td_population_reserve(struct thud_world *w, td_population *population);
 void td_population_free(td_memory *memory, td_population *population);

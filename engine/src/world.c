@@ -209,6 +209,8 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out)
     set_strides(w);
     td_agenda_init(&w->scratch.agenda);
     td_islands_init(&w->islands);
+    td_population_init(&w->awake_shapes);
+    td_population_init(&w->rest_shapes);
     td_quality_take(w, def->quality);
     if (!td_awake_reserve(w, 0)) {
         thud_world_destroy(w);

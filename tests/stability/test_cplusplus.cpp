@@ -11,6 +11,7 @@
 #include <thud/thud_quality.h>
 #include <thud/thud_queries.h>
 #include <thud/thud_shapes.h>
+#include <thud/thud_snapshot.h>
 #include <thud/thud_terrain.h>
 #include <thud/thud_volumes.h>
 

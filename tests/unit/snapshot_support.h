@@ -1,0 +1,112 @@
+/* snapshot_support.h: all that callers can tell of a step, in one number; and snapshots in memory. */
+#ifndef SNAPSHOT_SUPPORT_H
+#define SNAPSHOT_SUPPORT_H
+
+#include "engine_support.h"
+
+#include <thud/thud_snapshot.h>
+
+typedef struct saved {
+    char *bytes;
+    size_t size;
+} saved;
+
+static inline saved save(const thud_world *world)
+{
+    saved made = {NULL, 0};
+    size_t written = 0;
+    OK(thud_world_snapshot_size(world, &made.size));
+    made.bytes = malloc(made.size);
+    assert_non_null(made.bytes);
+    OK(thud_world_snapshot(world, made.bytes, made.size, &written));
+    assert_int_equal(written, made.size);
+    return made;
+}
+
+static inline void back_to(thud_world *world, saved snapshot)
+{
+    OK(thud_world_restore(world, snapshot.bytes, snapshot.size));
+}
+
+static inline void mix(uint64_t *digest, const void *values, size_t bytes)
+{
+    const unsigned char *at = values;
+    for (size_t i = 0; i < bytes; i++) {
+        *digest = (*digest ^ at[i]) * 0x100000001b3u;
+    }
+}
+
+#define MIX(value) mix(&digest, &(value), sizeof(value))
+
+/* Hash, poses, events, errors and statistics, but for seconds and memory. */
+static inline uint64_t digest_of(thud_world *world)
+{
+    uint64_t digest = thud_world_hash(world);
+    int count = 0;
+    const thud_pose *poses = thud_world_poses(world, (thud_pos){0, 0}, 0.5, &count);
+    for (int i = 0; i < count; i++) {
+        if (poses[i].x == poses[i].x) { /* else there is no body, and the rest means nothing */
+            MIX(poses[i]);
+        }
+    }
+    thud_events e = thud_world_events(world);
+    mix(&digest, e.begin, (size_t)e.begin_count * sizeof *e.begin);
+    mix(&digest, e.end, (size_t)e.end_count * sizeof *e.end);
+    mix(&digest, e.sensor_begin, (size_t)e.sensor_begin_count * sizeof *e.sensor_begin);
+    mix(&digest, e.sensor_end, (size_t)e.sensor_end_count * sizeof *e.sensor_end);
+    mix(&digest, e.quarantined, (size_t)e.quarantined_count * sizeof *e.quarantined);
+    for (int i = 0; i < e.hit_count; i++) {
+        MIX(e.hit[i].shape_a);
+        MIX(e.hit[i].shape_b);
+        MIX(e.hit[i].point);
+        MIX(e.hit[i].speed);
+    }
+    thud_step_error error = thud_world_error(world);
+    MIX(error.penetration_max);
+    MIX(error.penetration_mean);
+    MIX(error.residual);
+    MIX(error.energy_change);
+    thud_stats s = thud_world_stats(world);
+    const uint64_t counts[] = {
+        s.steps,       (uint64_t)s.bodies,       (uint64_t)s.shapes,     (uint64_t)s.awake_bodies,
+        (uint64_t)s.pairs, (uint64_t)s.contacts, (uint64_t)s.colours,    (uint64_t)s.blocks,
+        (uint64_t)s.substeps, (uint64_t)s.hard_islands, (uint64_t)s.factorings,
+        (uint64_t)s.island_work, (uint64_t)s.impacts, (uint64_t)s.motion_pairs};
+    MIX(counts);
+    return digest;
+}
+
+#undef MIX
+
+enum { TRAIL_MOST = 256 };
+
+/* A digest before the first and after each of so many steps. */
+typedef struct trail {
+    int steps;
+    uint64_t digest[TRAIL_MOST + 1];
+} trail;
+
+static inline trail walk(thud_world *world, int steps)
+{
+    trail made = {.steps = steps};
+    assert_true(steps <= TRAIL_MOST);
+    made.digest[0] = digest_of(world);
+    for (int i = 1; i <= steps; i++) {
+        OK(thud_world_step(world));
+        made.digest[i] = digest_of(world);
+    }
+    return made;
+}
+
+/* The world goes the same way once more. */
+static inline void walks_again(thud_world *world, const trail *before, const char *what)
+{
+    trail now = walk(world, before->steps);
+    for (int i = 0; i <= before->steps; i++) {
+        if (now.digest[i] != before->digest[i]) {
+            fail_msg("%s: differs %d steps after the snapshot", what, i);
+        }
+    }
+}
+
+#endif

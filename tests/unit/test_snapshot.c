@@ -1,0 +1,366 @@
+/* test_snapshot.c: worlds that are put back go the same way again, to the bit, whatever they hold. */
+#include "snapshot_support.h"
+
+#include "build_thud.h"
+#include "scenes.h"
+
+#include <thud/thud_terrain.h>
+
+enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
+
+static thud_world *scene_world(const scene_info *info, const thud_world_def *def, float *scale)
+{
+    scene s;
+    thud_world *world;
+    int size = info->default_size > SIZE_MOST ? SIZE_MOST : info->default_size;
+    assert_true(scenes_fill(info, size < info->min_size ? info->min_size : size, &s));
+    OK(scene_build_thud(&s, def, &world, NULL, NULL));
+    *scale = (float)s.length_scale;
+    scene_free(&s);
+    return world;
+}
+
+/* Back in the same world, in a fresh one without anything, and in one that went on elsewhere. */
+static void restored_anywhere(const scene_info *info, const thud_world_def *settings, int before,
+                              int after, const char *what)
+{
+    thud_world_def def = settings ? *settings : thud_default_world_def();
+    float scale;
+    thud_world *world = scene_world(info, &def, &scale), *other = scene_world(info, &def, &scale);
+    run(world, before);
+    saved snapshot = save(world);
+    trail first = walk(world, after);
+    back_to(world, snapshot);
+    walks_again(world, &first, what);
+    run(other, before / 3);
+    back_to(other, snapshot);
+    walks_again(other, &first, what);
+    thud_world_destroy(other);
+    def.length_scale = scale;
+    other = make_world(def);
+    back_to(other, snapshot);
+    walks_again(other, &first, what);
+    thud_world_destroy(other);
+    thud_world_destroy(world);
+    free(snapshot.bytes);
+}
+
+static void every_scene_restored_goes_the_same_way(void **state)
+{
+    (void)state;
+    for (int i = 0; i < scenes_count(); i++) {
+        restored_anywhere(scenes_at(i), NULL, BEFORE, AFTER, scenes_at(i)->name);
+    }
+}
+
+static bool veto(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                 void *context)
+{
+    (void)world;
+    (void)context;
+    settings->friction *= 0.5f;
+    return contact->shape_b.index1 % 7 != 0;
+}
+
+/* Edits from inside a callback wait for the next step, also across a snapshot. */
+static void push(thud_world *world, const thud_contact *contact, void *context)
+{
+    (void)context;
+    if (contact->shape_b.index1 % 5 == 0) {
+        thud_body_apply_impulse(world, contact->body_b, (thud_vec2){0.1f, 0.5f}, contact->point);
+    }
+}
+
+static void every_setting_restored_goes_the_same_way(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"circle_pit", "mixed_terrain", "bullets"};
+    const thud_detection *const detections[] = {&thud_detection_overlap, &thud_detection_bisect,
+                                                &thud_detection_swept, NULL};
+    const thud_broadphase *const broadphases[] = {&thud_broadphase_sweep, &thud_broadphase_all,
+                                                  &thud_broadphase_grid, &thud_broadphase_grid};
+    for (int n = 0; n < 3; n++) {
+        for (int i = 0; i < 4; i++) {
+            thud_world_def def = thud_world_def_of(qualities[i]);
+            def.detection = detections[(i + n) % 4];
+            def.broadphase = broadphases[i];
+            def.baseline_simd = i == 1;
+            def.prologue = i == 2 ? veto : NULL;
+            def.epilogue = i == 3 || n == 2 ? push : NULL;
+            restored_anywhere(scenes_find(names[n]), &def, 40, 30, names[n]);
+        }
+    }
+}
+
+static void sleeping_island_restored_sleeps_and_wakes_as_before(void **state)
+{
+    (void)state;
+    float scale;
+    thud_world *world = scene_world(scenes_find("tall_stack"), NULL, &scale);
+    for (int i = 0; i < 1000 && thud_world_stats(world).awake_bodies; i++) {
+        run(world, 1);
+    }
+    assert_int_equal(thud_world_stats(world).awake_bodies, 0);
+    saved snapshot = save(world);
+    trail first = {0};
+    for (int round = 0; round < 2; round++) {
+        add_ball(world, -3, 1, 0.5f);
+        OK(thud_world_set_gravity(world, (thud_vec2){6, -10}));
+        if (round == 0) {
+            first = walk(world, 100);
+        } else {
+            walks_again(world, &first, "woken");
+        }
+        assert_true(thud_world_stats(world).awake_bodies > 1);
+        back_to(world, snapshot);
+        assert_int_equal(thud_world_stats(world).awake_bodies, 0);
+    }
+    thud_world_destroy(world);
+    free(snapshot.bytes);
+}
+
+/* A floor of hills, some boxes and balls on it, a sensor. */
+typedef struct yard {
+    thud_world *world;
+    thud_shape_id ground, ball_shape;
+    thud_body_id ball, box, heap[12];
+} yard;
+
+static yard make_yard(const thud_world_def *def)
+{
+    yard y = {.world = make_world(def ? *def : thud_default_world_def())};
+    thud_pos points[33];
+    for (int i = 0; i < 33; i++) {
+        points[i] = (thud_pos){i - 16, (i % 5) * 0.3};
+    }
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 33};
+    thud_shape_def plain = thud_default_shape_def(), sensor = plain;
+    OK(thud_shape_create_terrain(y.world, add_body(y.world, THUD_STATIC, 0, 0, 0), &plain, &line,
+                                 &y.ground));
+    y.ball = add_body(y.world, THUD_DYNAMIC, -5, 3, 0);
+    y.ball_shape = add_shape(y.world, y.ball, 0.5f, 0, false, NULL);
+    y.box = add_box(y.world, 5, 3, 0.5f, 0.4f);
+    sensor.sensor = true;
+    add_shape(y.world, add_body(y.world, THUD_STATIC, 0, 2, 0), 3, 2, true, &sensor);
+    for (int i = 0; i < 12; i++) {
+        y.heap[i] = add_box(y.world, 0.3 * (i % 3), 2 + i, 0.5f, 0.4f);
+    }
+    return y;
+}
+
+/* One edit of each kind. */
+static void edit(const yard *y)
+{
+    OK(thud_shape_dig(y->world, y->ground, (thud_pos){5, 0.5}, 1.5));
+    OK(thud_body_destroy(y->world, y->heap[3]));
+    OK(thud_body_set_transform(y->world, y->heap[4], (thud_pos){-5, 4}, 0.3));
+    OK(thud_body_set_enabled(y->world, y->heap[5], false));
+    OK(thud_shape_destroy(y->world, y->ball_shape));
+    add_shape(y->world, y->ball, 0.3f, 0.2f, false, NULL);
+    OK(thud_body_apply_force(y->world, y->box, (thud_vec2){40, 10}, 3));
+    OK(thud_body_set_awake(y->world, y->heap[6], false));
+    add_ball(y->world, 1, 14, 0.4f);
+}
+
+static void edits_that_wait_for_the_step_are_restored(void **state)
+{
+    (void)state;
+    yard y = make_yard(NULL);
+    saved fresh = save(y.world); /* nothing has been applied yet */
+    trail all = walk(y.world, 100);
+    edit(&y);
+    saved edited = save(y.world);
+    trail first = walk(y.world, 100);
+    back_to(y.world, edited);
+    walks_again(y.world, &first, "edited");
+    back_to(y.world, fresh);
+    walks_again(y.world, &all, "fresh");
+    edit(&y);
+    walks_again(y.world, &first, "edited again");
+    thud_world_destroy(y.world);
+    free(fresh.bytes);
+    free(edited.bytes);
+}
+
+static void settings_with_a_setter_are_restored(void **state)
+{
+    (void)state;
+    yard y = make_yard(NULL);
+    run(y.world, 50);
+    saved snapshot = save(y.world);
+    trail first = walk(y.world, 60);
+    OK(thud_world_set_gravity(y.world, (thud_vec2){3, 0}));
+    OK(thud_world_set_time_step(y.world, 1.0 / 30.0));
+    OK(thud_world_set_quality(y.world, &thud_quality_exact));
+    OK(thud_world_set_sleeping(y.world, false));
+    OK(thud_world_set_max_error(y.world, 0.001));
+    run(y.world, 10);
+    back_to(y.world, snapshot);
+    walks_again(y.world, &first, "default");
+    OK(thud_world_set_quality(y.world, &thud_quality_draft)); /* has no island solver */
+    run(y.world, 10);
+    back_to(y.world, snapshot);
+    walks_again(y.world, &first, "draft");
+    thud_world_destroy(y.world);
+    free(snapshot.bytes);
+}
+
+static void handles_are_those_of_the_snapshot(void **state)
+{
+    (void)state;
+    yard y = make_yard(NULL);
+    run(y.world, 5);
+    saved snapshot = save(y.world);
+    OK(thud_body_destroy(y.world, y.ball));
+    run(y.world, 1);
+    thud_body_id later[100];
+    for (int i = 0; i < 100; i++) {
+        later[i] = add_ball(y.world, i, 30, 0.3f);
+    }
+    assert_false(thud_body_is_valid(y.world, y.ball));
+    OK(thud_body_destroy(y.world, later[99]));
+    run(y.world, 1);
+    back_to(y.world, snapshot);
+    assert_true(thud_body_is_valid(y.world, y.ball));
+    assert_true(thud_shape_is_valid(y.world, y.ball_shape));
+    for (int i = 0; i < 100; i++) {
+        assert_false(thud_body_is_valid(y.world, later[i]));
+    }
+    OK(thud_body_destroy(y.world, y.ball));
+    run(y.world, 1);
+    for (int i = 0; i < 100; i++) {
+        thud_body_id again = add_ball(y.world, i, 30, 0.3f);
+        assert_memory_equal(&again, &later[i], sizeof again);
+    }
+    thud_world *other = make_world(thud_default_world_def());
+    thud_body_id own = add_ball(other, 0, 0, 1);
+    assert_false(thud_body_is_valid(other, y.box));
+    back_to(other, snapshot);
+    assert_true(thud_body_is_valid(other, y.box));
+    assert_false(thud_body_is_valid(other, own));
+    thud_world_destroy(other);
+    thud_world_destroy(y.world);
+    free(snapshot.bytes);
+}
+
+static void lines_that_came_went_or_grew_are_restored(void **state)
+{
+    (void)state;
+    yard y = make_yard(NULL);
+    run(y.world, 20);
+    saved snapshot = save(y.world);
+    trail first = walk(y.world, 40);
+    thud_shape_state ground;
+    OK(thud_shape_get(y.world, y.ground, &ground));
+    OK(thud_body_destroy(y.world, ground.body));
+    run(y.world, 2);
+    thud_pos points[] = {{-50, -1}, {0, -2}, {50, -1}};
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 3};
+    thud_shape_def plain = thud_default_shape_def();
+    for (int i = 0; i < 3; i++) {
+        OK(thud_shape_create_terrain(y.world, add_body(y.world, THUD_STATIC, 0, -i, 0), &plain,
+                                     &line, NULL));
+    }
+    run(y.world, 5);
+    back_to(y.world, snapshot);
+    walks_again(y.world, &first, "lines");
+    for (int i = 0; i < 20; i++) {
+        OK(thud_shape_dig(y.world, y.ground, (thud_pos){i - 10, 0}, 0.7));
+    }
+    run(y.world, 5);
+    back_to(y.world, snapshot);
+    walks_again(y.world, &first, "holes");
+    thud_world_destroy(y.world);
+    free(snapshot.bytes);
+}
+
+static void poses_and_time_left_over_are_restored(void **state)
+{
+    (void)state;
+    yard y = make_yard(NULL);
+    double alpha[2];
+    run(y.world, 20);
+    OK(thud_world_advance(y.world, 0.01, 4, NULL, NULL));
+    saved snapshot = save(y.world);
+    for (int i = 0; i < 2; i++) {
+        int steps;
+        OK(thud_world_advance(y.world, 0.01, 4, &steps, &alpha[i]));
+        assert_int_equal(steps, 1);
+        back_to(y.world, snapshot);
+    }
+    assert_true(alpha[0] == alpha[1]);
+    thud_world_destroy(y.world);
+    free(snapshot.bytes);
+}
+
+/* What a player might do in step `time`: the same each time. */
+static void play(const yard *y, int time)
+{
+    uint64_t seed = 88172645463325252u + (uint64_t)time * 977;
+    for (int i = 0; i < 8; i++) {
+        random_in(&seed, 0, 1);
+    }
+    double x = random_in(&seed, -12, 12), dice = random_in(&seed, 0, 1);
+    thud_body_id some = y->heap[(int)random_in(&seed, 0, 11.9)];
+    if (dice < 0.2) {
+        add_box(y->world, x, 12, 0.4f, 0.3f);
+    } else if (dice < 0.3) {
+        OK(thud_shape_dig(y->world, y->ground, (thud_pos){x, 0.5}, 0.8));
+    } else if (dice < 0.4 && thud_body_is_valid(y->world, some)) {
+        OK(thud_body_destroy(y->world, some));
+    } else if (dice < 0.7 && thud_body_is_valid(y->world, some)) {
+        OK(thud_body_set_velocity(y->world, some, (thud_vec2){(float)x, 6}, 1));
+    }
+}
+
+static void random_play_rewound_and_repeated_is_the_same(void **state)
+{
+    (void)state;
+    enum { TIMES = 160, EVERY = 20 };
+    const thud_detection *const detections[] = {NULL, &thud_detection_swept};
+    for (int d = 0; d < 2; d++) {
+        thud_world_def def = thud_default_world_def();
+        def.detection = detections[d];
+        yard y = make_yard(&def);
+        saved kept[TIMES / EVERY];
+        uint64_t digests[TIMES], seed = 1234567;
+        for (int time = 0; time < TIMES; time++) {
+            if (time % EVERY == 0) {
+                kept[time / EVERY] = save(y.world);
+            }
+            play(&y, time);
+            run(y.world, 1);
+            digests[time] = digest_of(y.world);
+        }
+        for (int round = 0; round < 12; round++) {
+            int at = (int)random_in(&seed, 0, TIMES / EVERY - 0.1);
+            int steps = (int)random_in(&seed, 1, 50);
+            back_to(y.world, kept[at]);
+            for (int time = at * EVERY; time < TIMES && steps > 0; time++, steps--) {
+                play(&y, time);
+                run(y.world, 1);
+                assert_int_equal(digest_of(y.world), digests[time]);
+            }
+        }
+        for (int i = 0; i < TIMES / EVERY; i++) {
+            free(kept[i].bytes);
+        }
+        thud_world_destroy(y.world);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_scene_restored_goes_the_same_way),
+        cmocka_unit_test(every_setting_restored_goes_the_same_way),
+        cmocka_unit_test(sleeping_island_restored_sleeps_and_wakes_as_before),
+        cmocka_unit_test(edits_that_wait_for_the_step_are_restored),
+        cmocka_unit_test(settings_with_a_setter_are_restored),
+        cmocka_unit_test(handles_are_those_of_the_snapshot),
+        cmocka_unit_test(lines_that_came_went_or_grew_are_restored),
+        cmocka_unit_test(poses_and_time_left_over_are_restored),
+        cmocka_unit_test(random_play_rewound_and_repeated_is_the_same),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
