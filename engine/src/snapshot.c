@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* Worlds are not changed by being written; what passes values has one set of lines for both ways. */
+/* A world is not changed by being written; what passes values has the same lines for both ways. */
 static thud_world *unconst(const thud_world *w)
 {
     union {

@@ -86,8 +86,8 @@ td_snapshot_head td_snapshot_head_of(thud_world *w);
 uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head);
 uint64_t td_snapshot_checksum(const void *bytes, size_t count);
 
-/* First after the head stands a table of int32: how many points each terrain has, then for each block
- * the next free one, or this. */
+/* First after the head stands a table of int32: how many points each terrain has, then for each
+ * block the next free one, or this. */
 enum { TD_SNAPSHOT_LIVE = -2 };
 int td_snapshot_table_of(const td_snapshot_head *head); /* how many entries it has */
 

@@ -39,7 +39,10 @@ enum {
 /* A terrain but for its points. */
 enum { TERRAIN_BYTES = offsetof(td_terrain_record, points) };
 
-enum { BIN_BYTES = sizeof(int32_t) + sizeof(td_bin), BIN_COUNT = TD_PAIR_TOUCH_COUNT * TD_BINS_A_KIND };
+enum {
+    BIN_BYTES = sizeof(int32_t) + sizeof(td_bin),
+    BIN_COUNT = TD_PAIR_TOUCH_COUNT * TD_BINS_A_KIND
+};
 
 static const thud_detection *const DETECTIONS[TD_RANK_COUNT] = {
     &thud_detection_overlap, &thud_detection_continuous, &thud_detection_bisect,
@@ -122,25 +125,29 @@ td_snapshot_head td_snapshot_head_of(thud_world *w)
     return head;
 }
 
+/* FNV's step on a 64-bit word, turned so that high bits reach low ones. */
+static uint64_t mix(uint64_t sum, uint64_t word)
+{
+    sum = (sum ^ word) * 0x100000001b3ull;
+    return sum << 29 | sum >> 35;
+}
+
 uint64_t td_snapshot_checksum(const void *bytes, size_t count)
 {
-    /* FNV-1a over 64-bit words, in four lanes since one would wait for its products. The last word is
-     * filled up with zeros. */
-    enum { LANES = 4 };
-    const uint64_t prime = 0x100000001b3ull;
-    uint64_t lane[LANES] = {1, 2, 3, 4}, sum = 0xcbf29ce484222325ull ^ count;
+    enum { LANES = 8 }; /* one alone would wait for its products */
+    uint64_t lane[LANES] = {1, 2, 3, 4, 5, 6, 7, 8}, words[LANES], sum = count;
     const char *at = bytes;
-    for (size_t i = 0; i < count; i += sizeof(uint64_t[LANES])) {
-        uint64_t words[LANES] = {0};
-        memcpy(words, at + i, count - i < sizeof words ? count - i : sizeof words);
+    size_t whole = count - count % sizeof words;
+    for (size_t i = 0; i < whole; i += sizeof words) {
+        memcpy(words, at + i, sizeof words);
         for (int k = 0; k < LANES; k++) {
-            lane[k] = (lane[k] ^ words[k]) * prime;
-            lane[k] ^= lane[k] >> 32; /* lets high bits reach low ones */
+            lane[k] = mix(lane[k], words[k]);
         }
     }
+    memset(words, 0, sizeof words);
+    memcpy(words, at + whole, count - whole);
     for (int k = 0; k < LANES; k++) {
-        sum = (sum ^ lane[k]) * prime;
-        sum ^= sum >> 32;
+        sum = mix(sum, mix(lane[k], words[k]));
     }
     return sum;
 }
@@ -171,7 +178,8 @@ uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head)
     bytes += (uint64_t)slots[TD_SNAPSHOT_TERRAINS].count * TERRAIN_BYTES;
     bytes += head->points * sizeof(thud_pos);
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        bytes += (uint64_t)slots[TD_SNAPSHOT_POOLS + form].live * td_form_bytes((td_block_form)form);
+        bytes += (uint64_t)slots[TD_SNAPSHOT_POOLS + form].live *
+                 td_form_bytes((td_block_form)form);
     }
     for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
         bytes += (uint64_t)head->parts[i].used * (uint64_t)parts[i].array->stride;
@@ -198,7 +206,8 @@ static void pass(tape *t, void *memory, size_t bytes)
     }
 }
 
-/* What restoring must know before it can begin: points of each terrain, and which blocks are free. */
+/* What restoring must know before it can begin: the points of each terrain, and which blocks are
+ * free. */
 static void pass_table(tape *t, thud_world *w)
 {
     for (int i = 0; i < w->terrains.count; i++) {
@@ -302,8 +311,8 @@ static void plug_in(thud_world *w, const td_snapshot_head *head)
     w->quality.islands = head->plugged & TD_SNAPSHOT_ISLANDS ? &thud_islands_direct : NULL;
 }
 
-/* The counts of the head. What lies beyond them is as if it had never been: handles of new bodies and
- * shapes begin anew, and slots that the wide kernels look at in passing hold nothing that moves. */
+/* The counts of the head. What lies beyond them is as if it had never been: handles of new bodies
+ * and shapes begin anew, and slots that the wide kernels pass over hold nothing that moves. */
 static void take_counts(thud_world *w, const td_snapshot_head *head)
 {
     td_slots *slots[TD_SNAPSHOT_SLOTS];

@@ -1,10 +1,11 @@
-/* snapshot_support.h: all that callers can tell of a step, in one number; and snapshots in memory. */
+/* snapshot_support.h: all that callers can tell of a step in one number; kept snapshots; a yard. */
 #ifndef SNAPSHOT_SUPPORT_H
 #define SNAPSHOT_SUPPORT_H
 
 #include "engine_support.h"
 
 #include <thud/thud_snapshot.h>
+#include <thud/thud_terrain.h>
 
 typedef struct saved {
     char *bytes;
@@ -107,6 +108,35 @@ static inline void walks_again(thud_world *world, const trail *before, const cha
             fail_msg("%s: differs %d steps after the snapshot", what, i);
         }
     }
+}
+
+/* A floor of hills, some boxes and balls on it, a sensor. */
+typedef struct yard {
+    thud_world *world;
+    thud_shape_id ground, ball_shape;
+    thud_body_id ball, box, heap[12];
+} yard;
+
+static inline yard make_yard(const thud_world_def *def)
+{
+    yard y = {.world = make_world(def ? *def : thud_default_world_def())};
+    thud_pos points[33];
+    for (int i = 0; i < 33; i++) {
+        points[i] = (thud_pos){i - 16, (i % 5) * 0.3};
+    }
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 33};
+    thud_shape_def plain = thud_default_shape_def(), sensor = plain;
+    OK(thud_shape_create_terrain(y.world, add_body(y.world, THUD_STATIC, 0, 0, 0), &plain, &line,
+                                 &y.ground));
+    y.ball = add_body(y.world, THUD_DYNAMIC, -5, 3, 0);
+    y.ball_shape = add_shape(y.world, y.ball, 0.5f, 0, false, NULL);
+    y.box = add_box(y.world, 5, 3, 0.5f, 0.4f);
+    sensor.sensor = true;
+    add_shape(y.world, add_body(y.world, THUD_STATIC, 0, 2, 0), 3, 2, true, &sensor);
+    for (int i = 0; i < 12; i++) {
+        y.heap[i] = add_box(y.world, 0.3 * (i % 3), 2 + i, 0.5f, 0.4f);
+    }
+    return y;
 }
 
 #endif

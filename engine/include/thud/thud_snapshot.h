@@ -11,15 +11,15 @@
  * After a restore every call gives what it gave the first time, to the last bit: poses, events,
  * errors, hash and the handles of what is made then. So a game that keeps a snapshot and the calls
  * that followed can play them again, with other ones in between. Only time and memory are the
- * machine's: stats.bytes, stats.step_allocations and the seconds of stages; and a time_budget, which
- * goes by the clock.
+ * machine's: stats.bytes, stats.step_allocations and the seconds of stages; and a time_budget,
+ * which goes by the clock.
  *
- * A snapshot has what can change in a running world: bodies, shapes, the lines of terrains, contacts
- * with their impulses, who sleeps, edits that wait for the next step, the last step's events, and
- * the settings that have a setter (gravity, time step, quality, sleeping, max_error). It does not
- * have the rest of the world def (callbacks, log, clock, crew, allocator, limits): these stay as the
- * world has them that is restored. The caller's own state, a thud_mover for one, is for the caller to
- * copy.
+ * A snapshot has what can change in a running world: bodies, shapes, the lines of terrains,
+ * contacts with their impulses, who sleeps, edits that wait for the next step, the last step's
+ * events, and the settings that have a setter (gravity, time step, quality, sleeping, max_error).
+ * The rest of the world def (callbacks, log, clock, crew, allocator, limits) stays as the world has
+ * it that is restored. The caller's own state is for the caller to copy; a thud_mover is a plain
+ * struct.
  *
  * A program that uses this links every shape kind, every detection and the island solver, since a
  * snapshot may name them; one that does not pays nothing. */
@@ -34,30 +34,31 @@
 extern "C" {
 #endif
 
-/* Both: THUD_ERROR_NULL without a world or `bytes`; THUD_ERROR_LOCKED inside a callback. */
-
-/* What a snapshot taken now needs: for each body some 0.4 kB, for each touching pair some 0.2. */
+/* *bytes is what a snapshot taken now needs: for each body with a shape about 0.5 kB, for
+ * each touching pair about 0.25 kB. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback. */
 thud_result thud_world_snapshot_size(const thud_world *world, size_t *bytes);
 
-/* Writes a snapshot to `buffer`, which needs no alignment; *bytes (may be null) is its size.
- * THUD_ERROR_INVALID where `capacity` is less than that: nothing is written then. Costs about what
- * copying the bytes does; the world is not changed, and nothing is allocated. */
+/* Writes a snapshot to `buffer`, which needs no alignment; *bytes (may be null) is its size. It
+ * costs two passes over the bytes, allocates nothing and does not change the world.
+ * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID where `capacity` is less
+ * than thud_world_snapshot_size tells. The buffer is then as it was. */
 thud_result thud_world_snapshot(const thud_world *world, void *buffer, size_t capacity,
                                 size_t *bytes);
 
 /* Puts the world, or another one from the same def, into the state that the snapshot was taken in.
- * Handles from before the snapshot are valid as they were then. Those made after it are stale, until
- * what takes the same place is made: the same calls make the same handles again. Another world takes
- * the snapshot's handles over, and its own become stale. Memory that the world has is used again.
+ * Handles are valid again where they were then. Those made since are stale, until something takes
+ * the same place: the same calls make the same handles again. Another world takes the snapshot's
+ * handles over, and its own become stale. What thud_world_poses, thud_world_events and
+ * thud_shape_terrain gave before is void. Memory that the world has is used again.
  *
- * THUD_ERROR_LOCKED inside a callback. THUD_ERROR_INVALID, with the reason in the log, for bytes
- * that are cut short, damaged, no snapshot, or of another version or build of thud (a snapshot is
- * for the same version on a processor with the same word size and byte order), and for a world with
- * another length scale or broadphase. THUD_ERROR_MEMORY. In each case the world is as it was.
+ * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID, with the reason in the
+ * log, for bytes that are cut short, damaged, no snapshot, or of another version or build of thud
+ * (snapshots are for the same version, word size and byte order), and for a world with another
+ * length scale or broadphase; THUD_ERROR_MEMORY. In each case the world is as it was.
  *
- * Damage is found by a checksum over all bytes: any change within one 8-byte word for certain, any
- * other with 1 - 2^-64. Sizes and counts are checked as well; but bytes that somebody forged, checksum
- * and all, can still name what is not there: restore only what you trust. */
+ * Damage is found by a checksum over all bytes: a change within one word of 8 bytes for certain,
+ * any other but for one in 2^64. Sizes and counts are checked as well; but bytes that somebody
+ * forged, checksum and all, can name what is not there: restore only what you trust. */
 thud_result thud_world_restore(thud_world *world, const void *buffer, size_t bytes);
 
 #ifdef __cplusplus
