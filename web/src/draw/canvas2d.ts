@@ -8,8 +8,10 @@ import { BODY, CIRCLE, DYNAMIC, HALF, OFFSET, ROW, SHAPE, SLOT, STATIC, TURN } f
 
 /** Of 255: channels are rounded to multiples of it, so that paths can be shared. */
 const STEP = 24;
-/** Half widths in device pixels: smaller bodies are upright squares, because thousands of contours in
- * one path are slow; have no rim; and no bead that shows how a circle turns. */
+/** Contours a path: of far more or far fewer, browsers are many times as slow. */
+const PATH = 64;
+/** Half widths in device pixels: smaller bodies are upright squares; have no rim; and no bead that
+ * shows how a circle turns. */
 const LEAST_SHAPE = 2;
 const LEAST_RIM = 2.5;
 const LEAST_BEAD = 5;
@@ -78,11 +80,10 @@ export class CanvasRenderer implements Renderer {
     context.setTransform(1, 0, 0, 1, pane.middleX * ratio, pane.middleY * ratio);
     if (look.kind === "outline") {
       context.fillStyle = cssColour(look.colour);
-      this.#trace(this.#movingRows, shapes, poses, pixels);
+      context.strokeStyle = cssColour(look.colour);
       const wanted = OUTLINE.part * shapes.typicalSize * camera.scale;
       context.lineWidth = ratio * Math.min(OUTLINE.most, Math.max(OUTLINE.least, wanted));
-      context.strokeStyle = cssColour(look.colour);
-      context.stroke();
+      this.#trace(this.#movingRows, shapes, poses, pixels, () => context.stroke());
     } else {
       context.lineWidth = ratio;
       for (const batch of this.#batches[look.kind]) this.#fill(batch, shapes, poses, pixels);
@@ -92,27 +93,40 @@ export class CanvasRenderer implements Renderer {
 
   #fill(batch: Batch, shapes: Shapes, poses: Poses, pixels: number): void {
     const context = this.#context;
+    const rims = pixels * (shapes.typicalSize || 1) > LEAST_RIM;
     context.fillStyle = batch.fill;
-    const beads = this.#trace(batch.rows, shapes, poses, pixels);
-    context.fill();
-    if (pixels * (shapes.typicalSize || 1) > LEAST_RIM) {
-      context.strokeStyle = batch.rim;
-      context.stroke();
-    }
-    if (beads && batch.bead) {
-      context.fillStyle = batch.bead;
-      context.fill(beads);
+    context.strokeStyle = batch.rim;
+    const beads = this.#trace(batch.rows, shapes, poses, pixels, () => {
+      context.fill();
+      if (rims) context.stroke();
+    });
+    if (batch.bead === null || beads.length === 0) return;
+    context.fillStyle = batch.bead;
+    for (let i = 0; i < beads.length; i += 3) {
+      const [x, y, radius] = [beads[i], beads[i + 1], beads[i + 2]];
+      context.beginPath();
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+      context.fill();
     }
   }
 
-  /** Leaves the outlines as the current path, but for the smallest bodies, which it fills; returns
-   * the beads that show how circles turn. */
-  #trace(rows: number[], shapes: Shapes, poses: Poses, pixels: number): Path2D | null {
+  /**
+   * Puts outlines into the current path, and calls `finish` whenever it is long enough and at the
+   * end; the smallest bodies it fills itself. Returns x, y and radius of the circles' beads.
+   */
+  #trace(
+    rows: readonly number[],
+    shapes: Shapes,
+    poses: Poses,
+    pixels: number,
+    finish: () => void,
+  ): number[] {
     const context = this.#context;
     const data = shapes.rows;
     const { width, height } = this.canvas;
     const pose = new Float64Array(4);
-    let beads: Path2D | null = null;
+    const beads: number[] = [];
+    let contours = 0;
     context.beginPath();
     for (const row of rows) {
       const at = row * ROW;
@@ -132,27 +146,25 @@ export class CanvasRenderer implements Renderer {
       if (data[at + SHAPE] === CIRCLE) {
         context.moveTo(x + hx, y);
         context.arc(x, y, hx, 0, 2 * Math.PI);
-        if (hx > LEAST_BEAD) {
-          beads ??= new Path2D();
-          const beadX = x + 0.58 * hx * c;
-          const beadY = y - 0.58 * hx * s;
-          beads.moveTo(beadX + 0.15 * hx, beadY);
-          beads.arc(beadX, beadY, 0.15 * hx, 0, 2 * Math.PI);
-        }
-        continue;
+        if (hx > LEAST_BEAD) beads.push(x + 0.58 * hx * c, y - 0.58 * hx * s, 0.15 * hx);
+      } else {
+        const cosine = c * data[at + TURN] - s * data[at + TURN + 1];
+        const sine = s * data[at + TURN] + c * data[at + TURN + 1];
+        const ax = cosine * hx;
+        const ay = -sine * hx;
+        const bx = -sine * hy;
+        const by = -cosine * hy;
+        context.moveTo(x - ax - bx, y - ay - by);
+        context.lineTo(x + ax - bx, y + ay - by);
+        context.lineTo(x + ax + bx, y + ay + by);
+        context.lineTo(x - ax + bx, y - ay + by);
+        context.closePath();
       }
-      const cosine = c * data[at + TURN] - s * data[at + TURN + 1];
-      const sine = s * data[at + TURN] + c * data[at + TURN + 1];
-      const ax = cosine * hx;
-      const ay = -sine * hx;
-      const bx = -sine * hy;
-      const by = -cosine * hy;
-      context.moveTo(x - ax - bx, y - ay - by);
-      context.lineTo(x + ax - bx, y + ay - by);
-      context.lineTo(x + ax + bx, y + ay + by);
-      context.lineTo(x - ax + bx, y - ay + by);
-      context.closePath();
+      if (++contours % PATH !== 0) continue;
+      finish();
+      context.beginPath();
     }
+    finish();
     return beads;
   }
 }
