@@ -5,6 +5,7 @@ climb planks, drop through planks, walk slopes, ride a lift across and one up, p
 the figure can reach decides every number here: it jumps 3.2 m high and 7 m far. The test
 tests/web/wasm-platformer.test.mjs plays the level to the end with every coin."""
 
+import math
 import random
 
 from tiled_map import BRICK, GRASS, STONE, Map
@@ -51,6 +52,16 @@ def adventure_cells():
     return cells
 
 
+def hills(turns):
+    """Through these tops and bottoms, level there, with a point for every metre."""
+    points = [turns[0]]
+    for (x0, y0), (x1, y1) in zip(turns, turns[1:]):
+        for x in range(x0 + 1, x1 + 1):
+            rise = 0.5 - 0.5 * math.cos(math.pi * (x - x0) / (x1 - x0))
+            points.append((x, round(y0 + (y1 - y0) * rise, 3)))
+    return points
+
+
 def adventure():
     m = Map(COLUMNS, ROWS, title="Adventure", gravity_y=-20.0, camera_x=18.0, camera_y=10.0,
             camera_height=20.0, character=True,
@@ -64,8 +75,8 @@ def adventure():
     m.tile_layer("ground", cells)
     m.tile_layer("grass", grass, solid=False)
     slopes = m.object_layer("slopes")
-    m.line(slopes, [(56, 4), (62, 8), (66, 6), (72, 9), (79, 4)], name="hills")
-    m.line(slopes, [(160, 13), (166, 8), (172, 4)], name="way down")
+    m.line(slopes, hills([(56, 4), (62, 8), (66, 6), (72, 9), (79, 4)]), name="hills")
+    m.line(slopes, hills([(160, 13), (172, 4)]), name="way down")
     m.box(slopes, 97.5, 4.2, 1, 0.4, name="keeps the crate from the pit")
     planks = m.object_layer("planks", category=ONE_WAY)
     for x, y, width in ((37, 6.4, 3), (33.5, 8.8, 3), (30, 11, 2), (37.5, 11.2, 3), (45, 9.85, 6),

@@ -1,12 +1,26 @@
 // Wheels and boulders roll over a mountain ridge in Tennessee: 403 heights as they were surveyed.
 // The map was drawn in Tiled (www.mapeditor.org); its properties say what is heavy, rough or moving.
+// A figure walks among them, the one of the game Platformer.
+import { Figure } from "./platformer_game/figure.js";
 
-export default async function ({ readText, readLevel, buildLevel }) {
-  const level = readLevel("mountain", await readText("levels/mountain.tmj"));
+export default async function (setting) {
+  const level = setting.readLevel("mountain", await setting.readText("levels/mountain.tmj"));
+  const world = setting.buildLevel(level);
+  const figure = new Figure(setting, world, level);
   const [x, y] = level.camera;
-  return {
-    world: buildLevel(level),
-    view: { x, y, height: level.cameraHeight },
+  const scene = {
+    world,
+    view: { x, y, height: 0.6 * level.cameraHeight },
     spawn: level.spawn,
+    keys: ["left", "right", "up", "down"],
+    hidden: [figure.body.index],
+    state: { figure: figure.startAt(level.spawn) },
+    update: ({ held }) => figure.move(scene.state.figure, held),
+    restored: () => figure.restore(scene.state.figure),
+    paint: () => ({
+      follow: scene.state.figure.place,
+      marks: [figure.mark(scene.state.figure)],
+    }),
   };
+  return scene;
 }
