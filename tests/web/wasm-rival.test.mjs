@@ -1,71 +1,19 @@
-/** The page's Box2D side: the same scene, built of a thud world and kept like it. */
+/** The page's Box2D side: what is built of a thud world moves, weighs and is measured as there. */
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
 import { test } from "node:test";
-import { demoWasm, root, thud } from "./support.mjs";
+import {
+  addBall,
+  addBox,
+  addGround,
+  engine,
+  heightOf,
+  near,
+  rivalry,
+  step,
+  withRival,
+} from "./rival-support.mjs";
 
-// Vite brings esbuild. The bundle lies as deep below web/ as its sources, for their paths' sake.
-const require = createRequire(createRequire(`${root}web/package.json`).resolve("vite"));
-const bundle = `${root}web/generated/rival/rival.mjs`;
-await require("esbuild").build({
-  stdin: {
-    contents: ["box2d", "hands", "rival", "ruler"].map((name) => `export * from "./${name}"`).join("\n"),
-    resolveDir: `${root}web/src/rival`,
-  },
-  outfile: bundle,
-  bundle: true,
-  format: "esm",
-  external: ["*.mjs"],
-});
-const { loadBox2D, Rival, Ruler, explode, inWorld, pull } = await import(bundle);
-const box2d = await loadBox2D();
-const engine = await thud.load(demoWasm);
-
-const BLOCK = { halfWidth: 0.5, halfHeight: 0.5 };
-
-/** A thud world with its rival, closed after `use`. `build` gets the world. */
-function withRival(options, build, use, settings = {}) {
-  const world = engine.createWorld(options);
-  const built = build(world);
-  const rival = new Rival(box2d, world, { ...settings, options });
-  try {
-    use(world, rival, built);
-  } finally {
-    rival.close();
-    world.close();
-  }
-}
-
-function step(world, rival, steps, deed = () => {}) {
-  for (let i = 0; i < steps; i++) {
-    rival.sync();
-    deed();
-    world.step();
-    rival.step();
-  }
-}
-
-function addGround(world, terrain = { kind: "flat" }, options = {}) {
-  return world.createTerrain(world.createBody(), terrain, options);
-}
-
-function addBall(world, position, options = {}) {
-  const { radius = 0.5, velocity, ...material } = options;
-  const ball = world.createBody({ kind: "dynamic", position, velocity });
-  world.createCircle(ball, { radius, ...material });
-  return ball;
-}
-
-function addBox(world, position, angle = 0) {
-  const box = world.createBody({ kind: "dynamic", position, angle });
-  world.createObb(box, BLOCK);
-  return box;
-}
-
-const near = (actual, expected, tolerance, what = "") =>
-  assert.ok(Math.abs(actual - expected) <= tolerance, `${what} ${actual}, expected ${expected}`);
-
-const heightOf = (rival, body) => rival.poses()[4 * body.index + 1];
+const { Ruler } = rivalry;
 
 test("ball_on_flat_ground_rests_as_high_as_in_thud", () => {
   const build = (world) => (addGround(world), addBall(world, [3, 2]));
@@ -78,7 +26,8 @@ test("ball_on_flat_ground_rests_as_high_as_in_thud", () => {
 });
 
 test("balls_dropped_on_both_kinds_of_line_stay_in_their_hollow", () => {
-  const uniform = { kind: "uniform", x0: -10, spacing: 2, heights: [3, 1, 0, 0, 0, 0, 0, 0, 0, 1, 3] };
+  const heights = [3, 1, 0, 0, 0, 0, 0, 0, 0, 1, 3];
+  const uniform = { kind: "uniform", x0: -10, spacing: 2, heights };
   const points = [[-10, 3], [-7, 1], [-3, 0], [5, 0], [10, 3]];
   for (const terrain of [uniform, { kind: "irregular", points }]) {
     const build = (world) => {
@@ -122,10 +71,11 @@ test("pyramid_of_boxes_stands", () => {
 test("masses_and_inertia_equal_those_of_thud_in_any_unit", () => {
   for (const lengthScale of [1, 32]) {
     const build = (world) => {
-      const bodies = [0, 1, 2].map((i) => world.createBody({ kind: "dynamic", position: [i * 4, 0] }));
+      const bodies = [0, 4, 8].map((x) => world.createBody({ kind: "dynamic", position: [x, 0] }));
       const density = 0.7;
+      const box = { halfWidth: 2, halfHeight: 5, angle: 0.4, offset: [1, 2], density };
       world.createCircle(bodies[0], { radius: 3, density });
-      world.createObb(bodies[1], { halfWidth: 2, halfHeight: 5, angle: 0.4, offset: [1, 2], density });
+      world.createObb(bodies[1], box);
       world.createCircle(bodies[1], { radius: 2, offset: [-3, 1] });
       world.createAabb(bodies[2], { halfWidth: 2, halfHeight: 1 });
       return bodies;
@@ -201,95 +151,6 @@ test("ruler_reads_the_poses_of_thud_far_from_the_origin", () => {
   world.close();
 });
 
-test("pulled_body_comes_to_the_pointer_in_both_and_does_not_overshoot", () => {
-  const build = (world) => (addGround(world), addBox(world, [0, 0.5]));
-  withRival({}, build, (world, rival, body) => {
-    const held = { body, anchor: [0.4, 0.4], target: [3, 4] };
-    let highest = 0;
-    step(world, rival, 120, () => {
-      for (const hands of [world, rival]) {
-        pull(hands, held);
-        highest = Math.max(highest, inWorld(hands.bodyState(body), held.anchor)[1]);
-      }
-    });
-    for (const hands of [world, rival]) {
-      const [x, y] = inWorld(hands.bodyState(body), held.anchor);
-      assert.ok(Math.hypot(x - 3, y - 4) < 0.1, `${x} ${y}`);
-    }
-    assert.ok(highest < 4.1, `${highest}`);
-  });
-});
-
-test("explosion_throws_the_bodies_in_its_radius_outward_alike", () => {
-  const build = (world) => [addBall(world, [2, 0]), addBall(world, [-1, 0]), addBall(world, [9, 0])];
-  withRival({ gravity: [0, 0] }, build, (world, rival, bodies) => {
-    for (const hands of [world, rival]) {
-      explode(hands, bodies, [0, 0], 4, 10);
-      const speeds = bodies.map((body) => hands.bodyState(body).velocity[0]);
-      near(speeds[0], 5, 1e-4);
-      near(speeds[1], -7.5, 1e-4);
-      assert.equal(speeds[2], 0);
-    }
-  });
-});
-
-test("dug_ground_lets_a_ball_sink_into_the_crater", () => {
-  const points = [[-20, 0], [-5, 0], [5, 0], [20, 0]];
-  const build = (world) => [addGround(world, { kind: "irregular", points }), addBall(world, [0, 0.5])];
-  withRival({}, build, (world, rival, [ground, ball]) => {
-    step(world, rival, 10);
-    near(heightOf(rival, ball), 0.5, 0.01);
-    world.dig(ground, [0, 0], 3);
-    step(world, rival, 180);
-    near(heightOf(rival, ball), -2.5, 0.1);
-    near(heightOf(rival, ball), world.bodyState(ball).position[1], 0.1);
-    assert.ok(rival.penetration() < 0.02);
-  });
-});
-
-test("bodies_that_come_and_go_do_so_in_the_rival_under_the_slot_of_thud", () => {
-  const build = (world) => (addGround(world), addBall(world, [0, 0.5]));
-  withRival({}, build, (world, rival, first) => {
-    step(world, rival, 1);
-    world.destroy(first);
-    rival.sync();
-    assert.ok(Number.isNaN(heightOf(rival, first)));
-    assert.ok(!rival.isValid(first));
-    const second = addBall(world, [4, 6], { radius: 0.3 });
-    assert.equal(second.index, first.index);
-    assert.ok(!rival.isValid(second));
-    step(world, rival, 120);
-    assert.throws(() => rival.bodyState(first), /no body in slot/);
-    near(heightOf(rival, second), 0.3, 0.01);
-    const shapes = world.shapesOf(second);
-    world.createCircle(second, { radius: 0.8 });
-    world.destroy(shapes[0]);
-    step(world, rival, 120);
-    near(heightOf(rival, second), 0.8, 0.02);
-    near(rival.bodyState(second).mass, Math.PI * 0.64, 1e-3);
-  });
-});
-
-test("kinematic_body_moves_as_steered_and_jumps_as_placed", () => {
-  const build = (world) => {
-    const lift = world.createBody({ kind: "kinematic", position: [0, 0], velocity: [0, 1] });
-    world.createAabb(lift, { halfWidth: 3, halfHeight: 0.5 });
-    return [lift, addBall(world, [0, 1])];
-  };
-  withRival({}, build, (world, rival, [lift, ball]) => {
-    step(world, rival, 60);
-    near(heightOf(rival, lift), 1, 1e-3);
-    near(heightOf(rival, ball), 2, 0.02);
-    world.setVelocity(lift, [2, 0]);
-    step(world, rival, 30);
-    near(rival.poses()[4 * lift.index], 1, 1e-3);
-    world.setTransform(lift, [7, 9]);
-    world.setVelocity(lift, [0, 0]);
-    rival.sync();
-    near(rival.bodyState(lift).position[0], 7, 1e-6);
-  });
-});
-
 test("belt_carries_a_box_to_the_side_to_which_it_does_in_thud", () => {
   for (const surfaceSpeed of [2, -2]) {
     const build = (world) => {
@@ -349,21 +210,15 @@ test("filters_groups_and_sensors_let_pass_what_thud_lets_pass", () => {
 });
 
 test("damping_and_gravity_scale_slow_and_lift_as_in_thud", () => {
-  const records = new Map();
   const build = (world) =>
     [{ linearDamping: 1.5, angularDamping: 3 }, { gravityScale: -0.5 }].map((options, i) => {
-      const body = world.createBody({
-        kind: "dynamic",
-        position: [4 * i, 0],
-        velocity: [5, 0],
-        angularVelocity: 4,
-        ...options,
-      });
+      const [velocity, angularVelocity] = [[5, 0], 4];
+      const position = [4 * i, 0];
+      const motion = { kind: "dynamic", position, velocity, angularVelocity };
+      const body = world.createBody({ ...motion, ...options });
       world.createCircle(body, { radius: 0.5 });
-      records.set(body.index, options);
       return body;
     });
-  const settings = { bodyOptions: ({ index }) => records.get(index) };
   withRival({}, build, (world, rival, bodies) => {
     step(world, rival, 60);
     for (const body of bodies) {
@@ -372,7 +227,23 @@ test("damping_and_gravity_scale_slow_and_lift_as_in_thud", () => {
       near(other.velocity[1], own.velocity[1], 0.1);
       near(other.angularVelocity, own.angularVelocity, 0.05);
     }
-  }, settings);
+    assert.ok(rival.bodyState(bodies[0]).velocity[0] < 2);
+  });
+});
+
+test("fast_body_stops_at_a_thin_moving_wall_if_thud_sweeps_that_body", () => {
+  for (const detection of ["swept", undefined]) {
+    const build = (world) => {
+      const wall = world.createBody({ kind: "dynamic", position: [10.5, 0] });
+      world.createObb(wall, { halfWidth: 0.02, halfHeight: 2, density: 100 });
+      return [wall, addBall(world, [0, 0], { radius: 0.1, velocity: [300, 0], detection })];
+    };
+    withRival({ gravity: [0, 0] }, build, (world, rival, [wall, ball]) => {
+      step(world, rival, 10);
+      const [from, to] = [wall, ball].map((body) => rival.bodyState(body).position[0]);
+      assert.equal(to < from, detection === "swept", `${detection}: ${to} ${from}`);
+    });
+  }
 });
 
 test("sleeping_pile_stays_put_and_holds_when_it_is_woken", () => {
@@ -390,37 +261,4 @@ test("sleeping_pile_stays_put_and_holds_when_it_is_woken", () => {
     step(world, rival, 60);
     boxes.forEach((box, i) => near(heightOf(rival, box), i + 0.5, 0.03));
   });
-});
-
-test("two_thousand_bodies_made_and_destroyed_leave_no_memory_behind", () => {
-  const points = Array.from({ length: 50 }, (_, i) => [i, 0]);
-  const build = (world) => addGround(world, { kind: "irregular", points });
-  withRival({}, build, (world, rival, ground) => {
-    const cycle = (count) => {
-      for (let i = 0; i < count; i++) {
-        const ball = addBall(world, [10 + (i % 20), 1]);
-        rival.sync();
-        world.destroy(ball);
-        rival.sync();
-      }
-    };
-    cycle(100);
-    const [bytes, heap] = [rival.bytes, box2d.HEAPU8.length];
-    cycle(2000);
-    assert.equal(rival.bytes, bytes);
-    assert.equal(box2d.HEAPU8.length, heap);
-    assert.ok(ground);
-  });
-});
-
-test("worlds_closed_make_room_for_others", () => {
-  // Box2D holds 128 worlds at most.
-  const world = engine.createWorld();
-  addBall(world, [0, 0]);
-  for (let i = 0; i < 200; i++) {
-    const rival = new Rival(box2d, world);
-    rival.step();
-    rival.close();
-  }
-  world.close();
 });

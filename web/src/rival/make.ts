@@ -8,6 +8,8 @@
  * - Terrain is a chain: one-sided, solid to the left of its direction of travel, so its points go
  *   from right to left. A chain's first and last edge do not collide, so that each end gets a ghost
  *   point that continues the last edge.
+ * - A body that is to be swept is a bullet, which Box2D stops at moving bodies too, but not at other
+ *   bullets: a world that sweeps everything has none, or nothing would be stopped at anything.
  * - Friction mixes as the square root of the product and restitution as the larger in both engines.
  */
 import type { BodyOptions, BodyState, ShapeState, Terrain, Vec2, WorldOptions } from "thud";
@@ -63,7 +65,6 @@ export function makeBody(
   world: b2WorldId,
   state: BodyState,
   options: BodyOptions,
-  bullet: boolean,
 ): b2BodyId {
   const def = box2d.b2DefaultBodyDef();
   const { b2_staticBody, b2_kinematicBody, b2_dynamicBody } = box2d.b2BodyType;
@@ -78,7 +79,7 @@ export function makeBody(
   def.angularDamping = options.angularDamping ?? 0;
   def.motionLocks.angularZ = state.kind === "dynamic" && state.inertia === 0;
   def.enableSleep = options.maySleep ?? true;
-  def.isBullet = bullet;
+  def.isBullet = options.detection === "swept";
   def.isEnabled = state.enabled;
   const body = box2d.b2CreateBody(world, def);
   def.delete();

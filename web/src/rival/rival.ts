@@ -1,7 +1,7 @@
 /**
  * The same scene in Box2D: built of what a thud world holds at the moment, stepped beside it, and
- * following it as bodies come and go, ground is dug and kinematic bodies are steered. Everything goes
- * in and out in the thud world's units and by its handles.
+ * following it as bodies come and go, ground is dug and kinematic bodies are steered. Everything
+ * goes in and out in the thud world's units and by its handles.
  *
  * A step of both: `rival.sync()`, the same deeds to both, `world.step()`, `rival.step()`.
  */
@@ -30,18 +30,25 @@ import { Mirror, type Twin } from "./mirror";
 import { Moves } from "./moves";
 import { Ruler } from "./ruler";
 
-export interface RivalSettings {
-  /** What the thud world was made with, which it does not tell. */
-  options?: WorldOptions;
+/** What a thud world does not tell of itself; watch.ts collects it. */
+export interface Known {
+  /** What it was made with. */
+  options: WorldOptions;
   /** What its bodies were made with: their damping, sleep and detection count. */
-  bodyOptions?(body: BodyId): BodyOptions | undefined;
+  bodyOptions(body: BodyId): BodyOptions | undefined;
+  /** Another number whenever bodies, shapes or ground changed. */
+  changes(): number;
+}
+
+/** What is not known is taken to be the default, and `sync` looks through everything. */
+export interface RivalSettings extends Partial<Known> {
   /** A step. Default 4, as Box2D's manual recommends. */
   substeps?: number;
   /** Of contacts, Hz. Default 30, Box2D's own; it takes at most an eighth of its substep rate. */
   contactHertz?: number;
 }
 
-/** A body that Box2D steers and thud set elsewhere is moved there from this distance on, in metres. */
+/** Metres. A kinematic body this far from where thud has it was put there, and is put there too. */
 const STRAY = 0.002;
 
 type Made = { shape: b2ShapeId } | { chain: b2ChainId };
@@ -82,6 +89,8 @@ export class Rival implements Hands, Twin {
   #now = new Float32Array(0);
   #gravity: Vec2;
   #timeStep: number;
+  /** As of `Known`, when it last looked. */
+  #changes: number | undefined;
   #ruler: Ruler | null = null;
 
   constructor(box2d: Box2D, source: World, settings: RivalSettings = {}) {
@@ -98,6 +107,7 @@ export class Rival implements Hands, Twin {
     this.#world = createWorld(this.#common, options, settings.contactHertz);
     this.#moves = new Moves(box2d);
     this.#mirror = new Mirror(source, this);
+    this.#changes = settings.changes?.();
     this.#mirror.sync();
   }
 
@@ -119,7 +129,9 @@ export class Rival implements Hands, Twin {
    * bodies move. Before the step of either.
    */
   sync(): void {
-    this.#mirror.sync();
+    const changes = this.#settings.changes?.();
+    if (changes === undefined || changes !== this.#changes) this.#mirror.sync();
+    this.#changes = changes;
     for (const entry of this.#entries.values()) if (entry.kind === "kinematic") this.#steer(entry);
   }
 
@@ -194,7 +206,7 @@ export class Rival implements Hands, Twin {
 
   // ---- hands: as the same methods of World ----
 
-  /** False also for what has not been brought over yet, which `sync` does with all that was done to it. */
+  /** False also for what `sync` has not brought over yet. */
   isValid(body: BodyId): boolean {
     return this.#entries.get(body.index)?.id.generation === body.generation;
   }
@@ -312,10 +324,7 @@ export class Rival implements Hands, Twin {
 
   addBody(id: BodyId, state: BodyState): void {
     const options = this.#settings.bodyOptions?.(id) ?? {};
-    const { detection, quality } = this.#settings.options ?? {};
-    const ofWorld = detection ?? (quality === "exact" ? "swept" : "continuous");
-    const bullet = (options.detection ?? ofWorld) === "swept";
-    const body = makeBody(this.#common, this.#world, state, options, bullet);
+    const body = makeBody(this.#common, this.#world, state, options);
     this.#entries.set(id.index, {
       id,
       body,

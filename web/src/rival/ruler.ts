@@ -1,7 +1,7 @@
 /**
  * Measures how deep bodies overlap, whichever engine has moved them, with the same geometry: a thud
- * world of its own holds copies of the bodies, is given their poses, and runs a step of a nanosecond
- * without gravity, in which contacts are found and nothing moves.
+ * world of its own holds copies of the bodies, is given their poses, and runs a step of a
+ * nanosecond without gravity, in which contacts are found and nothing moves.
  */
 import type { BodyId, BodyState, ShapeId, ShapeState, Terrain, World } from "thud";
 import { Mirror, type Twin } from "./mirror";
@@ -51,7 +51,7 @@ export class Ruler implements Twin {
 
   /**
    * Of the deepest overlap, in the world's lengths; 0 without any. `poses` are those of
-   * `World.poses` or `Rival.poses`, relative to the origin; bodies without one stay where they were.
+   * `World.poses` or `Rival.poses`, relative to the origin; bodies without stay where they were.
    */
   penetration(poses: Float32Array, originX = 0, originY = 0): number {
     for (const [slot, copy] of this.#copies) {
@@ -90,9 +90,11 @@ export class Ruler implements Twin {
   #createShape(body: BodyId, state: ShapeState, terrain: Terrain | null): ShapeId {
     if (terrain) return this.#world.createTerrain(body, terrain, state);
     const [halfWidth, halfHeight] = state.halfExtents;
-    if (state.kind === "circle") return this.#world.createCircle(body, { ...state, radius: halfWidth });
-    if (state.kind === "aabb") return this.#world.createAabb(body, { ...state, halfWidth, halfHeight });
-    return this.#world.createObb(body, { ...state, halfWidth, halfHeight });
+    const circle = { ...state, radius: halfWidth };
+    if (state.kind === "circle") return this.#world.createCircle(body, circle);
+    const box = { ...state, halfWidth, halfHeight };
+    if (state.kind === "aabb") return this.#world.createAabb(body, box);
+    return this.#world.createObb(body, box);
   }
 
   finishBody(): void {}
