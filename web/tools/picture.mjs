@@ -7,6 +7,7 @@ const HEIGHT = 400;
 /** Thinner than this cannot be seen. */
 const LEAST = 1.2;
 const STONE = "rgb(118 134 162)";
+const GROUND = `fill="${STONE}" fill-opacity=".55"`;
 const KINDS = { circle: 0, terrain: 3 };
 const BODIES = { static: 0, kinematic: 1, dynamic: 2 };
 
@@ -21,9 +22,11 @@ const INKS = {
   rival: "rgb(98 105 200)",
 };
 
+const SENSOR = `fill="${INKS.good}" fill-opacity=".5"`;
+
 /** `ramp`: CSS colours of moving bodies, from the first created to the last. */
-export function drawScene(scene, ramp) {
-  const place = placing(scene.view ?? { x: 0, y: 0, height: 20 });
+export function drawScene(scene, ramp, view = scene.view) {
+  const place = placing(view);
   const paths = new Map();
   const add = (style, path) => paths.set(style, (paths.get(style) ?? "") + path);
   for (const { style, path } of shapePaths(scene, place, ramp)) add(style, path);
@@ -33,7 +36,8 @@ export function drawScene(scene, ramp) {
     if (drawn) add(drawn.style, drawn.path);
   }
   const body = [...paths].map(([style, path]) => `<path ${style} d="${path}"/>`).join("\n");
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${HEIGHT}">\n${body}\n</svg>\n`;
+  const open = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${HEIGHT}">`;
+  return `${open}\n${body}\n</svg>\n`;
 }
 
 /** From the world to the picture, so that the view fits. */
@@ -48,17 +52,21 @@ function placing({ x, y, height, width = 0 }) {
   };
 }
 
-const round = (value) => Math.round(value);
+const round = Math.round;
+const tenths = (value) => Math.round(value * 10) / 10;
 const point = ([x, y]) => `${round(x)} ${round(y)}`;
 
 function circle([x, y], radius) {
-  const r = +radius.toFixed(1);
-  return `M${+(x - r).toFixed(1)} ${round(y)}a${r} ${r} 0 1 1 ${+(2 * r).toFixed(1)} 0a${r} ${r} 0 1 1 ${-(2 * r).toFixed(1)} 0`;
+  const r = tenths(radius);
+  const arc = (dx) => `a${r} ${r} 0 1 1 ${tenths(dx)} 0`;
+  return `M${tenths(x - r)} ${round(y)}${arc(2 * r)}${arc(-2 * r)}`;
 }
 
 function box([x, y], hx, hy, c, s) {
-  const corner = (u, v) => [x + c * u * hx + s * v * hy, y - s * u * hx + c * v * hy];
-  return `M${point(corner(-1, -1))}L${[corner(1, -1), corner(1, 1), corner(-1, 1)].map(point).join(" ")}z`;
+  const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u, v]) =>
+    point([x + c * u * hx + s * v * hy, y - s * u * hx + c * v * hy]),
+  );
+  return `M${corners.join("L")}z`;
 }
 
 function* shapePaths({ world, hidden = [] }, place, ramp) {
@@ -81,7 +89,7 @@ function* shapePaths({ world, hidden = [] }, place, ramp) {
     const [w, h] = [hx * place.scale, hy * place.scale];
     if (kind === KINDS.terrain) {
       const id = { kind: "shape", index: handles[4 * row] - 1, generation: handles[4 * row + 1] };
-      yield { style: `fill="${STONE}" fill-opacity=".55"`, path: ground(world.terrain(id), place, bx, by) };
+      yield { style: GROUND, path: ground(world.terrain(id), place, bx, by) };
       continue;
     }
     if (!place.sees(center, Math.hypot(w, h))) continue;
@@ -89,7 +97,7 @@ function* shapePaths({ world, hidden = [] }, place, ramp) {
     const [c, s] = [bc * sc - bs * ss, bs * sc + bc * ss];
     const [halfW, halfH] = [Math.max(w, LEAST), Math.max(h, LEAST)];
     yield {
-      style: sensor ? `fill="${INKS.good}" fill-opacity=".5"` : styleOf(bodyKind, ramp, (slot - first) / (last - first + 1)),
+      style: sensor ? SENSOR : styleOf(bodyKind, ramp, (slot - first) / (last - first + 1)),
       path: kind === KINDS.circle ? circle(center, halfW) : box(center, halfW, halfH, c, s),
     };
   }
@@ -111,33 +119,35 @@ function ground(terrain, place, x, y) {
       : terrain.kind === "uniform"
         ? Array.from(terrain.heights, (height, i) => [terrain.x0 + i * terrain.spacing, height])
         : terrain.points;
-  const shown = points.filter(([px], i) => {
-    const next = points[i + 1] ?? points[i];
-    const before = points[i - 1] ?? points[i];
-    return next[0] + x > -reach && before[0] + x < reach && px !== undefined;
+  const shown = points.filter((_, i) => {
+    const [before, next] = [points[i - 1] ?? points[i], points[i + 1] ?? points[i]];
+    return next[0] + x > -reach && before[0] + x < reach;
   });
   if (shown.length < 2) return "";
   const line = shown.map(([px, py]) => place.at(px + x, py + y));
-  const bottom = HEIGHT + 10;
-  return `M${round(line[0][0])} ${bottom}L${line.map(point).join(" ")} ${round(line.at(-1)[0])} ${bottom}z`;
+  const below = ([px]) => [px, HEIGHT + 10];
+  return `M${[below(line[0]), ...line, below(line.at(-1))].map(point).join("L")}z`;
 }
 
 /** The engine's debug drawing, where the scene is about it. */
-function* overlayPaths({ world, view, show = [] }, place) {
-  if (show.length === 0 || !view) return;
+function* overlayPaths({ world, show = [] }, place) {
+  if (show.length === 0) return;
   const [halfX, halfY] = [WIDTH / 2 / place.scale, HEIGHT / 2 / place.scale];
-  const { lines } = world.debugDraw({
+  const { shapes, lines } = world.debugDraw({
     ...Object.fromEntries(show.map((name) => [name, true])),
     origin: place.origin,
-    lower: [view.x - halfX, view.y - halfY],
-    upper: [view.x + halfX, view.y + halfY],
+    lower: [place.origin[0] - halfX, place.origin[1] - halfY],
+    upper: [place.origin[0] + halfX, place.origin[1] + halfY],
   });
+  const style = `fill="none" stroke="${INKS.rival}" stroke-opacity=".6" stroke-width="1.5"`;
+  for (let i = 0; i < shapes.length; i += 9) {
+    const [x, y, hx, hy, c, s, round] = shapes.subarray(i);
+    const [center, w, h] = [place.at(x, y), hx * place.scale, hy * place.scale];
+    yield { style, path: round ? circle(center, w) : box(center, w, h, c, s) };
+  }
   for (let i = 0; i < lines.length; i += 5) {
     const [x0, y0, x1, y1] = lines.subarray(i);
-    yield {
-      style: `fill="none" stroke="${INKS.rival}" stroke-opacity=".6" stroke-width="2"`,
-      path: `M${point(place.at(x0, y0))}L${point(place.at(x1, y1))}`,
-    };
+    yield { style, path: `M${point(place.at(x0, y0))}L${point(place.at(x1, y1))}` };
   }
 }
 

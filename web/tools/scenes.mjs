@@ -11,10 +11,12 @@ async function importTypeScript(path) {
 }
 
 export const { SCENES, sceneFile, thumbnailFile } = await importTypeScript("src/scene/registry.ts");
-export const { KEY_NAMES } = await importTypeScript("src/scene/scene.ts");
+const { KEY_NAMES } = await importTypeScript("src/scene/scene.ts");
 export const { DARK, cssColour } = await importTypeScript("src/render/palette.ts");
 export const { random } = await importTypeScript("src/scene/random.ts");
 export const { createSetting } = await importTypeScript("src/scene/setting.ts");
+
+const NO_KEYS = Object.fromEntries(KEY_NAMES.map((key) => [key, false]));
 
 /** Where the page finds "levels/…" and "terrain/…". */
 export function readText(file) {
@@ -26,4 +28,12 @@ export async function buildScene(thud, name, options = {}) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
   const setting = createSetting(module, { thud, readText, ...options });
   return { module, setting, scene: await module.default(setting) };
+}
+
+/** Makes steps as the page does, with nobody at the keys. */
+export function runScene(scene, steps, from = 0) {
+  for (let step = from; step < from + steps; step++) {
+    scene.update?.({ step, held: NO_KEYS, pointer: null });
+    scene.world.step();
+  }
 }

@@ -11,7 +11,7 @@ import {
   buildScene,
   cssColour,
   DARK,
-  KEY_NAMES,
+  runScene,
   SCENES,
   sceneFile,
   thumbnailFile,
@@ -35,7 +35,6 @@ const COMMON = Math.max(
   ].map(time),
 );
 const COLOURS = DARK.ramp.map((colour) => cssColour(colour));
-const NOTHING = Object.fromEntries(KEY_NAMES.map((key) => [key, false]));
 
 const thud = await load();
 mkdirSync(path("public/thumbs"), { recursive: true });
@@ -47,10 +46,7 @@ for (const { name, thumbnail } of SCENES) {
   }
   if (time(file) > Math.max(COMMON, time(`public/${sceneFile(name)}`))) continue;
   const { scene } = await buildScene(thud, name, { size: thumbnail.size });
-  for (let step = 0; step < (thumbnail.steps ?? 60); step++) {
-    scene.update?.({ step, held: NOTHING, pointer: null });
-    scene.world.step();
-  }
-  writeFileSync(path(file), drawScene(scene, COLOURS));
+  runScene(scene, thumbnail.steps ?? 60);
+  writeFileSync(path(file), drawScene(scene, COLOURS, thumbnail.view));
   scene.world.close();
 }

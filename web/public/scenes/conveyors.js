@@ -16,7 +16,8 @@ export default function ({ createWorld, random, grid, seed, size }) {
   const world = createWorld();
   for (const { x, y, surfaceSpeed } of BELTS) {
     const belt = world.createBody({ position: [x, y] });
-    world.createAabb(belt, { halfWidth: HALF_LENGTH, halfHeight: 0.3, surfaceSpeed, friction: 0.8 });
+    const surface = { surfaceSpeed, friction: 0.8 };
+    world.createAabb(belt, { halfWidth: HALF_LENGTH, halfHeight: 0.3, ...surface });
   }
   for (const x of [-16, 18]) {
     const wall = world.createBody({ position: [x, 6] });
@@ -25,7 +26,8 @@ export default function ({ createWorld, random, grid, seed, size }) {
 
   const chance = random(seed + 1);
   const parcels = Array.from({ length: size }, (_, i) => {
-    const position = [grid(-10 + 1.2 * (i % 6) + chance(-0.1, 0.1)), 11 + 1.2 * Math.floor(i / 6)];
+    const x = -8 + 1.2 * (i % 10) + chance(-0.1, 0.1);
+    const position = [grid(x), 11 + 1.2 * Math.floor(i / 10)];
     const parcel = world.createBody({ kind: "dynamic", position });
     const half = chance(0.2, 0.45);
     if (i % 4 === 0) world.createCircle(parcel, { radius: half });
@@ -41,7 +43,7 @@ export default function ({ createWorld, random, grid, seed, size }) {
       for (const parcel of parcels) {
         if (!world.isValid(parcel) || world.bodyState(parcel).position[1] > -8) continue;
         // Somewhere above the first belt, and each time elsewhere.
-        world.setTransform(parcel, [-10 + ((parcel.index + step) % 12) * 0.5, 14]);
+        world.setTransform(parcel, [-9 + ((parcel.index + step) % 12) * 0.5, 14]);
         world.setVelocity(parcel, [0, 0]);
       }
     },

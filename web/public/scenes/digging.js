@@ -3,7 +3,8 @@
 export const size = { means: "bodies", usual: 240, least: 1, most: 20000 };
 
 const FINER = 4; // vertices to a sample, so that craters are round
-const RISE = 1.5 / 74.4; // samples are 74.4 m apart, here 1; heights are stretched half as much again
+// Samples are 74.4 m apart, here 1; heights are stretched half as much again.
+const RISE = 1.5 / 74.4;
 
 export default async function ({ createWorld, readText, random, grid, seed, size }) {
   const world = createWorld();

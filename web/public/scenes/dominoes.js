@@ -1,7 +1,7 @@
-// Every domino is a twentieth larger than the one that knocks it over: a small ball fells one that is
-// ten times as tall as the first.
+// Every domino is a twelfth larger than the one that knocks it over: in the end a small ball fells
+// one that is ten times as tall as the first.
 
-export const size = { means: "dominoes", usual: 48, least: 2, most: 80 };
+export const size = { means: "dominoes", usual: 30, least: 2, most: 60 };
 
 export default function ({ createWorld, grid, size }) {
   const world = createWorld();
@@ -17,13 +17,13 @@ export default function ({ createWorld, grid, size }) {
     const domino = world.createBody({ kind: "dynamic", position });
     world.createObb(domino, { halfWidth: 0.08 * height, halfHeight: 0.5 * height });
     x += 0.55 * height;
-    height *= 1.05;
+    height *= 1.08;
   }
 
   const width = x + height + 3;
   return {
     world,
-    view: { x: 0.5 * width - 3, y: 0.5 * height, height: 1.5 * height, width },
+    view: { x: 0.5 * width - 2, y: 0.8 * height, height: 2 * height, width },
     spawn: [-1, 4],
   };
 }

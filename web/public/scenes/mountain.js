@@ -1,5 +1,5 @@
 // Wheels and boulders roll over a mountain ridge in Tennessee: 403 heights as they were surveyed.
-// The map was drawn in Tiled (www.mapeditor.org); its properties say what is heavy, rough or moving.
+// The map was drawn in Tiled (www.mapeditor.org): properties there say what is heavy or rough.
 // A figure walks among them, the one of the game Platformer.
 import { Figure } from "./platformer_game/figure.js";
 

@@ -5,6 +5,7 @@ export const size = { means: "balls and boxes", usual: 300, least: 1, most: 5000
 const PISTONS = 40;
 const PERIOD = 150; // steps
 const WAVES = 2;
+const HALF_HEIGHT = 10;
 
 export default function ({ createWorld, random, grid, seed, size }) {
   const world = createWorld();
@@ -14,9 +15,9 @@ export default function ({ createWorld, random, grid, seed, size }) {
     world.createAabb(wall, { halfWidth: 0.5, halfHeight: 20 });
   }
   const pistons = Array.from({ length: PISTONS }, (_, i) => {
-    const position = [i + 0.5 - half, wave(i, 0) - 4];
+    const position = [i + 0.5 - half, wave(i, 0) - HALF_HEIGHT];
     const piston = world.createBody({ kind: "kinematic", position });
-    world.createObb(piston, { halfWidth: 0.48, halfHeight: 4 });
+    world.createObb(piston, { halfWidth: 0.48, halfHeight: HALF_HEIGHT });
     return piston;
   });
 
@@ -38,7 +39,8 @@ export default function ({ createWorld, random, grid, seed, size }) {
       pistons.forEach((piston, i) => {
         if (!world.isValid(piston)) return;
         // So fast that it is where the wave will be after this step.
-        const rise = wave(i, step + 1) - 4 - world.bodyState(piston).position[1];
+        const target = wave(i, step + 1) - HALF_HEIGHT;
+        const rise = target - world.bodyState(piston).position[1];
         world.setVelocity(piston, [0, rise * 60]);
       });
     },

@@ -1,6 +1,6 @@
 // Rubble of every size and weight slides down the benches of a quarry. One stone in nine is of ore,
 // six times as heavy.
-// The map was drawn in Tiled (www.mapeditor.org); its properties say what is heavy, rough or moving.
+// The map was drawn in Tiled (www.mapeditor.org): properties there say what is heavy or rough.
 
 export default async function ({ readText, readLevel, buildLevel }) {
   const level = readLevel("quarry", await readText("levels/quarry.tmj"));

@@ -1,5 +1,5 @@
 // A heavy ball flies into towers of blocks and planks, one after the other.
-// The map was drawn in Tiled (www.mapeditor.org); its properties say what is heavy, rough or moving.
+// The map was drawn in Tiled (www.mapeditor.org): properties there say what is heavy or rough.
 
 export default async function ({ readText, readLevel, buildLevel }) {
   const level = readLevel("towers", await readText("levels/towers.tmj"));

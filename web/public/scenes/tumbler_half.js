@@ -1,6 +1,6 @@
 // The drum again, half full of circles: they make the load flow like gravel.
 
-export const size = { means: "bodies, every other one a circle", usual: 2000, least: 1, most: 100000 };
+export const size = { means: "circles and boxes", usual: 2000, least: 1, most: 100000 };
 
 export default function ({ createWorld, grid, size }) {
   const spacing = 0.28;

@@ -1,4 +1,5 @@
 /** The scenes that the page offers, in the order in which it offers them. */
+import type { View } from "./scene";
 
 export const GROUPS = [
   "Games",
@@ -26,6 +27,8 @@ export interface Thumbnail {
   steps?: number;
   /** Default the scene's usual size. */
   size?: number;
+  /** Default the scene's own view. */
+  view?: View;
 }
 
 type Row = readonly [name: string, title: string, about: string, thumbnail?: Thumbnail];
@@ -36,9 +39,19 @@ const ROWS: Record<Group, readonly Row[]> = {
     ["artillery", "Artillery", "Two players take turns on hills that every shell digs into."],
   ],
   "Levels from Tiled": [
-    ["quarry", "Quarry", "Rubble of every size and weight slides down the benches of a quarry."],
+    [
+      "quarry",
+      "Quarry",
+      "Rubble of every size and weight slides down the benches of a quarry.",
+      { steps: 240 },
+    ],
     ["towers", "Towers and a wrecking ball", "A heavy ball flies into five towers of blocks."],
-    ["mountain", "Mountain drive", "Wheels and boulders roll over a real ridge in Tennessee."],
+    [
+      "mountain",
+      "Mountain drive",
+      "Wheels and boulders roll over a real ridge in Tennessee.",
+      { steps: 90, view: { x: 210, y: 22, height: 44 } },
+    ],
   ],
   "Piles and stacks": [
     [
@@ -63,14 +76,14 @@ const ROWS: Record<Group, readonly Row[]> = {
     [
       "avalanche",
       "Avalanche",
-      "Rubble comes down both sides of a real mountain; the large stones run ahead.",
-      { size: 1000, steps: 300 },
+      "Rubble comes down both sides of a real mountain until friction holds it.",
+      { size: 800, steps: 170 },
     ],
     [
       "mixed_terrain",
       "Mixed bodies on terrain",
       "Circles and boxes rain on irregular ground and gather in its valleys.",
-      { size: 300, steps: 150 },
+      { size: 120, steps: 150, view: { x: 0, y: 3, height: 18 } },
     ],
     [
       "tall_stack",
@@ -89,13 +102,13 @@ const ROWS: Record<Group, readonly Row[]> = {
       "dominoes",
       "Dominoes",
       "Each knocks over one a little larger, until a giant falls.",
-      { steps: 330 },
+      { size: 18, steps: 330 },
     ],
     [
       "hourglass",
       "Hourglass",
       "Three thousand grains run through a neck; every half minute the glass turns.",
-      { steps: 480 },
+      { size: 2000, steps: 400 },
     ],
     [
       "conveyors",
@@ -103,7 +116,12 @@ const ROWS: Record<Group, readonly Row[]> = {
       "Belts whose surface runs carry parcels to and fro, round and round.",
       { steps: 420 },
     ],
-    ["pistons", "Pistons", "Forty pistons run as a wave and carry what lies on them.", { steps: 200 }],
+    [
+      "pistons",
+      "Pistons",
+      "Forty pistons run as a wave and carry what lies on them.",
+      { steps: 200 },
+    ],
     [
       "tumbler",
       "Tumbler",
@@ -128,16 +146,23 @@ const ROWS: Record<Group, readonly Row[]> = {
       "As many balls leave on one side as arrive on the other, at the same speed.",
       { steps: 30 },
     ],
-    ["bounce", "Bouncing", "Restitution from 0 to 1: the last ball should never tire.", { steps: 130 }],
+    [
+      "bounce",
+      "Bouncing",
+      "Restitution from 0 to 1: the last ball should never tire.",
+      { steps: 130 },
+    ],
     [
       "slopes",
       "Rolling and sliding",
       "Discs roll down four slopes; of the boxes only those on the two steep ones slide.",
+      { size: 12, steps: 45, view: { x: 22, y: 3, height: 20, width: 50 } },
     ],
     [
       "bullets",
       "Bullets at thin walls",
       "Bullets of up to 100 km/s bounce between walls 2 cm thick; none gets out.",
+      { size: 3, steps: 3, view: { x: -9, y: 0, height: 6 } },
     ],
     [
       "gas",
@@ -150,13 +175,13 @@ const ROWS: Record<Group, readonly Row[]> = {
     [
       "detection",
       "Four ways of detection",
-      "Overlap, continuous, bisect, swept: bullets pass thin walls in the first lane and the third.",
+      "Overlap, continuous, bisect, swept: in two of the lanes bullets pass thin walls.",
     ],
     [
       "galton_board",
       "Galton board",
       "Sensors count the balls that reach each bin: the numbers come out bell-shaped.",
-      { steps: 700 },
+      { steps: 1500 },
     ],
     [
       "filters",
@@ -187,7 +212,7 @@ const ROWS: Record<Group, readonly Row[]> = {
       "sizes",
       "From 5 cm to 20 m",
       "Sizes differ by 400 times in one heap; none is crushed.",
-      { size: 700, steps: 200 },
+      { size: 500, steps: 200 },
     ],
     [
       "platformer",
@@ -205,7 +230,7 @@ const ROWS: Record<Group, readonly Row[]> = {
       "asleep",
       "Twenty thousand asleep",
       "What sleeps costs nothing; a hundred circles stay awake.",
-      { size: 500 },
+      { size: 160 },
     ],
   ],
 };

@@ -1,4 +1,4 @@
-/** What a scene module is given: the same in the worker and, for tests and thumbnails, in Node.js. */
+/** What a scene module is given: the same in the worker and in Node.js (tests, thumbnails). */
 import { type Engine, Mover, type WorldOptions } from "thud";
 import { buildLevel, readLevel } from "thud/level";
 import { random } from "./random";
