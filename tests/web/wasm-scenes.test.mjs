@@ -83,8 +83,8 @@ test("scene_of_another_seed_is_another_world", async () => {
 });
 
 test("size_out_of_range_is_brought_into_it", async () => {
-  assert.equal((await buildScene(engine, "pyramid", { size: 1e9 })).setting.size, 1000);
-  assert.equal((await buildScene(engine, "pyramid", { size: -5 })).setting.size, 1);
+  assert.equal((await buildScene(engine, "heavy_on_light", { size: 1e9 })).setting.size, 8);
+  assert.equal((await buildScene(engine, "heavy_on_light", { size: -5 })).setting.size, 1);
 });
 
 test("dominoes_last_one_falls", async () => {

@@ -151,7 +151,7 @@ function* overlayPaths({ world, show = [] }, place) {
   }
 }
 
-function markPath(mark, { at, scale, origin }) {
+function markPath(mark, { at, scale, origin, sees }) {
   const ink = INKS[mark.ink];
   const from = ([x, y]) => at(x - origin[0], y - origin[1]);
   if (mark.kind === "line") {
@@ -163,6 +163,7 @@ function markPath(mark, { at, scale, origin }) {
   }
   if (mark.kind === "text") return null;
   const center = from([mark.x, mark.y]);
+  if (!sees(center, scale * (mark.radius ?? Math.hypot(mark.halfWidth, mark.halfHeight)))) return null;
   const style = mark.filled
     ? `fill="${ink}" fill-opacity="${mark.opacity ?? 1}"`
     : mark.kind === "figure"

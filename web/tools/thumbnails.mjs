@@ -40,10 +40,6 @@ const thud = await load();
 mkdirSync(path("public/thumbs"), { recursive: true });
 for (const { name, thumbnail } of SCENES) {
   const file = `public/${thumbnailFile(name)}`;
-  if (time(`public/${sceneFile(name)}`) === 0) {
-    console.warn(`thumbnails: there is no scene ${name} yet`);
-    continue;
-  }
   if (time(file) > Math.max(COMMON, time(`public/${sceneFile(name)}`))) continue;
   const { scene } = await buildScene(thud, name, { size: thumbnail.size });
   runScene(scene, thumbnail.steps ?? 60);
