@@ -191,7 +191,7 @@ function newBatch([red, green, blue, opacity]: Uint8Array, free: boolean): Batch
   const colour: Rgb = [red, green, blue];
   return {
     fill: cssColour(colour, 1, opacity / 255),
-    rim: cssColour(colour, free ? 0.64 : 0.82),
+    rim: cssColour(colour, free ? 0.64 : 0.85),
     bead: free ? cssColour(mix(colour, [255, 255, 255], 0.65)) : null,
     rows: [],
   };

@@ -123,15 +123,15 @@ function drawFigure(
   const eyes = (radius: number, offset: number, colour: string) => {
     context.beginPath();
     for (const side of [-1, 1]) {
-      const at = hx * (0.35 * facing + 0.32 * side + offset * facing);
+      const at = hx * (0.24 * facing + 0.32 * side + offset * facing);
       context.moveTo(at + radius, -0.5 * hy);
       context.arc(at, -0.5 * hy, radius, 0, 2 * Math.PI);
     }
     context.fillStyle = colour;
     context.fill();
   };
-  eyes(0.27 * hx, 0, "#ffffff");
-  eyes(0.14 * hx, 0.1, "#12161f");
+  eyes(0.25 * hx, 0, "#ffffff");
+  eyes(0.13 * hx, 0.1, "#12161f");
 }
 
 /** Its size is that on the screen; a halo keeps it readable over anything. */

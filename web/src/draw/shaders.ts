@@ -106,14 +106,14 @@ void main() {
   // Light from above, softer on what does not move.
   float reach = circle == 1 ? extent.x : length(extent) * 0.75;
   float light = clamp(upright.y / reach, -1.0, 1.0);
-  vec3 base = tint.rgb * (1.0 + (free == 1 ? 0.13 : 0.05) * light);
+  vec3 base = tint.rgb * (1.0 + (free == 1 ? 0.13 : 0.025) * light);
   if (circle == 1) base *= 1.06 - 0.12 * dot(local, local) / (extent.x * extent.x);
 
   // A darker rim keeps neighbours apart; it fades where bodies are a few pixels small.
   float small = size * pixels;
   float width = clamp(small * 0.12, 0.9, 1.6 * ratio);
   float rim = (1.0 - smoothstep(width - 0.6, width + 0.6, depth)) * smoothstep(1.5, 5.0, small);
-  base *= 1.0 - (free == 1 ? 0.38 : 0.2) * rim;
+  base *= 1.0 - (free == 1 ? 0.38 : 0.16) * rim;
   // Inside it a bright line where the light meets the edge.
   if (free == 1) {
     float line = 1.0 - smoothstep(0.4, 1.0, abs(depth - width - 0.8) / ratio);
