@@ -4,8 +4,9 @@
 import { findBodies, putBack } from "./platformer_game/bodies.js";
 import { Figure } from "./platformer_game/figure.js";
 import { findLifts, turnLifts } from "./platformer_game/lifts.js";
-import { checkpoint, coin, goal, spikes } from "./platformer_game/pictures.js";
+import { checkpoint, coin, goal, plank, spikes } from "./platformer_game/pictures.js";
 
+const PLANK = 2;
 const COIN = 4;
 const SPIKES = 8;
 const CHECKPOINT = 16;
@@ -28,6 +29,7 @@ export default async function (setting) {
   const lifts = findLifts(world);
   const crates = findBodies(world, ({ kind }) => kind === "dynamic");
   const sensors = findBodies(world, ({ shape }) => shape.sensor);
+  const planks = findBodies(world, ({ shape }) => shape.category === PLANK);
   const things = new Map(sensors.map((sensor) => [sensor.userData, sensor]));
   const coins = sensors.filter(({ shape }) => shape.category === COIN);
   const figure = new Figure(setting, world, level);
@@ -66,8 +68,12 @@ export default async function (setting) {
       const { state } = scene;
       const [x, y] = state.figure.place;
       return {
-        follow: [x, y + 1.5],
-        marks: [...sensors.flatMap((sensor) => picture(state, sensor)), ...hints(), hero(state)],
+        follow: [Math.max(x, 6), y + 1.5], // little beyond the wall where it begins
+        marks: [
+          ...[...planks, ...sensors].flatMap((thing) => picture(state, thing)),
+          ...hints(),
+          hero(state),
+        ],
         figures: [
           { label: "Time", value: `${seconds(state)} s` },
           { label: "Coins", value: `${coinsOf(state)} of ${coins.length}` },
@@ -82,7 +88,7 @@ export default async function (setting) {
   // Crates too: none is ever lost for good.
   function restart() {
     putBack(world, [...crates, ...lifts]);
-    scene.state = begin();
+    Object.assign(scene.state, begin());
   }
 
   function play(state, held) {
@@ -131,6 +137,7 @@ export default async function (setting) {
   function picture({ taken }, { userData, shape, position: [x, y] }) {
     const [halfWidth, halfHeight] = shape.halfExtents;
     const done = taken.includes(userData);
+    if (shape.category === PLANK) return plank(x, y, halfWidth, halfHeight);
     if (shape.category === COIN) return done ? [] : coin(x, y, halfWidth);
     if (shape.category === SPIKES) return spikes(x, y, halfWidth, halfHeight);
     if (shape.category === CHECKPOINT) return checkpoint(x, y, halfHeight, done);

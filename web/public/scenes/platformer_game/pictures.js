@@ -2,6 +2,13 @@
 
 const SPIKE = 0.5; // about the width of one
 
+// Its upper side holds, the rest does not: the dashes say so.
+export function plank(x, y, halfWidth, halfHeight) {
+  const top = y + halfHeight;
+  const points = [[x - halfWidth, top], [x + halfWidth, top]];
+  return [{ kind: "line", points, ink: "soft", width: 3, dashed: true }];
+}
+
 export function coin(x, y, radius) {
   return [
     { kind: "circle", x, y, radius, ink: "gold", filled: true },
