@@ -4,23 +4,31 @@ import { rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { demoWasm, root, thud } from "./support.mjs";
 
-// Vite brings esbuild. The bundle lies as deep below web/ as its sources, for their paths' sake.
+// Vite brings esbuild.
 const require = createRequire(createRequire(`${root}web/package.json`).resolve("vite"));
-const bundle = `${root}web/generated/rival/${process.pid}.mjs`;
-const sources = ["box2d", "hands", "rival", "ruler", "watch"];
-await require("esbuild").build({
-  stdin: {
-    contents: sources.map((name) => `export * from "./${name}";`).join(""),
-    resolveDir: `${root}web/src/rival`,
-  },
-  outfile: bundle,
-  bundle: true,
-  format: "esm",
-  external: ["*.mjs"],
-});
-export const rivalry = await import(bundle);
-rmSync(bundle);
 
+/** The sources' exports. They import Box2D by paths that are right in a folder of web/ only. */
+export async function importRival(folder) {
+  const bundle = `${folder}/rival-${process.pid}.mjs`;
+  const sources = ["box2d", "hands", "rival", "ruler", "watch"];
+  await require("esbuild").build({
+    stdin: {
+      contents: sources.map((name) => `export * from "./${name}";`).join(""),
+      resolveDir: `${root}web/src/rival`,
+    },
+    outfile: bundle,
+    bundle: true,
+    format: "esm",
+    external: ["*.mjs"],
+  });
+  try {
+    return await import(bundle);
+  } finally {
+    rmSync(bundle);
+  }
+}
+
+export const rivalry = await importRival(`${root}web/generated/rival`);
 export const box2d = await rivalry.loadBox2D();
 export const engine = await thud.load(demoWasm);
 

@@ -36,6 +36,17 @@ test("pulled_body_comes_to_the_pointer_in_both_and_does_not_overshoot", () => {
   });
 });
 
+test("pulled_body_stops_spinning_by_and_by", () => {
+  const build = (world) => addBox(world, [0, 0]);
+  withRival({ gravity: [0, 0] }, build, (world, rival, body) => {
+    for (const hands of [world, rival]) {
+      hands.setVelocity(body, [0, 0], 5);
+      for (let i = 0; i < 10; i++) pull(hands, { body, anchor: [0, 0], target: [0, 0] });
+      near(hands.bodyState(body).angularVelocity, 5 * 0.92 ** 10, 1e-4);
+    }
+  });
+});
+
 test("explosion_throws_the_bodies_in_its_radius_outward_alike", () => {
   const build = (world) => [2, -1, 9].map((x) => addBall(world, [x, 0]));
   withRival({ gravity: [0, 0] }, build, (world, rival, bodies) => {
@@ -79,6 +90,8 @@ test("bodies_that_come_and_go_do_so_in_the_rival_under_the_slot_of_thud", () => 
     near(heightOf(rival, second), 0.3, 0.01);
     const shapes = world.shapesOf(second);
     world.createCircle(second, { radius: 0.8 });
+    rival.sync();
+    near(rival.bodyState(second).mass, Math.PI * (0.09 + 0.64), 1e-3);
     world.destroy(shapes[0]);
     step(world, rival, 120);
     near(heightOf(rival, second), 0.8, 0.02);
@@ -178,6 +191,11 @@ test("unwatched_world_is_looked_through_for_changes", () => {
   const ground = addGround(world, { kind: "irregular", points });
   const rival = new Rival(box2d, world);
   const ball = addBall(world, [0, 0.5]);
+  step(world, rival, 60);
+  near(heightOf(rival, ball), 0.5, 0.01);
+  world.setHeights(ground, 0, [-3, -3]);
+  step(world, rival, 1);
+  world.setHeights(ground, 0, [0, 0]);
   step(world, rival, 60);
   near(heightOf(rival, ball), 0.5, 0.01);
   world.setHeights(ground, 0, [-3, -3]);

@@ -1,5 +1,7 @@
 /** The page's Box2D side: what is built of a thud world moves, weighs and is measured as there. */
 import assert from "node:assert/strict";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { test } from "node:test";
 import {
   addBall,
@@ -7,13 +9,15 @@ import {
   addGround,
   engine,
   heightOf,
+  importRival,
   near,
   rivalry,
   step,
   withRival,
 } from "./rival-support.mjs";
+import { root } from "./support.mjs";
 
-const { Ruler } = rivalry;
+const { Rival, Ruler } = rivalry;
 
 test("ball_on_flat_ground_rests_as_high_as_in_thud", () => {
   const build = (world) => (addGround(world), addBall(world, [3, 2]));
@@ -102,6 +106,38 @@ test("free_fall_in_pixels_follows_the_parabola", () => {
     near(rival.bodyState(ball).velocity[1], -320, 0.1);
     near(rival.poses(0)[4 * ball.index], 164 - 64 / 60, 0.1);
     near(rival.poses(1, 150, 800)[4 * ball.index], 14, 0.1);
+  });
+});
+
+test("body_is_as_fast_as_thud_lets_it_be", () => {
+  const build = (world) => addBall(world, [0, 0], { velocity: [1000, 0] });
+  for (const [maximumSpeed, distance] of [[undefined, 1000], [500, 500]])
+    withRival({ gravity: [0, 0], maximumSpeed }, build, (world, rival, ball) => {
+      step(world, rival, 60);
+      near(rival.bodyState(ball).position[0], distance, 0.1);
+      near(world.bodyState(ball).position[0], distance, 0.1);
+    });
+});
+
+test("aabb_and_body_of_fixed_rotation_do_not_turn", () => {
+  const build = (world) => {
+    const aabb = world.createBody({ kind: "dynamic", position: [0, 0] });
+    world.createAabb(aabb, { halfWidth: 1, halfHeight: 1 });
+    const fixed = world.createBody({ kind: "dynamic", position: [9, 0], fixedRotation: true });
+    world.createObb(fixed, { halfWidth: 1, halfHeight: 1, angle: 0.3 });
+    return [aabb, fixed];
+  };
+  withRival({ gravity: [0, 0] }, build, (world, rival, bodies) => {
+    for (const body of bodies) {
+      const { center, inertia } = rival.bodyState(body);
+      assert.equal(inertia, 0);
+      rival.applyImpulse(body, [0, 9], [center[0] + 1, center[1]]);
+    }
+    step(world, rival, 30);
+    for (const body of bodies) {
+      near(rival.bodyState(body).angle, 0, 1e-6);
+      assert.ok(rival.bodyState(body).position[1] > 1);
+    }
   });
 });
 
@@ -261,4 +297,25 @@ test("sleeping_pile_stays_put_and_holds_when_it_is_woken", () => {
     step(world, rival, 60);
     boxes.forEach((box, i) => near(heightOf(rival, box), i + 0.5, 0.03));
   });
+});
+
+test("flavour_without_simd_moves_bodies_alike", async () => {
+  const flavour = "node_modules/box2d3-wasm/build/dist/es/compat/Box2D.compat.mjs";
+  const { default: start } = await import(`${root}web/${flavour}`);
+  const world = engine.createWorld();
+  addGround(world);
+  const ball = addBall(world, [3, 2]);
+  const rival = new Rival(await start(), world);
+  step(world, rival, 120);
+  near(heightOf(rival, ball), 0.5, 0.01);
+  assert.ok(rival.penetration() < 0.01);
+  rival.close();
+  world.close();
+});
+
+test("box2d_that_is_missing_is_named_in_the_error", async () => {
+  const folder = mkdtempSync(`${tmpdir()}/thud-rival-`);
+  const { loadBox2D } = await importRival(folder);
+  rmSync(folder, { recursive: true });
+  await assert.rejects(loadBox2D(), /^Error: Box2D could not be loaded: .*Box2D\.deluxe\.mjs/);
 });

@@ -72,13 +72,8 @@ export class Ruler implements Twin {
 
   // ---- Twin ----
 
-  addBody({ index }: BodyId, { kind, position, angle, inertia }: BodyState): void {
-    const id = this.#world.createBody({
-      kind,
-      position,
-      angle,
-      fixedRotation: kind === "dynamic" && inertia === 0,
-    });
+  addBody({ index }: BodyId, { kind, position, angle }: BodyState): void {
+    const id = this.#world.createBody({ kind, position, angle });
     this.#copies.set(index, { id, shapes: new Map(), x: NaN, y: NaN, cosine: 1, sine: 0 });
   }
 
