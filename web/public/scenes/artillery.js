@@ -132,7 +132,7 @@ export default async function ({ createWorld, readText, random, seed }) {
     world.setVelocity(shell, game.velocity);
     own.shots++;
     game.trail = [];
-    game.effects.push({ kind: "flash", x: muzzle[0], y: muzzle[1], age: 0, life: 10 });
+    game.effects.push({ kind: "flash", x: muzzle[0], y: muzzle[1], radius: 1.4, age: 0, life: 10 });
     enter(game, "fly");
     pushByWind(game);
   }
@@ -213,8 +213,8 @@ export default async function ({ createWorld, readText, random, seed }) {
   function restart() {
     world.setEnabled(shell, false);
     world.setHeights(ground, 0, stretch.heights);
-    for (const { body, position } of [...tanks, ...loose]) {
-      world.setTransform(body, position);
+    for (const { body, position, angle } of [...tanks, ...loose]) {
+      world.setTransform(body, position, angle);
       world.setVelocity(body, [0, 0]);
       world.setAwake(body, true);
     }

@@ -9,20 +9,28 @@ const FULL_HEALTH = 100;
 
 export function picture(world, ground, view, tanks, shell, game) {
   const marks = [];
-  tanks.forEach((tank, i) => paintTank(marks, world, tank, game.tanks[i], INKS[i]));
+  tanks.forEach((tank, i) => paintTank(marks, world, tank, game.tanks[i], INKS[i], game.waited));
   if (game.phase === "choose") paintChoice(marks, view);
   else paintWind(marks, view, game.wind);
   if (game.phase === "aim") paintAim(marks, world, tanks[game.turn], game);
   if (game.phase === "fly") paintShell(marks, world, shell, game);
   game.effects.forEach((effect) => paintEffect(marks, effect));
-  return { marks, figures: figures(game), message: game.message, follow: follow(world, view, shell, game) };
+  return {
+    marks,
+    figures: figures(game),
+    message: game.message,
+    follow: follow(world, view, shell, game),
+  };
 }
 
-/** Both tanks stay in sight: the view goes after a shell only upward. */
+/** The view stands still, tanks and all, as long as the shell or what it does is in sight. */
 function follow(world, view, shell, game) {
-  if (game.phase !== "fly") return [view.x, view.y];
-  const [, y] = world.bodyState(shell).position;
-  return [view.x, Math.max(view.y, y - 0.35 * view.height)];
+  const ring = game.effects.find(({ kind }) => kind === "ring");
+  const place = game.phase === "fly" ? world.bodyState(shell).position : ring && [ring.x, ring.y];
+  if (!place) return [view.x, view.y];
+  const out = Math.max(0, Math.abs(place[0] - view.x) - 0.4 * view.width);
+  const x = view.x + out * Math.sign(place[0] - view.x);
+  return [x, Math.max(view.y, place[1] - 0.35 * view.height)];
 }
 
 function figures(game) {
@@ -39,22 +47,32 @@ function figures(game) {
   ];
 }
 
-function paintTank(marks, world, tank, { health, angle: aim }, ink) {
+function paintTank(marks, world, tank, { health, angle: aim }, ink, clock) {
   const { position, angle } = world.bodyState(tank.body);
   const [x, y] = position;
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const place = (across, up) => [x + across * c - up * s, y + across * s + up * c];
   const { pivot, muzzle } = barrel(world, tank, aim);
   const colour = health > 0 ? ink : "soft";
-  marks.push({ kind: "line", points: [pivot, muzzle], ink: colour, width: 5 });
+  marks.push({
+    kind: "box",
+    x: (pivot[0] + muzzle[0]) / 2,
+    y: (pivot[1] + muzzle[1]) / 2,
+    halfWidth: Math.hypot(muzzle[0] - pivot[0], muzzle[1] - pivot[1]) / 2,
+    halfHeight: 0.13,
+    angle: (aim * Math.PI) / 180,
+    ink: colour,
+    filled: true,
+  });
   marks.push({ kind: "circle", x: pivot[0], y: pivot[1], radius: 0.5, ink: colour, filled: true });
   const [hx, hy] = place(0, 0.12);
   const hull = { halfWidth: TANK.halfWidth, halfHeight: 0.32, round: 0.2 };
   marks.push({ kind: "box", x: hx, y: hy, ...hull, angle, ink: colour, filled: true });
   for (const across of [-0.85, -0.28, 0.28, 0.85]) {
     const [wx, wy] = place(across, -TANK.halfHeight + 0.24);
-    marks.push({ kind: "circle", x: wx, y: wy, radius: 0.24, ink: "ink", filled: true });
+    marks.push({ kind: "circle", x: wx, y: wy, radius: 0.24, ink: "soft", filled: true });
   }
+  if (health === 0) paintSmoke(marks, pivot, clock);
   const half = 1.5;
   const share = health / FULL_HEALTH;
   const above = y + 2.7;
@@ -63,6 +81,16 @@ function paintTank(marks, world, tank, { health, angle: aim }, ink) {
   const left = { x: x - half * (1 - share), halfWidth: Math.max(0.01, half * share), halfHeight: 0.2 };
   const level = share > 0.6 ? "good" : share > 0.3 ? "gold" : "bad";
   marks.push({ ...bar, ...left, ink: level, filled: true });
+}
+
+/** Puffs that rise for a second and a half, one after the other, over a tank that is done for. */
+function paintSmoke(marks, [x, y], clock) {
+  for (let i = 0; i < 6; i++) {
+    const share = (clock / 90 + i / 6) % 1;
+    const puff = { radius: 0.3 + 0.7 * share, opacity: 0.5 * (1 - share) };
+    const place = { x: x + 0.4 * Math.sin(5 * share + i), y: y + 4 * share };
+    marks.push({ kind: "circle", ...place, ...puff, ink: "soft", filled: true });
+  }
 }
 
 function paintChoice(marks, view) {
@@ -84,10 +112,10 @@ function paintWind(marks, view, wind) {
   const y = view.y + 0.36 * view.height;
   const tip = view.x + 2.4 * wind;
   const back = tip - Math.sign(wind) * 0.7;
-  marks.push({ kind: "line", points: [[view.x - 2.4 * wind, y], [tip, y]], ink: "accent", width: 3 });
-  const head = [[back, y + 0.6], [tip, y], [back, y - 0.6]];
-  marks.push({ kind: "line", points: head, ink: "accent", width: 3 });
+  const arrow = { kind: "line", ink: "accent", width: 3 };
   marks.push({ kind: "text", x: view.x, y: y + 1.3, text: "Wind", ink: "ink" });
+  marks.push({ ...arrow, points: [[view.x - 2.4 * wind, y], [tip, y]] });
+  marks.push({ ...arrow, points: [[back, y + 0.6], [tip, y], [back, y - 0.6]] });
 }
 
 /** Whose turn it is, the first part of the flight, and the slingshot's string. */
@@ -107,10 +135,11 @@ function paintAim(marks, world, tank, game) {
     marks.push({ kind: "circle", x: px, y: py, ...dot, ink, filled: true });
   }
   if (!game.pull) return;
-  const [bx, by] = game.pull.by;
-  const end = [pivot[0] - bx, pivot[1] - by];
-  marks.push({ kind: "line", points: [pivot, end], ink, dashed: true });
-  marks.push({ kind: "circle", x: end[0], y: end[1], radius: 0.4, ink });
+  const { from, by } = game.pull;
+  const end = [from[0] - by[0], from[1] - by[1]];
+  marks.push({ kind: "line", points: [from, end], ink, dashed: true });
+  marks.push({ kind: "circle", x: from[0], y: from[1], radius: 0.25, ink, filled: true });
+  marks.push({ kind: "circle", x: end[0], y: end[1], radius: 0.6, ink });
 }
 
 function paintShell(marks, world, shell, { trail }) {
@@ -126,11 +155,19 @@ function paintShell(marks, world, shell, { trail }) {
 function paintEffect(marks, { kind, x, y, age, life, radius, text }) {
   const share = age / life;
   const opacity = 1 - share;
-  if (kind === "loss") marks.push({ kind: "text", x, y: y + 2 * share, text, ink: "bad", size: 18 });
-  if (kind === "flash")
-    marks.push({ kind: "circle", x, y, radius: 0.4 + share, ink: "gold", opacity, filled: true });
-  if (kind !== "ring") return;
+  if (kind === "loss") {
+    marks.push({ kind: "text", x, y: y + 2 * share, text, ink: "bad", size: 18 });
+    return;
+  }
   const grown = radius * Math.sqrt(share);
-  marks.push({ kind: "circle", x, y, radius: 0.7 * grown, ink: "gold", opacity: 0.7 * opacity, filled: true });
+  const fire = { kind: "circle", x, y, ink: "gold", filled: true };
+  marks.push({ ...fire, radius: 0.7 * grown, opacity: 0.7 * opacity });
+  if (kind === "flash") return;
   marks.push({ kind: "circle", x, y, radius: grown, ink: "bad", opacity });
+  for (let i = 0; i < 12; i++) {
+    const angle = (i * Math.PI) / 6;
+    const far = grown * (0.7 + 0.15 * ((i * 5) % 4)); // sparks fly unequally far
+    const place = { x: x + far * Math.cos(angle), y: y + far * Math.sin(angle) };
+    marks.push({ kind: "circle", ...place, radius: 0.15 * opacity, ink: "gold", filled: true });
+  }
 }

@@ -11,7 +11,7 @@ export function buildTank(world, site) {
   const position = [site.x, site.y + TANK.halfHeight + 0.1];
   const body = world.createBody({ kind: "dynamic", position, angularDamping: 1 });
   world.createObb(body, { ...TANK, density: 4, friction: 0.6 });
-  return { body, position };
+  return { body, position, angle: 0 };
 }
 
 /** It is there all the time, and in the world only while it flies. */
@@ -22,23 +22,25 @@ export function buildShell(world) {
   return body;
 }
 
-/** Crates in heaps and rocks, between the tanks and behind them. */
+/** Stacks of crates, upright to the ground, and rocks. */
 export function buildLoose(world, ground, chance) {
   const things = [];
   const add = (x, above, halfWidth, halfHeight) => {
-    const position = [x, world.groundAt(ground, x).height + above];
-    const body = world.createBody({ kind: "dynamic", position, angularDamping: 0.5 });
-    world.createObb(body, { halfWidth, halfHeight, density: 0.6, friction: 0.8 });
-    things.push({ body, position });
+    const { height, normal } = world.groundAt(ground, x);
+    const position = [x + above * normal[0], height + above * normal[1]];
+    const angle = Math.atan2(-normal[0], normal[1]);
+    const body = world.createBody({ kind: "dynamic", position, angle });
+    world.createObb(body, { halfWidth, halfHeight, density: 0.6, friction: 0.9 });
+    things.push({ body, position, angle });
   };
-  for (const middle of [-7, 0, 7]) {
+  for (const middle of [-6, 0, 6]) {
     const x = middle + chance(-2, 2);
-    for (let i = 0; i < 3; i++) add(x + chance(-0.1, 0.1), 1 + 1.3 * i, 0.5, 0.5);
+    for (let i = 0; i < 3; i++) add(x, 0.55 + 1.02 * i, 0.5, 0.5);
   }
-  for (let i = 0; i < 10; i++) {
+  for (let i = 0; i < 12; i++) {
     const x = chance(-REACH + 14, REACH - 14);
-    const nearTank = Math.abs(Math.abs(x) - 16.5) < 5;
-    if (!nearTank) add(x, 5 + i % 3, chance(0.25, 0.5), chance(0.2, 0.4));
+    const isNearTank = Math.abs(Math.abs(x) - 16.5) < 5;
+    if (!isNearTank) add(x, 4 + (i % 3), chance(0.25, 0.5), chance(0.2, 0.4));
   }
   return things;
 }
