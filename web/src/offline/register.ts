@@ -17,15 +17,18 @@ export async function keepOffline(onUpdate: (reload: () => void) => void): Promi
     // Switched off, or the host lacks the file: the page works, only not without a network.
     return;
   }
-  const offer = (worker: ServiceWorker): void => onUpdate(() => replaceBy(worker));
-  // Where no worker was in control, the new one is the first, and no newer build.
-  if (registration.waiting && navigator.serviceWorker.controller) offer(registration.waiting);
-  registration.addEventListener("updatefound", () => {
-    const worker = registration.installing;
-    worker?.addEventListener("statechange", () => {
-      if (worker.state === "installed" && navigator.serviceWorker.controller) offer(worker);
-    });
-  });
+  const offer = (worker: ServiceWorker | null): void => {
+    // Where no worker is in control, the new one is the first, and no newer build.
+    if (worker?.state === "installed" && navigator.serviceWorker.controller)
+      onUpdate(() => replaceBy(worker));
+  };
+  const follow = (worker: ServiceWorker | null): void =>
+    worker?.addEventListener("statechange", () => offer(worker));
+  offer(registration.waiting);
+  follow(registration.installing);
+  registration.addEventListener("updatefound", () => follow(registration.installing));
+  // Browsers look for a newer build by themselves, but some only long after the page was opened.
+  await registration.update().catch(() => {});
 }
 
 function replaceBy(worker: ServiceWorker): void {

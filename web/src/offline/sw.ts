@@ -73,17 +73,18 @@ async function answer(request: Request): Promise<Response> {
   const kept = await cache.match(isPage ? INDEX : address);
   if (kept) return withHeaders(kept);
   const file = later.get(address);
-  return withHeaders(file ? await keep(cache, file) : await fetch(request));
+  if (!file) return withHeaders(await fetch(request));
+  await keep(cache, file);
+  return withHeaders((await cache.match(address)) ?? Response.error());
 }
 
 /** Fetches a file and keeps it; an error or a file of another build is never kept. */
-async function keep(cache: Cache, { url, integrity }: BuildFile): Promise<Response> {
+async function keep(cache: Cache, { url, integrity }: BuildFile): Promise<void> {
   const address = addressOf(url);
   // Asks the host even where the browser's own cache would answer, maybe with an older file.
   const response = await fetch(address, { integrity, cache: "no-cache" });
   if (!response.ok) throw new TypeError(`${address}: ${response.status} ${response.statusText}`);
-  await cache.put(address, response.clone());
-  return response;
+  await cache.put(address, response);
 }
 
 /** What serve.mjs sends and a simple host does not; see tools/headers.mjs. */
