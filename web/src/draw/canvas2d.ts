@@ -2,14 +2,13 @@
 import type { Shapes } from "../scene/frame";
 import type { Camera, Pane } from "./camera";
 import { cssColour, mix, type Rgb } from "./palette";
+import { CONTOURS } from "./paths";
 import { poseBetween, type Poses } from "./poses";
 import { type Look, OUTLINE, type Renderer } from "./renderer";
 import { BODY, CIRCLE, DYNAMIC, HALF, OFFSET, ROW, SHAPE, SLOT, STATIC, TURN } from "./rows";
 
 /** Of 255: channels are rounded to multiples of it, so that paths can be shared. */
 const STEP = 24;
-/** Contours a path: of far more or far fewer, browsers are many times as slow. */
-const PATH = 64;
 /** Half widths in device pixels: smaller bodies are upright squares; have no rim; and no bead that
  * shows how a circle turns. */
 const LEAST_SHAPE = 2;
@@ -160,7 +159,7 @@ export class CanvasRenderer implements Renderer {
         context.lineTo(x - ax + bx, y - ay + by);
         context.closePath();
       }
-      if (++contours % PATH !== 0) continue;
+      if (++contours % CONTOURS !== 0) continue;
       finish();
       context.beginPath();
     }

@@ -3,6 +3,7 @@ import { DRAW_STYLES } from "thud";
 import type { Drawing } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import { classColour, cssColour, type Theme } from "./palette";
+import { type Paths, pathsOf } from "./paths";
 
 /** Numbers a shape, a line and a point, as in DrawLists of the package. */
 const SHAPE = 9;
@@ -42,31 +43,31 @@ export function drawLists(
   theme: Theme,
   on: ReadonlySet<OverlayName>,
 ): void {
-  const paths = new Map<number, Path2D>();
-  const islands = new Map<number, Path2D>();
+  const paths = new Map<number, Paths>();
+  const islands = new Map<number, Paths>();
   for (let i = 0; i < shapes.length; i += SHAPE) {
     const [style, island] = [shapes[i + 7], shapes[i + 8]];
-    const path = island >= 0 ? pathOf(islands, island) : pathOf(paths, style);
-    addOutline(path, shapes, i, scale);
+    const outlines = island >= 0 ? pathsOf(islands, island) : pathsOf(paths, style);
+    addOutline(outlines.next(), shapes, i, scale);
   }
-  for (const [island, path] of islands) {
+  for (const [island, outlines] of islands) {
     context.fillStyle = cssColour(classColour(island, theme.dark));
-    context.fill(path);
+    outlines.fill(context);
   }
   for (let i = 0; i < lines.length; i += LINE) {
-    const path = pathOf(paths, lines[i + 4]);
+    const path = pathsOf(paths, lines[i + 4]).next();
     path.moveTo(lines[i] * scale, -lines[i + 1] * scale);
     path.lineTo(lines[i + 2] * scale, -lines[i + 3] * scale);
   }
   // From afar an outline must not fill what it goes around.
   const thinnest = Math.min(USUAL_WIDTH, Math.max(0.7, 0.06 * scale));
   for (const style of ORDER) {
-    const path = paths.get(style);
+    const strokes = paths.get(style);
     const name = DRAW_STYLES[style];
-    if (!path || (name === "normal" && !on.has("normals"))) continue;
+    if (!strokes || (name === "normal" && !on.has("normals"))) continue;
     context.strokeStyle = styleColour(style, theme);
     context.lineWidth = name === "motion" ? thinnest : (WIDTHS[name] ?? USUAL_WIDTH);
-    context.stroke(path);
+    strokes.stroke(context);
   }
   drawPoints(context, points, scale, theme, on);
 }
@@ -79,18 +80,18 @@ function drawPoints(
   on: ReadonlySet<OverlayName>,
 ): void {
   const radius = Math.min(3.5, Math.max(1.2, 0.08 * scale));
-  const paths = new Map<number, Path2D>();
+  const paths = new Map<number, Paths>();
   for (let i = 0; i < points.length; i += POINT) {
     const style = points[i + 2];
     if (DRAW_STYLES[style] === "contact" && !on.has("contacts")) continue;
-    const path = pathOf(paths, style);
+    const path = pathsOf(paths, style).next();
     const [x, y] = [points[i] * scale, -points[i + 1] * scale];
     path.moveTo(x + radius, y);
     path.arc(x, y, radius, 0, 2 * Math.PI);
   }
-  for (const [style, path] of paths) {
+  for (const [style, dots] of paths) {
     context.fillStyle = styleColour(style, theme);
-    context.fill(path);
+    dots.fill(context);
   }
 }
 
@@ -98,28 +99,29 @@ function styleColour(style: number, theme: Theme): string {
   return theme.styles[DRAW_STYLES[style]] ?? cssColour(classColour(style, theme.dark));
 }
 
-function pathOf(paths: Map<number, Path2D>, key: number): Path2D {
-  const known = paths.get(key);
-  if (known) return known;
-  const path = new Path2D();
-  paths.set(key, path);
-  return path;
-}
-
 function addOutline(path: Path2D, shapes: Float32Array, at: number, scale: number): void {
-  const [x, y, hx, hy, c, s, round] = shapes.subarray(at, at + 7);
-  if (round !== 0) {
-    path.moveTo((x + hx) * scale, -y * scale);
-    path.arc(x * scale, -y * scale, hx * scale, 0, 2 * Math.PI);
+  const x = shapes[at] * scale;
+  const y = -shapes[at + 1] * scale;
+  const hx = shapes[at + 2] * scale;
+  const hy = shapes[at + 3] * scale;
+  const c = shapes[at + 4];
+  const s = shapes[at + 5];
+  if (shapes[at + 6] !== 0) {
+    path.moveTo(x + hx, y);
+    path.arc(x, y, hx, 0, 2 * Math.PI);
     return;
   }
-  const corner = (a: number, b: number): [number, number] => [
-    (x + a * c * hx - b * s * hy) * scale,
-    -(y + a * s * hx + b * c * hy) * scale,
-  ];
-  path.moveTo(...corner(-1, -1));
-  path.lineTo(...corner(1, -1));
-  path.lineTo(...corner(1, 1));
-  path.lineTo(...corner(-1, 1));
+  if (s === 0) {
+    path.rect(x - hx, y - hy, 2 * hx, 2 * hy);
+    return;
+  }
+  const ax = c * hx;
+  const ay = -s * hx;
+  const bx = -s * hy;
+  const by = -c * hy;
+  path.moveTo(x - ax - bx, y - ay - by);
+  path.lineTo(x + ax - bx, y + ay - by);
+  path.lineTo(x + ax + bx, y + ay + by);
+  path.lineTo(x - ax + bx, y - ay + by);
   path.closePath();
 }

@@ -151,7 +151,7 @@ export function cssColour(colour: Rgb, factor = 1, alpha = 1): string {
 
 /** A distinct colour for every class (island, solver colour), by the golden angle. */
 export function classColour(number: number, dark: boolean): Rgb {
-  return hslColour((number * 137.508) % 360, 0.7, dark ? 0.62 : 0.48);
+  return hslColour((number * 137.508) % 360, 0.62, dark ? 0.62 : 0.54);
 }
 
 /** Hue in degrees; the formula of CSS Color 4, section 7.1. */
