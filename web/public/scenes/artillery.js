@@ -32,7 +32,7 @@ export default async function ({ createWorld, readText, random, seed }) {
     hidden: [shell.index, ...tanks.map(({ body }) => body.index)],
     state: newGame(0),
     update,
-    paint: () => picture(world, ground, scene.view, tanks, shell, scene.state),
+    paint: () => picture(scene, tanks, shell, HEALTH),
   };
   return scene;
 
@@ -95,11 +95,11 @@ export default async function ({ createWorld, readText, random, seed }) {
     game.wind = chance(game, -STRONGEST_WIND, STRONGEST_WIND);
     game.plan = null;
     game.pull = null;
-    const name = nameOf(game, turn);
+    const whose = game.computer ? "Your" : `${nameOf(game, turn)}’s`;
     game.message =
       game.computer && turn === 1
         ? "The computer aims."
-        : `${name === "You" ? "Your" : `${name}’s`} turn: aim with the arrow keys and fire, or drag back and let go.`;
+        : `${whose} turn: aim with the arrow keys and fire, or drag back and let go.`;
   }
 
   function aim(game, input, pressed, tapped) {
@@ -166,8 +166,8 @@ export default async function ({ createWorld, readText, random, seed }) {
     game.effects.push({ kind: "ring", x, y, radius: BLAST, age: 0, life: 32 });
     const hurt = explode(world, ground, tanks, place).map(Math.round);
     hurt.forEach((points, i) => hurtTank(game, i, points));
-    const said = hurt.flatMap((points, i) => (points > 0 ? [`${nameOf(game, i)}: −${points}`] : []));
-    game.message = said.length > 0 ? `Hit. ${said.join(", ")}.` : "A miss.";
+    const losses = hurt.map((points, i) => (points > 0 ? `${nameOf(game, i)}: −${points}.` : ""));
+    game.message = hurt.some((points) => points > 0) ? `Hit. ${losses.join(" ").trim()}` : "A miss.";
   }
 
   function hurtTank(game, i, points) {
@@ -185,7 +185,8 @@ export default async function ({ createWorld, readText, random, seed }) {
     const down = -world.bodyState(tanks[i].body).velocity[1];
     if (down > tank.fall) tank.fall = down;
     else if (down < 0.5 * tank.fall) {
-      if (game.phase !== "choose") hurtTank(game, i, Math.round((tank.fall - SAFE_FALL) * FALL_HURTS));
+      const points = Math.round((tank.fall - SAFE_FALL) * FALL_HURTS);
+      if (game.phase !== "choose") hurtTank(game, i, points);
       tank.fall = 0;
     }
   }

@@ -19,8 +19,8 @@ export function chooseAim(world, tank, target, wind, shots, chance) {
 }
 
 /**
- * Of the shots that meet the target with nothing in the way the slowest: there an error of the angle
- * costs least. If all are blocked, the steepest.
+ * Of the shots that meet the target with nothing in the way the slowest: there an error of the
+ * angle costs least. If all are blocked, the steepest.
  */
 export function solveAim(world, tank, target, wind) {
   const aimed = world.bodyState(target.body).position;

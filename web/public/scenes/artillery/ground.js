@@ -1,7 +1,7 @@
 // The ground of the duel: a stretch of a real mountain profile that two tanks can fight over.
 
 const FILES = [100, 200, 300].map((row) => `terrain/jacksboro_${row}.csv`);
-const RISE = 1.5 / 74.4; // metres here for one there: samples, 74.4 m apart, come to stand 1 m apart
+const RISE = 1.5 / 74.4; // metres up for one there; along, samples 74.4 m apart stand 1 m apart
 const FINER = 4; // vertices from one sample to the next, so that craters are round
 
 /** Half the width of the field, in metres. */
@@ -9,7 +9,8 @@ export const REACH = 40;
 
 /** One of the stretches that play well: the first for `share` 0, the last for almost 1. */
 export async function chooseGround(readText, share) {
-  const profiles = await Promise.all(FILES.map(async (file) => readProfile(file, await readText(file))));
+  const texts = await Promise.all(FILES.map((file) => readText(file)));
+  const profiles = texts.map((text, i) => readProfile(FILES[i], text));
   const stretches = profiles.flatMap((profile) =>
     profile.slice(2 * REACH).map((_, i) => readStretch(profile.slice(i, i + 2 * REACH + 1))),
   );

@@ -5,11 +5,17 @@ import { flightAt } from "./flight.js";
 import { barrel, SHELL_RADIUS, TANK } from "./tanks.js";
 
 const INKS = ["player", "rival"];
-const FULL_HEALTH = 100;
 
-export function picture(world, ground, view, tanks, shell, game) {
+/** `most` is a tank's health at the start. */
+export function picture({ world, view, state: game }, tanks, shell, most) {
   const marks = [];
-  tanks.forEach((tank, i) => paintTank(marks, world, tank, game.tanks[i], INKS[i], game.waited));
+  tanks.forEach((tank, i) => {
+    const { health, angle } = game.tanks[i];
+    paintTank(marks, world, tank, angle, health > 0 ? INKS[i] : "soft");
+    const [x, y] = world.bodyState(tank.body).position;
+    if (health === 0) paintSmoke(marks, x, y + 0.6, game.waited);
+    paintHealth(marks, x, y + 2.7, health / most);
+  });
   if (game.phase === "choose") paintChoice(marks, view);
   else paintWind(marks, view, game.wind);
   if (game.phase === "aim") paintAim(marks, world, tanks[game.turn], game);
@@ -47,13 +53,12 @@ function figures(game) {
   ];
 }
 
-function paintTank(marks, world, tank, { health, angle: aim }, ink, clock) {
+function paintTank(marks, world, tank, aim, ink) {
   const { position, angle } = world.bodyState(tank.body);
   const [x, y] = position;
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const place = (across, up) => [x + across * c - up * s, y + across * s + up * c];
   const { pivot, muzzle } = barrel(world, tank, aim);
-  const colour = health > 0 ? ink : "soft";
   marks.push({
     kind: "box",
     x: (pivot[0] + muzzle[0]) / 2,
@@ -61,30 +66,29 @@ function paintTank(marks, world, tank, { health, angle: aim }, ink, clock) {
     halfWidth: Math.hypot(muzzle[0] - pivot[0], muzzle[1] - pivot[1]) / 2,
     halfHeight: 0.13,
     angle: (aim * Math.PI) / 180,
-    ink: colour,
+    ink,
     filled: true,
   });
-  marks.push({ kind: "circle", x: pivot[0], y: pivot[1], radius: 0.5, ink: colour, filled: true });
+  marks.push({ kind: "circle", x: pivot[0], y: pivot[1], radius: 0.5, ink, filled: true });
   const [hx, hy] = place(0, 0.12);
   const hull = { halfWidth: TANK.halfWidth, halfHeight: 0.32, round: 0.2 };
-  marks.push({ kind: "box", x: hx, y: hy, ...hull, angle, ink: colour, filled: true });
+  marks.push({ kind: "box", x: hx, y: hy, ...hull, angle, ink, filled: true });
   for (const across of [-0.85, -0.28, 0.28, 0.85]) {
     const [wx, wy] = place(across, -TANK.halfHeight + 0.24);
     marks.push({ kind: "circle", x: wx, y: wy, radius: 0.24, ink: "soft", filled: true });
   }
-  if (health === 0) paintSmoke(marks, pivot, clock);
+}
+
+function paintHealth(marks, x, y, share) {
   const half = 1.5;
-  const share = health / FULL_HEALTH;
-  const above = y + 2.7;
-  const bar = { kind: "box", y: above, round: 0.1 };
-  marks.push({ ...bar, x, halfWidth: half, halfHeight: 0.2, ink: "soft", opacity: 0.5, filled: true });
-  const left = { x: x - half * (1 - share), halfWidth: Math.max(0.01, half * share), halfHeight: 0.2 };
-  const level = share > 0.6 ? "good" : share > 0.3 ? "gold" : "bad";
-  marks.push({ ...bar, ...left, ink: level, filled: true });
+  const bar = { kind: "box", y, halfHeight: 0.2, round: 0.1, filled: true };
+  const ink = share > 0.6 ? "good" : share > 0.3 ? "gold" : "bad";
+  marks.push({ ...bar, x, halfWidth: half, ink: "soft", opacity: 0.5 });
+  marks.push({ ...bar, x: x - half * (1 - share), halfWidth: half * share, ink });
 }
 
 /** Puffs that rise for a second and a half, one after the other, over a tank that is done for. */
-function paintSmoke(marks, [x, y], clock) {
+function paintSmoke(marks, x, y, clock) {
   for (let i = 0; i < 6; i++) {
     const share = (clock / 90 + i / 6) % 1;
     const puff = { radius: 0.3 + 0.7 * share, opacity: 0.5 * (1 - share) };
