@@ -12,7 +12,7 @@ async function importTypeScript(path) {
 
 export const { SCENES, sceneFile, thumbnailFile } = await importTypeScript("src/scene/registry.ts");
 const { KEY_NAMES } = await importTypeScript("src/scene/scene.ts");
-export const { DARK, cssColour } = await importTypeScript("src/render/palette.ts");
+export const { cssColour, rampColour } = await importTypeScript("src/draw/palette.ts");
 export const { random } = await importTypeScript("src/scene/random.ts");
 export const { createSetting } = await importTypeScript("src/scene/setting.ts");
 

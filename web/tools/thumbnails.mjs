@@ -10,7 +10,7 @@ import { drawScene } from "./picture.mjs";
 import {
   buildScene,
   cssColour,
-  DARK,
+  rampColour,
   runScene,
   SCENES,
   sceneFile,
@@ -27,14 +27,15 @@ const COMMON = Math.max(
     "src/scene/registry.ts",
     "src/scene/setting.ts",
     "src/scene/random.ts",
-    "src/render/palette.ts",
+    "src/draw/palette.ts",
     "tools/picture.mjs",
     "tools/scenes.mjs",
     "tools/thumbnails.mjs",
     "package/dist/thud.wasm",
   ].map(time),
 );
-const COLOURS = DARK.ramp.map((colour) => cssColour(colour));
+/** So few that most bodies share a path with many others. */
+const COLOURS = Array.from({ length: 9 }, (_, i) => cssColour(rampColour(i / 8)));
 
 const thud = await load();
 mkdirSync(path("public/thumbs"), { recursive: true });

@@ -35,8 +35,18 @@ type Row = readonly [name: string, title: string, about: string, thumbnail?: Thu
 
 const ROWS: Record<Group, readonly Row[]> = {
   Games: [
-    ["platformer_game", "Platformer", "Run, jump and ride lifts through a level made in Tiled."],
-    ["artillery", "Artillery", "Two players take turns on hills that every shell digs into."],
+    [
+      "platformer_game",
+      "Platformer",
+      "Run, jump and ride lifts through a level made in Tiled.",
+      { view: { x: 17.5, y: 9, height: 20 } },
+    ],
+    [
+      "artillery",
+      "Artillery",
+      "Two players take turns on hills that every shell digs into.",
+      { view: { x: -11.5, y: 0.5, height: 12 } },
+    ],
   ],
   "Levels from Tiled": [
     [
@@ -44,6 +54,12 @@ const ROWS: Record<Group, readonly Row[]> = {
       "Quarry",
       "Rubble of every size and weight slides down the benches of a quarry.",
       { steps: 240 },
+    ],
+    [
+      "platform",
+      "Platforms",
+      "Walk with the arrow keys on stairs, planks and lifts, among crates and balls.",
+      { steps: 90, view: { x: 36, y: 13, height: 22 } },
     ],
     ["towers", "Towers and a wrecking ball", "A heavy ball flies into five towers of blocks."],
     [
@@ -156,7 +172,7 @@ const ROWS: Record<Group, readonly Row[]> = {
       "slopes",
       "Rolling and sliding",
       "Discs roll down four slopes; of the boxes only those on the two steep ones slide.",
-      { size: 12, steps: 45, view: { x: 22, y: 3, height: 20, width: 50 } },
+      { size: 12, steps: 45, view: { x: 30, y: 4, height: 12 } },
     ],
     [
       "bullets",

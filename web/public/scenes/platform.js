@@ -1,0 +1,30 @@
+// Stairs, planks and lifts, drawn in Tiled (www.mapeditor.org). Walk with the arrow keys, through
+// crates and balls. Figures of the map that nobody steers fall and are pushed like anything else.
+import { Figure } from "./platformer_game/figure.js";
+import { findLifts, turnLifts } from "./platformer_game/lifts.js";
+
+export default async function (setting) {
+  const level = setting.readLevel("platform", await setting.readText("levels/platform.tmj"));
+  const world = setting.buildLevel(level);
+  const lifts = findLifts(world);
+  const figure = new Figure(setting, world, level);
+  const [x, y] = level.camera;
+  const scene = {
+    world,
+    view: { x, y, height: 0.7 * level.cameraHeight },
+    spawn: level.spawn,
+    keys: ["left", "right", "up", "down"],
+    hidden: [figure.body.index],
+    state: { figure: figure.startAt(level.spawn) },
+    update({ held }) {
+      turnLifts(world, lifts);
+      figure.move(scene.state.figure, held);
+    },
+    restored: () => figure.restore(scene.state.figure),
+    paint: () => ({
+      follow: scene.state.figure.place,
+      marks: [figure.mark(scene.state.figure)],
+    }),
+  };
+  return scene;
+}
