@@ -51,6 +51,63 @@ static void every_scene_restored_goes_the_same_way(void **state)
     }
 }
 
+/* As unlike the scenes as can be: vast, with thin, damped, belted and unlike shapes, kinematic bodies
+ * and some at rest; and edits that the next step will find, or not. */
+static thud_world *wild_world(thud_world_def def, int steps)
+{
+    def.sleeping = steps % 2 == 0;
+    def.gravity = (thud_vec2){1, -3};
+    thud_world *world = make_world(def);
+    thud_shape_def belt = thud_default_shape_def();
+    belt.surface_speed = 2 * def.length_scale;
+    belt.restitution = 0.8f;
+    add_floor(world, &belt);
+    for (int side = -1; side <= 1; side += 2) {
+        double far_out = side * 9e8 * (double)def.length_scale;
+        add_shape(world, add_body(world, THUD_DYNAMIC, far_out, far_out, 0),
+                  0.001f * def.length_scale, 5 * def.length_scale, false, NULL);
+    }
+    for (int i = 0; i < 300; i++) {
+        thud_body_def body = thud_default_body_def();
+        thud_body_id id;
+        body.kind = i % 7 == 0 ? THUD_KINEMATIC : THUD_DYNAMIC;
+        body.position = (thud_pos){i % 20 - 10, 1 + i / 20};
+        body.linear_damping = i % 3 ? 0.5f : 0;
+        body.velocity = (thud_vec2){(float)(i % 5), (float)(i % 3)};
+        OK(thud_body_create(world, &body, &id));
+        add_shape(world, id, 0.3f, i % 2 ? 0.2f : 0, i % 4 == 1, &belt);
+    }
+    run(world, steps);
+    OK(thud_world_set_time_step(world, 1.0 / 90.0));
+    run(world, steps % 3);
+    return world;
+}
+
+/* Nothing of the world that gives way is left. */
+static void unlike_worlds_restored_from_each_other_go_the_same_ways(void **state)
+{
+    (void)state;
+    const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep};
+    for (int i = 0; i < 2 * scenes_count(); i++) {
+        const char *name = scenes_at(i / 2)->name;
+        thud_world_def def = thud_default_world_def();
+        def.broadphase = broadphases[i % 2];
+        thud_world *world = scene_world(scenes_at(i / 2), &def, &def.length_scale);
+        thud_world *wild = wild_world(def, 20 + i);
+        run(world, 16 + i % 9);
+        saved of_scene = save(world), of_wild = save(wild);
+        trail scene_way = walk(world, 40), wild_way = walk(wild, 40);
+        back_to(world, of_wild);
+        walks_again(world, &wild_way, name);
+        back_to(wild, of_scene);
+        walks_again(wild, &scene_way, name);
+        thud_world_destroy(world);
+        thud_world_destroy(wild);
+        free(of_scene.bytes);
+        free(of_wild.bytes);
+    }
+}
+
 static bool veto(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                  void *context)
 {
@@ -154,24 +211,32 @@ static void edits_that_wait_for_the_step_are_restored(void **state)
 static void settings_with_a_setter_are_restored(void **state)
 {
     (void)state;
-    yard y = make_yard(NULL);
-    run(y.world, 50);
-    saved snapshot = save(y.world);
-    trail first = walk(y.world, 60);
-    OK(thud_world_set_gravity(y.world, (thud_vec2){3, 0}));
-    OK(thud_world_set_time_step(y.world, 1.0 / 30.0));
-    OK(thud_world_set_quality(y.world, &thud_quality_exact));
-    OK(thud_world_set_sleeping(y.world, false));
-    OK(thud_world_set_max_error(y.world, 0.001));
-    run(y.world, 10);
-    back_to(y.world, snapshot);
-    walks_again(y.world, &first, "default");
-    OK(thud_world_set_quality(y.world, &thud_quality_draft)); /* has no island solver */
-    run(y.world, 10);
-    back_to(y.world, snapshot);
-    walks_again(y.world, &first, "draft");
-    thud_world_destroy(y.world);
-    free(snapshot.bytes);
+    thud_quality odd = {.name = "odd", .substeps = 7, .contact_stiffness = 0.3f,
+                        .contact_damping = 2, .detection = &thud_detection_bisect,
+                        .islands = &thud_islands_direct, .sag_limit = 0.5f, .island_limit = 1,
+                        .island_work = 1, .island_patience = 1000};
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world_def def = thud_world_def_of(qualities[i]);
+        def.sleeping = i != 2;
+        yard y = make_yard(&def);
+        run(y.world, 50);
+        saved snapshot = save(y.world);
+        trail first = walk(y.world, 200);
+        OK(thud_world_set_gravity(y.world, (thud_vec2){3, 0}));
+        OK(thud_world_set_time_step(y.world, 1.0 / 30.0));
+        OK(thud_world_set_quality(y.world, &odd));
+        OK(thud_world_set_sleeping(y.world, i == 2));
+        OK(thud_world_set_max_error(y.world, 0.001));
+        run(y.world, 10);
+        back_to(y.world, snapshot);
+        walks_again(y.world, &first, qualities[i]->name);
+        OK(thud_world_set_quality(y.world, &thud_quality_draft)); /* has no island solver */
+        run(y.world, 10);
+        back_to(y.world, snapshot);
+        walks_again(y.world, &first, qualities[i]->name);
+        thud_world_destroy(y.world);
+        free(snapshot.bytes);
+    }
 }
 
 static void handles_are_those_of_the_snapshot(void **state)
@@ -322,6 +387,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_scene_restored_goes_the_same_way),
+        cmocka_unit_test(unlike_worlds_restored_from_each_other_go_the_same_ways),
         cmocka_unit_test(every_setting_restored_goes_the_same_way),
         cmocka_unit_test(sleeping_island_restored_sleeps_and_wakes_as_before),
         cmocka_unit_test(edits_that_wait_for_the_step_are_restored),

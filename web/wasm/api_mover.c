@@ -67,6 +67,44 @@ void api_mover_place(api_mover *m, double x, double y) {
     m->mover.on_ground = false;
 }
 
+/* All that it keeps from one move to the next. Slots out: 0, 1 place  2 on the ground; 3, 4 that
+ * ground's normal  5, 6 shape  7, 8 body  9, 10 point  11, 12 place  13, 14 cosine and sine. */
+void api_mover_get_state(const api_mover *m) {
+    const thud_mover *mover = &m->mover;
+    double *s = api_slots;
+    s[0] = mover->shape.x;
+    s[1] = mover->shape.y;
+    s[2] = mover->on_ground;
+    s[3] = mover->ground_normal.x;
+    s[4] = mover->ground_normal.y;
+    s[5] = mover->ground_shape.index1;
+    s[6] = mover->ground_shape.generation;
+    s[7] = mover->ground_body.index1;
+    s[8] = mover->ground_body.generation;
+    s[9] = mover->ground_point.x;
+    s[10] = mover->ground_point.y;
+    s[11] = mover->ground_place.x;
+    s[12] = mover->ground_place.y;
+    s[13] = mover->ground_cosine;
+    s[14] = mover->ground_sine;
+}
+
+/* From the same slots. */
+void api_mover_set_state(api_mover *m) {
+    thud_mover *mover = &m->mover;
+    const double *s = api_slots;
+    mover->shape.x = s[0];
+    mover->shape.y = s[1];
+    mover->on_ground = s[2] != 0.0;
+    mover->ground_normal = (thud_vec2){(float)s[3], (float)s[4]};
+    mover->ground_shape = (thud_shape_id){api_to_u32(s[5]), api_to_u32(s[6])};
+    mover->ground_body = (thud_body_id){api_to_u32(s[7]), api_to_u32(s[8])};
+    mover->ground_point = (thud_pos){s[9], s[10]};
+    mover->ground_place = (thud_pos){s[11], s[12]};
+    mover->ground_cosine = (float)s[13];
+    mover->ground_sine = (float)s[14];
+}
+
 /* Slots out: 0, 1 place  2 on the ground  3, 4 ground's normal  5, 6 its shape  7, 8 its body
  * 9, 10 velocity left  11, 12 ground's velocity  13 depth  14 address and 15 count of what it met:
  * nine doubles each: shape, body, point, normal, depth. */

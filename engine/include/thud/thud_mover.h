@@ -73,8 +73,9 @@ struct thud_mover {
     thud_mover_pass_fn *pass; /* null: nothing is passed through */
     void *context;            /* handed to pass */
 
-    /* Kept from one move to the next: the ground that it stands on, if any, and where that
-     * stood. */
+    /* Kept from one move to the next: the ground that it stands on, if any, and where that stood.
+     * Nothing else is: who takes a world back to a snapshot (thud_snapshot.h) puts back a copy of
+     * the struct made at the same time. */
     bool on_ground;
     thud_vec2 ground_normal;
     thud_shape_id ground_shape;

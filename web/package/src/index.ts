@@ -10,7 +10,7 @@ import { ThudError } from "./error.js";
 
 export { Engine, type WasmSource } from "./engine.js";
 export { type ErrorCode, ThudError } from "./error.js";
-export { Mover } from "./mover.js";
+export { Mover, type MoverState } from "./mover.js";
 export * from "./types.js";
 export { World } from "./world.js";
 

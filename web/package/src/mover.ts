@@ -6,10 +6,25 @@
  *     const { velocity, ground } = mover.move([5, -1], 1 / 60);
  */
 import { ThudError } from "./error.js";
-import type { MoverHit, MoverOptions, MoverReport, Vec2 } from "./types.js";
+import type { BodyId, MoverHit, MoverOptions, MoverReport, ShapeId, Vec2 } from "./types.js";
 import { bodyId, fill, shapeId, solidNumbers, view, type World } from "./world.js";
 
 const HIT = 9;
+
+/** All that a mover keeps from one move to the next, as plain data. */
+export interface MoverState {
+  position: Vec2;
+  /** What it stood on, and where that was; so it rides along. */
+  ground: {
+    normal: Vec2;
+    shape: ShapeId;
+    body: BodyId;
+    point: Vec2;
+    place: Vec2;
+    cosine: number;
+    sine: number;
+  } | null;
+}
 
 export class Mover {
   readonly #world: World;
@@ -79,6 +94,41 @@ export class Mover {
   /** Puts it elsewhere, in the air. */
   place([x, y]: Vec2): void {
     this.#world.engine.exports.api_mover_place(this.address, x, y);
+  }
+
+  /** To be kept with a snapshot of the world, and given back with it. */
+  state(): MoverState {
+    const { engine } = this.#world;
+    engine.exports.api_mover_get_state(this.address);
+    const s = engine.slots;
+    return {
+      position: [s[0], s[1]],
+      ground:
+        s[2] === 0
+          ? null
+          : {
+              normal: [s[3], s[4]],
+              shape: shapeId(s[5], s[6]),
+              body: bodyId(s[7], s[8]),
+              point: [s[9], s[10]],
+              place: [s[11], s[12]],
+              cosine: s[13],
+              sine: s[14],
+            },
+    };
+  }
+
+  restore({ position, ground }: MoverState): void {
+    const { address } = this;
+    const { engine } = this.#world;
+    engine.slots.fill(0, 0, 15);
+    engine.slots.set(position);
+    if (ground) {
+      const { normal, shape, body, point, place, cosine, sine } = ground;
+      const ids = [shape.index + 1, shape.generation, body.index + 1, body.generation];
+      engine.slots.set([1, ...normal, ...ids, ...point, ...place, cosine, sine], 2);
+    }
+    engine.exports.api_mover_set_state(address);
   }
 
   /** In wasm memory; throws after `close`. */

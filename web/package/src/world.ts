@@ -5,6 +5,7 @@
  */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
+import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
 import {
   BODY_KINDS,
   BROADPHASES,
@@ -106,6 +107,22 @@ export class World {
     this.engine.exports.api_world_destroy(this.address);
     this.#address = 0;
     this.#poses = EMPTY;
+  }
+
+  // ---- going back ----
+
+  /** The whole state as bytes: a copy that stays as it is. See thud_snapshot.h for what it holds. */
+  snapshot(): Uint8Array<ArrayBuffer> {
+    return takeSnapshot(this.engine, this.address);
+  }
+
+  /**
+   * Back to a snapshot of this world, or of another with the same options: from there on the same
+   * calls give the same bits and the same handles. Throws, and changes nothing, for bytes that are
+   * damaged, or of another version or kind of world.
+   */
+  restore(snapshot: Uint8Array): void {
+    restoreSnapshot(this.engine, this.address, snapshot);
   }
 
   // ---- time ----
