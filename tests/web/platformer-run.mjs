@@ -77,8 +77,7 @@ export const WAY = {
   ],
   // The crate, to the wall, and from it up.
   crate: [
-    ["right", after(100.2)],
-    ["right", (at) => at.x > 105 && at.vx < 0.1],
+    ["right", after(108.2)],
     ["left", before(106.5)],
     ["right", after(106.8)],
     ["right up", after(108.7)],
@@ -163,24 +162,27 @@ export function hold(scene, keys, steps) {
 }
 
 /** What `at` is above. */
-export function look({ world, state, hidden }) {
-  const { place, velocity, ground } = state.figure;
+export function look(scene, lifts = liftsOf(scene)) {
+  const { place, velocity, ground } = scene.state.figure;
   return {
     x: place[0],
     y: place[1],
     vx: velocity[0],
     vy: velocity[1],
     standing: ground !== null,
-    phase: state.phase,
-    // The figure's own body is hidden.
-    lifts: findLifts(world)
-      .filter(({ body }) => !hidden.includes(body.index))
-      .map(({ body }) => world.bodyState(body)),
+    phase: scene.state.phase,
+    lifts: lifts.map(({ body }) => scene.world.bodyState(body)),
   };
+}
+
+/** Without the figure's own body, which is hidden. */
+function liftsOf({ world, hidden }) {
+  return findLifts(world).filter(({ body }) => !hidden.includes(body.index));
 }
 
 /** Drives a scene by a run; each leg lasts at most 15 s. Returns the keys of every step. */
 export function drive(scene, run) {
+  const lifts = liftsOf(scene);
   const inputs = [];
   run.forEach(([keys, done], leg) => {
     const end = inputs.length + LONGEST_LEG;
@@ -188,7 +190,7 @@ export function drive(scene, run) {
       if (inputs.length === end) throw new Error(`leg ${leg}, "${keys}", does not end`);
       hold(scene, keys, 1);
       inputs.push(keys);
-    } while (!done(look(scene)));
+    } while (!done(look(scene, lifts)));
   });
   return inputs;
 }

@@ -14,8 +14,8 @@ const map = level.readLevel("adventure", readLevelFile("adventure.tmj"));
 const coins = map.bodies.filter(({ material }) => material.category === COIN);
 
 /** The game; with a place, its figure stands there. */
-async function start(place) {
-  const { scene } = await buildScene(engine, "platformer_game");
+async function start(place, choices = {}) {
+  const { scene } = await buildScene(engine, "platformer_game", { choices });
   if (place) {
     // The way a player gets elsewhere at once: home to a checkpoint, out of the state of being hurt.
     Object.assign(scene.state, { home: place, phase: "hurt", hurtFor: 1000 });
@@ -49,6 +49,15 @@ test("scripted_run_takes_every_coin_and_wins_with_all_lives", async () => {
   assert.ok(scene.state.steps > 40 * 60 && scene.state.steps < 90 * 60, `${scene.state.steps}`);
   scene.world.close();
 });
+
+for (const quality of ["draft", "exact"])
+  test(`scripted_run_wins_at_quality_${quality}_too`, async () => {
+    const scene = await start(null, { quality });
+    drive(scene, RUN);
+    assert.equal(figures(scene).Coins, "40 of 40");
+    assert.equal(scene.state.phase, "won");
+    scene.world.close();
+  });
 
 test("same_inputs_give_the_same_hash_and_state", async () => {
   const first = await start();
