@@ -80,7 +80,7 @@ export function makeBody(
   def.motionLocks.angularZ = state.kind === "dynamic" && state.inertia === 0;
   def.enableSleep = options.maySleep ?? true;
   def.isBullet = options.detection === "swept";
-  def.isEnabled = state.enabled;
+  def.isAwake = state.awake || state.kind !== "dynamic";
   const body = box2d.b2CreateBody(world, def);
   def.delete();
   return body;

@@ -3,7 +3,8 @@
  * following it as bodies come and go, ground is dug and kinematic bodies are steered. Everything
  * goes in and out in the thud world's units and by its handles.
  *
- * A step of both: `rival.sync()`, the same deeds to both, `world.step()`, `rival.step()`.
+ * A step of both: the scene's own code, the same deeds to both, `rival.sync()`, `world.step()`,
+ * `rival.step()`.
  */
 import type {
   BodyId,
@@ -126,7 +127,7 @@ export class Rival implements Hands, Twin {
 
   /**
    * Brings over what the thud world gained or lost, ground that was dug, and how its kinematic
-   * bodies move. Before the step of either.
+   * bodies move. Just before the step of either. A body that is switched off is gone meanwhile.
    */
   sync(): void {
     const changes = this.#settings.changes?.();
@@ -252,11 +253,6 @@ export class Rival implements Hands, Twin {
     this.#box2d.b2Body_SetAwake(this.#entry(body).body, awake);
   }
 
-  setEnabled(body: BodyId, enabled: boolean): void {
-    const { b2Body_Enable, b2Body_Disable } = this.#box2d;
-    (enabled ? b2Body_Enable : b2Body_Disable)(this.#entry(body).body);
-  }
-
   setGravity(gravity: Vec2): void {
     this.#gravity = gravity;
     this.#withMetres(gravity, (g) => this.#box2d.b2World_SetGravity(this.#world, g));
@@ -353,7 +349,6 @@ export class Rival implements Hands, Twin {
   /** Box2D is given the velocity of the centre of mass, which shapes determine. */
   finishBody(id: BodyId, state: BodyState): void {
     this.setVelocity(id, state.velocity, state.angularVelocity);
-    if (!state.awake && state.kind === "dynamic") this.setAwake(id, false);
   }
 
   removeShape(body: BodyId, { index }: ShapeId): void {

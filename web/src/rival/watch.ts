@@ -55,7 +55,6 @@ export function watch(world: World, options: WorldOptions): Watched {
   after("applyImpulse", (_, id, ...impulse) => onBody(id, (r) => r.applyImpulse(id, ...impulse)));
   after("applyForce", (_, id, ...force) => onBody(id, (r) => r.applyForce(id, ...force)));
   after("setAwake", (_, id, awake) => onBody(id, (r) => r.setAwake(id, awake)));
-  after("setEnabled", (_, id, enabled) => onBody(id, (r) => r.setEnabled(id, enabled)));
   after("setGravity", (_, gravity) => rival?.setGravity(gravity));
   after("setTimeStep", (_, seconds) => rival?.setTimeStep(seconds));
 
@@ -87,6 +86,7 @@ const CHANGES = [
   "createObb",
   "createTerrain",
   "destroy",
+  "setEnabled",
   "setHeights",
   "dig",
   "raise",
@@ -101,7 +101,6 @@ type Watchable =
   | "applyImpulse"
   | "applyForce"
   | "setAwake"
-  | "setEnabled"
   | "setGravity"
   | "setTimeStep";
 type Then<Name extends Watchable> = (
