@@ -46,6 +46,8 @@ export class View {
   /** What the bodies' colours showed last. */
   #coloured = { sleep: false, classes: false };
   #stale = true;
+  /** What was drawn last, and how; the same is not drawn again. */
+  #drawn: { frame: Frame; how: string } | null = null;
   /** Of the frame before, and how many steps before. */
   #paint: { paint: Paint; steps: number } | null = null;
 
@@ -71,6 +73,7 @@ export class View {
     this.camera.resize(width, height);
     for (const layer of [this.#backdrop, this.#bodies.renderer, this.#overlay])
       layer.resize(width, height, ratio);
+    this.#drawn = null;
   }
 
   /** Keeps what a frame brings only when it changes; `draw` does it too. Every frame must come by
@@ -103,6 +106,10 @@ export class View {
     const { camera } = this;
     const split = frame.rival ? options.split : "none";
     camera.split = split === "side";
+    const { x, y, scale, panes } = camera;
+    const how = JSON.stringify([alpha, options, x, y, scale, panes, [...this.shown]]);
+    if (!this.#stale && this.#drawn?.frame === frame && this.#drawn.how === how) return;
+    this.#drawn = { frame, how };
     this.#colour(split === "none");
     this.#backdrop.draw(camera, this.#theme, this.#shapes?.typicalSize ?? 0);
 
@@ -111,13 +118,13 @@ export class View {
     const { before, now, rival } = frame;
     const poses: Poses = { engine: "thud", before, now, alpha, offset };
     renderer.clear();
-    renderer.draw(poses, camera, camera.panes[0], { kind: "state" });
+    renderer.draw(poses, camera, panes[0], { kind: "state" });
     if (rival && split !== "none") {
       const others: Poses = { ...poses, engine: "box2d", before: rival.before, now: rival.now };
-      if (split === "side") renderer.draw(others, camera, camera.panes[1], { kind: "plain" });
+      if (split === "side") renderer.draw(others, camera, panes[1], { kind: "plain" });
       else {
         const look = { kind: "outline", colour: this.#theme.box2d } as const;
-        renderer.draw(others, camera, camera.panes[0], look);
+        renderer.draw(others, camera, panes[0], look);
       }
     }
 
