@@ -1,5 +1,5 @@
-/* test_snapshot_refused.c: what is no snapshot for this world is refused and told, and whatever goes
- * wrong, the world goes on as if nobody had asked. */
+/* test_snapshot_refused.c: what is no snapshot for this world is refused and told, and whatever
+ * goes wrong, the world goes on as if nobody had asked. */
 #include "snapshot_support.h"
 
 #include "../support/hostile_memory.h"

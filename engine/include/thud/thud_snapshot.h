@@ -1,5 +1,5 @@
-/* thud_snapshot.h: going back in time: a world's whole state as plain bytes. For networked play that
- * predicts and corrects, for rewinding, for saved games. Included by whoever uses it.
+/* thud_snapshot.h: going back in time: a world's whole state as plain bytes. For networked play
+ * that predicts and corrects, for rewinding, for saved games. Included by whoever uses it.
  *
  *     size_t bytes;
  *     thud_world_snapshot_size(world, &bytes);
