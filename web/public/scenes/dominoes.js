@@ -1,5 +1,5 @@
 // Every domino is a twelfth larger than the one that knocks it over: in the end a small ball fells
-// one that is ten times as tall as the first.
+// one that is nine times as tall as the first.
 
 export const size = { means: "dominoes", usual: 30, least: 2, most: 60 };
 

@@ -1,6 +1,6 @@
 // Sand runs through a neck. Every half minute the glass, one kinematic body, is turned over.
 
-export const size = { means: "grains", usual: 3000, least: 1, most: 6000 };
+export const size = { means: "grains", usual: 3000, least: 1, most: 3000 };
 
 const [HALF_WIDTH, HALF_HEIGHT, NECK, THICK] = [7, 11, 0.7, 0.3];
 const RADIUS = 0.08;
@@ -23,12 +23,18 @@ export default function ({ createWorld, random, grid, seed, size }) {
   }
 
   const chance = random(seed + 1);
-  const columns = 76;
-  for (let i = 0; i < size; i++) {
-    const x = ((i % columns) - 0.5 * (columns - 1)) * 0.17 + chance(-0.004, 0.004);
-    const y = HALF_HEIGHT - 0.2 - Math.floor(i / columns) * 0.17;
-    const grain = world.createBody({ kind: "dynamic", position: [grid(x), grid(y)] });
-    world.createCircle(grain, { radius: RADIUS, friction: 0.3 });
+  const spacing = 0.17;
+  let left = size;
+  for (let y = HALF_HEIGHT - 0.2; left > 0; y -= spacing) {
+    // A row as long as the glass is wide there.
+    const inside = Math.min(HALF_WIDTH - 0.2, NECK + y - 0.4);
+    const columns = Math.min(left, Math.floor((2 * inside) / spacing));
+    for (let i = 0; i < columns; i++) {
+      const x = (i - 0.5 * (columns - 1)) * spacing + chance(-0.004, 0.004);
+      const grain = world.createBody({ kind: "dynamic", position: [grid(x), grid(y)] });
+      world.createCircle(grain, { radius: RADIUS, friction: 0.3 });
+    }
+    left -= columns;
   }
 
   return {

@@ -26,9 +26,9 @@ export default function ({ createWorld, random, grid, seed, size }) {
     const x = ((i % 30) - 14.5) * 1.2 + chance(-0.1, 0.1);
     const y = 3.5 + Math.floor(i / 30) * 1.2;
     const body = world.createBody({ kind: "dynamic", position: [grid(x), grid(y)] });
-    const half = chance(0.2, 0.45);
-    if (i % 2 === 0) world.createCircle(body, { radius: half });
-    else world.createObb(body, { halfWidth: half, halfHeight: half });
+    const radius = chance(0.2, 0.45);
+    if (i % 2 === 0) world.createCircle(body, { radius });
+    else world.createObb(body, { halfWidth: radius, halfHeight: radius });
   }
 
   return {
@@ -49,6 +49,6 @@ export default function ({ createWorld, random, grid, seed, size }) {
 
 // From -1.5 to 1.5, in parabolas, which look like a sine: Math.sin may differ between browsers.
 function wave(piston, step) {
-  const t = (step / PERIOD + 1 - (WAVES * piston) / PISTONS + WAVES) % 1;
+  const t = (step / PERIOD + WAVES * (1 - piston / PISTONS)) % 1;
   return t < 0.5 ? 24 * t * (0.5 - t) : -24 * (t - 0.5) * (1 - t);
 }
