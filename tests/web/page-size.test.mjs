@@ -1,0 +1,39 @@
+/** What a first visit loads before it shows a running scene is small. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { gzipSync } from "node:zlib";
+import { launchChromium } from "../../web/tools/browser.mjs";
+import { createStaticServer } from "../../web/tools/static-server.mjs";
+import { copyOfPage, serve } from "./built-page.mjs";
+import { untilRunning } from "./page-support.mjs";
+
+/** Kilobytes of 1000 bytes, gzipped, without Box2D. */
+const BOUND = 150;
+
+test(`first_picture_loads_less_than_${BOUND}_kB`, async (t) => {
+  const folder = copyOfPage(t);
+  const { url } = await serve(t, createStaticServer(folder));
+  const browser = await launchChromium({ webgl: false });
+  t.after(() => browser.close());
+  const context = await browser.newContext();
+  // What is kept for later visits is fetched after the first picture, and is no part of it.
+  await context.addInitScript(() => delete Navigator.prototype.serviceWorker);
+  const page = await context.newPage();
+  const paths = new Set();
+  context.on("request", (request) => paths.add(new URL(request.url()).pathname));
+  await page.goto(url);
+  await untilRunning(page);
+  const sizes = [...paths].map((path) => {
+    const file = path === "/" ? "/index.html" : path;
+    return { file, size: gzipSync(readFileSync(join(folder, file)), { level: 9 }).length };
+  });
+  sizes.sort((a, b) => b.size - a.size);
+  const sum = sizes.reduce((total, { size }) => total + size, 0);
+  const row = (name, bytes) => `${(bytes / 1000).toFixed(1).padStart(7)} kB  ${name}`;
+  const table = [...sizes.map(({ file, size }) => row(file, size)), row("in all", sum)].join("\n");
+  console.log(`first load, gzipped:\n${table}`);
+  assert.ok(sizes.some(({ file }) => file.endsWith(".wasm")), "the engine is among it");
+  assert.ok(sum < BOUND * 1000, table);
+});
