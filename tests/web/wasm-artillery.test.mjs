@@ -51,7 +51,7 @@ function tankPlace({ scene, world }, i) {
 
 /** The ground, which is alone at the edge of the field. */
 function groundOf(world) {
-  return world.castRay([-39.5, 1000], [0, -2000]).shape;
+  return world.castRay([-59.5, 1000], [0, -2000]).shape;
 }
 
 /** Fires and gives the places of the shell until it lands; the last is where. */
@@ -214,10 +214,13 @@ for (const seed of [0, 1, 2, 3, 4, 5, 6, 7])
   });
 
 test("restart_after_the_end_brings_ground_tanks_and_health_back", async () => {
-  const game = await openAiming();
+  const game = await open();
   const { scene, world } = game;
+  game.run(2);
+  const start = [0, 1].map((i) => tankPlace(game, i));
   const ground = world.terrain(groundOf(world));
-  const start = tankPlace(game, 0);
+  game.run(120);
+  game.press("right");
   for (let i = 0; i < 8 && scene.state.phase !== "over"; i++) {
     if (scene.state.turn === 0) scene.state.wind = 0;
     scene.state.tanks[scene.state.turn].angle = scene.state.turn === 0 ? 90 : 50;
@@ -228,11 +231,13 @@ test("restart_after_the_end_brings_ground_tanks_and_health_back", async () => {
   assert.match(scene.state.message, /^Right wins/);
   assert.notDeepEqual(world.terrain(groundOf(world)), ground);
   game.press("restart");
-  game.run(120);
   assert.equal(scene.state.phase, "choose");
   assert.deepEqual(scene.state.tanks.map(({ health }) => health), [100, 100]);
   assert.deepEqual(world.terrain(groundOf(world)), ground);
-  assert.ok(Math.hypot(...tankPlace(game, 0).map((x, i) => x - start[i])) < 0.05);
+  start.forEach(([x, y], i) => {
+    const [newX, newY] = tankPlace(game, i);
+    assert.ok(Math.hypot(newX - x, newY - y) < 0.001, `tank ${i} is at ${newX}, ${newY}`);
+  });
   game.world.close();
 });
 

@@ -24,9 +24,11 @@ export default async function ({ createWorld, readText, random, seed }) {
   const shell = buildShell(world);
   const loose = buildLoose(world, ground, random(seed + 2));
 
+  const middle = Math.max(...stretch.sites.map((site) => site.y)) + 4;
   const scene = {
     world,
-    view: { x: 0, y: Math.max(...stretch.sites.map((site) => site.y)) + 4, height: 27, width: 46 },
+    view: { x: 0, y: middle, height: 27, width: 46 },
+    spawn: [0, middle + 8],
     keys: ["left", "right", "up", "down", "fire", "restart"],
     pointer: true,
     hidden: [shell.index, ...tanks.map(({ body }) => body.index)],
@@ -166,8 +168,8 @@ export default async function ({ createWorld, readText, random, seed }) {
     game.effects.push({ kind: "ring", x, y, radius: BLAST, age: 0, life: 32 });
     const hurt = explode(world, ground, tanks, place).map(Math.round);
     hurt.forEach((points, i) => hurtTank(game, i, points));
-    const losses = hurt.map((points, i) => (points > 0 ? `${nameOf(game, i)}: −${points}.` : ""));
-    game.message = hurt.some((points) => points > 0) ? `Hit. ${losses.join(" ").trim()}` : "A miss.";
+    const losses = hurt.map((lost, i) => (lost > 0 ? ` ${nameOf(game, i)}: −${lost}.` : ""));
+    game.message = hurt.some((lost) => lost > 0) ? `Hit.${losses.join("")}` : "A miss.";
   }
 
   function hurtTank(game, i, points) {

@@ -5,7 +5,7 @@ const RISE = 1.5 / 74.4; // metres up for one there; along, samples 74.4 m apart
 const FINER = 4; // vertices from one sample to the next, so that craters are round
 
 /** Half the width of the field, in metres. */
-export const REACH = 40;
+export const REACH = 60;
 
 /** One of the stretches that play well: the first for `share` 0, the last for almost 1. */
 export async function chooseGround(readText, share) {

@@ -34,7 +34,7 @@ function follow(world, view, shell, game) {
   const ring = game.effects.find(({ kind }) => kind === "ring");
   const place = game.phase === "fly" ? world.bodyState(shell).position : ring && [ring.x, ring.y];
   if (!place) return [view.x, view.y];
-  const out = Math.max(0, Math.abs(place[0] - view.x) - 0.4 * view.width);
+  const out = Math.max(0, Math.min(20, Math.abs(place[0] - view.x) - 0.4 * view.width));
   const x = view.x + out * Math.sign(place[0] - view.x);
   return [x, Math.max(view.y, place[1] - 0.35 * view.height)];
 }

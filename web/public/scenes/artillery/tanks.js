@@ -38,7 +38,7 @@ export function buildLoose(world, ground, chance) {
     for (let i = 0; i < 3; i++) add(x, 0.55 + 1.02 * i, 0.5, 0.5);
   }
   for (let i = 0; i < 12; i++) {
-    const x = chance(-REACH + 14, REACH - 14);
+    const x = chance(-26, 26);
     const isNearTank = Math.abs(Math.abs(x) - 16.5) < 5;
     if (!isNearTank) add(x, 4 + (i % 3), chance(0.25, 0.5), chance(0.2, 0.4));
   }
