@@ -164,6 +164,37 @@ test("what_scene_code_does_to_a_body_is_done_to_the_rival_once", () => {
   });
 });
 
+test("settings_changed_before_or_beside_the_rival_hold_for_it", () => {
+  const build = (world) => {
+    world.setGravity([0, -6]);
+    world.setTimeStep(0.02);
+    world.setSleeping(false);
+    return addBall(world, [0, 0]);
+  };
+  withRival({}, build, (world, rival, ball, known) => {
+    step(world, rival, 1);
+    near(rival.bodyState(ball).velocity[1], -0.12, 1e-6);
+    known.forwardTo(rival);
+    world.setTimeStep(0.01);
+    world.setGravity([0, 0]);
+    world.setVelocity(ball, [0, 0]);
+    step(world, rival, 200);
+    assert.ok(rival.poses()[4 * ball.index + 1] > -0.1);
+    world.setVelocity(ball, [0, 3]);
+    step(world, rival, 1);
+    near(heightOf(rival, ball) - rival.poses(0)[4 * ball.index + 1], 0.03, 1e-6);
+    // So slow that it falls asleep where it may, and stops.
+    const drift = (sleeping) => {
+      world.setSleeping(sleeping);
+      world.setVelocity(ball, [0.01, 0]);
+      step(world, rival, 100);
+      return rival.bodyState(ball).velocity[0];
+    };
+    near(drift(false), 0.01, 1e-6);
+    assert.equal(drift(true), 0);
+  });
+});
+
 test("worlds_of_a_watched_engine_are_known_with_their_bodies", async () => {
   const watched = await thud.load(demoWasm);
   const before = watched.createWorld();

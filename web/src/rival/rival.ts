@@ -33,7 +33,7 @@ import { Ruler } from "./ruler";
 
 /** What a thud world does not tell of itself; watch.ts collects it. */
 export interface Known {
-  /** What it was made with. */
+  /** What it was made with, or has been set to since. */
   options: WorldOptions;
   /** What its bodies were made with: their damping, sleep and detection count. */
   bodyOptions(body: BodyId): BodyOptions | undefined;
@@ -260,6 +260,10 @@ export class Rival implements Hands, Twin {
 
   setTimeStep(seconds: number): void {
     this.#timeStep = seconds;
+  }
+
+  setSleeping(sleeping: boolean): void {
+    this.#box2d.b2World_EnableSleeping(this.#world, sleeping);
   }
 
   #withMetres([x, y]: Vec2, use: (vector: b2Vec2) => void): void {

@@ -29,7 +29,8 @@ export function watchWorlds(engine: Engine): (world: World) => Watched | undefin
 }
 
 /** Of a new world. */
-export function watch(world: World, options: WorldOptions): Watched {
+export function watch(world: World, made: WorldOptions): Watched {
+  const options = { ...made };
   const bodies = new Map<number, { body: BodyId; options: BodyOptions }>();
   let changes = 0;
   let rival: Rival | null = null;
@@ -55,8 +56,18 @@ export function watch(world: World, options: WorldOptions): Watched {
   after("applyImpulse", (_, id, ...impulse) => onBody(id, (r) => r.applyImpulse(id, ...impulse)));
   after("applyForce", (_, id, ...force) => onBody(id, (r) => r.applyForce(id, ...force)));
   after("setAwake", (_, id, awake) => onBody(id, (r) => r.setAwake(id, awake)));
-  after("setGravity", (_, gravity) => rival?.setGravity(gravity));
-  after("setTimeStep", (_, seconds) => rival?.setTimeStep(seconds));
+  after("setGravity", (_, gravity) => {
+    options.gravity = gravity;
+    rival?.setGravity(gravity);
+  });
+  after("setTimeStep", (_, seconds) => {
+    options.timeStep = seconds;
+    rival?.setTimeStep(seconds);
+  });
+  after("setSleeping", (_, sleeping) => {
+    options.sleeping = sleeping;
+    rival?.setSleeping(sleeping);
+  });
 
   return {
     options,
@@ -102,7 +113,8 @@ type Watchable =
   | "applyForce"
   | "setAwake"
   | "setGravity"
-  | "setTimeStep";
+  | "setTimeStep"
+  | "setSleeping";
 type Then<Name extends Watchable> = (
   result: ReturnType<World[Name]>,
   ...args: Parameters<World[Name]>
