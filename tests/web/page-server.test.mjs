@@ -1,9 +1,13 @@
 /** The static server: types, nothing outside its folder, and the next port when one is taken. */
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { request } from "node:http";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { brotliDecompressSync, gunzipSync } from "node:zlib";
 import { listenFrom } from "../../web/tools/serve.mjs";
 import { createStaticServer } from "../../web/tools/static-server.mjs";
 
@@ -11,11 +15,12 @@ const script = fileURLToPath(new URL("../../web/tools/serve.mjs", import.meta.ur
 const folder = fileURLToPath(new URL("../../web/dist", import.meta.url));
 
 /** Without the tidying of paths that fetch does. */
-function get(port, path, method = "GET") {
+function get(port, path, method = "GET", headers = {}) {
   return new Promise((done, fail) => {
-    request({ port, path, method, host: "127.0.0.1" }, (response) => {
-      response.resume();
-      response.on("end", () => done(response));
+    request({ port, path, method, headers, host: "127.0.0.1" }, (response) => {
+      const chunks = [];
+      response.on("data", (chunk) => chunks.push(chunk));
+      response.on("end", () => done(Object.assign(response, { body: Buffer.concat(chunks) })));
     })
       .on("error", fail)
       .end();
@@ -35,6 +40,43 @@ test("server_sends_files_with_their_types_and_refuses_the_rest", async (t) => {
   for (const path of ["/../package.json", "/%2e%2e/package.json", "/..%2fpackage.json", "/no-such", "/%", "/%00"])
     assert.equal((await get(port, path)).statusCode, 404, path);
   assert.equal((await get(port, "/", "POST")).statusCode, 405);
+});
+
+test("server_compresses_when_asked_and_sends_nothing_that_is_known", async (t) => {
+  const server = createStaticServer(folder);
+  t.after(() => {
+    server.closeAllConnections();
+    server.close();
+  });
+  const port = await listenFrom(server, 0);
+  const plain = await get(port, "/");
+  assert.equal(plain.headers["content-encoding"], undefined);
+  for (const [encoding, decode] of [["br", brotliDecompressSync], ["gzip", gunzipSync]]) {
+    const packed = await get(port, "/", "GET", { "Accept-Encoding": encoding });
+    assert.equal(packed.headers["content-encoding"], encoding);
+    assert.ok(packed.body.length < plain.body.length / 2);
+    assert.deepEqual(decode(packed.body), plain.body);
+  }
+  const again = await get(port, "/", "GET", { "If-None-Match": plain.headers.etag });
+  assert.deepEqual([again.statusCode, again.body.length], [304, 0]);
+  const head = await get(port, "/", "HEAD");
+  assert.equal(Number(head.headers["content-length"]), plain.body.length);
+});
+
+test("changed_file_is_sent_anew", async (t) => {
+  const copy = mkdtempSync(join(tmpdir(), "thud-server-"));
+  t.after(() => rmSync(copy, { recursive: true }));
+  writeFileSync(join(copy, "a.js"), "1");
+  const server = createStaticServer(copy);
+  t.after(() => {
+    server.closeAllConnections();
+    server.close();
+  });
+  const port = await listenFrom(server, 0);
+  const first = await get(port, "/a.js");
+  writeFileSync(join(copy, "a.js"), "22");
+  const second = await get(port, "/a.js", "GET", { "If-None-Match": first.headers.etag });
+  assert.deepEqual([second.statusCode, second.body.toString()], [200, "22"]);
 });
 
 test("taken_port_is_said_and_the_next_one_tried", async (t) => {
