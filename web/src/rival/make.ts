@@ -8,8 +8,8 @@
  * - Terrain is a chain: one-sided, solid to the left of its direction of travel, so its points go
  *   from right to left. A chain's first and last edge do not collide, so that each end gets a ghost
  *   point that continues the last edge.
- * - A body that is to be swept is a bullet, which Box2D stops at moving bodies too, but not at other
- *   bullets: a world that sweeps everything has none, or nothing would be stopped at anything.
+ * - A body that is to be swept is a bullet, which Box2D stops at moving bodies too, but not at
+ *   other bullets: a world that sweeps all has none, or they would pass through each other.
  * - Friction mixes as the square root of the product and restitution as the larger in both engines.
  */
 import type { BodyOptions, BodyState, ShapeState, Terrain, Vec2, WorldOptions } from "thud";
