@@ -4,6 +4,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { transformWithEsbuild } from "../../web/node_modules/vite/dist/node/index.js";
 import { launchChromium } from "../../web/tools/browser.mjs";
 import { writeServiceWorker } from "../../web/tools/offline-plugin.mjs";
 import { listenFrom } from "../../web/tools/serve.mjs";
@@ -162,6 +163,40 @@ test("code_in_a_worker_of_a_plain_host_is_confined_by_the_service_worker", async
   assert.deepEqual(reached, FREE);
   assert.deepEqual(seen, []);
 });
+
+/** What isConfined says of the probe on a first visit to a host. */
+async function confinedOn(t, create, prepare = async () => {}) {
+  const folder = copyOfPage(t);
+  const source = new URL("../../web/src/offline/confine.ts", import.meta.url).pathname;
+  const { code } = await transformWithEsbuild(readFileSync(source, "utf8"), source);
+  writeFileSync(join(folder, "confine.js"), code);
+  writeFileSync(join(folder, "probe.js"), PROBE);
+  await writeServiceWorker(folder);
+  const { url } = await serve(t, create(folder));
+  const { page } = await openWatched(t);
+  await prepare(page);
+  await page.goto(url);
+  return page.evaluate(async (base) => {
+    const { isConfined } = await import(`${base}confine.js`);
+    return isConfined(`${base}probe.js`, 20_000);
+  }, url);
+}
+
+test("is_confined_is_true_at_once_where_the_host_sends_the_policy", async (t) => {
+  assert.equal(await confinedOn(t, createStaticServer, withoutServiceWorker), true);
+});
+
+test("is_confined_waits_for_the_service_worker_on_a_plain_host", async (t) => {
+  assert.equal(await confinedOn(t, createPlainServer), true);
+});
+
+test("is_confined_is_false_on_a_plain_host_without_service_workers", async (t) => {
+  assert.equal(await confinedOn(t, createPlainServer, withoutServiceWorker), false);
+});
+
+function withoutServiceWorker(page) {
+  return page.addInitScript(() => delete Navigator.prototype.serviceWorker);
+}
 
 test("index_allows_workers_and_manifest_from_its_host_alone", () => {
   const index = readFileSync(new URL("../../web/dist/index.html", import.meta.url), "utf8");
