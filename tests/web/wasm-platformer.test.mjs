@@ -17,7 +17,7 @@ const coins = map.bodies.filter(({ material }) => material.category === COIN);
 async function start(place, choices = {}) {
   const { scene } = await buildScene(engine, "platformer_game", { choices });
   if (place) {
-    // The way a player gets elsewhere at once: home to a checkpoint, out of the state of being hurt.
+    // As a player gets elsewhere at once: hurt, and back to a checkpoint.
     Object.assign(scene.state, { home: place, phase: "hurt", hurtFor: 1000 });
     hold(scene, "", 1);
   }
@@ -65,10 +65,30 @@ test("same_inputs_give_the_same_hash_and_state", async () => {
   const second = await start();
   for (const keys of inputs) hold(second, keys, 1);
   assert.equal(second.world.hash(), first.world.hash());
-  assert.deepEqual(second.state, first.state);
+  // Handles, which the mover's memory has, differ between worlds.
+  const played = ({ state }) => ({ ...state, figure: { ...state.figure, mover: null } });
+  assert.deepEqual(played(second), played(first));
   assert.ok(first.state.taken.length > 20, "it gets somewhere");
   first.world.close();
   second.world.close();
+});
+
+test("state_restored_in_mid_run_leads_to_the_same_end", async () => {
+  const scene = await start();
+  const here = RUN.indexOf(WAY.liftUp[0]);
+  drive(scene, RUN.slice(0, here));
+  assert.ok(look(scene).lifts[1].velocity[1] > 0 && look(scene).standing, "it rides a lift");
+  const bytes = scene.world.snapshot();
+  const state = structuredClone(scene.state);
+  const inputs = drive(scene, RUN.slice(here));
+  const end = { hash: scene.world.hash(), state: structuredClone(scene.state) };
+  assert.equal(end.state.phase, "won");
+  scene.world.restore(bytes);
+  scene.state = state;
+  scene.restored();
+  for (const keys of inputs) hold(scene, keys, 1);
+  assert.deepEqual({ hash: scene.world.hash(), state: scene.state }, end);
+  scene.world.close();
 });
 
 test("spikes_cost_a_life_and_lead_back_to_the_checkpoint_with_the_coins_kept", async () => {
@@ -119,9 +139,9 @@ test("one_way_plank_passes_from_below_holds_from_above_and_drops_with_down", asy
   hold(scene, "", 10);
   hold(scene, "up", 60);
   const top = 6.4 + 0.15;
-  assert.ok(Math.abs(look(scene).y - FEET - top) < 0.05, `it stands on the plank: ${look(scene).y}`);
+  assert.ok(Math.abs(look(scene).y - FEET - top) < 0.05, `on the plank: ${look(scene).y}`);
   hold(scene, "down", 60);
-  assert.ok(Math.abs(look(scene).y - FEET - 4) < 0.05, `it is on the ground: ${look(scene).y}`);
+  assert.ok(Math.abs(look(scene).y - FEET - 4) < 0.05, `on the ground: ${look(scene).y}`);
   scene.world.close();
 });
 
@@ -173,6 +193,7 @@ test("picture_has_a_circle_for_every_coin_left_and_follows_the_figure", async ()
   assert.equal(marks.filter(({ kind }) => kind === "figure").length, 1);
   const { rows, count } = scene.world.shapeTable();
   const sensors = Array.from({ length: count }, (_, i) => i).filter((i) => rows[10 * i + 3] !== 0);
-  for (const i of sensors) assert.ok(scene.hidden.includes(rows[10 * i]), "painted, not drawn twice");
+  for (const i of sensors)
+    assert.ok(scene.hidden.includes(rows[10 * i]), "painted, so not drawn as a body");
   scene.world.close();
 });

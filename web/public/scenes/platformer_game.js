@@ -16,6 +16,7 @@ const LIVES = 3;
 const STEPS_PER_SECOND = 60;
 const HURT_STEPS = 40; // until the figure is back at its checkpoint
 const MARGIN = 0.1; // metres: a touch of the figure's rim does not count
+const LEFTMOST = 6; // for the view's middle: little is to be seen beyond the wall there
 
 const HINTS = [
   [4, 7.6, "Hold up for a longer jump"],
@@ -46,7 +47,7 @@ export default async function (setting) {
 
   const scene = {
     world,
-    view: { x: level.spawn[0], y: level.spawn[1] + 3, height: 16, width: 12 },
+    view: { x: LEFTMOST, y: level.spawn[1] + 1.5, height: 16, width: 12 },
     spawn: level.spawn,
     keys: ["left", "right", "up", "down", "restart"],
     hidden: [figure.body.index, ...sensors.map(({ body }) => body.index)],
@@ -68,7 +69,7 @@ export default async function (setting) {
       const { state } = scene;
       const [x, y] = state.figure.place;
       return {
-        follow: [Math.max(x, 6), y + 1.5], // little beyond the wall where it begins
+        follow: [Math.max(x, LEFTMOST), y + 1.5],
         marks: [
           ...[...planks, ...sensors].flatMap((thing) => picture(state, thing)),
           ...hints(),

@@ -61,6 +61,7 @@ export class Figure {
       jumpWasHeld: false,
       sinceGround: 1, // seconds
       sinceJumpKey: 1,
+      mover: this.#mover.state(),
     };
   }
 
@@ -72,6 +73,7 @@ export class Figure {
     state.place = report.position;
     state.velocity = report.velocity;
     state.ground = report.ground && report.ground.velocity;
+    state.mover = this.#mover.state();
   }
 
   // Its body stays where it is.
@@ -81,14 +83,15 @@ export class Figure {
 
   // After `state` has become an earlier one.
   restore(state) {
-    this.#mover.place(state.place);
+    this.#mover.restore(state.mover);
   }
 
   // How it is drawn after the step: what carries it has moved on since it moved itself.
   mark({ place: [x, y], facing, ground }, ink = "player") {
     const [vx, vy] = ground ?? [0, 0];
     const { halfWidth, halfHeight } = this;
-    return { kind: "figure", x: x + vx * STEP, y: y + vy * STEP, halfWidth, halfHeight, facing, ink };
+    const [seenX, seenY] = [x + vx * STEP, y + vy * STEP];
+    return { kind: "figure", x: seenX, y: seenY, halfWidth, halfHeight, facing, ink };
   }
 
   #steer(state, { left = false, right = false }) {
