@@ -67,6 +67,9 @@ static inline uint64_t digest_of(thud_world *world)
     MIX(error.penetration_mean);
     MIX(error.residual);
     MIX(error.energy_change);
+    double limit;
+    OK(thud_world_bisection_limit(world, &limit));
+    MIX(limit);
     thud_stats s = thud_world_stats(world);
     const uint64_t counts[] = {
         s.steps,       (uint64_t)s.bodies,       (uint64_t)s.shapes,     (uint64_t)s.awake_bodies,

@@ -174,6 +174,40 @@ static void sleeping_island_restored_sleeps_and_wakes_as_before(void **state)
     free(snapshot.bytes);
 }
 
+/* From each step on a few more, in worlds that were elsewhere a moment ago. */
+static void every_step_on_the_way_to_sleep_is_restored(void **state)
+{
+    (void)state;
+    enum { STEPS = 500, MORE = 3 };
+    yard y = make_yard(NULL);
+    thud_world *others[] = {wild_world(thud_default_world_def(), 30),
+                            make_world(thud_default_world_def())};
+    saved kept[STEPS];
+    uint64_t digests[STEPS + MORE];
+    for (int i = 0; i < STEPS + MORE; i++) {
+        if (i < STEPS) {
+            kept[i] = save(y.world);
+        }
+        run(y.world, 1);
+        digests[i] = digest_of(y.world);
+    }
+    assert_true(thud_world_stats(y.world).awake_bodies < 7); /* of 14 */
+    for (int i = 0; i < 2 * STEPS; i++) {
+        int from = i * 37 % STEPS;
+        back_to(others[i % 2], kept[from]);
+        for (int k = 0; k < MORE; k++) {
+            run(others[i % 2], 1);
+            assert_int_equal(digest_of(others[i % 2]), digests[from + k]);
+        }
+    }
+    for (int i = 0; i < STEPS; i++) {
+        free(kept[i].bytes);
+    }
+    thud_world_destroy(others[0]);
+    thud_world_destroy(others[1]);
+    thud_world_destroy(y.world);
+}
+
 /* One edit of each kind. */
 static void edit(const yard *y)
 {
@@ -206,6 +240,20 @@ static void edits_that_wait_for_the_step_are_restored(void **state)
     thud_world_destroy(y.world);
     free(fresh.bytes);
     free(edited.bytes);
+}
+
+static void velocity_set_just_before_is_no_gain_of_energy(void **state)
+{
+    (void)state;
+    yard y = make_yard(NULL);
+    run(y.world, 30);
+    OK(thud_body_set_velocity(y.world, y.heap[11], (thud_vec2){50, 0}, 0));
+    saved snapshot = save(y.world);
+    trail first = walk(y.world, 20);
+    back_to(y.world, snapshot);
+    walks_again(y.world, &first, "hurried");
+    thud_world_destroy(y.world);
+    free(snapshot.bytes);
 }
 
 static void settings_with_a_setter_are_restored(void **state)
@@ -334,7 +382,9 @@ int main(void)
         cmocka_unit_test(unlike_worlds_restored_from_each_other_go_the_same_ways),
         cmocka_unit_test(every_setting_restored_goes_the_same_way),
         cmocka_unit_test(sleeping_island_restored_sleeps_and_wakes_as_before),
+        cmocka_unit_test(every_step_on_the_way_to_sleep_is_restored),
         cmocka_unit_test(edits_that_wait_for_the_step_are_restored),
+        cmocka_unit_test(velocity_set_just_before_is_no_gain_of_energy),
         cmocka_unit_test(settings_with_a_setter_are_restored),
         cmocka_unit_test(handles_are_those_of_the_snapshot),
         cmocka_unit_test(lines_that_came_went_or_grew_are_restored),
