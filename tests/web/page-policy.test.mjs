@@ -99,7 +99,10 @@ const tries = {
     socket.onopen = done;
     socket.onerror = () => fail(new Error("refused"));
   }),
-  compile: () => import(URL.createObjectURL(new Blob(["export default 1"], { type: "text/javascript" }))),
+  compile: () => {
+    const code = new Blob(["export default 1"], { type: "text/javascript" });
+    return import(URL.createObjectURL(code));
+  },
   assemble: () => WebAssembly.compile(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0])),
   home: () => fetch("icon.svg"),
 };

@@ -13,7 +13,7 @@ function listOf(url) {
   if (url === "sw.js" || url.endsWith(".map")) return null;
   if (/^assets\/thud-[\w-]{8}\.wasm$/.test(url)) return "simd";
   if (/^assets\/thud-scalar-[\w-]{8}\.wasm$/.test(url)) return "scalar";
-  // Box2D is four times the rest, and a page of its own to most visitors.
+  // Box2D is larger than all else that runs, and many visits never ask for it.
   return /^assets\/box2d/i.test(url) ? "later" : "files";
 }
 
