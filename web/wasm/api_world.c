@@ -49,7 +49,7 @@ static const thud_broadphase *api_broadphase(double number) {
 /* Slots: 0, 1 gravity  2 time step  3 length scale  4 quality  5 substeps  6 contact stiffness
  * 7 contact damping  8 push speed  9 restitution threshold  10 hit speed  11 maximum speed
  * 12 sleeping  13 detection  14 contact events  15 stages are timed  16 broadphase
- * 17 time budget. */
+ * 17 time budget  18 maximum error. */
 void api_world_defaults(void) {
     thud_world_def def = thud_default_world_def();
     double *s = api_slots;
@@ -71,6 +71,7 @@ void api_world_defaults(void) {
     s[15] = 0.0;
     s[16] = 0.0; /* grid */
     s[17] = def.time_budget;
+    s[18] = def.max_error;
 }
 
 thud_world_def api_world_def(void) {
@@ -93,6 +94,7 @@ thud_world_def api_world_def(void) {
     def.clock = s[15] != 0.0 || s[17] != 0.0 ? read_clock : NULL;
     def.broadphase = api_broadphase(s[16]);
     def.time_budget = s[17];
+    def.max_error = s[18];
     def.log = keep_message;
     return def;
 }
@@ -132,8 +134,18 @@ int api_world_set_time_step(thud_world *world, double time_step) {
     return thud_world_set_time_step(world, time_step);
 }
 
-int api_world_set_quality(thud_world *world, double quality) {
-    return thud_world_set_quality(world, api_quality(quality));
+/* Substeps 0: the quality's own. */
+int api_world_set_quality(thud_world *world, double number, double substeps) {
+    const thud_quality *quality = api_quality(number);
+    if (quality == NULL || substeps == 0.0)
+        return thud_world_set_quality(world, quality);
+    thud_quality changed = *quality;
+    changed.substeps = api_to_int(substeps);
+    return thud_world_set_quality(world, &changed);
+}
+
+int api_world_set_max_error(thud_world *world, double max_error) {
+    return thud_world_set_max_error(world, max_error);
 }
 
 int api_world_set_sleeping(thud_world *world, int sleeping) {

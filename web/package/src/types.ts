@@ -78,6 +78,11 @@ export interface WorldOptions {
    * time: the clock then decides what happens, and runs differ. Default 0, none.
    */
   timeBudget?: number;
+  /**
+   * A length: islands in which something overlaps by more are solved directly, from the next step on
+   * and for as long as they do. Default 0, none.
+   */
+  maxError?: number;
 }
 
 export interface BodyOptions {

@@ -54,6 +54,8 @@ export class World {
   #address: number;
   #poses = EMPTY;
   readonly #reach: number;
+  #shapesRevision = 0;
+  #terrainsRevision = 0;
 
   /**
    * Made by `Engine.createWorld`. An address adopts a world that other code in the module made; of
@@ -93,6 +95,7 @@ export class World {
       options.timed,
       options.broadphase && indexOf(BROADPHASES, options.broadphase, "broadphase"),
       options.timeBudget,
+      options.maxError,
     ]);
   }
 
@@ -123,6 +126,16 @@ export class World {
    */
   restore(snapshot: Uint8Array): void {
     restoreSnapshot(this.engine, this.address, snapshot);
+    this.#shapesRevision++;
+    this.#terrainsRevision++;
+  }
+
+  /**
+   * Two numbers that rise when bodies or shapes came, went or were enabled or disabled, and when the
+   * ground changed: whoever draws reads the shape table and the terrains anew then.
+   */
+  get revision(): { readonly shapes: number; readonly terrains: number } {
+    return { shapes: this.#shapesRevision, terrains: this.#terrainsRevision };
   }
 
   // ---- time ----
@@ -152,9 +165,15 @@ export class World {
     this.engine.check(this.engine.exports.api_world_set_time_step(this.address, seconds));
   }
 
-  setQuality(quality: Quality): void {
+  /** For experts, with another number of substeps, 1 to 64; 0 takes the quality's. */
+  setQuality(quality: Quality, substeps = 0): void {
     const index = indexOf(QUALITIES, quality, "quality");
-    this.engine.check(this.engine.exports.api_world_set_quality(this.address, index));
+    this.engine.check(this.engine.exports.api_world_set_quality(this.address, index, substeps));
+  }
+
+  /** See WorldOptions.maxError. */
+  setMaxError(maxError: number): void {
+    this.engine.check(this.engine.exports.api_world_set_max_error(this.address, maxError));
   }
 
   setSleeping(sleeping: boolean): void {
@@ -183,6 +202,7 @@ export class World {
       detectionIndex(options.detection),
     ]);
     engine.check(engine.exports.api_body_create(this.address));
+    this.#shapesRevision++;
     return bodyId(engine.slots[0], engine.slots[1]);
   }
 
@@ -191,6 +211,7 @@ export class World {
     const { exports } = this.engine;
     const destroy = id.kind === "body" ? exports.api_body_destroy : exports.api_shape_destroy;
     this.engine.check(destroy(this.address, id.index + 1, id.generation));
+    this.#shapesRevision++;
   }
 
   isValid(id: BodyId | ShapeId): boolean {
@@ -247,6 +268,7 @@ export class World {
    */
   setEnabled(body: BodyId, enabled: boolean): void {
     this.#onBody("api_body_set_enabled", body, Number(enabled));
+    this.#shapesRevision++;
   }
 
   setUserData(body: BodyId, data: number): void {
@@ -351,6 +373,7 @@ export class World {
       (doubles) => doubles.set(heights),
       (address) => this.#onShape("api_shape_set_heights", shape, first, address, heights.length),
     );
+    this.#terrainsRevision++;
   }
 
   /**
@@ -359,11 +382,13 @@ export class World {
    */
   dig(shape: ShapeId, center: Vec2, radius: number): void {
     this.#onShape("api_shape_dig", shape, center[0], center[1], radius);
+    this.#terrainsRevision++;
   }
 
   /** Raises a smooth mound about x; a negative height makes a hollow. Otherwise as `dig`. */
   raise(shape: ShapeId, x: number, radius: number, height: number): void {
     this.#onShape("api_shape_raise", shape, x, radius, height);
+    this.#terrainsRevision++;
   }
 
   /**
@@ -378,6 +403,7 @@ export class World {
     this.engine.withDoubles(2 * length, fill, (address) =>
       this.#onShape("api_shape_replace_range", shape, x0, x1, address, length),
     );
+    this.#terrainsRevision++;
   }
 
   /** The ground of a terrain at x, a place in the world; throws beyond its ends. */
@@ -666,6 +692,7 @@ export class World {
       options.surfaceSpeed,
     ]);
     this.#onBody(name, body, ...args);
+    this.#shapesRevision++;
     return shapeId(engine.slots[0], engine.slots[1]);
   }
 

@@ -31,19 +31,23 @@ export interface Frame {
   paint: Paint | null;
   stats: Stats;
   error: StepError;
-  /** Energy, kinetic and potential; only every few steps. */
-  energy?: readonly [number, number];
-  /** The other engine's state of the same moment, while there is one. */
-  rival?: RivalFrame;
+  /** Of the steps made since the last frame. */
+  samples: Sample[];
+  /** Steps that the visitor can go back to. */
+  history: { first: number; last: number };
+  /** The other engine's bodies at the same moment, while there is one; laid out alike. */
+  rival?: { before: Float32Array; now: Float32Array };
 }
 
-export interface RivalFrame {
-  before: Float32Array;
-  now: Float32Array;
-  /** Of the step, ms. */
+/** What a step took and got wrong, for plots. */
+export interface Sample {
+  step: number;
+  /** Of the step, from a clock that may be as coarse as 0.1 ms. */
   milliseconds: number;
   penetration: number;
-  energy?: readonly [number, number];
+  /** Kinetic and potential, while somebody asked for energy. */
+  energy?: number;
+  rival?: { milliseconds: number; penetration: number; energy?: number };
 }
 
 /** Copies of DrawLists. */

@@ -51,6 +51,8 @@ export interface Scene {
   view?: View;
   /** Where a visitor's new bodies drop by keyboard. */
   spawn?: Vec2;
+  /** What the visitor should be told: what of a level was left out. */
+  notes?: string[];
   /** What the scene is about is shown from the start. */
   show?: OverlayName[];
   /** So many times two bodies, from the first on, are shown with their Minkowski sum. */
@@ -70,6 +72,8 @@ export interface Scene {
   update?(input: Input): void;
   /** After each step: what to draw besides the bodies. */
   paint?(): Paint;
+  /** Frees what the scene made besides the world (movers). */
+  close?(): void;
 }
 
 export const KEY_NAMES = ["left", "right", "up", "down", "fire", "restart"] as const;

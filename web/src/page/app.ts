@@ -1,0 +1,263 @@
+/**
+ * The running page: what is chosen, the scene that runs, its time. Controls and panels act through
+ * it and listen to it; they do not know each other.
+ */
+import type { Frame, Sample, Shapes } from "../scene/frame";
+import { findScene } from "../scene/registry";
+import type { Deed } from "../worker/deeds";
+import type { Choices, Look, RunningScene, SceneRequest, Trouble } from "../worker/protocol";
+import { Client, TroubleError } from "./client";
+import { messageOf } from "./messages";
+import { Player } from "./player";
+import { type State, USUAL, writeState } from "./url";
+
+export interface Listener {
+  /** A scene begins, or begins anew. */
+  run?(scene: RunningScene): void;
+  /** A frame is about to be drawn; only when it is another than the last. */
+  frame?(frame: Frame): void;
+  /** Steps were made. */
+  samples?(samples: readonly Sample[]): void;
+  /** Something was chosen. */
+  state?(state: Readonly<State>): void;
+  /** The scene cannot be run, or stopped with an error. `running`: it had begun. */
+  trouble?(trouble: Trouble, running: boolean): void;
+  /** Code came with the page's address. */
+  offer?(code: string): void;
+  /** The worker has not answered for a long time. */
+  stuck?(): void;
+}
+
+export class App {
+  readonly client: Client;
+  readonly player = new Player();
+  readonly state: State = {
+    scene: "towers",
+    seed: 0,
+    choices: { ...USUAL },
+    speed: 1,
+    paused: false,
+    camera: null,
+    code: null,
+    panel: null,
+  };
+  scene: RunningScene | null = null;
+  /** Of the running scene, as the last frame with shapes had them. */
+  shapes: Shapes | null = null;
+  /** Text of files that `readText` finds before those of the page: a level that was dropped. */
+  files: Record<string, string> | undefined;
+  /** Of the level that was dropped. */
+  fileName = "";
+  /** The last scene that ran. */
+  lastGood: string | null = null;
+  /** Code of a link that has not been run. */
+  offeredCode: string | null = null;
+  /** Whether the plots want energy, which costs a pass over the bodies. */
+  wantsEnergy = false;
+  readonly #listeners = new Set<Listener>();
+  readonly #look: () => Look;
+  #wasm = "";
+  /** Single steps that are asked for and not yet made. */
+  #owed = 0;
+  /** Whether the standing picture must be made anew. */
+  #stale = false;
+
+  /** `look` tells what the page sees and what shall be drawn there by the engine. */
+  constructor(look: () => Look) {
+    this.#look = look;
+    this.client = new Client({
+      frame: (frame) => this.#take(frame),
+      trouble: (trouble) => this.#stop(trouble, true),
+      stuck: () => this.#tell((listener) => listener.stuck?.()),
+    });
+  }
+
+  listen(listener: Listener): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  async load(wasm: string): Promise<void> {
+    this.#wasm = wasm;
+    await this.client.ask("load", { wasm, page: document.baseURI });
+  }
+
+  // ---- scenes ----
+
+  /** Runs another scene; true if it does. */
+  async open(
+    scene: string,
+    more: Partial<Pick<State, "code" | "size" | "seed" | "camera">> & { files?: App["files"] } = {},
+  ): Promise<boolean> {
+    const { state } = this;
+    state.scene = scene;
+    state.code = more.code ?? null;
+    state.size = more.size;
+    state.seed = more.seed ?? 0;
+    state.camera = more.camera ?? null;
+    this.files = more.files;
+    return this.restart();
+  }
+
+  /** Runs the scene from its beginning, with what is chosen now. */
+  async restart(): Promise<boolean> {
+    const { scene, code, size, seed, choices } = this.state;
+    const request: SceneRequest = {
+      name: scene,
+      code: code ?? undefined,
+      files: this.files,
+      size,
+      seed,
+      choices,
+    };
+    try {
+      this.#begin(await this.client.ask("run", request));
+      return true;
+    } catch (error) {
+      this.#stop(
+        error instanceof TroubleError ? error.trouble : { message: messageOf(error) },
+        false,
+      );
+      return false;
+    }
+  }
+
+  /** Ends a worker that does not answer, and starts with this scene. */
+  async revive(scene: string): Promise<void> {
+    this.client.restart();
+    await this.load(this.#wasm);
+    await this.open(scene);
+  }
+
+  get title(): string {
+    return findScene(this.state.scene)?.title ?? this.fileName;
+  }
+
+  /** What to look at. */
+  get about(): string {
+    return findScene(this.state.scene)?.about ?? "";
+  }
+
+  /** What an address says, before the first scene. */
+  begin({ choices, speed, paused }: Partial<State>): void {
+    if (choices) Object.assign(this.state.choices, choices);
+    this.state.speed = this.player.speed = speed ?? 1;
+    // Whoever asked for less motion starts it deliberately.
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.state.paused = this.player.paused = paused ?? still;
+  }
+
+  /** Code that came with a link: shown, and run when the visitor says so. */
+  offerCode(code: string): void {
+    this.offeredCode = code;
+    this.#tell((listener) => listener.offer?.(code));
+  }
+
+  #begin(scene: RunningScene): void {
+    this.scene = scene;
+    this.lastGood = this.state.scene;
+    this.shapes = null;
+    this.player.begin(scene.run, scene.timeStep);
+    this.#tell((listener) => listener.run?.(scene));
+    this.chosen();
+    this.requestFrame();
+  }
+
+  #stop(trouble: Trouble, running: boolean): void {
+    if (running) this.setPaused(true);
+    this.#tell((listener) => listener.trouble?.(trouble, running));
+  }
+
+  // ---- choices ----
+
+  /** What can be changed in a running world is; anything else starts the scene anew. */
+  choose(change: Partial<Choices>): void {
+    const { choices } = this.state;
+    const anew =
+      (change.detection ?? choices.detection) !== choices.detection ||
+      (change.broadphase ?? choices.broadphase) !== choices.broadphase;
+    Object.assign(choices, change);
+    if (anew) void this.restart();
+    else
+      this.client
+        .ask("choose", choices)
+        .catch((error) => this.#stop({ message: messageOf(error) }, true));
+    this.chosen();
+  }
+
+  setSpeed(speed: number): void {
+    this.state.speed = this.player.speed = speed;
+    this.chosen();
+  }
+
+  setPaused(paused: boolean): void {
+    this.state.paused = this.player.paused = paused;
+    this.chosen();
+  }
+
+  /** Tells everybody that `state` has changed, and keeps it in the address. */
+  chosen(): void {
+    this.#tell((listener) => listener.state?.(this.state));
+    // A level of the visitor's own has no address.
+    if (this.files) return;
+    void writeState(this.state).then((address) => history.replaceState(null, "", address));
+  }
+
+  // ---- time ----
+
+  do(deed: Deed): void {
+    this.client.do(deed);
+    if (this.state.paused) this.refresh();
+  }
+
+  /** One step, shown at once; the scene stands still after it. */
+  stepOnce(): void {
+    if (!this.state.paused) this.setPaused(true);
+    this.#owed++;
+    this.requestFrame();
+  }
+
+  /** Goes to a step of the past, or on again. */
+  async seek(step: number): Promise<void> {
+    const frame = await this.client.ask("seek", { step, look: this.#look() });
+    this.#keepShapes(frame);
+    this.player.jump(frame);
+    this.#tell((listener) => listener.frame?.(frame));
+  }
+
+  /** Once a frame of the display: asks the worker for what is needed next. */
+  requestFrame(): void {
+    if (!this.scene || this.client.ticking) return;
+    const { player } = this;
+    if (this.#owed > 0) {
+      this.client.tick(player.newest + this.#owed, this.#look());
+    } else if (player.wanted > player.newest || player.empty || this.#stale) {
+      this.client.tick(player.wanted, this.#look());
+    }
+    this.#stale = false;
+  }
+  /** The standing picture must be made anew: another overlay, another part of the world. */
+  refresh(): void {
+    this.#stale = true;
+  }
+
+  #take(frame: Frame): void {
+    if (frame.run !== this.scene?.run) return;
+    this.#keepShapes(frame);
+    const { player } = this;
+    const made = frame.step - player.newest;
+    if (player.paused) player.jump(frame);
+    else player.take(frame);
+    this.#owed = Math.max(0, this.#owed - made);
+    if (frame.samples.length > 0) this.#tell((listener) => listener.samples?.(frame.samples));
+    this.#tell((listener) => listener.frame?.(frame));
+  }
+
+  #keepShapes(frame: Frame): void {
+    if (frame.shapes) this.shapes = frame.shapes;
+  }
+
+  #tell(call: (listener: Listener) => void): void {
+    for (const listener of this.#listeners) call(listener);
+  }
+}

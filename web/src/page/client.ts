@@ -1,0 +1,132 @@
+/** The page's end of the physics worker: questions with answers, deeds, ticks and frames. */
+import type { Frame } from "../scene/frame";
+import type { Deed } from "../worker/deeds";
+import type {
+  Look,
+  QuestionName,
+  Questions,
+  ToPage,
+  ToWorker,
+  Trouble,
+} from "../worker/protocol";
+
+/** Milliseconds without an answer after which a scene counts as stuck. */
+const STUCK = 8000;
+
+/** What the worker could not do. */
+export class TroubleError extends Error {
+  constructor(readonly trouble: Trouble) {
+    super(trouble.message);
+  }
+}
+
+export interface ClientListeners {
+  frame(frame: Frame): void;
+  trouble(trouble: Trouble): void;
+  /** Nothing came back for a long time; `stop` ends the worker. */
+  stuck(): void;
+}
+
+interface Waiting {
+  resolve(value: unknown): void;
+  reject(error: Error): void;
+}
+
+export class Client {
+  readonly #listeners: ClientListeners;
+  readonly #waiting = new Map<number, Waiting>();
+  #worker: Worker;
+  #asked = 0;
+  #ticking = false;
+  #timer = 0;
+
+  constructor(listeners: ClientListeners) {
+    this.#listeners = listeners;
+    this.#worker = this.#start();
+  }
+
+  /** Ends what runs and starts afresh; "load" must be asked again. */
+  restart(): void {
+    this.close();
+    this.#worker = this.#start();
+  }
+
+  close(): void {
+    this.#worker.terminate();
+    clearTimeout(this.#timer);
+    this.#ticking = false;
+    const waiting = [...this.#waiting.values()];
+    this.#waiting.clear();
+    for (const { reject } of waiting) reject(new Error("The physics worker was ended."));
+  }
+
+  ask<Name extends QuestionName>(
+    name: Name,
+    value: Questions[Name]["ask"],
+  ): Promise<Questions[Name]["answer"]> {
+    const id = ++this.#asked;
+    const answer = new Promise<unknown>((resolve, reject) =>
+      this.#waiting.set(id, { resolve, reject }),
+    );
+    this.#send({ kind: "ask", id, name, value });
+    return answer as Promise<Questions[Name]["answer"]>;
+  }
+
+  do(deed: Deed): void {
+    this.#send({ kind: "deed", deed });
+  }
+
+  /** Whether a tick is under way; another would only queue up. */
+  get ticking(): boolean {
+    return this.#ticking;
+  }
+
+  tick(until: number, look: Look): void {
+    this.#ticking = true;
+    this.#send({ kind: "tick", until, look });
+  }
+
+  #start(): Worker {
+    const worker = new Worker(new URL("../worker/worker.ts", import.meta.url), {
+      type: "module",
+      name: "thud physics",
+    });
+    worker.onmessage = ({ data }: MessageEvent<ToPage>) => this.#receive(data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      const message = event.message || "The physics worker could not be started.";
+      for (const { reject } of this.#waiting.values()) reject(new Error(message));
+      this.#waiting.clear();
+      this.#listeners.trouble({ message });
+    };
+    return worker;
+  }
+
+  #send(message: ToWorker): void {
+    this.#worker.postMessage(message);
+    if (message.kind !== "deed" && this.#timer === 0) this.#watch();
+  }
+
+  /** A scene that never ends a step must not take the page with it. */
+  #watch(): void {
+    clearTimeout(this.#timer);
+    this.#timer =
+      this.#ticking || this.#waiting.size > 0
+        ? window.setTimeout(() => this.#listeners.stuck(), STUCK)
+        : 0;
+  }
+
+  #receive(message: ToPage): void {
+    if (message.kind === "answer") {
+      const waiting = this.#waiting.get(message.id);
+      this.#waiting.delete(message.id);
+      if (message.trouble) waiting?.reject(new TroubleError(message.trouble));
+      else waiting?.resolve(message.value);
+    } else {
+      this.#ticking = false;
+      if (message.kind === "frame") this.#listeners.frame(message.frame);
+      else this.#listeners.trouble(message.trouble);
+    }
+    this.#watch();
+  }
+}

@@ -1,0 +1,124 @@
+/** The buttons under the scene, and every key. */
+import { DETECTION_CHOICES, SPEEDS } from "./url";
+import { BROADPHASES, QUALITIES } from "thud";
+import type { App } from "./app";
+import type { Dock } from "./dock";
+import { byId } from "./dom";
+import { openDialog } from "./gallery";
+import { type Key, key, listenToKeys } from "./keys";
+import { notice, say } from "./messages";
+import { TOOLS, type Tool } from "./pointers";
+import type { Stage } from "./stage";
+import { OVERLAYS } from "../scene/overlays";
+
+/** Pixels that an arrow key moves the view. */
+const PAN = 60;
+/** In the order of OVERLAYS. */
+const OVERLAY_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "M", "J", "Y"];
+
+export function addControls(app: App, stage: Stage, dock: Dock): void {
+  const togglePause = () => {
+    app.setPaused(!app.state.paused);
+    say(app.state.paused ? "Paused" : "Running");
+  };
+  const setTool = (tool: Tool) => {
+    stage.setTool(tool);
+    for (const button of document.querySelectorAll<HTMLElement>("button[data-tool]"))
+      button.setAttribute("aria-pressed", String(button.dataset.tool === tool));
+  };
+  byId("pause").addEventListener("click", togglePause);
+  byId("step").addEventListener("click", () => app.stepOnce());
+  byId("restart").addEventListener("click", () => void app.restart());
+  byId("fit").addEventListener("click", () => stage.home());
+  for (const tool of TOOLS)
+    document
+      .querySelector(`button[data-tool=${tool}]`)!
+      .addEventListener("click", () => setTool(tool));
+  setTool("hand");
+  app.listen({
+    state: ({ paused }) => byId("pause").setAttribute("aria-pressed", String(paused)),
+  });
+  listenToKeys(keysOf(app, stage, dock, togglePause, setTool));
+}
+
+/** The neighbour of a value in a list; the value itself at its ends. */
+function near<T>(values: readonly T[], value: T, by: number): T {
+  const at = values.indexOf(value) + by;
+  return values[Math.min(values.length - 1, Math.max(0, at))];
+}
+
+function next<T>(values: readonly T[], value: T): T {
+  return values[(values.indexOf(value) + 1) % values.length];
+}
+
+function keysOf(
+  app: App,
+  stage: Stage,
+  dock: Dock,
+  togglePause: () => void,
+  setTool: (tool: Tool) => void,
+): Key[] {
+  const { state } = app;
+  const { choices } = state;
+  const speed = (by: number) => () => {
+    app.setSpeed(near(SPEEDS, state.speed as (typeof SPEEDS)[number], by));
+    notice(`Speed ${state.speed}×`, 2);
+  };
+  const quality = (by: number) => () => {
+    app.choose({ quality: near(QUALITIES, choices.quality, by) });
+    notice(`Quality ${choices.quality}`, 2);
+  };
+  const overlay = (name: (typeof OVERLAYS)[number]) => () => {
+    const on = !stage.view.shown.has(name);
+    stage.setOverlay(name, on);
+    notice(`${on ? "Shows" : "Hides"} ${name}`, 2);
+  };
+  const back = (steps: number) => () => {
+    app.setPaused(true);
+    const { newest } = app.player;
+    void app.seek(Math.max(0, newest + steps)).catch(() => {});
+  };
+  return [
+    key("Space P", [" ", "p"], "Pause or go on", togglePause),
+    key(".", ["."], "Single step", () => app.stepOnce()),
+    key("Z", ["z"], "A step back", back(-1)),
+    key("R", ["r"], "Restart the scene", () => void app.restart()),
+    key("V", ["v"], "Drag bodies", () => setTool("hand")),
+    key("C", ["c"], "Add circles", () => setTool("circle")),
+    key("B", ["b"], "Add boxes", () => setTool("box")),
+    key("N", ["n"], "Explode", () => setTool("blast")),
+    key("G", ["g"], "Dig the ground", () => setTool("dig")),
+    key("Enter", ["enter"], "Do that at the middle of the view", () => stage.actAtCrosshair()),
+    key("[", ["["], "Slower", speed(-1)),
+    key("]", ["]"], "Faster", speed(1)),
+    key(",", [","], "Lower quality", quality(-1)),
+    key("/", ["/"], "Higher quality", quality(1)),
+    key("E", ["e"], "Next detection", () => {
+      app.choose({ detection: next(DETECTION_CHOICES, choices.detection) });
+      notice(`Detection ${choices.detection}`, 2);
+    }),
+    key("F", ["f"], "Next broadphase", () => {
+      app.choose({ broadphase: next(BROADPHASES, choices.broadphase) });
+      notice(`Broadphase ${choices.broadphase}`, 2);
+    }),
+    key("←", ["arrowleft"], "Move the view left", () => stage.pan(PAN, 0)),
+    key("→", ["arrowright"], "Move the view right", () => stage.pan(-PAN, 0)),
+    key("↑", ["arrowup"], "Move the view up", () => stage.pan(0, PAN)),
+    key("↓", ["arrowdown"], "Move the view down", () => stage.pan(0, -PAN)),
+    key("+", ["+", "="], "Zoom in", () => stage.zoom(1.25)),
+    key("−", ["-"], "Zoom out", () => stage.zoom(0.8)),
+    key("0", ["0"], "Show the whole scene", () => stage.home()),
+    ...OVERLAYS.map((name, i) =>
+      key(OVERLAY_KEYS[i], [OVERLAY_KEYS[i].toLowerCase()], `Show ${name}`, overlay(name)),
+    ),
+    key("X", ["x"], "Versus: thud and Box2D", () => dock.toggle("versus")),
+    key("T", ["t"], "Trade: speed against accuracy", () => dock.toggle("trade")),
+    key("I", ["i"], "Inside: what the engine sees", () => dock.toggle("inside")),
+    key("K", ["k"], "Code: the running scene", () => dock.toggle("code")),
+    key("O", ["o"], "Options", () => dock.toggle("options")),
+    key("L", ["l"], "Scenes, levels and games", () =>
+      openDialog(byId<HTMLDialogElement>("scenes")),
+    ),
+    key("H ?", ["h", "?"], "This list", () => openDialog(byId<HTMLDialogElement>("help"))),
+  ];
+}

@@ -1,0 +1,107 @@
+/** The place for panels beside the scene: one is open at a time, loaded when first wanted. */
+import type { App } from "./app";
+import { byId, make } from "./dom";
+import { messageOf, say } from "./messages";
+
+/** A panel fills an element of its own, once, and is told when it is seen. */
+export interface Panel {
+  readonly element: HTMLElement;
+  opened?(): void;
+  closed?(): void;
+}
+
+export interface PanelKind {
+  title: string;
+  load(): Promise<(app: App) => Panel>;
+}
+
+export class Dock {
+  readonly #app: App;
+  readonly #kinds: Readonly<Record<string, PanelKind>>;
+  readonly #made = new Map<string, Panel>();
+  readonly #changed: () => void;
+  #open: string | null = null;
+
+  /** `changed` hears that the dock takes another part of the page. */
+  constructor(app: App, kinds: Readonly<Record<string, PanelKind>>, changed: () => void) {
+    this.#app = app;
+    this.#kinds = kinds;
+    this.#changed = changed;
+    for (const button of this.#buttons())
+      button.addEventListener("click", () => this.toggle(button.dataset.panel!));
+    const dock = byId("dock");
+    dock.querySelector(".close")!.addEventListener("click", () => this.close());
+    dock.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || event.defaultPrevented) return;
+      event.preventDefault();
+      this.close();
+    });
+  }
+
+  get open(): string | null {
+    return this.#open;
+  }
+
+  toggle(name: string): void {
+    if (this.#open === name) this.close();
+    else void this.show(name);
+  }
+
+  async show(name: string, focus = true): Promise<void> {
+    const kind = this.#kinds[name];
+    if (!kind || this.#open === name) return;
+    if (this.#open) this.#leave();
+    this.#open = this.#app.state.panel = name;
+    byId("dock-title").textContent = kind.title;
+    byId("dock").hidden = false;
+    byId("dock").dataset.panel = name;
+    this.#mark();
+    let panel = this.#made.get(name);
+    if (!panel) {
+      byId("dock-body").replaceChildren(make("p", { class: "quiet" }, "Loading…"));
+      try {
+        panel = (await kind.load())(this.#app);
+        this.#made.set(name, panel);
+      } catch (error) {
+        const text = `This panel cannot be loaded: ${messageOf(error)}`;
+        byId("dock-body").replaceChildren(make("p", { class: "quiet" }, text));
+        return;
+      }
+    }
+    // Another one may have been opened while this one was loaded.
+    if (this.#open !== name) return;
+    byId("dock-body").replaceChildren(panel.element);
+    this.#changed();
+    panel.opened?.();
+    this.#app.chosen();
+    say(`${kind.title} opened`);
+    if (focus) byId("dock").querySelector<HTMLElement>(".close")!.focus();
+  }
+
+  close(): void {
+    const name = this.#open;
+    if (!name) return;
+    this.#leave();
+    this.#open = this.#app.state.panel = null;
+    byId("dock").hidden = true;
+    this.#mark();
+    this.#changed();
+    this.#app.chosen();
+    this.#buttons()
+      .find((button) => button.dataset.panel === name)
+      ?.focus();
+  }
+
+  #leave(): void {
+    if (this.#open) this.#made.get(this.#open)?.closed?.();
+  }
+
+  #buttons(): HTMLElement[] {
+    return [...document.querySelectorAll<HTMLElement>("button[data-panel]")];
+  }
+
+  #mark(): void {
+    for (const button of this.#buttons())
+      button.setAttribute("aria-expanded", String(button.dataset.panel === this.#open));
+  }
+}

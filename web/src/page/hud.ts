@@ -1,0 +1,111 @@
+/** Figures over the scene: time a step with its course and budget, error, bodies, frames. */
+import type { Frame, Sample } from "../scene/frame";
+import { byId, make } from "./dom";
+
+/** Steps that the course shows. */
+const COURSE = 120;
+/** Milliseconds that a step may take at 60 Hz. */
+const BUDGET = 1000 / 60;
+/** Seconds; texts change this often, so that they can be read. */
+const REFRESH = 0.25;
+
+const VALUES = [
+  ["ms", "step", "Median time of the last 60 steps"],
+  ["slowest", "p99", "99 of 100 of the last 120 steps were quicker"],
+  ["deepest", "deepest", "Deepest penetration, in world units"],
+  ["bodies", "bodies", ""],
+  ["awake", "awake", ""],
+  ["contacts", "contacts", ""],
+  ["fps", "fps", "Pictures a second"],
+] as const;
+type ValueName = (typeof VALUES)[number][0];
+
+export class Hud {
+  readonly #root = byId("hud");
+  readonly #canvas = this.#root.querySelector("canvas")!;
+  readonly #values = new Map<ValueName, HTMLElement>();
+  #times: number[] = [];
+  #frame: Frame | null = null;
+  #sinceRefresh = REFRESH;
+  #pictures = 0;
+  #seconds = 0;
+
+  constructor() {
+    for (const [name, label, title] of VALUES) {
+      const value = make("dd", { "data-value": name }, "0");
+      this.#values.set(name, value);
+      this.#root
+        .querySelector("dl")!
+        .append(make("div", { title, class: name }, make("dt", {}, label), value));
+    }
+  }
+
+  reset(): void {
+    this.#times = [];
+    this.#sinceRefresh = REFRESH;
+  }
+
+  add(samples: readonly Sample[]): void {
+    for (const { milliseconds } of samples) this.#times.push(milliseconds);
+    this.#times.splice(0, Math.max(0, this.#times.length - COURSE));
+  }
+
+  /** Once for each picture, with the frame that it shows. */
+  show(frame: Frame, seconds: number): void {
+    this.#frame = frame;
+    this.#pictures++;
+    this.#seconds += seconds;
+    this.#sinceRefresh += seconds;
+    this.#root.dataset.steps = String(frame.step);
+    if (this.#sinceRefresh >= REFRESH && this.#seconds > 0) this.#refresh();
+  }
+
+  #refresh(): void {
+    const { stats, error } = this.#frame!;
+    const middle = percentile(this.#times.slice(-60), 0.5);
+    this.#put("ms", `${middle.toFixed(middle < 10 ? 2 : 1)} ms`);
+    this.#put("slowest", percentile(this.#times, 0.99).toFixed(1));
+    this.#put("deepest", error.penetrationMax.toFixed(4));
+    this.#put("bodies", stats.bodies.toLocaleString("en"));
+    this.#put("awake", stats.awakeBodies.toLocaleString("en"));
+    this.#put("contacts", stats.contacts.toLocaleString("en"));
+    this.#put("fps", String(Math.round(this.#pictures / this.#seconds)));
+    this.#root.dataset.over = String(middle > BUDGET);
+    this.#pictures = this.#seconds = this.#sinceRefresh = 0;
+    this.#drawCourse();
+  }
+
+  #put(name: ValueName, text: string): void {
+    this.#values.get(name)!.textContent = text;
+  }
+
+  /** Bars of the last steps; the line is the budget, at three quarters of the height or higher. */
+  #drawCourse(): void {
+    const canvas = this.#canvas;
+    const context = canvas.getContext("2d");
+    const { clientWidth, clientHeight } = canvas;
+    if (!context || clientWidth === 0) return;
+    const ratio = Math.min(3, devicePixelRatio);
+    canvas.width = clientWidth * ratio;
+    canvas.height = clientHeight * ratio;
+    context.scale(ratio, ratio);
+    const most = Math.max(BUDGET / 0.75, ...this.#times);
+    const style = getComputedStyle(canvas);
+    context.fillStyle = style.color;
+    const width = clientWidth / COURSE;
+    this.#times.forEach((time, i) => {
+      const height = Math.max(1, (time / most) * clientHeight);
+      const x = (COURSE - this.#times.length + i) * width;
+      context.fillRect(x, clientHeight - height, Math.max(0.7, width - 0.4), height);
+    });
+    context.fillStyle = style.getPropertyValue("--budget");
+    context.fillRect(0, clientHeight * (1 - BUDGET / most), clientWidth, 1);
+  }
+}
+
+/** Of values in any order; 0 where there are none. */
+export function percentile(values: readonly number[], part: number): number {
+  if (values.length === 0) return 0;
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))];
+}

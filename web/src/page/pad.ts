@@ -1,0 +1,102 @@
+/** The keys of a game, from the keyboard and from buttons on the screen. */
+import { KEY_NAMES, type KeyName } from "../scene/scene";
+import { byId } from "./dom";
+
+const CODES: Readonly<Record<string, KeyName>> = {
+  ArrowLeft: "left",
+  KeyA: "left",
+  ArrowRight: "right",
+  KeyD: "right",
+  ArrowUp: "up",
+  KeyW: "up",
+  ArrowDown: "down",
+  KeyS: "down",
+  Space: "fire",
+  Enter: "restart",
+};
+
+export class Pad {
+  #wanted = new Set<KeyName>();
+  readonly #held = Object.fromEntries(KEY_NAMES.map((name) => [name, false])) as Record<
+    KeyName,
+    boolean
+  >;
+  readonly #changed: (held: Readonly<Record<KeyName, boolean>>) => void;
+
+  /** Heeds keys before the page's own do, while a scene wants them. */
+  constructor(changed: (held: Readonly<Record<KeyName, boolean>>) => void) {
+    this.#changed = changed;
+    window.addEventListener("keydown", (event) => this.#press(event), { capture: true });
+    window.addEventListener("keyup", (event) => {
+      const name = this.#nameOf(event);
+      if (name) this.#hold(name, false);
+    });
+    window.addEventListener("blur", () => this.#letGo());
+    // A click leaves no button in focus, where Space would press it again instead of playing.
+    document.addEventListener("mousedown", (event) => {
+      const button = (event.target as HTMLElement).closest("#top button, #controls button");
+      if (button && this.#wanted.size > 0) event.preventDefault();
+    });
+    for (const button of byId("pad").querySelectorAll<HTMLElement>("[data-key]"))
+      this.#listenTo(button);
+  }
+
+  /** The keys of the scene that runs now. */
+  show(wanted: readonly KeyName[]): void {
+    this.#letGo();
+    this.#wanted = new Set(wanted);
+    byId("pad").hidden = wanted.length === 0;
+    for (const button of byId("pad").querySelectorAll<HTMLElement>("[data-key]"))
+      button.hidden = !this.#wanted.has(button.dataset.key as KeyName);
+  }
+
+  #nameOf({ code }: KeyboardEvent): KeyName | undefined {
+    const name = CODES[code];
+    // Where nothing is fired, Space jumps.
+    if (name === "fire" && !this.#wanted.has("fire")) return "up";
+    return name;
+  }
+
+  #press(event: KeyboardEvent): void {
+    const name = this.#nameOf(event);
+    if (!name || !this.#wanted.has(name)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
+    if (document.querySelector("dialog[open], #failure:not([hidden])")) return;
+    // Whoever types, or stands on a control, means that.
+    const target = event.target as HTMLElement;
+    if (target.isContentEditable || target.matches("input, textarea, select")) return;
+    if (target.closest("#dock")) return;
+    if (target.tagName === "BUTTON" && (name === "fire" || name === "restart")) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#hold(name, true);
+  }
+
+  #hold(name: KeyName, held: boolean): void {
+    if (this.#held[name] === held) return;
+    this.#held[name] = held;
+    this.#changed({ ...this.#held });
+  }
+
+  #letGo(): void {
+    for (const name of KEY_NAMES) this.#hold(name, false);
+  }
+
+  #listenTo(button: HTMLElement): void {
+    const name = button.dataset.key as KeyName;
+    button.addEventListener("pointerdown", (event) => {
+      event.preventDefault();
+      button.setPointerCapture(event.pointerId);
+      this.#hold(name, true);
+    });
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture"])
+      button.addEventListener(end, () => this.#hold(name, false));
+    // From a keyboard or a screen reader a button is pressed and let go at once.
+    button.addEventListener("click", ({ detail }) => {
+      if (detail !== 0) return;
+      this.#hold(name, true);
+      setTimeout(() => this.#hold(name, false), 120);
+    });
+    button.addEventListener("contextmenu", (event) => event.preventDefault());
+  }
+}

@@ -1,0 +1,43 @@
+/** Which body lies under the pointer, told from what is drawn, without asking the worker. */
+import type { Frame, Shapes } from "../scene/frame";
+
+const ROW = 10;
+const CIRCLE = 0;
+const DYNAMIC = 2;
+
+/** The slot of the body at a place, or the nearest within `reach`; dynamic ones only, if asked. */
+export function pick(
+  shapes: Shapes,
+  frame: Frame,
+  x: number,
+  y: number,
+  reach: number,
+  dynamicOnly: boolean,
+): number | null {
+  let best: number | null = null;
+  let least = reach;
+  for (let i = 0; i < shapes.count; i++) {
+    const [slot, kind, bodyKind, , ox, oy, hx, hy, cosine, sine] = shapes.rows.subarray(
+      i * ROW,
+      i * ROW + ROW,
+    );
+    if (dynamicOnly && bodyKind !== DYNAMIC) continue;
+    const [px, py, c, s] = frame.now.subarray(4 * slot, 4 * slot + 4);
+    const dx = x - frame.origin[0] - (px + c * ox - s * oy);
+    const dy = y - frame.origin[1] - (py + s * ox + c * oy);
+    let distance: number;
+    if (kind === CIRCLE) distance = Math.hypot(dx, dy) - hx;
+    else {
+      const [wc, ws] = [c * cosine - s * sine, s * cosine + c * sine];
+      const ax = Math.abs(wc * dx + ws * dy) - hx;
+      const ay = Math.abs(wc * dy - ws * dx) - hy;
+      distance =
+        ax > 0 && ay > 0 ? Math.hypot(ax, ay) : Math.max(ax, ay);
+    }
+    if (distance <= least) {
+      least = distance;
+      best = slot;
+    }
+  }
+  return best;
+}

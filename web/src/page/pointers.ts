@@ -1,0 +1,143 @@
+/** Mouse, touch and wheel on the scene: pull, add, explode or dig with one pointer; pan and zoom. */
+import type { Camera } from "../draw/camera";
+
+export const TOOLS = ["hand", "circle", "box", "blast", "dig"] as const;
+export type Tool = (typeof TOOLS)[number];
+
+export interface PointerActions {
+  tool(): Tool;
+  /** True if the scene takes the pointer itself. */
+  taken(): boolean;
+  /** The scene's pointer: where, and whether it is pressed. */
+  point(x: number, y: number, down: boolean): void;
+  /** True if there is a body to pull. */
+  grab(x: number, y: number, reach: number): boolean;
+  drag(x: number, y: number): void;
+  release(): void;
+  /** What another tool than the hand does, at the pointer and then along its way. */
+  apply(tool: Exclude<Tool, "hand">, x: number, y: number): void;
+  /** A mouse moves over the scene, or leaves it (null). */
+  hover(at: { x: number; y: number; screenX: number; screenY: number } | null): void;
+  /** The visitor has moved the view. */
+  moved(): void;
+}
+
+/** How near to a body a pointer must come, in CSS pixels. */
+const REACH = { mouse: 4, touch: 18 };
+/** While a pointer with a tool moves: pixels from one deed to the next. */
+const APPLY_EVERY = { circle: 30, box: 30, blast: 90, dig: 10 };
+
+interface Pointer {
+  x: number;
+  y: number;
+}
+
+export function listenToPointers(
+  canvas: HTMLElement,
+  camera: Camera,
+  actions: PointerActions,
+): void {
+  const pointers = new Map<number, Pointer>();
+  let mode: "none" | "pull" | "pan" | "apply" | "pinch" | "scene" = "none";
+  let lastApplied: Pointer = { x: 0, y: 0 };
+
+  const place = (event: MouseEvent): Pointer => {
+    const box = canvas.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  };
+  const applyAt = (at: Pointer, part: number) => {
+    const tool = actions.tool();
+    if (tool === "hand") return;
+    const way = Math.hypot(at.x - lastApplied.x, at.y - lastApplied.y);
+    if (way < part * APPLY_EVERY[tool]) return;
+    actions.apply(tool, ...camera.toWorld(at.x, at.y));
+    lastApplied = at;
+  };
+  const begin = (event: PointerEvent, at: Pointer): typeof mode => {
+    if (event.button !== 0 || event.shiftKey) return "pan";
+    const [x, y] = camera.toWorld(at.x, at.y);
+    if (actions.taken()) {
+      actions.point(x, y, true);
+      return "scene";
+    }
+    if (actions.tool() !== "hand") {
+      applyAt(at, 0);
+      return "apply";
+    }
+    const reach = (event.pointerType === "mouse" ? REACH.mouse : REACH.touch) / camera.scale;
+    return actions.grab(x, y, reach) ? "pull" : "pan";
+  };
+
+  canvas.addEventListener("pointerdown", (event) => {
+    const at = place(event);
+    pointers.set(event.pointerId, at);
+    canvas.setPointerCapture(event.pointerId);
+    if (pointers.size === 2) {
+      if (mode === "pull") actions.release();
+      if (mode === "scene") actions.point(...camera.toWorld(at.x, at.y), false);
+      mode = "pinch";
+    } else if (pointers.size === 1) mode = begin(event, at);
+    canvas.dataset.mode = mode;
+  });
+
+  canvas.addEventListener("pointermove", (event) => {
+    const at = place(event);
+    const last = pointers.get(event.pointerId);
+    const [x, y] = camera.toWorld(at.x, at.y);
+    if (!last) {
+      if (event.pointerType !== "mouse") return;
+      actions.hover({ x, y, screenX: at.x, screenY: at.y });
+      if (actions.taken()) actions.point(x, y, false);
+      return;
+    }
+    if (mode === "pinch") {
+      pinch(camera, [...pointers.values()], last, at);
+      actions.moved();
+    }
+    pointers.set(event.pointerId, at);
+    if (mode === "pull") actions.drag(x, y);
+    else if (mode === "scene") actions.point(x, y, true);
+    else if (mode === "apply") applyAt(at, 1);
+    else if (mode === "pan") {
+      camera.pan(at.x - last.x, at.y - last.y);
+      actions.moved();
+    }
+  });
+
+  const end = (event: PointerEvent) => {
+    const at = pointers.get(event.pointerId);
+    if (!at) return;
+    pointers.delete(event.pointerId);
+    if (mode === "pull") actions.release();
+    if (mode === "scene") actions.point(...camera.toWorld(at.x, at.y), false);
+    // After a pinch the finger that stays moves the view.
+    mode = pointers.size === 1 ? "pan" : "none";
+    canvas.dataset.mode = mode;
+  };
+  canvas.addEventListener("pointerup", end);
+  canvas.addEventListener("pointercancel", end);
+  canvas.addEventListener("pointerleave", () => actions.hover(null));
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+  canvas.addEventListener(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      const at = place(event);
+      const lines = event.deltaMode === 0 ? event.deltaY : 30 * event.deltaY;
+      camera.zoom(Math.exp(-lines * (event.ctrlKey ? 0.01 : 0.0015)), at.x, at.y);
+      actions.moved();
+    },
+    { passive: false },
+  );
+}
+
+/** Two fingers: what was between them stays between them. */
+function pinch(camera: Camera, pointers: Pointer[], last: Pointer, at: Pointer): void {
+  const other = pointers.find((pointer) => pointer !== last);
+  if (!other) return;
+  const before = Math.hypot(last.x - other.x, last.y - other.y);
+  const after = Math.hypot(at.x - other.x, at.y - other.y);
+  camera.pan((at.x - last.x) / 2, (at.y - last.y) / 2);
+  if (before > 1 && after > 1)
+    camera.zoom(after / before, (at.x + other.x) / 2, (at.y + other.y) / 2);
+}

@@ -1,0 +1,239 @@
+/** The scene on its canvases: draws what the player shows, and takes the visitor's pointer. */
+import { OVERLAYS, type OverlayName } from "../scene/overlays";
+import { type DrawOptions, View } from "../draw/view";
+import type { Look } from "../worker/protocol";
+import type { App } from "./app";
+import { byId } from "./dom";
+import { notice } from "./messages";
+import { pick } from "./pick";
+import { listenToPointers, type Tool } from "./pointers";
+
+/** How fast the view goes after a place that the scene says, in 1/s. */
+const FOLLOW_RATE = 6;
+/** An explosion's radius and a crater's, in CSS pixels at least, and in sizes of a typical body. */
+const BLAST = { pixels: 60, sizes: 8, speed: 18 };
+const CRATER = { pixels: 16, sizes: 3.5 };
+/** Pixels that the reach of the crosshair is wide. */
+const CROSSHAIR_REACH = 24;
+
+export interface Hovered {
+  slot: number;
+  x: number;
+  y: number;
+  screenX: number;
+  screenY: number;
+}
+
+export class Stage {
+  readonly view: View;
+  tool: Tool = "hand";
+  /** How the other engine is drawn, if there is one. */
+  split: DrawOptions["split"] = "none";
+  /** The slot of a body to be outlined. */
+  outlined: number | null = null;
+  /** What a panel wants to know of the body under the mouse. */
+  onHover: ((hovered: Hovered | null) => void) | null = null;
+  #app!: App;
+  /** Overlays that are shown because the scene is about them, and go with it. */
+  #lent: readonly OverlayName[] = [];
+  #follows = true;
+  #crosshair: "off" | "on" | "holds" = "off";
+  #hasGround = false;
+  #movedTimer = 0;
+
+  constructor() {
+    this.view = new View(
+      {
+        backdrop: byId<HTMLCanvasElement>("backdrop"),
+        bodies: byId<HTMLCanvasElement>("bodies"),
+        overlay: byId<HTMLCanvasElement>("overlay"),
+      },
+      (renderer) =>
+        notice(
+          renderer === "webgl2"
+            ? "WebGL is back."
+            : "The browser took WebGL away: drawing goes on with Canvas 2D.",
+        ),
+    );
+  }
+
+  /** What the page sees, for the worker. */
+  get look(): Look {
+    const { camera, shown } = this.view;
+    const { x0, y0, x1, y1 } = camera.visible;
+    // The intervals of a plane sweep stand on the lower edge of what the controls leave free.
+    const free = shown.has("axes") ? camera.insets.bottom / camera.scale : 0;
+    return {
+      origin: [camera.x, camera.y],
+      lower: [x0, y0 + free],
+      upper: [x1, y1],
+      overlays: [...shown],
+      energy: this.#app.wantsEnergy,
+    };
+  }
+
+  attach(app: App): void {
+    this.#app = app;
+    const { camera } = this.view;
+    app.listen({
+      run: (scene) => {
+        const { x, y, height, width = 0 } = scene.view;
+        camera.setHome(x, y, height, width);
+        const place = app.state.camera;
+        if (place) {
+          Object.assign(camera, place);
+          this.#follows = false;
+        } else this.#follows = true;
+        this.#lend(scene.show);
+      },
+      frame: ({ terrains }) => {
+        if (terrains) this.#hasGround = terrains.some(({ terrain }) => terrain.kind !== "flat");
+      },
+    });
+    const canvas = byId("overlay");
+    listenToPointers(canvas, camera, {
+      tool: () => this.tool,
+      taken: () => app.scene?.pointer ?? false,
+      point: (x, y, down) => app.do({ kind: "pointer", x, y, down }),
+      grab: (x, y, reach) => this.#grab(x, y, reach),
+      drag: (x, y) => app.do({ kind: "drag", x, y }),
+      release: () => app.do({ kind: "release" }),
+      apply: (tool, x, y) => this.apply(tool, x, y),
+      hover: (at) => this.#hover(at),
+      moved: () => this.#moved(),
+    });
+    canvas.addEventListener("blur", () => this.#endCrosshair());
+  }
+
+  setTool(tool: Tool): void {
+    this.tool = tool;
+    byId("overlay").dataset.tool = tool;
+  }
+
+  setOverlay(name: OverlayName, on: boolean): void {
+    this.#lent = this.#lent.filter((other) => other !== name);
+    if (on) this.view.shown.add(name);
+    else this.view.shown.delete(name);
+    this.#app.refresh();
+    this.#app.chosen();
+  }
+
+  /** Shows what a scene is about; what the one before had brought goes. */
+  #lend(overlays: readonly OverlayName[]): void {
+    const { shown } = this.view;
+    for (const name of this.#lent) shown.delete(name);
+    this.#lent = overlays.filter((name) => OVERLAYS.includes(name) && !shown.has(name));
+    for (const name of this.#lent) shown.add(name);
+  }
+
+  // ---- the view ----
+
+  home(): void {
+    this.view.camera.goHome();
+    this.#follows = true;
+    this.#app.state.camera = null;
+    this.#app.refresh();
+    this.#app.chosen();
+  }
+
+  pan(dx: number, dy: number): void {
+    this.view.camera.pan(dx, dy);
+    if (this.#crosshair === "holds") this.#drag();
+    this.#moved();
+  }
+
+  zoom(factor: number): void {
+    this.view.camera.zoom(factor);
+    this.#moved();
+  }
+
+  #moved(): void {
+    this.#follows = false;
+    this.#app.refresh();
+    const { x, y, scale } = this.view.camera;
+    this.#app.state.camera = { x, y, scale };
+    clearTimeout(this.#movedTimer);
+    // Browsers refuse addresses that change too often.
+    this.#movedTimer = window.setTimeout(() => this.#app.chosen(), 300);
+  }
+
+  /** Draws the moment; once a frame of the display. */
+  draw(seconds: number): void {
+    const shown = this.#app.player.shown;
+    if (!shown) return;
+    const { frame, alpha } = shown;
+    const held = byId("overlay").dataset.mode;
+    const target = this.#follows ? this.view.follow(frame, alpha) : null;
+    if (target && held !== "pan" && held !== "pinch")
+      this.view.camera.follow(target, 1 - Math.exp(-FOLLOW_RATE * seconds));
+    this.view.draw(frame, alpha, { split: this.split, held: this.outlined });
+  }
+
+  // ---- deeds ----
+
+  apply(tool: Exclude<Tool, "hand">, x: number, y: number): void {
+    const size = this.#app.shapes?.typicalSize || 0.5;
+    const { scale } = this.view.camera;
+    if (tool === "blast") {
+      const radius = Math.max(BLAST.sizes * size, BLAST.pixels / scale);
+      const speed = BLAST.speed * (this.#app.scene?.lengthScale ?? 1);
+      this.#app.do({ kind: "explode", x, y, radius, speed });
+    } else if (tool === "dig") {
+      const radius = Math.max(CRATER.sizes * size, CRATER.pixels / scale);
+      this.#app.do({ kind: "dig", x, y, radius });
+      if (!this.#hasGround)
+        notice("There is no ground to dig here: try the scene Digging.");
+    } else this.#app.do({ kind: "spawn", shape: tool, x, y, size });
+  }
+
+  /** Enter on the scene: does at the crosshair in the middle what a pointer would do there. */
+  actAtCrosshair(): void {
+    const { x, y, scale } = this.view.camera;
+    if (this.#crosshair === "off") this.#showCrosshair();
+    else if (this.#crosshair === "holds") {
+      this.#app.do({ kind: "release" });
+      this.#crosshair = "on";
+    } else if (this.tool !== "hand") this.apply(this.tool, x, y);
+    else if (this.#grab(x, y, CROSSHAIR_REACH / scale)) this.#crosshair = "holds";
+    else notice("No body lies under the crosshair. The arrow keys move the view.");
+  }
+
+  #showCrosshair(): void {
+    const { camera } = this.view;
+    const mark = byId("crosshair");
+    mark.style.left = `${camera.middleX}px`;
+    mark.style.top = `${camera.middleY}px`;
+    mark.hidden = false;
+    this.#crosshair = "on";
+  }
+
+  #drag(): void {
+    const { x, y } = this.view.camera;
+    this.#app.do({ kind: "drag", x, y });
+  }
+
+  #endCrosshair(): void {
+    if (this.#crosshair === "holds") this.#app.do({ kind: "release" });
+    this.#crosshair = "off";
+    byId("crosshair").hidden = true;
+  }
+
+  #grab(x: number, y: number, reach: number): boolean {
+    const { shapes, player } = this.#app;
+    const frame = player.shown?.frame;
+    if (!shapes || !frame || pick(shapes, frame, x, y, reach, true) === null) return false;
+    this.#app.do({ kind: "grab", x, y, reach });
+    return true;
+  }
+
+  #hover(at: { x: number; y: number; screenX: number; screenY: number } | null): void {
+    if (!this.onHover) return;
+    const { shapes, player } = this.#app;
+    const frame = player.shown?.frame;
+    const slot =
+      at && shapes && frame
+        ? pick(shapes, frame, at.x, at.y, 3 / this.view.camera.scale, false)
+        : null;
+    this.onHover(at && slot !== null ? { slot, ...at } : null);
+  }
+}

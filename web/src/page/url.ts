@@ -1,0 +1,138 @@
+/**
+ * The page's state in its address: the scene, its size and seed, what was chosen and is not the
+ * usual, the camera, and after the # the visitor's own code, which no server ever sees.
+ */
+import { BROADPHASES, DETECTIONS, QUALITIES } from "thud";
+import type { Choices } from "../worker/protocol";
+
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
+export const DETECTION_CHOICES = ["auto", ...DETECTIONS] as const;
+/** In length scales; 0 is none. */
+export const MAX_ERRORS = [0, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001] as const;
+
+export const USUAL: Choices = {
+  quality: "default",
+  substeps: 0,
+  detection: "auto",
+  broadphase: "grid",
+  maxError: 0,
+};
+
+export interface Place {
+  x: number;
+  y: number;
+  /** CSS pixels a world unit. */
+  scale: number;
+}
+
+export interface State {
+  scene: string;
+  size?: number;
+  seed: number;
+  choices: Choices;
+  speed: number;
+  paused: boolean;
+  /** Null: as the scene says. */
+  camera: Place | null;
+  code: string | null;
+  /** An open panel. */
+  panel: string | null;
+}
+
+function oneOf<T extends string | number>(known: readonly T[], text: string | null): T | undefined {
+  return known.find((value) => String(value) === text);
+}
+
+function wholeIn(text: string | null, least: number, most: number): number | undefined {
+  if (text === null || !/^\d{1,9}$/.test(text)) return undefined;
+  const number = Number(text);
+  return number >= least && number <= most ? number : undefined;
+}
+
+/** What an address says; what it says wrongly is as if it were not there. */
+export async function readState(address: URL): Promise<Partial<State>> {
+  const params = address.searchParams;
+  const state: Partial<State> = {};
+  // Links to levels looked so once.
+  const scene = params.get("scene") ?? params.get("level");
+  if (scene) state.scene = scene;
+  state.size = wholeIn(params.get("size"), 1, 1e6);
+  state.seed = wholeIn(params.get("seed"), 0, 999_999_999) ?? 0;
+  state.choices = {
+    quality: oneOf(QUALITIES, params.get("quality")) ?? USUAL.quality,
+    substeps: wholeIn(params.get("substeps"), 1, 64) ?? USUAL.substeps,
+    detection: oneOf(DETECTION_CHOICES, params.get("detection")) ?? USUAL.detection,
+    broadphase: oneOf(BROADPHASES, params.get("broadphase")) ?? USUAL.broadphase,
+    maxError: oneOf(MAX_ERRORS, params.get("error")) ?? USUAL.maxError,
+  };
+  const speed = oneOf(SPEEDS, params.get("speed"));
+  if (speed) state.speed = speed;
+  if (params.has("paused")) state.paused = params.get("paused") !== "0";
+  state.panel = params.get("panel");
+  state.camera = readPlace(params.get("view"));
+  const packed = new URLSearchParams(address.hash.slice(1)).get("code");
+  if (packed) state.code = await unpack(packed);
+  return state;
+}
+
+export async function writeState(state: State): Promise<string> {
+  const { scene, size, seed, choices, speed, paused, camera, panel } = state;
+  const params = new URLSearchParams({ scene });
+  const put = (name: string, value: string | number, usual: string | number) => {
+    if (value !== usual) params.set(name, String(value));
+  };
+  if (size !== undefined) params.set("size", String(size));
+  put("seed", seed, 0);
+  put("quality", choices.quality, USUAL.quality);
+  put("substeps", choices.substeps, USUAL.substeps);
+  put("detection", choices.detection, USUAL.detection);
+  put("broadphase", choices.broadphase, USUAL.broadphase);
+  put("error", choices.maxError, USUAL.maxError);
+  put("speed", speed, 1);
+  if (paused) params.set("paused", "1");
+  if (panel) params.set("panel", panel);
+  if (camera) params.set("view", placeText(camera));
+  const hash = state.code === null ? "" : `#code=${await pack(state.code)}`;
+  return `?${params.toString().replaceAll("%2C", ",")}${hash}`;
+}
+
+function readPlace(text: string | null): Place | null {
+  const numbers = (text ?? "").split(",").map(Number);
+  if (numbers.length !== 3 || !numbers.every(Number.isFinite)) return null;
+  const [x, y, scale] = numbers;
+  return scale > 0 ? { x, y, scale } : null;
+}
+
+/** To a hundredth of a pixel. */
+function placeText({ x, y, scale }: Place): string {
+  const digits = Math.max(0, Math.ceil(Math.log10(scale)) + 2);
+  return `${x.toFixed(digits)},${y.toFixed(digits)},${Number(scale.toPrecision(5))}`;
+}
+
+/** A text as letters that an address may hold: deflated, base64 with - and _. */
+async function pack(text: string): Promise<string> {
+  const packed = await through(new TextEncoder().encode(text), new CompressionStream("deflate-raw"));
+  let binary = "";
+  for (const byte of packed) binary += String.fromCharCode(byte);
+  return btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+}
+
+/** Null if it is damaged. */
+async function unpack(packed: string): Promise<string | null> {
+  try {
+    const binary = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
+    const bytes = Uint8Array.from(binary, (letter) => letter.charCodeAt(0));
+    const text = await through(bytes, new DecompressionStream("deflate-raw"));
+    return new TextDecoder("utf-8", { fatal: true }).decode(text);
+  } catch {
+    return null;
+  }
+}
+
+async function through(
+  bytes: Uint8Array<ArrayBuffer>,
+  stream: CompressionStream | DecompressionStream,
+): Promise<Uint8Array> {
+  const body = new Blob([bytes]).stream().pipeThrough(stream);
+  return new Uint8Array(await new Response(body).arrayBuffer());
+}

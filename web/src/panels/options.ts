@@ -1,0 +1,68 @@
+/** Speed, theme, what is shown, and a link to what one sees. */
+import type { App } from "../page/app";
+import { choiceBar, make } from "../page/dom";
+import type { Panel } from "../page/dock";
+import { notice } from "../page/messages";
+import { applyTheme, chosenTheme, chooseTheme, THEMES } from "../page/theme";
+import { SPEEDS } from "../page/url";
+
+export function createPanel(app: App): Panel {
+  const speed = choiceBar(
+    "speed",
+    "Speed",
+    "times real time",
+    SPEEDS.map((value) => ({ value: String(value), label: `${value}×` })),
+    (value) => app.setSpeed(Number(value)),
+  );
+  const theme = choiceBar(
+    "theme",
+    "Theme",
+    "",
+    THEMES.map((value) => ({ value, label: value })),
+    (value) => {
+      chooseTheme(value);
+      applyTheme();
+    },
+  );
+  theme.show(chosenTheme());
+  const seed = make("input", {
+    type: "number",
+    id: "seed",
+    min: 0,
+    max: 999999999,
+    step: 1,
+    inputmode: "numeric",
+  });
+  seed.addEventListener("change", () => {
+    if (!seed.checkValidity() || seed.value === "") return;
+    app.state.seed = Number(seed.value);
+    void app.restart();
+  });
+  const share = make("button", { class: "wide", id: "share" }, "Copy a link to what you see");
+  share.addEventListener("click", () => {
+    void navigator.clipboard.writeText(location.href).then(
+      () => notice("The link is in the clipboard: scene, choices, view and code."),
+      () => notice("The clipboard is not allowed here: copy the address from the address bar."),
+    );
+  });
+  const element = make(
+    "div",
+    {},
+    speed.element,
+    theme.element,
+    make(
+      "fieldset",
+      {},
+      make("legend", {}, make("label", { for: "seed" }, "Seed of chance")),
+      seed,
+    ),
+    make("fieldset", {}, share),
+  );
+  const show = () => {
+    speed.show(String(app.state.speed));
+    seed.value = String(app.state.seed);
+  };
+  app.listen({ state: show });
+  show();
+  return { element };
+}

@@ -1,0 +1,163 @@
+/** Makes the frames that the page draws: copies of what the world has, and only of what is new. */
+import { type BodyId, SHAPE_KINDS, type ShapeId, type Terrain, type Vec2, type World } from "thud";
+import type { Drawing, Frame, PlacedTerrain, Shapes } from "../scene/frame";
+import type { OverlayName } from "../scene/overlays";
+import { anchorOf } from "./deeds";
+import type { Look } from "./protocol";
+import type { Session } from "./session";
+
+const ROW = 10;
+const TERRAIN = SHAPE_KINDS.indexOf("terrain");
+const DYNAMIC = 2;
+/** Sleeping bodies are looked for this often, in frames. */
+const AWAKE_EVERY = 6;
+
+export class Frames {
+  #shapeRevision = -1;
+  #terrainRevision = -1;
+  /** The rows of the world's table that the page has. */
+  #source: Uint32Array = new Uint32Array(0);
+  #count = 0;
+
+  constructor(private readonly session: Session) {}
+
+  make(look: Look): Frame {
+    const { session } = this;
+    const { world } = session;
+    const [x, y] = look.origin;
+    const pull = session.pull;
+    const samples = session.samples;
+    session.samples = [];
+    const frame: Frame = {
+      run: session.run,
+      step: session.step,
+      origin: look.origin,
+      before: world.poses(0, x, y).slice(),
+      now: world.poses(1, x, y).slice(),
+      pull: pull && world.isValid(pull.body) ? [anchorOf(world, pull), pull.target] : null,
+      paint: session.paint,
+      stats: world.stats(),
+      error: world.error(),
+      samples,
+      history: { first: session.history.first, last: session.history.last },
+    };
+    this.#addShapes(frame);
+    if (this.#count++ % AWAKE_EVERY === 0 || frame.shapes) frame.awake = this.#awake();
+    const on = new Set(look.overlays);
+    frame.drawing = draw(world, look, on);
+    frame.rival = session.companion?.poses(look.origin);
+    return frame;
+  }
+
+  #addShapes(frame: Frame): void {
+    const { world, scene } = this.session;
+    const { shapes, terrains } = world.revision;
+    if (shapes !== this.#shapeRevision) {
+      const read = readShapes(world, new Set(scene.hidden ?? []));
+      this.#source = read.source;
+      frame.shapes = read.shapes;
+    }
+    if (shapes !== this.#shapeRevision || terrains !== this.#terrainRevision)
+      frame.terrains = readTerrains(world);
+    this.#shapeRevision = shapes;
+    this.#terrainRevision = terrains;
+  }
+
+  #awake(): Uint8Array {
+    const flags = this.session.world.shapeTableAwake();
+    return Uint8Array.from(this.#source, (row) => flags[row]);
+  }
+}
+
+/** The buffers of a frame that go over to the page. */
+export function transferables(frame: Frame): ArrayBuffer[] {
+  const { before, now, shapes, awake, classes, drawing, rival } = frame;
+  const arrays = [
+    before,
+    now,
+    shapes?.rows,
+    awake,
+    classes,
+    drawing?.shapes,
+    drawing?.lines,
+    drawing?.points,
+    rival?.before,
+    rival?.now,
+  ];
+  return arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : []));
+}
+
+/** The engine's debug drawing of what the page sees; undefined if none is asked for. */
+function draw(world: World, look: Look, on: ReadonlySet<OverlayName>): Drawing | undefined {
+  const flags = {
+    shapes: on.has("islands"),
+    islands: on.has("islands"),
+    bounds: on.has("bounds"),
+    cells: on.has("cells"),
+    contacts: on.has("contacts") || on.has("normals"),
+    pairs: on.has("pairs"),
+    motions: on.has("motions"),
+    axes: on.has("axes"),
+  };
+  if (!Object.values(flags).includes(true)) return undefined;
+  const { shapes, lines, points } = world.debugDraw({
+    ...flags,
+    origin: look.origin,
+    lower: look.lower,
+    upper: look.upper,
+  });
+  return { shapes: shapes.slice(), lines: lines.slice(), points: points.slice() };
+}
+
+/** Circles and boxes of all bodies but the hidden; `source` tells each row's place in the table. */
+export function readShapes(
+  world: World,
+  hidden: ReadonlySet<number> = new Set(),
+): { shapes: Shapes; source: Uint32Array } {
+  const { rows: all, count: total } = world.shapeTable();
+  const rows = new Float32Array(total * ROW);
+  const source = new Uint32Array(total);
+  const sizes: number[] = [];
+  let count = 0;
+  let slots = 0;
+  for (let i = 0; i < total; i++) {
+    const row = all.subarray(i * ROW, (i + 1) * ROW);
+    const [slot, kind, bodyKind] = row;
+    slots = Math.max(slots, slot + 1);
+    if (kind === TERRAIN || hidden.has(slot)) continue;
+    if (bodyKind === DYNAMIC) sizes.push(row[6]);
+    rows.set(row, count * ROW);
+    source[count++] = i;
+  }
+  const order = new Uint32Array(slots);
+  for (let i = 0; i < count; i++) if (rows[i * ROW + 2] === DYNAMIC) order[rows[i * ROW]] = 1;
+  let moving = 0;
+  for (let slot = 0; slot < slots; slot++) if (order[slot] !== 0) order[slot] = moving++;
+  sizes.sort((a, b) => a - b);
+  return {
+    shapes: {
+      rows: rows.slice(0, count * ROW),
+      count,
+      slots,
+      moving,
+      order,
+      typicalSize: sizes.length > 0 ? sizes[sizes.length >> 1] : 0,
+    },
+    source: source.slice(0, count),
+  };
+}
+
+function readTerrains(world: World): PlacedTerrain[] {
+  const { count, rows, handles: views } = world.shapeTable();
+  const kinds = Array.from({ length: count }, (_, i) => rows[ROW * i + 1]);
+  const handles = views.slice();
+  return kinds.flatMap((kind, i) => {
+    if (kind !== TERRAIN) return [];
+    const [shape1, shapeGeneration, body1, bodyGeneration] = handles.subarray(4 * i, 4 * i + 4);
+    const shape: ShapeId = { kind: "shape", index: shape1 - 1, generation: shapeGeneration };
+    const body: BodyId = { kind: "body", index: body1 - 1, generation: bodyGeneration };
+    const [x, y]: Vec2 = world.bodyState(body).position;
+    const terrain: Terrain = world.terrain(shape);
+    return [{ x, y, terrain }];
+  });
+}

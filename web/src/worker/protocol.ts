@@ -1,0 +1,86 @@
+/** The messages between the page and the worker in which physics runs. Types only. */
+import type { Broadphase, Detection, Quality, Vec2 } from "thud";
+import type { Frame } from "../scene/frame";
+import type { OverlayName } from "../scene/overlays";
+import type { KeyName, SceneSize, View } from "../scene/scene";
+import type { Deed } from "./deeds";
+
+/** What the visitor has chosen for every world. */
+export interface Choices {
+  quality: Quality;
+  /** 0: the quality's. */
+  substeps: number;
+  /** "auto": the quality's. */
+  detection: Detection | "auto";
+  broadphase: Broadphase;
+  /** In length scales; 0: none. */
+  maxError: number;
+}
+
+/** What to run. */
+export interface SceneRequest {
+  /** Of web/public/scenes, without its ending. */
+  name: string;
+  /** The visitor's own text in place of the file's. */
+  code?: string;
+  /** Files that `readText` finds before those of the page: a level that was dropped. */
+  files?: Readonly<Record<string, string>>;
+  /** Clamped to the scene's; without it the usual one. */
+  size?: number;
+  seed: number;
+  choices: Choices;
+}
+
+/** What the page knows of a scene that runs. */
+export interface RunningScene {
+  run: number;
+  size: number;
+  sizes: SceneSize | null;
+  view: View;
+  spawn: Vec2;
+  lengthScale: number;
+  timeStep: number;
+  show: readonly OverlayName[];
+  keys: readonly KeyName[];
+  pointer: boolean;
+  notes: readonly string[];
+}
+
+/** What the page sees, and what it wants drawn there by the engine. */
+export interface Look {
+  origin: Vec2;
+  lower: Vec2;
+  upper: Vec2;
+  overlays: readonly OverlayName[];
+  energy: boolean;
+}
+
+/** Why a scene could not be run or stopped; `line` and `column` (from 1) are of its own text. */
+export interface Trouble {
+  message: string;
+  line?: number;
+  column?: number;
+  details?: readonly string[];
+}
+
+/** Requests that are answered once each; see Client.ask. */
+export interface Questions {
+  load: { ask: { wasm: string; page: string }; answer: void };
+  run: { ask: SceneRequest; answer: RunningScene };
+  choose: { ask: Pick<Choices, "quality" | "substeps" | "maxError">; answer: void };
+  /** Goes to a step of the past, or on from there; the future stays until a step is made. */
+  seek: { ask: { step: number; look: Look }; answer: Frame };
+  hash: { ask: Record<string, never>; answer: { step: number; hash: string } };
+}
+export type QuestionName = keyof Questions;
+
+export type ToWorker =
+  | { kind: "ask"; id: number; name: QuestionName; value: unknown }
+  | { kind: "deed"; deed: Deed }
+  /** Steps are made until `until`, or for as long as the page can wait; a frame answers. */
+  | { kind: "tick"; until: number; look: Look };
+
+export type ToPage =
+  | { kind: "answer"; id: number; value?: unknown; trouble?: Trouble }
+  | { kind: "frame"; frame: Frame }
+  | { kind: "trouble"; run: number; trouble: Trouble };

@@ -1,0 +1,197 @@
+/** A running scene: its world, its time, and the visitor's hands in it. */
+import type { Vec2, World } from "thud";
+import type { Input, KeyName, Paint, Scene, SceneSize } from "../scene/scene";
+import { KEY_NAMES } from "../scene/scene";
+import type { Sample } from "../scene/frame";
+import {
+  applyPull,
+  type Deed,
+  dig,
+  explosion,
+  type Pull,
+  spawn,
+  takeHold,
+} from "./deeds";
+import { History } from "./history";
+import type { Choices } from "./protocol";
+
+/** What the visitor's hands hold; plain data, kept with every moment of the past. */
+interface Hands {
+  pull: Pull | null;
+  held: Record<KeyName, boolean>;
+  pointer: Input["pointer"];
+}
+
+/** Another engine that goes along; see rival/. */
+export interface Companion {
+  /** Does to its own bodies what was done to the world, and makes the same step. */
+  step(deeds: readonly Deed[], pull: Pull | null): Sample["rival"];
+  /** After the world went to another time. */
+  restart(): void;
+  /** Of the last two steps, laid out as World.poses; to be given away. */
+  poses(origin: Vec2): { before: Float32Array; now: Float32Array };
+  close(): void;
+}
+
+export class Session {
+  readonly world: World;
+  readonly history = new History();
+  /** Steps since the scene began. */
+  step = 0;
+  paint: Paint | null = null;
+  samples: Sample[] = [];
+  wantsEnergy = false;
+  companion: Companion | null = null;
+  readonly #hands: Hands = {
+    pull: null,
+    held: Object.fromEntries(KEY_NAMES.map((name) => [name, false])) as Hands["held"],
+    pointer: null,
+  };
+  /** Since the last step. */
+  #done: Deed[] = [];
+
+  constructor(
+    readonly run: number,
+    readonly scene: Scene,
+    readonly size: number,
+    readonly sizes: SceneSize | null,
+    readonly lengthScale: number,
+    readonly timeStep: number,
+  ) {
+    this.world = scene.world;
+    this.paint = scene.paint?.() ?? null;
+    this.#keepMoment();
+  }
+
+  close(): void {
+    this.companion?.close();
+    this.scene.close?.();
+    this.world.close();
+  }
+
+  get pull(): Pull | null {
+    return this.#hands.pull;
+  }
+
+  /** Does something to the world; a step later it is in the journal. */
+  do(deed: Deed): void {
+    this.#apply(deed);
+    // Of two moves without a step between them only the last counts.
+    const last = this.#done.at(-1);
+    if (last?.kind === deed.kind && (deed.kind === "drag" || deed.kind === "pointer"))
+      this.#done.pop();
+    this.#done.push(deed);
+  }
+
+  makeStep(): void {
+    const deeds = this.#done;
+    this.#done = [];
+    this.history.note(this.step, deeds);
+    this.#advance();
+    const { world } = this;
+    const { stepSeconds, bytes } = world.stats();
+    this.samples.push({
+      step: this.step,
+      milliseconds: 1000 * stepSeconds,
+      penetration: world.error().penetrationMax,
+      energy: this.wantsEnergy ? energyOf(world) : undefined,
+      rival: this.companion?.step(deeds, this.#hands.pull),
+    });
+    if (this.history.wants(this.step, 1000 * stepSeconds, bytes)) this.#keepMoment();
+  }
+
+  /** Goes to a step of the past, or on from there; false if it is out of reach. */
+  seek(step: number): boolean {
+    const moment = this.history.before(step);
+    if (!moment || step > this.history.last) return false;
+    // What was done since the last step is no part of the past.
+    const edited = this.#done.length > 0;
+    this.#done = [];
+    if (step < this.step || moment.step > this.step || edited) this.#goTo(moment);
+    while (this.step < step) {
+      for (const deed of this.history.deedsAt(this.step)) this.#apply(deed);
+      this.#advance();
+    }
+    this.companion?.restart();
+    return true;
+  }
+
+  #advance(): void {
+    const hands = this.#hands;
+    if (hands.pull && !applyPull(this.world, hands.pull, this.lengthScale)) hands.pull = null;
+    this.scene.update?.({ step: this.step, held: hands.held, pointer: hands.pointer });
+    this.world.step();
+    this.step++;
+    this.paint = this.scene.paint?.() ?? null;
+  }
+
+  #apply(deed: Deed): void {
+    const { world } = this;
+    const hands = this.#hands;
+    switch (deed.kind) {
+      case "grab":
+        hands.pull = takeHold(world, deed.x, deed.y, deed.reach);
+        break;
+      case "drag":
+        if (hands.pull) hands.pull.target = [deed.x, deed.y];
+        break;
+      case "release":
+        hands.pull = null;
+        break;
+      case "spawn":
+        spawn(world, deed);
+        break;
+      case "explode":
+        for (const { body, point, gain } of explosion(world, deed)) {
+          const { mass } = world.bodyState(body);
+          world.applyImpulse(body, [mass * gain[0], mass * gain[1]], point);
+        }
+        break;
+      case "dig":
+        dig(world, deed);
+        break;
+      case "keys":
+        Object.assign(hands.held, deed.held);
+        break;
+      case "pointer":
+        hands.pointer = { x: deed.x, y: deed.y, down: deed.down };
+        break;
+    }
+  }
+
+  #keepMoment(): void {
+    this.history.keep({
+      step: this.step,
+      world: this.world.snapshot(),
+      rest: structuredClone({ hands: this.#hands, state: this.scene.state ?? null }),
+    });
+  }
+
+  #goTo(moment: { step: number; world: Uint8Array; rest: unknown }): void {
+    const rest = structuredClone(moment.rest) as { hands: Hands; state: object | null };
+    this.world.restore(moment.world);
+    this.step = moment.step;
+    Object.assign(this.#hands, rest.hands);
+    const { state } = this.scene;
+    if (state && rest.state) replace(state, rest.state);
+    this.scene.restored?.();
+    this.paint = this.scene.paint?.() ?? null;
+  }
+
+  choose({ quality, substeps, maxError }: Pick<Choices, "quality" | "substeps" | "maxError">): void {
+    this.world.setQuality(quality, substeps);
+    this.world.setMaxError(maxError * this.lengthScale);
+  }
+}
+
+/** The same object with other contents: scenes hold on to it. */
+function replace(target: object, source: object): void {
+  for (const key of Object.keys(target))
+    if (!(key in source)) delete (target as Record<string, unknown>)[key];
+  Object.assign(target, source);
+}
+
+export function energyOf(world: World): number {
+  const { kineticEnergy, potentialEnergy } = world.measure();
+  return kineticEnergy + potentialEnergy;
+}

@@ -1,0 +1,116 @@
+/** Sets a scene up: gives its module what it asks for and takes the world that it makes. */
+import type { Engine, World, WorldOptions } from "thud";
+import type { Scene, SceneModule, View } from "../scene/scene";
+import { createSetting } from "../scene/setting";
+import type { Choices, RunningScene, SceneRequest } from "./protocol";
+import { Session } from "./session";
+import { readShapes } from "./frames";
+import { SceneError } from "./module";
+
+/** The visitor's choices as options of a world. */
+export function optionsOf(choices: Choices): WorldOptions {
+  const { quality, substeps, detection, broadphase } = choices;
+  return {
+    quality,
+    substeps,
+    detection: detection === "auto" ? undefined : detection,
+    broadphase,
+    timed: true,
+  };
+}
+
+export async function setUp(
+  run: number,
+  module: SceneModule,
+  engine: Engine,
+  request: SceneRequest,
+  readText: (file: string) => Promise<string>,
+): Promise<Session> {
+  const setting = createSetting(module, {
+    thud: engine,
+    choices: optionsOf(request.choices),
+    size: request.size,
+    seed: request.seed,
+    readText,
+  });
+  // Of the worlds that a scene makes, the one that it returns is run; the others are freed.
+  const made = new Map<World, Pick<WorldOptions, "lengthScale" | "timeStep">>();
+  const { createWorld, buildLevel } = setting;
+  setting.createWorld = (options = {}) => {
+    const world = createWorld(options);
+    made.set(world, options);
+    return world;
+  };
+  setting.buildLevel = (level) => {
+    const world = buildLevel(level);
+    made.set(world, level);
+    return world;
+  };
+  let scene: Scene | undefined;
+  try {
+    scene = await module.default(setting);
+    if (!scene?.world || !made.has(scene.world))
+      throw new SceneError({
+        message: "A scene returns the world that createWorld gave it: return { world }",
+      });
+    const { lengthScale = 1, timeStep = 1 / 60 } = made.get(scene.world) ?? {};
+    made.delete(scene.world);
+    // Given in length scales, which the scene alone knows.
+    scene.world.setMaxError(request.choices.maxError * lengthScale);
+    return new Session(run, scene, setting.size, module.size ?? null, lengthScale, timeStep);
+  } finally {
+    for (const world of made.keys()) world.close();
+  }
+}
+
+export function describe(session: Session): RunningScene {
+  const { run, size, sizes, scene, lengthScale, timeStep } = session;
+  const view = scene.view ?? fit(session);
+  return {
+    run,
+    size,
+    sizes,
+    view: view.width === undefined ? { ...view, width: widthOf(session, view) } : view,
+    spawn: scene.spawn ?? [view.x, view.y + 0.4 * view.height],
+    lengthScale,
+    timeStep,
+    show: scene.show ?? [],
+    keys: scene.keys ?? [],
+    pointer: scene.pointer ?? false,
+    notes: scene.notes ?? [],
+  };
+}
+
+/** As wide as what moves in a view, within reason. */
+function widthOf({ world }: Session, { x, y, height }: View): number {
+  const { shapes } = readShapes(world);
+  const poses = world.poses(1, x, y);
+  let reach = 0;
+  for (let i = 0; i < shapes.count; i++) {
+    const [slot, , bodyKind] = shapes.rows.subarray(10 * i, 10 * i + 3);
+    const distance = Math.abs(poses[4 * slot]);
+    if (bodyKind === 2 && distance <= height) reach = Math.max(reach, distance);
+  }
+  return Math.min(2.2 * reach, 2 * height);
+}
+
+/** Around the bodies that move; around all if none does. */
+function fit({ world }: Session): View {
+  const { shapes } = readShapes(world);
+  const poses = world.poses(1, 0, 0);
+  let [x0, y0, x1, y1] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const least of [2, 0]) {
+    for (let i = 0; i < shapes.count; i++) {
+      const row = shapes.rows.subarray(10 * i, 10 * i + 10);
+      if (row[2] < least) continue;
+      const [x, y] = [poses[4 * row[0]], poses[4 * row[0] + 1]];
+      const reach = Math.hypot(row[6], row[7]);
+      [x0, x1] = [Math.min(x0, x - reach), Math.max(x1, x + reach)];
+      [y0, y1] = [Math.min(y0, y - reach), Math.max(y1, y + reach)];
+    }
+    if (x0 < x1) break;
+  }
+  if (!(x0 < x1)) return { x: 0, y: 5, height: 20 };
+  const height = 1.4 * Math.max(y1 - y0, 1);
+  return { x: (x0 + x1) / 2, y: (y0 + y1) / 2, height, width: 1.2 * (x1 - x0) };
+}

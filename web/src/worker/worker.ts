@@ -1,0 +1,116 @@
+/**
+ * The worker in which physics runs, so that the page stays alive whatever a scene costs. It makes
+ * steps when the page asks for them, and answers questions in the order they come.
+ */
+import { type Engine, load } from "thud";
+import { Frames, transferables } from "./frames";
+import { importScene, troubleOf } from "./module";
+import type { QuestionName, Questions, ToPage, ToWorker } from "./protocol";
+import type { Session } from "./session";
+import { describe, setUp } from "./stage";
+
+/** Milliseconds of one tick, after which a frame goes out even if steps are left to make. */
+const PATIENCE = 24;
+
+let engine: Engine;
+let base: string;
+let session: Session | null = null;
+let frames: Frames;
+let runs = 0;
+
+type Answers = {
+  [Name in QuestionName]: (
+    ask: Questions[Name]["ask"],
+  ) => Promise<Questions[Name]["answer"]> | Questions[Name]["answer"];
+};
+
+const answers: Answers = {
+  async load({ wasm, page }) {
+    base = page;
+    engine = await load(new URL(wasm, page));
+  },
+
+  async run(request) {
+    const module = await importScene(base, request.name, request.code);
+    const readText = (file: string) => readFile(file, request.files);
+    const next = await setUp(runs + 1, module, engine, request, readText);
+    runs++;
+    session?.close();
+    session = next;
+    frames = new Frames(session);
+    return describe(session);
+  },
+
+  choose(choices) {
+    session?.choose(choices);
+  },
+
+  seek({ step, look }) {
+    const running = needSession();
+    if (!running.seek(step))
+      throw new Error(`Step ${step} is not kept any more, or has not been made.`);
+    return frames.make(look);
+  },
+
+  hash() {
+    const { step, world } = needSession();
+    return { step, hash: world.hash() };
+  },
+};
+
+function needSession(): Session {
+  if (!session) throw new Error("No scene runs.");
+  return session;
+}
+
+async function readFile(
+  file: string,
+  own: Readonly<Record<string, string>> | undefined,
+): Promise<string> {
+  if (own && file in own) return own[file];
+  const url = new URL(file, base);
+  if (!url.href.startsWith(new URL(".", base).href))
+    throw new Error(`${file} is not a file of this page.`);
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${file} cannot be loaded: ${response.status}`);
+  return response.text();
+}
+
+function post(message: ToPage, transfer: ArrayBuffer[] = []): void {
+  self.postMessage(message, { transfer });
+}
+
+async function answer(id: number, name: QuestionName, value: never): Promise<void> {
+  try {
+    const result = await answers[name](value);
+    const transfer = name === "seek" ? transferables(result as Questions["seek"]["answer"]) : [];
+    post({ kind: "answer", id, value: result }, transfer);
+  } catch (error) {
+    post({ kind: "answer", id, trouble: troubleOf(error) });
+  }
+}
+
+/** Makes steps up to a number, for as long as the page may wait. */
+function tick(running: Session, until: number): void {
+  const end = performance.now() + PATIENCE;
+  while (running.step < until && performance.now() < end) running.makeStep();
+}
+
+self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
+  if (data.kind === "ask") {
+    void answer(data.id, data.name, data.value as never);
+    return;
+  }
+  if (!session) return;
+  try {
+    if (data.kind === "deed") session.do(data.deed);
+    else {
+      session.wantsEnergy = data.look.energy;
+      tick(session, data.until);
+      const frame = frames.make(data.look);
+      post({ kind: "frame", frame }, transferables(frame));
+    }
+  } catch (error) {
+    post({ kind: "trouble", run: session.run, trouble: troubleOf(error) });
+  }
+};
