@@ -257,6 +257,27 @@ test("game_goes_the_same_way_from_copies_of_its_state", async () => {
   assert.deepEqual(copying, await play(() => {}));
 });
 
+test("game_taken_back_in_mid_flight_goes_the_same_way_again", async () => {
+  const game = await open({ seed: 3 });
+  const { scene, world } = game;
+  game.run(60);
+  game.press("left");
+  game.run(20, { up: true });
+  game.run(20, { fire: true });
+  assert.equal(scene.state.phase, "fly");
+  const saved = { bytes: world.snapshot(), state: structuredClone(scene.state) };
+  const playOn = () => {
+    game.until(({ phase, turn, waited }) => phase === "aim" && turn === 0 && waited > 5, 3000);
+    return { hash: world.hash(), state: structuredClone(scene.state) };
+  };
+  const first = playOn();
+  world.restore(saved.bytes);
+  scene.state = structuredClone(saved.state);
+  assert.notEqual(world.hash(), first.hash);
+  assert.deepEqual(playOn(), first);
+  world.close();
+});
+
 test("another_seed_plays_on_another_stretch", async () => {
   const grounds = new Set();
   for (const seed of [0, 1, 2, 3]) {

@@ -15,6 +15,7 @@ export async function chooseGround(readText, share) {
     profile.slice(2 * REACH).map((_, i) => readStretch(profile.slice(i, i + 2 * REACH + 1))),
   );
   const good = stretches.filter(playsWell);
+  if (good.length === 0) throw new Error("no stretch has two level places with a hill between");
   return good[Math.floor(share * good.length)];
 }
 
