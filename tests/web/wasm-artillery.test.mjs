@@ -170,6 +170,15 @@ test("keys_turn_the_barrel_and_change_the_power", async () => {
   game.world.close();
 });
 
+test("key_that_chose_the_players_does_not_turn_the_barrel", async () => {
+  const game = await open();
+  const { angle } = game.scene.state.tanks[0];
+  game.run(10, { left: true });
+  assert.equal(game.scene.state.phase, "aim");
+  assert.equal(game.scene.state.tanks[0].angle, angle);
+  game.world.close();
+});
+
 test("drawing_back_aims_and_letting_go_fires", async () => {
   const game = await openAiming();
   const at = (x, y, down) => ({ x, y, down });

@@ -82,7 +82,7 @@ export default async function ({ createWorld, readText, random, seed }) {
   }
 
   function choose(game, input, pressed, tapped) {
-    game.message = "Left: play against the computer. Right: two players take turns.";
+    game.message = "Left: against the computer. Right: two players.";
     const forOne = pressed("left") || pressed("fire") || (tapped && input.pointer.x < 0);
     const forTwo = pressed("right") || (tapped && input.pointer.x >= 0);
     if (!forOne && !forTwo) return;
@@ -97,11 +97,12 @@ export default async function ({ createWorld, readText, random, seed }) {
     game.wind = chance(game, -STRONGEST_WIND, STRONGEST_WIND);
     game.plan = null;
     game.pull = null;
+    game.holds = { left: 2, right: 2, up: 2, down: 2 }; // a key still held is no new press
     const whose = game.computer ? "Your" : `${nameOf(game, turn)}’s`;
     game.message =
       game.computer && turn === 1
         ? "The computer aims."
-        : `${whose} turn: aim with the arrow keys and fire, or drag back and let go.`;
+        : `${whose} turn: aim by arrow keys and fire, or drag back and let go.`;
   }
 
   function aim(game, input, pressed, tapped) {
@@ -134,6 +135,7 @@ export default async function ({ createWorld, readText, random, seed }) {
     world.setVelocity(shell, game.velocity);
     own.shots++;
     game.trail = [];
+    game.message = "Fire!";
     game.effects.push({ kind: "flash", x: muzzle[0], y: muzzle[1], radius: 1.4, age: 0, life: 10 });
     enter(game, "fly");
     pushByWind(game);
