@@ -11,7 +11,9 @@ import { ThudError } from "./error.js";
 export { Engine, type WasmSource } from "./engine.js";
 export { type ErrorCode, ThudError } from "./error.js";
 export { Mover, type MoverState } from "./mover.js";
+export * from "./query-types.js";
 export * from "./types.js";
+export * from "./view-types.js";
 export { World } from "./world.js";
 
 /** Loads the engine; without a source, the thud.wasm that lies beside this file. */

@@ -6,8 +6,10 @@
  *     const { velocity, ground } = mover.move([5, -1], 1 / 60);
  */
 import { ThudError } from "./error.js";
-import type { BodyId, MoverHit, MoverOptions, MoverReport, ShapeId, Vec2 } from "./types.js";
-import { bodyId, fill, shapeId, solidNumbers, view, type World } from "./world.js";
+import { bodyId, fill, shapeId, solidNumbers, view } from "./numbers.js";
+import type { MoverHit, MoverOptions, MoverReport } from "./query-types.js";
+import type { BodyId, ShapeId, Vec2 } from "./types.js";
+import type { World } from "./world.js";
 
 const HIT = 9;
 

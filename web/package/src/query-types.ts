@@ -1,0 +1,84 @@
+/** What queries and movers take and give. Units as in types.ts. */
+import type { BodyId, ShapeId, Vec2 } from "./types.js";
+
+export interface QueryFilter {
+  category?: number;
+  mask?: number;
+  /** Find sensors too. Default false. */
+  sensors?: boolean;
+}
+
+export interface RayHit {
+  shape: ShapeId;
+  point: Vec2;
+  normal: Vec2;
+  /** Of the translation, 0 to 1. */
+  fraction: number;
+  /** Of the overlap with a shape that is met at 0; else, and of rays, 0. */
+  depth: number;
+}
+
+/** A shape that asks or moves. */
+export type SolidShape =
+  | { kind: "circle"; radius: number }
+  | { kind: "aabb"; halfWidth: number; halfHeight: number }
+  | { kind: "obb"; halfWidth: number; halfHeight: number; angle: number };
+
+export interface ClosestHit {
+  shape: ShapeId;
+  /** Of its surface, the closest. */
+  point: Vec2;
+  /** Outward. */
+  normal: Vec2;
+  /** Negative: so deep inside, by the shortest way out. */
+  distance: number;
+}
+
+/** A character; lengths are in your own unit. */
+export interface MoverOptions {
+  shape: SolidShape;
+  position: Vec2;
+  /** Unit; [0, 0] for a game seen from above, which has no ground. Default [0, 1]. */
+  up?: Vec2;
+  /** Kept free between it and what it meets. Default 2 % of the smallest half extent. */
+  skin?: number;
+  /** Radians, 0 to 1.55; steeper ground is a wall. Default 0.9. */
+  maxSlope?: number;
+  /** Default 60 % of the half height. */
+  stepHeight?: number;
+  /** How far the ground may fall away under a step. Default as stepHeight. */
+  snapDistance?: number;
+  /** Most force on a dynamic body in the way. Default 0. */
+  pushForce?: number;
+  /** A kinematic body about its centre that follows it, so that dynamic bodies meet it. */
+  body?: BodyId;
+  filter?: QueryFilter;
+  /** Bits: shapes of these categories are passed from below and stood on. Default none. */
+  oneWay?: number;
+}
+
+export interface MoverHit {
+  shape: ShapeId;
+  body: BodyId;
+  point: Vec2;
+  normal: Vec2;
+  depth: number;
+}
+
+export interface MoverReport {
+  position: Vec2;
+  /** What it stands on. */
+  ground: { normal: Vec2; shape: ShapeId; body: BodyId; velocity: Vec2 } | null;
+  /** What is left of the velocity that was asked for. */
+  velocity: Vec2;
+  /** Of the deepest overlap left where something closed in; mostly 0. */
+  depth: number;
+  hits: MoverHit[];
+}
+
+/** What to look for with `World.overlap`. */
+export type OverlapQuery =
+  | { kind: "bounds"; lower: Vec2; upper: Vec2 }
+  | { kind: "circle"; center: Vec2; radius: number }
+  | { kind: "aabb"; center: Vec2; halfWidth: number; halfHeight: number }
+  | { kind: "obb"; center: Vec2; halfWidth: number; halfHeight: number; angle: number };

@@ -1,0 +1,129 @@
+/** What is read of a whole world: events, statistics, errors, drawing. Units as in types.ts. */
+import type { BodyId, ShapeId, Vec2 } from "./types.js";
+
+export interface ContactEvent {
+  a: ShapeId;
+  b: ShapeId;
+}
+
+export interface HitEvent extends ContactEvent {
+  point: Vec2;
+  /** From a to b. */
+  normal: Vec2;
+  /** Of approach. */
+  speed: number;
+}
+
+/** Events of the last step, in a deterministic order. */
+export interface Events {
+  begin: ContactEvent[];
+  end: ContactEvent[];
+  /** `a` is the sensor. */
+  sensorBegin: ContactEvent[];
+  sensorEnd: ContactEvent[];
+  hit: HitEvent[];
+  quarantined: BodyId[];
+}
+
+export interface Stats {
+  steps: number;
+  bodies: number;
+  shapes: number;
+  awakeBodies: number;
+  pairs: number;
+  /** Touching pairs. */
+  contacts: number;
+  colours: number;
+  blocks: number;
+  /** Memory held by the world. */
+  bytes: number;
+  /** Allocations made by the last step. */
+  stepAllocations: number;
+  /** Of the last step; fewer than the quality's where the time budget is short. */
+  substeps: number;
+  /** Of the last step; 0 unless the world is timed or has a time budget. */
+  stepSeconds: number;
+  stageSeconds: Readonly<Record<string, number>>;
+}
+
+/** What the last step got wrong, of the contacts that are awake. */
+export interface StepError {
+  /** Over the points of touching pairs, at the end of the step. */
+  penetrationMax: number;
+  penetrationMean: number;
+  /** Fastest approach at a contact that the solver's last pass still met, and took away. */
+  residual: number;
+  /**
+   * Of kinetic and potential energy. Negative where friction, damping and restitution take some;
+   * positive is energy that nobody put in, or that forces, kinematic bodies and moving surfaces did.
+   */
+  energyChange: number;
+  /** Points deeper than 0.005 length scales. */
+  overlaps: number;
+}
+
+/** Error and energy of the present state. */
+export interface Measure {
+  penetrationMax: number;
+  penetrationMean: number;
+  kineticEnergy: number;
+  potentialEnergy: number;
+}
+
+/** Every shape at once, for drawing. The arrays are views into wasm memory: see `poses()`. */
+export interface ShapeTable {
+  readonly count: number;
+  /**
+   * Ten numbers a shape: body slot, shape kind, body kind, sensor, offset x and y, half extents x
+   * and y, cosine and sine in the body's frame.
+   */
+  readonly rows: Float32Array;
+  /** Four numbers a shape: index1 and generation of the shape, and of its body. */
+  readonly handles: Uint32Array;
+}
+
+/** Shapes to leave out or put in with `World.debugDraw`. */
+export interface DrawOptions {
+  shapes?: boolean;
+  bounds?: boolean;
+  cells?: boolean;
+  contacts?: boolean;
+  islands?: boolean;
+  /** The sorted intervals of a plane sweep, at the lower edge. */
+  axes?: boolean;
+  /** Lines between shapes whose bounds overlap. */
+  pairs?: boolean;
+  /** The swept volumes of the last step, of what moved further than a quarter of its size. */
+  motions?: boolean;
+  /** Coordinates are relative to it. Default [0, 0]. */
+  origin?: Vec2;
+  lower: Vec2;
+  upper: Vec2;
+}
+
+export const DRAW_STYLES = [
+  "static",
+  "kinematic",
+  "dynamic",
+  "sleeping",
+  "sensor",
+  "bounds",
+  "cell",
+  "contact",
+  "normal",
+  "interval",
+  "interval overlapping",
+  "pair",
+  "pair touching",
+  "motion",
+] as const;
+
+/** Views into wasm memory, valid until the next call of `debugDraw`. */
+export interface DrawLists {
+  /** Nine a shape: centre, half extents, cosine, sine, 1 if a circle, style, island. */
+  readonly shapes: Float32Array;
+  /** Five a line: both ends, style. */
+  readonly lines: Float32Array;
+  /** Three a point: place, style. */
+  readonly points: Float32Array;
+}

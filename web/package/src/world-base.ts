@@ -1,0 +1,163 @@
+/** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
+import type { Engine } from "./engine.js";
+import { ThudError } from "./error.js";
+import { detectionIndex, fill, indexOf, shapeId, view } from "./numbers.js";
+import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
+import {
+  type BodyId,
+  BROADPHASES,
+  QUALITIES,
+  type Quality,
+  type ShapeId,
+  type Vec2,
+  type WorldOptions,
+} from "./types.js";
+
+/** As far out as a body can be, in length scales; a little less, for rounding. */
+const EVERYWHERE = 0.999e9;
+
+export class WorldBase {
+  readonly engine: Engine;
+  #address: number;
+  /** Nothing is further from the origin, in length units. */
+  protected readonly reach: number;
+  protected shapesRevision = 0;
+  protected terrainsRevision = 0;
+
+  /**
+   * Made by `Engine.createWorld`. An address adopts a world that other code in the module made; of
+   * the options only its length scale counts then.
+   */
+  constructor(engine: Engine, options: WorldOptions = {}, address = 0) {
+    this.engine = engine;
+    this.#address = address;
+    this.reach = EVERYWHERE * (options.lengthScale ?? 1);
+    if (address !== 0) return;
+    WorldBase.writeOptions(engine, options);
+    engine.check(engine.exports.api_world_create());
+    this.#address = engine.slots[0];
+  }
+
+  /** Fills the slots of api_world_defaults, for code that makes worlds in the module itself. */
+  static writeOptions(engine: Engine, options: WorldOptions): void {
+    engine.exports.api_world_defaults();
+    const quality =
+      options.quality === undefined ? undefined : indexOf(QUALITIES, options.quality, "quality");
+    fill(engine.slots, [
+      options.gravity?.[0],
+      options.gravity?.[1],
+      options.timeStep,
+      options.lengthScale,
+      quality,
+      options.substeps,
+      options.contactStiffness,
+      options.contactDamping,
+      options.pushSpeed,
+      options.restitutionThreshold,
+      options.hitSpeed,
+      options.maximumSpeed,
+      options.sleeping,
+      detectionIndex(options.detection),
+      options.contactEvents,
+      options.timed,
+      options.broadphase && indexOf(BROADPHASES, options.broadphase, "broadphase"),
+      options.timeBudget,
+      options.maxError,
+    ]);
+  }
+
+  /** The world's address in wasm memory; throws after `close`. */
+  get address(): number {
+    if (this.#address === 0) throw new ThudError("stale", "the world has been destroyed");
+    return this.#address;
+  }
+
+  /** Frees the world. Using it afterwards throws. */
+  close(): void {
+    this.engine.exports.api_world_destroy(this.address);
+    this.#address = 0;
+  }
+
+  // ---- going back ----
+
+  /** The whole state as bytes: a copy that stays as it is. See thud_snapshot.h for what it holds. */
+  snapshot(): Uint8Array<ArrayBuffer> {
+    return takeSnapshot(this.engine, this.address);
+  }
+
+  /**
+   * Back to a snapshot of this world, or of another with the same options: from there on the same
+   * calls give the same bits and the same handles. Throws, and changes nothing, for bytes that are
+   * damaged, or of another version or kind of world.
+   */
+  restore(snapshot: Uint8Array): void {
+    restoreSnapshot(this.engine, this.address, snapshot);
+    this.shapesRevision++;
+    this.terrainsRevision++;
+  }
+
+  /**
+   * Two numbers that rise when bodies or shapes came, went or were enabled or disabled, and when the
+   * ground changed: whoever draws reads the shape table and the terrains anew then.
+   */
+  get revision(): { readonly shapes: number; readonly terrains: number } {
+    return { shapes: this.shapesRevision, terrains: this.terrainsRevision };
+  }
+
+  // ---- time ----
+
+  /** Runs one step. */
+  step(): void {
+    this.engine.check(this.engine.exports.api_world_step(this.address));
+  }
+
+  /**
+   * Runs as many whole steps as the elapsed seconds allow, at most `maxSteps`. `alpha` tells how
+   * far the present lies between the last step and the next, for `poses`.
+   */
+  advance(elapsed: number, maxSteps = 4): { steps: number; alpha: number } {
+    const { engine } = this;
+    engine.check(engine.exports.api_world_advance(this.address, elapsed, maxSteps));
+    return { steps: engine.slots[0], alpha: engine.slots[1] };
+  }
+
+  setGravity(gravity: Vec2): void {
+    this.engine.check(
+      this.engine.exports.api_world_set_gravity(this.address, gravity[0], gravity[1]),
+    );
+  }
+
+  setTimeStep(seconds: number): void {
+    this.engine.check(this.engine.exports.api_world_set_time_step(this.address, seconds));
+  }
+
+  /** For experts, with another number of substeps, 1 to 64; 0 takes the quality's. */
+  setQuality(quality: Quality, substeps = 0): void {
+    const index = indexOf(QUALITIES, quality, "quality");
+    this.engine.check(this.engine.exports.api_world_set_quality(this.address, index, substeps));
+  }
+
+  /** See WorldOptions.maxError. */
+  setMaxError(maxError: number): void {
+    this.engine.check(this.engine.exports.api_world_set_max_error(this.address, maxError));
+  }
+
+  setSleeping(sleeping: boolean): void {
+    this.engine.check(this.engine.exports.api_world_set_sleeping(this.address, Number(sleeping)));
+  }
+
+  protected onBody(name: string, body: BodyId, ...args: number[]): void {
+    const call = this.engine.exports[name];
+    this.engine.check(call(this.address, body.index + 1, body.generation, ...args));
+  }
+
+  protected onShape(name: string, shape: ShapeId, ...args: number[]): void {
+    const call = this.engine.exports[name];
+    this.engine.check(call(this.address, shape.index + 1, shape.generation, ...args));
+  }
+
+  protected shapeIds(address: number, count: number): ShapeId[] {
+    const handles = view(Uint32Array, this.engine.buffer, address, 2 * count);
+    return Array.from({ length: count }, (_, i) => shapeId(handles[2 * i], handles[2 * i + 1]));
+  }
+}
