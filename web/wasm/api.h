@@ -34,6 +34,10 @@ const thud_detection *api_detection(double number);
 int api_to_int(double value);
 uint32_t api_to_u32(double value);
 
+/* The engine's own, as the C library's would double the bytes for it. Angles beyond its range give
+ * not-a-number, which every call of thud refuses. */
+void api_sincos(double angle, double *s, double *c);
+
 /* A query's or mover's shape about the origin. */
 thud_placed api_placed(int kind, double hx, double hy, double angle);
 

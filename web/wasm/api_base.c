@@ -1,6 +1,9 @@
 /* api_base.c: the slots, growing buffers, number conversion and the last log message. */
 #include "api.h"
 
+#include <trig.h>
+
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -52,4 +55,11 @@ uint32_t api_to_u32(double value) {
     if (!(value > 0.0))
         return 0;
     return value >= 4294967295.0 ? UINT32_MAX : (uint32_t)value;
+}
+
+void api_sincos(double angle, double *s, double *c) {
+    if (fabs(angle) <= 1e6)
+        td_sincos(angle, s, c);
+    else
+        *s = *c = NAN;
 }

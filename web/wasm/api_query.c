@@ -2,8 +2,6 @@
  * own shape is its kind, half extents (a circle's radius is the first) and angle. */
 #include "api.h"
 
-#include <math.h>
-
 enum { ROW = 8, ROOM = 64 };
 
 static api_buffer found, hits, rows;
@@ -13,10 +11,13 @@ static thud_query_filter query_filter(double category, double mask, int sensors)
 }
 
 thud_placed api_placed(int kind, double hx, double hy, double angle) {
-    bool turned = kind == THUD_OBB;
+    double c = 1.0, s = 0.0;
+    if (kind == THUD_OBB) {
+        api_sincos(angle, &s, &c);
+    }
     return (thud_placed){.kind = (thud_shape_kind)kind,
-                         .c = turned ? cos(angle) : 1.0,
-                         .s = turned ? sin(angle) : 0.0,
+                         .c = c,
+                         .s = s,
                          .hx = hx,
                          .hy = kind == THUD_CIRCLE ? 0.0 : hy};
 }

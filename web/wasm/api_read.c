@@ -1,8 +1,6 @@
 /* api_read.c: what is read in bulk: events, the table of shapes, and debug drawing. */
 #include "api.h"
 
-#include <math.h>
-
 static api_buffer hits, found, shape_rows, shape_ids, awake_flags;
 static api_buffer draw_shapes, draw_lines, draw_points;
 
@@ -73,6 +71,8 @@ int api_shape_table(thud_world *world, double lower_x, double lower_y, double up
             result = thud_body_get(world, shape.body, &body);
         if (result != THUD_OK)
             return result;
+        double c, s;
+        api_sincos(shape.angle, &s, &c);
         float row[10] = {(float)(shape.body.index1 - 1),
                          (float)shape.kind,
                          (float)body.kind,
@@ -81,8 +81,8 @@ int api_shape_table(thud_world *world, double lower_x, double lower_y, double up
                          shape.offset.y,
                          shape.half_extents.x,
                          shape.half_extents.y,
-                         (float)cos(shape.angle),
-                         (float)sin(shape.angle)};
+                         (float)c,
+                         (float)s};
         uint32_t handles[4] = {ids[i].index1, ids[i].generation, shape.body.index1,
                                shape.body.generation};
         api_buffer_push(&shape_rows, row, sizeof row);
