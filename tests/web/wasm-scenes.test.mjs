@@ -6,38 +6,18 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
+import { GOLDEN, GOLDEN_STEPS } from "../../web/tools/golden.mjs";
 import { drawScene } from "../../web/tools/picture.mjs";
 import { buildScene, random, runScene, SCENES, thumbnailFile } from "../../web/tools/scenes.mjs";
 import { root, thud } from "./support.mjs";
 
-/** As in tests/unit/test_golden.c; sizes are the C scenes' where those are small. */
-const STEPS = 120;
-const SMALL = {
-  bullets: 15,
-  broadphases: 90,
-  cradle: 5,
-  detection: 16,
-  digging: 240,
-  heavy_on_light: 5,
-  minkowski: 2,
-  pyramid: 100,
-  slopes: 20,
-  tall_stack: 30,
-};
-const SIZE_OF_OTHERS = 600;
-
 const engine = await thud.load();
-const golden = readFileSync(`${root}tests/golden/hashes.txt`, "utf8")
-  .trim()
-  .split("\n")
-  .map((line) => line.split(/\s+/));
 
-for (const [name, hash] of golden)
+for (const { name, size, hash } of GOLDEN)
   test(`scene_${name}_has_the_native_hash`, async () => {
-    const size = SMALL[name] ?? SIZE_OF_OTHERS;
     const { scene, setting } = await buildScene(engine, name, { size });
     assert.equal(setting.size, size);
-    runScene(scene, STEPS);
+    runScene(scene, GOLDEN_STEPS);
     assert.equal(scene.world.hash(), hash);
     scene.world.close();
   });

@@ -114,8 +114,8 @@ async function assemble(app: App, stage: Stage): Promise<void> {
   if (state.panel) await dock.show(state.panel, false);
 }
 
-async function runFirst(app: App, { scene, size, seed, code, camera }: Awaited<ReturnType<typeof readState>>): Promise<void> {
-  const more = { size, seed, camera };
+async function runFirst(app: App, { scene, size, seed, code, camera, claim }: Awaited<ReturnType<typeof readState>>): Promise<void> {
+  const more = { size, seed, camera, claim };
   if (!scene) {
     await app.open(FIRST_SCENE, more);
     return;

@@ -40,6 +40,7 @@ export class App {
     camera: null,
     code: null,
     panel: null,
+    claim: null,
   };
   scene: RunningScene | null = null;
   /** Of the running scene, as the last frame with shapes had them. */
@@ -52,11 +53,12 @@ export class App {
   lastGood: string | null = null;
   /** Code of a link that has not been run. */
   offeredCode: string | null = null;
+  /** The engine's address. */
+  wasm = "";
   /** Whether the plots want energy, which costs a pass over the bodies. */
   wantsEnergy = false;
   readonly #listeners = new Set<Listener>();
   readonly #look: () => Look;
-  #wasm = "";
   /** Single steps that are asked for and not yet made. */
   #owed = 0;
   /** Whether the standing picture must be made anew. */
@@ -78,7 +80,7 @@ export class App {
   }
 
   async load(wasm: string): Promise<void> {
-    this.#wasm = wasm;
+    this.wasm = wasm;
     await this.client.ask("load", { wasm, page: document.baseURI });
   }
 
@@ -87,7 +89,7 @@ export class App {
   /** Runs another scene; true if it does. */
   async open(
     scene: string,
-    more: Partial<Pick<State, "code" | "size" | "seed" | "camera">> & { files?: App["files"] } = {},
+    more: Partial<Pick<State, "code" | "size" | "seed" | "camera" | "claim">> & { files?: App["files"] } = {},
   ): Promise<boolean> {
     const { state } = this;
     state.scene = scene;
@@ -95,23 +97,27 @@ export class App {
     state.size = more.size;
     state.seed = more.seed ?? 0;
     state.camera = more.camera ?? null;
+    state.claim = more.claim ?? null;
     this.files = more.files;
-    return this.restart();
+    return this.#run();
+  }
+
+  /** What is chosen now, as a worker is asked to run it. */
+  get request(): SceneRequest {
+    const { scene, code, size, seed, choices } = this.state;
+    return { name: scene, code: code ?? undefined, files: this.files, size, seed, choices };
   }
 
   /** Runs the scene from its beginning, with what is chosen now. */
   async restart(): Promise<boolean> {
-    const { scene, code, size, seed, choices } = this.state;
-    const request: SceneRequest = {
-      name: scene,
-      code: code ?? undefined,
-      files: this.files,
-      size,
-      seed,
-      choices,
-    };
+    // What was claimed was about what had been chosen then.
+    this.state.claim = null;
+    return this.#run();
+  }
+
+  async #run(): Promise<boolean> {
     try {
-      this.#begin(await this.client.ask("run", request));
+      this.#begin(await this.client.ask("run", this.request));
       return true;
     } catch (error) {
       this.#stop(
@@ -125,7 +131,7 @@ export class App {
   /** Ends a worker that does not answer, and starts with this scene. */
   async revive(scene: string): Promise<void> {
     this.client.restart();
-    await this.load(this.#wasm);
+    await this.load(this.wasm);
     await this.open(scene);
   }
 

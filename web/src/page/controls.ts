@@ -114,6 +114,9 @@ function keysOf(
     key("X", ["x"], "Versus: thud and Box2D", () => dock.toggle("versus")),
     key("T", ["t"], "Trade: speed against accuracy", () => dock.toggle("trade")),
     key("I", ["i"], "Inside: what the engine sees", () => dock.toggle("inside")),
+    key("Q", ["q"], "Inspect the body at the crosshair", () => {
+      void dock.show("inside", false).then(() => stage.pickAtCrosshair());
+    }),
     key("K", ["k"], "Code: the running scene", () => dock.toggle("code")),
     key("O", ["o"], "Options", () => dock.toggle("options")),
     key("L", ["l"], "Scenes, levels and games", () =>

@@ -18,12 +18,16 @@ export interface PointerActions {
   apply(tool: Exclude<Tool, "hand">, x: number, y: number): void;
   /** A mouse moves over the scene, or leaves it (null). */
   hover(at: { x: number; y: number; screenX: number; screenY: number } | null): void;
+  /** A press that went nowhere, and how far from it a body may lie. */
+  tap(x: number, y: number, reach: number): void;
   /** The visitor has moved the view. */
   moved(): void;
 }
 
 /** How near to a body a pointer must come, in CSS pixels. */
 const REACH = { mouse: 4, touch: 18 };
+/** Pixels that a press may move and is still one on the spot. */
+const TAP = 5;
 /** While a pointer with a tool moves: pixels from one deed to the next. */
 const APPLY_EVERY = { circle: 30, box: 30, blast: 90, dig: 10 };
 
@@ -40,6 +44,7 @@ export function listenToPointers(
   const pointers = new Map<number, Pointer>();
   let mode: "none" | "pull" | "pan" | "apply" | "pinch" | "scene" = "none";
   let lastApplied: Pointer = { x: 0, y: 0 };
+  let pressedAt: Pointer = { x: 0, y: 0 };
 
   const place = (event: MouseEvent): Pointer => {
     const box = canvas.getBoundingClientRect();
@@ -53,6 +58,8 @@ export function listenToPointers(
     actions.apply(tool, ...camera.toWorld(at.x, at.y));
     lastApplied = at;
   };
+  const reachOf = ({ pointerType }: PointerEvent) =>
+    (pointerType === "mouse" ? REACH.mouse : REACH.touch) / camera.scale;
   const begin = (event: PointerEvent, at: Pointer): typeof mode => {
     if (event.button !== 0 || event.shiftKey) return "pan";
     const [x, y] = camera.toWorld(at.x, at.y);
@@ -64,8 +71,7 @@ export function listenToPointers(
       applyAt(at, 0);
       return "apply";
     }
-    const reach = (event.pointerType === "mouse" ? REACH.mouse : REACH.touch) / camera.scale;
-    return actions.grab(x, y, reach) ? "pull" : "pan";
+    return actions.grab(x, y, reachOf(event)) ? "pull" : "pan";
   };
 
   canvas.addEventListener("pointerdown", (event) => {
@@ -76,7 +82,10 @@ export function listenToPointers(
       if (mode === "pull") actions.release();
       if (mode === "scene") actions.point(...camera.toWorld(at.x, at.y), false);
       mode = "pinch";
-    } else if (pointers.size === 1) mode = begin(event, at);
+    } else if (pointers.size === 1) {
+      mode = begin(event, at);
+      pressedAt = at;
+    }
     canvas.dataset.mode = mode;
   });
 
@@ -110,6 +119,10 @@ export function listenToPointers(
     pointers.delete(event.pointerId);
     if (mode === "pull") actions.release();
     if (mode === "scene") actions.point(...camera.toWorld(at.x, at.y), false);
+    const last = place(event);
+    const onTheSpot = Math.hypot(last.x - pressedAt.x, last.y - pressedAt.y) < TAP;
+    if (onTheSpot && event.type === "pointerup" && (mode === "pull" || mode === "pan"))
+      actions.tap(...camera.toWorld(last.x, last.y), reachOf(event));
     // After a pinch the finger that stays moves the view.
     mode = pointers.size === 1 ? "pan" : "none";
     canvas.dataset.mode = mode;

@@ -33,6 +33,8 @@ export class Stage {
   outlined: number | null = null;
   /** What a panel wants to know of the body under the mouse. */
   onHover: ((hovered: Hovered | null) => void) | null = null;
+  /** What a panel wants to know of the body that was clicked or tapped; null beside all bodies. */
+  onPick: ((slot: number | null) => void) | null = null;
   #app!: App;
   /** Overlays that are shown because the scene is about them, and go with it. */
   #lent: readonly OverlayName[] = [];
@@ -100,6 +102,9 @@ export class Stage {
       release: () => app.do({ kind: "release" }),
       apply: (tool, x, y) => this.apply(tool, x, y),
       hover: (at) => this.#hover(at),
+      tap: (x, y, reach) => {
+        if (this.tool === "hand") this.onPick?.(this.#bodyAt(x, y, reach, false));
+      },
       moved: () => this.#moved(),
     });
     canvas.addEventListener("blur", () => this.#endCrosshair());
@@ -198,6 +203,21 @@ export class Stage {
     else notice("No body lies under the crosshair. The arrow keys move the view.");
   }
 
+  /** As if the body at the crosshair were clicked. */
+  pickAtCrosshair(): void {
+    const { x, y, scale } = this.view.camera;
+    if (this.#crosshair === "off") this.#showCrosshair();
+    const slot = this.#bodyAt(x, y, CROSSHAIR_REACH / scale, false);
+    if (slot === null) notice("No body lies under the crosshair. The arrow keys move the view.");
+    else this.onPick?.(slot);
+  }
+
+  #bodyAt(x: number, y: number, reach: number, dynamicOnly: boolean): number | null {
+    const { shapes, player } = this.#app;
+    const frame = player.shown?.frame;
+    return shapes && frame ? pick(shapes, frame, x, y, reach, dynamicOnly) : null;
+  }
+
   #showCrosshair(): void {
     const { camera } = this.view;
     const mark = byId("crosshair");
@@ -219,21 +239,14 @@ export class Stage {
   }
 
   #grab(x: number, y: number, reach: number): boolean {
-    const { shapes, player } = this.#app;
-    const frame = player.shown?.frame;
-    if (!shapes || !frame || pick(shapes, frame, x, y, reach, true) === null) return false;
+    if (this.#bodyAt(x, y, reach, true) === null) return false;
     this.#app.do({ kind: "grab", x, y, reach });
     return true;
   }
 
   #hover(at: { x: number; y: number; screenX: number; screenY: number } | null): void {
     if (!this.onHover) return;
-    const { shapes, player } = this.#app;
-    const frame = player.shown?.frame;
-    const slot =
-      at && shapes && frame
-        ? pick(shapes, frame, at.x, at.y, 3 / this.view.camera.scale, false)
-        : null;
+    const slot = at && this.#bodyAt(at.x, at.y, 3 / this.view.camera.scale, false);
     this.onHover(at && slot !== null ? { slot, ...at } : null);
   }
 }

@@ -10,6 +10,9 @@ export const DETECTION_CHOICES = ["auto", ...DETECTIONS] as const;
 /** In length scales; 0 is none. */
 export const MAX_ERRORS = [0, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001] as const;
 
+/** That a link may ask to be compared after: a minute. */
+const MOST_STEPS = 3600;
+
 export const USUAL: Choices = {
   quality: "default",
   substeps: 0,
@@ -25,6 +28,12 @@ export interface Place {
   scale: number;
 }
 
+export interface Claim {
+  /** From the scene's beginning, with nobody's hands in it. */
+  step: number;
+  hash: string;
+}
+
 export interface State {
   scene: string;
   size?: number;
@@ -37,6 +46,8 @@ export interface State {
   code: string | null;
   /** An open panel. */
   panel: string | null;
+  /** What the state's hash was on the machine of whoever sent the link. */
+  claim: Claim | null;
 }
 
 function oneOf<T extends string | number>(known: readonly T[], text: string | null): T | undefined {
@@ -70,13 +81,16 @@ export async function readState(address: URL): Promise<Partial<State>> {
   if (params.has("paused")) state.paused = params.get("paused") !== "0";
   state.panel = params.get("panel");
   state.camera = readPlace(params.get("view"));
+  const step = wholeIn(params.get("step"), 1, MOST_STEPS);
+  const hash = params.get("hash");
+  if (step && hash && /^[0-9a-f]{16}$/.test(hash)) state.claim = { step, hash };
   const packed = new URLSearchParams(address.hash.slice(1)).get("code");
   if (packed) state.code = await unpack(packed);
   return state;
 }
 
 export async function writeState(state: State): Promise<string> {
-  const { scene, size, seed, choices, speed, paused, camera, panel } = state;
+  const { scene, size, seed, choices, speed, paused, camera, panel, claim } = state;
   const params = new URLSearchParams({ scene });
   const put = (name: string, value: string | number, usual: string | number) => {
     if (value !== usual) params.set(name, String(value));
@@ -92,6 +106,10 @@ export async function writeState(state: State): Promise<string> {
   if (paused) params.set("paused", "1");
   if (panel) params.set("panel", panel);
   if (camera) params.set("view", placeText(camera));
+  if (claim) {
+    params.set("step", String(claim.step));
+    params.set("hash", claim.hash);
+  }
   const hash = state.code === null ? "" : `#code=${await pack(state.code)}`;
   return `?${params.toString().replaceAll("%2C", ",")}${hash}`;
 }

@@ -2,8 +2,15 @@
 import type { PanelKind } from "../page/dock";
 import type { Stage } from "../page/stage";
 
-export function panels(_stage: Stage): Record<string, PanelKind> {
+export function panels(stage: Stage): Record<string, PanelKind> {
   return {
+    inside: {
+      title: "Inside",
+      load: async () => {
+        const { createPanel } = await import("./inside");
+        return (app) => createPanel(app, stage);
+      },
+    },
     options: {
       title: "Options",
       load: async () => (await import("./options")).createPanel,

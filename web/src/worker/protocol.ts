@@ -4,6 +4,7 @@ import type { Frame } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import type { KeyName, SceneSize, View } from "../scene/scene";
 import type { Deed } from "./deeds";
+import type { BodyReport } from "./inspect";
 
 /** What the visitor has chosen for every world. */
 export interface Choices {
@@ -63,6 +64,17 @@ export interface Trouble {
   details?: readonly string[];
 }
 
+export interface StateHash {
+  step: number;
+  hash: string;
+}
+
+/** The present state's hash, as it is and as it came out again from a moment of the past. */
+export interface Rerun extends StateHash {
+  from: number;
+  again: string;
+}
+
 /** Requests that are answered once each; see Client.ask. */
 export interface Questions {
   load: { ask: { wasm: string; page: string }; answer: void };
@@ -70,7 +82,13 @@ export interface Questions {
   choose: { ask: Pick<Choices, "quality" | "substeps" | "maxError">; answer: void };
   /** Goes to a step of the past, or on from there; the future stays until a step is made. */
   seek: { ask: { step: number; look: Look }; answer: Frame };
-  hash: { ask: Record<string, never>; answer: { step: number; hash: string } };
+  hash: { ask: Record<string, never>; answer: StateHash };
+  /** Makes steps without a display, and tells the state's hash after them. */
+  advance: { ask: { steps: number }; answer: StateHash };
+  /** Goes back by so many steps, or as many as are kept, and runs to the present again. */
+  rerun: { ask: { steps: number }; answer: Rerun };
+  /** A body's state; null if none has the slot. */
+  inspect: { ask: { slot: number }; answer: BodyReport | null };
 }
 export type QuestionName = keyof Questions;
 

@@ -12,8 +12,8 @@ import {
   spawn,
   takeHold,
 } from "./deeds";
-import { History } from "./history";
-import type { Choices } from "./protocol";
+import { History, type Moment } from "./history";
+import type { Choices, Rerun, StateHash } from "./protocol";
 
 /** What the visitor's hands hold; plain data, kept with every moment of the past. */
 interface Hands {
@@ -116,6 +116,30 @@ export class Session {
     return true;
   }
 
+  /** Runs the last steps again, from the newest moment that lies at least so far back, with the
+   * same deeds. Leaves everything as it is. */
+  rerun(steps: number): Rerun {
+    const present = this.#moment();
+    const { step, hash } = this.hash;
+    const moment = this.history.before(Math.max(this.history.first, step - steps));
+    if (!moment) throw new Error("Nothing of the past is kept yet.");
+    this.#goTo(moment);
+    while (this.step < step) {
+      for (const deed of this.history.deedsAt(this.step)) this.#apply(deed);
+      this.#advance();
+    }
+    // What was done since the last step belongs to the present.
+    for (const deed of this.#done) this.#apply(deed);
+    const again = this.world.hash();
+    this.#goTo(present);
+    this.companion?.restart();
+    return { from: moment.step, step, hash, again };
+  }
+
+  get hash(): StateHash {
+    return { step: this.step, hash: this.world.hash() };
+  }
+
   #advance(): void {
     const hands = this.#hands;
     if (hands.pull && !applyPull(this.world, hands.pull, this.lengthScale)) hands.pull = null;
@@ -160,14 +184,18 @@ export class Session {
   }
 
   #keepMoment(): void {
-    this.history.keep({
+    this.history.keep(this.#moment());
+  }
+
+  #moment(): Moment {
+    return {
       step: this.step,
       world: this.world.snapshot(),
       rest: structuredClone({ hands: this.#hands, state: this.scene.state ?? null }),
-    });
+    };
   }
 
-  #goTo(moment: { step: number; world: Uint8Array; rest: unknown }): void {
+  #goTo(moment: Moment): void {
     const rest = structuredClone(moment.rest) as { hands: Hands; state: object | null };
     this.world.restore(moment.world);
     this.step = moment.step;

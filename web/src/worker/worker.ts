@@ -4,6 +4,7 @@
  */
 import { type Engine, load } from "thud";
 import { Frames, transferables } from "./frames";
+import { inspect } from "./inspect";
 import { importScene, troubleOf } from "./module";
 import type { QuestionName, Questions, ToPage, ToWorker } from "./protocol";
 import type { Session } from "./session";
@@ -52,9 +53,19 @@ const answers: Answers = {
     return frames.make(look);
   },
 
-  hash() {
-    const { step, world } = needSession();
-    return { step, hash: world.hash() };
+  hash: () => needSession().hash,
+
+  advance({ steps }) {
+    const running = needSession();
+    for (let i = 0; i < steps; i++) running.makeStep();
+    return running.hash;
+  },
+
+  rerun: ({ steps }) => needSession().rerun(steps),
+
+  inspect({ slot }) {
+    const { world, step } = needSession();
+    return inspect(world, step, slot);
   },
 };
 

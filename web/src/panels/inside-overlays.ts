@@ -1,0 +1,142 @@
+/** A box to tick for each overlay, with what it shows and the colours that it has in the scene. */
+import { DARK, LIGHT, type Theme } from "../draw/palette";
+import type { App } from "../page/app";
+import { make } from "../page/dom";
+import type { Stage } from "../page/stage";
+import { isDark, onTheme } from "../page/theme";
+import type { OverlayName } from "../scene/overlays";
+
+interface Text {
+  name: OverlayName;
+  title: string;
+  about: string;
+  /** Colours and what has them. */
+  key?: readonly (readonly [colour: (theme: Theme) => string, meaning: string])[];
+}
+
+const style = (name: string) => (theme: Theme) => theme.styles[name];
+
+/** In the order in which a step needs them. */
+const GROUPS: readonly { title: string; overlays: readonly Text[] }[] = [
+  {
+    title: "Finding pairs",
+    overlays: [
+      {
+        name: "bounds",
+        title: "Bounds",
+        about: "The upright box around each shape.",
+        key: [[style("bounds"), "bounds"]],
+      },
+      {
+        name: "cells",
+        title: "Grid cells",
+        about: "Cells of the grid that hold something (broadphase grid).",
+        key: [[style("cell"), "cell"]],
+      },
+      {
+        name: "axes",
+        title: "Sweep axis",
+        about: "Bounds as sorted intervals along x, at the lower edge (broadphase sweep).",
+        key: [
+          [style("interval"), "alone"],
+          [style("interval overlapping"), "overlapping"],
+        ],
+      },
+      {
+        name: "pairs",
+        title: "Pairs",
+        about: "A line between the centres of shapes whose bounds overlap.",
+        key: [
+          [style("pair"), "apart"],
+          [style("pair touching"), "touching"],
+        ],
+      },
+      {
+        name: "sums",
+        title: "Minkowski sums",
+        about: "Two shapes as one shape and a point: inside, they overlap.",
+        key: [
+          [(theme) => theme.sum, "apart"],
+          [(theme) => theme.sumOverlapping, "overlapping"],
+        ],
+      },
+    ],
+  },
+  {
+    title: "Contacts and their solution",
+    overlays: [
+      {
+        name: "contacts",
+        title: "Contact points",
+        about: "Where shapes touch, one or two points a pair.",
+        key: [[style("contact"), "point"]],
+      },
+      {
+        name: "normals",
+        title: "Normals",
+        about: "The direction in which a contact pushes.",
+        key: [[style("normal"), "normal"]],
+      },
+      {
+        name: "islands",
+        title: "Islands",
+        about: "Bodies that hang together by contacts have one colour.",
+      },
+    ],
+  },
+  {
+    title: "Motion and rest",
+    overlays: [
+      {
+        name: "motions",
+        title: "Swept volumes",
+        about: "What a fast body passed over during the step.",
+        key: [[style("motion"), "start to end of the step"]],
+      },
+      {
+        name: "sleeping",
+        title: "Sleep",
+        about: "Bodies that sleep are dimmed: they cost nothing until touched.",
+      },
+    ],
+  },
+];
+
+export function overlaysPart(app: App, stage: Stage): HTMLElement {
+  const inputs = new Map<OverlayName, HTMLInputElement>();
+  const swatches: { element: HTMLElement; colour: (theme: Theme) => string }[] = [];
+
+  const keyOf = ([colour, meaning]: NonNullable<Text["key"]>[number]) => {
+    const element = make("i", { "aria-hidden": "true" });
+    swatches.push({ element, colour });
+    return make("span", {}, element, meaning);
+  };
+  const rowOf = ({ name, title, about, key = [] }: Text) => {
+    const input = make("input", { type: "checkbox", name: `overlay-${name}` });
+    input.addEventListener("change", () => stage.setOverlay(name, input.checked));
+    inputs.set(name, input);
+    const text = make("span", {}, make("b", {}, title), make("small", {}, about));
+    if (key.length > 0) text.append(make("small", { class: "key" }, ...key.map(keyOf)));
+    return make("label", {}, input, text);
+  };
+  const element = make(
+    "div",
+    { class: "overlays" },
+    ...GROUPS.map(({ title, overlays }) =>
+      make("fieldset", {}, make("legend", {}, title), ...overlays.map(rowOf)),
+    ),
+  );
+
+  const mark = () => {
+    for (const [name, input] of inputs) input.checked = stage.view.shown.has(name);
+  };
+  const paint = (dark: boolean) => {
+    for (const { element: swatch, colour } of swatches)
+      swatch.style.background = colour(dark ? DARK : LIGHT);
+  };
+  app.listen({ state: mark, run: mark });
+  onTheme(paint);
+  mark();
+  paint(isDark());
+  return element;
+}
