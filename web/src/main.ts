@@ -3,7 +3,7 @@ import { keepOffline } from "./offline/register";
 import { App } from "./page/app";
 import { addControls } from "./page/controls";
 import { Dock } from "./page/dock";
-import { byId } from "./page/dom";
+import { byId, make } from "./page/dom";
 import { Figures } from "./page/figures";
 import { addDialogs, addGallery, markScene } from "./page/gallery";
 import { Hud } from "./page/hud";
@@ -14,10 +14,9 @@ import { applyTheme, onTheme } from "./page/theme";
 import { addTimeline } from "./page/timeline";
 import { readState } from "./page/url";
 import { panels } from "./panels/panels";
-import { findScene } from "./scene/registry";
+import { findScene, FIRST_SCENE } from "./scene/registry";
 import { chooseWasm } from "./wasm/choose";
 
-const FIRST_SCENE = "towers";
 /** What runs a level that a visitor brings. */
 const OWN_LEVEL = "own_level";
 
@@ -44,7 +43,7 @@ async function start(): Promise<void> {
   stage.attach(app);
   const wasm = chooseWasm();
   try {
-    await app.load(wasm.url.href);
+    await app.load(wasm);
   } catch (error) {
     fail(
       "The engine cannot be loaded",
@@ -58,9 +57,16 @@ async function start(): Promise<void> {
   if (!wasm.simd)
     notice("This browser has no WebAssembly SIMD: everything works, at about half the speed.", 12);
   await assemble(app, stage);
+}
+
+/** What a visitor need not wait for. */
+function afterFirstPicture(app: App): void {
+  performance.mark("first picture");
+  app.client
+    .ask("complete", {})
+    .catch((error) => fail("A part of the engine is missing", messageOf(error), [], reload));
   void keepOffline((update) => {
-    const button = document.createElement("button");
-    button.textContent = "Reload";
+    const button = make("button", {}, "Reload");
     button.addEventListener("click", update);
     notice("A new version of this page is ready. ", 60);
     byId("notice").append(button);
@@ -99,6 +105,7 @@ async function assemble(app: App, stage: Stage): Promise<void> {
   const state = await readState(new URL(location.href));
   app.begin(state);
   let lastTime = 0;
+  let pictured = false;
   const draw = (time: number) => {
     requestAnimationFrame(draw);
     const seconds = lastTime > 0 ? (time - lastTime) / 1000 : 0;
@@ -107,7 +114,10 @@ async function assemble(app: App, stage: Stage): Promise<void> {
     app.requestFrame();
     stage.draw(seconds);
     const shown = app.player.shown;
-    if (shown) hud.show(shown.frame, seconds);
+    if (!shown) return;
+    hud.show(shown.frame, seconds);
+    if (!pictured) afterFirstPicture(app);
+    pictured = true;
   };
   requestAnimationFrame(draw);
   await runFirst(app, state);

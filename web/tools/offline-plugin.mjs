@@ -11,7 +11,7 @@ const ENTRY = fileURLToPath(new URL("../src/offline/sw.ts", import.meta.url));
 /** Which list of the service worker's `BUILD` a file belongs to, by its path; null is for none. */
 function listOf(url) {
   if (url === "sw.js" || url.endsWith(".map")) return null;
-  if (/^assets\/thud-[\w-]{8}\.wasm$/.test(url)) return "simd";
+  if (/^assets\/thud-(first|rest)-[\w-]{8}\.wasm$/.test(url)) return "simd";
   if (/^assets\/thud-scalar-[\w-]{8}\.wasm$/.test(url)) return "scalar";
   // Box2D is larger than all else that runs, and many visits never ask for it.
   return /^assets\/box2d/i.test(url) ? "later" : "files";

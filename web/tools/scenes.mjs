@@ -10,7 +10,7 @@ async function importTypeScript(path) {
   return module;
 }
 
-export const { SCENES, sceneFile, thumbnailFile } = await importTypeScript("src/scene/registry.ts");
+export const { FIRST_SCENE, SCENES, sceneFile, thumbnailFile } = await importTypeScript("src/scene/registry.ts");
 const { KEY_NAMES } = await importTypeScript("src/scene/scene.ts");
 export const { cssColour, rampColour } = await importTypeScript("src/draw/palette.ts");
 export const { random } = await importTypeScript("src/scene/random.ts");

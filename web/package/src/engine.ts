@@ -3,6 +3,7 @@
  * become exceptions. Everything else in the package stands on it.
  */
 import { RESULT_CODES, ThudError } from "./error.js";
+import { Rest, type RestSource } from "./rest.js";
 import type { WorldOptions } from "./types.js";
 import { World } from "./world.js";
 
@@ -20,27 +21,32 @@ export class Engine {
   readonly #memory: WebAssembly.Memory;
   readonly #slotsAddress: number;
   readonly #messageAddress: number;
+  readonly #rest: Rest | null;
 
-  /** Instantiates a compiled module. */
-  static async instantiate(module: WebAssembly.Module): Promise<Engine> {
+  /** Instantiates a compiled module; with `source`, the first file of an engine in two. */
+  static async instantiate(module: WebAssembly.Module, source?: RestSource): Promise<Engine> {
     const engine: { current?: Engine } = {};
-    const instance = await WebAssembly.instantiate(module, {
-      env: {
-        emscripten_notify_memory_growth: () => engine.current?.memoryGrew(),
-        thud_clock: () => performance.now() / 1000,
-      },
-    });
-    engine.current = new Engine(instance);
+    const env = {
+      emscripten_notify_memory_growth: () => engine.current?.memoryGrew(),
+      thud_clock: () => performance.now() / 1000,
+    };
+    const rest = source === undefined ? null : new Rest(source);
+    const imports: WebAssembly.Imports = { env };
+    if (rest) imports.placeholder = rest.placeholders;
+    const instance = await WebAssembly.instantiate(module, imports);
+    rest?.attach(instance);
+    engine.current = new Engine(instance, rest);
     return engine.current;
   }
 
-  private constructor(instance: WebAssembly.Instance) {
+  private constructor(instance: WebAssembly.Instance, rest: Rest | null) {
     const { memory, _initialize } = instance.exports as {
       memory?: WebAssembly.Memory;
       _initialize?: () => void;
     };
     if (!memory || !_initialize || !instance.exports.api_slots_address)
       throw new ThudError("load", "this is not a wasm module of thud");
+    this.#rest = rest;
     _initialize();
     this.exports = instance.exports as unknown as Record<string, Export>;
     this.#memory = memory;
@@ -58,6 +64,11 @@ export class Engine {
 
   createWorld(options: WorldOptions = {}): World {
     return new World(this, options);
+  }
+
+  /** Brings the second file of an engine in two; resolves at once where there is but one. */
+  async complete(): Promise<void> {
+    await this.#rest?.load();
   }
 
   /** The whole memory; another buffer after it grew. */
@@ -99,7 +110,10 @@ export class Engine {
 }
 
 /** Compiles and starts a module from wherever it is. Files are added to that by node.ts. */
-export async function instantiate(source: Exclude<WasmSource, URL | string>): Promise<Engine> {
+export async function instantiate(
+  source: Exclude<WasmSource, URL | string>,
+  rest?: RestSource,
+): Promise<Engine> {
   if (typeof WebAssembly !== "object")
     throw new ThudError("load", "WebAssembly is missing or switched off here");
   let module: WebAssembly.Module;
@@ -113,7 +127,7 @@ export async function instantiate(source: Exclude<WasmSource, URL | string>): Pr
     const why = cause instanceof Error ? cause.message : String(cause);
     throw new ThudError("load", `the wasm module cannot be compiled: ${why}`, { cause });
   }
-  return Engine.instantiate(module);
+  return Engine.instantiate(module, rest);
 }
 
 async function compileResponse(response: Response): Promise<WebAssembly.Module> {

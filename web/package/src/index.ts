@@ -7,8 +7,10 @@
  */
 import { type Engine, instantiate, type WasmSource } from "./engine.js";
 import { ThudError } from "./error.js";
+import type { RestSource } from "./rest.js";
 
 export { Engine, type WasmSource } from "./engine.js";
+export { type RestSource } from "./rest.js";
 export { type ErrorCode, ThudError } from "./error.js";
 export { Mover, type MoverState } from "./mover.js";
 export * from "./query-types.js";
@@ -16,16 +18,21 @@ export * from "./types.js";
 export * from "./view-types.js";
 export { World } from "./world.js";
 
-/** Loads the engine; without a source, the thud.wasm that lies beside this file. */
+/**
+ * Loads the engine; without a source, the thud.wasm that lies beside this file. For a page that
+ * wants to be quick at its first visit there is the same engine in two files: give thud-first.wasm
+ * as the source, thud-rest.wasm as the rest, and call `complete` once the first picture is there.
+ */
 export async function load(
   source: WasmSource = new URL("./thud.wasm", import.meta.url),
+  rest?: RestSource,
 ): Promise<Engine> {
-  if (typeof source !== "string" && !(source instanceof URL)) return instantiate(source);
+  if (typeof source !== "string" && !(source instanceof URL)) return instantiate(source, rest);
   let response: Response;
   try {
     response = await fetch(source);
   } catch (cause) {
     throw new ThudError("load", `${source} cannot be fetched`, { cause });
   }
-  return instantiate(response);
+  return instantiate(response, rest);
 }

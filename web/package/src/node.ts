@@ -3,23 +3,30 @@ import { readFile } from "node:fs/promises";
 import { type Engine, instantiate, type WasmSource } from "./engine.js";
 import { ThudError } from "./error.js";
 import { load as loadFromWeb } from "./index.js";
+import type { RestSource } from "./rest.js";
 
 export * from "./index.js";
 
 /** Loads the engine; without a source, the thud.wasm that lies beside this file. */
 export async function load(
   source: WasmSource = new URL("./thud.wasm", import.meta.url),
+  rest?: RestSource,
 ): Promise<Engine> {
   const isFile = source instanceof URL ? source.protocol === "file:" : isPath(source);
-  if (!isFile) return loadFromWeb(source);
-  let bytes: Uint8Array;
+  if (!isFile) return loadFromWeb(source, rest);
+  const isRestFile =
+    rest instanceof URL ? rest.protocol === "file:" : typeof rest === "string" && isPath(rest);
+  const bytes = await read(source as URL | string);
+  return instantiate(bytes, isRestFile ? await read(rest as URL | string) : rest);
+}
+
+async function read(file: URL | string): Promise<Uint8Array<ArrayBuffer>> {
   try {
-    bytes = await readFile(source as URL | string);
+    return (await readFile(file)) as Uint8Array<ArrayBuffer>;
   } catch (cause) {
     const why = cause instanceof Error ? cause.message : String(cause);
     throw new ThudError("load", `the wasm module cannot be read: ${why}`, { cause });
   }
-  return instantiate(bytes as Uint8Array<ArrayBuffer>);
 }
 
 function isPath(source: unknown): boolean {

@@ -6,6 +6,7 @@ import type { Frame, Sample, Shapes } from "../scene/frame";
 import { findScene } from "../scene/registry";
 import type { Deed } from "../worker/deeds";
 import type { Choices, Look, RunningScene, SceneRequest, Trouble } from "../worker/protocol";
+import type { ChosenWasm } from "../wasm/choose";
 import { Client, TroubleError } from "./client";
 import { messageOf } from "./messages";
 import { Player } from "./player";
@@ -53,8 +54,8 @@ export class App {
   lastGood: string | null = null;
   /** Code of a link that has not been run. */
   offeredCode: string | null = null;
-  /** The engine's address. */
-  wasm = "";
+  /** The engine's files, for further workers. */
+  wasm: ChosenWasm = { wasm: "", simd: true };
   /** Whether the plots want energy, which costs a pass over the bodies. */
   wantsEnergy = false;
   readonly #listeners = new Set<Listener>();
@@ -79,9 +80,9 @@ export class App {
     return () => this.#listeners.delete(listener);
   }
 
-  async load(wasm: string): Promise<void> {
+  async load(wasm: ChosenWasm): Promise<void> {
     this.wasm = wasm;
-    await this.client.ask("load", { wasm, page: document.baseURI });
+    await this.client.load(wasm);
   }
 
   // ---- scenes ----
@@ -198,6 +199,7 @@ export class App {
 
   setPaused(paused: boolean): void {
     this.state.paused = this.player.paused = paused;
+    if (paused) this.player.settle();
     this.chosen();
   }
 

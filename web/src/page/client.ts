@@ -9,6 +9,7 @@ import type {
   ToWorker,
   Trouble,
 } from "../worker/protocol";
+import type { ChosenWasm } from "../wasm/choose";
 
 /** Milliseconds without an answer after which a scene counts as stuck. */
 const STUCK = 8000;
@@ -45,7 +46,12 @@ export class Client {
     this.#worker = this.#start();
   }
 
-  /** Ends what runs and starts afresh; "load" must be asked again. */
+  /** Loads the engine; before anything else. */
+  load({ wasm, rest }: ChosenWasm): Promise<void> {
+    return this.ask("load", { wasm, rest, page: document.baseURI });
+  }
+
+  /** Ends what runs and starts afresh; `load` must be called again. */
   restart(): void {
     this.close();
     this.#worker = this.#start();

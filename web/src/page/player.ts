@@ -32,9 +32,15 @@ export class Player {
   /** The scene stands at this frame now, wherever it was. */
   jump(frame: Frame): void {
     if (frame.run !== this.#run) return;
-    for (const passed of this.#frames) handOver(passed, frame);
+    for (const passed of this.#frames) if (passed !== frame) handOver(passed, frame);
     this.#frames = [frame];
     this.#place = frame.step;
+  }
+
+  /** Shows the newest step whole: a single step then leads on from what is seen. */
+  settle(): void {
+    const newest = this.#frames.at(-1);
+    if (newest) this.jump(newest);
   }
 
   /** Whether nothing has come yet. */

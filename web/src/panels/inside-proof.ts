@@ -1,4 +1,5 @@
 /** Runs a scene once more, in a worker of its own, for the hashes of its state. */
+import type { ChosenWasm } from "../wasm/choose";
 import { Client } from "../page/client";
 import { type State, USUAL } from "../page/url";
 import type { SceneRequest, StateHash } from "../worker/protocol";
@@ -52,7 +53,7 @@ export class Proof {
     stuck: () => {},
   });
 
-  constructor(private readonly wasm: string) {}
+  constructor(private readonly wasm: ChosenWasm) {}
 
   /** Hashes of a new world after these steps, which rise. */
   async run(
@@ -60,7 +61,7 @@ export class Proof {
     steps: readonly number[],
     progress: (step: number) => void,
   ): Promise<StateHash[]> {
-    await this.#client.ask("load", { wasm: this.wasm, page: document.baseURI });
+    await this.#client.load(this.wasm);
     await this.#client.ask("run", request);
     const hashes: StateHash[] = [];
     let made = 0;

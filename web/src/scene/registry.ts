@@ -261,6 +261,9 @@ export const SCENES: readonly SceneEntry[] = GROUPS.flatMap((group) =>
   })),
 );
 
+/** What a visitor sees first. */
+export const FIRST_SCENE = "towers";
+
 export function findScene(name: string): SceneEntry | undefined {
   return SCENES.find((scene) => scene.name === name);
 }

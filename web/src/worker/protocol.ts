@@ -77,7 +77,9 @@ export interface Rerun extends StateHash {
 
 /** Requests that are answered once each; see Client.ask. */
 export interface Questions {
-  load: { ask: { wasm: string; page: string }; answer: void };
+  load: { ask: { wasm: string; rest?: string; page: string }; answer: void };
+  /** Brings the part of the engine that a first picture does not need. */
+  complete: { ask: Record<string, never>; answer: void };
   run: { ask: SceneRequest; answer: RunningScene };
   choose: { ask: Pick<Choices, "quality" | "substeps" | "maxError">; answer: void };
   /** Goes to a step of the past, or on from there; the future stays until a step is made. */

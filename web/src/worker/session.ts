@@ -57,6 +57,8 @@ export class Session {
     readonly sizes: SceneSize | null,
     readonly lengthScale: number,
     readonly timeStep: number,
+    /** Whatever else the scene made and its world does not own. */
+    readonly others: readonly { close(): void }[],
   ) {
     this.world = scene.world;
     this.paint = scene.paint?.() ?? null;
@@ -66,6 +68,7 @@ export class Session {
   close(): void {
     this.companion?.close();
     this.scene.close?.();
+    for (const other of this.others) other.close();
     this.world.close();
   }
 
@@ -76,10 +79,8 @@ export class Session {
   /** Does something to the world; a step later it is in the journal. */
   do(deed: Deed): void {
     this.#apply(deed);
-    // Of two moves without a step between them only the last counts.
     const last = this.#done.at(-1);
-    if (last?.kind === deed.kind && (deed.kind === "drag" || deed.kind === "pointer"))
-      this.#done.pop();
+    if (last && replaces(deed, last)) this.#done.pop();
     this.#done.push(deed);
   }
 
@@ -210,6 +211,12 @@ export class Session {
     this.world.setQuality(quality, substeps);
     this.world.setMaxError(maxError * this.lengthScale);
   }
+}
+
+/** Of two moves without a step between them only the last counts; a press or release is none. */
+function replaces(deed: Deed, last: Deed): boolean {
+  if (deed.kind === "pointer") return last.kind === "pointer" && last.down === deed.down;
+  return deed.kind === "drag" && last.kind === "drag";
 }
 
 /** The same object with other contents: scenes hold on to it. */

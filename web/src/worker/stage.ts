@@ -1,5 +1,5 @@
 /** Sets a scene up: gives its module what it asks for and takes the world that it makes. */
-import type { Engine, World, WorldOptions } from "thud";
+import type { Engine, Mover, World, WorldOptions } from "thud";
 import type { Scene, SceneModule, View } from "../scene/scene";
 import { createSetting } from "../scene/setting";
 import type { Choices, RunningScene, SceneRequest } from "./protocol";
@@ -33,33 +33,41 @@ export async function setUp(
     seed: request.seed,
     readText,
   });
-  // Of the worlds that a scene makes, the one that it returns is run; the others are freed.
-  const made = new Map<World, Pick<WorldOptions, "lengthScale" | "timeStep">>();
-  const { createWorld, buildLevel } = setting;
+  // The world that a scene returns is run; others, and movers, are freed with it.
+  const worlds = new Map<World, Pick<WorldOptions, "lengthScale" | "timeStep">>();
+  const movers: Mover[] = [];
+  const { createWorld, buildLevel, createMover } = setting;
   setting.createWorld = (options = {}) => {
     const world = createWorld(options);
-    made.set(world, options);
+    worlds.set(world, options);
     return world;
   };
   setting.buildLevel = (level) => {
     const world = buildLevel(level);
-    made.set(world, level);
+    worlds.set(world, level);
     return world;
   };
-  let scene: Scene | undefined;
+  setting.createMover = (world, options) => {
+    const mover = createMover(world, options);
+    movers.push(mover);
+    return mover;
+  };
   try {
-    scene = await module.default(setting);
-    if (!scene?.world || !made.has(scene.world))
+    const scene: Scene | undefined = await module.default(setting);
+    const options = scene?.world && worlds.get(scene.world);
+    if (!options)
       throw new SceneError({
         message: "A scene returns the world that createWorld gave it: return { world }",
       });
-    const { lengthScale = 1, timeStep = 1 / 60 } = made.get(scene.world) ?? {};
-    made.delete(scene.world);
+    const { lengthScale = 1, timeStep = 1 / 60 } = options;
     // Given in length scales, which the scene alone knows.
     scene.world.setMaxError(request.choices.maxError * lengthScale);
-    return new Session(run, scene, setting.size, module.size ?? null, lengthScale, timeStep);
-  } finally {
-    for (const world of made.keys()) world.close();
+    const others = [...movers, ...worlds.keys()].filter((other) => other !== scene.world);
+    const sizes = module.size ?? null;
+    return new Session(run, scene, setting.size, sizes, lengthScale, timeStep, others);
+  } catch (error) {
+    for (const made of [...movers, ...worlds.keys()]) made.close();
+    throw error;
   }
 }
 

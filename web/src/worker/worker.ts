@@ -26,10 +26,12 @@ type Answers = {
 };
 
 const answers: Answers = {
-  async load({ wasm, page }) {
+  async load({ wasm, rest, page }) {
     base = page;
-    engine = await load(new URL(wasm, page));
+    engine = await load(new URL(wasm, page), rest && new URL(rest, page));
   },
+
+  complete: () => engine.complete(),
 
   async run(request) {
     const module = await importScene(base, request.name, request.code);
