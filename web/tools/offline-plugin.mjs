@@ -12,6 +12,8 @@ const ENTRY = fileURLToPath(new URL("../src/offline/sw.ts", import.meta.url));
 function listOf(url) {
   if (url === "sw.js" || url.endsWith(".map")) return null;
   if (/^assets\/thud-(first|rest)-[\w-]{8}\.wasm$/.test(url)) return "simd";
+  // The package's default, the same engine in one file, which the page never asks for.
+  if (/^assets\/thud-[\w-]{8}\.wasm$/.test(url)) return null;
   if (/^assets\/thud-scalar-[\w-]{8}\.wasm$/.test(url)) return "scalar";
   // Box2D is larger than all else that runs, and many visits never ask for it.
   return /^assets\/box2d/i.test(url) ? "later" : "files";
