@@ -1,9 +1,7 @@
 /* debug_draw.c: the world drawn through the caller's functions, for viewers and tests. */
 #include "body.h"
-#include "contact.h"
 #include "debug_draw.h"
 #include "handles.h"
-#include "lanes.h"
 #include "shape.h"
 #include "step.h"
 
@@ -112,26 +110,6 @@ static void draw_shapes(const td_drawing *d)
     }
 }
 
-static void draw_contacts(const td_drawing *d)
-{
-    const thud_world *w = d->w;
-    float length = 0.3f * w->unit;
-    for (int i = 0; i < w->contacts.count; i++) {
-        const td_contact *contact = td_contact_at(w, i);
-        if (!contact->live || contact->state != TD_TOUCHING) {
-            continue;
-        }
-        thud_contact seen = td_contact_view(
-            w, td_block_at(w, contact->kind, contact->slot / TD_LANES), contact->slot % TD_LANES);
-        thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point));
-        if (d->draw->point) {
-            d->draw->point(p, THUD_DRAW_CONTACT, d->draw->context);
-        }
-        thud_vec2 tip = {p.x + length * seen.normal.x, p.y + length * seen.normal.y};
-        td_drawing_line(d, p, tip, THUD_DRAW_NORMAL);
-    }
-}
-
 thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw)
 {
     if (!w || !draw) {
@@ -163,7 +141,11 @@ thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw)
         {THUD_DRAW_AXES, td_draw_intervals},
         {THUD_DRAW_MOTIONS, td_draw_motions},
         {THUD_DRAW_PAIRS, td_draw_pairs},
-        {THUD_DRAW_CONTACTS, draw_contacts},
+        {THUD_DRAW_STAGES, td_draw_stages},
+        {THUD_DRAW_COLOURS, td_draw_colours},
+        {THUD_DRAW_ISLANDS, td_draw_direct},
+        {THUD_DRAW_CONTACTS, td_draw_contacts},
+        {THUD_DRAW_MANIFOLDS, td_draw_manifolds},
     };
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
         if (draw->flags & parts[i].flags) {

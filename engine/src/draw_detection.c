@@ -115,20 +115,65 @@ static thud_vec2 ground_beside(const td_drawing *d, const td_contact *contact, t
     return (thud_vec2){at.x + (float)x, at.y + (float)y};
 }
 
-void td_draw_pairs(const td_drawing *d)
+void td_drawing_pair(const td_drawing *d, const td_contact *contact, thud_draw_style style)
+{
+    thud_vec2 b = td_drawing_local(d, td_stance_at(d->w, contact->shape_b)->center);
+    thud_vec2 a = td_shape_at(d->w, contact->shape_a)->kind == THUD_TERRAIN
+                      ? ground_beside(d, contact, b)
+                      : td_drawing_local(d, td_stance_at(d->w, contact->shape_a)->center);
+    td_drawing_line(d, a, b, style);
+}
+
+/* The half size of a shape's true bounds. */
+static thud_pos half_bounds(const td_stance *stance)
+{
+    double c = __builtin_fabs((double)stance->c), s = __builtin_fabs((double)stance->s);
+    double x = (double)stance->half_x, y = (double)stance->half_y;
+    return stance->turns == 0.0f ? (thud_pos){x, y} : (thud_pos){c * x + s * y, s * x + c * y};
+}
+
+/* Whether a pair's true bounds overlap; those of a piece of terrain reach down without end. */
+static bool bounds_overlap(const td_drawing *d, const td_contact *contact)
 {
     const thud_world *w = d->w;
-    for (int i = 0; i < w->contacts.count; i++) {
-        const td_contact *contact = td_contact_at(w, i);
+    const td_stance *a = td_stance_at(w, contact->shape_a), *b = td_stance_at(w, contact->shape_b);
+    thud_pos half = half_bounds(b);
+    double x = (double)(b->center.x - a->center.x) / w->to_fixed;
+    double y = (double)(b->center.y - a->center.y) / w->to_fixed;
+    if (td_shape_at(w, contact->shape_a)->kind != THUD_TERRAIN) {
+        thud_pos other = half_bounds(a);
+        return __builtin_fabs(x) <= half.x + other.x && __builtin_fabs(y) <= half.y + other.y;
+    }
+    thud_terrain ground = td_terrain_view(w, contact->shape_a);
+    if (ground.kind == THUD_TERRAIN_FLAT) {
+        return y - half.y <= ground.slope * x + __builtin_fabs(ground.slope) * half.x;
+    }
+    const thud_pos *p = &ground.points[contact->child], *q = p + 1;
+    return x + half.x >= p->x && x - half.x <= q->x && y - half.y <= td_max_double(p->y, q->y);
+}
+
+static void draw_pairs(const td_drawing *d, bool stages)
+{
+    for (int i = 0; i < d->w->contacts.count; i++) {
+        const td_contact *contact = td_contact_at(d->w, i);
         if (!contact->live || contact->child == TD_NONE) {
             continue;
         }
-        thud_vec2 b = td_drawing_local(d, td_stance_at(w, contact->shape_b)->center);
-        thud_vec2 a = td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN
-                          ? ground_beside(d, contact, b)
-                          : td_drawing_local(d, td_stance_at(w, contact->shape_a)->center);
-        td_drawing_line(d, a, b, contact->open ? THUD_DRAW_PAIR_TOUCHING : THUD_DRAW_PAIR);
+        td_drawing_pair(d, contact,
+                        contact->open                              ? THUD_DRAW_PAIR_TOUCHING
+                        : stages && !bounds_overlap(d, contact) ? THUD_DRAW_PAIR_CANDIDATE
+                                                                   : THUD_DRAW_PAIR);
     }
+}
+
+void td_draw_pairs(const td_drawing *d)
+{
+    draw_pairs(d, false);
+}
+
+void td_draw_stages(const td_drawing *d)
+{
+    draw_pairs(d, true);
 }
 
 /* ---- motions ---- */

@@ -29,3 +29,15 @@ void td_sincos(double angle, double *s, double *c)
     *s = quarters & 2 ? -u : u;
     *c = (quarters + 1) & 2 ? -v : v;
 }
+
+thud_result thud_sincos(double angle, double *sine, double *cosine)
+{
+    if (!sine || !cosine) {
+        return THUD_ERROR_NULL;
+    }
+    if (!(angle >= -1e6 && angle <= 1e6)) {
+        return THUD_ERROR_INVALID;
+    }
+    td_sincos(angle, sine, cosine);
+    return THUD_OK;
+}

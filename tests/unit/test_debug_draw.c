@@ -41,7 +41,7 @@ static void on_point(thud_vec2 p, thud_draw_style style, void *context)
     ((seen *)context)->points[style]++;
 }
 
-static const unsigned EVERYTHING = THUD_DRAW_MOTIONS * 2 - 1;
+static const unsigned EVERYTHING = THUD_DRAW_MANIFOLDS * 2 - 1;
 
 static thud_debug_draw drawing_of(unsigned flags, seen *k)
 {

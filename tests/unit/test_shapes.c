@@ -70,6 +70,12 @@ static void sincos_of_quarter_turns_hits_the_axes(void **state)
     }
     td_sincos(0.0, &s, &c);
     assert_true(s == 0.0 && c == 1.0);
+    assert_int_equal(thud_sincos(quarter, &s, &c), THUD_OK);
+    assert_true(s == 1.0);
+    assert_int_equal(thud_sincos(1.0000001e6, &s, &c), THUD_ERROR_INVALID);
+    assert_int_equal(thud_sincos(NAN, &s, &c), THUD_ERROR_INVALID);
+    assert_int_equal(thud_sincos(0.0, NULL, &c), THUD_ERROR_NULL);
+    assert_true(s == 1.0);
 }
 
 static void placed_check_refuses_what_no_shape_can_be(void **state)

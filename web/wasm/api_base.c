@@ -1,8 +1,6 @@
 /* api_base.c: the slots, growing buffers, number conversion and the last log message. */
 #include "api.h"
 
-#include <trig.h>
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,8 +56,6 @@ uint32_t api_to_u32(double value) {
 }
 
 void api_sincos(double angle, double *s, double *c) {
-    if (fabs(angle) <= 1e6)
-        td_sincos(angle, s, c);
-    else
+    if (thud_sincos(angle, s, c) != THUD_OK)
         *s = *c = NAN;
 }

@@ -1,7 +1,9 @@
 /* api_body.c: bodies. */
 #include "api.h"
 
-static api_buffer shape_list;
+#include <stdlib.h>
+
+static api_buffer shape_list, contact_rows;
 
 /* Slots: 0 kind  1, 2 position  3 angle  4, 5 velocity  6 angular velocity  7 gravity scale
  * 8 linear damping  9 angular damping  10 fixed rotation  11 may sleep  12 user data
@@ -136,4 +138,43 @@ int api_body_shapes(const thud_world *world, uint32_t index1, uint32_t generatio
     api_slots[0] = (double)(uintptr_t)shape_list.data;
     api_slots[1] = count;
     return result;
+}
+
+enum { CONTACT_ROW = 21 };
+
+/* The body's contacts. A row is 21 doubles: shapes a and b, bodies a and b (handles), normal,
+ * count of points, tangent impulse, solved directly, and of each point: place, separation, normal
+ * impulse; where there is no second one zeros. Slots out: 0 address  1 count. */
+int api_body_contacts(thud_world *world, uint32_t index1, uint32_t generation) {
+    thud_body_id body = api_body(index1, generation);
+    int count = 0;
+    thud_result result = thud_body_contacts(world, body, NULL, 0, &count);
+    if (result != THUD_OK)
+        return result;
+    thud_manifold *all = malloc(sizeof *all * (size_t)(count + 1));
+    if (all == NULL)
+        return THUD_ERROR_MEMORY;
+    result = thud_body_contacts(world, body, all, count, &count);
+    api_buffer_clear(&contact_rows);
+    for (int i = 0; i < count && result == THUD_OK; i++) {
+        const thud_manifold *m = &all[i];
+        double row[CONTACT_ROW] = {
+            m->shape_a.index1, m->shape_a.generation, m->shape_b.index1, m->shape_b.generation,
+            m->body_a.index1,  m->body_a.generation,  m->body_b.index1,  m->body_b.generation,
+            m->normal.x,       m->normal.y,           m->point_count,    m->tangent_impulse,
+            m->direct,
+        };
+        for (int k = 0; k < m->point_count; k++) {
+            double *point = row + 13 + 4 * k;
+            point[0] = m->point[k].x;
+            point[1] = m->point[k].y;
+            point[2] = m->separation[k];
+            point[3] = m->normal_impulse[k];
+        }
+        api_buffer_push(&contact_rows, row, sizeof row);
+    }
+    free(all);
+    api_slots[0] = (double)(uintptr_t)contact_rows.data;
+    api_slots[1] = count;
+    return result != THUD_OK ? result : api_buffer_result(&contact_rows);
 }

@@ -43,6 +43,34 @@ static const thud_quality *api_quality(double number) {
     return i >= 0 && i < 4 ? all[i] : NULL;
 }
 
+/* A quality with changes, each where it is not the number that takes the quality's own: substeps,
+ * contact stiffness and damping (0), detection (-1), and islands (-1; 0: the soft solver does all, 1: the
+ * direct one helps, at default's limits where the quality has none). Valid until the next call. */
+static const thud_quality *changed_quality(double number, const double *changes) {
+    static thud_quality quality;
+    if (api_quality(number) == NULL)
+        return NULL;
+    quality = *api_quality(number);
+    if (changes[0] != 0.0)
+        quality.substeps = api_to_int(changes[0]);
+    if (changes[1] != 0.0)
+        quality.contact_stiffness = (float)changes[1];
+    if (changes[2] != 0.0)
+        quality.contact_damping = (float)changes[2];
+    if (changes[3] >= 0.0)
+        quality.detection = api_detection(changes[3]);
+    if (changes[4] == 0.0)
+        quality.islands = NULL;
+    if (changes[4] == 1.0 && quality.islands == NULL) {
+        quality.islands = thud_quality_default.islands;
+        quality.sag_limit = thud_quality_default.sag_limit;
+        quality.island_limit = thud_quality_default.island_limit;
+        quality.island_work = thud_quality_default.island_work;
+        quality.island_patience = thud_quality_default.island_patience;
+    }
+    return &quality;
+}
+
 static const thud_broadphase *api_broadphase(double number) {
     static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                  &thud_broadphase_all};
@@ -53,7 +81,7 @@ static const thud_broadphase *api_broadphase(double number) {
 /* Slots: 0, 1 gravity  2 time step  3 length scale  4 quality  5 substeps  6 contact stiffness
  * 7 contact damping  8 push speed  9 restitution threshold  10 hit speed  11 maximum speed
  * 12 sleeping  13 detection  14 contact events  15 stages are timed  16 broadphase
- * 17 time budget  18 maximum error. */
+ * 17 time budget  18 maximum error  19... changes of the quality, see changed_quality. */
 void api_world_defaults(void) {
     thud_world_def def = thud_default_world_def();
     double *s = api_slots;
@@ -76,6 +104,8 @@ void api_world_defaults(void) {
     s[16] = 0.0; /* grid */
     s[17] = def.time_budget;
     s[18] = def.max_error;
+    s[19] = s[20] = s[21] = 0.0; /* the quality's */
+    s[22] = s[23] = -1.0;
 }
 
 thud_world_def api_world_def(void) {
@@ -84,7 +114,7 @@ thud_world_def api_world_def(void) {
     def.gravity = (thud_vec2){(float)s[0], (float)s[1]};
     def.time_step = s[2];
     def.length_scale = (float)s[3];
-    def.quality = api_quality(s[4]);
+    def.quality = changed_quality(s[4], s + 19);
     def.substeps = api_to_int(s[5]);
     def.contact_stiffness = (float)s[6];
     def.contact_damping = (float)s[7];
@@ -138,14 +168,11 @@ int api_world_set_time_step(thud_world *world, double time_step) {
     return thud_world_set_time_step(world, time_step);
 }
 
-/* Substeps 0: the quality's own. */
-int api_world_set_quality(thud_world *world, double number, double substeps) {
-    const thud_quality *quality = api_quality(number);
-    if (quality == NULL || substeps == 0.0)
-        return thud_world_set_quality(world, quality);
-    thud_quality changed = *quality;
-    changed.substeps = api_to_int(substeps);
-    return thud_world_set_quality(world, &changed);
+/* Numbers of 0, a detection of -1 and islands of -1 take the quality's own. */
+int api_world_set_quality(thud_world *world, double number, double substeps, double stiffness,
+                          double damping, double detection, double islands) {
+    const double changes[] = {substeps, stiffness, damping, detection, islands};
+    return thud_world_set_quality(world, changed_quality(number, changes));
 }
 
 int api_world_set_max_error(thud_world *world, double max_error) {
@@ -157,8 +184,10 @@ int api_world_set_sleeping(thud_world *world, int sleeping) {
 }
 
 /* Slots out: 0 steps  1 bodies  2 shapes  3 awake bodies  4 pairs  5 contacts  6 colours
- * 7 blocks  8 bytes  9 allocations of the last step  10 its substeps  11 its seconds  12... those
- * of its stages. */
+ * 7 blocks  8 bytes  9 allocations of the last step  10 its substeps  11 its seconds  12 islands
+ * solved directly  13 their bodies  14 of them, back with the soft solver  15 impacts  16 pairs of
+ * motions  17 of them, whose circles met  18 boxes met  19 times were worked out  20... seconds of its
+ * stages. */
 int api_world_stats(const thud_world *world) {
     thud_stats stats = thud_world_stats(world);
     double *s = api_slots;
@@ -174,8 +203,16 @@ int api_world_stats(const thud_world *world) {
     s[9] = (double)stats.step_allocations;
     s[10] = stats.substeps;
     s[11] = stats.step_seconds;
+    s[12] = stats.hard_islands;
+    s[13] = stats.hard_bodies;
+    s[14] = stats.soft_islands;
+    s[15] = stats.impacts;
+    s[16] = stats.motion_pairs;
+    s[17] = stats.motion_circles;
+    s[18] = stats.motion_boxes;
+    s[19] = stats.motion_exact;
     for (int i = 0; i < THUD_STAGE_COUNT; i++)
-        s[12 + i] = stats.stage_seconds[i];
+        s[20 + i] = stats.stage_seconds[i];
     return THUD_STAGE_COUNT;
 }
 

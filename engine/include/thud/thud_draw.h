@@ -25,6 +25,14 @@ typedef enum thud_draw_style {
     THUD_DRAW_PAIR,                 /* line from centre to centre; bounds overlap */
     THUD_DRAW_PAIR_TOUCHING,        /* ... and so do the shapes */
     THUD_DRAW_MOTION,               /* outline of a swept volume */
+    THUD_DRAW_PAIR_CANDIDATE,       /* line from centre to centre; only the fat bounds overlap */
+    THUD_DRAW_DIRECT,               /* ...; the pair's island was solved directly */
+    THUD_DRAW_MANIFOLD,             /* one point of a contact */
+    THUD_DRAW_DEPTH,                /* line from it along the normal: as long as the penetration */
+    THUD_DRAW_IMPULSE,              /* ...: as far as its impulse in a step, alone, would move the
+                                       lighter of the two bodies in a second */
+    THUD_DRAW_COLOUR,               /* line from centre to centre of a pair of the solver's colour 0 */
+    THUD_DRAW_COLOUR_LAST = THUD_DRAW_COLOUR + 15, /* ... 15, and of all further ones */
     THUD_DRAW_STYLE_COUNT
 } thud_draw_style;
 
@@ -33,7 +41,8 @@ enum {
     THUD_DRAW_SHAPE_BOUNDS = 1 << 1,
     THUD_DRAW_CELLS = 1 << 2,    /* that awake shapes lie in; only a grid has some */
     THUD_DRAW_CONTACTS = 1 << 3, /* points and normals */
-    THUD_DRAW_ISLANDS = 1 << 4,  /* shapes carry their island's number, see `island` */
+    THUD_DRAW_ISLANDS = 1 << 4,  /* shapes carry their island's number, see `island`; and the pairs
+                                    of islands that were solved directly */
     /* The order that a plane sweep keeps: of each shape's bounds the interval along x, side by side
      * in rows from the lower edge of the view up, first of awake shapes, then of resting ones. Where
      * more than 12 overlap, bars lie upon each other. */
@@ -42,7 +51,12 @@ enum {
     /* The swept volumes of the last step, for each shape of a body that moved further than a quarter
      * of its smallest size: where it was, where it is, and the sides of their convex hull that join
      * the two. Of a body that collided on its way this is the straight way. */
-    THUD_DRAW_MOTIONS = 1 << 7
+    THUD_DRAW_MOTIONS = 1 << 7,
+    THUD_DRAW_STAGES = 1 << 8,   /* pairs as THUD_DRAW_PAIRS, by how far they came: fat bounds overlap,
+                                    so do the true bounds, shapes touch */
+    THUD_DRAW_COLOURS = 1 << 9,  /* touching pairs by the solver's graph colour: no two pairs of one
+                                    colour share a moving body, so that they are solved at once */
+    THUD_DRAW_MANIFOLDS = 1 << 10 /* every point of every contact, its depth and its impulse */
 };
 
 /* Null callbacks are skipped. `island` is -1 unless THUD_DRAW_ISLANDS is asked for. Coordinates

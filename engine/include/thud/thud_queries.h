@@ -113,6 +113,27 @@ thud_result thud_world_closest(thud_world *world, thud_pos point, double max_dis
 thud_result thud_body_volume(thud_world *world, thud_body_id body, thud_shape_kind kind,
                              thud_pos origin, thud_volume *out);
 
+/* ---- the contacts of one body ---- */
+
+/* A touching pair as the last step left it; of a static and a moving shape, a is the static one. */
+typedef struct thud_manifold {
+    thud_shape_id shape_a, shape_b;
+    thud_body_id body_a, body_b;
+    thud_vec2 normal;        /* from a to b */
+    int point_count;         /* 0 to 2: what is about to touch again may have none */
+    thud_pos point[2];
+    float separation[2];     /* lengths; negative is penetration */
+    float normal_impulse[2]; /* mass length/s, >= 0: the last substep's, times the substeps */
+    float tangent_impulse;   /* ... and that of friction, along (normal.y, -normal.x), on b */
+    bool direct;             /* its island was solved directly, see thud_quality.h */
+} thud_manifold;
+
+/* *count is how many there are; as many as there is room for (`capacity` >= 0) are written, the
+ * latest to touch first. `out` may be null where capacity is 0. THUD_ERROR_STALE for a body that is
+ * gone, THUD_ERROR_LOCKED inside a callback. */
+thud_result thud_body_contacts(thud_world *world, thud_body_id body, thud_manifold *out,
+                               int capacity, int *count);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,10 +1,33 @@
 /** How options become the numbers that the module takes, and numbers from it become handles. */
 import { ThudError } from "./error.js";
 import type { QueryFilter, SolidShape } from "./query-types.js";
-import { type BodyId, type Detection, DETECTIONS, SHAPE_KINDS, type ShapeId } from "./types.js";
+import {
+  type BodyId,
+  type Detection,
+  DETECTIONS,
+  QUALITIES,
+  type Quality,
+  type QualityOptions,
+  SHAPE_KINDS,
+  type ShapeId,
+} from "./types.js";
 
 export function detectionIndex(detection: Detection | undefined): number | undefined {
   return detection && indexOf(DETECTIONS, detection, "detection");
+}
+
+/** A quality's own numbers where it is no more than a name, and what an object changes of them. */
+export function qualityNumbers(quality: Quality | QualityOptions) {
+  const options: QualityOptions = typeof quality === "string" ? { base: quality } : quality;
+  const { base = "default", substeps, contactStiffness, contactDamping, islands } = options;
+  return {
+    base: indexOf(QUALITIES, base, "quality"),
+    substeps,
+    contactStiffness,
+    contactDamping,
+    detection: detectionIndex(options.detection),
+    islands: islands === undefined ? undefined : Number(islands),
+  };
 }
 
 export function bodyId(index1: number, generation: number): BodyId {

@@ -30,6 +30,7 @@ export interface Stats {
   bodies: number;
   shapes: number;
   awakeBodies: number;
+  /** Of shapes whose fat bounds overlap: the broadphase's candidates. */
   pairs: number;
   /** Touching pairs. */
   contacts: number;
@@ -43,6 +44,15 @@ export interface Stats {
   substeps: number;
   /** Of the last step; 0 unless the world is timed or has a time budget. */
   stepSeconds: number;
+  /** Islands that the soft solver could not hold, solved at once in the last step, and their bodies. */
+  hardIslands: number;
+  hardBodies: number;
+  /** Of those islands, how many stayed as the soft solver had them. */
+  softIslands: number;
+  /** Collisions found within the last step, by the detections "bisect" and "swept". */
+  impacts: number;
+  /** Pairs of moving shapes in the last step, by how far their tests went. */
+  motionPairs: Readonly<{ looked: number; circlesMet: number; boxesMet: number; exact: number }>;
   stageSeconds: Readonly<Record<string, number>>;
 }
 
@@ -88,11 +98,21 @@ export interface DrawOptions {
   bounds?: boolean;
   cells?: boolean;
   contacts?: boolean;
+  /** Shapes carry their island's number; and lines of the pairs whose islands are solved directly. */
   islands?: boolean;
   /** The sorted intervals of a plane sweep, at the lower edge. */
   axes?: boolean;
   /** Lines between shapes whose bounds overlap. */
   pairs?: boolean;
+  /** As pairs, by how far they came: fat bounds overlap, so do the true bounds, shapes touch. */
+  stages?: boolean;
+  /**
+   * Lines between touching shapes by the solver's colour: no two pairs of one colour share a moving
+   * body, so that eight of them are solved at once.
+   */
+  colours?: boolean;
+  /** Every point of every contact, its depth and its impulse. */
+  manifolds?: boolean;
   /** The swept volumes of the last step, of what moved further than a quarter of its size. */
   motions?: boolean;
   /** Coordinates are relative to it. Default [0, 0]. */
@@ -101,6 +121,11 @@ export interface DrawOptions {
   upper: Vec2;
 }
 
+/**
+ * By number in `DrawLists`. "solved directly" is of pairs. "depth" is a line from a manifold's point as
+ * long as the penetration, "impulse" one as long as the impulse of a step alone would move the lighter
+ * body in a second. "colour 15" stands for all further colours too.
+ */
 export const DRAW_STYLES = [
   "static",
   "kinematic",
@@ -116,6 +141,27 @@ export const DRAW_STYLES = [
   "pair",
   "pair touching",
   "motion",
+  "pair candidate",
+  "solved directly",
+  "manifold",
+  "depth",
+  "impulse",
+  "colour 0",
+  "colour 1",
+  "colour 2",
+  "colour 3",
+  "colour 4",
+  "colour 5",
+  "colour 6",
+  "colour 7",
+  "colour 8",
+  "colour 9",
+  "colour 10",
+  "colour 11",
+  "colour 12",
+  "colour 13",
+  "colour 14",
+  "colour 15",
 ] as const;
 
 /** Views into wasm memory, valid until the next call of `debugDraw`. */
@@ -126,4 +172,29 @@ export interface DrawLists {
   readonly lines: Float32Array;
   /** Three a point: place, style. */
   readonly points: Float32Array;
+}
+
+/** A point of a contact, after the last step. */
+export interface ContactPoint {
+  point: Vec2;
+  /** Negative is penetration. */
+  separation: number;
+  /** Mass times length/s, 0 or more: the last substep's, times the substeps. */
+  normalImpulse: number;
+}
+
+/** A touching pair. Of a static and a moving shape, `a` is the static one. */
+export interface Contact {
+  a: ShapeId;
+  b: ShapeId;
+  bodyA: BodyId;
+  bodyB: BodyId;
+  /** Unit, from a to b. */
+  normal: Vec2;
+  /** Two at most; none where it is about to touch again. */
+  points: ContactPoint[];
+  /** Friction's, on b, along (normal[1], -normal[0]). */
+  tangentImpulse: number;
+  /** Its island was solved at once, as the soft solver could not hold it. */
+  direct: boolean;
 }

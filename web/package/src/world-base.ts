@@ -1,13 +1,13 @@
 /** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
-import { detectionIndex, fill, indexOf, shapeId, view } from "./numbers.js";
+import { detectionIndex, fill, indexOf, qualityNumbers, shapeId, view } from "./numbers.js";
 import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
 import {
   type BodyId,
   BROADPHASES,
-  QUALITIES,
   type Quality,
+  type QualityOptions,
   type ShapeId,
   type Vec2,
   type WorldOptions,
@@ -41,14 +41,13 @@ export class WorldBase {
   /** Fills the slots of api_world_defaults, for code that makes worlds in the module itself. */
   static writeOptions(engine: Engine, options: WorldOptions): void {
     engine.exports.api_world_defaults();
-    const quality =
-      options.quality === undefined ? undefined : indexOf(QUALITIES, options.quality, "quality");
+    const quality = options.quality === undefined ? undefined : qualityNumbers(options.quality);
     fill(engine.slots, [
       options.gravity?.[0],
       options.gravity?.[1],
       options.timeStep,
       options.lengthScale,
-      quality,
+      quality?.base,
       options.substeps,
       options.contactStiffness,
       options.contactDamping,
@@ -63,6 +62,11 @@ export class WorldBase {
       options.broadphase && indexOf(BROADPHASES, options.broadphase, "broadphase"),
       options.timeBudget,
       options.maxError,
+      quality?.substeps,
+      quality?.contactStiffness,
+      quality?.contactDamping,
+      quality?.detection,
+      quality?.islands,
     ]);
   }
 
@@ -131,10 +135,20 @@ export class WorldBase {
     this.engine.check(this.engine.exports.api_world_set_time_step(this.address, seconds));
   }
 
-  /** For experts, with another number of substeps, 1 to 64; 0 takes the quality's. */
-  setQuality(quality: Quality, substeps = 0): void {
-    const index = indexOf(QUALITIES, quality, "quality");
-    this.engine.check(this.engine.exports.api_world_set_quality(this.address, index, substeps));
+  /** From the next step on. For experts: `substeps` from 1 to 64; 0 takes the quality's. */
+  setQuality(quality: Quality | QualityOptions, substeps = 0): void {
+    const q = qualityNumbers(quality);
+    this.engine.check(
+      this.engine.exports.api_world_set_quality(
+        this.address,
+        q.base,
+        substeps || (q.substeps ?? 0),
+        q.contactStiffness ?? 0,
+        q.contactDamping ?? 0,
+        q.detection ?? -1,
+        q.islands ?? -1,
+      ),
+    );
   }
 
   /** See WorldOptions.maxError. */

@@ -4,7 +4,9 @@
  * they hold until the next call.
  */
 import { bodyId, shapeId, view } from "./numbers.js";
+import type { BodyId } from "./types.js";
 import type {
+  Contact,
   ContactEvent,
   DrawLists,
   DrawOptions,
@@ -65,6 +67,14 @@ export class WorldViews extends WorldQueries {
     };
   }
 
+  /** What a body touches, as the last step left it; the latest to touch first. Copied. */
+  contactsOf(body: BodyId): Contact[] {
+    this.onBody("api_body_contacts", body);
+    const [address, count] = this.engine.slots;
+    const rows = view(Float64Array, this.engine.buffer, address, CONTACT_ROW * count);
+    return Array.from({ length: count }, (_, i) => readContact(rows, CONTACT_ROW * i));
+  }
+
   stats(): Stats {
     const { engine } = this;
     engine.exports.api_world_stats(this.address);
@@ -82,7 +92,12 @@ export class WorldViews extends WorldQueries {
       stepAllocations: s[9],
       substeps: s[10],
       stepSeconds: s[11],
-      stageSeconds: Object.fromEntries(engine.stageNames.map((name, i) => [name, s[12 + i]])),
+      hardIslands: s[12],
+      hardBodies: s[13],
+      softIslands: s[14],
+      impacts: s[15],
+      motionPairs: { looked: s[16], circlesMet: s[17], boxesMet: s[18], exact: s[19] },
+      stageSeconds: Object.fromEntries(engine.stageNames.map((name, i) => [name, s[20 + i]])),
     };
   }
 
@@ -145,7 +160,10 @@ export class WorldViews extends WorldQueries {
       (options.islands ? 16 : 0) |
       (options.axes ? 32 : 0) |
       (options.pairs ? 64 : 0) |
-      (options.motions ? 128 : 0);
+      (options.motions ? 128 : 0) |
+      (options.stages ? 256 : 0) |
+      (options.colours ? 512 : 0) |
+      (options.manifolds ? 1024 : 0);
     const [x, y] = options.origin ?? [0, 0];
     engine.check(
       engine.exports.api_world_draw(this.address, flags, x, y, ...options.lower, ...options.upper),
@@ -165,4 +183,25 @@ export class WorldViews extends WorldQueries {
       b: shapeId(numbers[4 * i + 2], numbers[4 * i + 3]),
     }));
   }
+}
+
+/** See api_body_contacts. */
+const CONTACT_ROW = 21;
+
+function readContact(rows: Float64Array, at: number): Contact {
+  const s = rows.subarray(at, at + CONTACT_ROW);
+  return {
+    a: shapeId(s[0], s[1]),
+    b: shapeId(s[2], s[3]),
+    bodyA: bodyId(s[4], s[5]),
+    bodyB: bodyId(s[6], s[7]),
+    normal: [s[8], s[9]],
+    points: Array.from({ length: s[10] }, (_, k) => ({
+      point: [s[13 + 4 * k], s[14 + 4 * k]],
+      separation: s[15 + 4 * k],
+      normalImpulse: s[16 + 4 * k],
+    })),
+    tangentImpulse: s[11],
+    direct: s[12] !== 0,
+  };
 }

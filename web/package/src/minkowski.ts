@@ -1,0 +1,78 @@
+/**
+ * The Minkowski sum of two shapes: every place of the second's centre, seen from the first's, at which
+ * they share a point. Two shapes become one shape and a point: they overlap where it is inside.
+ */
+import type { Engine } from "./engine.js";
+import { ThudError } from "./error.js";
+import { solidNumbers } from "./numbers.js";
+import type { SolidShape } from "./query-types.js";
+import type { Vec2 } from "./types.js";
+
+/** Places are relative to the first shape's centre. */
+export interface MinkowskiSum {
+  /** The shapes share a point: the offset lies in the sum or on its edge. */
+  overlaps: boolean;
+  /** The place on the edge that is nearest to the offset: the shortest way out, or in. */
+  edge: Vec2;
+  /** x and y of places along the edge, counter-clockwise, the first not repeated. */
+  outline: Float64Array;
+}
+
+/** Pieces of a rounded corner, and of a whole circle. */
+const ARC = 12;
+const CIRCLE = 96;
+
+/**
+ * The sum of `a` and the reflected `b`, whose centre lies at `offset` from a's. Throws for sizes that
+ * are not above 0 and for numbers that are not finite.
+ */
+export function minkowskiSum(
+  engine: Engine,
+  a: SolidShape,
+  b: SolidShape,
+  offset: Vec2,
+): MinkowskiSum {
+  engine.slots.set([...solidNumbers(a), ...solidNumbers(b), ...offset]);
+  if (engine.exports.api_minkowski_sum() !== 0)
+    throw new ThudError("invalid", "minkowskiSum: sizes must be above 0 and all numbers finite");
+  const [overlaps, edgeX, edgeY, radius, count, ...places] = engine.slots;
+  return {
+    overlaps: overlaps !== 0,
+    edge: [edgeX, edgeY],
+    outline: Float64Array.from(outlineOf(places.slice(0, 2 * count), radius)),
+  };
+}
+
+/** A convex polygon rounded by a radius: about each vertex an arc from one face's normal to the next. */
+function outlineOf(vertices: number[], radius: number): number[] {
+  if (radius === 0) return vertices;
+  const count = vertices.length / 2;
+  if (count === 1) {
+    const last = 2 * Math.PI * (1 - 1 / CIRCLE);
+    return arc(vertices[0], vertices[1], radius, 0, last, CIRCLE - 1);
+  }
+  const directions = Array.from({ length: count }, (_, i) => {
+    const next = (i + 1) % count;
+    const x = vertices[2 * next] - vertices[2 * i];
+    const y = vertices[2 * next + 1] - vertices[2 * i + 1];
+    return Math.atan2(-x, y);
+  });
+  return directions.flatMap((to, i) => {
+    const from = directions[(i + count - 1) % count];
+    const end = to < from ? to + 2 * Math.PI : to;
+    return arc(vertices[2 * i], vertices[2 * i + 1], radius, from, end, ARC);
+  });
+}
+
+function arc(
+  x: number,
+  y: number,
+  radius: number,
+  from: number,
+  to: number,
+  pieces: number,
+): number[] {
+  return Array.from({ length: pieces + 1 }, (_, i) => from + ((to - from) * i) / pieces).flatMap(
+    (angle) => [x + radius * Math.cos(angle), y + radius * Math.sin(angle)],
+  );
+}
