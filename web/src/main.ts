@@ -2,10 +2,13 @@
 import { keepOffline } from "./offline/register";
 import { App } from "./page/app";
 import { addControls } from "./page/controls";
+import { describeScene } from "./page/describe";
+import { addDialogs } from "./page/dialogs";
 import { Dock } from "./page/dock";
 import { byId, make } from "./page/dom";
 import { Figures } from "./page/figures";
-import { addDialogs, addGallery, markScene } from "./page/gallery";
+import { addGallery, markScene } from "./page/gallery";
+import { addHint } from "./page/hint";
 import { Hud } from "./page/hud";
 import { fail, messageOf, notice, say } from "./page/messages";
 import { Pad } from "./page/pad";
@@ -41,6 +44,9 @@ async function start(): Promise<void> {
   }
   const app = new App(() => stage.look);
   stage.attach(app);
+  // What takes room on the page is there before the engine is: nothing moves when it comes.
+  const hud = new Hud();
+  layOut(app, stage);
   const wasm = chooseWasm();
   try {
     await app.load(wasm);
@@ -56,7 +62,7 @@ async function start(): Promise<void> {
   }
   if (!wasm.simd)
     notice("This browser has no WebAssembly SIMD: everything works, at about half the speed.", 12);
-  await assemble(app, stage);
+  await assemble(app, stage, hud);
 }
 
 /** What a visitor need not wait for. */
@@ -75,17 +81,11 @@ function afterFirstPicture(app: App): void {
 
 const reload = { label: "Load the page again", go: () => location.reload() };
 
-async function assemble(app: App, stage: Stage): Promise<void> {
-  const hud = new Hud();
+async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   const figures = new Figures();
   const pad = new Pad((held) => app.do({ kind: "keys", held }));
-  const layOut = () => {
-    stage.view.camera.insets = freeOf();
-    stage.view.resize();
-    if (!app.state.camera) stage.view.camera.goHome();
-    app.refresh();
-  };
-  const dock = new Dock(app, panels(stage), layOut);
+  const change = () => layOut(app, stage);
+  const dock = new Dock(app, panels(stage), change);
   const openFile = async (file: File) => {
     const files = { "own.tmj": await file.text() };
     app.fileName = file.name.replace(/\.[^.]*$/, "");
@@ -95,12 +95,18 @@ async function assemble(app: App, stage: Stage): Promise<void> {
   addGallery({ choose: (entry) => void app.open(entry.name), openFile: (file) => void openFile(file) });
   addControls(app, stage, dock);
   addTimeline(app);
-  listenToScenes(app, hud, figures, pad);
+  describeScene(app);
+  listenToScenes(app, { hud, figures, hinted: addHint(app) });
+  app.listen({
+    run({ keys }) {
+      pad.show(keys);
+      change();
+    },
+  });
 
   onTheme((dark) => stage.view.setTheme(dark));
   applyTheme();
-  window.addEventListener("resize", layOut);
-  layOut();
+  window.addEventListener("resize", change);
 
   const state = await readState(new URL(location.href));
   app.begin(state);
@@ -142,13 +148,17 @@ async function runFirst(app: App, { scene, size, seed, code, camera, claim }: Aw
   });
 }
 
-function listenToScenes(app: App, hud: Hud, figures: Figures, pad: Pad): void {
+/** What is told of scenes. `hinted`: to whom a hint is shown the first scene tells nothing more. */
+function listenToScenes(
+  app: App,
+  { hud, figures, hinted }: { hud: Hud; figures: Figures; hinted: boolean },
+): void {
   let announced = "";
   app.listen({
     run(scene) {
       hud.reset();
       figures.reset();
-      pad.show(scene.keys);
+      document.querySelector("main")!.removeAttribute("aria-busy");
       const { title, about } = app;
       byId("scene-title").textContent = title;
       byId("scenes-button").setAttribute("aria-label", `Scenes and levels; now: ${title}`);
@@ -157,7 +167,7 @@ function listenToScenes(app: App, hud: Hud, figures: Figures, pad: Pad): void {
       if (announced === app.state.scene) say(`${title}, from the beginning`);
       else {
         say(`${title}. ${about}`);
-        notice(about);
+        if (!hinted || announced !== "") notice(about);
       }
       announced = app.state.scene;
       const [first, ...more] = scene.notes;
@@ -187,10 +197,18 @@ function listenToScenes(app: App, hud: Hud, figures: Figures, pad: Pad): void {
   });
 }
 
+/** Fits the scene into what the page leaves free now. */
+function layOut(app: App, stage: Stage): void {
+  stage.view.camera.insets = freeOf();
+  stage.view.resize();
+  if (!app.state.camera) stage.view.camera.goHome();
+  app.refresh();
+}
+
 /** What the controls leave free of the page. */
 function freeOf(): { top: number; right: number; bottom: number; left: number } {
   const top = byId("top").getBoundingClientRect().bottom;
-  const bottom = innerHeight - byId("controls").getBoundingClientRect().top;
+  const bottom = innerHeight - byId("bottom").getBoundingClientRect().top;
   const dock = byId("dock").getBoundingClientRect();
   const free = { top: top + 8, right: 16, bottom: bottom + 8, left: 16 };
   if (dock.width === 0) return free;

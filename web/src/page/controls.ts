@@ -2,9 +2,9 @@
 import { DETECTION_CHOICES, SPEEDS } from "./url";
 import { BROADPHASES, QUALITIES } from "thud";
 import type { App } from "./app";
+import { openDialog } from "./dialogs";
 import type { Dock } from "./dock";
 import { byId } from "./dom";
-import { openDialog } from "./gallery";
 import { type Key, key, listenToKeys } from "./keys";
 import { notice, say } from "./messages";
 import { TOOLS, type Tool } from "./pointers";
@@ -119,9 +119,7 @@ function keysOf(
     }),
     key("K", ["k"], "Code: the running scene", () => dock.toggle("code")),
     key("O", ["o"], "Options", () => dock.toggle("options")),
-    key("L", ["l"], "Scenes, levels and games", () =>
-      openDialog(byId<HTMLDialogElement>("scenes")),
-    ),
-    key("H ?", ["h", "?"], "This list", () => openDialog(byId<HTMLDialogElement>("help"))),
+    key("L", ["l"], "Scenes, levels and games", () => openDialog("scenes")),
+    key("H ?", ["h", "?"], "This list", () => openDialog("help")),
   ];
 }

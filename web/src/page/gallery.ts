@@ -7,38 +7,38 @@ export interface GalleryActions {
   openFile(file: File): void;
 }
 
+interface Card {
+  button: HTMLButtonElement;
+  /** What a search looks through, in lower case. */
+  text: string;
+}
+
+interface GroupOfCards {
+  heading: HTMLElement;
+  grid: HTMLElement;
+  cards: Card[];
+}
+
 export function addGallery({ choose, openFile }: GalleryActions): void {
   const dialog = byId<HTMLDialogElement>("scenes");
-  for (const group of GROUPS) {
-    const entries = SCENES.filter((entry) => entry.group === group);
-    if (entries.length === 0) continue;
-    const cards = entries.map((entry) => {
-      const picture = make("img", {
-        src: thumbnailFile(entry.name),
-        alt: "",
-        width: 160,
-        height: 100,
-        loading: "lazy",
-        decoding: "async",
-      });
-      const button = make(
-        "button",
-        { "data-entry": entry.name },
-        picture,
-        make("b", {}, entry.title),
-        make("span", {}, entry.about),
-      );
-      button.addEventListener("click", () => {
-        dialog.close();
-        choose(entry);
-      });
-      return button;
-    });
-    byId("scene-list").append(
-      make("h3", {}, group),
-      make("div", { class: "cards" }, ...cards),
-    );
-  }
+  const run = (entry: SceneEntry) => {
+    dialog.close();
+    choose(entry);
+  };
+  const groups = GROUPS.map((name): GroupOfCards => {
+    const entries = SCENES.filter((entry) => entry.group === name);
+    const cards = entries.map((entry) => ({
+      button: cardOf(entry, () => run(entry)),
+      text: `${name} ${entry.title} ${entry.about} ${entry.name}`.toLowerCase(),
+    }));
+    const heading = make("h3", {}, name);
+    const grid = make("div", { class: "cards" }, ...cards.map(({ button }) => button));
+    byId("scene-list").append(heading, grid);
+    return { heading, grid, cards };
+  });
+  addSearch(dialog, groups);
+  addArrows(dialog);
+
   const file = byId<HTMLInputElement>("level-file");
   byId("open-level").addEventListener("click", () => file.click());
   file.addEventListener("change", () => {
@@ -47,6 +47,104 @@ export function addGallery({ choose, openFile }: GalleryActions): void {
     dialog.close();
   });
   listenToDrops(openFile);
+}
+
+function cardOf(entry: SceneEntry, run: () => void): HTMLButtonElement {
+  const picture = make("img", {
+    src: thumbnailFile(entry.name),
+    alt: "",
+    width: 160,
+    height: 100,
+    loading: "lazy",
+    decoding: "async",
+  });
+  const button = make(
+    "button",
+    { "data-entry": entry.name },
+    picture,
+    make("b", {}, entry.title),
+    make("span", {}, entry.about),
+  );
+  button.addEventListener("click", run);
+  return button;
+}
+
+/** Shows what has every word that is typed; Enter runs the first. */
+function addSearch(dialog: HTMLDialogElement, groups: readonly GroupOfCards[]): void {
+  const field = byId<HTMLInputElement>("scene-search");
+  const filter = () => {
+    const words = field.value.toLowerCase().split(/\s+/).filter(Boolean);
+    for (const { heading, grid, cards } of groups) {
+      for (const { button, text } of cards)
+        button.hidden = !words.every((word) => text.includes(word));
+      heading.hidden = grid.hidden = cards.every(({ button }) => button.hidden);
+    }
+    const found = visibleCards().length;
+    const plural = found === 1 ? "One scene" : `${found} scenes`;
+    byId("no-scene").textContent =
+      found === 0 ? `No scene has “${field.value.trim()}” in its name or description.` : "";
+    field.setAttribute("aria-description", words.length > 0 ? `${plural} found` : "");
+    dialog.scrollTop = 0;
+  };
+  field.addEventListener("input", filter);
+  field.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" && field.value.trim() !== "") {
+      event.preventDefault();
+      visibleCards()[0]?.click();
+    }
+  });
+  dialog.addEventListener("close", () => {
+    field.value = "";
+    filter();
+  });
+}
+
+/** Arrows go from card to card as they lie on the page; the search lies above the first row. */
+function addArrows(dialog: HTMLDialogElement): void {
+  dialog.addEventListener("keydown", (event) => {
+    const target = event.target as HTMLElement;
+    const cards = visibleCards();
+    const field = byId("scene-search");
+    if (target === field && event.key === "ArrowDown") {
+      event.preventDefault();
+      cards[0]?.focus();
+      return;
+    }
+    const at = cards.indexOf(target as HTMLButtonElement);
+    if (at < 0) return;
+    const next = neighbour(cards, at, event.key);
+    if (next === undefined) return;
+    event.preventDefault();
+    (next ?? field).focus();
+  });
+}
+
+/** Undefined for a key that leads nowhere, null for the search above the first row. */
+function neighbour(
+  cards: readonly HTMLElement[],
+  at: number,
+  key: string,
+): HTMLElement | null | undefined {
+  if (key === "ArrowLeft") return cards[Math.max(0, at - 1)];
+  if (key === "ArrowRight") return cards[Math.min(cards.length - 1, at + 1)];
+  if (key === "Home") return cards[0];
+  if (key === "End") return cards[cards.length - 1];
+  if (key !== "ArrowUp" && key !== "ArrowDown") return undefined;
+  const down = key === "ArrowDown";
+  const { left, top } = cards[at].getBoundingClientRect();
+  const beyond = cards
+    .map((card) => ({ card, box: card.getBoundingClientRect() }))
+    .filter(({ box }) => (down ? box.top > top + 1 : box.top < top - 1));
+  if (beyond.length === 0) return down ? cards[at] : null;
+  const distances = beyond.map(({ box }) => Math.abs(box.top - top));
+  const row = Math.min(...distances);
+  return beyond
+    .filter((_, i) => distances[i] < row + 1)
+    .sort((a, b) => Math.abs(a.box.left - left) - Math.abs(b.box.left - left))[0].card;
+}
+
+function visibleCards(): HTMLButtonElement[] {
+  return [...document.querySelectorAll<HTMLButtonElement>("[data-entry]:not([hidden])")];
 }
 
 /** Marks the scene that runs. */
@@ -72,26 +170,4 @@ function listenToDrops(openFile: (file: File) => void): void {
     const file = event.dataTransfer?.files[0];
     if (file) openFile(file);
   });
-}
-
-/** Dialogs and their buttons. */
-export function openDialog(dialog: HTMLDialogElement): void {
-  if (dialog.open) return;
-  dialog.showModal();
-  byId(`${dialog.id}-button`).setAttribute("aria-expanded", "true");
-  dialog.querySelector('[aria-current="true"]')?.scrollIntoView({ block: "nearest" });
-}
-
-export function addDialogs(): void {
-  for (const name of ["scenes", "help"]) {
-    const dialog = byId<HTMLDialogElement>(name);
-    const opener = byId(`${name}-button`);
-    opener.addEventListener("click", () => openDialog(dialog));
-    dialog.addEventListener("close", () => opener.setAttribute("aria-expanded", "false"));
-    dialog.querySelector(".close")!.addEventListener("click", () => dialog.close());
-    // A click beside a dialog, on its backdrop, closes it.
-    dialog.addEventListener("click", (event) => {
-      if (event.target === dialog) dialog.close();
-    });
-  }
 }

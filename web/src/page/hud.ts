@@ -1,24 +1,30 @@
 /** Figures over the scene: time a step with its course and budget, error, bodies, frames. */
 import type { Frame, Sample } from "../scene/frame";
 import { byId, make } from "./dom";
+import { count, duration, length } from "./format";
 
 /** Steps that the course shows. */
 const COURSE = 120;
 /** Milliseconds that a step may take at 60 Hz. */
 const BUDGET = 1000 / 60;
+/** CSS pixels of height from which on the budget is written at its line. */
+const LEAST_FOR_TEXT = 24;
 /** Seconds; texts change this often, so that they can be read. */
 const REFRESH = 0.25;
 
 const VALUES = [
-  ["ms", "step", "Median time of the last 60 steps"],
-  ["slowest", "p99", "99 of 100 of the last 120 steps were quicker"],
-  ["deepest", "deepest", "Deepest penetration, in world units"],
-  ["bodies", "bodies", ""],
-  ["awake", "awake", ""],
-  ["contacts", "contacts", ""],
-  ["fps", "fps", "Pictures a second"],
+  ["ms", "step", "Time that a step takes: the median of the last 60."],
+  ["slowest", "p99", "99 of 100 of the last 120 steps were quicker than this."],
+  ["deepest", "overlap", "How deep the worst pair of bodies overlaps, in world units."],
+  ["bodies", "bodies", "Bodies in the world, those that never move among them."],
+  ["awake", "awake", "Bodies that are simulated; the others sleep, which costs nothing."],
+  ["contacts", "contacts", "Pairs of shapes that touch."],
+  ["fps", "fps", "Pictures a second."],
 ] as const;
 type ValueName = (typeof VALUES)[number][0];
+
+const COURSE_TITLE =
+  "Time of each of the last 120 steps; the red line is what a step may take at 60 a second.";
 
 export class Hud {
   readonly #root = byId("hud");
@@ -32,12 +38,17 @@ export class Hud {
 
   constructor() {
     for (const [name, label, title] of VALUES) {
-      const value = make("dd", { "data-value": name }, "0");
+      const value = make("dd", { "data-value": name }, "–");
       this.#values.set(name, value);
       this.#root
         .querySelector("dl")!
         .append(make("div", { title, class: name }, make("dt", {}, label), value));
     }
+    this.#canvas.title = COURSE_TITLE;
+    byId("legend").append(
+      ...VALUES.map(([, label, title]) => legendRow(label, title)),
+      legendRow("bars", COURSE_TITLE),
+    );
   }
 
   reset(): void {
@@ -63,12 +74,13 @@ export class Hud {
   #refresh(): void {
     const { stats, error } = this.#frame!;
     const middle = percentile(this.#times.slice(-60), 0.5);
-    this.#put("ms", `${middle.toFixed(middle < 10 ? 2 : 1)} ms`);
-    this.#put("slowest", percentile(this.#times, 0.99).toFixed(1));
-    this.#put("deepest", error.penetrationMax.toFixed(4));
-    this.#put("bodies", stats.bodies.toLocaleString("en"));
-    this.#put("awake", stats.awakeBodies.toLocaleString("en"));
-    this.#put("contacts", stats.contacts.toLocaleString("en"));
+    const timed = this.#times.length > 0;
+    this.#put("ms", timed ? duration(middle) : "–");
+    this.#put("slowest", timed ? duration(percentile(this.#times, 0.99)) : "–");
+    this.#put("deepest", length(error.penetrationMax));
+    this.#put("bodies", count(stats.bodies));
+    this.#put("awake", count(stats.awakeBodies));
+    this.#put("contacts", count(stats.contacts));
     this.#put("fps", String(Math.round(this.#pictures / this.#seconds)));
     this.#root.dataset.over = String(middle > BUDGET);
     this.#pictures = this.#seconds = this.#sinceRefresh = 0;
@@ -79,7 +91,7 @@ export class Hud {
     this.#values.get(name)!.textContent = text;
   }
 
-  /** Bars of the last steps; the line is the budget, at three quarters of the height or higher. */
+  /** Bars of the last steps; the line is the budget, at three quarters of the height or lower. */
   #drawCourse(): void {
     const canvas = this.#canvas;
     const context = canvas.getContext("2d");
@@ -98,9 +110,21 @@ export class Hud {
       const x = (COURSE - this.#times.length + i) * width;
       context.fillRect(x, clientHeight - height, Math.max(0.7, width - 0.4), height);
     });
+    const line = Math.round(clientHeight * (1 - BUDGET / most));
     context.fillStyle = style.getPropertyValue("--budget");
-    context.fillRect(0, clientHeight * (1 - BUDGET / most), clientWidth, 1);
+    context.fillRect(0, line, clientWidth, 1);
+    if (clientHeight < LEAST_FOR_TEXT) return;
+    context.fillStyle = style.getPropertyValue("--legend");
+    context.font = "10px system-ui, sans-serif";
+    // Under its line, unless the line is low.
+    const below = line < clientHeight - 12;
+    context.textBaseline = below ? "top" : "bottom";
+    context.fillText("60 Hz: 16.7 ms", 0, below ? line + 3 : line - 1);
   }
+}
+
+function legendRow(label: string, title: string): HTMLElement {
+  return make("div", {}, make("dt", {}, label), make("dd", {}, title));
 }
 
 /** Of values in any order; 0 where there are none. */

@@ -75,6 +75,8 @@ export class Pad {
   #hold(name: KeyName, held: boolean): void {
     if (this.#held[name] === held) return;
     this.#held[name] = held;
+    const button = byId("pad").querySelector<HTMLElement>(`[data-key=${name}]`);
+    button?.toggleAttribute("data-held", held);
     this.#changed({ ...this.#held });
   }
 

@@ -1,0 +1,48 @@
+/** What the running scene looks like in words, for those who do not see it. */
+import type { Frame } from "../scene/frame";
+import type { App } from "./app";
+import { byId } from "./dom";
+import { count, length } from "./format";
+
+/** Milliseconds. The text is read when the scene gets the focus; it is not announced. */
+const REFRESH = 3000;
+
+/** Keeps the description of the scene up to date. */
+export function describeScene(app: App): void {
+  let last = -Infinity;
+  const tell = () => {
+    const frame = app.player.shown?.frame;
+    if (!frame || !app.scene) return;
+    last = performance.now();
+    const seconds = frame.step * app.scene.timeStep;
+    byId("state").textContent = inWords(app.title, app.state.paused, seconds, frame);
+  };
+  app.listen({
+    run: () => (last = -Infinity),
+    frame() {
+      // The last frame before a pause, and each of a visitor who goes through time, is told.
+      if (app.state.paused || performance.now() - last >= REFRESH) tell();
+    },
+    state: tell,
+  });
+}
+
+/** "Pyramid, running at 12.3 s; 5,050 bodies, 120 awake; deepest overlap 0.004." */
+export function inWords(
+  title: string,
+  paused: boolean,
+  seconds: number,
+  { stats, error, paint }: Pick<Frame, "stats" | "error" | "paint">,
+): string {
+  const awake = stats.awakeBodies === 0 ? "all asleep" : `${count(stats.awakeBodies)} awake`;
+  const overlap =
+    error.penetrationMax > 0 ? `deepest overlap ${length(error.penetrationMax)}` : "no overlap";
+  const figures = (paint?.figures ?? []).map(({ label, value }) => `${label} ${value}`);
+  const parts = [
+    `${title}, ${paused ? "paused" : "running"} at ${seconds.toFixed(1)} s`,
+    `${count(stats.bodies)} ${stats.bodies === 1 ? "body" : "bodies"}, ${awake}`,
+    overlap,
+    ...(figures.length > 0 ? [figures.join(", ")] : []),
+  ];
+  return `${parts.join("; ")}.${paint?.message ? ` ${paint.message}` : ""}`;
+}

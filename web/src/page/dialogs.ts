@@ -1,0 +1,30 @@
+/** The dialogs and the buttons that open them. */
+import { byId } from "./dom";
+
+const NAMES = ["scenes", "help"] as const;
+export type DialogName = (typeof NAMES)[number];
+
+export function openDialog(name: DialogName): void {
+  const dialog = byId<HTMLDialogElement>(name);
+  if (dialog.open) return;
+  dialog.showModal();
+  byId(`${name}-button`).setAttribute("aria-expanded", "true");
+  const current = dialog.querySelector<HTMLElement>('[aria-current="true"]');
+  // Where one is: arrows and Enter go on from there, and no keyboard comes up on a phone.
+  current?.focus({ preventScroll: true });
+  current?.scrollIntoView({ block: "nearest" });
+}
+
+export function addDialogs(): void {
+  for (const name of NAMES) {
+    const dialog = byId<HTMLDialogElement>(name);
+    const opener = byId(`${name}-button`);
+    opener.addEventListener("click", () => openDialog(name));
+    dialog.addEventListener("close", () => opener.setAttribute("aria-expanded", "false"));
+    dialog.querySelector(".close")!.addEventListener("click", () => dialog.close());
+    // A click beside a dialog, on its backdrop, closes it.
+    dialog.addEventListener("click", (event) => {
+      if (event.target === dialog) dialog.close();
+    });
+  }
+}
