@@ -39,7 +39,7 @@ export default function ({ createWorld, random, grid, seed, size }) {
 
   return {
     world,
-    view: { x: 0, y: 0, height: 26, width: 26 },
+    view: { x: 0, y: 0, height: 26, width: 18 },
     spawn: [0, 8],
     update({ step }) {
       const turning = step % (REST + TURN) >= REST;

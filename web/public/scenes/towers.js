@@ -6,7 +6,7 @@ export default async function ({ readText, readLevel, buildLevel }) {
   const [x, y] = level.camera;
   return {
     world: buildLevel(level),
-    view: { x, y, height: level.cameraHeight },
+    view: { x: x - 9, y, height: level.cameraHeight, width: 98 },
     spawn: level.spawn,
   };
 }

@@ -8,10 +8,7 @@ const KEY = "thud-hint-seen";
 export function addHint(app: App): boolean {
   if (wasSeen()) return false;
   const hint = byId("hint");
-  const touch = matchMedia("(pointer: coarse)").matches;
-  hint.querySelector("p")!.textContent = touch
-    ? "Pull a body with your finger; throw it."
-    : "Pull a body with the mouse; throw it.";
+  hint.querySelector("p")!.textContent = "Drag anything, and throw it.";
   hint.hidden = false;
   const goAway = () => {
     hint.hidden = true;
