@@ -1,0 +1,149 @@
+/** Where things stand on screens of many sizes, and what is told at a glance and in words. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { DESKTOP, drawn, figure, openVisitor, PHONE, stepBy, untilRunning } from "./page-support.mjs";
+
+let visitor;
+before(async () => {
+  visitor = await openVisitor();
+});
+after(() => visitor.close());
+
+const phone = (width, height) => ({ ...PHONE, viewport: { width, height } });
+const SIZES = [
+  ["desktop", DESKTOP],
+  ["laptop", { viewport: { width: 1024, height: 768 } }],
+  ["phone", PHONE],
+  ["small_phone", phone(360, 640)],
+  ["lying_phone", phone(844, 390)],
+];
+/** What a visitor reads or touches. */
+const PARTS =
+  "#scenes-button, #hud, #rail button, #figures, #message, #hint, #pad button, " +
+  "#controls button, #time, #time-label";
+
+/** Of what is visible: name and box. */
+function boxes(page) {
+  return page.evaluate((parts) =>
+    [...document.querySelectorAll(parts)]
+      .filter((element) => element.checkVisibility())
+      .map((element) => {
+        const { left, top, right, bottom } = element.getBoundingClientRect();
+        const name = element.id || element.dataset.key || element.dataset.tool || element.innerText;
+        return { name, touch: element.tagName === "BUTTON", left, top, right, bottom };
+      }), PARTS);
+}
+
+for (const [size, options] of SIZES)
+  for (const scene of ["brick_wall", "platformer_game", "artillery"])
+    test(`controls_of_${scene}_on_a_${size}_lie_in_sight_and_on_none_other`, async () => {
+      const { page, errors, close } = await visitor.open(`?scene=${scene}&paused=1`, options);
+      await stepBy(page, 1);
+      await page.waitForTimeout(400);
+      const { width, height } = options.viewport;
+      const all = await boxes(page);
+      assert.ok(all.length > 12, "controls are missing");
+      for (const [i, a] of all.entries()) {
+        const inside = a.left >= 0 && a.top >= 0 && a.right <= width && a.bottom <= height;
+        assert.ok(inside, `out of sight: ${JSON.stringify(a)}`);
+        const low = options.hasTouch && a.touch && Math.min(a.bottom - a.top, a.right - a.left) < 40;
+        assert.ok(!low, `too small for a finger: ${JSON.stringify(a)}`);
+        for (const b of all.slice(i + 1)) {
+          const x = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+          const y = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+          assert.ok(x <= 0.5 || y <= 0.5, `${JSON.stringify(a)} and ${JSON.stringify(b)}`);
+        }
+      }
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+test("nothing_moves_when_the_engine_comes", async () => {
+  let release;
+  const held = new Promise((resolve) => (release = resolve));
+  const { page, close } = await visitor.open("?scene=pyramid&size=5&paused=1", DESKTOP, (opened) =>
+    opened.route("**/*.wasm", async (route) => {
+      await held;
+      await route.continue();
+    }));
+  await page.waitForSelector("main[aria-busy] #hud dt", { state: "attached" });
+  const places = () => page.evaluate(() =>
+    ["hud", "rail", "controls"].map((id) => {
+      const { left, top, width, height } = document.getElementById(id).getBoundingClientRect();
+      return [id, left, top, width, height].map((part) => (isNaN(part) ? part : Math.round(part)));
+    }));
+  const waiting = await places();
+  release();
+  await page.waitForSelector("main:not([aria-busy])");
+  await stepBy(page, 3);
+  const [[, left, top, , height], ...others] = await places();
+  assert.deepEqual([left, top, height], [waiting[0][1], waiting[0][2], waiting[0][4]]);
+  assert.deepEqual(others, waiting.slice(1));
+  await close();
+});
+
+test("hint_is_shown_once_and_goes_for_good_when_a_body_is_dragged", async () => {
+  const { page, errors, close } = await visitor.open("?scene=pyramid&size=1&paused=1");
+  await stepBy(page, 1);
+  await page.waitForSelector("#hint:not([hidden])");
+  assert.match(await page.innerText("#hint"), /drag/i);
+  assert.equal(await page.locator("#notice").isVisible(), false, "two lines at once");
+  await page.waitForTimeout(300);
+  const { x, y } = await drawn(page);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y - 40, { steps: 3 });
+  await page.waitForSelector("#hint", { state: "hidden" });
+  await page.mouse.up();
+  await page.reload();
+  await untilRunning(page).catch(() => {});
+  assert.equal(await page.locator("#hint").isVisible(), false);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("hint_can_be_closed_and_games_show_none", async () => {
+  const { page, close } = await visitor.open("?scene=platformer_game");
+  await untilRunning(page);
+  assert.equal(await page.locator("#hint").isVisible(), false);
+  await page.goto(page.url().replace(/\?.*/, "?scene=cradle"));
+  await page.click("#hint button");
+  assert.equal(await page.locator("#hint").isVisible(), false);
+  await page.reload();
+  await untilRunning(page);
+  assert.equal(await page.locator("#hint").isVisible(), false);
+  await close();
+});
+
+test("figures_are_numbers_with_units_and_the_help_explains_each", async () => {
+  const { page, close } = await visitor.open("?scene=cradle");
+  await page.waitForFunction(() => Number(document.querySelector("#hud").dataset.steps) > 60);
+  const text = (name) => page.textContent(`[data-value="${name}"]`);
+  for (const name of ["ms", "slowest"])
+    assert.match(await text(name), /^([1-9]\d* µs|\d\.\d\d ms|\d\d\.\d ms|\d{3} ms)$/);
+  assert.match(await text("fps"), /^\d+$/);
+  assert.ok((await figure(page, "bodies")) > 5);
+  await page.keyboard.press("h");
+  const explained = await page.locator("#legend dt").allInnerTexts();
+  for (const label of await page.locator("#hud dt").allTextContents())
+    assert.ok(explained.includes(label), `${label} is not explained`);
+  await close();
+});
+
+test("scene_is_described_in_words_that_go_with_it", async () => {
+  const { page, close } = await visitor.open("?scene=pyramid&size=10&paused=1");
+  await stepBy(page, 30);
+  const state = page.locator("#state");
+  assert.equal(await page.getAttribute("#overlay", "aria-describedby"), "state");
+  await page.waitForFunction(() => /at 0\.5 s/.test(document.querySelector("#state").textContent));
+  assert.match(
+    await state.textContent(),
+    /^Pyramid, paused at 0\.5 s; 56 bodies, 55 awake; (deepest overlap 0\.\d+|no overlap)\.$/,
+  );
+  assert.equal(await state.getAttribute("aria-live"), null);
+  await page.click("#pause");
+  await page.waitForFunction(() => /running at/.test(document.querySelector("#state").textContent));
+  await page.waitForFunction(() => / at [2-9]\.\d s/.test(document.querySelector("#state").textContent));
+  await close();
+});
