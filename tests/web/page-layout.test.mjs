@@ -75,7 +75,7 @@ test("nothing_moves_when_the_engine_comes", async () => {
     }));
   const waiting = await places();
   release();
-  await page.waitForSelector("main:not([aria-busy])");
+  await page.waitForSelector("main:not([aria-busy])", { state: "attached" });
   await stepBy(page, 3);
   const [[, left, top, , height], ...others] = await places();
   assert.deepEqual([left, top, height], [waiting[0][1], waiting[0][2], waiting[0][4]]);
