@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
+import { box2dLoader } from "./tools/box2d-plugin.mjs";
 import { offline } from "./tools/offline-plugin.mjs";
 
 /** What of assets/ the scenes read: the page finds it under the same names. */
@@ -40,6 +41,6 @@ export default defineConfig({
     modulePreload: { polyfill: false },
   },
   // Box2D is a chunk of its own in the worker, which only modules can have.
-  worker: { format: "es" },
+  worker: { format: "es", plugins: () => [box2dLoader()] },
   server: { fs: { allow: [".."] } },
 });

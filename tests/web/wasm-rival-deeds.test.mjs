@@ -51,7 +51,7 @@ test("explosion_throws_the_bodies_in_its_radius_outward_alike", () => {
   const build = (world) => [2, -1, 9].map((x) => addBall(world, [x, 0]));
   withRival({ gravity: [0, 0] }, build, (world, rival, bodies) => {
     for (const hands of [world, rival]) {
-      explode(hands, bodies, [0, 0], 4, 10);
+      explode(hands, bodies, { x: 0, y: 0, radius: 4, speed: 10 });
       const speeds = bodies.map((body) => hands.bodyState(body).velocity[0]);
       near(speeds[0], 5, 1e-4);
       near(speeds[1], -7.5, 1e-4);

@@ -10,7 +10,7 @@ import type { ChosenWasm } from "../wasm/choose";
 import { Client, TroubleError } from "./client";
 import { messageOf } from "./messages";
 import { Player } from "./player";
-import { type State, USUAL, writeState } from "./url";
+import { type State, USUAL, USUAL_VERSUS, writeState } from "./url";
 
 export interface Listener {
   /** A scene begins, or begins anew. */
@@ -36,6 +36,7 @@ export class App {
     scene: "towers",
     seed: 0,
     choices: { ...USUAL },
+    versus: { ...USUAL_VERSUS },
     speed: 1,
     paused: false,
     camera: null,
@@ -56,8 +57,6 @@ export class App {
   offeredCode: string | null = null;
   /** The engine's files, for further workers. */
   wasm: ChosenWasm = { wasm: "", simd: true };
-  /** Whether the plots want energy, which costs a pass over the bodies. */
-  wantsEnergy = false;
   readonly #listeners = new Set<Listener>();
   readonly #look: () => Look;
   /** Single steps that are asked for and not yet made. */
@@ -146,8 +145,9 @@ export class App {
   }
 
   /** What an address says, before the first scene. */
-  begin({ choices, speed, paused }: Partial<State>): void {
+  begin({ choices, versus, speed, paused }: Partial<State>): void {
     if (choices) Object.assign(this.state.choices, choices);
+    if (versus) Object.assign(this.state.versus, versus);
     this.state.speed = this.player.speed = speed ?? 1;
     // Whoever asked for less motion starts it deliberately.
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -70,7 +70,6 @@ export class Stage {
       lower: [x0, y0 + free],
       upper: [x1, y1],
       overlays: [...shown],
-      energy: this.#app.wantsEnergy,
     };
   }
 

@@ -21,6 +21,18 @@ export const USUAL: Choices = {
   maxError: 0,
 };
 
+/** How Box2D is shown beside thud, or as outlines over it. */
+export const SPLITS = ["side", "over", "none"] as const;
+/** Of Box2D; 4 is what its manual recommends. */
+export const RIVAL_SUBSTEPS = [1, 2, 4, 8, 16] as const;
+
+export interface Versus {
+  split: (typeof SPLITS)[number];
+  substeps: (typeof RIVAL_SUBSTEPS)[number];
+}
+
+export const USUAL_VERSUS: Versus = { split: "side", substeps: 4 };
+
 export interface Place {
   x: number;
   y: number;
@@ -39,6 +51,7 @@ export interface State {
   size?: number;
   seed: number;
   choices: Choices;
+  versus: Versus;
   speed: number;
   paused: boolean;
   /** Null: as the scene says. */
@@ -76,6 +89,10 @@ export async function readState(address: URL): Promise<Partial<State>> {
     broadphase: oneOf(BROADPHASES, params.get("broadphase")) ?? USUAL.broadphase,
     maxError: oneOf(MAX_ERRORS, params.get("error")) ?? USUAL.maxError,
   };
+  state.versus = {
+    split: oneOf(SPLITS, params.get("split")) ?? USUAL_VERSUS.split,
+    substeps: oneOf(RIVAL_SUBSTEPS, params.get("box2d")) ?? USUAL_VERSUS.substeps,
+  };
   const speed = oneOf(SPEEDS, params.get("speed"));
   if (speed) state.speed = speed;
   if (params.has("paused")) state.paused = params.get("paused") !== "0";
@@ -90,7 +107,7 @@ export async function readState(address: URL): Promise<Partial<State>> {
 }
 
 export async function writeState(state: State): Promise<string> {
-  const { scene, size, seed, choices, speed, paused, camera, panel, claim } = state;
+  const { scene, size, seed, choices, versus, speed, paused, camera, panel, claim } = state;
   const params = new URLSearchParams({ scene });
   const put = (name: string, value: string | number, usual: string | number) => {
     if (value !== usual) params.set(name, String(value));
@@ -102,6 +119,8 @@ export async function writeState(state: State): Promise<string> {
   put("detection", choices.detection, USUAL.detection);
   put("broadphase", choices.broadphase, USUAL.broadphase);
   put("error", choices.maxError, USUAL.maxError);
+  put("split", versus.split, USUAL_VERSUS.split);
+  put("box2d", versus.substeps, USUAL_VERSUS.substeps);
   put("speed", speed, 1);
   if (paused) params.set("paused", "1");
   if (panel) params.set("panel", panel);

@@ -4,6 +4,13 @@ import type { Stage } from "../page/stage";
 
 export function panels(stage: Stage): Record<string, PanelKind> {
   return {
+    versus: {
+      title: "thud and Box2D",
+      load: async () => {
+        const { createPanel } = await import("./versus");
+        return (app) => createPanel(app, stage);
+      },
+    },
     inside: {
       title: "Inside",
       load: async () => {

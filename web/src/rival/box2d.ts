@@ -20,6 +20,11 @@ export function loadBox2D(): Promise<Box2D> {
   return loading;
 }
 
+/** After it trapped: the next call of `loadBox2D` starts a new one. */
+export function forgetBox2D(): void {
+  loading = null;
+}
+
 async function load(): Promise<Box2D> {
   const { default: start } = hasSimd()
     ? await import("../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe.mjs")

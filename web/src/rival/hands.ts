@@ -24,9 +24,17 @@ export interface Pull {
   target: Vec2;
 }
 
+export interface Blast {
+  x: number;
+  y: number;
+  radius: number;
+  /** That a body in the middle gains. */
+  speed: number;
+}
+
 /** How hard a pulled body follows, as speed per distance (1/s). */
 const PULL_RATE = 14;
-/** Largest change of speed per step by pulling, in lengths a second. */
+/** Largest change of speed per step by pulling, in length scales a second. */
 const PULL_LIMIT = 60;
 /** What is left of the spin after each step: a body on a short line swings for ever without. */
 const PULL_SPIN = 0.92;
@@ -36,7 +44,7 @@ const PULL_SPIN = 0.92;
  * J = K⁻¹·(wanted - actual), with K the inverse mass that the anchor has. It does not overshoot.
  * Before each step.
  */
-export function pull(hands: Hands, { body, anchor, target }: Pull): void {
+export function pull(hands: Hands, { body, anchor, target }: Pull, lengthScale = 1): void {
   if (!hands.isValid(body)) return;
   const state = hands.bodyState(body);
   if (state.mass <= 0) return;
@@ -49,9 +57,10 @@ export function pull(hands: Hands, { body, anchor, target }: Pull): void {
   let dx = (target[0] - point[0]) * PULL_RATE - (state.velocity[0] - spin * ry);
   let dy = (target[1] - point[1]) * PULL_RATE - (state.velocity[1] + spin * rx);
   const change = Math.hypot(dx, dy);
-  if (change > PULL_LIMIT) {
-    dx *= PULL_LIMIT / change;
-    dy *= PULL_LIMIT / change;
+  const most = PULL_LIMIT * lengthScale;
+  if (change > most) {
+    dx *= most / change;
+    dy *= most / change;
   }
   const kxx = inverseMass + inverseInertia * ry * ry;
   const kyy = inverseMass + inverseInertia * rx * rx;
@@ -64,20 +73,18 @@ export function pull(hands: Hands, { body, anchor, target }: Pull): void {
 }
 
 /**
- * Throws bodies away from `center`: each gains `speed` at the centre of the blast, less with its
- * distance, and nothing at `radius`. What has no mass stays.
+ * Throws those of some bodies away whose centre is in a blast's circle: each gains `speed` in the
+ * middle, less with its distance, and nothing at `radius`. What has no mass stays.
  */
 export function explode(
   hands: Hands,
   bodies: Iterable<BodyId>,
-  center: Vec2,
-  radius: number,
-  speed: number,
+  { x, y, radius, speed }: Blast,
 ): void {
   for (const body of bodies) {
     if (!hands.isValid(body)) continue;
     const state = hands.bodyState(body);
-    const [dx, dy] = [state.center[0] - center[0], state.center[1] - center[1]];
+    const [dx, dy] = [state.center[0] - x, state.center[1] - y];
     const distance = Math.hypot(dx, dy);
     if (state.kind !== "dynamic" || distance >= radius) continue;
     const impulse = state.mass * speed * (1 - distance / radius);

@@ -8,14 +8,12 @@
  */
 import type {
   BodyId,
-  BodyOptions,
   BodyState,
   ShapeId,
   ShapeState,
   Terrain,
   Vec2,
   World,
-  WorldOptions,
 } from "thud";
 import type {
   b2BodyId,
@@ -26,28 +24,11 @@ import type {
 } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
 import type { Box2D } from "./box2d";
 import type { Hands, Held } from "./hands";
+import type { RivalSettings } from "./known";
 import { type Common, createWorld, makeBody, makeChain, makeShape } from "./make";
 import { Mirror, type Twin } from "./mirror";
 import { Moves } from "./moves";
 import { Ruler } from "./ruler";
-
-/** What a thud world does not tell of itself; watch.ts collects it. */
-export interface Known {
-  /** What it was made with, or has been set to since. */
-  options: WorldOptions;
-  /** What its bodies were made with: their damping, sleep and detection count. */
-  bodyOptions(body: BodyId): BodyOptions | undefined;
-  /** Another number whenever bodies, shapes or ground changed. */
-  changes(): number;
-}
-
-/** What is not known is taken to be the default, and `sync` looks through everything. */
-export interface RivalSettings extends Partial<Known> {
-  /** A step. Default 4, as Box2D's manual recommends. */
-  substeps?: number;
-  /** Of contacts, Hz. Default 30, Box2D's own; it takes at most an eighth of its substep rate. */
-  contactHertz?: number;
-}
 
 /** Metres. A kinematic body this far from where thud has it was put there, and is put there too. */
 const STRAY = 0.002;
@@ -88,6 +69,8 @@ export class Rival implements Hands, Twin {
   /** By slot, in metres. */
   #before = new Float32Array(0);
   #now = new Float32Array(0);
+  /** Of the steps from now on. */
+  substeps: number;
   #gravity: Vec2;
   #timeStep: number;
   /** As of `Known`, when it last looked. */
@@ -98,6 +81,7 @@ export class Rival implements Hands, Twin {
     const { options = {} } = settings;
     this.#source = source;
     this.#settings = settings;
+    this.substeps = settings.substeps ?? 4;
     this.#gravity = options.gravity ?? [0, -10];
     this.#timeStep = options.timeStep ?? 1 / 60;
     this.#common = {
@@ -151,7 +135,7 @@ export class Rival implements Hands, Twin {
   step(): number {
     const { b2World_Step } = this.#box2d;
     const start = performance.now();
-    b2World_Step(this.#world, this.#timeStep, this.#settings.substeps ?? 4);
+    b2World_Step(this.#world, this.#timeStep, this.substeps);
     const milliseconds = performance.now() - start;
     this.#before.set(this.#now);
     this.#moves.read(this.#world);
@@ -195,6 +179,25 @@ export class Rival implements Hands, Twin {
       potential -= entry.gravityScale * mass * (gx * center[0] + gy * center[1]);
     }
     return [kinetic, potential];
+  }
+
+  /** Bodies that Box2D has. */
+  get bodies(): number {
+    return this.#entries.size;
+  }
+
+  get awakeBodies(): number {
+    return this.#box2d.b2World_GetAwakeBodyCount(this.#world);
+  }
+
+  /** The bodies whose centre of mass is in a circle. */
+  within(x: number, y: number, radius: number): BodyId[] {
+    const found: BodyId[] = [];
+    for (const entry of this.#entries.values()) {
+      const [cx, cy] = this.#centerOf(entry);
+      if (Math.hypot(cx - x, cy - y) <= radius) found.push(entry.id);
+    }
+    return found;
   }
 
   /** Memory that Box2D holds, over all its worlds. */
@@ -283,23 +286,30 @@ export class Rival implements Hands, Twin {
   #held(entry: Entry): Held {
     const { unit } = this.#common;
     const [x, y, c, s] = this.#now.subarray(4 * entry.id.index, 4 * entry.id.index + 4);
-    const { mass, inertia, center } = (entry.weight ??= this.#weigh(entry));
+    const { mass, inertia } = (entry.weight ??= this.#weigh(entry));
     const velocity = this.#box2d.b2Body_GetLinearVelocity(entry.body);
     const [vx, vy] = [velocity.x * unit, velocity.y * unit];
     velocity.delete();
     return {
       kind: entry.kind,
       position: [x * unit, y * unit],
-      center: [
-        x * unit + c * center[0] - s * center[1],
-        y * unit + s * center[0] + c * center[1],
-      ],
+      center: this.#centerOf(entry),
       angle: Math.atan2(s, c),
       velocity: [vx, vy],
       angularVelocity: this.#box2d.b2Body_GetAngularVelocity(entry.body),
       mass,
       inertia,
     };
+  }
+
+  #centerOf(entry: Entry): Vec2 {
+    const { unit } = this.#common;
+    const [x, y, c, s] = this.#now.subarray(4 * entry.id.index, 4 * entry.id.index + 4);
+    const { center } = (entry.weight ??= this.#weigh(entry));
+    return [
+      x * unit + c * center[0] - s * center[1],
+      y * unit + s * center[0] + c * center[1],
+    ];
   }
 
   #weigh({ body, turns }: Entry): Weight {

@@ -7,7 +7,8 @@
  * kinematic and followed by `Rival.sync`.
  */
 import type { BodyId, BodyOptions, Engine, World, WorldOptions } from "thud";
-import type { Known, Rival } from "./rival";
+import type { Known } from "./known";
+import type { Rival } from "./rival";
 
 export interface Watched extends Known {
   /** From now on, what is done to the thud world's bodies is done to the rival's. Null ends it. */

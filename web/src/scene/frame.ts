@@ -37,6 +37,8 @@ export interface Frame {
   history: { first: number; last: number };
   /** The other engine's bodies at the same moment, while there is one; laid out alike. */
   rival?: { before: Float32Array; now: Float32Array };
+  /** Why there is none although one was asked for. */
+  rivalTrouble?: string;
 }
 
 /** What a step took and got wrong, for plots. */
@@ -45,9 +47,25 @@ export interface Sample {
   /** Of the step, from a clock that may be as coarse as 0.1 ms. */
   milliseconds: number;
   penetration: number;
-  /** Kinetic and potential, while somebody asked for energy. */
-  energy?: number;
-  rival?: { milliseconds: number; penetration: number; energy?: number };
+  rival?: RivalSample;
+}
+
+/** The other engine's same step. */
+export interface RivalSample {
+  milliseconds: number;
+  /** The step at which it began, as a copy of the world at that moment. */
+  since: number;
+  /** Both engines after this step, by the same code; every few steps where that takes long. */
+  compared?: { thud: Compared; box2d: Compared };
+}
+
+export interface Compared {
+  /** Of the deepest overlap, sleeping bodies included. */
+  penetration: number;
+  /** Kinetic and potential. */
+  energy: number;
+  bodies: number;
+  awake: number;
 }
 
 /** Copies of DrawLists. */

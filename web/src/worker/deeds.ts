@@ -3,7 +3,8 @@
  * journal under that step's number, so that going back in time does the same again.
  */
 import { SHAPE_KINDS } from "thud";
-import type { BodyId, ShapeId, Vec2, World } from "thud";
+import type { BodyId, ShapeId, World } from "thud";
+import type { Blast, Pull } from "../rival/hands";
 import type { KeyName } from "../scene/scene";
 
 export type Deed =
@@ -11,26 +12,12 @@ export type Deed =
   | { kind: "drag"; x: number; y: number }
   | { kind: "release" }
   | { kind: "spawn"; shape: "circle" | "box"; x: number; y: number; size: number }
-  | { kind: "explode"; x: number; y: number; radius: number; speed: number }
+  | ({ kind: "explode" } & Blast)
   | { kind: "dig"; x: number; y: number; radius: number }
   | { kind: "keys"; held: Readonly<Record<KeyName, boolean>> }
   | { kind: "pointer"; x: number; y: number; down: boolean };
 
 const TERRAIN = SHAPE_KINDS.indexOf("terrain");
-
-export interface Pull {
-  body: BodyId;
-  /** Where it was taken, in the body's frame. */
-  anchor: Vec2;
-  target: Vec2;
-}
-
-/** How hard a pulled body follows, as speed per distance (1/s). */
-const PULL_RATE = 14;
-/** Largest change of speed per step by pulling, in length scales a second. */
-const PULL_LIMIT = 60;
-/** A body on a short line swings for ever without some friction of its own. */
-const PULL_SPIN_KEPT = 0.92;
 
 /** The moving body at or nearest to a place, within `reach`, taken there; or null. */
 export function takeHold(world: World, x: number, y: number, reach: number): Pull | null {
@@ -49,70 +36,11 @@ export function takeHold(world: World, x: number, y: number, reach: number): Pul
   return { body: best.body, anchor: [c * dx + s * dy, c * dy - s * dx], target: [x, y] };
 }
 
-/** Where the pulled place of a body is. */
-export function anchorOf(world: World, { body, anchor }: Pull): Vec2 {
-  const { position, angle } = world.bodyState(body);
-  const [c, s] = [Math.cos(angle), Math.sin(angle)];
-  return [
-    position[0] + c * anchor[0] - s * anchor[1],
-    position[1] + s * anchor[0] + c * anchor[1],
-  ];
-}
-
-/** A body as pulling needs it, of either engine. */
-export interface Pulled {
-  point: Vec2;
-  center: Vec2;
-  velocity: Vec2;
-  spin: number;
-  inverseMass: number;
-  inverseInertia: number;
-}
-
-/**
- * The impulse at the anchor that gives it the speed of an exponential approach to the pointer:
- * J = K⁻¹·(wanted - actual), with K the inverse mass that the anchor has. It does not overshoot.
- */
-export function pullImpulse(target: Vec2, pulled: Pulled, lengthScale: number): Vec2 {
-  const { point, center, velocity, spin, inverseMass, inverseInertia } = pulled;
-  const [rx, ry] = [point[0] - center[0], point[1] - center[1]];
-  let dx = (target[0] - point[0]) * PULL_RATE - (velocity[0] - spin * ry);
-  let dy = (target[1] - point[1]) * PULL_RATE - (velocity[1] + spin * rx);
-  const change = Math.hypot(dx, dy);
-  const most = PULL_LIMIT * lengthScale;
-  if (change > most) {
-    dx *= most / change;
-    dy *= most / change;
-  }
-  const kxx = inverseMass + inverseInertia * ry * ry;
-  const kyy = inverseMass + inverseInertia * rx * rx;
-  const kxy = -inverseInertia * rx * ry;
-  const determinant = kxx * kyy - kxy * kxy;
-  return [(kyy * dx - kxy * dy) / determinant, (kxx * dy - kxy * dx) / determinant];
-}
-
-/** Pulls for the next step; false if there is nothing to pull any more. */
-export function applyPull(world: World, pull: Pull, lengthScale: number): boolean {
-  if (!world.isValid(pull.body)) return false;
-  const state = world.bodyState(pull.body);
-  if (state.kind !== "dynamic" || !state.enabled || state.quarantined) return false;
-  const point = anchorOf(world, pull);
-  const impulse = pullImpulse(
-    pull.target,
-    {
-      point,
-      center: state.center,
-      velocity: state.velocity,
-      spin: state.angularVelocity,
-      inverseMass: 1 / state.mass,
-      inverseInertia: state.inertia > 0 ? 1 / state.inertia : 0,
-    },
-    lengthScale,
-  );
-  world.applyImpulse(pull.body, impulse, point);
-  const after = world.bodyState(pull.body);
-  world.setVelocity(pull.body, after.velocity, after.angularVelocity * PULL_SPIN_KEPT);
-  return true;
+/** Whether there is still something to be pulled. */
+export function canPull(world: World, { body }: Pull): boolean {
+  if (!world.isValid(body)) return false;
+  const { kind, enabled, quarantined } = world.bodyState(body);
+  return kind === "dynamic" && enabled && !quarantined;
 }
 
 /** A new body; its size and angle vary a little with the number that exist. */
@@ -130,26 +58,14 @@ export function spawn(
   else world.createObb(body, { halfWidth: size * wobble, halfHeight: size });
 }
 
-/** The bodies that an explosion reaches and the speed that each gains, fading with distance. */
-export function explosion(
-  world: World,
-  { x, y, radius, speed }: { x: number; y: number; radius: number; speed: number },
-): { body: BodyId; point: Vec2; gain: Vec2 }[] {
+/** The bodies that a blast may reach. */
+export function reachedBy(world: World, { x, y, radius }: Blast): BodyId[] {
   const reached = new Map<number, BodyId>();
   for (const shape of world.overlap({ kind: "circle", center: [x, y], radius })) {
     const { body } = world.shapeState(shape);
-    if (world.bodyState(body).kind === "dynamic") reached.set(body.index, body);
+    reached.set(body.index, body);
   }
-  return [...reached.values()].map((body) => {
-    const { center } = world.bodyState(body);
-    const [dx, dy] = [center[0] - x, center[1] - y];
-    const distance = Math.hypot(dx, dy);
-    const part = speed * Math.max(0, 1 - distance / (radius + distance));
-    // What stands on the very spot goes up.
-    const gain: Vec2 =
-      distance > 0 ? [(part * dx) / distance, (part * dy) / distance] : [0, part];
-    return { body, point: center, gain };
-  });
+  return [...reached.values()];
 }
 
 /** A crater in every ground line that has vertices. */

@@ -1,8 +1,8 @@
 /** Makes the frames that the page draws: copies of what the world has, and only of what is new. */
 import { type BodyId, SHAPE_KINDS, type ShapeId, type Terrain, type Vec2, type World } from "thud";
+import { inWorld } from "../rival/hands";
 import type { Drawing, Frame, PlacedTerrain, Shapes } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
-import { anchorOf } from "./deeds";
 import type { Look } from "./protocol";
 import type { Session } from "./session";
 
@@ -34,7 +34,10 @@ export class Frames {
       origin: look.origin,
       before: world.poses(0, x, y).slice(),
       now: world.poses(1, x, y).slice(),
-      pull: pull && world.isValid(pull.body) ? [anchorOf(world, pull), pull.target] : null,
+      pull:
+        pull && world.isValid(pull.body)
+          ? [inWorld(world.bodyState(pull.body), pull.anchor), pull.target]
+          : null,
       paint: session.paint,
       stats: world.stats(),
       error: world.error(),
@@ -46,6 +49,7 @@ export class Frames {
     const on = new Set(look.overlays);
     frame.drawing = draw(world, look, on);
     frame.rival = session.companion?.poses(look.origin);
+    frame.rivalTrouble = session.rivalTrouble ?? undefined;
     return frame;
   }
 

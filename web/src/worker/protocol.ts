@@ -53,7 +53,11 @@ export interface Look {
   lower: Vec2;
   upper: Vec2;
   overlays: readonly OverlayName[];
-  energy: boolean;
+}
+
+/** How Box2D goes along. */
+export interface RivalRequest {
+  substeps: number;
 }
 
 /** Why a scene could not be run or stopped; `line` and `column` (from 1) are of its own text. */
@@ -84,6 +88,8 @@ export interface Questions {
   choose: { ask: Pick<Choices, "quality" | "substeps" | "maxError">; answer: void };
   /** Goes to a step of the past, or on from there; the future stays until a step is made. */
   seek: { ask: { step: number; look: Look }; answer: Frame };
+  /** Loads Box2D and runs it beside this scene and all that follow; null ends that. */
+  rival: { ask: RivalRequest | null; answer: void };
   hash: { ask: Record<string, never>; answer: StateHash };
   /** Makes steps without a display, and tells the state's hash after them. */
   advance: { ask: { steps: number }; answer: StateHash };

@@ -3,15 +3,8 @@ import type { Vec2, World } from "thud";
 import type { Input, KeyName, Paint, Scene, SceneSize } from "../scene/scene";
 import { KEY_NAMES } from "../scene/scene";
 import type { Sample } from "../scene/frame";
-import {
-  applyPull,
-  type Deed,
-  dig,
-  explosion,
-  type Pull,
-  spawn,
-  takeHold,
-} from "./deeds";
+import { type Blast, explode, type Pull, pull } from "../rival/hands";
+import { canPull, type Deed, dig, reachedBy, spawn, takeHold } from "./deeds";
 import { History, type Moment } from "./history";
 import type { Choices, Rerun, StateHash } from "./protocol";
 
@@ -22,12 +15,20 @@ interface Hands {
   pointer: Input["pointer"];
 }
 
-/** Another engine that goes along; see rival/. */
+/** Another engine that goes along; see companion.ts. */
 export interface Companion {
-  /** Does to its own bodies what was done to the world, and makes the same step. */
-  step(deeds: readonly Deed[], pull: Pull | null): Sample["rival"];
-  /** After the world went to another time. */
-  restart(): void;
+  /** The first thing of a step. */
+  begin(): void;
+  /** Does something to the world that it does to its own bodies in its own way. */
+  apart(act: () => void): void;
+  pull(held: Pull): void;
+  explode(blast: Blast): void;
+  /** Just before the world's step: follows what the scene did. */
+  sync(): void;
+  /** After the world's step, makes the same. */
+  step(): Sample["rival"];
+  /** The world goes to another time, from which it begins anew. */
+  end(): void;
   /** Of the last two steps, laid out as World.poses; to be given away. */
   poses(origin: Vec2): { before: Float32Array; now: Float32Array };
   close(): void;
@@ -40,8 +41,9 @@ export class Session {
   step = 0;
   paint: Paint | null = null;
   samples: Sample[] = [];
-  wantsEnergy = false;
   companion: Companion | null = null;
+  /** Why there is no companion although one is wanted. */
+  rivalTrouble: string | null = null;
   readonly #hands: Hands = {
     pull: null,
     held: Object.fromEntries(KEY_NAMES.map((name) => [name, false])) as Hands["held"],
@@ -88,15 +90,15 @@ export class Session {
     const deeds = this.#done;
     this.#done = [];
     this.history.note(this.step, deeds);
-    this.#advance();
+    this.companion?.begin();
+    this.#advance(this.companion);
     const { world } = this;
     const { stepSeconds, bytes } = world.stats();
     this.samples.push({
       step: this.step,
       milliseconds: 1000 * stepSeconds,
       penetration: world.error().penetrationMax,
-      energy: this.wantsEnergy ? energyOf(world) : undefined,
-      rival: this.companion?.step(deeds, this.#hands.pull),
+      rival: this.companion?.step(),
     });
     if (this.history.wants(this.step, 1000 * stepSeconds, bytes)) this.#keepMoment();
   }
@@ -108,12 +110,12 @@ export class Session {
     // What was done since the last step is no part of the past.
     const edited = this.#done.length > 0;
     this.#done = [];
+    if (step !== this.step || edited) this.companion?.end();
     if (step < this.step || moment.step > this.step || edited) this.#goTo(moment);
     while (this.step < step) {
       for (const deed of this.history.deedsAt(this.step)) this.#apply(deed);
-      this.#advance();
+      this.#advance(null);
     }
-    this.companion?.restart();
     return true;
   }
 
@@ -124,16 +126,16 @@ export class Session {
     const { step, hash } = this.hash;
     const moment = this.history.before(Math.max(this.history.first, step - steps));
     if (!moment) throw new Error("Nothing of the past is kept yet.");
+    this.companion?.end();
     this.#goTo(moment);
     while (this.step < step) {
       for (const deed of this.history.deedsAt(this.step)) this.#apply(deed);
-      this.#advance();
+      this.#advance(null);
     }
     // What was done since the last step belongs to the present.
     for (const deed of this.#done) this.#apply(deed);
     const again = this.world.hash();
     this.#goTo(present);
-    this.companion?.restart();
     return { from: moment.step, step, hash, again };
   }
 
@@ -141,10 +143,12 @@ export class Session {
     return { step: this.step, hash: this.world.hash() };
   }
 
-  #advance(): void {
+  #advance(companion: Companion | null): void {
     const hands = this.#hands;
-    if (hands.pull && !applyPull(this.world, hands.pull, this.lengthScale)) hands.pull = null;
+    if (hands.pull && !canPull(this.world, hands.pull)) hands.pull = null;
+    if (hands.pull) this.#pull(hands.pull);
     this.scene.update?.({ step: this.step, held: hands.held, pointer: hands.pointer });
+    companion?.sync();
     this.world.step();
     this.step++;
     this.paint = this.scene.paint?.() ?? null;
@@ -167,10 +171,8 @@ export class Session {
         spawn(world, deed);
         break;
       case "explode":
-        for (const { body, point, gain } of explosion(world, deed)) {
-          const { mass } = world.bodyState(body);
-          world.applyImpulse(body, [mass * gain[0], mass * gain[1]], point);
-        }
+        this.#apart(() => explode(world, reachedBy(world, deed), deed));
+        this.companion?.explode(deed);
         break;
       case "dig":
         dig(world, deed);
@@ -182,6 +184,17 @@ export class Session {
         hands.pointer = { x: deed.x, y: deed.y, down: deed.down };
         break;
     }
+  }
+
+  #pull(held: Pull): void {
+    this.#apart(() => pull(this.world, held, this.lengthScale));
+    this.companion?.pull(held);
+  }
+
+  /** By hand each engine's bodies are taken as they are there. */
+  #apart(act: () => void): void {
+    if (this.companion) this.companion.apart(act);
+    else act();
   }
 
   #keepMoment(): void {
@@ -224,9 +237,4 @@ function replace(target: object, source: object): void {
   for (const key of Object.keys(target))
     if (!(key in source)) delete (target as Record<string, unknown>)[key];
   Object.assign(target, source);
-}
-
-export function energyOf(world: World): number {
-  const { kineticEnergy, potentialEnergy } = world.measure();
-  return kineticEnergy + potentialEnergy;
 }

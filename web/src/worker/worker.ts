@@ -3,6 +3,7 @@
  * steps when the page asks for them, and answers questions in the order they come.
  */
 import { type Engine, load } from "thud";
+import { Companions } from "./companions";
 import { Frames, transferables } from "./frames";
 import { inspect } from "./inspect";
 import { importScene, troubleOf } from "./module";
@@ -14,6 +15,7 @@ import { describe, setUp } from "./stage";
 const PATIENCE = 24;
 
 let engine: Engine;
+let companions: Companions;
 let base: string;
 let session: Session | null = null;
 let frames: Frames;
@@ -29,6 +31,7 @@ const answers: Answers = {
   async load({ wasm, rest, page }) {
     base = page;
     engine = await load(new URL(wasm, page), rest && new URL(rest, page));
+    companions = new Companions(engine);
   },
 
   complete: () => engine.complete(),
@@ -41,6 +44,7 @@ const answers: Answers = {
     session?.close();
     session = next;
     frames = new Frames(session);
+    void companions.join(session);
     return describe(session);
   },
 
@@ -54,6 +58,8 @@ const answers: Answers = {
       throw new Error(`Step ${step} is not kept any more, or has not been made.`);
     return frames.make(look);
   },
+
+  rival: (wanted) => companions.want(wanted, session),
 
   hash: () => needSession().hash,
 
@@ -118,7 +124,6 @@ self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
     if (data.kind === "deed") session.do(data.deed);
     else {
-      session.wantsEnergy = data.look.energy;
       tick(session, data.until);
       const frame = frames.make(data.look);
       post({ kind: "frame", frame }, transferables(frame));

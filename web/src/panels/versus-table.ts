@@ -1,0 +1,120 @@
+/** The two engines' figures, row by row. */
+import { make } from "../page/dom";
+import { BUDGET, type Engine, ENGINES, type Figures, NAMES } from "./versus-tally";
+
+interface Row {
+  label: string;
+  hint: string;
+  text(figures: Figures): string;
+}
+
+const NOTHING = "–";
+const ENERGY = new Intl.NumberFormat("en", {
+  notation: "compact",
+  maximumSignificantDigits: 3,
+  signDisplay: "exceptZero",
+});
+
+function rowsOf(fineClock: boolean): Row[] {
+  const share = ({ typical }: Figures) =>
+    typical === null ? NOTHING : `${((100 * typical) / BUDGET).toFixed(typical < 1 ? 1 : 0)} %`;
+  const typical: Row = {
+    label: fineClock ? "Step, median" : "Step, mean",
+    hint: "Of the last 240 steps; the step alone, without drawing and measuring",
+    text: (figures) => milliseconds(figures.typical),
+  };
+  const p99: Row = {
+    label: "Step, p99",
+    hint: "99 of 100 of the last 240 steps were quicker",
+    text: (figures) => milliseconds(figures.p99),
+  };
+  return [
+    typical,
+    ...(fineClock ? [p99] : []),
+    { label: "Of 16.7 ms", hint: "What 60 steps a second leave for each", text: share },
+    {
+      label: "Overlap now",
+      hint: "Of the two bodies that are deepest in each other, in the world's lengths",
+      text: ({ now }) => depth(now),
+    },
+    {
+      label: "Overlap, mean",
+      hint: "Of the deepest overlap, over the steps measured since both began",
+      text: ({ mean }) => depth(mean),
+    },
+    {
+      label: "Overlap, worst",
+      hint: "The deepest overlap since both began",
+      text: ({ ever }) => depth(ever),
+    },
+    {
+      label: "Energy since start",
+      hint: "Change of kinetic and potential energy; only your hands and motors can add any",
+      text: ({ energyChange }) => ENERGY.format(energyChange),
+    },
+    {
+      label: "Bodies (awake)",
+      hint: "Sleeping bodies cost nearly nothing",
+      text: ({ bodies, awake }) =>
+        `${bodies.toLocaleString("en")} (${awake.toLocaleString("en")})`,
+    },
+  ];
+}
+
+export class Table {
+  readonly element: HTMLTableElement;
+  readonly #rows: Row[];
+  readonly #cells: { [engine in Engine]: HTMLTableCellElement[] };
+  readonly #settings: { [engine in Engine]: HTMLElement };
+
+  constructor(fineClock: boolean) {
+    this.#rows = rowsOf(fineClock);
+    const cells = () => this.#rows.map(() => make("td", {}, NOTHING));
+    this.#cells = { thud: cells(), box2d: cells() };
+    this.#settings = { thud: make("small"), box2d: make("small") };
+    const heads = ENGINES.map((engine) =>
+      make("th", { scope: "col", class: engine }, `${NAMES[engine]} `, this.#settings[engine]),
+    );
+    const rows = this.#rows.map(({ label, hint }, i) =>
+      make(
+        "tr",
+        { title: hint },
+        make("th", { scope: "row" }, label),
+        ...ENGINES.map((engine) => this.#cells[engine][i]),
+      ),
+    );
+    this.element = make(
+      "table",
+      { id: "versus-table" },
+      make("caption", { class: "unseen" }, "thud and Box2D in the same scene"),
+      make("thead", {}, make("tr", {}, make("td"), ...heads)),
+      make("tbody", {}, ...rows),
+    );
+  }
+
+  /** What each runs with. */
+  setSettings(thud: string, box2d: string): void {
+    this.#settings.thud.textContent = thud;
+    this.#settings.box2d.textContent = box2d;
+  }
+
+  /** Null: nothing has been measured. */
+  show(figures: { [engine in Engine]: Figures } | null): void {
+    for (const engine of ENGINES)
+      this.#cells[engine].forEach((cell, i) => {
+        const text = figures ? this.#rows[i].text(figures[engine]) : NOTHING;
+        if (cell.textContent !== text) cell.textContent = text;
+      });
+  }
+}
+
+function milliseconds(value: number | null): string {
+  if (value === null) return NOTHING;
+  return `${value.toFixed(value < 1 ? 3 : value < 10 ? 2 : 1)} ms`;
+}
+
+/** Two digits that count, down to a hundred-thousandth. */
+function depth(value: number): string {
+  if (value < 1e-5) return "0";
+  return value.toFixed(Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(value)))));
+}

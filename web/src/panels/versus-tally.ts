@@ -1,0 +1,151 @@
+/** What two engines that run side by side took and got wrong: the figures of the table, the plots. */
+import { percentile } from "../page/hud";
+import type { Sample } from "../scene/frame";
+
+export const ENGINES = ["thud", "box2d"] as const;
+export type Engine = (typeof ENGINES)[number];
+export const NAMES: Readonly<Record<Engine, string>> = { thud: "thud", box2d: "Box2D" };
+
+/** Milliseconds that a step may take at 60 Hz. */
+export const BUDGET = 1000 / 60;
+/** Steps of which times are told. */
+const WINDOW = 240;
+/** Steps at the start whose times do not count: browsers compile what runs often meanwhile. */
+const WARM_UP = 30;
+/** Points of a plot: ten seconds of steps. */
+const COURSE = 600;
+/** Steps over which times are averaged where the clock is too coarse for one. */
+const COARSE = 30;
+
+export interface Figures {
+  /** Milliseconds of a step; of the mean where the clock is coarse. Null before any counts. */
+  typical: number | null;
+  /** Null where the clock is too coarse for single steps. */
+  p99: number | null;
+  /** Of the deepest overlap, in the world's lengths: at present, on average, at worst. */
+  now: number;
+  mean: number;
+  ever: number;
+  /** Since the comparison began. */
+  energyChange: number;
+  bodies: number;
+  awake: number;
+}
+
+/** Against simulated seconds; one array an engine, in the order of ENGINES. */
+export interface Course {
+  seconds: number[];
+  values: [number[], number[]];
+}
+
+interface Sums {
+  times: number[];
+  now: number;
+  sum: number;
+  count: number;
+  ever: number;
+  firstEnergy: number;
+  energy: number;
+  bodies: number;
+  awake: number;
+}
+
+export class Tally {
+  readonly times: Course = newCourse();
+  readonly penetrations: Course = newCourse();
+  readonly energies: Course = newCourse();
+  /** The step at which Box2D began; null before a step of it. */
+  since: number | null = null;
+  #counted = 0;
+  #sums: { [engine in Engine]: Sums } = { thud: newSums(), box2d: newSums() };
+
+  /** `fineClock`: single steps can be timed. */
+  constructor(private readonly fineClock: boolean) {}
+
+  clear(): void {
+    this.since = null;
+    this.#counted = 0;
+    this.#sums = { thud: newSums(), box2d: newSums() };
+    for (const course of [this.times, this.penetrations, this.energies]) {
+      course.seconds.length = 0;
+      for (const values of course.values) values.length = 0;
+    }
+  }
+
+  add(samples: readonly Sample[], timeStep: number): void {
+    for (const { step, milliseconds, rival } of samples) {
+      if (!rival) continue;
+      if (rival.since !== this.since) this.clear();
+      this.since = rival.since;
+      const seconds = step * timeStep;
+      this.#addTimes(seconds, [milliseconds, rival.milliseconds]);
+      if (rival.compared) this.#compare(seconds, rival.compared);
+    }
+  }
+
+  figures(engine: Engine): Figures {
+    const { times, sum, count, now, ever, energy, firstEnergy, bodies, awake } =
+      this.#sums[engine];
+    const some = times.length > 0;
+    return {
+      typical: !some ? null : this.fineClock ? percentile(times, 0.5) : meanOf(times),
+      p99: some && this.fineClock ? percentile(times, 0.99) : null,
+      now,
+      mean: count > 0 ? sum / count : 0,
+      ever,
+      energyChange: energy - firstEnergy,
+      bodies,
+      awake,
+    };
+  }
+
+  #addTimes(seconds: number, pair: readonly [number, number]): void {
+    const counts = ++this.#counted > WARM_UP;
+    const shown = pair.map((milliseconds, i) => {
+      const { times } = this.#sums[ENGINES[i]];
+      if (counts) keep(times, milliseconds, WINDOW);
+      return this.fineClock || !counts ? milliseconds : meanOf(times.slice(-COARSE));
+    });
+    addTo(this.times, seconds, shown);
+  }
+
+  #compare(seconds: number, compared: NonNullable<NonNullable<Sample["rival"]>["compared"]>): void {
+    for (const engine of ENGINES) {
+      const sums = this.#sums[engine];
+      const { penetration, energy, bodies, awake } = compared[engine];
+      if (sums.count === 0) sums.firstEnergy = energy;
+      sums.count++;
+      sums.sum += penetration;
+      sums.now = penetration;
+      sums.ever = Math.max(sums.ever, penetration);
+      Object.assign(sums, { energy, bodies, awake });
+    }
+    const { thud, box2d } = compared;
+    addTo(this.penetrations, seconds, [thud.penetration, box2d.penetration]);
+    addTo(this.energies, seconds, [thud.energy, box2d.energy]);
+  }
+}
+
+function newSums(): Sums {
+  const zeros = { now: 0, sum: 0, count: 0, ever: 0, firstEnergy: 0, energy: 0, bodies: 0 };
+  return { times: [], ...zeros, awake: 0 };
+}
+
+function newCourse(): Course {
+  return { seconds: [], values: [[], []] };
+}
+
+function addTo({ seconds, values }: Course, at: number, [first, second]: readonly number[]): void {
+  keep(seconds, at, COURSE);
+  keep(values[0], first, COURSE);
+  keep(values[1], second, COURSE);
+}
+
+function keep(list: number[], value: number, most: number): void {
+  list.push(value);
+  if (list.length > most) list.shift();
+}
+
+function meanOf(values: readonly number[]): number {
+  return values.reduce((sum, value) => sum + value, 0) / values.length;
+}

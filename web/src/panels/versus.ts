@@ -1,0 +1,234 @@
+/** Versus: the same scene in thud and in Box2D, with what each step takes and gets wrong. */
+import { version as box2dVersion } from "../../node_modules/box2d3-wasm/package.json";
+import { version as thudVersion } from "../../package/package.json";
+import type { App } from "../page/app";
+import type { Panel } from "../page/dock";
+import { choiceBar, make } from "../page/dom";
+import { messageOf } from "../page/messages";
+import type { Stage } from "../page/stage";
+import { onTheme } from "../page/theme";
+import { RIVAL_SUBSTEPS, SPLITS, type Versus } from "../page/url";
+import type { Frame } from "../scene/frame";
+import "../style/versus.css";
+import { hasSimd } from "../wasm/simd";
+import { engineColour, Plots, themeNow } from "./versus-plots";
+import { Table } from "./versus-table";
+import { ENGINES, Tally } from "./versus-tally";
+import { verdict } from "./versus-words";
+
+/** Milliseconds between two showings: courses run, figures must be readable. */
+const PLOTS_EVERY = 150;
+const TABLE_EVERY = 800;
+
+const LAYOUTS: { [split in Versus["split"]]: { label: string; title: string } } = {
+  side: { label: "Two views", title: "Beside each other, on a phone one above the other" },
+  over: { label: "Overlaid", title: "Box2D's bodies as outlines over thud's" },
+  none: { label: "thud only", title: "Box2D runs and is measured, but is not drawn" },
+};
+
+export function createPanel(app: App, stage: Stage): Panel {
+  return new VersusPanel(app, stage);
+}
+
+class VersusPanel implements Panel {
+  readonly element = make("div", { id: "versus" });
+  readonly #tally = new Tally(crossOriginIsolated);
+  readonly #table = new Table(crossOriginIsolated);
+  readonly #plots = new Plots(this.#tally);
+  readonly #verdict = make("p", { class: "verdict" });
+  readonly #trouble = make("p", { class: "trouble", role: "alert" });
+  readonly #tryAgain = make("button", { class: "wide" }, "Try again");
+  readonly #since = make("p", { class: "quiet" });
+  readonly #measured = make("div");
+  #open = false;
+  #loading = false;
+  /** With what the figures were measured; other settings begin new ones. */
+  #settings = "";
+  readonly #showPlots = throttled(PLOTS_EVERY, () => this.#plots.show());
+  readonly #showTable = throttled(TABLE_EVERY, () => this.#showFigures());
+
+  constructor(
+    private readonly app: App,
+    private readonly stage: Stage,
+  ) {
+    this.#build();
+    const colour = () => {
+      for (const engine of ENGINES)
+        this.element.style.setProperty(`--${engine}`, engineColour(engine, themeNow()));
+    };
+    onTheme(colour);
+    colour();
+    app.listen({
+      run: () => this.#restart(),
+      frame: (frame) => this.#open && this.#heed(frame),
+      samples: (samples) => {
+        if (!this.#open) return;
+        this.#tally.add(samples, app.scene?.timeStep ?? 1 / 60);
+        this.#showPlots();
+        this.#showTable();
+      },
+      state: () => this.#open && this.#choose(),
+    });
+  }
+
+  opened(): void {
+    this.#open = true;
+    this.stage.split = this.app.state.versus.split;
+    this.#plots.begin(this.app.scene?.lengthScale ?? 1);
+    this.#restart();
+  }
+
+  closed(): void {
+    this.#open = false;
+    this.stage.split = "none";
+    void this.app.client.ask("rival", null);
+    this.app.refresh();
+  }
+
+  #build(): void {
+    const { app } = this;
+    const { versus } = app.state;
+    const layout = choiceBar(
+      "split",
+      "Layout",
+      "",
+      SPLITS.map((value) => ({ value, ...LAYOUTS[value] })),
+      (split) => {
+        versus.split = this.stage.split = split;
+        app.chosen();
+      },
+    );
+    layout.show(versus.split);
+    const substeps = choiceBar(
+      "box2d-substeps",
+      "Box2D’s substeps",
+      "its manual recommends 4",
+      RIVAL_SUBSTEPS.map((value) => ({ value: String(value), label: String(value) })),
+      (value) => {
+        versus.substeps = RIVAL_SUBSTEPS.find((known) => String(known) === value)!;
+        app.chosen();
+        void this.#ask();
+      },
+    );
+    substeps.show(String(versus.substeps));
+    const again = make("button", { class: "wide" }, "Restart both");
+    again.addEventListener("click", () => void app.restart());
+    this.#tryAgain.addEventListener("click", () => this.#restart());
+    this.#measured.append(
+      this.#verdict,
+      this.#table.element,
+      this.#since,
+      again,
+      this.#plots.element,
+    );
+    this.element.append(
+      layout.element,
+      this.#trouble,
+      this.#tryAgain,
+      this.#measured,
+      substeps.element,
+      notes(),
+    );
+  }
+
+  /** From the present step on, with a Box2D that begins there. */
+  #restart(): void {
+    if (!this.#open) return;
+    this.#tally.clear();
+    this.#choose();
+    void this.#ask();
+  }
+
+  async #ask(): Promise<void> {
+    this.#loading = true;
+    this.#tell(null);
+    try {
+      await this.app.client.ask("rival", { substeps: this.app.state.versus.substeps });
+      this.#loading = false;
+      this.#tell(null);
+    } catch (error) {
+      this.#loading = false;
+      if (this.#open) this.#tell(messageOf(error));
+    }
+    this.app.refresh();
+  }
+
+  /** Figures of other settings are no part of the same comparison. */
+  #choose(): void {
+    const { choices, versus } = this.app.state;
+    const thud = choices.substeps > 0 ? `${choices.substeps} substeps` : choices.quality;
+    const box2d = `${versus.substeps} ${versus.substeps === 1 ? "substep" : "substeps"}`;
+    this.#table.setSettings(thud, box2d);
+    const settings = JSON.stringify([choices, versus.substeps]);
+    if (settings !== this.#settings) this.#tally.clear();
+    this.#settings = settings;
+    this.#showFigures();
+    this.#plots.show();
+  }
+
+  #heed({ rivalTrouble, rival }: Frame): void {
+    if (rivalTrouble) this.#tell(rivalTrouble);
+    else if (rival && !this.#trouble.hidden) this.#tell(null);
+  }
+
+  /** Why there is no Box2D; null: there is, or soon will be. */
+  #tell(trouble: string | null): void {
+    this.#trouble.hidden = this.#tryAgain.hidden = trouble === null;
+    this.#measured.hidden = trouble !== null;
+    const text = trouble === null ? "" : `${trouble} The scene goes on with thud alone.`;
+    if (this.#trouble.textContent !== text) this.#trouble.textContent = text;
+    this.#showFigures();
+  }
+
+  #showFigures(): void {
+    const tally = this.#tally;
+    const { state, scene } = this.app;
+    const figures = { thud: tally.figures("thud"), box2d: tally.figures("box2d") };
+    this.#table.show(tally.since === null ? null : figures);
+    this.#verdict.textContent = this.#loading
+      ? "Loading Box2D…"
+      : tally.since === null && state.paused
+        ? "The scene stands still: run it, and both are measured."
+        : verdict(figures.thud, figures.box2d, scene?.lengthScale ?? 1);
+    this.#since.hidden = !tally.since;
+    const seconds = ((tally.since ?? 0) * (scene?.timeStep ?? 1 / 60)).toFixed(2);
+    this.#since.textContent =
+      `Box2D began at ${seconds} s, as a copy of thud’s world at that moment. ` +
+      "Restart both for the same start.";
+  }
+}
+
+function notes(): HTMLElement {
+  const simd = hasSimd() ? "with SIMD" : "without SIMD";
+  const clock = crossOriginIsolated
+    ? "Single steps are timed: this page is isolated from others, so its clock is fine."
+    : "This host does not isolate the page from others, so that its clock ticks in 0.1 ms: " +
+      "times are averages over many steps.";
+  const items = [
+    `thud ${thudVersion} and Box2D v3 (box2d3-wasm ${box2dVersion}), both as WebAssembly ${simd}, ` +
+      "on one thread, in turn in the same worker.",
+    clock,
+    "Overlap is measured for both by the same code, sleeping bodies included. Where that takes " +
+      "long it is done every few steps.",
+    "Both get the same bodies and the same pulls, explosions and craters, each by where its own " +
+      "bodies are. A game’s character pushes bodies in thud only.",
+    "After going back in time Box2D begins anew, as a copy of thud’s world.",
+  ];
+  return make(
+    "details",
+    {},
+    make("summary", {}, "How this is measured"),
+    make("ul", {}, ...items.map((item) => make("li", {}, item))),
+  );
+}
+
+/** Calls `act` at most so often, and in the end once more. */
+function throttled(milliseconds: number, act: () => void): () => void {
+  let timer = 0;
+  return () => {
+    timer ||= window.setTimeout(() => {
+      timer = 0;
+      act();
+    }, milliseconds);
+  };
+}

@@ -1,0 +1,198 @@
+/**
+ * Box2D beside one running scene: a copy of its world, which takes the same deeds, makes the same
+ * steps, and is measured by the same code. It begins, and after a jump in time begins anew, with
+ * the first step that is made, from what the world is then.
+ */
+import type { Vec2, World } from "thud";
+import type { Compared, RivalSample } from "../scene/frame";
+import { type Box2D, forgetBox2D, loadBox2D } from "../rival/box2d";
+import { type Blast, explode, type Pull, pull } from "../rival/hands";
+import { Rival } from "../rival/rival";
+import { Ruler } from "../rival/ruler";
+import type { Watched } from "../rival/watch";
+import type { RivalRequest } from "./protocol";
+import type { Companion, Session } from "./session";
+
+/** Of contacts, Hz: Box2D's own. */
+const CONTACT_HERTZ = 30;
+/** Milliseconds a step that comparing may take on average, and steps between two at most. */
+const COMPARING = 2;
+const LONGEST = 60;
+/** Metres from the origin that Box2D is made for (its B2_HUGE): it keeps places as floats. */
+const FARTHEST = 1e5;
+
+/** What there is while Box2D runs along. */
+interface Pair {
+  rival: Rival;
+  /** Of the thud world; the rival has its own. */
+  ruler: Ruler;
+  /** Near the bodies, so that their places are exact as floats. */
+  origin: Vec2;
+  since: number;
+  /** The step at which the two are compared next. */
+  nextComparison: number;
+}
+
+export class Box2DCompanion implements Companion {
+  #pair: Pair | null = null;
+
+  static async load(
+    session: Session,
+    known: Watched | undefined,
+    request: RivalRequest,
+  ): Promise<Box2DCompanion> {
+    if (!known) throw new Error("The world was made before Box2D could watch it.");
+    return new Box2DCompanion(await loadBox2D(), session, known, request);
+  }
+
+  private constructor(
+    private readonly box2d: Box2D,
+    private readonly session: Session,
+    private readonly known: Watched,
+    private request: RivalRequest,
+  ) {}
+
+  choose(request: RivalRequest): void {
+    this.request = request;
+    if (this.#pair) this.#pair.rival.substeps = request.substeps;
+  }
+
+  close(): void {
+    this.end();
+  }
+
+  end(): void {
+    const pair = this.#pair;
+    this.#pair = null;
+    this.known.forwardTo(null);
+    pair?.ruler.close();
+    pair?.rival.close();
+  }
+
+  begin(): void {
+    if (this.#pair) return;
+    this.#guard(() => {
+      const { session, known } = this;
+      const { world, lengthScale } = session;
+      const origin = middleOf(world, FARTHEST * lengthScale);
+      const rival = new Rival(this.box2d, world, {
+        options: known.options,
+        bodyOptions: known.bodyOptions,
+        changes: known.changes,
+        substeps: this.request.substeps,
+        contactHertz: CONTACT_HERTZ,
+      });
+      this.#pair = {
+        rival,
+        ruler: new Ruler(world, lengthScale),
+        origin,
+        since: session.step,
+        nextComparison: session.step,
+      };
+      known.forwardTo(rival);
+    });
+  }
+
+  apart(act: () => void): void {
+    this.known.apart(act);
+  }
+
+  pull(held: Pull): void {
+    this.#use(({ rival }) => pull(rival, held, this.session.lengthScale));
+  }
+
+  explode(blast: Blast): void {
+    this.#use(({ rival }) => explode(rival, rival.within(blast.x, blast.y, blast.radius), blast));
+  }
+
+  sync(): void {
+    this.#use(({ rival }) => rival.sync());
+  }
+
+  step(): RivalSample | undefined {
+    return this.#use((pair) => {
+      const milliseconds = pair.rival.step();
+      const { step } = this.session;
+      if (step < pair.nextComparison) return { milliseconds, since: pair.since };
+      const start = performance.now();
+      const compared = { thud: this.#measureWorld(pair), box2d: measureRival(pair) };
+      const pause = Math.ceil((performance.now() - start) / COMPARING);
+      pair.nextComparison = step + Math.min(LONGEST, Math.max(1, pause));
+      return { milliseconds, since: pair.since, compared };
+    });
+  }
+
+  poses([x, y]: Vec2): { before: Float32Array; now: Float32Array } {
+    const poses = this.#use(({ rival }) => {
+      // What was done while the scene stands is seen before the next step.
+      rival.sync();
+      return { before: rival.poses(0, x, y), now: rival.poses(1, x, y) };
+    });
+    const { world } = this.session;
+    return poses ?? { before: world.poses(0, x, y).slice(), now: world.poses(1, x, y).slice() };
+  }
+
+  #measureWorld({ ruler, origin: [x, y] }: Pair): Compared {
+    const { world } = this.session;
+    const { kineticEnergy, potentialEnergy } = world.measure();
+    const { bodies, awakeBodies } = world.stats();
+    ruler.sync();
+    return {
+      penetration: ruler.penetration(world.poses(1, x, y), x, y),
+      energy: kineticEnergy + potentialEnergy,
+      bodies,
+      awake: awakeBodies,
+    };
+  }
+
+  #use<T>(act: (pair: Pair) => T): T | undefined {
+    const pair = this.#pair;
+    return pair ? this.#guard(() => act(pair)) : undefined;
+  }
+
+  /** An error ends the comparison, and not the scene. */
+  #guard<T>(act: () => T): T | undefined {
+    try {
+      return act();
+    } catch (error) {
+      const { session } = this;
+      session.rivalTrouble = error instanceof Error ? error.message : String(error);
+      session.companion = null;
+      // After a trap nothing of the module can be used, and its memory goes with it.
+      if (error instanceof WebAssembly.RuntimeError) {
+        forgetBox2D();
+        this.known.forwardTo(null);
+        this.#pair?.ruler.close();
+        this.#pair = null;
+      } else this.end();
+      return undefined;
+    }
+  }
+}
+
+function measureRival({ rival }: Pair): Compared {
+  const [kinetic, potential] = rival.energy();
+  return {
+    penetration: rival.penetration(),
+    energy: kinetic + potential,
+    bodies: rival.bodies,
+    awake: rival.awakeBodies,
+  };
+}
+
+/** Of all bodies, in whole numbers. Throws if one is further from the world's origin than `most`. */
+function middleOf(world: World, most: number): Vec2 {
+  const poses = world.poses(1, 0, 0);
+  let [count, x, y] = [0, 0, 0];
+  for (let i = 0; i < poses.length; i += 4) {
+    const [px, py] = [poses[i], poses[i + 1]];
+    if (Number.isNaN(px)) continue;
+    if (Math.hypot(px, py) > most)
+      throw new Error(
+        "Box2D keeps places as numbers of 32 bits and is made for 100 km around the origin; " +
+          `this world has bodies ${Math.round(Math.hypot(px, py) / (most / 100))} km away.`,
+      );
+    [count, x, y] = [count + 1, x + px, y + py];
+  }
+  return count > 0 ? [Math.round(x / count), Math.round(y / count)] : [0, 0];
+}

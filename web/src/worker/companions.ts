@@ -1,0 +1,51 @@
+/** Keeps Box2D beside whichever scene runs, while the page wants it. It is loaded when first wanted. */
+import type { Engine } from "thud";
+import { watchWorlds } from "../rival/watch";
+import type { Box2DCompanion } from "./companion";
+import type { RivalRequest } from "./protocol";
+import type { Session } from "./session";
+
+export class Companions {
+  readonly #known: ReturnType<typeof watchWorlds>;
+  #wanted: RivalRequest | null = null;
+  #session: Session | null = null;
+  #kind: typeof Box2DCompanion | null = null;
+
+  /** Before any world is made. */
+  constructor(engine: Engine) {
+    this.#known = watchWorlds(engine);
+  }
+
+  /** Throws if Box2D cannot be loaded; what runs then goes on alone. */
+  async want(wanted: RivalRequest | null, session: Session | null): Promise<void> {
+    this.#wanted = wanted;
+    if (session) await this.#settle(session);
+  }
+
+  /** A scene begins. */
+  async join(session: Session): Promise<void> {
+    try {
+      await this.#settle(session);
+    } catch (error) {
+      session.rivalTrouble = error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  async #settle(session: Session): Promise<void> {
+    this.#session = session;
+    const wanted = this.#wanted;
+    session.rivalTrouble = null;
+    if (!wanted) {
+      session.companion?.close();
+      session.companion = null;
+      return;
+    }
+    // Once it is there nothing is waited for, so that the two begin with the same step.
+    this.#kind ??= (await import("./companion")).Box2DCompanion;
+    const companion = await this.#kind.load(session, this.#known(session.world), wanted);
+    // Meanwhile another scene may have begun, or the panel may have been closed.
+    if (this.#session !== session || this.#wanted !== wanted) companion.close();
+    else if (session.companion instanceof this.#kind) session.companion.choose(wanted);
+    else session.companion = companion;
+  }
+}
