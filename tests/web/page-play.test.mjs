@@ -10,10 +10,11 @@ import {
   openVisitor,
   PHONE,
   pressed,
+  runAxe,
   stepBy,
   untilRunning,
 } from "./page-support.mjs";
-import { axeSource, ballLevel } from "./support.mjs";
+import { ballLevel } from "./support.mjs";
 
 let visitor;
 before(async () => {
@@ -241,14 +242,3 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
       assert.deepEqual(violations.flat(), []);
       await close();
     });
-
-/** Evaluated by the driver, so that the page's own policy need not allow it. */
-async function runAxe(page) {
-  await page.evaluate(axeSource());
-  return page.evaluate(async () => {
-    const { violations } = await window.axe.run();
-    return violations
-      .filter(({ impact }) => impact === "serious" || impact === "critical")
-      .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`);
-  });
-}

@@ -1,6 +1,7 @@
 /** A visitor's browser for the tests of the page. */
 import assert from "node:assert/strict";
 import { launchChromium, servePage } from "../../web/tools/browser.mjs";
+import { axeSource } from "./support.mjs";
 
 export const DESKTOP = { viewport: { width: 1440, height: 900 } };
 export const PHONE = {
@@ -100,4 +101,15 @@ export async function failureText(page) {
 
 export function near(actual, expected, tolerance, what) {
   assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, not ${expected}`);
+}
+
+/** Evaluated by the driver, so that the page's own policy need not allow it. */
+export async function runAxe(page) {
+  await page.evaluate(axeSource());
+  return page.evaluate(async () => {
+    const { violations } = await window.axe.run();
+    return violations
+      .filter(({ impact }) => impact === "serious" || impact === "critical")
+      .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`);
+  });
 }

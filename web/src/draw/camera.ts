@@ -69,7 +69,8 @@ export class Camera {
     this.scale *= this.#homeScale() / before;
   }
 
-  /** One, or two of the same free size: side by side, on an upright canvas one above the other. */
+  /** One, or two of the same free size: side by side or one above the other, whichever shows more
+   * of the remembered view. */
   get panes(): readonly Pane[] {
     const { width, height, insets } = this;
     const right = width - insets.right;
@@ -78,7 +79,10 @@ export class Camera {
     const middleX = middle(insets.left, right);
     const middleY = middle(insets.top, bottom);
     if (!this.#split) return [{ left: 0, top: 0, width, height, middleX, middleY }];
-    if (right - insets.left >= bottom - insets.top) {
+    const [freeWidth, freeHeight] = [right - insets.left, bottom - insets.top];
+    const beside = this.#fitting(freeWidth / 2 - GAP, freeHeight - PANE_HEAD);
+    const below = this.#fitting(freeWidth, freeHeight / 2 - GAP - PANE_HEAD);
+    if (beside >= below) {
       const part = Math.round(middleX);
       const common = { top: 0, height, middleY: middle(insets.top + PANE_HEAD, bottom) };
       return [
@@ -140,13 +144,18 @@ export class Camera {
   }
 
   #homeScale(): number {
-    const { height, width } = this.#home;
     const [{ middleX, middleY }] = this.panes;
     const head = this.#split ? PANE_HEAD : 0;
     const freeWidth = Math.max(LEAST_FREE, 2 * (middleX - this.insets.left));
     const freeHeight = Math.max(LEAST_FREE, 2 * (middleY - this.insets.top - head));
-    const fitting = Math.min(freeHeight / height, width > 0 ? freeWidth / width : Infinity);
+    const fitting = this.#fitting(freeWidth, freeHeight);
     return Number.isFinite(fitting) ? fitting : this.scale;
+  }
+
+  /** The scale at which the remembered view fits into a part of the canvas. */
+  #fitting(freeWidth: number, freeHeight: number): number {
+    const { height, width } = this.#home;
+    return Math.min(freeHeight / height, width > 0 ? freeWidth / width : Infinity);
   }
 
   /** Goes the given part of the way to a place. */

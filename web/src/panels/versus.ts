@@ -114,17 +114,12 @@ class VersusPanel implements Panel {
     const again = make("button", { class: "wide" }, "Restart both");
     again.addEventListener("click", () => void app.restart());
     this.#tryAgain.addEventListener("click", () => this.#restart());
-    this.#measured.append(
-      this.#verdict,
-      this.#table.element,
-      this.#since,
-      again,
-      this.#plots.element,
-    );
+    this.#measured.append(this.#table.element, this.#since, again, this.#plots.element);
     this.element.append(
-      layout.element,
+      this.#verdict,
       this.#trouble,
       this.#tryAgain,
+      layout.element,
       this.#measured,
       substeps.element,
       notes(),
@@ -174,7 +169,7 @@ class VersusPanel implements Panel {
   /** Why there is no Box2D; null: there is, or soon will be. */
   #tell(trouble: string | null): void {
     this.#trouble.hidden = this.#tryAgain.hidden = trouble === null;
-    this.#measured.hidden = trouble !== null;
+    this.#measured.hidden = this.#verdict.hidden = trouble !== null;
     const text = trouble === null ? "" : `${trouble} The scene goes on with thud alone.`;
     if (this.#trouble.textContent !== text) this.#trouble.textContent = text;
     this.#showFigures();

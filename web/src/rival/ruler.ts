@@ -44,6 +44,11 @@ export class Ruler implements Twin {
     this.#world.close();
   }
 
+  /** Bodies that have shapes. */
+  get bodies(): number {
+    return this.#copies.size;
+  }
+
   /** Follows bodies that came or went and ground that was dug. */
   sync(): void {
     this.#mirror.sync();

@@ -64,6 +64,7 @@ export interface Compared {
   penetration: number;
   /** Kinetic and potential. */
   energy: number;
+  /** Those that have shapes. */
   bodies: number;
   awake: number;
 }

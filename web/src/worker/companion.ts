@@ -135,13 +135,12 @@ export class Box2DCompanion implements Companion {
   #measureWorld({ ruler, origin: [x, y] }: Pair): Compared {
     const { world } = this.session;
     const { kineticEnergy, potentialEnergy } = world.measure();
-    const { bodies, awakeBodies } = world.stats();
     ruler.sync();
     return {
       penetration: ruler.penetration(world.poses(1, x, y), x, y),
       energy: kineticEnergy + potentialEnergy,
-      bodies,
-      awake: awakeBodies,
+      bodies: ruler.bodies,
+      awake: world.stats().awakeBodies,
     };
   }
 

@@ -1,0 +1,297 @@
+/** Versus on the page: both engines are drawn, driven, measured and told of; or why there is one. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import {
+  DESKTOP,
+  near,
+  openLevel,
+  openVisitor,
+  PHONE,
+  runAxe,
+  stepBy,
+  untilRunning,
+} from "./page-support.mjs";
+import { ballLevel } from "./support.mjs";
+
+let visitor;
+before(async () => {
+  visitor = await openVisitor();
+});
+after(() => visitor.close());
+
+const BOX2D = /\/Box2D\.[\w-]+\.(js|wasm)$/;
+
+/** The middle of each of two bodies that are drawn: those of thud and of Box2D, apart or not. */
+function middles(page) {
+  return page.evaluate(() => {
+    const canvas = document.getElementById("bodies");
+    const { width, height } = canvas;
+    const copy = Object.assign(document.createElement("canvas"), { width, height });
+    const context = copy.getContext("2d", { willReadFrequently: true });
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
+    const pixels = [];
+    for (let i = 3; i < data.length; i += 4)
+      if (data[i] >= 128) pixels.push([((i - 3) / 4) % width, Math.floor((i - 3) / 4 / width)]);
+    // The widest gap, across or down, parts the two.
+    let [gap, axis, part] = [0, 0, 0];
+    for (const k of [0, 1]) {
+      const places = [...new Set(pixels.map((pixel) => pixel[k]))].sort((a, b) => a - b);
+      for (let i = 1; i < places.length; i++)
+        if (places[i] - places[i - 1] > gap)
+          [gap, axis, part] = [places[i] - places[i - 1], k, places[i]];
+    }
+    const ratio = width / innerWidth;
+    return [pixels.filter((p) => p[axis] < part), pixels.filter((p) => p[axis] >= part)]
+      .filter((some) => some.length > 0 && gap > 4)
+      .map((some) => ({
+        count: some.length,
+        x: some.reduce((sum, [x]) => sum + x, 0) / some.length / ratio,
+        y: some.reduce((sum, [, y]) => sum + y, 0) / some.length / ratio,
+      }));
+  });
+}
+
+async function untilBox2D(page) {
+  await page.waitForSelector("#versus .verdict");
+  await page.waitForFunction(
+    () => !/Loading/.test(document.querySelector("#versus .verdict").textContent),
+  );
+}
+
+/** One ball that stands still over flat ground, in both. */
+async function openBoth(options = DESKTOP) {
+  const opened = await visitor.open("?scene=cradle&paused=1", options);
+  await openLevel(opened.page, "ball.tmj", ballLevel());
+  await opened.page.waitForFunction(() => document.title.startsWith("ball"));
+  await opened.page.keyboard.press("x");
+  await untilBox2D(opened.page);
+  await untilTwo(opened.page);
+  return opened;
+}
+
+/** Waits until two bodies are drawn. */
+async function untilTwo(page) {
+  const end = Date.now() + 20_000;
+  for (;;) {
+    const found = await middles(page);
+    if (found.length === 2) return found;
+    assert.ok(Date.now() < end, `there are ${found.length} bodies`);
+    await page.waitForTimeout(100);
+  }
+}
+
+/** The table's rows, by their heading: the texts of thud's and Box2D's cells. */
+function table(page) {
+  return page.$$eval("#versus-table tbody tr", (rows) =>
+    Object.fromEntries(
+      rows.map((row) => [
+        row.querySelector("th").textContent,
+        [...row.querySelectorAll("td")].map((cell) => cell.textContent),
+      ]),
+    ),
+  );
+}
+
+async function untilMeasured(page) {
+  await page.waitForFunction(
+    () => /\bms$/.test(document.querySelector("#versus-table td:nth-of-type(1)").textContent)
+      || [...document.querySelectorAll("#versus-table td")].some((c) => / ms$/.test(c.textContent)),
+    null,
+    { timeout: 60_000 },
+  );
+}
+
+for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
+  test(`ball_falls_and_rests_in_both_views_on_${size}`, async () => {
+    const { page, errors, close } = await openBoth(options);
+    const start = await middles(page);
+    near(start[0].count, start[1].count, 0.05 * start[0].count, "as large in both");
+    await stepBy(page, 150);
+    const rest = await untilTwo(page);
+    const fallen = rest.map(({ y }, i) => y - start[i].y);
+    assert.ok(fallen[0] > 20, `thud's fell ${fallen[0]} pixels`);
+    near(fallen[1], fallen[0], 2, "Box2D's fell as far");
+    near(rest[1].x - start[1].x, rest[0].x - start[0].x, 1, "neither rolled away");
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
+test("dragging_in_one_view_moves_the_body_in_both", async () => {
+  const { page, errors, close } = await openBoth();
+  const start = await middles(page);
+  await page.mouse.move(start[0].x, start[0].y);
+  await page.mouse.down();
+  await page.mouse.move(start[0].x + 60, start[0].y - 90, { steps: 4 });
+  await stepBy(page, 90);
+  const held = await untilTwo(page);
+  for (const i of [0, 1]) {
+    near(held[i].x - start[i].x, 60, 8, `x of view ${i}`);
+    near(held[i].y - start[i].y, -90, 8, `y of view ${i}`);
+  }
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("box2d_is_fetched_when_the_panel_opens_and_not_before", async () => {
+  const fetched = [];
+  const { page, errors, close } = await visitor.open("?scene=tall_stack", DESKTOP, async (page) => {
+    page.context().on("request", (request) => {
+      // What the service worker keeps for later is no part of the page.
+      if (BOX2D.test(request.url()) && !request.serviceWorker()) fetched.push(request.url());
+    });
+  });
+  await untilRunning(page);
+  assert.deepEqual(fetched, []);
+  await page.click('[data-panel="versus"]');
+  await untilBox2D(page);
+  assert.ok(fetched.some((url) => url.endsWith(".wasm")), fetched.join());
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("table_tells_times_overlap_energy_and_bodies_of_both", async () => {
+  const { page, errors, close } = await visitor.open("?scene=tall_stack&panel=versus");
+  await untilMeasured(page);
+  const rows = await table(page);
+  for (const name of ["Step, median", "Step, p99"])
+    for (const text of rows[name]) {
+      const value = Number(/^([\d.]+) ms$/.exec(text)?.[1]);
+      assert.ok(value > 0 && value < 1000, `${name}: ${text}`);
+    }
+  for (const name of ["Overlap, mean", "Overlap, worst"])
+    for (const text of rows[name])
+      assert.ok(Number(text) > 1e-4 && Number(text) < 0.1, `${name}: ${text}`);
+  assert.match(rows["Bodies (awake)"][0], /^\d+ \(\d+\)$/);
+  const [thud, box2d] = rows["Bodies (awake)"].map((text) => text.split(" ")[0]);
+  assert.equal(thud, box2d);
+  assert.match(await page.textContent("#versus .verdict"), /fast.*(accurate|sink in)/);
+  assert.equal(await page.locator("#versus .plots canvas").count(), 3);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("box2d_that_does_not_come_is_told_and_the_scene_goes_on", async () => {
+  let blocked = true;
+  const { page, close } = await visitor.open("?scene=tall_stack", DESKTOP, async (page) => {
+    await page.context().addInitScript(() => delete Navigator.prototype.serviceWorker);
+    await page.context().route(BOX2D, (route) => (blocked ? route.abort() : route.continue()));
+  });
+  await untilRunning(page);
+  await page.click('[data-panel="versus"]');
+  await page.waitForSelector("#versus .trouble:not([hidden])");
+  assert.match(await page.textContent("#versus .trouble"), /Box2D could not be loaded.*thud alone/);
+  const steps = () => page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
+  const before = await steps();
+  await page.waitForFunction((n) => Number(document.querySelector("#hud").dataset.steps) > n + 5, before);
+  blocked = false;
+  await page.click("#versus >> text=Try again");
+  await untilMeasured(page);
+  assert.ok(await page.isHidden("#versus .trouble"));
+  await close();
+});
+
+test("world_too_far_away_for_box2d_is_told_of", async () => {
+  const { page, errors, close } = await visitor.open("?scene=far_away&size=50&panel=versus");
+  await page.waitForSelector("#versus .trouble:not([hidden])");
+  assert.match(await page.textContent("#versus .trouble"), /100 km.*10000 km/);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("restart_both_begins_both_at_the_start", async () => {
+  const { page, errors, close } = await visitor.open("?scene=tall_stack&paused=1");
+  await stepBy(page, 30);
+  await page.keyboard.press("x");
+  await untilBox2D(page);
+  await stepBy(page, 2);
+  const since = page.locator("#versus .quiet");
+  await since.waitFor();
+  assert.match(await since.textContent(), /began at 0\.50 s/);
+  await page.click("#versus >> text=Restart both");
+  await page.waitForFunction(() => document.querySelector("#hud").dataset.steps === "0");
+  await stepBy(page, 40);
+  await since.waitFor({ state: "hidden" });
+  assert.equal((await table(page))["Overlap now"].includes("–"), false);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("going_back_in_time_begins_box2d_anew_where_thud_is", async () => {
+  const { page, errors, close } = await openBoth();
+  await stepBy(page, 60);
+  await page.evaluate(() => {
+    const slider = document.querySelector("#time");
+    slider.value = "30";
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  await page.waitForFunction(() => document.querySelector("#hud").dataset.steps === "30");
+  const back = await untilTwo(page);
+  near(back[1].y, back[0].y, 1, "as high in both");
+  await stepBy(page, 10);
+  const on = await untilTwo(page);
+  assert.ok(on[0].y > back[0].y + 3, "it falls on");
+  near(on[1].y - back[1].y, on[0].y - back[0].y, 1.5, "in both");
+  await page.locator("#versus .quiet", { hasText: "0.50 s" }).waitFor();
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("layout_and_substeps_are_kept_in_the_url_and_closing_ends_the_comparison", async () => {
+  const { page, errors, close } = await openBoth();
+  await page.check('[name="split"][value="over"]', { force: true });
+  await page.waitForFunction(() => document.querySelector("#versus-table .box2d"));
+  await page.goto(`${page.url().split("?")[0]}?scene=tall_stack&panel=versus`);
+  await untilBox2D(page);
+  await page.check('[name="split"][value="over"]', { force: true });
+  await page.check('[name="box2d-substeps"][value="8"]', { force: true });
+  await page.waitForFunction(() => /split=over.*box2d=8/.test(location.search));
+  await page.reload();
+  await untilBox2D(page);
+  assert.ok(await page.isChecked('[name="split"][value="over"]'));
+  assert.match(await page.textContent("#versus-table .box2d"), /8 substeps/);
+  await page.click("#dock .close");
+  await page.waitForFunction(() => !/panel=/.test(location.search));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("closing_the_panel_shows_one_view_again", async () => {
+  const { page, close } = await openBoth();
+  await page.click("#dock .close");
+  await page.waitForFunction(() => document.querySelector("#dock").hidden);
+  const end = Date.now() + 20_000;
+  while ((await middles(page)).length > 0) assert.ok(Date.now() < end, "two views are left");
+  await close();
+});
+
+test("page_that_is_not_isolated_tells_of_means", async () => {
+  const { page, close } = await visitor.open("?scene=tall_stack&panel=versus", DESKTOP, async (page) => {
+    await page.context().addInitScript(() => delete Navigator.prototype.serviceWorker);
+    await page.context().route("**/*", async (route) => {
+      const response = await route.fetch();
+      const headers = { ...response.headers() };
+      delete headers["cross-origin-opener-policy"];
+      delete headers["cross-origin-embedder-policy"];
+      await route.fulfill({ response, headers });
+    });
+  });
+  await untilMeasured(page);
+  const rows = await table(page);
+  assert.match(rows["Step, mean"][0], /ms$/);
+  assert.equal(rows["Step, p99"], undefined);
+  await close();
+});
+
+for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
+  for (const colorScheme of ["dark", "light"])
+    test(`axe_finds_no_serious_violation_in_versus_on_${size}_in_${colorScheme}`, async () => {
+      const { page, close } = await visitor.open("?scene=tall_stack&panel=versus", {
+        ...options,
+        colorScheme,
+      });
+      await untilMeasured(page);
+      await page.click("#versus summary");
+      assert.deepEqual(await runAxe(page), []);
+      await close();
+    });
