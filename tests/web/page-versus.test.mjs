@@ -95,8 +95,7 @@ function table(page) {
 
 async function untilMeasured(page) {
   await page.waitForFunction(
-    () => /\bms$/.test(document.querySelector("#versus-table td:nth-of-type(1)").textContent)
-      || [...document.querySelectorAll("#versus-table td")].some((c) => / ms$/.test(c.textContent)),
+    () => / ms$/.test(document.querySelector("#versus-table tbody td")?.textContent),
     null,
     { timeout: 60_000 },
   );

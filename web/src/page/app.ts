@@ -164,6 +164,7 @@ export class App {
     this.scene = scene;
     this.lastGood = this.state.scene;
     this.shapes = null;
+    this.#owed = 0;
     this.player.begin(scene.run, scene.timeStep);
     this.#tell((listener) => listener.run?.(scene));
     this.chosen();
@@ -238,9 +239,9 @@ export class App {
     if (!this.scene || this.client.ticking) return;
     const { player } = this;
     if (this.#owed > 0) {
-      this.client.tick(player.newest + this.#owed, this.#look());
+      this.client.tick(this.scene.run, player.newest + this.#owed, this.#look());
     } else if (player.wanted > player.newest || player.empty || this.#stale) {
-      this.client.tick(player.wanted, this.#look());
+      this.client.tick(this.scene.run, player.wanted, this.#look());
     }
     this.#stale = false;
   }

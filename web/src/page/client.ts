@@ -87,9 +87,9 @@ export class Client {
     return this.#ticking;
   }
 
-  tick(until: number, look: Look): void {
+  tick(run: number, until: number, look: Look): void {
     this.#ticking = true;
-    this.#send({ kind: "tick", until, look });
+    this.#send({ kind: "tick", run, until, look });
   }
 
   #start(): Worker {

@@ -104,7 +104,7 @@ export type ToWorker =
   | { kind: "ask"; id: number; name: QuestionName; value: unknown }
   | { kind: "deed"; deed: Deed }
   /** Steps are made until `until`, or for as long as the page can wait; a frame answers. */
-  | { kind: "tick"; until: number; look: Look };
+  | { kind: "tick"; run: number; until: number; look: Look };
 
 export type ToPage =
   | { kind: "answer"; id: number; value?: unknown; trouble?: Trouble }

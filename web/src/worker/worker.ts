@@ -124,7 +124,8 @@ self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
     if (data.kind === "deed") session.do(data.deed);
     else {
-      tick(session, data.until);
+      // Asked for before the page knew of this scene, they are no steps of it.
+      if (data.run === session.run) tick(session, data.until);
       const frame = frames.make(data.look);
       post({ kind: "frame", frame }, transferables(frame));
     }
