@@ -51,7 +51,11 @@ export class Plots {
         course: penetrations,
         least: () => LEAST_DEPTH * this.#lengthScale,
       },
-      { title: "Energy", about: "Energy in both engines over time", course: energies },
+      {
+        title: "Energy since start",
+        about: "Change of energy in both engines over time",
+        course: energies,
+      },
     ];
     new ResizeObserver(() => this.#resize()).observe(this.element);
     onTheme(() => this.#shown.forEach(({ chart }) => chart.redraw(false)));
@@ -104,7 +108,7 @@ function optionsOf(plot: Plot, width: number): UPlot.Options {
     height: HEIGHT,
     legend: { show: false },
     cursor: { show: false },
-    padding: [6, 8, 0, 0],
+    padding: [6, 16, 0, 0],
     scales: {
       x: { time: false },
       y: least

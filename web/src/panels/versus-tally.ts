@@ -84,8 +84,7 @@ export class Tally {
   }
 
   figures(engine: Engine): Figures {
-    const { times, sum, count, now, ever, energy, firstEnergy, bodies, awake } =
-      this.#sums[engine];
+    const { times, sum, count, now, ever, bodies, awake } = this.#sums[engine];
     const some = times.length > 0;
     return {
       typical: !some ? null : this.fineClock ? percentile(times, 0.5) : meanOf(times),
@@ -93,10 +92,15 @@ export class Tally {
       now,
       mean: count > 0 ? sum / count : 0,
       ever,
-      energyChange: energy - firstEnergy,
+      energyChange: this.#energyChange(engine),
       bodies,
       awake,
     };
+  }
+
+  #energyChange(engine: Engine): number {
+    const { energy, firstEnergy } = this.#sums[engine];
+    return energy - firstEnergy;
   }
 
   #addTimes(seconds: number, pair: readonly [number, number]): void {
@@ -122,7 +126,7 @@ export class Tally {
     }
     const { thud, box2d } = compared;
     addTo(this.penetrations, seconds, [thud.penetration, box2d.penetration]);
-    addTo(this.energies, seconds, [thud.energy, box2d.energy]);
+    addTo(this.energies, seconds, ENGINES.map((engine) => this.#energyChange(engine)));
   }
 }
 
