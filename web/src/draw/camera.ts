@@ -22,6 +22,8 @@ export interface Box {
 
 /** A part of the canvas, in CSS pixels, and where in it the camera's place stands. */
 export interface Pane {
+  /** 0: thud's; 1: the other engine's. */
+  readonly index: 0 | 1;
   readonly left: number;
   readonly top: number;
   readonly width: number;
@@ -78,7 +80,7 @@ export class Camera {
     const middle = (low: number, high: number) => (low + high) / 2;
     const middleX = middle(insets.left, right);
     const middleY = middle(insets.top, bottom);
-    if (!this.#split) return [{ left: 0, top: 0, width, height, middleX, middleY }];
+    if (!this.#split) return [{ index: 0, left: 0, top: 0, width, height, middleX, middleY }];
     const [freeWidth, freeHeight] = [right - insets.left, bottom - insets.top];
     const beside = this.#fitting(freeWidth / 2 - GAP, freeHeight - PANE_HEAD);
     const below = this.#fitting(freeWidth, freeHeight / 2 - GAP - PANE_HEAD);
@@ -86,8 +88,10 @@ export class Camera {
       const part = Math.round(middleX);
       const common = { top: 0, height, middleY: middle(insets.top + PANE_HEAD, bottom) };
       return [
-        { ...common, left: 0, width: part, middleX: middle(insets.left, part - GAP) },
-        { ...common, left: part, width: width - part, middleX: middle(part + GAP, right) },
+        { ...common, index: 0, left: 0, width: part, middleX: middle(insets.left, part - GAP) },
+        {
+          ...common, index: 1, left: part, width: width - part, middleX: middle(part + GAP, right),
+        },
       ];
     }
     const part = Math.round(middleY);
@@ -95,8 +99,8 @@ export class Camera {
     const upper = middle(insets.top + PANE_HEAD, part - GAP);
     const lower = middle(part + PANE_HEAD, bottom - GAP);
     return [
-      { ...common, top: 0, height: part, middleY: upper },
-      { ...common, top: part, height: height - part, middleY: lower },
+      { ...common, index: 0, top: 0, height: part, middleY: upper },
+      { ...common, index: 1, top: part, height: height - part, middleY: lower },
     ];
   }
 

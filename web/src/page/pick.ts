@@ -1,14 +1,18 @@
 /** Which body lies under the pointer, told from what is drawn, without asking the worker. */
+import type { Vec2 } from "thud";
 import type { Frame, Shapes } from "../scene/frame";
 
 const ROW = 10;
 const CIRCLE = 0;
 const DYNAMIC = 2;
 
+/** Where bodies are: a frame of thud's, or with the other engine's places. */
+export type Placed = Pick<Frame, "origin" | "now">;
+
 /** The slot of the body at a place, or the nearest within `reach`; dynamic ones only, if asked. */
 export function pick(
   shapes: Shapes,
-  frame: Frame,
+  frame: Placed,
   x: number,
   y: number,
   reach: number,
@@ -40,4 +44,11 @@ export function pick(
     }
   }
   return best;
+}
+
+/** A place of the world in the frame of a body. */
+export function inBody({ origin, now }: Placed, slot: number, x: number, y: number): Vec2 {
+  const [px, py, c, s] = now.subarray(4 * slot, 4 * slot + 4);
+  const [dx, dy] = [x - origin[0] - px, y - origin[1] - py];
+  return [c * dx + s * dy, c * dy - s * dx];
 }

@@ -1,5 +1,5 @@
 /** Mouse, touch and wheel on the scene: pull, add, explode or dig with one pointer; pan and zoom. */
-import type { Camera } from "../draw/camera";
+import type { Camera, Pane } from "../draw/camera";
 
 export const TOOLS = ["hand", "circle", "box", "blast", "dig"] as const;
 export type Tool = (typeof TOOLS)[number];
@@ -10,8 +10,8 @@ export interface PointerActions {
   taken(): boolean;
   /** The scene's pointer: where, and whether it is pressed. */
   point(x: number, y: number, down: boolean): void;
-  /** True if there is a body to pull. */
-  grab(x: number, y: number, reach: number): boolean;
+  /** True if there is a body to pull, in the given pane. */
+  grab(x: number, y: number, reach: number, pane: Pane["index"]): boolean;
   drag(x: number, y: number): void;
   release(): void;
   /** What another tool than the hand does, at the pointer and then along its way. */
@@ -45,24 +45,28 @@ export function listenToPointers(
   let mode: "none" | "pull" | "pan" | "apply" | "pinch" | "scene" = "none";
   let lastApplied: Pointer = { x: 0, y: 0 };
   let pressedAt: Pointer = { x: 0, y: 0 };
+  /** While pressed: of two panes the one in which it began, whose places hold beyond its edge. */
+  let pane: Pane["index"] | null = null;
 
   const place = (event: MouseEvent): Pointer => {
     const box = canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
+  const inWorld = (at: Pointer) =>
+    camera.toWorld(at.x, at.y, pane === null ? undefined : camera.panes[pane]);
   const applyAt = (at: Pointer, part: number) => {
     const tool = actions.tool();
     if (tool === "hand") return;
     const way = Math.hypot(at.x - lastApplied.x, at.y - lastApplied.y);
     if (way < part * APPLY_EVERY[tool]) return;
-    actions.apply(tool, ...camera.toWorld(at.x, at.y));
+    actions.apply(tool, ...inWorld(at));
     lastApplied = at;
   };
   const reachOf = ({ pointerType }: PointerEvent) =>
     (pointerType === "mouse" ? REACH.mouse : REACH.touch) / camera.scale;
   const begin = (event: PointerEvent, at: Pointer): typeof mode => {
     if (event.button !== 0 || event.shiftKey) return "pan";
-    const [x, y] = camera.toWorld(at.x, at.y);
+    const [x, y] = inWorld(at);
     if (actions.taken()) {
       actions.point(x, y, true);
       return "scene";
@@ -71,7 +75,7 @@ export function listenToPointers(
       applyAt(at, 0);
       return "apply";
     }
-    return actions.grab(x, y, reachOf(event)) ? "pull" : "pan";
+    return actions.grab(x, y, reachOf(event), pane ?? 0) ? "pull" : "pan";
   };
 
   canvas.addEventListener("pointerdown", (event) => {
@@ -80,9 +84,10 @@ export function listenToPointers(
     canvas.setPointerCapture(event.pointerId);
     if (pointers.size === 2) {
       if (mode === "pull") actions.release();
-      if (mode === "scene") actions.point(...camera.toWorld(at.x, at.y), false);
+      if (mode === "scene") actions.point(...inWorld(at), false);
       mode = "pinch";
     } else if (pointers.size === 1) {
+      pane = camera.paneAt(at.x, at.y).index;
       mode = begin(event, at);
       pressedAt = at;
     }
@@ -92,7 +97,7 @@ export function listenToPointers(
   canvas.addEventListener("pointermove", (event) => {
     const at = place(event);
     const last = pointers.get(event.pointerId);
-    const [x, y] = camera.toWorld(at.x, at.y);
+    const [x, y] = inWorld(at);
     if (!last) {
       if (event.pointerType !== "mouse") return;
       actions.hover({ x, y, screenX: at.x, screenY: at.y });
@@ -118,13 +123,14 @@ export function listenToPointers(
     if (!at) return;
     pointers.delete(event.pointerId);
     if (mode === "pull") actions.release();
-    if (mode === "scene") actions.point(...camera.toWorld(at.x, at.y), false);
+    if (mode === "scene") actions.point(...inWorld(at), false);
     const last = place(event);
     const onTheSpot = Math.hypot(last.x - pressedAt.x, last.y - pressedAt.y) < TAP;
     if (onTheSpot && event.type === "pointerup" && (mode === "pull" || mode === "pan"))
-      actions.tap(...camera.toWorld(last.x, last.y), reachOf(event));
+      actions.tap(...inWorld(last), reachOf(event));
     // After a pinch the finger that stays moves the view.
     mode = pointers.size === 1 ? "pan" : "none";
+    if (pointers.size === 0) pane = null;
     canvas.dataset.mode = mode;
   };
   canvas.addEventListener("pointerup", end);

@@ -1,11 +1,12 @@
 /** The scene on its canvases: draws what the player shows, and takes the visitor's pointer. */
 import { OVERLAYS, type OverlayName } from "../scene/overlays";
+import type { Pane } from "../draw/camera";
 import { type DrawOptions, View } from "../draw/view";
 import type { Look } from "../worker/protocol";
 import type { App } from "./app";
 import { byId } from "./dom";
 import { notice } from "./messages";
-import { pick } from "./pick";
+import { inBody, pick } from "./pick";
 import { listenToPointers, type Tool } from "./pointers";
 
 /** How fast the view goes after a place that the scene says, in 1/s. */
@@ -237,9 +238,15 @@ export class Stage {
     byId("crosshair").hidden = true;
   }
 
-  #grab(x: number, y: number, reach: number): boolean {
-    if (this.#bodyAt(x, y, reach, true) === null) return false;
-    this.#app.do({ kind: "grab", x, y, reach });
+  /** In Box2D's pane a body is taken where Box2D has it; both engines' are pulled. */
+  #grab(x: number, y: number, reach: number, pane: Pane["index"] = 0): boolean {
+    const { shapes, player } = this.#app;
+    const frame = player.shown?.frame;
+    if (!shapes || !frame) return false;
+    const placed = { origin: frame.origin, now: (pane === 1 && frame.rival?.now) || frame.now };
+    const slot = pick(shapes, placed, x, y, reach, true);
+    if (slot === null) return false;
+    this.#app.do({ kind: "grab", slot, anchor: inBody(placed, slot, x, y), x, y });
     return true;
   }
 

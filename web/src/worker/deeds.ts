@@ -3,12 +3,13 @@
  * journal under that step's number, so that going back in time does the same again.
  */
 import { SHAPE_KINDS } from "thud";
-import type { BodyId, ShapeId, World } from "thud";
+import type { BodyId, ShapeId, Vec2, World } from "thud";
 import type { Blast, Pull } from "../rival/hands";
 import type { KeyName } from "../scene/scene";
 
 export type Deed =
-  | { kind: "grab"; x: number; y: number; reach: number }
+  /** Takes the body in a slot at a place of its own frame; the pointer is at x, y. */
+  | { kind: "grab"; slot: number; anchor: Vec2; x: number; y: number }
   | { kind: "drag"; x: number; y: number }
   | { kind: "release" }
   | { kind: "spawn"; shape: "circle" | "box"; x: number; y: number; size: number }
@@ -19,21 +20,18 @@ export type Deed =
 
 const TERRAIN = SHAPE_KINDS.indexOf("terrain");
 
-/** The moving body at or nearest to a place, within `reach`, taken there; or null. */
-export function takeHold(world: World, x: number, y: number, reach: number): Pull | null {
-  let best: { body: BodyId; distance: number } | null = null;
-  for (const shape of world.overlap({ kind: "circle", center: [x, y], radius: reach })) {
-    const { body } = world.shapeState(shape);
-    const state = world.bodyState(body);
-    if (state.kind !== "dynamic") continue;
-    const distance = Math.hypot(state.center[0] - x, state.center[1] - y);
-    if (!best || distance < best.distance) best = { body, distance };
+/** Null if no body has the slot any more. */
+export function takeHold(
+  world: World,
+  { slot, anchor, x, y }: Extract<Deed, { kind: "grab" }>,
+): Pull | null {
+  const { count, handles } = world.shapeTable();
+  for (let i = 0; i < count; i++) {
+    const [, , body1, generation] = handles.subarray(4 * i, 4 * i + 4);
+    if (body1 - 1 === slot)
+      return { body: { kind: "body", index: slot, generation }, anchor, target: [x, y] };
   }
-  if (!best) return null;
-  const { position, angle } = world.bodyState(best.body);
-  const [c, s] = [Math.cos(angle), Math.sin(angle)];
-  const [dx, dy] = [x - position[0], y - position[1]];
-  return { body: best.body, anchor: [c * dx + s * dy, c * dy - s * dx], target: [x, y] };
+  return null;
 }
 
 /** Whether there is still something to be pulled. */

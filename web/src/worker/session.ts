@@ -159,7 +159,7 @@ export class Session {
     const hands = this.#hands;
     switch (deed.kind) {
       case "grab":
-        hands.pull = takeHold(world, deed.x, deed.y, deed.reach);
+        hands.pull = takeHold(world, deed);
         break;
       case "drag":
         if (hands.pull) hands.pull.target = [deed.x, deed.y];
