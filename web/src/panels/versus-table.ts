@@ -53,10 +53,14 @@ function rowsOf(fineClock: boolean): Row[] {
       text: ({ energyChange }) => ENERGY.format(energyChange),
     },
     {
-      label: "Bodies (awake)",
-      hint: "Sleeping bodies cost nearly nothing",
-      text: ({ bodies, awake }) =>
-        `${bodies.toLocaleString("en")} (${awake.toLocaleString("en")})`,
+      label: "Bodies",
+      hint: "Those that have shapes",
+      text: ({ bodies }) => bodies.toLocaleString("en"),
+    },
+    {
+      label: "Awake",
+      hint: "Bodies that move or have just moved; those that sleep cost nearly nothing",
+      text: ({ awake }) => awake.toLocaleString("en"),
     },
   ];
 }
