@@ -20,7 +20,9 @@ const WIDTHS: Readonly<Record<string, number>> = {
   cell: 1,
   bounds: 1,
   pair: 1,
+  "pair candidate": 1,
   "pair touching": 1,
+  impulse: 2.5,
   interval: 2.5,
   "interval overlapping": 2.5,
 };

@@ -14,7 +14,7 @@ import { OVERLAYS } from "../scene/overlays";
 /** Pixels that an arrow key moves the view. */
 const PAN = 60;
 /** In the order of OVERLAYS. */
-const OVERLAY_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "M", "J", "Y"];
+const OVERLAY_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "M", "J", "Y", "U"];
 
 export function addControls(app: App, stage: Stage, dock: Dock): void {
   const togglePause = () => {

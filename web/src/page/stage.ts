@@ -71,6 +71,7 @@ export class Stage {
       lower: [x0, y0 + free],
       upper: [x1, y1],
       overlays: [...shown],
+      focus: this.outlined,
     };
   }
 

@@ -4,13 +4,28 @@ import type { App } from "../page/app";
 import { byId, make } from "../page/dom";
 import { say } from "../page/messages";
 import type { Hovered, Stage } from "../page/stage";
-import type { BodyReport } from "../worker/inspect";
+import type { BodyReport, Touch } from "../worker/inspect";
 import { degreesText, fillList, numberText, placeText, type Row } from "./inside-values";
 
 /** CSS pixels from the pointer to the card. */
 const AWAY = 16;
 
 const ALL_BITS = 0xffffffff;
+/** Rows that the list of contacts has. */
+const MOST_CONTACTS = 12;
+const HOW =
+  "Point at a body to see its state. Click or tap keeps it; key Q takes the crosshair's.";
+const CONTACT_HEAD = make(
+  "thead",
+  {},
+  make(
+    "tr",
+    {},
+    ...["Touches", "Points", "Depth", "Impulse", "Friction"].map((text) =>
+      make("th", { scope: "col" }, text),
+    ),
+  ),
+);
 
 export class BodyPart {
   readonly element: HTMLElement;
@@ -22,6 +37,7 @@ export class BodyPart {
   readonly #hint = make("p", { class: "quiet" });
   readonly #state = make("dl", { class: "facts", id: "body-state" });
   readonly #shapes = make("div");
+  readonly #contacts = make("table", { id: "body-contacts" });
   readonly #release = make("button", { class: "wide" }, "Let it go");
   #hovered: Hovered | null = null;
   #pinned: number | null = null;
@@ -40,6 +56,7 @@ export class BodyPart {
       this.#title,
       this.#hint,
       this.#state,
+      this.#contacts,
       this.#shapes,
       this.#release,
     );
@@ -93,6 +110,7 @@ export class BodyPart {
 
   #outline(): void {
     this.#stage.outlined = this.#pinned ?? this.#hovered?.slot ?? null;
+    if (this.#stage.view.shown.has("sums")) this.#app.refresh();
   }
 
   /** Asks for what is shown, once at a time: the next frame asks again. */
@@ -128,7 +146,24 @@ export class BodyPart {
     this.#hint.textContent = this.#pinned === null ? "Click it to keep it here." : "";
     this.#release.hidden = this.#pinned === null;
     fillList(this.#state, rowsOf(report));
+    this.#showContacts(report.contacts);
     this.#showShapes(report.shapes);
+  }
+
+  #showContacts(contacts: readonly Touch[]): void {
+    this.#contacts.hidden = contacts.length === 0;
+    const rows = contacts.slice(0, MOST_CONTACTS).map((touch) => {
+      const { other, points, depth, impulse, friction } = touch;
+      const texts = [String(points), ...[depth, impulse, friction].map(numberText)];
+      const cells = texts.map((text) => make("td", {}, text));
+      return make("tr", {}, make("th", { scope: "row" }, `body ${other}`), ...cells);
+    });
+    const more = contacts.length - rows.length;
+    this.#contacts.replaceChildren(
+      make("caption", { class: "quiet" }, more > 0 ? `And ${more} more.` : ""),
+      CONTACT_HEAD,
+      make("tbody", {}, ...rows),
+    );
   }
 
   #showShapes(shapes: readonly ShapeState[]): void {
@@ -137,7 +172,7 @@ export class BodyPart {
       this.#shapes.append(make("div", {}, make("h4"), make("dl", { class: "facts" })));
     shapes.forEach((shape, i) => {
       const [title, list] = this.#shapes.children[i].children;
-      title.textContent = shapes.length > 1 ? `Shape ${i + 1}: ${shape.kind}` : `Shape: ${shape.kind}`;
+      title.textContent = `Shape${shapes.length > 1 ? ` ${i + 1}` : ""}: ${shape.kind}`;
       fillList(list as HTMLDListElement, shapeRows(shape));
     });
   }
@@ -168,11 +203,11 @@ export class BodyPart {
 
   #clear(hint = ""): void {
     this.#title.textContent = "No body";
-    this.#hint.textContent =
-      hint || "Point at a body to see its state. Click or tap keeps it; key Q takes the crosshair's.";
+    this.#hint.textContent = hint || HOW;
     this.#release.hidden = true;
     this.#state.replaceChildren();
     this.#shapes.replaceChildren();
+    this.#contacts.hidden = true;
   }
 }
 
@@ -200,8 +235,10 @@ function rowsOf(report: BodyReport): Row[] {
     rows.push(
       ["mass", numberText(state.mass)],
       ["inertia", state.inertia > 0 ? numberText(state.inertia) : "does not turn"],
-      ["centre of mass", placeText(state.center)],
     );
+  if (state.kind === "dynamic" && placeText(state.center) !== placeText(state.position))
+    rows.push(["centre of mass", placeText(state.center)]);
+  if (report.contacts.some(({ direct }) => direct)) rows.push(["its island", "solved directly"]);
   if (state.kind === "dynamic" && state.gravityScale !== 1)
     rows.push(["gravity", `× ${numberText(state.gravityScale)}`]);
   return rows;
@@ -212,7 +249,8 @@ function shapeRows(shape: ShapeState): Row[] {
   const [hx, hy] = halfExtents;
   const rows: Row[] = [];
   if (kind === "circle") rows.push(["radius", numberText(hx)]);
-  else if (kind !== "terrain") rows.push(["size", `${numberText(2 * hx)} × ${numberText(2 * hy)}`]);
+  else if (kind !== "terrain")
+    rows.push(["size", `${numberText(2 * hx)} × ${numberText(2 * hy)}`]);
   if (sensor) rows.push(["sensor", "reports, does not collide"]);
   else
     rows.push(

@@ -8,7 +8,14 @@ import { messageOf, notice, say } from "../page/messages";
 import { USUAL, writeState } from "../page/url";
 import type { StateHash } from "../worker/protocol";
 import { fillList } from "./inside-values";
-import { EVERY, firstDifference, isUsual, Proof, type Reference, referenceOf } from "./inside-proof";
+import {
+  EVERY,
+  firstDifference,
+  isUsual,
+  Proof,
+  type Reference,
+  referenceOf,
+} from "./inside-proof";
 
 const STEPS = [1, 2, 3, 4, 5].map((i) => i * EVERY);
 /** Seconds that "rewind" goes back. */
@@ -49,8 +56,8 @@ export class CheckPart {
       make(
         "p",
         { class: "quiet" },
-        `Runs the scene from its start for ${STEPS.at(-1)} steps beside this one, with nobody's hands ` +
-          "in it, and compares the hash of every position and velocity.",
+        `Runs the scene from its start for ${STEPS.at(-1)} steps beside this one, with nobody's ` +
+          "hands in it, and compares the hash of the whole state.",
       ),
       this.#check,
       this.#verdict,
@@ -165,7 +172,10 @@ export class CheckPart {
     if (!hashes) return;
     this.#list(hashes, [claim]);
     if (hashes[0].hash === claim.hash)
-      this.#tell("same", `Same bits as on the machine of whoever sent the link, after ${claim.step} steps.`);
+      this.#tell(
+        "same",
+        `Same bits as on the machine of whoever sent the link, after ${claim.step} steps.`,
+      );
     else
       this.#tell(
         "different",
@@ -218,7 +228,8 @@ export class CheckPart {
       const other = reference?.[i].hash;
       const cells = [hash, ...(other ? [other] : [])].map((text) => make("td", {}, text));
       const same = !other || other === hash;
-      return make("tr", { "data-same": String(same) }, make("th", { scope: "row" }, String(step)), ...cells);
+      const name = make("th", { scope: "row" }, String(step));
+      return make("tr", { "data-same": String(same) }, name, ...cells);
     });
     this.#table.replaceChildren(
       make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))),
@@ -237,7 +248,7 @@ export class CheckPart {
     this.#tell("open", `After ${steps} steps: ${claim.hash}`);
     try {
       await navigator.clipboard.writeText(link);
-      notice("The link is in the clipboard. Opened elsewhere, it tells whether the bits are the same.");
+      notice("The link is in the clipboard. Opened elsewhere, it tells if the bits are the same.");
     } catch {
       const field = make("input", { readonly: true, value: link, "aria-label": "Link to compare" });
       this.#verdict.append(field);

@@ -52,12 +52,22 @@ const GROUPS: readonly { title: string; overlays: readonly Text[] }[] = [
         ],
       },
       {
+        name: "stages",
+        title: "Pairs by stage",
+        about: "How far each pair came: the broadphase's wide bounds, true bounds, the exact test.",
+        key: [
+          [style("pair candidate"), "candidate"],
+          [style("pair"), "bounds overlap"],
+          [style("pair touching"), "shapes touch"],
+        ],
+      },
+      {
         name: "sums",
         title: "Minkowski sums",
-        about: "Two shapes as one shape and a point: inside, they overlap.",
+        about: "Of the body you point at and its nearest neighbour: one shape and a point.",
         key: [
-          [(theme) => theme.sum, "apart"],
-          [(theme) => theme.sumOverlapping, "overlapping"],
+          [(theme) => theme.sum, "point outside: apart"],
+          [(theme) => theme.sumOverlapping, "inside: they overlap"],
         ],
       },
     ],
@@ -78,9 +88,24 @@ const GROUPS: readonly { title: string; overlays: readonly Text[] }[] = [
         key: [[style("normal"), "normal"]],
       },
       {
+        name: "impulses",
+        title: "Depths and impulses",
+        about: "How deep each point is, and how hard the step pushed there.",
+        key: [
+          [style("depth"), "depth"],
+          [style("impulse"), "impulse"],
+        ],
+      },
+      {
         name: "islands",
         title: "Islands",
         about: "Bodies that hang together by contacts have one colour.",
+        key: [[style("solved directly"), "solved directly"]],
+      },
+      {
+        name: "colours",
+        title: "Solver colours",
+        about: "Contacts of one colour share no moving body: eight are solved at once.",
       },
     ],
   },

@@ -27,6 +27,8 @@ export class StepPart {
   readonly #canvas = make("canvas", { role: "img", class: "areas" });
   readonly #scale = make("small");
   readonly #rows = make("tbody");
+  /** One bar of the last step, one of the median. */
+  readonly #bars = [make("div"), make("div")];
   readonly #numbers = make("dl", { class: "facts", id: "step-numbers" });
   #names: readonly string[] = [];
   #times: Times[] = [];
@@ -47,8 +49,10 @@ export class StepPart {
     this.element = make(
       "section",
       { class: "part", "aria-label": "Step" },
+      this.#timeButtons(),
       make("h3", {}, "Stages of the step"),
       make("div", { class: "chart" }, this.#canvas, this.#scale),
+      make("div", { class: "bars", "aria-hidden": "true" }, ...this.#bars),
       make(
         "table",
         { id: "stages" },
@@ -73,6 +77,19 @@ export class StepPart {
 
   rest(): void {
     this.#stop?.();
+  }
+
+  /** A phone's panel covers the page's own. */
+  #timeButtons(): HTMLElement {
+    const app = this.#app;
+    const pause = make("button", { class: "wide" });
+    const step = make("button", { class: "wide" }, "One step");
+    pause.addEventListener("click", () => app.setPaused(!app.state.paused));
+    step.addEventListener("click", () => app.stepOnce());
+    const label = () => (pause.textContent = app.state.paused ? "Go on" : "Pause");
+    app.listen({ state: label });
+    label();
+    return make("div", { class: "pair" }, pause, step);
   }
 
   #take(frame: Frame): void {
@@ -104,13 +121,30 @@ export class StepPart {
     );
   }
 
+  /** As long as the step, or the median step, beside the longer of the two. */
+  #stackBars(times: readonly Times[]): void {
+    const most = Math.max(...times.map(sum), Number.MIN_VALUE);
+    this.#bars.forEach((bar, i) => {
+      const parts = times[i].map((time, stage) => {
+        const part = make("i");
+        part.style.background = this.#colour(stage);
+        part.style.flex = `${time / most}`;
+        return part;
+      });
+      const rest = make("i");
+      rest.style.flex = `${1 - sum(times[i]) / most}`;
+      bar.replaceChildren(make("small", {}, ["last", "median"][i]), ...parts, rest);
+    });
+  }
+
   #colour(stage: number): string {
     return cssColour(rampColour(stage / Math.max(1, this.#names.length - 1)));
   }
 
   #show(stats: Stats): void {
     const last = this.#times.at(-1) ?? [];
-    const medians = this.#names.map((_, i) => percentile(this.#times.map((times) => times[i]), 0.5));
+    const ofStage = (stage: number) => this.#times.map((times) => times[stage]);
+    const medians = this.#names.map((_, stage) => percentile(ofStage(stage), 0.5));
     const [all, median] = [sum(last), percentile(this.#times.map(sum), 0.5)];
     const share = sum(medians);
     [...this.#rows.rows].forEach((row, i) => {
@@ -123,7 +157,9 @@ export class StepPart {
       values.forEach((value, k) => (row.cells[k + 1].textContent = value));
     });
     this.#draw();
+    this.#stackBars([last, medians]);
     const { error } = this.#frame!;
+    const { looked, exact } = stats.motionPairs;
     fillList(this.#numbers, [
       ["step", String(this.#frame!.step)],
       ["substeps", String(stats.substeps)],
@@ -132,6 +168,9 @@ export class StepPart {
       ["pairs in contact", count(stats.contacts)],
       ["colours of the solver", count(stats.colours)],
       ["blocks of contacts", count(stats.blocks)],
+      ["islands solved directly", islandsText(stats)],
+      ["motions tested exactly", `${count(exact)} of ${count(looked)}`],
+      ["collisions within the step", count(stats.impacts)],
       ["deepest overlap", numberText(error.penetrationMax)],
       ["overlapping points", count(error.overlaps)],
       ["memory of the world", bytesText(stats.bytes)],
@@ -169,12 +208,19 @@ export class StepPart {
   /** What the picture tells, for those who do not see it. */
   #words(): string {
     const median = percentile(this.#times.map(sum), 0.5);
-    return `Times of the last ${this.#times.length} steps by stage; the median is ${median.toFixed(3)} milliseconds.`;
+    return (
+      `Times of the last ${this.#times.length} steps by stage; ` +
+      `the median is ${median.toFixed(3)} milliseconds.`
+    );
   }
 }
 
 function sum(times: Times): number {
   return times.reduce((a, b) => a + b, 0);
+}
+
+function islandsText({ hardIslands, hardBodies }: Stats): string {
+  return hardIslands === 0 ? "0" : `${count(hardIslands)} (${count(hardBodies)} bodies)`;
 }
 
 function count(value: number): string {

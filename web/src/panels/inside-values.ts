@@ -16,7 +16,8 @@ export function placeText([x, y]: Vec2): string {
 }
 
 export function degreesText(radians: number): string {
-  return `${((radians * 180) / Math.PI).toFixed(1)}°`;
+  const degrees = ((radians * 180) / Math.PI).toFixed(1);
+  return `${degrees === "-0.0" ? "0.0" : degrees}°`;
 }
 
 export function bytesText(bytes: number): string {

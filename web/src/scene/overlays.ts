@@ -12,5 +12,6 @@ export const OVERLAYS = [
   "motions",
   "colours",
   "sums",
+  "impulses",
 ] as const;
 export type OverlayName = (typeof OVERLAYS)[number];

@@ -1,15 +1,16 @@
 /** Makes the frames that the page draws: copies of what the world has, and only of what is new. */
 import { type BodyId, SHAPE_KINDS, type ShapeId, type Terrain, type Vec2, type World } from "thud";
 import { inWorld } from "../rival/hands";
-import type { Drawing, Frame, PlacedTerrain, Shapes } from "../scene/frame";
+import type { Drawing, Frame, PlacedTerrain, Shapes, Sum } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import type { Look } from "./protocol";
 import type { Session } from "./session";
+import { sumsOfBody, sumsOfPairs } from "./sums";
 
 const ROW = 10;
 const TERRAIN = SHAPE_KINDS.indexOf("terrain");
 const DYNAMIC = 2;
-/** Sleeping bodies are looked for this often, in frames. */
+/** Sleeping bodies are looked for this often, in steps. */
 const AWAKE_EVERY = 6;
 
 export class Frames {
@@ -17,7 +18,10 @@ export class Frames {
   #terrainRevision = -1;
   /** The rows of the world's table that the page has. */
   #source: Uint32Array = new Uint32Array(0);
-  #count = 0;
+  /** Of the last frame. */
+  #step = 0;
+  /** The last step of which the page knows who sleeps. */
+  #awakeStep = 0;
 
   constructor(private readonly session: Session) {}
 
@@ -45,9 +49,16 @@ export class Frames {
       history: { first: session.history.first, last: session.history.last },
     };
     this.#addShapes(frame);
-    if (this.#count++ % AWAKE_EVERY === 0 || frame.shapes) frame.awake = this.#awake();
+    // A picture of a standing scene is asked for rarely, and should be right.
+    const standing = session.step === this.#step;
+    this.#step = session.step;
+    if (standing || Math.abs(this.#step - this.#awakeStep) >= AWAKE_EVERY || frame.shapes) {
+      frame.awake = this.#awake();
+      this.#awakeStep = this.#step;
+    }
     const on = new Set(look.overlays);
     frame.drawing = draw(world, look, on);
+    if (on.has("sums")) frame.sums = this.#sums(look);
     frame.rival = session.companion?.poses(look.origin);
     frame.rivalTrouble = session.rivalTrouble ?? undefined;
     return frame;
@@ -65,6 +76,13 @@ export class Frames {
       frame.terrains = readTerrains(world);
     this.#shapeRevision = shapes;
     this.#terrainRevision = terrains;
+  }
+
+  /** What the scene is about, and the body that the visitor points at. */
+  #sums({ origin, focus }: Look): Sum[] {
+    const { world, scene } = this.session;
+    const pairs = scene.sums ? sumsOfPairs(world, scene.sums, origin) : [];
+    return focus === null ? pairs : [...pairs, ...sumsOfBody(world, focus, origin)];
   }
 
   #awake(): Uint8Array {
@@ -100,6 +118,9 @@ function draw(world: World, look: Look, on: ReadonlySet<OverlayName>): Drawing |
     cells: on.has("cells"),
     contacts: on.has("contacts") || on.has("normals"),
     pairs: on.has("pairs"),
+    stages: on.has("stages"),
+    colours: on.has("colours"),
+    manifolds: on.has("impulses"),
     motions: on.has("motions"),
     axes: on.has("axes"),
   };

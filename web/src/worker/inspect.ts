@@ -1,5 +1,5 @@
 /** What the world knows of one body, for the card of a body that the visitor points at. */
-import type { BodyId, BodyState, ShapeId, ShapeState, World } from "thud";
+import type { BodyState, ShapeId, ShapeState, Vec2, World } from "thud";
 
 /** Plain data: everything that stands on the card. */
 export interface BodyReport {
@@ -8,24 +8,55 @@ export interface BodyReport {
   slot: number;
   state: BodyState;
   shapes: ShapeState[];
+  contacts: Touch[];
+}
+
+/** A contact as seen from the body. */
+export interface Touch {
+  /** The slot of the other body. */
+  other: number;
+  /** Out of the other body, into this one. */
+  normal: Vec2;
+  points: number;
+  /** Of the deepest point; negative while it is apart. */
+  depth: number;
+  /** Of all points: mass times speed that the step gave along the normal, and across it. */
+  impulse: number;
+  friction: number;
+  /** Its island was solved at once. */
+  direct: boolean;
 }
 
 /** Null if no body has the slot any more. */
 export function inspect(world: World, step: number, slot: number): BodyReport | null {
+  const shapes = shapesOf(world, slot).map((shape) => world.shapeState(shape));
+  if (shapes.length === 0) return null;
+  const { body } = shapes[0];
+  // Without points a pair is only about to touch again.
+  const touching = world.contactsOf(body).filter(({ points }) => points.length > 0);
+  const contacts = touching.map((contact): Touch => {
+    const { bodyA, bodyB, normal, points, tangentImpulse, direct } = contact;
+    const isA = bodyA.index === slot;
+    return {
+      other: (isA ? bodyB : bodyA).index,
+      normal: isA ? [-normal[0], -normal[1]] : normal,
+      points: points.length,
+      depth: Math.max(...points.map(({ separation }) => -separation)),
+      impulse: points.reduce((sum, { normalImpulse }) => sum + normalImpulse, 0),
+      friction: Math.abs(tangentImpulse),
+      direct,
+    };
+  });
+  return { step, slot, state: world.bodyState(body), shapes, contacts };
+}
+
+/** The shapes of the body in a slot; none if there is none. */
+export function shapesOf(world: World, slot: number): ShapeId[] {
   const { count, handles } = world.shapeTable();
   const shapes: ShapeId[] = [];
-  let body: BodyId | null = null;
   for (let i = 0; i < count; i++) {
-    const [shape1, shapeGeneration, body1, generation] = handles.subarray(4 * i, 4 * i + 4);
-    if (body1 - 1 !== slot) continue;
-    body = { kind: "body", index: slot, generation };
-    shapes.push({ kind: "shape", index: shape1 - 1, generation: shapeGeneration });
+    if (handles[4 * i + 2] - 1 !== slot) continue;
+    shapes.push({ kind: "shape", index: handles[4 * i] - 1, generation: handles[4 * i + 1] });
   }
-  if (!body) return null;
-  return {
-    step,
-    slot,
-    state: world.bodyState(body),
-    shapes: shapes.map((shape) => world.shapeState(shape)),
-  };
+  return shapes;
 }

@@ -53,6 +53,8 @@ export interface Look {
   lower: Vec2;
   upper: Vec2;
   overlays: readonly OverlayName[];
+  /** The slot of a body that is looked at. */
+  focus: number | null;
 }
 
 /** How Box2D goes along. */

@@ -82,7 +82,7 @@ export function describe(session: Session): RunningScene {
     spawn: scene.spawn ?? [view.x, view.y + 0.4 * view.height],
     lengthScale,
     timeStep,
-    show: scene.show ?? [],
+    show: [...(scene.show ?? []), ...(scene.sums ? (["sums"] as const) : [])],
     keys: scene.keys ?? [],
     pointer: scene.pointer ?? false,
     notes: scene.notes ?? [],

@@ -1,0 +1,83 @@
+/** Minkowski sums for the page to draw: of a scene's pairs, and of one body with its neighbour. */
+import { minkowskiSum, type ShapeId, type SolidShape, type Vec2, type World } from "thud";
+import type { Sum } from "../scene/frame";
+import { shapesOf } from "./inspect";
+
+/** A shape where it stands. */
+interface Placed {
+  solid: SolidShape;
+  center: Vec2;
+}
+
+/** Neighbours are looked for so many sizes away, and then twice as far, and so on. */
+const FIRST_REACH = 1.5;
+const DOUBLINGS = 5;
+
+/** Of the first two bodies, the next two, and so on. */
+export function sumsOfPairs(world: World, pairs: number, origin: Vec2): Sum[] {
+  const bodies = Array.from({ length: 2 * pairs }, (_, slot) => shapesOf(world, slot));
+  return Array.from({ length: pairs }, (_, i) => [bodies[2 * i][0], bodies[2 * i + 1][0]]).flatMap(
+    ([a, b]) => {
+      const first = a && place(world, a);
+      const second = b && place(world, b);
+      return first && second ? [sumOf(world, first, second, origin)] : [];
+    },
+  );
+}
+
+/** Of the body in a slot with the nearest shape of another; none if nothing is near. */
+export function sumsOfBody(world: World, slot: number, origin: Vec2): Sum[] {
+  const own = shapesOf(world, slot);
+  const first = own[0] && place(world, own[0]);
+  if (!first) return [];
+  let radius = FIRST_REACH * sizeOf(first.solid);
+  for (let i = 0; i < DOUBLINGS; i++, radius *= 2) {
+    const sums = world
+      .overlap({ kind: "circle", center: first.center, radius })
+      .filter((shape) => world.shapeState(shape).body.index !== slot)
+      .flatMap((shape) => place(world, shape) ?? [])
+      .map((other) => sumOf(world, first, other, origin));
+    if (sums.length > 0)
+      return [sums.reduce((best, sum) => (distanceOf(sum) < distanceOf(best) ? sum : best))];
+  }
+  return [];
+}
+
+/** From the point to the edge of the sum; negative inside. */
+function distanceOf({ point, edge, overlaps }: Sum): number {
+  const distance = Math.hypot(point[0] - edge[0], point[1] - edge[1]);
+  return overlaps ? -distance : distance;
+}
+
+/** Null for ground, which has no sum. */
+function place(world: World, id: ShapeId): Placed | null {
+  const { kind, body, offset, halfExtents, angle: turned } = world.shapeState(id);
+  if (kind === "terrain") return null;
+  const { position, angle } = world.bodyState(body);
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const center: Vec2 = [
+    position[0] + c * offset[0] - s * offset[1],
+    position[1] + s * offset[0] + c * offset[1],
+  ];
+  const [halfWidth, halfHeight] = halfExtents;
+  if (kind === "circle") return { solid: { kind, radius: halfWidth }, center };
+  if (kind === "aabb") return { solid: { kind, halfWidth, halfHeight }, center };
+  return { solid: { kind, halfWidth, halfHeight, angle: angle + turned }, center };
+}
+
+function sizeOf(solid: SolidShape): number {
+  return solid.kind === "circle" ? solid.radius : Math.hypot(solid.halfWidth, solid.halfHeight);
+}
+
+function sumOf(world: World, a: Placed, b: Placed, origin: Vec2): Sum {
+  const offset: Vec2 = [b.center[0] - a.center[0], b.center[1] - a.center[1]];
+  const { overlaps, edge, outline } = minkowskiSum(world.engine, a.solid, b.solid, offset);
+  const start: Vec2 = [a.center[0] - origin[0], a.center[1] - origin[1]];
+  return {
+    origin: start,
+    point: [start[0] + offset[0], start[1] + offset[1]],
+    overlaps,
+    edge: [start[0] + edge[0], start[1] + edge[1]],
+    outline,
+  };
+}
