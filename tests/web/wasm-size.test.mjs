@@ -15,7 +15,7 @@ const PROGRAMS = [
   { name: "circles", bound: 45, aim: 12 },
   { name: "boxes", bound: 52, aim: 18 },
   { name: "islands", bound: 55, aim: 18 },
-  { name: "everything", bound: 80, aim: 40 },
+  { name: "everything", bound: 81, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`)
