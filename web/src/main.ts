@@ -6,6 +6,7 @@ import { describeScene } from "./page/describe";
 import { addDialogs } from "./page/dialogs";
 import { Dock } from "./page/dock";
 import { byId, make } from "./page/dom";
+import { readDraft } from "./page/drafts";
 import { Figures } from "./page/figures";
 import { addGallery, markScene } from "./page/gallery";
 import { addHint } from "./page/hint";
@@ -15,13 +16,15 @@ import { Pad } from "./page/pad";
 import { Stage } from "./page/stage";
 import { applyTheme, onTheme } from "./page/theme";
 import { addTimeline } from "./page/timeline";
-import { readState } from "./page/url";
+import { readState, type State } from "./page/url";
 import { panels } from "./panels/panels";
 import { findScene, FIRST_SCENE } from "./scene/registry";
 import { chooseWasm } from "./wasm/choose";
 
 /** What runs a level that a visitor brings. */
 const OWN_LEVEL = "own_level";
+/** Where code is shown, and its errors. */
+const CODE_PANEL = "code";
 
 void start();
 
@@ -96,7 +99,7 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   addControls(app, stage, dock);
   addTimeline(app);
   describeScene(app);
-  listenToScenes(app, { hud, figures, hinted: addHint(app) });
+  listenToScenes(app, { dock, hud, figures, hinted: addHint(app) });
   app.listen({
     run({ keys }) {
       pad.show(keys);
@@ -107,6 +110,8 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   onTheme((dark) => stage.view.setTheme(dark));
   applyTheme();
   window.addEventListener("resize", change);
+  // A link to other code in the same page: browsers do not load the page again for it.
+  window.addEventListener("hashchange", () => location.reload());
 
   const state = await readState(new URL(location.href));
   app.begin(state);
@@ -127,31 +132,33 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   };
   requestAnimationFrame(draw);
   await runFirst(app, state);
-  if (state.panel) await dock.show(state.panel, false);
+  const panel = app.offeredCode === null ? state.panel : CODE_PANEL;
+  if (panel) await dock.show(panel, false);
 }
 
-async function runFirst(app: App, { scene, size, seed, code, camera, claim }: Awaited<ReturnType<typeof readState>>): Promise<void> {
+async function runFirst(app: App, state: Partial<State>): Promise<void> {
+  const { scene = FIRST_SCENE, size, seed, code, camera, claim } = state;
+  if (!findScene(scene)) {
+    fail("Not found", `There is no scene called “${scene}” here.`, [], {
+      label: "Go to the first scene",
+      go: () => void app.open(FIRST_SCENE),
+    });
+    return;
+  }
+  // Code from a link is another's, unless it was written in this tab: it runs when the visitor has
+  // read it and says so.
   const more = { size, seed, camera, claim };
-  if (!scene) {
-    await app.open(FIRST_SCENE, more);
-    return;
-  }
-  if (findScene(scene)) {
-    // Code from a link is another's: it runs when the visitor has read it and says so.
-    await app.open(scene, more);
-    if (code) app.offerCode(code);
-    return;
-  }
-  fail("Not found", `There is no scene called “${scene}” here.`, [], {
-    label: "Go to the first scene",
-    go: () => void app.open(FIRST_SCENE),
-  });
+  const own = code && readDraft(scene) === code ? code : null;
+  if (!own || !(await app.open(scene, { ...more, code: own }))) await app.open(scene, more);
+  if (code && !own) app.offerCode(code);
+  if (code === null)
+    notice("The code in this link is damaged: the scene runs as it comes with the page.", 20);
 }
 
 /** What is told of scenes. `hinted`: to whom a hint is shown the first scene tells nothing more. */
 function listenToScenes(
   app: App,
-  { hud, figures, hinted }: { hud: Hud; figures: Figures; hinted: boolean },
+  { dock, hud, figures, hinted }: { dock: Dock; hud: Hud; figures: Figures; hinted: boolean },
 ): void {
   let announced = "";
   app.listen({
@@ -177,7 +184,10 @@ function listenToScenes(
     samples: (samples) => hud.add(samples),
     trouble(trouble, running) {
       // The code panel shows errors of the visitor's own text at their line.
-      if (app.state.code !== null) return;
+      if (app.state.code !== null) {
+        void dock.show(CODE_PANEL, false);
+        return;
+      }
       const { message, details } = trouble;
       if (running) notice(`The scene stopped: ${message}`, 30);
       else
@@ -187,6 +197,16 @@ function listenToScenes(
         });
     },
     stuck() {
+      if (app.state.code !== null) {
+        fail(
+          "The code does not answer",
+          "A step, or building the scene, takes longer than eight seconds or never ends: a loop " +
+            "without an end? Your text is kept.",
+          [],
+          { label: "End it and go back", go: () => void app.endCode() },
+        );
+        return;
+      }
       fail(
         "The scene does not answer",
         "A step takes longer than eight seconds, or never ends. The page can wait on, or end it.",

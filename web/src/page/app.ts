@@ -23,11 +23,14 @@ export interface Listener {
   state?(state: Readonly<State>): void;
   /** The scene cannot be run, or stopped with an error. `running`: it had begun. */
   trouble?(trouble: Trouble, running: boolean): void;
-  /** Code came with the page's address. */
-  offer?(code: string): void;
+  /** Code came with the page's address, or is not offered any more. */
+  offer?(code: string | null): void;
   /** The worker has not answered for a long time. */
   stuck?(): void;
 }
+
+/** What a scene began with. */
+type Begun = Pick<State, "scene" | "code" | "size" | "seed"> & { files: App["files"] };
 
 export class App {
   readonly client: Client;
@@ -53,16 +56,22 @@ export class App {
   fileName = "";
   /** The last scene that ran. */
   lastGood: string | null = null;
-  /** Code of a link that has not been run. */
+  /** Code of a link that has not been run; the address keeps it. */
   offeredCode: string | null = null;
   /** The engine's files, for further workers. */
   wasm: ChosenWasm = { wasm: "", simd: true };
+  /** Why the last scene could not be run or stopped; null while one runs. */
+  trouble: Trouble | null = null;
   readonly #listeners = new Set<Listener>();
   readonly #look: () => Look;
   /** Single steps that are asked for and not yet made. */
   #owed = 0;
   /** Whether the standing picture must be made anew. */
   #stale = false;
+  /** What runs: `state` goes back to it if what is to come after it cannot be run. */
+  #running: Begun | null = null;
+  /** Of addresses that are written one after the other the last one stays. */
+  #addresses = 0;
 
   /** `look` tells what the page sees and what shall be drawn there by the engine. */
   constructor(look: () => Look) {
@@ -124,15 +133,34 @@ export class App {
         error instanceof TroubleError ? error.trouble : { message: messageOf(error) },
         false,
       );
+      this.#keepRunning();
       return false;
     }
   }
 
   /** Ends a worker that does not answer, and starts with this scene. */
   async revive(scene: string): Promise<void> {
-    this.client.restart();
-    await this.load(this.wasm);
+    await this.#startWorker();
     await this.open(scene);
+  }
+
+  /**
+   * Ends a visitor's code that does not answer. Goes back to what ran before it, if it never began,
+   * else to the scene as it comes.
+   */
+  async endCode(): Promise<void> {
+    const { camera, code: ended } = this.state;
+    const before = this.#running?.code === ended ? null : this.#running;
+    await this.#startWorker();
+    const { scene, ...more } = before ?? { ...this.#running, scene: this.state.scene, code: null };
+    await this.open(scene, { ...more, camera });
+  }
+
+  async #startWorker(): Promise<void> {
+    this.client.restart();
+    // No frame can be asked for until a scene runs in the new one.
+    this.scene = null;
+    await this.load(this.wasm);
   }
 
   get title(): string {
@@ -154,15 +182,20 @@ export class App {
     this.state.paused = this.player.paused = paused ?? still;
   }
 
-  /** Code that came with a link: shown, and run when the visitor says so. */
-  offerCode(code: string): void {
+  /** Code that came with a link: shown, and run when the visitor says so. Null: not any more. */
+  offerCode(code: string | null): void {
     this.offeredCode = code;
     this.#tell((listener) => listener.offer?.(code));
+    this.chosen();
   }
 
   #begin(scene: RunningScene): void {
+    const { scene: name, code, size, seed } = this.state;
     this.scene = scene;
-    this.lastGood = this.state.scene;
+    this.lastGood = name;
+    if (code !== null || name !== this.#running?.scene) this.offeredCode = null;
+    this.#running = { scene: name, code, size, seed, files: this.files };
+    this.trouble = null;
     this.shapes = null;
     this.#owed = 0;
     this.player.begin(scene.run, scene.timeStep);
@@ -171,7 +204,15 @@ export class App {
     this.requestFrame();
   }
 
+  #keepRunning(): void {
+    if (!this.#running) return;
+    const { files, ...state } = this.#running;
+    Object.assign(this.state, state);
+    this.files = files;
+  }
+
   #stop(trouble: Trouble, running: boolean): void {
+    this.trouble = trouble;
     if (running) this.setPaused(true);
     this.#tell((listener) => listener.trouble?.(trouble, running));
   }
@@ -209,7 +250,11 @@ export class App {
     this.#tell((listener) => listener.state?.(this.state));
     // A level of the visitor's own has no address.
     if (this.files) return;
-    void writeState(this.state).then((address) => history.replaceState(null, "", address));
+    const number = ++this.#addresses;
+    const code = this.state.code ?? this.offeredCode;
+    void writeState({ ...this.state, code }).then((address) => {
+      if (number === this.#addresses) history.replaceState(null, "", address);
+    });
   }
 
   // ---- time ----

@@ -33,6 +33,9 @@ export interface Versus {
 
 export const USUAL_VERSUS: Versus = { split: "side", substeps: 4 };
 
+/** Bytes of a scene's text that an address may bring. */
+const LONGEST_CODE = 2 ** 20;
+
 export interface Place {
   x: number;
   y: number;
@@ -73,7 +76,10 @@ function wholeIn(text: string | null, least: number, most: number): number | und
   return number >= least && number <= most ? number : undefined;
 }
 
-/** What an address says; what it says wrongly is as if it were not there. */
+/**
+ * What an address says; what it says wrongly is as if it were not there, but damaged code, which
+ * is null.
+ */
 export async function readState(address: URL): Promise<Partial<State>> {
   const params = address.searchParams;
   const state: Partial<State> = {};
@@ -102,7 +108,7 @@ export async function readState(address: URL): Promise<Partial<State>> {
   const hash = params.get("hash");
   if (step && hash && /^[0-9a-f]{16}$/.test(hash)) state.claim = { step, hash };
   const packed = new URLSearchParams(address.hash.slice(1)).get("code");
-  if (packed) state.code = await unpack(packed);
+  if (packed !== null) state.code = await unpack(packed);
   return state;
 }
 
@@ -154,7 +160,7 @@ async function pack(text: string): Promise<string> {
   return btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** Null if it is damaged. */
+/** Null if it is damaged or too long. */
 async function unpack(packed: string): Promise<string | null> {
   try {
     const binary = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
@@ -166,10 +172,21 @@ async function unpack(packed: string): Promise<string | null> {
   }
 }
 
+/** Throws where more comes out than any scene is long: a short address may hold gigabytes. */
 async function through(
   bytes: Uint8Array<ArrayBuffer>,
   stream: CompressionStream | DecompressionStream,
-): Promise<Uint8Array> {
-  const body = new Blob([bytes]).stream().pipeThrough(stream);
-  return new Uint8Array(await new Response(body).arrayBuffer());
+): Promise<Uint8Array<ArrayBuffer>> {
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
+  const parts: BlobPart[] = [];
+  let length = 0;
+  for (let next = await reader.read(); next.value; next = await reader.read()) {
+    parts.push(next.value);
+    length += next.value.length;
+    if (length > LONGEST_CODE) {
+      await reader.cancel();
+      throw new RangeError("too long");
+    }
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }

@@ -18,6 +18,10 @@ export function panels(stage: Stage): Record<string, PanelKind> {
         return (app) => createPanel(app, stage);
       },
     },
+    code: {
+      title: "Code",
+      load: async () => (await import("./code")).createPanel,
+    },
     options: {
       title: "Options",
       load: async () => (await import("./options")).createPanel,

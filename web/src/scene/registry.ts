@@ -189,6 +189,11 @@ const ROWS: Record<Group, readonly Row[]> = {
   ],
   "How it is done": [
     [
+      "sketch",
+      "A scene of your own",
+      "A small one to start from: open Code, change a number, press Run.",
+    ],
+    [
       "detection",
       "Four ways of detection",
       "Overlap, continuous, bisect, swept: in two of the lanes bullets pass thin walls.",

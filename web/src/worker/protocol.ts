@@ -65,6 +65,8 @@ export interface RivalRequest {
 /** Why a scene could not be run or stopped; `line` and `column` (from 1) are of its own text. */
 export interface Trouble {
   message: string;
+  /** Of a file that the scene imports, as "scenes/artillery/tanks.js"; without it the scene's. */
+  file?: string;
   line?: number;
   column?: number;
   details?: readonly string[];

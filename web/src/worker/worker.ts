@@ -4,9 +4,10 @@
  */
 import { type Engine, load } from "thud";
 import { Companions } from "./companions";
+import { troubleOf } from "./explain";
 import { Frames, transferables } from "./frames";
 import { inspect } from "./inspect";
-import { importScene, troubleOf } from "./module";
+import { importScene } from "./module";
 import type { QuestionName, Questions, ToPage, ToWorker } from "./protocol";
 import type { Session } from "./session";
 import { describe, setUp } from "./stage";

@@ -1,0 +1,35 @@
+/** Completion of what a scene can use; the language's own names come from the language's package. */
+import { type Entry, GROUPS } from "./code-names";
+
+/** What of CodeMirror's completion context is used. */
+interface Asked {
+  pos: number;
+  explicit: boolean;
+  matchBefore(pattern: RegExp): { from: number; text: string } | null;
+}
+
+interface Completion {
+  label: string;
+  detail: string;
+  type: string;
+}
+
+function completionsOf(completes: "plain" | "member"): Completion[] {
+  const entries = GROUPS.filter((group) => group.completes === completes).flatMap((group) =>
+    Object.entries<Entry>(group.entries),
+  );
+  // Some names stand in two groups; the first tells.
+  const named = new Map([...entries].reverse());
+  return [...named].map(([label, [, detail]]) => ({ label, detail, type: "property" }));
+}
+
+const PLAIN = completionsOf("plain");
+const MEMBERS = completionsOf("member");
+
+export function completeNames(context: Asked) {
+  const member = context.matchBefore(/\bworld\.\w*/);
+  if (member) return { from: member.from + "world.".length, options: MEMBERS, validFor: /^\w*$/ };
+  const word = context.matchBefore(/[\w.]+/);
+  if (word ? word.text.includes(".") : !context.explicit) return null;
+  return { from: word?.from ?? context.pos, options: PLAIN, validFor: /^\w*$/ };
+}

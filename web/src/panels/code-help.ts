@@ -1,0 +1,36 @@
+/** The list beside the code of what a scene can use, with an example of each. */
+import { make } from "../page/dom";
+import { GROUPS } from "./code-names";
+
+export function createHelp(): HTMLElement {
+  const groups = GROUPS.flatMap(({ title, entries }) => [
+    make("h3", {}, title),
+    make(
+      "dl",
+      {},
+      ...Object.values(entries).map(([example, meaning]) =>
+        make("div", {}, make("dt", {}, make("code", {}, example)), make("dd", {}, meaning)),
+      ),
+    ),
+  ]);
+  return make(
+    "details",
+    { class: "code-help" },
+    make("summary", {}, "What a scene can use"),
+    make(
+      "p",
+      {},
+      "A scene is a JavaScript module. Its default function builds a world and returns it:",
+    ),
+    make(
+      "pre",
+      {},
+      make(
+        "code",
+        {},
+        "export default function ({ createWorld }) {\n  const world = createWorld();\n  …\n  return { world };\n}",
+      ),
+    ),
+    ...groups,
+  );
+}
