@@ -3,6 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { deflateRawSync, inflateRawSync } from "node:zlib";
+import { launchChromium } from "../../web/tools/browser.mjs";
+import { copyOfPage, createPlainServer, serve } from "./built-page.mjs";
 import { DESKTOP, openVisitor, PHONE, untilRunning } from "./page-support.mjs";
 import { axeSource, root } from "./support.mjs";
 
@@ -67,7 +69,7 @@ function boxes(count, { message = "boxes", update = "" } = {}) {
 
 function untilBodies(page, count) {
   return page.waitForFunction(
-    (wanted) => document.querySelector('[data-value="bodies"]').textContent === wanted,
+    (wanted) => document.querySelector('[data-value="bodies"]')?.textContent === wanted,
     String(count),
   );
 }
@@ -283,6 +285,22 @@ for (const [name, options] of Object.entries(SIZES))
     assert.deepEqual(errors, []);
     await close();
   });
+
+test("code_of_a_link_is_asked_about_twice_where_nothing_confines_it", async (t) => {
+  const { url } = await serve(t, createPlainServer(copyOfPage(t)));
+  const browser = await launchChromium({ webgl: false });
+  t.after(() => browser.close());
+  const page = await browser.newPage();
+  await page.addInitScript(() => delete Navigator.prototype.serviceWorker);
+  await page.goto(url + linkOf(boxes(9)));
+  await page.click(".code-offer button");
+  await page.waitForFunction(() =>
+    /keeps this code from reaching other hosts/.test(document.querySelector(".code-offer").textContent),
+  );
+  await untilBodies(page, 14);
+  await page.click(".code-offer button");
+  await untilBodies(page, 9);
+});
 
 test("code_of_a_link_can_be_left_out", async () => {
   const { page, close } = await openCode(linkOf(boxes(9)));

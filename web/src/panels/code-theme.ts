@@ -73,7 +73,7 @@ const theme = EditorView.theme({
     content: "normal",
     width: "9px",
     height: "9px",
-    margin: "5px 2px",
+    margin: "4px 2px",
     borderRadius: "50%",
     backgroundColor: "var(--over)",
   },
