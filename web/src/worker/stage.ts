@@ -5,7 +5,7 @@ import { createSetting } from "../scene/setting";
 import type { Choices, RunningScene, SceneRequest } from "./protocol";
 import { Session } from "./session";
 import { readShapes } from "./frames";
-import { SceneError } from "./explain";
+import { SceneError } from "./trouble";
 
 /** The visitor's choices as options of a world. */
 export function optionsOf(choices: Choices): WorldOptions {

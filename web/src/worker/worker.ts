@@ -4,13 +4,13 @@
  */
 import { type Engine, load } from "thud";
 import { Companions } from "./companions";
-import { troubleOf } from "./explain";
 import { Frames, transferables } from "./frames";
 import { inspect } from "./inspect";
 import { importScene } from "./module";
 import type { QuestionName, Questions, ToPage, ToWorker } from "./protocol";
 import type { Session } from "./session";
 import { describe, setUp } from "./stage";
+import { troubleOf } from "./trouble";
 
 /** Milliseconds of one tick, after which a frame goes out even if steps are left to make. */
 const PATIENCE = 24;

@@ -1,37 +1,39 @@
-/** What went wrong in a scene, with its place in the scene's text. */
+/**
+ * A visitor's text of a scene in place of its file's. Loaded when there is one: most visits run
+ * scenes as they come.
+ */
 import type { Position, Program } from "acorn";
-import type { Trouble } from "./protocol";
+import { raiseFence } from "./fence";
+import { SceneError, troubleOf } from "./trouble";
 
-/** Something wrong in a scene's own text. */
-export class SceneError extends Error {
-  constructor(readonly trouble: Trouble) {
-    super(trouble.message);
+/** `base` is the page's address, `file` the one that the text's imports start from. */
+export async function importCode(base: string, file: URL, code: string): Promise<unknown> {
+  raiseFence(base);
+  const text = withWholeAddresses(code, file);
+  const url = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+  try {
+    return await import(/* @vite-ignore */ url);
+  } catch (error) {
+    throw await explain(error, code, file);
+  } finally {
+    URL.revokeObjectURL(url);
   }
 }
 
-/** A place of a stack: of a text that was imported from memory, or of a file of the scenes. */
-const PLACE = /(?:blob:[^\s)]*?|\/(scenes\/[\w/.-]+?\.js)(?:\?[^\s:)]*)?):(\d+):(\d+)/;
-
-/** What went wrong while a scene was built or ran. */
-export function troubleOf(error: unknown): Trouble {
-  if (error instanceof SceneError) return error.trouble;
-  if (!(error instanceof Error)) return { message: `The scene threw ${String(error)}` };
-  const [, file, line, column] = PLACE.exec(error.stack ?? "") ?? [];
-  const details = (error as { problems?: { text: string }[] }).problems?.map(({ text }) => text);
-  return {
-    message: details && details.length > 0 ? "The level cannot be used:" : error.message,
-    file,
-    line: line ? Number(line) : undefined,
-    column: column ? Number(column) : undefined,
-    details,
-  };
+/** A text that is imported from memory finds its neighbours only by their whole address. */
+function withWholeAddresses(code: string, file: URL): string {
+  return code.replace(
+    /(\bfrom\s*|\bimport\s*\(?\s*)(["'])(\.{1,2}\/[^"'\n]+)\2/g,
+    (_, before: string, quote: string, path: string) =>
+      `${before}${quote}${new URL(path, file).href}${quote}`,
+  );
 }
 
 /**
  * Why a text could not be imported. Browsers keep the place of a syntax error to themselves, and
- * which import failed; a parser tells. `file` is the address that the text's imports start from.
+ * which import failed; a parser tells.
  */
-export async function explainImport(error: unknown, code: string, file: URL): Promise<SceneError> {
+async function explain(error: unknown, code: string, file: URL): Promise<SceneError> {
   const trouble = troubleOf(error);
   if (trouble.line) return new SceneError(trouble);
   const { parse } = await import("acorn");

@@ -1,0 +1,27 @@
+/** What went wrong in a scene, with its place in the scene's text. */
+import type { Trouble } from "./protocol";
+
+/** Something wrong in a scene's own text. */
+export class SceneError extends Error {
+  constructor(readonly trouble: Trouble) {
+    super(trouble.message);
+  }
+}
+
+/** A place of a stack: of a text that was imported from memory, or of a file of the scenes. */
+const PLACE = /(?:blob:[^\s)]*?|\/(scenes\/[\w/.-]+?\.js)(?:\?[^\s:)]*)?):(\d+):(\d+)/;
+
+/** What went wrong while a scene was built or ran. */
+export function troubleOf(error: unknown): Trouble {
+  if (error instanceof SceneError) return error.trouble;
+  if (!(error instanceof Error)) return { message: `The scene threw ${String(error)}` };
+  const [, file, line, column] = PLACE.exec(error.stack ?? "") ?? [];
+  const details = (error as { problems?: { text: string }[] }).problems?.map(({ text }) => text);
+  return {
+    message: details && details.length > 0 ? "The level cannot be used:" : error.message,
+    file,
+    line: line ? Number(line) : undefined,
+    column: column ? Number(column) : undefined,
+    details,
+  };
+}
