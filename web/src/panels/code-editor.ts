@@ -1,5 +1,5 @@
 /** The editor: CodeMirror in a shadow tree, where its styles need no style element of the page. */
-import { indentWithTab } from "@codemirror/commands";
+import { indentWithTab, isolateHistory } from "@codemirror/commands";
 import { javascript, javascriptLanguage } from "@codemirror/lang-javascript";
 import { lintGutter, setDiagnostics } from "@codemirror/lint";
 import { EditorState, type Extension, Prec } from "@codemirror/state";
@@ -71,10 +71,13 @@ export class Editor {
     return this.#stateOf(path)?.doc.toString() ?? "";
   }
 
-  /** Puts another text into the file that is shown; can be undone. */
+  /** Puts another text into the file that is shown; can be undone by itself. */
   replace(text: string): void {
     const { length } = this.#view.state.doc;
-    this.#view.dispatch({ changes: { from: 0, to: length, insert: text } });
+    this.#view.dispatch({
+      changes: { from: 0, to: length, insert: text },
+      annotations: isolateHistory.of("full"),
+    });
   }
 
   /** Marks a place of the file that is shown. */
