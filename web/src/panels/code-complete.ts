@@ -1,4 +1,4 @@
-/** Completion of what a scene can use; the language's own names come from the language's package. */
+/** Completion of what a scene can use; the language's own names come from its package. */
 import { type Entry, GROUPS } from "./code-names";
 
 /** What of CodeMirror's completion context is used. */

@@ -2,6 +2,12 @@
 import { make } from "../page/dom";
 import { GROUPS } from "./code-names";
 
+const FORM = `export default function ({ createWorld }) {
+  const world = createWorld();
+  …
+  return { world };
+}`;
+
 export function createHelp(): HTMLElement {
   const groups = GROUPS.flatMap(({ title, entries }) => [
     make("h3", {}, title),
@@ -25,11 +31,7 @@ export function createHelp(): HTMLElement {
     make(
       "pre",
       {},
-      make(
-        "code",
-        {},
-        "export default function ({ createWorld }) {\n  const world = createWorld();\n  …\n  return { world };\n}",
-      ),
+      make("code", {}, FORM),
     ),
     ...groups,
   );

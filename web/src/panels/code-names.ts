@@ -9,15 +9,27 @@ import type { Input, Mark, Paint, Scene, SceneSetting } from "../scene/scene";
 export type Entry = readonly [example: string, meaning: string];
 
 const SETTING: Record<keyof SceneSetting, Entry> = {
-  createWorld: ["const world = createWorld({ gravity: [0, -10] })", "A world; units are yours, y is up."],
-  size: ["for (let i = 0; i < size; i++)", "How many: the visitor's number; export const size says its range."],
+  createWorld: [
+    "const world = createWorld({ gravity: [0, -10] })",
+    "A world; units are yours, y is up.",
+  ],
+  size: [
+    "for (let i = 0; i < size; i++)",
+    "How many: the visitor's number; export const size says its range.",
+  ],
   seed: ["random(seed)", "The visitor's seed of chance."],
-  random: ["const chance = random(seed); chance(-1, 1)", "Numbers between two bounds, the same on every machine."],
+  random: [
+    "const chance = random(seed); chance(-1, 1)",
+    "Numbers between two bounds, the same on every machine.",
+  ],
   grid: ["grid(x)", "The nearest multiple of 1/65536."],
   readText: ['await readText("levels/quarry.tmj")', "The text of a file of this page."],
   readLevel: ["readLevel(name, text)", "Reads a map of the Tiled editor."],
   buildLevel: ["const world = buildLevel(level)", "The world of such a map."],
-  createMover: ['createMover(world, { shape: { kind: "circle", radius: 0.4 }, position: [0, 2] })', "Moves a game's character over ground."],
+  createMover: [
+    'createMover(world, { shape: { kind: "circle", radius: 0.4 }, position: [0, 2] })',
+    "Moves a game's character over ground.",
+  ],
   thud: ["thud.createWorld()", "The engine itself, without the visitor's choices."],
 };
 
@@ -30,11 +42,23 @@ const WORLD_OPTIONS: Partial<Record<keyof WorldOptions, Entry>> = {
 };
 
 const WORLD: Partial<Record<keyof World, Entry>> = {
-  createBody: ['const ball = world.createBody({ kind: "dynamic", position: [0, 5] })', "Static unless it says dynamic or kinematic."],
-  createCircle: ["world.createCircle(ball, { radius: 0.5, restitution: 0.4 })", "Gives a body a circle."],
+  createBody: [
+    'const ball = world.createBody({ kind: "dynamic", position: [0, 5] })',
+    "Static unless it says dynamic or kinematic.",
+  ],
+  createCircle: [
+    "world.createCircle(ball, { radius: 0.5, restitution: 0.4 })",
+    "Gives a body a circle.",
+  ],
   createObb: ["world.createObb(body, { halfWidth: 1, halfHeight: 0.5 })", "A box that turns."],
-  createAabb: ["world.createAabb(ground, { halfWidth: 10, halfHeight: 1 })", "A box that never turns."],
-  createTerrain: ['world.createTerrain(body, { kind: "uniform", x0: 0, spacing: 1, heights })', "Ground of any length, solid below."],
+  createAabb: [
+    "world.createAabb(ground, { halfWidth: 10, halfHeight: 1 })",
+    "A box that never turns.",
+  ],
+  createTerrain: [
+    'world.createTerrain(body, { kind: "uniform", x0: 0, spacing: 1, heights })',
+    "Ground of any length, solid below.",
+  ],
   dig: ["world.dig(shape, [x, y], 2)", "Takes a circle out of terrain."],
   bodyState: ["world.bodyState(ball).position", "Where it is, how fast, its mass."],
   setVelocity: ["world.setVelocity(ball, [3, 0])", "And, third, radians per second."],
@@ -73,9 +97,18 @@ const SHAPE: Partial<Record<keyof (CircleOptions & ObbOptions), Entry>> = {
 const SCENE: Record<keyof Scene, Entry> = {
   world: ["return { world }", "What runs. All else may be left out."],
   view: ["view: { x: 0, y: 5, height: 12 }", "What to look at first."],
-  update: ["update({ held, step }) { … }", "Before each step. Its own variables belong into state."],
-  paint: ["paint: () => ({ marks, figures, message })", "After each step: what to draw besides the bodies."],
-  state: ["state: { score: 0 }", "Plain data that update changes: going back in time takes it along."],
+  update: [
+    "update({ held, step }) { … }",
+    "Before each step. Its own variables belong into state.",
+  ],
+  paint: [
+    "paint: () => ({ marks, figures, message })",
+    "After each step: what to draw besides the bodies.",
+  ],
+  state: [
+    "state: { score: 0 }",
+    "Plain data that update changes: going back in time takes it along.",
+  ],
   keys: ['keys: ["left", "right", "fire"]', "Keys that come as held.left…; a phone gets buttons."],
   pointer: ["pointer: true", "The pointer comes to update, and drags nothing."],
   hidden: ["hidden: [ball.index]", "Bodies that paint draws instead."],
@@ -103,8 +136,14 @@ const PAINT: Record<keyof Paint, Entry> = {
 const MARKS: Record<Mark["kind"], Entry> = {
   line: ['{ kind: "line", points: [[0, 0], [1, 2]], ink: "soft" }', "width, dashed"],
   circle: ['{ kind: "circle", x, y, radius: 1, ink: "good" }', "opacity, filled"],
-  box: ['{ kind: "box", x, y, halfWidth: 1, halfHeight: 2, ink: "bad" }', "angle, round, opacity, filled"],
-  figure: ['{ kind: "figure", x, y, halfWidth: 1, halfHeight: 2, facing: 1, ink: "player" }', "A box with eyes."],
+  box: [
+    '{ kind: "box", x, y, halfWidth: 1, halfHeight: 2, ink: "bad" }',
+    "angle, round, opacity, filled",
+  ],
+  figure: [
+    '{ kind: "figure", x, y, halfWidth: 1, halfHeight: 2, facing: 1, ink: "player" }',
+    "A box with eyes.",
+  ],
   text: ['{ kind: "text", x, y, text: "Hello", ink: "ink" }', "size"],
 };
 

@@ -25,8 +25,10 @@ const theme = EditorView.theme({
     borderRight: "1px solid var(--edge)",
   },
   ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "var(--code-line)" },
-  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground":
-    { backgroundColor: "var(--code-selection)" },
+  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground": {
+    backgroundColor: "var(--code-selection)",
+  },
+  ".cm-selectionBackground": { backgroundColor: "var(--code-selection)" },
   "&.cm-focused .cm-matchingBracket": {
     backgroundColor: "var(--code-selection)",
     outline: "1px solid var(--faint)",
