@@ -44,6 +44,7 @@ export class App {
     paused: false,
     camera: null,
     code: null,
+    result: null,
     panel: null,
     claim: null,
   };
@@ -173,7 +174,8 @@ export class App {
   }
 
   /** What an address says, before the first scene. */
-  begin({ choices, versus, speed, paused }: Partial<State>): void {
+  begin({ choices, versus, speed, paused, result }: Partial<State>): void {
+    this.state.result = result ?? null;
     if (choices) Object.assign(this.state.choices, choices);
     if (versus) Object.assign(this.state.versus, versus);
     this.state.speed = this.player.speed = speed ?? 1;

@@ -3,6 +3,7 @@ import type { Frame } from "../scene/frame";
 import type { Deed } from "../worker/deeds";
 import type {
   Look,
+  Progress,
   QuestionName,
   Questions,
   ToPage,
@@ -31,6 +32,7 @@ export interface ClientListeners {
 interface Waiting {
   resolve(value: unknown): void;
   reject(error: Error): void;
+  report(progress: unknown): void;
 }
 
 export class Client {
@@ -69,10 +71,11 @@ export class Client {
   ask<Name extends QuestionName>(
     name: Name,
     value: Questions[Name]["ask"],
+    report: (progress: Progress<Name>) => void = () => {},
   ): Promise<Questions[Name]["answer"]> {
     const id = ++this.#asked;
     const answer = new Promise<unknown>((resolve, reject) =>
-      this.#waiting.set(id, { resolve, reject }),
+      this.#waiting.set(id, { resolve, reject, report: (news) => report(news as Progress<Name>) }),
     );
     this.#send({ kind: "ask", id, name, value });
     return answer as Promise<Questions[Name]["answer"]>;
@@ -128,6 +131,8 @@ export class Client {
       this.#waiting.delete(message.id);
       if (message.trouble) waiting?.reject(new TroubleError(message.trouble));
       else waiting?.resolve(message.value);
+    } else if (message.kind === "progress") {
+      this.#waiting.get(message.id)?.report(message.value);
     } else {
       this.#ticking = false;
       if (message.kind === "frame") this.#listeners.frame(message.frame);

@@ -1,5 +1,6 @@
 /** Figures over the scene: time a step with its course and budget, error, bodies, frames. */
 import type { Frame, Sample } from "../scene/frame";
+import { percentile } from "../worker/measure-figures";
 import { byId, make } from "./dom";
 import { count, duration, length } from "./format";
 
@@ -125,11 +126,4 @@ export class Hud {
 
 function legendRow(label: string, title: string): HTMLElement {
   return make("div", {}, make("dt", {}, label), make("dd", {}, title));
-}
-
-/** Of values in any order; 0 where there are none. */
-export function percentile(values: readonly number[], part: number): number {
-  if (values.length === 0) return 0;
-  const sorted = [...values].sort((a, b) => a - b);
-  return sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))];
 }

@@ -60,6 +60,8 @@ export interface State {
   /** Null: as the scene says. */
   camera: Place | null;
   code: string | null;
+  /** Figures measured elsewhere, packed; see panels/trade-result.ts. */
+  result: string | null;
   /** An open panel. */
   panel: string | null;
   /** What the state's hash was on the machine of whoever sent the link. */
@@ -107,8 +109,10 @@ export async function readState(address: URL): Promise<Partial<State>> {
   const step = wholeIn(params.get("step"), 1, MOST_STEPS);
   const hash = params.get("hash");
   if (step && hash && /^[0-9a-f]{16}$/.test(hash)) state.claim = { step, hash };
-  const packed = new URLSearchParams(address.hash.slice(1)).get("code");
+  const after = new URLSearchParams(address.hash.slice(1));
+  const packed = after.get("code");
   if (packed !== null) state.code = await unpack(packed);
+  state.result = after.get("result");
   return state;
 }
 
@@ -135,7 +139,10 @@ export async function writeState(state: State): Promise<string> {
     params.set("step", String(claim.step));
     params.set("hash", claim.hash);
   }
-  const hash = state.code === null ? "" : `#code=${await pack(state.code)}`;
+  const after = [];
+  if (state.code !== null) after.push(`code=${await pack(state.code)}`);
+  if (state.result !== null) after.push(`result=${state.result}`);
+  const hash = after.length > 0 ? `#${after.join("&")}` : "";
   return `?${params.toString().replaceAll("%2C", ",")}${hash}`;
 }
 
@@ -153,7 +160,7 @@ function placeText({ x, y, scale }: Place): string {
 }
 
 /** A text as letters that an address may hold: deflated, base64 with - and _. */
-async function pack(text: string): Promise<string> {
+export async function pack(text: string): Promise<string> {
   const packed = await through(new TextEncoder().encode(text), new CompressionStream("deflate-raw"));
   let binary = "";
   for (const byte of packed) binary += String.fromCharCode(byte);
@@ -161,7 +168,7 @@ async function pack(text: string): Promise<string> {
 }
 
 /** Null if it is damaged or too long. */
-async function unpack(packed: string): Promise<string | null> {
+export async function unpack(packed: string): Promise<string | null> {
   try {
     const binary = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
     const bytes = Uint8Array.from(binary, (letter) => letter.charCodeAt(0));

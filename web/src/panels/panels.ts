@@ -18,6 +18,10 @@ export function panels(stage: Stage): Record<string, PanelKind> {
         return (app) => createPanel(app, stage);
       },
     },
+    trade: {
+      title: "Trade: speed against accuracy",
+      load: async () => (await import("./trade")).createPanel,
+    },
     code: {
       title: "Code",
       load: async () => (await import("./code")).createPanel,

@@ -1,5 +1,5 @@
 /** What two engines that run side by side took and got wrong: the figures of the table, the plots. */
-import { percentile } from "../page/hud";
+import { percentile } from "../worker/measure-figures";
 import type { Sample } from "../scene/frame";
 
 export const ENGINES = ["thud", "box2d"] as const;

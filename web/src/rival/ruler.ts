@@ -54,19 +54,26 @@ export class Ruler implements Twin {
     this.#mirror.sync();
   }
 
-  /**
-   * Of the deepest overlap, in the world's lengths; 0 without any. `poses` are those of
-   * `World.poses` or `Rival.poses`, relative to the origin; bodies without stay where they were.
-   */
+  /** The deepest of `overlap`. */
   penetration(poses: Float32Array, originX = 0, originY = 0): number {
+    return this.overlap(poses, originX, originY).worst;
+  }
+
+  /**
+   * The deepest overlap and the mean over all contact points, in the world's lengths; 0 without
+   * any. `poses` are those of `World.poses` or `Rival.poses`, relative to the origin; bodies
+   * without stay where they were.
+   */
+  overlap(poses: Float32Array, originX = 0, originY = 0): { worst: number; mean: number } {
     for (const [slot, copy] of this.#copies) {
       const [x, y, cosine, sine] = poses.subarray(4 * slot, 4 * slot + 4);
       if (!(Number.isFinite(x) && Number.isFinite(y))) continue;
       this.#put(copy, originX + x, originY + y, cosine, sine);
     }
     this.#world.step();
+    const { penetrationMax, penetrationMean } = this.#world.error();
     // Separation is a negative depth, and touching may be a negative zero.
-    return Math.max(0, this.#world.error().penetrationMax);
+    return { worst: Math.max(0, penetrationMax), mean: Math.max(0, penetrationMean) };
   }
 
   #put(copy: Copy, x: number, y: number, cosine: number, sine: number): void {

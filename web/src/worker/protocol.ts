@@ -5,6 +5,8 @@ import type { OverlayName } from "../scene/overlays";
 import type { KeyName, SceneSize, View } from "../scene/scene";
 import type { Deed } from "./deeds";
 import type { BodyReport } from "./inspect";
+import type { Series, SeriesProgress } from "./measure";
+import type { HeavierProgress, Holding } from "./measure-heavier";
 
 /** What the visitor has chosen for every world. */
 export interface Choices {
@@ -83,7 +85,7 @@ export interface Rerun extends StateHash {
   again: string;
 }
 
-/** Requests that are answered once each; see Client.ask. */
+/** Requests that are answered once each, some with news on the way; see Client.ask. */
 export interface Questions {
   load: { ask: { wasm: string; rest?: string; page: string }; answer: void };
   /** Brings the part of the engine that a first picture does not need. */
@@ -101,8 +103,18 @@ export interface Questions {
   rerun: { ask: { steps: number }; answer: Rerun };
   /** A body's state; null if none has the slot. */
   inspect: { ask: { slot: number }; answer: BodyReport | null };
+  /** Takes a worker to itself; ending the worker ends it. */
+  measure: { ask: SceneRequest; answer: Series; progress: SeriesProgress };
+  heavier: {
+    ask: { scene: SceneRequest; sizes: SceneSize; hertz: number };
+    answer: { holdings: Holding[]; withoutBox2D: string };
+    progress: HeavierProgress;
+  };
 }
 export type QuestionName = keyof Questions;
+export type Progress<Name extends QuestionName> = Questions[Name] extends { progress: infer P }
+  ? P
+  : never;
 
 export type ToWorker =
   | { kind: "ask"; id: number; name: QuestionName; value: unknown }
@@ -112,5 +124,6 @@ export type ToWorker =
 
 export type ToPage =
   | { kind: "answer"; id: number; value?: unknown; trouble?: Trouble }
+  | { kind: "progress"; id: number; value: unknown }
   | { kind: "frame"; frame: Frame }
   | { kind: "trouble"; run: number; trouble: Trouble };

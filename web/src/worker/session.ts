@@ -220,9 +220,11 @@ export class Session {
     this.paint = this.scene.paint?.() ?? null;
   }
 
-  choose({ quality, substeps, maxError }: Pick<Choices, "quality" | "substeps" | "maxError">): void {
-    this.world.setQuality(quality, substeps);
-    this.world.setMaxError(maxError * this.lengthScale);
+  choose(choices: Pick<Choices, "quality" | "substeps" | "maxError">): void {
+    // Between two qualities, one of which may be without what holds a largest error.
+    this.world.setMaxError(0);
+    this.world.setQuality(choices.quality, choices.substeps);
+    this.world.setMaxError(maxErrorOf(choices) * this.lengthScale);
   }
 }
 
@@ -230,6 +232,11 @@ export class Session {
 function replaces(deed: Deed, last: Deed): boolean {
   if (deed.kind === "pointer") return last.kind === "pointer" && last.down === deed.down;
   return deed.kind === "drag" && last.kind === "drag";
+}
+
+/** In length scales. Draft has no direct solver, and so nothing that could hold one. */
+export function maxErrorOf({ quality, maxError }: Pick<Choices, "quality" | "maxError">): number {
+  return quality === "draft" ? 0 : maxError;
 }
 
 /** The same object with other contents: scenes hold on to it. */

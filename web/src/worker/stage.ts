@@ -3,7 +3,7 @@ import type { Engine, Mover, World, WorldOptions } from "thud";
 import type { Scene, SceneModule, View } from "../scene/scene";
 import { createSetting } from "../scene/setting";
 import type { Choices, RunningScene, SceneRequest } from "./protocol";
-import { Session } from "./session";
+import { maxErrorOf, Session } from "./session";
 import { readShapes } from "./frames";
 import { SceneError } from "./trouble";
 
@@ -61,7 +61,7 @@ export async function setUp(
       });
     const { lengthScale = 1, timeStep = 1 / 60 } = options;
     // Given in length scales, which the scene alone knows.
-    scene.world.setMaxError(request.choices.maxError * lengthScale);
+    scene.world.setMaxError(maxErrorOf(request.choices) * lengthScale);
     const others = [...movers, ...worlds.keys()].filter((other) => other !== scene.world);
     const sizes = module.size ?? null;
     return new Session(run, scene, setting.size, sizes, lengthScale, timeStep, others);

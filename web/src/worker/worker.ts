@@ -7,7 +7,7 @@ import { Companions } from "./companions";
 import { Frames, transferables } from "./frames";
 import { inspect } from "./inspect";
 import { importScene } from "./module";
-import type { QuestionName, Questions, ToPage, ToWorker } from "./protocol";
+import type { Progress, QuestionName, Questions, SceneRequest, ToPage, ToWorker } from "./protocol";
 import type { Session } from "./session";
 import { describe, setUp } from "./stage";
 import { troubleOf } from "./trouble";
@@ -25,6 +25,7 @@ let runs = 0;
 type Answers = {
   [Name in QuestionName]: (
     ask: Questions[Name]["ask"],
+    report: (progress: Progress<Name>) => void,
   ) => Promise<Questions[Name]["answer"]> | Questions[Name]["answer"];
 };
 
@@ -38,9 +39,7 @@ const answers: Answers = {
   complete: () => engine.complete(),
 
   async run(request) {
-    const module = await importScene(base, request.name, request.code);
-    const readText = (file: string) => readFile(file, request.files);
-    const next = await setUp(runs + 1, module, engine, request, readText);
+    const next = await open(request, runs + 1);
     runs++;
     session?.close();
     session = next;
@@ -76,7 +75,28 @@ const answers: Answers = {
     const { world, step } = needSession();
     return inspect(world, step, slot);
   },
+
+  async measure(request, report) {
+    const { measure, prepare } = await import("./measure-all");
+    const { laboratory, withoutBox2D } = await prepare(engine, open);
+    return measure(laboratory, request, withoutBox2D, report);
+  },
+
+  async heavier({ scene, sizes, hertz }, report) {
+    const { findHoldings, prepare } = await import("./measure-all");
+    const { laboratory, withoutBox2D } = await prepare(engine, open);
+    return {
+      holdings: await findHoldings(laboratory, scene, sizes, hertz, report),
+      withoutBox2D,
+    };
+  },
 };
+
+async function open(request: SceneRequest, run = 0): Promise<Session> {
+  const module = await importScene(base, request.name, request.code);
+  const readText = (file: string) => readFile(file, request.files);
+  return setUp(run, module, engine, request, readText);
+}
 
 function needSession(): Session {
   if (!session) throw new Error("No scene runs.");
@@ -102,7 +122,9 @@ function post(message: ToPage, transfer: ArrayBuffer[] = []): void {
 
 async function answer(id: number, name: QuestionName, value: never): Promise<void> {
   try {
-    const result = await answers[name](value);
+    const result = await answers[name](value, (progress) =>
+      post({ kind: "progress", id, value: progress }),
+    );
     const transfer = name === "seek" ? transferables(result as Questions["seek"]["answer"]) : [];
     post({ kind: "answer", id, value: result }, transfer);
   } catch (error) {

@@ -1,0 +1,200 @@
+/** The knobs between speed and accuracy, and the size of the scene. */
+import { BROADPHASES, QUALITIES, type Broadphase, type Quality } from "thud";
+import type { App } from "../page/app";
+import { choiceBar, make } from "../page/dom";
+import { DETECTION_CHOICES, MAX_ERRORS } from "../page/url";
+import { countText } from "./trade-text";
+
+const QUALITY_TEXTS: Readonly<Record<Quality, string>> = {
+  draft: "2 substeps: the quickest. Tall stacks sink and fall; heavy loads crush light bodies.",
+  default: "4 substeps; what gives way by more than 1 % is solved directly. For most games.",
+  high: "8 substeps; all that is not too dear is solved directly. Stacks stand; motion costs more.",
+  exact: "16 substeps, everything solved directly, from impact to impact. Costs 1.5 to 30 times.",
+};
+
+/** What each quality cuts a step into; thud's own figures. */
+const QUALITY_SUBSTEPS: Readonly<Record<Quality, number>> = {
+  draft: 2,
+  default: 4,
+  high: 8,
+  exact: 16,
+};
+
+type DetectionChoice = (typeof DETECTION_CHOICES)[number];
+
+const DETECTION_TEXTS: Readonly<Record<DetectionChoice, string>> = {
+  auto: "As the quality says: swept at exact, else continuous.",
+  overlap: "Where shapes stand at the start of a step. The cheapest; what is fast passes walls.",
+  continuous: "What is fast stops at fixed shapes. As cheap as overlap until something is fast.",
+  bisect: "Time goes back to each collision by halving. Keeps energy; about three times as dear.",
+  swept: "From collision to collision, exactly. Nothing passes; dear where much collides.",
+};
+
+const BROADPHASE_TEXTS: Readonly<Record<Broadphase, string>> = {
+  grid: "Cells hashed by size: stays quick however large the world is.",
+  sweep: "Sorted along x: good where little moves, and in crowds.",
+  all: "Every shape against every other: for a few dozen.",
+};
+
+/** A row of choices with a line about the chosen one. */
+function explained<T extends string>(
+  name: string,
+  legend: string,
+  hint: string,
+  texts: Readonly<Record<T, string>>,
+  values: readonly T[],
+  act: (value: T) => void,
+): { element: HTMLElement; show(value: T): void } {
+  const choices = values.map((value) => ({ value, label: value, title: texts[value] }));
+  const bar = choiceBar(name, legend, hint, choices, act);
+  const line = make("p", { class: "explained" });
+  bar.element.append(line);
+  return {
+    element: bar.element,
+    show(value) {
+      bar.show(value);
+      line.textContent = texts[value];
+    },
+  };
+}
+
+interface Slider {
+  element: HTMLElement;
+  input: HTMLInputElement;
+  /** `text` where the place is not exactly what is shown. */
+  show(place: number, text?: string): void;
+}
+
+/** `textOf` tells a place in words; `act` hears of it when it is let go. */
+function slider(
+  name: string,
+  label: string,
+  hint: string,
+  most: number,
+  textOf: (place: number) => string,
+  act: (place: number) => void,
+): Slider {
+  const input = make("input", { type: "range", id: name, min: 0, max: most, step: 1 });
+  const output = make("output", { for: name });
+  const tell = (text: string) => {
+    output.textContent = text;
+    input.setAttribute("aria-valuetext", text);
+  };
+  input.addEventListener("input", () => tell(textOf(Number(input.value))));
+  input.addEventListener("change", () => act(Number(input.value)));
+  const head = make("label", { for: name }, `${label} `, make("small", {}, hint));
+  const element = make("div", { class: "slider" }, make("div", {}, head, output), input);
+  return {
+    element,
+    input,
+    show(place, text) {
+      input.value = String(place);
+      tell(text ?? textOf(place));
+    },
+  };
+}
+
+/** Places of the logarithmic slider of sizes. */
+const SIZE_PLACES = 200;
+
+export function createControls(app: App): HTMLElement {
+  const { choices } = app.state;
+  const quality = explained("quality", "Quality", "", QUALITY_TEXTS, QUALITIES, (value) =>
+    app.choose({ quality: value }),
+  );
+  const detection = explained(
+    "detection",
+    "Detection",
+    "starts the scene anew",
+    DETECTION_TEXTS,
+    DETECTION_CHOICES,
+    (value) => app.choose({ detection: value }),
+  );
+  const broadphase = explained(
+    "broadphase",
+    "Broadphase",
+    "starts the scene anew",
+    BROADPHASE_TEXTS,
+    BROADPHASES,
+    (value) => app.choose({ broadphase: value }),
+  );
+  const substeps = slider(
+    "substeps",
+    "Substeps",
+    "of each step",
+    64,
+    (place) =>
+      place > 0 ? String(place) : `as the quality (${QUALITY_SUBSTEPS[choices.quality]})`,
+    (place) => app.choose({ substeps: place }),
+  );
+  const maxError = slider(
+    "max-error",
+    "Largest error",
+    "beyond it, solved directly",
+    MAX_ERRORS.length - 1,
+    (place) => (place > 0 ? `${MAX_ERRORS[place]} length scales` : "none"),
+    (place) => app.choose({ maxError: MAX_ERRORS[place] }),
+  );
+  const noSolver = "Draft has no direct solver to hold it with.";
+  const draftNote = make("p", { class: "explained" }, noSolver);
+  const size = createSize(app);
+
+  const show = () => {
+    quality.show(choices.quality);
+    detection.show(choices.detection);
+    broadphase.show(choices.broadphase);
+    substeps.show(choices.substeps);
+    maxError.show(MAX_ERRORS.findIndex((value) => value === choices.maxError));
+    maxError.input.disabled = choices.quality === "draft";
+    draftNote.hidden = choices.quality !== "draft";
+  };
+  app.listen({ state: show });
+  show();
+  const sliders = make("div", { class: "sliders" }, substeps.element, maxError.element, draftNote);
+  return make(
+    "div",
+    { class: "trade-controls" },
+    quality.element,
+    sliders,
+    detection.element,
+    broadphase.element,
+    size,
+  );
+}
+
+/** Hidden where the scene has one size only. */
+function createSize(app: App): HTMLElement {
+  const range = () => {
+    const { least = 1, most = 1 } = app.scene?.sizes ?? {};
+    return { least: Math.max(1, least), most };
+  };
+  const sizeAt = (place: number): number => {
+    const { least, most } = range();
+    const size = least * (most / least) ** (place / SIZE_PLACES);
+    // Round numbers where they are large.
+    return place === SIZE_PLACES ? most : Math.max(least, Math.round(Number(size.toPrecision(2))));
+  };
+  const control = slider(
+    "size",
+    "Size",
+    "starts the scene anew",
+    SIZE_PLACES,
+    (place) => `${countText(sizeAt(place))} ${app.scene?.sizes?.means ?? ""}`,
+    (place) => {
+      app.state.size = sizeAt(place);
+      void app.restart();
+    },
+  );
+  const show = () => {
+    const sizes = app.scene?.sizes ?? null;
+    control.element.hidden = sizes === null;
+    if (!sizes || !app.scene) return;
+    const { least, most } = range();
+    const part = most > least ? Math.log(app.scene.size / least) / Math.log(most / least) : 0;
+    const place = Math.round(Math.min(1, Math.max(0, part)) * SIZE_PLACES);
+    control.show(place, `${countText(app.scene.size)} ${sizes.means}`);
+  };
+  app.listen({ run: show });
+  show();
+  return make("div", { class: "sliders" }, control.element);
+}

@@ -1,0 +1,266 @@
+/**
+ * The plane of speed and accuracy: time of a step to the right, overlap upwards, both logarithmic,
+ * so that lower left is better. Of SVG, because its points are hovered, focused and pressed.
+ */
+import { make } from "../page/dom";
+import { errorText, timeText } from "./trade-text";
+
+export interface PlanePoint {
+  key: string;
+  engine: "thud" | "box2d";
+  label: string;
+  /** Milliseconds of a step. */
+  time: number;
+  /** In length scales. */
+  error: number;
+  /** Measured at this moment. */
+  live?: boolean;
+  /** Points of a row are joined. */
+  row?: string;
+  /** Goes to that setting. */
+  go?: () => void;
+}
+
+/** Of the drawing; on a phone it must leave room for the knobs. */
+const WIDTH = 360;
+const HEIGHT = { usual: 220, phone: 150 };
+const PHONE = matchMedia("(max-width: 720px)");
+const EDGE = { left: 40, right: 12, top: 12, bottom: 34 };
+/** Smaller ones are drawn here: nobody can tell them from none. */
+const LEAST_ERROR = 1e-6;
+const LEAST_TIME = 1e-3;
+/** Of a label, per letter. */
+const LETTER = 6.1;
+
+interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+/** Powers of ten around all values, at least one decade, and not through the outermost values but
+ * those at `least`. */
+function decades(values: readonly number[], least: number): [from: number, to: number] {
+  const lowest = Math.log10(Math.min(...values)) - 0.05;
+  const from = Math.floor(Math.max(Math.log10(least), lowest));
+  return [from, Math.max(from + 1, Math.ceil(Math.log10(Math.max(...values)) + 0.05))];
+}
+
+export class Plane {
+  readonly element: HTMLElement;
+  readonly #svg = svg("svg", {
+    role: "group",
+    "aria-label": "Time of a step to the right, overlap upwards; lower left is better",
+  });
+  readonly #detail = make("p", { class: "plane-detail" });
+  #points: readonly PlanePoint[] = [];
+  #height = HEIGHT.usual;
+  #focused: string | null = null;
+
+  constructor() {
+    this.element = make("figure", { class: "plane" });
+    this.element.append(this.#svg, this.#detail);
+    this.#svg.addEventListener("keydown", (event) => this.#move(event));
+  }
+
+  show(points: readonly PlanePoint[], nothing: string): void {
+    this.#points = points;
+    this.#height = PHONE.matches ? HEIGHT.phone : HEIGHT.usual;
+    this.#svg.setAttribute("viewBox", `0 0 ${WIDTH} ${this.#height}`);
+    const hadFocus = this.#svg.contains(document.activeElement);
+    this.#svg.replaceChildren();
+    if (points.length === 0) {
+      const text = svg("text", { x: WIDTH / 2, y: this.#height / 2, class: "nothing" });
+      text.textContent = nothing;
+      this.#svg.append(text);
+      this.#detail.textContent = "";
+      return;
+    }
+    const times = points.map(({ time }) => Math.max(LEAST_TIME, time));
+    const timeDecades = decades(times, LEAST_TIME);
+    const errors = points.map(({ error }) => Math.max(LEAST_ERROR, error));
+    const errorDecades = decades(errors, LEAST_ERROR);
+    const place = ({ time, error }: Pick<PlanePoint, "time" | "error">) => ({
+      x: along(Math.max(LEAST_TIME, time), timeDecades, EDGE.left, WIDTH - EDGE.right),
+      y: along(Math.max(LEAST_ERROR, error), errorDecades, this.#height - EDGE.bottom, EDGE.top),
+    });
+    this.#drawAxes(timeDecades, errorDecades, place);
+    this.#joinRows(points, place);
+    const taken: Box[] = points.map((point) => around(place(point)));
+    for (const point of points) this.#drawPoint(point, place(point), taken);
+    if (hadFocus) this.#dotOf(this.#focused)?.focus();
+    this.#tell(points.find(({ key }) => key === this.#focused) ?? points.find(({ live }) => live));
+  }
+
+  #drawAxes(
+    times: [number, number],
+    errors: [number, number],
+    place: (at: { time: number; error: number }) => { x: number; y: number },
+  ): void {
+    for (let power = times[0]; power <= times[1]; power++) {
+      const { x } = place({ time: 10 ** power, error: 1 });
+      this.#line(x, EDGE.top, x, this.#height - EDGE.bottom, "grid");
+      this.#text(x, this.#height - EDGE.bottom + 13, plainPower(power), "tick middle");
+    }
+    for (let power = errors[0]; power <= errors[1]; power++) {
+      const { y } = place({ time: 1, error: 10 ** power });
+      this.#line(EDGE.left, y, WIDTH - EDGE.right, y, "grid");
+      this.#text(EDGE.left - 5, y + 4, plainPower(power), "tick end");
+    }
+    this.#text(WIDTH - EDGE.right, this.#height - 5, "ms a step →", "axis end");
+    this.#text(2, this.#height - 5, "↑ worst overlap", "axis");
+    this.#text(EDGE.left + 6, this.#height - EDGE.bottom - 6, "better", "better");
+  }
+
+  #joinRows(
+    points: readonly PlanePoint[],
+    place: (at: PlanePoint) => { x: number; y: number },
+  ): void {
+    for (const row of new Set(points.map((point) => point.row))) {
+      if (row === undefined) continue;
+      const members = points.filter((point) => point.row === row);
+      const ends = members.map(place).map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`);
+      const line = svg("polyline", { points: ends.join(" "), class: `row ${members[0].engine}` });
+      this.#svg.append(line);
+    }
+  }
+
+  #drawPoint(point: PlanePoint, { x, y }: { x: number; y: number }, taken: Box[]): void {
+    const { key, engine, label, live, go } = point;
+    const first = this.#points.some((other) => other.key === this.#focused)
+      ? key === this.#focused
+      : point === this.#points[0];
+    const figures = figuresOf(point);
+    const dot = svg("g", {
+      class: `dot ${engine}${live ? " live" : ""}`,
+      tabindex: first ? 0 : -1,
+      role: go ? "button" : "img",
+      "aria-label": go ? `${figures}; go to this setting` : figures,
+      "data-point": key,
+    });
+    const mark =
+      engine === "thud"
+        ? svg("circle", { cx: x, cy: y, r: live ? 6 : 4.5 })
+        : svg("rect", { x: x - 4.2, y: y - 4.2, width: 8.4, height: 8.4 });
+    dot.append(svg("circle", { cx: x, cy: y, r: 15, class: "reach" }), mark);
+    const at = freePlace(label, x, y, this.#height - EDGE.bottom, taken);
+    if (at) {
+      taken.push(at);
+      const text = svg("text", { x: at.x, y: at.y + at.height - 3 });
+      text.textContent = label;
+      dot.append(text);
+    }
+    dot.addEventListener("pointerenter", () => this.#tell(point));
+    dot.addEventListener("focus", () => {
+      this.#focused = key;
+      this.#tell(point);
+    });
+    dot.addEventListener("click", () => go?.());
+    this.#svg.append(dot);
+  }
+
+  /** Arrow keys go from point to point, Enter to the setting: one stop of the Tab key in all. */
+  #move(event: KeyboardEvent): void {
+    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+    const at = this.#points.findIndex(({ key }) => key === this.#focused);
+    if (by !== undefined && at >= 0) {
+      const { length } = this.#points;
+      const { key } = this.#points[(at + by + length) % length];
+      this.#dotOf(this.#focused)?.setAttribute("tabindex", "-1");
+      this.#dotOf(key)?.setAttribute("tabindex", "0");
+      this.#dotOf(key)?.focus();
+    } else if (event.key === "Enter" || event.key === " ") {
+      this.#points[at]?.go?.();
+    } else {
+      return;
+    }
+    // They are the scene's keys elsewhere.
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  #dotOf(key: string | null): SVGElement | undefined {
+    return [...this.#svg.querySelectorAll<SVGElement>("[data-point]")].find(
+      (dot) => dot.dataset.point === key,
+    );
+  }
+
+  #tell(point: PlanePoint | undefined): void {
+    this.#detail.textContent = point ? figuresOf(point) : "";
+  }
+
+  #line(x1: number, y1: number, x2: number, y2: number, kind: string): void {
+    this.#svg.append(svg("line", { x1, y1, x2, y2, class: kind }));
+  }
+
+  #text(x: number, y: number, text: string, kind: string): void {
+    const element = svg("text", { x, y, class: kind, "aria-hidden": "true" });
+    element.textContent = text;
+    this.#svg.append(element);
+  }
+}
+
+function figuresOf({ label, time, error }: PlanePoint): string {
+  return `${label}: ${timeText(time)} a step, worst overlap ${errorText(error)}`;
+}
+
+function along(value: number, [from, to]: [number, number], low: number, high: number): number {
+  return low + ((Math.log10(value) - from) / (to - from)) * (high - low);
+}
+
+function around({ x, y }: { x: number; y: number }): Box {
+  return { x: x - 5, y: y - 5, width: 10, height: 10 };
+}
+
+/** Beside the point where nothing else stands yet; null if there is no such place. */
+function freePlace(
+  label: string,
+  x: number,
+  y: number,
+  bottom: number,
+  taken: readonly Box[],
+): Box | null {
+  const [width, height] = [LETTER * label.length, 13];
+  const places = [
+    { x: x + 8, y: y - 7 },
+    { x: x - 8 - width, y: y - 7 },
+    { x: x - width / 2, y: y - 20 },
+    { x: x - width / 2, y: y + 7 },
+    { x: x + 6, y: y - 18 },
+    { x: x + 6, y: y + 5 },
+    { x: x - 6 - width, y: y - 18 },
+    { x: x - 6 - width, y: y + 5 },
+  ];
+  for (const place of places) {
+    const box = { ...place, width, height };
+    const inside =
+      box.x >= EDGE.left && box.x + width <= WIDTH - 2 && box.y >= 0 && box.y + height <= bottom;
+    if (inside && !taken.some((other) => overlap(box, other))) return box;
+  }
+  return null;
+}
+
+function overlap(a: Box, b: Box): boolean {
+  return (
+    a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height
+  );
+}
+
+/** 0.01, 1, 100; where digits would be many, 10⁻⁵. */
+function plainPower(power: number): string {
+  if (power >= -3 && power <= 4) return String(Number((10 ** power).toPrecision(1)));
+  const digits = [...String(power)].map((letter) =>
+    letter === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(letter)],
+  );
+  return `10${digits.join("")}`;
+}
+
+function svg(name: string, attributes: Record<string, string | number>): SVGElement {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) {
+    const text = typeof value === "number" ? String(Number(value.toFixed(2))) : value;
+    element.setAttribute(key, text);
+  }
+  return element;
+}

@@ -1,0 +1,118 @@
+/**
+ * The panel "Trade": the trade between speed and accuracy under the visitor's hand. A plane on
+ * which each setting tried leaves its point, the knobs, a series to measure, and how much is too
+ * much.
+ */
+import "../style/trade.css";
+import type { App } from "../page/app";
+import { make } from "../page/dom";
+import type { Panel } from "../page/dock";
+import { createControls } from "./trade-controls";
+import { createHeavier } from "./trade-heavier";
+import { Laboratory } from "./trade-laboratory";
+import { Plane, type PlanePoint } from "./trade-plane";
+import { type TriedPoint, TriedPoints } from "./trade-points";
+import { createSeries } from "./trade-series";
+import { countText, errorText, plainTime } from "./trade-text";
+
+/** Milliseconds between two drawings of the plane: figures must be readable. */
+const REFRESH = 300;
+
+export function createPanel(app: App): Panel {
+  const tried = new TriedPoints(app);
+  const plane = new Plane();
+  const table = make("tbody");
+  const forget = make("button", { class: "small" }, "Clear");
+  let open = false;
+  let drawn = 0;
+
+  const draw = () => {
+    drawn = performance.now();
+    const { points, current } = tried;
+    plane.show(
+      points.map((point) => planePoint(app, point, current)),
+      "Run the scene for a moment.",
+    );
+    forget.hidden = points.length === 0;
+    table.replaceChildren(...points.map(rowOf));
+  };
+  forget.addEventListener("click", () => {
+    tried.forget();
+    draw();
+  });
+  app.listen({
+    run: draw,
+    samples() {
+      if (open && performance.now() - drawn > REFRESH) draw();
+    },
+  });
+
+  const laboratory = new Laboratory(app, () => {
+    element.classList.toggle("measuring", laboratory.busy);
+    controls.inert = laboratory.busy;
+  });
+  const controls = createControls(app);
+  const element = make(
+    "div",
+    { class: "trade" },
+    make(
+      "div",
+      {},
+      make("div", { class: "live-plane" }, plane.element),
+      make(
+        "details",
+        { class: "tried" },
+        make("summary", {}, "As a table"),
+        triedTable(table),
+        forget,
+      ),
+      controls,
+    ),
+    createSeries(app, laboratory),
+    createHeavier(app, laboratory),
+  );
+  draw();
+  return {
+    element,
+    opened() {
+      open = true;
+      draw();
+    },
+    closed() {
+      open = false;
+      laboratory.cancel();
+    },
+  };
+}
+
+function planePoint(app: App, point: TriedPoint, current: string): PlanePoint {
+  const { key, engine, label, choices, typical, worst } = point;
+  const here = key === current;
+  const go = choices && !here ? () => app.choose(choices) : undefined;
+  return { key, engine, label, time: typical, error: worst, live: here, go };
+}
+
+function triedTable(body: HTMLElement): HTMLElement {
+  const heads = ["setting", "ms", "p99", "worst", "steps"].map((text) =>
+    make("th", { scope: "col" }, text),
+  );
+  const caption =
+    "The last four seconds of each setting: time of a step, worst overlap in length scales.";
+  return make(
+    "table",
+    {},
+    make("caption", {}, caption),
+    make("thead", {}, make("tr", {}, ...heads)),
+    body,
+  );
+}
+
+function rowOf({ engine, label, typical, p99, worst, steps }: TriedPoint): HTMLElement {
+  const cells = [plainTime(typical), plainTime(p99), errorText(worst), countText(steps)];
+  return make(
+    "tr",
+    { class: engine },
+    make("th", { scope: "row" }, label),
+    ...cells.map((text) => make("td", {}, text)),
+  );
+}

@@ -1,0 +1,23 @@
+/** Everything that measuring needs, loaded by the worker when it is first asked for. */
+import type { Engine } from "thud";
+import { type Box2D, loadBox2D } from "../rival/box2d";
+import { watchWorlds } from "../rival/watch";
+import type { Laboratory } from "./measure-trial";
+
+export { measure } from "./measure";
+export { findHoldings } from "./measure-heavier";
+
+/** Without Box2D thud is measured alone, and `withoutBox2D` says why. */
+export async function prepare(
+  engine: Engine,
+  open: Laboratory["open"],
+): Promise<{ laboratory: Laboratory; withoutBox2D: string }> {
+  let box2d: Box2D | null = null;
+  let withoutBox2D = "";
+  try {
+    box2d = await loadBox2D();
+  } catch (error) {
+    withoutBox2D = error instanceof Error ? error.message : String(error);
+  }
+  return { laboratory: { engine, box2d, watched: watchWorlds(engine), open }, withoutBox2D };
+}

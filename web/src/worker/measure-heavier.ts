@@ -1,0 +1,119 @@
+/**
+ * "Heavier": the largest size of a scene at which an engine still makes its steps in time. The size
+ * is doubled until it does not, and then halved in between.
+ */
+import { percentile } from "./measure-figures";
+import type { RivalSetting } from "./measure-settings";
+import { type Laboratory, Trial, warmUp } from "./measure-trial";
+import type { SceneRequest } from "./protocol";
+import type { SceneSize } from "../scene/scene";
+
+export interface Load {
+  engine: "thud" | "box2d";
+  size: number;
+  bodies: number;
+  /** Median of a step in the slowest second. */
+  milliseconds: number;
+}
+
+/** What an engine holds; null: not even the smallest size. */
+export interface Holding {
+  engine: Load["engine"];
+  held: Load | null;
+  /** The smallest that was missed; null: none, the scene has no more. */
+  missed: Load | null;
+}
+
+export interface HeavierProgress {
+  /** What is being tried; of the last second so far. */
+  trying: Load;
+  /** What has been found out. */
+  holdings: Holding[];
+}
+
+/** Of the scene, in seconds: long enough for things to fall and pile up. */
+const SPAN = 4;
+const WARM_UP = 600;
+/** The answer is this near: sizes at most so far apart, as a ratio. */
+const NEAR = 1.1;
+/** Milliseconds between two messages. */
+const OFTEN = 150;
+
+/** `sizes` are the scene's; `hertz` is how often a step must be ready. */
+export async function findHoldings(
+  laboratory: Laboratory,
+  request: SceneRequest,
+  sizes: SceneSize,
+  hertz: number,
+  report: (progress: HeavierProgress) => void,
+): Promise<Holding[]> {
+  const first = Math.max(1, sizes.least, Math.floor(sizes.usual / 8));
+  await warmUp(laboratory, { ...request, size: first }, WARM_UP);
+  const holdings: Holding[] = [];
+  for (const engine of laboratory.box2d ? (["thud", "box2d"] as const) : (["thud"] as const)) {
+    const holding: Holding = { engine, held: null, missed: null };
+    holdings.push(holding);
+    let size: number | null = first;
+    while (size !== null) {
+      const { load, held } = await tryLoad(laboratory, request, engine, size, hertz, (trying) =>
+        report({ trying, holdings: structuredClone(holdings) }),
+      );
+      holding[held ? "held" : "missed"] = load;
+      size = nextSize(holding, sizes);
+    }
+  }
+  return holdings;
+}
+
+/** Null when it is known well enough. */
+function nextSize({ held, missed }: Holding, { least, most }: SceneSize): number | null {
+  if (!missed) {
+    const size = Math.min(most, 2 * held!.size);
+    return size > held!.size ? size : null;
+  }
+  if (!held) {
+    const size = Math.max(1, least, Math.floor(missed.size / 2));
+    return size < missed.size ? size : null;
+  }
+  if (missed.bodies <= NEAR * held.bodies) return null;
+  const between = Math.round(Math.sqrt(held.size * missed.size));
+  return between > held.size && between < missed.size ? between : null;
+}
+
+async function tryLoad(
+  laboratory: Laboratory,
+  request: SceneRequest,
+  engine: Load["engine"],
+  size: number,
+  hertz: number,
+  report: (load: Load) => void,
+): Promise<{ load: Load; held: boolean }> {
+  const rival: RivalSetting | undefined = engine === "box2d" ? { substeps: 4 } : undefined;
+  const trial = await Trial.open(laboratory, { ...request, size }, rival);
+  try {
+    const second = Math.round(1 / trial.timeStep);
+    const budget = 1000 / hertz;
+    const recent: number[] = [];
+    const load = { engine, size: trial.size, bodies: trial.bodies, milliseconds: 0 };
+    let over = 0;
+    let reported = -Infinity;
+    for (let i = 0; i < SPAN * second; i++) {
+      const now = performance.now();
+      if (now - reported > OFTEN) {
+        reported = now;
+        report(load);
+      }
+      const time = trial.step();
+      recent.push(time);
+      if (time > budget) over++;
+      if (recent.length > second && recent.shift()! > budget) over--;
+      load.bodies = Math.max(load.bodies, trial.bodies);
+      load.milliseconds = percentile(recent, 0.5);
+      // The median of a second is over the budget as soon as more than half of its steps are.
+      if (over > second / 2) return { load, held: false };
+    }
+    return { load, held: true };
+  } finally {
+    trial.close();
+  }
+}

@@ -1,0 +1,142 @@
+/** One engine running a scene to be measured, without a visitor's hands, history or drawing. */
+import type { Engine, World } from "thud";
+import type { Box2D } from "../rival/box2d";
+import { Rival } from "../rival/rival";
+import { Ruler } from "../rival/ruler";
+import type { Watched } from "../rival/watch";
+import { type Input, KEY_NAMES } from "../scene/scene";
+import type { RivalSetting } from "./measure-settings";
+import type { SceneRequest } from "./protocol";
+import type { Session } from "./session";
+
+/** What measuring needs of the worker. */
+export interface Laboratory {
+  engine: Engine;
+  /** Null: it could not be loaded, and thud is measured alone. */
+  box2d: Box2D | null;
+  watched: (world: World) => Watched | undefined;
+  open(request: SceneRequest): Promise<Session>;
+}
+
+const IDLE: Pick<Input, "held" | "pointer"> = {
+  held: Object.fromEntries(KEY_NAMES.map((name) => [name, false])) as Input["held"],
+  pointer: null,
+};
+
+const KINEMATIC = 1;
+
+export class Trial {
+  readonly #session: Session;
+  readonly #rival: Rival | null;
+  /** Whether the times and overlaps asked for are the rival's. */
+  readonly #rivalsTurn: boolean;
+  readonly #watched: Watched | undefined;
+  #ruler: Ruler | null = null;
+  #step = 0;
+  readonly #alone: boolean;
+
+  /** With `rival` Box2D is measured, else thud. */
+  static async open(
+    { box2d, watched, open }: Laboratory,
+    request: SceneRequest,
+    rival?: RivalSetting,
+  ): Promise<Trial> {
+    const session = await open(request);
+    return new Trial(session, box2d, watched(session.world), rival);
+  }
+
+  private constructor(
+    session: Session,
+    box2d: Box2D | null,
+    watched: Watched | undefined,
+    setting: RivalSetting | undefined,
+  ) {
+    this.#session = session;
+    this.#watched = watched;
+    this.#rivalsTurn = setting !== undefined;
+    // Box2D follows what the scene's code and thud do to kinematic bodies, so that both must run
+    // there; then both do in thud's turn too, because each takes the other's place in the caches.
+    this.#alone = !session.scene.update && !hasKinematic(session.world);
+    this.#rival =
+      box2d && (setting || !this.#alone)
+        ? new Rival(box2d, session.world, { ...watched, ...setting })
+        : null;
+    watched?.forwardTo(this.#rival);
+  }
+
+  close(): void {
+    this.#watched?.forwardTo(null);
+    this.#ruler?.close();
+    this.#rival?.close();
+    this.#session.close();
+  }
+
+  get bodies(): number {
+    return this.#session.world.stats().bodies;
+  }
+
+  get size(): number {
+    return this.#session.size;
+  }
+
+  get timeStep(): number {
+    return this.#session.timeStep;
+  }
+
+  /** Milliseconds of the measured engine's step, and nothing else. */
+  step(): number {
+    const { scene, world } = this.#session;
+    const rival = this.#rival;
+    scene.update?.({ step: this.#step++, ...IDLE });
+    rival?.sync();
+    if (!this.#rivalsTurn || !this.#alone) world.step();
+    const rivals = rival?.step() ?? 0;
+    return this.#rivalsTurn ? rivals : 1000 * world.stats().stepSeconds;
+  }
+
+  /** In length scales, by the same geometry for both engines. */
+  overlap(): { worst: number; mean: number } {
+    const { world, scene, lengthScale } = this.#session;
+    const { x, y } = scene.view ?? { x: 0, y: 0 };
+    const ruler = (this.#ruler ??= new Ruler(world, lengthScale));
+    ruler.sync();
+    const poses = this.#rivalsTurn ? this.#rival!.poses(1, x, y) : world.poses(1, x, y);
+    const { worst, mean } = ruler.overlap(poses, x, y);
+    return { worst: worst / lengthScale, mean: mean / lengthScale };
+  }
+
+  /** What thud itself reports of the last step; of Box2D null, which has no such report. */
+  get ownReport(): number | null {
+    const { world, lengthScale } = this.#session;
+    return this.#rivalsTurn ? null : Math.max(0, world.error().penetrationMax) / lengthScale;
+  }
+}
+
+function hasKinematic(world: World): boolean {
+  const { rows, count } = world.shapeTable();
+  for (let i = 0; i < count; i++) if (rows[10 * i + 2] === KINEMATIC) return true;
+  return false;
+}
+
+/**
+ * Steps until so many milliseconds have passed: browsers translate WebAssembly anew, for speed,
+ * only after it has run for a while.
+ */
+export async function warmUp(
+  laboratory: Laboratory,
+  request: SceneRequest,
+  milliseconds: number,
+): Promise<void> {
+  for (const rival of laboratory.box2d ? [undefined, { substeps: 4 }] : [undefined]) {
+    const trial = await Trial.open(laboratory, request, rival);
+    try {
+      const end = performance.now() + milliseconds;
+      while (performance.now() < end) {
+        trial.step();
+        trial.overlap();
+      }
+    } finally {
+      trial.close();
+    }
+  }
+}
