@@ -1,4 +1,4 @@
-/** Versus on the page: both engines are drawn, driven, measured and told of; or why there is one. */
+/** Versus on the page: both engines are drawn, driven and measured; or it is told why not. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -182,9 +182,11 @@ test("box2d_that_does_not_come_is_told_and_the_scene_goes_on", async () => {
   await page.click('[data-panel="versus"]');
   await page.waitForSelector("#versus .trouble:not([hidden])");
   assert.match(await page.textContent("#versus .trouble"), /Box2D could not be loaded.*thud alone/);
-  const steps = () => page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
-  const before = await steps();
-  await page.waitForFunction((n) => Number(document.querySelector("#hud").dataset.steps) > n + 5, before);
+  const steps = await page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
+  await page.waitForFunction(
+    (before) => Number(document.querySelector("#hud").dataset.steps) > before + 5,
+    steps,
+  );
   blocked = false;
   await page.click('#versus button:text-is("Try again")');
   await untilMeasured(page);
@@ -267,7 +269,8 @@ test("closing_the_panel_shows_one_view_again", async () => {
 });
 
 test("page_that_is_not_isolated_tells_of_means", async () => {
-  const { page, close } = await visitor.open("?scene=tall_stack&panel=versus", DESKTOP, async (page) => {
+  const search = "?scene=tall_stack&panel=versus";
+  const { page, close } = await visitor.open(search, DESKTOP, async (page) => {
     await page.context().addInitScript(() => delete Navigator.prototype.serviceWorker);
     await page.context().route("**/*", async (route) => {
       const response = await route.fetch();

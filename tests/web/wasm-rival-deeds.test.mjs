@@ -60,6 +60,30 @@ test("explosion_throws_the_bodies_in_its_radius_outward_alike", () => {
   });
 });
 
+test("pull_is_as_strong_in_pixels_as_in_metres", () => {
+  for (const lengthScale of [1, 32]) {
+    const build = (world) => addBall(world, [0, 0], { radius: 0.5 * lengthScale });
+    withRival({ gravity: [0, 0], lengthScale }, build, (world, rival, body) => {
+      for (const hands of [world, rival]) {
+        pull(hands, { body, anchor: [0, 0], target: [1e6, 0] }, lengthScale);
+        near(hands.bodyState(body).velocity[0], 60 * lengthScale, 1e-3 * lengthScale);
+      }
+    });
+  }
+});
+
+test("bodies_within_a_circle_are_those_whose_centre_of_mass_is", () => {
+  const build = (world) => {
+    const off = world.createBody({ kind: "dynamic", position: [9, 0] });
+    world.createCircle(off, { radius: 0.5, offset: [-8, 0] });
+    return [addBall(world, [2, 0]), off, addBall(world, [0, 3.5])];
+  };
+  withRival({ gravity: [0, 0] }, build, (_, rival, bodies) => {
+    const found = rival.within(0, 0, 3).map(({ index }) => index);
+    assert.deepEqual(found.sort(), [bodies[0].index, bodies[1].index].sort());
+  });
+});
+
 test("dug_ground_lets_a_ball_sink_into_the_crater", () => {
   const line = { kind: "irregular", points: [[-20, 0], [-5, 0], [5, 0], [20, 0]] };
   const build = (world) => [addGround(world, line), addBall(world, [0, 0.5])];

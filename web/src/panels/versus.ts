@@ -200,8 +200,8 @@ function notes(): HTMLElement {
     : "This host does not isolate the page from others, so that its clock ticks in 0.1 ms: " +
       "times are averages over many steps.";
   const items = [
-    `thud ${thudVersion} and Box2D v3 (box2d3-wasm ${box2dVersion}), both as WebAssembly ${simd}, ` +
-      "on one thread, in turn in the same worker.",
+    `thud ${thudVersion} and Box2D v3 (box2d3-wasm ${box2dVersion}), both as WebAssembly ` +
+      `${simd}, on one thread, in turn in the same worker.`,
     clock,
     "Overlap is measured for both by the same code, sleeping bodies included. Where that takes " +
       "long it is done every few steps.",

@@ -179,7 +179,7 @@ function measureRival({ rival }: Pair): Compared {
   };
 }
 
-/** Of all bodies, in whole numbers. Throws if one is further from the world's origin than `most`. */
+/** Of all bodies, in whole numbers. Throws if one is further from the origin than `most`. */
 function middleOf(world: World, most: number): Vec2 {
   const poses = world.poses(1, 0, 0);
   let [count, x, y] = [0, 0, 0];

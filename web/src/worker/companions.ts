@@ -1,4 +1,4 @@
-/** Keeps Box2D beside whichever scene runs, while the page wants it. It is loaded when first wanted. */
+/** Keeps Box2D beside whichever scene runs while the page wants it; loads it when first wanted. */
 import type { Engine } from "thud";
 import { watchWorlds } from "../rival/watch";
 import type { Box2DCompanion } from "./companion";
