@@ -8,11 +8,11 @@ export function duration(milliseconds: number): string {
   return `${(milliseconds / 1000).toFixed(1)} s`;
 }
 
-/** A length with two digits that count: "0.0069", "0.12", "3.4"; 0 below a millionth. */
+/** A length with two digits that count, to a ten-thousandth: "0.0069", "0.12", "3.4". */
 export function length(metres: number): string {
-  if (metres < 1e-6) return "0";
+  if (metres < 0.00005) return metres > 0 ? "< 0.0001" : "0";
   const digits = Math.max(0, 1 - Math.floor(Math.log10(metres)));
-  return metres.toFixed(Math.min(6, digits));
+  return metres.toFixed(Math.min(4, digits));
 }
 
 /** A whole number with its thousands apart. */
