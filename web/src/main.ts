@@ -49,6 +49,7 @@ async function start(): Promise<void> {
   stage.attach(app);
   // What takes room on the page is there before the engine is: nothing moves when it comes.
   const hud = new Hud();
+  addTimeline(app);
   layOut(app, stage);
   const wasm = chooseWasm();
   try {
@@ -97,7 +98,6 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   addDialogs();
   addGallery({ choose: (entry) => void app.open(entry.name), openFile: (file) => void openFile(file) });
   addControls(app, stage, dock);
-  addTimeline(app);
   describeScene(app);
   listenToScenes(app, { dock, hud, figures, hinted: addHint(app) });
   app.listen({
