@@ -1,4 +1,4 @@
-/** What two engines that run side by side took and got wrong: the figures of the table, the plots. */
+/** What two engines side by side took and got wrong: figures of the table, courses of the plots. */
 import { percentile } from "../worker/measure-figures";
 import type { Sample } from "../scene/frame";
 
