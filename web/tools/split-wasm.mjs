@@ -8,7 +8,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { load } from "../package/dist/node.js";
-import { buildScene, FIRST_SCENE, runScene } from "./scenes.mjs";
+import { buildScene, FIRST_SCENE, runScene, sceneFile } from "./scenes.mjs";
 
 const STEPS = 300;
 
@@ -29,7 +29,9 @@ function use(world) {
   world.restore(world.snapshot());
 }
 
-const newest = Math.max(time(whole), time(fileURLToPath(import.meta.url)));
+const here = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));
+const sources = ["tools/split-wasm.mjs", "src/scene/registry.ts", `public/${sceneFile(FIRST_SCENE)}`];
+const newest = Math.max(time(whole), ...sources.map((file) => time(here(file))));
 if (Math.min(time(first), time(rest)) <= newest) {
   const [instrumented, profile] = [path("-instrumented.wasm"), path(".profile")];
   split(whole, "--instrument", "-o", instrumented);
