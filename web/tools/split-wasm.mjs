@@ -21,7 +21,10 @@ const split = (...options) => execFileSync("wasm-split", [...options, "--all-fea
 function use(world) {
   world.setMaxError(0);
   world.poses(0);
-  world.shapeTable();
+  const { handles } = world.shapeTable();
+  const shape = { kind: "shape", index: handles[0] - 1, generation: handles[1] };
+  if (world.shapeState(shape).kind === "terrain") world.terrain(shape);
+  world.bodyState(world.shapeState(shape).body);
   world.shapeTableAwake();
   world.stats();
   world.error();
