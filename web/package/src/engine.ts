@@ -12,11 +12,13 @@ export type WasmSource = WebAssembly.Module | BufferSource | Response | URL | st
 
 type Export = (...args: number[]) => number;
 
+/** Made by `load`. Makes worlds; several share its memory. */
 export class Engine {
   /** The module's flat functions, for those who link code of their own beside the engine. */
   readonly exports: Readonly<Record<string, Export>>;
   /** The numbers that a call takes or gives beyond its arguments; see web/wasm. */
   slots: Float64Array;
+  /** The stages of a step, in their order: the names in `Stats.stageSeconds`. */
   readonly stageNames: readonly string[];
   readonly #memory: WebAssembly.Memory;
   readonly #slotsAddress: number;
@@ -62,6 +64,7 @@ export class Engine {
     );
   }
 
+  /** Throws, and leaves nothing behind, for options out of range. Free it with `close`. */
   createWorld(options: WorldOptions = {}): World {
     return new World(this, options);
   }

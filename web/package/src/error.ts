@@ -1,4 +1,7 @@
-/** What a call that failed throws. A call that fails has changed nothing. */
+/**
+ * Why a call failed: a missing argument ("null"), one out of range ("invalid"), a handle of what is
+ * gone ("stale"), no memory, a world in the middle of a step ("locked"), no engine ("load").
+ */
 export type ErrorCode = "null" | "invalid" | "stale" | "memory" | "locked" | "load";
 
 /** thud_result, in its order; the first is success. */
@@ -11,6 +14,7 @@ export const RESULT_CODES: readonly (ErrorCode | "ok")[] = [
   "locked",
 ];
 
+/** What a call that failed throws. A call that fails has changed nothing. */
 export class ThudError extends Error {
   readonly code: ErrorCode;
 

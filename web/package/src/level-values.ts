@@ -1,4 +1,4 @@
-/** Values of a Tiled map: fields of the format, and custom properties inherited down to an object. */
+/** Values of a Tiled map: fields of the format, and custom properties that objects inherit. */
 import type { BodyKind, BodyOptions, ShapeOptions } from "./types.js";
 
 export type Json = null | boolean | number | string | Json[] | JsonRecord | undefined;

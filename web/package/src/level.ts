@@ -11,7 +11,14 @@
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import { readObject } from "./level-objects.js";
-import { isRecord, type Json, type JsonRecord, type Problem, Report, Values } from "./level-values.js";
+import {
+  isRecord,
+  type Json,
+  type JsonRecord,
+  type Problem,
+  Report,
+  Values,
+} from "./level-values.js";
 import { readTiles } from "./level-tiles.js";
 import type { BodyOptions, ShapeOptions, Vec2, WorldOptions } from "./types.js";
 import type { World } from "./world.js";
@@ -29,12 +36,14 @@ export interface LevelBody {
     | { kind: "terrain"; points: Vec2[] };
 }
 
+/** A map as it was read, in world units: plain data for `buildLevel`. */
 export interface Level {
   name: string;
   title: string;
   about: string;
   gravity: Vec2;
   lengthScale: number;
+  /** The middle of the first view, and how much of the world it shows from top to bottom. */
   camera: Vec2;
   cameraHeight: number;
   /** Where new bodies are dropped. */
@@ -51,6 +60,7 @@ export interface ReadOptions {
   skip?: boolean;
 }
 
+/** Why a level cannot be used; the message tells the first three problems. */
 export class LevelError extends ThudError {
   readonly problems: readonly Problem[];
 
@@ -169,7 +179,10 @@ function readMapValues(name: string, json: JsonRecord, report: Report): Reader |
   const mapHeight = rows * tileHeight;
   const pixelsPerUnit = v.number("pixels_per_unit", tileWidth, 1e-3, 1e6);
   const lengthScale = v.number("length_scale", 1, 1e-3, 1e3);
-  const gravity: Vec2 = [v.number("gravity_x", 0, -1e6, 1e6), v.number("gravity_y", -10, -1e6, 1e6)];
+  const gravity: Vec2 = [
+    v.number("gravity_x", 0, -1e6, 1e6),
+    v.number("gravity_y", -10, -1e6, 1e6),
+  ];
   const width = (columns * tileWidth) / pixelsPerUnit;
   const height = mapHeight / pixelsPerUnit;
   const camera: Vec2 = [
@@ -194,7 +207,8 @@ function readMapValues(name: string, json: JsonRecord, report: Report): Reader |
     bodies: [],
     problems: report.problems,
   };
-  return { level, report, tileWidth, tileHeight, mapHeight, pixelsPerUnit, tilesets: json.tilesets };
+  const { tilesets } = json;
+  return { level, report, tileWidth, tileHeight, mapHeight, pixelsPerUnit, tilesets };
 }
 
 function readLayers(reader: Reader, parent: Layer): void {

@@ -1,6 +1,6 @@
 /**
- * The Minkowski sum of two shapes: every place of the second's centre, seen from the first's, at which
- * they share a point. Two shapes become one shape and a point: they overlap where it is inside.
+ * The Minkowski sum of two shapes: every place of the second's centre, seen from the first's, at
+ * which they share a point. Two shapes become a shape and a point: they overlap where it is inside.
  */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
@@ -23,8 +23,8 @@ const ARC = 12;
 const CIRCLE = 96;
 
 /**
- * The sum of `a` and the reflected `b`, whose centre lies at `offset` from a's. Throws for sizes that
- * are not above 0 and for numbers that are not finite.
+ * The sum of `a` and the reflected `b`, whose centre lies at `offset` from a's. Throws for sizes
+ * that are not above 0 and for numbers that are not finite.
  */
 export function minkowskiSum(
   engine: Engine,
@@ -43,7 +43,7 @@ export function minkowskiSum(
   };
 }
 
-/** A convex polygon rounded by a radius: about each vertex an arc from one face's normal to the next. */
+/** A polygon rounded by a radius: about each vertex an arc from one face's normal to the next. */
 function outlineOf(vertices: number[], radius: number): number[] {
   if (radius === 0) return vertices;
   const count = vertices.length / 2;

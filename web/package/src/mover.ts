@@ -11,6 +11,7 @@ import type { MoverHit, MoverOptions, MoverReport } from "./query-types.js";
 import type { BodyId, ShapeId, Vec2 } from "./types.js";
 import type { World } from "./world.js";
 
+/** Numbers of a hit; see api_mover_move. */
 const HIT = 9;
 
 /** All that a mover keeps from one move to the next, as plain data. */
@@ -28,6 +29,7 @@ export interface MoverState {
   } | null;
 }
 
+/** Of one world, and freed by `close` alone. */
 export class Mover {
   readonly #world: World;
   #address: number;
@@ -120,6 +122,7 @@ export class Mover {
     };
   }
 
+  /** Back to where `state` was taken; the world goes back by its own snapshot. */
   restore({ position, ground }: MoverState): void {
     const { address } = this;
     const { engine } = this.#world;

@@ -68,7 +68,8 @@ export function userData(value: number | undefined): number | undefined {
 }
 
 export function filterNumbers(filter: QueryFilter): [number, number, number] {
-  return [filter.category ?? 0xffffffff, filter.mask ?? 0xffffffff, Number(filter.sensors ?? false)];
+  const { category = 0xffffffff, mask = 0xffffffff, sensors = false } = filter;
+  return [category, mask, Number(sensors)];
 }
 
 interface ViewClass<T> {
@@ -76,6 +77,11 @@ interface ViewClass<T> {
 }
 
 /** A view into memory; where there is nothing to see, its address may be anything. */
-export function view<T>(View: ViewClass<T>, buffer: ArrayBuffer, address: number, length: number): T {
+export function view<T>(
+  View: ViewClass<T>,
+  buffer: ArrayBuffer,
+  address: number,
+  length: number,
+): T {
   return new View(buffer, length === 0 ? 0 : address, length);
 }

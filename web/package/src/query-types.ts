@@ -1,8 +1,11 @@
 /** What queries and movers take and give. Units as in types.ts. */
 import type { BodyId, ShapeId, Vec2 } from "./types.js";
 
+/** Which shapes are found: those that the asker's category and mask would collide with. */
 export interface QueryFilter {
+  /** What asks: bits. Default all. */
   category?: number;
+  /** What it asks for: bits. Default all. */
   mask?: number;
   /** Find sensors too. Default false. */
   sensors?: boolean;
@@ -11,6 +14,7 @@ export interface QueryFilter {
 export interface RayHit {
   shape: ShapeId;
   point: Vec2;
+  /** Unit, out of the shape. */
   normal: Vec2;
   /** Of the translation, 0 to 1. */
   fraction: number;
@@ -48,7 +52,7 @@ export interface MoverOptions {
   stepHeight?: number;
   /** How far the ground may fall away under a step. Default as stepHeight. */
   snapDistance?: number;
-  /** Most force on a dynamic body in the way. Default 0. */
+  /** Most force on a dynamic body in the way, mass times length/s². Default 0. */
   pushForce?: number;
   /** A kinematic body about its centre that follows it, so that dynamic bodies meet it. */
   body?: BodyId;
@@ -57,6 +61,7 @@ export interface MoverOptions {
   oneWay?: number;
 }
 
+/** What a mover met on its way. */
 export interface MoverHit {
   shape: ShapeId;
   body: BodyId;
@@ -65,6 +70,7 @@ export interface MoverHit {
   depth: number;
 }
 
+/** What became of a move. */
 export interface MoverReport {
   position: Vec2;
   /** What it stands on. */

@@ -70,7 +70,8 @@ export class Rest {
     // Only workers may ask for bytes so; elsewhere each letter of the text stands for one.
     request.overrideMimeType("text/plain; charset=x-user-defined");
     request.send();
-    if (request.status !== 200) throw new ThudError("load", "the second file of the engine is missing");
+    if (request.status !== 200)
+      throw new ThudError("load", "the second file of the engine is missing");
     const bytes = Uint8Array.from(request.responseText, (letter) => letter.charCodeAt(0) & 0xff);
     this.#join(new WebAssembly.Module(bytes));
   }

@@ -38,10 +38,10 @@ export const QUALITIES = ["draft", "default", "high", "exact"] as const;
  * - "draft": 2 substeps. 0.6 to 0.7 of the default's time; sinks four times as deep under load.
  * - "default": 4 substeps; islands that the soft solver cannot hold are solved directly, all their
  *   contacts at once, if that is not too dear.
- * - "high": 8 substeps, and every island solved directly that is not too dear. A still column costs 8
- *   times the default's time, a pyramid 30 times, and they do not sink.
- * - "exact": 16 substeps, every island solved directly whatever it takes, and bodies swept from impact
- *   to impact. Nothing bounds its time.
+ * - "high": 8 substeps, and every island solved directly that is not too dear. A still column costs
+ *   8 times the default's time, a pyramid 30 times, and they do not sink.
+ * - "exact": 16 substeps, every island solved directly whatever it takes, and bodies swept from
+ *   impact to impact. Nothing bounds its time.
  */
 export type Quality = (typeof QUALITIES)[number];
 
@@ -57,8 +57,8 @@ export interface QualityOptions {
   contactDamping?: number;
   detection?: Detection;
   /**
-   * Whether islands that the soft solver cannot hold are solved directly. False for "draft"; `maxError`
-   * needs it.
+   * Whether islands that the soft solver cannot hold are solved directly. False for "draft";
+   * `maxError` needs it.
    */
   islands?: boolean;
 }
@@ -108,8 +108,8 @@ export interface WorldOptions {
    */
   timeBudget?: number;
   /**
-   * A length: islands in which something overlaps by more are solved directly, from the next step on
-   * and for as long as they do. Default 0, none.
+   * A length: islands in which something overlaps by more are solved directly, from the next step
+   * on and for as long as they do. Default 0, none.
    */
   maxError?: number;
 }
@@ -117,14 +117,23 @@ export interface WorldOptions {
 export interface BodyOptions {
   /** Default "static". */
   kind?: BodyKind;
+  /** Of its origin, up to 10⁹ length scales away. Default [0, 0]. */
   position?: Vec2;
+  /** Radians, up to 10⁶ either way. Default 0. */
   angle?: number;
+  /** Of the centre of mass, length/s. Default [0, 0]. */
   velocity?: Vec2;
+  /** Radians/s. Default 0. */
   angularVelocity?: number;
+  /** Times the world's gravity. Default 1. */
   gravityScale?: number;
+  /** 1/s, 0 or more. Default 0. */
   linearDamping?: number;
+  /** 1/s, 0 or more. Default 0. */
   angularDamping?: number;
+  /** Default false. */
   fixedRotation?: boolean;
+  /** Default true. */
   maySleep?: boolean;
   /** How its motion is tested. Default: as the world. */
   detection?: Detection;
@@ -133,15 +142,15 @@ export interface BodyOptions {
 }
 
 export interface ShapeOptions {
-  /** Default 1. */
+  /** Mass per area, 0 or more. Default 1. */
   density?: number;
-  /** Default 0.6; a pair's is the geometric mean. */
+  /** 0 or more. Default 0.6; a pair's is the geometric mean. */
   friction?: number;
   /** [0, 1]. Default 0; a pair's is the larger. */
   restitution?: number;
   /**
-   * A second, along the surface, clockwise about the shape: to +x on its top, as a conveyor belt runs.
-   * Default 0; a pair's is the sum.
+   * Length/s along the surface, clockwise about the shape: to +x on its top, as a conveyor belt
+   * runs. Default 0; a pair's is the sum.
    */
   surfaceSpeed?: number;
   /** What it is: bits. Default 1. */
@@ -150,30 +159,36 @@ export interface ShapeOptions {
   mask?: number;
   /** Two of one group: above 0 they always meet, below 0 never. Default 0, no group. */
   group?: number;
-  /** Reports overlaps and collides with nothing. */
+  /** Reports overlaps and collides with nothing. Default false. */
   sensor?: boolean;
   /** A whole number from 0 to 2⁵³ - 1. */
   userData?: number;
 }
 
+/** Sizes are from 10⁻⁴ to 16384 length scales. */
 export interface CircleOptions extends ShapeOptions {
   radius: number;
   /** In the body's frame. Default [0, 0]. */
   offset?: Vec2;
 }
 
+/** Sizes are from 10⁻⁴ to 16384 length scales. */
 export interface BoxOptions extends ShapeOptions {
   halfWidth: number;
   halfHeight: number;
+  /** In the body's frame. Default [0, 0]. */
   offset?: Vec2;
 }
 
 export interface ObbOptions extends BoxOptions {
-  /** In the body's frame. Default 0. */
+  /** Radians, in the body's frame. Default 0. */
   angle?: number;
 }
 
-/** A ground line, one-sided: solid below. Coordinates are relative to the body's origin. */
+/**
+ * A ground line, one-sided: solid below. Coordinates are relative to the body's origin; the points
+ * of an irregular line go from left to right, each strictly right of the one before.
+ */
 export type Terrain =
   | { kind: "flat"; slope?: number }
   | { kind: "uniform"; x0: number; spacing: number; heights: ArrayLike<number> }
@@ -182,10 +197,11 @@ export type Terrain =
 /** The ground at one x. */
 export interface Ground {
   height: number;
+  /** Unit, upward. */
   normal: Vec2;
   /** Between the vertices `segment` and `segment + 1`; 0 for flat ground. */
   segment: number;
-  /** Of those two vertices, for whatever a game keeps at them, as texture coordinates; they sum to 1. */
+  /** Of those two vertices, to interpolate what a game keeps at them (texture); they sum to 1. */
   weights: Vec2;
 }
 
@@ -201,13 +217,19 @@ export interface Foot {
 
 export interface BodyState {
   kind: BodyKind;
+  /** Of its origin. */
   position: Vec2;
   /** Centre of mass. */
   center: Vec2;
+  /** Radians, in (-π, π]. */
   angle: number;
+  /** Of the centre of mass, length/s. */
   velocity: Vec2;
+  /** Radians/s. */
   angularVelocity: number;
+  /** 0 unless dynamic; 1 for a dynamic body whose shapes have none. */
   mass: number;
+  /** About the centre of mass; 0 where the body cannot turn. */
   inertia: number;
   gravityScale: number;
   awake: boolean;
@@ -218,12 +240,15 @@ export interface BodyState {
   shapeCount: number;
 }
 
+/** Units and meaning as in ShapeOptions. */
 export interface ShapeState {
   kind: ShapeKind;
   body: BodyId;
+  /** In the body's frame. */
   offset: Vec2;
   /** A circle's radius is the first. */
   halfExtents: Vec2;
+  /** Radians, in the body's frame. */
   angle: number;
   density: number;
   friction: number;

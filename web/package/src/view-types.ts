@@ -1,16 +1,18 @@
 /** What is read of a whole world: events, statistics, errors, drawing. Units as in types.ts. */
 import type { BodyId, ShapeId, Vec2 } from "./types.js";
 
+/** Two shapes that began or ceased to touch; after an end either may be gone. */
 export interface ContactEvent {
   a: ShapeId;
   b: ShapeId;
 }
 
+/** A collision faster than WorldOptions.hitSpeed. */
 export interface HitEvent extends ContactEvent {
   point: Vec2;
   /** From a to b. */
   normal: Vec2;
-  /** Of approach. */
+  /** Of approach, length/s. */
   speed: number;
 }
 
@@ -22,10 +24,13 @@ export interface Events {
   sensorBegin: ContactEvent[];
   sensorEnd: ContactEvent[];
   hit: HitEvent[];
+  /** Bodies that were frozen because they became non-finite. */
   quarantined: BodyId[];
 }
 
+/** What a world holds, and what its last step did and took. */
 export interface Stats {
+  /** Made since the world was. */
   steps: number;
   bodies: number;
   shapes: number;
@@ -34,6 +39,7 @@ export interface Stats {
   pairs: number;
   /** Touching pairs. */
   contacts: number;
+  /** Sets of contacts that share no moving body, and the blocks in which they are solved. */
   colours: number;
   blocks: number;
   /** Memory held by the world. */
@@ -42,10 +48,11 @@ export interface Stats {
   stepAllocations: number;
   /** Of the last step; fewer than the quality's where the time budget is short. */
   substeps: number;
-  /** Of the last step; 0 unless the world is timed or has a time budget. */
+  /** Seconds of the last step; 0 unless the world is timed or has a time budget. */
   stepSeconds: number;
-  /** Islands that the soft solver could not hold, solved at once in the last step, and their bodies. */
+  /** Islands that the soft solver could not hold, solved directly in the last step. */
   hardIslands: number;
+  /** In those islands. */
   hardBodies: number;
   /** Of those islands, how many stayed as the soft solver had them. */
   softIslands: number;
@@ -53,26 +60,28 @@ export interface Stats {
   impacts: number;
   /** Pairs of moving shapes in the last step, by how far their tests went. */
   motionPairs: Readonly<{ looked: number; circlesMet: number; boxesMet: number; exact: number }>;
+  /** By the names of `Engine.stageNames`; 0 unless the world is timed. */
   stageSeconds: Readonly<Record<string, number>>;
 }
 
 /** What the last step got wrong, of the contacts that are awake. */
 export interface StepError {
-  /** Over the points of touching pairs, at the end of the step. */
+  /** A length, over the points of touching pairs at the end of the step; negative while apart. */
   penetrationMax: number;
   penetrationMean: number;
   /** Fastest approach at a contact that the solver's last pass still met, and took away. */
   residual: number;
   /**
    * Of kinetic and potential energy. Negative where friction, damping and restitution take some;
-   * positive is energy that nobody put in, or that forces, kinematic bodies and moving surfaces did.
+   * positive is energy that nobody put in, or that forces, kinematic bodies and moving surfaces
+   * did.
    */
   energyChange: number;
-  /** Points deeper than 0.005 length scales. */
+  /** Points deeper than the world's maxError, or without one than 0.005 length scales. */
   overlaps: number;
 }
 
-/** Error and energy of the present state. */
+/** Error and energy of the present state; lengths, and mass times (length/s)². */
 export interface Measure {
   penetrationMax: number;
   penetrationMean: number;
@@ -98,7 +107,7 @@ export interface DrawOptions {
   bounds?: boolean;
   cells?: boolean;
   contacts?: boolean;
-  /** Shapes carry their island's number; and lines of the pairs whose islands are solved directly. */
+  /** Shapes carry their island's number; lines for pairs whose islands are solved directly. */
   islands?: boolean;
   /** The sorted intervals of a plane sweep, at the lower edge. */
   axes?: boolean;
@@ -117,14 +126,15 @@ export interface DrawOptions {
   motions?: boolean;
   /** Coordinates are relative to it. Default [0, 0]. */
   origin?: Vec2;
+  /** The corners of what is drawn, in the world. */
   lower: Vec2;
   upper: Vec2;
 }
 
 /**
- * By number in `DrawLists`. "solved directly" is of pairs. "depth" is a line from a manifold's point as
- * long as the penetration, "impulse" one as long as the impulse of a step alone would move the lighter
- * body in a second. "colour 15" stands for all further colours too.
+ * By number in `DrawLists`. "solved directly" is of pairs. "depth" is a line from a contact's point
+ * as long as the penetration, "impulse" one as long as the impulse of a step alone would move the
+ * lighter body in a second. "colour 15" stands for all further colours too.
  */
 export const DRAW_STYLES = [
   "static",

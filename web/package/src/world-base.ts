@@ -84,7 +84,7 @@ export class WorldBase {
 
   // ---- going back ----
 
-  /** The whole state as bytes: a copy that stays as it is. See thud_snapshot.h for what it holds. */
+  /** The whole state as bytes: a copy that stays as it is. thud_snapshot.h tells what it holds. */
   snapshot(): Uint8Array<ArrayBuffer> {
     return takeSnapshot(this.engine, this.address);
   }
@@ -101,8 +101,8 @@ export class WorldBase {
   }
 
   /**
-   * Two numbers that rise when bodies or shapes came, went or were enabled or disabled, and when the
-   * ground changed: whoever draws reads the shape table and the terrains anew then.
+   * Two numbers that rise when bodies or shapes came, went or were enabled or disabled, and when
+   * the ground changed: whoever draws reads the shape table and the terrains anew then.
    */
   get revision(): { readonly shapes: number; readonly terrains: number } {
     return { shapes: this.shapesRevision, terrains: this.terrainsRevision };
@@ -110,7 +110,7 @@ export class WorldBase {
 
   // ---- time ----
 
-  /** Runs one step. */
+  /** Runs one step of `timeStep` seconds. */
   step(): void {
     this.engine.check(this.engine.exports.api_world_step(this.address));
   }
@@ -125,12 +125,14 @@ export class WorldBase {
     return { steps: engine.slots[0], alpha: engine.slots[1] };
   }
 
+  /** Length/s², from the next step on. */
   setGravity(gravity: Vec2): void {
     this.engine.check(
       this.engine.exports.api_world_set_gravity(this.address, gravity[0], gravity[1]),
     );
   }
 
+  /** Of the steps from the next on; (0, 1]. */
   setTimeStep(seconds: number): void {
     this.engine.check(this.engine.exports.api_world_set_time_step(this.address, seconds));
   }
@@ -156,6 +158,7 @@ export class WorldBase {
     this.engine.check(this.engine.exports.api_world_set_max_error(this.address, maxError));
   }
 
+  /** False wakes every body and lets none sleep. */
   setSleeping(sleeping: boolean): void {
     this.engine.check(this.engine.exports.api_world_set_sleeping(this.address, Number(sleeping)));
   }

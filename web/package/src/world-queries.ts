@@ -88,7 +88,15 @@ export class WorldQueries extends WorldBase {
     } else {
       const [kind, hx, hy, angle] = solidNumbers(query);
       engine.check(
-        engine.exports.api_overlap_shape(this.address, kind, ...query.center, hx, hy, angle, ...last),
+        engine.exports.api_overlap_shape(
+          this.address,
+          kind,
+          ...query.center,
+          hx,
+          hy,
+          angle,
+          ...last,
+        ),
       );
     }
     return this.shapeIds(engine.slots[0], engine.slots[1]);

@@ -1,7 +1,8 @@
 /**
  * A world: bodies and shapes that advance in fixed steps. Handles are checked by the engine in
- * every call; a stale one throws. Built in layers, each in a file of its own: world-base (its life,
- * time and settings), world-queries, world-views (what is read of it), and here what is put into it.
+ * every call; a stale one throws, as does whatever is out of range, and nothing has changed then.
+ * Built in layers, each in a file of its own: world-base (its life, time and settings),
+ * world-queries, world-views (what is read of it), and here what is put into it.
  */
 import { bodyId, detectionIndex, fill, indexOf, shapeId, userData } from "./numbers.js";
 import {
@@ -28,6 +29,7 @@ const TERRAIN_KINDS = ["flat", "uniform", "irregular"] as const;
 export class World extends WorldViews {
   // ---- bodies ----
 
+  /** A body without shapes: it moves, and meets nothing, until it has one. */
   createBody(options: BodyOptions = {}): BodyId {
     const { engine } = this;
     engine.exports.api_body_defaults();
@@ -60,6 +62,7 @@ export class World extends WorldViews {
     this.shapesRevision++;
   }
 
+  /** False once it was destroyed. */
   isValid(id: BodyId | ShapeId): boolean {
     const { exports } = this.engine;
     const isValid = id.kind === "body" ? exports.api_body_is_valid : exports.api_shape_is_valid;
@@ -87,23 +90,27 @@ export class World extends WorldViews {
     };
   }
 
+  /** Puts a body elsewhere at once, without a motion in between; radians. */
   setTransform(body: BodyId, position: Vec2, angle = 0): void {
     this.onBody("api_body_set_transform", body, position[0], position[1], angle);
   }
 
+  /** Of the centre of mass, length/s, and radians/s. Wakes it. */
   setVelocity(body: BodyId, velocity: Vec2, angularVelocity = 0): void {
     this.onBody("api_body_set_velocity", body, velocity[0], velocity[1], angularVelocity);
   }
 
+  /** Mass times length/s, at a place in the world. Wakes it. */
   applyImpulse(body: BodyId, impulse: Vec2, point: Vec2): void {
     this.onBody("api_body_apply_impulse", body, impulse[0], impulse[1], point[0], point[1]);
   }
 
-  /** Acts through the next step only. */
+  /** At the centre of mass; acts through the next step only. */
   applyForce(body: BodyId, force: Vec2, torque = 0): void {
     this.onBody("api_body_apply_force", body, force[0], force[1], torque);
   }
 
+  /** False: it counts as at rest, and sleeps as soon as its whole island does. */
   setAwake(body: BodyId, awake: boolean): void {
     this.onBody("api_body_set_awake", body, Number(awake));
   }
@@ -117,6 +124,7 @@ export class World extends WorldViews {
     this.shapesRevision++;
   }
 
+  /** A whole number from 0 to 2⁵³ - 1, for the caller's own use. */
   setUserData(body: BodyId, data: number): void {
     this.onBody("api_body_set_user_data", body, userData(data) ?? 0);
   }
@@ -243,10 +251,10 @@ export class World extends WorldViews {
    */
   replaceRange(shape: ShapeId, x0: number, x1: number, points: ArrayLike<Vec2>): void {
     const { length } = points;
-    const fill = (doubles: Float64Array) => {
+    const fillPoints = (doubles: Float64Array) => {
       for (let i = 0; i < length; i++) doubles.set(points[i], 2 * i);
     };
-    this.engine.withDoubles(2 * length, fill, (address) =>
+    this.engine.withDoubles(2 * length, fillPoints, (address) =>
       this.onShape("api_shape_replace_range", shape, x0, x1, address, length),
     );
     this.terrainsRevision++;
