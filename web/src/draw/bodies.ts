@@ -5,7 +5,7 @@
  */
 import type { Shapes } from "../scene/frame";
 import { CanvasRenderer } from "./canvas2d";
-import { type Colouring, rowColours } from "./rows";
+import { type Colouring, rowColours } from "./row-colours";
 import type { Renderer } from "./renderer";
 import { WebglRenderer } from "./webgl";
 
@@ -41,9 +41,9 @@ export class Bodies {
   setColours(colouring: Colouring): void {
     this.#colouring = colouring;
     if (!this.#shapes) return;
-    const plain = rowColours(this.#shapes, { theme: colouring.theme, awake: null, classes: null });
-    const known = colouring.awake !== null || colouring.classes !== null;
-    this.#renderer.setColours(known ? rowColours(this.#shapes, colouring) : plain, plain);
+    const plain = rowColours(this.#shapes, { theme: colouring.theme, awake: null });
+    const state = colouring.awake ? rowColours(this.#shapes, colouring) : plain;
+    this.#renderer.setColours(state, plain);
   }
 
   #watch(canvas: HTMLCanvasElement): void {

@@ -1,11 +1,22 @@
 /** Bodies by Canvas 2D, where WebGL2 is missing: rows of one colour share one path. */
 import type { Shapes } from "../scene/frame";
+import {
+  BODY,
+  CIRCLE,
+  DYNAMIC,
+  HALF,
+  OFFSET,
+  ROW,
+  SHAPE,
+  SLOT,
+  STATIC,
+  TURN,
+} from "../scene/shape-table";
 import type { Camera, Pane } from "./camera";
 import { cssColour, mix, type Rgb } from "./palette";
 import { CONTOURS } from "./paths";
 import { poseBetween, type Poses } from "./poses";
 import { type Look, OUTLINE, type Renderer } from "./renderer";
-import { BODY, CIRCLE, DYNAMIC, HALF, OFFSET, ROW, SHAPE, SLOT, STATIC, TURN } from "./rows";
 
 /** Of 255: channels are rounded to multiples of it, so that paths can be shared. */
 const STEP = 24;

@@ -6,6 +6,7 @@ import type { Vec2 } from "thud";
 import type { Frame, Shapes } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import type { Mark } from "../scene/scene";
+import { CIRCLE, HALF, OFFSET, ROW, SHAPE, SLOT, TURN } from "../scene/shape-table";
 import type { Camera, Pane } from "./camera";
 import { drawLists } from "./debug";
 import { drawLabels } from "./labels";
@@ -13,7 +14,6 @@ import { Layer } from "./layer";
 import { drawMarks } from "./marks";
 import type { Theme } from "./palette";
 import { poseBetween, type Poses } from "./poses";
-import { CIRCLE, HALF, OFFSET, ROW, SHAPE, SLOT, TURN } from "./rows";
 import { drawSums } from "./sums";
 
 /** What there is to draw now. */

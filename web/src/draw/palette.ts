@@ -20,8 +20,6 @@ export interface Theme {
   readonly sensor: Rgb;
   /** What sleeping bodies fade towards. */
   readonly sleep: Rgb;
-  /** Bodies in no class. */
-  readonly classless: Rgb;
   /** Box2D's bodies, where they lie over thud's. */
   readonly box2d: Rgb;
   readonly inks: Readonly<Record<Ink, string>>;
@@ -62,7 +60,6 @@ export const DARK: Theme = {
   kinematic: [122, 142, 178],
   sensor: [104, 211, 197],
   sleep: [38, 48, 66],
-  classless: [92, 102, 122],
   box2d: [255, 92, 214],
   inks: {
     ink: "#eef2f9",
@@ -110,7 +107,6 @@ export const LIGHT: Theme = {
   kinematic: [92, 110, 142],
   sensor: [20, 150, 138],
   sleep: [208, 212, 219],
-  classless: [176, 184, 198],
   box2d: [190, 0, 140],
   inks: {
     ink: "#1b2230",

@@ -4,7 +4,7 @@ import type { Camera, Pane } from "./camera";
 import type { Rgb } from "./palette";
 import type { Poses } from "./poses";
 
-/** Filled, with or without what is known of thud's bodies (sleep, classes), or an outline only. */
+/** Filled, with or without what is known of thud's bodies (who sleeps), or an outline only. */
 export type Look = { kind: "state" } | { kind: "plain" } | { kind: "outline"; colour: Rgb };
 
 /** How wide an outline is: its part of a body's half width, and its bounds in CSS pixels. */

@@ -1,7 +1,7 @@
 /** The GLSL of the WebGL2 renderer: places, shades and outlines a body's shape on one quad. */
 import { LEAST_LENGTH } from "./poses";
 import { OUTLINE } from "./renderer";
-import { CIRCLE, DYNAMIC, STATIC } from "./rows";
+import { CIRCLE, DYNAMIC, STATIC } from "../scene/shape-table";
 
 /** Poses a row of their textures. */
 export const TEXTURE_WIDTH = 1024;

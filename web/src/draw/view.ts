@@ -42,9 +42,8 @@ export class View {
   #frame: Frame | null = null;
   #shapes: Shapes | null = null;
   #awake: Uint8Array | null = null;
-  #classes: Int32Array | null = null;
-  /** What the bodies' colours showed last. */
-  #coloured = { sleep: false, classes: false };
+  /** Whether the bodies' colours showed sleep last. */
+  #sleepShown = false;
   #stale = true;
   /** What was drawn last, and how; the same is not drawn again. */
   #drawn: { frame: Frame; how: string } | null = null;
@@ -92,12 +91,10 @@ export class View {
       this.#shapes = frame.shapes;
       this.#bodies.setShapes(frame.shapes);
       this.#awake = null;
-      this.#classes = null;
       this.#stale = true;
     }
-    this.#stale ||= differs(this.#awake, frame.awake) || differs(this.#classes, frame.classes);
+    this.#stale ||= differs(this.#awake, frame.awake);
     this.#awake = frame.awake ?? this.#awake;
-    this.#classes = frame.classes ?? this.#classes;
   }
 
   /** `alpha` from 0, the frame's `before`, to 1, its `now`. */
@@ -152,7 +149,6 @@ export class View {
   #forget(): void {
     this.#shapes = null;
     this.#awake = null;
-    this.#classes = null;
     this.#backdrop.setTerrains([]);
     this.#bodies.setShapes(NOTHING);
     this.#stale = true;
@@ -161,16 +157,10 @@ export class View {
   /** `alone`: beside another engine, of which nothing is known but poses, sleep is not shown. */
   #colour(alone: boolean): void {
     const sleep = alone && this.shown.has("sleeping");
-    const classes = this.shown.has("islands") || this.shown.has("colours");
-    const same = sleep === this.#coloured.sleep && classes === this.#coloured.classes;
-    if (same && !this.#stale) return;
+    if (sleep === this.#sleepShown && !this.#stale) return;
     this.#stale = false;
-    this.#coloured = { sleep, classes };
-    this.#bodies.setColours({
-      theme: this.#theme,
-      awake: sleep ? this.#awake : null,
-      classes: classes ? this.#classes : null,
-    });
+    this.#sleepShown = sleep;
+    this.#bodies.setColours({ theme: this.#theme, awake: sleep ? this.#awake : null });
   }
 }
 

@@ -4,10 +4,10 @@
  * done in JavaScript.
  */
 import type { Shapes } from "../scene/frame";
+import { ROW } from "../scene/shape-table";
 import type { Camera, Pane } from "./camera";
 import type { Poses } from "./poses";
 import type { Look, Renderer } from "./renderer";
-import { ROW } from "./rows";
 import { linkProgram, LOOKS, TEXTURE_WIDTH } from "./shaders";
 
 const UNIFORMS = [

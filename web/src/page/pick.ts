@@ -1,10 +1,7 @@
 /** Which body lies under the pointer, told from what is drawn, without asking the worker. */
 import type { Vec2 } from "thud";
 import type { Frame, Shapes } from "../scene/frame";
-
-const ROW = 10;
-const CIRCLE = 0;
-const DYNAMIC = 2;
+import { CIRCLE, DYNAMIC, ROW } from "../scene/shape-table";
 
 /** Where bodies are: a frame of thud's, or with the other engine's places. */
 export type Placed = Pick<Frame, "origin" | "now">;

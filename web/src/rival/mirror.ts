@@ -3,6 +3,7 @@
  * copy is made of, its `Twin` knows.
  */
 import type { BodyId, BodyState, ShapeId, ShapeState, Terrain, World } from "thud";
+import { bodyAt, shapeAt } from "../scene/shape-table";
 
 export interface Twin {
   addBody(id: BodyId, state: BodyState): void;
@@ -113,15 +114,12 @@ export class Mirror {
 /** Of the handles of a ShapeTable. */
 function membersOf(handles: Uint32Array): Map<number, Member> {
   const members = new Map<number, Member>();
-  for (let i = 0; i < handles.length; i += 4) {
-    const slot = handles[i + 2] - 1;
-    let member = members.get(slot);
-    if (!member) {
-      const id: BodyId = { kind: "body", index: slot, generation: handles[i + 3] };
-      members.set(slot, (member = { id, shapes: new Map() }));
-    }
-    const index = handles[i] - 1;
-    member.shapes.set(index, { kind: "shape", index, generation: handles[i + 1] });
+  for (let row = 0; 4 * row < handles.length; row++) {
+    const id = bodyAt(handles, row);
+    let member = members.get(id.index);
+    if (!member) members.set(id.index, (member = { id, shapes: new Map() }));
+    const shape = shapeAt(handles, row);
+    member.shapes.set(shape.index, shape);
   }
   return members;
 }

@@ -21,8 +21,6 @@ export interface Frame {
   terrains?: PlacedTerrain[];
   /** For each row of the last shapes 1 if it is awake; now and then. */
   awake?: Uint8Array;
-  /** For each row the number of a class to be coloured by (island, solver colour); with overlays. */
-  classes?: Int32Array;
   /** The engine's debug drawing, relative to `origin`, when asked for. */
   drawing?: Drawing;
   sums?: Sum[];
@@ -84,7 +82,7 @@ export interface PlacedTerrain {
 
 /** Circles and boxes. */
 export interface Shapes {
-  /** Ten numbers a row, as ShapeTable.rows of the package. */
+  /** As ShapeTable.rows of the package; see shape-table.ts. */
   rows: Float32Array;
   count: number;
   /** The slot that ends the bodies. */

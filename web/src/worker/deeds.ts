@@ -2,10 +2,10 @@
  * What a visitor does to a running world, as plain data: applied before a step, and kept in the
  * journal under that step's number, so that going back in time does the same again.
  */
-import { SHAPE_KINDS } from "thud";
-import type { BodyId, ShapeId, Vec2, World } from "thud";
+import type { BodyId, Vec2, World } from "thud";
 import type { Blast, Pull } from "../rival/hands";
 import type { KeyName } from "../scene/scene";
+import { bodyInSlot, groundLines } from "./lookup";
 
 export type Deed =
   /** Takes the body in a slot at a place of its own frame; the pointer is at x, y. */
@@ -18,20 +18,13 @@ export type Deed =
   | { kind: "keys"; held: Readonly<Record<KeyName, boolean>> }
   | { kind: "pointer"; x: number; y: number; down: boolean };
 
-const TERRAIN = SHAPE_KINDS.indexOf("terrain");
-
 /** Null if no body has the slot any more. */
 export function takeHold(
   world: World,
   { slot, anchor, x, y }: Extract<Deed, { kind: "grab" }>,
 ): Pull | null {
-  const { count, handles } = world.shapeTable();
-  for (let i = 0; i < count; i++) {
-    const [, , body1, generation] = handles.subarray(4 * i, 4 * i + 4);
-    if (body1 - 1 === slot)
-      return { body: { kind: "body", index: slot, generation }, anchor, target: [x, y] };
-  }
-  return null;
+  const body = bodyInSlot(world, slot);
+  return body && { body, anchor, target: [x, y] };
 }
 
 /** Whether there is still something to be pulled. */
@@ -44,7 +37,7 @@ export function canPull(world: World, { body }: Pull): boolean {
 /** A new body; its size and angle vary a little with the number that exist. */
 export function spawn(
   world: World,
-  { shape, x, y, size }: { shape: "circle" | "box"; x: number; y: number; size: number },
+  { shape, x, y, size }: Extract<Deed, { kind: "spawn" }>,
 ): void {
   const wobble = 0.8 + 0.4 * ((world.stats().bodies * 0.618034) % 1);
   const body = world.createBody({
@@ -67,16 +60,7 @@ export function reachedBy(world: World, { x, y, radius }: Blast): BodyId[] {
 }
 
 /** A crater in every ground line that has vertices. */
-export function dig(world: World, { x, y, radius }: { x: number; y: number; radius: number }): void {
-  for (const shape of groundLines(world))
+export function dig(world: World, { x, y, radius }: Extract<Deed, { kind: "dig" }>): void {
+  for (const { shape } of groundLines(world))
     if (world.terrain(shape).kind !== "flat") world.dig(shape, [x, y], radius);
-}
-
-function groundLines(world: World): ShapeId[] {
-  const { count, rows, handles } = world.shapeTable();
-  const found: ShapeId[] = [];
-  for (let i = 0; i < count; i++)
-    if (rows[10 * i + 1] === TERRAIN)
-      found.push({ kind: "shape", index: handles[4 * i] - 1, generation: handles[4 * i + 1] });
-  return found;
 }

@@ -1,15 +1,14 @@
 /** Makes the frames that the page draws: copies of what the world has, and only of what is new. */
-import { type BodyId, SHAPE_KINDS, type ShapeId, type Terrain, type Vec2, type World } from "thud";
+import type { World } from "thud";
 import { inWorld } from "../rival/hands";
 import type { Drawing, Frame, PlacedTerrain, Shapes, Sum } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
+import { BODY, DYNAMIC, HALF, ROW, SHAPE, SLOT, TERRAIN } from "../scene/shape-table";
+import { groundLines } from "./lookup";
 import type { Look } from "./protocol";
 import type { Session } from "./session";
 import { sumsOfBody, sumsOfPairs } from "./sums";
 
-const ROW = 10;
-const TERRAIN = SHAPE_KINDS.indexOf("terrain");
-const DYNAMIC = 2;
 /** Sleeping bodies are looked for this often, in steps. */
 const AWAKE_EVERY = 6;
 
@@ -93,13 +92,12 @@ export class Frames {
 
 /** The buffers of a frame that go over to the page. */
 export function transferables(frame: Frame): ArrayBuffer[] {
-  const { before, now, shapes, awake, classes, drawing, rival } = frame;
+  const { before, now, shapes, awake, drawing, rival } = frame;
   const arrays = [
     before,
     now,
     shapes?.rows,
     awake,
-    classes,
     drawing?.shapes,
     drawing?.lines,
     drawing?.points,
@@ -147,15 +145,16 @@ export function readShapes(
   let slots = 0;
   for (let i = 0; i < total; i++) {
     const row = all.subarray(i * ROW, (i + 1) * ROW);
-    const [slot, kind, bodyKind] = row;
+    const slot = row[SLOT];
     slots = Math.max(slots, slot + 1);
-    if (kind === TERRAIN || hidden.has(slot)) continue;
-    if (bodyKind === DYNAMIC) sizes.push(row[6]);
+    if (row[SHAPE] === TERRAIN || hidden.has(slot)) continue;
+    if (row[BODY] === DYNAMIC) sizes.push(row[HALF]);
     rows.set(row, count * ROW);
     source[count++] = i;
   }
   const order = new Uint32Array(slots);
-  for (let i = 0; i < count; i++) if (rows[i * ROW + 2] === DYNAMIC) order[rows[i * ROW]] = 1;
+  for (let at = 0; at < count * ROW; at += ROW)
+    if (rows[at + BODY] === DYNAMIC) order[rows[at + SLOT]] = 1;
   let moving = 0;
   for (let slot = 0; slot < slots; slot++) if (order[slot] !== 0) order[slot] = moving++;
   sizes.sort((a, b) => a - b);
@@ -173,16 +172,8 @@ export function readShapes(
 }
 
 function readTerrains(world: World): PlacedTerrain[] {
-  const { count, rows, handles: views } = world.shapeTable();
-  const kinds = Array.from({ length: count }, (_, i) => rows[ROW * i + 1]);
-  const handles = views.slice();
-  return kinds.flatMap((kind, i) => {
-    if (kind !== TERRAIN) return [];
-    const [shape1, shapeGeneration, body1, bodyGeneration] = handles.subarray(4 * i, 4 * i + 4);
-    const shape: ShapeId = { kind: "shape", index: shape1 - 1, generation: shapeGeneration };
-    const body: BodyId = { kind: "body", index: body1 - 1, generation: bodyGeneration };
-    const [x, y]: Vec2 = world.bodyState(body).position;
-    const terrain: Terrain = world.terrain(shape);
-    return [{ x, y, terrain }];
+  return groundLines(world).map(({ body, shape }) => {
+    const [x, y] = world.bodyState(body).position;
+    return { x, y, terrain: world.terrain(shape) };
   });
 }

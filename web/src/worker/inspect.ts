@@ -1,5 +1,6 @@
 /** What the world knows of one body, for the card of a body that the visitor points at. */
-import type { BodyState, ShapeId, ShapeState, Vec2, World } from "thud";
+import type { BodyState, ShapeState, Vec2, World } from "thud";
+import { shapesOf } from "./lookup";
 
 /** Plain data: everything that stands on the card. */
 export interface BodyReport {
@@ -48,15 +49,4 @@ export function inspect(world: World, step: number, slot: number): BodyReport | 
     };
   });
   return { step, slot, state: world.bodyState(body), shapes, contacts };
-}
-
-/** The shapes of the body in a slot; none if there is none. */
-export function shapesOf(world: World, slot: number): ShapeId[] {
-  const { count, handles } = world.shapeTable();
-  const shapes: ShapeId[] = [];
-  for (let i = 0; i < count; i++) {
-    if (handles[4 * i + 2] - 1 !== slot) continue;
-    shapes.push({ kind: "shape", index: handles[4 * i] - 1, generation: handles[4 * i + 1] });
-  }
-  return shapes;
 }

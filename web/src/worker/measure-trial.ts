@@ -5,6 +5,7 @@ import { Rival } from "../rival/rival";
 import { Ruler } from "../rival/ruler";
 import type { Watched } from "../rival/watch";
 import { type Input, KEY_NAMES } from "../scene/scene";
+import { BODY, KINEMATIC, ROW } from "../scene/shape-table";
 import type { RivalSetting } from "./measure-settings";
 import type { SceneRequest } from "./protocol";
 import type { Session } from "./session";
@@ -22,8 +23,6 @@ const IDLE: Pick<Input, "held" | "pointer"> = {
   held: Object.fromEntries(KEY_NAMES.map((name) => [name, false])) as Input["held"],
   pointer: null,
 };
-
-const KINEMATIC = 1;
 
 export class Trial {
   readonly #session: Session;
@@ -114,7 +113,7 @@ export class Trial {
 
 function hasKinematic(world: World): boolean {
   const { rows, count } = world.shapeTable();
-  for (let i = 0; i < count; i++) if (rows[10 * i + 2] === KINEMATIC) return true;
+  for (let row = 0; row < count; row++) if (rows[row * ROW + BODY] === KINEMATIC) return true;
   return false;
 }
 

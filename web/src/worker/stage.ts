@@ -2,6 +2,7 @@
 import type { Engine, Mover, World, WorldOptions } from "thud";
 import type { Scene, SceneModule, View } from "../scene/scene";
 import { createSetting } from "../scene/setting";
+import { BODY, DYNAMIC, HALF, ROW, SLOT, STATIC } from "../scene/shape-table";
 import type { Choices, RunningScene, SceneRequest } from "./protocol";
 import { maxErrorOf, Session } from "./session";
 import { readShapes } from "./frames";
@@ -95,9 +96,9 @@ function widthOf({ world }: Session, { x, y, height }: View): number {
   const poses = world.poses(1, x, y);
   let reach = 0;
   for (let i = 0; i < shapes.count; i++) {
-    const [slot, , bodyKind] = shapes.rows.subarray(10 * i, 10 * i + 3);
-    const distance = Math.abs(poses[4 * slot]);
-    if (bodyKind === 2 && distance <= height) reach = Math.max(reach, distance);
+    const row = shapes.rows.subarray(i * ROW, (i + 1) * ROW);
+    const distance = Math.abs(poses[4 * row[SLOT]]);
+    if (row[BODY] === DYNAMIC && distance <= height) reach = Math.max(reach, distance);
   }
   return Math.min(2.2 * reach, 2 * height);
 }
@@ -107,12 +108,12 @@ function fit({ world }: Session): View {
   const { shapes } = readShapes(world);
   const poses = world.poses(1, 0, 0);
   let [x0, y0, x1, y1] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (const least of [2, 0]) {
+  for (const least of [DYNAMIC, STATIC]) {
     for (let i = 0; i < shapes.count; i++) {
-      const row = shapes.rows.subarray(10 * i, 10 * i + 10);
-      if (row[2] < least) continue;
-      const [x, y] = [poses[4 * row[0]], poses[4 * row[0] + 1]];
-      const reach = Math.hypot(row[6], row[7]);
+      const row = shapes.rows.subarray(i * ROW, (i + 1) * ROW);
+      if (row[BODY] < least) continue;
+      const [x, y] = poses.subarray(4 * row[SLOT]);
+      const reach = Math.hypot(row[HALF], row[HALF + 1]);
       [x0, x1] = [Math.min(x0, x - reach), Math.max(x1, x + reach)];
       [y0, y1] = [Math.min(y0, y - reach), Math.max(y1, y + reach)];
     }

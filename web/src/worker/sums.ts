@@ -1,7 +1,7 @@
 /** Minkowski sums for the page to draw: of a scene's pairs, and of one body with its neighbour. */
 import { minkowskiSum, type ShapeId, type SolidShape, type Vec2, type World } from "thud";
 import type { Sum } from "../scene/frame";
-import { shapesOf } from "./inspect";
+import { shapesOf } from "./lookup";
 
 /** A shape where it stands. */
 interface Placed {

@@ -1,23 +1,7 @@
-/** The rows of `Shapes`: where their numbers stand, and which colour each row has. */
-import { BODY_KINDS, SHAPE_KINDS } from "thud";
+/** Which colour each row of `Shapes` has. */
 import type { Shapes } from "../scene/frame";
-import { classColour, mix, rampColour, type Rgb, type Theme } from "./palette";
-
-/** Numbers a row, as in ShapeTable.rows of the package. */
-export const ROW = 10;
-/** Where in a row they stand. */
-export const SLOT = 0;
-export const SHAPE = 1;
-export const BODY = 2;
-const SENSOR = 3;
-export const OFFSET = 4;
-export const HALF = 6;
-export const TURN = 8;
-
-export const CIRCLE = SHAPE_KINDS.indexOf("circle");
-export const STATIC = BODY_KINDS.indexOf("static");
-export const DYNAMIC = BODY_KINDS.indexOf("dynamic");
-const KINEMATIC = BODY_KINDS.indexOf("kinematic");
+import { BODY, KINEMATIC, ROW, SENSOR, SLOT, STATIC } from "../scene/shape-table";
+import { mix, rampColour, type Rgb, type Theme } from "./palette";
 
 /** How far a sleeping body's colour fades. */
 const FADE = 0.4;
@@ -28,27 +12,15 @@ export interface Colouring {
   theme: Theme;
   /** By row; all are awake without it. */
   awake: Uint8Array | null;
-  /** By row, and -1 for none; without it bodies have their place in the ramp. */
-  classes: Int32Array | null;
 }
 
 /** Red, green, blue and opacity of each row. */
-export function rowColours(shapes: Shapes, { theme, awake, classes }: Colouring): Uint8Array {
+export function rowColours(shapes: Shapes, { theme, awake }: Colouring): Uint8Array {
   const colours = new Uint8Array(4 * shapes.count);
-  const ofClass = new Map<number, Rgb>();
   for (let row = 0; row < shapes.count; row++) {
     const at = row * ROW;
     const fixed = shapes.rows[at + BODY] === STATIC;
     let colour = plainColour(shapes, at, theme);
-    if (classes && !fixed) {
-      const number = classes[row] ?? -1;
-      let known = ofClass.get(number);
-      if (!known) {
-        known = number < 0 ? theme.classless : classColour(number, theme.dark);
-        ofClass.set(number, known);
-      }
-      colour = known;
-    }
     if (awake && awake[row] === 0 && !fixed) colour = mix(colour, theme.sleep, FADE);
     colours[4 * row] = colour[0];
     colours[4 * row + 1] = colour[1];
