@@ -6,8 +6,11 @@
   public      a public header includes only public headers and the C library's
   outside     demo/ and web/ speak to the engine through its public headers alone
   intrinsics  processor-specific code stands only in engine/src/simd.h
-  length      no C file of engine/ or demo/ is longer than 400 lines
+  length      no C file of engine/ or demo/, and no text of web/ or tests/web, is longer than 400
+              lines
   sources     the C files that the CMakeLists name are those that are there
+  lock        web/package-lock.json says what is installed and not from which host
+  elsewhere   no text of web/ or tests/web names a folder of the machine that it was written on
 
 Prints one line per breach and exits with 1 if there is any.
 """
@@ -18,8 +21,13 @@ import sys
 from pathlib import Path
 
 LONGEST = 400
+WEB_TREES = ("web", "tests/web")
+WEB_TEXTS = (".c", ".css", ".h", ".html", ".js", ".json", ".md", ".mjs", ".sh", ".ts")
+LOCK_FILE = "web/package-lock.json"
+FROM_A_HOST = re.compile(r'"resolved": "\w+://')
+ELSEWHERE = re.compile(r"(?<![\w.}])/(?:home|root|tmp|work)/")
 TREES = ("engine", "demo", "tests", "web")
-SKIPPED = {"node_modules", "target", "dist", "build"}
+SKIPPED = {"node_modules", "target", "dist", "build", "generated"}
 INTRINSICS_HOME = "engine/src/simd.h"
 INTRINSICS = re.compile(
     r"\b(?:[a-z]*mmintrin|immintrin|x86intrin|arm_neon|arm_sve|wasm_simd128)\.h\b"
@@ -49,6 +57,14 @@ def c_files(root):
             if path.suffix in (".c", ".h", ".inl") and not SKIPPED & set(relative.parts):
                 found.append(relative)
     return found
+
+
+def web_texts(root):
+    """What people wrote for the page, its package and their tests, relative to the root."""
+    return [path.relative_to(root)
+            for tree in WEB_TREES for path in sorted((root / tree).rglob("*"))
+            if path.suffix in WEB_TEXTS and not SKIPPED & set(path.relative_to(root).parts)
+            and path.is_file()]
 
 
 def read_floors(path):
@@ -158,11 +174,11 @@ def check_intrinsics(root, files):
 
 
 def check_length(root, files):
-    for file in files:
-        if file.parts[0] in ("engine", "demo"):
-            lines = len(read(root / file).splitlines())
-            if lines > LONGEST:
-                yield f"length: {file} has {lines} lines, more than {LONGEST}"
+    written = [file for file in web_texts(root) if file.as_posix() != LOCK_FILE]
+    for file in [file for file in files if file.parts[0] in ("engine", "demo")] + written:
+        lines = len(read(root / file).splitlines())
+        if lines > LONGEST:
+            yield f"length: {file} has {lines} lines, more than {LONGEST}"
 
 
 def check_sources(root, files):
@@ -185,6 +201,19 @@ def check_sources(root, files):
         yield f"sources: a CMakeLists.txt names {file}, which is not there"
 
 
+def check_lock(root):
+    lock = root / LOCK_FILE
+    if lock.is_file() and FROM_A_HOST.search(read(lock)):
+        yield f"lock: {LOCK_FILE} names a host; see omit-lockfile-registry-resolved in web/.npmrc"
+
+
+def check_elsewhere(root):
+    for file in web_texts(root):
+        found = ELSEWHERE.search(read(root / file))
+        if found:
+            yield f"elsewhere: {file} has {found.group()}"
+
+
 def breaches(root, floors_path):
     root = root.resolve()
     floors = read_floors(floors_path)
@@ -192,7 +221,7 @@ def breaches(root, floors_path):
     graph = include_graph(root, files)
     return [*check_listed(root, floors), *check_floors(graph, floors), *check_cycles(graph),
             *check_public(graph), *check_intrinsics(root, files), *check_length(root, files),
-            *check_sources(root, files)]
+            *check_sources(root, files), *check_lock(root), *check_elsewhere(root)]
 
 
 def main(arguments):

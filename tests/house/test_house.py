@@ -24,6 +24,8 @@ HEALTHY = {
     "engine/src/step.c": '#include "sleep.h"\n#include "solve.h"\n',
     "demo/run/CMakeLists.txt": "add_executable(thud-run main.c) # not old.c\n",
     "demo/run/main.c": "#include <thud/thud.h>\n",
+    "web/package-lock.json": '{ "version": "1.0.0" }\n' * 500,
+    "web/src/main.ts": 'import "./work/index";\n',
 }
 
 
@@ -99,6 +101,19 @@ class HouseTest(unittest.TestCase):
         self.assertEqual(self.breaches({"engine/src/ray.c": "\n" * 400}), [])
         self.assert_noticed("length: engine/src/ray.c has 401", {
             "engine/src/ray.c": "\n" * 401})
+
+    def test_long_text_of_the_page_is_noticed(self):
+        self.assert_noticed("length: web/src/main.ts has 401", {"web/src/main.ts": "\n" * 401})
+        self.assertEqual(self.breaches({"web/node_modules/a/a.js": "\n" * 401}), [])
+
+    def test_host_in_the_lock_file_is_noticed(self):
+        self.assert_noticed("lock: web/package-lock.json", {
+            "web/package-lock.json": '"resolved": "https://example.org/a.tgz"\n'})
+        self.assertEqual(self.breaches({"web/package-lock.json": '"resolved": "package"\n'}), [])
+
+    def test_folder_of_another_machine_is_noticed(self):
+        self.assert_noticed("elsewhere: web/src/main.ts has /home/", {
+            "web/src/main.ts": 'const path = "/home/someone/thud";\n'})
 
     def test_source_that_cmake_does_not_name_is_noticed(self):
         self.assert_noticed("sources: demo/run/old.c", {"demo/run/old.c": ""})

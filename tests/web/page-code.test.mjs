@@ -1,12 +1,20 @@
-/** The code panel: the running scene's text, changed, run again, and sent with a link. */
+/** The code panel: the running scene's text, changed, run again, and kept. */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { deflateRawSync, inflateRawSync } from "node:zlib";
-import { launchChromium } from "../../web/tools/browser.mjs";
-import { copyOfPage, createPlainServer, serve } from "./built-page.mjs";
-import { DESKTOP, openVisitor, PHONE, untilRunning } from "./page-support.mjs";
-import { axeSource, root } from "./support.mjs";
+import {
+  boxes,
+  markedLine,
+  openCode,
+  run,
+  textOf,
+  troubleOf,
+  type,
+  untilBodies,
+  untilStatus,
+} from "./code-support.mjs";
+import { DESKTOP, openVisitor, PHONE, runAxe, untilRunning } from "./page-support.mjs";
+import { root } from "./support.mjs";
 
 const SIZES = { desktop: DESKTOP, phone: PHONE };
 const SKETCH = readFileSync(`${root}web/public/scenes/sketch.js`, "utf8");
@@ -17,93 +25,9 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** The page with the code panel open and its editor filled; breaches of its policy are errors. */
-async function openCode(search, options = DESKTOP) {
-  const opened = await visitor.open(search, options, async (page) => {
-    await page.addInitScript(() =>
-      addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) =>
-        console.error(`policy: ${effectiveDirective} ${blockedURI}`),
-      ),
-    );
-  });
-  await untilRunning(opened.page);
-  await opened.page.waitForSelector(".code-editor .cm-line:not(:empty)");
-  return opened;
-}
-
-/** As the editor has it; only for texts that are short enough to be drawn as a whole. */
-async function textOf(page) {
-  const lines = await page.locator(".code-editor .cm-line").allTextContents();
-  return lines.join("\n");
-}
-
-/** Puts another text in place of all that is in the editor, as a paste does. */
-async function type(page, text) {
-  await page.locator(".code-editor .cm-content").focus();
-  await page.keyboard.press("Control+a");
-  await page.keyboard.insertText(text);
-}
-
-async function run(page) {
-  await page.click(".code-run");
-}
-
-/** A scene of some boxes that says which one it is. */
-function boxes(count, { message = "boxes", update = "" } = {}) {
-  return `export default function ({ createWorld }) {
-  const world = createWorld();
-  for (let i = 0; i < ${count}; i++) {
-    const body = world.createBody({ kind: "dynamic", position: [0, 2 * i] });
-    world.createCircle(body, { radius: 0.5 });
-  }
-  return {
-    world,
-    paint: () => ({ message: "${message}" }),
-    update() {
-      ${update}
-    },
-  };
-}
-`;
-}
-
-function untilBodies(page, count) {
-  return page.waitForFunction(
-    (wanted) => document.querySelector('[data-value="bodies"]')?.textContent === wanted,
-    String(count),
-  );
-}
-
-function untilStatus(page, text) {
-  return page.waitForFunction(
-    (wanted) => document.querySelector(".code-status").textContent === wanted,
-    text,
-  );
-}
-
-async function troubleOf(page) {
-  await page.waitForSelector(".code-trouble:not([hidden])");
-  return page.innerText(".code-trouble");
-}
-
-/** The number of the line that has a mark in the gutter. */
-async function markedLine(page) {
-  const mark = await page.locator(".cm-lint-marker-error").boundingBox();
-  for (const number of await page.locator(".cm-lineNumbers .cm-gutterElement").all()) {
-    const box = await number.boundingBox();
-    if (box && box.y <= mark.y && mark.y < box.y + box.height)
-      return Number(await number.innerText());
-  }
-  return null;
-}
-
-function linkOf(text, scene = "sketch") {
-  return `?scene=${scene}#code=${deflateRawSync(text).toString("base64url")}`;
-}
-
 for (const [name, options] of Object.entries(SIZES)) {
   test(`number_changed_and_run_changes_the_world_on_${name}`, async () => {
-    const { page, errors, close } = await openCode("?scene=sketch&panel=code", options);
+    const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code", options);
     assert.match(await page.innerText(".code-status"), /Runs as it comes/);
     await untilBodies(page, 14);
     await page.locator(".cm-line", { hasText: "export const size" }).click();
@@ -119,7 +43,7 @@ for (const [name, options] of Object.entries(SIZES)) {
   });
 
   test(`syntax_error_is_told_at_its_line_and_the_scene_goes_on_on_${name}`, async () => {
-    const { page, errors, close } = await openCode("?scene=sketch&panel=code", options);
+    const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code", options);
     await type(page, "const a = 1;\nconst b = = 2;\nexport default function () {}\n");
     await run(page);
     assert.match(await troubleOf(page), /Line 2[\s\S]*Unexpected token/);
@@ -138,7 +62,7 @@ for (const [name, options] of Object.entries(SIZES)) {
 
   test(`axe_finds_no_serious_violation_in_the_code_panel_on_${name}`, async () => {
     for (const colorScheme of ["dark", "light"]) {
-      const { page, close } = await openCode("?scene=artillery&panel=code", {
+      const { page, close } = await openCode(visitor, "?scene=artillery&panel=code", {
         ...options,
         colorScheme,
       });
@@ -146,21 +70,14 @@ for (const [name, options] of Object.entries(SIZES)) {
       await run(page);
       await troubleOf(page);
       await page.click(".code-help summary");
-      await page.evaluate(axeSource());
-      const violations = await page.evaluate(async () => {
-        const found = await window.axe.run();
-        return found.violations
-          .filter(({ impact }) => impact === "serious" || impact === "critical")
-          .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" | ")}`);
-      });
-      assert.deepEqual(violations, []);
+      assert.deepEqual(await runAxe(page), []);
       await close();
     }
   });
 }
 
 test("buttons_of_the_code_panel_are_large_enough_on_a_phone", async () => {
-  const { page, close } = await openCode("?scene=sketch&panel=code", PHONE);
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code", PHONE);
   for (const button of await page.locator(".code button:visible, .code summary").all()) {
     const { height } = await button.boundingBox();
     assert.ok(height >= 40, `${await button.innerText()}: ${height}`);
@@ -172,7 +89,7 @@ test("buttons_of_the_code_panel_are_large_enough_on_a_phone", async () => {
 });
 
 test("error_while_building_is_told_at_its_line", async () => {
-  const { page, close } = await openCode("?scene=sketch&panel=code");
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
   await type(page, boxes(3).replace("  return {", "  world.nothing.here();\n  return {"));
   await run(page);
   assert.match(await troubleOf(page), /Line 7[\s\S]*undefined/);
@@ -182,7 +99,7 @@ test("error_while_building_is_told_at_its_line", async () => {
 });
 
 test("error_in_update_is_told_at_its_line_and_the_next_run_goes_on", async () => {
-  const { page, close } = await openCode("?scene=sketch&panel=code");
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
   await type(page, boxes(3, { update: "world.nothing.here();" }));
   await run(page);
   assert.match(await troubleOf(page), /Line 11[\s\S]*undefined/);
@@ -196,7 +113,7 @@ test("error_in_update_is_told_at_its_line_and_the_next_run_goes_on", async () =>
 });
 
 test("error_in_update_is_told_when_the_panel_was_closed", async () => {
-  const { page, close } = await openCode("?scene=sketch&panel=code");
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
   await type(page, boxes(3, { update: "if (world.stats().steps > 150) throw new Error('late');" }));
   await run(page);
   await untilStatus(page, "Your code runs");
@@ -206,7 +123,7 @@ test("error_in_update_is_told_when_the_panel_was_closed", async () => {
 });
 
 test("import_that_is_not_there_is_told_at_its_line", async () => {
-  const { page, close } = await openCode("?scene=sketch&panel=code");
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
   const told = async (line) => {
     await type(page, `// an import\n${line}\n${boxes(1)}`);
     await run(page);
@@ -219,7 +136,7 @@ test("import_that_is_not_there_is_told_at_its_line", async () => {
 });
 
 test("loop_without_an_end_leads_back_and_keeps_the_text", { timeout: 90_000 }, async () => {
-  const { page, close } = await openCode("?scene=sketch&panel=code");
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
   const text = boxes(3, { update: "for (;;);" });
   await type(page, text);
   await run(page);
@@ -239,7 +156,7 @@ test("loop_without_an_end_leads_back_and_keeps_the_text", { timeout: 90_000 }, a
 });
 
 test("text_is_kept_when_another_scene_was_opened_and_the_page_loaded_again", async () => {
-  const { page, close } = await openCode("?scene=sketch&panel=code");
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
   const text = boxes(6);
   await type(page, text);
   await page.click("#scenes-button");
@@ -254,79 +171,8 @@ test("text_is_kept_when_another_scene_was_opened_and_the_page_loaded_again", asy
   await close();
 });
 
-test("code_goes_with_the_address_with_letters_of_any_language", async () => {
-  const { page, errors, close } = await openCode("?scene=sketch&panel=code");
-  await type(page, boxes(7, { message: "Kugeln — пять ⚽ 球" }));
-  await page.keyboard.press("Control+Enter");
-  await untilBodies(page, 7);
-  await page.waitForFunction(() => location.hash.startsWith("#code="));
-  const address = page.url().slice(page.url().indexOf("?"));
-  // One's own code runs again; somebody else is asked first.
-  await page.reload();
-  await untilBodies(page, 7);
-  const other = await openCode(address);
-  await other.page.click(".code-offer button");
-  await untilBodies(other.page, 7);
-  assert.equal(await other.page.innerText("#message"), "Kugeln — пять ⚽ 球");
-  assert.deepEqual([...errors, ...other.errors], []);
-  await other.close();
-  await close();
-});
-
-for (const [name, options] of Object.entries(SIZES))
-  test(`code_of_a_link_is_offered_and_not_run_on_${name}`, async () => {
-    const link = linkOf(boxes(9));
-    const { page, errors, close } = await openCode(link, options);
-    await page.waitForSelector(".code-offer:not([hidden])");
-    assert.match(await page.innerText(".code-offer"), /by somebody else/);
-    assert.equal(await textOf(page), boxes(9));
-    await untilBodies(page, 14);
-    const kept = new URL(page.url()).hash.replace("#code=", "");
-    assert.equal(String(inflateRawSync(Buffer.from(kept, "base64url"))), boxes(9));
-    await page.click(".code-offer button");
-    await untilBodies(page, 9);
-    assert.ok(await page.isHidden(".code-offer"));
-    assert.deepEqual(errors, []);
-    await close();
-  });
-
-test("code_of_a_link_is_asked_about_twice_where_nothing_confines_it", async (t) => {
-  const { url } = await serve(t, createPlainServer(copyOfPage(t)));
-  const browser = await launchChromium({ webgl: false });
-  t.after(() => browser.close());
-  const page = await browser.newPage();
-  await page.addInitScript(() => delete Navigator.prototype.serviceWorker);
-  await page.goto(url + linkOf(boxes(9)));
-  await page.click(".code-offer button");
-  await page.waitForFunction(() =>
-    /reaching other hosts here/.test(document.querySelector(".code-offer").textContent),
-  );
-  await untilBodies(page, 14);
-  await page.click(".code-offer button");
-  await untilBodies(page, 9);
-});
-
-test("code_of_a_link_can_be_left_out", async () => {
-  const { page, close } = await openCode(linkOf(boxes(9)));
-  await page.click(".code-offer button:nth-child(2)");
-  await untilStatus(page, "Runs as it comes");
-  assert.ok(await page.isHidden(".code-offer"));
-  await page.waitForFunction(() => location.hash === "");
-  await untilBodies(page, 14);
-  await close();
-});
-
-test("damaged_code_of_a_link_is_told", async () => {
-  const { page, close } = await visitor.open("?scene=cradle#code=nonsense");
-  await page.waitForFunction(() =>
-    /code in this link is damaged/.test(document.querySelector("#notice").textContent),
-  );
-  await untilRunning(page);
-  await close();
-});
-
 test("original_comes_back_and_undoing_brings_the_text_again", async () => {
-  const { page, close } = await openCode("?scene=sketch&panel=code");
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
   await type(page, boxes(4));
   await run(page);
   await untilBodies(page, 4);
@@ -342,6 +188,7 @@ test("original_comes_back_and_undoing_brings_the_text_again", async () => {
 
 test("camera_and_choices_stay_when_code_runs", async () => {
   const { page, close } = await openCode(
+    visitor,
     "?scene=sketch&size=5&quality=high&view=1,2,50&panel=code",
   );
   await untilBodies(page, 7);
@@ -356,7 +203,7 @@ test("camera_and_choices_stay_when_code_runs", async () => {
 });
 
 test("imported_files_are_shown_read_only_in_tabs", async () => {
-  const { page, close } = await openCode("?scene=artillery&panel=code");
+  const { page, close } = await openCode(visitor, "?scene=artillery&panel=code");
   await page.click('[role="tab"]:has-text("tanks.js")');
   assert.match(await page.innerText(".code-status"), /Read only/);
   const before = await textOf(page);
@@ -398,32 +245,5 @@ test("keyboard_alone_opens_types_runs_and_leaves", async () => {
   await page.keyboard.press("Escape");
   await page.waitForSelector("#dock", { state: "hidden" });
   assert.deepEqual(errors, []);
-  await close();
-});
-
-/** Tells what it reached, each by its name. */
-const PROBE = `
-  const reached = [];
-  for (const name of ["XMLHttpRequest", "WebSocket", "EventSource", "WebTransport", "Worker",
-    "BroadcastChannel", "indexedDB", "caches", "importScripts", "FontFace"])
-    if (name in globalThis) reached.push(name);
-  if ("storage" in navigator) reached.push("storage");
-  if (WorkerGlobalScope.prototype.fetch) reached.push("the prototype's fetch");
-  const elsewhere = "http://127.0.0.1:9/";
-  for (const target of [elsewhere, new URL(elsewhere), new Request(elsewhere), "data:,x"]) {
-    const refused = await fetch(target).then(() => "", ({ message }) => message);
-    if (!refused.includes("not a file of this page")) reached.push(String(target));
-  }
-  const home = (await readText("levels/towers.tmj")).length > 1000;`;
-
-test("code_that_reaches_out_fails_and_reads_its_own_page", async () => {
-  const { page, close } = await openCode("?scene=sketch&panel=code");
-  const text = boxes(2)
-    .replace("function ({ createWorld }) {", `async function ({ createWorld, readText }) {${PROBE}`)
-    .replace('message: "boxes"', "message: JSON.stringify({ reached, home })");
-  await type(page, text);
-  await run(page);
-  await page.waitForFunction(() => /reached/.test(document.querySelector("#message").textContent));
-  assert.deepEqual(JSON.parse(await page.innerText("#message")), { reached: [], home: true });
   await close();
 });
