@@ -176,9 +176,15 @@ test("artillery_by_touch_two_players_are_chosen_and_the_button_fires", async () 
 
 test("view_follows_the_figure_of_the_platformer_and_stands_while_it_stands", async () => {
   const { page, errors, close } = await openGame("platformer_game", PHONE);
+  // The view goes gently: it has come when two pictures are the same.
   const backdrop = async () => {
-    await page.waitForTimeout(400);
-    return page.evaluate(() => document.querySelector("#backdrop").toDataURL());
+    const see = () => page.evaluate(() => document.querySelector("#backdrop").toDataURL());
+    let [last, now] = ["", await see()];
+    for (let i = 0; i < 40 && now !== last; i++) {
+      await page.waitForTimeout(500);
+      [last, now] = [now, await see()];
+    }
+    return now;
   };
   await stepBy(page, 60);
   const before = await backdrop();
