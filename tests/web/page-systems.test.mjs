@@ -90,9 +90,9 @@ for (const [size, options] of SIZES)
 test("keys_toggle_pairs_and_motions_and_go_through_detections", async () => {
   const { page, errors, close } = await visitor.open("?scene=tall_stack&paused=1");
   await stepBy(page, 5);
-  await page.keyboard.press("8");
+  await page.keyboard.press("9");
   assert.ok((await overlay(page)).count > 20, "no pairs");
-  await page.keyboard.press("8");
+  await page.keyboard.press("9");
   await page.keyboard.press("m");
   assert.equal((await overlay(page)).count, 0, "a stack at rest has motions");
   for (const name of ["overlap", "continuous", "bisect", "swept"]) {

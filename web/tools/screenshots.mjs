@@ -17,25 +17,63 @@ const PHONE = {
   isMobile: true,
 };
 
+const LIGHT = { ...DESKTOP, colorScheme: "light" };
+
 /** Each after so many steps, so that a picture shows the same at every run. */
 const PICTURES = [
-  { name: "quarry", search: "level=quarry", steps: 240, options: DESKTOP },
-  { name: "towers", search: "level=towers", steps: 150, options: DESKTOP },
-  { name: "platform", search: "level=platform", steps: 150, options: DESKTOP },
-  { name: "mountain", search: "level=mountain", steps: 200, options: DESKTOP },
-  { name: "smash", search: "scene=smash", steps: 110, options: DESKTOP },
-  { name: "tumbler", search: "scene=tumbler", steps: 400, options: { ...DESKTOP, colorScheme: "light" } },
-  { name: "detection", search: "scene=detection", steps: 200, options: DESKTOP },
-  { name: "minkowski", search: "scene=minkowski", steps: 5, options: DESKTOP },
-  { name: "broadphases-grid", search: "scene=broadphases", steps: 60, options: DESKTOP },
-  {
-    name: "broadphases-sweep",
-    search: "scene=broadphases&broadphase=sweep",
-    steps: 60,
-    options: DESKTOP,
-  },
-  { name: "circle-pit-phone", search: "scene=circle_pit", steps: 300, options: PHONE },
+  { name: "versus", search: "scene=brick_wall&panel=versus", steps: 100, prepare: untilBoth },
+  { name: "trade", search: "scene=heavy_on_light&panel=trade", steps: 60, after: measure },
+  { name: "inside", search: "scene=circle_pit&size=400&panel=inside", steps: 140, after: showInside },
+  { name: "code", search: "scene=dominoes&panel=code", steps: 150 },
+  { name: "artillery", search: "scene=artillery", steps: 0, after: shoot },
+  { name: "platformer", search: "scene=platformer_game", steps: 90, options: LIGHT },
+  { name: "detection", search: "scene=detection", steps: 200 },
+  { name: "phone", search: "scene=hourglass", steps: 240, options: PHONE },
 ];
+
+/** Until Box2D is there. */
+async function untilBoth(page) {
+  await page.locator("#dock table").waitFor();
+}
+
+/** The series of all settings, to its end. */
+async function measure(page) {
+  await page.getByRole("button", { name: /^Measure/ }).click();
+  await page.getByText("Copy as text").waitFor({ timeout: 600_000 });
+}
+
+async function showInside(page) {
+  for (const key of ["4", "1", "2"]) await page.keyboard.press(key);
+}
+
+/** Against the computer, one shot, seen where it lands. */
+async function shoot(page) {
+  const hold = async (key, steps) => {
+    await page.keyboard.down(key);
+    await step(page, steps);
+    await page.keyboard.up(key);
+  };
+  await page.focus("#overlay");
+  await hold("ArrowLeft", 2);
+  await step(page, 30);
+  await hold("ArrowUp", 20);
+  await hold("Space", 2);
+  await step(page, 100);
+}
+
+/** Presses the key for a single step and waits until the steps are seen. */
+async function step(page, count) {
+  const before = await page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
+  await page.evaluate((presses) => {
+    for (let i = 0; i < presses; i++)
+      document.body.dispatchEvent(new KeyboardEvent("keydown", { key: ".", bubbles: true }));
+  }, count);
+  await page.waitForFunction(
+    (least) => Number(document.querySelector("#hud").dataset.steps) >= least,
+    before + count,
+    { timeout: 300_000 },
+  );
+}
 
 const wanted = process.argv.slice(2);
 if (wanted.includes("--help") || wanted.includes("-h")) {
@@ -51,19 +89,20 @@ if (unknown) {
 const folder = fileURLToPath(new URL("../../docs/pictures/", import.meta.url));
 mkdirSync(folder, { recursive: true });
 const server = await servePage();
-const browser = await launchChromium();
-for (const { name, search, steps, options } of PICTURES) {
+const browser = await launchChromium({ webgl: true });
+for (const { name, search, steps, options = DESKTOP, prepare, after } of PICTURES) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;
   const context = await browser.newContext({ colorScheme: "dark", ...options });
   const page = await context.newPage();
+  // The hint for a first visit is not what the pictures are about.
+  await page.addInitScript(() => localStorage.setItem("thud-hint-seen", "1"));
   await page.goto(`${server.url}?${search}&paused=1`);
-  await page.waitForFunction(() => document.title !== "thud");
-  await page.evaluate((count) => {
-    for (let i = 0; i < count; i++)
-      document.body.dispatchEvent(new KeyboardEvent("keydown", { key: ".", bubbles: true }));
-  }, steps);
+  await page.waitForFunction(() => document.title.endsWith(" · thud"));
+  await prepare?.(page);
+  if (steps > 0) await step(page, steps);
+  await after?.(page);
   // Until the figures are those of the last step and the line about the scene has gone.
-  await page.waitForSelector("#notice", { state: "hidden" });
+  await page.waitForSelector("#notice", { state: "hidden", timeout: 60_000 });
   await page.screenshot({ path: `${folder}${name}.png` });
   console.log(`docs/pictures/${name}.png`);
   await context.close();

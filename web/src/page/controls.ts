@@ -9,12 +9,26 @@ import { type Key, key, listenToKeys } from "./keys";
 import { notice, say } from "./messages";
 import { TOOLS, type Tool } from "./pointers";
 import type { Stage } from "./stage";
-import { OVERLAYS } from "../scene/overlays";
+import { OVERLAYS, type OverlayName } from "../scene/overlays";
 
 /** Pixels that an arrow key moves the view. */
 const PAN = 60;
-/** In the order of OVERLAYS. */
-const OVERLAY_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "M", "J", "Y", "U"];
+/** As in the native viewer, where it has the overlay. */
+const OVERLAY_KEYS: Readonly<Record<OverlayName, string>> = {
+  contacts: "1",
+  normals: "2",
+  bounds: "3",
+  cells: "4",
+  islands: "5",
+  sleeping: "6",
+  stages: "7",
+  axes: "8",
+  pairs: "9",
+  motions: "M",
+  colours: "J",
+  sums: "Y",
+  impulses: "U",
+};
 
 export function addControls(app: App, stage: Stage, dock: Dock): void {
   const togglePause = () => {
@@ -108,9 +122,10 @@ function keysOf(
     key("+", ["+", "="], "Zoom in", () => stage.zoom(1.25)),
     key("−", ["-"], "Zoom out", () => stage.zoom(0.8)),
     key("0", ["0"], "Show the whole scene", () => stage.home()),
-    ...OVERLAYS.map((name, i) =>
-      key(OVERLAY_KEYS[i], [OVERLAY_KEYS[i].toLowerCase()], `Show ${name}`, overlay(name)),
-    ),
+    ...OVERLAYS.map((name) => {
+      const cap = OVERLAY_KEYS[name];
+      return key(cap, [cap.toLowerCase()], `Show ${name}`, overlay(name));
+    }),
     key("X", ["x"], "Versus: thud and Box2D", () => dock.toggle("versus")),
     key("T", ["t"], "Trade: speed against accuracy", () => dock.toggle("trade")),
     key("I", ["i"], "Inside: what the engine sees", () => dock.toggle("inside")),
