@@ -97,7 +97,7 @@ test("hint_is_shown_once_and_goes_for_good_when_a_body_is_dragged", async () => 
   await page.waitForSelector("#hint", { state: "hidden" });
   await page.mouse.up();
   await page.reload();
-  await untilRunning(page).catch(() => {});
+  await stepBy(page, 1);
   assert.equal(await page.locator("#hint").isVisible(), false);
   assert.deepEqual(errors, []);
   await close();
