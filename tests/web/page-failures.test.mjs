@@ -33,6 +33,33 @@ test("missing_webassembly_is_said", async () => {
   await close();
 });
 
+test("browser_without_simd_is_told_and_runs_the_scalar_engine", async () => {
+  const requests = [];
+  const refuse = (page) => {
+    page.on("request", (request) => requests.push(request.url()));
+    return page.addInitScript(() => (WebAssembly.validate = () => false));
+  };
+  const { page, errors, close } = await visitor.open("?scene=cradle", DESKTOP, refuse);
+  await page.getByText("no WebAssembly SIMD").waitFor();
+  await untilRunning(page);
+  const engines = requests.flatMap((url) => /thud-(first|rest|scalar)/.exec(url)?.[1] ?? []);
+  assert.deepEqual([...new Set(engines)], ["scalar"]);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("missing_second_file_of_the_engine_is_said_and_loading_again_offered", async () => {
+  const block = (page) =>
+    page.route("**/thud-rest*.wasm", (route) => route.fulfill({ status: 404, body: "not here" }));
+  const { page, close } = await visitor.open("", DESKTOP, block);
+  assert.match(await failureText(page), /part of the engine is missing/i);
+  await page.unroute("**/thud-rest*.wasm");
+  await page.click("#failure button");
+  await untilRunning(page);
+  assert.ok(await page.isHidden("#failure"));
+  await close();
+});
+
 test("unknown_scene_is_said_and_another_runs", async () => {
   const { page, errors, close } = await visitor.open("?scene=no-such");
   assert.match(await failureText(page), /no scene called “no-such”/);

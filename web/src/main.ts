@@ -65,7 +65,7 @@ async function start(): Promise<void> {
     return;
   }
   if (!wasm.simd)
-    notice("This browser has no WebAssembly SIMD: everything works, at about half the speed.", 12);
+    notice("This browser has no WebAssembly SIMD: everything works, only slower.", 12);
   await assemble(app, stage, hud);
 }
 
