@@ -1,3 +1,4 @@
+/** How the page is bundled into dist/: a static folder that any host can serve. */
 import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";

@@ -11,7 +11,7 @@ import { Figures } from "./page/figures";
 import { addGallery, markScene } from "./page/gallery";
 import { addHint } from "./page/hint";
 import { Hud } from "./page/hud";
-import { fail, messageOf, notice, say } from "./page/messages";
+import { fail, notice, say } from "./page/messages";
 import { Pad } from "./page/pad";
 import { Stage } from "./page/stage";
 import { applyTheme, onTheme } from "./page/theme";
@@ -19,6 +19,7 @@ import { addTimeline } from "./page/timeline";
 import { readState, type State } from "./page/url";
 import { panels } from "./panels/panels";
 import { findScene, FIRST_SCENE } from "./scene/registry";
+import { messageOf } from "./shared/error";
 import { chooseWasm } from "./wasm/choose";
 
 /** What runs a level that a visitor brings. */
@@ -96,7 +97,10 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
     await app.open(OWN_LEVEL, { files });
   };
   addDialogs();
-  addGallery({ choose: (entry) => void app.open(entry.name), openFile: (file) => void openFile(file) });
+  addGallery({
+    choose: (entry) => void app.open(entry.name),
+    openFile: (file) => void openFile(file),
+  });
   addControls(app, stage, dock);
   describeScene(app);
   listenToScenes(app, { dock, hud, figures, hinted: addHint(app) });

@@ -35,7 +35,8 @@ function readArguments(words) {
     } else if (word === "--node" || word === "--chromium") options.places.push(word.slice(2));
     else if (word === "--quick") options.quick = true;
     else if (word === "--json") options.json = words[++i] ?? fail("--json wants a file");
-    else if (word === "--scene") options.plans.push(planOf(words[++i] ?? fail("--scene wants a name")));
+    else if (word === "--scene")
+      options.plans.push(planOf(words[++i] ?? fail("--scene wants a name")));
     else fail(`unknown option '${word}'`);
   }
   if (options.places.length === 0) options.places = ["node", "chromium"];

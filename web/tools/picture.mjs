@@ -163,7 +163,8 @@ function markPath(mark, { at, scale, origin, sees }) {
   }
   if (mark.kind === "text") return null;
   const center = from([mark.x, mark.y]);
-  if (!sees(center, scale * (mark.radius ?? Math.hypot(mark.halfWidth, mark.halfHeight)))) return null;
+  const reach = mark.radius ?? Math.hypot(mark.halfWidth, mark.halfHeight);
+  if (!sees(center, scale * reach)) return null;
   const style = mark.filled
     ? `fill="${ink}" fill-opacity="${mark.opacity ?? 1}"`
     : mark.kind === "figure"

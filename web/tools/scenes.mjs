@@ -10,17 +10,19 @@ async function importTypeScript(path) {
   return module;
 }
 
-export const { FIRST_SCENE, SCENES, sceneFile, thumbnailFile } = await importTypeScript("src/scene/registry.ts");
-const { KEY_NAMES } = await importTypeScript("src/scene/scene.ts");
+export const { FIRST_SCENE, SCENES, sceneFile, thumbnailFile } =
+  await importTypeScript("src/scene/registry.ts");
+const { noKeys } = await importTypeScript("src/scene/scene.ts");
 export const { cssColour, rampColour } = await importTypeScript("src/draw/palette.ts");
 export const { random } = await importTypeScript("src/scene/random.ts");
 export const { createSetting } = await importTypeScript("src/scene/setting.ts");
 const { USUAL } = await importTypeScript("src/page/url.ts");
 const { optionsOf } = await importTypeScript("src/worker/stage.ts");
+
 /** A world's options on the page while the visitor has chosen nothing. */
 export const USUAL_OPTIONS = optionsOf(USUAL);
 
-const NO_KEYS = Object.fromEntries(KEY_NAMES.map((key) => [key, false]));
+const NO_KEYS = noKeys();
 
 /** Where the page finds "levels/…" and "terrain/…". */
 export function readText(file) {

@@ -1,5 +1,5 @@
 /**
- * The same scene in thud and in Box2D v3 as WebAssembly, stepped in turns; runs in Node and in a page.
+ * The same scene in thud and in Box2D v3 as WebAssembly, stepped in turns, in Node or in a page.
  *
  * The scene is built by thud's own module and read back through the package's public API, so that
  * Box2D gets exactly the bodies and shapes that thud has. Scenes with terrain are left out: the
@@ -49,7 +49,11 @@ function bodiesOf(world) {
   return [...found.values()].sort((a, b) => a.index - b.index);
 }
 
-const BOX2D_TYPES = { static: "b2_staticBody", kinematic: "b2_kinematicBody", dynamic: "b2_dynamicBody" };
+const BOX2D_TYPES = {
+  static: "b2_staticBody",
+  kinematic: "b2_kinematicBody",
+  dynamic: "b2_dynamicBody",
+};
 
 function addShape(b2, world, body, shape) {
   const def = b2.b2DefaultShapeDef();

@@ -2,7 +2,7 @@
  * One instance of a wasm module built from web/wasm: its memory, its exports, and the way results
  * become exceptions. Everything else in the package stands on it.
  */
-import { RESULT_CODES, ThudError } from "./error.js";
+import { messageOf, RESULT_CODES, ThudError } from "./error.js";
 import { Rest, type RestSource } from "./rest.js";
 import type { WorldOptions } from "./types.js";
 import { World } from "./world.js";
@@ -127,7 +127,7 @@ export async function instantiate(
     else module = await WebAssembly.compile(source as BufferSource);
   } catch (cause) {
     if (cause instanceof ThudError) throw cause;
-    const why = cause instanceof Error ? cause.message : String(cause);
+    const why = messageOf(cause);
     throw new ThudError("load", `the wasm module cannot be compiled: ${why}`, { cause });
   }
   return Engine.instantiate(module, rest);

@@ -24,3 +24,8 @@ export class ThudError extends Error {
     this.code = code;
   }
 }
+
+/** What was thrown, in words. */
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

@@ -9,7 +9,7 @@
  * the same world to the bit; its head has the arithmetic that both follow.
  */
 import type { Engine } from "./engine.js";
-import { ThudError } from "./error.js";
+import { messageOf, ThudError } from "./error.js";
 import { readObject } from "./level-objects.js";
 import {
   isRecord,
@@ -143,8 +143,7 @@ function parse(text: string, report: Report): Json {
   try {
     return JSON.parse(text) as Json;
   } catch (error) {
-    const why = error instanceof Error ? error.message : String(error);
-    report.add("fatal", 0, `this is not JSON: ${why}`);
+    report.add("fatal", 0, `this is not JSON: ${messageOf(error)}`);
     return null;
   }
 }

@@ -1,7 +1,7 @@
 /** The package as Node.js sees it: the same, but that `load` also reads files. */
 import { readFile } from "node:fs/promises";
 import { type Engine, instantiate, type WasmSource } from "./engine.js";
-import { ThudError } from "./error.js";
+import { messageOf, ThudError } from "./error.js";
 import { load as loadFromWeb } from "./index.js";
 import type { RestSource } from "./rest.js";
 
@@ -24,7 +24,7 @@ async function read(file: URL | string): Promise<Uint8Array<ArrayBuffer>> {
   try {
     return (await readFile(file)) as Uint8Array<ArrayBuffer>;
   } catch (cause) {
-    const why = cause instanceof Error ? cause.message : String(cause);
+    const why = messageOf(cause);
     throw new ThudError("load", `the wasm module cannot be read: ${why}`, { cause });
   }
 }

@@ -26,5 +26,6 @@ export default function ({ createWorld, grid, size }) {
     else world.createObb(body, { halfWidth: 0.125, halfHeight: 0.125 });
   }
 
-  return { world, view: { x: 0, y: inner, height: 3.2 * inner, width: 3 * inner }, spawn: [0, inner] };
+  const view = { x: 0, y: inner, height: 3.2 * inner, width: 3 * inner };
+  return { world, view, spawn: [0, inner] };
 }

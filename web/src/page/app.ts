@@ -4,11 +4,11 @@
  */
 import type { Frame, Sample, Shapes } from "../scene/frame";
 import { findScene } from "../scene/registry";
+import { messageOf } from "../shared/error";
 import type { Deed } from "../worker/deeds";
 import type { Choices, Look, RunningScene, SceneRequest, Trouble } from "../worker/protocol";
 import type { ChosenWasm } from "../wasm/choose";
 import { Client, TroubleError } from "./client";
-import { messageOf } from "./messages";
 import { Player } from "./player";
 import { type State, USUAL, USUAL_VERSUS, writeState } from "./url";
 
@@ -28,6 +28,11 @@ export interface Listener {
   /** The worker has not answered for a long time. */
   stuck?(): void;
 }
+
+/** What a scene may be opened with. */
+type Opening = Partial<
+  Pick<State, "code" | "size" | "seed" | "camera" | "claim"> & { files: App["files"] }
+>;
 
 /** What a scene began with. */
 type Begun = Pick<State, "scene" | "code" | "size" | "seed"> & { files: App["files"] };
@@ -97,10 +102,7 @@ export class App {
   // ---- scenes ----
 
   /** Runs another scene; true if it does. */
-  async open(
-    scene: string,
-    more: Partial<Pick<State, "code" | "size" | "seed" | "camera" | "claim">> & { files?: App["files"] } = {},
-  ): Promise<boolean> {
+  async open(scene: string, more: Opening = {}): Promise<boolean> {
     const { state } = this;
     state.scene = scene;
     state.code = more.code ?? null;
@@ -292,6 +294,7 @@ export class App {
     }
     this.#stale = false;
   }
+
   /** The standing picture must be made anew: another overlay, another part of the world. */
   refresh(): void {
     this.#stale = true;

@@ -1,7 +1,8 @@
 /** The place for panels beside the scene: one is open at a time, loaded when first wanted. */
+import { messageOf } from "../shared/error";
 import type { App } from "./app";
 import { byId, make } from "./dom";
-import { messageOf, say } from "./messages";
+import { say } from "./messages";
 
 /** A panel fills an element of its own, once, and is told when it is seen. */
 export interface Panel {

@@ -1,13 +1,11 @@
 /** Figures over the scene: time a step with its course and budget, error, bodies, frames. */
 import type { Frame, Sample } from "../scene/frame";
-import { percentile } from "../worker/measure-figures";
+import { BUDGET, percentile } from "../shared/step-times";
 import { byId, make } from "./dom";
 import { count, duration, length } from "./format";
 
 /** Steps that the course shows. */
 const COURSE = 120;
-/** Milliseconds that a step may take at 60 Hz. */
-const BUDGET = 1000 / 60;
 /** CSS pixels of height from which on the budget is written at its line. */
 const LEAST_FOR_TEXT = 24;
 /** Seconds; texts change this often, so that they can be read. */

@@ -20,8 +20,8 @@ export function listenToKeys(keys: readonly Key[]): void {
     if (!byId("failure").hidden || document.querySelector("dialog[open]")) return;
     const target = event.target as HTMLElement;
     if (isTypedInto(target)) return;
-    // Space and Enter on a button, a link or a summary, and arrows on a slider or a radio button, are its own.
-    if (target.matches("button, a, summary") && (event.key === " " || event.key === "Enter")) return;
+    // A button's own are Space and Enter, a slider's and a radio button's the arrows.
+    if (target.matches("button, a, summary") && /^( |Enter)$/.test(event.key)) return;
     if (target.tagName === "INPUT" && /^(Arrow|Home|End|Page| )/.test(event.key)) return;
     const pressed = keys.find(({ codes }) => codes.includes(event.key.toLowerCase()));
     if (!pressed) return;

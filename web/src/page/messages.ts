@@ -51,7 +51,3 @@ export function fail(
 function setInert(inert: boolean): void {
   document.querySelector("main")!.inert = inert;
 }
-
-export function messageOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
-}

@@ -1,5 +1,5 @@
 /** The keys of a game, from the keyboard and from buttons on the screen. */
-import { KEY_NAMES, type KeyName } from "../scene/scene";
+import { KEY_NAMES, type KeyName, noKeys } from "../scene/scene";
 import { byId } from "./dom";
 
 const CODES: Readonly<Record<string, KeyName>> = {
@@ -17,10 +17,7 @@ const CODES: Readonly<Record<string, KeyName>> = {
 
 export class Pad {
   #wanted = new Set<KeyName>();
-  readonly #held = Object.fromEntries(KEY_NAMES.map((name) => [name, false])) as Record<
-    KeyName,
-    boolean
-  >;
+  readonly #held = noKeys();
   readonly #changed: (held: Readonly<Record<KeyName, boolean>>) => void;
 
   /** Heeds keys before the page's own do, while a scene wants them. */

@@ -1,4 +1,4 @@
-/** Mouse, touch and wheel on the scene: pull, add, explode or dig with one pointer; pan and zoom. */
+/** Mouse, touch and wheel on the scene: pull, add, explode or dig with one of them; pan, zoom. */
 import type { Camera, Pane } from "../draw/camera";
 
 export const TOOLS = ["hand", "circle", "box", "blast", "dig"] as const;

@@ -1,7 +1,8 @@
 /** The slider that goes back in time, and on again, with a mark at every few seconds. */
+import { messageOf } from "../shared/error";
 import type { App } from "./app";
 import { byId, make } from "./dom";
-import { messageOf, notice } from "./messages";
+import { notice } from "./messages";
 
 /** CSS pixels that a mark has at least; marks stand so many seconds apart that it is so. */
 const APART = 24;

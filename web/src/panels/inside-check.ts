@@ -4,8 +4,9 @@
  */
 import type { App } from "../page/app";
 import { make } from "../page/dom";
-import { messageOf, notice, say } from "../page/messages";
+import { notice, say } from "../page/messages";
 import { USUAL, writeState } from "../page/url";
+import { messageOf } from "../shared/error";
 import type { StateHash } from "../worker/protocol";
 import { fillList } from "./inside-values";
 import {

@@ -3,7 +3,7 @@ import type { Stats } from "thud";
 import { cssColour, rampColour } from "../draw/palette";
 import type { App } from "../page/app";
 import { make } from "../page/dom";
-import { percentile } from "../worker/measure-figures";
+import { percentile } from "../shared/step-times";
 import type { Frame } from "../scene/frame";
 import { bytesText, fillList, numberText } from "./inside-values";
 

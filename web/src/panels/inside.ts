@@ -1,4 +1,4 @@
-/** What the engine sees and does: overlays, one body, the stages of a step, and the state's bits. */
+/** What the engine sees and does: overlays, one body, the stages of a step, the state's bits. */
 import type { App } from "../page/app";
 import type { Panel } from "../page/dock";
 import { choiceBar, make } from "../page/dom";

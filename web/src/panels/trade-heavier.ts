@@ -63,8 +63,8 @@ export function createHeavier(app: App, laboratory: Laboratory): HTMLElement {
       "p",
       { class: "explained" },
       "More and more bodies, until an engine's steps come too late: in the slowest of the first " +
-        "four seconds more than half of them do. Box2D has its usual 4 substeps, thud what is set " +
-        "above.",
+        "four seconds more than half of them do. Box2D has its usual 4 substeps, thud what is " +
+        "set above.",
     ),
     able,
     instead,

@@ -1,7 +1,7 @@
 /** The points that settings leave in the plane while they run, for each scene that was run. */
 import type { App } from "../page/app";
 import type { Sample } from "../scene/frame";
-import { percentile, typical } from "../worker/measure-figures";
+import { percentile, typical } from "../shared/step-times";
 import type { Choices } from "../worker/protocol";
 import { choicesText } from "./trade-text";
 

@@ -1,7 +1,8 @@
 /** "Measure": runs the series in the laboratory and shows what came out, here or elsewhere. */
 import type { App } from "../page/app";
 import { make } from "../page/dom";
-import { messageOf, notice, say } from "../page/messages";
+import { notice, say } from "../page/messages";
+import { messageOf } from "../shared/error";
 import type { SeriesRow } from "../worker/measure";
 import { labelOf } from "../worker/measure-settings";
 import type { Laboratory } from "./trade-laboratory";
@@ -66,8 +67,8 @@ function view(app: App, result: Result, elsewhere: boolean): HTMLElement[] {
     ? make(
         "p",
         { class: "elsewhere" },
-        `Measured elsewhere: ${whereMeasured(result)}. The figures came with the link; nobody has ` +
-          "checked them.",
+        `Measured elsewhere: ${whereMeasured(result)}. ` +
+          "The figures came with the link; nobody has checked them.",
       )
     : make("p", { class: "explained" }, `On this device: ${whereMeasured(result)}.`);
   const title = make("h4", {}, titleOf(result));

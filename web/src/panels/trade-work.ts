@@ -1,6 +1,7 @@
 /** A button that starts something long, its progress, and a button that ends it. */
 import { make } from "../page/dom";
-import { messageOf, say } from "../page/messages";
+import { say } from "../page/messages";
+import { messageOf } from "../shared/error";
 import type { Laboratory } from "./trade-laboratory";
 
 export class Work {

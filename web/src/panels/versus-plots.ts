@@ -4,7 +4,8 @@ import "uplot/dist/uPlot.min.css";
 import { cssColour, DARK, LIGHT, type Theme } from "../draw/palette";
 import { make } from "../page/dom";
 import { isDark, onTheme } from "../page/theme";
-import { BUDGET, type Course, ENGINES, type Engine, type Tally } from "./versus-tally";
+import { BUDGET } from "../shared/step-times";
+import { type Course, ENGINES, type Engine, type Tally } from "./versus-tally";
 
 /** CSS pixels. */
 const HEIGHT = 118;

@@ -1,6 +1,7 @@
 /** The two engines' figures, row by row. */
 import { make } from "../page/dom";
-import { BUDGET, type Engine, ENGINES, type Figures, NAMES } from "./versus-tally";
+import { BUDGET } from "../shared/step-times";
+import { type Engine, ENGINES, type Figures, NAMES } from "./versus-tally";
 
 interface Row {
   label: string;

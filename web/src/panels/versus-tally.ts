@@ -1,13 +1,11 @@
 /** What two engines side by side took and got wrong: figures of the table, courses of the plots. */
-import { percentile } from "../worker/measure-figures";
+import { mean, percentile } from "../shared/step-times";
 import type { Sample } from "../scene/frame";
 
 export const ENGINES = ["thud", "box2d"] as const;
 export type Engine = (typeof ENGINES)[number];
 export const NAMES: Readonly<Record<Engine, string>> = { thud: "thud", box2d: "Box2D" };
 
-/** Milliseconds that a step may take at 60 Hz. */
-export const BUDGET = 1000 / 60;
 /** Steps of which times are told. */
 const WINDOW = 240;
 /** Steps at the start whose times do not count: browsers compile what runs often meanwhile. */
@@ -87,7 +85,7 @@ export class Tally {
     const { times, sum, count, now, ever, bodies, awake } = this.#sums[engine];
     const some = times.length > 0;
     return {
-      typical: !some ? null : this.fineClock ? percentile(times, 0.5) : meanOf(times),
+      typical: !some ? null : this.fineClock ? percentile(times, 0.5) : mean(times),
       p99: some && this.fineClock ? percentile(times, 0.99) : null,
       now,
       mean: count > 0 ? sum / count : 0,
@@ -108,7 +106,7 @@ export class Tally {
     const shown = pair.map((milliseconds, i) => {
       const { times } = this.#sums[ENGINES[i]];
       if (counts) keep(times, milliseconds, WINDOW);
-      return this.fineClock || !counts ? milliseconds : meanOf(times.slice(-COARSE));
+      return this.fineClock || !counts ? milliseconds : mean(times.slice(-COARSE));
     });
     addTo(this.times, seconds, shown);
   }
@@ -148,8 +146,4 @@ function addTo({ seconds, values }: Course, at: number, [first, second]: readonl
 function keep(list: number[], value: number, most: number): void {
   list.push(value);
   if (list.length > most) list.shift();
-}
-
-function meanOf(values: readonly number[]): number {
-  return values.reduce((sum, value) => sum + value, 0) / values.length;
 }

@@ -4,6 +4,7 @@
  * run threads; without threads any page may have it, so the flavours are imported by their paths.
  */
 import type { MainModule } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
+import { messageOf } from "../shared/error";
 import { hasSimd } from "../wasm/simd";
 
 export type Box2D = MainModule;
@@ -14,8 +15,7 @@ let loading: Promise<Box2D> | null = null;
 export function loadBox2D(): Promise<Box2D> {
   loading ??= load().catch((cause: unknown) => {
     loading = null;
-    const why = cause instanceof Error ? cause.message : String(cause);
-    throw new Error(`Box2D could not be loaded: ${why}`, { cause });
+    throw new Error(`Box2D could not be loaded: ${messageOf(cause)}`, { cause });
   });
   return loading;
 }

@@ -1,8 +1,8 @@
 /**
  * What a scene is: a plain JavaScript module in web/public/scenes, which the page shows beside the
  * canvas as it stands there and runs again as the visitor edits it. It builds a world on the `thud`
- * package and says how to look at it. Types only: everything here crosses no border of threads
- * but `Paint`, `View` and the plain data in `state`.
+ * package and says how to look at it. Of all this only `Paint`, `View` and the plain data in
+ * `state` cross the border of threads.
  */
 import type { Engine, Mover, MoverOptions, Vec2, World, WorldOptions } from "thud";
 import type { readLevel } from "thud/level";
@@ -10,7 +10,7 @@ import type { OverlayName } from "./overlays";
 
 /** A module of web/public/scenes. */
 export interface SceneModule {
-  /** What the number that a visitor may turn up ("heavier") counts; a scene without has one size. */
+  /** The number that a visitor may turn up ("heavier"); a scene without has one size. */
   size?: SceneSize;
   /** May be asynchronous: a level is read from a file first. */
   default(setting: SceneSetting): Scene | Promise<Scene>;
@@ -26,7 +26,7 @@ export interface SceneSize {
 /** What a scene is given. */
 export interface SceneSetting {
   thud: Engine;
-  /** As `thud.createWorld`, with the visitor's choices (quality, detection, …) put over the options. */
+  /** As `thud.createWorld`, with the visitor's choices (quality, …) put over the options. */
   createWorld(options?: WorldOptions): World;
   /** As the package's, with the visitor's choices likewise. */
   buildLevel(level: ReturnType<typeof readLevel>): World;
@@ -38,10 +38,12 @@ export interface SceneSetting {
   size: number;
   /** The visitor's; 0 unless chosen. Scenes that use no chance ignore it. */
   seed: number;
-  /** Uniform in [low, high); the same on every machine (SplitMix64). Each call starts a sequence. */
+  /** Uniform in [low, high), on every machine the same (SplitMix64). Each call starts anew. */
   random(seed: number): (low: number, high: number) => number;
-  /** The nearest multiple of 2^-16. Places on it stay exact when a world is moved by whole numbers
-   * up to 10^7. */
+  /**
+   * The nearest multiple of 2^-16. Places on it stay exact when a world is moved by whole numbers
+   * up to 10^7.
+   */
   grid(x: number): number;
 }
 
@@ -67,8 +69,10 @@ export interface Scene {
   state?: object;
   /** After `state` went back: what else must follow it (a mover). */
   restored?(): void;
-  /** Before each step. Must depend on the world, `state` and `input` alone: it is run again when
-   * the visitor goes back in time. */
+  /**
+   * Before each step. Must depend on the world, `state` and `input` alone: it is run again when
+   * the visitor goes back in time.
+   */
   update?(input: Input): void;
   /** After each step: what to draw besides the bodies. */
   paint?(): Paint;
@@ -78,6 +82,10 @@ export interface Scene {
 
 export const KEY_NAMES = ["left", "right", "up", "down", "fire", "restart"] as const;
 export type KeyName = (typeof KEY_NAMES)[number];
+
+export function noKeys(): Record<KeyName, boolean> {
+  return { left: false, right: false, up: false, down: false, fire: false, restart: false };
+}
 
 /** What a player does during one step. */
 export interface Input {
@@ -118,11 +126,64 @@ export interface Paint {
   message?: string;
 }
 
-/** In world units unless said otherwise; drawn in order, over the bodies. Places are smoothed
- * between two steps if both have as many marks of the same kinds. */
-export type Mark =
-  | { kind: "line"; points: Vec2[]; ink: Ink; /** CSS pixels, default 2 */ width?: number; dashed?: boolean }
-  | { kind: "circle"; x: number; y: number; radius: number; ink: Ink; /** 0 to 1 */ opacity?: number; filled?: boolean }
-  | { kind: "box"; x: number; y: number; halfWidth: number; halfHeight: number; angle?: number; /** corner radius */ round?: number; ink: Ink; opacity?: number; filled?: boolean }
-  | { kind: "figure"; x: number; y: number; halfWidth: number; halfHeight: number; facing: -1 | 1; ink: Ink } // a rounded box with eyes
-  | { kind: "text"; x: number; y: number; text: string; ink: Ink; /** CSS pixels, default 14 */ size?: number };
+/**
+ * In world units unless said otherwise; drawn in order, over the bodies. Places are smoothed
+ * between two steps if both have as many marks of the same kinds.
+ */
+export type Mark = LineMark | CircleMark | BoxMark | FigureMark | TextMark;
+
+export interface LineMark {
+  kind: "line";
+  points: Vec2[];
+  ink: Ink;
+  /** CSS pixels. Default 2. */
+  width?: number;
+  dashed?: boolean;
+}
+
+export interface CircleMark {
+  kind: "circle";
+  x: number;
+  y: number;
+  radius: number;
+  ink: Ink;
+  /** 0 to 1. */
+  opacity?: number;
+  filled?: boolean;
+}
+
+export interface BoxMark {
+  kind: "box";
+  x: number;
+  y: number;
+  halfWidth: number;
+  halfHeight: number;
+  angle?: number;
+  /** Radius of the corners. */
+  round?: number;
+  ink: Ink;
+  /** 0 to 1. */
+  opacity?: number;
+  filled?: boolean;
+}
+
+/** A rounded box with eyes. */
+export interface FigureMark {
+  kind: "figure";
+  x: number;
+  y: number;
+  halfWidth: number;
+  halfHeight: number;
+  facing: -1 | 1;
+  ink: Ink;
+}
+
+export interface TextMark {
+  kind: "text";
+  x: number;
+  y: number;
+  text: string;
+  ink: Ink;
+  /** CSS pixels. Default 14. */
+  size?: number;
+}

@@ -10,6 +10,7 @@ import { type Blast, explode, type Pull, pull } from "../rival/hands";
 import { Rival } from "../rival/rival";
 import { Ruler } from "../rival/ruler";
 import type { Watched } from "../rival/watch";
+import { messageOf } from "../shared/error";
 import type { RivalRequest } from "./protocol";
 import type { Companion, Session } from "./session";
 
@@ -55,10 +56,6 @@ export class Box2DCompanion implements Companion {
   choose(request: RivalRequest): void {
     this.request = request;
     if (this.#pair) this.#pair.rival.substeps = request.substeps;
-  }
-
-  close(): void {
-    this.end();
   }
 
   end(): void {
@@ -155,7 +152,7 @@ export class Box2DCompanion implements Companion {
       return act();
     } catch (error) {
       const { session } = this;
-      session.rivalTrouble = error instanceof Error ? error.message : String(error);
+      session.rivalTrouble = messageOf(error);
       session.companion = null;
       // After a trap nothing of the module can be used, and its memory goes with it.
       if (error instanceof WebAssembly.RuntimeError) {

@@ -1,6 +1,7 @@
 /** Keeps Box2D beside whichever scene runs while the page wants it; loads it when first wanted. */
 import type { Engine } from "thud";
 import { watchWorlds } from "../rival/watch";
+import { messageOf } from "../shared/error";
 import type { Box2DCompanion } from "./companion";
 import type { RivalRequest } from "./protocol";
 import type { Session } from "./session";
@@ -27,7 +28,7 @@ export class Companions {
     try {
       await this.#settle(session);
     } catch (error) {
-      session.rivalTrouble = error instanceof Error ? error.message : String(error);
+      session.rivalTrouble = messageOf(error);
     }
   }
 
@@ -36,7 +37,7 @@ export class Companions {
     const wanted = this.#wanted;
     session.rivalTrouble = null;
     if (!wanted) {
-      session.companion?.close();
+      session.companion?.end();
       session.companion = null;
       return;
     }
@@ -44,7 +45,7 @@ export class Companions {
     this.#kind ??= (await import("./companion")).Box2DCompanion;
     const companion = await this.#kind.load(session, this.#known(session.world), wanted);
     // Meanwhile another scene may have begun, or the panel may have been closed.
-    if (this.#session !== session || this.#wanted !== wanted) companion.close();
+    if (this.#session !== session || this.#wanted !== wanted) companion.end();
     else if (session.companion instanceof this.#kind) session.companion.choose(wanted);
     else session.companion = companion;
   }

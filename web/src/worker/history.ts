@@ -56,7 +56,7 @@ export class History {
     }
   }
 
-  /** Notes what was done before the step that leads on from `step`, and forgets any other future. */
+  /** Notes what was done before the step that leads on from `step`; another future is forgotten. */
   note(step: number, deeds: readonly Deed[]): void {
     if (step < this.#last) this.#forgetAfter(step);
     if (deeds.length > 0) this.#journal.set(step, [...deeds]);

@@ -2,6 +2,7 @@
 import type { Engine } from "thud";
 import { type Box2D, loadBox2D } from "../rival/box2d";
 import { watchWorlds } from "../rival/watch";
+import { messageOf } from "../shared/error";
 import type { Laboratory } from "./measure-trial";
 
 export { measure } from "./measure";
@@ -17,7 +18,7 @@ export async function prepare(
   try {
     box2d = await loadBox2D();
   } catch (error) {
-    withoutBox2D = error instanceof Error ? error.message : String(error);
+    withoutBox2D = messageOf(error);
   }
   return { laboratory: { engine, box2d, watched: watchWorlds(engine), open }, withoutBox2D };
 }

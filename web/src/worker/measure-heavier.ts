@@ -2,7 +2,7 @@
  * "Heavier": the largest size of a scene at which an engine still makes its steps in time. The size
  * is doubled until it does not, and then halved in between.
  */
-import { percentile } from "./measure-figures";
+import { percentile } from "../shared/step-times";
 import type { RivalSetting } from "./measure-settings";
 import { type Laboratory, Trial, warmUp } from "./measure-trial";
 import type { SceneRequest } from "./protocol";

@@ -4,7 +4,7 @@ import type { Box2D } from "../rival/box2d";
 import { Rival } from "../rival/rival";
 import { Ruler } from "../rival/ruler";
 import type { Watched } from "../rival/watch";
-import { type Input, KEY_NAMES } from "../scene/scene";
+import { type Input, noKeys } from "../scene/scene";
 import { BODY, KINEMATIC, ROW } from "../scene/shape-table";
 import type { RivalSetting } from "./measure-settings";
 import type { SceneRequest } from "./protocol";
@@ -20,7 +20,7 @@ export interface Laboratory {
 }
 
 const IDLE: Pick<Input, "held" | "pointer"> = {
-  held: Object.fromEntries(KEY_NAMES.map((name) => [name, false])) as Input["held"],
+  held: noKeys(),
   pointer: null,
 };
 
@@ -30,9 +30,10 @@ export class Trial {
   /** Whether the times and overlaps asked for are the rival's. */
   readonly #rivalsTurn: boolean;
   readonly #watched: Watched | undefined;
+  /** Whether each engine can run without the other. */
+  readonly #alone: boolean;
   #ruler: Ruler | null = null;
   #step = 0;
-  readonly #alone: boolean;
 
   /** With `rival` Box2D is measured, else thud. */
   static async open(

@@ -5,7 +5,7 @@
  * Each setting runs once for the overlaps and some rounds for the times, always the same steps.
  * Rounds change their order, so that what else the machine does meets all settings alike.
  */
-import { mean, percentile, typical } from "./measure-figures";
+import { mean, percentile, typical } from "../shared/step-times";
 import { BOX2D, labelOf, type SeriesSetting, THUD } from "./measure-settings";
 import { type Laboratory, Trial, warmUp } from "./measure-trial";
 import type { SceneRequest } from "./protocol";

@@ -1,9 +1,15 @@
 /** A running scene: its world, its time, and the visitor's hands in it. */
 import type { Vec2, World } from "thud";
-import type { Input, KeyName, Paint, Scene, SceneSize } from "../scene/scene";
-import { KEY_NAMES } from "../scene/scene";
-import type { Sample } from "../scene/frame";
 import { type Blast, explode, type Pull, pull } from "../rival/hands";
+import type { Sample } from "../scene/frame";
+import {
+  type Input,
+  type KeyName,
+  noKeys,
+  type Paint,
+  type Scene,
+  type SceneSize,
+} from "../scene/scene";
 import { canPull, type Deed, dig, reachedBy, spawn, takeHold } from "./deeds";
 import { History, type Moment } from "./history";
 import type { Choices, Rerun, StateHash } from "./protocol";
@@ -27,11 +33,10 @@ export interface Companion {
   sync(): void;
   /** After the world's step, makes the same. */
   step(): Sample["rival"];
-  /** The world goes to another time, from which it begins anew. */
+  /** The world ends or goes to another time, from which it begins anew. */
   end(): void;
   /** Of the last two steps, laid out as World.poses; to be given away. */
   poses(origin: Vec2): { before: Float32Array; now: Float32Array };
-  close(): void;
 }
 
 export class Session {
@@ -44,11 +49,7 @@ export class Session {
   companion: Companion | null = null;
   /** Why there is no companion although one is wanted. */
   rivalTrouble: string | null = null;
-  readonly #hands: Hands = {
-    pull: null,
-    held: Object.fromEntries(KEY_NAMES.map((name) => [name, false])) as Hands["held"],
-    pointer: null,
-  };
+  readonly #hands: Hands = { pull: null, held: noKeys(), pointer: null };
   /** Since the last step. */
   #done: Deed[] = [];
 
@@ -68,7 +69,7 @@ export class Session {
   }
 
   close(): void {
-    this.companion?.close();
+    this.companion?.end();
     this.scene.close?.();
     for (const other of this.others) other.close();
     this.world.close();
@@ -103,6 +104,13 @@ export class Session {
     if (this.history.wants(this.step, 1000 * stepSeconds, bytes)) this.#keepMoment();
   }
 
+  choose(choices: Pick<Choices, "quality" | "substeps" | "maxError">): void {
+    // Between two qualities, one of which may be without what holds a largest error.
+    this.world.setMaxError(0);
+    this.world.setQuality(choices.quality, choices.substeps);
+    this.world.setMaxError(maxErrorOf(choices) * this.lengthScale);
+  }
+
   /** Goes to a step of the past, or on from there; false if it is out of reach. */
   seek(step: number): boolean {
     const moment = this.history.before(step);
@@ -112,15 +120,14 @@ export class Session {
     this.#done = [];
     if (step !== this.step || edited) this.companion?.end();
     if (step < this.step || moment.step > this.step || edited) this.#goTo(moment);
-    while (this.step < step) {
-      for (const deed of this.history.deedsAt(this.step)) this.#apply(deed);
-      this.#advance(null);
-    }
+    this.#runAgain(step);
     return true;
   }
 
-  /** Runs the last steps again, from the newest moment that lies at least so far back, with the
-   * same deeds. Leaves everything as it is. */
+  /**
+   * Runs the last steps again, from the newest moment that lies at least so far back, with the
+   * same deeds. Leaves everything as it is.
+   */
   rerun(steps: number): Rerun {
     const present = this.#moment();
     const { step, hash } = this.hash;
@@ -128,10 +135,7 @@ export class Session {
     if (!moment) throw new Error("Nothing of the past is kept yet.");
     this.companion?.end();
     this.#goTo(moment);
-    while (this.step < step) {
-      for (const deed of this.history.deedsAt(this.step)) this.#apply(deed);
-      this.#advance(null);
-    }
+    this.#runAgain(step);
     // What was done since the last step belongs to the present.
     for (const deed of this.#done) this.#apply(deed);
     const again = this.world.hash();
@@ -141,6 +145,14 @@ export class Session {
 
   get hash(): StateHash {
     return { step: this.step, hash: this.world.hash() };
+  }
+
+  /** On to a step of the past, with the deeds of the journal. */
+  #runAgain(step: number): void {
+    while (this.step < step) {
+      for (const deed of this.history.deedsAt(this.step)) this.#apply(deed);
+      this.#advance(null);
+    }
   }
 
   #advance(companion: Companion | null): void {
@@ -218,13 +230,6 @@ export class Session {
     if (state && rest.state) replace(state, rest.state);
     this.scene.restored?.();
     this.paint = this.scene.paint?.() ?? null;
-  }
-
-  choose(choices: Pick<Choices, "quality" | "substeps" | "maxError">): void {
-    // Between two qualities, one of which may be without what holds a largest error.
-    this.world.setMaxError(0);
-    this.world.setQuality(choices.quality, choices.substeps);
-    this.world.setMaxError(maxErrorOf(choices) * this.lengthScale);
   }
 }
 

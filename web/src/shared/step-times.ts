@@ -1,6 +1,9 @@
-/** What many times of single steps come to. */
+/** Times of single steps, in milliseconds: what they may take, and what many of them come to. */
 
-/** Milliseconds; a browser's clock is coarser on pages that are not isolated from all others. */
+/** That a step may take at 60 Hz. */
+export const BUDGET = 1000 / 60;
+
+/** Of the clock; a browser's clock is coarser on pages that are not isolated from all others. */
 const TICK = self.crossOriginIsolated ? 0.005 : 0.1;
 
 /** Of values in any order; 0 where there are none. */
