@@ -43,8 +43,8 @@ const ROWS: Record<Group, readonly Row[]> = {
     ],
     [
       "artillery",
-      "Artillery",
-      "Two players take turns on hills that every shell digs into.",
+      "Artillery duel",
+      "Against the computer or a friend, on real hills that every shell digs into.",
       { view: { x: -11.5, y: 0.5, height: 12 } },
     ],
   ],
@@ -65,7 +65,7 @@ const ROWS: Record<Group, readonly Row[]> = {
     [
       "mountain",
       "Mountain drive",
-      "Wheels and boulders roll over a real ridge in Tennessee.",
+      "Walk a real ridge in Tennessee among rolling wheels and boulders.",
       { steps: 90, view: { x: 210, y: 22, height: 44 } },
     ],
   ],
@@ -225,7 +225,7 @@ const ROWS: Record<Group, readonly Row[]> = {
   "Crowds and extremes": [
     [
       "far_away",
-      "Ten thousand kilometres away",
+      "10,000 km away",
       "A heap 10,000 km from the origin, and how far it is from its twin at the origin.",
       { steps: 75 },
     ],
