@@ -46,13 +46,15 @@ export async function untilRunning(page) {
 /** Opens a level as a visitor does, by a file, and waits until it is there. */
 export async function openLevel(page, name, text) {
   await page.waitForSelector("[data-entry]", { state: "attached" });
-  await page.setInputFiles("#level-file", { name, mimeType: "application/json", buffer: Buffer.from(text) });
+  const buffer = Buffer.from(text);
+  await page.setInputFiles("#level-file", { name, mimeType: "application/json", buffer });
 }
 
-/** Runs steps by the key for a single step, once a scene is there, and waits until they are made. */
+/** Makes steps by the key for a single one, once a scene is there, and waits for the last. */
 export async function stepBy(page, count) {
   await page.waitForFunction(() => document.title.endsWith(" · thud"));
-  const before = await page.evaluate(() => Number(document.querySelector("#hud").dataset.steps ?? 0));
+  const hud = page.locator("#hud");
+  const before = await hud.evaluate(({ dataset }) => Number(dataset.steps ?? 0));
   await page.evaluate((presses) => {
     for (let i = 0; i < presses; i++)
       document.body.dispatchEvent(new KeyboardEvent("keydown", { key: ".", bubbles: true }));

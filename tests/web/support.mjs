@@ -1,4 +1,4 @@
-/** What the tests of web/ share: the package as it was built, the page's module, the native runner. */
+/** What the tests of web/ share: the package as built, the page's module, the native runner. */
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
@@ -19,8 +19,8 @@ export function readLevelFile(file) {
 /** The native thud-run, or null where it has not been built; THUD_RUN names one. */
 export function findThudRun() {
   if (process.env.THUD_RUN) return process.env.THUD_RUN;
-  const builds = ["release", "release-clang"].map((name) => `${root}build/${name}/demo/run/thud-run`);
-  return builds.find(existsSync) ?? null;
+  const builds = ["release", "release-clang"];
+  return builds.map((name) => `${root}build/${name}/demo/run/thud-run`).find(existsSync) ?? null;
 }
 
 /** Names of the built-in scenes, in the order of the module. */

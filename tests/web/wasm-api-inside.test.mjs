@@ -1,4 +1,4 @@
-/** What the npm package shows of the engine's inside: contacts, overlays, statistics, Minkowski sums. */
+/** What the package shows of the engine's inside: contacts, overlays, statistics, Minkowski sums. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "./support.mjs";

@@ -1,4 +1,4 @@
-/** The race of thud and Box2D as WebAssembly: both hold the same bodies, and every figure is one. */
+/** The race of thud and Box2D as WebAssembly: both have the same bodies, every figure is one. */
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync, rmSync } from "node:fs";
@@ -21,7 +21,8 @@ test("quick_race_in_node_has_the_same_bodies_on_both_sides_and_finite_times", ()
     assert.equal(r.bodies, r.box2d_bodies, r.scene);
     assert.match(output, new RegExp(`node +${r.scene} `));
     for (const engine of [r.thud, r.box2d]) {
-      assert.ok(engine.median > 0 && engine.median <= engine.p99 && engine.p99 <= engine.max, r.scene);
+      const { median, p99, max } = engine;
+      assert.ok(median > 0 && median <= p99 && p99 <= max, r.scene);
       assert.ok(Number.isFinite(engine.max), r.scene);
     }
   }

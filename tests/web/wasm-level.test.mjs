@@ -65,7 +65,8 @@ test("line_that_turns_back_is_refused", () => {
     { x: 9, y: 0 },
     { x: 5, y: 3 },
   ];
-  assert.match(problemsOf(ballLevel([{ id: 5, x: 0, y: 0, polyline }]))[0], /object 5: .*turns back/);
+  const [problem] = problemsOf(ballLevel([{ id: 5, x: 0, y: 0, polyline }]));
+  assert.match(problem, /object 5: .*turns back/);
 });
 
 test("misspelt_property_is_noted", () => {

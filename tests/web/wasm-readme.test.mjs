@@ -30,7 +30,8 @@ test("readme_blocks_together_print_what_their_comments_say", () => {
     encoding: "utf8",
   });
   assert.equal(status, 0, stderr);
-  const promised = [...program.matchAll(/^console\.log\(.*\); \/\/ (.*)$/gm)].map(([, text]) => text);
+  const comments = program.matchAll(/^console\.log\(.*\); \/\/ (.*)$/gm);
+  const promised = [...comments].map(([, text]) => text);
   assert.ok(promised.length >= 5, "every part shows something");
   assert.deepEqual(stdout.trim().split("\n"), promised);
 });

@@ -120,7 +120,8 @@ test("thumbnail_of_a_scene_is_small_and_shows_its_bodies", async () => {
 
 function positions(world) {
   const poses = world.poses();
-  return Array.from({ length: poses.length / 4 }, (_, slot) => [poses[4 * slot], poses[4 * slot + 1]]);
+  const slots = Array.from({ length: poses.length / 4 }, (_, slot) => slot);
+  return slots.map((slot) => [poses[4 * slot], poses[4 * slot + 1]]);
 }
 
 function lastBody(world) {

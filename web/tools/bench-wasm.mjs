@@ -6,7 +6,7 @@ import { dirname, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { PLANS, race } from "./wasm-race.mjs";
 
-const USAGE = `usage: node bench-wasm.mjs [--node] [--chromium] [--scene NAME[:SIZE]] [--quick] [--json FILE]
+const USAGE = `usage: node bench-wasm.mjs [OPTION...]
 
   --node, --chromium   only there; both without either
   --scene NAME[:SIZE]  only this scene; may be given several times
@@ -54,8 +54,8 @@ function readArguments(words) {
 function planOf(text) {
   const [scene, size] = text.split(":");
   const known = PLANS.filter((plan) => plan.scene === scene);
-  if (known.length === 0)
-    fail(`no such scene '${scene}'; there are ${[...new Set(PLANS.map((p) => p.scene))].join(", ")}`);
+  const names = [...new Set(PLANS.map((plan) => plan.scene))];
+  if (known.length === 0) fail(`no such scene '${scene}'; there are ${names.join(", ")}`);
   if (size === undefined) return known[0];
   if (!/^[1-9]\d{0,6}$/.test(size)) fail(`'${text}' has no size that a scene can have`);
   return known.find((plan) => plan.size === Number(size)) ?? { ...known[0], size: Number(size) };

@@ -9,7 +9,7 @@ import { createStaticServer } from "./static-server.mjs";
 const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 
 /** CHROMIUM names another browser than the first one on the path. */
-export function findChromium() {
+function findChromium() {
   if (process.env.CHROMIUM) return process.env.CHROMIUM;
   for (const folder of (process.env.PATH ?? "").split(delimiter))
     for (const name of NAMES)

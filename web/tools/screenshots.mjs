@@ -23,7 +23,12 @@ const LIGHT = { ...DESKTOP, colorScheme: "light" };
 const PICTURES = [
   { name: "versus", search: "scene=brick_wall&panel=versus", steps: 100, prepare: untilBoth },
   { name: "trade", search: "scene=heavy_on_light&panel=trade", steps: 60, after: measure },
-  { name: "inside", search: "scene=circle_pit&size=400&panel=inside", steps: 140, after: showInside },
+  {
+    name: "inside",
+    search: "scene=circle_pit&size=400&panel=inside",
+    steps: 140,
+    after: showInside,
+  },
   { name: "code", search: "scene=dominoes&panel=code", steps: 150 },
   { name: "artillery", search: "scene=artillery", steps: 0, after: shoot },
   { name: "platformer", search: "scene=platformer_game", steps: 90, options: LIGHT },

@@ -33,7 +33,8 @@ function use(world) {
 }
 
 const here = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));
-const sources = ["tools/split-wasm.mjs", "src/scene/registry.ts", `public/${sceneFile(FIRST_SCENE)}`];
+const firstScene = `public/${sceneFile(FIRST_SCENE)}`;
+const sources = ["tools/split-wasm.mjs", "src/scene/registry.ts", firstScene];
 const newest = Math.max(time(whole), ...sources.map((file) => time(here(file))));
 if (Math.min(time(first), time(rest)) <= newest) {
   const [instrumented, profile] = [path("-instrumented.wasm"), path(".profile")];

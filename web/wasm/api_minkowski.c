@@ -1,11 +1,12 @@
-/* api_minkowski.c: Minkowski sums of two shapes; what there is to draw of one, JavaScript works out. */
+/* api_minkowski.c: Minkowski sums of two shapes; what is drawn of one, JavaScript works out. */
 #include "api.h"
 
 #include <thud/thud_minkowski.h>
 
-/* Slots in: 0 kind  1, 2 half extents  3 angle of a, 4 to 7 the same of b, 8, 9 from a's centre to b's.
- * Slots out: 0 whether they share a point  1, 2 the nearest place on the edge of the sum  3 radius
- * of its rounding  4 count of its vertices  5... they, two numbers each, relative to a's centre. */
+/* Slots in: 0 kind  1, 2 half extents  3 angle of a, 4 to 7 the same of b, 8, 9 from a's centre to
+ * b's. Slots out: 0 whether they share a point  1, 2 the nearest place on the edge of the sum
+ * 3 radius of its rounding  4 count of its vertices  5... they, two numbers each, relative to a's
+ * centre. */
 int api_minkowski_sum(void) {
     double *s = api_slots, distance = 0.0, nx = 0.0, ny = 0.0, x = s[8], y = s[9];
     thud_placed a = api_placed(api_to_int(s[0]), s[1], s[2], s[3]);

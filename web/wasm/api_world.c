@@ -44,8 +44,9 @@ static const thud_quality *api_quality(double number) {
 }
 
 /* A quality with changes, each where it is not the number that takes the quality's own: substeps,
- * contact stiffness and damping (0), detection (-1), and islands (-1; 0: the soft solver does all, 1: the
- * direct one helps, at default's limits where the quality has none). Valid until the next call. */
+ * contact stiffness and damping (0), detection (-1), and islands (-1; 0: the soft solver does all,
+ * 1: the direct one helps, at default's limits where the quality has none). Valid until the next
+ * call. */
 static const thud_quality *changed_quality(double number, const double *changes) {
     static thud_quality quality;
     if (api_quality(number) == NULL)
@@ -186,8 +187,8 @@ int api_world_set_sleeping(thud_world *world, int sleeping) {
 /* Slots out: 0 steps  1 bodies  2 shapes  3 awake bodies  4 pairs  5 contacts  6 colours
  * 7 blocks  8 bytes  9 allocations of the last step  10 its substeps  11 its seconds  12 islands
  * solved directly  13 their bodies  14 of them, back with the soft solver  15 impacts  16 pairs of
- * motions  17 of them, whose circles met  18 boxes met  19 times were worked out  20... seconds of its
- * stages. */
+ * motions  17 of them, whose circles met  18 boxes met  19 times were worked out  20... seconds of
+ * its stages. */
 int api_world_stats(const thud_world *world) {
     thud_stats stats = thud_world_stats(world);
     double *s = api_slots;

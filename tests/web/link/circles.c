@@ -47,7 +47,8 @@ EXPORT("circle_height") double circle_height(int steps)
 {
     thud_world *world = open_world();
     thud_shape_def shape = thud_default_shape_def();
-    thud_body_id ground = add_body(world, THUD_STATIC, -100), ball = add_body(world, THUD_DYNAMIC, 3);
+    thud_body_id ground = add_body(world, THUD_STATIC, -100);
+    thud_body_id ball = add_body(world, THUD_DYNAMIC, 3);
     thud_shape_create_circle(world, ground, &shape, (thud_vec2){0, 0}, 100, NULL);
     thud_shape_create_circle(world, ball, &shape, (thud_vec2){0, 0}, 0.5f, NULL);
     return height_after(world, ball, steps);

@@ -8,7 +8,7 @@ export const TEXTURE_WIDTH = 1024;
 /** Values of the uniform `look`. */
 export const LOOKS = { state: 0, plain: 1, outline: 2 } as const;
 
-export const VERTEX = `#version 300 es
+const VERTEX = `#version 300 es
 precision highp float;
 precision highp int;
 layout(location = 0) in vec2 corner;
@@ -69,7 +69,7 @@ void main() {
   gl_Position = vec4(at * scale + shift, 0.0, 1.0);
 }`;
 
-export const FRAGMENT = `#version 300 es
+const FRAGMENT = `#version 300 es
 precision highp float;
 precision highp int;
 in vec2 local;

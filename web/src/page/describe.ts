@@ -28,7 +28,7 @@ export function describeScene(app: App): void {
 }
 
 /** "Pyramid, running at 12.3 s; 5,050 bodies, 120 awake; deepest overlap 0.004." */
-export function inWords(
+function inWords(
   title: string,
   paused: boolean,
   seconds: number,

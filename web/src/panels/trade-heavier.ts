@@ -81,7 +81,7 @@ function progressText({ trying, holdings }: HeavierProgress): string {
 }
 
 /** "thud holds 5,400 bodies at 60 Hz, Box2D 2,100 here." */
-export function answerText(holdings: readonly Holding[], hertz: number): string {
+function answerText(holdings: readonly Holding[], hertz: number): string {
   const parts = holdings.map(({ engine, held, missed }, i) => {
     const name = NAMES[engine];
     const verb = i === 0 ? " holds" : "";

@@ -49,7 +49,7 @@ function rounded(row: SeriesRow): SeriesRow {
 }
 
 /** "Firefox 140 on Linux": no more of the browser than a reader needs. */
-export function browserName(agent: string): string {
+function browserName(agent: string): string {
   const known = [
     ["Edge", /Edg\/(\d+)/],
     ["Opera", /OPR\/(\d+)/],

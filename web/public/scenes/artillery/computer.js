@@ -22,7 +22,7 @@ export function chooseAim(world, tank, target, wind, shots, chance) {
  * Of the shots that meet the target with nothing in the way the slowest: there an error of the
  * angle costs least. If all are blocked, the steepest.
  */
-export function solveAim(world, tank, target, wind) {
+function solveAim(world, tank, target, wind) {
   const aimed = world.bodyState(target.body).position;
   const away = aimed[0] < world.bodyState(tank.body).position[0];
   let best = { angle: away ? 120 : 60, speed: 20, rank: -Infinity };

@@ -1,6 +1,6 @@
 // How a player aims and fires: by keys, or by drawing back like a slingshot.
 
-export const LEAST_SPEED = 5;
+const LEAST_SPEED = 5;
 export const MOST_SPEED = 28; // metres a second; power is a percentage of it
 const FULL_PULL = 12; // metres to draw back for full power
 const LEAST_PULL = 1; // less is no shot: a way out for who has changed their mind
