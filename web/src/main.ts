@@ -15,7 +15,7 @@ import { fail, notice, say } from "./page/messages";
 import { Pad } from "./page/pad";
 import { Stage } from "./page/stage";
 import { applyTheme, onTheme } from "./page/theme";
-import { addTimeline } from "./page/timeline";
+import { Timeline } from "./page/timeline";
 import { readState, type State } from "./page/url";
 import { panels } from "./panels/panels";
 import { findScene, FIRST_SCENE } from "./scene/registry";
@@ -50,7 +50,7 @@ async function start(): Promise<void> {
   stage.attach(app);
   // What takes room on the page is there before the engine is: nothing moves when it comes.
   const hud = new Hud();
-  addTimeline(app);
+  new Timeline(app);
   layOut(app, stage);
   const wasm = chooseWasm();
   try {

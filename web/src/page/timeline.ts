@@ -1,5 +1,7 @@
 /** The slider that goes back in time, and on again, with a mark at every few seconds. */
+import type { Frame } from "../scene/frame";
 import { messageOf } from "../shared/error";
+import type { RunningScene } from "../worker/protocol";
 import type { App } from "./app";
 import { byId, make } from "./dom";
 import { notice } from "./messages";
@@ -10,8 +12,9 @@ const SECONDS = [1, 5, 10, 30, 60];
 /** Of the slider's thumb: its middle does not reach the slider's ends. */
 const THUMB = 16;
 
-export function addTimeline(app: App): void {
-  const slider = make("input", {
+export class Timeline {
+  readonly #app: App;
+  readonly #slider = make("input", {
     type: "range",
     id: "time",
     min: 0,
@@ -20,95 +23,107 @@ export function addTimeline(app: App): void {
     step: 1,
     "aria-label": "Time: go back and on again",
   });
-  const label = make("output", { for: "time", id: "time-label" }, "0.0 s");
-  const marks = make("div", { class: "marks", "aria-hidden": "true" });
-  const hint = make("span", { class: "panel hint", "aria-hidden": "true", hidden: true });
-  byId("timeline").append(make("div", { class: "track" }, slider, marks, hint), label);
-
-  let secondsAStep = 1 / 60;
+  readonly #label = make("output", { for: "time", id: "time-label" }, "0.0 s");
+  readonly #marks = make("div", { class: "marks", "aria-hidden": "true" });
+  readonly #hint = make("span", { class: "panel hint", "aria-hidden": "true", hidden: true });
+  #secondsAStep = 1 / 60;
   /** The step that the visitor wants; the one before may still be under way. */
-  let wanted: number | null = null;
-  let seeking = false;
+  #wanted: number | null = null;
+  #seeking = false;
 
-  const textOf = (step: number) => `${(step * secondsAStep).toFixed(1)} s`;
+  constructor(app: App) {
+    this.#app = app;
+    const slider = this.#slider;
+    const track = make("div", { class: "track" }, slider, this.#marks, this.#hint);
+    byId("timeline").append(track, this.#label);
+    slider.addEventListener("input", () => {
+      if (!app.state.paused) app.setPaused(true);
+      this.#wanted = Number(slider.value);
+      this.#show(this.#wanted);
+      void this.#seek();
+    });
+    slider.addEventListener("pointermove", (event) => this.#point(event));
+    slider.addEventListener("pointerleave", () => (this.#hint.hidden = true));
+    app.listen({
+      run: (scene) => this.#begin(scene),
+      frame: (frame) => this.#follow(frame),
+    });
+  }
 
-  const show = (step: number) => {
-    label.textContent = textOf(step);
-    const seconds = textOf(step).replace(" s", " seconds");
-    slider.setAttribute("aria-valuetext", `${seconds}, step ${step}`);
-  };
+  /** The first and the last step that the slider reaches. */
+  get #ends(): [first: number, last: number] {
+    return [Number(this.#slider.min), Number(this.#slider.max)];
+  }
 
-  /** Where a step stands on the slider, in CSS pixels from its left end. */
-  const placeOf = (step: number) => {
-    const part = (step - Number(slider.min)) / Math.max(1, Number(slider.max) - Number(slider.min));
-    return THUMB / 2 + part * (slider.clientWidth - THUMB);
-  };
+  #begin(scene: RunningScene): void {
+    this.#secondsAStep = scene.timeStep;
+    this.#wanted = null;
+    this.#slider.min = this.#slider.max = this.#slider.value = "0";
+    this.#show(0);
+    this.#showMarks();
+  }
 
-  const stepAt = (x: number) => {
-    const part = (x - THUMB / 2) / Math.max(1, slider.clientWidth - THUMB);
-    const [first, last] = [Number(slider.min), Number(slider.max)];
-    return Math.round(first + Math.min(1, Math.max(0, part)) * (last - first));
-  };
+  #follow({ step, history }: Frame): void {
+    const [first, last] = this.#ends;
+    if (first !== history.first || last !== history.last) {
+      this.#slider.min = String(history.first);
+      this.#slider.max = String(history.last);
+      this.#showMarks();
+    }
+    if (this.#seeking || this.#wanted !== null) return;
+    this.#slider.value = String(step);
+    this.#show(step);
+  }
 
-  const showMarks = () => {
-    const [first, last] = [Number(slider.min) * secondsAStep, Number(slider.max) * secondsAStep];
-    const most = slider.clientWidth / APART;
-    const every = SECONDS.find((seconds) => (last - first) / seconds <= most) ?? SECONDS.at(-1)!;
-    const places: number[] = [];
-    for (let time = Math.ceil(first / every) * every; time <= last; time += every)
-      places.push(placeOf(time / secondsAStep));
-    while (marks.children.length > places.length) marks.lastElementChild!.remove();
-    while (marks.children.length < places.length) marks.append(make("i"));
-    places.forEach((x, i) => ((marks.children[i] as HTMLElement).style.left = `${x}px`));
-  };
-
-  const seek = async () => {
-    if (seeking) return;
-    seeking = true;
-    while (wanted !== null) {
-      const step = wanted;
-      wanted = null;
+  async #seek(): Promise<void> {
+    if (this.#seeking) return;
+    this.#seeking = true;
+    while (this.#wanted !== null) {
+      const step = this.#wanted;
+      this.#wanted = null;
       try {
-        await app.seek(step);
+        await this.#app.seek(step);
       } catch (error) {
         notice(messageOf(error));
       }
     }
-    seeking = false;
-  };
+    this.#seeking = false;
+  }
 
-  slider.addEventListener("input", () => {
-    if (!app.state.paused) app.setPaused(true);
-    wanted = Number(slider.value);
-    show(wanted);
-    void seek();
-  });
-  slider.addEventListener("pointermove", ({ offsetX, pointerType }) => {
-    hint.hidden = pointerType !== "mouse" || slider.max === slider.min;
-    const step = stepAt(offsetX);
-    hint.textContent = `${textOf(step)}, step ${step}`;
-    hint.style.left = `${offsetX}px`;
-  });
-  slider.addEventListener("pointerleave", () => (hint.hidden = true));
+  #textOf(step: number): string {
+    return `${(step * this.#secondsAStep).toFixed(1)} s`;
+  }
 
-  app.listen({
-    run(scene) {
-      secondsAStep = scene.timeStep;
-      wanted = null;
-      slider.min = slider.max = slider.value = "0";
-      show(0);
-      showMarks();
-    },
-    frame({ step, history }) {
-      const { first, last } = history;
-      if (slider.min !== String(first) || slider.max !== String(last)) {
-        slider.min = String(first);
-        slider.max = String(last);
-        showMarks();
-      }
-      if (seeking || wanted !== null) return;
-      slider.value = String(step);
-      show(step);
-    },
-  });
+  #show(step: number): void {
+    this.#label.textContent = this.#textOf(step);
+    const seconds = this.#textOf(step).replace(" s", " seconds");
+    this.#slider.setAttribute("aria-valuetext", `${seconds}, step ${step}`);
+  }
+
+  /** Tells the time under a mouse. */
+  #point({ offsetX, pointerType }: PointerEvent): void {
+    const [first, last] = this.#ends;
+    this.#hint.hidden = pointerType !== "mouse" || last === first;
+    const part = (offsetX - THUMB / 2) / Math.max(1, this.#slider.clientWidth - THUMB);
+    const step = Math.round(first + Math.min(1, Math.max(0, part)) * (last - first));
+    this.#hint.textContent = `${this.#textOf(step)}, step ${step}`;
+    this.#hint.style.left = `${offsetX}px`;
+  }
+
+  #showMarks(): void {
+    const { clientWidth } = this.#slider;
+    const [first, last] = this.#ends;
+    const [from, to] = [first * this.#secondsAStep, last * this.#secondsAStep];
+    const most = clientWidth / APART;
+    const every = SECONDS.find((seconds) => (to - from) / seconds <= most) ?? SECONDS.at(-1)!;
+    const places: number[] = [];
+    for (let time = Math.ceil(from / every) * every; time <= to; time += every) {
+      const part = (time / this.#secondsAStep - first) / Math.max(1, last - first);
+      places.push(THUMB / 2 + part * (clientWidth - THUMB));
+    }
+    const marks = this.#marks;
+    while (marks.children.length > places.length) marks.lastElementChild!.remove();
+    while (marks.children.length < places.length) marks.append(make("i"));
+    places.forEach((x, i) => ((marks.children[i] as HTMLElement).style.left = `${x}px`));
+  }
 }
