@@ -92,7 +92,14 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   const change = () => layOut(app, stage);
   const dock = new Dock(app, panels(stage), change);
   const openFile = async (file: File) => {
-    const files = { "own.tmj": await file.text() };
+    let text: string;
+    try {
+      text = await file.text();
+    } catch (error) {
+      notice(`“${file.name}” cannot be read: ${messageOf(error)}`, 20);
+      return;
+    }
+    const files = { "own.tmj": text };
     app.fileName = file.name.replace(/\.[^.]*$/, "");
     await app.open(OWN_LEVEL, { files });
   };

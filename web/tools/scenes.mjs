@@ -17,7 +17,7 @@ export const { cssColour, rampColour } = await importTypeScript("src/draw/palett
 export const { random } = await importTypeScript("src/scene/random.ts");
 export const { createSetting } = await importTypeScript("src/scene/setting.ts");
 const { USUAL } = await importTypeScript("src/page/url.ts");
-const { optionsOf } = await importTypeScript("src/worker/stage.ts");
+const { optionsOf, setUp } = await importTypeScript("src/worker/stage.ts");
 
 /** A world's options on the page while the visitor has chosen nothing. */
 export const USUAL_OPTIONS = optionsOf(USUAL);
@@ -34,6 +34,12 @@ export async function buildScene(thud, name, options = {}) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
   const setting = createSetting(module, { thud, readText, ...options });
   return { module, setting, scene: await module.default(setting) };
+}
+
+/** A running scene of the registry, as the page's worker has it. `options`: size, seed. */
+export async function openSession(thud, name, options = {}) {
+  const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
+  return setUp(1, module, thud, { name, seed: 0, choices: USUAL, ...options }, readText);
 }
 
 /** Makes steps as the page does, with nobody at the keys. */

@@ -72,10 +72,14 @@ export class App {
   readonly #look: () => Look;
   /** Single steps that are asked for and not yet made. */
   #owed = 0;
+  /** An error stopped the scene, and not the visitor: the next one runs. */
+  #halted = false;
   /** Whether the standing picture must be made anew. */
   #stale = false;
   /** What runs: `state` goes back to it if what is to come after it cannot be run. */
   #running: Begun | null = null;
+  /** Of scenes that are asked for one after the other the last one runs. */
+  #runs = 0;
   /** Of addresses that are written one after the other the last one stays. */
   #addresses = 0;
 
@@ -128,10 +132,14 @@ export class App {
   }
 
   async #run(): Promise<boolean> {
+    const number = ++this.#runs;
     try {
-      this.#begin(await this.client.ask("run", this.request));
+      const scene = await this.client.ask("run", this.request);
+      if (number !== this.#runs) return false;
+      this.#begin(scene);
       return true;
     } catch (error) {
+      if (number !== this.#runs) return false;
       this.#stop(
         error instanceof TroubleError ? error.trouble : { message: messageOf(error) },
         false,
@@ -160,6 +168,8 @@ export class App {
   }
 
   async #startWorker(): Promise<void> {
+    // What the old one was asked to run is not missed.
+    this.#runs++;
     this.client.restart();
     // No frame can be asked for until a scene runs in the new one.
     this.scene = null;
@@ -202,6 +212,7 @@ export class App {
     this.trouble = null;
     this.shapes = null;
     this.#owed = 0;
+    if (this.#halted) this.setPaused(false);
     this.player.begin(scene.run, scene.timeStep);
     this.#tell((listener) => listener.run?.(scene));
     this.chosen();
@@ -217,7 +228,10 @@ export class App {
 
   #stop(trouble: Trouble, running: boolean): void {
     this.trouble = trouble;
-    if (running) this.setPaused(true);
+    if (running && !this.state.paused) {
+      this.setPaused(true);
+      this.#halted = true;
+    }
     this.#tell((listener) => listener.trouble?.(trouble, running));
   }
 
@@ -245,6 +259,7 @@ export class App {
 
   setPaused(paused: boolean): void {
     this.state.paused = this.player.paused = paused;
+    this.#halted = false;
     if (paused) this.player.settle();
     this.chosen();
   }

@@ -43,6 +43,9 @@ export interface Place {
   scale: number;
 }
 
+/** CSS pixels a world unit that an address may ask for. */
+const SCALES = [1e-9, 1e9] as const;
+
 export interface Claim {
   /** From the scene's beginning, with nobody's hands in it. */
   step: number;
@@ -150,7 +153,8 @@ function readPlace(text: string | null): Place | null {
   const numbers = (text ?? "").split(",").map(Number);
   if (numbers.length !== 3 || !numbers.every(Number.isFinite)) return null;
   const [x, y, scale] = numbers;
-  return scale > 0 ? { x, y, scale } : null;
+  const [least, most] = SCALES;
+  return scale >= least && scale <= most ? { x, y, scale } : null;
 }
 
 /** To a hundredth of a pixel. */

@@ -166,13 +166,10 @@ class CodePanel implements Panel {
     }
     const text = this.#text;
     const { scene, size, seed, camera } = app.state;
-    const stopped = this.#failed !== null && app.trouble !== null && app.state.paused;
     this.#keep(text);
     this.#forgetTrouble();
     const code = text === this.#original ? null : text;
     const runs = await app.open(scene, { code, size, seed, camera, files: app.files });
-    // An error had stopped the scene, and not the visitor.
-    if (runs && stopped) app.setPaused(false);
     if (runs) await this.#findImports(++this.#loads);
   }
 

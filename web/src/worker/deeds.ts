@@ -6,6 +6,10 @@ import type { BodyId, Vec2, World } from "thud";
 import type { Blast, Pull } from "../rival/hands";
 import type { KeyName } from "../scene/scene";
 import { bodyInSlot, groundLines } from "./lookup";
+import type { Choices } from "./protocol";
+
+/** What can be chosen for a world that runs. */
+export type Adjustment = Pick<Choices, "quality" | "substeps" | "maxError">;
 
 export type Deed =
   /** Takes the body in a slot at a place of its own frame; the pointer is at x, y. */
@@ -16,7 +20,8 @@ export type Deed =
   | ({ kind: "explode" } & Blast)
   | { kind: "dig"; x: number; y: number; radius: number }
   | { kind: "keys"; held: Readonly<Record<KeyName, boolean>> }
-  | { kind: "pointer"; x: number; y: number; down: boolean };
+  | { kind: "pointer"; x: number; y: number; down: boolean }
+  | ({ kind: "choose" } & Adjustment);
 
 /** Null if no body has the slot any more. */
 export function takeHold(

@@ -4,6 +4,7 @@ import { inWorld } from "../rival/hands";
 import type { Drawing, Frame, PlacedTerrain, Shapes, Sum } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import { BODY, DYNAMIC, HALF, ROW, SHAPE, SLOT, TERRAIN } from "../scene/shape-table";
+import { checkPaint } from "./check";
 import { groundLines } from "./lookup";
 import type { Look } from "./protocol";
 import type { Session } from "./session";
@@ -27,6 +28,7 @@ export class Frames {
   make(look: Look): Frame {
     const { session } = this;
     const { world } = session;
+    if (session.paint) checkPaint(session.paint);
     const [x, y] = look.origin;
     const pull = session.pull;
     const samples = session.samples;

@@ -4,15 +4,17 @@ import { type Blast, explode, type Pull, pull } from "../rival/hands";
 import type { Sample } from "../scene/frame";
 import {
   type Input,
+  KEY_NAMES,
   type KeyName,
   noKeys,
   type Paint,
   type Scene,
   type SceneSize,
 } from "../scene/scene";
-import { canPull, type Deed, dig, reachedBy, spawn, takeHold } from "./deeds";
+import { type Adjustment, canPull, type Deed, dig, reachedBy, spawn, takeHold } from "./deeds";
 import { History, type Moment } from "./history";
 import type { Choices, Rerun, StateHash } from "./protocol";
+import { SceneError } from "./trouble";
 
 /** What the visitor's hands hold; plain data, kept with every moment of the past. */
 interface Hands {
@@ -50,6 +52,13 @@ export class Session {
   /** Why there is no companion although one is wanted. */
   rivalTrouble: string | null = null;
   readonly #hands: Hands = { pull: null, held: noKeys(), pointer: null };
+  /** What the visitor does at this moment, wherever in time the scene is. */
+  readonly #present: Pick<Hands, "held" | "pointer"> & {
+    pulls: boolean;
+    adjustment: Adjustment | null;
+  } = { pulls: false, held: { ...this.#hands.held }, pointer: null, adjustment: null };
+  /** The hands are those of a moment that was gone to. */
+  #sought = false;
   /** Since the last step. */
   #done: Deed[] = [];
 
@@ -69,10 +78,9 @@ export class Session {
   }
 
   close(): void {
-    this.companion?.end();
-    this.scene.close?.();
-    for (const other of this.others) other.close();
-    this.world.close();
+    const { companion, scene, others, world } = this;
+    companion?.end();
+    closeAll([scene, ...others, world]);
   }
 
   get pull(): Pull | null {
@@ -82,12 +90,18 @@ export class Session {
   /** Does something to the world; a step later it is in the journal. */
   do(deed: Deed): void {
     this.#apply(deed);
+    this.#heed(deed);
+    this.#note(deed);
+  }
+
+  #note(deed: Deed): void {
     const last = this.#done.at(-1);
     if (last && replaces(deed, last)) this.#done.pop();
     this.#done.push(deed);
   }
 
   makeStep(): void {
+    if (this.#sought) this.#takeOver();
     const deeds = this.#done;
     this.#done = [];
     this.history.note(this.step, deeds);
@@ -104,13 +118,6 @@ export class Session {
     if (this.history.wants(this.step, 1000 * stepSeconds, bytes)) this.#keepMoment();
   }
 
-  choose(choices: Pick<Choices, "quality" | "substeps" | "maxError">): void {
-    // Between two qualities, one of which may be without what holds a largest error.
-    this.world.setMaxError(0);
-    this.world.setQuality(choices.quality, choices.substeps);
-    this.world.setMaxError(maxErrorOf(choices) * this.lengthScale);
-  }
-
   /** Goes to a step of the past, or on from there; false if it is out of reach. */
   seek(step: number): boolean {
     const moment = this.history.before(step);
@@ -118,6 +125,9 @@ export class Session {
     // What was done since the last step is no part of the past.
     const edited = this.#done.length > 0;
     this.#done = [];
+    // A body that is held stays behind.
+    this.#present.pulls = false;
+    this.#sought = true;
     if (step !== this.step || edited) this.companion?.end();
     if (step < this.step || moment.step > this.step || edited) this.#goTo(moment);
     this.#runAgain(step);
@@ -152,6 +162,34 @@ export class Session {
     while (this.step < step) {
       for (const deed of this.history.deedsAt(this.step)) this.#apply(deed);
       this.#advance(null);
+    }
+  }
+
+  /** What the visitor does now, as far as the past has no part in it. */
+  #heed(deed: Deed): void {
+    const present = this.#present;
+    if (deed.kind === "grab" || deed.kind === "release") present.pulls = deed.kind === "grab";
+    else if (deed.kind === "keys") Object.assign(present.held, deed.held);
+    else if (deed.kind === "pointer") present.pointer = { x: deed.x, y: deed.y, down: deed.down };
+    else if (deed.kind === "choose") present.adjustment = deed;
+  }
+
+  /** From a moment of the past time goes on with what the visitor does and has chosen now: what was
+   * held then and let go later would be held for ever. */
+  #takeOver(): void {
+    this.#sought = false;
+    const { pulls, held, pointer, adjustment } = this.#present;
+    const hands = this.#hands;
+    const deeds: Deed[] = [];
+    if (adjustment) deeds.push({ kind: "choose", ...adjustment });
+    if (hands.pull && !pulls) deeds.push({ kind: "release" });
+    if (KEY_NAMES.some((name) => hands.held[name] !== held[name]))
+      deeds.push({ kind: "keys", held: { ...held } });
+    if (hands.pointer?.down && !pointer?.down)
+      deeds.push({ kind: "pointer", ...(pointer ?? hands.pointer), down: false });
+    for (const deed of deeds) {
+      this.#apply(deed);
+      this.#note(deed);
     }
   }
 
@@ -195,6 +233,9 @@ export class Session {
       case "pointer":
         hands.pointer = { x: deed.x, y: deed.y, down: deed.down };
         break;
+      case "choose":
+        this.#adjust(deed);
+        break;
     }
   }
 
@@ -217,7 +258,7 @@ export class Session {
     return {
       step: this.step,
       world: this.world.snapshot(),
-      rest: structuredClone({ hands: this.#hands, state: this.scene.state ?? null }),
+      rest: { hands: structuredClone(this.#hands), state: copyOf(this.scene.state) },
     };
   }
 
@@ -231,6 +272,13 @@ export class Session {
     this.scene.restored?.();
     this.paint = this.scene.paint?.() ?? null;
   }
+
+  #adjust(choices: Adjustment): void {
+    // Between two qualities, one of which may be without what holds a largest error.
+    this.world.setMaxError(0);
+    this.world.setQuality(choices.quality, choices.substeps);
+    this.world.setMaxError(maxErrorOf(choices) * this.lengthScale);
+  }
 }
 
 /** Of two moves without a step between them only the last counts; a press or release is none. */
@@ -242,6 +290,28 @@ function replaces(deed: Deed, last: Deed): boolean {
 /** In length scales. Draft has no direct solver, and so nothing that could hold one. */
 export function maxErrorOf({ quality, maxError }: Pick<Choices, "quality" | "maxError">): number {
   return quality === "draft" ? 0 : maxError;
+}
+
+/** A visitor's scene may have closed some of them before, and its own `close` may throw. */
+export function closeAll(made: Iterable<{ close?(): void }>): void {
+  for (const one of made)
+    try {
+      one.close?.();
+    } catch (error) {
+      console.warn("Something that a scene made cannot be closed:", error);
+    }
+}
+
+function copyOf(state: object | undefined): object | null {
+  try {
+    return structuredClone(state ?? null);
+  } catch (error) {
+    throw new SceneError({
+      message:
+        "A scene's state is plain data, which every moment of the past keeps: " +
+        (error instanceof Error ? error.message : String(error)),
+    });
+  }
 }
 
 /** The same object with other contents: scenes hold on to it. */

@@ -4,7 +4,8 @@ import type { Scene, SceneModule, View } from "../scene/scene";
 import { createSetting } from "../scene/setting";
 import { BODY, DYNAMIC, HALF, ROW, SLOT, STATIC } from "../scene/shape-table";
 import type { Choices, RunningScene, SceneRequest } from "./protocol";
-import { maxErrorOf, Session } from "./session";
+import { checkScene } from "./check";
+import { closeAll, maxErrorOf, Session } from "./session";
 import { readShapes } from "./frames";
 import { SceneError } from "./trouble";
 
@@ -60,6 +61,7 @@ export async function setUp(
       throw new SceneError({
         message: "A scene returns the world that createWorld gave it: return { world }",
       });
+    checkScene(scene);
     const { lengthScale = 1, timeStep = 1 / 60 } = options;
     // Given in length scales, which the scene alone knows.
     scene.world.setMaxError(maxErrorOf(request.choices) * lengthScale);
@@ -67,7 +69,7 @@ export async function setUp(
     const sizes = module.size ?? null;
     return new Session(run, scene, setting.size, sizes, lengthScale, timeStep, others);
   } catch (error) {
-    for (const made of [...movers, ...worlds.keys()]) made.close();
+    closeAll([...movers, ...worlds.keys()]);
     throw error;
   }
 }

@@ -20,6 +20,7 @@ let companions: Companions;
 let base: string;
 let session: Session | null = null;
 let frames: Frames;
+/** Scenes that were asked for. */
 let runs = 0;
 
 type Answers = {
@@ -39,8 +40,12 @@ const answers: Answers = {
   complete: () => engine.complete(),
 
   async run(request) {
-    const next = await open(request, runs + 1);
-    runs++;
+    const run = ++runs;
+    const next = await open(request, run);
+    if (run !== runs) {
+      next.close();
+      throw new Error("Another scene was asked for meanwhile.");
+    }
     session?.close();
     session = next;
     frames = new Frames(session);
@@ -48,8 +53,8 @@ const answers: Answers = {
     return describe(session);
   },
 
-  choose(choices) {
-    session?.choose(choices);
+  choose({ quality, substeps, maxError }) {
+    session?.do({ kind: "choose", quality, substeps, maxError });
   },
 
   seek({ step, look }) {

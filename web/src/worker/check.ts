@@ -1,0 +1,64 @@
+/**
+ * What a scene returned, looked over before the page relies on it: a visitor's own text may say
+ * anything, and should then be told what is wrong with it.
+ */
+import { KEY_NAMES, type Mark, type Paint, type Scene } from "../scene/scene";
+import { SceneError } from "./trouble";
+
+const FUNCTIONS = ["restored", "update", "paint", "close"] as const;
+const LISTS = ["notes", "show", "keys", "hidden"] as const;
+
+/** Numbers that each kind of mark has to have. */
+const NUMBERS: Record<Mark["kind"], readonly string[]> = {
+  line: [],
+  circle: ["x", "y", "radius"],
+  box: ["x", "y", "halfWidth", "halfHeight"],
+  figure: ["x", "y", "halfWidth", "halfHeight", "facing"],
+  text: ["x", "y"],
+};
+
+export function checkScene(scene: Scene): void {
+  const { view, spawn, keys = [], state } = scene;
+  for (const name of FUNCTIONS)
+    if (scene[name] !== undefined && typeof scene[name] !== "function")
+      wrong(`A scene's ${name} is a function: ${name}() { … }`);
+  for (const name of LISTS)
+    if (scene[name] !== undefined && !Array.isArray(scene[name]))
+      wrong(`A scene's ${name} is a list: ${name}: […]`);
+  const { x, y, height, width = 1 } = view ?? { x: 0, y: 0, height: 1 };
+  if (![x, y, height, width].every(Number.isFinite) || height <= 0 || width <= 0)
+    wrong("A scene's view has finite numbers: view: { x: 0, y: 5, height: 20 }");
+  if (spawn !== undefined && !isPlace(spawn)) wrong("A scene's spawn is a place: spawn: [0, 10]");
+  for (const key of keys)
+    if (!KEY_NAMES.includes(key))
+      wrong(`There is no key “${String(key)}” for scenes; there are ${KEY_NAMES.join(", ")}.`);
+  if (state !== undefined && (typeof state !== "object" || state === null))
+    wrong("A scene's state is an object: state: { score: 0 }");
+}
+
+export function checkPaint(paint: Paint): void {
+  const { follow, marks = [], figures = [] } = paint;
+  if (follow !== undefined && !isPlace(follow)) wrong("paint: follow is a place: follow: [x, y]");
+  if (!Array.isArray(marks)) wrong("paint: marks is a list of marks.");
+  if (!Array.isArray(figures)) wrong("paint: figures is a list of { label, value }.");
+  for (const mark of marks) checkMark(mark);
+}
+
+function checkMark(mark: Mark): void {
+  const numbers = NUMBERS[mark?.kind];
+  if (!numbers)
+    wrong(`paint: the kind of a mark is one of ${Object.keys(NUMBERS).join(", ")}.`);
+  for (const name of numbers)
+    if (!Number.isFinite((mark as unknown as Record<string, unknown>)[name]))
+      wrong(`paint: a mark of kind ${mark.kind} has a finite number ${name}.`);
+  if (mark.kind === "line" && !(Array.isArray(mark.points) && mark.points.every(isPlace)))
+    wrong("paint: a line's points are places: points: [[0, 0], [1, 1]]");
+}
+
+function isPlace(value: unknown): boolean {
+  return Array.isArray(value) && value.length === 2 && value.every(Number.isFinite);
+}
+
+function wrong(message: string): never {
+  throw new SceneError({ message });
+}
