@@ -49,7 +49,8 @@ export class Dock {
   }
 
   async show(name: string, focus = true): Promise<void> {
-    const kind = this.#kinds[name];
+    // A name of an address may be one that every object has.
+    const kind = Object.hasOwn(this.#kinds, name) ? this.#kinds[name] : null;
     if (!kind || this.#open === name) return;
     if (this.#open) this.#leave();
     this.#open = this.#app.state.panel = name;

@@ -43,8 +43,9 @@ export interface Place {
   scale: number;
 }
 
-/** CSS pixels a world unit that an address may ask for. */
+/** What an address may ask for: CSS pixels a world unit, and world units from the origin. */
 const SCALES = [1e-9, 1e9] as const;
+const FARTHEST = 1e9;
 
 export interface Claim {
   /** From the scene's beginning, with nobody's hands in it. */
@@ -153,6 +154,7 @@ function readPlace(text: string | null): Place | null {
   const numbers = (text ?? "").split(",").map(Number);
   if (numbers.length !== 3 || !numbers.every(Number.isFinite)) return null;
   const [x, y, scale] = numbers;
+  if (Math.abs(x) > FARTHEST || Math.abs(y) > FARTHEST) return null;
   const [least, most] = SCALES;
   return scale >= least && scale <= most ? { x, y, scale } : null;
 }

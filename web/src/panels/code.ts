@@ -242,8 +242,8 @@ class CodePanel implements Panel {
     const changed = text !== (state.code ?? this.#original);
     let status = "Runs as it comes";
     if (this.#tabs.shown !== this.#path) status = "Read only";
-    else if (text === offeredCode) status = "Not run yet";
     else if (this.#failed?.text === text) status = "Does not run";
+    else if (text === offeredCode) status = "Not run yet";
     else if (changed) status = "Changed, not run yet";
     else if (state.code !== null) status = "Your code runs";
     this.#status.textContent = status;

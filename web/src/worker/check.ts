@@ -37,11 +37,15 @@ export function checkScene(scene: Scene): void {
 }
 
 export function checkPaint(paint: Paint): void {
-  const { follow, marks = [], figures = [] } = paint;
+  const { follow, marks = [], figures = [], message = "" } = paint;
   if (follow !== undefined && !isPlace(follow)) wrong("paint: follow is a place: follow: [x, y]");
   if (!Array.isArray(marks)) wrong("paint: marks is a list of marks.");
   if (!Array.isArray(figures)) wrong("paint: figures is a list of { label, value }.");
   for (const mark of marks) checkMark(mark);
+  for (const figure of figures)
+    if (typeof figure?.label !== "string" || typeof figure.value !== "string")
+      wrong("paint: a figure has two texts: { label: \"Score\", value: \"3\" }");
+  if (typeof message !== "string") wrong("paint: message is a text.");
 }
 
 function checkMark(mark: Mark): void {
@@ -51,6 +55,8 @@ function checkMark(mark: Mark): void {
   for (const name of numbers)
     if (!Number.isFinite((mark as unknown as Record<string, unknown>)[name]))
       wrong(`paint: a mark of kind ${mark.kind} has a finite number ${name}.`);
+  if (mark.kind === "text" && typeof mark.text !== "string")
+    wrong("paint: a mark of kind text has a text.");
   if (mark.kind === "line" && !(Array.isArray(mark.points) && mark.points.every(isPlace)))
     wrong("paint: a line's points are places: points: [[0, 0], [1, 1]]");
 }
