@@ -1,0 +1,72 @@
+/** What no address and no scene should say, and what nobody should do so quickly: the page goes on. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { deflateRawSync } from "node:zlib";
+import { openVisitor, untilRunning } from "./page-support.mjs";
+
+let visitor;
+before(async () => {
+  visitor = await openVisitor();
+});
+after(() => visitor.close());
+
+test("address_with_values_that_are_none_is_as_if_they_were_not_there", async () => {
+  for (const search of [
+    "?scene=cradle&size=-5&seed=1e99&quality=%F0%9F%92%A9&substeps=NaN&detection=__proto__",
+    "?scene=cradle&view=1e300,0,10&panel=toString&broadphase=constructor",
+    "?scene=cradle&view=0,0,1e300&error=-1&speed=1e9&split=x&box2d=3&step=0&hash=zz",
+  ]) {
+    const { page, errors, close } = await visitor.open(search);
+    await untilRunning(page);
+    assert.ok(await page.isHidden("#dock"));
+    await page.waitForFunction(() => location.search === "?scene=cradle");
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
+test("scene_that_returns_nonsense_is_told_what_is_wrong", async () => {
+  for (const [returned, told] of [
+    ["view: { x: NaN, y: 0, height: 3 }", /view has finite numbers/],
+    ["state: { act() {} }", /state is plain data/],
+    ["keys: 'left'", /keys is a list/],
+    ["paint: () => ({ marks: [{ kind: 'blob' }] })", /kind of a mark is one of line/],
+  ]) {
+    const code = `export default ({ createWorld }) => ({ world: createWorld(), ${returned} });`;
+    const packed = deflateRawSync(Buffer.from(code)).toString("base64url");
+    const { page, errors, close } = await visitor.open(`?scene=sketch#code=${packed}`);
+    await page.waitForSelector(".code-offer button");
+    await page.locator(".code-offer button").first().click();
+    await page.waitForFunction(
+      (pattern) => new RegExp(pattern).test(document.querySelector("#dock").textContent),
+      told.source,
+    );
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
+test("of_scenes_chosen_at_once_the_last_runs", async () => {
+  // The first waits for its level, the second for nothing.
+  const slow = async (page) => {
+    await page.route("**/quarry.tmj", async (route) => {
+      await new Promise((done) => setTimeout(done, 1000));
+      await route.continue().catch(() => {});
+    });
+  };
+  const { page, errors, close } = await visitor.open("?scene=cradle", undefined, slow);
+  await untilRunning(page);
+  const level = page.waitForResponse("**/quarry.tmj");
+  await page.evaluate(() => {
+    for (const name of ["quarry", "tall_stack"])
+      document.querySelector(`[data-entry=${name}]`).click();
+  });
+  await level;
+  await page.evaluate(() => document.querySelector("#restart").click());
+  await page.waitForFunction(() => Number(document.querySelector("#hud").dataset.steps) > 20);
+  assert.match(await page.title(), /stack/i);
+  const bodies = Number(await page.textContent("[data-value=bodies]"));
+  assert.ok(bodies < 40, `${bodies} bodies`);
+  assert.deepEqual(errors, []);
+  await close();
+});
