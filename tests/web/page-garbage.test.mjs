@@ -46,6 +46,22 @@ test("scene_that_returns_nonsense_is_told_what_is_wrong", async () => {
   }
 });
 
+test("scene_that_is_slow_and_not_stuck_runs_in_the_end_without_a_click", async () => {
+  const code = `export default ({ createWorld }) => {
+    for (const end = Date.now() + 9000; Date.now() < end; );
+    return { world: createWorld() };
+  };`;
+  const packed = deflateRawSync(Buffer.from(code)).toString("base64url");
+  const { page, errors, close } = await visitor.open(`?scene=sketch#code=${packed}`);
+  await page.locator(".code-offer button").first().click();
+  await page.waitForSelector("#failure:not([hidden])");
+  await page.waitForSelector("#failure[hidden]", { state: "attached" });
+  await page.waitForFunction(() => document.querySelector(".code-status").textContent === "Your code runs");
+  assert.ok(await page.isHidden(".code-trouble"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("of_scenes_chosen_at_once_the_last_runs", async () => {
   // The first waits for its level, the second for nothing.
   const slow = async (page) => {

@@ -172,6 +172,7 @@ function listenToScenes(
   { dock, hud, figures, hinted }: { dock: Dock; hud: Hud; figures: Figures; hinted: boolean },
 ): void {
   let announced = "";
+  let takeBack = () => {};
   app.listen({
     run(scene) {
       hud.reset();
@@ -209,7 +210,7 @@ function listenToScenes(
     },
     stuck() {
       if (app.state.code !== null) {
-        fail(
+        takeBack = fail(
           "The code does not answer",
           "A step, or building the scene, takes longer than eight seconds or never ends: a loop " +
             "without an end? Your text is kept.",
@@ -218,13 +219,14 @@ function listenToScenes(
         );
         return;
       }
-      fail(
+      takeBack = fail(
         "The scene does not answer",
-        "A step takes longer than eight seconds, or never ends. The page can wait on, or end it.",
+        "A step takes longer than eight seconds, or never ends. Wait on, or end it.",
         [],
         { label: "End it and start another scene", go: () => void app.revive(FIRST_SCENE) },
       );
     },
+    answers: () => takeBack(),
   });
 }
 

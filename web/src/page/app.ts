@@ -27,6 +27,8 @@ export interface Listener {
   offer?(code: string | null): void;
   /** The worker has not answered for a long time. */
   stuck?(): void;
+  /** After all it does. */
+  answers?(): void;
 }
 
 /** What a scene may be opened with. */
@@ -90,6 +92,7 @@ export class App {
       frame: (frame) => this.#take(frame),
       trouble: (trouble) => this.#stop(trouble, true),
       stuck: () => this.#tell((listener) => listener.stuck?.()),
+      answers: () => this.#tell((listener) => listener.answers?.()),
     });
   }
 

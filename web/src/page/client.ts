@@ -27,6 +27,8 @@ export interface ClientListeners {
   trouble(trouble: Trouble): void;
   /** Nothing came back for a long time; `stop` ends the worker. */
   stuck(): void;
+  /** After all something comes back. */
+  answers?(): void;
 }
 
 interface Waiting {
@@ -42,6 +44,7 @@ export class Client {
   #asked = 0;
   #ticking = false;
   #timer = 0;
+  #stuck = false;
 
   constructor(listeners: ClientListeners) {
     this.#listeners = listeners;
@@ -62,7 +65,7 @@ export class Client {
   close(): void {
     this.#worker.terminate();
     clearTimeout(this.#timer);
-    this.#ticking = false;
+    this.#ticking = this.#stuck = false;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
     for (const { reject } of waiting) reject(new Error("The physics worker was ended."));
@@ -121,11 +124,18 @@ export class Client {
     clearTimeout(this.#timer);
     this.#timer =
       this.#ticking || this.#waiting.size > 0
-        ? window.setTimeout(() => this.#listeners.stuck(), STUCK)
+        ? window.setTimeout(() => this.#tellStuck(), STUCK)
         : 0;
   }
 
+  #tellStuck(): void {
+    this.#stuck = true;
+    this.#listeners.stuck();
+  }
+
   #receive(message: ToPage): void {
+    if (this.#stuck) this.#listeners.answers?.();
+    this.#stuck = false;
     if (message.kind === "answer") {
       const waiting = this.#waiting.get(message.id);
       this.#waiting.delete(message.id);

@@ -22,13 +22,16 @@ export interface WayOn {
   go(): void;
 }
 
-/** A message that must be read; without a way on it stays. */
+let failures = 0;
+
+/** A message that must be read; without a way on it stays. What is returned takes it back. */
 export function fail(
   title: string,
   text: string,
   details: readonly string[] = [],
   wayOn?: WayOn,
-): void {
+): () => void {
+  const number = ++failures;
   const failure = byId("failure");
   failure.querySelector("h2")!.textContent = title;
   failure.querySelector("p")!.textContent = text;
@@ -37,14 +40,20 @@ export function fail(
   const button = failure.querySelector("button")!;
   button.hidden = !wayOn;
   button.textContent = wayOn?.label ?? "";
-  button.onclick = () => {
+  const hide = () => {
     failure.hidden = true;
     setInert(false);
+  };
+  button.onclick = () => {
+    hide();
     wayOn?.go();
   };
   failure.hidden = false;
   setInert(true);
   if (wayOn) button.focus();
+  return () => {
+    if (number === failures) hide();
+  };
 }
 
 /** Nothing behind a failure can be reached until it is read. */

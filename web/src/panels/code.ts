@@ -68,6 +68,7 @@ class CodePanel implements Panel {
       offer: () => void this.#load(),
       trouble: (trouble) => this.#fail(trouble),
       stuck: () => this.#stuck(),
+      answers: () => this.#answers(),
     });
     void this.#load();
   }
@@ -213,6 +214,13 @@ class CodePanel implements Panel {
     if (this.#app.state.code === null) return;
     this.#fail({ message: "This code did not answer for eight seconds: a loop without an end?" });
     this.#ending = true;
+  }
+
+  #answers(): void {
+    if (!this.#ending) return;
+    this.#ending = false;
+    this.#forgetTrouble();
+    this.#refresh();
   }
 
   #forgetTrouble(): void {
