@@ -32,8 +32,10 @@ export class Dock {
       button.addEventListener("click", () => this.toggle(button.dataset.panel!));
     const dock = byId("dock");
     dock.querySelector(".close")!.addEventListener("click", () => this.close());
-    dock.addEventListener("keydown", (event) => {
-      if (event.key !== "Escape" || event.defaultPrevented) return;
+    document.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || event.defaultPrevented || !this.#open) return;
+      // Wherever the focus is: a panel that was opened by key may not have it yet.
+      if ((event.target as HTMLElement).closest("dialog, #failure")) return;
       event.preventDefault();
       this.close();
     });
