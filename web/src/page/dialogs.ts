@@ -20,7 +20,12 @@ export function addDialogs(): void {
     const dialog = byId<HTMLDialogElement>(name);
     const opener = byId(`${name}-button`);
     opener.addEventListener("click", () => openDialog(name));
-    dialog.addEventListener("close", () => opener.setAttribute("aria-expanded", "false"));
+    dialog.addEventListener("close", () => {
+      opener.setAttribute("aria-expanded", "false");
+      // Opened by key with nothing in focus, a dialog would keep it and hear the page's keys.
+      const focused = document.activeElement as HTMLElement | null;
+      if (focused && dialog.contains(focused)) focused.blur();
+    });
     dialog.querySelector(".close")!.addEventListener("click", () => dialog.close());
     // A click beside a dialog, on its backdrop, closes it.
     dialog.addEventListener("click", (event) => {

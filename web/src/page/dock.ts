@@ -35,7 +35,7 @@ export class Dock {
     document.addEventListener("keydown", (event) => {
       if (event.key !== "Escape" || event.defaultPrevented || !this.#open) return;
       // Wherever the focus is: a panel that was opened by key may not have it yet.
-      if ((event.target as HTMLElement).closest("dialog, #failure")) return;
+      if ((event.target as HTMLElement).closest("dialog[open], #failure")) return;
       event.preventDefault();
       this.close();
     });
