@@ -68,7 +68,7 @@ for (const [size, options] of SIZES)
 test("overlays_of_other_scenes_draw_and_follow_their_keys", async () => {
   for (const [name, key, search, steps] of [
     ["motions", "m", "scene=bullets", 3],
-    ["axes", "7", "scene=broadphases&broadphase=sweep", 3],
+    ["axes", "8", "scene=broadphases&broadphase=sweep", 3],
     ["sums", "y", "scene=minkowski", 1],
   ]) {
     const { page, errors, close } = await openInside("show", `${search}&paused=1`, DESKTOP);
