@@ -41,6 +41,8 @@ export function listenToKeys(keys: readonly Key[]): void {
 }
 
 function isTypedInto(target: HTMLElement): boolean {
+  // A dialog that has just been closed gives the focus back a moment later.
+  if (target.closest("dialog:not([open])")) return false;
   return (
     target.isContentEditable ||
     target.matches("textarea, select, input:not([type=radio], [type=checkbox], [type=range])") ||
