@@ -32,8 +32,8 @@ const PICTURES = [
   { name: "code", search: "scene=dominoes&panel=code", steps: 150 },
   { name: "artillery", search: "scene=artillery", steps: 0, after: shoot },
   { name: "platformer", search: "scene=platformer_game", steps: 90, options: LIGHT },
-  { name: "detection", search: "scene=detection", steps: 200 },
-  { name: "phone", search: "scene=hourglass", steps: 240, options: PHONE },
+  { name: "detection", search: "scene=detection", steps: 120 },
+  { name: "phone", search: "scene=hourglass", steps: 90, options: PHONE },
 ];
 
 /** Until Box2D is there. */
