@@ -107,6 +107,15 @@ export function near(actual, expected, tolerance, what) {
 
 /** Evaluated by the driver, so that the page's own policy need not allow it. */
 export async function runAxe(page) {
+  // What is still fading in has not the contrast that it will have.
+  await page.evaluate(() =>
+    Promise.allSettled(
+      document
+        .getAnimations()
+        .filter((animation) => animation.effect.getTiming().iterations < Infinity)
+        .map((animation) => animation.finished),
+    ),
+  );
   await page.evaluate(axeSource());
   return page.evaluate(async () => {
     const { violations } = await window.axe.run();
