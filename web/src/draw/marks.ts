@@ -64,7 +64,10 @@ export function drawMarks(
     context.translate(...camera.toScreen(mark.x, mark.y, pane));
     if (mark.kind === "text") drawText(context, theme, mark);
     else if (mark.kind === "figure") drawFigure(context, camera.scale, mark);
-    else drawShape(context, camera.scale, mark);
+    else {
+      context.fillStyle = theme.fills[mark.ink] ?? colour;
+      drawShape(context, camera.scale, mark);
+    }
     context.restore();
   }
 }

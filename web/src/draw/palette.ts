@@ -23,6 +23,8 @@ export interface Theme {
   /** Box2D's bodies, where they lie over thud's. */
   readonly box2d: Rgb;
   readonly inks: Readonly<Record<Ink, string>>;
+  /** Filled shapes need not be read as text must: these may be brighter. */
+  readonly fills: Readonly<Partial<Record<Ink, string>>>;
   /** Around text and thin lines, so that they can be read over anything. */
   readonly halo: string;
   /** By the name of the engine's drawing style; others get a colour of their own. */
@@ -71,6 +73,7 @@ export const DARK: Theme = {
     player: "#ff9d5c",
     rival: "#6cc4ff",
   },
+  fills: {},
   halo: "#0f1521",
   styles: {
     bounds: "rgba(125, 211, 252, 0.75)",
@@ -118,6 +121,7 @@ export const LIGHT: Theme = {
     player: "#b5480c",
     rival: "#1f63b8",
   },
+  fills: { gold: "#eab020" },
   halo: "#fbfaf7",
   styles: {
     bounds: "rgba(2, 100, 170, 0.75)",
