@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { figure, openVisitor, stepBy } from "./page-support.mjs";
+import { until } from "./wait-support.mjs";
 
 let visitor;
 before(async () => {
@@ -23,7 +24,7 @@ for (const name of names)
     for (let i = 0; i < 3; i++) await stepBy(page, 100);
     const steps = await page.evaluate(() => document.querySelector("#hud").dataset.steps);
     assert.equal(steps, "300");
-    assert.ok((await figure(page, "bodies")) > 1);
+    await until(() => figure(page, "bodies"), (bodies) => bodies > 1, "bodies told");
     assert.ok(await page.isHidden("#failure"));
     assert.deepEqual(errors, []);
     await close();

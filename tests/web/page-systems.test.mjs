@@ -1,7 +1,8 @@
 /** The systems that a visitor can choose and see: detection, broadphases, Minkowski sums. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { DESKTOP, drawn, near, openVisitor, PHONE, stepBy, untilRunning } from "./page-support.mjs";
+import { DESKTOP, near, openVisitor, PHONE, stepBy } from "./page-support.mjs";
+import { overlay, untilOverlay, untilStep } from "./wait-support.mjs";
 
 const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
 
@@ -11,15 +12,8 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** Pixels of the overlay, faint ones too, in the picture after next. */
-async function overlay(page) {
-  await page.waitForTimeout(250);
-  return drawn(page, "overlay", 17);
-}
-
 /** Pixels of the overlay that are nearly of a colour, and the middle of them on the page. */
-async function coloured(page, [red, green, blue]) {
-  await page.waitForTimeout(250);
+function coloured(page, [red, green, blue]) {
   return page.evaluate(
     ([r, g, b]) => {
       const { width, height } = document.getElementById("overlay");
@@ -45,27 +39,43 @@ async function coloured(page, [red, green, blue]) {
 const SUM = [124, 245, 196];
 const OVERLAPPING = [255, 143, 163];
 
+/** What the address says of a setting; null for the usual one. */
+function chosen(page, set) {
+  return page.evaluate((name) => new URLSearchParams(location.search).get(name), set);
+}
+
 /** Goes by the key for the next detection or broadphase until the address has the wanted one. */
 async function choose(page, set, value) {
-  for (let i = 0; i < 5 && !page.url().includes(`${set}=${value}`); i++) {
+  for (let i = 0; i < 5; i++) {
+    const before = await chosen(page, set);
+    if (before === value) return;
     await page.keyboard.press(set === "detection" ? "e" : "f");
-    await page.waitForTimeout(200);
+    await page.waitForFunction(
+      ([name, old]) => new URLSearchParams(location.search).get(name) !== old,
+      [set, before],
+    );
   }
+  assert.equal(await chosen(page, set), value);
+}
+
+/** The same in a scene that stands somewhere later than at its beginning, where it goes back to. */
+async function chooseAnew(page, set, value) {
+  await choose(page, set, value);
+  await untilStep(page, 0);
 }
 
 for (const [size, options] of SIZES)
   test(`detection_and_broadphase_are_chosen_and_kept_in_the_url_on_a_${size}`, async () => {
     const { page, errors, close } = await visitor.open("?scene=cradle&paused=1", options);
     await stepBy(page, 20);
-    await choose(page, "detection", "swept");
-    await page.waitForFunction(() => document.querySelector("#hud").dataset.steps === "0");
+    await chooseAnew(page, "detection", "swept");
     await choose(page, "broadphase", "sweep");
-    const search = new URL(page.url()).searchParams;
-    assert.deepEqual([search.get("detection"), search.get("broadphase")], ["swept", "sweep"]);
+    const both = async () => [await chosen(page, "detection"), await chosen(page, "broadphase")];
+    assert.deepEqual(await both(), ["swept", "sweep"]);
     await page.reload();
     await stepBy(page, 5);
-    await choose(page, "detection", "bisect");
-    assert.match(page.url(), /detection=bisect&broadphase=sweep/);
+    await chooseAnew(page, "detection", "bisect");
+    assert.deepEqual(await both(), ["bisect", "sweep"]);
     assert.deepEqual(errors, []);
     await close();
   });
@@ -75,12 +85,12 @@ for (const [size, options] of SIZES)
     const { page, errors, close } = await visitor.open("?scene=broadphases&paused=1", options);
     await stepBy(page, 10);
     assert.ok((await overlay(page)).count > 300, "no cells");
-    await choose(page, "broadphase", "sweep");
+    await chooseAnew(page, "broadphase", "sweep");
     await stepBy(page, 10);
     const { count, y } = await overlay(page);
     assert.ok(count > 300, "no intervals");
     assert.ok(y > 0.6 * options.viewport.height, `the intervals' middle is at ${y}`);
-    await choose(page, "broadphase", "all");
+    await chooseAnew(page, "broadphase", "all");
     await stepBy(page, 10);
     assert.equal((await overlay(page)).count, 0);
     assert.deepEqual(errors, []);
@@ -91,9 +101,12 @@ test("keys_toggle_pairs_and_motions_and_go_through_detections", async () => {
   const { page, errors, close } = await visitor.open("?scene=tall_stack&paused=1");
   await stepBy(page, 5);
   await page.keyboard.press("9");
-  assert.ok((await overlay(page)).count > 20, "no pairs");
+  await untilOverlay(page, (count) => count > 20, "pairs");
   await page.keyboard.press("9");
+  await untilOverlay(page, (count) => count === 0, "pairs after all");
   await page.keyboard.press("m");
+  // The picture of a step that was asked for later has what was switched on before.
+  await stepBy(page, 1);
   assert.equal((await overlay(page)).count, 0, "a stack at rest has motions");
   for (const name of ["overlap", "continuous", "bisect", "swept"]) {
     await page.keyboard.press("e");
@@ -110,15 +123,16 @@ for (const [size, options] of SIZES)
     const { count } = await overlay(page);
     assert.ok(count > 150, `${count} pixels of motions`);
     await page.keyboard.press("m");
-    assert.equal((await overlay(page)).count, 0);
+    await untilOverlay(page, (none) => none === 0, "motions after all");
     assert.deepEqual(errors, []);
     await close();
   });
 
 for (const [size, options] of SIZES)
   test(`minkowski_sum_tells_that_dragged_shapes_overlap_on_a_${size}`, async () => {
-    const { page, errors, close } = await visitor.open("?scene=minkowski", { ...options, colorScheme: "dark" });
-    await untilRunning(page);
+    const search = "?scene=minkowski&paused=1";
+    const { page, errors, close } = await visitor.open(search, { ...options, colorScheme: "dark" });
+    await stepBy(page, 1);
     const apart = await coloured(page, SUM);
     assert.ok(apart.count > 1000, `${apart.count} pixels of the sums`);
     assert.equal((await coloured(page, OVERLAPPING)).count, 0);
@@ -138,7 +152,7 @@ for (const [size, options] of SIZES)
     await page.mouse.move(...from);
     await page.mouse.down();
     await page.mouse.move(...to, { steps: 5 });
-    await page.waitForTimeout(1200);
+    await stepBy(page, 90);
     const over = await coloured(page, OVERLAPPING);
     assert.ok(over.count > 500, `${over.count} pixels of the sum tell it`);
     await page.mouse.up();

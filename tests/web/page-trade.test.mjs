@@ -10,6 +10,7 @@ import {
   stepBy,
   untilRunning,
 } from "./page-support.mjs";
+import { untilStep } from "./wait-support.mjs";
 
 let visitor;
 before(async () => {
@@ -43,11 +44,14 @@ function untilAddress(page, name, value) {
   );
 }
 
-const untilSteps = (page, steps) =>
-  page.waitForFunction(
-    (wanted) => document.querySelector("#hud").dataset.steps === wanted,
-    String(steps),
+/** Waits until a running scene has made so many more steps. */
+async function untilLater(page, steps) {
+  const before = await page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
+  await page.waitForFunction(
+    (wanted) => Number(document.querySelector("#hud").dataset.steps) >= wanted,
+    before + steps,
   );
+}
 
 /** Of the figures, which are refreshed a few times a second. */
 function untilFigure(page, name, least, most) {
@@ -69,7 +73,7 @@ test("quality_chosen_in_a_running_scene_changes_its_error_and_the_url", async ()
   await untilAddress(page, "quality", "high");
   await stepBy(page, 40);
   await untilFigure(page, "deepest", 0, 0.001);
-  await untilSteps(page, 80);
+  await untilStep(page, 80);
   assert.deepEqual(errors, []);
   await close();
 });
@@ -90,12 +94,15 @@ test("substeps_and_largest_error_by_keys_are_in_the_url_and_change_the_error", a
 });
 
 test("draft_with_a_largest_error_runs_without_it", async () => {
-  const { page, errors, close } = await openTrade("?scene=tall_stack&error=0.01&quality=draft");
-  await untilRunning(page);
+  const search = "?scene=tall_stack&error=0.01&quality=draft&paused=1";
+  const { page, errors, close } = await openTrade(search);
+  await stepBy(page, 3);
   await choose(page, "quality", "default");
+  await stepBy(page, 3);
   await choose(page, "quality", "draft");
   await page.keyboard.press("r");
-  await untilRunning(page);
+  await untilStep(page, 0);
+  await stepBy(page, 3);
   assert.ok(await page.isHidden("#failure"));
   assert.doesNotMatch(await page.innerText("#notice"), /stopped/);
   assert.deepEqual(errors, []);
@@ -108,7 +115,7 @@ for (const [name, value] of [["detection", "swept"], ["broadphase", "sweep"]])
     await stepBy(page, 3);
     await choose(page, name, value);
     await untilAddress(page, name, value);
-    await untilSteps(page, 0);
+    await untilStep(page, 0);
     assert.deepEqual(errors, []);
     await close();
   });
@@ -116,10 +123,10 @@ for (const [name, value] of [["detection", "swept"], ["broadphase", "sweep"]])
 test("size_by_the_slider_starts_the_scene_with_as_many_bodies", async () => {
   const { page, errors, close } = await openTrade("?scene=cradle&paused=1", PHONE);
   await stepBy(page, 3);
-  await untilFigure(page, "bodies", 17, 17).catch(() => {});
+  await untilFigure(page, "bodies", 17, 17);
   await pressOn(page, "#size", "End");
   await untilAddress(page, "size", "100");
-  await untilSteps(page, 0);
+  await untilStep(page, 0);
   assert.match(await page.innerText(".trade-controls"), /100 balls in a row/);
   await page.setViewportSize(DESKTOP.viewport);
   await untilFigure(page, "bodies", 302, 302);
@@ -134,10 +141,14 @@ test("each_setting_leaves_its_point_and_a_click_goes_back_to_it", async () => {
   await page.waitForSelector('.live-plane .dot[aria-label^="draft:"]', LONG);
   await page.click(".tried summary");
   assert.equal(await page.locator(".tried tbody tr").count(), 2);
-  const point = '.live-plane .dot[aria-label^="default:"]';
-  await page.hover(point);
-  assert.match(await page.innerText(".live-plane .plane-detail"), /^default: .* ms a step, worst/);
-  await page.click(point);
+  // The plane is drawn anew a few times a second: under the pointer, and while it is pressed.
+  const detail = () => page.innerText(".live-plane .plane-detail");
+  await page.hover('.live-plane .dot[aria-label^="default:"]');
+  await untilLater(page, 30);
+  assert.match(await detail(), /^default: .* a step, worst/);
+  await page.mouse.down();
+  await untilLater(page, 30);
+  await page.mouse.up();
   await page.waitForFunction(() => !location.search.includes("quality"));
   assert.ok(await page.isChecked('.trade [name=quality][value="default"]'));
   assert.deepEqual(errors, []);
@@ -152,7 +163,7 @@ test("points_are_one_stop_of_the_tab_key_and_arrows_go_between_them", async () =
   await page.click("#pause");
   assert.equal(await page.locator('.live-plane .dot[tabindex="0"]').count(), 1);
   await page.focus('.live-plane .dot[tabindex="0"]');
-  const focused = () => page.evaluate(() => document.activeElement.getAttribute("aria-label"));
+  const focused = () => page.evaluate(() => document.activeElement.dataset.point);
   const first = await focused();
   await page.keyboard.press("ArrowRight");
   assert.notEqual(await focused(), first);
@@ -181,7 +192,7 @@ test("measure_compares_both_engines_and_its_link_shows_the_same_figures", async 
   const download = page.waitForEvent("download");
   await page.click("#result-download");
   assert.equal((await download).suggestedFilename(), "thud-trade.json");
-  const link = await page.getAttribute("#result-link", "href");
+  const link = await page.getAttribute("#result-link[href]", "href");
   const other = await visitor.open(new URL(link).search + new URL(link).hash, PHONE);
   await other.page.waitForSelector(".result table");
   assert.deepEqual(await cells(other.page), measured);
@@ -192,9 +203,12 @@ test("measure_compares_both_engines_and_its_link_shows_the_same_figures", async 
 });
 
 test("without_Box2D_thud_is_measured_alone_and_told_so", async () => {
-  const { page, close } = await visitor.open("?scene=cradle&size=4&panel=trade", DESKTOP, (opened) =>
-    opened.context().route(/Box2D.*\.wasm/, (route) => route.abort()),
-  );
+  const search = "?scene=cradle&size=4&panel=trade";
+  const { page, close } = await visitor.open(search, DESKTOP, async (opened) => {
+    // It would fetch by itself, where nothing is held up.
+    await opened.context().addInitScript(() => delete Navigator.prototype.serviceWorker);
+    await opened.context().route(/Box2D.*\.wasm/, (route) => route.abort());
+  });
   await untilRunning(page);
   await page.click(`${MEASURE} .go`);
   await page.waitForSelector(".result table", LONG);
@@ -203,9 +217,12 @@ test("without_Box2D_thud_is_measured_alone_and_told_so", async () => {
   await close();
 });
 
+/** So large that no machine is done before it is told to stop. */
+const LONG_TO_MEASURE = "?scene=pyramid&size=100";
+
 test("another_scene_ends_a_measurement", async () => {
-  const { page, errors, close } = await openTrade("?scene=pyramid&size=60");
-  await untilRunning(page);
+  const { page, errors, close } = await openTrade(`${LONG_TO_MEASURE}&paused=1`);
+  await stepBy(page, 1);
   await page.click(`${MEASURE} .go`);
   await page.keyboard.press("r");
   await page.waitForSelector(`${MEASURE} .go`);
@@ -223,7 +240,7 @@ test("a_damaged_result_in_a_link_is_told", async () => {
 });
 
 test("cancel_ends_a_measurement_and_the_scene_goes_on", async () => {
-  const { page, errors, close } = await openTrade("?scene=pyramid&size=60", PHONE);
+  const { page, errors, close } = await openTrade(LONG_TO_MEASURE, PHONE);
   await untilRunning(page);
   await page.click(`${MEASURE} .go`);
   assert.equal(await pressed(page, "pause"), true);
@@ -279,6 +296,7 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
     test(`axe_finds_no_serious_violation_in_trade_on_${size}_in_${colorScheme}`, async () => {
       const { page, close } = await openTrade("?scene=cradle", { ...options, colorScheme });
       await page.waitForSelector(".live-plane .dot", LONG);
+      await page.keyboard.press("p");
       await page.click(".tried summary");
       assert.deepEqual(await runAxe(page), []);
       await close();
@@ -286,8 +304,7 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
 
 test("every_control_of_trade_is_large_enough_for_a_finger", async () => {
   const options = { ...PHONE, viewport: { width: 360, height: 640 } };
-  const { page, close } = await openTrade("?scene=cradle", options);
-  await untilRunning(page);
+  const { page, close } = await openTrade("?scene=cradle&paused=1", options);
   const small = await page.evaluate(() =>
     [...document.querySelectorAll(".trade :is(button, .choices label, summary, input[type=range])")]
       .map((element) => [element.textContent || element.id, element.getBoundingClientRect()])

@@ -12,6 +12,7 @@ import {
   untilRunning,
 } from "./page-support.mjs";
 import { ballLevel } from "./support.mjs";
+import { until, untilStep } from "./wait-support.mjs";
 
 let visitor;
 before(async () => {
@@ -21,6 +22,8 @@ after(() => visitor.close());
 
 /** More than the 30 that only warm up, and too few for what stands still to fall asleep. */
 const STEPS_THAT_COUNT = 45;
+/** More than there are from one look at the overlap to the next where a look takes long. */
+const STEPS_TO_LOOK_AGAIN = 61;
 const BOX2D = /\/Box2D\.[\w-]+\.(js|wasm)$/;
 
 /** The middle of each of two bodies that are drawn: those of thud and of Box2D, apart or not. */
@@ -73,14 +76,8 @@ async function openBoth(options = DESKTOP) {
 }
 
 /** Waits until two bodies are drawn. */
-async function untilTwo(page) {
-  const end = Date.now() + 20_000;
-  for (;;) {
-    const found = await middles(page);
-    if (found.length === 2) return found;
-    assert.ok(Date.now() < end, `there are ${found.length} bodies`);
-    await page.waitForTimeout(100);
-  }
+function untilTwo(page) {
+  return until(() => middles(page), ({ length }) => length === 2, "two bodies");
 }
 
 /** The table's rows, by their heading: the texts of thud's and Box2D's cells. */
@@ -139,22 +136,25 @@ for (const [name, view] of [["thud", 0], ["box2d", 1]])
 test("box2d_is_fetched_when_the_panel_opens_and_not_before", async () => {
   const fetched = [];
   const { page, errors, close } = await visitor.open("?scene=tall_stack", DESKTOP, async (page) => {
+    // It fetches by itself what it keeps for later.
+    await page.context().addInitScript(() => delete Navigator.prototype.serviceWorker);
     page.context().on("request", (request) => {
-      // What the service worker keeps for later is no part of the page.
-      if (BOX2D.test(request.url()) && !request.serviceWorker()) fetched.push(request.url());
+      if (BOX2D.test(request.url())) fetched.push(request.url());
     });
   });
   await untilRunning(page);
   assert.deepEqual(fetched, []);
   await page.click('[data-panel="versus"]');
   await untilBox2D(page);
-  assert.ok(fetched.some((url) => url.endsWith(".wasm")), fetched.join());
+  await until(() => fetched, (urls) => urls.some((url) => url.endsWith(".wasm")), "fetched");
   assert.deepEqual(errors, []);
   await close();
 });
 
 test("table_tells_times_overlap_energy_and_bodies_of_both", async () => {
-  const { page, errors, close } = await visitor.open("?scene=tall_stack&panel=versus&paused=1");
+  // So large that a step takes longer than the clock's tick on any machine.
+  const search = "?scene=pyramid&size=40&panel=versus&paused=1";
+  const { page, errors, close } = await visitor.open(search);
   await untilBox2D(page);
   await stepBy(page, STEPS_THAT_COUNT);
   await untilMeasured(page);
@@ -162,16 +162,20 @@ test("table_tells_times_overlap_energy_and_bodies_of_both", async () => {
   for (const name of ["Step, median", "Step, p99"])
     for (const text of rows[name]) {
       const value = Number(/^([\d.]+) ms$/.exec(text)?.[1]);
-      assert.ok(value > 0 && value < 1000, `${name}: ${text}`);
+      assert.ok(value > 0, `${name}: ${text}`);
     }
-  for (const name of ["Overlap, mean", "Overlap, worst"])
-    for (const text of rows[name])
-      assert.ok(Number(text) > 1e-4 && Number(text) < 0.1, `${name}: ${text}`);
-  // The stack of the scene's usual size, and the ground.
-  assert.deepEqual(rows.Bodies, ["31", "31"]);
-  assert.deepEqual(rows.Awake, ["30", "30"]);
+  // The pyramid, and the ground.
+  assert.deepEqual(rows.Bodies, ["821", "821"]);
+  assert.deepEqual(rows.Awake, ["820", "820"]);
   assert.match(await page.textContent("#versus .verdict"), /fast.*(accurate|sink in)/);
   assert.equal(await page.locator("#versus .plots canvas").count(), 3);
+  await stepBy(page, STEPS_TO_LOOK_AGAIN);
+  const overlaps = async () => {
+    const { "Overlap, mean": mean, "Overlap, worst": worst } = await table(page);
+    return [...mean, ...worst].map(Number);
+  };
+  const seen = (found) => found.every((value) => value > 1e-4 && value < 0.1);
+  await until(overlaps, seen, "overlaps of both, mean and worst");
   assert.deepEqual(errors, []);
   await close();
 });
@@ -216,7 +220,7 @@ test("restart_both_begins_both_at_the_start", async () => {
   await since.waitFor();
   assert.match(await since.textContent(), /began at 0\.50 s/);
   await page.click('#versus button:text-is("Restart both")');
-  await page.waitForFunction(() => document.querySelector("#hud").dataset.steps === "0");
+  await untilStep(page, 0);
   await stepBy(page, 40);
   await since.waitFor({ state: "hidden" });
   await untilMeasured(page);
@@ -232,7 +236,7 @@ test("going_back_in_time_begins_box2d_anew_where_thud_is", async () => {
     slider.value = "30";
     slider.dispatchEvent(new Event("input", { bubbles: true }));
   });
-  await page.waitForFunction(() => document.querySelector("#hud").dataset.steps === "30");
+  await untilStep(page, 30);
   const back = await untilTwo(page);
   near(back[1].y, back[0].y, 1, "as high in both");
   await stepBy(page, 10);
@@ -267,8 +271,7 @@ test("closing_the_panel_shows_one_view_again", async () => {
   const { page, close } = await openBoth();
   await page.click("#dock .close");
   await page.waitForFunction(() => document.querySelector("#dock").hidden);
-  const end = Date.now() + 20_000;
-  while ((await middles(page)).length > 0) assert.ok(Date.now() < end, "two views are left");
+  await until(() => middles(page), ({ length }) => length === 0, "views beside each other");
   await close();
 });
 
@@ -299,6 +302,7 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
         colorScheme,
       });
       await untilMeasured(page);
+      await page.keyboard.press("p");
       await page.click("#versus summary");
       assert.deepEqual(await runAxe(page), []);
       await close();

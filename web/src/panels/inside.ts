@@ -41,6 +41,8 @@ export function createPanel(app: App, stage: Stage): Panel {
     for (const name of PARTS) elements[name].hidden = name !== part;
     step.seen = part === "step";
     check.seen = part === "bits";
+    // A scene that stands would tell it nothing before its next step.
+    app.refresh();
   }
   show(app.state.claim ? "bits" : "show");
 

@@ -57,18 +57,30 @@ export class Plane {
   #points: readonly PlanePoint[] = [];
   #height = HEIGHT.usual;
   #focused: string | null = null;
+  /** Of which the line below tells: the last that was pointed at or focused. */
+  #told: string | null = null;
+  #pressed = false;
+  /** Came while a point was pressed. */
+  #next: (() => void) | null = null;
 
   constructor() {
     this.element = make("figure", { class: "plane" });
     this.element.append(this.#svg, this.#detail);
     this.#svg.addEventListener("keydown", (event) => this.#move(event));
+    this.#svg.addEventListener("pointerleave", () => (this.#told = this.#focused));
+    this.#svg.addEventListener("pointerdown", () => this.#press());
   }
 
   show(points: readonly PlanePoint[], nothing: string): void {
+    if (this.#pressed) {
+      this.#next = () => this.show(points, nothing);
+      return;
+    }
     this.#points = points;
     this.#height = PHONE.matches ? HEIGHT.phone : HEIGHT.usual;
     this.#svg.setAttribute("viewBox", `0 0 ${WIDTH} ${this.#height}`);
     const hadFocus = this.#svg.contains(document.activeElement);
+    const told = this.#told;
     this.#svg.replaceChildren();
     if (points.length === 0) {
       const text = svg("text", { x: WIDTH / 2, y: this.#height / 2, class: "nothing" });
@@ -90,7 +102,26 @@ export class Plane {
     const taken: Box[] = points.map((point) => around(place(point)));
     for (const point of points) this.#drawPoint(point, place(point), taken);
     if (hadFocus) this.#dotOf(this.#focused)?.focus();
-    this.#tell(points.find(({ key }) => key === this.#focused) ?? points.find(({ live }) => live));
+    this.#told = told;
+    this.#tell(points.find(({ key }) => key === told) ?? points.find(({ live }) => live));
+  }
+
+  /** Another drawing would take the point away, and with it the click. */
+  #press(): void {
+    this.#pressed = true;
+    const listening = new AbortController();
+    const { signal } = listening;
+    const letGo = () => {
+      listening.abort();
+      // The click comes after this event.
+      setTimeout(() => {
+        const next = this.#next;
+        this.#pressed = false;
+        this.#next = null;
+        next?.();
+      });
+    };
+    for (const end of ["pointerup", "pointercancel"]) addEventListener(end, letGo, { signal });
   }
 
   #drawAxes(
@@ -151,9 +182,12 @@ export class Plane {
       text.textContent = label;
       dot.append(text);
     }
-    dot.addEventListener("pointerenter", () => this.#tell(point));
+    dot.addEventListener("pointerenter", () => {
+      this.#told = key;
+      this.#tell(point);
+    });
     dot.addEventListener("focus", () => {
-      this.#focused = key;
+      this.#focused = this.#told = key;
       this.#tell(point);
     });
     dot.addEventListener("click", () => go?.());
