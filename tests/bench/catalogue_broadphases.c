@@ -81,8 +81,8 @@ static bool measure(const char *label, const scene *s, bool crowded,
                     const thud_detection *detection, bool quick,
                     lab_turns_times times[BROADPHASE_COUNT]) {
     lab_turns_plan plan = {10, LAB_TURNS_STEPS, .seconds = 1.5, TOO_DEAR};
-    if (quick)
-        plan = (lab_turns_plan){2, 10, .seconds = 0.05, TOO_DEAR};
+    if (quick) /* for the figures' sake, and not for what they are: nothing drops out */
+        plan = (lab_turns_plan){2, 10, .seconds = 0.05, .too_dear = INFINITY};
     bool ok = true;
     for (int i = 0; ok && i < (quick ? 1 : REPETITIONS); i++) {
         lab_world labs[BROADPHASE_COUNT] = {0};
