@@ -40,7 +40,7 @@ export function createPlainServer(folder) {
   });
 }
 
-/** Until the page's service worker has kept everything and is in control. */
+/** Until the page's service worker has kept all the build's files and is in control. */
 export function untilOffline(page) {
   return page.waitForFunction(() => navigator.serviceWorker.controller?.state === "activated");
 }

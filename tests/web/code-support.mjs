@@ -1,8 +1,8 @@
 /** What the tests of the code panel share: opening it, typing into it, what it tells. */
 import { deflateRawSync } from "node:zlib";
-import { DESKTOP, untilRunning } from "./page-support.mjs";
+import { DESKTOP } from "./page-support.mjs";
 
-/** The page with the code panel open and its editor filled; breaches of its policy are errors. */
+/** A scene with the code panel open and its editor filled; breaches of its policy are errors. */
 export async function openCode(visitor, search, options = DESKTOP) {
   const opened = await visitor.open(search, options, async (page) => {
     await page.addInitScript(() =>
@@ -11,7 +11,6 @@ export async function openCode(visitor, search, options = DESKTOP) {
       ),
     );
   });
-  await untilRunning(opened.page);
   await opened.page.waitForSelector(".code-editor .cm-line:not(:empty)");
   return opened;
 }
@@ -52,13 +51,6 @@ export function boxes(count, { message = "boxes", update = "" } = {}) {
 `;
 }
 
-export function untilBodies(page, count) {
-  return page.waitForFunction(
-    (wanted) => document.querySelector('[data-value="bodies"]')?.textContent === wanted,
-    String(count),
-  );
-}
-
 export function untilStatus(page, text) {
   return page.waitForFunction(
     (wanted) => document.querySelector(".code-status").textContent === wanted,
@@ -73,13 +65,18 @@ export async function troubleOf(page) {
 
 /** The number of the line that has a mark in the gutter. */
 export async function markedLine(page) {
-  const mark = await page.locator(".cm-lint-marker-error").boundingBox();
-  for (const number of await page.locator(".cm-lineNumbers .cm-gutterElement").all()) {
-    const box = await number.boundingBox();
-    if (box && box.y <= mark.y && mark.y < box.y + box.height)
-      return Number(await number.innerText());
-  }
-  return null;
+  await page.waitForSelector(".cm-lint-marker-error");
+  // All at one moment: the editor may yet scroll to the place.
+  return page.locator(".code-editor").evaluate(({ shadowRoot }) => {
+    const boxOf = (element) => element.getBoundingClientRect();
+    const mark = boxOf(shadowRoot.querySelector(".cm-lint-marker-error"));
+    const numbers = [...shadowRoot.querySelectorAll(".cm-lineNumbers .cm-gutterElement")];
+    const beside = numbers.find((number) => {
+      const { top, bottom } = boxOf(number);
+      return top <= mark.top && mark.top < bottom;
+    });
+    return Number(beside?.textContent);
+  });
 }
 
 export function linkOf(text, scene = "sketch") {

@@ -2,19 +2,9 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { inflateRawSync } from "node:zlib";
-import { launchChromium } from "../../web/tools/browser.mjs";
 import { copyOfPage, createPlainServer, serve } from "./built-page.mjs";
-import {
-  boxes,
-  linkOf,
-  openCode,
-  run,
-  textOf,
-  type,
-  untilBodies,
-  untilStatus,
-} from "./code-support.mjs";
-import { DESKTOP, openVisitor, PHONE, untilRunning } from "./page-support.mjs";
+import { boxes, linkOf, openCode, run, textOf, type, untilStatus } from "./code-support.mjs";
+import { DESKTOP, openVisitor, PHONE, untilBodies, untilRunning } from "./page-support.mjs";
 
 const SIZES = { desktop: DESKTOP, phone: PHONE };
 
@@ -30,7 +20,7 @@ test("code_goes_with_the_address_with_letters_of_any_language", async () => {
   await page.keyboard.press("Control+Enter");
   await untilBodies(page, 7);
   await page.waitForFunction(() => location.hash.startsWith("#code="));
-  const address = page.url().slice(page.url().indexOf("?"));
+  const address = await page.evaluate(() => location.search + location.hash);
   // One's own code runs again; somebody else is asked first.
   await page.reload();
   await untilBodies(page, 7);
@@ -51,7 +41,7 @@ for (const [name, options] of Object.entries(SIZES))
     assert.match(await page.innerText(".code-offer"), /by somebody else/);
     assert.equal(await textOf(page), boxes(9));
     await untilBodies(page, 14);
-    const kept = new URL(page.url()).hash.replace("#code=", "");
+    const kept = await page.evaluate(() => location.hash.replace("#code=", ""));
     assert.equal(String(inflateRawSync(Buffer.from(kept, "base64url"))), boxes(9));
     await page.click(".code-offer button");
     await untilBodies(page, 9);
@@ -62,9 +52,8 @@ for (const [name, options] of Object.entries(SIZES))
 
 test("code_of_a_link_is_asked_about_twice_where_nothing_confines_it", async (t) => {
   const { url } = await serve(t, createPlainServer(copyOfPage(t)));
-  const browser = await launchChromium({ webgl: false });
-  t.after(() => browser.close());
-  const page = await browser.newPage();
+  const page = await visitor.browser.newPage();
+  t.after(() => page.close());
   await page.addInitScript(() => delete Navigator.prototype.serviceWorker);
   await page.goto(url + linkOf(boxes(9)));
   await page.click(".code-offer button");

@@ -10,10 +10,17 @@ import {
   textOf,
   troubleOf,
   type,
-  untilBodies,
   untilStatus,
 } from "./code-support.mjs";
-import { DESKTOP, openVisitor, PHONE, runAxe, untilRunning } from "./page-support.mjs";
+import {
+  DESKTOP,
+  failureText,
+  openVisitor,
+  PHONE,
+  runAxeInBothThemes,
+  untilBodies,
+  untilRunning,
+} from "./page-support.mjs";
 import { root } from "./support.mjs";
 
 const SIZES = { desktop: DESKTOP, phone: PHONE };
@@ -61,23 +68,19 @@ for (const [name, options] of Object.entries(SIZES)) {
   });
 
   test(`axe_finds_no_serious_violation_in_the_code_panel_on_${name}`, async () => {
-    for (const colorScheme of ["dark", "light"]) {
-      const { page, close } = await openCode(visitor, "?scene=artillery&panel=code", {
-        ...options,
-        colorScheme,
-      });
-      await type(page, "export default 1 +;\n");
-      await run(page);
-      await troubleOf(page);
-      await page.click(".code-help summary");
-      assert.deepEqual(await runAxe(page), []);
-      await close();
-    }
+    const search = "?scene=artillery&panel=code&paused=1";
+    const { page, close } = await openCode(visitor, search, options);
+    await type(page, "export default 1 +;\n");
+    await run(page);
+    await troubleOf(page);
+    await page.click(".code-help summary");
+    assert.deepEqual(await runAxeInBothThemes(page, "#dock"), []);
+    await close();
   });
 }
 
 test("buttons_of_the_code_panel_are_large_enough_on_a_phone", async () => {
-  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code", PHONE);
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code&paused=1", PHONE);
   for (const button of await page.locator(".code button:visible, .code summary").all()) {
     const { height } = await button.boundingBox();
     assert.ok(height >= 40, `${await button.innerText()}: ${height}`);
@@ -114,10 +117,13 @@ test("error_in_update_is_told_at_its_line_and_the_next_run_goes_on", async () =>
 
 test("error_in_update_is_told_when_the_panel_was_closed", async () => {
   const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
-  await type(page, boxes(3, { update: "if (world.stats().steps > 150) throw new Error('late');" }));
+  // While it stands no step is made before the panel is closed.
+  await page.click("#pause");
+  await type(page, boxes(3, { update: "throw new Error('late');" }));
   await run(page);
   await untilStatus(page, "Your code runs");
   await page.click("#dock .close");
+  await page.keyboard.press(".");
   assert.match(await troubleOf(page), /Line 11[\s\S]*late/);
   await close();
 });
@@ -135,13 +141,12 @@ test("import_that_is_not_there_is_told_at_its_line", async () => {
   await close();
 });
 
-test("loop_without_an_end_leads_back_and_keeps_the_text", { timeout: 90_000 }, async () => {
+test("loop_without_an_end_leads_back_and_keeps_the_text", async () => {
   const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
   const text = boxes(3, { update: "for (;;);" });
   await type(page, text);
   await run(page);
-  await page.waitForSelector("#failure:not([hidden])", { timeout: 40_000 });
-  assert.match(await page.innerText("#failure"), /does not answer/);
+  assert.match(await failureText(page), /does not answer/);
   // No frame has come of the loop, so that the figures are still those of the scene before it.
   await page.evaluate(() => (document.querySelector("#hud").dataset.steps = "none"));
   await page.click("#failure button");
@@ -196,20 +201,23 @@ test("camera_and_choices_stay_when_code_runs", async () => {
   await run(page);
   await untilStatus(page, "Your code runs");
   await page.waitForFunction(() => location.hash.startsWith("#code="));
-  const params = new URL(page.url()).searchParams;
+  const params = new URLSearchParams(await page.evaluate(() => location.search));
   assert.deepEqual([params.get("size"), params.get("quality")], ["5", "high"]);
   assert.deepEqual(params.get("view").split(",").map(Number), [1, 2, 50]);
   await close();
 });
 
 test("imported_files_are_shown_read_only_in_tabs", async () => {
-  const { page, close } = await openCode(visitor, "?scene=artillery&panel=code");
+  const { page, close } = await openCode(visitor, "?scene=artillery&panel=code&paused=1");
   await page.click('[role="tab"]:has-text("tanks.js")');
   assert.match(await page.innerText(".code-status"), /Read only/);
-  const before = await textOf(page);
+  // Of a long file the editor draws a part, and maybe another one later; typing is at its start.
+  const firstLine = () => page.locator(".code-editor .cm-line").first().textContent();
+  const before = await firstLine();
   await page.locator(".code-editor .cm-content").focus();
+  await page.keyboard.press("Control+Home");
   await page.keyboard.type("x");
-  assert.equal(await textOf(page), before);
+  assert.equal(await firstLine(), before);
   await page.focus('[role="tab"][aria-selected="true"]');
   await page.keyboard.press("Home");
   assert.equal(await page.innerText('[role="tab"][aria-selected="true"]'), "artillery.js");
@@ -228,6 +236,8 @@ test("keyboard_alone_opens_types_runs_and_leaves", async () => {
   await page.keyboard.press("Control+Home");
   // Letters are no shortcuts here, and Tab indents.
   await page.keyboard.type("// pause, reset: p r l");
+  // Time for a completion to be offered, which Enter would take: in a comment none is.
+  await page.waitForTimeout(400);
   await page.keyboard.press("Enter");
   await page.keyboard.press("Tab");
   assert.ok(await inEditor());

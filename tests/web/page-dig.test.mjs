@@ -1,7 +1,15 @@
 /** Digging on the page, by mouse and by finger. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { DESKTOP, openVisitor, PHONE, pressed, stepBy, untilRunning } from "./page-support.mjs";
+import {
+  DESKTOP,
+  openVisitor,
+  PHONE,
+  pressed,
+  stepBy,
+  until,
+  untilRunning,
+} from "./page-support.mjs";
 
 let visitor;
 before(async () => {
@@ -25,10 +33,15 @@ function groundTop(page, x) {
   }, x);
 }
 
+/** Until the ground's line at x lies lower than it did. */
+function untilDug(page, x, before, least) {
+  return until(() => groundTop(page, x), (now) => now > before + least, `at ${x} as at ${before}`);
+}
+
 async function openDigging(options) {
-  const opened = await visitor.open("?scene=digging&paused=1", { ...options, colorScheme: "light" });
+  const light = { ...options, colorScheme: "light" };
+  const opened = await visitor.open("?scene=digging&paused=1", light);
   await stepBy(opened.page, 1);
-  await opened.page.waitForTimeout(300);
   return opened;
 }
 
@@ -39,8 +52,7 @@ test("dig_tool_lowers_the_ground_where_the_mouse_clicks_and_nowhere_else", async
   assert.ok(here > 100 && here < 800, `the ground is at ${here}`);
   await page.keyboard.press("g");
   await page.mouse.click(x, here);
-  await page.waitForTimeout(300);
-  assert.ok((await groundTop(page, x)) > here + 20);
+  await untilDug(page, x, here, 20);
   assert.equal(await groundTop(page, x + 300), beside);
   assert.deepEqual(errors, []);
   await close();
@@ -55,13 +67,11 @@ test("dig_tool_follows_a_dragged_mouse_and_reset_brings_the_ground_back", async 
   await page.mouse.down();
   await page.mouse.move(right, tops[1], { steps: 20 });
   await page.mouse.up();
-  await page.waitForTimeout(300);
-  assert.ok((await groundTop(page, left)) > tops[0] + 15);
-  assert.ok((await groundTop(page, (left + right) / 2)) > Math.min(...tops) + 15);
-  assert.ok((await groundTop(page, right)) > tops[1] + 15);
+  await untilDug(page, left, tops[0], 15);
+  await untilDug(page, (left + right) / 2, Math.min(...tops), 15);
+  await untilDug(page, right, tops[1], 15);
   await page.keyboard.press("r");
-  await page.waitForTimeout(300);
-  assert.equal(await groundTop(page, left), tops[0]);
+  await until(() => groundTop(page, left), (top) => top === tops[0], `not back at ${tops[0]}`);
   assert.deepEqual(errors, []);
   await close();
 });
@@ -71,8 +81,7 @@ test("dig_tool_works_by_finger_on_a_phone", async () => {
   const here = await groundTop(page, 200);
   await page.tap('[data-tool="dig"]');
   await page.touchscreen.tap(200, here);
-  await page.waitForTimeout(300);
-  assert.ok((await groundTop(page, 200)) > here + 8);
+  await untilDug(page, 200, here, 8);
   assert.deepEqual(errors, []);
   await close();
 });

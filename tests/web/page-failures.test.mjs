@@ -1,7 +1,16 @@
 /** What goes wrong gives a clear message and a way on. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { DESKTOP, drawn, failureText, openLevel, openVisitor, untilRunning } from "./page-support.mjs";
+import {
+  DESKTOP,
+  drawn,
+  failureText,
+  openLevel,
+  openVisitor,
+  stepBy,
+  until,
+  untilRunning,
+} from "./page-support.mjs";
 import { ballLevel } from "./support.mjs";
 
 let visitor;
@@ -54,7 +63,12 @@ test("missing_second_file_of_the_engine_is_said_and_loading_again_offered", asyn
   const { page, close } = await visitor.open("", DESKTOP, block);
   assert.match(await failureText(page), /part of the engine is missing/i);
   await page.unroute("**/thud-rest*.wasm");
+  // The scene runs behind the failure: only a new page counts.
+  const loaded = page.waitForEvent("load");
+  const rest = page.waitForResponse("**/thud-rest*.wasm");
   await page.click("#failure button");
+  await loaded;
+  assert.equal((await rest).status(), 200);
   await untilRunning(page);
   assert.ok(await page.isHidden("#failure"));
   await close();
@@ -75,6 +89,7 @@ test("level_that_is_no_json_is_refused_and_the_scene_goes_on", async () => {
   await openLevel(page, "broken.tmj", "{");
   assert.match(await failureText(page), /not JSON/);
   await page.click("#failure button");
+  await page.getByText("from the beginning").waitFor({ state: "attached" });
   assert.match(await page.title(), /Newton/);
   await close();
 });
@@ -90,15 +105,17 @@ test("level_with_a_polygon_runs_without_it_and_says_so", async () => {
 });
 
 test("webgl2_draws_and_its_loss_leaves_canvas_2d", async () => {
-  const { page, errors, close } = await visitorWithWebgl.open("?scene=cradle");
-  await untilRunning(page);
+  // A small picture: the processor draws it.
+  const options = { viewport: { width: 640, height: 480 } };
+  const { page, errors, close } = await visitorWithWebgl.open("?scene=cradle&paused=1", options);
+  await stepBy(page, 1);
   assert.equal(await page.getAttribute("#bodies", "data-renderer"), "webgl2");
   assert.deepEqual(errors, []);
-  await page.evaluate(() =>
-    document.getElementById("bodies").getContext("webgl2").getExtension("WEBGL_lose_context").loseContext(),
-  );
+  await page.evaluate(() => {
+    const context = document.getElementById("bodies").getContext("webgl2");
+    context.getExtension("WEBGL_lose_context").loseContext();
+  });
   await page.waitForSelector('#bodies[data-renderer="canvas2d"]');
-  await page.waitForTimeout(500);
-  assert.ok((await drawn(page)).count > 100);
+  await until(() => drawn(page), ({ count }) => count > 100, "Canvas 2D draws nothing");
   await close();
 });

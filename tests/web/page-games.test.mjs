@@ -17,9 +17,8 @@ async function openGame(name, options = DESKTOP) {
   return opened;
 }
 
-/** A figure of the game, once the steps that were made are shown. */
-async function figureOf(page, label) {
-  await page.waitForTimeout(200);
+/** A figure of the game; steps that `stepBy` has made are in it. */
+function figureOf(page, label) {
   return page.evaluate((wanted) => {
     const terms = [...document.querySelectorAll("#figures dt")];
     return terms.find(({ textContent }) => textContent === wanted)?.nextSibling.textContent;
@@ -132,11 +131,8 @@ test("pad_is_for_games_alone_and_hidden_where_there_is_a_keyboard", async () => 
 });
 
 /** Steps on until the game says something. */
-async function until(page, wanted) {
-  for (let i = 0; i < 40 && !wanted.test(await message(page)); i++) {
-    await stepBy(page, 30);
-    await page.waitForTimeout(100);
-  }
+async function untilSaid(page, wanted) {
+  for (let i = 0; i < 40 && !wanted.test(await message(page)); i++) await stepBy(page, 30);
   assert.match(await message(page), wanted);
 }
 
@@ -145,14 +141,14 @@ test("artillery_by_keys_a_shot_is_aimed_fired_and_answered", async () => {
   await page.keyboard.down("ArrowLeft");
   await stepBy(page, 2);
   await page.keyboard.up("ArrowLeft");
-  await until(page, /^Your turn/);
+  await untilSaid(page, /^Your turn/);
   assert.equal(await figureOf(page, "Computer"), "100");
   await page.keyboard.down("Space");
   await stepBy(page, 2);
   await page.keyboard.up("Space");
-  await until(page, /A miss|Hit|out of the field/);
-  await until(page, /computer aims/);
-  await until(page, /^Your turn/);
+  await untilSaid(page, /A miss|Hit|out of the field/);
+  await untilSaid(page, /computer aims/);
+  await untilSaid(page, /^Your turn/);
   assert.match(await page.textContent("#status"), /Your turn/, "said to screen readers");
   assert.deepEqual(errors, []);
   await close();
@@ -164,28 +160,32 @@ test("artillery_by_touch_two_players_are_chosen_and_the_button_fires", async () 
   await hold("right");
   await stepBy(page, 2);
   await letGo();
-  await until(page, /^Left’s turn/);
+  await untilSaid(page, /^Left’s turn/);
   await hold("fire");
   await stepBy(page, 2);
   await letGo();
-  await until(page, /A miss|Hit|out of the field/);
-  await until(page, /^Right’s turn/);
+  await untilSaid(page, /A miss|Hit|out of the field/);
+  await untilSaid(page, /^Right’s turn/);
   assert.deepEqual(errors, []);
   await close();
 });
 
 test("view_follows_the_figure_of_the_platformer_and_stands_while_it_stands", async () => {
   const { page, errors, close } = await openGame("platformer_game", PHONE);
-  // The view goes gently: it has come when two pictures are the same.
-  const backdrop = async () => {
-    const see = () => page.evaluate(() => document.querySelector("#backdrop").toDataURL());
-    let [last, now] = ["", await see()];
-    for (let i = 0; i < 40 && now !== last; i++) {
-      await page.waitForTimeout(500);
-      [last, now] = [now, await see()];
-    }
-    return now;
-  };
+  // The view goes gently: it has come when nothing has changed for so many pictures, and for
+  // so long, that nothing is left of the way.
+  const backdrop = () =>
+    page.evaluate(async () => {
+      const see = () => document.querySelector("#backdrop").toDataURL();
+      let [last, since, pictures] = [see(), performance.now(), 0];
+      while (pictures < 10 || performance.now() - since < 1500) {
+        const time = await new Promise(requestAnimationFrame);
+        const now = see();
+        if (now === last) pictures++;
+        else [last, since, pictures] = [now, time, 0];
+      }
+      return last;
+    });
   await stepBy(page, 60);
   const before = await backdrop();
   await stepBy(page, 10);

@@ -1,7 +1,7 @@
 /** What no address and no scene should say, and what nobody should do so quickly: the page goes on. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { deflateRawSync } from "node:zlib";
+import { linkOf, openCode, run, troubleOf, type, untilStatus } from "./code-support.mjs";
 import { openVisitor, untilRunning } from "./page-support.mjs";
 
 let visitor;
@@ -26,24 +26,22 @@ test("address_with_values_that_are_none_is_as_if_they_were_not_there", async () 
 });
 
 test("scene_that_returns_nonsense_is_told_what_is_wrong", async () => {
+  const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code&paused=1");
   for (const [returned, told] of [
     ["view: { x: NaN, y: 0, height: 3 }", /view has finite numbers/],
     ["state: { act() {} }", /state is plain data/],
     ["keys: 'left'", /keys is a list/],
     ["paint: () => ({ marks: [{ kind: 'blob' }] })", /kind of a mark is one of line/],
   ]) {
-    const code = `export default ({ createWorld }) => ({ world: createWorld(), ${returned} });`;
-    const packed = deflateRawSync(Buffer.from(code)).toString("base64url");
-    const { page, errors, close } = await visitor.open(`?scene=sketch#code=${packed}`);
-    await page.waitForSelector(".code-offer button");
-    await page.locator(".code-offer button").first().click();
-    await page.waitForFunction(
-      (pattern) => new RegExp(pattern).test(document.querySelector("#dock").textContent),
-      told.source,
+    await type(
+      page,
+      `export default ({ createWorld }) => ({ world: createWorld(), ${returned} });`,
     );
-    assert.deepEqual(errors, []);
-    await close();
+    await run(page);
+    assert.match(await troubleOf(page), told);
   }
+  assert.deepEqual(errors, []);
+  await close();
 });
 
 test("scene_that_is_slow_and_not_stuck_runs_in_the_end_without_a_click", async () => {
@@ -51,34 +49,44 @@ test("scene_that_is_slow_and_not_stuck_runs_in_the_end_without_a_click", async (
     for (const end = Date.now() + 9000; Date.now() < end; );
     return { world: createWorld() };
   };`;
-  const packed = deflateRawSync(Buffer.from(code)).toString("base64url");
-  const { page, errors, close } = await visitor.open(`?scene=sketch#code=${packed}`);
+  const { page, errors, close } = await visitor.open(linkOf(code));
+  // Seen by the page itself: it may be there for a shorter time than a busy machine takes to look.
+  await page.evaluate(() => {
+    const failure = document.querySelector("#failure");
+    const observer = new MutationObserver(() => (failure.dataset.seen = "true"));
+    observer.observe(failure, { attributes: true, attributeFilter: ["hidden"] });
+  });
   await page.locator(".code-offer button").first().click();
-  await page.waitForSelector("#failure:not([hidden])");
-  await page.waitForSelector("#failure[hidden]", { state: "attached" });
-  await page.waitForFunction(() => document.querySelector(".code-status").textContent === "Your code runs");
+  await page.waitForSelector("#failure[data-seen][hidden]", { state: "attached" });
+  await untilStatus(page, "Your code runs");
   assert.ok(await page.isHidden(".code-trouble"));
   assert.deepEqual(errors, []);
   await close();
 });
 
 test("of_scenes_chosen_at_once_the_last_runs", async () => {
-  // The first waits for its level, the second for nothing.
+  // The first waits for its level until the second runs.
+  let send = () => {};
   const slow = async (page) => {
     await page.route("**/quarry.tmj", async (route) => {
-      await new Promise((done) => setTimeout(done, 1000));
-      await route.continue().catch(() => {});
+      await new Promise((done) => (send = done));
+      await route.continue();
     });
   };
   const { page, errors, close } = await visitor.open("?scene=cradle", undefined, slow);
   await untilRunning(page);
+  const asked = page.waitForRequest("**/quarry.tmj");
   const level = page.waitForResponse("**/quarry.tmj");
   await page.evaluate(() => {
     for (const name of ["quarry", "tall_stack"])
       document.querySelector(`[data-entry=${name}]`).click();
   });
-  await level;
+  await page.waitForFunction(() => /stack/i.test(document.title));
+  await asked;
+  send();
+  await (await level).finished();
   await page.evaluate(() => document.querySelector("#restart").click());
+  await page.getByText("from the beginning").waitFor({ state: "attached" });
   await page.waitForFunction(() => Number(document.querySelector("#hud").dataset.steps) > 20);
   assert.match(await page.title(), /stack/i);
   const bodies = Number(await page.textContent("[data-value=bodies]"));

@@ -7,7 +7,7 @@ import { launchChromium } from "../../web/tools/browser.mjs";
 import { writeServiceWorker } from "../../web/tools/offline-plugin.mjs";
 import { createStaticServer } from "../../web/tools/static-server.mjs";
 import { copyOfPage, createPlainServer, serve, untilOffline } from "./built-page.mjs";
-import { untilRunning } from "./page-support.mjs";
+import { PATIENCE, untilRunning } from "./page-support.mjs";
 
 let browser;
 before(async () => {
@@ -22,10 +22,11 @@ const STANDING = "?scene=cradle&paused=1";
 async function newVisitor(t) {
   const context = await browser.newContext();
   t.after(() => context.close());
+  context.setDefaultTimeout(PATIENCE);
   return context.newPage();
 }
 
-test("page_without_network_after_one_visit_runs_other_scenes_and_levels", async (t) => {
+test("page_without_network_after_one_visit_runs_other_scenes_and_levels_and_opens_panels", async (t) => {
   const { url, cut } = await serve(t, createStaticServer(copyOfPage(t)));
   const page = await newVisitor(t);
   await page.goto(url);
@@ -36,6 +37,10 @@ test("page_without_network_after_one_visit_runs_other_scenes_and_levels", async 
     await untilRunning(page);
   }
   assert.match(await page.title(), /Towers/i);
+  for (const [key, name] of [["k", "code"], ["i", "inside"], ["t", "trade"], ["o", "options"]]) {
+    await page.keyboard.press(key);
+    await page.waitForSelector(`#dock[data-panel=${name}] #dock-body > :not(.quiet)`);
+  }
 });
 
 test("page_kept_offline_is_isolated_even_from_a_plain_host", async (t) => {
@@ -93,14 +98,15 @@ test("build_with_a_missing_file_is_not_kept_and_the_page_runs", async (t) => {
   await page.addInitScript(() => {
     const register = navigator.serviceWorker.register.bind(navigator.serviceWorker);
     navigator.serviceWorker.register = async (...args) => {
-      const registration = await register(...args);
-      const worker = registration.installing;
-      worker.addEventListener("statechange", () => (window.workerState = worker.state));
-      return registration;
+      window.registration = await register(...args);
+      return window.registration;
     };
   });
   await page.goto(url);
-  await page.waitForFunction(() => window.workerState === "redundant");
+  await page.waitForFunction(() => {
+    const { installing, waiting, active } = window.registration ?? { installing: true };
+    return !installing && !waiting && !active;
+  });
   assert.equal(await page.evaluate(() => navigator.serviceWorker.controller), null);
   await untilRunning(page);
 });

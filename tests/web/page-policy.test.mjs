@@ -10,7 +10,7 @@ import { writeServiceWorker } from "../../web/tools/offline-plugin.mjs";
 import { listenFrom } from "../../web/tools/serve.mjs";
 import { createStaticServer } from "../../web/tools/static-server.mjs";
 import { copyOfPage, createPlainServer, serve, untilOffline } from "./built-page.mjs";
-import { untilRunning } from "./page-support.mjs";
+import { PATIENCE, until, untilRunning } from "./page-support.mjs";
 
 let browser;
 before(async () => {
@@ -22,6 +22,7 @@ after(() => browser.close());
 async function openWatched(t) {
   const context = await browser.newContext();
   t.after(() => context.close());
+  context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
   const requests = [];
   const troubles = [];
@@ -61,9 +62,12 @@ test("policy_of_the_page_stops_inline_scripts_styles_and_other_hosts", async (t)
     document.body.append(Object.assign(document.createElement("style"), { textContent: "a{}" }));
     await fetch("http://127.0.0.1:9/").catch(() => {});
   });
-  await page.waitForTimeout(50);
   for (const directive of ["script-src-elem", "style-src-elem", "connect-src"])
-    assert.ok(troubles.some((text) => text.startsWith(directive)), `${directive} in ${troubles}`);
+    await until(
+      () => troubles,
+      (told) => told.some((text) => text.startsWith(directive)),
+      `no breach of ${directive}`,
+    );
 });
 
 test("manifest_is_valid_and_its_icons_have_their_sizes", async (t) => {
@@ -179,10 +183,10 @@ async function confinedOn(t, create, prepare = async () => {}) {
   const { page } = await openWatched(t);
   await prepare(page);
   await page.goto(url);
-  return page.evaluate(async (base) => {
+  return page.evaluate(async ([base, patience]) => {
     const { isConfined } = await import(`${base}confine.js`);
-    return isConfined(`${base}probe.js`, 20_000);
-  }, url);
+    return isConfined(`${base}probe.js`, patience);
+  }, [url, PATIENCE]);
 }
 
 test("is_confined_is_true_at_once_where_the_host_sends_the_policy", async (t) => {
@@ -191,6 +195,19 @@ test("is_confined_is_true_at_once_where_the_host_sends_the_policy", async (t) =>
 
 test("is_confined_waits_for_the_service_worker_on_a_plain_host", async (t) => {
   assert.equal(await confinedOn(t, createPlainServer), true);
+});
+
+test("is_confined_is_true_where_the_service_worker_comes_while_the_host_answers", async (t) => {
+  const hold = (page) =>
+    page.route(
+      "**/probe.js",
+      async (route) => {
+        await untilOffline(page);
+        await route.continue();
+      },
+      { times: 1 },
+    );
+  assert.equal(await confinedOn(t, createPlainServer, hold), true);
 });
 
 test("is_confined_is_false_on_a_plain_host_without_service_workers", async (t) => {

@@ -11,13 +11,23 @@ export const PHONE = {
   isMobile: true,
 };
 
+/**
+ * Milliseconds that a wait may take. It ends as soon as what is waited for is there; until then a
+ * slow machine compiles the engine, fetches a panel, or draws a picture a second.
+ */
+export const PATIENCE = 120_000;
+
 /** A browser and the served page; every page that is opened collects its errors. */
 export async function openVisitor({ webgl = false } = {}) {
   const server = await servePage();
   const browser = await launchChromium({ webgl });
   return {
+    browser,
     async open(search = "", options = DESKTOP, prepare = async () => {}) {
       const context = await browser.newContext(options);
+      context.setDefaultTimeout(PATIENCE);
+      // When a first visit's service worker takes over is chance: page-offline waits for it.
+      await context.addInitScript(() => delete Navigator.prototype.serviceWorker);
       const page = await context.newPage();
       const errors = [];
       page.on("pageerror", (error) => errors.push(error.message));
@@ -40,7 +50,8 @@ export async function openVisitor({ webgl = false } = {}) {
 }
 
 export async function untilRunning(page) {
-  await page.waitForFunction(() => Number(document.querySelector("#hud").dataset.steps) > 0);
+  // A page that is being loaded again has no figures for a moment.
+  await page.waitForFunction(() => Number(document.querySelector("#hud")?.dataset.steps) > 0);
 }
 
 /** Opens a level as a visitor does, by a file, and waits until it is there. */
@@ -62,8 +73,20 @@ export async function stepBy(page, count) {
   await page.waitForFunction(
     (least) => Number(document.querySelector("#hud").dataset.steps) >= least,
     before + count,
-    { timeout: 60_000 },
   );
+}
+
+/**
+ * Reads until it `holds` of what was read, and gives that. For what comes of a deed some frames
+ * later; with a scene that stands it comes once and stays.
+ */
+export async function until(read, holds, what) {
+  for (const end = Date.now() + PATIENCE; ; ) {
+    const last = await read();
+    if (holds(last)) return last;
+    assert.ok(Date.now() < end, `${what}: ${JSON.stringify(last)}`);
+    await new Promise((next) => setTimeout(next, 30));
+  }
 }
 
 /** Where the drawn bodies are: the middle and the number of pixels that are not empty. */
@@ -96,6 +119,11 @@ export async function figure(page, name) {
   return Number((await page.textContent(`[data-value="${name}"]`)).replace(/,/g, ""));
 }
 
+/** Until the figures tell so many bodies. */
+export function untilBodies(page, count) {
+  return page.waitForSelector(`[data-value=bodies]:text-is("${count}")`, { state: "attached" });
+}
+
 export async function failureText(page) {
   await page.waitForSelector("#failure:not([hidden])");
   return page.innerText("#failure");
@@ -105,22 +133,31 @@ export function near(actual, expected, tolerance, what) {
   assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, not ${expected}`);
 }
 
-/** Evaluated by the driver, so that the page's own policy need not allow it. */
-export async function runAxe(page) {
-  // What is still fading in has not the contrast that it will have.
-  await page.evaluate(() =>
-    Promise.allSettled(
-      document
-        .getAnimations()
-        .filter((animation) => animation.effect.getTiming().iterations < Infinity)
-        .map((animation) => animation.finished),
-    ),
-  );
-  await page.evaluate(axeSource());
-  return page.evaluate(async () => {
-    const { violations } = await window.axe.run();
+/**
+ * What axe finds serious in the page or a part of it. Evaluated by the driver, so that the page's
+ * own policy need not allow it.
+ */
+export async function runAxe(page, within = "html") {
+  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axeSource());
+  return page.evaluate(async (part) => {
+    // What is still fading in has not the contrast that it will have.
+    for (const animation of document.getAnimations())
+      if (animation.effect.getComputedTiming().endTime < Infinity) animation.finish();
+    const { violations } = await window.axe.run(part, { resultTypes: ["violations"] });
     return violations
       .filter(({ impact }) => impact === "serious" || impact === "critical")
       .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`);
-  });
+  }, within);
+}
+
+/** The same in light and in dark colours. */
+export async function runAxeInBothThemes(page, within) {
+  const found = [];
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    await page.waitForSelector(`html[data-theme=${colorScheme}]`);
+    const violations = await runAxe(page, within);
+    found.push(...violations.map((text) => `${colorScheme}: ${text}`));
+  }
+  return found;
 }

@@ -7,13 +7,17 @@
  * visit: then this waits for it, `patience` milliseconds at most.
  */
 export async function isConfined(script: string | URL, patience = 5000): Promise<boolean> {
+  const workers = "serviceWorker" in navigator ? navigator.serviceWorker : null;
+  // Looked at first: one that takes control while the host answers has not answered itself.
+  const controlled = Boolean(workers?.controller);
   if (await hasPolicy(script)) return true;
-  if (!("serviceWorker" in navigator) || navigator.serviceWorker.controller) return false;
-  await new Promise<void>((done) => {
-    navigator.serviceWorker.addEventListener("controllerchange", () => done(), { once: true });
-    setTimeout(done, patience);
-  });
-  return navigator.serviceWorker.controller !== null && hasPolicy(script);
+  if (!workers || controlled) return false;
+  if (!workers.controller)
+    await new Promise<void>((done) => {
+      workers.addEventListener("controllerchange", () => done(), { once: true });
+      setTimeout(done, patience);
+    });
+  return workers.controller !== null && hasPolicy(script);
 }
 
 async function hasPolicy(script: string | URL): Promise<boolean> {

@@ -6,6 +6,7 @@ interface Asked {
   pos: number;
   explicit: boolean;
   matchBefore(pattern: RegExp): { from: number; text: string } | null;
+  tokenBefore(types: readonly string[]): object | null;
 }
 
 interface Completion {
@@ -26,7 +27,11 @@ function completionsOf(completes: "plain" | "member"): Completion[] {
 const PLAIN = completionsOf("plain");
 const MEMBERS = completionsOf("member");
 
+/** What of the language is prose: Enter after a word there ends a line and takes no name. */
+const PROSE = ["LineComment", "BlockComment", "String"];
+
 export function completeNames(context: Asked) {
+  if (context.tokenBefore(PROSE)) return null;
   const member = context.matchBefore(/\bworld\.\w*/);
   if (member) return { from: member.from + "world.".length, options: MEMBERS, validFor: /^\w*$/ };
   const word = context.matchBefore(/[\w.]+/);
