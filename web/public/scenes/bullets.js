@@ -4,6 +4,8 @@
 export const size = { means: "bullets", usual: 15, least: 1, most: 1000 };
 
 const SPEEDS = [1e1, 1e2, 1e3, 1e4, 1e5];
+const NAMES = ["10 m/s", "100 m/s", "1 km/s", "10 km/s", "100 km/s"];
+const LEGIBLE = 30; // rooms; the names of more would overlap
 const MATERIAL = { friction: 0.1, restitution: 0.9 };
 
 export default function ({ createWorld, grid, size }) {
@@ -15,6 +17,7 @@ export default function ({ createWorld, grid, size }) {
     world.createAabb(body, { halfWidth, halfHeight, ...MATERIAL });
   };
 
+  const bullets = [];
   for (let i = 0; i < size; i++) {
     const y = (0.5 * (size - 1) - i) * 2;
     wall(0, y - halfHeight, halfWidth, thin);
@@ -34,7 +37,24 @@ export default function ({ createWorld, grid, size }) {
     if (kind === "circle") world.createCircle(bullet, { radius: 0.1, ...MATERIAL });
     else if (kind === "aabb") world.createAabb(bullet, box);
     else world.createObb(bullet, box);
+    bullets.push({ bullet, room: y, name: NAMES[i % 5] });
   }
 
-  return { world, view: { x: 0, y: 0, height: 2.2 * size }, spawn: [-20, 0] };
+  const paint = () => {
+    const seen = bullets.map(({ bullet, room, name }) => {
+      const [x, y] = world.bodyState(bullet).position;
+      return { x, y, room, name };
+    });
+    const isOut = ({ x, y, room }) => Math.abs(x) > halfWidth || Math.abs(y - room) > halfHeight;
+    return {
+      figures: [{ label: "Out of its room", value: `${seen.filter(isOut).length} of ${size}` }],
+      marks: [
+        ...(size > LEGIBLE ? [] : seen).map(({ room, name }) => {
+          return { kind: "text", x: 0, y: room, text: name, ink: "soft", size: 12 };
+        }),
+        ...seen.map(({ x, y }) => ({ kind: "circle", x, y, radius: 0.4, ink: "accent" })),
+      ],
+    };
+  };
+  return { world, view: { x: 0, y: 0, height: 2.2 * size }, spawn: [-20, 0], paint };
 }

@@ -57,7 +57,10 @@ export default function ({ createWorld, random, grid, seed, size }) {
   const height = 2 * half + 6 + range;
   const y = 0.5 * height - half - 2;
   const view = { x: 0, y, height: 1.1 * height, width: 2.1 * end };
-  return { world, view, spawn: [0, y], show: ["motions"] };
+  const marks = LANES.map((text, lane) => {
+    return { kind: "text", x: (lane - 1.5) * pitch, y: half + 1, text, ink: "ink", size: 13 };
+  });
+  return { world, view, spawn: [0, y], show: ["motions"], paint: () => ({ marks }) };
 }
 
 // A point of the unit circle by rejection: Math.sin may differ between browsers.

@@ -31,7 +31,7 @@ export default function ({ createWorld, random, grid, seed, size }) {
     else world.createObb(body, { halfWidth, halfHeight });
   }
 
-  return { world, view: { x: 0, y: 12, height: 30, width: 2 * half }, spawn: [0, 30] };
+  return { world, view: { x: 0, y: 12, height: 30, width: half }, spawn: [0, 30] };
 }
 
 // Points 0.5 to 2 apart, rough by 0.1; the ground rises towards both ends.

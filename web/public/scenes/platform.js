@@ -1,12 +1,14 @@
 // Stairs, planks and lifts, drawn in Tiled (www.mapeditor.org). Walk with the arrow keys, through
 // crates and balls. Figures of the map that nobody steers fall and are pushed like anything else.
 import { Figure } from "./platformer_game/figure.js";
+import { grassOn } from "./platformer_game/grass.js";
 import { findLifts, turnLifts } from "./platformer_game/lifts.js";
 
 export default async function (setting) {
   const level = setting.readLevel("platform", await setting.readText("levels/platform.tmj"));
   const world = setting.buildLevel(level);
   const lifts = findLifts(world);
+  const grass = grassOn(world);
   const figure = new Figure(setting, world, level);
   const [x, y] = level.camera;
   const scene = {
@@ -23,7 +25,7 @@ export default async function (setting) {
     restored: () => figure.restore(scene.state.figure),
     paint: () => ({
       follow: scene.state.figure.place,
-      marks: [figure.mark(scene.state.figure)],
+      marks: [...grass, figure.mark(scene.state.figure)],
     }),
   };
   return scene;

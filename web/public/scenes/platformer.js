@@ -39,7 +39,7 @@ export default function ({ createWorld, random, grid, seed, size }) {
   const height = STOREY * storeys;
   return {
     world,
-    view: { x: 0.5 * width, y: 0.5 * height, height: 1.1 * height },
+    view: { x: 0.5 * width, y: 0.5 * height, height: 0.55 * height },
     spawn: [0.5 * width, height + 2],
   };
 }

@@ -3,6 +3,7 @@
 // the figure touches. Try another JUMP_HEIGHT in platformer_game/figure.js, or more LIVES here.
 import { findBodies, putBack } from "./platformer_game/bodies.js";
 import { Figure } from "./platformer_game/figure.js";
+import { grassOn } from "./platformer_game/grass.js";
 import { findLifts, turnLifts } from "./platformer_game/lifts.js";
 import { checkpoint, coin, goal, plank, spikes } from "./platformer_game/pictures.js";
 
@@ -30,6 +31,7 @@ export default async function (setting) {
   const lifts = findLifts(world);
   const crates = findBodies(world, ({ kind }) => kind === "dynamic");
   const sensors = findBodies(world, ({ shape }) => shape.sensor);
+  const grass = grassOn(world);
   const planks = findBodies(world, ({ shape }) => shape.category === PLANK);
   const things = new Map(sensors.map((sensor) => [sensor.userData, sensor]));
   const coins = sensors.filter(({ shape }) => shape.category === COIN);
@@ -71,6 +73,7 @@ export default async function (setting) {
       return {
         follow: [Math.max(x, LEFTMOST), y + 1.5],
         marks: [
+          ...grass,
           ...[...planks, ...sensors].flatMap((thing) => picture(state, thing)),
           ...hints(),
           hero(state),

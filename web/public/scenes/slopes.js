@@ -5,10 +5,10 @@ export const size = { means: "length of each slope", usual: 20, least: 6, most: 
 
 // Angle, cosine and sine: written out, because Math.cos may differ between browsers.
 const SLOPES = [
-  { angle: 0.17453292519943295, run: 0.984807753012208, rise: 0.17364817766693036 },
-  { angle: 0.3490658503988659, run: 0.9396926207859084, rise: 0.3420201433256687 },
-  { angle: 0.5235987755982989, run: 0.8660254037844386, rise: 0.5 },
-  { angle: 0.6981317007977318, run: 0.766044443118978, rise: 0.6427876096865393 },
+  { degrees: 10, angle: 0.17453292519943295, run: 0.984807753012208, rise: 0.17364817766693036 },
+  { degrees: 20, angle: 0.3490658503988659, run: 0.9396926207859084, rise: 0.3420201433256687 },
+  { degrees: 30, angle: 0.5235987755982989, run: 0.8660254037844386, rise: 0.5 },
+  { degrees: 40, angle: 0.6981317007977318, run: 0.766044443118978, rise: 0.6427876096865393 },
 ];
 const friction = 0.5;
 const half = 0.5;
@@ -39,10 +39,24 @@ export default function ({ createWorld, grid, size: length }) {
     world.createObb(onRamp(1, -angle), { halfWidth: half, halfHeight: half, friction });
   });
 
-  const width = SLOPES.length * spacing;
+  const marks = SLOPES.map(({ degrees, run }, i) => ({
+    kind: "text",
+    x: (i - 0.5 * SLOPES.length) * spacing + 0.5 * length * run,
+    y: -0.07 * length,
+    text: `${degrees}°`,
+    ink: "ink",
+  }));
+  // From before the first slope to where a disc rolls after the last.
+  const [left, right] = [-0.5 * SLOPES.length * spacing - 5, 2 * spacing - 8];
   return {
     world,
-    view: { x: 0, y: 0.4 * length, height: 1.2 * length, width: 1.05 * width },
+    view: {
+      x: 0.5 * (left + right),
+      y: 0.3 * length,
+      height: 1.2 * length,
+      width: right - left,
+    },
     spawn: [0, length],
+    paint: () => ({ marks }),
   };
 }

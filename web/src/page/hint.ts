@@ -1,14 +1,21 @@
-/** How to play, in one line, for whoever is here for the first time; gone for good once done. */
+/**
+ * What this is and how to play, in one line, for whoever is here for the first time; gone for good
+ * once done, with a line that leads on.
+ */
 import type { App } from "./app";
 import { byId } from "./dom";
+import { notice } from "./messages";
 
 const KEY = "thud-hint-seen";
+const FIRST = "A physics engine at work: drag anything, and throw it.";
+const NEXT =
+  "Let go to throw it. More to try: explode something, or open Versus for the same in Box2D.";
 
 /** True while the hint is shown. */
 export function addHint(app: App): boolean {
   if (wasSeen()) return false;
   const hint = byId("hint");
-  hint.querySelector("p")!.textContent = "Drag anything, and throw it.";
+  hint.querySelector("p")!.textContent = FIRST;
   hint.hidden = false;
   const goAway = () => {
     hint.hidden = true;
@@ -26,7 +33,9 @@ export function addHint(app: App): boolean {
       hint.hidden = scene.keys.length > 0 || scene.pointer;
     },
     frame({ pull }) {
-      if (pull) goAway();
+      if (!pull) return;
+      goAway();
+      notice(NEXT, 10);
     },
   });
   return true;

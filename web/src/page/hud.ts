@@ -8,6 +8,7 @@ import { count, duration, length } from "./format";
 const COURSE = 120;
 /** CSS pixels of height from which on the budget is written at its line. */
 const LEAST_FOR_TEXT = 24;
+const BUDGET_TEXT = "60 Hz: 16.7 ms";
 /** Seconds; texts change this often, so that they can be read. */
 const REFRESH = 0.25;
 
@@ -118,7 +119,13 @@ export class Hud {
     // Under its line, unless the line is low.
     const below = line < clientHeight - 12;
     context.textBaseline = below ? "top" : "bottom";
-    context.fillText("60 Hz: 16.7 ms", 0, below ? line + 3 : line - 1);
+    const y = below ? line + 3 : line - 1;
+    // It lies over the bars, and is to be read nevertheless.
+    context.strokeStyle = style.getPropertyValue("--halo");
+    context.lineWidth = 4;
+    context.lineJoin = "round";
+    context.strokeText(BUDGET_TEXT, 0, y);
+    context.fillText(BUDGET_TEXT, 0, y);
   }
 }
 
