@@ -6,6 +6,7 @@ import { buildScene } from "../../web/tools/scenes.mjs";
 import { drive, hold, look, RUN, WAY } from "./platformer-run.mjs";
 import { level, readLevelFile, thud } from "./support.mjs";
 
+const PLANK = 2;
 const COIN = 4;
 const FEET = 0.75; // below the figure's middle
 
@@ -196,5 +197,28 @@ test("picture_has_a_circle_for_every_coin_left_and_follows_the_figure", async ()
   const sensors = Array.from({ length: count }, (_, i) => i).filter((i) => rows[10 * i + 3] !== 0);
   for (const i of sensors)
     assert.ok(scene.hidden.includes(rows[10 * i]), "painted, so not drawn as a body");
+  scene.world.close();
+});
+
+test("grass_lies_on_what_stands_still_and_under_nothing_that_does", async () => {
+  const scene = await start();
+  const solid = (x, y) =>
+    scene.world
+      .overlap({ kind: "circle", center: [x, y], radius: 0.01 })
+      .map((shape) => scene.world.shapeState(shape))
+      .some(({ body, category }) =>
+        category !== PLANK && scene.world.bodyState(body).kind === "static");
+  const grass = scene.paint().marks.filter(({ kind, ink, points }) =>
+    kind === "line" && ink === "good" && points.length === 2 && points[0][1] === points[1][1]);
+  assert.ok(grass.length > 20, `${grass.length} lines`);
+  for (const { points: [[left, y], [right]] } of grass)
+    for (const x of [left + 0.05, (left + right) / 2, right - 0.05]) {
+      assert.ok(solid(x, y - 0.05), `nothing below (${x}, ${y})`);
+      assert.ok(!solid(x, y + 0.05), `covered at (${x}, ${y})`);
+    }
+  // Where the figure stands as the game begins.
+  const [x, y] = map.spawn;
+  assert.ok(grass.some(({ points: [[left, top], [right]] }) =>
+    left < x && x < right && y - top < 2 && y > top));
   scene.world.close();
 });

@@ -22,7 +22,7 @@ export default function ({ createWorld, size }) {
       for (let k = 0; k < light; k++) box(x, k + 0.5, 1);
       box(x, light + 0.5, 10 ** (i + 1));
       const text = `×10${EXPONENTS[i]}`;
-      marks.push({ kind: "text", x, y: -1, text, ink: "ink" });
+      marks.push({ kind: "text", x, y: -1, text, ink: "ink", size: 12 });
     }
 
   return {
