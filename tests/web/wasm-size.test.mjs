@@ -4,9 +4,9 @@
  */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readFileSync, readdirSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
-import { after, test } from "node:test";
+import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { root } from "./support.mjs";
 
@@ -23,27 +23,38 @@ const sources = readdirSync(`${root}engine/src`)
   .map((name) => `${root}engine/src/${name}`);
 const build = `${root}build/link`;
 const table = [];
+rmSync(build, { recursive: true, force: true });
 mkdirSync(build, { recursive: true });
 
-function link(name) {
-  const out = join(build, `${name}.wasm`);
+function emcc(words) {
   const helpers = existsSync("/usr/share/nodejs") ? "/usr/share/nodejs" : "";
   const flags = "-Oz -msimd128 -std=gnu17 -DNDEBUG -DTD_ISA=base -ffp-contract=off -fno-math-errno";
-  const linking = "--no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -w";
   execFileSync(
     "emcc",
     [
-      ...`${flags} -ffunction-sections -fdata-sections ${linking}`.split(" "),
+      ...`${flags} -ffunction-sections -fdata-sections -w`.split(" "),
       `-I${root}engine/include`,
       `-I${root}engine/src`,
-      `${root}tests/web/link/${name}.c`,
-      ...sources,
-      "-o",
-      out,
+      ...words,
     ],
-    { env: { ...process.env, NODE_PATH: helpers }, stdio: ["ignore", "ignore", "inherit"] },
+    // Objects are written where it runs.
+    {
+      cwd: build,
+      env: { ...process.env, NODE_PATH: helpers },
+      stdio: ["ignore", "ignore", "inherit"],
+    },
   );
-  return readFileSync(out);
+}
+
+/** The whole engine, once for all programs. */
+before(() => emcc(["-c", ...sources]));
+
+function link(name) {
+  const linking = "--no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc";
+  const objects = readdirSync(build).filter((file) => file.endsWith(".o"));
+  const program = `${root}tests/web/link/${name}.c`;
+  emcc([...linking.split(" "), program, ...objects, "-o", `${name}.wasm`]);
+  return readFileSync(join(build, `${name}.wasm`));
 }
 
 async function run(bytes) {

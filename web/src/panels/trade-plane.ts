@@ -32,6 +32,13 @@ const LEAST_TIME = 1e-3;
 /** Of a label, per letter. */
 const LETTER = 6.1;
 
+/** What a point is drawn with. */
+interface Dot {
+  element: SVGElement;
+  mark: SVGElement;
+  text: SVGElement;
+}
+
 interface Box {
   x: number;
   y: number;
@@ -54,38 +61,38 @@ export class Plane {
     "aria-label": "Time of a step to the right, overlap upwards; lower left is better",
   });
   readonly #detail = make("p", { class: "plane-detail" });
+  /** Axes and the lines that join points. */
+  readonly #ground = svg("g", {});
+  /** By key: they stay while figures change, so that they can be pressed and keep the focus. */
+  readonly #dots = new Map<string, Dot>();
   #points: readonly PlanePoint[] = [];
   #height = HEIGHT.usual;
   #focused: string | null = null;
   /** Of which the line below tells: the last that was pointed at or focused. */
   #told: string | null = null;
-  #pressed = false;
-  /** Came while a point was pressed. */
-  #next: (() => void) | null = null;
 
   constructor() {
     this.element = make("figure", { class: "plane" });
     this.element.append(this.#svg, this.#detail);
+    this.#svg.append(this.#ground);
     this.#svg.addEventListener("keydown", (event) => this.#move(event));
     this.#svg.addEventListener("pointerleave", () => (this.#told = this.#focused));
-    this.#svg.addEventListener("pointerdown", () => this.#press());
   }
 
   show(points: readonly PlanePoint[], nothing: string): void {
-    if (this.#pressed) {
-      this.#next = () => this.show(points, nothing);
-      return;
-    }
     this.#points = points;
     this.#height = PHONE.matches ? HEIGHT.phone : HEIGHT.usual;
     this.#svg.setAttribute("viewBox", `0 0 ${WIDTH} ${this.#height}`);
-    const hadFocus = this.#svg.contains(document.activeElement);
-    const told = this.#told;
-    this.#svg.replaceChildren();
+    this.#ground.replaceChildren();
+    for (const [key, { element }] of this.#dots) {
+      if (points.some((point) => point.key === key)) continue;
+      element.remove();
+      this.#dots.delete(key);
+    }
     if (points.length === 0) {
       const text = svg("text", { x: WIDTH / 2, y: this.#height / 2, class: "nothing" });
       text.textContent = nothing;
-      this.#svg.append(text);
+      this.#ground.append(text);
       this.#detail.textContent = "";
       return;
     }
@@ -101,27 +108,7 @@ export class Plane {
     this.#joinRows(points, place);
     const taken: Box[] = points.map((point) => around(place(point)));
     for (const point of points) this.#drawPoint(point, place(point), taken);
-    if (hadFocus) this.#dotOf(this.#focused)?.focus();
-    this.#told = told;
-    this.#tell(points.find(({ key }) => key === told) ?? points.find(({ live }) => live));
-  }
-
-  /** Another drawing would take the point away, and with it the click. */
-  #press(): void {
-    this.#pressed = true;
-    const listening = new AbortController();
-    const { signal } = listening;
-    const letGo = () => {
-      listening.abort();
-      // The click comes after this event.
-      setTimeout(() => {
-        const next = this.#next;
-        this.#pressed = false;
-        this.#next = null;
-        next?.();
-      });
-    };
-    for (const end of ["pointerup", "pointercancel"]) addEventListener(end, letGo, { signal });
+    this.#tell(this.#pointOf(this.#told) ?? points.find(({ live }) => live));
   }
 
   #drawAxes(
@@ -153,45 +140,56 @@ export class Plane {
       const members = points.filter((point) => point.row === row);
       const ends = members.map(place).map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`);
       const line = svg("polyline", { points: ends.join(" "), class: `row ${members[0].engine}` });
-      this.#svg.append(line);
+      this.#ground.append(line);
     }
   }
 
   #drawPoint(point: PlanePoint, { x, y }: { x: number; y: number }, taken: Box[]): void {
     const { key, engine, label, live, go } = point;
-    const first = this.#points.some((other) => other.key === this.#focused)
-      ? key === this.#focused
-      : point === this.#points[0];
+    const first = this.#pointOf(this.#focused) ?? this.#points[0];
     const figures = figuresOf(point);
-    const dot = svg("g", {
+    const { element, mark, text } = this.#dots.get(key) ?? this.#addDot(point);
+    set(element, {
       class: `dot ${engine}${live ? " live" : ""}`,
-      tabindex: first ? 0 : -1,
+      transform: `translate(${x.toFixed(2)} ${y.toFixed(2)})`,
+      tabindex: point === first ? 0 : -1,
       role: go ? "button" : "img",
       "aria-label": go ? `${figures}; go to this setting` : figures,
-      "data-point": key,
     });
+    if (engine === "thud") set(mark, { r: live ? 6 : 4.5 });
+    const at = freePlace(label, x, y, this.#height - EDGE.bottom, taken);
+    text.textContent = at ? label : "";
+    if (!at) return;
+    taken.push(at);
+    set(text, { x: at.x - x, y: at.y + at.height - 3 - y });
+  }
+
+  #addDot({ key, engine }: PlanePoint): Dot {
+    const element = svg("g", { "data-point": key });
     const mark =
       engine === "thud"
-        ? svg("circle", { cx: x, cy: y, r: live ? 6 : 4.5 })
-        : svg("rect", { x: x - 4.2, y: y - 4.2, width: 8.4, height: 8.4 });
-    dot.append(svg("circle", { cx: x, cy: y, r: 15, class: "reach" }), mark);
-    const at = freePlace(label, x, y, this.#height - EDGE.bottom, taken);
-    if (at) {
-      taken.push(at);
-      const text = svg("text", { x: at.x, y: at.y + at.height - 3 });
-      text.textContent = label;
-      dot.append(text);
-    }
-    dot.addEventListener("pointerenter", () => {
+        ? svg("circle", {})
+        : svg("rect", { x: -4.2, y: -4.2, width: 8.4, height: 8.4 });
+    const text = svg("text", {});
+    element.append(svg("circle", { r: 15, class: "reach" }), mark, text);
+    const tell = () => {
       this.#told = key;
-      this.#tell(point);
+      this.#tell(this.#pointOf(key));
+    };
+    element.addEventListener("pointerenter", tell);
+    element.addEventListener("focus", () => {
+      this.#focused = key;
+      tell();
     });
-    dot.addEventListener("focus", () => {
-      this.#focused = this.#told = key;
-      this.#tell(point);
-    });
-    dot.addEventListener("click", () => go?.());
-    this.#svg.append(dot);
+    element.addEventListener("click", () => this.#pointOf(key)?.go?.());
+    this.#svg.append(element);
+    const dot = { element, mark, text };
+    this.#dots.set(key, dot);
+    return dot;
+  }
+
+  #pointOf(key: string | null): PlanePoint | undefined {
+    return this.#points.find((point) => point.key === key);
   }
 
   /** Arrow keys go from point to point, Enter to the setting: one stop of the Tab key in all. */
@@ -200,10 +198,10 @@ export class Plane {
     const at = this.#points.findIndex(({ key }) => key === this.#focused);
     if (by !== undefined && at >= 0) {
       const { length } = this.#points;
-      const { key } = this.#points[(at + by + length) % length];
-      this.#dotOf(this.#focused)?.setAttribute("tabindex", "-1");
-      this.#dotOf(key)?.setAttribute("tabindex", "0");
-      this.#dotOf(key)?.focus();
+      const next = this.#dots.get(this.#points[(at + by + length) % length].key)!.element;
+      set(this.#dots.get(this.#points[at].key)!.element, { tabindex: -1 });
+      set(next, { tabindex: 0 });
+      next.focus();
     } else if (event.key === "Enter" || event.key === " ") {
       this.#points[at]?.go?.();
     } else {
@@ -214,24 +212,18 @@ export class Plane {
     event.stopPropagation();
   }
 
-  #dotOf(key: string | null): SVGElement | undefined {
-    return [...this.#svg.querySelectorAll<SVGElement>("[data-point]")].find(
-      (dot) => dot.dataset.point === key,
-    );
-  }
-
   #tell(point: PlanePoint | undefined): void {
     this.#detail.textContent = point ? figuresOf(point) : "";
   }
 
   #line(x1: number, y1: number, x2: number, y2: number, kind: string): void {
-    this.#svg.append(svg("line", { x1, y1, x2, y2, class: kind }));
+    this.#ground.append(svg("line", { x1, y1, x2, y2, class: kind }));
   }
 
   #text(x: number, y: number, text: string, kind: string): void {
     const element = svg("text", { x, y, class: kind, "aria-hidden": "true" });
     element.textContent = text;
-    this.#svg.append(element);
+    this.#ground.append(element);
   }
 }
 
@@ -292,9 +284,13 @@ function plainPower(power: number): string {
 
 function svg(name: string, attributes: Record<string, string | number>): SVGElement {
   const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+  set(element, attributes);
+  return element;
+}
+
+function set(element: SVGElement, attributes: Record<string, string | number>): void {
   for (const [key, value] of Object.entries(attributes)) {
     const text = typeof value === "number" ? String(Number(value.toFixed(2))) : value;
     element.setAttribute(key, text);
   }
-  return element;
 }
