@@ -1,15 +1,8 @@
 /** Digging on the page, by mouse and by finger. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import {
-  DESKTOP,
-  openVisitor,
-  PHONE,
-  pressed,
-  stepBy,
-  until,
-  untilRunning,
-} from "./page-support.mjs";
+import { DESKTOP, openVisitor, PHONE, pressed, stepBy, untilRunning } from "./page-support.mjs";
+import { until } from "./wait-support.mjs";
 
 let visitor;
 before(async () => {

@@ -8,10 +8,10 @@ import {
   openLevel,
   openVisitor,
   stepBy,
-  until,
   untilRunning,
 } from "./page-support.mjs";
 import { ballLevel } from "./support.mjs";
+import { until } from "./wait-support.mjs";
 
 let visitor;
 let visitorWithWebgl;

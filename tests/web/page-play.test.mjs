@@ -11,11 +11,11 @@ import {
   pressed,
   runAxeInBothThemes,
   stepBy,
-  until,
   untilBodies,
   untilRunning,
 } from "./page-support.mjs";
 import { ballLevel } from "./support.mjs";
+import { until, untilOverlay } from "./wait-support.mjs";
 
 let visitor;
 before(async () => {
@@ -187,18 +187,13 @@ test("overlays_of_contacts_bounds_cells_and_islands_draw_and_go", async () => {
   await stepBy(page, 5);
   for (const [key, name] of [["1", "contacts"], ["2", "normals"], ["3", "bounds"], ["4", "cells"], ["5", "islands"]]) {
     await page.keyboard.press(key);
-    await until(() => drawnAtAll(page), (count) => count > 20, `${name} draws nothing`);
+    await untilOverlay(page, (count) => count > 20, `${name} draws nothing`);
     await page.keyboard.press(key);
-    await until(() => drawnAtAll(page), (count) => count === 0, `${name} stays`);
+    await untilOverlay(page, (count) => count === 0, `${name} stays`);
   }
   assert.deepEqual(errors, []);
   await close();
 });
-
-/** Pixels of the overlay that are not empty, faint ones too. */
-async function drawnAtAll(page) {
-  return (await drawn(page, "overlay", 17)).count;
-}
 
 test("reduced_motion_starts_paused_and_can_be_started", async () => {
   const { page, close } = await visitor.open("?scene=cradle", { ...DESKTOP, reducedMotion: "reduce" });

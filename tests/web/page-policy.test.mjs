@@ -10,7 +10,8 @@ import { writeServiceWorker } from "../../web/tools/offline-plugin.mjs";
 import { listenFrom } from "../../web/tools/serve.mjs";
 import { createStaticServer } from "../../web/tools/static-server.mjs";
 import { copyOfPage, createPlainServer, serve, untilOffline } from "./built-page.mjs";
-import { PATIENCE, until, untilRunning } from "./page-support.mjs";
+import { PATIENCE, untilRunning } from "./page-support.mjs";
+import { until } from "./wait-support.mjs";
 
 let browser;
 before(async () => {

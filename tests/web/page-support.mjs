@@ -76,19 +76,6 @@ export async function stepBy(page, count) {
   );
 }
 
-/**
- * Reads until it `holds` of what was read, and gives that. For what comes of a deed some frames
- * later; with a scene that stands it comes once and stays.
- */
-export async function until(read, holds, what) {
-  for (const end = Date.now() + PATIENCE; ; ) {
-    const last = await read();
-    if (holds(last)) return last;
-    assert.ok(Date.now() < end, `${what}: ${JSON.stringify(last)}`);
-    await new Promise((next) => setTimeout(next, 30));
-  }
-}
-
 /** Where the drawn bodies are: the middle and the number of pixels that are not empty. */
 export function drawn(page, id = "bodies", least = 128) {
   return page.evaluate(([canvasId, leastAlpha]) => {
