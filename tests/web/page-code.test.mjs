@@ -20,6 +20,7 @@ import {
   runAxeInBothThemes,
   untilBodies,
   untilRunning,
+  untilTold,
 } from "./page-support.mjs";
 import { root } from "./support.mjs";
 
@@ -246,7 +247,7 @@ test("keyboard_alone_opens_types_runs_and_leaves", async () => {
   await page.keyboard.press("Control+Enter");
   await untilStatus(page, "Your code runs");
   await page.keyboard.press("Escape");
-  await page.waitForSelector("#status:has-text('Tab leaves')", { state: "attached" });
+  await untilTold(page, "Tab leaves");
   await page.keyboard.press("Tab");
   assert.ok(!(await inEditor()), "Escape, then Tab, leaves the editor");
   await page.keyboard.press("Shift+Tab");

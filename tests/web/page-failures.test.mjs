@@ -9,6 +9,7 @@ import {
   openVisitor,
   stepBy,
   untilRunning,
+  untilTold,
 } from "./page-support.mjs";
 import { ballLevel } from "./support.mjs";
 import { until } from "./wait-support.mjs";
@@ -49,7 +50,7 @@ test("browser_without_simd_is_told_and_runs_the_scalar_engine", async () => {
     return page.addInitScript(() => (WebAssembly.validate = () => false));
   };
   const { page, errors, close } = await visitor.open("?scene=cradle", DESKTOP, refuse);
-  await page.getByText("no WebAssembly SIMD").waitFor();
+  await page.waitForSelector('#notice:has-text("no WebAssembly SIMD")', { state: "attached" });
   await untilRunning(page);
   const engines = requests.flatMap((url) => /thud-(first|rest|scalar)/.exec(url)?.[1] ?? []);
   assert.deepEqual([...new Set(engines)], ["scalar"]);
@@ -89,7 +90,7 @@ test("level_that_is_no_json_is_refused_and_the_scene_goes_on", async () => {
   await openLevel(page, "broken.tmj", "{");
   assert.match(await failureText(page), /not JSON/);
   await page.click("#failure button");
-  await page.getByText("from the beginning").waitFor({ state: "attached" });
+  await untilTold(page, "from the beginning");
   assert.match(await page.title(), /Newton/);
   await close();
 });

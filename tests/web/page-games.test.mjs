@@ -46,9 +46,13 @@ async function fingers(page) {
       for (const [id, key] of keys.entries()) {
         touchPoints.push({ ...(await middleOf(key)), id });
         await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints });
+        await page.waitForSelector(`[data-key=${key}][data-held]`);
       }
     },
-    letGo: () => touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] }),
+    async letGo() {
+      await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+      await page.waitForSelector("[data-held]", { state: "detached" });
+    },
   };
 }
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { linkOf, openCode, run, troubleOf, type, untilStatus } from "./code-support.mjs";
-import { openVisitor, untilRunning } from "./page-support.mjs";
+import { openVisitor, untilRunning, untilTold } from "./page-support.mjs";
 
 let visitor;
 before(async () => {
@@ -86,7 +86,7 @@ test("of_scenes_chosen_at_once_the_last_runs", async () => {
   send();
   await (await level).finished();
   await page.evaluate(() => document.querySelector("#restart").click());
-  await page.getByText("from the beginning").waitFor({ state: "attached" });
+  await untilTold(page, "from the beginning");
   await page.waitForFunction(() => Number(document.querySelector("#hud").dataset.steps) > 20);
   assert.match(await page.title(), /stack/i);
   const bodies = Number(await page.textContent("[data-value=bodies]"));

@@ -54,6 +54,7 @@ test("dragging_with_the_mouse_moves_a_body", async () => {
   const start = await drawn(page);
   await page.mouse.move(start.x, start.y);
   await page.mouse.down();
+  await page.waitForSelector("#overlay[data-mode=pull]");
   await page.mouse.move(start.x + 200, start.y - 60, { steps: 4 });
   await stepBy(page, 90);
   const held = await drawn(page);
@@ -76,6 +77,7 @@ test("dragging_with_a_finger_moves_a_body_on_a_phone", async () => {
       touchPoints: type === "touchEnd" ? [] : [{ x, y }],
     });
   await send("touchStart", start.x, start.y);
+  await page.waitForSelector("#overlay[data-mode=pull]");
   await send("touchMove", start.x + 60, start.y - 40);
   await stepBy(page, 90);
   near((await drawn(page)).x, start.x + 60, 10, "x");
@@ -169,8 +171,7 @@ test("speed_and_quality_are_kept_in_the_url", async () => {
   const { page, close } = await visitor.open("?scene=cradle");
   await untilRunning(page);
   await page.keyboard.press("o");
-  await page.waitForSelector("[name=speed]", { state: "attached" });
-  await page.check('[name=speed][value="0.25"]', { force: true });
+  await page.click('label:has([name=speed][value="0.25"])');
   await page.keyboard.press("/");
   await page.waitForFunction(() => location.search.includes("quality"));
   const search = new URLSearchParams(await page.evaluate(() => location.search));

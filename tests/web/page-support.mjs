@@ -106,6 +106,11 @@ export async function figure(page, name) {
   return Number((await page.textContent(`[data-value="${name}"]`)).replace(/,/g, ""));
 }
 
+/** Until screen readers are told. */
+export function untilTold(page, text) {
+  return page.waitForSelector(`#status:has-text("${text}")`, { state: "attached" });
+}
+
 /** Until the figures tell so many bodies. */
 export function untilBodies(page, count) {
   return page.waitForSelector(`[data-value=bodies]:text-is("${count}")`, { state: "attached" });
