@@ -14,9 +14,8 @@ function listOf(url) {
   if (/^assets\/thud-(first|rest)-[\w-]{8}\.wasm$/.test(url)) return "simd";
   // The package's default, the same engine in one file, which the page never asks for.
   if (/^assets\/thud-[\w-]{8}\.wasm$/.test(url)) return null;
-  if (/^assets\/thud-scalar-[\w-]{8}\.wasm$/.test(url)) return "scalar";
-  // Box2D is larger than all else that runs, and many visits never ask for it.
-  return /^assets\/box2d/i.test(url) ? "later" : "files";
+  if (/^assets\/(thud-scalar|Box2D\.compat)-[\w-]{8}\.(wasm|js)$/.test(url)) return "scalar";
+  return /^assets\/Box2D\.deluxe-/.test(url) ? "simd" : "files";
 }
 
 function filesOf(folder) {
@@ -36,7 +35,7 @@ export function offline() {
 
 /** Writes sw.js for the files that a built folder has now. */
 export async function writeServiceWorker(dir) {
-  const lists = { files: [], simd: [], scalar: [], later: [] };
+  const lists = { files: [], simd: [], scalar: [] };
   const version = createHash("sha256");
   for (const path of filesOf(dir).sort()) {
     const url = relative(dir, path).split(sep).join("/");

@@ -15,12 +15,10 @@ interface BuildFile {
 
 declare const BUILD: {
   version: string;
-  /** Kept from the start; of the engines only the one that this browser runs. */
+  /** Of thud and Box2D only the flavour is kept that this browser runs. */
   files: BuildFile[];
   simd: BuildFile[];
   scalar: BuildFile[];
-  /** Large ones that not every visit needs: kept once they have been used. */
-  later: BuildFile[];
   headers: Record<string, string>;
   scriptPolicy: string;
 };
@@ -30,7 +28,6 @@ declare const self: ServiceWorkerGlobalScope;
 const PREFIX = `thud ${self.registration.scope} `;
 const CACHE = PREFIX + BUILD.version;
 const INDEX = addressOf("index.html");
-const later = new Map(BUILD.later.map((file) => [addressOf(file.url), file]));
 
 self.addEventListener("install", (event) => event.waitUntil(install()));
 self.addEventListener("activate", (event) => event.waitUntil(activate()));
@@ -51,18 +48,10 @@ async function install(): Promise<void> {
   await Promise.all(files.map((file) => keep(cache, file)));
 }
 
-/** Of former builds nothing stays but what this one has too and had not loaded yet. */
+/** Of former builds nothing stays. */
 async function activate(): Promise<void> {
-  const cache = await caches.open(CACHE);
-  for (const name of await caches.keys()) {
-    if (!name.startsWith(PREFIX) || name === CACHE) continue;
-    const former = await caches.open(name);
-    for (const address of later.keys()) {
-      const response = await former.match(address);
-      if (response) await cache.put(address, response);
-    }
-    await caches.delete(name);
-  }
+  for (const name of await caches.keys())
+    if (name.startsWith(PREFIX) && name !== CACHE) await caches.delete(name);
   await self.clients.claim();
 }
 
@@ -70,12 +59,7 @@ async function answer(request: Request): Promise<Response> {
   const cache = await caches.open(CACHE);
   const address = request.url.replace(/[?#].*$/, "");
   const isPage = request.mode === "navigate" && address === addressOf("./");
-  const kept = await cache.match(isPage ? INDEX : address);
-  if (kept) return withHeaders(kept);
-  const file = later.get(address);
-  if (!file) return withHeaders(await fetch(request));
-  await keep(cache, file);
-  return withHeaders((await cache.match(address)) ?? Response.error());
+  return withHeaders((await cache.match(isPage ? INDEX : address)) ?? (await fetch(request)));
 }
 
 /** Fetches a file and keeps it; an error or a file of another build is never kept. */
