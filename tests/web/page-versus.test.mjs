@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
   DESKTOP,
+  drawn,
   near,
   openLevel,
   openVisitor,
@@ -75,6 +76,15 @@ async function openBoth(options = DESKTOP) {
   return opened;
 }
 
+/** Waits until bodies have so many pixels. */
+async function untilPixels(page, least) {
+  const end = Date.now() + 20_000;
+  while ((await drawn(page)).count < least) {
+    assert.ok(Date.now() < end, "no body is drawn");
+    await page.waitForTimeout(100);
+  }
+}
+
 /** Waits until two bodies are drawn. */
 function untilTwo(page) {
   return until(() => middles(page), ({ length }) => length === 2, "two bodies");
@@ -132,6 +142,28 @@ for (const [name, view] of [["thud", 0], ["box2d", 1]])
     assert.deepEqual(errors, []);
     await close();
   });
+
+test("body_that_a_scene_paints_itself_is_drawn_in_the_view_of_box2d", async () => {
+  const body = `export default function ({ createWorld }) {
+    const world = createWorld({ gravity: [0, 0] });
+    const ball = world.createBody({ kind: "dynamic" });
+    world.createCircle(ball, { radius: 2 });
+    return { world, hidden: [ball.index] };
+  }`;
+  const { page, errors, close } = await visitor.open("?scene=sketch&paused=1", DESKTOP, (page) =>
+    page.route("**/scenes/sketch.js", (route) =>
+      route.fulfill({ contentType: "text/javascript", body }),
+    ),
+  );
+  await stepBy(page, 1);
+  assert.equal((await drawn(page)).count, 0, "thud's is the scene's to paint");
+  await page.keyboard.press("x");
+  await untilBox2D(page);
+  await stepBy(page, 1);
+  await untilPixels(page, 100);
+  assert.deepEqual(errors, []);
+  await close();
+});
 
 test("box2d_is_fetched_when_the_panel_opens_and_not_before", async () => {
   const fetched = [];

@@ -62,13 +62,17 @@ export class CanvasRenderer implements Renderer {
   setShapes(shapes: Shapes): void {
     this.#shapes = shapes;
     this.#movingRows = [];
-    for (let row = 0; row < shapes.count; row++)
+    for (let row = 0; row < shapes.all; row++)
       if (shapes.rows[row * ROW + BODY] !== STATIC) this.#movingRows.push(row);
   }
 
   setColours(state: Uint8Array, plain: Uint8Array): void {
     if (!this.#shapes) return;
-    this.#batches = { state: sort(this.#shapes, state), plain: sort(this.#shapes, plain) };
+    const { count, all } = this.#shapes;
+    this.#batches = {
+      state: sort(this.#shapes, count, state),
+      plain: sort(this.#shapes, all, plain),
+    };
   }
 
   clear(): void {
@@ -180,9 +184,9 @@ export class CanvasRenderer implements Renderer {
 }
 
 /** Rows of nearly the same colour, whose bodies are all dynamic or all are not. */
-function sort(shapes: Shapes, colours: Uint8Array): Batch[] {
+function sort(shapes: Shapes, count: number, colours: Uint8Array): Batch[] {
   const batches = new Map<number, Batch>();
-  for (let row = 0; row < shapes.count; row++) {
+  for (let row = 0; row < count; row++) {
     const free = shapes.rows[row * ROW + BODY] === DYNAMIC;
     let key = free ? 1 : 0;
     for (let i = 4 * row; i < 4 * row + 3; i++) key = 16 * key + Math.round(colours[i] / STEP);

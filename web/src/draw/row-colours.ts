@@ -16,8 +16,8 @@ export interface Colouring {
 
 /** Red, green, blue and opacity of each row. */
 export function rowColours(shapes: Shapes, { theme, awake }: Colouring): Uint8Array {
-  const colours = new Uint8Array(4 * shapes.count);
-  for (let row = 0; row < shapes.count; row++) {
+  const colours = new Uint8Array(4 * shapes.all);
+  for (let row = 0; row < shapes.all; row++) {
     const at = row * ROW;
     const fixed = shapes.rows[at + BODY] === STATIC;
     let colour = plainColour(shapes, at, theme);

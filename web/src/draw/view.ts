@@ -175,6 +175,7 @@ function differs(old: ArrayLike<number> | null, fresh: ArrayLike<number> | undef
 const NOTHING: Shapes = {
   rows: new Float32Array(0),
   count: 0,
+  all: 0,
   slots: 0,
   moving: 0,
   order: new Uint32Array(0),

@@ -25,7 +25,9 @@ export class WebglRenderer implements Renderer {
   readonly #stateColours: WebGLBuffer;
   readonly #plainColours: WebGLBuffer;
   readonly #states: Record<Poses["engine"], { before: PoseTexture; now: PoseTexture }>;
+  /** Rows of thud's picture, and of the other engine's. */
   #count = 0;
+  #all = 0;
   #ratio = 1;
 
   /** Null where WebGL2 is missing; a canvas that had its context before gets it anew. */
@@ -76,7 +78,8 @@ export class WebglRenderer implements Renderer {
 
   setShapes(shapes: Shapes): void {
     this.#count = shapes.count;
-    const data = shapes.rows.subarray(0, shapes.count * ROW);
+    this.#all = shapes.all;
+    const data = shapes.rows.subarray(0, shapes.all * ROW);
     this.#fill(this.#rows, data, this.#gl.STATIC_DRAW);
   }
 
@@ -99,7 +102,7 @@ export class WebglRenderer implements Renderer {
 
   draw(poses: Poses, camera: Camera, pane: Pane, look: Look): void {
     const gl = this.#gl;
-    if (gl.isContextLost() || this.#count === 0) return;
+    if (gl.isContextLost() || this.#all === 0) return;
     const ratio = this.#ratio;
     const { before, now } = this.#states[poses.engine];
     before.hold(0, poses.before);
@@ -133,7 +136,8 @@ export class WebglRenderer implements Renderer {
       const [red, green, blue] = look.colour;
       gl.uniform3f(uniforms.outlineColour, red / 255, green / 255, blue / 255);
     }
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.#count);
+    const rows = poses.engine === "thud" ? this.#count : this.#all;
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, rows);
   }
 }
 

@@ -84,7 +84,10 @@ export interface PlacedTerrain {
 export interface Shapes {
   /** As ShapeTable.rows of the package; see shape-table.ts. */
   rows: Float32Array;
+  /** Rows that the page draws. */
   count: number;
+  /** With those after them, which the scene paints itself: only another engine's picture has them. */
+  all: number;
   /** The slot that ends the bodies. */
   slots: number;
   /** Dynamic bodies, and by slot the place of each among them. */

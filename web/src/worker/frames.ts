@@ -134,7 +134,7 @@ function draw(world: World, look: Look, on: ReadonlySet<OverlayName>): Drawing |
   return { shapes: shapes.slice(), lines: lines.slice(), points: points.slice() };
 }
 
-/** Circles and boxes of all bodies but the hidden; `source` tells each row's place in the table. */
+/** Circles and boxes, the hidden bodies' last; `source` tells each row's place in the table. */
 export function readShapes(
   world: World,
   hidden: ReadonlySet<number> = new Set(),
@@ -143,17 +143,27 @@ export function readShapes(
   const rows = new Float32Array(total * ROW);
   const source = new Uint32Array(total);
   const sizes: number[] = [];
-  let count = 0;
+  const painted: number[] = [];
+  let drawn = 0;
   let slots = 0;
+  const take = (i: number) => {
+    rows.set(all.subarray(i * ROW, (i + 1) * ROW), drawn * ROW);
+    source[drawn++] = i;
+  };
   for (let i = 0; i < total; i++) {
     const row = all.subarray(i * ROW, (i + 1) * ROW);
     const slot = row[SLOT];
     slots = Math.max(slots, slot + 1);
-    if (row[SHAPE] === TERRAIN || hidden.has(slot)) continue;
+    if (row[SHAPE] === TERRAIN) continue;
+    if (hidden.has(slot)) {
+      painted.push(i);
+      continue;
+    }
     if (row[BODY] === DYNAMIC) sizes.push(row[HALF]);
-    rows.set(row, count * ROW);
-    source[count++] = i;
+    take(i);
   }
+  const count = drawn;
+  painted.forEach(take);
   const order = new Uint32Array(slots);
   for (let at = 0; at < count * ROW; at += ROW)
     if (rows[at + BODY] === DYNAMIC) order[rows[at + SLOT]] = 1;
@@ -162,14 +172,15 @@ export function readShapes(
   sizes.sort((a, b) => a - b);
   return {
     shapes: {
-      rows: rows.slice(0, count * ROW),
+      rows: rows.slice(0, drawn * ROW),
       count,
+      all: drawn,
       slots,
       moving,
       order,
       typicalSize: sizes.length > 0 ? sizes[sizes.length >> 1] : 0,
     },
-    source: source.slice(0, count),
+    source: source.slice(0, drawn),
   };
 }
 
