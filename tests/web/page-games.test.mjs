@@ -1,7 +1,7 @@
 /** The two games, by keys and by touch: what a player holds is what happens. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { DESKTOP, openVisitor, PHONE, stepBy, untilRunning } from "./page-support.mjs";
+import { DESKTOP, figure, openVisitor, PHONE, stepBy, untilRunning } from "./page-support.mjs";
 
 let visitor;
 before(async () => {
@@ -170,6 +170,36 @@ test("artillery_by_touch_two_players_are_chosen_and_the_button_fires", async () 
   await letGo();
   await untilSaid(page, /A miss|Hit|out of the field/);
   await untilSaid(page, /^Right’s turn/);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("artillery_with_another_tool_than_the_hand_takes_that", async () => {
+  const { page, errors, close } = await openGame("artillery");
+  const bodies = await figure(page, "bodies");
+  await page.keyboard.press("c");
+  await page.mouse.click(500, 300);
+  await stepBy(page, 2);
+  await page.waitForFunction(
+    (wanted) => document.querySelector('[data-value="bodies"]').textContent === String(wanted),
+    bodies + 1,
+  );
+  assert.match(await message(page), /two players/, "nothing is chosen by that");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("level_with_a_walker_on_a_phone_has_pad_and_tools_a_game_the_pad_and_the_hand", async () => {
+  const { page, errors, close } = await visitor.open("?scene=platform", PHONE);
+  await untilRunning(page);
+  assert.equal(await page.locator("[data-key=right]").isVisible(), true);
+  await page.tap("button[data-tool=circle]");
+  await page.tap("#scenes-button");
+  await page.tap('[data-entry="artillery"]');
+  await page.waitForFunction(() => document.title.startsWith("Artillery"));
+  const hand = page.locator("button[data-tool=hand]");
+  assert.equal(await hand.isVisible(), false);
+  assert.equal(await hand.getAttribute("aria-pressed"), "true");
   assert.deepEqual(errors, []);
   await close();
 });

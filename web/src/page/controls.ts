@@ -2,6 +2,7 @@
 import { DETECTION_CHOICES, SPEEDS } from "./url";
 import { BROADPHASES, QUALITIES } from "thud";
 import type { App } from "./app";
+import { findScene } from "../scene/registry";
 import { openDialog } from "./dialogs";
 import type { Dock } from "./dock";
 import { byId } from "./dom";
@@ -51,6 +52,11 @@ export function addControls(app: App, stage: Stage, dock: Dock): void {
   setTool("hand");
   app.listen({
     state: ({ paused }) => byId("pause").setAttribute("aria-pressed", String(paused)),
+    run() {
+      const isGame = findScene(app.state.scene)?.group === "Games";
+      byId("controls").toggleAttribute("data-game", isGame);
+      if (isGame) setTool("hand");
+    },
   });
   listenToKeys(keysOf(app, stage, dock, togglePause, setTool));
 }

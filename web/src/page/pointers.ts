@@ -6,7 +6,7 @@ export type Tool = (typeof TOOLS)[number];
 
 export interface PointerActions {
   tool(): Tool;
-  /** True if the scene takes the pointer itself. */
+  /** True if the scene takes the pointer itself, in place of the hand. */
   taken(): boolean;
   /** The scene's pointer: where, and whether it is pressed. */
   point(x: number, y: number, down: boolean): void;

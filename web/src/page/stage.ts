@@ -96,7 +96,7 @@ export class Stage {
     const canvas = byId("overlay");
     listenToPointers(canvas, camera, {
       tool: () => this.tool,
-      taken: () => app.scene?.pointer ?? false,
+      taken: () => this.tool === "hand" && (app.scene?.pointer ?? false),
       point: (x, y, down) => app.do({ kind: "pointer", x, y, down }),
       grab: (x, y, reach) => this.#grab(x, y, reach),
       drag: (x, y) => app.do({ kind: "drag", x, y }),

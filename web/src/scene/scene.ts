@@ -61,7 +61,7 @@ export interface Scene {
   sums?: number;
   /** Keys that the scene wants: they come as `Input.held`, and a phone gets buttons for them. */
   keys?: KeyName[];
-  /** The pointer is the scene's (it comes as `Input.pointer`) and not the page's to drag bodies. */
+  /** The hand is the scene's (it comes as `Input.pointer`) and not the page's to drag bodies. */
   pointer?: boolean;
   /** Slots of bodies that the page does not draw, because `paint` does. */
   hidden?: number[];

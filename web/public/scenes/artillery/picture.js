@@ -113,7 +113,7 @@ function paintChoice(marks, view) {
 
 /** An arrow above the field, as long as the wind is strong. */
 function paintWind(marks, view, wind) {
-  const y = view.y + 0.36 * view.height;
+  const y = view.y + 0.3 * view.height;
   const tip = view.x + 2.4 * wind;
   const back = tip - Math.sign(wind) * 0.7;
   const arrow = { kind: "line", ink: "accent", width: 3 };
