@@ -1,8 +1,16 @@
 /** Where things stand on screens of many sizes, and what is told at a glance and in words. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { DESKTOP, drawn, figure, openVisitor, PHONE, stepBy, untilRunning } from "./page-support.mjs";
-import { until } from "./wait-support.mjs";
+import {
+  DESKTOP,
+  drawn,
+  figure,
+  openVisitor,
+  PHONE,
+  stepBy,
+  until,
+  untilRunning,
+} from "./page-support.mjs";
 
 let visitor;
 before(async () => {

@@ -2,8 +2,7 @@
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { figure, openVisitor, stepBy } from "./page-support.mjs";
-import { until } from "./wait-support.mjs";
+import { figure, openVisitor, stepBy, until } from "./page-support.mjs";
 
 let visitor;
 before(async () => {
@@ -18,7 +17,7 @@ const names = readdirSync(new URL("../../web/public/scenes", import.meta.url))
   .filter((name) => name !== OWN_LEVEL);
 
 for (const name of names)
-  test(`scene_${name}_runs_300_steps_in_the_page`, { timeout: 180_000 }, async () => {
+  test(`scene_${name}_runs_300_steps_in_the_page`, async () => {
     const { page, errors, close } = await visitor.open(`?scene=${name}&paused=1`);
     await page.waitForFunction(() => document.title !== "thud");
     for (let i = 0; i < 3; i++) await stepBy(page, 100);

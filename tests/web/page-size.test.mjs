@@ -7,7 +7,7 @@ import { gzipSync } from "node:zlib";
 import { launchChromium } from "../../web/tools/browser.mjs";
 import { createStaticServer } from "../../web/tools/static-server.mjs";
 import { copyOfPage, serve } from "./built-page.mjs";
-import { untilRunning } from "./page-support.mjs";
+import { PATIENCE, untilRunning } from "./page-support.mjs";
 
 /** Kilobytes of 1000 bytes, gzipped, without Box2D. */
 const BOUND = 150;
@@ -18,6 +18,7 @@ test(`first_picture_loads_less_than_${BOUND}_kB`, async (t) => {
   const browser = await launchChromium({ webgl: false });
   t.after(() => browser.close());
   const context = await browser.newContext();
+  context.setDefaultTimeout(PATIENCE);
   // What is kept for later visits is fetched after the first picture, and is no part of it.
   await context.addInitScript(() => delete Navigator.prototype.serviceWorker);
   const page = await context.newPage();
