@@ -172,27 +172,38 @@ function listenToScenes(
   { dock, hud, figures, hinted }: { dock: Dock; hud: Hud; figures: Figures; hinted: boolean },
 ): void {
   let announced = "";
+  /** What to look at, until it is told. */
+  let about = "";
   let takeBack = () => {};
   app.listen({
     run(scene) {
       hud.reset();
       figures.reset();
       document.querySelector("main")!.removeAttribute("aria-busy");
-      const { title, about } = app;
+      const { title } = app;
       byId("scene-title").textContent = title;
       byId("scenes-button").setAttribute("aria-label", `Scenes and levels; now: ${title}`);
       document.title = `${title} · thud`;
       markScene(app.state.scene);
       if (announced === app.state.scene) say(`${title}, from the beginning`);
       else {
-        say(`${title}. ${about}`);
-        if (!hinted || announced !== "") notice(about);
+        say(`${title}. ${app.about}`);
+        if (!hinted || announced !== "") about = app.about;
+        // What was told of the scene before is not of this one.
+        if (announced !== "") notice("");
       }
       announced = app.state.scene;
       const [first, ...more] = scene.notes;
-      if (first) notice(`${first}${more.length > 0 ? ` (and ${more.length} more)` : ""}`, 12);
+      if (!first) return;
+      about = "";
+      notice(`${first}${more.length > 0 ? ` (and ${more.length} more)` : ""}`, 12);
     },
-    frame: (frame) => figures.show(frame.paint),
+    frame({ paint }) {
+      figures.show(paint);
+      // A scene that has a message of its own says by itself what to do.
+      if (about && !paint?.message && byId("notice").hidden) notice(about);
+      about = "";
+    },
     samples: (samples) => hud.add(samples),
     trouble(trouble, running) {
       // The code panel shows errors of the visitor's own text at their line.
