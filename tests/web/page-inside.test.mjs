@@ -13,10 +13,9 @@ import {
   PHONE,
   runAxeInBothThemes,
   stepBy,
-  until,
 } from "./page-support.mjs";
 import { ballLevel, root, thud } from "./support.mjs";
-import { untilOverlay } from "./wait-support.mjs";
+import { until, untilOverlay } from "./wait-support.mjs";
 
 const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
 const RESTING = 240;

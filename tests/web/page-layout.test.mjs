@@ -8,9 +8,9 @@ import {
   openVisitor,
   PHONE,
   stepBy,
-  until,
   untilRunning,
 } from "./page-support.mjs";
+import { until } from "./wait-support.mjs";
 
 let visitor;
 before(async () => {

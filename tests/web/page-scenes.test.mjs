@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { figure, openVisitor, stepBy, until } from "./page-support.mjs";
+import { figure, openVisitor, stepBy } from "./page-support.mjs";
+import { until } from "./wait-support.mjs";
 
 let visitor;
 before(async () => {

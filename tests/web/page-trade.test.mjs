@@ -8,10 +8,9 @@ import {
   pressed,
   runAxeInBothThemes,
   stepBy,
-  until,
   untilRunning,
 } from "./page-support.mjs";
-import { untilStep } from "./wait-support.mjs";
+import { until, untilStep } from "./wait-support.mjs";
 
 let visitor;
 before(async () => {

@@ -10,11 +10,10 @@ import {
   PHONE,
   runAxeInBothThemes,
   stepBy,
-  until,
   untilRunning,
 } from "./page-support.mjs";
 import { ballLevel } from "./support.mjs";
-import { untilStep } from "./wait-support.mjs";
+import { until, untilStep } from "./wait-support.mjs";
 
 let visitor;
 before(async () => {

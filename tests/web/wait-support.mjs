@@ -1,5 +1,24 @@
-/** Waiting for pictures: of the overlay, and of a step. */
-import { drawn, until } from "./page-support.mjs";
+/** Waiting for what is wanted, with a message: however slow a machine is, or how quick. */
+import assert from "node:assert/strict";
+import { drawn } from "./page-support.mjs";
+
+/** Milliseconds, and tries: a page that stands still between two of them has not failed. */
+const PATIENCE = 30_000;
+const LEAST_TRIES = 20;
+/** Milliseconds between two tries. */
+const PAUSE = 50;
+
+/** Asks until the answer is as wanted, and returns it. */
+export async function until(ask, wanted, what) {
+  const end = Date.now() + PATIENCE;
+  for (let tries = 0; ; tries++) {
+    const answer = await ask();
+    if (wanted(answer)) return answer;
+    const left = tries < LEAST_TRIES || Date.now() < end;
+    assert.ok(left, `${what}: ${JSON.stringify(answer)}`);
+    await new Promise((done) => setTimeout(done, PAUSE));
+  }
+}
 
 /** Pixels of the overlay, faint ones too, of the picture that is drawn. */
 export function overlay(page) {
@@ -16,5 +35,7 @@ export function untilStep(page, step) {
   return page.waitForFunction(
     (wanted) => document.querySelector("#hud").dataset.steps === String(wanted),
     step,
+    // Going to a step of the past may be hundreds of steps of work.
+    { timeout: 60_000 },
   );
 }
