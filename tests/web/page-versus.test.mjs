@@ -102,6 +102,17 @@ function table(page) {
   );
 }
 
+function drawnFrames(page, count) {
+  return page.evaluate(
+    (frames) =>
+      new Promise((resolve) => {
+        const next = () => (frames-- > 0 ? requestAnimationFrame(next) : resolve());
+        next();
+      }),
+    count,
+  );
+}
+
 async function untilMeasured(page) {
   await page.waitForFunction(
     () => / ms$/.test(document.querySelector("#versus-table tbody td")?.textContent),
@@ -226,6 +237,78 @@ test("box2d_that_does_not_come_is_told_and_the_scene_goes_on", async () => {
   await page.click('#versus button:text-is("Try again")');
   await untilMeasured(page);
   assert.ok(await page.isHidden("#versus .trouble"));
+  await close();
+});
+
+/** Keeps Box2D's files until what it returns is called. */
+async function holdBox2D(page) {
+  let letGo;
+  const held = new Promise((resolve) => (letGo = resolve));
+  await page.context().addInitScript(() => delete Navigator.prototype.serviceWorker);
+  await page.context().route(BOX2D, async (route) => {
+    await held;
+    await route.continue().catch(() => {});
+  });
+  return letGo;
+}
+
+const stepsMade = (page) => page.$eval("#hud", ({ dataset }) => Number(dataset.steps ?? 0));
+
+test("link_to_the_panel_waits_for_box2d_and_both_begin_at_the_start", async () => {
+  let letGo;
+  const { page, errors, close } = await visitor.open(
+    "?scene=tall_stack&panel=versus",
+    DESKTOP,
+    async (page) => (letGo = await holdBox2D(page)),
+  );
+  await page.locator("#versus .verdict", { hasText: "Loading Box2D" }).waitFor();
+  await drawnFrames(page, 20);
+  assert.equal(await stepsMade(page), 0);
+  letGo();
+  await untilMeasured(page);
+  assert.ok(await page.isHidden("#versus .quiet"), "Box2D began later");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("link_to_the_panel_runs_without_box2d_when_that_takes_long", async () => {
+  let letGo;
+  const { page, errors, close } = await visitor.open(
+    "?scene=tall_stack&panel=versus",
+    DESKTOP,
+    async (page) => (letGo = await holdBox2D(page)),
+  );
+  await untilRunning(page);
+  await page.locator("#versus .verdict", { hasText: /Loading Box2D.*alone/ }).waitFor();
+  letGo();
+  await page.locator("#versus .quiet", { hasText: /Box2D began at .* s/ }).waitFor();
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("closing_the_panel_as_the_worker_ends_leaves_no_error_behind", async () => {
+  const { page, errors, close } = await visitor.open(
+    "?scene=tall_stack&paused=1&panel=versus",
+    DESKTOP,
+    (page) =>
+      page.addInitScript(() => {
+        const Original = Worker;
+        window.Worker = function (...settings) {
+          window.made = new Original(...settings);
+          return window.made;
+        };
+      }),
+  );
+  await untilBox2D(page);
+  await page.evaluate(() => {
+    // It never hears of the end, as if it were busy with a step without one.
+    window.made.postMessage = () => {};
+    document.querySelector("#dock .close").click();
+    window.made.dispatchEvent(new ErrorEvent("error", { message: "out of breath" }));
+  });
+  await page.locator("#notice", { hasText: "out of breath" }).waitFor();
+  await drawnFrames(page, 3);
+  assert.deepEqual(errors, []);
   await close();
 });
 

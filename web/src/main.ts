@@ -26,6 +26,8 @@ import { chooseWasm } from "./wasm/choose";
 const OWN_LEVEL = "own_level";
 /** Where code is shown, and its errors. */
 const CODE_PANEL = "code";
+/** Milliseconds that the first scene stands still for a panel that comes with it. */
+const LONGEST_WAIT = 5000;
 
 void start();
 
@@ -142,9 +144,17 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
     pictured = true;
   };
   requestAnimationFrame(draw);
+  if (state.panel) waitForPanel(app);
   await runFirst(app, state);
   const panel = app.offeredCode === null ? state.panel : CODE_PANEL;
   if (panel) await dock.show(panel, false);
+  app.player.waiting = false;
+}
+
+/** A panel that compares or records begins with the scene's first step, if it comes in time. */
+function waitForPanel({ player }: App): void {
+  player.waiting = true;
+  setTimeout(() => (player.waiting = false), LONGEST_WAIT);
 }
 
 async function runFirst(app: App, state: Partial<State>): Promise<void> {

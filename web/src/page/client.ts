@@ -22,6 +22,9 @@ export class TroubleError extends Error {
   }
 }
 
+/** The worker was ended, or ended by itself, which `ClientListeners.trouble` hears of. */
+export class EndedError extends Error {}
+
 export interface ClientListeners {
   frame(frame: Frame): void;
   trouble(trouble: Trouble): void;
@@ -68,7 +71,7 @@ export class Client {
     this.#ticking = this.#stuck = false;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
-    for (const { reject } of waiting) reject(new Error("The physics worker was ended."));
+    for (const { reject } of waiting) reject(new EndedError("The physics worker was ended."));
   }
 
   ask<Name extends QuestionName>(
@@ -107,7 +110,7 @@ export class Client {
     worker.onerror = (event) => {
       event.preventDefault();
       const message = event.message || "The physics worker could not be started.";
-      for (const { reject } of this.#waiting.values()) reject(new Error(message));
+      for (const { reject } of this.#waiting.values()) reject(new EndedError(message));
       this.#waiting.clear();
       this.#listeners.trouble({ message });
     };

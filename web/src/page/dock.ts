@@ -7,7 +7,8 @@ import { say } from "./messages";
 /** A panel fills an element of its own, once, and is told when it is seen. */
 export interface Panel {
   readonly element: HTMLElement;
-  opened?(): void;
+  /** A scene that comes with the panel waits for what is returned, for some seconds. */
+  opened?(): void | Promise<void>;
   closed?(): void;
 }
 
@@ -50,6 +51,7 @@ export class Dock {
     else void this.show(name);
   }
 
+  /** Until the panel is there with all that it needs. */
   async show(name: string, focus = true): Promise<void> {
     // A name of an address may be one that every object has.
     const kind = Object.hasOwn(this.#kinds, name) ? this.#kinds[name] : null;
@@ -76,10 +78,11 @@ export class Dock {
     if (this.#open !== name) return;
     byId("dock-body").replaceChildren(panel.element);
     this.#changed();
-    panel.opened?.();
+    const ready = panel.opened?.();
     this.#app.chosen();
     say(`${kind.title} opened`);
     if (focus) byId("dock").querySelector<HTMLElement>(".close")!.focus();
+    await ready;
   }
 
   close(): void {

@@ -15,6 +15,8 @@ export class Player {
   #frames: Frame[] = [];
   #secondsAStep = 1 / 60;
   paused = false;
+  /** The scene waits for something that is to be there at its first step. */
+  waiting = false;
   speed = 1;
 
   /** A scene begins; frames of the one before are dropped. */
@@ -60,14 +62,14 @@ export class Player {
   /** Goes on by the time since the last frame of the display. */
   advance(seconds: number): void {
     const before = this.#place;
-    if (!this.paused)
+    if (!this.paused && !this.waiting)
       this.#place += (Math.min(seconds, LONGEST_FRAME) * this.speed) / this.#secondsAStep;
     this.#place = Math.min(this.#place, Math.max(before, this.newest));
   }
 
   /** The step that the worker should reach by now: one ahead, so that none is waited for. */
   get wanted(): number {
-    if (this.paused) return this.newest;
+    if (this.paused || this.waiting) return this.newest;
     const perFrame = Math.max(1, Math.round(this.speed));
     return Math.ceil(this.#place) + perFrame;
   }

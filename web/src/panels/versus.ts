@@ -2,8 +2,10 @@
 import { version as box2dVersion } from "../../node_modules/box2d3-wasm/package.json";
 import { version as thudVersion } from "../../package/package.json";
 import type { App } from "../page/app";
+import { EndedError } from "../page/client";
 import type { Panel } from "../page/dock";
 import { choiceBar, make } from "../page/dom";
+import { notice } from "../page/messages";
 import type { Stage } from "../page/stage";
 import { onTheme } from "../page/theme";
 import { RIVAL_SUBSTEPS, SPLITS, type Versus } from "../page/url";
@@ -59,7 +61,7 @@ class VersusPanel implements Panel {
     onTheme(colour);
     colour();
     app.listen({
-      run: () => this.#restart(),
+      run: () => void this.#restart(),
       frame: (frame) => this.#open && this.#heed(frame),
       samples: (samples) => {
         if (!this.#open) return;
@@ -71,18 +73,21 @@ class VersusPanel implements Panel {
     });
   }
 
-  opened(): void {
+  opened(): Promise<void> {
     this.#open = true;
     this.stage.split = this.app.state.versus.split;
     this.#plots.begin(this.app.scene?.lengthScale ?? 1);
-    this.#restart();
+    return this.#restart();
   }
 
   closed(): void {
     this.#open = false;
     this.stage.split = "none";
-    void this.app.client.ask("rival", null);
     this.app.refresh();
+    this.app.client.ask("rival", null).catch((error) => {
+      // With its worker Box2D has ended too.
+      if (!(error instanceof EndedError)) notice(`Box2D did not end well: ${messageOf(error)}`);
+    });
   }
 
   #build(): void {
@@ -113,7 +118,7 @@ class VersusPanel implements Panel {
     substeps.show(String(versus.substeps));
     const again = make("button", { class: "wide" }, "Restart both");
     again.addEventListener("click", () => void app.restart());
-    this.#tryAgain.addEventListener("click", () => this.#restart());
+    this.#tryAgain.addEventListener("click", () => void this.#restart());
     this.#measured.append(this.#table.element, this.#since, again, this.#plots.element);
     this.element.append(
       this.#verdict,
@@ -127,11 +132,11 @@ class VersusPanel implements Panel {
   }
 
   /** From the present step on, with a Box2D that begins there. */
-  #restart(): void {
+  async #restart(): Promise<void> {
     if (!this.#open) return;
     this.#tally.clear();
     this.#choose();
-    void this.#ask();
+    await this.#ask();
   }
 
   async #ask(): Promise<void> {
@@ -181,7 +186,7 @@ class VersusPanel implements Panel {
     const figures = { thud: tally.figures("thud"), box2d: tally.figures("box2d") };
     this.#table.show(tally.since === null ? null : figures);
     this.#verdict.textContent = this.#loading
-      ? "Loading Box2D…"
+      ? `Loading Box2D… ${this.app.player.waiting ? "Both begin together." : "thud runs alone."}`
       : tally.since === null && state.paused
         ? "The scene stands still: run it, and both are measured."
         : verdict(figures.thud, figures.box2d, scene?.lengthScale ?? 1);

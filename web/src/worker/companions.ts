@@ -37,8 +37,9 @@ export class Companions {
     const wanted = this.#wanted;
     session.rivalTrouble = null;
     if (!wanted) {
-      session.companion?.end();
+      const { companion } = session;
       session.companion = null;
+      companion?.end();
       return;
     }
     // Once it is there nothing is waited for, so that the two begin with the same step.
