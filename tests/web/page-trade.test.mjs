@@ -161,6 +161,20 @@ test("each_setting_leaves_its_point_and_a_click_goes_back_to_it", async () => {
   await close();
 });
 
+test("box2d_leaves_its_point_beside_thuds_while_it_is_wanted", async () => {
+  const { page, errors, close } = await openTrade("?scene=tall_stack");
+  await page.waitForSelector(".live-plane .dot.thud", LONG);
+  assert.equal(await page.locator(".live-plane .dot.box2d").count(), 0);
+  await page.check("#trade-box2d");
+  await page.waitForSelector('.live-plane .dot.box2d[aria-label^="Box2D 4:"]', LONG);
+  await page.click(".tried summary");
+  const figures = await page.locator(".tried tr.box2d td").allTextContents();
+  assert.ok(Number(figures[0]) > 0 && Number(figures[2]) > 1e-4, figures.join());
+  await page.uncheck("#trade-box2d");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("points_are_one_stop_of_the_tab_key_and_arrows_go_between_them", async () => {
   const { page, close } = await openTrade("?scene=tall_stack");
   await page.waitForSelector(".live-plane .dot");

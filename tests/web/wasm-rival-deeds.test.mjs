@@ -15,7 +15,7 @@ import {
 } from "./rival-support.mjs";
 import { demoWasm, thud } from "./support.mjs";
 
-const { Rival, explode, inWorld, pull, watchWorlds } = rivalry;
+const { Rival, explode, inWorld, knownOf, pull, watchWorlds } = rivalry;
 
 test("pulled_body_comes_to_the_pointer_in_both_and_does_not_overshoot", () => {
   const build = (world) => (addGround(world), addBox(world, [0, 0.5]));
@@ -188,6 +188,31 @@ test("what_scene_code_does_to_a_body_is_done_to_the_rival_once", () => {
   });
 });
 
+test("character_pushes_the_rivals_box_as_it_pushes_thuds", () => {
+  withRival({ gravity: [0, 0] }, (world) => addBox(world, [1, 0.2]), (world, rival, box, known) => {
+    // Without a body of its own: all that moves the box is the push.
+    const shape = { kind: "aabb", halfWidth: 0.3, halfHeight: 0.3 };
+    const options = { shape, position: [0, 0], up: [0, 0], pushForce: 12 };
+    const mover = new thud.Mover(world, options);
+    known.watchMover(mover, options);
+    known.forwardTo(rival);
+    const run = (steps) => step(world, rival, steps, () => void mover.move([3, 0], 1 / 60));
+    run(30);
+    const [thuds, rivals] = [world, rival].map((hands) => hands.bodyState(box));
+    assert.ok(thuds.velocity[0] > 1.5, `thud's has ${thuds.velocity[0]} m/s`);
+    assert.ok(Math.abs(thuds.angularVelocity) > 0.2, `and ${thuds.angularVelocity} 1/s`);
+    near(rivals.position[0], thuds.position[0], 1e-3);
+    near(rivals.velocity[0], thuds.velocity[0], 1e-3);
+    near(rivals.angularVelocity, thuds.angularVelocity, 1e-3);
+    // Out of its way it is not touched.
+    rival.setTransform(box, [-9, 0]);
+    rival.setVelocity(box, [0, 0]);
+    run(30);
+    assert.deepEqual(rival.bodyState(box).velocity, [0, 0]);
+    mover.close();
+  });
+});
+
 test("settings_changed_before_or_beside_the_rival_hold_for_it", () => {
   const build = (world) => {
     world.setGravity([0, -6]);
@@ -222,16 +247,16 @@ test("settings_changed_before_or_beside_the_rival_hold_for_it", () => {
 test("worlds_of_a_watched_engine_are_known_with_their_bodies", async () => {
   const watched = await thud.load(demoWasm);
   const before = watched.createWorld();
-  const known = watchWorlds(watched);
+  watchWorlds(watched);
   const options = { gravity: [0, -3] };
   const world = watched.createWorld(options);
   const body = world.createBody({ linearDamping: 0.25 });
-  assert.equal(known(before), undefined);
-  assert.deepEqual(known(world).options, options);
-  assert.deepEqual(known(world).bodyOptions(body), { linearDamping: 0.25 });
-  assert.deepEqual(known(world).bodyOptions(world.createBody()), {});
+  assert.equal(knownOf(before), undefined);
+  assert.deepEqual(knownOf(world).options, options);
+  assert.deepEqual(knownOf(world).bodyOptions(body), { linearDamping: 0.25 });
+  assert.deepEqual(knownOf(world).bodyOptions(world.createBody()), {});
   const reused = { ...body, generation: body.generation + 1 };
-  assert.equal(known(world).bodyOptions(reused), undefined);
+  assert.equal(knownOf(world).bodyOptions(reused), undefined);
 });
 
 test("two_thousand_bodies_made_and_destroyed_leave_no_memory_behind", () => {

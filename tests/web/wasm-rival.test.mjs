@@ -7,6 +7,7 @@ import {
   addBall,
   addBox,
   addGround,
+  box2d,
   engine,
   heightOf,
   importRival,
@@ -318,4 +319,49 @@ test("box2d_that_is_missing_is_named_in_the_error", async () => {
   const { loadBox2D } = await importRival(folder);
   rmSync(folder, { recursive: true });
   await assert.rejects(loadBox2D(), /^Error: Box2D could not be loaded: .*Box2D\.deluxe\.mjs/);
+});
+
+/** A box that falls on a block beside the place, and where it lies after a second. */
+function dropAt(x) {
+  let lain;
+  const build = (world) => {
+    const block = world.createBody({ position: [x, -0.5] });
+    world.createAabb(block, { halfWidth: 4, halfHeight: 0.5 });
+    return addBox(world, [x + 0.25, 1], 0.3);
+  };
+  withRival({}, build, (world, rival, box, known) => {
+    known.forwardTo(rival);
+    step(world, rival, 60);
+    world.applyImpulse(box, [0.3, 0], [x + 0.25, 0.6]);
+    step(world, rival, 10);
+    const { position, center, velocity } = rival.bodyState(box);
+    lain = {
+      place: [...position, ...center].map((value, i) => (i % 2 === 0 ? value - x : value)),
+      velocity,
+      pose: [...rival.poses(1, x, 0).slice(4 * box.index, 4 * box.index + 4)],
+      near: rival.within(x, 0.5, 2).length,
+      penetration: rival.penetration(),
+      origin: rival.origin[0],
+    };
+  });
+  return lain;
+}
+
+test("world_far_from_the_origin_is_given_moved_and_does_the_same", () => {
+  const { origin, ...here } = dropAt(0);
+  const { origin: far, ...there } = dropAt(1e7);
+  assert.equal(origin, 0);
+  near(far, 1e7, 1);
+  assert.equal(there.near, here.near);
+  near(there.penetration, here.penetration, 1e-5);
+  for (const name of ["place", "velocity", "pose"])
+    there[name].forEach((value, i) => near(value, here[name][i], 1e-4, `${name} ${i}`));
+});
+
+test("world_wider_than_box2d_can_keep_is_refused", () => {
+  const world = engine.createWorld();
+  addBall(world, [-2e6, 0]);
+  addBall(world, [2e6, 0]);
+  assert.throws(() => new Rival(box2d, world), /100 km.*2000 km from their middle/);
+  world.close();
 });

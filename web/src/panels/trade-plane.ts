@@ -128,7 +128,7 @@ export class Plane {
     }
     this.#text(WIDTH - EDGE.right, this.#height - 5, "ms a step →", "axis end");
     this.#text(2, this.#height - 5, "↑ worst overlap", "axis");
-    this.#text(EDGE.left + 6, this.#height - EDGE.bottom - 6, "better", "better");
+    this.#text(EDGE.left + 6, this.#height - EDGE.bottom - 6, "↙ better", "better");
   }
 
   #joinRows(

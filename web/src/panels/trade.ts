@@ -12,15 +12,20 @@ import { createHeavier } from "./trade-heavier";
 import { Laboratory } from "./trade-laboratory";
 import { Plane, type PlanePoint } from "./trade-plane";
 import { type TriedPoint, TriedPoints } from "./trade-points";
+import { RivalChoice } from "./trade-rival";
 import { createSeries } from "./trade-series";
 import { countText, errorText, plainTime } from "./trade-text";
 
 /** Milliseconds between two drawings of the plane: figures must be readable. */
 const REFRESH = 300;
 
+const LEAD =
+  "Each setting that you try leaves its point. Further left is faster, further down more accurate.";
+
 export function createPanel(app: App): Panel {
   const tried = new TriedPoints(app);
   const plane = new Plane();
+  const rival = new RivalChoice(app);
   const table = make("tbody");
   const forget = make("button", { class: "small" }, "Clear");
   let open = false;
@@ -58,7 +63,9 @@ export function createPanel(app: App): Panel {
     make(
       "div",
       {},
+      make("p", { class: "lead" }, LEAD),
       make("div", { class: "live-plane" }, plane.element),
+      rival.element,
       make(
         "details",
         { class: "tried" },
@@ -76,10 +83,12 @@ export function createPanel(app: App): Panel {
     element,
     opened() {
       open = true;
+      rival.opened();
       draw();
     },
     closed() {
       open = false;
+      rival.closed();
       laboratory.cancel();
     },
   };

@@ -2,11 +2,14 @@
 import { make } from "../page/dom";
 import { BUDGET } from "../shared/step-times";
 import { type Engine, ENGINES, type Figures, NAMES } from "./versus-tally";
+import { compareDepths, compareTimes, type Comparison } from "./versus-words";
 
 interface Row {
   label: string;
   hint: string;
   text(figures: Figures): string;
+  /** Whether one of two is the better. */
+  compare?(thud: Figures, box2d: Figures, lengthScale: number): Comparison | null;
 }
 
 const NOTHING = "–";
@@ -23,11 +26,13 @@ function rowsOf(fineClock: boolean): Row[] {
     label: fineClock ? "Step, median" : "Step, mean",
     hint: "Of the last 240 steps; the step alone, without drawing and measuring",
     text: (figures) => milliseconds(figures.typical),
+    compare: (thud, box2d) => compareTimes(thud.typical ?? 0, box2d.typical ?? 0),
   };
   const p99: Row = {
     label: "Step, p99",
     hint: "99 of 100 of the last 240 steps were quicker",
     text: (figures) => milliseconds(figures.p99),
+    compare: (thud, box2d) => compareTimes(thud.p99 ?? 0, box2d.p99 ?? 0),
   };
   return [
     typical,
@@ -37,16 +42,19 @@ function rowsOf(fineClock: boolean): Row[] {
       label: "Overlap now",
       hint: "Of the two bodies that are deepest in each other, in the world's lengths",
       text: ({ now }) => depth(now),
+      compare: (thud, box2d, scale) => compareDepths(thud.now, box2d.now, scale),
     },
     {
       label: "Overlap, mean",
       hint: "Of the deepest overlap, over the steps measured since both began",
       text: ({ mean }) => depth(mean),
+      compare: (thud, box2d, scale) => compareDepths(thud.mean, box2d.mean, scale),
     },
     {
       label: "Overlap, worst",
       hint: "The deepest overlap since both began",
       text: ({ ever }) => depth(ever),
+      compare: (thud, box2d, scale) => compareDepths(thud.ever, box2d.ever, scale),
     },
     {
       label: "Energy since start",
@@ -103,13 +111,18 @@ export class Table {
     this.#settings.box2d.textContent = box2d;
   }
 
-  /** Null: nothing has been measured. */
-  show(figures: { [engine in Engine]: Figures } | null): void {
-    for (const engine of ENGINES)
-      this.#cells[engine].forEach((cell, i) => {
-        const text = figures ? this.#rows[i].text(figures[engine]) : NOTHING;
+  /** The better of two stands out. Null: nothing has been measured. */
+  show(figures: { [engine in Engine]: Figures } | null, lengthScale: number): void {
+    this.#rows.forEach((row, i) => {
+      const better =
+        figures && row.compare?.(figures.thud, figures.box2d, lengthScale)?.better;
+      for (const engine of ENGINES) {
+        const cell = this.#cells[engine][i];
+        const text = figures ? row.text(figures[engine]) : NOTHING;
         if (cell.textContent !== text) cell.textContent = text;
-      });
+        cell.classList.toggle("better", engine === better);
+      }
+    });
   }
 }
 

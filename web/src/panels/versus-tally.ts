@@ -1,5 +1,6 @@
 /** What two engines side by side took and got wrong: figures of the table, courses of the plots. */
 import { mean, percentile } from "../shared/step-times";
+import type { Vec2 } from "thud";
 import type { Sample } from "../scene/frame";
 
 export const ENGINES = ["thud", "box2d"] as const;
@@ -54,6 +55,8 @@ export class Tally {
   readonly energies: Course = newCourse();
   /** The step at which Box2D began; null before a step of it. */
   since: number | null = null;
+  /** Box2D's origin in the world. */
+  origin: Vec2 = [0, 0];
   #counted = 0;
   #sums: { [engine in Engine]: Sums } = { thud: newSums(), box2d: newSums() };
 
@@ -62,6 +65,7 @@ export class Tally {
 
   clear(): void {
     this.since = null;
+    this.origin = [0, 0];
     this.#counted = 0;
     this.#sums = { thud: newSums(), box2d: newSums() };
     for (const course of [this.times, this.penetrations, this.energies]) {
@@ -75,6 +79,7 @@ export class Tally {
       if (!rival) continue;
       if (rival.since !== this.since) this.clear();
       this.since = rival.since;
+      this.origin = rival.origin;
       const seconds = step * timeStep;
       this.#addTimes(seconds, [milliseconds, rival.milliseconds]);
       if (rival.compared) this.#compare(seconds, rival.compared);

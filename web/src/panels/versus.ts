@@ -2,10 +2,8 @@
 import { version as box2dVersion } from "../../node_modules/box2d3-wasm/package.json";
 import { version as thudVersion } from "../../package/package.json";
 import type { App } from "../page/app";
-import { EndedError } from "../page/client";
 import type { Panel } from "../page/dock";
 import { choiceBar, make } from "../page/dom";
-import { notice } from "../page/messages";
 import type { Stage } from "../page/stage";
 import { onTheme } from "../page/theme";
 import { RIVAL_SUBSTEPS, SPLITS, type Versus } from "../page/url";
@@ -13,10 +11,11 @@ import type { Frame } from "../scene/frame";
 import { messageOf } from "../shared/error";
 import "../style/versus.css";
 import { hasSimd } from "../wasm/simd";
+import { askForRival, endRival } from "./rival-wish";
 import { engineColour, Plots, themeNow } from "./versus-plots";
 import { Table } from "./versus-table";
 import { ENGINES, Tally } from "./versus-tally";
-import { verdict } from "./versus-words";
+import { MEANING, movedText, verdict } from "./versus-words";
 
 /** Milliseconds between two showings: courses run, figures must be readable. */
 const PLOTS_EVERY = 150;
@@ -41,6 +40,7 @@ class VersusPanel implements Panel {
   readonly #trouble = make("p", { class: "trouble", role: "alert" });
   readonly #tryAgain = make("button", { class: "wide" }, "Try again");
   readonly #since = make("p", { class: "quiet" });
+  readonly #moved = make("p", { class: "moved" });
   readonly #measured = make("div");
   #open = false;
   #loading = false;
@@ -84,10 +84,7 @@ class VersusPanel implements Panel {
     this.#open = false;
     this.stage.split = "none";
     this.app.refresh();
-    this.app.client.ask("rival", null).catch((error) => {
-      // With its worker Box2D has ended too.
-      if (!(error instanceof EndedError)) notice(`Box2D did not end well: ${messageOf(error)}`);
-    });
+    endRival(this.app);
   }
 
   #build(): void {
@@ -119,9 +116,11 @@ class VersusPanel implements Panel {
     const again = make("button", { class: "wide" }, "Restart both");
     again.addEventListener("click", () => void app.restart());
     this.#tryAgain.addEventListener("click", () => void this.#restart());
-    this.#measured.append(this.#table.element, this.#since, again, this.#plots.element);
+    const table = this.#table.element;
+    this.#measured.append(table, this.#moved, this.#since, again, this.#plots.element);
     this.element.append(
       this.#verdict,
+      make("p", { class: "meaning" }, MEANING),
       this.#trouble,
       this.#tryAgain,
       layout.element,
@@ -143,7 +142,7 @@ class VersusPanel implements Panel {
     this.#loading = true;
     this.#tell(null);
     try {
-      await this.app.client.ask("rival", { substeps: this.app.state.versus.substeps });
+      await askForRival(this.app);
       this.#loading = false;
       this.#tell(null);
     } catch (error) {
@@ -184,12 +183,16 @@ class VersusPanel implements Panel {
     const tally = this.#tally;
     const { state, scene } = this.app;
     const figures = { thud: tally.figures("thud"), box2d: tally.figures("box2d") };
-    this.#table.show(tally.since === null ? null : figures);
+    const lengthScale = scene?.lengthScale ?? 1;
+    this.#table.show(tally.since === null ? null : figures, lengthScale);
     this.#verdict.textContent = this.#loading
       ? `Loading Box2D… ${this.app.player.waiting ? "Both begin together." : "thud runs alone."}`
       : tally.since === null && state.paused
         ? "The scene stands still: run it, and both are measured."
-        : verdict(figures.thud, figures.box2d, scene?.lengthScale ?? 1);
+        : verdict(figures.thud, figures.box2d, lengthScale);
+    const moved = movedText(Math.hypot(...tally.origin) / lengthScale);
+    this.#moved.hidden = moved === "";
+    if (this.#moved.textContent !== moved) this.#moved.textContent = moved;
     this.#since.hidden = !tally.since;
     const seconds = ((tally.since ?? 0) * (scene?.timeStep ?? 1 / 60)).toFixed(2);
     this.#since.textContent =
@@ -211,7 +214,8 @@ function notes(): HTMLElement {
     "Overlap is measured for both by the same code, sleeping bodies included. Where that takes " +
       "long it is done every few steps.",
     "Both get the same bodies and the same pulls, explosions and craters, each by where its own " +
-      "bodies are. A game’s character pushes bodies in thud only.",
+      "bodies are. So does a game’s character, which is moved in thud and pushes in both.",
+
     "After going back in time Box2D begins anew, as a copy of thud’s world.",
   ];
   return make(

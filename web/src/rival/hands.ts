@@ -32,6 +32,22 @@ export interface Blast {
   speed: number;
 }
 
+/** By a character (Mover) that met the body in the thud world. */
+export interface Push {
+  body: BodyId;
+  /** Where it was met, in the body's frame, and in the world. */
+  anchor: Vec2;
+  met: Vec2;
+  /** Of its surface there, outward. */
+  normal: Vec2;
+  /** The character's. */
+  velocity: Vec2;
+  /** The largest impulse. */
+  most: number;
+  /** A body whose anchor is further than this from where it was met is not in the way. */
+  reach: number;
+}
+
 /** How hard a pulled body follows, as speed per distance (1/s). */
 const PULL_RATE = 14;
 /** Largest change of speed per step by pulling, in length scales a second. */
@@ -73,6 +89,28 @@ export function pull(hands: Hands, { body, anchor, target }: Pull, lengthScale =
 }
 
 /**
+ * As a Mover of thud does it (push in engine/src/mover.c): the impulse against the surface that
+ * takes the place that was met up to the character's speed.
+ */
+export function push(hands: Hands, { body, anchor, normal, velocity, ...push }: Push): void {
+  if (!hands.isValid(body)) return;
+  const state = hands.bodyState(body);
+  const point = inWorld(state, anchor);
+  if (Math.hypot(point[0] - push.met[0], point[1] - push.met[1]) > push.reach) return;
+  const [nx, ny] = normal;
+  const rx = point[0] - state.center[0];
+  const ry = point[1] - state.center[1];
+  const spin = state.angularVelocity;
+  const closing =
+    (state.velocity[0] - spin * ry - velocity[0]) * nx +
+    (state.velocity[1] + spin * rx - velocity[1]) * ny;
+  const arm = rx * ny - ry * nx;
+  const give = 1 / state.mass + (state.inertia > 0 ? (arm * arm) / state.inertia : 0);
+  const impulse = Math.min(closing / give, push.most);
+  if (impulse > 0) hands.applyImpulse(body, [-nx * impulse, -ny * impulse], point);
+}
+
+/**
  * Throws those of some bodies away whose centre is in a blast's circle: each gains `speed` in the
  * middle, less with its distance, and nothing at `radius`. What has no mass stays.
  */
@@ -92,6 +130,13 @@ export function explode(
     const [nx, ny] = distance > 0 ? [dx / distance, dy / distance] : [0, 1];
     hands.applyImpulse(body, [impulse * nx, impulse * ny], state.center);
   }
+}
+
+/** A place in the world, in the body's frame. */
+export function inFrame({ position, angle }: Pick<Held, "position" | "angle">, place: Vec2): Vec2 {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const [x, y] = [place[0] - position[0], place[1] - position[1]];
+  return [c * x + s * y, c * y - s * x];
 }
 
 /** A place in the body's frame, in the world. */

@@ -23,15 +23,14 @@ import type {
   b2WorldId,
 } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
 import type { Box2D } from "./box2d";
+import type { Placing } from "./places";
 
 /** Half the width of what stands in for endless ground, in metres. */
 const FLAT_HALF_WIDTH = 4096;
 
 /** What all of a world's bodies have in common. */
-export interface Common {
+export interface Common extends Placing {
   box2d: Box2D;
-  /** Lengths of thud's world to a metre. */
-  unit: number;
   /** Whether contacts are to be told of: it costs Box2D as it costs thud. */
   events: boolean;
 }
@@ -61,7 +60,7 @@ export function createWorld(
 
 /** A body without its shapes. What a thud world does not tell of a body comes in `options`. */
 export function makeBody(
-  { box2d, unit }: Common,
+  { box2d, unit, origin }: Common,
   world: b2WorldId,
   state: BodyState,
   options: BodyOptions,
@@ -71,7 +70,8 @@ export function makeBody(
   def.type = { static: b2_staticBody, kinematic: b2_kinematicBody, dynamic: b2_dynamicBody }[
     state.kind
   ];
-  def.position.Set(state.position[0] / unit, state.position[1] / unit);
+  const [x, y] = state.position;
+  def.position.Set((x - origin[0]) / unit, (y - origin[1]) / unit);
   def.rotation.c = Math.cos(state.angle);
   def.rotation.s = Math.sin(state.angle);
   def.gravityScale = state.gravityScale;

@@ -28,6 +28,7 @@ import type { RivalSettings } from "./known";
 import { type Common, createWorld, makeBody, makeChain, makeShape } from "./make";
 import { Mirror, type Twin } from "./mirror";
 import { Moves } from "./moves";
+import { originFor, Places } from "./places";
 import { Ruler } from "./ruler";
 
 /** Metres. A kinematic body this far from where thud has it was put there, and is put there too. */
@@ -66,9 +67,7 @@ export class Rival implements Hands, Twin {
   readonly #entries = new Map<number, Entry>();
   /** By index of the b2BodyId. */
   readonly #slots: number[] = [];
-  /** By slot, in metres. */
-  #before = new Float32Array(0);
-  #now = new Float32Array(0);
+  readonly #places: Places;
   /** Of the steps from now on. */
   substeps: number;
   #gravity: Vec2;
@@ -84,11 +83,14 @@ export class Rival implements Hands, Twin {
     this.substeps = settings.substeps ?? 4;
     this.#gravity = options.gravity ?? [0, -10];
     this.#timeStep = options.timeStep ?? 1 / 60;
+    const unit = options.lengthScale ?? 1;
     this.#common = {
       box2d,
-      unit: options.lengthScale ?? 1,
+      unit,
+      origin: originFor(source, unit),
       events: options.contactEvents ?? true,
     };
+    this.#places = new Places(this.#common);
     this.#world = createWorld(this.#common, options, settings.contactHertz);
     this.#moves = new Moves(box2d);
     this.#mirror = new Mirror(source, this);
@@ -107,6 +109,11 @@ export class Rival implements Hands, Twin {
     return this.#common.box2d;
   }
 
+  /** Where in the thud world Box2D has its origin: elsewhere where all bodies are too far away. */
+  get origin(): Vec2 {
+    return this.#common.origin;
+  }
+
   // ---- time ----
 
   /**
@@ -123,9 +130,9 @@ export class Rival implements Hands, Twin {
   #steer({ id }: Entry): void {
     const { position, angle, velocity, angularVelocity } = this.#source.bodyState(id);
     const { unit } = this.#common;
-    const [x, y, cosine, sine] = this.#now.subarray(4 * id.index, 4 * id.index + 4);
+    const [x, y, cosine, sine] = this.#places.pose(id.index);
     const strayed =
-      Math.hypot(position[0] / unit - x, position[1] / unit - y) +
+      Math.hypot(position[0] - x, position[1] - y) / unit +
       Math.hypot(Math.cos(angle) - cosine, Math.sin(angle) - sine);
     if (!(strayed < STRAY)) this.setTransform(id, position, angle);
     this.setVelocity(id, velocity, angularVelocity);
@@ -137,10 +144,10 @@ export class Rival implements Hands, Twin {
     const start = performance.now();
     b2World_Step(this.#world, this.#timeStep, this.substeps);
     const milliseconds = performance.now() - start;
-    this.#before.set(this.#now);
+    this.#places.beginStep();
     this.#moves.read(this.#world);
     for (let i = 0; i < this.#moves.count; i++)
-      this.#moves.copyPose(i, this.#now, 4 * this.#slots[this.#moves.index1(i)]);
+      this.#moves.copyPose(i, this.#places.now, 4 * this.#slots[this.#moves.index1(i)]);
     return milliseconds;
   }
 
@@ -151,20 +158,15 @@ export class Rival implements Hands, Twin {
    * slots; of the last step, or for alpha 0 of the one before. A copy.
    */
   poses(alpha: 0 | 1 = 1, originX = 0, originY = 0): Float32Array<ArrayBuffer> {
-    const { unit } = this.#common;
-    const poses = new Float32Array(alpha === 0 ? this.#before : this.#now);
-    for (let i = 0; i < poses.length; i += 4) {
-      poses[i] = poses[i] * unit - originX;
-      poses[i + 1] = poses[i + 1] * unit - originY;
-    }
-    return poses;
+    return this.#places.copy(alpha, originX, originY);
   }
 
   /** Of the deepest overlap at present. Costs about as much as a step of thud at draft. */
   penetration(): number {
     this.#ruler ??= new Ruler(this.#source, this.#common.unit);
     this.#ruler.sync();
-    return this.#ruler.penetration(this.poses());
+    const [x, y] = this.origin;
+    return this.#ruler.penetration(this.poses(1, x, y), x, y);
   }
 
   /** Kinetic and potential, as World.measure has them. Costs some microseconds a body. */
@@ -225,9 +227,9 @@ export class Rival implements Hands, Twin {
     const turn = new b2Rot();
     turn.c = Math.cos(angle);
     turn.s = Math.sin(angle);
-    this.#withMetres(position, (place) => b2Body_SetTransform(entry.body, place, turn));
+    this.#withPlace(position, (place) => b2Body_SetTransform(entry.body, place, turn));
     turn.delete();
-    this.#place(body.index, position, angle);
+    this.#places.put(body.index, position, angle);
   }
 
   setVelocity(body: BodyId, velocity: Vec2, angularVelocity = 0): void {
@@ -241,7 +243,7 @@ export class Rival implements Hands, Twin {
     const { b2Body_ApplyLinearImpulse } = this.#box2d;
     const entry = this.#entry(body);
     this.#withMetres(impulse, (j) =>
-      this.#withMetres(point, (at) => b2Body_ApplyLinearImpulse(entry.body, j, at, true)),
+      this.#withPlace(point, (at) => b2Body_ApplyLinearImpulse(entry.body, j, at, true)),
     );
   }
 
@@ -271,7 +273,15 @@ export class Rival implements Hands, Twin {
 
   #withMetres([x, y]: Vec2, use: (vector: b2Vec2) => void): void {
     const { unit } = this.#common;
-    const vector = new this.#box2d.b2Vec2(x / unit, y / unit);
+    this.#withVector([x / unit, y / unit], use);
+  }
+
+  #withPlace(place: Vec2, use: (vector: b2Vec2) => void): void {
+    this.#withVector(this.#places.toMetres(place), use);
+  }
+
+  #withVector([x, y]: Vec2, use: (vector: b2Vec2) => void): void {
+    const vector = new this.#box2d.b2Vec2(x, y);
     use(vector);
     vector.delete();
   }
@@ -285,14 +295,14 @@ export class Rival implements Hands, Twin {
 
   #held(entry: Entry): Held {
     const { unit } = this.#common;
-    const [x, y, c, s] = this.#now.subarray(4 * entry.id.index, 4 * entry.id.index + 4);
+    const [x, y, c, s] = this.#places.pose(entry.id.index);
     const { mass, inertia } = (entry.weight ??= this.#weigh(entry));
     const velocity = this.#box2d.b2Body_GetLinearVelocity(entry.body);
     const [vx, vy] = [velocity.x * unit, velocity.y * unit];
     velocity.delete();
     return {
       kind: entry.kind,
-      position: [x * unit, y * unit],
+      position: [x, y],
       center: this.#centerOf(entry),
       angle: Math.atan2(s, c),
       velocity: [vx, vy],
@@ -303,13 +313,9 @@ export class Rival implements Hands, Twin {
   }
 
   #centerOf(entry: Entry): Vec2 {
-    const { unit } = this.#common;
-    const [x, y, c, s] = this.#now.subarray(4 * entry.id.index, 4 * entry.id.index + 4);
+    const [x, y, c, s] = this.#places.pose(entry.id.index);
     const { center } = (entry.weight ??= this.#weigh(entry));
-    return [
-      x * unit + c * center[0] - s * center[1],
-      y * unit + s * center[0] + c * center[1],
-    ];
+    return [x + c * center[0] - s * center[1], y + s * center[0] + c * center[1]];
   }
 
   #weigh({ body, turns }: Entry): Weight {
@@ -323,11 +329,6 @@ export class Rival implements Hands, Twin {
     };
     data.delete();
     return weight;
-  }
-
-  #place(slot: number, [x, y]: Vec2, angle: number): void {
-    const { unit } = this.#common;
-    this.#now.set([x / unit, y / unit, Math.cos(angle), Math.sin(angle)], 4 * slot);
   }
 
   // ---- Twin ----
@@ -345,10 +346,7 @@ export class Rival implements Hands, Twin {
       weight: null,
     });
     this.#slots[body.index1] = id.index;
-    if (4 * id.index >= this.#now.length) this.#grow(id.index);
-    this.#place(id.index, state.position, state.angle);
-    const end = 4 * id.index + 4;
-    this.#before.set(this.#now.subarray(end - 4, end), end - 4);
+    this.#places.add(id.index, state.position, state.angle);
   }
 
   addShape(body: BodyId, id: ShapeId, state: ShapeState, terrain: Terrain | null): void {
@@ -378,18 +376,6 @@ export class Rival implements Hands, Twin {
   removeBody(body: BodyId): void {
     this.#box2d.b2DestroyBody(this.#entry(body).body);
     this.#entries.delete(body.index);
-    const end = 4 * body.index + 4;
-    this.#now.fill(NaN, end - 4, end);
-    this.#before.fill(NaN, end - 4, end);
-  }
-
-  #grow(slot: number): void {
-    const grown = (old: Float32Array) => {
-      const larger = new Float32Array(4 * Math.max(slot + 1, 64, old.length / 2)).fill(NaN);
-      larger.set(old);
-      return larger;
-    };
-    this.#now = grown(this.#now);
-    this.#before = grown(this.#before);
+    this.#places.remove(body.index);
   }
 }

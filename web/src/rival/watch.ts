@@ -3,10 +3,21 @@
  * afterwards: what it and its bodies were made with, whether bodies, shapes or ground have changed,
  * and what a scene's own code does to bodies, which goes to the rival too.
  *
- * A character (Mover) pushes bodies inside the engine, which is not seen here; its own body is
- * kinematic and followed by `Rival.sync`.
+ * A character (Mover) pushes bodies inside the engine. It is watched too, and pushes the rival's by
+ * the same rule; its own body is kinematic and followed by `Rival.sync`.
  */
-import type { BodyId, BodyOptions, Engine, World, WorldOptions } from "thud";
+import type {
+  BodyId,
+  BodyOptions,
+  Engine,
+  Mover,
+  MoverOptions,
+  MoverReport,
+  Vec2,
+  World,
+  WorldOptions,
+} from "thud";
+import { inFrame, push, type Push } from "./hands";
 import type { Known } from "./known";
 import type { Rival } from "./rival";
 
@@ -15,18 +26,25 @@ export interface Watched extends Known {
   forwardTo(rival: Rival | null): void;
   /** Runs `act` without forwarding: the rival gets a deed of its own (`pull`, `explode`). */
   apart(act: () => void): void;
+  /** A character of this world, as it is made. */
+  watchMover(mover: Mover, options: MoverOptions): void;
 }
 
-/** Returns a function that finds what is known of a world that was made since. */
-export function watchWorlds(engine: Engine): (world: World) => Watched | undefined {
-  const worlds = new WeakMap<World, Watched>();
+const worlds = new WeakMap<World, Watched>();
+
+/** Of worlds that are made from now on. */
+export function watchWorlds(engine: Engine): void {
   const { createWorld } = engine;
   engine.createWorld = (options = {}) => {
     const world = createWorld.call(engine, options);
     worlds.set(world, watch(world, options));
     return world;
   };
-  return (world) => worlds.get(world);
+}
+
+/** What is known of a world, if it was watched from its making on. */
+export function knownOf(world: World): Watched | undefined {
+  return worlds.get(world);
 }
 
 /** Of a new world. */
@@ -89,7 +107,42 @@ export function watch(world: World, made: WorldOptions): Watched {
         rival = other;
       }
     },
+    watchMover(mover, options) {
+      const move = mover.move.bind(mover);
+      mover.move = (velocity, dt, how) => {
+        const report = move(velocity, dt, how);
+        if (rival)
+          for (const one of pushesOf(world, options, velocity, dt, report)) push(rival, one);
+        return report;
+      };
+    },
   };
+}
+
+/** thud's own, in radians. */
+const MAX_SLOPE = 0.9;
+
+/** Of the bodies that a move met: each once, and none that can be stood on. */
+function pushesOf(
+  world: World,
+  { shape, up = [0, 1], maxSlope = MAX_SLOPE, pushForce = 0 }: MoverOptions,
+  velocity: Vec2,
+  dt: number,
+  { hits }: MoverReport,
+): Push[] {
+  const reach =
+    shape.kind === "circle" ? shape.radius : Math.hypot(shape.halfWidth, shape.halfHeight);
+  const pushes = new Map<number, Push>();
+  for (const { body, point, normal } of hits) {
+    if (pushes.has(body.index) || !world.isValid(body)) continue;
+    const state = world.bodyState(body);
+    const rise = normal[0] * up[0] + normal[1] * up[1];
+    if (state.kind !== "dynamic" || rise >= Math.cos(maxSlope)) continue;
+    const anchor = inFrame(state, point);
+    const most = pushForce * dt;
+    pushes.set(body.index, { body, anchor, met: point, normal, velocity, most, reach });
+  }
+  return [...pushes.values()];
 }
 
 const CHANGES = [

@@ -53,6 +53,8 @@ export interface RivalSample {
   milliseconds: number;
   /** The step at which it began, as a copy of the world at that moment. */
   since: number;
+  /** Where in the world it has its own origin. */
+  origin: Vec2;
   /** Both engines after this step, by the same code; every few steps where that takes long. */
   compared?: { thud: Compared; box2d: Compared };
 }

@@ -3,10 +3,11 @@
  * steps, and is measured by the same code. It begins, and after a jump in time begins anew, with
  * the first step that is made, from what the world is then.
  */
-import type { Vec2, World } from "thud";
+import type { Vec2 } from "thud";
 import type { Compared, RivalSample } from "../scene/frame";
 import { type Box2D, forgetBox2D, loadBox2D } from "../rival/box2d";
 import { type Blast, explode, type Pull, pull } from "../rival/hands";
+import { middleOf } from "../rival/places";
 import { Rival } from "../rival/rival";
 import { Ruler } from "../rival/ruler";
 import type { Watched } from "../rival/watch";
@@ -19,8 +20,6 @@ const CONTACT_HERTZ = 30;
 /** Milliseconds a step that comparing may take on average, and steps between two at most. */
 const COMPARING = 2;
 const LONGEST = 60;
-/** Metres from the origin that Box2D is made for (its B2_HUGE): it keeps places as floats. */
-const FARTHEST = 1e5;
 
 /** What there is while Box2D runs along. */
 interface Pair {
@@ -71,7 +70,6 @@ export class Box2DCompanion implements Companion {
     this.#guard(() => {
       const { session, known } = this;
       const { world, lengthScale } = session;
-      const origin = middleOf(world, FARTHEST * lengthScale);
       const rival = new Rival(this.box2d, world, {
         options: known.options,
         bodyOptions: known.bodyOptions,
@@ -82,7 +80,7 @@ export class Box2DCompanion implements Companion {
       this.#pair = {
         rival,
         ruler: new Ruler(world, lengthScale),
-        origin,
+        origin: middleOf(world),
         since: session.step,
         nextComparison: session.step,
       };
@@ -108,14 +106,15 @@ export class Box2DCompanion implements Companion {
 
   step(): RivalSample | undefined {
     return this.#use((pair) => {
-      const milliseconds = pair.rival.step();
+      const { rival, since } = pair;
+      const sample: RivalSample = { milliseconds: rival.step(), since, origin: rival.origin };
       const { step } = this.session;
-      if (step < pair.nextComparison) return { milliseconds, since: pair.since };
+      if (step < pair.nextComparison) return sample;
       const start = performance.now();
       const compared = { thud: this.#measureWorld(pair), box2d: measureRival(pair) };
       const pause = Math.ceil((performance.now() - start) / COMPARING);
       pair.nextComparison = step + Math.min(LONGEST, Math.max(1, pause));
-      return { milliseconds, since: pair.since, compared };
+      return { ...sample, compared };
     });
   }
 
@@ -174,21 +173,4 @@ function measureRival({ rival }: Pair): Compared {
     bodies: rival.bodies,
     awake: rival.awakeBodies,
   };
-}
-
-/** Of all bodies, in whole numbers. Throws if one is further from the origin than `most`. */
-function middleOf(world: World, most: number): Vec2 {
-  const poses = world.poses(1, 0, 0);
-  let [count, x, y] = [0, 0, 0];
-  for (let i = 0; i < poses.length; i += 4) {
-    const [px, py] = [poses[i], poses[i + 1]];
-    if (Number.isNaN(px)) continue;
-    if (Math.hypot(px, py) > most)
-      throw new Error(
-        "Box2D keeps places as numbers of 32 bits and is made for 100 km around the origin; " +
-          `this world has bodies ${Math.round(Math.hypot(px, py) / (most / 100))} km away.`,
-      );
-    [count, x, y] = [count + 1, x + px, y + py];
-  }
-  return count > 0 ? [Math.round(x / count), Math.round(y / count)] : [0, 0];
 }

@@ -1,20 +1,19 @@
 /** Keeps Box2D beside whichever scene runs while the page wants it; loads it when first wanted. */
 import type { Engine } from "thud";
-import { watchWorlds } from "../rival/watch";
+import { knownOf, watchWorlds } from "../rival/watch";
 import { messageOf } from "../shared/error";
 import type { Box2DCompanion } from "./companion";
 import type { RivalRequest } from "./protocol";
 import type { Session } from "./session";
 
 export class Companions {
-  readonly #known: ReturnType<typeof watchWorlds>;
   #wanted: RivalRequest | null = null;
   #session: Session | null = null;
   #kind: typeof Box2DCompanion | null = null;
 
   /** Before any world is made. */
   constructor(engine: Engine) {
-    this.#known = watchWorlds(engine);
+    watchWorlds(engine);
   }
 
   /** Throws if Box2D cannot be loaded; what runs then goes on alone. */
@@ -44,7 +43,7 @@ export class Companions {
     }
     // Once it is there nothing is waited for, so that the two begin with the same step.
     this.#kind ??= (await import("./companion")).Box2DCompanion;
-    const companion = await this.#kind.load(session, this.#known(session.world), wanted);
+    const companion = await this.#kind.load(session, knownOf(session.world), wanted);
     // Meanwhile another scene may have begun, or the panel may have been closed.
     if (this.#session !== session || this.#wanted !== wanted) companion.end();
     else if (session.companion instanceof this.#kind) session.companion.choose(wanted);

@@ -1,7 +1,6 @@
 /** Everything that measuring needs, loaded by the worker when it is first asked for. */
 import type { Engine } from "thud";
 import { type Box2D, loadBox2D } from "../rival/box2d";
-import { watchWorlds } from "../rival/watch";
 import { messageOf } from "../shared/error";
 import type { Laboratory } from "./measure-trial";
 
@@ -20,5 +19,5 @@ export async function prepare(
   } catch (error) {
     withoutBox2D = messageOf(error);
   }
-  return { laboratory: { engine, box2d, watched: watchWorlds(engine), open }, withoutBox2D };
+  return { laboratory: { engine, box2d, open }, withoutBox2D };
 }

@@ -3,7 +3,7 @@ import type { Engine, World } from "thud";
 import type { Box2D } from "../rival/box2d";
 import { Rival } from "../rival/rival";
 import { Ruler } from "../rival/ruler";
-import type { Watched } from "../rival/watch";
+import { knownOf, type Watched } from "../rival/watch";
 import { type Input, noKeys } from "../scene/scene";
 import { BODY, KINEMATIC, ROW } from "../scene/shape-table";
 import type { RivalSetting } from "./measure-settings";
@@ -15,7 +15,6 @@ export interface Laboratory {
   engine: Engine;
   /** Null: it could not be loaded, and thud is measured alone. */
   box2d: Box2D | null;
-  watched: (world: World) => Watched | undefined;
   open(request: SceneRequest): Promise<Session>;
 }
 
@@ -37,12 +36,12 @@ export class Trial {
 
   /** With `rival` Box2D is measured, else thud. */
   static async open(
-    { box2d, watched, open }: Laboratory,
+    { box2d, open }: Laboratory,
     request: SceneRequest,
     rival?: RivalSetting,
   ): Promise<Trial> {
     const session = await open(request);
-    return new Trial(session, box2d, watched(session.world), rival);
+    return new Trial(session, box2d, knownOf(session.world), rival);
   }
 
   private constructor(

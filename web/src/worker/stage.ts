@@ -1,5 +1,6 @@
 /** Sets a scene up: gives its module what it asks for and takes the world that it makes. */
 import type { Engine, Mover, World, WorldOptions } from "thud";
+import { knownOf } from "../rival/watch";
 import type { Scene, SceneModule, View } from "../scene/scene";
 import { createSetting } from "../scene/setting";
 import { BODY, DYNAMIC, HALF, ROW, SLOT, STATIC } from "../scene/shape-table";
@@ -51,6 +52,7 @@ export async function setUp(
   };
   setting.createMover = (world, options) => {
     const mover = createMover(world, options);
+    knownOf(world)?.watchMover(mover, options);
     movers.push(mover);
     return mover;
   };

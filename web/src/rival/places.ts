@@ -1,0 +1,120 @@
+/**
+ * Where a rival's bodies are. Box2D keeps places as numbers of 32 bits, in metres about an origin
+ * of its own; the thud world has doubles in its own lengths.
+ */
+import type { Vec2, World } from "thud";
+
+/** Metres from its origin that Box2D is made for (its B2_HUGE). */
+const FARTHEST = 1e5;
+
+/** A metre in the world's lengths, and where in the world Box2D's origin is. */
+export interface Placing {
+  unit: number;
+  origin: Vec2;
+}
+
+export class Places {
+  readonly #unit: number;
+  readonly #origin: Vec2;
+  /** By slot x, y, cosine and sine, in metres; NaN in empty slots. Of the step before, and now. */
+  #before = new Float32Array(0);
+  #now = new Float32Array(0);
+
+  constructor({ unit, origin }: Placing) {
+    this.#unit = unit;
+    this.#origin = origin;
+  }
+
+  toMetres([x, y]: Vec2): Vec2 {
+    const [ox, oy] = this.#origin;
+    return [(x - ox) / this.#unit, (y - oy) / this.#unit];
+  }
+
+  /** In metres. To be written into at 4 times the slot after a step. */
+  get now(): Float32Array {
+    return this.#now;
+  }
+
+  /** As x, y, cosine and sine, in the world's lengths. */
+  pose(slot: number): readonly [number, number, number, number] {
+    const [x, y, cosine, sine] = this.#now.subarray(4 * slot, 4 * slot + 4);
+    const [ox, oy] = this.#origin;
+    return [x * this.#unit + ox, y * this.#unit + oy, cosine, sine];
+  }
+
+  /** As World.poses has them: relative to a place, of now, or for alpha 0 of the step before. */
+  copy(alpha: 0 | 1, x: number, y: number): Float32Array<ArrayBuffer> {
+    const poses = new Float32Array(alpha === 0 ? this.#before : this.#now);
+    // Far from the world's origin the difference of the two is exact, and the places are not.
+    const [dx, dy] = [this.#origin[0] - x, this.#origin[1] - y];
+    for (let i = 0; i < poses.length; i += 4) {
+      poses[i] = poses[i] * this.#unit + dx;
+      poses[i + 1] = poses[i + 1] * this.#unit + dy;
+    }
+    return poses;
+  }
+
+  /** What is now is what was before the next step. */
+  beginStep(): void {
+    this.#before.set(this.#now);
+  }
+
+  add(slot: number, position: Vec2, angle: number): void {
+    if (4 * slot >= this.#now.length) this.#grow(slot);
+    this.put(slot, position, angle);
+    const end = 4 * slot + 4;
+    this.#before.set(this.#now.subarray(end - 4, end), end - 4);
+  }
+
+  put(slot: number, position: Vec2, angle: number): void {
+    this.#now.set([...this.toMetres(position), Math.cos(angle), Math.sin(angle)], 4 * slot);
+  }
+
+  remove(slot: number): void {
+    for (const poses of [this.#before, this.#now]) poses.fill(NaN, 4 * slot, 4 * slot + 4);
+  }
+
+  #grow(slot: number): void {
+    const grown = (old: Float32Array) => {
+      const larger = new Float32Array(4 * Math.max(slot + 1, 64, old.length / 2)).fill(NaN);
+      larger.set(old);
+      return larger;
+    };
+    this.#now = grown(this.#now);
+    this.#before = grown(this.#before);
+  }
+}
+
+/** Of all bodies, in whole numbers. */
+export function middleOf(world: World): Vec2 {
+  let [count, x, y] = [0, 0, 0];
+  for (const [px, py] of placesOf(world)) [count, x, y] = [count + 1, x + px, y + py];
+  return count > 0 ? [Math.round(x / count), Math.round(y / count)] : [0, 0];
+}
+
+/**
+ * The world's own origin, or the middle of its bodies if they are too far from it for Box2D. Throws
+ * if they are too far from each other.
+ */
+export function originFor(world: World, unit: number): Vec2 {
+  const most = FARTHEST * unit;
+  const reach = ([x, y]: Vec2) =>
+    placesOf(world).reduce((far, [px, py]) => Math.max(far, Math.hypot(px - x, py - y)), 0);
+  if (reach([0, 0]) <= most) return [0, 0];
+  const middle = middleOf(world);
+  const far = reach(middle);
+  if (far <= most) return middle;
+  throw new Error(
+    "Box2D keeps places as numbers of 32 bits and is made for 100 km around its origin; this " +
+      `world has bodies ${Math.round(far / (most / 100))} km from their middle.`,
+  );
+}
+
+/** To a part in ten million. */
+function placesOf(world: World): Vec2[] {
+  const poses = world.poses(1, 0, 0);
+  const places: Vec2[] = [];
+  for (let i = 0; i < poses.length; i += 4)
+    if (!Number.isNaN(poses[i])) places.push([poses[i], poses[i + 1]]);
+  return places;
+}
