@@ -10,7 +10,7 @@ const require = createRequire(createRequire(`${root}web/package.json`).resolve("
 /** The sources' exports. They import Box2D by paths that are right in a folder of web/ only. */
 export async function importRival(folder) {
   const bundle = `${folder}/rival-${process.pid}.mjs`;
-  const sources = ["box2d", "hands", "rival", "ruler", "watch"];
+  const sources = ["box2d", "hands", "rival", "ruler", "watch", "../worker/stage"];
   await require("esbuild").build({
     stdin: {
       contents: sources.map((name) => `export * from "./${name}";`).join(""),

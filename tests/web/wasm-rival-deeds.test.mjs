@@ -15,7 +15,7 @@ import {
 } from "./rival-support.mjs";
 import { demoWasm, thud } from "./support.mjs";
 
-const { Rival, explode, inWorld, knownOf, pull, watchWorlds } = rivalry;
+const { Rival, explode, inWorld, knownOf, pull, setUp, watchWorlds } = rivalry;
 
 test("pulled_body_comes_to_the_pointer_in_both_and_does_not_overshoot", () => {
   const build = (world) => (addGround(world), addBox(world, [0, 0.5]));
@@ -211,6 +211,35 @@ test("character_pushes_the_rivals_box_as_it_pushes_thuds", () => {
     assert.deepEqual(rival.bodyState(box).velocity, [0, 0]);
     mover.close();
   });
+});
+
+test("character_of_a_scene_pushes_the_rivals_box_too", async () => {
+  const watched = await thud.load(demoWasm);
+  watchWorlds(watched);
+  let box;
+  const scene = ({ createWorld, createMover }) => {
+    const world = createWorld({ gravity: [0, 0] });
+    box = addBox(world, [1, 0]);
+    const shape = { kind: "circle", radius: 0.4 };
+    const mover = createMover(world, { shape, position: [0, 0], up: [0, 0], pushForce: 12 });
+    return { world, update: () => void mover.move([3, 0], 1 / 60) };
+  };
+  const choices = { quality: "default", substeps: 0, detection: "auto", broadphase: "grid" };
+  const request = { name: "own", seed: 0, choices: { ...choices, maxError: 0 } };
+  const session = await setUp(1, { default: scene }, watched, request, () => "");
+  const known = knownOf(session.world);
+  const rival = new Rival(box2d, session.world, known);
+  known.forwardTo(rival);
+  for (let i = 0; i < 30; i++) {
+    session.makeStep();
+    rival.sync();
+    rival.step();
+  }
+  const [thuds] = session.world.bodyState(box).velocity;
+  assert.ok(thuds > 1.5, `thud's has ${thuds} m/s`);
+  near(rival.bodyState(box).velocity[0], thuds, 1e-3);
+  rival.close();
+  session.close();
 });
 
 test("settings_changed_before_or_beside_the_rival_hold_for_it", () => {

@@ -1,4 +1,7 @@
-/** Which engine is which: a name in each pane and a line between them, or a key to the outlines. */
+/**
+ * Which engine is which: a name in each pane and a line between them, or a key to the outlines. On
+ * the right, because on the left a scene's own figures stand.
+ */
 import { type Camera, type Pane, PANE_HEAD } from "./camera";
 import type { Layer } from "./layer";
 import { cssColour, type Theme } from "./palette";
@@ -20,23 +23,26 @@ export function drawLabels(
   const { panes } = camera;
   const box2d = cssColour(theme.box2d);
   const thud = theme.inks.accent;
+  /** So far from the right; returns how wide it is. */
   const plate = (pane: Pane, shift: number, name: string, colour: string, filled: boolean) => {
     let width = 0;
     layer.inPane(pane, (context) => {
       context.font = FONT;
       width = context.measureText(name).width + 2 * PADDING + 3 * DOT;
-      const left = Math.max(pane.left, camera.insets.left) + GAP + shift;
+      const right = Math.min(pane.left + pane.width, camera.width - camera.insets.right);
+      const left = right - GAP - shift - width;
       const top = Math.max(pane.top, camera.insets.top) + (PANE_HEAD - HEIGHT) / 2;
       drawPlate(context, theme, { left, top, width }, name, colour, filled);
     });
     return width;
   };
   const [first, second] = panes;
-  const width = plate(first, 0, NAMES.thud, thud, true);
   if (rival === "over" || !second) {
-    plate(first, width + GAP, `${NAMES.box2d}, outlined`, box2d, false);
+    const width = plate(first, 0, `${NAMES.box2d}, outlined`, box2d, false);
+    plate(first, width + GAP, NAMES.thud, thud, true);
     return;
   }
+  plate(first, 0, NAMES.thud, thud, true);
   layer.inPane(second, (context) => drawDivider(context, second, theme));
   plate(second, 0, NAMES.box2d, box2d, true);
 }
