@@ -1,9 +1,8 @@
 /** Waiting for what is wanted, with a message: however slow a machine is, or how quick. */
 import assert from "node:assert/strict";
-import { drawn } from "./page-support.mjs";
+import { drawn, PATIENCE } from "./page-support.mjs";
 
-/** Milliseconds, and tries: a page that stands still between two of them has not failed. */
-const PATIENCE = 30_000;
+/** A page that stands still between two tries has not failed. */
 const LEAST_TRIES = 20;
 /** Milliseconds between two tries. */
 const PAUSE = 50;
@@ -35,7 +34,5 @@ export function untilStep(page, step) {
   return page.waitForFunction(
     (wanted) => document.querySelector("#hud").dataset.steps === String(wanted),
     step,
-    // Going to a step of the past may be hundreds of steps of work.
-    { timeout: 60_000 },
   );
 }
