@@ -196,6 +196,21 @@ test("overlays_of_contacts_bounds_cells_and_islands_draw_and_go", async () => {
   await close();
 });
 
+test("overlays_that_are_chosen_are_kept_in_the_url_and_those_of_a_scene_are_not", async () => {
+  const search = "?scene=minkowski&paused=1&show=bounds,nonsense";
+  const { page, errors, close } = await visitor.open(search);
+  await stepBy(page, 1);
+  await untilOverlay(page, (count) => count > 20, "nothing is shown");
+  await page.keyboard.press("4");
+  await page.waitForFunction(() => /[?&]show=bounds,cells(&|$)/.test(location.search));
+  await page.keyboard.press("3");
+  await page.keyboard.press("4");
+  await page.keyboard.press("6");
+  await page.waitForFunction(() => !location.search.includes("show"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("reduced_motion_starts_paused_and_can_be_started", async () => {
   const { page, close } = await visitor.open("?scene=cradle", { ...DESKTOP, reducedMotion: "reduce" });
   await page.waitForFunction(() => document.title.startsWith("Newton"));

@@ -34,7 +34,7 @@ const MOST_STEPS = 8;
 
 export class View {
   readonly camera = new Camera();
-  readonly shown = new Set<OverlayName>(["sleeping"]);
+  readonly shown = new Set<OverlayName>();
   readonly #backdrop: Backdrop;
   readonly #bodies: Bodies;
   readonly #overlay: Overlay;

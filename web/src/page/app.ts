@@ -10,7 +10,7 @@ import type { Choices, Look, RunningScene, SceneRequest, Trouble } from "../work
 import type { ChosenWasm } from "../wasm/choose";
 import { Client, TroubleError } from "./client";
 import { Player } from "./player";
-import { type State, USUAL, USUAL_VERSUS, writeState } from "./url";
+import { type State, USUAL, USUAL_OVERLAYS, USUAL_VERSUS, writeState } from "./url";
 
 export interface Listener {
   /** A scene begins, or begins anew. */
@@ -49,6 +49,7 @@ export class App {
     versus: { ...USUAL_VERSUS },
     speed: 1,
     paused: false,
+    overlays: USUAL_OVERLAYS,
     camera: null,
     code: null,
     result: null,
@@ -189,10 +190,11 @@ export class App {
   }
 
   /** What an address says, before the first scene. */
-  begin({ choices, versus, speed, paused, result }: Partial<State>): void {
+  begin({ choices, versus, speed, paused, overlays, result }: Partial<State>): void {
     this.state.result = result ?? null;
     if (choices) Object.assign(this.state.choices, choices);
     if (versus) Object.assign(this.state.versus, versus);
+    if (overlays) this.state.overlays = overlays;
     this.state.speed = this.player.speed = speed ?? 1;
     // Whoever asked for less motion starts it deliberately.
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -117,19 +117,24 @@ export class Stage {
   }
 
   setOverlay(name: OverlayName, on: boolean): void {
+    const { shown } = this.view;
     this.#lent = this.#lent.filter((other) => other !== name);
-    if (on) this.view.shown.add(name);
-    else this.view.shown.delete(name);
+    if (on) shown.add(name);
+    else shown.delete(name);
+    this.#app.state.overlays = OVERLAYS.filter(
+      (other) => shown.has(other) && !this.#lent.includes(other),
+    );
     this.#app.refresh();
     this.#app.chosen();
   }
 
-  /** Shows what a scene is about; what the one before had brought goes. */
+  /** Shows what is chosen and what a scene is about; what the one before had brought goes. */
   #lend(overlays: readonly OverlayName[]): void {
     const { shown } = this.view;
-    for (const name of this.#lent) shown.delete(name);
-    this.#lent = overlays.filter((name) => OVERLAYS.includes(name) && !shown.has(name));
-    for (const name of this.#lent) shown.add(name);
+    const chosen = this.#app.state.overlays;
+    this.#lent = overlays.filter((name) => OVERLAYS.includes(name) && !chosen.includes(name));
+    shown.clear();
+    for (const name of [...chosen, ...this.#lent]) shown.add(name);
   }
 
   // ---- the view ----

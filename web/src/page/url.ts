@@ -3,6 +3,7 @@
  * usual, the camera, and after the # the visitor's own code, which no server ever sees.
  */
 import { BROADPHASES, DETECTIONS, QUALITIES } from "thud";
+import { OVERLAYS, type OverlayName } from "../scene/overlays";
 import type { Choices } from "../worker/protocol";
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
@@ -33,6 +34,9 @@ export interface Versus {
 
 export const USUAL_VERSUS: Versus = { split: "side", substeps: 4 };
 
+/** What is shown over the bodies, unless chosen. */
+export const USUAL_OVERLAYS: readonly OverlayName[] = ["sleeping"];
+
 /** Bytes of a scene's text that an address may bring. */
 const LONGEST_CODE = 2 ** 20;
 
@@ -61,6 +65,8 @@ export interface State {
   versus: Versus;
   speed: number;
   paused: boolean;
+  /** Without those that the scene is about. */
+  overlays: readonly OverlayName[];
   /** Null: as the scene says. */
   camera: Place | null;
   code: string | null;
@@ -109,6 +115,8 @@ export async function readState(address: URL): Promise<Partial<State>> {
   if (speed) state.speed = speed;
   if (params.has("paused")) state.paused = params.get("paused") !== "0";
   state.panel = params.get("panel");
+  const show = params.get("show")?.split(",");
+  if (show) state.overlays = OVERLAYS.filter((name) => show.includes(name));
   state.camera = readPlace(params.get("view"));
   const step = wholeIn(params.get("step"), 1, MOST_STEPS);
   const hash = params.get("hash");
@@ -121,7 +129,8 @@ export async function readState(address: URL): Promise<Partial<State>> {
 }
 
 export async function writeState(state: State): Promise<string> {
-  const { scene, size, seed, choices, versus, speed, paused, camera, panel, claim } = state;
+  const { scene, size, seed, choices, versus, speed, paused, overlays, camera, panel, claim } =
+    state;
   const params = new URLSearchParams({ scene });
   const put = (name: string, value: string | number, usual: string | number) => {
     if (value !== usual) params.set(name, String(value));
@@ -137,6 +146,7 @@ export async function writeState(state: State): Promise<string> {
   put("box2d", versus.substeps, USUAL_VERSUS.substeps);
   put("speed", speed, 1);
   if (paused) params.set("paused", "1");
+  put("show", overlays.join(), USUAL_OVERLAYS.join());
   if (panel) params.set("panel", panel);
   if (camera) params.set("view", placeText(camera));
   if (claim) {
