@@ -58,7 +58,7 @@ const ROWS: Record<Group, readonly Row[]> = {
     [
       "platform",
       "Platforms",
-      "Walk with the arrow keys on stairs, planks and lifts, among crates and balls.",
+      "Walk on stairs, planks and lifts, among crates and balls.",
       { steps: 90, view: { x: 36, y: 13, height: 22 } },
     ],
     ["towers", "Towers and a wrecking ball", "A heavy ball flies into five towers of blocks."],
