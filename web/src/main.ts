@@ -14,7 +14,7 @@ import { Hud } from "./page/hud";
 import { fail, notice, say } from "./page/messages";
 import { Pad } from "./page/pad";
 import { Stage } from "./page/stage";
-import { applyTheme, onTheme } from "./page/theme";
+import { applyTheme, onPrint, onTheme } from "./page/theme";
 import { Timeline } from "./page/timeline";
 import { readState, type State } from "./page/url";
 import { panels } from "./panels/panels";
@@ -122,6 +122,7 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
 
   onTheme((dark) => stage.view.setTheme(dark));
   applyTheme();
+  onPrint(() => stage.draw(0));
   window.addEventListener("resize", change);
   // A link to other code in the same page: browsers do not load the page again for it.
   window.addEventListener("hashchange", () => location.reload());

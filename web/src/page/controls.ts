@@ -50,6 +50,10 @@ export function addControls(app: App, stage: Stage, dock: Dock): void {
       .querySelector(`button[data-tool=${tool}]`)!
       .addEventListener("click", () => setTool(tool));
   setTool("hand");
+  // Where the row scrolls, browsers leave a button half out of sight when it gets the focus.
+  byId("controls").addEventListener("focusin", ({ target }) =>
+    (target as HTMLElement).scrollIntoView({ block: "nearest", inline: "nearest" }),
+  );
   app.listen({
     state: ({ paused }) => byId("pause").setAttribute("aria-pressed", String(paused)),
     run() {

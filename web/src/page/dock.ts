@@ -23,6 +23,8 @@ export class Dock {
   readonly #made = new Map<string, Panel>();
   readonly #changed: () => void;
   #open: string | null = null;
+  /** What had the focus when the panel opened. */
+  #focusBefore: Element | null = null;
 
   /** `changed` hears that the dock takes another part of the page. */
   constructor(app: App, kinds: Readonly<Record<string, PanelKind>>, changed: () => void) {
@@ -56,6 +58,8 @@ export class Dock {
     // A name of an address may be one that every object has.
     const kind = Object.hasOwn(this.#kinds, name) ? this.#kinds[name] : null;
     if (!kind || this.#open === name) return;
+    const { activeElement } = document;
+    if (!byId("dock").contains(activeElement)) this.#focusBefore = activeElement;
     if (this.#open) this.#leave();
     this.#open = this.#app.state.panel = name;
     byId("dock-title").textContent = kind.title;
@@ -90,13 +94,19 @@ export class Dock {
     if (!name) return;
     this.#leave();
     this.#open = this.#app.state.panel = null;
+    const hadFocus = byId("dock").contains(document.activeElement);
     byId("dock").hidden = true;
     this.#mark();
     this.#changed();
     this.#app.chosen();
-    this.#buttons()
-      .find((button) => button.dataset.panel === name)
-      ?.focus();
+    if (hadFocus) this.#giveFocusBack(name);
+  }
+
+  /** To what had it before, or to the panel's button. */
+  #giveFocusBack(name: string): void {
+    const before = this.#focusBefore;
+    if (before instanceof HTMLElement && before !== document.body) before.focus();
+    else this.#buttons().find((button) => button.dataset.panel === name)?.focus();
   }
 
   #leave(): void {

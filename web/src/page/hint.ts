@@ -17,7 +17,10 @@ export function addHint(app: App): boolean {
   const hint = byId("hint");
   hint.querySelector("p")!.textContent = FIRST;
   hint.hidden = false;
+  const button = hint.querySelector("button")!;
   const goAway = () => {
+    // The focus of a button that goes away goes to what the hint is about.
+    if (document.activeElement === button) byId("overlay").focus();
     hint.hidden = true;
     stopListening();
     try {
@@ -26,7 +29,7 @@ export function addHint(app: App): boolean {
       // Storage is switched off: the next visit is a first one again.
     }
   };
-  hint.querySelector("button")!.addEventListener("click", goAway);
+  button.addEventListener("click", goAway);
   const stopListening = app.listen({
     run(scene) {
       // A game tells by itself how it is played.

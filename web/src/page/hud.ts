@@ -6,8 +6,8 @@ import { count, duration, length } from "./format";
 
 /** Steps that the course shows. */
 const COURSE = 120;
-/** CSS pixels of height from which on the budget is written at its line. */
-const LEAST_FOR_TEXT = 24;
+/** In heights of its text: from here on the budget is written at its line. */
+const LEAST_FOR_TEXT = 2.4;
 const BUDGET_TEXT = "60 Hz: 16.7 ms";
 /** Seconds; texts change this often, so that they can be read. */
 const REFRESH = 0.25;
@@ -113,11 +113,12 @@ export class Hud {
     const line = Math.round(clientHeight * (1 - BUDGET / most));
     context.fillStyle = style.getPropertyValue("--budget");
     context.fillRect(0, line, clientWidth, 1);
-    if (clientHeight < LEAST_FOR_TEXT) return;
+    const textHeight = parseFloat(style.fontSize);
+    if (clientHeight < LEAST_FOR_TEXT * textHeight) return;
     context.fillStyle = style.getPropertyValue("--legend");
-    context.font = "10px system-ui, sans-serif";
+    context.font = `${textHeight}px ${style.fontFamily}`;
     // Under its line, unless the line is low.
-    const below = line < clientHeight - 12;
+    const below = line < clientHeight - 1.2 * textHeight;
     context.textBaseline = below ? "top" : "bottom";
     const y = below ? line + 3 : line - 1;
     // It lies over the bars, and is to be read nevertheless.

@@ -5,6 +5,8 @@ export type ThemeChoice = (typeof THEMES)[number];
 
 const KEY = "thud-theme";
 const systemIsLight = matchMedia("(prefers-color-scheme: light)");
+/** Then the system's are the only colours, and the drawing must fit them. */
+const systemColours = matchMedia("(forced-colors: active)");
 const listeners = new Set<(dark: boolean) => void>();
 
 export function chosenTheme(): ThemeChoice {
@@ -26,7 +28,12 @@ export function chooseTheme(theme: ThemeChoice): void {
 }
 let notStored: ThemeChoice | null = null;
 
+/** Paper is white. */
+let printing = false;
+
 export function isDark(): boolean {
+  if (printing) return false;
+  if (systemColours.matches) return !systemIsLight.matches;
   const choice = notStored ?? chosenTheme();
   return choice === "system" ? !systemIsLight.matches : choice === "dark";
 }
@@ -43,3 +50,15 @@ export function onTheme(listener: (dark: boolean) => void): void {
 }
 
 systemIsLight.addEventListener("change", applyTheme);
+systemColours.addEventListener("change", applyTheme);
+
+/** Calls `draw` for what is printed, and again for the screen. */
+export function onPrint(draw: () => void): void {
+  const turn = (on: boolean) => () => {
+    printing = on;
+    applyTheme();
+    draw();
+  };
+  window.addEventListener("beforeprint", turn(true));
+  window.addEventListener("afterprint", turn(false));
+}

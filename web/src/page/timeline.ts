@@ -23,7 +23,7 @@ export class Timeline {
     step: 1,
     "aria-label": "Time: go back and on again",
   });
-  readonly #label = make("output", { for: "time", id: "time-label" }, "0.0 s");
+  readonly #label = make("span", { id: "time-label", "aria-hidden": "true" }, "0.0 s");
   readonly #marks = make("div", { class: "marks", "aria-hidden": "true" });
   readonly #hint = make("span", { class: "panel hint", "aria-hidden": "true", hidden: true });
   #secondsAStep = 1 / 60;
@@ -96,6 +96,8 @@ export class Timeline {
 
   #show(step: number): void {
     this.#label.textContent = this.#textOf(step);
+    // A slider in focus is read out at each change: not while time runs by itself.
+    if (document.activeElement === this.#slider && !this.#app.state.paused) return;
     const seconds = this.#textOf(step).replace(" s", " seconds");
     this.#slider.setAttribute("aria-valuetext", `${seconds}, step ${step}`);
   }

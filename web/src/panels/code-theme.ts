@@ -9,7 +9,7 @@ const theme = EditorView.theme({
     height: "100%",
     color: "var(--ink)",
     backgroundColor: "var(--code-ground)",
-    fontSize: "13px",
+    fontSize: "1.3rem",
   },
   "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "-2px" },
   ".cm-scroller": {
@@ -42,8 +42,8 @@ const theme = EditorView.theme({
     borderColor: "var(--edge)",
   },
   ".cm-panel.cm-search": { padding: "6px 8px" },
-  ".cm-panel.cm-search label": { fontSize: "12.5px" },
-  ".cm-panel.cm-search [name=close]": { color: "var(--ink)", fontSize: "18px", width: "28px" },
+  ".cm-panel.cm-search label": { fontSize: "1.25rem" },
+  ".cm-panel.cm-search [name=close]": { color: "var(--ink)", fontSize: "1.8rem", width: "2.8rem" },
   ".cm-textfield": {
     color: "var(--ink)",
     backgroundColor: "var(--code-ground)",

@@ -37,7 +37,7 @@ export class CheckPart {
   readonly #link = make("button", { class: "wide", id: "hash-link" }, "Copy a link to compare");
   readonly #verdict = make("p", { id: "verdict", role: "status" });
   readonly #table = make("table", { id: "hashes" });
-  readonly #rewound = make("p", { id: "rewound", role: "status" });
+  readonly #rewound = make("p", { id: "rewound" });
   #proof: Proof | null = null;
   #stop: (() => void) | null = null;
   #asked = 0;
@@ -273,9 +273,9 @@ export class CheckPart {
           : same
             ? `Same bits: steps ${from} to ${step} came out as before, ${hash}.`
             : `Different: from step ${from} again, step ${step} has ${again} and had ${hash}.`;
-      say(this.#rewound.textContent);
     } catch (error) {
       this.#rewound.textContent = messageOf(error);
     }
+    say(this.#rewound.textContent);
   }
 }

@@ -137,10 +137,20 @@ export function overlaysPart(app: App, stage: Stage): HTMLElement {
     return make("span", {}, element, meaning);
   };
   const rowOf = ({ name, title, about, key = [] }: Text) => {
-    const input = make("input", { type: "checkbox", name: `overlay-${name}` });
+    const input = make("input", {
+      type: "checkbox",
+      name: `overlay-${name}`,
+      "aria-labelledby": `overlay-${name}-title`,
+      "aria-describedby": `overlay-${name}-about`,
+    });
     input.addEventListener("change", () => stage.setOverlay(name, input.checked));
     inputs.set(name, input);
-    const text = make("span", {}, make("b", {}, title), make("small", {}, about));
+    const text = make(
+      "span",
+      {},
+      make("b", { id: `overlay-${name}-title` }, title),
+      make("small", { id: `overlay-${name}-about` }, about),
+    );
     if (key.length > 0) text.append(make("small", { class: "key" }, ...key.map(keyOf)));
     return make("label", {}, input, text);
   };

@@ -56,7 +56,7 @@ export function createPanel(app: App): Panel {
       make("legend", {}, make("label", { for: "seed" }, "Seed of chance")),
       seed,
     ),
-    make("fieldset", {}, share),
+    make("div", { class: "section" }, share),
   );
   const show = () => {
     speed.show(String(app.state.speed));

@@ -19,7 +19,7 @@ export function createHeavier(app: App, laboratory: Laboratory): HTMLElement {
   const rates = RATES.map((rate) => ({ value: String(rate), label: `${rate} Hz` }));
   const rate = choiceBar("rate", "Steps a second", "", rates, (value) => (hertz = Number(value)));
   rate.show(String(hertz));
-  const answer = make("p", { class: "answer", role: "status" });
+  const answer = make("p", { class: "answer" });
   const more = make("ul", { class: "explained" });
   const work = new Work("Make it heavier", laboratory, async (work) => {
     answer.textContent = "";

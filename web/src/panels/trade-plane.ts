@@ -24,7 +24,7 @@ export interface PlanePoint {
 /** Of the drawing; on a phone it must leave room for the knobs. */
 const WIDTH = 360;
 const HEIGHT = { usual: 220, phone: 150 };
-const PHONE = matchMedia("(max-width: 720px)");
+const PHONE = matchMedia("(width < 40em), (height <= 31.25em)");
 const EDGE = { left: 40, right: 12, top: 12, bottom: 34 };
 /** Smaller ones are drawn here: nobody can tell them from none. */
 const LEAST_ERROR = 1e-6;
