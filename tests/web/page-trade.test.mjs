@@ -149,9 +149,12 @@ test("each_setting_leaves_its_point_and_a_click_goes_back_to_it", async () => {
     await page.mouse.move(x + width / 2, y + height / 2);
     return detail();
   };
-  await until(pointAt, (text) => /^default: .* a step, worst/.test(text), "told of the point");
+  const told = (text) => /^default: .* a step, worst/.test(text);
+  await until(pointAt, told, "told of the point");
   await untilLater(page, 30);
   assert.match(await detail(), /^default: /);
+  // Meanwhile the scales may have moved it.
+  await until(pointAt, told, "told of the point where it is now");
   await page.mouse.down();
   await untilLater(page, 30);
   await page.mouse.up();

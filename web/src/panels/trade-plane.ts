@@ -181,6 +181,9 @@ export class Plane {
       this.#focused = key;
       tell();
     });
+    // A press counts for the point that it began on, though the scales may move it meanwhile.
+    const hold = ({ pointerId }: PointerEvent) => element.setPointerCapture(pointerId);
+    element.addEventListener("pointerdown", hold);
     element.addEventListener("click", () => this.#pointOf(key)?.go?.());
     this.#svg.append(element);
     const dot = { element, mark, text };
