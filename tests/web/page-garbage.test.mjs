@@ -25,6 +25,13 @@ test("address_with_values_that_are_none_is_as_if_they_were_not_there", async () 
   }
 });
 
+test("size_beyond_the_scenes_most_is_the_most_and_so_says_the_address", async () => {
+  const { page, close } = await visitor.open("?scene=cradle&size=100000");
+  await untilRunning(page);
+  await page.waitForFunction(() => location.search === "?scene=cradle&size=100");
+  await close();
+});
+
 test("scene_that_returns_nonsense_is_told_what_is_wrong", async () => {
   const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code&paused=1");
   for (const [returned, told] of [

@@ -124,6 +124,16 @@ test("hint_can_be_closed_and_games_show_none", async () => {
   await close();
 });
 
+test("hint_makes_room_for_an_open_panel", async () => {
+  const { page, close } = await visitor.open("?scene=cradle");
+  await page.waitForSelector("#hint");
+  await page.click('[data-panel="options"]');
+  await page.waitForSelector("#hint", { state: "hidden" });
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#hint");
+  await close();
+});
+
 test("figures_are_numbers_with_units_and_the_help_explains_each", async () => {
   // So large that a step takes longer than the clock's tick on any machine.
   const { page, close } = await visitor.open("?scene=pyramid&size=60&paused=1");

@@ -209,6 +209,8 @@ export class App {
   }
 
   #begin(scene: RunningScene): void {
+    // The scene has bounds for it.
+    if (this.state.size !== undefined) this.state.size = scene.sizes ? scene.size : undefined;
     const { scene: name, code, size, seed } = this.state;
     this.scene = scene;
     this.lastGood = name;
