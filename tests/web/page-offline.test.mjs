@@ -8,6 +8,7 @@ import { writeServiceWorker } from "../../web/tools/offline-plugin.mjs";
 import { createStaticServer } from "../../web/tools/static-server.mjs";
 import { copyOfPage, createPlainServer, serve, untilOffline } from "./built-page.mjs";
 import { PATIENCE, untilRunning } from "./page-support.mjs";
+import { untilMeasured } from "./versus-support.mjs";
 
 let browser;
 before(async () => {
@@ -61,9 +62,7 @@ test("page_without_network_after_one_visit_runs_box2d_beside_thud", async (t) =>
   await untilOffline(page);
   await cut();
   await page.goto(`${url}?scene=cradle&panel=versus`);
-  await page.waitForFunction(() =>
-    /Box2D began/.test(document.querySelector("#dock-body")?.innerText),
-  );
+  await untilMeasured(page);
 });
 
 test("browser_with_simd_keeps_that_flavour_of_both_engines_alone", async (t) => {

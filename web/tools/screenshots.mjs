@@ -68,7 +68,9 @@ async function shoot(page) {
 
 /** Presses the key for a single step and waits until the steps are seen. */
 async function step(page, count) {
-  const before = await page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
+  // Nothing stands there before the first picture.
+  const seen = () => Number(document.querySelector("#hud").dataset.steps ?? 0);
+  const before = await page.evaluate(seen);
   await page.evaluate((presses) => {
     for (let i = 0; i < presses; i++)
       document.body.dispatchEvent(new KeyboardEvent("keydown", { key: ".", bubbles: true }));
