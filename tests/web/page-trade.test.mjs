@@ -78,6 +78,13 @@ test("quality_chosen_in_a_running_scene_changes_its_error_and_the_url", async ()
   await close();
 });
 
+test("steps_made_at_once_leave_their_point_although_nothing_follows_them", async () => {
+  const { page, close } = await openTrade("?scene=tall_stack&paused=1");
+  await stepBy(page, 30);
+  await page.waitForSelector(".live-plane >> text=/ms a step, worst overlap/");
+  await close();
+});
+
 test("substeps_and_largest_error_by_keys_are_in_the_url_and_change_the_error", async () => {
   const { page, errors, close } = await openTrade("?scene=tall_stack&paused=1&quality=draft");
   assert.ok(await page.isDisabled("#max-error"), "draft holds no largest error");

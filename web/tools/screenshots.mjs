@@ -22,7 +22,13 @@ const LIGHT = { ...DESKTOP, colorScheme: "light" };
 /** Each after so many steps, so that a picture shows the same at every run. */
 const PICTURES = [
   { name: "versus", search: "scene=brick_wall&panel=versus", steps: 100, prepare: untilBoth },
-  { name: "trade", search: "scene=heavy_on_light&panel=trade", steps: 60, after: measure },
+  {
+    name: "trade",
+    search: "scene=heavy_on_light&panel=trade",
+    steps: 60,
+    prepare: untilPlane,
+    after: measure,
+  },
   {
     name: "inside",
     search: "scene=circle_pit&size=400&panel=inside",
@@ -41,10 +47,17 @@ async function untilBoth(page) {
   await page.locator("#dock table").waitFor();
 }
 
+/** Until what steps leave in the plane is noted. */
+async function untilPlane(page) {
+  await page.getByText("Run the scene for a moment").waitFor();
+}
+
 /** The series of all settings, to its end. */
 async function measure(page) {
   await page.getByRole("button", { name: /^Measure/ }).click();
   await page.getByText("Copy as text").waitFor({ timeout: 600_000 });
+  const result = page.getByRole("heading", { name: "powers of ten" });
+  await result.evaluate((heading) => heading.scrollIntoView());
 }
 
 async function showInside(page) {

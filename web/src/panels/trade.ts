@@ -45,12 +45,17 @@ export function createPanel(app: App): Panel {
     tried.forget();
     draw();
   });
-  app.listen({
-    run: draw,
-    samples() {
-      if (open && performance.now() - drawn > REFRESH) draw();
-    },
-  });
+  let timer: number | null = null;
+  /** Of what comes in between, the last is drawn too, even if the scene then stands still. */
+  const drawInTime = () => {
+    if (!open || timer !== null) return;
+    const rest = Math.max(0, drawn + REFRESH - performance.now());
+    timer = window.setTimeout(() => {
+      timer = null;
+      draw();
+    }, rest);
+  };
+  app.listen({ run: draw, samples: drawInTime });
 
   const laboratory = new Laboratory(app, () => {
     element.classList.toggle("measuring", laboratory.busy);
