@@ -157,10 +157,8 @@ test("running_scene_says_nothing_by_itself_and_what_is_noticed_is_said", async (
       new MutationObserver(() => window.changes.push(region.id || region.className))
         .observe(region, { childList: true, characterData: true, subtree: true });
   });
-  const steps = () => page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
   await page.click("#pause");
   await page.waitForFunction(() => Number(document.querySelector("#hud").dataset.steps) > 20);
-  assert.ok((await steps()) > 20);
   assert.deepEqual(await page.evaluate(() => window.changes), ["status"], "only that it runs");
   await page.keyboard.press("]");
   await page.keyboard.press("]");

@@ -27,12 +27,18 @@ async function newVisitor(t) {
   return context.newPage();
 }
 
-test("page_without_network_after_one_visit_runs_other_scenes_and_levels_and_opens_panels", async (t) => {
+/** A page without a network, after one visit. */
+async function visitedOnce(t) {
   const { url, cut } = await serve(t, createStaticServer(copyOfPage(t)));
   const page = await newVisitor(t);
   await page.goto(url);
   await untilOffline(page);
   await cut();
+  return { page, url };
+}
+
+test("page_without_network_after_one_visit_runs_other_scenes_and_levels_and_opens_panels", async (t) => {
+  const { page, url } = await visitedOnce(t);
   for (const search of ["", "?scene=tumbler", "?level=towers"]) {
     await page.goto(url + search);
     await untilRunning(page);
@@ -56,11 +62,7 @@ test("page_kept_offline_is_isolated_even_from_a_plain_host", async (t) => {
 });
 
 test("page_without_network_after_one_visit_runs_box2d_beside_thud", async (t) => {
-  const { url, cut } = await serve(t, createStaticServer(copyOfPage(t)));
-  const page = await newVisitor(t);
-  await page.goto(url);
-  await untilOffline(page);
-  await cut();
+  const { page, url } = await visitedOnce(t);
   await page.goto(`${url}?scene=cradle&panel=versus`);
   await untilMeasured(page);
 });

@@ -8,6 +8,7 @@ import { launchChromium } from "../../web/tools/browser.mjs";
 import { createStaticServer } from "../../web/tools/static-server.mjs";
 import { copyOfPage, serve } from "./built-page.mjs";
 import { PATIENCE, untilRunning } from "./page-support.mjs";
+import { until } from "./wait-support.mjs";
 
 /** Kilobytes of 1000 bytes, gzipped, without Box2D. */
 const BOUND = 150;
@@ -24,13 +25,19 @@ test(`first_picture_loads_less_than_${BOUND}_kB`, async (t) => {
   const page = await context.newPage();
   // Nor is the rest of the engine, which never comes here: the picture does without it.
   const held = new Set();
-  await context.route("**/thud-rest-*.wasm", (route) => held.add(route.request().url()));
+  const pictures = () => performance.getEntriesByName("first picture").length;
+  const picturesBefore = [];
+  await context.route("**/thud-rest-*.wasm", async (route) => {
+    held.add(route.request().url());
+    picturesBefore.push(await page.evaluate(pictures));
+  });
   const requests = new Set();
   context.on("request", (request) => requests.add(request.url()));
   await page.goto(url);
   await untilRunning(page);
-  const pictures = () => performance.getEntriesByName("first picture").length;
   assert.equal(await page.evaluate(pictures), 1);
+  await until(() => picturesBefore, ({ length }) => length > 0, "the rest is asked for");
+  assert.deepEqual(picturesBefore, [1], "and not before the first picture");
   const paths = [...requests].filter((one) => !held.has(one)).map((one) => new URL(one).pathname);
   const sizes = paths.map((path) => {
     const file = path === "/" ? "/index.html" : path;

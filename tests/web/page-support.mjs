@@ -1,15 +1,9 @@
 /** A visitor's browser for the tests of the page. */
 import assert from "node:assert/strict";
-import { launchChromium, servePage } from "../../web/tools/browser.mjs";
+import { DESKTOP, launchChromium, servePage } from "../../web/tools/browser.mjs";
 import { axeSource } from "./support.mjs";
 
-export const DESKTOP = { viewport: { width: 1440, height: 900 } };
-export const PHONE = {
-  viewport: { width: 390, height: 844 },
-  deviceScaleFactor: 2,
-  hasTouch: true,
-  isMobile: true,
-};
+export { DESKTOP, PHONE, stepBy } from "../../web/tools/browser.mjs";
 
 /**
  * Milliseconds that a wait may take. It ends as soon as what is waited for is there; until then a
@@ -59,21 +53,6 @@ export async function openLevel(page, name, text) {
   await page.waitForSelector("[data-entry]", { state: "attached" });
   const buffer = Buffer.from(text);
   await page.setInputFiles("#level-file", { name, mimeType: "application/json", buffer });
-}
-
-/** Makes steps by the key for a single one, once a scene is there, and waits for the last. */
-export async function stepBy(page, count) {
-  await page.waitForFunction(() => document.title.endsWith(" · thud"));
-  const hud = page.locator("#hud");
-  const before = await hud.evaluate(({ dataset }) => Number(dataset.steps ?? 0));
-  await page.evaluate((presses) => {
-    for (let i = 0; i < presses; i++)
-      document.body.dispatchEvent(new KeyboardEvent("keydown", { key: ".", bubbles: true }));
-  }, count);
-  await page.waitForFunction(
-    (least) => Number(document.querySelector("#hud").dataset.steps) >= least,
-    before + count,
-  );
 }
 
 /** Where the drawn bodies are: the middle and the number of pixels that are not empty. */

@@ -6,6 +6,15 @@ import { chromium } from "playwright-core";
 import { listenFrom } from "./serve.mjs";
 import { createStaticServer } from "./static-server.mjs";
 
+/** A visitor's screen, as options of a browser's context. */
+export const DESKTOP = { viewport: { width: 1440, height: 900 } };
+export const PHONE = {
+  viewport: { width: 390, height: 844 },
+  deviceScaleFactor: 2,
+  hasTouch: true,
+  isMobile: true,
+};
+
 const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 
 /** CHROMIUM names another browser than the first one on the path. */
@@ -52,4 +61,19 @@ export async function servePage(under = "/") {
       return new Promise((done) => server.close(done));
     },
   };
+}
+
+/** Makes steps by the key for a single one, once a scene is there, and waits for the last. */
+export async function stepBy(page, count) {
+  await page.waitForFunction(() => document.title.endsWith(" · thud"));
+  const hud = page.locator("#hud");
+  const before = await hud.evaluate(({ dataset }) => Number(dataset.steps ?? 0));
+  await page.evaluate((presses) => {
+    for (let i = 0; i < presses; i++)
+      document.body.dispatchEvent(new KeyboardEvent("keydown", { key: ".", bubbles: true }));
+  }, count);
+  await page.waitForFunction(
+    (least) => Number(document.querySelector("#hud").dataset.steps) >= least,
+    before + count,
+  );
 }

@@ -2,20 +2,12 @@
 /** Takes the README's pictures of the built page and writes them to docs/pictures. */
 import { mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { launchChromium, servePage } from "./browser.mjs";
+import { DESKTOP, launchChromium, PHONE, servePage, stepBy } from "./browser.mjs";
 
 const USAGE = `usage: node screenshots.mjs [NAME...]
 
 Writes docs/pictures/NAME.png of the page in web/dist; without a name, all of them.
 `;
-
-const DESKTOP = { viewport: { width: 1440, height: 900 } };
-const PHONE = {
-  viewport: { width: 390, height: 844 },
-  deviceScaleFactor: 2,
-  hasTouch: true,
-  isMobile: true,
-};
 
 const LIGHT = { ...DESKTOP, colorScheme: "light" };
 
@@ -68,31 +60,15 @@ async function showInside(page) {
 async function shoot(page) {
   const hold = async (key, steps) => {
     await page.keyboard.down(key);
-    await step(page, steps);
+    await stepBy(page, steps);
     await page.keyboard.up(key);
   };
   await page.focus("#overlay");
   await hold("ArrowLeft", 2);
-  await step(page, 30);
+  await stepBy(page, 30);
   await hold("ArrowUp", 20);
   await hold("Space", 2);
-  await step(page, 100);
-}
-
-/** Presses the key for a single step and waits until the steps are seen. */
-async function step(page, count) {
-  // Nothing stands there before the first picture.
-  const seen = () => Number(document.querySelector("#hud").dataset.steps ?? 0);
-  const before = await page.evaluate(seen);
-  await page.evaluate((presses) => {
-    for (let i = 0; i < presses; i++)
-      document.body.dispatchEvent(new KeyboardEvent("keydown", { key: ".", bubbles: true }));
-  }, count);
-  await page.waitForFunction(
-    (least) => Number(document.querySelector("#hud").dataset.steps) >= least,
-    before + count,
-    { timeout: 300_000 },
-  );
+  await stepBy(page, 100);
 }
 
 const wanted = process.argv.slice(2);
@@ -113,13 +89,15 @@ const browser = await launchChromium({ webgl: true });
 for (const { name, search, steps, options = DESKTOP, prepare, after } of PICTURES) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;
   const context = await browser.newContext({ colorScheme: "dark", ...options });
+  // WebGL is drawn by the processor here.
+  context.setDefaultTimeout(300_000);
   const page = await context.newPage();
   // The hint for a first visit is not what the pictures are about.
   await page.addInitScript(() => localStorage.setItem("thud-hint-seen", "1"));
   await page.goto(`${server.url}?${search}&paused=1`);
   await page.waitForFunction(() => document.title.endsWith(" · thud"));
   await prepare?.(page);
-  if (steps > 0) await step(page, steps);
+  if (steps > 0) await stepBy(page, steps);
   await after?.(page);
   // Until the figures are those of the last step and the line about the scene has gone.
   await page.waitForSelector("#notice", { state: "hidden", timeout: 60_000 });
