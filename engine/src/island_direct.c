@@ -10,6 +10,7 @@
 #include "island_direct.h"
 
 #include "error.h"
+#include "motion.h"
 #include "step.h"
 
 /* Matrices that are few. */
@@ -33,9 +34,9 @@ enum { TANGENT = TD_DIRECT_TANGENT };
 
 static void limit(const thud_world *w, double velocity[3])
 {
-    double most = (double)(w->def.maximum_speed * w->unit), turn = 0.25 * TD_PI / w->def.time_step;
+    double most = (double)(w->def.maximum_speed * w->unit);
     for (int k = 0; k < 3; k++) {
-        double m = k < 2 ? most : turn * w->substeps;
+        double m = k < 2 ? most : (double)TD_SPIN_MOST;
         velocity[k] = velocity[k] > m ? m : velocity[k] < -m ? -m : velocity[k];
     }
 }

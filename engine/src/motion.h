@@ -4,13 +4,17 @@
 
 #include "block.h"
 
+/* rad/s: the fastest spin. Nothing needs it but that values stay finite: circles do not care how far
+ * they turn in a step, and free boxes turn by all of it. See thud_body_def. */
+#define TD_SPIN_MOST 1.0e8f
+
 typedef struct td_motion_context {
     float (*velocity)[4], (*delta)[4], (*start)[4];
     const float (*push)[4];    /* velocity that gravity and forces give in a substep */
     const float (*damping)[2]; /* null where no body is damped */
     int count;                 /* awake slots, the dummy included */
     float h;                   /* of a substep */
-    float max_speed, max_turn; /* per second */
+    float max_speed;           /* length/s */
 } td_motion_context;
 
 /* First substep: v += push. Later ones also add what the contacts gave in the substep before: with

@@ -29,10 +29,12 @@ static inline uint32_t td_angle_from(double radians)
     return (uint32_t)(uint64_t)(int64_t)((part < 0.0 ? part + 1.0 : part) * TD_TURN + 0.5);
 }
 
-/* A turn within a step as a difference of angles. */
+/* A turn within a step, which may be many whole ones, as a difference of angles. */
 static inline uint32_t td_angle_between(float radians)
 {
-    return (uint32_t)td_round_increment((double)radians * (1.0 / TD_RADIANS_A_QUANTUM));
+    double quanta = (double)radians * (1.0 / TD_RADIANS_A_QUANTUM);
+    double turns = (double)(int64_t)(quanta * (1.0 / TD_TURN));
+    return (uint32_t)td_round_increment(quanta - turns * TD_TURN);
 }
 
 /* In (-pi, pi]. */

@@ -233,8 +233,7 @@ void td_solve(thud_world *w)
                    .damping = w->damped ? w->damping.data : NULL,
                    .count = w->body_of.count,
                    .h = h,
-                   .max_speed = w->def.maximum_speed * w->unit,
-                   .max_turn = 0.25f * (float)TD_PI / h}, /* an eighth of a turn a substep */
+                   .max_speed = w->def.maximum_speed * w->unit},
         .tally = {.skin = w->skin, .overlap = td_error_overlap(w), .to_fixed = w->to_fixed},
         .tallies = tallies,
         .task = &task,

@@ -24,26 +24,22 @@ TD_INLINE f8 damping_of(const td_motion_context *c, int i)
     return (f8){l0, l0, a0, 1.0f, l1, l1, a1, 1.0f};
 }
 
-/* Velocities within bounds. In this order of operands not-a-number stays what it is, for the finish
- * stage to see. */
-TD_INLINE f8 held(f8 v, float s, float t)
+/* Velocities within bounds, so that they do not overflow. One and the same bound everywhere, or what it
+ * takes off would be taken for something that contacts gave, and come off again in each substep. In
+ * this order of operands not-a-number stays what it is, for the finish stage to see. */
+TD_INLINE f8 held(const td_motion_context *c, f8 v)
 {
-    float m = 3.0e38f;
+    float s = c->max_speed, t = TD_SPIN_MOST, m = 3.0e38f;
     f8 most = {s, s, t, m, s, s, t, m};
     return f8_min(most, f8_max(-most, v));
 }
 
-/* In multiples of the highest spin: contacts may meet as much, and mostly take it back. Small and fast
- * bodies need a lot; values only must not overflow. */
-#define SPIN_IN_CONTACT 1.0e6f
-
 td_integrate_velocity_fn TD_WIDE(td_integrate_velocity);
 void TD_WIDE(td_integrate_velocity)(const td_motion_context *c, bool first)
 {
-    float most_spin = SPIN_IN_CONTACT * c->max_turn;
     for (int i = 0; i < c->count; i += 2) {
         /* Callers may have set any velocity, and contacts would hand it on. */
-        f8 v = held(load((const float(*)[4])c->velocity, i), c->max_speed, most_spin);
+        f8 v = held(c, load((const float(*)[4])c->velocity, i));
         f8 gained = load(c->push, i);
         if (!first) {
             gained = v - load((const float(*)[4])c->start, i);
@@ -52,7 +48,7 @@ void TD_WIDE(td_integrate_velocity)(const td_motion_context *c, bool first)
             v *= damping_of(c, i);
         }
         store(c->start, i, v);
-        store(c->velocity, i, held(v + gained, c->max_speed, most_spin));
+        store(c->velocity, i, held(c, v + gained));
     }
 }
 
@@ -61,7 +57,7 @@ void TD_WIDE(td_integrate_position)(const td_motion_context *c)
 {
     f8 h = {c->h, c->h, c->h, 0.0f, c->h, c->h, c->h, 0.0f};
     for (int i = 0; i < c->count; i += 2) {
-        f8 v = held(load((const float(*)[4])c->velocity, i), c->max_speed, c->max_turn);
+        f8 v = held(c, load((const float(*)[4])c->velocity, i));
         store(c->velocity, i, v);
         store(c->delta, i, load((const float(*)[4])c->delta, i) + v * h);
     }

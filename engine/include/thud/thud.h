@@ -151,7 +151,7 @@ typedef struct thud_body_def {
     thud_pos position;        /* of the body's origin; |x|, |y| <= 1e9 length scales */
     double angle;             /* |angle| <= 1e6 */
     thud_vec2 velocity;       /* of the centre of mass */
-    float angular_velocity;   /* rad/s */
+    float angular_velocity;   /* rad/s; a step holds it to |.| <= 1e8 */
     float gravity_scale;      /* default 1 */
     float linear_damping;     /* 1/s, >= 0 */
     float angular_damping;    /* 1/s, >= 0 */
