@@ -37,6 +37,6 @@ void td_budget_keep(thud_world *w)
     if (median_of(b->taken) > w->def.time_budget) {
         td_substeps_set(w, td_max_int(w->substeps / 2, 1));
     } else if (median_of(b->doubled) <= RISE_SHARE * w->def.time_budget) {
-        td_substeps_set(w, td_min_int(2 * w->substeps, w->quality.substeps));
+        td_substeps_set(w, td_min_int(2 * w->substeps, td_substeps_asked(w)));
     }
 }

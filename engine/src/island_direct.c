@@ -15,8 +15,6 @@
 
 /* Matrices that are few. */
 #define EASY 8
-/* Speeds that are low, in multiples of what gravity gives in a step. */
-#define CALM 4.0f
 #define CALM_PATIENCE 20
 /* Radians a step; and speed, in multiples of the greatest that is there or wanted. */
 #define TURN_MOST 0.4
@@ -189,7 +187,7 @@ static bool work_out(td_island_work *work)
         }
     }
     work->w->stats.factorings += d->factorings;
-    work->w->stats.island_work += d->factorings * work->island->system.work;
+    work->w->stats.island_work += d->factorings * td_island_cost(work->island);
     if (goes_too_far(work) || presses_too_hard(work)) {
         return false;
     }
@@ -238,21 +236,30 @@ static bool is_loaded(const td_island_work *work, const td_direct_contact *c)
     return impulse / w->substeps * inverse > TD_HARD_LEAVE * (double)td_islands_most(w, size);
 }
 
+static bool is_calm(const td_island_work *work)
+{
+    float fastest = 0.0f, most = td_calm_speed(work->w);
+    for (int i = 0; i < work->island->bodies; i++) {
+        const float *v = td_row(&work->w->velocity, work->slots[i]);
+        fastest = td_max_float(fastest, v[0] * v[0] + v[1] * v[1]);
+    }
+    return fastest <= most * most;
+}
+
 /* An island that takes many matrices step after step moves, and would do so for long; one that is calm
  * may be just being pushed apart, and gets more time. */
 static bool strains(const td_island_work *work)
 {
-    thud_world *w = work->w;
-    int patience = w->quality.island_patience;
-    patience *= td_island_is_slower(w, work->island, CALM) ? CALM_PATIENCE : 1;
+    int patience = work->w->quality.island_patience * (is_calm(work) ? CALM_PATIENCE : 1);
+    bool easy = work->problem.factorings <= EASY;
     int most = 0;
     for (int i = 0; i < work->island->bodies; i++) {
-        uint16_t *strain = td_at(&w->strain, work->slots[i]);
-        bool easy = work->problem.factorings <= EASY;
-        *strain = easy ? 0 : *strain < UINT16_MAX ? *strain + 1 : *strain;
-        most = *strain > most ? *strain : most;
+        uint16_t *strain = td_at(&work->w->strain, work->slots[i]);
+        int steps = *strain % TD_STRAIN_ONCE;
+        *strain = easy ? 0 : steps < TD_STRAIN_STEPS ? *strain + 1 : *strain;
+        most = easy ? 0 : td_max_int(most, steps + 1);
     }
-    return patience > 0 && most > patience;
+    return patience > 0 && most > td_min_int(patience, TD_STRAIN_STEPS);
 }
 
 static void write(const td_island_work *work)
@@ -275,20 +282,30 @@ static void write(const td_island_work *work)
     }
 }
 
+/* What is too dear for a whole step's work, be it a few matrices, is so for long. */
+static void leave(thud_world *w, const td_island *island)
+{
+    if (w->quality.island_patience > 0) {
+        td_islands_leave(w, island, EASY * td_island_cost(island) > w->quality.island_work);
+    }
+}
+
 static void solve_island(thud_world *w, const td_island *island)
 {
-    td_island_work work = td_island_take(w, island);
+    bool bounces = false;
     w->stats.hard_islands++;
     w->stats.hard_bodies += island->bodies;
-    if (work.bounces) {
-        w->stats.soft_islands++;
-    } else if (work_out(&work) && !strains(&work)) {
-        write(&work);
-    } else {
-        if (w->quality.island_patience > 0) {
-            td_islands_leave(w, island);
+    if (td_island_patience(w, island) > 0) {
+        td_island_work work = td_island_take(w, island);
+        bounces = work.bounces;
+        if (!bounces && work_out(&work) && !strains(&work)) {
+            write(&work);
+            return;
         }
-        w->stats.soft_islands++;
+    }
+    w->stats.soft_islands++;
+    if (!bounces) {
+        leave(w, island);
     }
 }
 

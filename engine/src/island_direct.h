@@ -18,6 +18,8 @@ typedef struct td_island_work {
 
 /* island_take.c: notes velocities and impulses, before the soft solver changes them. */
 void td_island_note(thud_world *w);
+/* How many matrices it may take. */
+int td_island_patience(const thud_world *w, const td_island *island);
 /* The problem as it was then. */
 td_island_work td_island_take(thud_world *w, const td_island *island);
 

@@ -165,10 +165,10 @@ static void take_contact(td_island_work *work, int i)
 
 /* Matrices that the island may take of what the quality allows for the step; a time budget that lowers
  * the substeps lowers that as well. */
-static int patience_for(const thud_world *w, const td_island *island)
+int td_island_patience(const thud_world *w, const td_island *island)
 {
     int64_t work = w->quality.island_work / w->quality.substeps * w->substeps;
-    int64_t most = (work - w->stats.island_work) / island->system.work;
+    int64_t most = (work - w->stats.island_work) / td_island_cost(island);
     return most < 0 ? 0 : most < PATIENCE ? (int)most : PATIENCE;
 }
 
@@ -184,7 +184,7 @@ static td_direct problem_of(thud_world *w, const td_island *island)
                        .work = s->work.data,
                        .body_count = island->bodies,
                        .contact_count = island->contacts,
-                       .patience = patience_for(w, island),
+                       .patience = td_island_patience(w, island),
                        .unit_speed = w->def.time_step * __builtin_sqrt(x * x + y * y)};
 }
 

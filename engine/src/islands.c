@@ -1,10 +1,11 @@
 /* islands.c: finds the islands that are to be solved at once.
  *
  * An island is what touching contacts between dynamic bodies connect. It is hard when a body of it
- * is: for TD_HARD_STEPS after a contact of it was last found to give way too much. That is looked for in an eighth of
- * the blocks a step, and must be found twice in succession, since an impact is as heavy but
- * passes; of a heavy body on a light one, which sinks in at once, the first time and half will do. Where the limit is 0
- * every island is hard. */
+ * is: for TD_HARD_STEPS after a contact of it was last found to give way too much. That is looked for
+ * in an eighth of the blocks a step, and must be found twice in succession, and where the two bodies are
+ * calm: an impact is as heavy but passes, and of a heap in motion the soft solver makes as much for less.
+ * Of a heavy body on a light one, which sinks in at once, the first time and half will do. Where the
+ * limit is 0 every island is hard. */
 #include "islands.h"
 
 #include "contact.h"
@@ -56,7 +57,8 @@ static bool room_for_all(thud_world *w)
 
 enum { /* in `local` */
     TOO_MANY = -1, /* its island has more bodies than the limit */
-    ALONE = -2     /* nothing touches it */
+    ALONE = -2,    /* nothing touches it */
+    TIRED = -3     /* its island is left alone for now */
 };
 
 static int *local_at(const thud_world *w, int slot)
@@ -81,16 +83,30 @@ static bool any_hard(const thud_world *w)
     return any > 0;
 }
 
-static void tire(thud_world *w, int slot)
+enum { MOST_TIMES = 5 }; /* left alone for half a minute then, at 60 steps a second */
+
+static void tire(thud_world *w, int slot, int times)
 {
     *(uint8_t *)td_at(&w->hard, slot) = TD_HARD_TIRED + TD_TIRED_STEPS;
-    *(uint16_t *)td_at(&w->strain, slot) = 0;
+    *(uint16_t *)td_at(&w->strain, slot) = (uint16_t)(td_min_int(times, MOST_TIMES) * TD_STRAIN_ONCE);
 }
 
-void td_islands_leave(thud_world *w, const td_island *island)
+/* A step less to be left alone, or hard; of a body that was left n times in one of 2^(n - 1) steps. */
+static int hard_after_step(const thud_world *w, int slot)
+{
+    int hard = *(uint8_t *)td_at(&w->hard, slot);
+    uint64_t halvings = TD_STRAIN_LEFT(*(uint16_t *)td_at(&w->strain, slot));
+    bool counts = halvings == 0 || w->steps % (1ull << (halvings - 1)) == 0;
+    int left = hard > TD_HARD_TIRED && counts ? hard - 1 : hard;
+    return left == TD_HARD_TIRED ? 0 : left;
+}
+
+void td_islands_leave(thud_world *w, const td_island *island, bool for_long)
 {
     for (int i = 0; i < island->bodies; i++) {
-        tire(w, *(int *)td_at(&w->islands.slots, island->first_body + i));
+        int slot = *(int *)td_at(&w->islands.slots, island->first_body + i);
+        int times = TD_STRAIN_LEFT(*(uint16_t *)td_at(&w->strain, slot)) + 1;
+        tire(w, slot, for_long ? MOST_TIMES : times);
     }
 }
 
@@ -98,10 +114,9 @@ void td_islands_settle(thud_world *w)
 {
     uint8_t *hard = w->hard.data;
     for (int slot = 1; slot < w->islands.local.count; slot++) {
-        int left = hard[slot] > TD_HARD_TIRED ? hard[slot] - 1 : hard[slot];
-        hard[slot] = left == TD_HARD_TIRED ? 0 : (uint8_t)left;
+        hard[slot] = (uint8_t)hard_after_step(w, slot);
         if (*local_at(w, slot) == TOO_MANY) {
-            tire(w, slot);
+            tire(w, slot, 1);
         } else if (*local_at(w, slot) == ALONE) {
             hard[slot] = 0;
         }
@@ -147,18 +162,30 @@ static bool spread(thud_world *w, td_island *island, int slot)
     return true;
 }
 
-bool td_island_is_slower(const thud_world *w, const td_island *island, float multiple)
+float td_calm_speed(const thud_world *w)
 {
-    float x = w->def.gravity.x, y = w->def.gravity.y, fastest = 0.0f;
-    float most = multiple * __builtin_sqrtf(x * x + y * y) * (float)w->def.time_step;
-    for (int i = 0; i < island->bodies; i++) {
-        const float *v = td_row(&w->velocity, *(int *)td_at(&w->islands.slots, island->first_body + i));
-        fastest = td_max_float(fastest, v[0] * v[0] + v[1] * v[1]);
-    }
-    return fastest <= most * most;
+    float x = w->def.gravity.x, y = w->def.gravity.y;
+    return td_max_float(4.0f * __builtin_sqrtf(x * x + y * y) * (float)w->def.time_step,
+                        4.0f * TD_SLEEP_SPEED * w->unit);
 }
 
-/* Lists the island of a body, unless it has no contacts or too many bodies. */
+int64_t td_island_cost(const td_island *island)
+{
+    return island->system.work + island->bodies + 2 * (int64_t)island->contacts;
+}
+
+/* One newcomer does not rouse a whole heap that was left alone. */
+static bool is_tired(const thud_world *w, const td_island *island)
+{
+    int tired = 0;
+    for (int i = 0; i < island->bodies; i++) {
+        int slot = *(int *)td_at(&w->islands.slots, island->first_body + i);
+        tired += *(uint8_t *)td_at(&w->hard, slot) > TD_HARD_TIRED;
+    }
+    return 2 * tired > island->bodies;
+}
+
+/* Lists the island of a body, unless it has no contacts, or too many bodies, or is left alone. */
 static void follow(thud_world *w, int seed)
 {
     td_islands *s = &w->islands;
@@ -169,12 +196,13 @@ static void follow(thud_world *w, int seed)
         whole = spread(w, &island, *(int *)td_at(&s->slots, i));
     }
     island.contacts = s->contacts.count - island.first_contact;
-    if (whole && island.contacts) {
+    bool tired = is_tired(w, &island);
+    if (whole && island.contacts && !tired) {
         *(td_island *)td_at(&s->island, s->island.count++) = island;
         return;
     }
     for (int i = island.first_body; i < s->slots.count; i++) {
-        *local_at(w, *(int *)td_at(&s->slots, i)) = whole ? ALONE : TOO_MANY;
+        *local_at(w, *(int *)td_at(&s->slots, i)) = !whole ? TOO_MANY : tired ? TIRED : ALONE;
     }
     s->slots.count = island.first_body;
     s->contacts.count = island.first_contact;
@@ -252,17 +280,25 @@ static void harden(thud_world *w, uint32_t record)
 /* A spring of frequency f gives way by (impulse / mass / h) / (2 pi f)^2 under an impulse a substep. */
 float td_islands_most(const thud_world *w, float size)
 {
-    float h = (float)(w->def.time_step / w->substeps), sag = w->quality.sag_limit * size;
+    float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
+    float sag = w->quality.sag_limit * size * (own * own);
     float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* a substep */
     if (w->def.max_error > 0.0) {
-        sag = td_min_float(sag, (float)w->def.max_error);
+        sag = td_min_float(sag, (float)w->def.max_error * (steps * steps));
     }
-    return sag * omega * omega / h;
+    return sag * omega * omega / (steps * (float)w->def.time_step);
 }
 
 static float size_of(const thud_world *w, int slot)
 {
     return slot ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
+}
+
+static bool is_calm(const thud_world *w, int a, int b)
+{
+    const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
+    float x = u[0] - v[0], y = u[1] - v[1], most = td_calm_speed(w);
+    return x * x + y * y < most * most;
 }
 
 static void watch_block(thud_world *w, td_block *block, int points)
@@ -280,7 +316,8 @@ static void watch_block(thud_world *w, td_block *block, int points)
         float load = impulse * light, most = td_islands_most(w, td_min_float(size_of(w, a), size_of(w, b)));
         bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
         int direct = block->loaded[lane] & TD_DIRECT, before = block->loaded[lane] - direct;
-        int seen = load > most || depth > deep ? td_min_int(before + 1, OFTEN) : 0;
+        bool gives_way = (load > most && is_calm(w, a, b)) || depth > deep;
+        int seen = gives_way ? td_min_int(before + 1, OFTEN) : 0;
         if (sinks || seen >= OFTEN) {
             harden(w, block->a[lane]);
             harden(w, block->b[lane]);

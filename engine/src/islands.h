@@ -44,22 +44,32 @@ bool td_islands_find(struct thud_world *w);
 /* Now that the step cannot fail: counts down, and leaves alone what has too many bodies. */
 void td_islands_settle(struct thud_world *w);
 /* Impulse a substep, over the lighter body's mass, under which a contact gives way by as much as the
- * quality or the world's max_error allows; `size` is the smaller body's. */
+ * world's max_error allows, or the quality: at its own number of substeps, where the world takes fewer,
+ * for whoever asks for less is not to pay for more. `size` is the smaller body's. */
 float td_islands_most(const struct thud_world *w, float size);
 /* Looks for contacts that give way too much, a part of them each step. */
 void td_islands_watch(struct thud_world *w);
 
-/* Whether none of its bodies is faster, in multiples of what gravity gives it in a step. */
-bool td_island_is_slower(const struct thud_world *w, const td_island *island, float multiple);
-/* Its solver was of no use: it is not tried again for TD_TIRED_STEPS. */
-void td_islands_leave(struct thud_world *w, const td_island *island);
+/* The speed below which bodies are calm: a few times what gravity gives them in a step. */
+float td_calm_speed(const struct thud_world *w);
+/* Its solver was of no use: it is not tried again for a while, which doubles each time, or is as long as
+ * it can be from the first on. */
+void td_islands_leave(struct thud_world *w, const td_island *island, bool for_long);
+/* Operations that a matrix of the island takes, with what goes before and after it. */
+int64_t td_island_cost(const td_island *island);
 
 /* An island stays with its solver for so many steps after it last had to. */
 #define TD_HARD_STEPS 60
 /* ... which is as long as its sag is above this part of the limit. */
 #define TD_HARD_LEAVE 0.7
-/* In thud_world.hard: more than this is the number of steps for which an island is left alone. */
+/* In thud_world.hard: more than this is the number of times TD_TIRED_STEPS for which an island is left
+ * alone. */
 #define TD_HARD_TIRED 128
 #define TD_TIRED_STEPS 120
+/* In thud_world.strain: steps in succession that took the island's solver long; and above them, how often
+ * it was left since it last took few. */
+#define TD_STRAIN_STEPS 4095
+#define TD_STRAIN_ONCE 4096
+#define TD_STRAIN_LEFT(strain) ((strain) / TD_STRAIN_ONCE)
 
 #endif

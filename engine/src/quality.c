@@ -76,6 +76,11 @@ static void scale_impulses(thud_world *w, float scale)
     }
 }
 
+int td_substeps_asked(const thud_world *w)
+{
+    return w->def.substeps ? w->def.substeps : w->quality.substeps;
+}
+
 void td_substeps_set(thud_world *w, int substeps)
 {
     if (substeps != w->substeps) {
@@ -88,9 +93,6 @@ void td_substeps_set(thud_world *w, int substeps)
 void td_quality_take(thud_world *w, const thud_quality *quality)
 {
     w->quality = *quality;
-    if (w->def.substeps) {
-        w->quality.substeps = w->def.substeps;
-    }
     if (w->def.contact_stiffness != 0.0f) {
         w->quality.contact_stiffness = w->def.contact_stiffness;
     }
@@ -100,7 +102,7 @@ void td_quality_take(thud_world *w, const thud_quality *quality)
     if (w->def.detection) {
         w->quality.detection = w->def.detection;
     }
-    td_substeps_set(w, w->quality.substeps);
+    td_substeps_set(w, td_substeps_asked(w));
     detect_by(w, w->quality.detection);
 }
 

@@ -88,7 +88,8 @@ static void islands_are_none_without_a_solver(void **state)
     thud_world_destroy(world);
 }
 
-/* A column of n takes 3 n - 2 operations a matrix, and at rest one matrix a step. */
+/* A column of n takes 3 n - 2 operations a matrix, n for its bodies and 2 n for its contacts; and at rest
+ * one matrix a step. */
 static void islands_work_is_what_their_matrices_take(void **state)
 {
     (void)state;
@@ -97,7 +98,7 @@ static void islands_work_is_what_their_matrices_take(void **state)
     for (int i = 0; i < 120; i++) {
         run(world, 1);
         thud_stats stats = thud_world_stats(world);
-        assert_int_equal(stats.island_work, stats.factorings * (3 * 20 - 2));
+        assert_int_equal(stats.island_work, stats.factorings * (6 * 20 - 2));
     }
     assert_int_equal(thud_world_stats(world).factorings, 1);
     thud_world_destroy(world);
@@ -126,7 +127,7 @@ static void islands_for_which_no_work_is_left_stay_soft(void **state)
 {
     (void)state;
     thud_quality little = thud_quality_exact;
-    little.island_work = 40;
+    little.island_work = 70;
     thud_world *world = world_of(&little);
     add_column(world, 0, 10, NULL);
     add_column(world, 10, 10, NULL);
@@ -193,6 +194,53 @@ static void islands_that_strain_are_left_alone_once_patience_is_out(void **state
     int any = direct_steps(0, &long_one), few = direct_steps(1, &short_one);
     assert_true(any > few);
     assert_true(long_one > short_one);
+}
+
+/* Work on islands in ten seconds, in which boxes and discs fall on rolling ground and come to rest. */
+static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t seed)
+{
+    enum { POINTS = 61, BODIES = 150 };
+    thud_world_def def = thud_world_def_of(quality);
+    def.substeps = substeps;
+    def.sleeping = false;
+    thud_world *world = make_world(def);
+    thud_pos points[POINTS];
+    for (int i = 0; i < POINTS; i++) {
+        points[i] = (thud_pos){i - 30, 1.5 * sin(0.35 * i) + 0.05 * pow(i / 30.0 - 1, 2) * 900};
+    }
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = POINTS};
+    thud_shape_def plain = thud_default_shape_def();
+    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    OK(thud_shape_create_terrain(world, ground, &plain, &line, NULL));
+    for (int i = 0; i < BODIES; i++) {
+        float hx = (float)random_in(&seed, 0.25, 0.5), hy = (float)random_in(&seed, 0.25, 0.5);
+        thud_body_id id = add_body(world, THUD_DYNAMIC, i % 10 * 1.2 - 6, 6 + i / 10 * 1.2,
+                                   random_in(&seed, -3, 3));
+        add_shape(world, id, hx, i % 3 ? hy : 0, false, NULL);
+    }
+    int64_t work = 0;
+    for (int i = 0; i < 600; i++) {
+        run(world, 1);
+        work += thud_world_stats(world).island_work;
+    }
+    thud_world_destroy(world);
+    return work;
+}
+
+/* Whoever asks for less pays no more: over a few heaps, since one takes this course, one that. And of
+ * what default may take, a heap in motion leaves most alone. */
+static void heap_takes_no_more_work_at_fewer_substeps(void **state)
+{
+    (void)state;
+    int64_t sum[3] = {0};
+    enum { HEAPS = 6 };
+    for (uint64_t seed = 1; seed <= HEAPS; seed++) {
+        for (int k = 0; k < 3; k++) {
+            sum[k] += work_of_heap(&thud_quality_default, 4 >> k, seed);
+        }
+    }
+    assert_true(sum[1] <= sum[0] && sum[2] <= sum[0]);
+    assert_true(sum[0] < thud_quality_default.island_work / 50 * (600 * HEAPS));
 }
 
 /* ---- the caller's quality ---- */
@@ -401,6 +449,7 @@ int main(void)
         cmocka_unit_test(islands_for_which_no_work_is_left_stay_soft),
         cmocka_unit_test(islands_without_any_work_stay_soft),
         cmocka_unit_test(islands_that_strain_are_left_alone_once_patience_is_out),
+        cmocka_unit_test(heap_takes_no_more_work_at_fewer_substeps),
         cmocka_unit_test(islands_follow_a_copy_of_the_callers_quality),
         cmocka_unit_test(islands_follow_the_quality_back_and_forth),
         cmocka_unit_test(islands_are_the_same_for_any_number_of_workers),

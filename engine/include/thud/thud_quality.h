@@ -21,7 +21,9 @@ extern const thud_island_solver thud_islands_direct;
 typedef struct thud_quality {
     const char *name;
     int substeps;            /* a step is cut into so many, 1..64. Contact stiffness rises with the
-                                substep rate, so that more of them also sink less */
+                                substep rate, so that more of them also sink less. A world def that
+                                names fewer, or a time budget that does, gets no more islands solved
+                                directly for it, and island_work in proportion */
     float contact_stiffness; /* contact frequency over substep rate, [0.01, 0.5] */
     float contact_damping;   /* damping ratio of overlap that is pushed apart, [0, 100] */
     const thud_detection *detection;   /* not null */
@@ -30,14 +32,16 @@ typedef struct thud_quality {
                                 this share of the smaller body's size goes to `islands`; 0: each does */
     int island_limit;        /* 1..16384: islands of more bodies stay with the soft solver */
     int64_t island_work;     /* >= 0: operations on 3 x 3 blocks (some 20 ns each) that all islands
-                                together may take a step, putting their bodies in order not counted;
-                                those for which there is no more stay with the soft solver. A column
-                                takes 3 a body at rest, a pyramid of 500 bodies 60 a body; in motion it
-                                is 20 to 100 times as much */
+                                together may take a step: those of each matrix, one more a body and two
+                                a contact. Those for which there is no more stay with the soft solver.
+                                A column takes 6 a body at rest, a pyramid of 500 bodies 65 a body; in
+                                motion it is 20 to 100 times as much */
     int island_patience;     /* 0..1000: steps in succession in which an island may need more than eight
                                 matrices, or twenty times as many while it hardly moves, before it is
                                 left to the soft solver for 120 steps, as it is where the direct
-                                result is no good; 0: any number, and each step is tried anew */
+                                result is no good. Each time that happens again before it was easy the
+                                pause doubles, up to 1920 steps, and where eight matrices are more than
+                                island_work it is that at once. 0: any number, each step tried anew */
 } thud_quality;
 
 extern const thud_quality thud_quality_draft;
