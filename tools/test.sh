@@ -36,6 +36,12 @@ test_native() {
     ctest --preset release
 }
 
+# A quarter of an hour on two processors.
+test_all_cases() {
+    THUD_CASES=1000000 ctest --preset release --label-regex '^pairs$' --timeout 7200 \
+        --parallel "$jobs"
+}
+
 test_clang() {
     clang=$(command -v clang-16 || command -v clang)
     build release-clang --preset release -DTHUD_WERROR=ON -DCMAKE_C_COMPILER="$clang"
@@ -61,11 +67,13 @@ test_baseline() {
     ctest --test-dir build/bench --output-on-failure --timeout 300
 }
 
+# test_everything [--full]
 test_everything() {
     mkdir -p build/test
     failures=0
     summary=
     stage "native" test_native
+    [ "${1:-}" != --full ] || stage "geometry, 10^6 cases a pair" test_all_cases
     stage "native, clang" test_clang
     stage "sanitizers" test_sanitize
     stage "wasm in Node" test_wasm
