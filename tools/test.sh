@@ -33,7 +33,7 @@ $closing}"
 
 test_native() {
     build release --preset release -DTHUD_WERROR=ON
-    ctest --preset release
+    ctest --preset release --parallel "$jobs"
 }
 
 # A quarter of an hour on two processors.
@@ -45,12 +45,13 @@ test_all_cases() {
 test_clang() {
     clang=$(command -v clang-16 || command -v clang)
     build release-clang --preset release -DTHUD_WERROR=ON -DCMAKE_C_COMPILER="$clang"
-    ctest --test-dir build/release-clang --output-on-failure --timeout 300
+    ctest --test-dir build/release-clang --output-on-failure --timeout 300 \
+        --parallel "$jobs"
 }
 
 test_sanitize() {
     build sanitize --preset sanitize -DTHUD_WERROR=ON
-    ctest --preset sanitize
+    ctest --preset sanitize --parallel "$jobs"
 }
 
 test_wasm() {
