@@ -26,9 +26,9 @@
 #define TD_SKIN 0.004f
 /* Swept shapes count as met at this distance, unless they are nearer to begin with. */
 #define TD_MEET 0.001f
-/* Fat bounds exceed tight ones by TD_MARGIN + min(TD_MARGIN_MORE, extent / 8): small enough that
- * few pairs are carried in vain, and two of them at least the speculative margin, so that a
- * touching pair never loses its fat overlap. */
+/* Fat bounds exceed tight ones by TD_MARGIN + min(TD_MARGIN_MORE, extent / 8) when they are made:
+ * small enough that few pairs are carried in vain. Shapes drift to the edge of their own, so that
+ * those of a touching pair may part: see td_pairs_create. */
 #define TD_MARGIN 0.0101f
 #define TD_MARGIN_MORE 0.02f
 /* Sleep: below this speed (L/s, also of the rim) for this long (s). */

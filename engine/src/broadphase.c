@@ -360,7 +360,7 @@ bool td_broadphase(thud_world *w)
         return false;
     }
     td_pairs_filter(w);
-    if (!find_seams(w) || !td_pairs_sort(w) || !pair_terrains(w) || !td_pairs_create(w)) {
+    if (!find_seams(w) || !pair_terrains(w) || !td_pairs_sort(w) || !td_pairs_create(w)) {
         return false;
     }
     clear_marks(w);

@@ -17,7 +17,7 @@ void td_pairs_filter(thud_world *w);
 /* Puts the pairs into the order of their shapes, whichever broadphase found them. */
 bool td_pairs_sort(thud_world *w);
 
-/* Makes a contact of each, or, when memory is short, of none. */
+/* Makes a contact of each that has none, or, when memory is short, of none. */
 bool td_pairs_create(thud_world *w);
 
 #endif

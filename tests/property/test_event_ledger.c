@@ -365,6 +365,60 @@ static void sensor_that_moves_away_from_a_sleeper_ends(void **state)
     thud_world_destroy(world);
 }
 
+/* Two shapes of any kind and size side by side, nearer to each other than contacts reach, that drift
+ * together and creep past each other: their fat bounds part and meet again, they touch all along. */
+static void drift(uint64_t *seed, bool with_skin, bool on_line)
+{
+    chaos *c = calloc(1, sizeof *c);
+    thud_world_def def = weightless();
+    def.detection = with_skin ? &thud_detection_swept : &thud_detection_continuous;
+    c->seed = *seed;
+    c->world = make_world(def);
+    float size[2][2];
+    for (int i = 0; i < 4; i++) {
+        size[i / 2][i % 2] = (float)random_in(seed, 0.01, 0.25);
+    }
+    double gap = random_in(seed, 0.001, 0.02), turn = random_in(seed, -3, 3);
+    double x = size[0][0] + size[1][0] + gap;
+    thud_vec2 along = {(float)random_in(seed, -0.5, 0.5), (float)random_in(seed, -0.5, 0.5)};
+    for (int i = 0; i < 2; i++) {
+        if (on_line && i == 0) {
+            thud_pos points[] = {{-40, 0}, {-0.1, 0}, {0.1, 0}, {40, 0}};
+            thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
+            thud_shape_def shape = thud_default_shape_def();
+            c->ground = add_body(c->world, THUD_STATIC, 0, 0, 0);
+            OK(thud_shape_create_terrain(c->world, c->ground, &shape, &line, NULL));
+            turn = 0.5 * 3.14159265358979323846;
+            x = size[1][0] + gap;
+            along.y = 0.002f * along.y;
+            continue;
+        }
+        bool box = pick(c, 2);
+        double angle = on_line ? 0 : turn;
+        c->bodies[i] = add_body(c->world, THUD_DYNAMIC, i * x * cos(turn), i * x * sin(turn), angle);
+        add_shape(c->world, c->bodies[i], size[i][0], box ? size[i][box && on_line ? 0 : 1] : 0,
+                  false, NULL);
+        thud_vec2 v = {along.x + (float)random_in(seed, -0.01, 0.01),
+                       along.y + (float)random_in(seed, -0.002, 0.002)};
+        OK(thud_body_set_velocity(c->world, c->bodies[i], v, 0));
+    }
+    for (int i = 0; i < 240; i++) {
+        step(c);
+        assert_true(thud_world_stats(c->world).pairs <= (on_line ? 3 : 1)); /* a segment each */
+    }
+    thud_world_destroy(c->world);
+    free(c);
+}
+
+static void pair_that_drifts_within_reach_begins_once(void **state)
+{
+    (void)state;
+    uint64_t seed = 77;
+    for (int i = 0; i < 400; i++) {
+        drift(&seed, i % 2, i % 4 == 3);
+    }
+}
+
 /* A line is one shape: what rolls from segment to segment touches it once. */
 static void ball_that_rolls_over_many_segments_begins_once(void **state)
 {
@@ -405,6 +459,7 @@ int main(void)
         cmocka_unit_test(every_begin_has_its_end_whatever_is_edited_and_where),
         cmocka_unit_test(end_of_what_an_edit_took_away_survives_a_query),
         cmocka_unit_test(sensor_that_moves_away_from_a_sleeper_ends),
+        cmocka_unit_test(pair_that_drifts_within_reach_begins_once),
         cmocka_unit_test(ball_that_rolls_over_many_segments_begins_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
