@@ -15,6 +15,12 @@
 #include "step.h"
 #include "surface.h"
 
+/* One of the body's shapes meets a static one. */
+typedef struct meeting {
+    double time;
+    int shape, other;
+} meeting;
+
 typedef struct sweep {
     thud_world *w;
     int slot, body, shape;
@@ -23,7 +29,7 @@ typedef struct sweep {
     thud_placed core;     /* a small circle in its middle */
     thud_motion motion, core_motion;
     double shrink;
-    double time;          /* earliest so far */
+    meeting last, next;   /* the one let through last, and the first after it so far */
     td_bounds bounds;     /* of the whole sweep, about start */
 } sweep;
 
@@ -84,10 +90,19 @@ static bool passes(const sweep *s, int other, double time)
     return !td_surface_ask(w, &seen, &settings);
 }
 
-static void earlier(sweep *s, int other, bool hit, double time)
+static bool is_sooner(const meeting *a, const meeting *b)
 {
-    if (hit && time < s->time && !passes(s, other, time)) {
-        s->time = time;
+    if (a->time != b->time) {
+        return a->time < b->time;
+    }
+    return a->shape != b->shape ? a->shape < b->shape : a->other < b->other;
+}
+
+static void meet(sweep *s, int other, bool hit, double time)
+{
+    meeting m = {time, s->shape, other};
+    if (hit && is_sooner(&m, &s->next) && is_sooner(&s->last, &m)) {
+        s->next = m;
     }
 }
 
@@ -113,10 +128,10 @@ static void against_shape(sweep *s, int other)
     thud_placed b = td_shape_placed(w, other, s->start);
     if (thud_shapes_overlap(&s->placed, &b)) {
         thud_shapes_time_of_impact(&s->core, s->core_motion, &b, still, 0.0, &hit, &time);
-        earlier(s, other, hit && time > 0.0, time);
+        meet(s, other, hit && time > 0.0, time);
     } else {
         thud_shapes_time_of_impact(&s->placed, s->motion, &b, still, 0.0, &hit, &time);
-        earlier(s, other, hit, step_back(s, time));
+        meet(s, other, hit, step_back(s, time));
     }
 }
 
@@ -157,10 +172,10 @@ static void against_terrain(sweep *s, int other)
     double time = 1.0;
     if (thud_terrain_overlap(&terrain, &placed)) {
         thud_terrain_time_of_impact(&terrain, &core, s->core_motion, 0.0, &hit, &time);
-        earlier(s, other, hit && time > 0.0, time);
+        meet(s, other, hit && time > 0.0, time);
     } else {
         thud_terrain_time_of_impact(&terrain, &placed, s->motion, 0.0, &hit, &time);
-        earlier(s, other, hit, step_back(s, time));
+        meet(s, other, hit, step_back(s, time));
     }
 }
 
@@ -234,6 +249,31 @@ static bool looks_around(sweep *s)
     return near_any;
 }
 
+/* The first meeting after the last one, of all shapes of the body. */
+static void find_next(sweep *s, int first, float c, float sine)
+{
+    const thud_world *w = s->w;
+    const td_array *hits = &w->scratch.ahead;
+    s->next = (meeting){.time = 1.0};
+    for (int i = first; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        if (td_shape_at(w, i)->flags & TD_SHAPE_SENSOR) {
+            continue;
+        }
+        set_shape(s, i, td_row(&w->delta, s->slot), c, sine);
+        for (int k = 0; k < hits->count; k++) {
+            against_shape(s, *(int *)td_at(hits, k));
+        }
+        for (int t = 0; t < w->terrains.count; t++) {
+            const td_terrain_record *record = td_slot_at(&w->terrains, t);
+            if (record->shape != TD_NONE) {
+                against_terrain(s, record->shape);
+            }
+        }
+    }
+}
+
+/* The prologue is asked in the order of time, whichever order the broadphase has, up to the first
+ * that stops the body. */
 static void sweep_body(thud_world *w, int slot)
 {
     int index = *(int *)td_at(&w->body_of, slot);
@@ -241,36 +281,25 @@ static void sweep_body(thud_world *w, int slot)
     const float *delta = td_row(&w->delta, slot);
     td_place start = {pose->center.x - td_length_from(w, delta[0]),
                       pose->center.y - td_length_from(w, delta[1])};
-    sweep swept = {.w = w, .slot = slot, .body = index, .start = start, .time = 1.0};
+    sweep swept = {.w = w, .slot = slot, .body = index, .start = start, .last = {.time = -1.0}};
     swept.bounds = swept_bounds(&swept, pose->center);
     if (!looks_around(&swept)) {
         return;
     }
-    const td_array *hits = &w->scratch.ahead;
     uint32_t angle = pose->angle - td_angle_between(delta[2]);
     float c, s;
     td_angle_turn(angle, &c, &s);
     int first = td_body_at(w, index)->first_shape;
-    for (int i = first; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        if (td_shape_at(w, i)->flags & TD_SHAPE_SENSOR) {
-            continue;
+    for (find_next(&swept, first, c, s); swept.next.time < 1.0; find_next(&swept, first, c, s)) {
+        swept.last = swept.next;
+        set_shape(&swept, swept.next.shape, td_row(&w->delta, slot), c, s);
+        if (!passes(&swept, swept.next.other, swept.next.time)) {
+            w->stats.held_bodies++;
+            w->stats.held_seconds += (1.0 - swept.next.time) * w->def.time_step;
+            stop_at(w, index, start, angle, swept.next.time, td_row(&w->delta, slot));
+            td_body_place_shapes(w, index);
+            return;
         }
-        set_shape(&swept, i, td_row(&w->delta, slot), c, s);
-        for (int k = 0; k < hits->count; k++) {
-            against_shape(&swept, *(int *)td_at(hits, k));
-        }
-        for (int t = 0; t < w->terrains.count; t++) {
-            const td_terrain_record *record = td_slot_at(&w->terrains, t);
-            if (record->shape != TD_NONE) {
-                against_terrain(&swept, record->shape);
-            }
-        }
-    }
-    if (swept.time < 1.0) {
-        w->stats.held_bodies++;
-        w->stats.held_seconds += (1.0 - swept.time) * w->def.time_step;
-        stop_at(w, index, start, angle, swept.time, td_row(&w->delta, slot));
-        td_body_place_shapes(w, index);
     }
 }
 

@@ -49,9 +49,11 @@ static const td_bounds *bounds_at_start(const thud_world *w, int shape)
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
 }
 
+/* In the order of shapes: each broadphase has its own. */
 static bool add_found(thud_world *w, int shape, const td_bounds *ahead)
 {
     const td_array *hits = &w->scratch.hits;
+    td_sort_ints(&w->scratch.hits);
     for (int i = 0; i < hits->count; i++) {
         int other = *(int *)td_at(hits, i);
         if (td_bounds_overlap(bounds_at_start(w, shape), bounds_at_start(w, other)) ||

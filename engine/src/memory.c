@@ -139,3 +139,15 @@ void td_slots_free(td_memory *memory, td_slots *slots)
     }
     td_array_free(memory, &slots->chunks);
 }
+
+static int by_value(const void *a, const void *b)
+{
+    return (*(const int *)a > *(const int *)b) - (*(const int *)a < *(const int *)b);
+}
+
+void td_sort_ints(td_array *array)
+{
+    if (array->count > 1) {
+        qsort(array->data, (size_t)array->count, sizeof(int), by_value);
+    }
+}

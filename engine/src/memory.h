@@ -79,4 +79,7 @@ static inline void td_push_int(td_array *array, int value)
     ((int *)array->data)[array->count++] = value;
 }
 
+/* Into rising order, whichever one they were found in. */
+void td_sort_ints(td_array *array);
+
 #endif

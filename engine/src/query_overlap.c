@@ -5,13 +5,6 @@
 #include "handles.h"
 #include "shape.h"
 
-#include <stdlib.h>
-
-static int by_slot(const void *a, const void *b)
-{
-    return (*(const int *)a > *(const int *)b) - (*(const int *)a < *(const int *)b);
-}
-
 static bool overlaps(const thud_world *w, int index, td_place origin, const thud_placed *exact)
 {
     thud_placed shape = td_query_placed(w, index, origin);
@@ -60,7 +53,7 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, const thud_
     if (!td_query_prepare(w) || !td_query_list(w, lower, upper) || !td_query_list_terrains(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "overlap: out of memory");
     }
-    qsort(w->scratch.hits.data, (size_t)w->scratch.hits.count, sizeof(int), by_slot);
+    td_sort_ints(&w->scratch.hits);
     tell(w, td_place_from(w, center), shape, filter, fn, context);
     return THUD_OK;
 }
