@@ -108,23 +108,30 @@ static int stamp_partners(thud_world *w, int a)
     return count;
 }
 
-/* Keeps those of the hits, all of which overlap shape a, that have no contact with it: whose bounds
- * did not overlap before; or, where that tells nothing, those that are not among its contacts. In a
- * crowd a shape that has enough contacts gets no more of its own. */
-static bool add_new(thud_world *w, int a, const int *hits, int count, bool crowded)
+/* Whose turn it is moves on with every step. */
+static unsigned turn_of(const thud_world *w, int a, int b)
+{
+    return (unsigned)a + (unsigned)b + (unsigned)w->steps;
+}
+
+/* Adds those of the hits, all of which overlap shape a, that have no contact with it: whose bounds
+ * did not overlap before; or, where that tells nothing, those that are not among its contacts.
+ * `skipped`: bits of turns that it is not. */
+static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned skipped)
 {
     const td_bounds *before = bounds_before(w, a);
     const uint32_t *stamps = w->scratch.stamps.data;
     int own = *td_marks_at(w, a);
-    int partners = 0;
     bool stamped = false;
-    for (int i = 0; i < count && partners < TD_CROWD; i++) {
+    for (int i = 0; i < count; i++) {
+        if (turn_of(w, a, hits[i]) & skipped) {
+            continue;
+        }
         int marks = own | *td_marks_at(w, hits[i]);
         bool existed = false;
         if (marks & TD_MARK_WOKEN || w->vast) {
             if (!stamped) {
-                int has = stamp_partners(w, a);
-                partners = crowded ? has : 0;
+                stamp_partners(w, a);
                 stamped = true;
             }
             existed = stamps[hits[i]] == w->scratch.stamp;
@@ -138,6 +145,92 @@ static bool add_new(thud_world *w, int a, const int *hits, int count, bool crowd
     return true;
 }
 
+/* ---- crowds ---- */
+
+/* Where everything is inside everything, pairs are as the square of the shapes. As long as there are
+ * no more than so many, of all shapes, all are there at once. */
+enum { ENOUGH_A_SHAPE = 64, ENOUGH = 8192 };
+
+/* Else the world is crowded, and a shape looks at about so many of those that overlap it, which is
+ * cheap, and gets about so many new contacts with them, which is not; with as many contacts as that
+ * it gets one more a step. Sensors get all that are looked at. Those left over have their turn in
+ * later steps: each within as many as the powers of two say by which the rest was divided. */
+enum { LOOKS = 128, PLACES = 32 };
+
+typedef struct search {
+    thud_world *w;
+    int sifted;    /* scratch.pairs before it may touch */
+    int64_t looks;
+    bool crowded;
+} search;
+
+/* One less than the power of two that divides `count` down to `most`. */
+static unsigned turns_for(int count, int most)
+{
+    unsigned turns = 1;
+    while ((unsigned)count > turns * (unsigned)most) {
+        turns *= 2;
+    }
+    return turns - 1;
+}
+
+static void sift(search *s)
+{
+    td_pairs_filter(s->w, s->sifted);
+    s->sifted = s->w->scratch.pairs.count;
+}
+
+/* Whether there are too many pairs to have all of them at once. */
+static bool is_crowded(search *s, int count)
+{
+    thud_world *w = s->w;
+    int64_t enough = ENOUGH + ENOUGH_A_SHAPE * (int64_t)w->shapes.live;
+    s->looks += count;
+    if (w->contacts.live + w->scratch.pairs.count > enough) {
+        sift(s);
+    }
+    return s->looks > 4 * enough || w->contacts.live + w->scratch.pairs.count > enough;
+}
+
+/* In a crowd: drops those of a shape's pairs whose turn it is not; all of them passed `skipped`.
+ * Returns whether any may be missing. */
+static bool take_turns(search *s, int shape, unsigned skipped)
+{
+    thud_world *w = s->w;
+    td_array *pairs = &w->scratch.pairs;
+    int first = s->sifted, kept = first;
+    sift(s);
+    int most = stamp_partners(w, shape) < PLACES ? PLACES : 1;
+    skipped += (skipped + 1) * turns_for(pairs->count - first, most);
+    for (int i = first; i < pairs->count; i++) {
+        const td_new_pair *pair = td_at(pairs, i);
+        bool sensor =
+            (td_shape_at(w, pair->a)->flags | td_shape_at(w, pair->b)->flags) & TD_SHAPE_SENSOR;
+        if (sensor || !(turn_of(w, pair->a, pair->b) & skipped)) {
+            *(td_new_pair *)td_at(pairs, kept++) = *pair;
+        }
+    }
+    pairs->count = s->sifted = kept;
+    return skipped != 0;
+}
+
+static bool take_hits(void *context, int shape, const int *hits, int count)
+{
+    search *s = context;
+    unsigned skipped = s->crowded ? turns_for(count, LOOKS) : 0;
+    if (!add_new(s->w, shape, hits, count, skipped)) {
+        return false;
+    }
+    if (!s->crowded) {
+        s->crowded = is_crowded(s, count);
+        return !s->crowded;
+    }
+    if (take_turns(s, shape, skipped)) {
+        td_push_int(&s->w->scratch.crowded, shape);
+    }
+    return true;
+}
+
 static bool query(thud_world *w, const td_population *grid, int shape)
 {
     w->scratch.hits.count = 0;
@@ -145,33 +238,23 @@ static bool query(thud_world *w, const td_population *grid, int shape)
                                           td_stance_at(w, shape)->center, &w->scratch.hits);
 }
 
-/* Every pair of awake shapes of which one moved. */
-static bool pair_awake(thud_world *w)
+static bool sweep(search *s)
 {
-    td_array *hits = &w->scratch.hits, *runs = &w->scratch.hit_runs;
-    td_array *crowded = &w->scratch.crowded;
+    thud_world *w = s->w;
     const td_population *grid = &w->awake_shapes;
     bool every = grid->moved_count * 2 > grid->ids.count;
-    hits->count = 0;
-    crowded->count = 0;
-    td_sweep_fn *sweep = w->def.broadphase->sweep[w->wide];
-    if (!td_array_reserve(&w->memory, crowded, grid->ids.count) ||
-        !sweep(grid, &w->memory, w->stance.data, every, runs, hits, crowded)) {
-        return false;
-    }
-    const int *hit = hits->data;
-    int first = 0, next = 0;
-    for (int i = 0; i < runs->count; i++) {
-        const td_hit_run *run = td_at(runs, i);
-        const int *crowd = crowded->data;
-        bool in_crowd = next < crowded->count && crowd[next] == run->shape;
-        next += in_crowd;
-        if (!add_new(w, run->shape, hit + first, run->end - first, in_crowd)) {
-            return false;
-        }
-        first = run->end;
-    }
-    return true;
+    w->scratch.hits.count = w->scratch.pairs.count = s->sifted = 0;
+    return w->def.broadphase->sweep[w->wide](grid, &w->memory, w->stance.data, every,
+                                             &w->scratch.hits, take_hits, s);
+}
+
+/* Every pair of awake shapes of which one moved, or, in a crowd, whose turn it is. */
+static bool pair_awake(thud_world *w)
+{
+    search s = {.w = w};
+    w->scratch.crowded.count = 0;
+    return td_array_reserve(&w->memory, &w->scratch.crowded, w->awake_shapes.ids.count) &&
+           (sweep(&s) || (s.crowded && sweep(&s)));
 }
 
 static bool moved(const thud_world *w, int shape)
@@ -190,7 +273,7 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved)
     }
     for (int k = 0; k < w->scratch.hits.count; k++) {
         const int *other = td_at(&w->scratch.hits, k);
-        if (moved(w, *other) == with_moved && !add_new(w, shape, other, 1, false)) {
+        if (moved(w, *other) == with_moved && !add_new(w, shape, other, 1, 0)) {
             return false;
         }
     }
@@ -200,7 +283,7 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved)
 static bool pair_moved(thud_world *w, int shape)
 {
     return query(w, &w->rest_shapes, shape) &&
-           add_new(w, shape, w->scratch.hits.data, w->scratch.hits.count, false);
+           add_new(w, shape, w->scratch.hits.data, w->scratch.hits.count, 0);
 }
 
 /* Every pair of an awake shape and one at rest of which one moved. Where few rest, they look for
@@ -348,7 +431,6 @@ bool td_broadphase(thud_world *w)
     if (w->moved.count == 0) {
         return true;
     }
-    w->scratch.pairs.count = 0;
     if (!td_array_reserve(&w->memory, &w->scratch.stamps, w->shapes.count) ||
         !td_broadphase_refresh(w)) {
         return false;
@@ -359,7 +441,7 @@ bool td_broadphase(thud_world *w)
     if (!pair_awake(w) || !pair_across(w)) {
         return false;
     }
-    td_pairs_filter(w);
+    td_pairs_filter(w, 0);
     if (!find_seams(w) || !pair_terrains(w) || !td_pairs_sort(w) || !td_pairs_create(w)) {
         return false;
     }

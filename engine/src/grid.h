@@ -28,11 +28,6 @@ typedef struct td_level {
     int64_t least_x, least_y, most_x, most_y; /* of its shapes' centres when they were sorted */
 } td_level;
 
-/* Of its own level, no more neighbours of a shape are found at once on either side of it. Shapes side
- * by side have far fewer; where everything is inside everything, the nearest in the order of the grid
- * push each other apart first, and no step takes longer than a crowd is worth. */
-enum { TD_CROWD = 32 };
-
 /* Sizes are told apart to a quarter of an octave, by the leading bits of a float. */
 enum { TD_SIZES = 128, TD_SIZE_SHIFT = 21, TD_SIZE_ZERO = 127 << 2 };
 

@@ -16,12 +16,12 @@ bool td_pairs_add(thud_world *w, int a, int b, int child)
 }
 
 /* Records lie all over memory, hence are asked for early. */
-void td_pairs_filter(thud_world *w)
+void td_pairs_filter(thud_world *w, int first)
 {
     td_array *pairs = &w->scratch.pairs;
     td_new_pair *pair = pairs->data;
-    int kept = 0;
-    for (int i = 0; i < pairs->count; i++) {
+    int kept = first;
+    for (int i = first; i < pairs->count; i++) {
         if (i + 16 < pairs->count) {
             __builtin_prefetch(td_shape_at(w, pair[i + 16].a));
             __builtin_prefetch(td_shape_at(w, pair[i + 16].b));

@@ -11,8 +11,8 @@ typedef struct td_new_pair {
 /* Adds to scratch.pairs; `child` is a terrain segment or 0. False when memory is short. */
 bool td_pairs_add(thud_world *w, int a, int b, int child);
 
-/* Drops the pairs that may not touch. */
-void td_pairs_filter(thud_world *w);
+/* Drops the pairs that may not touch, from the one at `first` on. */
+void td_pairs_filter(thud_world *w, int first);
 
 /* Puts the pairs into the order of their shapes, whichever broadphase found them. */
 bool td_pairs_sort(thud_world *w);

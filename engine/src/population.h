@@ -36,19 +36,17 @@ typedef struct td_population {
     double widest;                       /* plane sweep: no shape is wider, bounds quanta */
 } td_population;
 
-/* What a sweep found: the hits from the end of the run before to `end` overlap `shape`. */
-typedef struct td_hit_run {
-    int32_t shape, end;
-} td_hit_run;
-
 struct thud_world;
 
-/* Finds each pair of shapes whose bounds overlap and of which one moved, once. `runs` gets
- * td_hit_run, `hits`, empty before, the ids; `crowded`, with room for all, the shapes that may have
- * more. `every`: look at every shape rather than at those that moved, which pays when most did. */
+/* Hears of what overlaps a shape; false ends the sweep. */
+typedef bool td_hits_fn(void *context, int shape, const int *hits, int count);
+
+/* Finds each pair of shapes whose bounds overlap and of which one moved, once, and tells of those of
+ * each shape together; `hits` is room for them. `every`: look at every shape rather than at those that
+ * moved, which pays when most did. */
 typedef bool td_sweep_fn(const td_population *population, td_memory *memory,
-                         const td_stance *stance, bool every, td_array *runs, td_array *hits,
-                         td_array *crowded);
+                         const td_stance *stance, bool every, td_array *hits, td_hits_fn *tell,
+                         void *context);
 /* Appends every shape whose bounds overlap `bounds`, which lie near the place. */
 typedef bool td_find_fn(const td_population *population, td_memory *memory,
                         const td_bounds *bounds, td_place near_place, td_array *hits);

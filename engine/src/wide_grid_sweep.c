@@ -8,51 +8,22 @@ enum { FEW = 2 * TD_LANES };
 /* A hashed level is searched whole where more rows are asked for. */
 enum { MOST_ROWS = 16 };
 
-/* No further than there are enough hits. */
-TD_INLINE void scan_range(scan *s, int from, int to, heed which)
-{
-    scan_span(s, from, to, which, true);
-}
-
-/* Of what is found from now on more than a crowd is not looked for. */
-TD_INLINE void expect_crowd(scan *s)
-{
-    s->enough = s->out + TD_CROWD;
-}
-
-/* Drops what is more, and lists the shape once. */
-TD_INLINE void note_crowd(scan *s, td_array *crowded, int shape)
-{
-    s->out = s->enough;
-    const int *list = crowded->data;
-    if (crowded->count == 0 || list[crowded->count - 1] != shape) {
-        td_push_int(crowded, shape);
-    }
-}
-
-/* Cells cell .. cell + n - 1 of a level, around the end of its table; for which there is room. */
-TD_INLINE void scan_roomy(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which)
+/* Cells cell .. cell + n - 1 of a level, around the end of its table. */
+TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which)
 {
     const int32_t *starts = s->starts + level->starts;
     uint32_t table = level->mask + 1;
     cell &= level->mask;
-    if (cell + n <= table) {
-        scan_range(s, starts[cell], starts[cell + n], which);
-        return;
-    }
-    scan_range(s, starts[cell], starts[table], which);
-    scan_range(s, starts[0], starts[cell + n - table], which);
-}
-
-TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which)
-{
-    const int32_t *starts = s->starts + level->starts;
-    cell &= level->mask;
-    bool around = cell + n > level->mask + 1;
+    bool around = cell + n > table;
     if (!room(s, around ? level->count : starts[cell + n] - starts[cell])) {
         return false;
     }
-    scan_roomy(s, level, cell, n, which);
+    if (!around) {
+        scan_span(s, starts[cell], starts[cell + n], which);
+        return true;
+    }
+    scan_span(s, starts[cell], starts[table], which);
+    scan_span(s, starts[0], starts[cell + n - table], which);
     return true;
 }
 
@@ -61,37 +32,44 @@ TD_INLINE bool scan_level(scan *s, const td_level *level, heed which)
     if (!room(s, level->count)) {
         return false;
     }
-    scan_range(s, level->first, level->first + level->count, which);
+    scan_span(s, level->first, level->first + level->count, which);
     return true;
 }
 
-/* The rest of a shape's cell and the next one, and the row above; so that each pair comes once.
- * Returns whether there may be a crowd. */
+/* A part of a shape's own cell. */
+TD_INLINE bool scan_part(scan *s, int from, int to, heed which)
+{
+    if (!room(s, to - from)) {
+        return false;
+    }
+    scan_span(s, from, to, which);
+    return true;
+}
+
+/* The rest of a shape's cell and the next one, and the row above; so that each pair comes once. */
 TD_INLINE bool scan_forward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
 {
     const int32_t *starts = s->starts + level->starts;
     uint32_t above = (cell + level->row - 1) & level->mask;
     if (cell < level->mask && above + 3 <= level->mask + 1) {
         int end = starts[cell + 2], first = starts[above], last = starts[above + 3];
-        if (end - i + last - first <= TD_CROWD) {
-            scan_span(s, i + 1, end, which, false);
-            scan_span(s, first, last, which, false);
+        if (!room(s, end - i + last - first)) {
             return false;
         }
+        scan_span(s, i + 1, end, which);
+        scan_span(s, first, last, which);
+        return true;
     }
-    expect_crowd(s);
-    scan_range(s, i + 1, starts[cell + 1], which);
-    scan_roomy(s, level, cell + 1, 1, which);
-    scan_roomy(s, level, above, 3, which);
-    return s->out >= s->enough;
+    return scan_part(s, i + 1, starts[cell + 1], which) &&
+           scan_cells(s, level, cell + 1, 1, which) && scan_cells(s, level, above, 3, which);
 }
 
 /* The other half of the neighbourhood. */
-TD_INLINE void scan_backward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
+TD_INLINE bool scan_backward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
 {
-    scan_range(s, s->starts[level->starts + (int)cell], i, which);
-    scan_roomy(s, level, cell - 1, 1, which);
-    scan_roomy(s, level, cell - level->row - 1, 3, which);
+    return scan_part(s, s->starts[level->starts + (int)cell], i, which) &&
+           scan_cells(s, level, cell - 1, 1, which) &&
+           scan_cells(s, level, cell - level->row - 1, 3, which);
 }
 
 /* A level of larger shapes: three rows of three cells each, about a centre, which is given relative
@@ -208,16 +186,11 @@ static int levels_in_use(const td_population *grid)
 
 td_sweep_fn TD_WIDE(td_grid_sweep);
 bool TD_WIDE(td_grid_sweep)(const td_population *grid, td_memory *memory, const td_stance *stance,
-                            bool every, td_array *runs, td_array *hits, td_array *crowded)
+                            bool every, td_array *hits, td_hits_fn *tell, void *context)
 {
     scan s = begin_scan(grid, memory, hits);
     const int32_t *cells = grid->cells.data;
     bool one_level = levels_in_use(grid) == 1;
-    if (!td_array_reserve(memory, runs, grid->ids.count)) {
-        return false;
-    }
-    td_hit_run *run = runs->data;
-    int before = 0;
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
         for (int i = level->first; i < level->first + level->count; i++) {
@@ -227,32 +200,15 @@ bool TD_WIDE(td_grid_sweep)(const td_population *grid, td_memory *memory, const 
             td_bounds b = bounds_at(&s, i);
             set_box(&s, &b);
             uint32_t cell = (uint32_t)cells[i];
-            if (!room(&s, 2 * (TD_CROWD + TD_LANES))) {
+            bool done = s.moved[i] ? scan_forward(&s, level, i, cell, HEED_ALL)
+                                   : scan_forward(&s, level, i, cell, HEED_MOVED);
+            if (!done || (!every && !scan_backward(&s, level, i, cell, HEED_UNMOVED)) ||
+                (!one_level && !scan_others(&s, l, i, stance[s.ids[i]].center, every)) ||
+                !tell_hits(&s, i, tell, context)) {
                 return false;
             }
-            if (s.moved[i] ? scan_forward(&s, level, i, cell, HEED_ALL)
-                           : scan_forward(&s, level, i, cell, HEED_MOVED)) {
-                note_crowd(&s, crowded, s.ids[i]);
-            }
-            if (!every) {
-                expect_crowd(&s);
-                scan_backward(&s, level, i, cell, HEED_UNMOVED);
-                if (s.out >= s.enough) {
-                    note_crowd(&s, crowded, s.ids[i]);
-                }
-            }
-            s.enough = s.limit;
-            if (!one_level && !scan_others(&s, l, i, stance[s.ids[i]].center, every)) {
-                return false;
-            }
-            int end = (int)(s.out - (const int32_t *)hits->data);
-            *run = (td_hit_run){s.ids[i], end};
-            run += end != before;
-            before = end;
         }
     }
-    runs->count = (int)(run - (td_hit_run *)runs->data);
-    count_hits(&s);
     return true;
 }
 

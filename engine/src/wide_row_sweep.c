@@ -46,22 +46,16 @@ TD_INLINE void scan_before(scan *s, int i)
 {
     int first = begin_of(s->population, least_of(s->population, i));
     if (first < i) {
-        scan_span(s, first, i, HEED_UNMOVED, false);
+        scan_span(s, first, i, HEED_UNMOVED);
     }
 }
 
 td_sweep_fn TD_WIDE(td_row_sweep);
 bool TD_WIDE(td_row_sweep)(const td_population *row, td_memory *memory, const td_stance *stance,
-                           bool every, td_array *runs, td_array *hits, td_array *crowded)
+                           bool every, td_array *hits, td_hits_fn *tell, void *context)
 {
     (void)stance;
-    (void)crowded;
     scan s = begin_scan(row, memory, hits);
-    if (!td_array_reserve(memory, runs, row->ids.count)) {
-        return false;
-    }
-    int before = 0;
-    runs->count = 0;
     for (int i = 0; i < row->ids.count; i++) {
         if (!every && !s.moved[i]) {
             continue;
@@ -73,16 +67,14 @@ bool TD_WIDE(td_row_sweep)(const td_population *row, td_memory *memory, const td
             return false;
         }
         if (i + 1 < end) {
-            scan_span(&s, i + 1, end, s.moved[i] ? HEED_ALL : HEED_MOVED, false);
+            scan_span(&s, i + 1, end, s.moved[i] ? HEED_ALL : HEED_MOVED);
         }
         if (!every) {
             scan_before(&s, i);
         }
-        int found = count_hits(&s);
-        if (found > before) {
-            *(td_hit_run *)td_at(runs, runs->count++) = (td_hit_run){s.ids[i], found};
+        if (!tell_hits(&s, i, tell, context)) {
+            return false;
         }
-        before = found;
     }
     return true;
 }
@@ -100,7 +92,7 @@ bool TD_WIDE(td_row_find)(const td_population *row, td_memory *memory, const td_
         return false;
     }
     if (first < end) {
-        scan_span(&s, first, end, HEED_ALL, false);
+        scan_span(&s, first, end, HEED_ALL);
     }
     count_hits(&s);
     return true;

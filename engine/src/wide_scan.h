@@ -26,7 +26,6 @@ typedef struct scan {
     td_memory *memory;
     td_array *hits;
     int32_t *out, *limit; /* where the next hit goes, and the end of the room */
-    int32_t *enough;      /* no need to look for more once this has been reached */
     i8 box_min_x, box_min_y, box_max_x, box_max_y;
 } scan;
 
@@ -38,7 +37,6 @@ TD_INLINE void set_room(scan *s)
     int32_t *data = s->hits->data; /* null as long as there is no room */
     s->out = data ? data + s->hits->count : NULL;
     s->limit = data ? data + s->hits->capacity : NULL;
-    s->enough = s->limit;
 }
 
 /* What was found so far, as the hits' count. */
@@ -105,9 +103,17 @@ TD_INLINE bool room(scan *s, int more)
     return true;
 }
 
+/* Tells what was found of the i-th shape, and begins anew. */
+TD_INLINE bool tell_hits(scan *s, int i, td_hits_fn *tell, void *context)
+{
+    int found = count_hits(s);
+    s->out = s->hits->data;
+    return found == 0 || tell(context, s->ids[i], s->hits->data, found);
+}
+
 /* Most ranges hold no more than eight, many of them none: the first eight are always tested, since a
  * branch that nobody can foretell costs more. */
-TD_INLINE void scan_span(scan *s, int from, int to, heed which, bool bounded)
+TD_INLINE void scan_span(scan *s, int from, int to, heed which)
 {
     int at = from;
     do {
@@ -116,7 +122,7 @@ TD_INLINE void scan_span(scan *s, int from, int to, heed which, bool bounded)
         bits &= left < TD_LANES ? (1u << left) - 1u : 0xffu;
         s->out += i8_pack(s->out, s->ids + at, bits);
         at += TD_LANES;
-    } while (at < to && (!bounded || s->out < s->enough));
+    } while (at < to);
 }
 
 #endif

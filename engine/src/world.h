@@ -233,8 +233,7 @@ struct thud_world {
     struct td_scratch {
         td_array hits;        /* int: what a grid reports */
         td_array ahead;       /* int: shapes at rest that a fast body may hit */
-        td_array hit_runs;    /* td_hit_run: to whom the hits of a sweep belong */
-        td_array crowded;     /* int: shapes with more neighbours than a sweep lists */
+        td_array crowded;     /* int: shapes in a crowd of which pairs are missing */
         td_array stamps;      /* uint32_t, by shape: the last one that it was found to touch */
         uint32_t stamp;
         td_array pairs;       /* td_new_pair */

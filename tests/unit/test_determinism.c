@@ -68,15 +68,11 @@ static void shift_by_whole_units_changes_no_bit(void **state)
     }
 }
 
-/* All but one_spot, whose crowd the grid hands out bit by bit. */
 static void every_broadphase_gives_the_same_bits(void **state)
 {
     (void)state;
     const thud_broadphase *others[] = {&thud_broadphase_sweep, &thud_broadphase_all};
     for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
-        if (strcmp(SCENES[i], "one_spot") == 0) {
-            continue;
-        }
         uint64_t by_grid = motion_after(SCENES[i], false, 0, 0);
         for (int k = 0; k < 4; k++) {
             thud_world_def def = thud_default_world_def();

@@ -1,0 +1,157 @@
+/* test_crowds.c: what stands in a crowd is found: at once where its pairs are few for the world, else
+ * within a number of steps that grows with the crowd. Pairs that cannot act hold no places. */
+#include "engine_support.h"
+
+static const thud_broadphase *const BROADPHASES[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
+                                                     &thud_broadphase_all};
+
+enum { MOST = 1000 };
+
+typedef struct crowd {
+    thud_world *world;
+    thud_body_id bodies[MOST];
+    uint64_t seed;
+    int sensed, met;
+} crowd;
+
+/* Circles in one spot that meet each other only where `def` says so. */
+static void fill(crowd *c, int count, const thud_shape_def *def)
+{
+    for (int i = 0; i < count; i++) {
+        thud_body_id id = add_body(c->world, THUD_DYNAMIC, random_in(&c->seed, -0.05, 0.05),
+                                   random_in(&c->seed, -0.05, 0.05), 0);
+        add_shape(c->world, id, 0.25f, 0, false, def);
+        c->bodies[i] = id;
+    }
+}
+
+static void step(crowd *c)
+{
+    run(c->world, 1);
+    thud_events e = thud_world_events(c->world);
+    c->sensed += e.sensor_begin_count - e.sensor_end_count;
+    c->met += e.begin_count;
+}
+
+static bool let_through(thud_world *world, const thud_contact *contact,
+                        thud_contact_settings *settings, void *context)
+{
+    (void)world;
+    (void)contact;
+    (void)settings;
+    (void)context;
+    return false;
+}
+
+static crowd mates(int count, const thud_broadphase *broadphase, bool by_group)
+{
+    thud_world_def def = weightless();
+    thud_shape_def shape = thud_default_shape_def();
+    def.broadphase = broadphase;
+    def.prologue = let_through;
+    crowd c = {.world = make_world(def), .seed = 5};
+    if (by_group) {
+        shape.filter.group = -1;
+    } else {
+        shape.filter.category = 2;
+        shape.filter.mask = ~2u;
+    }
+    fill(&c, count, &shape);
+    return c;
+}
+
+static void add_sensor(crowd *c, thud_body_kind kind)
+{
+    thud_shape_def sensor = thud_default_shape_def();
+    sensor.sensor = true;
+    add_shape(c->world, add_body(c->world, kind, 0, 0, 0), 1, 1, true, &sensor);
+}
+
+static void sensor_in_a_crowd_of_mates_reports_all(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 12; k++) {
+        crowd c = mates(120, BROADPHASES[k % 3], k / 3 % 2);
+        add_sensor(&c, k / 6 ? THUD_DYNAMIC : THUD_KINEMATIC);
+        step(&c);
+        assert_int_equal(c.sensed, 120);
+        thud_world_destroy(c.world);
+    }
+}
+
+/* It comes later, from outside, and goes right through. */
+static void body_flown_through_a_crowd_of_mates_meets_all(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 6; k++) {
+        crowd c = mates(120, BROADPHASES[k % 3], k / 3);
+        step(&c);
+        thud_body_id bullet = add_ball(c.world, -3, 0, 0.1f);
+        OK(thud_body_set_velocity(c.world, bullet, (thud_vec2){12, 0}, 0));
+        for (int i = 0; i < 30; i++) {
+            step(&c);
+        }
+        near_to(state_of(c.world, bullet).position.x, 3, 1e-3);
+        assert_int_equal(c.met, 120);
+        thud_world_destroy(c.world);
+    }
+}
+
+/* A thousand have half a million pairs: too many to look at in one step. */
+static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        crowd c = mates(1000, BROADPHASES[k], true);
+        add_sensor(&c, THUD_KINEMATIC);
+        int steps = 0;
+        for (; steps < 1000 / 64 + 1 && c.sensed < 1000; steps++) {
+            step(&c);
+        }
+        assert_int_equal(c.sensed, 1000);
+        /* ... and another one that comes when all stand still. */
+        add_sensor(&c, THUD_KINEMATIC);
+        for (steps = 0; steps < 1000 / 64 + 1 && c.sensed < 2000; steps++) {
+            step(&c);
+        }
+        assert_int_equal(c.sensed, 2000);
+        thud_world_destroy(c.world);
+    }
+}
+
+/* They let each other through, and so never come apart; also where they sleep in between. */
+static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **state)
+{
+    (void)state;
+    enum { COUNT = 220, ALL = COUNT * (COUNT - 1) / 2 };
+    for (int k = 0; k < 4; k++) {
+        thud_world_def def = weightless();
+        def.broadphase = BROADPHASES[k % 3];
+        def.prologue = let_through;
+        def.sleeping = k == 3;
+        crowd c = {.world = make_world(def), .seed = 6};
+        fill(&c, COUNT, NULL);
+        step(&c);
+        assert_true(thud_world_stats(c.world).pairs < 64 * COUNT); /* not all at once */
+        int steps = 1;
+        for (; steps < 4 * COUNT && thud_world_stats(c.world).pairs < ALL; steps++) {
+            step(&c);
+            for (int b = 0; b < COUNT && steps % 50 == 49; b++) {
+                OK(thud_body_set_awake(c.world, c.bodies[b], true));
+            }
+        }
+        assert_int_equal(thud_world_stats(c.world).pairs, ALL);
+        thud_world_destroy(c.world);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sensor_in_a_crowd_of_mates_reports_all),
+        cmocka_unit_test(body_flown_through_a_crowd_of_mates_meets_all),
+        cmocka_unit_test(sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated),
+        cmocka_unit_test(crowd_that_stays_gets_all_pairs_within_steps_that_are_stated),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
