@@ -74,20 +74,6 @@ static const td_bounds *bounds_before(const thud_world *w, int shape)
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
 }
 
-static bool has_contact(const thud_world *w, int a, int b, int child)
-{
-    int e = td_body_at(w, td_shape_at(w, b)->body)->first_contact;
-    for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_contact *contact = td_contact_at(w, e / 2);
-        if (((contact->shape_a == a && contact->shape_b == b) ||
-             (contact->shape_a == b && contact->shape_b == a)) &&
-            contact->child == child) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* Stamps every shape that shape a has a contact with; returns how many there are. */
 static int stamp_partners(thud_world *w, int a)
 {
@@ -147,9 +133,9 @@ static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned s
 
 /* ---- crowds ---- */
 
-/* Where everything is inside everything, pairs are as the square of the shapes. As long as there are
- * no more than so many, of all shapes, all are there at once. */
-enum { ENOUGH_A_SHAPE = 64, ENOUGH = 8192 };
+/* Where everything is inside everything, pairs are as the square of the shapes. As long as so many
+ * overlap, and so many more for each shape of the world, all are there at once. */
+enum { ENOUGH = 8192, ENOUGH_A_SHAPE = 64 };
 
 /* Else the world is crowded, and a shape looks at about so many of those that overlap it, which is
  * cheap, and gets about so many new contacts with them, which is not; with as many contacts as that
@@ -159,7 +145,6 @@ enum { LOOKS = 128, PLACES = 32 };
 
 typedef struct search {
     thud_world *w;
-    int sifted;    /* scratch.pairs before it may touch */
     int64_t looks;
     bool crowded;
 } search;
@@ -174,33 +159,13 @@ static unsigned turns_for(int count, int most)
     return turns - 1;
 }
 
-static void sift(search *s)
+/* In a crowd: of a shape's pairs, those from `first` on, drops those that may not touch, and those
+ * whose turn it is not; all passed `skipped`. Returns whether any may be missing. */
+static bool take_turns(thud_world *w, int shape, int first, unsigned skipped)
 {
-    td_pairs_filter(s->w, s->sifted);
-    s->sifted = s->w->scratch.pairs.count;
-}
-
-/* Whether there are too many pairs to have all of them at once. */
-static bool is_crowded(search *s, int count)
-{
-    thud_world *w = s->w;
-    int64_t enough = ENOUGH + ENOUGH_A_SHAPE * (int64_t)w->shapes.live;
-    s->looks += count;
-    if (w->contacts.live + w->scratch.pairs.count > enough) {
-        sift(s);
-    }
-    return s->looks > 4 * enough || w->contacts.live + w->scratch.pairs.count > enough;
-}
-
-/* In a crowd: drops those of a shape's pairs whose turn it is not; all of them passed `skipped`.
- * Returns whether any may be missing. */
-static bool take_turns(search *s, int shape, unsigned skipped)
-{
-    thud_world *w = s->w;
     td_array *pairs = &w->scratch.pairs;
-    int first = s->sifted, kept = first;
-    sift(s);
-    int most = stamp_partners(w, shape) < PLACES ? PLACES : 1;
+    td_pairs_filter(w, first);
+    int kept = first, most = stamp_partners(w, shape) < PLACES ? PLACES : 1;
     skipped += (skipped + 1) * turns_for(pairs->count - first, most);
     for (int i = first; i < pairs->count; i++) {
         const td_new_pair *pair = td_at(pairs, i);
@@ -210,25 +175,28 @@ static bool take_turns(search *s, int shape, unsigned skipped)
             *(td_new_pair *)td_at(pairs, kept++) = *pair;
         }
     }
-    pairs->count = s->sifted = kept;
+    pairs->count = kept;
     return skipped != 0;
 }
 
 static bool take_hits(void *context, int shape, const int *hits, int count)
 {
     search *s = context;
+    thud_world *w = s->w;
+    int first = w->scratch.pairs.count;
     unsigned skipped = s->crowded ? turns_for(count, LOOKS) : 0;
-    if (!add_new(s->w, shape, hits, count, skipped)) {
+    if (!add_new(w, shape, hits, count, skipped)) {
         return false;
     }
-    if (!s->crowded) {
-        s->crowded = is_crowded(s, count);
-        return !s->crowded;
+    if (s->crowded) {
+        if (take_turns(w, shape, first, skipped)) {
+            td_push_int(&w->scratch.crowded, shape);
+        }
+        return true;
     }
-    if (take_turns(s, shape, skipped)) {
-        td_push_int(&s->w->scratch.crowded, shape);
-    }
-    return true;
+    s->looks += count;
+    s->crowded = s->looks > ENOUGH + ENOUGH_A_SHAPE * (int64_t)w->shapes.live;
+    return !s->crowded;
 }
 
 static bool query(thud_world *w, const td_population *grid, int shape)
@@ -243,7 +211,7 @@ static bool sweep(search *s)
     thud_world *w = s->w;
     const td_population *grid = &w->awake_shapes;
     bool every = grid->moved_count * 2 > grid->ids.count;
-    w->scratch.hits.count = w->scratch.pairs.count = s->sifted = 0;
+    w->scratch.hits.count = w->scratch.pairs.count = 0;
     return w->def.broadphase->sweep[w->wide](grid, &w->memory, w->stance.data, every,
                                              &w->scratch.hits, take_hits, s);
 }
@@ -332,12 +300,8 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
         if (!td_terrain_reaches(w, terrain_shape, &terrain, at, td_fat_at(w, shape), i)) {
             continue;
         }
-        bool old = false;
-        if (marks & TD_MARK_WOKEN || w->vast) {
-            old = has_contact(w, terrain_shape, shape, i);
-        } else if (!(marks & TD_MARK_FRESH)) {
-            old = td_terrain_reaches(w, terrain_shape, &terrain, at, bounds_before(w, shape), i);
-        }
+        bool old = !(marks & (TD_MARK_WOKEN | TD_MARK_FRESH)) && !w->vast &&
+                   td_terrain_reaches(w, terrain_shape, &terrain, at, bounds_before(w, shape), i);
         if (!old && !td_pairs_add(w, terrain_shape, shape, i)) {
             return false;
         }
@@ -412,7 +376,6 @@ static void look_again(thud_world *w)
         td_shape_mark_moved(w, shape);
         *td_marks_at(w, shape) |= TD_MARK_WOKEN;
     }
-    w->scratch.crowded.count = 0;
 }
 
 static void clear_marks(thud_world *w)

@@ -18,7 +18,7 @@
 /* One of the body's shapes meets a static one. */
 typedef struct meeting {
     double time;
-    int shape, other;
+    int64_t pair; /* both shapes, which decide where times agree */
 } meeting;
 
 typedef struct sweep {
@@ -92,15 +92,12 @@ static bool passes(const sweep *s, int other, double time)
 
 static bool is_sooner(const meeting *a, const meeting *b)
 {
-    if (a->time != b->time) {
-        return a->time < b->time;
-    }
-    return a->shape != b->shape ? a->shape < b->shape : a->other < b->other;
+    return a->time < b->time || (a->time == b->time && a->pair < b->pair);
 }
 
 static void meet(sweep *s, int other, bool hit, double time)
 {
-    meeting m = {time, s->shape, other};
+    meeting m = {time, (int64_t)s->shape << 32 | other};
     if (hit && is_sooner(&m, &s->next) && is_sooner(&s->last, &m)) {
         s->next = m;
     }
@@ -249,7 +246,7 @@ static bool looks_around(sweep *s)
     return near_any;
 }
 
-/* The first meeting after the last one, of all shapes of the body. */
+/* The first meeting after the last one, of all shapes of the body; and puts that shape in place. */
 static void find_next(sweep *s, int first, float c, float sine)
 {
     const thud_world *w = s->w;
@@ -270,6 +267,9 @@ static void find_next(sweep *s, int first, float c, float sine)
             }
         }
     }
+    if (s->next.time < 1.0) {
+        set_shape(s, (int)(s->next.pair >> 32), td_row(&w->delta, s->slot), c, sine);
+    }
 }
 
 /* The prologue is asked in the order of time, whichever order the broadphase has, up to the first
@@ -281,7 +281,7 @@ static void sweep_body(thud_world *w, int slot)
     const float *delta = td_row(&w->delta, slot);
     td_place start = {pose->center.x - td_length_from(w, delta[0]),
                       pose->center.y - td_length_from(w, delta[1])};
-    sweep swept = {.w = w, .slot = slot, .body = index, .start = start, .last = {.time = -1.0}};
+    sweep swept = {.w = w, .slot = slot, .body = index, .start = start, .next = {.time = -1.0}};
     swept.bounds = swept_bounds(&swept, pose->center);
     if (!looks_around(&swept)) {
         return;
@@ -290,16 +290,15 @@ static void sweep_body(thud_world *w, int slot)
     float c, s;
     td_angle_turn(angle, &c, &s);
     int first = td_body_at(w, index)->first_shape;
-    for (find_next(&swept, first, c, s); swept.next.time < 1.0; find_next(&swept, first, c, s)) {
+    do {
         swept.last = swept.next;
-        set_shape(&swept, swept.next.shape, td_row(&w->delta, slot), c, s);
-        if (!passes(&swept, swept.next.other, swept.next.time)) {
-            w->stats.held_bodies++;
-            w->stats.held_seconds += (1.0 - swept.next.time) * w->def.time_step;
-            stop_at(w, index, start, angle, swept.next.time, td_row(&w->delta, slot));
-            td_body_place_shapes(w, index);
-            return;
-        }
+        find_next(&swept, first, c, s);
+    } while (swept.next.time < 1.0 && passes(&swept, (int)swept.next.pair, swept.next.time));
+    if (swept.next.time < 1.0) {
+        w->stats.held_bodies++;
+        w->stats.held_seconds += (1.0 - swept.next.time) * w->def.time_step;
+        stop_at(w, index, start, angle, swept.next.time, td_row(&w->delta, slot));
+        td_body_place_shapes(w, index);
     }
 }
 

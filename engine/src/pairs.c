@@ -83,29 +83,25 @@ bool td_pairs_sort(thud_world *w)
     return true;
 }
 
-static bool is_of(const thud_world *w, int edge, const td_new_pair *p)
-{
-    const td_contact *c = td_contact_at(w, edge / 2);
-    return c->child == p->child && ((c->shape_a == p->a && c->shape_b == p->b) ||
-                                    (c->shape_a == p->b && c->shape_b == p->a));
-}
-
 /* Two that touch keep their contact when their fat bounds part: those reach less far than a manifold
  * that is kept, or than the speculative margin about small shapes. Once the bounds meet again the
- * pair seems to be new. Both bodies' contacts are walked side by side: the shorter list decides. */
-static bool touched_all_along(const thud_world *w, const td_new_pair *p)
+ * pair seems to be new; likewise one with a line where bounds tell nothing. Both bodies' contacts are
+ * walked in turns: the shorter list decides. */
+static bool has_contact(const thud_world *w, const td_new_pair *p)
 {
     int e = td_body_at(w, td_shape_at(w, p->a)->body)->first_contact;
     int f = td_body_at(w, td_shape_at(w, p->b)->body)->first_contact;
-    if ((*td_marks_at(w, p->a) | *td_marks_at(w, p->b)) & (TD_MARK_FRESH | TD_MARK_WOKEN)) {
-        return false; /* has no contacts, or they were looked up */
+    if ((*td_marks_at(w, p->a) | *td_marks_at(w, p->b)) & TD_MARK_FRESH) {
+        return false;
     }
     while (e != TD_NONE && f != TD_NONE) {
-        if (is_of(w, e, p) || is_of(w, f, p)) {
+        const td_contact *c = td_contact_at(w, e / 2);
+        if (c->shape_a == p->a && c->shape_b == p->b && c->child == p->child) {
             return true;
         }
-        e = td_next_edge(w, e);
-        f = td_next_edge(w, f);
+        int next = td_next_edge(w, e);
+        e = f;
+        f = next;
     }
     return false;
 }
@@ -124,7 +120,7 @@ bool td_pairs_create(thud_world *w)
     for (int i = 0; i < pairs->count; i++) {
         td_new_pair *pair = td_at(pairs, i);
         td_pair_kind kind = td_pair_of(w, &pair->a, &pair->b);
-        if (!touched_all_along(w, pair)) {
+        if (!has_contact(w, pair)) {
             td_contact_create(w, kind, pair->a, pair->b, pair->child);
         }
     }

@@ -170,16 +170,6 @@ bool td_islands_label(thud_world *w)
     return true;
 }
 
-/* In a crowd, some of its pairs are still missing. */
-static bool looks_again(const thud_world *w, const td_body *body)
-{
-    int i = body->first_shape;
-    while (i != TD_NONE && !(*td_marks_at(w, i) & TD_MARK_WOKEN)) {
-        i = td_shape_at(w, i)->next;
-    }
-    return i != TD_NONE;
-}
-
 /* Puts the bodies listed to sleep; false, and nothing has changed, when memory is short. */
 static bool put_to_sleep(thud_world *w)
 {
@@ -218,8 +208,9 @@ static bool put_to_sleep(thud_world *w)
     }
     w->rest_epoch++;
     for (int i = 0; i < bodies->count; i++) {
-        td_body *body = td_body_at(w, *(int *)td_at(bodies, i));
-        body->rest_epoch = w->rest_epoch - looks_again(w, body);
+        /* In a crowd, pairs may be missing: who wakes looks around. */
+        td_body_at(w, *(int *)td_at(bodies, i))->rest_epoch =
+            w->rest_epoch - (w->scratch.crowded.count > 0);
     }
     td_population_forget(&w->awake_shapes);
     td_population_forget(&w->rest_shapes);

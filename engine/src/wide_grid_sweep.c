@@ -36,40 +36,39 @@ TD_INLINE bool scan_level(scan *s, const td_level *level, heed which)
     return true;
 }
 
-/* A part of a shape's own cell. */
-TD_INLINE bool scan_part(scan *s, int from, int to, heed which)
+/* The rest of a shape's cell and the next one, and the row above; so that each pair comes once. Where
+ * the table's end does not lie between them. */
+TD_INLINE bool scan_forward(scan *s, const int32_t *starts, int i, uint32_t cell, uint32_t above,
+                            heed which)
 {
+    int end = starts[cell + 2], first = starts[above], last = starts[above + 3];
+    if (!room(s, end - i + last - first)) {
+        return false;
+    }
+    scan_span(s, i + 1, end, which);
+    scan_span(s, first, last, which);
+    return true;
+}
+
+/* The same anywhere, or the other half of the neighbourhood. */
+TD_INLINE bool scan_half(scan *s, const td_level *level, int i, uint32_t cell, bool forward,
+                         heed which)
+{
+    const int32_t *starts = s->starts + level->starts + cell;
+    int from = forward ? i + 1 : starts[0], to = forward ? starts[1] : i;
     if (!room(s, to - from)) {
         return false;
     }
     scan_span(s, from, to, which);
-    return true;
-}
-
-/* The rest of a shape's cell and the next one, and the row above; so that each pair comes once. */
-TD_INLINE bool scan_forward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
-{
-    const int32_t *starts = s->starts + level->starts;
-    uint32_t above = (cell + level->row - 1) & level->mask;
-    if (cell < level->mask && above + 3 <= level->mask + 1) {
-        int end = starts[cell + 2], first = starts[above], last = starts[above + 3];
-        if (!room(s, end - i + last - first)) {
+    uint32_t beside = forward ? cell + 1 : cell - 1, n = 1;
+    for (int k = 0; k < 2; k++) {
+        if (!scan_cells(s, level, beside, n, which)) {
             return false;
         }
-        scan_span(s, i + 1, end, which);
-        scan_span(s, first, last, which);
-        return true;
+        beside = (forward ? cell + level->row : cell - level->row) - 1;
+        n = 3;
     }
-    return scan_part(s, i + 1, starts[cell + 1], which) &&
-           scan_cells(s, level, cell + 1, 1, which) && scan_cells(s, level, above, 3, which);
-}
-
-/* The other half of the neighbourhood. */
-TD_INLINE bool scan_backward(scan *s, const td_level *level, int i, uint32_t cell, heed which)
-{
-    return scan_part(s, s->starts[level->starts + (int)cell], i, which) &&
-           scan_cells(s, level, cell - 1, 1, which) &&
-           scan_cells(s, level, cell - level->row - 1, 3, which);
+    return true;
 }
 
 /* A level of larger shapes: three rows of three cells each, about a centre, which is given relative
@@ -165,9 +164,9 @@ TD_INLINE bool scan_others(scan *s, int own, int i, td_place near_position, bool
         if (l == own || !level->count) {
             continue;
         }
-        bool done = l < own       ? scan_window(s, level, &b, near_position, HEED_UNMOVED)
-                    : s->moved[i] ? scan_coarser(s, level, x, y, HEED_ALL)
-                                  : scan_coarser(s, level, x, y, HEED_MOVED);
+        heed which = s->moved[i] ? HEED_ALL : HEED_MOVED;
+        bool done = l < own ? scan_window(s, level, &b, near_position, HEED_UNMOVED)
+                            : scan_coarser(s, level, x, y, which);
         if (!done) {
             return false;
         }
@@ -193,17 +192,24 @@ bool TD_WIDE(td_grid_sweep)(const td_population *grid, td_memory *memory, const 
     bool one_level = levels_in_use(grid) == 1;
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
+        const int32_t *starts = s.starts + level->starts;
         for (int i = level->first; i < level->first + level->count; i++) {
             if (!every && !s.moved[i]) {
                 continue;
             }
             td_bounds b = bounds_at(&s, i);
             set_box(&s, &b);
-            uint32_t cell = (uint32_t)cells[i];
-            bool done = s.moved[i] ? scan_forward(&s, level, i, cell, HEED_ALL)
-                                   : scan_forward(&s, level, i, cell, HEED_MOVED);
-            if (!done || (!every && !scan_backward(&s, level, i, cell, HEED_UNMOVED)) ||
-                (!one_level && !scan_others(&s, l, i, stance[s.ids[i]].center, every)) ||
+            uint32_t cell = (uint32_t)cells[i], above = (cell + level->row - 1) & level->mask;
+            bool whole = cell < level->mask && above + 3 <= level->mask + 1, done = true;
+            if (whole) {
+                done = s.moved[i] ? scan_forward(&s, starts, i, cell, above, HEED_ALL)
+                                  : scan_forward(&s, starts, i, cell, above, HEED_MOVED);
+            }
+            for (int back = whole; back <= !every && done; back++) {
+                heed which = back ? HEED_UNMOVED : s.moved[i] ? HEED_ALL : HEED_MOVED;
+                done = scan_half(&s, level, i, cell, !back, which);
+            }
+            if (!done || (!one_level && !scan_others(&s, l, i, stance[s.ids[i]].center, every)) ||
                 !tell_hits(&s, i, tell, context)) {
                 return false;
             }

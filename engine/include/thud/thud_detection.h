@@ -8,9 +8,14 @@ extern "C" {
 #endif
 
 /* A broadphase finds the pairs of shapes whose bounds overlap. All find the same pairs and hand them
- * on in the same order, so that a world does the same, bit for bit, with any of them. (But for a
- * crowd: where a shape overlaps more than 32 others on a side, the grid hands out that many pairs at
- * once, and the rest as the crowd comes apart.) */
+ * on in the same order, so that a world does the same, bit for bit, with any of them: contacts, events,
+ * what callbacks are asked, and where bodies go.
+ *
+ * But for crowds. In a world with more pairs than 8,192 and 64 a shape, or more than four times as many
+ * that overlap and may not touch, a shape that overlaps more than 32 others in one step gets some of
+ * those pairs later, and which come first is the broadphase's own. Pairs that may not touch hold no
+ * places, and sensors get all that are looked at. Where n shapes lie in one spot each of their pairs is
+ * looked at within n / 64 steps, and has come within 4 n if all of them touch and stay there. */
 typedef struct thud_broadphase thud_broadphase;
 
 /* A grid with a level for each eightfold of size: cost per shape stays flat as their number grows,
