@@ -56,6 +56,7 @@ void td_wake_all(thud_world *w)
 
 thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_id *out)
 {
+    TD_IN_OWN_MODE;
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "body create: world or def is null");
     }

@@ -114,6 +114,7 @@ static thud_result check_dynamic(const thud_world *w, int index, const char *mes
 
 thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos position, double angle)
 {
+    TD_IN_OWN_MODE;
     int index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -140,6 +141,7 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
 thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 velocity,
                                    float angular_velocity)
 {
+    TD_IN_OWN_MODE;
     int index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -162,6 +164,7 @@ thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 vel
 
 thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 value, thud_pos point)
 {
+    TD_IN_OWN_MODE;
     int index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -181,6 +184,7 @@ thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 va
 
 thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque)
 {
+    TD_IN_OWN_MODE;
     int index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {

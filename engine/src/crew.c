@@ -52,11 +52,25 @@ td_crew_task td_crew_begin(thud_world *w)
     return (td_crew_task){.counters = w->scratch.counters.data, .workers = w->def.crew.workers};
 }
 
+/* Each thread has a floating-point mode of its own. */
+typedef struct shared_work {
+    thud_task_fn *run;
+    void *argument;
+} shared_work;
+
+static void run_in_own_mode(void *work)
+{
+    TD_IN_OWN_MODE;
+    const shared_work *shared = work;
+    shared->run(shared->argument);
+}
+
 void td_crew_run(const thud_world *w, const td_crew_task *task, thud_task_fn *run, void *argument)
 {
     const thud_crew *crew = &w->def.crew;
     if (task->counters) {
-        crew->run(run, argument, crew->workers, crew->context);
+        shared_work shared = {run, argument};
+        crew->run(run_in_own_mode, &shared, crew->workers, crew->context);
     } else {
         run(argument);
     }

@@ -275,6 +275,7 @@ static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int 
 thud_result thud_world_cast_ray(thud_world *w, thud_pos origin, double dx, double dy,
                                 const thud_query_filter *filter, bool *hit, thud_ray_hit *out)
 {
+    TD_IN_OWN_MODE;
     path way = {point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
     thud_result result = check_ray(w, &way);
     return result != THUD_OK ? result : cast_first(w, &way, hit, out);
@@ -284,6 +285,7 @@ thud_result thud_world_cast_ray_all(thud_world *w, thud_pos origin, double dx, d
                                     const thud_query_filter *filter, thud_ray_hit *out,
                                     int capacity, int *count)
 {
+    TD_IN_OWN_MODE;
     path way = {point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
     thud_result result = check_ray(w, &way);
     result = result != THUD_OK ? result : check_room(w, out, capacity);
@@ -294,6 +296,7 @@ thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_pla
                                   double dx, double dy, const thud_query_filter *filter, bool *hit,
                                   thud_ray_hit *out)
 {
+    TD_IN_OWN_MODE;
     path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
     thud_result result = check_shape(w, &way);
     return result != THUD_OK ? result : cast_first(w, &way, hit, out);
@@ -303,6 +306,7 @@ thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center, const thud
                                       double dx, double dy, const thud_query_filter *filter,
                                       thud_ray_hit *out, int capacity, int *count)
 {
+    TD_IN_OWN_MODE;
     path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
     thud_result result = check_shape(w, &way);
     result = result != THUD_OK ? result : check_room(w, out, capacity);
@@ -329,6 +333,7 @@ thud_result thud_world_cast_box(thud_world *w, thud_pos center, double half_x, d
                                 double angle, double dx, double dy,
                                 const thud_query_filter *filter, bool *hit, thud_ray_hit *out)
 {
+    TD_IN_OWN_MODE;
     thud_placed box = td_query_box(half_x, half_y, angle);
     return thud_world_cast_shape(w, center, &box, dx, dy, filter, hit, out);
 }
@@ -338,6 +343,7 @@ thud_result thud_world_cast_box_all(thud_world *w, thud_pos center, double half_
                                     const thud_query_filter *filter, thud_ray_hit *out,
                                     int capacity, int *count)
 {
+    TD_IN_OWN_MODE;
     thud_placed box = td_query_box(half_x, half_y, angle);
     return thud_world_cast_shape_all(w, center, &box, dx, dy, filter, out, capacity, count);
 }

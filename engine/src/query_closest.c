@@ -41,6 +41,7 @@ static void keep_nearest(const thud_world *w, td_place at, const thud_query_filt
 thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distance,
                                const thud_query_filter *filter, bool *found, thud_closest_hit *out)
 {
+    TD_IN_OWN_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }

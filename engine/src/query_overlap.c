@@ -42,6 +42,7 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, const thud_
                                      const thud_query_filter *filter, thud_overlap_fn *fn,
                                      void *context)
 {
+    TD_IN_OWN_MODE;
     if (!w || !fn || !shape) {
         return td_refuse(w, THUD_ERROR_NULL, "overlap: world, shape or callback is null");
     }
@@ -70,6 +71,7 @@ thud_result thud_world_overlap_aabb(thud_world *w, thud_pos lower, thud_pos uppe
                                     const thud_query_filter *filter, thud_overlap_fn *fn,
                                     void *context)
 {
+    TD_IN_OWN_MODE;
     thud_placed box = td_query_box(0.5 * (upper.x - lower.x), 0.5 * (upper.y - lower.y), 0.0);
     thud_pos center = {lower.x + box.hx, lower.y + box.hy};
     return thud_world_overlap_shape(w, center, &box, filter, fn, context);
@@ -79,6 +81,7 @@ thud_result thud_world_overlap_obb(thud_world *w, thud_pos center, double half_x
                                    double angle, const thud_query_filter *filter,
                                    thud_overlap_fn *fn, void *context)
 {
+    TD_IN_OWN_MODE;
     thud_placed box = td_query_box(half_x, half_y, angle);
     box.kind = THUD_OBB;
     return thud_world_overlap_shape(w, center, &box, filter, fn, context);

@@ -28,11 +28,14 @@ thud_events thud_world_events(const thud_world *w)
 
 const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, int *count)
 {
+    TD_IN_OWN_MODE;
     if (count) {
         *count = 0;
     }
-    if (!w || !td_finite(origin.x) || !td_finite(origin.y) || !(alpha >= 0.0 && alpha <= 1.0)) {
-        td_refuse(w, w ? THUD_ERROR_INVALID : THUD_ERROR_NULL, "poses: bad origin or alpha");
+    double most = w ? TD_PLACE_MAX * (double)w->unit : -1.0;
+    if (!(origin.x >= -most && origin.x <= most && origin.y >= -most && origin.y <= most &&
+          alpha >= 0.0 && alpha <= 1.0)) {
+        td_refuse(w, THUD_ERROR_INVALID, "poses: origin or alpha is not finite or out of range");
         return NULL;
     }
     if (!td_array_reserve(&w->memory, &w->poses, td_max_int(w->bodies.count, 1))) {
@@ -136,6 +139,7 @@ static void measure_penetration(const thud_world *w, thud_measure *m)
 
 thud_measure thud_world_measure(const thud_world *w)
 {
+    TD_IN_OWN_MODE;
     thud_measure m = {0};
     if (!w) {
         return m;

@@ -116,6 +116,7 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
 thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                      thud_vec2 offset, float radius, thud_shape_id *out)
 {
+    TD_IN_OWN_MODE;
     int body;
     thud_result result = begin(w, id, def, &body);
     if (result != THUD_OK) {
@@ -134,6 +135,7 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
 thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                    thud_vec2 offset, thud_vec2 half, thud_shape_id *out)
 {
+    TD_IN_OWN_MODE;
     int body;
     thud_result result = begin(w, id, def, &body);
     if (result != THUD_OK) {
@@ -161,6 +163,7 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
                                   thud_vec2 offset, thud_vec2 half, double angle,
                                   thud_shape_id *out)
 {
+    TD_IN_OWN_MODE;
     int body;
     thud_result result = begin(w, id, def, &body);
     if (result != THUD_OK) {
@@ -205,6 +208,7 @@ static bool copy_points(thud_world *w, td_terrain_record *record, const thud_ter
 thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                       const thud_terrain *terrain, thud_shape_id *out)
 {
+    TD_IN_OWN_MODE;
     int body;
     thud_result result = begin(w, id, def, &body);
     if (result != THUD_OK) {

@@ -55,6 +55,53 @@ TD_INLINE void td_pause(void)
 #endif
 }
 
+/* ---- the floating-point mode ----
+ *
+ * Threads of games and of audio have denormals flushed to zero, round otherwise, or trap: bits would
+ * follow. So whatever computes what a world keeps does it in one mode, every rounding to nearest,
+ * denormals kept, nothing trapped, and gives the thread its own back. wasm has no other mode; where a
+ * processor is none of these, the caller's must be the usual one. */
+#if defined(__SSE2__)
+typedef unsigned td_mode;
+#define TD_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "=m"(mode)::"memory")
+#define TD_MODE_SET(mode) __asm__ volatile("ldmxcsr %0" ::"m"(mode) : "memory")
+#define TD_MODE_OWN 0x1f80u
+#define TD_MODE_NOTES 0x3fu /* which exceptions were met since: no part of the mode */
+#elif defined(__aarch64__)
+typedef uint64_t td_mode;
+#define TD_MODE_GET(mode) __asm__ volatile("mrs %0, fpcr" : "=r"(mode)::"memory")
+#define TD_MODE_SET(mode) __asm__ volatile("msr fpcr, %0" ::"r"(mode) : "memory")
+#define TD_MODE_OWN 0u
+#define TD_MODE_NOTES 0u
+#endif
+
+#if defined(TD_MODE_OWN)
+/* Setting it waits for all that is under way, hence only where it differs. */
+static inline td_mode td_mode_take(void)
+{
+    td_mode mode, own = TD_MODE_OWN;
+    TD_MODE_GET(mode);
+    if (__builtin_expect((mode & ~(td_mode)TD_MODE_NOTES) != TD_MODE_OWN, 0)) {
+        TD_MODE_SET(own);
+    }
+    return mode;
+}
+
+static inline void td_mode_give_back(const td_mode *mode)
+{
+    if (__builtin_expect((*mode & ~(td_mode)TD_MODE_NOTES) != TD_MODE_OWN, 0)) {
+        TD_MODE_SET(*mode);
+    }
+}
+
+/* The first line of a function: from here to its end in the engine's mode. */
+#define TD_IN_OWN_MODE                                                                             \
+    __attribute__((cleanup(td_mode_give_back))) const td_mode callers_mode = td_mode_take();       \
+    (void)callers_mode
+#else
+#define TD_IN_OWN_MODE (void)0
+#endif
+
 /* Masks are all ones or all zeros a lane, as comparisons give them. */
 TD_INLINE f8 f8_pick(i8 mask, f8 yes, f8 no)
 {

@@ -121,6 +121,7 @@ static thud_result run_stages(thud_world *w)
 
 thud_result thud_world_step(thud_world *w)
 {
+    TD_IN_OWN_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -137,6 +138,7 @@ thud_result thud_world_step(thud_world *w)
 thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int *steps,
                                double *alpha)
 {
+    TD_IN_OWN_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }

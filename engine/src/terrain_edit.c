@@ -218,6 +218,7 @@ static thud_result find_terrain(thud_world *w, thud_shape_id id, int *shape)
 thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
                                    const double *heights, int count)
 {
+    TD_IN_OWN_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
     if (result != THUD_OK) {
@@ -247,6 +248,7 @@ thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
 thud_result thud_shape_replace_range(thud_world *w, thud_shape_id id, double x0, double x1,
                                      const thud_pos *points, int count)
 {
+    TD_IN_OWN_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
     if (result != THUD_OK) {
@@ -276,6 +278,7 @@ thud_result thud_shape_replace_range(thud_world *w, thud_shape_id id, double x0,
 static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const char *wrong,
                            const char *no_memory)
 {
+    TD_IN_OWN_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
     if (result != THUD_OK) {

@@ -178,6 +178,7 @@ static void set_strides(thud_world *w)
 
 thud_result thud_world_create(const thud_world_def *def, thud_world **out)
 {
+    TD_IN_OWN_MODE;
     static atomic_uint made;
     if (!def || !out) {
         return THUD_ERROR_NULL;

@@ -6,7 +6,13 @@
  *
  * Every call that can fail returns a thud_result; when it fails, nothing has changed and the log
  * hook has heard why. Output pointers may be null where the answer is not wanted, unless said
- * otherwise. */
+ * otherwise.
+ *
+ * A world computes in a floating-point mode of its own, whatever the calling thread's is (denormals
+ * flushed, another rounding, traps), and on threads of a crew; callbacks are called in it, and the
+ * thread has its own back when the call returns. So the same calls give the same bits everywhere. On
+ * x86-64 and AArch64; wasm has only that mode, and elsewhere it must be the caller's. Geometry without
+ * a world (thud_shapes.h and its like) computes in the caller's. */
 #ifndef THUD_H
 #define THUD_H
 
@@ -274,9 +280,10 @@ typedef struct thud_pose {
     float x, y, c, s;
 } thud_pose;
 
-/* Every body's pose at alpha between the last two steps (0: the one before, 1: the last), by slot
- * (thud_body_id.index1 - 1); slots without a body have x = y = NaN. Belongs to the world, valid
- * until its next call. Null and *count = 0 if memory is short. */
+/* Every body's pose at alpha in [0, 1] between the last two steps (0: the one before, 1: the last), by
+ * slot (thud_body_id.index1 - 1); slots without a body have x = y = NaN. Belongs to the world, valid
+ * until its next call. Null and *count = 0 if memory is short, alpha is out of range, or the origin is
+ * further than 1e9 length scales. */
 const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha, int *count);
 
 /* ---- events of the last step, in a deterministic order; valid until the next step ----

@@ -1,0 +1,301 @@
+/* test_float_mode.c: the same bits whatever floating-point mode the calling thread is in, and the thread
+ * has its own back. Where a processor has no such mode there is nothing to test but the calls. */
+#include "engine_support.h"
+
+#include <thud/thud_mover.h>
+
+#include "build_thud.h"
+#include "pool.h"
+#include "scenes.h"
+#include "simd.h"
+
+#if !defined(TD_MODE_OWN)
+typedef unsigned td_mode;
+#define TD_MODE_OWN 0u
+#define TD_MODE_NOTES 0u
+#define TD_MODE_GET(mode) ((void)0)
+#define TD_MODE_SET(mode) ((void)0)
+#endif
+
+static const struct {
+    const char *name;
+    td_mode mode;
+} MODES[] = {
+    {"the usual one", TD_MODE_OWN},
+#if defined(__SSE2__)
+    {"denormals flushed", 0x1f80u | 0x8040u},
+    {"rounding down", 0x1f80u | 0x2000u},
+    {"rounding up", 0x1f80u | 0x4000u},
+    {"rounding to zero, denormals flushed", 0x1f80u | 0x6000u | 0x8040u},
+    {"trapping everything but inexact results", 0x1000u},
+#elif defined(__aarch64__)
+    {"denormals flushed", 1u << 24},
+    {"rounding up", 1u << 22},
+    {"rounding down", 2u << 22},
+    {"rounding to zero, denormals flushed", 3u << 22 | 1u << 24},
+#endif
+};
+enum { MODE_COUNT = sizeof MODES / sizeof *MODES };
+
+static void set_mode(td_mode mode)
+{
+    (void)mode;
+    TD_MODE_SET(mode);
+}
+
+static td_mode mode_now(void)
+{
+    td_mode mode = TD_MODE_OWN;
+    TD_MODE_GET(mode);
+    return mode & ~(td_mode)TD_MODE_NOTES;
+}
+
+static td_mode callers; /* of the run under way */
+
+/* The call in the caller's mode, everything around it in the usual one: arguments are values. */
+#define IN_MODE(call)                                                                              \
+    do {                                                                                           \
+        set_mode(callers);                                                                         \
+        thud_result result_ = (call);                                                              \
+        td_mode after_ = mode_now();                                                               \
+        set_mode(TD_MODE_OWN);                                                                     \
+        assert_int_equal(result_, THUD_OK);                                                        \
+        assert_true(after_ == callers);                                                            \
+    } while (0)
+
+/* ---- steps ---- */
+
+static uint64_t hash_of(const char *name, int size, int steps, const thud_world_def *def)
+{
+    scene s;
+    thud_world *world;
+    assert_true(scenes_fill(scenes_find(name), size, &s));
+    OK(scene_build_thud(&s, def, &world, NULL, NULL));
+    for (int i = 0; i < steps; i++) {
+        IN_MODE(thud_world_step(world));
+    }
+    uint64_t hash = thud_world_hash(world);
+    thud_world_destroy(world);
+    scene_free(&s);
+    return hash;
+}
+
+static void scenes_end_with_the_same_bits_in_any_mode(void **state)
+{
+    (void)state;
+    for (int i = 0; i < scenes_count(); i++) {
+        const scene_info *info = scenes_at(i);
+        int size = info->default_size > 300 ? 300 : info->default_size;
+        uint64_t hash[MODE_COUNT];
+        for (int m = 0; m < MODE_COUNT; m++) {
+            callers = MODES[m].mode;
+            hash[m] = hash_of(info->name, size, 120, NULL);
+            if (hash[m] != hash[0]) {
+                fail_msg("%s: another hash where the caller has %s", info->name, MODES[m].name);
+            }
+        }
+    }
+}
+
+static void qualities_end_with_the_same_bits_in_any_mode(void **state)
+{
+    (void)state;
+    for (int q = 0; q < QUALITIES; q++) {
+        thud_world_def def = thud_world_def_of(qualities[q]);
+        uint64_t hash[MODE_COUNT];
+        for (int m = 0; m < MODE_COUNT; m++) {
+            callers = MODES[m].mode;
+            hash[m] = hash_of("heavy_on_light", 6, 90, &def) ^ hash_of("mixed_terrain", 80, 90, &def);
+            if (hash[m] != hash[0]) {
+                fail_msg("%s: differs where the caller has %s", qualities[q]->name, MODES[m].name);
+            }
+        }
+    }
+}
+
+/* A thread has the mode of the one that made it. */
+static void workers_in_any_mode_give_the_same_bits(void **state)
+{
+    (void)state;
+    uint64_t hash[MODE_COUNT];
+    for (int m = 0; m < MODE_COUNT; m++) {
+        callers = MODES[m].mode;
+        set_mode(callers);
+        pool *p = pool_create(3);
+        set_mode(TD_MODE_OWN);
+        assert_non_null(p);
+        thud_world_def def = thud_default_world_def();
+        def.crew = pool_crew(p);
+        hash[m] = hash_of("platformer", 1000, 80, &def);
+        pool_destroy(p);
+        assert_true(hash[m] == hash[0]);
+    }
+}
+
+/* ---- all that a world keeps ---- */
+
+typedef struct deeds {
+    thud_world *world;
+    thud_mover mover;
+    uint64_t seen; /* what the calls answered */
+} deeds;
+
+static void see(deeds *d, const void *bytes, size_t size)
+{
+    for (size_t i = 0; i < size; i++) {
+        d->seen = (d->seen ^ ((const unsigned char *)bytes)[i]) * 0x100000001b3ull;
+    }
+}
+
+static void make_ground(deeds *d)
+{
+    thud_body_def def = thud_default_body_def();
+    thud_shape_def shape = thud_default_shape_def();
+    thud_body_id ground;
+    thud_shape_id line;
+    def.position = (thud_pos){0.1, -0.3};
+    thud_pos points[40];
+    for (int i = 0; i < 40; i++) {
+        points[i] = (thud_pos){-20 + i * 1.03, 0.37 * (i % 4)};
+    }
+    thud_terrain hills = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 40};
+    IN_MODE(thud_body_create(d->world, &def, &ground));
+    IN_MODE(thud_shape_create_terrain(d->world, ground, &shape, &hills, &line));
+    IN_MODE(thud_shape_dig(d->world, line, (thud_pos){3.3, 0.1}, 1.7));
+    IN_MODE(thud_shape_raise(d->world, line, -7.1, 2.3, 0.77));
+    thud_terrain made;
+    OK(thud_shape_terrain(d->world, line, &made));
+    see(d, made.points, (size_t)made.count * sizeof *made.points);
+}
+
+static void make_bodies(deeds *d)
+{
+    thud_shape_def shape = thud_default_shape_def();
+    shape.density = 0.7f;
+    for (int i = 0; i < 30; i++) {
+        thud_body_def def = thud_default_body_def();
+        thud_body_id body;
+        def.kind = THUD_DYNAMIC;
+        def.position = (thud_pos){-12.3 + 0.81 * i, 4.1 + 0.3 * (i % 5)};
+        def.angle = i % 3 ? 0.123 * i : 0.0;
+        def.velocity = (thud_vec2){1e-39f, 0.1f * (float)i};
+        IN_MODE(thud_body_create(d->world, &def, &body));
+        thud_vec2 off = {0.1f, 0.03f * (float)i}, half = {0.31f, 0.17f};
+        volatile double turn = 0.7 * i, far = 0.37 * i;
+        if (i % 3 == 0) {
+            IN_MODE(thud_shape_create_aabb(d->world, body, &shape, off, half, NULL));
+        } else {
+            IN_MODE(thud_shape_create_obb(d->world, body, &shape, off, half, turn, NULL));
+        }
+        IN_MODE(thud_shape_create_circle(d->world, body, &shape, (thud_vec2){0.2f, 0.1f}, 0.23f, NULL));
+        IN_MODE(thud_body_apply_impulse(d->world, body, (thud_vec2){0.1f, 1e-39f}, def.position));
+        IN_MODE(thud_body_apply_force(d->world, body, (thud_vec2){0.3f, 0.7f}, 0.11f));
+        if (i % 5 == 0) {
+            IN_MODE(thud_body_set_transform(d->world, body, (thud_pos){far, 9.1}, i % 3 ? 0.77 : 0));
+            IN_MODE(thud_body_set_velocity(d->world, body, (thud_vec2){0.3f, 1e-40f}, 1e-39f));
+        }
+    }
+}
+
+static void ask(deeds *d, int step)
+{
+    bool hit;
+    volatile double up = 0.1 * step; /* or the product might be made after the mode is set */
+    thud_ray_hit ray = {0};
+    thud_closest_hit closest = {0};
+    IN_MODE(thud_world_cast_ray(d->world, (thud_pos){-15.3, 0.9}, 29.7, up, NULL, &hit, &ray));
+    see(d, &ray.fraction, sizeof ray.fraction);
+    IN_MODE(thud_world_cast_box(d->world, (thud_pos){-9.7, 8}, 0.3, 0.7, 0.3, 7.1, -9.3, NULL, &hit, &ray));
+    see(d, &ray.fraction, sizeof ray.fraction);
+    IN_MODE(thud_world_closest(d->world, (thud_pos){1.3, 7.7}, 30, NULL, &hit, &closest));
+    see(d, &closest.distance, sizeof closest.distance);
+    thud_mover_report report;
+    IN_MODE(thud_mover_move(d->world, &d->mover, (thud_vec2){2.1f, -3.3f}, 1.0 / 60, &report));
+    see(d, &d->mover.shape.x, 2 * sizeof d->mover.shape.x);
+    set_mode(callers);
+    int count;
+    const thud_pose *poses = thud_world_poses(d->world, (thud_pos){0.1, 0.3}, 0.3, &count);
+    thud_measure measure = thud_world_measure(d->world);
+    set_mode(TD_MODE_OWN);
+    see(d, poses + 1, (size_t)(count - 1) * sizeof *poses);
+    see(d, &measure, sizeof measure);
+}
+
+static uint64_t do_all(const thud_quality *quality)
+{
+    thud_world_def def = thud_default_world_def();
+    def.length_scale = 0.7f;
+    deeds d = {.seen = 1};
+    d.mover = thud_default_mover(
+        (thud_placed){.kind = THUD_CIRCLE, .x = -6.2, .y = 5.3, .c = 1, .hx = 0.4});
+    IN_MODE(thud_world_create(&def, &d.world));
+    IN_MODE(thud_world_set_quality(d.world, quality));
+    make_ground(&d);
+    make_bodies(&d);
+    for (int i = 0; i < 60; i++) {
+        int steps;
+        double alpha;
+        ask(&d, i);
+        IN_MODE(thud_world_advance(d.world, 0.0171, 3, &steps, &alpha));
+        see(&d, &alpha, sizeof alpha);
+    }
+    uint64_t hash = thud_world_hash(d.world);
+    see(&d, &hash, sizeof hash);
+    thud_world_destroy(d.world);
+    return d.seen;
+}
+
+static void every_call_does_the_same_in_any_mode(void **state)
+{
+    (void)state;
+    for (int q = 0; q < QUALITIES; q++) {
+        uint64_t seen[MODE_COUNT];
+        for (int m = 0; m < MODE_COUNT; m++) {
+            callers = MODES[m].mode;
+            seen[m] = do_all(qualities[q]);
+            if (seen[m] != seen[0]) {
+                fail_msg("%s: differs where the caller has %s", qualities[q]->name, MODES[m].name);
+            }
+        }
+    }
+}
+
+/* ---- callbacks ---- */
+
+static bool prologue_notes_mode(thud_world *world, const thud_contact *contact,
+                                thud_contact_settings *settings, void *context)
+{
+    (void)world;
+    (void)contact;
+    (void)settings;
+    *(bool *)context = mode_now() == TD_MODE_OWN;
+    return true;
+}
+
+static void callbacks_are_called_in_the_worlds_own_mode(void **state)
+{
+    (void)state;
+    bool own = false;
+    thud_world_def def = thud_default_world_def();
+    def.prologue = prologue_notes_mode;
+    def.callback_context = &own;
+    thud_world *world = make_world(def);
+    add_floor(world, NULL);
+    add_ball(world, 0, 0.5, 0.5f);
+    callers = MODES[MODE_COUNT > 1].mode;
+    IN_MODE(thud_world_step(world));
+    assert_true(own);
+    thud_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(scenes_end_with_the_same_bits_in_any_mode),
+        cmocka_unit_test(qualities_end_with_the_same_bits_in_any_mode),
+        cmocka_unit_test(workers_in_any_mode_give_the_same_bits),
+        cmocka_unit_test(every_call_does_the_same_in_any_mode),
+        cmocka_unit_test(callbacks_are_called_in_the_worlds_own_mode),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
