@@ -238,6 +238,8 @@ bool td_changes_apply(thud_world *w)
     if (w->changed.count == 0) {
         return true;
     }
+    w->paired = false;
+    w->narrowed = 0;
     int done = 0, *changed = w->changed.data;
     while (done < w->changed.count && apply(w, changed[done])) {
         done++;

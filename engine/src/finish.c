@@ -32,9 +32,10 @@ static void quarantine(thud_world *w, int index)
     memset(td_row(&w->velocity, body->awake), 0, sizeof(float[4]));
     for (int e = body->first_contact; e != TD_NONE;) {
         int next = td_next_edge(w, e);
-        if (td_contact_end_reserve(w, 1)) {
-            td_contact_destroy(w, e / 2);
+        if (!td_contact_end_reserve(w, 1)) {
+            td_contact_at(w, e / 2)->open = 0; /* goes unheard rather than stays */
         }
+        td_contact_destroy(w, e / 2);
         e = next;
     }
     td_awake_remove(w, index);

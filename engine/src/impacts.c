@@ -345,7 +345,9 @@ bool td_impacts_reserve(thud_world *w)
     int awake = w->body_of.count, most = (MOST_BOUNCES + 1) * awake;
     int extras = awake * (w->terrains.live + 1) + SPARE;
     int hits = w->scratch.begins.count; /* of contacts */
-    return td_array_reserve(&w->memory, &w->scratch.flights, awake) &&
+    int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count; /* each may be found, and asked for */
+    return td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
+           td_array_reserve(&w->memory, &w->scratch.flights, awake) &&
            td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
            td_array_reserve(&w->memory, &w->scratch.impacts, most) &&
            td_array_reserve(&w->memory, &w->scratch.encounters, extras) &&

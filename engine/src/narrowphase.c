@@ -2,8 +2,8 @@
  *
  * Waiting pairs are tested in blocks of their own; those that touch take a lane. Then all lanes get
  * their manifold in place, in the blocks that the solver works on; those that touch no more give
- * their lane back and wait. Everything that can fail comes before anything that a caller could
- * notice. */
+ * their lane back and wait. What runs out of memory is gone on with where it stopped: manifolds and
+ * lists made twice would not always be the same. */
 #include "contact.h"
 #include "crew.h"
 #include "handles.h"
@@ -184,11 +184,42 @@ static void test_waiting(thud_world *w, int kind)
     test_batch(&b);
 }
 
+/* Which waiting pairs touch. What a step began that then ran out of memory stays in the list, since
+ * nobody has heard of it yet. */
+static bool find_meeting(thud_world *w)
+{
+    int contacts = w->contacts.live, *begins = w->scratch.begins.data, kept = 0;
+    for (int i = 0; i < w->scratch.begins.count; i++) {
+        const td_contact *contact = td_contact_at(w, begins[i]);
+        if (contact->live && contact->state == TD_TOUCHING) {
+            begins[kept++] = begins[i];
+        }
+    }
+    w->scratch.begins.count = kept;
+    w->scratch.ends.count = 0;
+    if (!test_room(w) || !td_array_reserve(&w->memory, &w->scratch.begins, kept + contacts) ||
+        !td_array_reserve(&w->memory, &w->scratch.ends, contacts)) {
+        return false;
+    }
+    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+        if (w->waiting[kind].count) {
+            test_waiting(w, kind);
+        }
+    }
+    return true;
+}
+
 static bool begin_contacts(thud_world *w)
 {
     td_array *begins = &w->scratch.begins;
     const int *list = begins->data;
-    for (int i = 0; i < begins->count; i++) {
+    int first = 0;
+    while (first < begins->count && td_contact_at(w, list[first])->state == TD_TOUCHING) {
+        first++;
+    }
+    int count = begins->count - first;
+    list += first;
+    for (int i = 0; i < count; i++) {
         const td_contact *contact = td_contact_at(w, list[i]);
         int sleeper = contact->body[td_body_sleeps(w, contact->body[0]) ? 0 : 1];
         if (td_body_sleeps(w, sleeper) && !td_wake(w, sleeper)) {
@@ -197,23 +228,22 @@ static bool begin_contacts(thud_world *w)
     }
     td_event_lists *events = &w->events;
     if (w->def.contact_events &&
-        (!td_array_reserve(&w->memory, &events->begin, events->begin.count + begins->count) ||
+        (!td_array_reserve(&w->memory, &events->begin, events->begin.count + count) ||
          !td_array_reserve(&w->memory, &events->hit, events->hit.count + begins->count))) {
         return false;
     }
-    for (int i = 0; i < begins->count; i++) {
+    for (int i = 0; i < count; i++) {
         td_contact_rest(w, list[i]);
     }
-    if (!td_lanes_place(w, list, begins->count, false)) {
-        for (int i = 0; i < begins->count; i++) {
-            td_contact_wait(w, list[i]);
+    bool placed = td_lanes_place(w, list, count, false);
+    for (int i = 0; i < count; i++) {
+        if (placed) {
+            td_contact_begin(w, list[i]);
+        } else {
+            td_contact_wait(w, list[i]); /* last in their list, whence they leave it again */
         }
-        return false;
     }
-    for (int i = 0; i < begins->count; i++) {
-        td_contact_begin(w, list[i]);
-    }
-    return true;
+    return placed;
 }
 
 /* ---- sensors ---- */
@@ -334,26 +364,20 @@ static bool part_contacts(thud_world *w)
     return td_lanes_sequence(w) && td_crew_reserve(w);
 }
 
-bool td_narrowphase(thud_world *w)
+/* Bounds that parted, and what is in sensors. */
+static bool part_waiting(thud_world *w)
 {
-    int contacts = w->contacts.live;
-    w->scratch.begins.count = 0;
-    w->scratch.ends.count = 0;
-    if (!test_room(w) || !td_array_reserve(&w->memory, &w->scratch.begins, contacts) ||
-        !td_array_reserve(&w->memory, &w->scratch.ends, contacts)) {
-        return false;
-    }
-    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
-        if (w->waiting[kind].count) {
-            test_waiting(w, kind);
-        }
-    }
-    if (!begin_contacts(w) || (w->waiting[TD_PAIR_SENSOR].count && !test_sensors(w))) {
+    if (w->waiting[TD_PAIR_SENSOR].count && !test_sensors(w)) {
         return false;
     }
     for (int i = 0; i < w->scratch.ends.count; i++) {
         td_contact_destroy(w, *(int *)td_at(&w->scratch.ends, i));
     }
+    return true;
+}
+
+static bool collide_all(thud_world *w)
+{
     if (!td_lanes_sequence(w) || !td_crew_reserve(w)) {
         return false;
     }
@@ -361,5 +385,18 @@ bool td_narrowphase(thud_world *w)
     if (w->seams) {
         w->seams->amend_all(w);
     }
-    return part_contacts(w);
+    return true;
+}
+
+bool td_narrowphase(thud_world *w)
+{
+    static bool (*const parts[])(thud_world *) = {find_meeting, begin_contacts, part_waiting,
+                                                  collide_all, part_contacts};
+    while (w->narrowed < (int)(sizeof parts / sizeof *parts)) {
+        if (!parts[w->narrowed](w)) {
+            return false;
+        }
+        w->narrowed++;
+    }
+    return true;
 }

@@ -181,7 +181,8 @@ static bool reserve(thud_world *w, const td_snapshot_head *head, const char *tab
 /* What the steps that are undone have left for later ones. */
 static void forget_scratch(thud_world *w)
 {
-    w->scratch.sequenced = false;
+    w->scratch.sequenced = w->paired = false;
+    w->narrowed = w->scratch.begins.count = 0;
     w->scratch.blocks.count = w->scratch.runs.count = w->scratch.impacts.count = 0;
     w->islands.island.count = w->islands.slots.count = w->islands.contacts.count = 0;
     w->islands.local.count = 0;

@@ -10,6 +10,7 @@ static void tell_events(thud_world *w)
     td_event_lists told = w->events;
     w->events = w->told;
     w->told = told;
+    w->scratch.begins.count = 0;
     td_event_lists *next = &w->events;
     next->begin.count = next->end.count = next->hit.count = next->quarantined.count = 0;
     next->sensor_begin.count = next->sensor_end.count = 0;
@@ -87,7 +88,8 @@ static thud_result run_stages(thud_world *w)
     /* May run out of memory, and then leave every body as it was. */
     bool done = td_changes_apply(w);
     mark(w, THUD_STAGE_CHANGES, &last);
-    done = done && td_broadphase(w);
+    done = done && (w->paired || td_broadphase(w));
+    w->paired |= done;
     mark(w, THUD_STAGE_BROADPHASE, &last);
     done = done && td_broadphase_refresh(w) && td_narrowphase(w) && find_islands(w) &&
            td_finish_reserve(w) && reserve_detection(w) && td_sleep_reserve(w);
@@ -96,6 +98,8 @@ static thud_result run_stages(thud_world *w)
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
     }
 
+    w->paired = false;
+    w->narrowed = 0;
     td_contacts_ask(w);
     detect(w, TD_BEFORE_SOLVING);
     td_contacts_hit(w);
@@ -147,25 +151,24 @@ thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int
     }
     double h = w->def.time_step;
     double spare = w->spare_time + elapsed;
+    thud_result result = THUD_OK;
     int done = 0;
-    while (spare >= h && done < max_steps) {
-        thud_result result = thud_world_step(w);
-        if (result != THUD_OK) {
-            return result;
-        }
+    while (spare >= h && done < max_steps && (result = thud_world_step(w)) == THUD_OK) {
         spare -= h;
         done++;
         w->spare_time = spare;
     }
     /* What max_steps leaves over is dropped, but for the part of a step. */
-    double steps_left = spare / h;
-    spare = steps_left < 0x1p62 ? spare - h * (double)(int64_t)steps_left : 0.0;
-    w->spare_time = spare >= 0.0 && spare < h ? spare : 0.0;
+    if (result == THUD_OK) {
+        double steps_left = spare / h;
+        spare = steps_left < 0x1p62 ? spare - h * (double)(int64_t)steps_left : 0.0;
+        w->spare_time = spare >= 0.0 && spare < h ? spare : 0.0;
+    }
     if (steps) {
         *steps = done;
     }
     if (alpha) {
-        *alpha = w->spare_time / h;
+        *alpha = td_min_double(w->spare_time / h, 0x1.fffffffffffffp-1);
     }
-    return THUD_OK;
+    return result;
 }

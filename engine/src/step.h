@@ -1,7 +1,7 @@
 /* step.h: the stages of a step, in the order in which step.c runs them. They meet in the world's
- * state alone and never call each other. A stage that returns false is out of memory: it and the
- * stages before it have then changed nothing that a caller can tell, and the step can be tried
- * again. After td_narrowphase nothing can fail. */
+ * state alone and never call each other. A stage that returns false is out of memory: nothing has
+ * moved then and no event is told, and the step that is tried again goes on there, so that it ends
+ * as it would have. After td_narrowphase only reservations can fail. */
 #ifndef TD_STEP_H
 #define TD_STEP_H
 

@@ -226,6 +226,9 @@ struct thud_world {
     int drowsy_bodies;                                 /* ... or will be after one more step */
     td_population awake_shapes, rest_shapes;
     bool vast;                                         /* wider than bounds can tell; broadphase.c */
+    bool paired;                                       /* the broadphase is done, and so many parts */
+    int narrowed;                                      /* of the narrowphase, of a step that ran out of
+                                                          memory afterwards; until the next edit */
     td_event_lists events; /* since the last whole step */
     td_event_lists told;   /* of that step: what callers read */
 

@@ -9,11 +9,13 @@
 
 static long memory_allowed = -1; /* allocations until one fails; negative: no end */
 static long memory_held;         /* blocks not given back */
+static long memory_refused;      /* allocations that failed */
 
 static inline void *hostile_allocate(size_t bytes, void *context)
 {
     (void)context;
     if (memory_allowed >= 0 && memory_allowed-- == 0) {
+        memory_refused++;
         return NULL;
     }
     memory_held++;

@@ -126,12 +126,17 @@ thud_world_def thud_world_def_of(const thud_quality *quality);
 thud_result thud_world_create(const thud_world_def *def, thud_world **out);
 void thud_world_destroy(thud_world *world); /* null is fine */
 
-/* Runs one step. On THUD_ERROR_MEMORY the world is as it was. */
+/* Runs one step. On THUD_ERROR_MEMORY nothing has moved, no event is told, and edits made before are in
+ * effect, as after a query; whom the step was about to wake may be awake. Made again when there is
+ * memory, the step ends with the bits and events that it would have had. */
 thud_result thud_world_step(thud_world *world);
 
 /* The world keeps its own time: runs as many whole steps as `elapsed` seconds (>= 0) allow, at
  * most `max_steps` (>= 1; time beyond that is dropped), and gives in *alpha, in [0, 1), how far
- * the present lies between the last step and the next, for thud_world_poses. */
+ * the present lies between the last step and the next, for thud_world_poses. Where a step runs out of
+ * memory, those before it stand, *steps counts them, *alpha is written as well, and the time that is
+ * left waits for the next call; if it was the first, nothing has changed, `elapsed` is as if never
+ * given. */
 thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps, int *steps,
                                double *alpha);
 

@@ -49,7 +49,8 @@ extern const thud_detection thud_detection_bisect;
  * a kinematic body goes its way whatever stands in it, and load may press what touches together, by
  * up to 0.0002 length scales a step, before the contacts have settled. A body that meets more than 8
  * times, 16 if elastic, in a step is held for the rest of it, which the statistics tell; in a pile
- * under impact that is up to one in ten.
+ * under impact that is up to one in ten. So is a body that leaves its expected way where there is no
+ * memory to look for whom else it may meet.
  *
  * Bisection takes the motion of a step as straight: gravity g bends it by up to g * time_step^2 / 8.
  * Swept bodies that nothing bears fly exact parabolas, and elastic ones (restitution 1) keep their

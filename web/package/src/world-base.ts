@@ -117,7 +117,9 @@ export class WorldBase {
 
   /**
    * Runs as many whole steps as the elapsed seconds allow, at most `maxSteps`. `alpha` tells how
-   * far the present lies between the last step and the next, for `poses`.
+   * far the present lies between the last step and the next, for `poses`. Where a step runs out of
+   * memory this throws; the steps before it stand, `stats().steps` counts them, and the time that is
+   * left waits for the next call.
    */
   advance(elapsed: number, maxSteps = 4): { steps: number; alpha: number } {
     const { engine } = this;
