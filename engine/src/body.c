@@ -34,6 +34,10 @@ static const char *def_error(const thud_world *w, const thud_body_def *def)
         !td_finite((double)def->angular_velocity)) {
         return "body def: velocity is not finite";
     }
+    if (def->kind == THUD_STATIC && !(def->velocity.x == 0.0f && def->velocity.y == 0.0f &&
+                                      def->angular_velocity == 0.0f)) {
+        return "body def: a static body has no velocity; what moves at one is kinematic";
+    }
     if (!td_finite((double)def->gravity_scale)) {
         return "body def: gravity_scale is not finite";
     }
@@ -79,6 +83,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
                            (def->may_sleep ? 0 : TD_BODY_RESTLESS) |
                            (def->detection ? TD_BODY_CHOSE : 0)),
         .awake = TD_NONE,
+        .velocity = {def->velocity.x, def->velocity.y, def->angular_velocity},
         .first_shape = TD_NONE,
         .first_contact = TD_NONE,
         .gravity_scale = def->gravity_scale,
@@ -87,11 +92,6 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         .detection = def->detection ? def->detection : w->quality.detection,
         .user_data = def->user_data,
     };
-    if (def->kind != THUD_STATIC) {
-        body->velocity[0] = def->velocity.x;
-        body->velocity[1] = def->velocity.y;
-        body->velocity[2] = def->angular_velocity;
-    }
     td_pose *pose = td_pose_at(w, index);
     pose->center = td_place_from(w, def->position);
     pose->angle = td_angle_from(def->angle);

@@ -11,10 +11,12 @@ thud_result td_refuse(const thud_world *w, thud_result result, const char *messa
 thud_result td_find_body(const thud_world *w, thud_body_id id, int *index);
 thud_result td_find_shape(const thud_world *w, thud_shape_id id, int *index);
 
-/* The world's number in the generation keeps another world's handles out. */
+/* The world's number in the generation keeps another world's handles out. Multiples of 2^32 over the
+ * golden ratio stay as far from each other as so many can: of n worlds none is nearer than 2^32 / 2.24 n
+ * generations to another. */
 static inline uint32_t td_tag(const thud_world *w, uint32_t generation)
 {
-    return generation + (w->number << 20);
+    return generation + w->number * 0x9e3779b9u;
 }
 
 static inline thud_body_id td_body_handle(const thud_world *w, int index)

@@ -20,7 +20,7 @@ static void library_release(void *block, size_t bytes, void *context)
 td_memory td_memory_make(thud_allocator hooks)
 {
     td_memory memory = {hooks, 0, 0};
-    if (!hooks.allocate || !hooks.release) {
+    if (!hooks.allocate) {
         memory.hooks = (thud_allocator){library_allocate, library_release, NULL};
     }
     return memory;

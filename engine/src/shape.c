@@ -110,6 +110,9 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
     if (out) {
         *out = td_shape_handle(w, index);
     }
+    if (!(def->filter.category | def->filter.mask | (uint32_t)def->filter.group)) {
+        td_refuse(w, THUD_OK, "shape create: made, but meets nothing: its filter is all zero");
+    }
     return THUD_OK;
 }
 

@@ -78,6 +78,41 @@ static bool counts_valid(const td_snapshot_head *head)
     return valid;
 }
 
+/* Whether what lies side by side is as long as what it belongs to says, and no list is longer than its
+ * room. */
+static bool lengths_valid(thud_world *w, const td_snapshot_head *head)
+{
+    const td_snapshot_part *parts = head->parts;
+    td_part own[TD_SNAPSHOT_PARTS];
+    td_snapshot_list_parts(w, head, own);
+    bool valid = parts[TD_SNAPSHOT_BODY_OF].count > 0 &&
+                 parts[TD_SNAPSHOT_BODY_OF].count <= head->slots[TD_SNAPSHOT_BODIES].live + 1 &&
+                 parts[TD_SNAPSHOT_PLACES].used == head->slots[TD_SNAPSHOT_BODIES].count &&
+                 parts[TD_SNAPSHOT_MOVED].count <= head->slots[TD_SNAPSHOT_SHAPES].count &&
+                 parts[TD_SNAPSHOT_MOVED + 1].count <= head->slots[TD_SNAPSHOT_BODIES].count;
+    for (int i = 1; i < TD_SNAPSHOT_VELOCITY; i++) {
+        valid = valid && parts[i].used == head->slots[TD_SNAPSHOT_SHAPES].count;
+    }
+    for (int i = 0; i < TD_SNAPSHOT_AWAKE_ROWS; i++) {
+        const td_snapshot_part *row = &parts[TD_SNAPSHOT_VELOCITY + i];
+        valid = valid && row->used >= parts[TD_SNAPSHOT_BODY_OF].count;
+    }
+    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+        valid = valid && parts[TD_SNAPSHOT_WAITING + kind].count <= head->contacts[kind];
+    }
+    for (int p = 0; p < 2; p++) {
+        const td_snapshot_part *rows =
+            &parts[TD_SNAPSHOT_POPULATIONS + p * TD_SNAPSHOT_POPULATION_PARTS + 1];
+        for (int i = 0; i < 6; i++) {
+            valid = valid && rows[i].used >= rows[0].count;
+        }
+    }
+    for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
+        valid = valid && parts[i].count <= td_max_int(parts[i].used, own[i].room);
+    }
+    return valid;
+}
+
 static int32_t table_at(const char *table, int i)
 {
     int32_t value;
@@ -132,7 +167,10 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
     if (memcmp(head->broadphase, own.broadphase, sizeof own.broadphase) != 0) {
         return "restore: the snapshot is of a world with another broadphase";
     }
-    if (!counts_valid(head) || td_snapshot_bytes_of(w, head) != bytes ||
+    if (memcmp(head->settings, own.settings, sizeof own.settings) != 0) {
+        return "restore: the snapshot is of a world whose def has other settings";
+    }
+    if (!counts_valid(head) || !lengths_valid(w, head) || td_snapshot_bytes_of(w, head) != bytes ||
         !table_valid(head, from + sizeof *head)) {
         return "restore: the snapshot contradicts itself";
     }

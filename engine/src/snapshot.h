@@ -11,7 +11,7 @@
 
 #define TD_SNAPSHOT_MAGIC "thudsnap"
 
-enum { TD_SNAPSHOT_VERSION = 1 }; /* rises when what the bytes mean changes */
+enum { TD_SNAPSHOT_VERSION = 2 }; /* rises when what the bytes mean changes */
 
 enum { /* in td_snapshot_head.slots */
     TD_SNAPSHOT_BODIES,
@@ -23,9 +23,18 @@ enum { /* in td_snapshot_head.slots */
 };
 
 enum { /* in td_snapshot_head.parts */
+    TD_SNAPSHOT_PLACES = 0, /* of bodies; then three rows by shape */
     TD_SNAPSHOT_VELOCITY = 4,
-    TD_SNAPSHOT_PARTS = 22 + TD_PAIR_COUNT + 2 * 6 + 2 * 13
+    TD_SNAPSHOT_BODY_OF = TD_SNAPSHOT_VELOCITY + 12,
+    TD_SNAPSHOT_AWAKE_ROWS = 15,
+    TD_SNAPSHOT_MOVED = TD_SNAPSHOT_VELOCITY + TD_SNAPSHOT_AWAKE_ROWS,
+    TD_SNAPSHOT_WAITING = TD_SNAPSHOT_MOVED + 3, /* after `changed` and `put_off` */
+    TD_SNAPSHOT_POPULATIONS = TD_SNAPSHOT_WAITING + TD_PAIR_COUNT + 2 * 6,
+    TD_SNAPSHOT_POPULATION_PARTS = 13, /* a list, then rows by place, of which six all have */
+    TD_SNAPSHOT_PARTS = TD_SNAPSHOT_POPULATIONS + 2 * TD_SNAPSHOT_POPULATION_PARTS
 };
+
+enum { TD_SNAPSHOT_SETTINGS = 10 };
 
 /* What is plugged in, as bits. */
 enum {
@@ -54,6 +63,7 @@ typedef struct td_snapshot_head {
     uint32_t layout;   /* of the build: sizes of records, byte order */
     char broadphase[16];
     double unit;
+    double settings[TD_SNAPSHOT_SETTINGS]; /* of the def, that no setter changes */
     uint32_t plugged;
     int32_t detection; /* rank of the quality's */
     int32_t bins;      /* that are not empty */

@@ -75,6 +75,17 @@ static uint32_t plugged_into(const thud_world *w)
     return plugged;
 }
 
+/* What the def says for good, and the steps to come follow. */
+static void list_settings(const thud_world_def *d, double out[TD_SNAPSHOT_SETTINGS])
+{
+    const double settings[TD_SNAPSHOT_SETTINGS] = {
+        (double)d->substeps, (double)d->contact_stiffness, (double)d->contact_damping,
+        (double)d->push_speed, (double)d->restitution_threshold, (double)d->hit_speed,
+        (double)d->maximum_speed, (double)d->contact_events, d->time_budget,
+        d->detection ? (double)d->detection->rank : -1.0};
+    memcpy(out, settings, sizeof settings);
+}
+
 static int levels_of(const td_population *p)
 {
     int first = 0;
@@ -105,6 +116,7 @@ td_snapshot_head td_snapshot_head_of(thud_world *w)
                              .levels = {levels_of(&w->awake_shapes), levels_of(&w->rest_shapes)},
                              .points = points_of(w)};
     strncpy(head.broadphase, w->def.broadphase->name, sizeof head.broadphase - 1);
+    list_settings(&w->def, head.settings);
     memcpy(head.contacts, w->contact_count, sizeof head.contacts);
     const td_bin *bins = &w->bins[0][0];
     for (int i = 0; i < BIN_COUNT; i++) {

@@ -74,6 +74,9 @@ static const char *def_error(const thud_world_def *d)
         (d->crew.workers > 1 && !d->crew.run)) {
         return "world def: crew.workers is not in 0..64, or there is nobody to run them";
     }
+    if (!d->allocator.allocate != !d->allocator.release) {
+        return "world def: the allocator lacks one of its two functions";
+    }
     return NULL;
 }
 
@@ -176,24 +179,34 @@ static void set_strides(thud_world *w)
     }
 }
 
+/* While there is no world yet, the def's log hears why. */
+static thud_result refuse(const thud_world_def *def, thud_result result, const char *message)
+{
+    if (def->log) {
+        def->log(result, message, def->log_context);
+    }
+    return result;
+}
+
 thud_result thud_world_create(const thud_world_def *def, thud_world **out)
 {
     TD_IN_OWN_MODE;
+    static const char no_memory[] = "world create: out of memory";
     static atomic_uint made;
-    if (!def || !out) {
+    if (!def) {
         return THUD_ERROR_NULL;
+    }
+    if (!out) {
+        return refuse(def, THUD_ERROR_NULL, "world create: out is null");
     }
     const char *error = def_error(def);
     if (error) {
-        if (def->log) {
-            def->log(THUD_ERROR_INVALID, error, def->log_context);
-        }
-        return THUD_ERROR_INVALID;
+        return refuse(def, THUD_ERROR_INVALID, error);
     }
     td_memory memory = td_memory_make(def->allocator);
     thud_world *w = td_memory_get(&memory, sizeof *w);
     if (!w) {
-        return THUD_ERROR_MEMORY;
+        return refuse(def, THUD_ERROR_MEMORY, no_memory);
     }
     w->def = *def;
     w->memory = memory;
@@ -214,7 +227,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out)
     td_quality_take(w, def->quality);
     if (!td_awake_reserve(w, 0)) {
         thud_world_destroy(w);
-        return THUD_ERROR_MEMORY;
+        return refuse(def, THUD_ERROR_MEMORY, no_memory);
     }
     *out = w;
     return THUD_OK;

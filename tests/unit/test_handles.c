@@ -49,6 +49,68 @@ static void handle_of_another_world_is_refused(void **state)
     thud_world_destroy(two);
 }
 
+static void handle_is_refused_however_many_worlds_are_made_after_its_own(void **state)
+{
+    (void)state;
+    thud_world *one = make_world(thud_default_world_def());
+    thud_body_id body = add_ball(one, 0, 0, 1);
+    for (int i = 0; i < 20000; i++) {
+        thud_world *other = make_world(thud_default_world_def());
+        thud_body_id same = add_body(other, THUD_STATIC, 0, 0, 0);
+        assert_int_equal(same.index1, body.index1);
+        assert_false(thud_body_is_valid(other, body));
+        assert_false(thud_body_is_valid(one, same));
+        thud_world_destroy(other);
+    }
+    thud_world_destroy(one);
+}
+
+static void static_body_with_a_velocity_is_refused(void **state)
+{
+    (void)state;
+    thud_world *world = logging_world();
+    thud_body_def def = thud_default_body_def();
+    def.velocity = (thud_vec2){0, -1};
+    assert_int_equal(thud_body_create(world, &def, NULL), THUD_ERROR_INVALID);
+    def.velocity = (thud_vec2){-0.0f, 0};
+    OK(thud_body_create(world, &def, NULL));
+    def.angular_velocity = 1;
+    assert_int_equal(thud_body_create(world, &def, NULL), THUD_ERROR_INVALID);
+    def.kind = THUD_KINEMATIC;
+    OK(thud_body_create(world, &def, NULL));
+    assert_int_equal(logged, 2);
+    assert_int_equal(thud_world_stats(world).bodies, 2);
+    thud_world_destroy(world);
+}
+
+static void note_zero_filter(thud_result result, const char *message, void *context)
+{
+    assert_int_equal(result, THUD_OK);
+    assert_non_null(strstr(message, "meets nothing"));
+    ++*(int *)context;
+}
+
+static void shape_whose_def_is_zeroed_is_made_and_told_to_meet_nothing(void **state)
+{
+    (void)state;
+    int told = 0;
+    thud_world_def def = thud_default_world_def();
+    def.log = note_zero_filter;
+    def.log_context = &told;
+    thud_world *world = make_world(def);
+    thud_body_id body = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    thud_shape_def zeroed = {.density = 1}, grouped = {.density = 1, .filter.group = 3};
+    thud_shape_def shy = {.density = 1, .filter.category = 1};
+    add_shape(world, body, 1, 0, false, &zeroed);
+    assert_int_equal(told, 1);
+    add_shape(world, body, 1, 0, false, &grouped);
+    add_shape(world, body, 1, 0, false, &shy);
+    add_shape(world, body, 1, 0, false, NULL);
+    assert_int_equal(told, 1);
+    assert_int_equal(thud_world_stats(world).shapes, 4);
+    thud_world_destroy(world);
+}
+
 static void shapes_die_with_their_body(void **state)
 {
     (void)state;
@@ -191,6 +253,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(handle_of_destroyed_body_is_stale_even_when_its_slot_lives_again),
         cmocka_unit_test(handle_of_another_world_is_refused),
+        cmocka_unit_test(handle_is_refused_however_many_worlds_are_made_after_its_own),
+        cmocka_unit_test(static_body_with_a_velocity_is_refused),
+        cmocka_unit_test(shape_whose_def_is_zeroed_is_made_and_told_to_meet_nothing),
         cmocka_unit_test(shapes_die_with_their_body),
         cmocka_unit_test(bad_worlds_are_refused),
         cmocka_unit_test(bad_calls_change_nothing),

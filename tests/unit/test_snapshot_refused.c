@@ -4,7 +4,15 @@
 
 #include "../support/hostile_memory.h"
 
+#include "snapshot.h"
+
 static char told[128];
+
+static double no_clock(void *context)
+{
+    (void)context;
+    return 0;
+}
 
 static void keep(thud_result result, const char *message, void *context)
 {
@@ -133,6 +141,69 @@ static void snapshot_of_another_scale_or_broadphase_is_refused(void **state)
     refused(others[1], r.snapshot.bytes, r.snapshot.size, "broadphase");
     thud_world_destroy(others[0]);
     thud_world_destroy(others[1]);
+    end(&r);
+}
+
+/* Each of them decides what the steps to come do. */
+static void snapshot_of_a_world_of_other_settings_is_refused(void **state)
+{
+    (void)state;
+    enum { KINDS = 10 };
+    thud_world_def def = telling();
+    ready r = make_ready(&def);
+    for (int i = 0; i < KINDS; i++) {
+        thud_world_def other = def;
+        other.clock = i == 9 ? no_clock : NULL;
+        other.substeps = i == 0 ? 7 : 0;
+        other.contact_stiffness = i == 1 ? 0.2f : 0;
+        other.contact_damping = i == 2 ? 3 : 0;
+        other.push_speed = i == 3 ? 2 : def.push_speed;
+        other.restitution_threshold = i == 4 ? 2 : def.restitution_threshold;
+        other.hit_speed = i == 5 ? 2 : def.hit_speed;
+        other.maximum_speed = i == 6 ? 100 : def.maximum_speed;
+        other.contact_events = i != 7;
+        other.detection = i == 8 ? &thud_detection_swept : NULL;
+        other.time_budget = i == 9 ? 0.01 : 0;
+        thud_world *world = make_world(other);
+        refused(world, r.snapshot.bytes, r.snapshot.size, "other settings");
+        thud_world_destroy(world);
+    }
+    walks_again(r.y.world, &r.next, "other settings");
+    end(&r);
+}
+
+/* Numbers of the head that somebody changed, and made the checksum right again. */
+static void forged_counts_are_refused_or_do_no_harm(void **state)
+{
+    (void)state;
+    thud_world_def def = telling();
+    ready r = make_ready(&def);
+    td_snapshot_head head;
+    memcpy(&head, r.snapshot.bytes, sizeof head);
+    const int32_t values[] = {-1, 0, 1, 7, 100, 1000, 100000, INT32_MAX / 16, INT32_MAX};
+    size_t from = offsetof(td_snapshot_head, detection), refusals = 0, all = 0;
+    for (size_t at = from; at + sizeof(int32_t) <= sizeof head; at += sizeof(int32_t)) {
+        for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+            int32_t old;
+            memcpy(&old, r.snapshot.bytes + at, sizeof old);
+            if (old == values[i]) {
+                continue;
+            }
+            char *forged = malloc(r.snapshot.size);
+            memcpy(forged, r.snapshot.bytes, r.snapshot.size);
+            memcpy(forged + at, &values[i], sizeof values[i]);
+            size_t summed = offsetof(td_snapshot_head, bytes);
+            uint64_t sum = td_snapshot_checksum(forged + summed, r.snapshot.size - summed);
+            memcpy(forged + offsetof(td_snapshot_head, checksum), &sum, sizeof sum);
+            thud_world *world = make_world(def);
+            refusals += thud_world_restore(world, forged, r.snapshot.size) != THUD_OK;
+            all++;
+            thud_world_destroy(world);
+            free(forged);
+        }
+    }
+    print_message("%zu of %zu refused\n", refusals, all);
+    assert_true(refusals * 10 > all * 8);
     end(&r);
 }
 
@@ -275,6 +346,8 @@ int main(void)
         cmocka_unit_test(overwritten_and_swapped_bytes_are_refused),
         cmocka_unit_test(cut_or_lengthened_snapshot_is_refused),
         cmocka_unit_test(snapshot_of_another_scale_or_broadphase_is_refused),
+        cmocka_unit_test(snapshot_of_a_world_of_other_settings_is_refused),
+        cmocka_unit_test(forged_counts_are_refused_or_do_no_harm),
         cmocka_unit_test(null_and_small_buffer_are_refused),
         cmocka_unit_test(callback_is_refused),
         cmocka_unit_test(restore_without_memory_leaves_the_world_as_it_was),

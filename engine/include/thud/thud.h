@@ -36,8 +36,10 @@ typedef struct thud_allocator {
     void *(*allocate)(size_t bytes, void *context); /* 64-byte aligned, or null */
     void (*release)(void *block, size_t bytes, void *context);
     void *context;
-} thud_allocator; /* all zero: the C library's */
+} thud_allocator; /* all zero: the C library's; one function without the other is refused */
 
+/* Hears why a call was refused, with its result; with THUD_OK what a call that was done has made that
+ * is hardly meant. */
 typedef void thud_log_fn(thud_result result, const char *message, void *context);
 typedef double thud_clock_fn(void *context); /* seconds, from any start, never backwards */
 
@@ -123,6 +125,7 @@ thud_world_def thud_default_world_def(void);
  * needs: at draft it goes without the island solver. */
 thud_world_def thud_world_def_of(const thud_quality *quality);
 
+/* `out` must not be null. What is refused, for want of memory too, the def's log hears. */
 thud_result thud_world_create(const thud_world_def *def, thud_world **out);
 void thud_world_destroy(thud_world *world); /* null is fine */
 
@@ -162,8 +165,8 @@ typedef struct thud_body_def {
     thud_body_kind kind;      /* default static */
     thud_pos position;        /* of the body's origin; |x|, |y| <= 1e9 length scales */
     double angle;             /* |angle| <= 1e6 */
-    thud_vec2 velocity;       /* of the centre of mass */
-    float angular_velocity;   /* rad/s; a step holds it to |.| <= 1e8 */
+    thud_vec2 velocity;       /* of the centre of mass; 0 where static, which never moves */
+    float angular_velocity;   /* rad/s; likewise; a step holds it to |.| <= 1e8 */
     float gravity_scale;      /* default 1 */
     float linear_damping;     /* 1/s, >= 0 */
     float angular_damping;    /* 1/s, >= 0 */
@@ -225,7 +228,8 @@ typedef struct thud_filter {
     uint32_t category; /* what it is; default 1 */
     uint32_t mask;     /* what it meets; default all */
     int32_t group;     /* two of the same group: > 0 always meet, < 0 never; 0 no group */
-} thud_filter;
+} thud_filter;         /* all zero, as where a def is not made by thud_default_shape_def, meets nothing:
+                          the log is told */
 
 typedef struct thud_shape_def {
     float density;     /* >= 0; default 1 */
