@@ -37,6 +37,7 @@
 /* Sizes and places that are accepted. */
 #define TD_SIZE_MIN ((double)1e-4f) /* as callers say it, in single precision */
 #define TD_SIZE_MAX 16384.0
+#define TD_STATIC_SIZE_MAX 32000.0 /* twice that is less than half the way around the bounds */
 #define TD_PLACE_MAX 1e9
 
 static inline int td_min_int(int a, int b)

@@ -5,9 +5,11 @@
 
 /* Overlap that goes in a step. */
 #define PUSH_SHARE 0.2
-/* Gaps of less are none: in multiples of the arms, and of the length scale. */
+/* Gaps of less are none: in multiples of the arms, and of the length scale. Ground that goes on for
+ * thousands of those would else hold bodies up where it is far from its middle. */
 #define BLUR 1e-6
 #define BLUR_LEAST 1e-7
+#define BLUR_MOST 1e-4
 
 enum { TANGENT = TD_DIRECT_TANGENT, PATIENCE = 200 };
 
@@ -114,7 +116,8 @@ static void take_row(td_direct_contact *c, td_direct_row *r, double x, double y,
 static double blur_of(const thud_world *w, const td_direct_row *r)
 {
     double arm_a = r->a[2] < 0.0 ? -r->a[2] : r->a[2], arm_b = r->b[2] < 0.0 ? -r->b[2] : r->b[2];
-    return BLUR * (arm_a + arm_b) + BLUR_LEAST * (double)w->unit;
+    double blur = BLUR * (arm_a + arm_b), most = BLUR_MOST * (double)w->unit;
+    return (blur < most ? blur : most) + BLUR_LEAST * (double)w->unit;
 }
 
 /* Bodies that do not turn feel no arms. */

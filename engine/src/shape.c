@@ -33,10 +33,11 @@ static const char *def_error(const thud_world *w, const thud_shape_def *def)
     return NULL;
 }
 
-static bool size_valid(const thud_world *w, float size)
+static bool size_valid(const thud_world *w, int body, float size)
 {
     double s = (double)size / (double)w->unit;
-    return s >= TD_SIZE_MIN && s <= TD_SIZE_MAX;
+    bool rests = td_body_at(w, body)->kind == THUD_STATIC;
+    return s >= TD_SIZE_MIN && s <= (rests ? TD_STATIC_SIZE_MAX : TD_SIZE_MAX);
 }
 
 static bool offset_valid(const thud_world *w, thud_vec2 offset)
@@ -125,7 +126,7 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
     if (result != THUD_OK) {
         return result;
     }
-    if (!offset_valid(w, offset) || !size_valid(w, radius)) {
+    if (!offset_valid(w, offset) || !size_valid(w, body, radius)) {
         return td_refuse(w, THUD_ERROR_INVALID, "circle: offset or radius is out of range");
     }
     td_kind_circle(w);
@@ -144,7 +145,8 @@ thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_sh
     if (result != THUD_OK) {
         return result;
     }
-    if (!offset_valid(w, offset) || !size_valid(w, half.x) || !size_valid(w, half.y)) {
+    if (!offset_valid(w, offset) || !size_valid(w, body, half.x) ||
+        !size_valid(w, body, half.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: offset or half extents are out of range");
     }
     if (td_pose_at(w, body)->angle != 0) {
@@ -172,7 +174,8 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
     if (result != THUD_OK) {
         return result;
     }
-    if (!offset_valid(w, offset) || !size_valid(w, half.x) || !size_valid(w, half.y)) {
+    if (!offset_valid(w, offset) || !size_valid(w, body, half.x) ||
+        !size_valid(w, body, half.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "OBB: offset or half extents are out of range");
     }
     if (!(angle >= -1e6 && angle <= 1e6)) {

@@ -245,8 +245,10 @@ typedef struct thud_shape_def {
 
 thud_shape_def thud_default_shape_def(void);
 
-/* Offsets are in the body's frame. Sizes (radius, half extents) lie in [1e-4, 16384] length
- * scales. */
+/* Offsets are in the body's frame. Sizes (radius, half extents) lie in [1e-4, 16384] length scales, of
+ * static bodies in [1e-4, 32000]. Longer ground is a terrain, or several boxes side by side, which are
+ * one ground. On a box 1 high and 40,000 long bodies rest and slide as on a small one; where both half
+ * extents are thousands, or a long one is turned, its surface is told to 1e-7 of its size only. */
 thud_result thud_shape_create_circle(thud_world *world, thud_body_id body,
                                      const thud_shape_def *def, thud_vec2 offset, float radius,
                                      thud_shape_id *out);

@@ -121,9 +121,9 @@ export interface BodyOptions {
   position?: Vec2;
   /** Radians, up to 10⁶ either way. Default 0. */
   angle?: number;
-  /** Of the centre of mass, length/s. Default [0, 0]. */
+  /** Of the centre of mass, length/s. Default [0, 0], as it must be where static. */
   velocity?: Vec2;
-  /** Radians/s. Default 0. */
+  /** Radians/s. Default 0; likewise. */
   angularVelocity?: number;
   /** Times the world's gravity. Default 1. */
   gravityScale?: number;
@@ -165,14 +165,14 @@ export interface ShapeOptions {
   userData?: number;
 }
 
-/** Sizes are from 10⁻⁴ to 16384 length scales. */
+/** Sizes are from 10⁻⁴ to 16384 length scales, of static bodies to 32000. */
 export interface CircleOptions extends ShapeOptions {
   radius: number;
   /** In the body's frame. Default [0, 0]. */
   offset?: Vec2;
 }
 
-/** Sizes are from 10⁻⁴ to 16384 length scales. */
+/** Sizes are from 10⁻⁴ to 16384 length scales, of static bodies to 32000. */
 export interface BoxOptions extends ShapeOptions {
   halfWidth: number;
   halfHeight: number;
