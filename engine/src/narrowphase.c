@@ -2,8 +2,7 @@
  *
  * Waiting pairs are tested in blocks of their own; those that touch take a lane. Then all lanes get
  * their manifold in place, in the blocks that the solver works on; those that touch no more give
- * their lane back and wait. What runs out of memory is gone on with where it stopped: manifolds and
- * lists made twice would not always be the same. */
+ * their lane back and wait. A step that is tried again goes on where it ran out of memory. */
 #include "contact.h"
 #include "crew.h"
 #include "handles.h"
@@ -184,8 +183,7 @@ static void test_waiting(thud_world *w, int kind)
     test_batch(&b);
 }
 
-/* Which waiting pairs touch. What a step began that then ran out of memory stays in the list, since
- * nobody has heard of it yet. */
+/* Which waiting pairs touch. What began in a step that ran out of memory stays listed: nobody heard of it. */
 static bool find_meeting(thud_world *w)
 {
     int contacts = w->contacts.live, *begins = w->scratch.begins.data, kept = 0;
@@ -236,12 +234,8 @@ static bool begin_contacts(thud_world *w)
         td_contact_rest(w, list[i]);
     }
     bool placed = td_lanes_place(w, list, count, false);
-    for (int i = 0; i < count; i++) {
-        if (placed) {
-            td_contact_begin(w, list[i]);
-        } else {
-            td_contact_wait(w, list[i]); /* last in their list, whence they leave it again */
-        }
+    for (int i = 0; i < count; i++) { /* those that wait again are the last to do so, and leave first */
+        (placed ? td_contact_begin : td_contact_wait)(w, list[i]);
     }
     return placed;
 }
@@ -390,9 +384,10 @@ static bool collide_all(thud_world *w)
 
 bool td_narrowphase(thud_world *w)
 {
-    static bool (*const parts[])(thud_world *) = {find_meeting, begin_contacts, part_waiting,
-                                                  collide_all, part_contacts};
-    while (w->narrowed < (int)(sizeof parts / sizeof *parts)) {
+    enum { PARTS = 5 };
+    static bool (*const parts[PARTS])(thud_world *) = {find_meeting, begin_contacts, part_waiting,
+                                                       collide_all, part_contacts};
+    while (w->narrowed < PARTS) {
         if (!parts[w->narrowed](w)) {
             return false;
         }

@@ -103,72 +103,81 @@ static double power_below(double x)
     return p;
 }
 
+/* The arrays of a world, and what is in them. */
+#define ARRAY(name, element) {offsetof(thud_world, name), sizeof(element)}
+#define EVENTS(list)                                                                               \
+    ARRAY(list.begin, thud_contact_event), ARRAY(list.end, thud_contact_event),                    \
+        ARRAY(list.sensor_begin, thud_contact_event), ARRAY(list.sensor_end, thud_contact_event),  \
+        ARRAY(list.hit, thud_hit_event), ARRAY(list.quarantined, thud_body_id)
+
+static const struct {
+    uint16_t at, stride;
+} ARRAYS[] = {
+    ARRAY(pose, td_pose),
+    ARRAY(stance, td_stance),
+    ARRAY(was, td_bounds),
+    ARRAY(marks, uint8_t),
+    ARRAY(velocity, float[4]),
+    ARRAY(delta, float[4]),
+    ARRAY(start, float[4]),
+    ARRAY(push, float[4]),
+    ARRAY(damping, float[2]),
+    ARRAY(idle, float),
+    ARRAY(hard, uint8_t),
+    ARRAY(strain, uint16_t),
+    ARRAY(reach, float[2]),
+    ARRAY(mass, float),
+    ARRAY(inertia, float),
+    ARRAY(weight, float),
+    ARRAY(body_of, int),
+    ARRAY(lone, int),
+    ARRAY(colours, td_colours),
+    ARRAY(moved, int),
+    ARRAY(changed, int),
+    ARRAY(put_off, td_put_off),
+    ARRAY(poses, thud_pose),
+    ARRAY(scratch.hits, int),
+    ARRAY(scratch.ahead, int),
+    ARRAY(scratch.crowded, int),
+    ARRAY(scratch.stamps, uint32_t),
+    ARRAY(scratch.pairs, int[3]),
+    ARRAY(scratch.bodies, int),
+    ARRAY(scratch.contacts, int),
+    ARRAY(scratch.blocks, td_block *),
+    ARRAY(scratch.runs, td_run),
+    ARRAY(scratch.parted, td_block *),
+    ARRAY(scratch.chunks, td_chunk),
+    ARRAY(scratch.counters, atomic_int),
+    ARRAY(scratch.begins, int),
+    ARRAY(scratch.ends, int),
+    ARRAY(scratch.parents, int),
+    ARRAY(scratch.lane_bins, int),
+    ARRAY(scratch.flights, td_flight),
+    ARRAY(scratch.encounters, td_encounter),
+    ARRAY(scratch.strays, int),
+    ARRAY(scratch.impacts, td_impact),
+    ARRAY(scratch.test_list, td_block *),
+    ARRAY(scratch.fast, int),
+    ARRAY(scratch.odd, int),
+    ARRAY(scratch.order, int32_t),
+    EVENTS(events),
+    EVENTS(told),
+};
+enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
+
+static td_array *array_at(thud_world *w, int i)
+{
+    return (td_array *)((char *)w + ARRAYS[i].at);
+}
+
 static void set_strides(thud_world *w)
 {
-    const struct {
-        td_array *array;
-        size_t stride;
-    } strides[] = {
-        {&w->pose, sizeof(td_pose)},
-        {&w->stance, sizeof(td_stance)},
-        {&w->was, sizeof(td_bounds)},
-        {&w->marks, sizeof(uint8_t)},
-        {&w->velocity, sizeof(float[4])},
-        {&w->delta, sizeof(float[4])},
-        {&w->start, sizeof(float[4])},
-        {&w->push, sizeof(float[4])},
-        {&w->damping, sizeof(float[2])},
-        {&w->idle, sizeof(float)},
-        {&w->hard, sizeof(uint8_t)},
-        {&w->strain, sizeof(uint16_t)},
-        {&w->reach, sizeof(float[2])},
-        {&w->mass, sizeof(float)},
-        {&w->inertia, sizeof(float)},
-        {&w->weight, sizeof(float)},
-        {&w->body_of, sizeof(int)},
-        {&w->lone, sizeof(int)},
-        {&w->colours, sizeof(td_colours)},
-        {&w->moved, sizeof(int)},
-        {&w->changed, sizeof(int)},
-        {&w->put_off, sizeof(td_put_off)},
-        {&w->poses, sizeof(thud_pose)},
-        {&w->scratch.hits, sizeof(int)},
-        {&w->scratch.ahead, sizeof(int)},
-        {&w->scratch.crowded, sizeof(int)},
-        {&w->scratch.stamps, sizeof(uint32_t)},
-        {&w->scratch.pairs, sizeof(int[3])},
-        {&w->scratch.bodies, sizeof(int)},
-        {&w->scratch.contacts, sizeof(int)},
-        {&w->scratch.blocks, sizeof(td_block *)},
-        {&w->scratch.runs, sizeof(td_run)},
-        {&w->scratch.parted, sizeof(td_block *)},
-        {&w->scratch.chunks, sizeof(td_chunk)},
-        {&w->scratch.counters, sizeof(atomic_int)},
-        {&w->scratch.begins, sizeof(int)},
-        {&w->scratch.ends, sizeof(int)},
-        {&w->scratch.parents, sizeof(int)},
-        {&w->scratch.lane_bins, sizeof(int)},
-        {&w->scratch.flights, sizeof(td_flight)},
-        {&w->scratch.encounters, sizeof(td_encounter)},
-        {&w->scratch.strays, sizeof(int)},
-        {&w->scratch.impacts, sizeof(td_impact)},
-        {&w->scratch.test_list, sizeof(td_block *)},
-        {&w->scratch.fast, sizeof(int)},
-        {&w->scratch.odd, sizeof(int)},
-    };
-    for (size_t i = 0; i < sizeof strides / sizeof *strides; i++) {
-        strides[i].array->stride = (int)strides[i].stride;
+    static_assert(sizeof *w <= UINT16_MAX, "offsets of arrays are 16 bits");
+    for (int i = 0; i < ARRAY_COUNT; i++) {
+        array_at(w, i)->stride = ARRAYS[i].stride;
     }
     for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
         w->waiting[kind].stride = (int)sizeof(int);
-    }
-    td_event_lists *lists[] = {&w->events, &w->told};
-    for (int i = 0; i < 2; i++) {
-        lists[i]->begin.stride = lists[i]->end.stride = (int)sizeof(thud_contact_event);
-        lists[i]->sensor_begin.stride = lists[i]->begin.stride;
-        lists[i]->sensor_end.stride = lists[i]->begin.stride;
-        lists[i]->hit.stride = (int)sizeof(thud_hit_event);
-        lists[i]->quarantined.stride = (int)sizeof(thud_body_id);
     }
     td_slots_init(&w->bodies, (int)sizeof(td_body));
     td_slots_init(&w->shapes, (int)sizeof(td_shape));
@@ -241,22 +250,10 @@ void thud_world_destroy(thud_world *w)
     for (int i = 0; i < w->terrains.count; i++) {
         td_array_free(&w->memory, &((td_terrain_record *)td_slot_at(&w->terrains, i))->points);
     }
-    td_array *arrays[] = {
-        &w->pose,
-        &w->stance, &w->was, &w->marks, &w->velocity, &w->delta, &w->start, &w->push,
-        &w->damping, &w->idle, &w->hard, &w->strain, &w->reach, &w->mass, &w->inertia, &w->weight, &w->body_of, &w->lone, &w->colours, &w->moved,
-        &w->changed, &w->put_off, &w->poses,
-        &w->events.begin, &w->events.end, &w->events.sensor_begin, &w->events.sensor_end,
-        &w->events.hit, &w->events.quarantined, &w->told.begin, &w->told.end,
-        &w->told.sensor_begin, &w->told.sensor_end, &w->told.hit, &w->told.quarantined,
-        &w->scratch.hits, &w->scratch.ahead, &w->scratch.crowded, &w->scratch.stamps, &w->scratch.pairs, &w->scratch.bodies,
-        &w->scratch.contacts, &w->scratch.blocks, &w->scratch.runs, &w->scratch.parted, &w->scratch.chunks, &w->scratch.counters, &w->scratch.begins,
-        &w->scratch.ends, &w->scratch.parents, &w->scratch.lane_bins, &w->scratch.test_blocks,
-        &w->scratch.test_list, &w->scratch.fast, &w->scratch.flights,
-        &w->scratch.encounters, &w->scratch.strays, &w->scratch.impacts, &w->scratch.odd, &w->scratch.order};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        td_array_free(&w->memory, arrays[i]);
+    for (int i = 0; i < ARRAY_COUNT; i++) {
+        td_array_free(&w->memory, array_at(w, i));
     }
+    td_array_free(&w->memory, &w->scratch.test_blocks); /* as wide as a block, see narrowphase.c */
     td_slots *slots[] = {&w->bodies, &w->shapes, &w->contacts, &w->terrains};
     for (size_t i = 0; i < sizeof slots / sizeof *slots; i++) {
         td_slots_free(&w->memory, slots[i]);

@@ -57,6 +57,7 @@ test("box_on_a_conveyor_belt_gets_its_speed", () => {
   assert.equal(world.shapeState(shape).surfaceSpeed, 2);
   const tooFast = { halfWidth: 1, halfHeight: 1, surfaceSpeed: 1e9 };
   throwsCode("invalid", () => world.createAabb(belt, tooFast), /surface_speed/);
+  throwsCode("invalid", () => world.createBody({ velocity: [1, 0] }), /static/);
   world.close();
 });
 

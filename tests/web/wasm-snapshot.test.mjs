@@ -106,6 +106,9 @@ test("bytes_that_are_no_snapshot_for_the_world_throw_and_change_nothing", () => 
   const pixels = engine.createWorld({ lengthScale: 64 });
   refusedWith(/length scale/, () => pixels.restore(snapshot));
   pixels.close();
+  const silent = engine.createWorld({ contactEvents: false });
+  refusedWith(/other settings/, () => silent.restore(snapshot));
+  silent.close();
   assert.deepEqual(walk(world, 20), first);
   world.close();
   throwsCode("stale", () => world.snapshot());

@@ -8,11 +8,9 @@
  * hook has heard why. Output pointers may be null where the answer is not wanted, unless said
  * otherwise.
  *
- * A world computes in a floating-point mode of its own, whatever the calling thread's is (denormals
- * flushed, another rounding, traps), and on threads of a crew; callbacks are called in it, and the
- * thread has its own back when the call returns. So the same calls give the same bits everywhere. On
- * x86-64 and AArch64; wasm has only that mode, and elsewhere it must be the caller's. Geometry without
- * a world (thud_shapes.h and its like) computes in the caller's. */
+ * A world computes, and calls back, in a floating-point mode of its own, whatever that of the calling
+ * thread or of a crew's is (denormals flushed, another rounding, traps), and gives it back: on x86-64 and
+ * AArch64; wasm has no other, and elsewhere it must be the caller's, as it is in geometry without a world. */
 #ifndef THUD_H
 #define THUD_H
 
@@ -38,8 +36,7 @@ typedef struct thud_allocator {
     void *context;
 } thud_allocator; /* all zero: the C library's; one function without the other is refused */
 
-/* Hears why a call was refused, with its result; with THUD_OK what a call that was done has made that
- * is hardly meant. */
+/* Hears why a call was refused; with THUD_OK, that one was done which is hardly meant. */
 typedef void thud_log_fn(thud_result result, const char *message, void *context);
 typedef double thud_clock_fn(void *context); /* seconds, from any start, never backwards */
 
@@ -125,21 +122,18 @@ thud_world_def thud_default_world_def(void);
  * needs: at draft it goes without the island solver. */
 thud_world_def thud_world_def_of(const thud_quality *quality);
 
-/* `out` must not be null. What is refused, for want of memory too, the def's log hears. */
 thud_result thud_world_create(const thud_world_def *def, thud_world **out);
 void thud_world_destroy(thud_world *world); /* null is fine */
 
-/* Runs one step. On THUD_ERROR_MEMORY nothing has moved, no event is told, and edits made before are in
- * effect, as after a query; whom the step was about to wake may be awake. Made again when there is
- * memory, the step ends with the bits and events that it would have had. */
+/* Runs one step. On THUD_ERROR_MEMORY nothing has moved and no event is told; edits are in effect, as after
+ * a query, and whom it was to wake may be awake. Made again it ends with the same bits and events. */
 thud_result thud_world_step(thud_world *world);
 
 /* The world keeps its own time: runs as many whole steps as `elapsed` seconds (>= 0) allow, at
  * most `max_steps` (>= 1; time beyond that is dropped), and gives in *alpha, in [0, 1), how far
  * the present lies between the last step and the next, for thud_world_poses. Where a step runs out of
- * memory, those before it stand, *steps counts them, *alpha is written as well, and the time that is
- * left waits for the next call; if it was the first, nothing has changed, `elapsed` is as if never
- * given. */
+ * memory, *steps and *alpha are of those before it, and the time left waits for the next call; if it was
+ * the first, `elapsed` is as if never given. */
 thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps, int *steps,
                                double *alpha);
 
@@ -228,8 +222,7 @@ typedef struct thud_filter {
     uint32_t category; /* what it is; default 1 */
     uint32_t mask;     /* what it meets; default all */
     int32_t group;     /* two of the same group: > 0 always meet, < 0 never; 0 no group */
-} thud_filter;         /* all zero, as where a def is not made by thud_default_shape_def, meets nothing:
-                          the log is told */
+} thud_filter;         /* all zero meets nothing, which the log hears */
 
 typedef struct thud_shape_def {
     float density;     /* >= 0; default 1 */
@@ -246,9 +239,8 @@ typedef struct thud_shape_def {
 thud_shape_def thud_default_shape_def(void);
 
 /* Offsets are in the body's frame. Sizes (radius, half extents) lie in [1e-4, 16384] length scales, of
- * static bodies in [1e-4, 32000]. Longer ground is a terrain, or several boxes side by side, which are
- * one ground. On a box 1 high and 40,000 long bodies rest and slide as on a small one; where both half
- * extents are thousands, or a long one is turned, its surface is told to 1e-7 of its size only. */
+ * static bodies in [1e-4, 32000]; longer ground is a terrain, or boxes side by side. Where a large shape
+ * is turned, or large both ways, its surface is told to 1e-7 of its size. */
 thud_result thud_shape_create_circle(thud_world *world, thud_body_id body,
                                      const thud_shape_def *def, thud_vec2 offset, float radius,
                                      thud_shape_id *out);
@@ -292,9 +284,8 @@ typedef struct thud_pose {
 } thud_pose;
 
 /* Every body's pose at alpha in [0, 1] between the last two steps (0: the one before, 1: the last), by
- * slot (thud_body_id.index1 - 1); slots without a body have x = y = NaN. Belongs to the world, valid
- * until its next call. Null and *count = 0 if memory is short, alpha is out of range, or the origin is
- * further than 1e9 length scales. */
+ * slot (thud_body_id.index1 - 1); slots without a body have x = y = NaN. Belongs to the world, valid until
+ * its next call. Null and *count = 0 if memory is short, or |origin.x| or |origin.y| > 1e9 length scales. */
 const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha, int *count);
 
 /* ---- events of the last step, in a deterministic order; valid until the next step ----
