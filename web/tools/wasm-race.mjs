@@ -64,11 +64,16 @@ function addShape(b2, world, body, shape) {
   if (shape.kind === "circle") {
     const circle = new b2.b2Circle();
     circle.center = offset;
-    circle.radius = shape.halfExtents[0];
+    circle.radius = shape.radius;
     b2.b2CreateCircleShape(body, def, circle);
     circle.delete();
   } else {
-    const polygon = b2.b2MakeOffsetBox(...shape.halfExtents, offset, b2.b2MakeRot(shape.angle));
+    const polygon = b2.b2MakeOffsetBox(
+      shape.halfWidth,
+      shape.halfHeight,
+      offset,
+      b2.b2MakeRot(shape.angle ?? 0),
+    );
     b2.b2CreatePolygonShape(body, def, polygon);
   }
   def.delete();

@@ -20,6 +20,7 @@ import {
   Values,
 } from "./level-values.js";
 import { readTiles } from "./level-tiles.js";
+import { checkNames } from "./names.js";
 import type { BodyOptions, ShapeOptions, Vec2, WorldOptions } from "./types.js";
 import type { World } from "./world.js";
 
@@ -102,6 +103,7 @@ const DEEPEST_CHAIN = 16 - 3;
 
 /** Reads a map. Throws a LevelError if it cannot be used, or something would have to be skipped. */
 export function readLevel(name: string, text: string, options: ReadOptions = {}): Level {
+  checkNames("readLevel", options, ["skip"]);
   const report = new Report();
   const level = readMap(name, parse(text, report), report);
   if (!level || report.fatal > 0 || (report.skipped > 0 && !options.skip))

@@ -6,13 +6,26 @@
  *     const { velocity, ground } = mover.move([5, -1], 1 / 60);
  */
 import { ThudError } from "./error.js";
-import { bodyId, fill, shapeId, solidNumbers, view } from "./numbers.js";
+import { bodyId, fill, FILTER, numbersOf, shapeId, solidNumbers, view } from "./numbers.js";
 import type { MoverHit, MoverOptions, MoverReport } from "./query-types.js";
 import type { BodyId, ShapeId, Vec2 } from "./types.js";
 import type { World } from "./world.js";
 
 /** Numbers of a hit; see api_mover_move. */
 const HIT = 9;
+
+/** As api_mover_defaults has them; the first comes last there, behind the filter's. */
+const OPTIONS = [
+  "oneWay",
+  "up",
+  ".",
+  "skin",
+  "maxSlope",
+  "stepHeight",
+  "snapDistance",
+  "pushForce",
+] as const;
+const OTHERS = ["shape", "position", "body", "filter"] as const;
 
 /** All that a mover keeps from one move to the next, as plain data. */
 export interface MoverState {
@@ -38,20 +51,10 @@ export class Mover {
     const { exports, slots } = world.engine;
     const [kind, hx, hy, angle] = solidNumbers(options.shape);
     const { filter = {}, body } = options;
+    const [oneWay, ...numbers] = numbersOf("mover", options, OPTIONS, OTHERS);
+    const filtered = numbersOf("filter", filter, FILTER);
     exports.api_mover_defaults(kind, hx, hy, angle);
-    fill(slots, [
-      options.up?.[0],
-      options.up?.[1],
-      options.skin,
-      options.maxSlope,
-      options.stepHeight,
-      options.snapDistance,
-      options.pushForce,
-      filter.category,
-      filter.mask,
-      filter.sensors,
-      options.oneWay,
-    ]);
+    fill(slots, [...numbers, ...filtered, oneWay]);
     const [index1, generation] = body ? [body.index + 1, body.generation] : [0, 0];
     this.#world = world;
     this.#address = exports.api_mover_create(
@@ -71,10 +74,11 @@ export class Mover {
    * part along `up` leaves the ground; `drop` falls through one-way platforms. Throws, and changes
    * nothing, for what is out of range.
    */
-  move(velocity: Vec2, dt: number, { drop = false } = {}): MoverReport {
+  move(velocity: Vec2, dt: number, options: { drop?: boolean } = {}): MoverReport {
     const { engine, address } = this.#world;
+    const [drop = 0] = numbersOf("move", options, ["drop"]);
     engine.check(
-      engine.exports.api_mover_move(address, this.address, ...velocity, dt, Number(drop)),
+      engine.exports.api_mover_move(address, this.address, ...velocity, dt, drop),
     );
     const s = engine.slots;
     const rows = view(Float64Array, engine.buffer, s[14], HIT * s[15]);

@@ -1,33 +1,67 @@
 /** How options become the numbers that the module takes, and numbers from it become handles. */
 import { ThudError } from "./error.js";
+import { checkNames } from "./names.js";
 import type { QueryFilter, SolidShape } from "./query-types.js";
 import {
+  BODY_KINDS,
   type BodyId,
-  type Detection,
+  BROADPHASES,
   DETECTIONS,
   QUALITIES,
   type Quality,
   type QualityOptions,
   SHAPE_KINDS,
   type ShapeId,
+  type Vec2,
 } from "./types.js";
 
-export function detectionIndex(detection: Detection | undefined): number | undefined {
-  return detection && indexOf(DETECTIONS, detection, "detection");
+/** Options that are one of several words. */
+const WORDS: Readonly<Record<string, readonly string[]>> = {
+  kind: BODY_KINDS,
+  detection: DETECTIONS,
+  broadphase: BROADPHASES,
+  base: QUALITIES,
+};
+
+/**
+ * The number of every option in `names`, in that order; undefined where it is not given. A dot
+ * after a name stands for the second number of a pair. Throws for options that are neither in
+ * `names` nor in `others`, which the caller reads itself; `what` is told then.
+ */
+export function numbersOf(
+  what: string,
+  options: object,
+  names: readonly string[],
+  others: readonly string[] = [],
+): (number | undefined)[] {
+  checkNames(what, options, [...names, ...others]);
+  const given = options as Readonly<Record<string, unknown>>;
+  return names.map((name, i) => {
+    const value = given[name === "." ? names[i - 1] : name];
+    if (value === undefined) return undefined;
+    if (name === ".") return Number((value as Vec2)[1]);
+    if (names[i + 1] === ".") return Number((value as Vec2)[0]);
+    if (name === "userData") return userData(value as number);
+    return WORDS[name] ? indexOf(WORDS[name], value as string, name) : Number(value);
+  });
 }
 
-/** A quality's own numbers where it is no more than a name, and what an object changes of them. */
-export function qualityNumbers(quality: Quality | QualityOptions) {
+const QUALITY = [
+  "base",
+  "substeps",
+  "contactStiffness",
+  "contactDamping",
+  "detection",
+  "islands",
+] as const;
+
+/** Its base's number, and what an object changes of that, in the order of QUALITY. */
+export function qualityNumbers(
+  quality: Quality | QualityOptions = "default",
+): [base: number, ...changes: (number | undefined)[]] {
   const options: QualityOptions = typeof quality === "string" ? { base: quality } : quality;
-  const { base = "default", substeps, contactStiffness, contactDamping, islands } = options;
-  return {
-    base: indexOf(QUALITIES, base, "quality"),
-    substeps,
-    contactStiffness,
-    contactDamping,
-    detection: detectionIndex(options.detection),
-    islands: islands === undefined ? undefined : Number(islands),
-  };
+  const [base = QUALITIES.indexOf("default"), ...changes] = numbersOf("quality", options, QUALITY);
+  return [base, ...changes];
 }
 
 export function bodyId(index1: number, generation: number): BodyId {
@@ -41,16 +75,26 @@ export function shapeId(index1: number, generation: number): ShapeId {
 /** Kind, half extents (a circle's radius is the first) and angle, as the module takes them. */
 export type SolidNumbers = [kind: number, hx: number, hy: number, angle: number];
 
-export function solidNumbers(shape: SolidShape): SolidNumbers {
+/** What gives a shape of each kind its form. */
+export const FORMS = {
+  circle: ["radius"],
+  aabb: ["halfWidth", "halfHeight"],
+  obb: ["halfWidth", "halfHeight", "angle"],
+  terrain: [],
+} as const;
+
+/** `others` is what a shape may have beside its form. */
+export function solidNumbers(shape: SolidShape, others: readonly string[] = []): SolidNumbers {
   const kind = indexOf(SHAPE_KINDS, shape.kind, "shape kind");
+  checkNames(shape.kind, shape, ["kind", ...FORMS[shape.kind], ...others]);
   if (shape.kind === "circle") return [kind, shape.radius, 0, 0];
   return [kind, shape.halfWidth, shape.halfHeight, shape.kind === "obb" ? shape.angle : 0];
 }
 
 /** Overwrites the slots whose option is given. */
-export function fill(slots: Float64Array, options: (number | boolean | undefined)[]): void {
+export function fill(slots: Float64Array, options: readonly (number | undefined)[]): void {
   options.forEach((value, i) => {
-    if (value !== undefined) slots[i] = Number(value);
+    if (value !== undefined) slots[i] = value;
   });
 }
 
@@ -67,9 +111,11 @@ export function userData(value: number | undefined): number | undefined {
   return value;
 }
 
+export const FILTER = ["category", "mask", "sensors"] as const;
+
 export function filterNumbers(filter: QueryFilter): [number, number, number] {
-  const { category = 0xffffffff, mask = 0xffffffff, sensors = false } = filter;
-  return [category, mask, Number(sensors)];
+  const [category = 0xffffffff, mask = 0xffffffff, sensors = 0] = numbersOf("filter", filter, FILTER);
+  return [category, mask, sensors];
 }
 
 interface ViewClass<T> {

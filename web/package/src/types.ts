@@ -167,6 +167,8 @@ export interface ShapeOptions {
 
 /** Sizes are from 10⁻⁴ to 16384 length scales, of static bodies to 32000. */
 export interface CircleOptions extends ShapeOptions {
+  /** As a state tells it; may be left out. */
+  kind?: "circle";
   radius: number;
   /** In the body's frame. Default [0, 0]. */
   offset?: Vec2;
@@ -174,13 +176,15 @@ export interface CircleOptions extends ShapeOptions {
 
 /** Sizes are from 10⁻⁴ to 16384 length scales, of static bodies to 32000. */
 export interface BoxOptions extends ShapeOptions {
+  kind?: "aabb";
   halfWidth: number;
   halfHeight: number;
   /** In the body's frame. Default [0, 0]. */
   offset?: Vec2;
 }
 
-export interface ObbOptions extends BoxOptions {
+export interface ObbOptions extends Omit<BoxOptions, "kind"> {
+  kind?: "obb";
   /** Radians, in the body's frame. Default 0. */
   angle?: number;
 }
@@ -240,23 +244,13 @@ export interface BodyState {
   shapeCount: number;
 }
 
-/** Units and meaning as in ShapeOptions. */
-export interface ShapeState {
-  kind: ShapeKind;
-  body: BodyId;
-  /** In the body's frame. */
-  offset: Vec2;
-  /** A circle's radius is the first. */
-  halfExtents: Vec2;
-  /** Radians, in the body's frame. */
-  angle: number;
-  density: number;
-  friction: number;
-  restitution: number;
-  surfaceSpeed: number;
-  category: number;
-  mask: number;
-  group: number;
-  sensor: boolean;
-  userData: number;
-}
+/**
+ * What a shape was made with, and its body. Of a terrain `World.terrain` has the ground. Without
+ * `body` it is what another like it can be made with.
+ */
+export type ShapeState = { body: BodyId } & (
+  | Required<CircleOptions>
+  | Required<BoxOptions>
+  | Required<ObbOptions>
+  | ({ kind: "terrain" } & Required<ShapeOptions>)
+);

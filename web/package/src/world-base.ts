@@ -1,20 +1,35 @@
 /** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
-import { detectionIndex, fill, indexOf, qualityNumbers, shapeId, view } from "./numbers.js";
+import { fill, numbersOf, qualityNumbers, shapeId, view } from "./numbers.js";
 import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
-import {
-  type BodyId,
-  BROADPHASES,
-  type Quality,
-  type QualityOptions,
-  type ShapeId,
-  type Vec2,
-  type WorldOptions,
-} from "./types.js";
+import type { BodyId, Quality, QualityOptions, ShapeId, Vec2, WorldOptions } from "./types.js";
 
 /** As far out as a body can be, in length scales; a little less, for rounding. */
 const EVERYWHERE = 0.999e9;
+
+/** In the order of api_world_defaults, but that a quality's own numbers come at the end. */
+const OPTIONS = [
+  "gravity",
+  ".",
+  "timeStep",
+  "lengthScale",
+  "quality",
+  "substeps",
+  "contactStiffness",
+  "contactDamping",
+  "pushSpeed",
+  "restitutionThreshold",
+  "hitSpeed",
+  "maximumSpeed",
+  "sleeping",
+  "detection",
+  "contactEvents",
+  "timed",
+  "broadphase",
+  "timeBudget",
+  "maxError",
+] as const;
 
 export class WorldBase {
   readonly engine: Engine;
@@ -40,34 +55,11 @@ export class WorldBase {
 
   /** Fills the slots of api_world_defaults, for code that makes worlds in the module itself. */
   static writeOptions(engine: Engine, options: WorldOptions): void {
+    const numbers = numbersOf("world", options, OPTIONS);
+    const [base, ...changes] = qualityNumbers(options.quality);
+    numbers[OPTIONS.indexOf("quality")] = base;
     engine.exports.api_world_defaults();
-    const quality = options.quality === undefined ? undefined : qualityNumbers(options.quality);
-    fill(engine.slots, [
-      options.gravity?.[0],
-      options.gravity?.[1],
-      options.timeStep,
-      options.lengthScale,
-      quality?.base,
-      options.substeps,
-      options.contactStiffness,
-      options.contactDamping,
-      options.pushSpeed,
-      options.restitutionThreshold,
-      options.hitSpeed,
-      options.maximumSpeed,
-      options.sleeping,
-      detectionIndex(options.detection),
-      options.contactEvents,
-      options.timed,
-      options.broadphase && indexOf(BROADPHASES, options.broadphase, "broadphase"),
-      options.timeBudget,
-      options.maxError,
-      quality?.substeps,
-      quality?.contactStiffness,
-      quality?.contactDamping,
-      quality?.detection,
-      quality?.islands,
-    ]);
+    fill(engine.slots, [...numbers, ...changes]);
   }
 
   /** The world's address in wasm memory; throws after `close`. */
@@ -141,16 +133,17 @@ export class WorldBase {
 
   /** From the next step on. For experts: `substeps` from 1 to 64; 0 takes the quality's. */
   setQuality(quality: Quality | QualityOptions, substeps = 0): void {
-    const q = qualityNumbers(quality);
+    const [base, own = 0, stiffness = 0, damping = 0, detection = -1, islands = -1] =
+      qualityNumbers(quality);
     this.engine.check(
       this.engine.exports.api_world_set_quality(
         this.address,
-        q.base,
-        substeps || (q.substeps ?? 0),
-        q.contactStiffness ?? 0,
-        q.contactDamping ?? 0,
-        q.detection ?? -1,
-        q.islands ?? -1,
+        base,
+        substeps || own,
+        stiffness,
+        damping,
+        detection,
+        islands,
       ),
     );
   }

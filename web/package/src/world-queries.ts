@@ -1,4 +1,5 @@
 /** What a world is asked about places: rays, casts, the closest shape, overlaps. */
+import { checkNames } from "./names.js";
 import { filterNumbers, shapeId, type SolidNumbers, solidNumbers, view } from "./numbers.js";
 import type { ClosestHit, OverlapQuery, QueryFilter, RayHit, SolidShape } from "./query-types.js";
 import type { ShapeId, Vec2 } from "./types.js";
@@ -82,11 +83,12 @@ export class WorldQueries extends WorldBase {
     const last = filterNumbers(filter);
     if (query.kind === "bounds") {
       const { lower, upper } = query;
+      checkNames("bounds", query, ["kind", "lower", "upper"]);
       engine.check(
         engine.exports.api_overlap_aabb(this.address, ...lower, ...upper, ...last),
       );
     } else {
-      const [kind, hx, hy, angle] = solidNumbers(query);
+      const [kind, hx, hy, angle] = solidNumbers(query, ["center"]);
       engine.check(
         engine.exports.api_overlap_shape(
           this.address,

@@ -3,7 +3,7 @@
  * `shapeTable` and `debugDraw` return are views straight into wasm memory: nothing is copied, and
  * they hold until the next call.
  */
-import { bodyId, shapeId, view } from "./numbers.js";
+import { bodyId, numbersOf, shapeId, view } from "./numbers.js";
 import type { BodyId } from "./types.js";
 import type {
   Contact,
@@ -20,6 +20,21 @@ import type {
 import { WorldQueries } from "./world-queries.js";
 
 const EMPTY = new Float32Array(0);
+
+/** In the order of the bits that api_world_draw takes. */
+const DRAWN = [
+  "shapes",
+  "bounds",
+  "cells",
+  "contacts",
+  "islands",
+  "axes",
+  "pairs",
+  "motions",
+  "stages",
+  "colours",
+  "manifolds",
+] as const;
 
 export class WorldViews extends WorldQueries {
   #poses = EMPTY;
@@ -152,18 +167,8 @@ export class WorldViews extends WorldQueries {
   /** What the engine's debug drawing shows inside the bounds. */
   debugDraw(options: DrawOptions): DrawLists {
     const { engine } = this;
-    const flags =
-      (options.shapes ? 1 : 0) |
-      (options.bounds ? 2 : 0) |
-      (options.cells ? 4 : 0) |
-      (options.contacts ? 8 : 0) |
-      (options.islands ? 16 : 0) |
-      (options.axes ? 32 : 0) |
-      (options.pairs ? 64 : 0) |
-      (options.motions ? 128 : 0) |
-      (options.stages ? 256 : 0) |
-      (options.colours ? 512 : 0) |
-      (options.manifolds ? 1024 : 0);
+    const numbers = numbersOf("debugDraw", options, DRAWN, ["origin", "lower", "upper"]);
+    const flags = numbers.reduce((sum: number, on, i) => sum + (on ? 1 << i : 0), 0);
     const [x, y] = options.origin ?? [0, 0];
     engine.check(
       engine.exports.api_world_draw(this.address, flags, x, y, ...options.lower, ...options.upper),

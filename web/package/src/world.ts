@@ -4,7 +4,9 @@
  * Built in layers, each in a file of its own: world-base (its life, time and settings),
  * world-queries, world-views (what is read of it), and here what is put into it.
  */
-import { bodyId, detectionIndex, fill, indexOf, shapeId, userData } from "./numbers.js";
+import { ThudError } from "./error.js";
+import { checkNames } from "./names.js";
+import { bodyId, fill, FORMS, indexOf, numbersOf, shapeId, userData } from "./numbers.js";
 import {
   BODY_KINDS,
   type BodyId,
@@ -17,6 +19,7 @@ import {
   type ObbOptions,
   SHAPE_KINDS,
   type ShapeId,
+  type ShapeKind,
   type ShapeOptions,
   type ShapeState,
   type Terrain,
@@ -25,6 +28,42 @@ import {
 import { WorldViews } from "./world-views.js";
 
 const TERRAIN_KINDS = ["flat", "uniform", "irregular"] as const;
+const TERRAINS = {
+  flat: ["kind", "slope"],
+  uniform: ["kind", "x0", "spacing", "heights"],
+  irregular: ["kind", "points"],
+} as const;
+
+/** In the order of api_body_defaults. */
+const BODY = [
+  "kind",
+  "position",
+  ".",
+  "angle",
+  "velocity",
+  ".",
+  "angularVelocity",
+  "gravityScale",
+  "linearDamping",
+  "angularDamping",
+  "fixedRotation",
+  "maySleep",
+  "userData",
+  "detection",
+] as const;
+
+/** In the order of api_shape_defaults. */
+const MATERIAL = [
+  "density",
+  "friction",
+  "restitution",
+  "category",
+  "mask",
+  "group",
+  "sensor",
+  "userData",
+  "surfaceSpeed",
+] as const;
 
 export class World extends WorldViews {
   // ---- bodies ----
@@ -32,23 +71,9 @@ export class World extends WorldViews {
   /** A body without shapes: it moves, and meets nothing, until it has one. */
   createBody(options: BodyOptions = {}): BodyId {
     const { engine } = this;
+    const numbers = numbersOf("body", options, BODY);
     engine.exports.api_body_defaults();
-    fill(engine.slots, [
-      options.kind === undefined ? undefined : indexOf(BODY_KINDS, options.kind, "body kind"),
-      options.position?.[0],
-      options.position?.[1],
-      options.angle,
-      options.velocity?.[0],
-      options.velocity?.[1],
-      options.angularVelocity,
-      options.gravityScale,
-      options.linearDamping,
-      options.angularDamping,
-      options.fixedRotation,
-      options.maySleep,
-      userData(options.userData),
-      detectionIndex(options.detection),
-    ]);
+    fill(engine.slots, numbers);
     engine.check(engine.exports.api_body_create(this.address));
     this.shapesRevision++;
     return bodyId(engine.slots[0], engine.slots[1]);
@@ -137,31 +162,29 @@ export class World extends WorldViews {
   // ---- shapes ----
 
   createCircle(body: BodyId, options: CircleOptions): ShapeId {
-    const [x, y] = options.offset ?? [0, 0];
-    return this.#createShape(options, "api_circle_create", body, x, y, options.radius);
+    return this.#createSolid("circle", body, options);
   }
 
   /** A box that keeps its axes: the rotation of its body is fixed from then on. */
   createAabb(body: BodyId, options: BoxOptions): ShapeId {
-    const [x, y] = options.offset ?? [0, 0];
-    const { halfWidth, halfHeight } = options;
-    return this.#createShape(options, "api_aabb_create", body, x, y, halfWidth, halfHeight);
+    return this.#createSolid("aabb", body, options);
   }
 
   createObb(body: BodyId, options: ObbOptions): ShapeId {
-    const [x, y] = options.offset ?? [0, 0];
-    const { halfWidth, halfHeight, angle = 0 } = options;
-    return this.#createShape(options, "api_obb_create", body, x, y, halfWidth, halfHeight, angle);
+    return this.#createSolid("obb", body, options);
   }
 
   /** Only on static bodies with angle 0. */
   createTerrain(body: BodyId, terrain: Terrain, options: ShapeOptions = {}): ShapeId {
+    const kind = indexOf(TERRAIN_KINDS, terrain.kind, "terrain kind");
+    checkNames("terrain", terrain, TERRAINS[terrain.kind]);
     const create = (points: number, count: number, slope: number, x0: number, spacing: number) =>
       this.#createShape(
+        "terrain",
         options,
-        "api_terrain_create",
+        [],
         body,
-        indexOf(TERRAIN_KINDS, terrain.kind, "terrain kind"),
+        kind,
         slope,
         x0,
         spacing,
@@ -187,12 +210,9 @@ export class World extends WorldViews {
   shapeState(shape: ShapeId): ShapeState {
     this.onShape("api_shape_get", shape);
     const s = this.engine.slots;
-    return {
-      kind: SHAPE_KINDS[s[0]],
+    const kind = SHAPE_KINDS[s[0]];
+    const material = {
       body: bodyId(s[1], s[2]),
-      offset: [s[3], s[4]],
-      halfExtents: [s[5], s[6]],
-      angle: s[7],
       density: s[8],
       friction: s[9],
       restitution: s[10],
@@ -203,6 +223,12 @@ export class World extends WorldViews {
       sensor: s[14] !== 0,
       userData: s[15],
     };
+    if (kind === "terrain") return { kind, ...material };
+    const offset: Vec2 = [s[3], s[4]];
+    const [halfWidth, halfHeight, angle] = s.subarray(5);
+    if (kind === "circle") return { kind, radius: halfWidth, offset, ...material };
+    if (kind === "aabb") return { kind, halfWidth, halfHeight, offset, ...material };
+    return { kind, halfWidth, halfHeight, offset, angle, ...material };
   }
 
   /** A copy of a terrain as the world has it. */
@@ -274,21 +300,32 @@ export class World extends WorldViews {
     return { height, x: at, normal: [nx, ny] };
   }
 
-  #createShape(options: ShapeOptions, name: string, body: BodyId, ...args: number[]): ShapeId {
+  #createSolid(
+    kind: Exclude<ShapeKind, "terrain">,
+    body: BodyId,
+    options: ShapeOptions & { offset?: Vec2 },
+  ): ShapeId {
+    const form: readonly string[] = FORMS[kind];
+    const [x, y] = options.offset ?? [0, 0];
+    const sizes = form.map((name) => (options as Record<string, number>)[name] ?? 0);
+    return this.#createShape(kind, options, [...form, "offset"], body, x, y, ...sizes);
+  }
+
+  /** `others` names the options that are among the arguments already. */
+  #createShape(
+    kind: ShapeKind,
+    options: ShapeOptions & { kind?: ShapeKind },
+    others: readonly string[],
+    body: BodyId,
+    ...args: number[]
+  ): ShapeId {
     const { engine } = this;
+    const numbers = numbersOf(kind, options, MATERIAL, [...others, "kind"]);
+    if ((options.kind ?? kind) !== kind)
+      throw new ThudError("invalid", `${kind}: its kind is "${options.kind}"`);
     engine.exports.api_shape_defaults();
-    fill(engine.slots, [
-      options.density,
-      options.friction,
-      options.restitution,
-      options.category,
-      options.mask,
-      options.group,
-      options.sensor,
-      userData(options.userData),
-      options.surfaceSpeed,
-    ]);
-    this.onBody(name, body, ...args);
+    fill(engine.slots, numbers);
+    this.onBody(`api_${kind}_create`, body, ...args);
     this.shapesRevision++;
     return shapeId(engine.slots[0], engine.slots[1]);
   }

@@ -115,7 +115,7 @@ export default async function (setting) {
     if (shape.category === COIN && isNew) state.taken.push(userData);
     if (shape.category === CHECKPOINT && isNew) {
       state.taken.push(userData);
-      state.home = [x, y - shape.halfExtents[1] + figure.halfHeight + 0.05];
+      state.home = [x, y - shape.halfHeight + figure.halfHeight + 0.05];
     }
     if (shape.category === GOAL) state.phase = "won";
     if (shape.category === SPIKES && state.phase === "playing") {
@@ -139,10 +139,10 @@ export default async function (setting) {
   }
 
   function picture({ taken }, { userData, shape, position: [x, y] }) {
-    const [halfWidth, halfHeight] = shape.halfExtents;
+    const { halfWidth, halfHeight, radius } = shape;
     const done = taken.includes(userData);
     if (shape.category === PLANK) return plank(x, y, halfWidth, halfHeight);
-    if (shape.category === COIN) return done ? [] : coin(x, y, halfWidth);
+    if (shape.category === COIN) return done ? [] : coin(x, y, radius);
     if (shape.category === SPIKES) return spikes(x, y, halfWidth, halfHeight);
     if (shape.category === CHECKPOINT) return checkpoint(x, y, halfHeight, done);
     if (shape.category === GOAL) return goal(x, y, halfHeight);

@@ -245,13 +245,11 @@ function rowsOf(report: BodyReport): Row[] {
 }
 
 function shapeRows(shape: ShapeState): Row[] {
-  const { kind, halfExtents, sensor } = shape;
-  const [hx, hy] = halfExtents;
   const rows: Row[] = [];
-  if (kind === "circle") rows.push(["radius", numberText(hx)]);
-  else if (kind !== "terrain")
-    rows.push(["size", `${numberText(2 * hx)} × ${numberText(2 * hy)}`]);
-  if (sensor) rows.push(["sensor", "reports, does not collide"]);
+  if (shape.kind === "circle") rows.push(["radius", numberText(shape.radius)]);
+  else if (shape.kind !== "terrain")
+    rows.push(["size", `${numberText(2 * shape.halfWidth)} × ${numberText(2 * shape.halfHeight)}`]);
+  if (shape.sensor) rows.push(["sensor", "reports, does not collide"]);
   else
     rows.push(
       ["friction", numberText(shape.friction)],

@@ -35,6 +35,9 @@ export interface Common extends Placing {
   events: boolean;
 }
 
+/** Of a circle or a box. */
+export type SolidState = Exclude<ShapeState, { kind: "terrain" }>;
+
 /** As fast as thud lets bodies be, in length scales a second; Box2D's default is 400. */
 const MAXIMUM_SPEED = 1e6;
 
@@ -86,8 +89,7 @@ export function makeBody(
   return body;
 }
 
-/** A circle or a box. */
-export function makeShape(common: Common, body: b2BodyId, shape: ShapeState): b2ShapeId {
+export function makeShape(common: Common, body: b2BodyId, shape: SolidState): b2ShapeId {
   const { box2d, unit, events } = common;
   const def: b2ShapeDef = box2d.b2DefaultShapeDef();
   def.density = shape.density * unit * unit;
@@ -98,19 +100,20 @@ export function makeShape(common: Common, body: b2BodyId, shape: ShapeState): b2
   setMaterial(def.material, shape, unit);
   setFilter(def.filter, shape);
   const offset = new box2d.b2Vec2(shape.offset[0] / unit, shape.offset[1] / unit);
-  const [hx, hy] = [shape.halfExtents[0] / unit, shape.halfExtents[1] / unit];
   let made: b2ShapeId;
   if (shape.kind === "circle") {
     const circle = new box2d.b2Circle();
     circle.center = offset;
-    circle.radius = hx;
+    circle.radius = shape.radius / unit;
     made = box2d.b2CreateCircleShape(body, def, circle);
     circle.delete();
   } else {
     const turn = new box2d.b2Rot();
     // An AABB has no angle of its own, and its body none either.
-    turn.c = Math.cos(shape.angle);
-    turn.s = Math.sin(shape.angle);
+    const angle = shape.kind === "obb" ? shape.angle : 0;
+    turn.c = Math.cos(angle);
+    turn.s = Math.sin(angle);
+    const [hx, hy] = [shape.halfWidth / unit, shape.halfHeight / unit];
     const box = box2d.b2MakeOffsetBox(hx, hy, offset, turn);
     made = box2d.b2CreatePolygonShape(body, def, box);
     box.delete();

@@ -351,9 +351,10 @@ export class Rival implements Hands, Twin {
 
   addShape(body: BodyId, id: ShapeId, state: ShapeState, terrain: Terrain | null): void {
     const entry = this.#entry(body);
-    const made = terrain
-      ? { chain: makeChain(this.#common, entry.body, state, terrain) }
-      : { shape: makeShape(this.#common, entry.body, state) };
+    const made =
+      state.kind === "terrain"
+        ? { chain: makeChain(this.#common, entry.body, state, terrain!) }
+        : { shape: makeShape(this.#common, entry.body, state) };
     entry.made.set(id.index, made);
     entry.weight = null;
   }

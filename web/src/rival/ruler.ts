@@ -95,13 +95,11 @@ export class Ruler implements Twin {
   }
 
   #createShape(body: BodyId, state: ShapeState, terrain: Terrain | null): ShapeId {
-    if (terrain) return this.#world.createTerrain(body, terrain, state);
-    const [halfWidth, halfHeight] = state.halfExtents;
-    const circle = { ...state, radius: halfWidth };
-    if (state.kind === "circle") return this.#world.createCircle(body, circle);
-    const box = { ...state, halfWidth, halfHeight };
-    if (state.kind === "aabb") return this.#world.createAabb(body, box);
-    return this.#world.createObb(body, box);
+    const { body: _, ...options } = state;
+    if (options.kind === "circle") return this.#world.createCircle(body, options);
+    if (options.kind === "aabb") return this.#world.createAabb(body, options);
+    if (options.kind === "obb") return this.#world.createObb(body, options);
+    return this.#world.createTerrain(body, terrain!, options);
   }
 
   finishBody(): void {}

@@ -51,18 +51,19 @@ function distanceOf({ point, edge, overlaps }: Sum): number {
 
 /** Null for ground, which has no sum. */
 function place(world: World, id: ShapeId): Placed | null {
-  const { kind, body, offset, halfExtents, angle: turned } = world.shapeState(id);
-  if (kind === "terrain") return null;
+  const shape = world.shapeState(id);
+  if (shape.kind === "terrain") return null;
+  const { body, offset } = shape;
   const { position, angle } = world.bodyState(body);
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const center: Vec2 = [
     position[0] + c * offset[0] - s * offset[1],
     position[1] + s * offset[0] + c * offset[1],
   ];
-  const [halfWidth, halfHeight] = halfExtents;
-  if (kind === "circle") return { solid: { kind, radius: halfWidth }, center };
+  if (shape.kind === "circle") return { solid: { kind: "circle", radius: shape.radius }, center };
+  const { kind, halfWidth, halfHeight } = shape;
   if (kind === "aabb") return { solid: { kind, halfWidth, halfHeight }, center };
-  return { solid: { kind, halfWidth, halfHeight, angle: angle + turned }, center };
+  return { solid: { kind, halfWidth, halfHeight, angle: angle + shape.angle }, center };
 }
 
 function sizeOf(solid: SolidShape): number {

@@ -7,7 +7,7 @@ const NEAR = 0.01; // metres
 // Marks to draw; to be called once, as the world begins.
 export function grassOn(world) {
   const tops = findBodies(world, isTile)
-    .map(({ position: [x, y], shape: { halfExtents: [halfWidth, halfHeight] } }) => ({
+    .map(({ position: [x, y], shape: { halfWidth, halfHeight } }) => ({
       x,
       y: y + halfHeight,
       left: x - halfWidth,

@@ -12,7 +12,7 @@ export function findLifts(world) {
 export function turnLifts(world, lifts) {
   for (const { body, shape } of lifts) {
     const { position, velocity } = world.bodyState(body);
-    const [halfWidth, halfHeight] = shape.halfExtents;
+    const { halfWidth, halfHeight } = shape;
     const [dx, dy] = [2 * STEP * velocity[0], 2 * STEP * velocity[1]];
     const turns = world
       .castShapeAll({ kind: "aabb", halfWidth, halfHeight }, position, [dx, dy], { sensors: true })
