@@ -4,6 +4,7 @@
 #include "draw_world.h"
 #include "palette.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -18,6 +19,23 @@ static void draw_title(viewer *v) {
     canvas_text(c, x, 25 * u, COLOR_TEXT_STRONG, s->title ? s->title : s->name);
     if (s->about)
         canvas_text_fit(c, x, 45 * u, v->camera.view.w - 32 * u, COLOR_TEXT_DIM, s->about);
+}
+
+/* What detection could not do; where it bisects, also from which speed on it may miss something. */
+static void draw_missed(viewer *v, float y) {
+    session *s = &v->session;
+    char text[160] = "";
+    size_t used = 0;
+    double limit = 0;
+    bool bisects = DETECTIONS[s->detection].detection == &thud_detection_bisect;
+    if ((bisects || s->missed.fast > 0) &&
+        thud_world_bisection_limit(s->world, &limit) == THUD_OK && isfinite(limit))
+        used = (size_t)snprintf(text, sizeof text, "bisects up to %.3g m/s  %ld times too fast  ",
+                                limit, s->missed.fast);
+    if (s->missed.held > 0)
+        snprintf(text + used, sizeof text - used, "%ld times held back  %.3f s lost",
+                 s->missed.held, s->missed.seconds);
+    canvas_text(&v->canvas, v->camera.view.x + 16 * v->canvas.unit, y, COLOR_TIMINGS, text);
 }
 
 static void draw_numbers(viewer *v) {
@@ -37,8 +55,10 @@ static void draw_numbers(viewer *v) {
     /* On a narrow window it goes below the title. */
     bool narrow = x < left + 220 * u;
     canvas_text(c, narrow ? left : x, narrow ? 65 * u : 25 * u, COLOR_TEXT, text);
+    float y = (narrow ? 85 : 65) * u;
     if (v->session.paused)
-        canvas_text(c, left, (narrow ? 85 : 65) * u, COLOR_TIMINGS, "Paused");
+        canvas_text(c, left, y, COLOR_TIMINGS, "Paused");
+    draw_missed(v, y + 20 * u);
 }
 
 static const char HELP[] =

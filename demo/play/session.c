@@ -134,18 +134,25 @@ bool session_load(session *s, const catalog_entry *entry) {
     s->scene = fresh;
     s->time_step = def.time_step;
     s->alpha = 1;
+    s->missed = (session_missed){0};
     bool listed = list_bodies(s, ids, fresh.body_count);
     free(ids);
     return listed;
 }
 
 static void run_step(session *s) {
-    if (thud_world_step(s->world) == THUD_OK && s->stepped)
+    if (thud_world_step(s->world) != THUD_OK)
+        return;
+    thud_stats stats = thud_world_stats(s->world);
+    s->missed.held += stats.held_bodies;
+    s->missed.seconds += stats.held_seconds;
+    s->missed.fast += stats.unbisectable;
+    if (s->stepped)
         s->stepped(s, s->stepped_context);
 }
 
-/* As thud_world_advance does it, with a word after every step. */
-static void advance_step_by_step(session *s, double elapsed, int steps_max) {
+/* As thud_world_advance does it, with a look at every step. */
+static void advance(session *s, double elapsed, int steps_max) {
     double due = s->alpha * s->time_step + elapsed;
     for (; due >= s->time_step && steps_max > 0; steps_max--) {
         run_step(s);
@@ -161,10 +168,7 @@ void session_advance(session *s, double elapsed) {
     int steps_max = STEPS_PER_FRAME;
     if (step_seconds * STEPS_PER_FRAME > STEPPING_BUDGET)
         steps_max = (int)fmax(1, STEPPING_BUDGET / step_seconds);
-    if (s->stepped)
-        advance_step_by_step(s, elapsed * s->speed, steps_max);
-    else
-        thud_world_advance(s->world, elapsed * s->speed, steps_max, NULL, &s->alpha);
+    advance(s, elapsed * s->speed, steps_max);
 }
 
 void session_step(session *s) {

@@ -23,6 +23,13 @@ typedef struct session_body {
     int first_shape, shape_count;
 } session_body;
 
+/* What detection could not do, over all steps of a world. */
+typedef struct session_missed {
+    long held;      /* times that a body was held back before a step's end ... */
+    double seconds; /* ... and what those lost, together */
+    long fast;      /* times that a body was too fast for bisection */
+} session_missed;
+
 typedef struct session session;
 
 /* Called after every step. */
@@ -40,6 +47,7 @@ struct session {
     double speed; /* seconds of the world per second */
     double time_step; /* seconds */
     double alpha; /* for thud_world_poses */
+    session_missed missed;
     session_stepped_fn *stepped; /* null: nobody asks */
     void *stepped_context;
     char message[256]; /* the last thing that went wrong; empty if nothing did */

@@ -183,6 +183,17 @@ class Viewer(unittest.TestCase):
         self.assertGreater(colourful_pixels("continuous"), 3)
         self.assertGreater(colourful_pixels("swept"), 3)
 
+    def test_what_bisection_may_miss_is_told_where_it_bisects(self):
+        """In a line of its own below the title and the numbers, which a narrow window has there."""
+        def told(detection):
+            picture = self.shoot(BALL, "--frames", 1, "--overlay", "none", "--detection", detection)
+            lines = [row[240:] for row in picture.rows[90:112]]
+            color = palette("COLOR_TIMINGS")
+            return sum(sum(abs(a - b) for a, b in zip(pixel, color)) < 60
+                       for line in lines for pixel in line)
+        self.assertEqual(told("overlap"), 0)
+        self.assertGreater(told("bisect"), 100)
+
     def test_islands_give_one_stack_one_colour(self):
         shown = self.shoot_bare("tall_stack", "--frames", 30, "--overlay", "islands")
         colors = {shown.rows[round(525 - (box + 0.5) * 15)][400] for box in range(30)}

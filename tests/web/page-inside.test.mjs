@@ -230,6 +230,23 @@ test("step_has_a_row_for_every_stage_and_the_page_s_figures", async () => {
   await close();
 });
 
+test("step_tells_what_bisection_missed_and_from_which_speed_on_it_may", async () => {
+  const search = "scene=bullets&size=3&detection=bisect&paused=1";
+  const { page, errors, close } = await openInside("step", search, DESKTOP);
+  await stepBy(page, 5);
+  const facts = await until(
+    () => listed(page, "#step-numbers"),
+    ({ step, "bisection’s speed limit": limit }) => step === "5" && Number(limit) > 0,
+    "a limit",
+  );
+  // Walls are 2 cm thick: 1.2 m/s at 60 Hz.
+  near(Number(facts["bisection’s speed limit"]), 1.2, 0.01, "limit");
+  assert.ok(Number(facts["bodies too fast for bisection"]) > 0);
+  assert.equal(facts["bodies held back"], "0");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("step_of_the_panel_is_made_by_its_own_buttons_on_a_phone", async () => {
   const { page, errors, close } = await openInside("step", "scene=cradle&paused=1", PHONE);
   const untilShown = (least, most) =>

@@ -127,6 +127,18 @@ for (const [name, value] of [["detection", "swept"], ["broadphase", "sweep"]])
     await close();
   });
 
+test("trade_tells_what_detection_missed_since_the_start_and_what_bisection_costs", async () => {
+  const { page, errors, close } = await openTrade("?scene=bullets&size=3&detection=bisect&paused=1");
+  assert.ok(await page.isHidden("#detection-count"));
+  await stepBy(page, 5);
+  await page.waitForSelector("#detection-count:has-text('faster than bisection’s limit of 1.20 a second')");
+  assert.match(await page.innerText(".trade-controls"), /25 to 85 times in heaps/);
+  await choose(page, "detection", "overlap");
+  await page.waitForSelector("#detection-count", { state: "hidden" });
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("size_by_the_slider_starts_the_scene_with_as_many_bodies", async () => {
   const { page, errors, close } = await openTrade("?scene=cradle&paused=1", PHONE);
   await stepBy(page, 3);

@@ -226,3 +226,36 @@ test("quality_object_with_bad_values_throws", () => {
   }
   world.close();
 });
+
+test("bisection_limit_is_the_thinnest_shape_a_step_and_who_breaks_it_is_counted", () => {
+  const world = engine.createWorld({ gravity: [0, 0], detection: "bisect" });
+  assert.equal(world.bisectionLimit(), Infinity);
+  world.createAabb(world.createBody({ position: [9, 0] }), { halfWidth: 0.1, halfHeight: 4 });
+  const ball = world.createBody({ kind: "dynamic" });
+  world.createCircle(ball, { radius: 0.5 });
+  assert.ok(Math.abs(world.bisectionLimit() - 0.2 * 60) < 1e-6);
+  for (const [speed, count] of [[11.9, 0], [12.1, 1]]) {
+    world.setVelocity(ball, [speed, 0]);
+    world.step();
+    assert.equal(world.stats().unbisectable, count);
+  }
+  world.close();
+});
+
+test("body_in_a_vice_is_held_and_its_lost_time_is_told", () => {
+  const world = engine.createWorld({ gravity: [0, 0], detection: "swept" });
+  const ball = world.createBody({ kind: "dynamic" });
+  world.createCircle(ball, { radius: 0.5 });
+  for (const side of [-1, 1]) {
+    const options = { kind: "kinematic", position: [1.2 * side, 0], velocity: [-12 * side, 0] };
+    world.createAabb(world.createBody(options), { halfWidth: 0.5, halfHeight: 3 });
+  }
+  let [held, lost] = [0, 0];
+  for (let i = 0; i < 3; i++) {
+    world.step();
+    held += world.stats().heldBodies;
+    lost += world.stats().heldSeconds;
+  }
+  assert.ok(held > 0 && lost > 0 && lost <= 3 / 60, `${held} held, ${lost} s lost`);
+  world.close();
+});

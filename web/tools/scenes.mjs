@@ -5,7 +5,8 @@ import { runnerImport } from "vite";
 
 const web = new URL("../", import.meta.url);
 
-async function importTypeScript(path) {
+/** The exports of one of the page's sources. */
+export async function importTypeScript(path) {
   const { module } = await runnerImport(fileURLToPath(new URL(path, web)), { configFile: false });
   return module;
 }

@@ -188,7 +188,7 @@ int api_world_set_sleeping(thud_world *world, int sleeping) {
  * 7 blocks  8 bytes  9 allocations of the last step  10 its substeps  11 its seconds  12 islands
  * solved directly  13 their bodies  14 of them, back with the soft solver  15 impacts  16 pairs of
  * motions  17 of them, whose circles met  18 boxes met  19 times were worked out  20... seconds of
- * its stages. */
+ * its stages  29 bodies held back  30 the seconds that they lost  31 too fast to be bisected. */
 int api_world_stats(const thud_world *world) {
     thud_stats stats = thud_world_stats(world);
     double *s = api_slots;
@@ -212,9 +212,18 @@ int api_world_stats(const thud_world *world) {
     s[17] = stats.motion_circles;
     s[18] = stats.motion_boxes;
     s[19] = stats.motion_exact;
+    _Static_assert(20 + THUD_STAGE_COUNT <= 29, "no room for the seconds of another stage");
     for (int i = 0; i < THUD_STAGE_COUNT; i++)
         s[20 + i] = stats.stage_seconds[i];
+    s[29] = stats.held_bodies;
+    s[30] = stats.held_seconds;
+    s[31] = stats.unbisectable;
     return THUD_STAGE_COUNT;
+}
+
+/* Slots out: 0 the speed, infinite without shapes. */
+int api_world_bisection_limit(thud_world *world) {
+    return thud_world_bisection_limit(world, api_slots);
 }
 
 /* Slots out: 0 largest penetration  1 mean penetration  2 residual  3 energy change  4 overlaps. */

@@ -62,6 +62,12 @@ export interface Stats {
   motionPairs: Readonly<{ looked: number; circlesMet: number; boxesMet: number; exact: number }>;
   /** By the names of `Engine.stageNames`; 0 unless the world is timed. */
   stageSeconds: Readonly<Record<string, number>>;
+  /** Bodies that "swept" and "bisect" stopped before the step's end, in a crowd of collisions. */
+  heldBodies: number;
+  /** The time that those lost, together. */
+  heldSeconds: number;
+  /** Bisected bodies that were too fast for it: they may have passed something. */
+  unbisectable: number;
 }
 
 /** What the last step got wrong, of the contacts that are awake. */

@@ -113,7 +113,19 @@ export class WorldViews extends WorldQueries {
       impacts: s[15],
       motionPairs: { looked: s[16], circlesMet: s[17], boxesMet: s[18], exact: s[19] },
       stageSeconds: Object.fromEntries(engine.stageNames.map((name, i) => [name, s[20 + i]])),
+      heldBodies: s[29],
+      heldSeconds: s[30],
+      unbisectable: s[31],
     };
+  }
+
+  /**
+   * The speed, length/s, from which on the detection "bisect" may miss something; Infinity without
+   * shapes. `Stats.unbisectable` counts who was faster.
+   */
+  bisectionLimit(): number {
+    this.engine.check(this.engine.exports.api_world_bisection_limit(this.address));
+    return this.engine.slots[0];
   }
 
   /** Costs nothing: the step itself has found it. */

@@ -1,6 +1,6 @@
 /** Figures over the scene: time a step with its course and budget, error, bodies, frames. */
 import type { Frame, Sample } from "../scene/frame";
-import { BUDGET, percentile } from "../shared/step-times";
+import { BUDGET, percentile, START_UP } from "../shared/step-times";
 import { byId, make } from "./dom";
 import { count, duration, length } from "./format";
 
@@ -14,10 +14,14 @@ const REFRESH = 0.25;
 
 const VALUES = [
   ["ms", "step", "Time that a step takes: the median of the last 60."],
-  ["slowest", "p99", "99 of 100 of the last 120 steps were quicker than this."],
+  [
+    "slowest",
+    "p99",
+    `99 of the last 100 steps were quicker than this; a scene’s first ${START_UP} do not count.`,
+  ],
   ["deepest", "overlap", "How deep the worst pair of bodies overlaps, in world units."],
-  ["bodies", "bodies", "Bodies in the world, those that never move among them."],
-  ["awake", "awake", "Bodies that are simulated; the others sleep, which costs nothing."],
+  ["bodies", "bodies", "All bodies in the world, those that never move included."],
+  ["awake", "awake", "Bodies that are simulated. Those that rest sleep, at next to no cost."],
   ["contacts", "contacts", "Pairs of shapes that touch."],
   ["fps", "fps", "Pictures a second."],
 ] as const;
@@ -31,6 +35,8 @@ export class Hud {
   readonly #canvas = this.#root.querySelector("canvas")!;
   readonly #values = new Map<ValueName, HTMLElement>();
   #times: number[] = [];
+  /** So many of them belong to the scene's start. */
+  #startUp = START_UP;
   #frame: Frame | null = null;
   #sinceRefresh = REFRESH;
   #pictures = 0;
@@ -53,12 +59,15 @@ export class Hud {
 
   reset(): void {
     this.#times = [];
+    this.#startUp = START_UP;
     this.#sinceRefresh = REFRESH;
   }
 
   add(samples: readonly Sample[]): void {
     for (const { milliseconds } of samples) this.#times.push(milliseconds);
-    this.#times.splice(0, Math.max(0, this.#times.length - COURSE));
+    const old = Math.max(0, this.#times.length - COURSE);
+    this.#times.splice(0, old);
+    this.#startUp = Math.max(0, this.#startUp - old);
   }
 
   /** Once for each picture, with the frame that it shows. */
@@ -74,9 +83,9 @@ export class Hud {
   #refresh(): void {
     const { stats, error } = this.#frame!;
     const middle = percentile(this.#times.slice(-60), 0.5);
-    const timed = this.#times.length > 0;
-    this.#put("ms", timed ? duration(middle) : "–");
-    this.#put("slowest", timed ? duration(percentile(this.#times, 0.99)) : "–");
+    const counted = this.#times.slice(this.#startUp);
+    this.#put("ms", this.#times.length > 0 ? duration(middle) : "–");
+    this.#put("slowest", counted.length > 0 ? duration(percentile(counted, 0.99)) : "–");
     this.#put("deepest", length(error.penetrationMax));
     this.#put("bodies", count(stats.bodies));
     this.#put("awake", count(stats.awakeBodies));

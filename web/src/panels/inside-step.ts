@@ -35,6 +35,8 @@ export class StepPart {
   #steps: number | null = null;
   #frame: Frame | null = null;
   #shownAt = 0;
+  /** From which speed on bisection may miss something. */
+  #limit = Infinity;
   #stop: (() => void) | null = null;
 
   constructor(app: App) {
@@ -105,6 +107,14 @@ export class StepPart {
     if (!this.seen || (now - this.#shownAt < REFRESH && !this.#app.state.paused)) return;
     this.#shownAt = now;
     this.#show(stats);
+    void this.#askLimit(stats);
+  }
+
+  async #askLimit(stats: Stats): Promise<void> {
+    const limit = await this.#app.client.ask("bisectionLimit", {}).catch(() => Infinity);
+    if (limit === this.#limit) return;
+    this.#limit = limit;
+    this.#show(stats);
   }
 
   /** A row a stage, with its colour. */
@@ -171,6 +181,9 @@ export class StepPart {
       ["islands solved directly", islandsText(stats)],
       ["motions tested exactly", `${count(exact)} of ${count(looked)}`],
       ["collisions within the step", count(stats.impacts)],
+      ["bodies held back", heldText(stats)],
+      ["bodies too fast for bisection", count(stats.unbisectable)],
+      ["bisection’s speed limit", Number.isFinite(this.#limit) ? numberText(this.#limit) : "none"],
       ["deepest overlap", numberText(error.penetrationMax)],
       ["overlapping points", count(error.overlaps)],
       ["memory of the world", bytesText(stats.bytes)],
@@ -221,6 +234,10 @@ function sum(times: Times): number {
 
 function islandsText({ hardIslands, hardBodies }: Stats): string {
   return hardIslands === 0 ? "0" : `${count(hardIslands)} (${count(hardBodies)} bodies)`;
+}
+
+function heldText({ heldBodies, heldSeconds }: Stats): string {
+  return heldBodies === 0 ? "0" : `${count(heldBodies)} (${numberText(heldSeconds)} s lost)`;
 }
 
 function count(value: number): string {

@@ -28,7 +28,7 @@ export function createHeavier(app: App, laboratory: Laboratory): HTMLElement {
       "heavier",
       { scene: laboratory.request, sizes: app.scene!.sizes!, hertz },
       (progress) => work.report(null, progressText(progress)),
-      () => work.report(null, "A step takes seconds; cancel, or wait."),
+      () => work.report(null, "A step takes seconds: cancel, or wait."),
     );
     if (!found) return "Cancelled.";
     answer.textContent = answerText(found.holdings, hertz);
@@ -62,9 +62,9 @@ export function createHeavier(app: App, laboratory: Laboratory): HTMLElement {
     make(
       "p",
       { class: "explained" },
-      "More and more bodies, until an engine's steps come too late: in the slowest of the first " +
-        "four seconds more than half of them do. Box2D has its usual 4 substeps, thud what is " +
-        "set above.",
+      "More and more bodies, until an engine cannot keep up: until in the slowest of the first " +
+        "four seconds more than half of its steps take too long. No body may sleep meanwhile. " +
+        "Box2D has its usual 4 substeps, thud what is set above.",
     ),
     able,
     instead,
@@ -96,7 +96,10 @@ function answerText(holdings: readonly Holding[], hertz: number): string {
 function detailText({ engine, held, missed }: Holding): string {
   const parts = [];
   if (held)
-    parts.push(`${countText(held.bodies)} bodies took ${timeText(held.milliseconds)} a step`);
+    parts.push(
+      `with ${countText(held.bodies)} bodies a step took ${timeText(held.milliseconds)} in the ` +
+        "slowest second",
+    );
   if (missed) parts.push(`${countText(missed.bodies)} were too many`);
   else parts.push("the scene has no larger size");
   return `${NAMES[engine]}: ${parts.join("; ")}.`;

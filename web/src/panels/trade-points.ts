@@ -1,7 +1,7 @@
 /** The points that settings leave in the plane while they run, for each scene that was run. */
 import type { App } from "../page/app";
 import type { Sample } from "../scene/frame";
-import { percentile, typical } from "../shared/step-times";
+import { percentile, START_UP, typical } from "../shared/step-times";
 import type { Choices } from "../worker/protocol";
 import { choicesText } from "./trade-text";
 
@@ -12,12 +12,13 @@ export interface TriedPoint {
   /** Null for Box2D, which the Versus panel sets. */
   choices: Choices | null;
   typical: number;
-  p99: number;
+  /** Null while there are too few steps after the scene's start. */
+  p99: number | null;
   worst: number;
   steps: number;
 }
 
-/** Steps that a point is of: the last four seconds. */
+/** Steps that a point is of: the last four seconds in which something was awake. */
 const WINDOW = 240;
 /** Steps before it is shown. */
 const LEAST = 20;
@@ -78,18 +79,22 @@ export class TriedPoints {
   #add(samples: readonly Sample[]): void {
     for (const sample of samples) {
       if (this.#skip > 0) this.#skip--;
-      else this.#samples.push(sample);
+      else if (sample.awake > 0) this.#samples.push(sample);
     }
     this.#samples.splice(0, Math.max(0, this.#samples.length - WINDOW));
     if (this.#samples.length < LEAST) return;
     const choices = { ...this.#app.state.choices };
-    const errors = this.#samples.map(({ penetration }) => penetration);
+    const rivals = this.#samples.flatMap(({ step, rival }) => (rival ? [{ step, ...rival }] : []));
+    const compared = rivals.flatMap(({ compared }) => compared ?? []);
+    // Beside Box2D's, thud's overlap is what the same code measures, and not its own report.
+    const errors =
+      compared.length > 0
+        ? compared.map(({ thud }) => thud.penetration)
+        : this.#samples.map(({ penetration }) => penetration);
     this.#put(this.#setting, "thud", choicesText(choices), choices, this.#samples, errors);
-    const rivals = this.#samples.flatMap(({ rival }) => (rival ? [rival] : []));
-    const compared = rivals.flatMap(({ compared }) => (compared ? [compared.box2d] : []));
     if (rivals.length < LEAST || compared.length === 0) return;
     const label = `Box2D ${this.#app.state.versus.substeps}`;
-    const rivalErrors = compared.map(({ penetration }) => penetration);
+    const rivalErrors = compared.map(({ box2d }) => box2d.penetration);
     this.#put(label, "box2d", label, null, rivals, rivalErrors);
   }
 
@@ -98,12 +103,13 @@ export class TriedPoints {
     engine: TriedPoint["engine"],
     label: string,
     choices: Choices | null,
-    samples: readonly { milliseconds: number }[],
+    samples: readonly { step: number; milliseconds: number }[],
     errors: readonly number[],
   ): void {
     const place = this.#all.get(this.#place) ?? new Map<string, TriedPoint>();
     this.#all.set(this.#place, place);
     const times = samples.map(({ milliseconds }) => milliseconds);
+    const later = times.filter((_, i) => samples[i].step > START_UP);
     const lengthScale = this.#app.scene?.lengthScale ?? 1;
     const worst = Math.max(0, ...errors);
     place.set(key, {
@@ -112,7 +118,7 @@ export class TriedPoints {
       label,
       choices,
       typical: typical(times),
-      p99: percentile(times, 0.99),
+      p99: later.length < LEAST ? null : percentile(later, 0.99),
       worst: worst / lengthScale,
       steps: samples.length,
     });

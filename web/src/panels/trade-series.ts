@@ -27,7 +27,7 @@ export function createSeries(app: App, laboratory: Laboratory): HTMLElement {
       "measure",
       laboratory.request,
       ({ done, doing }) => work.report(done, doing),
-      () => work.report(null, "A step takes seconds; cancel, or wait."),
+      () => work.report(null, "A step takes seconds: cancel, or wait."),
     );
     if (!series) return "Cancelled.";
     app.state.result = null;
@@ -43,8 +43,8 @@ export function createSeries(app: App, laboratory: Laboratory): HTMLElement {
       "p",
       { class: "explained" },
       "The first two seconds of this scene at fourteen settings of thud and Box2D, one after the " +
-        "other, in a worker of its own. Time by the engine's step alone; overlap of both by the " +
-        "same geometry.",
+        "other, in a worker of its own. Times are of the engine’s step alone, after the first " +
+        "half second; no body may sleep meanwhile. Overlap is measured for both by the same code.",
     ),
     work.element,
     shown,
@@ -95,9 +95,9 @@ function tableOf(result: Result): HTMLElement {
     return make("tr", { class: row.setting.engine }, make("th", { scope: "row" }, name), ...cells);
   });
   const caption =
-    `${result.bodies} bodies, ${result.steps} steps. ms: of a step, median and the slowest of a ` +
-    "hundred; worst and mean overlap in length scales. Soft: thud's substeps without its direct " +
-    "solver; stiff: Box2D's contacts as stiff as it allows.";
+    `${result.bodies} bodies, ${result.steps} steps. ms: median of a step; p99: 99 of 100 were ` +
+    "quicker; worst and mean: overlap in length scales. Soft: thud’s substeps without its direct " +
+    "solver. Stiff: Box2D’s contacts, as stiff as it allows.";
   return make(
     "div",
     // It may be wider than a phone: whoever scrolls by keys must be able to reach it.

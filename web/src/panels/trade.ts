@@ -20,7 +20,8 @@ import { countText, errorText, plainTime } from "./trade-text";
 const REFRESH = 300;
 
 const LEAD =
-  "Each setting that you try leaves its point. Further left is faster, further down more accurate.";
+  "Each setting that you try leaves its point. Further left is faster; further down, bodies " +
+  "overlap less. Steps in which all bodies sleep do not count.";
 
 export function createPanel(app: App): Panel {
   const tried = new TriedPoints(app);
@@ -36,7 +37,7 @@ export function createPanel(app: App): Panel {
     const { points, current } = tried;
     plane.show(
       points.map((point) => planePoint(app, point, current)),
-      "Run the scene for a moment.",
+      "Run the scene for a moment, with bodies awake.",
     );
     forget.hidden = points.length === 0;
     table.replaceChildren(...points.map(rowOf));
@@ -111,7 +112,8 @@ function triedTable(body: HTMLElement): HTMLElement {
     make("th", { scope: "col" }, text),
   );
   const caption =
-    "The last four seconds of each setting: time of a step, worst overlap in length scales.";
+    "The last four seconds of each setting with bodies awake: milliseconds of a step, median and " +
+    "p99 (99 of 100 were quicker; without the scene’s first 30), worst overlap in length scales.";
   return make(
     "table",
     {},
@@ -122,7 +124,7 @@ function triedTable(body: HTMLElement): HTMLElement {
 }
 
 function rowOf({ engine, label, typical, p99, worst, steps }: TriedPoint): HTMLElement {
-  const cells = [plainTime(typical), plainTime(p99), errorText(worst), countText(steps)];
+  const cells = [plainTime(typical), p99 === null ? "–" : plainTime(p99), errorText(worst), countText(steps)];
   return make(
     "tr",
     { class: engine },

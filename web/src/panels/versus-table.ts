@@ -24,29 +24,29 @@ function rowsOf(fineClock: boolean): Row[] {
     typical === null ? NOTHING : `${((100 * typical) / BUDGET).toFixed(typical < 1 ? 1 : 0)} %`;
   const typical: Row = {
     label: fineClock ? "Step, median" : "Step, mean",
-    hint: "Of the last 240 steps; the step alone, without drawing and measuring",
+    hint: "Of the last 240 steps in which both had bodies awake; without drawing and measuring",
     text: (figures) => milliseconds(figures.typical),
     compare: (thud, box2d) => compareTimes(thud.typical ?? 0, box2d.typical ?? 0),
   };
   const p99: Row = {
     label: "Step, p99",
-    hint: "99 of 100 of the last 240 steps were quicker",
+    hint: "99 of 100 of those steps were quicker; the first 30 of a comparison do not count",
     text: (figures) => milliseconds(figures.p99),
     compare: (thud, box2d) => compareTimes(thud.p99 ?? 0, box2d.p99 ?? 0),
   };
   return [
     typical,
     ...(fineClock ? [p99] : []),
-    { label: "Of 16.7 ms", hint: "What 60 steps a second leave for each", text: share },
+    { label: "Share of 16.7 ms", hint: "Of the time that there is for a step, 60 a second", text: share },
     {
       label: "Overlap now",
-      hint: "Of the two bodies that are deepest in each other, in the world's lengths",
+      hint: "How deep the worst pair of bodies overlaps, in the world’s unit; sleeping ones too",
       text: ({ now }) => depth(now),
       compare: (thud, box2d, scale) => compareDepths(thud.now, box2d.now, scale),
     },
     {
       label: "Overlap, mean",
-      hint: "Of the deepest overlap, over the steps measured since both began",
+      hint: "The worst pair’s overlap, on average over the steps measured since both began",
       text: ({ mean }) => depth(mean),
       compare: (thud, box2d, scale) => compareDepths(thud.mean, box2d.mean, scale),
     },
@@ -58,7 +58,7 @@ function rowsOf(fineClock: boolean): Row[] {
     },
     {
       label: "Energy since start",
-      hint: "Change of kinetic and potential energy; only your hands and motors can add any",
+      hint: "Change of kinetic and potential energy; only hands and motors may add any",
       text: ({ energyChange }) => ENERGY.format(energyChange),
     },
     {

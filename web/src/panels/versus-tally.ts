@@ -1,5 +1,5 @@
 /** What two engines side by side took and got wrong: figures of the table, courses of the plots. */
-import { mean, percentile } from "../shared/step-times";
+import { mean, percentile, START_UP } from "../shared/step-times";
 import type { Vec2 } from "thud";
 import type { Sample } from "../scene/frame";
 
@@ -9,15 +9,14 @@ export const NAMES: Readonly<Record<Engine, string>> = { thud: "thud", box2d: "B
 
 /** Steps of which times are told. */
 const WINDOW = 240;
-/** Steps at the start whose times do not count: browsers compile what runs often meanwhile. */
-const WARM_UP = 30;
 /** Points of a plot: ten seconds of steps. */
 const COURSE = 600;
 /** Steps over which times are averaged where the clock is too coarse for one. */
 const COARSE = 30;
 
 export interface Figures {
-  /** Milliseconds of a step; of the mean where the clock is coarse. Null before any counts. */
+  /** Milliseconds of a step in which both have something awake; of the mean where the clock is
+   * coarse. Null before any counts. */
   typical: number | null;
   /** Null where the clock is too coarse for single steps. */
   p99: number | null;
@@ -75,12 +74,14 @@ export class Tally {
   }
 
   add(samples: readonly Sample[], timeStep: number): void {
-    for (const { step, milliseconds, rival } of samples) {
+    for (const { step, milliseconds, awake, rival } of samples) {
       if (!rival) continue;
       if (rival.since !== this.since) this.clear();
       this.since = rival.since;
       this.origin = rival.origin;
       const seconds = step * timeStep;
+      this.#sums.thud.awake = awake;
+      this.#sums.box2d.awake = rival.awake;
       this.#addTimes(seconds, [milliseconds, rival.milliseconds]);
       if (rival.compared) this.#compare(seconds, rival.compared);
     }
@@ -107,7 +108,9 @@ export class Tally {
   }
 
   #addTimes(seconds: number, pair: readonly [number, number]): void {
-    const counts = ++this.#counted > WARM_UP;
+    // Two steps are compared in which both engines have something to do.
+    const { thud, box2d } = this.#sums;
+    const counts = ++this.#counted > START_UP && thud.awake > 0 && box2d.awake > 0;
     const shown = pair.map((milliseconds, i) => {
       const { times } = this.#sums[ENGINES[i]];
       if (counts) keep(times, milliseconds, WINDOW);
@@ -119,13 +122,13 @@ export class Tally {
   #compare(seconds: number, compared: NonNullable<NonNullable<Sample["rival"]>["compared"]>): void {
     for (const engine of ENGINES) {
       const sums = this.#sums[engine];
-      const { penetration, energy, bodies, awake } = compared[engine];
+      const { penetration, energy, bodies } = compared[engine];
       if (sums.count === 0) sums.firstEnergy = energy;
       sums.count++;
       sums.sum += penetration;
       sums.now = penetration;
       sums.ever = Math.max(sums.ever, penetration);
-      Object.assign(sums, { energy, bodies, awake });
+      Object.assign(sums, { energy, bodies });
     }
     const { thud, box2d } = compared;
     addTo(this.penetrations, seconds, [thud.penetration, box2d.penetration]);

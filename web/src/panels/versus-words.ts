@@ -1,9 +1,10 @@
 /** What the comparison of two engines comes to, in words. */
-import { type Engine, type Figures, NAMES } from "./versus-tally";
+import { type Engine, ENGINES, type Figures, NAMES } from "./versus-tally";
 
 /** What the verdict is about. */
 export const MEANING =
-  "Same scene, same drags, same device. Accurate: bodies sink little into each other.";
+  "Same scene, same drags, same device. Overlap is how deep the worst pair of bodies sinks in, on " +
+  "average since both began. It does not tell how lifelike the motion is.";
 
 /** Two values that are nearer to each other than this count as the same. */
 const SAME = 1.1;
@@ -13,17 +14,40 @@ const NO_TIME = 0.01;
 const NO_DEPTH = 1e-5;
 
 export function verdict(thud: Figures, box2d: Figures, lengthScale: number): string {
-  if (thud.typical === null || box2d.typical === null) return "Measuring…";
+  const asleep = asleepText(thud, box2d);
+  if (thud.typical === null || box2d.typical === null) return asleep || "Measuring…";
   const speed = compareTimes(thud.typical, box2d.typical);
   const accuracy = compareDepths(thud.mean, box2d.mean, lengthScale);
-  const parts = [
-    clause(speed, "fast", "Both take next to no time"),
-    clause(accuracy, "accurate", "neither lets bodies sink in"),
-  ];
-  const sameEngine = speed?.better === accuracy?.better && speed && accuracy;
-  const second = sameEngine && speed.better ? `${accuracy.times} times as accurate` : parts[1];
+  const sameEngine = speed?.better === accuracy?.better;
   const link = !speed?.better || !accuracy?.better || sameEngine ? "and" : "but";
-  return `${parts[0].replace(/^both/, "Both")}, ${link} ${second}.`;
+  const whose = sameEngine && speed?.better ? "its" : `${NAMES[accuracy?.better ?? "thud"]}’s`;
+  const first = !speed
+    ? "Both take next to no time"
+    : speed.better
+      ? `${NAMES[speed.better]} is ${speed.times} times as fast`
+      : "Both are about as fast";
+  const second = !accuracy
+    ? "bodies overlap in neither"
+    : accuracy.better
+      ? `${whose} overlap is ${accuracy.times} times smaller`
+      : "their overlap is about the same";
+  return `${first}, ${link} ${second}. ${asleep}`.trim();
+}
+
+/** Who sleeps, where times of steps would be compared in which the engines do not do the same. */
+function asleepText(thud: Figures, box2d: Figures): string {
+  if (thud.bodies === 0) return "";
+  const awake = { thud: thud.awake, box2d: box2d.awake };
+  const sleeping = ENGINES.filter((engine) => awake[engine] === 0).map((engine) => NAMES[engine]);
+  if (sleeping.length > 0)
+    return (
+      `All bodies sleep in ${sleeping.length > 1 ? "both" : sleeping[0]} now: only steps before ` +
+      "that are timed."
+    );
+  const [few, many] = [Math.min(thud.awake, box2d.awake), Math.max(thud.awake, box2d.awake)];
+  if (many <= SAME * few) return "";
+  const [first, second] = ENGINES.map((engine) => awake[engine].toLocaleString("en"));
+  return `Not the same work: ${first} bodies are awake in thud, ${second} in Box2D.`;
 }
 
 /** What Box2D was given of a world so many metres from the origin; "" of one that lies there. */
@@ -69,11 +93,4 @@ function compare(thud: number, box2d: number, nothing: number): Comparison | nul
     better: ratio > 1 ? "thud" : "box2d",
     times: factor < 9.95 ? factor.toFixed(1) : String(Math.round(Math.min(factor, 1000))),
   };
-}
-
-function clause(comparison: Comparison | null, quality: string, none: string): string {
-  if (!comparison) return none;
-  const { better, times } = comparison;
-  if (!better) return `both are about as ${quality}`;
-  return `${NAMES[better]} is ${times} times as ${quality}`;
 }

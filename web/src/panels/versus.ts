@@ -22,7 +22,7 @@ const PLOTS_EVERY = 150;
 const TABLE_EVERY = 800;
 
 const LAYOUTS: { [split in Versus["split"]]: { label: string; title: string } } = {
-  side: { label: "Two views", title: "Beside each other, on a phone one above the other" },
+  side: { label: "Two views", title: "Side by side; on a phone, one above the other" },
   over: { label: "Overlaid", title: "Box2D's bodies as outlines over thud's" },
   none: { label: "thud only", title: "Box2D runs and is measured, but is not drawn" },
 };
@@ -213,9 +213,9 @@ function notes(): HTMLElement {
     clock,
     "Overlap is measured for both by the same code, sleeping bodies included. Where that takes " +
       "long it is done every few steps.",
+    "Times are of steps in which both engines have bodies awake, after the first 30.",
     "Both get the same bodies and the same pulls, explosions and craters, each by where its own " +
-      "bodies are. So does a game’s character, which is moved in thud and pushes in both.",
-
+      "bodies are. A game’s character is moved in thud and pushes bodies in both.",
     "After going back in time Box2D begins anew, as a copy of thud’s world.",
   ];
   return make(

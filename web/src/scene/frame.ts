@@ -28,6 +28,7 @@ export interface Frame {
   pull: readonly [Vec2, Vec2] | null;
   paint: Paint | null;
   stats: Stats;
+  /** Its largest penetration is of all pairs, asleep or not. */
   error: StepError;
   /** Of the steps made since the last frame. */
   samples: Sample[];
@@ -44,13 +45,17 @@ export interface Sample {
   step: number;
   /** Of the step, from a clock that may be as coarse as 0.1 ms. */
   milliseconds: number;
+  /** Of the pairs that are awake. */
   penetration: number;
+  /** Bodies. */
+  awake: number;
   rival?: RivalSample;
 }
 
 /** The other engine's same step. */
 export interface RivalSample {
   milliseconds: number;
+  awake: number;
   /** The step at which it began, as a copy of the world at that moment. */
   since: number;
   /** Where in the world it has its own origin. */
@@ -66,7 +71,6 @@ export interface Compared {
   energy: number;
   /** Those that have shapes. */
   bodies: number;
-  awake: number;
 }
 
 /** Copies of DrawLists. */

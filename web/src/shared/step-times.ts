@@ -3,6 +3,10 @@
 /** That a step may take at 60 Hz. */
 export const BUDGET = 1000 / 60;
 
+/** Steps at the start of a scene that no extreme is told of: worlds grow to their size in them, and
+ * browsers compile what runs often. */
+export const START_UP = 30;
+
 /** Of the clock; a browser's clock is coarser on pages that are not isolated from all others. */
 const TICK = self.crossOriginIsolated ? 0.005 : 0.1;
 

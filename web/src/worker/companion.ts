@@ -107,7 +107,9 @@ export class Box2DCompanion implements Companion {
   step(): RivalSample | undefined {
     return this.#use((pair) => {
       const { rival, since } = pair;
-      const sample: RivalSample = { milliseconds: rival.step(), since, origin: rival.origin };
+      const milliseconds = rival.step();
+      const { awakeBodies: awake, origin } = rival;
+      const sample: RivalSample = { milliseconds, awake, since, origin };
       const { step } = this.session;
       if (step < pair.nextComparison) return sample;
       const start = performance.now();
@@ -136,7 +138,6 @@ export class Box2DCompanion implements Companion {
       penetration: ruler.penetration(world.poses(1, x, y), x, y),
       energy: kineticEnergy + potentialEnergy,
       bodies: ruler.bodies,
-      awake: world.stats().awakeBodies,
     };
   }
 
@@ -171,6 +172,5 @@ function measureRival({ rival }: Pair): Compared {
     penetration: rival.penetration(),
     energy: kinetic + potential,
     bodies: rival.bodies,
-    awake: rival.awakeBodies,
   };
 }

@@ -1,5 +1,5 @@
 /** Makes the frames that the page draws: copies of what the world has, and only of what is new. */
-import type { World } from "thud";
+import type { StepError, World } from "thud";
 import { inWorld } from "../rival/hands";
 import type { Drawing, Frame, PlacedTerrain, Shapes, Sum } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
@@ -18,6 +18,8 @@ export class Frames {
   #terrainRevision = -1;
   /** The rows of the world's table that the page has. */
   #source: Uint32Array = new Uint32Array(0);
+  /** Dynamic bodies among them. */
+  #moving = 0;
   /** Of the last frame. */
   #step = 0;
   /** The last step of which the page knows who sleeps. */
@@ -45,7 +47,7 @@ export class Frames {
           : null,
       paint: session.paint,
       stats: world.stats(),
-      error: world.error(),
+      error: this.#error(),
       samples,
       history: { first: session.history.first, last: session.history.last },
     };
@@ -65,12 +67,22 @@ export class Frames {
     return frame;
   }
 
+  /** The step tells of what is awake: where some sleep, the others are looked at too. */
+  #error(): StepError {
+    const { world } = this.session;
+    const error = world.error();
+    if (world.stats().awakeBodies < this.#moving)
+      error.penetrationMax = world.measure().penetrationMax;
+    return error;
+  }
+
   #addShapes(frame: Frame): void {
     const { world, scene } = this.session;
     const { shapes, terrains } = world.revision;
     if (shapes !== this.#shapeRevision) {
       const read = readShapes(world, new Set(scene.hidden ?? []));
       this.#source = read.source;
+      this.#moving = read.shapes.moving;
       frame.shapes = read.shapes;
     }
     if (shapes !== this.#shapeRevision || terrains !== this.#terrainRevision)

@@ -61,6 +61,9 @@ export class Trial {
         ? new Rival(box2d, session.world, { ...watched, ...setting })
         : null;
     watched?.forwardTo(this.#rival);
+    // A step in which all sleeps says nothing of what an engine holds, or how quick it is.
+    session.world.setSleeping(false);
+    this.#rival?.setSleeping(false);
   }
 
   close(): void {

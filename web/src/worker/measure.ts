@@ -5,14 +5,14 @@
  * Each setting runs once for the overlaps and some rounds for the times, always the same steps.
  * Rounds change their order, so that what else the machine does meets all settings alike.
  */
-import { mean, percentile, typical } from "../shared/step-times";
+import { mean, percentile, START_UP, typical } from "../shared/step-times";
 import { BOX2D, labelOf, type SeriesSetting, THUD } from "./measure-settings";
 import { type Laboratory, Trial, warmUp } from "./measure-trial";
 import type { SceneRequest } from "./protocol";
 
 export interface SeriesRow {
   setting: SeriesSetting;
-  /** Milliseconds of a step. */
+  /** Milliseconds of a step, with nothing asleep, after the scene's start. */
   typical: number;
   p99: number;
   /** Overlap in length scales: the deepest of all steps, and the mean depth of the contacts. */
@@ -101,7 +101,10 @@ export async function measure(
       const done = (round + i / runs.length) / rounds;
       tell(FIRST_PART + (1 - FIRST_PART) * done, `Time of ${labelOf(run.setting)}`);
       try {
-        for (let k = 0; k < run.steps; k++) run.times.push(trial.step());
+        for (let k = 0; k < run.steps; k++) {
+          const time = trial.step();
+          if (k >= startUpOf(run.steps)) run.times.push(time);
+        }
       } finally {
         trial.close();
       }
@@ -112,6 +115,11 @@ export async function measure(
     p99: percentile(times, 0.99),
   }));
   return { ...series, rows, withoutBox2D };
+}
+
+/** Steps at the start whose times do not count; of a slow setting, which makes few, fewer. */
+function startUpOf(steps: number): number {
+  return Math.min(START_UP, Math.floor(steps / 4));
 }
 
 /** Detection and broadphase stay as the visitor has them; a largest error would mix qualities. */

@@ -101,6 +101,8 @@ export interface Questions {
   advance: { ask: { steps: number }; answer: StateHash };
   /** Goes back by so many steps, or as many as are kept, and runs to the present again. */
   rerun: { ask: { steps: number }; answer: Rerun };
+  /** See World.bisectionLimit. */
+  bisectionLimit: { ask: Record<string, never>; answer: number };
   /** A body's state; null if none has the slot. */
   inspect: { ask: { slot: number }; answer: BodyReport | null };
   /** Takes a worker to itself; ending the worker ends it. */

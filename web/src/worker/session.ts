@@ -108,11 +108,12 @@ export class Session {
     this.companion?.begin();
     this.#advance(this.companion);
     const { world } = this;
-    const { stepSeconds, bytes } = world.stats();
+    const { stepSeconds, bytes, awakeBodies } = world.stats();
     this.samples.push({
       step: this.step,
       milliseconds: 1000 * stepSeconds,
       penetration: world.error().penetrationMax,
+      awake: awakeBodies,
       rival: this.companion?.step(),
     });
     if (this.history.wants(this.step, 1000 * stepSeconds, bytes)) this.#keepMoment();

@@ -76,6 +76,8 @@ const answers: Answers = {
 
   rerun: ({ steps }) => needSession().rerun(steps),
 
+  bisectionLimit: () => needSession().world.bisectionLimit(),
+
   inspect({ slot }) {
     const { world, step } = needSession();
     return inspect(world, step, slot);
