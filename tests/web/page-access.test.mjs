@@ -111,17 +111,19 @@ test("focus_returns_to_where_it_was_when_panel_or_hint_closes", async () => {
     page.waitForFunction((wanted) => document.activeElement.matches(wanted), selector);
   await page.focus("#overlay");
   await page.keyboard.press("o");
-  await focused("#dock .close");
+  await focused("#dock-title");
   await page.keyboard.press("Escape");
   await focused("#overlay");
   await page.focus("[data-panel=options]");
   await page.keyboard.press("Enter");
+  await focused("#dock-title");
+  await page.keyboard.press("Tab");
   await focused("#dock .close");
   await page.keyboard.press("Enter");
   await focused("[data-panel=options]");
   // Whoever is elsewhere stays there.
   await page.keyboard.press("Enter");
-  await focused("#dock .close");
+  await focused("#dock-title");
   await page.focus("#restart");
   await page.keyboard.press("Escape");
   await page.waitForSelector("#dock", { state: "hidden" });

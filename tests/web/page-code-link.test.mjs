@@ -68,7 +68,7 @@ test("code_of_a_link_is_asked_about_twice_where_nothing_confines_it", async (t) 
 test("code_of_a_link_can_be_left_out", async () => {
   const { page, close } = await openCode(visitor, linkOf(boxes(9)));
   await page.click(".code-offer button:nth-child(2)");
-  await untilStatus(page, "Runs as it comes");
+  await untilStatus(page, "Runs unchanged");
   assert.ok(await page.isHidden(".code-offer"));
   await page.waitForFunction(() => location.hash === "");
   await untilBodies(page, 14);

@@ -36,7 +36,7 @@ after(() => visitor.close());
 for (const [name, options] of Object.entries(SIZES)) {
   test(`number_changed_and_run_changes_the_world_on_${name}`, async () => {
     const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code", options);
-    assert.match(await page.innerText(".code-status"), /Runs as it comes/);
+    assert.match(await page.innerText(".code-status"), /Runs unchanged/);
     await untilBodies(page, 14);
     await page.locator(".cm-line", { hasText: "export const size" }).click();
     await page.keyboard.press("End");
@@ -184,7 +184,7 @@ test("original_comes_back_and_undoing_brings_the_text_again", async () => {
   await untilBodies(page, 4);
   await page.click(".code-bar button:nth-child(2)");
   await untilBodies(page, 14);
-  await untilStatus(page, "Runs as it comes");
+  await untilStatus(page, "Runs unchanged");
   await page.locator(".code-editor .cm-content").focus();
   await page.keyboard.press("Control+z");
   await untilStatus(page, "Changed, not run yet");

@@ -111,6 +111,26 @@ test("hint_is_shown_once_and_goes_for_good_when_a_body_is_dragged", async () => 
   await close();
 });
 
+for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
+  test(`hint_covers_nothing_of_the_scene_on_${size}`, async () => {
+    const { page, close } = await visitor.open("?scene=tall_stack&paused=1", options);
+    await stepBy(page, 1);
+    const hint = await page.locator("#hint").boundingBox();
+    const highest = () =>
+      page.evaluate(() => {
+        const canvas = document.getElementById("bodies");
+        const { width, height } = canvas;
+        const copy = Object.assign(document.createElement("canvas"), { width, height });
+        const context = copy.getContext("2d", { willReadFrequently: true });
+        context.drawImage(canvas, 0, 0);
+        const { data } = context.getImageData(0, 0, width, height);
+        const first = data.findIndex((value, i) => i % 4 === 3 && value >= 128);
+        return Math.floor(first / 4 / width) * (innerHeight / height);
+      });
+    await until(highest, (y) => y >= hint.y + hint.height, `below ${hint.y + hint.height}`);
+    await close();
+  });
+
 test("hint_can_be_closed_and_games_show_none", async () => {
   const { page, close } = await visitor.open("?scene=platformer_game");
   await untilRunning(page);

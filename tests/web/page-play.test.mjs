@@ -127,6 +127,28 @@ test("keys_pause_step_reset_move_and_zoom", async () => {
   await close();
 });
 
+test("space_after_a_press_on_a_panel_s_button_pauses_and_leaves_the_panel_as_it_is", async () => {
+  const { page, errors, close } = await openBall();
+  const spacePauses = async (paused) => {
+    await page.keyboard.press("Space");
+    assert.equal(await pressed(page, "pause"), paused);
+  };
+  await page.click('[data-panel="versus"]');
+  await page.waitForSelector("#versus");
+  await spacePauses(false);
+  await spacePauses(true);
+  assert.equal(await page.isVisible("#dock"), true);
+  await page.click("#dock .close");
+  await spacePauses(false);
+  assert.equal(await page.isVisible("#dock"), false);
+  await page.click('[data-tool="circle"]');
+  await spacePauses(true);
+  await page.click("#time");
+  await spacePauses(false);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("keys_open_help_and_lists_and_escape_closes_them", async () => {
   const { page, close } = await openBall();
   for (const [key, open] of [["h", "dialog#help[open]"], ["l", "dialog#scenes[open]"], ["o", "#dock"]]) {

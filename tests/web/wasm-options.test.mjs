@@ -17,17 +17,17 @@ const bounds = { lower: [0, 0], upper: [1, 1] };
 /** What is called, the name that nobody knows, and the nearest that somebody does. */
 const REFUSED = [
   ["createWorld", () => engine.createWorld({ Gravity: [0, -1] }), "Gravity", "gravity"],
-  ["createWorld, quality", () => engine.createWorld({ quality: { substep: 8 } }), "substep", "substeps"],
+  ["quality", () => engine.createWorld({ quality: { substep: 8 } }), "substep", "substeps"],
   ["setQuality", () => world.setQuality({ base: "high", stiffness: 0.1 }), "stiffness", "substeps"],
-  ["createBody", () => world.createBody({ angularvelocity: 1 }), "angularvelocity", "angularVelocity"],
+  ["createBody", () => world.createBody({ gravityscale: 0 }), "gravityscale", "gravityScale"],
   ["createBody", () => world.createBody({ type: "dynamic" }), "type", "kind"],
   ["createCircle", () => world.createCircle(ground, { radious: 1 }), "radious", "radius"],
   ["createCircle", () => world.createCircle(ground, { radius: 1, angle: 1 }), "angle", "mask"],
-  ["createAabb", () => world.createAabb(ground, { ...box, halfwidth: 1 }), "halfwidth", "halfWidth"],
+  ["createAabb", () => world.createAabb(ground, { halfwidth: 1 }), "halfwidth", "halfWidth"],
   ["createAabb", () => world.createAabb(ground, { halfExtents: [1, 2] }), "halfExtents", "halfWidth"],
   ["createObb", () => world.createObb(ground, { ...box, isSensor: true }), "isSensor", "sensor"],
   ["createTerrain", () => world.createTerrain(ground, flat, { fricton: 1 }), "fricton", "friction"],
-  ["createTerrain, ground", () => world.createTerrain(ground, { ...flat, slop: 1 }), "slop", "slope"],
+  ["terrain", () => world.createTerrain(ground, { ...flat, slop: 1 }), "slop", "slope"],
   ["castRay", () => world.castRay([0, 0], [1, 0], { masks: 1 }), "masks", "mask"],
   ["castShapeAll", () => world.castShapeAll({ ...circle, r: 1 }, [0, 0], [1, 0]), "r", "kind"],
   ["closest", () => world.closest([0, 0], 1, { sensor: true }), "sensor", "sensors"],
@@ -38,7 +38,7 @@ const REFUSED = [
   ["Mover, filter", () => mover({ filter: { categories: 1 } }), "categories", "category"],
   ["move", () => walker.move([1, 0], 1 / 60, { drops: true }), "drops", "drop"],
   ["debugDraw", () => world.debugDraw({ ...bounds, colors: true }), "colors", "colours"],
-  ["minkowskiSum", () => thud.minkowskiSum(engine, circle, { ...circle, x: 1 }, [0, 0]), "x", "kind"],
+  ["sum", () => thud.minkowskiSum(engine, circle, { ...circle, x: 1 }, [0, 0]), "x", "kind"],
   ["readLevel", () => readLevel("ball", ballLevel(), { skips: true }), "skips", "skip"],
   [
     "buildLevel",
@@ -54,8 +54,8 @@ for (const [call, act, name, nearest] of REFUSED)
     assert.throws(act, (error) => {
       assert.ok(error instanceof thud.ThudError, String(error));
       assert.equal(error.code, "invalid");
-      const [, told, near] = /no option is called "(.*)"; the nearest is "(.*)"/.exec(error.message) ?? [];
-      assert.deepEqual([told, near], [name, nearest], error.message);
+      const told = /no option is called "(.*)"; the nearest is "(.*)"/.exec(error.message) ?? [];
+      assert.deepEqual(told.slice(1), [name, nearest], error.message);
       return true;
     });
     world.step();

@@ -8,7 +8,15 @@ import { test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { GOLDEN, GOLDEN_STEPS } from "../../web/tools/golden.mjs";
 import { drawScene } from "../../web/tools/picture.mjs";
-import { buildScene, random, runScene, SCENES, thumbnailFile } from "../../web/tools/scenes.mjs";
+import {
+  ABOUTS,
+  buildScene,
+  random,
+  runScene,
+  SCENES,
+  thumbnailFile,
+  THUMBNAILS,
+} from "../../web/tools/scenes.mjs";
 import { root, thud } from "./support.mjs";
 
 const engine = await thud.load();
@@ -39,15 +47,17 @@ test("random_numbers_are_those_of_the_C_scenes", () => {
 test("registry_has_every_scene_module_and_no_other", () => {
   const files = readdirSync(`${root}web/public/scenes`).filter((file) => file.endsWith(".js"));
   // What runs a level that a visitor drops onto the page is no scene of the list.
-  const names = [...SCENES.map(({ name }) => name), "own_level"];
-  assert.deepEqual(names.map((name) => `${name}.js`).sort(), files.sort());
+  const names = SCENES.map(({ name }) => name);
+  assert.deepEqual([...names, "own_level"].map((name) => `${name}.js`).sort(), files.sort());
+  assert.deepEqual(Object.keys(ABOUTS), names, "a sentence for each, in the same order");
+  for (const name of Object.keys(THUMBNAILS)) assert.ok(names.includes(name), name);
 });
 
-for (const { name, thumbnail } of SCENES)
+for (const { name } of SCENES)
   test(`scene_${name}_run_twice_does_the_same_and_stays_whole`, async () => {
     const hashes = [];
     for (let run = 0; run < 2; run++) {
-      const { scene } = await buildScene(engine, name, { size: thumbnail.size, seed: 7 });
+      const { scene } = await buildScene(engine, name, { size: THUMBNAILS[name]?.size, seed: 7 });
       runScene(scene, 90);
       assert.deepEqual(scene.world.events().quarantined, []);
       hashes.push(scene.world.hash());

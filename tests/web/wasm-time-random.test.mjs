@@ -4,7 +4,7 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openSession, random, SCENES } from "../../web/tools/scenes.mjs";
+import { openSession, random, SCENES, THUMBNAILS } from "../../web/tools/scenes.mjs";
 import { thud } from "./support.mjs";
 
 const STEPS = 300;
@@ -48,9 +48,9 @@ function runTo(session, end, hashes, deeds = () => {}) {
   }
 }
 
-for (const { name, thumbnail } of SCENES)
+for (const { name } of SCENES)
   test(`scene_${name}_gone_to_random_steps_of_a_wild_past_has_their_hashes`, async () => {
-    const size = Math.min(thumbnail.size ?? MOST, MOST);
+    const size = Math.min(THUMBNAILS[name]?.size ?? MOST, MOST);
     const session = await openSession(engine, name, { size, seed: 3 });
     const chance = random(name.length);
     const hashes = new Map();

@@ -8,8 +8,8 @@ import { Dock } from "./page/dock";
 import { byId, make } from "./page/dom";
 import { readDraft } from "./page/drafts";
 import { Figures } from "./page/figures";
-import { addGallery, markScene } from "./page/gallery";
 import { addHint } from "./page/hint";
+import { howToPlay } from "./page/how";
 import { Hud } from "./page/hud";
 import { fail, notice, say } from "./page/messages";
 import { Pad } from "./page/pad";
@@ -73,11 +73,12 @@ async function start(): Promise<void> {
 }
 
 /** What a visitor need not wait for. */
-function afterFirstPicture(app: App): void {
+function afterFirstPicture(app: App, loadGallery: () => void): void {
   performance.mark("first picture");
   app.client
     .ask("complete", {})
-    .catch((error) => fail("A part of the engine is missing", messageOf(error), [], reload));
+    .catch((error) => fail("A part of the engine is missing", messageOf(error), [], reload))
+    .finally(loadGallery);
   void keepOffline((update) => {
     const button = make("button", {}, "Reload");
     button.addEventListener("click", update);
@@ -106,10 +107,21 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
     await app.open(OWN_LEVEL, { files });
   };
   addDialogs();
-  addGallery({
-    choose: (entry) => void app.open(entry.name),
-    openFile: (file) => void openFile(file),
-  });
+  let gallery: Promise<void> | null = null;
+  const loadGallery = () => {
+    gallery ??= import("./page/gallery").then(
+      ({ ABOUTS, addGallery }) => {
+        addGallery(app, (file) => void openFile(file));
+        app.abouts = ABOUTS;
+        app.chosen();
+      },
+      (error) => {
+        gallery = null;
+        notice(`The list of scenes cannot be loaded: ${messageOf(error)}`);
+      },
+    );
+  };
+  byId("scenes").addEventListener("open", loadGallery);
   addControls(app, stage, dock);
   describeScene(app);
   listenToScenes(app, { dock, hud, figures, hinted: addHint(app) });
@@ -141,7 +153,7 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
     const shown = app.player.shown;
     if (!shown) return;
     hud.show(shown.frame, seconds);
-    if (!pictured) afterFirstPicture(app);
+    if (!pictured) afterFirstPicture(app, loadGallery);
     pictured = true;
   };
   requestAnimationFrame(draw);
@@ -174,17 +186,28 @@ async function runFirst(app: App, state: Partial<State>): Promise<void> {
   if (!own || !(await app.open(scene, { ...more, code: own }))) await app.open(scene, more);
   if (code && !own) app.offerCode(code);
   if (code === null)
-    notice("The code in this link is damaged: the scene runs as it comes with the page.", 20);
+    notice("The code in this link is damaged, so the page’s own scene runs.", 20);
 }
 
-/** What is told of scenes. `hinted`: to whom a hint is shown the first scene tells nothing more. */
+/** What is told of scenes: what to look at, how to play, what is wrong. `hinted`: a hint is shown. */
 function listenToScenes(
   app: App,
   { dock, hud, figures, hinted }: { dock: Dock; hud: Hud; figures: Figures; hinted: boolean },
 ): void {
   let announced = "";
-  /** What to look at, until it is told. */
-  let about = "";
+  /** A scene has begun of which nothing is told yet; its first frame is there; it speaks itself. */
+  let [untold, framed, speaks] = [false, false, false];
+  const tell = () => {
+    if (!untold || !framed || !app.abouts) return;
+    untold = false;
+    const { about } = app;
+    const how = howToPlay(app.scene!.keys);
+    const text = `${speaks ? "" : about} ${how}`.trim();
+    if ((speaks || (hinted && !how)) && about) say(about);
+    // To whom a hint is shown, the first scene tells nothing more but how it is played.
+    if (text && (how || !hinted) && byId("notice").hidden) notice(text, how ? 15 : 7);
+    hinted = false;
+  };
   let takeBack = () => {};
   app.listen({
     run(scene) {
@@ -195,26 +218,28 @@ function listenToScenes(
       byId("scene-title").textContent = title;
       byId("scenes-button").setAttribute("aria-label", `Scenes and levels; now: ${title}`);
       document.title = `${title} · thud`;
-      markScene(app.state.scene);
-      if (announced === app.state.scene) say(`${title}, from the beginning`);
-      else {
-        say(`${title}. ${app.about}`);
-        if (!hinted || announced !== "") about = app.about;
-        // What was told of the scene before is not of this one.
-        if (announced !== "") notice("");
+      untold = announced !== app.state.scene;
+      framed = false;
+      say(untold ? title : `${title}, from the beginning`);
+      // What was told of the scene before is not of this one.
+      if (untold && announced !== "") {
+        notice("");
+        hinted = false;
       }
       announced = app.state.scene;
       const [first, ...more] = scene.notes;
       if (!first) return;
-      about = "";
+      untold = false;
       notice(`${first}${more.length > 0 ? ` (and ${more.length} more)` : ""}`, 12);
     },
     frame({ paint }) {
       figures.show(paint);
+      framed = true;
       // A scene that has a message of its own says by itself what to do.
-      if (about && !paint?.message && byId("notice").hidden) notice(about);
-      about = "";
+      speaks = Boolean(paint?.message);
+      tell();
     },
+    state: tell,
     samples: (samples) => hud.add(samples),
     trouble(trouble, running) {
       // The code panel shows errors of the visitor's own text at their line.
@@ -262,7 +287,10 @@ function layOut(app: App, stage: Stage): void {
 
 /** What the controls leave free of the page. */
 function freeOf(): { top: number; right: number; bottom: number; left: number } {
-  const top = byId("top").getBoundingClientRect().bottom;
+  // A hint that is closed gives its room back with the next scene: nothing moves under a hand.
+  const [top] = ["top", "hint"]
+    .map((id) => byId(id).getBoundingClientRect().bottom)
+    .sort((a, b) => b - a);
   const bottom = innerHeight - byId("bottom").getBoundingClientRect().top;
   const dock = byId("dock").getBoundingClientRect();
   const free = { top: top + 8, right: 16, bottom: bottom + 8, left: 16 };

@@ -13,6 +13,8 @@ export async function importTypeScript(path) {
 
 export const { FIRST_SCENE, SCENES, sceneFile, thumbnailFile } =
   await importTypeScript("src/scene/registry.ts");
+export const { ABOUTS } = await importTypeScript("src/scene/abouts.ts");
+export const { THUMBNAILS } = await importTypeScript("src/scene/thumbnails.ts");
 const { noKeys } = await importTypeScript("src/scene/scene.ts");
 export const { cssColour, rampColour } = await importTypeScript("src/draw/palette.ts");
 export const { random } = await importTypeScript("src/scene/random.ts");

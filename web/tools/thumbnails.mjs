@@ -15,6 +15,7 @@ import {
   SCENES,
   sceneFile,
   thumbnailFile,
+  THUMBNAILS,
 } from "./scenes.mjs";
 
 const web = new URL("../", import.meta.url);
@@ -24,7 +25,7 @@ const time = (file) => statSync(path(file), { throwIfNoEntry: false })?.mtimeMs 
 /** Every picture depends on these. */
 const COMMON = Math.max(
   ...[
-    "src/scene/registry.ts",
+    "src/scene/thumbnails.ts",
     "src/scene/setting.ts",
     "src/scene/random.ts",
     "src/draw/palette.ts",
@@ -39,11 +40,12 @@ const COLOURS = Array.from({ length: 9 }, (_, i) => cssColour(rampColour(i / 8))
 
 const thud = await load();
 mkdirSync(path("public/thumbs"), { recursive: true });
-for (const { name, thumbnail } of SCENES) {
+for (const { name } of SCENES) {
+  const { size, steps = 60, view } = THUMBNAILS[name] ?? {};
   const file = `public/${thumbnailFile(name)}`;
   if (time(file) > Math.max(COMMON, time(`public/${sceneFile(name)}`))) continue;
-  const { scene } = await buildScene(thud, name, { size: thumbnail.size });
-  runScene(scene, thumbnail.steps ?? 60);
-  writeFileSync(path(file), drawScene(scene, COLOURS, thumbnail.view));
+  const { scene } = await buildScene(thud, name, { size });
+  runScene(scene, steps);
+  writeFileSync(path(file), drawScene(scene, COLOURS, view));
   scene.world.close();
 }

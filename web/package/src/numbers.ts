@@ -114,8 +114,8 @@ export function userData(value: number | undefined): number | undefined {
 export const FILTER = ["category", "mask", "sensors"] as const;
 
 export function filterNumbers(filter: QueryFilter): [number, number, number] {
-  const [category = 0xffffffff, mask = 0xffffffff, sensors = 0] = numbersOf("filter", filter, FILTER);
-  return [category, mask, sensors];
+  const [category, mask, sensors = 0] = numbersOf("filter", filter, FILTER);
+  return [category ?? 0xffffffff, mask ?? 0xffffffff, sensors];
 }
 
 interface ViewClass<T> {

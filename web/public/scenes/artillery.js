@@ -29,7 +29,14 @@ export default async function ({ createWorld, readText, random, seed }) {
     world,
     view: { x: 0, y: middle, height: 27, width: 46 },
     spawn: [0, middle + 8],
-    keys: ["left", "right", "up", "down", "fire", "restart"],
+    keys: {
+      left: "turn the barrel",
+      right: "turn the barrel",
+      up: "power",
+      down: "power",
+      fire: "fire",
+      restart: "new game",
+    },
     pointer: true,
     hidden: [shell.index, ...tanks.map(({ body }) => body.index)],
     state: newGame(0),
@@ -82,7 +89,7 @@ export default async function ({ createWorld, readText, random, seed }) {
   }
 
   function choose(game, input, pressed, tapped) {
-    game.message = "Left: against the computer. Right: two players.";
+    game.message = "Left: play the computer. Right: two players.";
     const forOne = pressed("left") || pressed("fire") || (tapped && input.pointer.x < 0);
     const forTwo = pressed("right") || (tapped && input.pointer.x >= 0);
     if (!forOne && !forTwo) return;
@@ -102,7 +109,7 @@ export default async function ({ createWorld, readText, random, seed }) {
     game.message =
       game.computer && turn === 1
         ? "The computer aims."
-        : `${whose} turn: aim by arrow keys and fire, or drag back and let go.`;
+        : `${whose} turn: aim and fire, or drag back anywhere and let go.`;
   }
 
   function aim(game, input, pressed, tapped) {
@@ -211,7 +218,7 @@ export default async function ({ createWorld, readText, random, seed }) {
     enter(game, "over");
     const left = game.tanks.findIndex(({ health }) => health > 0);
     const name = left < 0 ? "Nobody" : nameOf(game, left);
-    game.message = `${name} ${name === "You" ? "win" : "wins"}. Fire or restart: another game.`;
+    game.message = `${name} ${name === "You" ? "win" : "wins"}. Fire for another game.`;
   }
 
   /** Everything back to its place; the winds to come are others. */

@@ -1,7 +1,7 @@
 // Wheels and boulders roll over a mountain ridge in Tennessee: 403 heights as they were surveyed.
 // The map was drawn in Tiled (www.mapeditor.org): properties there say what is heavy or rough.
 // A figure walks among them, the one of the game Platformer.
-import { Figure } from "./platformer_game/figure.js";
+import { Figure, WALK } from "./platformer_game/figure.js";
 
 export default async function (setting) {
   const level = setting.readLevel("mountain", await setting.readText("levels/mountain.tmj"));
@@ -12,7 +12,7 @@ export default async function (setting) {
     world,
     view: { x, y, height: 0.6 * level.cameraHeight },
     spawn: level.spawn,
-    keys: ["left", "right", "up", "down"],
+    keys: WALK,
     hidden: [figure.body.index],
     state: { figure: figure.startAt(level.spawn) },
     update: ({ held }) => figure.move(scene.state.figure, held),

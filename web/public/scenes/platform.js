@@ -1,6 +1,6 @@
-// Stairs, planks and lifts, drawn in Tiled (www.mapeditor.org). Walk with the arrow keys, through
-// crates and balls. Figures of the map that nobody steers fall and are pushed like anything else.
-import { Figure } from "./platformer_game/figure.js";
+// Stairs, planks and lifts, drawn in Tiled (www.mapeditor.org). Walk among crates and balls.
+// Figures of the map that nobody steers fall and are pushed like anything else.
+import { DROP, Figure, WALK } from "./platformer_game/figure.js";
 import { grassOn } from "./platformer_game/grass.js";
 import { findLifts, turnLifts } from "./platformer_game/lifts.js";
 
@@ -15,7 +15,7 @@ export default async function (setting) {
     world,
     view: { x, y, height: 0.7 * level.cameraHeight },
     spawn: level.spawn,
-    keys: ["left", "right", "up", "down"],
+    keys: { ...WALK, ...DROP },
     hidden: [figure.body.index],
     state: { figure: figure.startAt(level.spawn) },
     update({ held }) {

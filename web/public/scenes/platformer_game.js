@@ -2,7 +2,7 @@
 // reach the flag. What a thing is to the game is its `category` in the map; the world tells what
 // the figure touches. Try another JUMP_HEIGHT in platformer_game/figure.js, or more LIVES here.
 import { findBodies, putBack } from "./platformer_game/bodies.js";
-import { Figure } from "./platformer_game/figure.js";
+import { DROP, Figure, WALK } from "./platformer_game/figure.js";
 import { grassOn } from "./platformer_game/grass.js";
 import { findLifts, turnLifts } from "./platformer_game/lifts.js";
 import { checkpoint, coin, goal, plank, spikes } from "./platformer_game/pictures.js";
@@ -51,7 +51,7 @@ export default async function (setting) {
     world,
     view: { x: LEFTMOST, y: level.spawn[1] + 1.5, height: 16, width: 12 },
     spawn: level.spawn,
-    keys: ["left", "right", "up", "down", "restart"],
+    keys: { ...WALK, ...DROP, restart: "play again" },
     hidden: [figure.body.index, ...sensors.map(({ body }) => body.index)],
     state: begin(),
 

@@ -23,7 +23,7 @@ export default function ({ createWorld, random, seed, size }) {
   return {
     world,
     view: { x: 0, y: 4, height: 14 },
-    keys: ["left", "right", "up"],
+    keys: { left: "push the ball", right: "push the ball", up: "lift it" },
 
     update({ held }) {
       const along = (held.right ? PUSH : 0) - (held.left ? PUSH : 0);
@@ -35,7 +35,7 @@ export default function ({ createWorld, random, seed, size }) {
       const [x, y] = world.bodyState(ball).position;
       return {
         marks: [{ kind: "circle", x, y, radius: 0.75, ink: "player" }],
-        message: "Arrow keys push the ball.",
+        message: "Knock the boxes off the table.",
       };
     },
   };

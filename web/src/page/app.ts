@@ -61,6 +61,8 @@ export class App {
   shapes: Shapes | null = null;
   /** Text of files that `readText` finds before those of the page: a level that was dropped. */
   files: Record<string, string> | undefined;
+  /** By scene. They come after the first picture. */
+  abouts: Readonly<Record<string, string>> | null = null;
   /** Of the level that was dropped. */
   fileName = "";
   /** The last scene that ran. */
@@ -184,9 +186,9 @@ export class App {
     return findScene(this.state.scene)?.title ?? this.fileName;
   }
 
-  /** What to look at. */
+  /** What to look at; "" also as long as `abouts` are not there. */
   get about(): string {
-    return findScene(this.state.scene)?.about ?? "";
+    return this.abouts?.[this.state.scene] ?? "";
   }
 
   /** What an address says, before the first scene. */

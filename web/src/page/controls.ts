@@ -15,20 +15,20 @@ import { OVERLAYS, type OverlayName } from "../scene/overlays";
 /** Pixels that an arrow key moves the view. */
 const PAN = 60;
 /** As in the native viewer, where it has the overlay. */
-const OVERLAY_KEYS: Readonly<Record<OverlayName, string>> = {
-  contacts: "1",
-  normals: "2",
-  bounds: "3",
-  cells: "4",
-  islands: "5",
-  sleeping: "6",
-  stages: "7",
-  axes: "8",
-  pairs: "9",
-  motions: "M",
-  colours: "J",
-  sums: "Y",
-  impulses: "U",
+const OVERLAY_KEYS: Readonly<Record<OverlayName, readonly [cap: string, what: string]>> = {
+  contacts: ["1", "contact points"],
+  normals: ["2", "contact normals"],
+  bounds: ["3", "bounds"],
+  cells: ["4", "grid cells"],
+  islands: ["5", "islands"],
+  sleeping: ["6", "who sleeps"],
+  stages: ["7", "pairs by stage"],
+  axes: ["8", "sweep intervals"],
+  pairs: ["9", "pairs"],
+  motions: ["M", "swept volumes"],
+  colours: ["J", "solver colours"],
+  sums: ["Y", "Minkowski sums"],
+  impulses: ["U", "depths and impulses"],
 };
 
 export function addControls(app: App, stage: Stage, dock: Dock): void {
@@ -95,7 +95,7 @@ function keysOf(
   const overlay = (name: (typeof OVERLAYS)[number]) => () => {
     const on = !stage.view.shown.has(name);
     stage.setOverlay(name, on);
-    notice(`${on ? "Shows" : "Hides"} ${name}`, 2);
+    notice(`${on ? "Shows" : "Hides"} ${OVERLAY_KEYS[name][1]}`, 2);
   };
   const back = (steps: number) => () => {
     app.setPaused(true);
@@ -103,21 +103,21 @@ function keysOf(
     void app.seek(Math.max(0, newest + steps)).catch(() => {});
   };
   return [
-    key("Space P", [" ", "p"], "Pause or go on", togglePause),
+    key("Space P", [" ", "p"], "Pause, or run on", togglePause),
     key(".", ["."], "Single step", () => app.stepOnce()),
-    key("Z", ["z"], "A step back", back(-1)),
+    key("Z", ["z"], "One step back", back(-1)),
     key("R", ["r"], "Restart the scene", () => void app.restart()),
     key("V", ["v"], "Drag bodies", () => setTool("hand")),
     key("C", ["c"], "Add circles", () => setTool("circle")),
     key("B", ["b"], "Add boxes", () => setTool("box")),
     key("N", ["n"], "Explode", () => setTool("blast")),
     key("G", ["g"], "Dig the ground", () => setTool("dig")),
-    key("Enter", ["enter"], "Do that at the middle of the view", () => stage.actAtCrosshair()),
+    key("Enter", ["enter"], "Use the tool in the middle of the view", () => stage.actAtCrosshair()),
     key("[", ["["], "Slower", speed(-1)),
     key("]", ["]"], "Faster", speed(1)),
     key(",", [","], "Lower quality", quality(-1)),
     key("/", ["/"], "Higher quality", quality(1)),
-    key("E", ["e"], "Next detection", () => {
+    key("E", ["e"], "Next way of detection", () => {
       app.choose({ detection: next(DETECTION_CHOICES, choices.detection) });
       notice(`Detection ${choices.detection}`, 2);
     }),
@@ -133,8 +133,8 @@ function keysOf(
     key("−", ["-"], "Zoom out", () => stage.zoom(0.8)),
     key("0", ["0"], "Show the whole scene", () => stage.home()),
     ...OVERLAYS.map((name) => {
-      const cap = OVERLAY_KEYS[name];
-      return key(cap, [cap.toLowerCase()], `Show ${name}`, overlay(name));
+      const [cap, what] = OVERLAY_KEYS[name];
+      return key(cap, [cap.toLowerCase()], `Show ${what}`, overlay(name));
     }),
     key("X", ["x"], "Versus: thud and Box2D", () => dock.toggle("versus")),
     key("T", ["t"], "Trade: speed against accuracy", () => dock.toggle("trade")),

@@ -9,8 +9,13 @@ export function openDialog(name: DialogName): void {
   if (dialog.open) return;
   dialog.showModal();
   byId(`${name}-button`).setAttribute("aria-expanded", "true");
+  dialog.dispatchEvent(new Event("open"));
+  showCurrent(dialog);
+}
+
+/** Where one is: arrows and Enter go on from there, and no keyboard comes up on a phone. */
+export function showCurrent(dialog: HTMLDialogElement): void {
   const current = dialog.querySelector<HTMLElement>('[aria-current="true"]');
-  // Where one is: arrows and Enter go on from there, and no keyboard comes up on a phone.
   current?.focus({ preventScroll: true });
   current?.scrollIntoView({ block: "nearest" });
 }

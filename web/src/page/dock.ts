@@ -85,13 +85,13 @@ export class Dock {
     const ready = panel.opened?.();
     this.#app.chosen();
     say(`${kind.title} opened`);
-    if (focus) byId("dock").querySelector<HTMLElement>(".close")!.focus();
+    // Not on a button: Space is the scene's pause until the panel's own controls are reached.
+    if (focus) byId("dock-title").focus();
     await ready;
   }
 
   close(): void {
-    const name = this.#open;
-    if (!name) return;
+    if (!this.#open) return;
     this.#leave();
     this.#open = this.#app.state.panel = null;
     const hadFocus = byId("dock").contains(document.activeElement);
@@ -99,14 +99,14 @@ export class Dock {
     this.#mark();
     this.#changed();
     this.#app.chosen();
-    if (hadFocus) this.#giveFocusBack(name);
+    if (hadFocus) this.#giveFocusBack();
   }
 
-  /** To what had it before, or to the panel's button. */
-  #giveFocusBack(name: string): void {
+  /** To what had it before, or to the scene: on the panel's button Space would open it again. */
+  #giveFocusBack(): void {
     const before = this.#focusBefore;
     if (before instanceof HTMLElement && before !== document.body) before.focus();
-    else this.#buttons().find((button) => button.dataset.panel === name)?.focus();
+    else byId("overlay").focus();
   }
 
   #leave(): void {

@@ -1,11 +1,14 @@
-/** The dialog with all scenes, each with a picture and what to look at; and levels from a file. */
+/**
+ * The dialog with all scenes, each with a picture and what to look at; and levels from a file. Comes
+ * after the first picture, or when it is wanted.
+ */
+import { ABOUTS } from "../scene/abouts";
 import { GROUPS, type SceneEntry, SCENES, thumbnailFile } from "../scene/registry";
+import type { App } from "./app";
+import { showCurrent } from "./dialogs";
 import { byId, make } from "./dom";
 
-export interface GalleryActions {
-  choose(entry: SceneEntry): void;
-  openFile(file: File): void;
-}
+export { ABOUTS };
 
 interface Card {
   button: HTMLButtonElement;
@@ -19,17 +22,17 @@ interface GroupOfCards {
   cards: Card[];
 }
 
-export function addGallery({ choose, openFile }: GalleryActions): void {
+export function addGallery(app: App, openFile: (file: File) => void): void {
   const dialog = byId<HTMLDialogElement>("scenes");
   const run = (entry: SceneEntry) => {
     dialog.close();
-    choose(entry);
+    void app.open(entry.name);
   };
   const groups = GROUPS.map((name): GroupOfCards => {
     const entries = SCENES.filter((entry) => entry.group === name);
     const cards = entries.map((entry) => ({
       button: cardOf(entry, () => run(entry)),
-      text: `${name} ${entry.title} ${entry.about} ${entry.name}`.toLowerCase(),
+      text: `${name} ${entry.title} ${ABOUTS[entry.name]} ${entry.name}`.toLowerCase(),
     }));
     const heading = make("h3", {}, name);
     const grid = make("div", { class: "cards" }, ...cards.map(({ button }) => button));
@@ -47,6 +50,10 @@ export function addGallery({ choose, openFile }: GalleryActions): void {
     dialog.close();
   });
   listenToDrops(openFile);
+  const mark = () => markScene(app.state.scene);
+  app.listen({ run: mark });
+  mark();
+  if (dialog.open) showCurrent(dialog);
 }
 
 function cardOf(entry: SceneEntry, run: () => void): HTMLButtonElement {
@@ -63,7 +70,7 @@ function cardOf(entry: SceneEntry, run: () => void): HTMLButtonElement {
     { "data-entry": entry.name },
     picture,
     make("b", {}, entry.title),
-    make("span", {}, entry.about),
+    make("span", {}, ABOUTS[entry.name]),
   );
   button.addEventListener("click", run);
   return button;
@@ -148,7 +155,7 @@ function visibleCards(): HTMLButtonElement[] {
 }
 
 /** Marks the scene that runs. */
-export function markScene(name: string): void {
+function markScene(name: string): void {
   for (const button of document.querySelectorAll<HTMLElement>("[data-entry]")) {
     if (button.dataset.entry === name) button.setAttribute("aria-current", "true");
     else button.removeAttribute("aria-current");

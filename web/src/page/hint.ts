@@ -9,7 +9,7 @@ import { notice } from "./messages";
 const KEY = "thud-hint-seen";
 const FIRST = "A physics engine at work: drag anything, and throw it.";
 const NEXT =
-  "Let go to throw it. More to try: explode something, or open Versus for the same in Box2D.";
+  "Let go to throw it. Next, explode something, or open Versus to see the same in Box2D.";
 
 /** True while the hint is shown. */
 export function addHint(app: App): boolean {
@@ -33,7 +33,7 @@ export function addHint(app: App): boolean {
   const stopListening = app.listen({
     run(scene) {
       // A game tells by itself how it is played.
-      hint.hidden = scene.keys.length > 0 || scene.pointer;
+      hint.hidden = scene.pointer || Object.keys(scene.keys).length > 0;
     },
     frame({ pull }) {
       if (!pull) return;

@@ -17,18 +17,18 @@ const VALUES = [
   [
     "slowest",
     "p99",
-    `99 of the last 100 steps were quicker than this; a scene’s first ${START_UP} do not count.`,
+    `99 of 100 of the last 120 steps were quicker; a scene’s first ${START_UP} do not count.`,
   ],
   ["deepest", "overlap", "How deep the worst pair of bodies overlaps, in world units."],
   ["bodies", "bodies", "All bodies in the world, those that never move included."],
   ["awake", "awake", "Bodies that are simulated. Those that rest sleep, at next to no cost."],
   ["contacts", "contacts", "Pairs of shapes that touch."],
-  ["fps", "fps", "Pictures a second."],
+  ["fps", "fps", "Pictures drawn a second."],
 ] as const;
 type ValueName = (typeof VALUES)[number][0];
 
 const COURSE_TITLE =
-  "Time of each of the last 120 steps; the red line is what a step may take at 60 a second.";
+  "Time of each of the last 120 steps. The line is what a step may take at 60 steps a second.";
 
 export class Hud {
   readonly #root = byId("hud");

@@ -21,8 +21,9 @@ export function listenToKeys(keys: readonly Key[]): void {
     const target = event.target as HTMLElement;
     if (isTypedInto(target)) return;
     // A button's own are Space and Enter, a slider's and a radio button's the arrows.
-    if (target.matches("button, a, summary") && /^( |Enter)$/.test(event.key)) return;
-    if (target.tagName === "INPUT" && /^(Arrow|Home|End|Page| )/.test(event.key)) return;
+    const presses = "button, a, summary, input:not([type=range])";
+    if (target.matches(presses) && /^( |Enter)$/.test(event.key)) return;
+    if (target.tagName === "INPUT" && /^(Arrow|Home|End|Page)/.test(event.key)) return;
     const pressed = keys.find(({ codes }) => codes.includes(event.key.toLowerCase()));
     if (!pressed) return;
     event.preventDefault();

@@ -1,5 +1,5 @@
 /** The keys of a game, from the keyboard and from buttons on the screen. */
-import { KEY_NAMES, type KeyName, noKeys } from "../scene/scene";
+import { KEY_NAMES, type KeyName, type KeyWords, noKeys } from "../scene/scene";
 import { byId } from "./dom";
 
 const CODES: Readonly<Record<string, KeyName>> = {
@@ -29,22 +29,26 @@ export class Pad {
       if (name) this.#hold(name, false);
     });
     window.addEventListener("blur", () => this.#letGo());
-    // A click leaves no button in focus, where Space would press it again instead of playing.
+    // A click leaves no button in focus, where Space would press it again instead of playing, or of
+    // pausing the scene.
     document.addEventListener("mousedown", (event) => {
       const button = (event.target as HTMLElement).closest("#top button, #controls button");
-      if (button && this.#wanted.size > 0) event.preventDefault();
+      if (button) event.preventDefault();
     });
     for (const button of byId("pad").querySelectorAll<HTMLElement>("[data-key]"))
       this.#listenTo(button);
   }
 
   /** The keys of the scene that runs now. */
-  show(wanted: readonly KeyName[]): void {
+  show(keys: KeyWords): void {
     this.#letGo();
-    this.#wanted = new Set(wanted);
-    byId("pad").hidden = wanted.length === 0;
-    for (const button of byId("pad").querySelectorAll<HTMLElement>("[data-key]"))
-      button.hidden = !this.#wanted.has(button.dataset.key as KeyName);
+    this.#wanted = new Set(Object.keys(keys) as KeyName[]);
+    byId("pad").hidden = this.#wanted.size === 0;
+    for (const button of byId("pad").querySelectorAll<HTMLElement>("[data-key]")) {
+      const name = button.dataset.key as KeyName;
+      button.hidden = !this.#wanted.has(name);
+      button.ariaLabel = keys[name] ? `${name}: ${keys[name]}` : name;
+    }
   }
 
   #nameOf({ code }: KeyboardEvent): KeyName | undefined {

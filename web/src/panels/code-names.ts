@@ -17,7 +17,7 @@ const SETTING: Record<keyof SceneSetting, Entry> = {
     "for (let i = 0; i < size; i++)",
     "How many: the visitor's number; export const size says its range.",
   ],
-  seed: ["random(seed)", "The visitor's seed of chance."],
+  seed: ["random(seed)", "The visitor's random seed."],
   random: [
     "const chance = random(seed); chance(-1, 1)",
     "Numbers between two bounds, the same on every machine.",
@@ -109,7 +109,10 @@ const SCENE: Record<keyof Scene, Entry> = {
     "state: { score: 0 }",
     "Plain data that update changes: going back in time takes it along.",
   ],
-  keys: ['keys: ["left", "right", "fire"]', "Keys that come as held.left…; a phone gets buttons."],
+  keys: [
+    'keys: { left: "walk", fire: "shoot" }',
+    "Keys and what they do: they come as held.left…; a phone gets buttons.",
+  ],
   pointer: ["pointer: true", "The pointer comes to update, and drags nothing."],
   hidden: ["hidden: [ball.index]", "Bodies that paint draws instead."],
   spawn: ["spawn: [0, 8]", "Where new bodies drop by keyboard."],

@@ -248,7 +248,7 @@ class CodePanel implements Panel {
     this.#offer.show(offeredCode !== null);
     const text = this.#text;
     const changed = text !== (state.code ?? this.#original);
-    let status = "Runs as it comes";
+    let status = "Runs unchanged";
     if (this.#tabs.shown !== this.#path) status = "Read only";
     else if (this.#failed?.text === text) status = "Does not run";
     else if (text === offeredCode) status = "Not run yet";

@@ -14,7 +14,8 @@ const ALL_BITS = 0xffffffff;
 /** Rows that the list of contacts has. */
 const MOST_CONTACTS = 12;
 const HOW =
-  "Point at a body to see its state. Click or tap keeps it; key Q takes the crosshair's.";
+  "Point at a body, or tap it, to see its state; a click or tap keeps it here. By keyboard, Q " +
+  "takes the body at the crosshair.";
 const CONTACT_HEAD = make(
   "thead",
   {},
@@ -38,7 +39,7 @@ export class BodyPart {
   readonly #state = make("dl", { class: "facts", id: "body-state" });
   readonly #shapes = make("div");
   readonly #contacts = make("table", { id: "body-contacts" });
-  readonly #release = make("button", { class: "wide" }, "Let it go");
+  readonly #release = make("button", { class: "wide" }, "Let go of it");
   #hovered: Hovered | null = null;
   #pinned: number | null = null;
   #asking = false;
@@ -248,7 +249,10 @@ function shapeRows(shape: ShapeState): Row[] {
   const rows: Row[] = [];
   if (shape.kind === "circle") rows.push(["radius", numberText(shape.radius)]);
   else if (shape.kind !== "terrain")
-    rows.push(["size", `${numberText(2 * shape.halfWidth)} × ${numberText(2 * shape.halfHeight)}`]);
+    rows.push([
+      "size",
+      `${numberText(2 * shape.halfWidth)} × ${numberText(2 * shape.halfHeight)}`,
+    ]);
   if (shape.sensor) rows.push(["sensor", "reports, does not collide"]);
   else
     rows.push(

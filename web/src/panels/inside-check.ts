@@ -58,7 +58,7 @@ export class CheckPart {
         "p",
         { class: "quiet" },
         `Runs the scene from its start for ${STEPS.at(-1)} steps beside this one, with nobody's ` +
-          "hands in it, and compares the hash of the whole state.",
+          "hands in it, and compares a hash of the whole state with other machines’.",
       ),
       this.#check,
       this.#verdict,
@@ -128,7 +128,7 @@ export class CheckPart {
       this.#tell(
         "open",
         "There is no reference for what you have chosen here. Send the link below to a friend: " +
-          "the page compares the two machines.",
+          "there the page compares the two machines.",
       );
       return;
     }

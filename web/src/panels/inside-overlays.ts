@@ -30,13 +30,13 @@ const GROUPS: readonly { title: string; overlays: readonly Text[] }[] = [
       {
         name: "cells",
         title: "Grid cells",
-        about: "Cells of the grid that hold something (broadphase grid).",
+        about: "Cells of the grid that hold a body (with the broadphase grid).",
         key: [[style("cell"), "cell"]],
       },
       {
         name: "axes",
         title: "Sweep axis",
-        about: "Bounds as sorted intervals along x, at the lower edge (broadphase sweep).",
+        about: "Bounds as intervals sorted along x, at the lower edge (with the broadphase sweep).",
         key: [
           [style("interval"), "alone"],
           [style("interval overlapping"), "overlapping"],
@@ -64,7 +64,7 @@ const GROUPS: readonly { title: string; overlays: readonly Text[] }[] = [
       {
         name: "sums",
         title: "Minkowski sums",
-        about: "Of the body you point at and its nearest neighbour: one shape and a point.",
+        about: "Of the body that you point at and its nearest neighbour: a shape and a point.",
         key: [
           [(theme) => theme.sum, "point outside: apart"],
           [(theme) => theme.sumOverlapping, "inside: they overlap"],
@@ -99,7 +99,7 @@ const GROUPS: readonly { title: string; overlays: readonly Text[] }[] = [
       {
         name: "islands",
         title: "Islands",
-        about: "Bodies that hang together by contacts have one colour.",
+        about: "Bodies that are joined by contacts have one colour.",
         key: [[style("solved directly"), "solved directly"]],
       },
       {
@@ -115,13 +115,13 @@ const GROUPS: readonly { title: string; overlays: readonly Text[] }[] = [
       {
         name: "motions",
         title: "Swept volumes",
-        about: "What a fast body passed over during the step.",
+        about: "The area that a fast body passed over in the step.",
         key: [[style("motion"), "start to end of the step"]],
       },
       {
         name: "sleeping",
         title: "Sleep",
-        about: "Bodies that sleep are dimmed: they cost nothing until touched.",
+        about: "Bodies that sleep are dimmed: until touched, they cost next to nothing.",
       },
     ],
   },

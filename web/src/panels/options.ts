@@ -53,7 +53,7 @@ export function createPanel(app: App): Panel {
     make(
       "fieldset",
       {},
-      make("legend", {}, make("label", { for: "seed" }, "Seed of chance")),
+      make("legend", {}, make("label", { for: "seed" }, "Random seed")),
       seed,
     ),
     make("div", { class: "section" }, share),

@@ -7,10 +7,10 @@ import { createDetectionCount } from "./trade-detection";
 import { countText } from "./trade-text";
 
 const QUALITY_TEXTS: Readonly<Record<Quality, string>> = {
-  draft: "2 substeps: the quickest. Tall stacks sink and fall; heavy loads crush light bodies.",
-  default: "4 substeps; what gives way by more than 1 % is solved directly. For most games.",
-  high: "8 substeps; all that is not too dear is solved directly. Stacks stand; motion costs more.",
-  exact: "16 substeps, everything solved directly, from impact to impact. Costs 1.5 to 30 times.",
+  draft: "2 substeps, the quickest. Tall stacks sink and fall; heavy loads crush light bodies.",
+  default: "4 substeps, for most games. Piles that give way by more than 1 % are solved directly.",
+  high: "8 substeps. All piles that are not too large are solved directly: stacks stand still.",
+  exact: "16 substeps, every pile solved directly, each impact by itself. 1.5 to 30 times as dear.",
 };
 
 /** What each quality cuts a step into; thud's own figures. */
@@ -24,21 +24,21 @@ const QUALITY_SUBSTEPS: Readonly<Record<Quality, number>> = {
 type DetectionChoice = (typeof DETECTION_CHOICES)[number];
 
 const DETECTION_TEXTS: Readonly<Record<DetectionChoice, string>> = {
-  auto: "As the quality says: swept at exact, else continuous.",
-  overlap: "Where shapes stand at the start of a step. The cheapest; what is fast passes walls.",
-  continuous: "What is fast stops at fixed shapes. As cheap as overlap until something is fast.",
+  auto: "Up to the quality: swept at exact, continuous otherwise.",
+  overlap: "Tests where shapes are at the start of a step. Cheapest; fast bodies pass walls.",
+  continuous: "Fast bodies stop at fixed shapes. As cheap as overlap until one is fast.",
   bisect:
-    "Time goes back to each collision by halving. What is too fast passes walls. Three times as " +
-    "dear among flying bodies, 25 to 85 times in heaps.",
+    "Goes back to the time of each collision, found by halving the step. Very fast bodies pass " +
+    "walls. Costs 3 times as much as overlap among flying bodies, 25 to 85 times in heaps.",
   swept:
-    "From collision to collision, exactly. Nothing passes. Three times as dear among flying " +
-    "bodies, 25 to 85 times in heaps.",
+    "Moves from collision to collision, exactly. Nothing passes walls. Costs 3 times as much as " +
+    "overlap among flying bodies, 25 to 85 times in heaps.",
 };
 
 const BROADPHASE_TEXTS: Readonly<Record<Broadphase, string>> = {
-  grid: "Cells hashed by size: stays quick however large the world is.",
-  sweep: "Sorted along x: good where little moves, and in crowds.",
-  all: "Every shape against every other: for a few dozen.",
+  grid: "Cells of a grid for each size of body: quick however large the world is.",
+  sweep: "Bodies sorted along x: good where little moves, and in crowds.",
+  all: "Every shape against every other: quickest for a few dozen.",
 };
 
 /** A row of choices with a line about the chosen one. */
@@ -110,7 +110,7 @@ export function createControls(app: App): HTMLElement {
   const detection = explained(
     "detection",
     "Detection",
-    "starts the scene anew",
+    "restarts the scene",
     DETECTION_TEXTS,
     DETECTION_CHOICES,
     (value) => app.choose({ detection: value }),
@@ -118,7 +118,7 @@ export function createControls(app: App): HTMLElement {
   const broadphase = explained(
     "broadphase",
     "Broadphase",
-    "starts the scene anew",
+    "restarts the scene",
     BROADPHASE_TEXTS,
     BROADPHASES,
     (value) => app.choose({ broadphase: value }),
@@ -126,21 +126,21 @@ export function createControls(app: App): HTMLElement {
   const substeps = slider(
     "substeps",
     "Substeps",
-    "of each step",
+    "in each step",
     64,
     (place) =>
-      place > 0 ? String(place) : `as the quality (${QUALITY_SUBSTEPS[choices.quality]})`,
+      place > 0 ? String(place) : `the quality’s ${QUALITY_SUBSTEPS[choices.quality]}`,
     (place) => app.choose({ substeps: place }),
   );
   const maxError = slider(
     "max-error",
-    "Largest error",
-    "beyond it, solved directly",
+    "Overlap limit",
+    "more is solved directly",
     MAX_ERRORS.length - 1,
     (place) => (place > 0 ? `${MAX_ERRORS[place]} length scales` : "none"),
     (place) => app.choose({ maxError: MAX_ERRORS[place] }),
   );
-  const noSolver = "Draft has no direct solver to hold it with.";
+  const noSolver = "Draft has no direct solver that could keep to a limit.";
   const draftNote = make("p", { class: "explained" }, noSolver);
   const size = createSize(app);
 
@@ -183,7 +183,7 @@ function createSize(app: App): HTMLElement {
   const control = slider(
     "size",
     "Size",
-    "starts the scene anew",
+    "restarts the scene",
     SIZE_PLACES,
     (place) => `${countText(sizeAt(place))} ${app.scene?.sizes?.means ?? ""}`,
     (place) => {

@@ -124,7 +124,8 @@ function triedTable(body: HTMLElement): HTMLElement {
 }
 
 function rowOf({ engine, label, typical, p99, worst, steps }: TriedPoint): HTMLElement {
-  const cells = [plainTime(typical), p99 === null ? "–" : plainTime(p99), errorText(worst), countText(steps)];
+  const slowest = p99 === null ? "–" : plainTime(p99);
+  const cells = [plainTime(typical), slowest, errorText(worst), countText(steps)];
   return make(
     "tr",
     { class: engine },

@@ -37,7 +37,7 @@ function rowsOf(fineClock: boolean): Row[] {
   return [
     typical,
     ...(fineClock ? [p99] : []),
-    { label: "Share of 16.7 ms", hint: "Of the time that there is for a step, 60 a second", text: share },
+    { label: "Share of 16.7 ms", hint: "Of the time for a step, at 60 a second", text: share },
     {
       label: "Overlap now",
       hint: "How deep the worst pair of bodies overlaps, in the world’s unit; sleeping ones too",

@@ -3,8 +3,8 @@ import { type Engine, ENGINES, type Figures, NAMES } from "./versus-tally";
 
 /** What the verdict is about. */
 export const MEANING =
-  "Same scene, same drags, same device. Overlap is how deep the worst pair of bodies sinks in, on " +
-  "average since both began. It does not tell how lifelike the motion is.";
+  "Same scene, same drags, same device. Overlap is how deep the worst pair of bodies sinks in, " +
+  "on average since both began. It does not tell how lifelike the motion is.";
 
 /** Two values that are nearer to each other than this count as the same. */
 const SAME = 1.1;

@@ -59,8 +59,11 @@ export interface Scene {
   show?: OverlayName[];
   /** So many times two bodies, from the first on, are shown with their Minkowski sum. */
   sums?: number;
-  /** Keys that the scene wants: they come as `Input.held`, and a phone gets buttons for them. */
-  keys?: KeyName[];
+  /**
+   * Keys that the scene wants, best with what each does: they come as `Input.held`, a phone gets
+   * buttons for them, and the page tells how to play.
+   */
+  keys?: KeyName[] | KeyWords;
   /** The hand is the scene's (it comes as `Input.pointer`) and not the page's to drag bodies. */
   pointer?: boolean;
   /** Slots of bodies that the page does not draw, because `paint` does. */
@@ -82,6 +85,9 @@ export interface Scene {
 
 export const KEY_NAMES = ["left", "right", "up", "down", "fire", "restart"] as const;
 export type KeyName = (typeof KEY_NAMES)[number];
+
+/** What keys do, in a word or two: { left: "walk", right: "walk", up: "jump" }. */
+export type KeyWords = Partial<Record<KeyName, string>>;
 
 export function noKeys(): Record<KeyName, boolean> {
   return { left: false, right: false, up: false, down: false, fire: false, restart: false };

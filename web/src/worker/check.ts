@@ -2,11 +2,11 @@
  * What a scene returned, looked over before the page relies on it: a visitor's own text may say
  * anything, and should then be told what is wrong with it.
  */
-import { KEY_NAMES, type Mark, type Paint, type Scene } from "../scene/scene";
+import { KEY_NAMES, type KeyName, type Mark, type Paint, type Scene } from "../scene/scene";
 import { SceneError } from "./trouble";
 
 const FUNCTIONS = ["restored", "update", "paint", "close"] as const;
-const LISTS = ["notes", "show", "keys", "hidden"] as const;
+const LISTS = ["notes", "show", "hidden"] as const;
 
 /** Numbers that each kind of mark has to have. */
 const NUMBERS: Record<Mark["kind"], readonly string[]> = {
@@ -29,7 +29,9 @@ export function checkScene(scene: Scene): void {
   if (![x, y, height, width].every(Number.isFinite) || height <= 0 || width <= 0)
     wrong("A scene's view has finite numbers: view: { x: 0, y: 5, height: 20 }");
   if (spawn !== undefined && !isPlace(spawn)) wrong("A scene's spawn is a place: spawn: [0, 10]");
-  for (const key of keys)
+  if (typeof keys !== "object" || !Object.values(keys).every((word) => typeof word === "string"))
+    wrong('A scene\'s keys is a list, or tells what each does: keys: { left: "walk" }');
+  for (const key of (Array.isArray(keys) ? keys : Object.keys(keys)) as KeyName[])
     if (!KEY_NAMES.includes(key))
       wrong(`There is no key “${String(key)}” for scenes; there are ${KEY_NAMES.join(", ")}.`);
   if (state !== undefined && (typeof state !== "object" || state === null))

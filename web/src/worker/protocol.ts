@@ -2,7 +2,7 @@
 import type { Broadphase, Detection, Quality, Vec2 } from "thud";
 import type { Frame } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
-import type { KeyName, SceneSize, View } from "../scene/scene";
+import type { KeyWords, SceneSize, View } from "../scene/scene";
 import type { Deed } from "./deeds";
 import type { BodyReport } from "./inspect";
 import type { Series, SeriesProgress } from "./measure";
@@ -44,7 +44,8 @@ export interface RunningScene {
   lengthScale: number;
   timeStep: number;
   show: readonly OverlayName[];
-  keys: readonly KeyName[];
+  /** With what each does, or "". */
+  keys: KeyWords;
   pointer: boolean;
   notes: readonly string[];
 }

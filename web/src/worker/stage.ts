@@ -1,7 +1,7 @@
 /** Sets a scene up: gives its module what it asks for and takes the world that it makes. */
 import type { Engine, Mover, World, WorldOptions } from "thud";
 import { knownOf } from "../rival/watch";
-import type { Scene, SceneModule, View } from "../scene/scene";
+import type { KeyWords, Scene, SceneModule, View } from "../scene/scene";
 import { createSetting } from "../scene/setting";
 import { BODY, DYNAMIC, HALF, ROW, SLOT, STATIC } from "../scene/shape-table";
 import type { Choices, RunningScene, SceneRequest } from "./protocol";
@@ -88,10 +88,15 @@ export function describe(session: Session): RunningScene {
     lengthScale,
     timeStep,
     show: [...(scene.show ?? []), ...(scene.sums ? (["sums"] as const) : [])],
-    keys: scene.keys ?? [],
+    keys: keyWords(scene.keys ?? []),
     pointer: scene.pointer ?? false,
     notes: scene.notes ?? [],
   };
+}
+
+/** A list of keys says nothing of what they do. */
+function keyWords(keys: NonNullable<Scene["keys"]>): KeyWords {
+  return Array.isArray(keys) ? Object.fromEntries(keys.map((name) => [name, ""])) : keys;
 }
 
 /** As wide as what moves in a view, within reason. */

@@ -5,6 +5,10 @@
 // Two kindnesses that players take for granted: a jump counts a moment after the ground is gone,
 // and a moment before it is there.
 
+/** What keys do. */
+export const WALK = { left: "walk", right: "walk", up: "jump" };
+export const DROP = { down: "drop through planks" };
+
 // In length scales, and seconds.
 const HALF_WIDTH = 0.35;
 const HALF_HEIGHT = 0.75;

@@ -1,0 +1,46 @@
+/** When and at what size each scene looks best as a small picture: for the tool that draws them. */
+import type { View } from "./scene";
+
+export interface Thumbnail {
+  /** Default 60. */
+  steps?: number;
+  /** Default the scene's usual size. */
+  size?: number;
+  /** Default the scene's own view. */
+  view?: View;
+}
+
+/** By the scene's name; without an entry all is as usual. */
+export const THUMBNAILS: Readonly<Record<string, Thumbnail>> = {
+  platformer_game: { view: { x: 17.5, y: 9, height: 20 } },
+  artillery: { view: { x: -11.5, y: 0.5, height: 12 } },
+  quarry: { steps: 240 },
+  platform: { steps: 90, view: { x: 36, y: 13, height: 22 } },
+  mountain: { steps: 90, view: { x: 210, y: 22, height: 44 } },
+  circle_pit: { size: 500, steps: 90 },
+  pyramid: { size: 22 },
+  brick_wall: { steps: 75 },
+  avalanche: { size: 800, steps: 170 },
+  mixed_terrain: { size: 120, steps: 150, view: { x: 0, y: 3, height: 18 } },
+  tall_stack: { size: 14 },
+  dominoes: { size: 18, steps: 330 },
+  hourglass: { size: 2000, steps: 400 },
+  conveyors: { steps: 420 },
+  pistons: { steps: 200 },
+  tumbler: { size: 300, steps: 150 },
+  tumbler_half: { size: 300, steps: 100 },
+  smash: { size: 500, steps: 45 },
+  cradle: { steps: 30 },
+  bounce: { steps: 130 },
+  slopes: { size: 12, steps: 45, view: { x: 30, y: 4, height: 12 } },
+  bullets: { size: 3, steps: 3, view: { x: -9, y: 0, height: 6 } },
+  gas: { size: 250, steps: 90 },
+  galton_board: { steps: 1500 },
+  filters: { size: 300, steps: 90 },
+  minkowski: { size: 1 },
+  far_away: { steps: 75 },
+  sizes: { size: 500, steps: 200 },
+  platformer: { size: 120 },
+  one_spot: { size: 500, steps: 80 },
+  asleep: { size: 160 },
+};
