@@ -1,7 +1,15 @@
 /** The page enlarged, by keyboard, for screen readers, on paper, and in strong colours. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { DESKTOP, failureText, openLevel, openVisitor, PHONE, runAxe } from "./page-support.mjs";
+import {
+  DESKTOP,
+  failureText,
+  openLevel,
+  openVisitor,
+  PHONE,
+  runAxe,
+  untilTold,
+} from "./page-support.mjs";
 
 let visitor;
 before(async () => {
@@ -152,6 +160,8 @@ test("failure_comes_over_an_open_dialog_and_gives_the_focus_back", async () => {
 
 test("running_scene_says_nothing_by_itself_and_what_is_noticed_is_said", async () => {
   const { page, close } = await open("");
+  // What the scene is about is said once, after the first picture.
+  await untilTold(page, "As many balls leave");
   await page.evaluate(() => {
     window.changes = [];
     const live = "[aria-live], [role=status], [role=log], [role=alert], output";

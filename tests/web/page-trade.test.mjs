@@ -53,12 +53,12 @@ async function untilLater(page, steps) {
   );
 }
 
-/** Of the figures, which are refreshed a few times a second. */
+/** Of the figures, which are refreshed a few times a second; "< 0.0001" counts as that. */
 function untilFigure(page, name, least, most) {
   return page.waitForFunction(
     ([key, from, to]) => {
       const { textContent } = document.querySelector(`[data-value="${key}"]`);
-      const value = Number(textContent.replaceAll(",", ""));
+      const value = Number(textContent.replace(/[,< ]/g, ""));
       return value >= from && value <= to;
     },
     [name, least, most],

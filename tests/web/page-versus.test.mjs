@@ -120,7 +120,7 @@ test("table_tells_times_overlap_energy_and_bodies_of_both", async () => {
   // The pyramid, and the ground.
   assert.deepEqual(rows.Bodies, ["821", "821"]);
   assert.deepEqual(rows.Awake, ["820", "820"]);
-  assert.match(await page.textContent("#versus .verdict"), /fast.*(accurate|sink in)/);
+  assert.match(await page.textContent("#versus .verdict"), /fast.*overlap/);
   assert.equal(await page.locator("#versus .plots canvas").count(), 3);
   await stepBy(page, STEPS_TO_LOOK_AGAIN);
   const overlaps = async () => {
@@ -150,6 +150,23 @@ test("world_far_from_the_origin_is_moved_for_box2d_and_the_panel_says_so", async
   await page.goto(`${page.url().split("?")[0]}?scene=far_away&size=2&panel=versus`);
   await untilMeasured(page);
   assert.ok(await page.isHidden("#versus .moved"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("overlap_of_bodies_asleep_is_the_same_over_the_scene_and_in_the_panel", async () => {
+  const { page, errors, close } = await visitor.open("?scene=pyramid&size=20&panel=versus&paused=1");
+  await untilBox2D(page);
+  await stepBy(page, 120);
+  const asleep = async () => {
+    const value = (name) => page.textContent(`[data-value="${name}"]`);
+    const { "Overlap now": [panel] } = await table(page);
+    return { awake: await value("awake"), over: Number(await value("deepest")), panel: Number(panel) };
+  };
+  const found = await until(asleep, ({ awake, panel }) => awake === "0" && panel > 0, "all asleep");
+  assert.ok(found.over > 0.0005, `${found.over}`);
+  near(found.over, found.panel, 0.00006, "overlap over the scene");
+  assert.match(await page.textContent("#versus .verdict"), /All bodies sleep in .* now/);
   assert.deepEqual(errors, []);
   await close();
 });

@@ -23,8 +23,8 @@ const PLAYED = [
 for (const [scene, deeds] of PLAYED)
   test(`${scene}_tells_how_it_is_played_by_keys_and_on_a_phone_by_its_buttons`, async () => {
     for (const [options, told, untold] of [
-      [DESKTOP, /← → or A D: .*Space/, /buttons/],
-      [PHONE, /buttons below.*← →: /, OF_KEYBOARDS],
+      [DESKTOP, /Keys: ← → or A D to .*Space to/, /buttons/i],
+      [PHONE, /Buttons: ← → to /, OF_KEYBOARDS],
     ]) {
       const { page, errors, close } = await visitor.open(`?scene=${scene}`, options);
       await page.waitForSelector("#notice:not([hidden])");
@@ -47,6 +47,14 @@ test("artillery_on_a_phone_asks_for_no_key", async () => {
   await stepBy(page, 2);
   await page.locator("#message", { hasText: "turn" }).waitFor();
   assert.doesNotMatch(await page.innerText("#message"), OF_KEYBOARDS);
+  await close();
+});
+
+test("panel_inside_on_a_phone_asks_for_no_key", async () => {
+  const { page, close } = await visitor.open("?scene=cradle&paused=1&panel=inside", PHONE);
+  await page.locator(".parts label", { hasText: "Body" }).tap();
+  await page.locator("#dock", { hasText: "Tap a body" }).waitFor();
+  assert.doesNotMatch(await page.innerText("#dock"), OF_KEYBOARDS);
   await close();
 });
 

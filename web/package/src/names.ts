@@ -1,17 +1,19 @@
 /** Options are known by name: a misspelt one must not be passed over in silence. */
 import { ThudError } from "./error.js";
 
-/** Throws for an option that is not among `names`, and tells the nearest that is. */
-export function checkNames(what: string, options: object, names: readonly string[]): void {
-  for (const name of Object.keys(options)) {
-    if (names.includes(name)) continue;
-    const edits = names.map((known) => distance(name.toLowerCase(), known.toLowerCase()));
-    const nearest = names[edits.indexOf(Math.min(...edits))];
-    throw new ThudError(
-      "invalid",
-      `${what}: no option is called "${name}"; the nearest is "${nearest}"`,
-    );
-  }
+type Names = readonly string[];
+
+/** Throws for an option that is not among `names` and `others`, and tells the nearest that is. */
+export function checkNames(what: string, options: object, names: Names, others: Names = []): void {
+  for (const name of Object.keys(options))
+    if (!names.includes(name) && !others.includes(name)) refuse(what, name, [...names, ...others]);
+}
+
+function refuse(what: string, name: string, names: Names): never {
+  const edits = names.map((known) => distance(name.toLowerCase(), known.toLowerCase()));
+  const nearest = names[edits.indexOf(Math.min(...edits))];
+  const told = `no option is called "${name}"; the nearest is "${nearest}"`;
+  throw new ThudError("invalid", `${what}: ${told}`);
 }
 
 /** Letters to put in, take out or change between two words (Levenshtein), row by row. */

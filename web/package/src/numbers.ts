@@ -12,6 +12,7 @@ import {
   type QualityOptions,
   SHAPE_KINDS,
   type ShapeId,
+  type ShapeKind,
   type Vec2,
 } from "./types.js";
 
@@ -34,16 +35,24 @@ export function numbersOf(
   names: readonly string[],
   others: readonly string[] = [],
 ): (number | undefined)[] {
-  checkNames(what, options, [...names, ...others]);
+  checkNames(what, options, names, others);
   const given = options as Readonly<Record<string, unknown>>;
-  return names.map((name, i) => {
-    const value = given[name === "." ? names[i - 1] : name];
-    if (value === undefined) return undefined;
-    if (name === ".") return Number((value as Vec2)[1]);
-    if (names[i + 1] === ".") return Number((value as Vec2)[0]);
-    if (name === "userData") return userData(value as number);
-    return WORDS[name] ? indexOf(WORDS[name], value as string, name) : Number(value);
-  });
+  const numbers: (number | undefined)[] = [];
+  for (let i = 0; i < names.length; i++) {
+    const value = given[names[i]];
+    if (value === undefined) numbers.push(undefined);
+    else numbers.push(numberOf(names[i], names[i + 1] === "." ? (value as Vec2)[0] : value));
+    if (names[i + 1] !== ".") continue;
+    numbers.push(value === undefined ? undefined : Number((value as Vec2)[1]));
+    i++;
+  }
+  return numbers;
+}
+
+function numberOf(name: string, value: unknown): number | undefined {
+  if (typeof value === "number" && name !== "userData") return value;
+  if (name === "userData") return userData(value as number);
+  return WORDS[name] ? indexOf(WORDS[name], value as string, name) : Number(value);
 }
 
 const QUALITY = [
@@ -75,27 +84,28 @@ export function shapeId(index1: number, generation: number): ShapeId {
 /** Kind, half extents (a circle's radius is the first) and angle, as the module takes them. */
 export type SolidNumbers = [kind: number, hx: number, hy: number, angle: number];
 
-/** What gives a shape of each kind its form. */
-export const FORMS = {
-  circle: ["radius"],
-  aabb: ["halfWidth", "halfHeight"],
-  obb: ["halfWidth", "halfHeight", "angle"],
-  terrain: [],
-} as const;
+/** What gives a shape of each kind its form, after the kind. */
+export const FORMS: Readonly<Record<ShapeKind, readonly string[]>> = {
+  circle: ["kind", "radius"],
+  aabb: ["kind", "halfWidth", "halfHeight"],
+  obb: ["kind", "halfWidth", "halfHeight", "angle"],
+  terrain: ["kind"],
+};
 
 /** `others` is what a shape may have beside its form. */
 export function solidNumbers(shape: SolidShape, others: readonly string[] = []): SolidNumbers {
   const kind = indexOf(SHAPE_KINDS, shape.kind, "shape kind");
-  checkNames(shape.kind, shape, ["kind", ...FORMS[shape.kind], ...others]);
+  checkNames(shape.kind, shape, FORMS[shape.kind], others);
   if (shape.kind === "circle") return [kind, shape.radius, 0, 0];
   return [kind, shape.halfWidth, shape.halfHeight, shape.kind === "obb" ? shape.angle : 0];
 }
 
 /** Overwrites the slots whose option is given. */
 export function fill(slots: Float64Array, options: readonly (number | undefined)[]): void {
-  options.forEach((value, i) => {
+  for (let i = 0; i < options.length; i++) {
+    const value = options[i];
     if (value !== undefined) slots[i] = value;
-  });
+  }
 }
 
 export function indexOf<T extends string>(names: readonly T[], name: T, what: string): number {

@@ -65,6 +65,13 @@ const MATERIAL = [
   "surfaceSpeed",
 ] as const;
 
+/** What makes a shape beside its material. */
+const SOLIDS = {
+  circle: [...FORMS.circle, "offset"],
+  aabb: [...FORMS.aabb, "offset"],
+  obb: [...FORMS.obb, "offset"],
+};
+
 export class World extends WorldViews {
   // ---- bodies ----
 
@@ -182,7 +189,7 @@ export class World extends WorldViews {
       this.#createShape(
         "terrain",
         options,
-        [],
+        FORMS.terrain,
         body,
         kind,
         slope,
@@ -305,13 +312,14 @@ export class World extends WorldViews {
     body: BodyId,
     options: ShapeOptions & { offset?: Vec2 },
   ): ShapeId {
-    const form: readonly string[] = FORMS[kind];
     const [x, y] = options.offset ?? [0, 0];
-    const sizes = form.map((name) => (options as Record<string, number>)[name] ?? 0);
-    return this.#createShape(kind, options, [...form, "offset"], body, x, y, ...sizes);
+    const given = options as Readonly<Record<string, number | undefined>>;
+    const [, ...form] = FORMS[kind];
+    const sizes = form.map((name) => given[name] ?? 0);
+    return this.#createShape(kind, options, SOLIDS[kind], body, x, y, ...sizes);
   }
 
-  /** `others` names the options that are among the arguments already. */
+  /** `others` names the options that are no part of the material. */
   #createShape(
     kind: ShapeKind,
     options: ShapeOptions & { kind?: ShapeKind },
@@ -320,7 +328,7 @@ export class World extends WorldViews {
     ...args: number[]
   ): ShapeId {
     const { engine } = this;
-    const numbers = numbersOf(kind, options, MATERIAL, [...others, "kind"]);
+    const numbers = numbersOf(kind, options, MATERIAL, others);
     if ((options.kind ?? kind) !== kind)
       throw new ThudError("invalid", `${kind}: its kind is "${options.kind}"`);
     engine.exports.api_shape_defaults();

@@ -32,10 +32,10 @@ export default async function ({ createWorld, readText, random, seed }) {
     keys: {
       left: "turn the barrel",
       right: "turn the barrel",
-      up: "power",
-      down: "power",
+      up: "set the power",
+      down: "set the power",
       fire: "fire",
-      restart: "new game",
+      restart: "begin a new game",
     },
     pointer: true,
     hidden: [shell.index, ...tanks.map(({ body }) => body.index)],

@@ -11,9 +11,14 @@ const CAPS: Readonly<Record<KeyName, readonly [cap: string, other?: string]>> = 
   restart: ["Enter"],
 };
 
-/** "← → or A D: walk; ↑ or W or Space: jump."; "" where nothing is told of the keys. */
+/** Fingers, and probably no keys. */
+export function isTouch(): boolean {
+  return matchMedia("(hover: none) and (pointer: coarse)").matches;
+}
+
+/** "Keys: ← → or A D to walk, ↑ or W or Space to jump."; "" where nothing is told of the keys. */
 export function howToPlay(keys: KeyWords): string {
-  const touch = matchMedia("(hover: none) and (pointer: coarse)").matches;
+  const touch = isTouch();
   const names = KEY_NAMES.filter((name) => keys[name] && !(touch && name === "restart"));
   const words = [...new Set(names.map((name) => keys[name]))];
   const parts = words.map((word) => {
@@ -23,8 +28,7 @@ export function howToPlay(keys: KeyWords): string {
     // Where nothing is fired, Space is the key up; see pad.ts.
     const space = alike.includes("up") && !("fire" in keys) ? ["Space"] : [];
     const ways = touch ? [caps.join(" ")] : [caps.join(" "), others.join(" "), ...space];
-    return `${ways.filter(Boolean).join(" or ")}: ${word}`;
+    return `${ways.filter(Boolean).join(" or ")} to ${word}`;
   });
-  if (parts.length === 0) return "";
-  return `${touch ? "By the buttons below, " : ""}${parts.join("; ")}.`;
+  return parts.length > 0 ? `${touch ? "Buttons" : "Keys"}: ${parts.join(", ")}.` : "";
 }

@@ -2,6 +2,7 @@
 import type { ShapeState } from "thud";
 import type { App } from "../page/app";
 import { byId, make } from "../page/dom";
+import { isTouch } from "../page/how";
 import { say } from "../page/messages";
 import type { Hovered, Stage } from "../page/stage";
 import type { BodyReport, Touch } from "../worker/inspect";
@@ -13,9 +14,9 @@ const AWAY = 16;
 const ALL_BITS = 0xffffffff;
 /** Rows that the list of contacts has. */
 const MOST_CONTACTS = 12;
-const HOW =
-  "Point at a body, or tap it, to see its state; a click or tap keeps it here. By keyboard, Q " +
-  "takes the body at the crosshair.";
+const HOW = isTouch()
+  ? "Tap a body to see its state."
+  : "Point at a body to see its state; a click keeps it here. Q takes the body at the crosshair.";
 const CONTACT_HEAD = make(
   "thead",
   {},

@@ -27,7 +27,7 @@ const ROWS: Record<Group, readonly Row[]> = {
     ["quarry", "Quarry"],
     ["platform", "Platforms"],
     ["towers", "Towers and a wrecking ball"],
-    ["mountain", "Mountain drive"],
+    ["mountain", "Mountain walk"],
   ],
   "Piles and stacks": [
     ["circle_pit", "Circle pit"],

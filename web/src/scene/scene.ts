@@ -86,7 +86,7 @@ export interface Scene {
 export const KEY_NAMES = ["left", "right", "up", "down", "fire", "restart"] as const;
 export type KeyName = (typeof KEY_NAMES)[number];
 
-/** What keys do, in a word or two: { left: "walk", right: "walk", up: "jump" }. */
+/** What keys are for, in a word or two: { left: "walk", right: "walk", up: "jump" }. */
 export type KeyWords = Partial<Record<KeyName, string>>;
 
 export function noKeys(): Record<KeyName, boolean> {
