@@ -82,6 +82,7 @@ test("of_scenes_chosen_at_once_the_last_runs", async () => {
   };
   const { page, errors, close } = await visitor.open("?scene=cradle", undefined, slow);
   await untilRunning(page);
+  await page.waitForSelector("[data-entry=quarry]", { state: "attached" });
   const asked = page.waitForRequest("**/quarry.tmj");
   const level = page.waitForResponse("**/quarry.tmj");
   await page.evaluate(() => {
