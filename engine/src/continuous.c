@@ -27,7 +27,7 @@ typedef struct sweep {
     td_place start;       /* of the body's centre */
     thud_placed placed;   /* relative to start; smaller than the shape */
     thud_placed core;     /* a small circle in its middle */
-    thud_motion motion, core_motion;
+    thud_motion motion;
     double shrink;
     meeting last, next;   /* the one let through last, and the first after it so far */
     td_bounds bounds;     /* of the whole sweep, about start */
@@ -38,7 +38,7 @@ static thud_closest ground_below(const thud_world *w, int terrain_shape, const t
 {
     thud_terrain terrain = td_terrain_view(w, terrain_shape);
     thud_terrain_sample ground = {.height = shape->y, .ny = 1.0};
-    thud_terrain_sample_at(&terrain, shape->x, &ground);
+    w->ground->sample_at(&terrain, shape->x, &ground);
     return (thud_closest){.nx = ground.nx, .ny = ground.ny, .ax = shape->x, .ay = ground.height,
                           .bx = shape->x, .by = ground.height};
 }
@@ -95,20 +95,24 @@ static bool is_sooner(const meeting *a, const meeting *b)
     return a->time < b->time || (a->time == b->time && a->pair < b->pair);
 }
 
-static void meet(sweep *s, int other, bool hit, double time)
+/* `inside`: the core met it. The smaller shape meets a little later than the real one does. */
+static void meet(sweep *s, int other, bool inside, bool hit, double time)
 {
-    meeting m = {time, (int64_t)s->shape << 32 | other};
-    if (hit && is_sooner(&m, &s->next) && is_sooner(&s->last, &m)) {
-        s->next = m;
+    const thud_motion *m = &s->motion;
+    if (!inside) {
+        time -= s->shrink / __builtin_sqrt(m->dx * m->dx + m->dy * m->dy);
+        time = time > 0.0 ? time : 0.0;
+    }
+    meeting met = {time, (int64_t)s->shape << 32 | other};
+    if (hit && !(inside && time <= 0.0) && is_sooner(&met, &s->next) && is_sooner(&s->last, &met)) {
+        s->next = met;
     }
 }
 
-/* The smaller shape met something at `time`: the real one did a little before. */
-static double step_back(const sweep *s, double time)
+/* Where even the smaller shape overlaps at the start, the core goes alone, and does not turn. */
+static thud_motion motion_of(const sweep *s, bool inside)
 {
-    double length = __builtin_sqrt(s->motion.dx * s->motion.dx + s->motion.dy * s->motion.dy);
-    double back = time - s->shrink / length;
-    return back > 0.0 ? back : 0.0;
+    return (thud_motion){s->motion.dx, s->motion.dy, inside ? 0.0 : s->motion.turn};
 }
 
 static void against_shape(sweep *s, int other)
@@ -123,13 +127,10 @@ static void against_shape(sweep *s, int other)
     double time = 1.0;
     thud_motion still = {0.0, 0.0, 0.0};
     thud_placed b = td_shape_placed(w, other, s->start);
-    if (thud_shapes_overlap(&s->placed, &b)) {
-        thud_shapes_time_of_impact(&s->core, s->core_motion, &b, still, 0.0, &hit, &time);
-        meet(s, other, hit && time > 0.0, time);
-    } else {
-        thud_shapes_time_of_impact(&s->placed, s->motion, &b, still, 0.0, &hit, &time);
-        meet(s, other, hit, step_back(s, time));
-    }
+    bool inside = thud_shapes_overlap(&s->placed, &b);
+    thud_shapes_time_of_impact(inside ? &s->core : &s->placed, motion_of(s, inside), &b, still, 0.0,
+                               &hit, &time);
+    meet(s, other, inside, hit, time);
 }
 
 /* Whether the bounds of the sweep come down to any segment at all; most falling bodies' do not. */
@@ -162,18 +163,16 @@ static void against_terrain(sweep *s, int other)
     const td_place *origin = &td_stance_at(w, other)->center;
     double ox = (double)(s->start.x - origin->x) / w->to_fixed;
     double oy = (double)(s->start.y - origin->y) / w->to_fixed;
-    thud_placed placed = s->placed, core = s->core;
+    thud_placed placed = s->placed;
     placed.x += ox, placed.y += oy;
-    core.x += ox, core.y += oy;
-    bool hit = false;
+    bool hit = false, inside = w->ground->overlap(&terrain, &placed);
     double time = 1.0;
-    if (thud_terrain_overlap(&terrain, &placed)) {
-        thud_terrain_time_of_impact(&terrain, &core, s->core_motion, 0.0, &hit, &time);
-        meet(s, other, hit && time > 0.0, time);
-    } else {
-        thud_terrain_time_of_impact(&terrain, &placed, s->motion, 0.0, &hit, &time);
-        meet(s, other, hit, step_back(s, time));
+    if (inside) {
+        placed = s->core;
+        placed.x += ox, placed.y += oy;
     }
+    w->ground->time_of_impact(&terrain, &placed, motion_of(s, inside), 0.0, &hit, &time);
+    meet(s, other, inside, hit, time);
 }
 
 /* Bounds of the whole sweep, for the grid. */
@@ -212,7 +211,6 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
         (double)delta[0] + (double)(end_c * arm_x - end_s * arm_y) - s->placed.x,
         (double)delta[1] + (double)(end_s * arm_x + end_c * arm_y) - s->placed.y,
         shape->kind == THUD_OBB ? (double)delta[2] : 0.0};
-    s->core_motion = (thud_motion){s->motion.dx, s->motion.dy, 0.0};
 }
 
 static void stop_at(thud_world *w, int index, td_place start, uint32_t start_angle, double time,

@@ -1,10 +1,15 @@
 /* kind_terrain.c: what a world needs once it has terrain. */
 #include "kinds.h"
 #include "seams.h"
+#include "shape.h"
+
+static const td_ground_ops ground = {thud_terrain_overlap, thud_terrain_time_of_impact,
+                                     thud_terrain_sample_at};
 
 void td_kind_terrain(thud_world *w)
 {
     w->pairs[TD_PAIR_TERRAIN_CIRCLE] = &TD_PICK_WIDE(w, td_pair_terrain_circle);
     w->pairs[TD_PAIR_TERRAIN_BOX] = &TD_PICK_WIDE(w, td_pair_terrain_box);
     w->seams = &td_seams;
+    w->ground = &ground;
 }

@@ -252,7 +252,7 @@ static bool sensor_overlaps(const thud_world *w, const td_contact *contact)
     thud_placed placed_b = td_shape_placed(w, b, origin);
     if (td_shape_at(w, a)->kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(w, a);
-        return thud_terrain_overlap(&terrain, &placed_b);
+        return w->ground->overlap(&terrain, &placed_b);
     }
     thud_placed placed_a = td_shape_placed(w, a, origin);
     return thud_shapes_overlap(&placed_a, &placed_b);

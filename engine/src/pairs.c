@@ -2,6 +2,7 @@
 #include "pairs.h"
 
 #include "contact.h"
+#include "seams.h"
 
 #include <string.h>
 
@@ -113,6 +114,9 @@ bool td_pairs_create(thud_world *w)
     for (int i = 0; i < pairs->count; i++) {
         td_new_pair *pair = td_at(pairs, i);
         more[td_pair_of(w, &pair->a, &pair->b)]++;
+        if ((td_shape_at(w, pair->a)->flags & TD_SHAPE_UNSEEN) && !w->seams->see(w, pair->a)) {
+            return false;
+        }
     }
     if (!td_contacts_reserve(w, more)) {
         return false;

@@ -122,28 +122,10 @@ static uint8_t ends_at(const td_seam *s, int terrain_shape, int neighbour)
     return (uint8_t)(at_right << TD_FACE_RIGHT | at_left << TD_FACE_LEFT);
 }
 
-static bool note_pair(const td_seam *s, int neighbour, void *context)
+static bool note_own(const td_seam *s, int neighbour, void *context)
 {
     (void)context;
-    /* Of two that came together the one with the higher slot speaks for both. */
-    if ((*td_marks_at(s->w, neighbour) & TD_MARK_FRESH) && neighbour > s->shape) {
-        return false;
-    }
-    thud_placed n = td_shape_placed(s->w, neighbour, s->origin);
-    bool box = s->a.kind == THUD_AABB || s->a.kind == THUD_OBB;
-    bool other_box = n.kind == THUD_AABB || n.kind == THUD_OBB;
-    if (box) {
-        note_box(s, s->shape, &s->a, neighbour);
-    }
-    if (other_box) {
-        note_box(s, neighbour, &n, s->shape);
-    }
-    if (s->a.kind == THUD_TERRAIN) {
-        set(s->w, s->shape, td_shape_at(s->w, s->shape)->seams | ends_at(s, s->shape, neighbour), 0);
-    }
-    if (n.kind == THUD_TERRAIN) {
-        set(s->w, neighbour, td_shape_at(s->w, neighbour)->seams | ends_at(s, neighbour, s->shape), 0);
-    }
+    note_box(s, s->shape, &s->a, neighbour);
     return false;
 }
 
@@ -153,9 +135,55 @@ static bool reserve(thud_world *w)
                             3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
+bool td_seams_see(thud_world *w, int shape)
+{
+    td_seam s = td_seam_of(w, shape, TD_NONE);
+    if (!reserve(w)) {
+        return false;
+    }
+    td_shape_at(w, shape)->flags &= (uint8_t)~TD_SHAPE_UNSEEN;
+    set(w, shape, 0, 0);
+    td_seam_any(&s, &s.a, note_own, NULL);
+    return true;
+}
+
+static void forget(thud_world *w, int shape)
+{
+    td_shape *s = td_shape_at(w, shape);
+    if (s->kind == THUD_AABB || s->kind == THUD_OBB) {
+        s->flags |= TD_SHAPE_UNSEEN;
+        set(w, shape, 0xff, 0);
+    }
+}
+
+/* What has contacts is seen at once. */
+static bool is_due(const td_seam *s, int neighbour, void *context)
+{
+    const td_shape *n = td_shape_at(s->w, neighbour);
+    bool due = (n->flags & TD_SHAPE_UNSEEN) && td_body_at(s->w, n->body)->first_contact != TD_NONE;
+    *(int *)context = due ? neighbour : *(int *)context;
+    return due;
+}
+
+/* Lines note their ends at once, since they are few. */
+static bool forget_pair(const td_seam *s, int neighbour, void *context)
+{
+    int pair[] = {s->shape, neighbour};
+    for (int i = 0; i < 2; i++) {
+        if (td_shape_at(s->w, pair[i])->kind == THUD_TERRAIN) {
+            unsigned ends = ends_at(s, pair[i], pair[!i]);
+            set(s->w, pair[i], td_shape_at(s->w, pair[i])->seams | ends, 0);
+        }
+    }
+    forget(s->w, neighbour);
+    is_due(s, neighbour, context);
+    return false;
+}
+
 /* Boxes are found by a terrain that came as well: all of them, since lines are few. */
 bool td_seams_find(thud_world *w, int shape)
 {
+    int due = TD_NONE;
     if (!td_is_ground(w, shape)) {
         return true;
     }
@@ -163,15 +191,29 @@ bool td_seams_find(thud_world *w, int shape)
     if (s.a.kind == THUD_TERRAIN) {
         for (int i = 0; i < w->rest_shapes.ids.count; i++) {
             int n = *(int *)td_at(&w->rest_shapes.ids, i);
-            if (td_is_ground(w, n)) {
-                note_pair(&s, n, NULL);
+            if (!td_is_ground(w, n)) {
+                continue;
+            }
+            forget_pair(&s, n, &due);
+            if (due == n && !td_seams_see(w, n)) {
+                return false;
             }
         }
     }
     if (!reserve(w)) {
         return false;
     }
-    td_seam_any(&s, &s.a, note_pair, NULL);
+    due = TD_NONE;
+    forget(w, shape);
+    td_seam_any(&s, &s.a, forget_pair, &due);
+    is_due(&s, shape, &due);
+    while (due != TD_NONE) {
+        if (!td_seams_see(w, due)) {
+            return false;
+        }
+        due = TD_NONE;
+        td_seam_any(&s, &s.a, is_due, &due);
+    }
     return true;
 }
 

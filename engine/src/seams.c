@@ -290,4 +290,4 @@ static void amend_all(thud_world *w)
     }
 }
 
-const td_seam_ops td_seams = {td_seams_find, td_seams_lose, amend, amend_all};
+const td_seam_ops td_seams = {td_seams_find, td_seams_see, td_seams_lose, amend, amend_all};

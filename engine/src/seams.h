@@ -17,10 +17,17 @@ static inline unsigned td_corner_bit(bool right, bool top)
     return 1u << (TD_FACES + right + 2 * top);
 }
 
+/* In td_shape.flags, of a static box that nothing has come near: nobody has looked yet what it stands
+ * at, and every bit of td_shape.seams is set. */
+enum { TD_SHAPE_UNSEEN = 4 };
+
 /* Plugged into a world with the first box or line, see kinds.h. */
 typedef struct td_seam_ops {
-    /* Looks for what a static shape that came or moved stands next to. False when memory is short. */
+    /* A static shape came or moved: it and its neighbours are to be looked at, at once where they have
+     * contacts. False when memory is short. */
     bool (*find)(thud_world *w, int shape);
+    /* Looks what an unseen shape stands at, before it gets a contact. Likewise. */
+    bool (*see)(thud_world *w, int shape);
     /* Before a static body's shapes leave or move: their neighbours will look anew. Likewise. */
     bool (*lose)(thud_world *w, int body);
     /* Takes ghosts out of the lanes of a block whose first shapes are static: a contact with a hidden
@@ -33,6 +40,7 @@ typedef struct td_seam_ops {
 extern const td_seam_ops td_seams;
 
 bool td_seams_find(thud_world *w, int shape); /* seam_find.c */
+bool td_seams_see(thud_world *w, int shape);
 bool td_seams_lose(thud_world *w, int body);
 
 #endif

@@ -33,6 +33,14 @@ void td_shape_mark_moved(thud_world *w, int shape);
 /* A shape in its place, relative to `origin`; of a terrain, only where its origin stands. */
 thud_placed td_shape_placed(const thud_world *w, int shape, td_place origin);
 
+/* What is asked of a line; plugged into a world with the first one, see kinds.h. */
+typedef struct td_ground_ops {
+    bool (*overlap)(const thud_terrain *terrain, const thud_placed *shape);
+    thud_result (*time_of_impact)(const thud_terrain *terrain, const thud_placed *shape,
+                                  thud_motion motion, double target, bool *hit, double *time);
+    thud_result (*sample_at)(const thud_terrain *terrain, double x, thud_terrain_sample *out);
+} td_ground_ops;
+
 /* A view of a terrain shape's line, relative to its body's origin. */
 thud_terrain td_terrain_view(const thud_world *w, int shape);
 

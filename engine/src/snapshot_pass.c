@@ -308,6 +308,7 @@ static void plug_in(thud_world *w, const td_snapshot_head *head)
 {
     memset(w->pairs, 0, sizeof w->pairs);
     w->seams = NULL;
+    w->ground = NULL;
     static void (*const kinds[])(thud_world *) = {td_kind_circle, td_kind_aabb, td_kind_obb,
                                                   td_kind_terrain};
     for (int i = 0; i < 4; i++) {

@@ -171,6 +171,7 @@ struct thud_world {
     uint32_t number;                                  /* mixed into generations */
     const td_pair_ops *pairs[TD_PAIR_TOUCH_COUNT];    /* plugged in by kinds.h */
     const struct td_seam_ops *seams;                  /* likewise; null: nothing has faces */
+    const struct td_ground_ops *ground;               /* likewise; null: there are no lines */
     bool wide;                                        /* AVX2 kernels may run */
     bool locked;                                      /* inside a callback */
     float unit;                                       /* L in the caller's unit */
