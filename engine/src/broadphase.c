@@ -69,11 +69,6 @@ bool td_broadphase_refresh(thud_world *w)
 
 /* ---- new pairs ---- */
 
-static const td_bounds *bounds_before(const thud_world *w, int shape)
-{
-    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
-}
-
 /* Stamps every shape that shape a has a contact with; returns how many there are. */
 static int stamp_partners(thud_world *w, int a)
 {
@@ -105,7 +100,7 @@ static unsigned turn_of(const thud_world *w, int a, int b)
  * `skipped`: bits of turns that it is not. */
 static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned skipped)
 {
-    const td_bounds *before = bounds_before(w, a);
+    const td_bounds *before = td_bounds_before(w, a);
     const uint32_t *stamps = w->scratch.stamps.data;
     int own = *td_marks_at(w, a);
     bool stamped = false;
@@ -122,7 +117,7 @@ static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned s
             }
             existed = stamps[hits[i]] == w->scratch.stamp;
         } else if (!(marks & TD_MARK_FRESH)) {
-            existed = td_bounds_overlap(before, bounds_before(w, hits[i]));
+            existed = td_bounds_overlap(before, td_bounds_before(w, hits[i]));
         }
         if (!existed && !td_pairs_add(w, a, hits[i], 0)) {
             return false;
@@ -280,61 +275,6 @@ static bool pair_across(thud_world *w)
     return true;
 }
 
-/* ---- terrain: each segment is a shape of its own, found by its index ---- */
-
-static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
-{
-    const td_stance *stance = td_stance_at(w, shape);
-    if (td_terrain_below(w, terrain_shape, stance->center, &stance->fat)) {
-        return true;
-    }
-    thud_terrain terrain = td_terrain_view(w, terrain_shape);
-    int marks = *td_marks_at(w, terrain_shape) | *td_marks_at(w, shape);
-    if (!td_pair_allowed(w, terrain_shape, shape)) {
-        return true;
-    }
-    int first, last;
-    td_place at = td_stance_at(w, shape)->center;
-    td_terrain_segments_of(w, terrain_shape, &terrain, at, td_fat_at(w, shape), &first, &last);
-    for (int i = first; i <= last; i++) {
-        if (!td_terrain_reaches(w, terrain_shape, &terrain, at, td_fat_at(w, shape), i)) {
-            continue;
-        }
-        bool old = !(marks & (TD_MARK_WOKEN | TD_MARK_FRESH)) && !w->vast &&
-                   td_terrain_reaches(w, terrain_shape, &terrain, at, bounds_before(w, shape), i);
-        if (!old && !td_pairs_add(w, terrain_shape, shape, i)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool pair_terrains(thud_world *w)
-{
-    for (int t = 0; t < w->terrains.count; t++) {
-        const td_terrain_record *record = td_slot_at(&w->terrains, t);
-        if (record->shape == TD_NONE) {
-            continue;
-        }
-        if (*td_marks_at(w, record->shape) & TD_MARK_FRESH) {
-            const td_array *all = &w->awake_shapes.ids;
-            for (int i = 0; i < all->count; i++) {
-                if (!pair_terrain(w, record->shape, *(int *)td_at(all, i))) {
-                    return false;
-                }
-            }
-            continue;
-        }
-        for (int i = 0; i < w->moved.count; i++) {
-            int shape = *(int *)td_at(&w->moved, i);
-            if (is_awake(w, shape) && !pair_terrain(w, record->shape, shape)) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
 /* ---- the stage ---- */
 
 /* Wider than half the way around the bounds. */
@@ -405,7 +345,7 @@ bool td_broadphase(thud_world *w)
         return false;
     }
     td_pairs_filter(w, 0);
-    if (!find_seams(w) || !pair_terrains(w) || !td_pairs_sort(w) || !td_pairs_create(w)) {
+    if (!find_seams(w) || !td_pairs_add_ground(w) || !td_pairs_sort(w) || !td_pairs_create(w)) {
         return false;
     }
     clear_marks(w);

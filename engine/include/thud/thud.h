@@ -67,9 +67,8 @@ typedef struct thud_contact_settings {
 } thud_contact_settings;
 
 /* Called for every pair that touches or is about to, before it is solved; and where detection finds
- * another one on the way, before it is resolved there (`continuous` asks about static shapes, in the
- * order in which the body meets them and up to the first that stops it, and heeds nothing but the
- * answer). False: the pair does nothing in this step. */
+ * another one on the way, before it is resolved there (`continuous` asks about static shapes as the body
+ * meets them, up to the one that stops it, and heeds only the answer). False: the pair does nothing. */
 typedef bool thud_prologue_fn(thud_world *world, const thud_contact *contact,
                               thud_contact_settings *settings, void *context);
 /* Called for every touching pair that was solved, after the step's motion; and for every impact that
