@@ -8,9 +8,8 @@
  * hook has heard why. Output pointers may be null where the answer is not wanted, unless said
  * otherwise.
  *
- * A world computes, and calls back, in a floating-point mode of its own, whatever that of the calling
- * thread or of a crew's is (denormals flushed, another rounding, traps), and gives it back: on x86-64 and
- * AArch64; wasm has no other, and elsewhere it must be the caller's, as it is in geometry without a world. */
+ * A world computes, and calls back, in a floating-point mode of its own, whatever that of the calling or a
+ * crew's thread is, and gives it back: on x86-64, AArch64 and wasm, elsewhere it must be the thread's. */
 #ifndef THUD_H
 #define THUD_H
 
