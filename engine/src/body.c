@@ -178,9 +178,13 @@ void td_body_weigh(thud_world *w, int index)
     td_body *body = td_body_at(w, index);
     double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
     bool dynamic = body->kind == THUD_DYNAMIC;
+    if (body->aabbs) {
+        td_body_velocity(w, body)[2] = 0.0f; /* it keeps its axes */
+    }
     for (int i = body->first_shape; dynamic && i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
-        double area, moment, density = (double)shape->density;
+        double area, moment;
+        double density = shape->flags & TD_SHAPE_WAITS ? 0.0 : (double)shape->density;
         double x = (double)shape->x, y = (double)shape->y;
         area_of(shape, &area, &moment);
         mass += density * area;

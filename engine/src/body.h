@@ -50,10 +50,18 @@ typedef enum td_put_off_kind {
     TD_PUT_IMPULSE,
     TD_PUT_FORCE,
     TD_PUT_AWAKE,
-    TD_PUT_ENABLED
+    TD_PUT_ENABLED,
+    TD_PUT_SHAPE /* value[0]: it has been made, and counts from now on */
 } td_put_off_kind;
+
+/* Room for one more, where there are any: inside a callback. */
+bool td_put_off_reserve(thud_world *w);
+void td_put_off_add(thud_world *w, int body, td_put_off_kind what, const double value[4]);
 
 /* Does what callbacks asked for during the last step, in the order they asked. */
 void td_put_off_apply(thud_world *w);
+
+/* Whether one of them puts the body at an angle, or has one that heeds no force turn. */
+bool td_put_off_turns(const thud_world *w, int body);
 
 #endif

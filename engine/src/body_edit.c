@@ -68,11 +68,19 @@ static void set_enabled(thud_world *w, int index, const double v[4])
     }
 }
 
+static void add_shape(thud_world *w, int index, const double v[4])
+{
+    td_shape_at(w, (int)v[0])->flags &= (uint8_t)~TD_SHAPE_WAITS;
+    if (td_body_at(w, index)->kind != THUD_STATIC) {
+        td_body_weigh(w, index);
+    }
+}
+
 static void act(thud_world *w, int index, td_put_off_kind what, const double v[4])
 {
     static void (*const acts[])(thud_world *, int, const double[4]) = {
-        transform, set_velocity, impulse, force, set_awake, set_enabled};
-    if (!(td_body_at(w, index)->flags & TD_BODY_QUARANTINED)) {
+        transform, set_velocity, impulse, force, set_awake, set_enabled, add_shape};
+    if (what == TD_PUT_SHAPE || !(td_body_at(w, index)->flags & TD_BODY_QUARANTINED)) {
         acts[what](w, index, v);
     }
 }
@@ -89,20 +97,41 @@ void td_put_off_apply(thud_world *w)
     w->put_off.count = 0;
 }
 
+bool td_put_off_reserve(thud_world *w)
+{
+    return !w->locked || td_array_reserve(&w->memory, &w->put_off, w->put_off.count + 1);
+}
+
+void td_put_off_add(thud_world *w, int index, td_put_off_kind what, const double v[4])
+{
+    *(td_put_off *)td_at(&w->put_off, w->put_off.count++) =
+        (td_put_off){.body = index,
+                     .generation = td_body_at(w, index)->generation,
+                     .what = (int32_t)what,
+                     .value = {v[0], v[1], v[2], v[3]}};
+}
+
+bool td_put_off_turns(const thud_world *w, int index)
+{
+    bool turns = false, kinematic = td_body_at(w, index)->kind == THUD_KINEMATIC;
+    for (int i = 0; i < w->put_off.count; i++) {
+        const td_put_off *edit = td_at(&w->put_off, i);
+        turns |= edit->body == index && edit->value[2] != 0.0 &&
+                 (edit->what == TD_PUT_TRANSFORM || (edit->what == TD_PUT_VELOCITY && kinematic));
+    }
+    return turns;
+}
+
 static thud_result edit(thud_world *w, int index, td_put_off_kind what, const double v[4])
 {
     if (!w->locked) {
         act(w, index, what, v);
         return THUD_OK;
     }
-    if (!td_array_reserve(&w->memory, &w->put_off, w->put_off.count + 1)) {
+    if (!td_put_off_reserve(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "body edit: out of memory");
     }
-    *(td_put_off *)td_at(&w->put_off, w->put_off.count++) =
-        (td_put_off){.body = index,
-                     .generation = td_body_at(w, index)->generation,
-                     .what = (int32_t)what,
-                     .value = {v[0], v[1], v[2], v[3]}};
+    td_put_off_add(w, index, what, v);
     return THUD_OK;
 }
 

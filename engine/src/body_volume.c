@@ -49,8 +49,11 @@ thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kin
     }
     int i = td_body_at(w, index)->first_shape;
     thud_volume volume, shape;
-    result = i == TD_NONE ? THUD_ERROR_INVALID : THUD_OK;
-    for (bool first = true; i != TD_NONE && result == THUD_OK; i = td_shape_at(w, i)->next) {
+    bool first = true;
+    for (; i != TD_NONE && result == THUD_OK; i = td_shape_at(w, i)->next) {
+        if (td_shape_at(w, i)->flags & TD_SHAPE_WAITS) {
+            continue;
+        }
         result = around_shape(w, kind, i, td_place_from(w, origin), &shape);
         if (result == THUD_OK && !first) {
             result = thud_volume_merge(kind, &volume, &shape, &volume);
@@ -59,6 +62,7 @@ thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kin
         }
         first = false;
     }
+    result = result == THUD_OK && first ? THUD_ERROR_INVALID : result;
     if (result != THUD_OK) {
         return td_refuse(w, result, "body volume: no such volume, no shapes, or a line without end");
     }

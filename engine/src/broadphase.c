@@ -164,8 +164,7 @@ static bool take_turns(thud_world *w, int shape, int first, unsigned skipped)
     skipped += (skipped + 1) * turns_for(pairs->count - first, most);
     for (int i = first; i < pairs->count; i++) {
         const td_new_pair *pair = td_at(pairs, i);
-        bool sensor =
-            (td_shape_at(w, pair->a)->flags | td_shape_at(w, pair->b)->flags) & TD_SHAPE_SENSOR;
+        bool sensor = td_senses(w, pair->a) || td_senses(w, pair->b);
         if (sensor || !(turn_of(w, pair->a, pair->b) & skipped)) {
             *(td_new_pair *)td_at(pairs, kept++) = *pair;
         }
@@ -243,6 +242,23 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved)
     return true;
 }
 
+/* A sensor sees who sleeps where it comes to, and one that sleeps what comes to it. Where both moved,
+ * the lower shape finds the pair. */
+static bool pair_sensed(thud_world *w, int shape)
+{
+    bool own = td_senses(w, shape);
+    if ((!own && !w->mobile_sensors) || td_shape_at(w, shape)->kind == THUD_TERRAIN) {
+        return true;
+    }
+    bool done = query(w, &w->rest_shapes, shape);
+    for (int k = 0; k < w->scratch.hits.count && done; k++) {
+        const int *other = td_at(&w->scratch.hits, k);
+        bool finds = (own || td_senses(w, *other)) && !(moved(w, *other) && *other < shape);
+        done = !finds || add_new(w, shape, other, 1, 0);
+    }
+    return done;
+}
+
 static bool pair_moved(thud_world *w, int shape)
 {
     return query(w, &w->rest_shapes, shape) &&
@@ -267,7 +283,7 @@ static bool pair_across(thud_world *w)
     for (int i = 0; i < w->moved.count; i++) {
         int shape = *(int *)td_at(&w->moved, i);
         bool done = is_awake(w, shape) ? few || rest->count == 0 || pair_moved(w, shape)
-                                       : pair_resting(w, shape, false);
+                                       : pair_resting(w, shape, false) && pair_sensed(w, shape);
         if (!done) {
             return false;
         }

@@ -16,11 +16,17 @@ static int other_body(const thud_world *w, int edge)
     return contact->body[1 - (edge & 1)];
 }
 
-/* Wakes every sleeping body that touches this one, or is in its sensor. */
+/* Wakes every sleeping body that touches this one; what is in a sensor sleeps on, and is looked at
+ * again. */
 static bool wake_touching(thud_world *w, int body)
 {
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (td_contact_at(w, e / 2)->open && !td_wake(w, other_body(w, e))) {
+        const td_contact *contact = td_contact_at(w, e / 2);
+        if (contact->kind == TD_PAIR_SENSOR) {
+            if (contact->state == TD_RESTING) {
+                td_contact_wait(w, e / 2);
+            }
+        } else if (contact->open && !td_wake(w, other_body(w, e))) {
             return false;
         }
     }
@@ -60,6 +66,8 @@ static void free_shape(thud_world *w, int index)
         td_slots_give(&w->terrains, shape->terrain);
     }
     w->thinnest_stale = true;
+    w->mobile_sensors -= (shape->flags & TD_SHAPE_SENSOR) &&
+                         td_body_at(w, shape->body)->kind == THUD_DYNAMIC;
     shape->flags = 0;
     *td_marks_at(w, index) = 0;
     shape->generation++;

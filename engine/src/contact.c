@@ -51,11 +51,10 @@ td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b)
 bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b)
 {
     const td_shape *a = td_shape_at(w, shape_a), *b = td_shape_at(w, shape_b);
-    if (a->body == b->body || ((a->flags & b->flags) & TD_SHAPE_SENSOR)) {
-        return false;
-    }
     const td_body *body_a = td_body_at(w, a->body), *body_b = td_body_at(w, b->body);
-    if ((body_a->kind != THUD_DYNAMIC && body_b->kind != THUD_DYNAMIC) ||
+    /* A collision needs a body that gives way, a sensor one that may come and go. */
+    int least = (a->flags | b->flags) & TD_SHAPE_SENSOR ? THUD_KINEMATIC : THUD_DYNAMIC;
+    if (a->body == b->body || (body_a->kind < least && body_b->kind < least) ||
         ((body_a->flags | body_b->flags) & TD_BODY_DISABLED)) {
         return false;
     }
@@ -159,10 +158,10 @@ void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_
 
 bool td_contact_end_reserve(thud_world *w, int more)
 {
-    return !w->def.contact_events ||
-           (td_array_reserve(&w->memory, &w->events.end, w->events.end.count + more) &&
-            td_array_reserve(&w->memory, &w->events.sensor_end,
-                             w->events.sensor_end.count + more));
+    td_event_lists *e = &w->events;
+    int sensed = td_min_int(more, w->contact_count[TD_PAIR_SENSOR]);
+    return (!w->def.contact_events || td_array_reserve(&w->memory, &e->end, e->end.count + more)) &&
+           td_array_reserve(&w->memory, &e->sensor_end, e->sensor_end.count + 2 * sensed);
 }
 
 /* A line has a contact a segment, but callers hear of it as of one shape: a pair begins with its
@@ -185,29 +184,42 @@ static bool open_elsewhere(const thud_world *w, int contact_index)
     return false;
 }
 
-static void push_event(thud_world *w, td_array *list, int contact_index)
+static void push_event(thud_world *w, td_array *list, int shape_a, int shape_b)
+{
+    *(thud_contact_event *)td_at(list, list->count++) =
+        (thud_contact_event){td_shape_handle(w, shape_a), td_shape_handle(w, shape_b)};
+}
+
+/* A sensor is there to report, also where nobody wants to hear of touches. */
+static void tell(thud_world *w, td_array *touch, td_array *sensed, int contact_index)
 {
     const td_contact *contact = td_contact_at(w, contact_index);
-    if (w->def.contact_events && !open_elsewhere(w, contact_index)) {
-        *(thud_contact_event *)td_at(list, list->count++) = (thud_contact_event){
-            td_shape_handle(w, contact->shape_a), td_shape_handle(w, contact->shape_b)};
+    int a = contact->shape_a, b = contact->shape_b;
+    if (open_elsewhere(w, contact_index)) {
+        return;
+    }
+    if (contact->kind != TD_PAIR_SENSOR) {
+        if (w->def.contact_events) {
+            push_event(w, touch, a, b);
+        }
+        return;
+    }
+    push_event(w, sensed, a, b);
+    if (td_shape_at(w, b)->flags & TD_SHAPE_SENSOR) {
+        push_event(w, sensed, b, a);
     }
 }
 
 void td_contact_begin(thud_world *w, int contact_index)
 {
-    td_contact *contact = td_contact_at(w, contact_index);
-    bool sensor = contact->kind == TD_PAIR_SENSOR;
-    contact->open = 1;
-    push_event(w, sensor ? &w->events.sensor_begin : &w->events.begin, contact_index);
+    td_contact_at(w, contact_index)->open = 1;
+    tell(w, &w->events.begin, &w->events.sensor_begin, contact_index);
 }
 
 void td_contact_end(thud_world *w, int contact_index)
 {
-    td_contact *contact = td_contact_at(w, contact_index);
-    bool sensor = contact->kind == TD_PAIR_SENSOR;
-    contact->open = 0;
-    push_event(w, sensor ? &w->events.sensor_end : &w->events.end, contact_index);
+    td_contact_at(w, contact_index)->open = 0;
+    tell(w, &w->events.end, &w->events.sensor_end, contact_index);
 }
 
 void td_contact_part(thud_world *w, int contact_index)

@@ -120,7 +120,6 @@ void td_contacts_tell(thud_world *w)
     if (!w->def.epilogue) {
         return;
     }
-    w->locked = true;
     for (int i = 0; i < w->scratch.blocks.count; i++) {
         td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
         for (int lane = 0; lane < block->used; lane++) {
@@ -134,5 +133,4 @@ void td_contacts_tell(thud_world *w)
         const td_impact *impact = td_at(&w->scratch.impacts, i);
         w->def.epilogue(w, &impact->seen, w->def.callback_context);
     }
-    w->locked = false;
 }

@@ -90,7 +90,7 @@ static void draw_shapes(const td_drawing *d)
     const int *islands = flags & THUD_DRAW_ISLANDS ? w->scratch.parents.data : NULL;
     for (int i = 0; i < w->shapes.count; i++) {
         const td_shape *shape = td_shape_at(w, i);
-        if (!(shape->flags & TD_SHAPE_LIVE)) {
+        if ((shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) != TD_SHAPE_LIVE) {
             continue;
         }
         const td_bounds *b = td_fat_at(w, i);
@@ -148,10 +148,12 @@ thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw)
         {THUD_DRAW_CONTACTS, td_draw_contacts},
         {THUD_DRAW_MANIFOLDS, td_draw_manifolds},
     };
+    w->locked = true;
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
         if (draw->flags & parts[i].flags) {
             parts[i].run(&d);
         }
     }
+    w->locked = false;
     return THUD_OK;
 }

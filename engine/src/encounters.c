@@ -58,7 +58,7 @@ static bool add_found(thud_world *w, int shape, const td_bounds *ahead)
         int other = *(int *)td_at(hits, i);
         if (td_bounds_overlap(bounds_at_start(w, shape), bounds_at_start(w, other)) ||
             !td_bounds_overlap(ahead, bounds_at_start(w, other)) ||
-            ((td_shape_at(w, other)->flags | td_shape_at(w, shape)->flags) & TD_SHAPE_SENSOR) ||
+            ((td_shape_at(w, other)->flags | td_shape_at(w, shape)->flags) & TD_SHAPE_HOLLOW) ||
             !td_pair_allowed(w, shape, other)) {
             continue;
         }
@@ -80,7 +80,7 @@ static bool add_strays(thud_world *w, int shape, const td_bounds *ahead)
             td_bounds b = bounds_ahead(w, f, other);
             if (td_bounds_overlap(ahead, &b) &&
                 !((td_shape_at(w, other)->flags | td_shape_at(w, shape)->flags) &
-                  TD_SHAPE_SENSOR) &&
+                  TD_SHAPE_HOLLOW) &&
                 td_pair_allowed(w, shape, other) && !add_extra(w, shape, other)) {
                 return false;
             }
@@ -97,7 +97,7 @@ bool td_encounters_around(thud_world *w, td_flight *f)
     for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_bounds ahead = bounds_ahead(w, f, i);
         if (td_bounds_contain(bounds_at_start(w, i), &ahead) ||
-            (td_shape_at(w, i)->flags & TD_SHAPE_SENSOR)) {
+            (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
             continue;
         }
         w->scratch.hits.count = 0;
@@ -123,7 +123,7 @@ bool td_encounters_on_ground(thud_world *w, const td_flight *f)
         for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
             td_bounds ahead = bounds_ahead(w, f, i);
             if (!((td_shape_at(w, record->shape)->flags | td_shape_at(w, i)->flags) &
-                  TD_SHAPE_SENSOR) &&
+                  TD_SHAPE_HOLLOW) &&
                 td_pair_allowed(w, record->shape, i) &&
                 !td_terrain_below(w, record->shape, f->place, &ahead) &&
                 !add_extra(w, record->shape, i)) {

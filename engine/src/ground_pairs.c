@@ -1,4 +1,4 @@
-/* ground_pairs.c: new pairs of lines and what is awake. Each segment is a shape of its own, found by
+/* ground_pairs.c: new pairs of lines and what is awake, or a sensor. Each segment is a shape of its own, found by
  * its index. */
 #include "contact.h"
 #include "pairs.h"
@@ -31,28 +31,28 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
     return true;
 }
 
+/* With those that are awake; sleepers matter to sensors alone. */
+static bool pair_line(thud_world *w, int line, const td_array *shapes)
+{
+    for (int i = 0; i < shapes->count; i++) {
+        int shape = *(int *)td_at(shapes, i);
+        bool awake = td_body_at(w, td_shape_at(w, shape)->body)->awake > 0;
+        if ((awake || td_senses(w, line) || td_senses(w, shape)) && !pair_terrain(w, line, shape)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 bool td_pairs_add_ground(thud_world *w)
 {
     for (int t = 0; t < w->terrains.count; t++) {
-        const td_terrain_record *record = td_slot_at(&w->terrains, t);
-        if (record->shape == TD_NONE) {
-            continue;
-        }
-        if (*td_marks_at(w, record->shape) & TD_MARK_FRESH) {
-            const td_array *all = &w->awake_shapes.ids;
-            for (int i = 0; i < all->count; i++) {
-                if (!pair_terrain(w, record->shape, *(int *)td_at(all, i))) {
-                    return false;
-                }
-            }
-            continue;
-        }
-        for (int i = 0; i < w->moved.count; i++) {
-            int shape = *(int *)td_at(&w->moved, i);
-            if (td_body_at(w, td_shape_at(w, shape)->body)->awake > 0 &&
-                !pair_terrain(w, record->shape, shape)) {
-                return false;
-            }
+        int line = ((const td_terrain_record *)td_slot_at(&w->terrains, t))->shape;
+        bool came = line != TD_NONE && *td_marks_at(w, line) & TD_MARK_FRESH;
+        if (line != TD_NONE && !(came ? pair_line(w, line, &w->awake_shapes.ids) &&
+                                            pair_line(w, line, &w->rest_shapes.ids)
+                                      : pair_line(w, line, &w->moved))) {
+            return false;
         }
     }
     return true;

@@ -65,10 +65,11 @@ static void note_ground(td_move *m)
 {
     thud_mover *mover = &m->mover;
     thud_body_state ground;
-    if (!mover->on_ground || thud_body_get(m->world, mover->ground_body, &ground) != THUD_OK) {
+    if (!mover->on_ground || !thud_body_is_valid(m->world, mover->ground_body)) {
         mover->on_ground = false;
         return;
     }
+    thud_body_get(m->world, mover->ground_body, &ground);
     mover->ground_place = ground.position;
     mover->ground_cosine = ground.cosine;
     mover->ground_sine = ground.sine;
@@ -184,6 +185,7 @@ static void move(td_move *m)
         left = m->stopped ? (td_way){0.0, 0.0} : td_plus(left, up, -td_dot(left, up));
     }
     m->report.velocity = (thud_vec2){(float)left.x, (float)left.y};
+    td_mover_sense(m, (td_way){0.0, 0.0});
     note_ground(m);
 }
 
@@ -205,7 +207,16 @@ thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity
     double sine;
     td_move m = {.world = w, .mover = *mover, .velocity = velocity, .dt = dt};
     td_sincos(mover->max_slope, &sine, &m.walkable);
+    m.solid = mover->filter;
+    m.solid.sensors = false;
+    /* From its beginning to its end it meets the same world, whatever `pass` asks for. */
+    if (!td_query_prepare(w)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "mover: out of memory");
+    }
+    bool was_locked = w->locked;
+    w->locked = true;
     move(&m);
+    w->locked = was_locked;
     if (m.result != THUD_OK) {
         return m.result;
     }

@@ -20,6 +20,7 @@ typedef struct td_move {
     thud_vec2 velocity;       /* asked for */
     td_way left;              /* ... and what is left of it in the air */
     bool stopped;             /* by a wall, on the ground */
+    thud_query_filter solid;  /* the mover's filter without sensors, which stop nobody */
     double dt;
     double walkable;          /* least part of a ground's normal along `up` */
     thud_result result;       /* the first that went wrong; then nothing moves any more */
@@ -61,6 +62,9 @@ bool td_mover_meets(td_move *m, td_way way, thud_mover_hit *hit, double *fractio
 /* Goes the way, up to a skin before whatever is met first; true if something was, and *left is then
  * what remains of the way. */
 bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left);
+
+/* Notes the sensors on a way from where it stands, where the mover's filter wants them. */
+void td_mover_sense(td_move *m, td_way way);
 
 /* Pushes the mover out of what has closed in on it. */
 void td_mover_separate(td_move *m);

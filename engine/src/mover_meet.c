@@ -2,6 +2,7 @@
 #include "mover.h"
 
 #include "placed.h"
+#include "query.h"
 
 enum { MET = 16, PUSHES = 8 };
 
@@ -28,7 +29,7 @@ static int list(td_move *m, td_way way, thud_ray_hit *found)
     shape.x = shape.y = 0.0;
     if (m->result == THUD_OK) {
         m->result = thud_world_cast_shape_all(m->world, center, &shape, way.x, way.y,
-                                              &m->mover.filter, found, MET, &count);
+                                              &m->solid, found, MET, &count);
     }
     return td_min_int(count, MET);
 }
@@ -37,9 +38,10 @@ static int list(td_move *m, td_way way, thud_ray_hit *found)
 static bool stops(td_move *m, const thud_ray_hit *found, thud_mover_hit *hit)
 {
     thud_shape_state shape;
-    if (thud_shape_get(m->world, found->shape, &shape) != THUD_OK) {
+    if (!thud_shape_is_valid(m->world, found->shape)) { /* `pass` has destroyed it */
         return false;
     }
+    thud_shape_get(m->world, found->shape, &shape);
     *hit = (thud_mover_hit){.shape = found->shape,
                             .body = shape.body,
                             .point = found->point,
@@ -66,6 +68,38 @@ bool td_mover_meets(td_move *m, td_way way, thud_mover_hit *hit, double *fractio
     return false;
 }
 
+/* Each sensor once; none of its own body. */
+static void note_sensor(td_move *m, thud_shape_id sensor)
+{
+    thud_mover_report *report = &m->report;
+    thud_shape_state shape;
+    int i = 0;
+    while (i < report->sensor_count && report->sensors[i].index1 != sensor.index1) {
+        i++;
+    }
+    if (i == report->sensor_count && i < THUD_MOVER_SENSORS &&
+        thud_shape_get(m->world, sensor, &shape) == THUD_OK &&
+        !(shape.body.index1 == m->mover.body.index1 && m->mover.body.index1 != 0)) {
+        report->sensors[report->sensor_count++] = sensor;
+    }
+}
+
+void td_mover_sense(td_move *m, td_way way)
+{
+    thud_ray_hit found[THUD_MOVER_SENSORS];
+    int count = 0;
+    thud_placed shape = m->mover.shape;
+    thud_pos center = {shape.x, shape.y};
+    shape.x = shape.y = 0.0;
+    if (m->mover.filter.sensors && m->result == THUD_OK) {
+        m->result = td_query_cast_sensors(m->world, center, &shape, way.x, way.y, &m->mover.filter,
+                                          found, THUD_MOVER_SENSORS, &count);
+    }
+    for (int i = 0; i < td_min_int(count, THUD_MOVER_SENSORS); i++) {
+        note_sensor(m, found[i].shape);
+    }
+}
+
 bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left)
 {
     double length = td_size(way), fraction = 1.0;
@@ -82,6 +116,7 @@ bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left)
         met = going < 1.0;
         going = td_clamp(going, 0.0, 1.0);
     }
+    td_mover_sense(m, td_scaled(way, going));
     if (m->result == THUD_OK) {
         m->mover.shape.x += way.x * going;
         m->mover.shape.y += way.y * going;
@@ -167,7 +202,7 @@ bool td_mover_stands_on(td_move *m, const thud_mover_hit *hit, double bottom)
     bool found;
     thud_ray_hit below;
     return thud_world_cast_ray(m->world, (thud_pos){from.x, from.y}, -2.0 * little * up.x,
-                               -2.0 * little * up.y, &m->mover.filter, &found, &below) == THUD_OK &&
+                               -2.0 * little * up.y, &m->solid, &found, &below) == THUD_OK &&
            found && below.shape.index1 == hit->shape.index1 &&
            (double)below.normal.x * up.x + (double)below.normal.y * up.y >= m->walkable;
 }

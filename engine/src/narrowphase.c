@@ -258,28 +258,31 @@ static bool sensor_overlaps(const thud_world *w, const td_contact *contact)
     return thud_shapes_overlap(&placed_a, &placed_b);
 }
 
-/* Sensor pairs have no lanes: they wait as long as their bounds overlap, and are tested exactly. */
+/* Sensor pairs have no lanes: they wait as long as their bounds overlap, and are tested exactly, once
+ * where neither moves. One that rests gives its place to the last. */
 static bool test_sensors(thud_world *w)
 {
     const td_array *waiting = &w->waiting[TD_PAIR_SENSOR];
     td_array *begin = &w->events.sensor_begin;
-    if (!td_array_reserve(&w->memory, begin, begin->count + waiting->count) ||
+    if (!td_array_reserve(&w->memory, begin, begin->count + 2 * waiting->count) ||
         !td_contact_end_reserve(w, waiting->count)) {
         return false;
     }
-    for (int i = 0; i < waiting->count; i++) {
+    for (int i = 0; i < waiting->count;) {
         int index = *(int *)td_at(waiting, i);
         const td_contact *contact = td_contact_at(w, index);
-        if (!bounds_meet(w, contact)) {
+        bool met = bounds_meet(w, contact), overlaps = met && sensor_overlaps(w, contact);
+        bool rests = met && td_body_at(w, contact->body[0])->awake < 0 &&
+                     td_body_at(w, contact->body[1])->awake < 0;
+        if (!met) {
             td_push_int(&w->scratch.ends, index);
-            continue;
+        } else if (overlaps != contact->open) {
+            (overlaps ? td_contact_begin : td_contact_end)(w, index);
         }
-        bool overlaps = sensor_overlaps(w, contact);
-        if (overlaps && !contact->open) {
-            td_contact_begin(w, index);
-        } else if (!overlaps && contact->open) {
-            td_contact_end(w, index);
+        if (rests) {
+            td_contact_rest(w, index);
         }
+        i += !rests;
     }
     return true;
 }

@@ -15,7 +15,7 @@ bool td_query_passes(const thud_world *w, int index, const thud_query_filter *fi
 {
     const td_shape *shape = td_shape_at(w, index);
     thud_query_filter f = filter ? *filter : thud_default_query_filter();
-    return (shape->flags & TD_SHAPE_LIVE) &&
+    return (shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) == TD_SHAPE_LIVE &&
            !(td_body_at(w, shape->body)->flags & TD_BODY_DISABLED) && (f.sensors || !(shape->flags & TD_SHAPE_SENSOR)) &&
            (shape->filter.category & f.mask) && (shape->filter.mask & f.category);
 }

@@ -30,6 +30,11 @@ bool td_query_prepare(thud_world *w);
  * td_query_prepare. False when memory is short. */
 bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper);
 
+/* As thud_world_cast_shape_all, but meets nothing but sensors, whatever the filter says of them. */
+thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_placed *shape,
+                                  double dx, double dy, const thud_query_filter *filter,
+                                  thud_ray_hit *out, int capacity, int *count);
+
 /* Appends every terrain. */
 bool td_query_list_terrains(thud_world *w);
 

@@ -19,6 +19,7 @@ struct path {
     double dx, dy;
     const thud_placed *shape; /* about the origin; null: a point */
     const thud_query_filter *filter;
+    bool sensors; /* nothing else */
 };
 
 /* The nearest hits so far, in order. */
@@ -146,8 +147,9 @@ static void keep_met(const thud_world *w, const path *way, double after, double 
     for (int i = 0; i < w->scratch.hits.count; i++) {
         int index = *(int *)td_at(&w->scratch.hits, i);
         thud_ray_hit hit;
-        if (td_query_passes(w, index, way->filter) && way->meets(w, index, way, &hit) &&
-            hit.fraction > after && hit.fraction <= until) {
+        if (td_query_passes(w, index, way->filter) &&
+            (!way->sensors || td_shape_at(w, index)->flags & TD_SHAPE_SENSOR) &&
+            way->meets(w, index, way, &hit) && hit.fraction > after && hit.fraction <= until) {
             hit.shape = td_shape_handle(w, index);
             keep(k, &hit);
         }
@@ -300,6 +302,16 @@ thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_pla
     path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
     thud_result result = check_shape(w, &way);
     return result != THUD_OK ? result : cast_first(w, &way, hit, out);
+}
+
+thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_placed *shape,
+                                  double dx, double dy, const thud_query_filter *filter,
+                                  thud_ray_hit *out, int capacity, int *count)
+{
+    path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter,
+                .sensors = true};
+    thud_result result = check_shape(w, &way);
+    return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
 }
 
 thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center, const thud_placed *shape,

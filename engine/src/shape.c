@@ -49,7 +49,7 @@ static bool offset_valid(const thud_world *w, thud_vec2 offset)
 static bool reserve(thud_world *w)
 {
     td_array *arrays[] = {&w->stance, &w->was, &w->marks, &w->moved};
-    if (!td_slots_reserve(&w->memory, &w->shapes, 1)) {
+    if (!td_slots_reserve(&w->memory, &w->shapes, 1) || !td_put_off_reserve(w)) {
         return false;
     }
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
@@ -84,7 +84,8 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
     td_shape *shape = td_shape_at(w, index);
     td_body *body = td_body_at(w, body_index);
     made.generation = shape->generation;
-    made.flags = (uint8_t)(TD_SHAPE_LIVE | (def->sensor ? TD_SHAPE_SENSOR : 0));
+    made.flags = (uint8_t)(TD_SHAPE_LIVE | (def->sensor ? TD_SHAPE_SENSOR : 0) |
+                           (w->locked ? TD_SHAPE_WAITS : 0));
     *td_marks_at(w, index) = TD_MARK_FRESH;
     made.body = body_index;
     made.next = body->first_shape;
@@ -101,10 +102,13 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
     }
     *shape = made;
     w->thinnest_stale = true;
+    w->mobile_sensors += def->sensor && body->kind == THUD_DYNAMIC;
     body->first_shape = index;
     body->shape_count++;
     body->aabbs = (uint8_t)(body->aabbs | (made.kind == THUD_AABB));
-    if (body->kind != THUD_STATIC) {
+    if (w->locked) {
+        td_put_off_add(w, body_index, TD_PUT_SHAPE, (double[4]){index});
+    } else if (body->kind != THUD_STATIC) {
         td_body_weigh(w, body_index);
     }
     td_body_mark(w, body_index, TD_CHANGE_SHAPES);
@@ -149,14 +153,13 @@ thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_sh
         !size_valid(w, body, half.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: offset or half extents are out of range");
     }
-    if (td_pose_at(w, body)->angle != 0) {
+    if (td_pose_at(w, body)->angle != 0 || td_put_off_turns(w, body)) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: its body's angle must be 0");
     }
-    float *velocity = td_body_velocity(w, td_body_at(w, body));
-    if (td_body_at(w, body)->kind == THUD_KINEMATIC && velocity[2] != 0.0f) {
+    if (td_body_at(w, body)->kind == THUD_KINEMATIC &&
+        td_body_velocity(w, td_body_at(w, body))[2] != 0.0f) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: its body must not turn");
     }
-    velocity[2] = 0.0f;
     td_kind_aabb(w);
     return finish(w, body, def,
                   (td_shape){.kind = THUD_AABB, .x = offset.x, .y = offset.y, .angle_c = 1.0f,
@@ -227,7 +230,8 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     if (result != THUD_OK) {
         return td_refuse(w, result, "terrain: not finite, too few points, or x does not rise");
     }
-    if (td_body_at(w, body)->kind != THUD_STATIC || td_pose_at(w, body)->angle != 0) {
+    if (td_body_at(w, body)->kind != THUD_STATIC || td_pose_at(w, body)->angle != 0 ||
+        td_put_off_turns(w, body)) {
         return td_refuse(w, THUD_ERROR_INVALID, "terrain: needs a static body with angle 0");
     }
     if (!td_slots_reserve(&w->memory, &w->terrains, 1)) {

@@ -132,7 +132,9 @@ void td_shape_place(thud_world *w, int index)
 void td_body_place_shapes(thud_world *w, int body)
 {
     for (int i = td_body_at(w, body)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        td_shape_place(w, i);
+        if (!(td_shape_at(w, i)->flags & TD_SHAPE_WAITS)) {
+            td_shape_place(w, i);
+        }
     }
 }
 

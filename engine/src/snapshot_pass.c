@@ -21,7 +21,7 @@ static const struct {
     FIELD(quality.island_patience), FIELD(substeps), FIELD(skin),
     FIELD(number), /* so that handles stay valid */
     FIELD(steps), FIELD(spare_time), FIELD(rest_epoch),
-    FIELD(touching), FIELD(bouncy), FIELD(belts), FIELD(damped),
+    FIELD(touching), FIELD(bouncy), FIELD(belts), FIELD(mobile_sensors), FIELD(damped),
     FIELD(push_stale), FIELD(kinetic), FIELD(kinetic_stale), FIELD(idle_bodies),
     FIELD(thinnest), FIELD(thinnest_stale), FIELD(drowsy_bodies), FIELD(vast),
     POPULATION_FIELDS(awake_shapes), POPULATION_FIELDS(rest_shapes),

@@ -133,7 +133,9 @@ thud_result thud_world_step(thud_world *w)
         return td_refuse(w, THUD_ERROR_LOCKED, "step: not inside a callback");
     }
     uint64_t allocations = w->memory.allocations;
+    w->locked = true; /* whatever of the caller's it calls: callbacks, log, clock, crew, allocator */
     thud_result result = run_stages(w);
+    w->locked = false;
     w->steps += result == THUD_OK;
     w->stats.step_allocations = w->memory.allocations - allocations;
     return result;

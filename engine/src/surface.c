@@ -22,9 +22,7 @@ static bool valid(const thud_world *w, const thud_contact_settings *s)
 bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settings *settings)
 {
     thud_contact_settings wanted = *settings;
-    w->locked = true;
     bool yes = w->def.prologue(w, seen, &wanted, w->def.callback_context);
-    w->locked = false;
     if (valid(w, &wanted)) {
         *settings = wanted;
     } else {

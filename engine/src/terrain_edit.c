@@ -123,7 +123,7 @@ static void disturb_reached(thud_world *w, int terrain_shape, const splice *s)
         const td_shape *shape = td_shape_at(w, i);
         if (stands_in(&changed, stance) && (shape->flags & TD_SHAPE_LIVE) &&
             shape->kind != THUD_TERRAIN && !(*td_marks_at(w, i) & TD_MARK_FRESH) &&
-            td_body_at(w, shape->body)->kind == THUD_DYNAMIC &&
+            td_pair_allowed(w, terrain_shape, i) &&
             reaches_new(w, terrain_shape, &line, s, stance)) {
             disturb(w, terrain_shape, i);
         }

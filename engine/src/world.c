@@ -247,6 +247,10 @@ void thud_world_destroy(thud_world *w)
     if (!w) {
         return;
     }
+    if (w->locked) {
+        td_refuse(w, THUD_ERROR_LOCKED, "world destroy: not inside a callback; it lives on");
+        return;
+    }
     for (int i = 0; i < w->terrains.count; i++) {
         td_array_free(&w->memory, &((td_terrain_record *)td_slot_at(&w->terrains, i))->points);
     }

@@ -58,7 +58,9 @@ typedef struct td_body {
 
 enum { /* td_shape.flags */
     TD_SHAPE_LIVE = 1,
-    TD_SHAPE_SENSOR = 2
+    TD_SHAPE_SENSOR = 2,
+    TD_SHAPE_WAITS = 4, /* made inside a callback: nothing meets or weighs it before the next step */
+    TD_SHAPE_HOLLOW = TD_SHAPE_SENSOR | TD_SHAPE_WAITS /* either: no body is stopped by it */
 };
 
 enum { /* thud_world.marks */
@@ -173,7 +175,7 @@ struct thud_world {
     const struct td_seam_ops *seams;                  /* likewise; null: nothing has faces */
     const struct td_ground_ops *ground;               /* likewise; null: there are no lines */
     bool wide;                                        /* AVX2 kernels may run */
-    bool locked;                                      /* inside a callback */
+    bool locked;                                      /* in a step, or inside a callback */
     float unit;                                       /* L in the caller's unit */
     float quantum;                                    /* caller's unit a position quantum */
     double to_fixed;                                  /* position quanta a caller's unit */
@@ -216,6 +218,7 @@ struct thud_world {
     int touching;                                      /* lanes in use, parked ones too */
     int bouncy;                                        /* ... of which have restitution */
     int belts;                                         /* ... of which have a surface speed */
+    int mobile_sensors;                                /* shapes: sensors of dynamic bodies */
     int contact_count[TD_PAIR_COUNT];
     int damped;                                        /* awake bodies with damping */
     bool push_stale;                                   /* `push` must be made anew */

@@ -107,7 +107,7 @@ void api_mover_set_state(api_mover *m) {
 
 /* Slots out: 0, 1 place  2 on the ground  3, 4 ground's normal  5, 6 its shape  7, 8 its body
  * 9, 10 velocity left  11, 12 ground's velocity  13 depth  14 address and 15 count of what it met:
- * nine doubles each: shape, body, point, normal, depth. */
+ * nine doubles each: shape, body, point, normal, depth; and after them 16 sensors: shapes. */
 int api_mover_move(thud_world *world, api_mover *m, double vx, double vy, double dt, int drop) {
     m->one_way.drop = drop != 0;
     thud_result result = thud_mover_move(world, &m->mover, (thud_vec2){(float)vx, (float)vy}, dt,
@@ -123,6 +123,10 @@ int api_mover_move(thud_world *world, api_mover *m, double vx, double vy, double
                          hit->body.generation, hit->point.x,       hit->point.y,
                          hit->normal.x,        hit->normal.y,      hit->depth};
         api_buffer_push(&rows, row, sizeof row);
+    }
+    for (int i = 0; i < report->sensor_count; i++) {
+        double id[2] = {report->sensors[i].index1, report->sensors[i].generation};
+        api_buffer_push(&rows, id, sizeof id);
     }
     double *s = api_slots;
     s[0] = mover->shape.x;
@@ -141,5 +145,6 @@ int api_mover_move(thud_world *world, api_mover *m, double vx, double vy, double
     s[13] = report->depth;
     s[14] = (double)(uintptr_t)rows.data;
     s[15] = report->hit_count;
+    s[16] = report->sensor_count;
     return api_buffer_result(&rows);
 }

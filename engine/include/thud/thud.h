@@ -35,7 +35,8 @@ typedef struct thud_allocator {
     void *context;
 } thud_allocator; /* all zero: the C library's; one function without the other is refused */
 
-/* Hears why a call was refused; with THUD_OK, that one was done which is hardly meant. */
+/* Hears why a call was refused; with THUD_OK, that one was done which is hardly meant. No hook of a world
+ * (allocator, log, clock, crew) calls any of its functions. */
 typedef void thud_log_fn(thud_result result, const char *message, void *context);
 typedef double thud_clock_fn(void *context); /* seconds, from any start, never backwards */
 
@@ -92,7 +93,8 @@ typedef struct thud_world_def {
     float hit_speed;             /* approaches faster than this are hit events; default 1, as above */
     float maximum_speed;         /* multiples of length_scale per second; default 1e6 */
     bool sleeping;               /* default true */
-    bool contact_events;         /* collect begin, end and hit events; default true */
+    bool contact_events;         /* collect begin, end and hit events; default true. Sensors report
+                                    either way */
     bool baseline_simd;          /* never AVX2: the same bits, slower; for tests. Default false */
     thud_prologue_fn *prologue;  /* null: none */
     thud_epilogue_fn *epilogue;  /* null: none */
@@ -121,7 +123,8 @@ thud_world_def thud_default_world_def(void);
 thud_world_def thud_world_def_of(const thud_quality *quality);
 
 thud_result thud_world_create(const thud_world_def *def, thud_world **out);
-void thud_world_destroy(thud_world *world); /* null is fine */
+/* Null is fine. Inside a callback the log hook hears THUD_ERROR_LOCKED, and the world lives on. */
+void thud_world_destroy(thud_world *world);
 
 /* Runs one step. On THUD_ERROR_MEMORY nothing has moved and no event is told; edits are in effect, as after
  * a query, and whom it was to wake may be awake. Made again it ends with the same bits and events. */
@@ -193,7 +196,8 @@ typedef struct thud_body_state {
 thud_result thud_body_get(const thud_world *world, thud_body_id body, thud_body_state *out);
 
 /* Edits wake the body, also the bodies that touch it. Inside a callback they take effect at the
- * start of the next step. */
+ * start of the next step, or with a query between the two: until then a shape made there takes no
+ * part in anything, its mass included. What is destroyed there is stale at once. */
 thud_result thud_body_set_transform(thud_world *world, thud_body_id body, thud_pos position,
                                     double angle);
 thud_result thud_body_set_velocity(thud_world *world, thud_body_id body, thud_vec2 velocity,
@@ -230,7 +234,7 @@ typedef struct thud_shape_def {
                             runs clockwise about the shape, to +x on its top, as a conveyor belt;
                             a pair's is the sum */
     thud_filter filter;
-    bool sensor;       /* reports overlaps, collides with nothing */
+    bool sensor;       /* reports overlaps, collides with nothing; see thud_events */
     uint64_t user_data;
 } thud_shape_def;
 
@@ -291,7 +295,14 @@ const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alp
  * Of one pair of shapes, begin and end come in turn, and each begin has its end: also when a shape,
  * its body or the ground goes, moves or falls asleep. Where an edit ended a pair, the end comes with
  * the next step. A pair listed in both has ended and begun again, or begun and ended, as it was open
- * before or not. Inside a callback the events are still those of the step before. */
+ * before or not. Inside a callback the events are still those of the step before.
+ *
+ * A sensor reports every shape of another body that it overlaps and that the filters of both let
+ * meet, sensors too: of dynamic, kinematic and static bodies, awake or asleep, whose sleep it does
+ * not disturb. Two static bodies alone are nothing to each other, since neither ever comes or goes:
+ * thud_world_overlap_shape tells what stands where. Of two sensors each reports the other. They go
+ * by where bodies stand as a step begins, after the edits: what moves in within a step is told by the
+ * next one, and what has then passed through altogether is not. */
 
 typedef struct thud_contact_event {
     thud_shape_id shape_a, shape_b; /* of an end event they may have been destroyed since */
@@ -306,7 +317,7 @@ typedef struct thud_hit_event {
 
 typedef struct thud_events {
     const thud_contact_event *begin, *end;
-    const thud_contact_event *sensor_begin, *sensor_end; /* shape_a is the sensor */
+    const thud_contact_event *sensor_begin, *sensor_end; /* shape_a is the sensor that reports */
     const thud_hit_event *hit;
     const thud_body_id *quarantined; /* frozen because they became non-finite */
     int begin_count, end_count, sensor_begin_count, sensor_end_count, hit_count,

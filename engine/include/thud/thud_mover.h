@@ -26,7 +26,7 @@
 extern "C" {
 #endif
 
-enum { THUD_MOVER_HITS = 8 };
+enum { THUD_MOVER_HITS = 8, THUD_MOVER_SENSORS = 16 };
 
 typedef struct thud_mover thud_mover;
 
@@ -41,7 +41,8 @@ typedef struct thud_mover_hit {
 } thud_mover_hit;
 
 /* Asked of whatever would stop the mover; true: it is passed through as if it were not there.
- * `velocity` is the one asked for. The world must not be changed meanwhile. */
+ * `velocity` is the one asked for. The world is locked meanwhile: edits wait until the move is
+ * done, but what is destroyed is met no more; what cannot wait is refused with THUD_ERROR_LOCKED. */
 typedef bool thud_mover_pass_fn(const thud_mover *mover, const thud_mover_hit *hit,
                                 thud_vec2 velocity, void *context);
 
@@ -67,9 +68,10 @@ struct thud_mover {
                                 step_height */
     double push_force;       /* most force on a dynamic body in the way, >= 0; default 0: none */
     thud_body_id body;       /* a kinematic body about the mover's centre that is to follow, so that
-                                dynamic bodies meet the mover; its velocity is set so that the next
-                                step takes it there; default null: none */
-    thud_query_filter filter; /* what the mover meets; default everything but sensors */
+                                dynamic bodies and sensors meet the mover; its velocity is set so
+                                that the next step takes it there; default null: none */
+    thud_query_filter filter; /* what the mover meets; default everything but sensors. Those never
+                                stop it: `sensors` has it report which it went through */
     thud_mover_pass_fn *pass; /* null: nothing is passed through */
     void *context;            /* handed to pass */
 
@@ -95,6 +97,9 @@ typedef struct thud_mover_report {
     double depth;              /* of the deepest overlap left where something closed in; mostly 0 */
     int hit_count;             /* in `hits`, in the order in which they were met */
     thud_mover_hit hits[THUD_MOVER_HITS];
+    int sensor_count;          /* in `sensors`: what it went through or stands in, each once, in the
+                                  order in which they were met; none without filter.sensors */
+    thud_shape_id sensors[THUD_MOVER_SENSORS];
 } thud_mover_report;
 
 /* Moves by velocity * dt, |velocity| * dt <= 1e6, dt in (0, 1], and by what the ground moved

@@ -81,7 +81,7 @@ export class Mover {
       engine.exports.api_mover_move(address, this.address, ...velocity, dt, drop),
     );
     const s = engine.slots;
-    const rows = view(Float64Array, engine.buffer, s[14], HIT * s[15]);
+    const rows = view(Float64Array, engine.buffer, s[14], HIT * s[15] + 2 * s[16]);
     return {
       position: [s[0], s[1]],
       ground:
@@ -96,6 +96,10 @@ export class Mover {
       velocity: [s[9], s[10]],
       depth: s[13],
       hits: Array.from({ length: s[15] }, (_, i) => readHit(rows.subarray(HIT * i))),
+      sensors: Array.from({ length: s[16] }, (_, i) => {
+        const at = HIT * s[15] + 2 * i;
+        return shapeId(rows[at], rows[at + 1]);
+      }),
     };
   }
 

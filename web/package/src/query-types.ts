@@ -54,8 +54,9 @@ export interface MoverOptions {
   snapDistance?: number;
   /** Most force on a dynamic body in the way, mass times length/s². Default 0. */
   pushForce?: number;
-  /** A kinematic body about its centre that follows it, so that dynamic bodies meet it. */
+  /** A kinematic body about its centre that follows it, so that dynamic bodies and sensors meet it. */
   body?: BodyId;
+  /** What it meets. Sensors never stop it: `sensors` has it report which it went through. */
   filter?: QueryFilter;
   /** Bits: shapes of these categories are passed from below and stood on. Default none. */
   oneWay?: number;
@@ -80,6 +81,11 @@ export interface MoverReport {
   /** Of the deepest overlap left where something closed in; mostly 0. */
   depth: number;
   hits: MoverHit[];
+  /**
+   * With `filter.sensors`: those that it went through or stands in, at most 16, each once, in the
+   * order in which they were met.
+   */
+  sensors: ShapeId[];
 }
 
 /** What to look for with `World.overlap`. */

@@ -98,7 +98,7 @@ export interface WorldOptions {
   detection?: Detection;
   /** How pairs are found; all find the same. Default "grid". */
   broadphase?: Broadphase;
-  /** Collect begin, end and hit events. Default true. */
+  /** Collect begin, end and hit events. Default true. Sensors report either way. */
   contactEvents?: boolean;
   /** Measure the time of every stage of the step. Default false. */
   timed?: boolean;
@@ -159,7 +159,7 @@ export interface ShapeOptions {
   mask?: number;
   /** Two of one group: above 0 they always meet, below 0 never. Default 0, no group. */
   group?: number;
-  /** Reports overlaps and collides with nothing. Default false. */
+  /** Reports overlaps and collides with nothing; see Events. Default false. */
   sensor?: boolean;
   /** A whole number from 0 to 2⁵³ - 1. */
   userData?: number;

@@ -20,7 +20,11 @@ export interface HitEvent extends ContactEvent {
 export interface Events {
   begin: ContactEvent[];
   end: ContactEvent[];
-  /** `a` is the sensor. */
+  /**
+   * `a` is the sensor that reports, `b` any shape of another body that both filters let meet: of
+   * every kind of body, awake or asleep, but for two static ones. Of two sensors each reports the
+   * other. They go by where bodies stand as the step begins.
+   */
   sensorBegin: ContactEvent[];
   sensorEnd: ContactEvent[];
   hit: HitEvent[];

@@ -1,0 +1,352 @@
+/* test_sensors.c: whom sensors see: every kind of body, awake or asleep, whatever comes first; and
+ * that seeing disturbs nobody. */
+#include "engine_support.h"
+
+static thud_shape_def sensor_def(void)
+{
+    thud_shape_def def = thud_default_shape_def();
+    def.sensor = true;
+    return def;
+}
+
+/* A box of half extent 1. */
+static thud_shape_id add_sensor(thud_world *world, thud_body_id body)
+{
+    thud_shape_def def = sensor_def();
+    return add_shape(world, body, 1, 1, true, &def);
+}
+
+static int told_of(const thud_contact_event *events, int count, thud_shape_id a, thud_shape_id b)
+{
+    int told = 0;
+    for (int i = 0; i < count; i++) {
+        told += memcmp(&events[i].shape_a, &a, sizeof a) == 0 &&
+                memcmp(&events[i].shape_b, &b, sizeof b) == 0;
+    }
+    return told;
+}
+
+/* Whether the last step told that `a` sees `b`, and nothing else of sensors. */
+static void only_begins(const thud_world *world, thud_shape_id a, thud_shape_id b)
+{
+    thud_events e = thud_world_events(world);
+    assert_int_equal(e.sensor_begin_count, 1);
+    assert_int_equal(told_of(e.sensor_begin, 1, a, b), 1);
+    assert_int_equal(e.sensor_end_count, 0);
+}
+
+static void only_ends(const thud_world *world, thud_shape_id a, thud_shape_id b)
+{
+    thud_events e = thud_world_events(world);
+    assert_int_equal(e.sensor_end_count, 1);
+    assert_int_equal(told_of(e.sensor_end, 1, a, b), 1);
+    assert_int_equal(e.sensor_begin_count, 0);
+}
+
+static void no_sensor_event(const thud_world *world)
+{
+    thud_events e = thud_world_events(world);
+    assert_int_equal(e.sensor_begin_count + e.sensor_end_count, 0);
+}
+
+/* ---- who sees whom ---- */
+
+static void sensor_of_each_kind_sees_each_kind_but_static_static(void **state)
+{
+    (void)state;
+    for (int i = 0; i < THUD_BODY_KIND_COUNT * THUD_BODY_KIND_COUNT; i++) {
+        thud_body_kind own = (thud_body_kind)(i / THUD_BODY_KIND_COUNT);
+        thud_body_kind other = (thud_body_kind)(i % THUD_BODY_KIND_COUNT);
+        thud_world *world = make_world(weightless());
+        thud_shape_id zone = add_sensor(world, add_body(world, own, 0, 0, 0));
+        thud_body_id body = add_body(world, other, 0.5, 0, 0);
+        thud_shape_id shape = add_shape(world, body, 0.5f, 0, false, NULL);
+        run(world, 1);
+        if (own == THUD_STATIC && other == THUD_STATIC) {
+            no_sensor_event(world);
+        } else {
+            only_begins(world, zone, shape);
+            OK(thud_body_set_transform(world, body, (thud_pos){9, 0}, 0));
+            run(world, 1);
+            only_ends(world, zone, shape);
+        }
+        thud_world_destroy(world);
+    }
+}
+
+static void kinematic_body_that_passes_a_sensor_begins_and_ends(void **state)
+{
+    (void)state;
+    thud_world *world = make_world(thud_default_world_def());
+    thud_shape_id coin = add_sensor(world, add_body(world, THUD_STATIC, 3, 0, 0));
+    thud_body_id hero = add_body(world, THUD_KINEMATIC, 0, 0, 0);
+    thud_shape_id shape = add_shape(world, hero, 0.5f, 0.5f, true, NULL);
+    int begun = 0, ended = 0;
+    OK(thud_body_set_velocity(world, hero, (thud_vec2){3, 0}, 0));
+    for (int i = 0; i < 120; i++) {
+        run(world, 1);
+        thud_events e = thud_world_events(world);
+        begun += told_of(e.sensor_begin, e.sensor_begin_count, coin, shape);
+        ended += told_of(e.sensor_end, e.sensor_end_count, coin, shape);
+        assert_int_equal(e.begin_count, 0);
+    }
+    assert_int_equal(begun, 1);
+    assert_int_equal(ended, 1);
+    near_to(state_of(world, hero).position.x, 6, 1e-3);
+    thud_world_destroy(world);
+}
+
+static void two_sensors_report_each_other_where_their_filters_meet(void **state)
+{
+    (void)state;
+    for (int meet = 0; meet < 2; meet++) {
+        thud_world *world = make_world(weightless());
+        thud_shape_def def = sensor_def();
+        def.filter = (thud_filter){2, meet ? 4 : 1, 0};
+        thud_shape_id a = add_shape(world, add_body(world, THUD_STATIC, 0, 0, 0), 1, 0, false, &def);
+        def.filter = (thud_filter){4, 2, 0};
+        thud_body_id body = add_body(world, THUD_KINEMATIC, 1, 0, 0);
+        thud_shape_id b = add_shape(world, body, 1, 0, false, &def);
+        run(world, 1);
+        thud_events e = thud_world_events(world);
+        assert_int_equal(e.sensor_begin_count, meet ? 2 : 0);
+        assert_int_equal(told_of(e.sensor_begin, e.sensor_begin_count, a, b), meet);
+        assert_int_equal(told_of(e.sensor_begin, e.sensor_begin_count, b, a), meet);
+        OK(thud_body_destroy(world, body));
+        run(world, 1);
+        e = thud_world_events(world);
+        assert_int_equal(e.sensor_end_count, meet ? 2 : 0);
+        assert_int_equal(told_of(e.sensor_end, e.sensor_end_count, a, b), meet);
+        assert_int_equal(told_of(e.sensor_end, e.sensor_end_count, b, a), meet);
+        thud_world_destroy(world);
+    }
+}
+
+static void sensors_report_without_contact_events(void **state)
+{
+    (void)state;
+    thud_world_def def = thud_default_world_def();
+    def.contact_events = false;
+    thud_world *world = make_world(def);
+    add_floor(world, NULL);
+    thud_shape_id zone = add_sensor(world, add_body(world, THUD_STATIC, 0, 0.5, 0));
+    thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0.5, 0);
+    thud_shape_id shape = add_shape(world, ball, 0.5f, 0, false, NULL);
+    run(world, 1);
+    only_begins(world, zone, shape);
+    assert_int_equal(thud_world_events(world).begin_count, 0);
+    OK(thud_body_destroy(world, ball));
+    run(world, 1);
+    only_ends(world, zone, shape);
+    assert_int_equal(thud_world_events(world).end_count, 0);
+    thud_world_destroy(world);
+}
+
+/* A line is a sensor as well, and is seen by those that move. */
+static void line_and_sensor_meet_on_kinematic_bodies(void **state)
+{
+    (void)state;
+    for (int how = 0; how < 2; how++) {
+        thud_world *world = make_world(weightless());
+        thud_shape_def def = sensor_def(), plain = thud_default_shape_def();
+        const thud_pos points[] = {{-4, 0}, {-1, 0.5}, {2, 0}, {4, 0.2}};
+        thud_terrain hills = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
+        thud_shape_id line, shape;
+        OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0),
+                                     how ? &def : &plain, &hills, &line));
+        thud_body_id body = add_body(world, THUD_KINEMATIC, 0, 1.5, 0);
+        shape = add_shape(world, body, 1, 0, false, how ? &plain : &def);
+        run(world, 1);
+        no_sensor_event(world);
+        OK(thud_shape_raise(world, line, 0, 1, 1)); /* up to where the body is */
+        run(world, 1);
+        only_begins(world, how ? line : shape, how ? shape : line);
+        OK(thud_body_set_velocity(world, body, (thud_vec2){0, 2}, 0));
+        run(world, 29);
+        no_sensor_event(world);
+        run(world, 31);
+        OK(thud_body_set_transform(world, body, (thud_pos){0, 0}, 0));
+        run(world, 1);
+        only_begins(world, how ? line : shape, how ? shape : line);
+        thud_world_destroy(world);
+    }
+}
+
+/* ---- sleepers ---- */
+
+typedef struct bedroom {
+    thud_world *world;
+    thud_body_id ball;
+    thud_shape_id shape;
+} bedroom;
+
+/* A ball asleep at the origin; as a sensor, it floats. */
+static bedroom make_bedroom(bool sensor)
+{
+    thud_world_def def = thud_default_world_def();
+    thud_shape_def sensing = sensor_def();
+    def.gravity = (thud_vec2){0, 0};
+    bedroom room = {.world = make_world(def)};
+    room.ball = add_body(room.world, THUD_DYNAMIC, 0, 0, 0);
+    room.shape = add_shape(room.world, room.ball, 0.5f, 0, false, sensor ? &sensing : NULL);
+    run(room.world, 60);
+    assert_false(state_of(room.world, room.ball).awake);
+    return room;
+}
+
+/* Adds a static body with the shape that meets the sleeper's, 9 to the right of it or over it. */
+static thud_body_id add_other(const bedroom *room, bool sensor, bool over, thud_shape_id *shape)
+{
+    thud_shape_def sensing = sensor_def();
+    thud_body_id body = add_body(room->world, THUD_STATIC, over ? 0 : 9, 0, 0);
+    *shape = add_shape(room->world, body, 1, 1, true, sensor ? &sensing : NULL);
+    return body;
+}
+
+static void pair_begins_and_ends_while_the_body_sleeps(void **state)
+{
+    (void)state;
+    for (int sleeper_senses = 0; sleeper_senses < 2; sleeper_senses++) {
+        for (int how = 0; how < 4; how++) {
+            bedroom room = make_bedroom(sleeper_senses);
+            thud_world *world = room.world;
+            thud_shape_id other;
+            thud_body_id body = add_other(&room, !sleeper_senses, how == 0 || how == 2, &other);
+            if (how == 1) { /* moved there */
+                run(world, 1);
+                no_sensor_event(world);
+                OK(thud_body_set_transform(world, body, (thud_pos){1, 0}, 0));
+            } else if (how == 2) { /* switched on there */
+                OK(thud_body_set_enabled(world, body, false));
+                run(world, 1);
+                no_sensor_event(world);
+                OK(thud_body_set_enabled(world, body, true));
+            } else if (how == 3) { /* another shape of a body that is there */
+                thud_shape_def def = thud_default_shape_def();
+                def.sensor = !sleeper_senses;
+                run(world, 1);
+                OK(thud_shape_create_circle(world, body, &def, (thud_vec2){-9, 0}, 1, &other));
+            }
+            run(world, 1);
+            only_begins(world, sleeper_senses ? room.shape : other,
+                        sleeper_senses ? other : room.shape);
+            assert_false(state_of(world, room.ball).awake);
+            run(world, 10);
+            no_sensor_event(world);
+            if (how == 0) {
+                OK(thud_body_destroy(world, body));
+            } else if (how == 1) {
+                OK(thud_body_set_transform(world, body, (thud_pos){9, 0}, 0));
+            } else if (how == 2) {
+                OK(thud_body_set_enabled(world, body, false));
+            } else {
+                OK(thud_shape_destroy(world, other));
+            }
+            run(world, 1);
+            only_ends(world, sleeper_senses ? room.shape : other,
+                      sleeper_senses ? other : room.shape);
+            assert_false(state_of(world, room.ball).awake);
+            thud_world_destroy(world);
+        }
+    }
+}
+
+/* By a little, so that its bounds never part from the sleeper's. */
+static void sensor_that_moves_a_little_ends_and_begins_over_a_sleeper(void **state)
+{
+    (void)state;
+    bedroom room = make_bedroom(false);
+    thud_shape_id zone;
+    thud_body_id body = add_other(&room, true, true, &zone);
+    run(room.world, 1);
+    only_begins(room.world, zone, room.shape);
+    OK(thud_body_set_transform(room.world, body, (thud_pos){1.502, 0}, 0));
+    run(room.world, 1);
+    only_ends(room.world, zone, room.shape);
+    OK(thud_body_set_transform(room.world, body, (thud_pos){1.498, 0}, 0));
+    run(room.world, 1);
+    only_begins(room.world, zone, room.shape);
+    assert_false(state_of(room.world, room.ball).awake);
+    thud_world_destroy(room.world);
+}
+
+static void line_that_comes_to_a_sleeping_sensor_is_seen(void **state)
+{
+    (void)state;
+    for (int how = 0; how < 2; how++) {
+        bedroom room = make_bedroom(how == 0);
+        const thud_pos points[] = {{-4, 0}, {4, 0}};
+        thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 2};
+        thud_shape_def def = how ? sensor_def() : thud_default_shape_def();
+        thud_shape_id ground;
+        thud_body_id body = add_body(room.world, THUD_STATIC, 0, 0, 0);
+        OK(thud_shape_create_terrain(room.world, body, &def, &line, &ground));
+        run(room.world, 1);
+        only_begins(room.world, how ? ground : room.shape, how ? room.shape : ground);
+        assert_false(state_of(room.world, room.ball).awake);
+        OK(thud_body_set_transform(room.world, body, (thud_pos){0, -9}, 0));
+        run(room.world, 1);
+        only_ends(room.world, how ? ground : room.shape, how ? room.shape : ground);
+        thud_world_destroy(room.world);
+    }
+}
+
+/* What wakes later does not begin anew. */
+static void sleeper_that_is_seen_and_wakes_begins_once(void **state)
+{
+    (void)state;
+    bedroom room = make_bedroom(false);
+    thud_shape_id zone;
+    add_other(&room, true, true, &zone);
+    run(room.world, 5);
+    OK(thud_body_set_awake(room.world, room.ball, true));
+    run(room.world, 1);
+    no_sensor_event(room.world);
+    OK(thud_body_set_velocity(room.world, room.ball, (thud_vec2){0, 60}, 0));
+    run(room.world, 3);
+    only_ends(room.world, zone, room.shape);
+    thud_world_destroy(room.world);
+}
+
+/* A kinematic sensor that is led over a heap, or stands over it, lets it sleep. */
+static void sensor_wakes_nobody(void **state)
+{
+    (void)state;
+    thud_world *world = make_world(thud_default_world_def());
+    add_floor(world, NULL);
+    for (int i = 0; i < 5; i++) {
+        add_box(world, 0, 0.5 + i, 0.5f, 0.5f);
+    }
+    run(world, 240);
+    assert_int_equal(thud_world_stats(world).awake_bodies, 0);
+    thud_body_id light = add_body(world, THUD_KINEMATIC, -3, 2, 0);
+    add_sensor(world, light);
+    int begun = 0, ended = 0;
+    for (int i = 0; i < 180; i++) {
+        OK(thud_body_set_velocity(world, light, (thud_vec2){2, 0}, 0));
+        run(world, 1);
+        begun += thud_world_events(world).sensor_begin_count;
+        ended += thud_world_events(world).sensor_end_count;
+        assert_int_equal(thud_world_stats(world).awake_bodies, 1);
+    }
+    assert_int_equal(begun, 3);
+    assert_int_equal(ended, 3);
+    thud_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sensor_of_each_kind_sees_each_kind_but_static_static),
+        cmocka_unit_test(kinematic_body_that_passes_a_sensor_begins_and_ends),
+        cmocka_unit_test(two_sensors_report_each_other_where_their_filters_meet),
+        cmocka_unit_test(sensors_report_without_contact_events),
+        cmocka_unit_test(line_and_sensor_meet_on_kinematic_bodies),
+        cmocka_unit_test(pair_begins_and_ends_while_the_body_sleeps),
+        cmocka_unit_test(sensor_that_moves_a_little_ends_and_begins_over_a_sleeper),
+        cmocka_unit_test(line_that_comes_to_a_sleeping_sensor_is_seen),
+        cmocka_unit_test(sleeper_that_is_seen_and_wakes_begins_once),
+        cmocka_unit_test(sensor_wakes_nobody),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
