@@ -1,9 +1,29 @@
 # The house's own CMake helpers: flags, sources that are compiled once per instruction set, tests.
 
+# What it takes for float and double to be rounded to themselves: nothing on most platforms. Where
+# nothing helps, or the caller asks for the x87, base.h says so.
+include(CheckCSourceCompiles)
+set(THUD_ROUNDING_FLAGS "")
+set(rounds "#include <float.h>\nint main(void) { return 0; }
+_Static_assert(FLT_EVAL_METHOD == 0, \"rounds otherwise\");")
+check_c_source_compiles("${rounds}" THUD_ROUNDS)
+if(NOT THUD_ROUNDS AND NOT CMAKE_C_FLAGS MATCHES "-mno-sse|-mfpmath=387")
+    foreach(flags "-fexcess-precision=fast" "-msse2 -mfpmath=sse")
+        string(MAKE_C_IDENTIFIER "THUD_ROUNDS${flags}" answer)
+        set(CMAKE_REQUIRED_FLAGS ${flags})
+        check_c_source_compiles("${rounds}" ${answer})
+        if(${answer} AND NOT THUD_ROUNDING_FLAGS)
+            separate_arguments(THUD_ROUNDING_FLAGS UNIX_COMMAND "${flags}")
+        endif()
+    endforeach()
+    unset(CMAKE_REQUIRED_FLAGS)
+endif()
+
 # What every target of the project is held to. Nothing may be fused into one rounding: the same
 # source gives the same bits with every compiler and every SIMD width, scenes included.
 function(thud_common_flags target)
-    target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -ffp-contract=off)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -ffp-contract=off
+        ${THUD_ROUNDING_FLAGS})
     if(THUD_WERROR)
         target_compile_options(${target} PRIVATE -Werror)
     endif()
@@ -15,6 +35,15 @@ function(thud_engine_flags target)
     thud_common_flags(${target})
     target_compile_options(${target} PRIVATE -Wconversion -Wno-sign-conversion -fno-math-errno
         -ffunction-sections -fdata-sections)
+    # Whatever links it, shared libraries too, is shown what has THUD_API, and calls the rest directly.
+    set_target_properties(${target} PROPERTIES C_VISIBILITY_PRESET hidden)
+    if(NOT EMSCRIPTEN)
+        set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+        target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+    endif()
+    if(BUILD_SHARED_LIBS)
+        target_compile_definitions(${target} PRIVATE THUD_SHARED THUD_BUILDS)
+    endif()
 endfunction()
 
 # Compiles the named sources into `target` once per instruction set. Each pass sees TD_ISA, the
@@ -22,9 +51,10 @@ endfunction()
 # wasm SIMD128, or plain scalar), `avx2` is chosen at run time where the processor has it.
 function(thud_wide_sources target)
     _thud_wide_pass(${target} base "" ${ARGN})
-    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT EMSCRIPTEN)
+    # As TD_HAS_AVX2 in base.h has it.
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT EMSCRIPTEN
+            AND NOT (WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU"))
         _thud_wide_pass(${target} avx2 -mavx2 ${ARGN})
-        target_compile_definitions(${target} PRIVATE TD_HAS_AVX2=1)
     endif()
 endfunction()
 
@@ -43,9 +73,6 @@ endfunction()
 # thud_test(FILE [LIBRARY...]) makes a ctest test of one cmocka program. It runs in the project's
 # root, so that it finds assets/, and it may include the engine's internal headers.
 function(thud_test file)
-    find_path(CMOCKA_INCLUDE_DIR cmocka.h REQUIRED)
-    find_library(CMOCKA_LIBRARY cmocka REQUIRED)
-    mark_as_advanced(CMOCKA_INCLUDE_DIR CMOCKA_LIBRARY)
     get_filename_component(name ${file} NAME_WE)
     add_executable(${name} ${file})
     thud_common_flags(${name})

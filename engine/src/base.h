@@ -8,6 +8,19 @@
 #include "thud/thud_math.h"
 
 #include <assert.h>
+#include <float.h>
+
+/* Every operation rounds to its own type, or the bits would be the compiler's to choose. */
+#if FLT_EVAL_METHOD != 0
+#error "thud needs float and double arithmetic without excess precision: x86 of 32 bits with \
+-msse2 -mfpmath=sse (the x87 cannot), s390x with -fexcess-precision=fast"
+#endif
+
+/* The wide files are compiled once more for AVX2; but not by gcc for Windows, which keeps vectors of
+ * 32 bytes on a stack that is aligned to 16. See thud_wide_sources. */
+#if defined(__x86_64__) && (defined(__clang__) || !defined(_WIN32))
+#define TD_HAS_AVX2
+#endif
 
 #define TD_LANES 8     /* contacts and bodies are worked on eight at a time, whatever the CPU */
 #define TD_NONE (-1)   /* "no index" in every integer link */

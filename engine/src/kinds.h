@@ -14,7 +14,7 @@ void td_kind_terrain(thud_world *w);
 
 /* Wide files exist once for every processor and, on x86-64, once more for AVX2; the names here
  * pick one at run time. */
-#if defined(__x86_64__)
+#if defined(TD_HAS_AVX2)
 #define TD_PICK_WIDE(w, name) (*((w)->wide ? &TD_JOIN(name, avx2) : &TD_JOIN(name, base)))
 #define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base), TD_JOIN(name, avx2)
 #else

@@ -4,17 +4,27 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Windows' library has no aligned_alloc, and its own pair instead. */
+#if defined(_WIN32)
+#include <malloc.h>
+#define ALLOCATE(bytes) _aligned_malloc(bytes, 64)
+#define RELEASE(block) _aligned_free(block)
+#else
+#define ALLOCATE(bytes) aligned_alloc(64, bytes)
+#define RELEASE(block) free(block)
+#endif
+
 static void *library_allocate(size_t bytes, void *context)
 {
     (void)context;
-    return aligned_alloc(64, bytes);
+    return ALLOCATE(bytes);
 }
 
 static void library_release(void *block, size_t bytes, void *context)
 {
     (void)bytes;
     (void)context;
-    free(block);
+    RELEASE(block);
 }
 
 td_memory td_memory_make(thud_allocator hooks)

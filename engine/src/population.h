@@ -63,7 +63,7 @@ struct thud_broadphase {
     td_find_fn *find[2];
 };
 
-#if defined(__x86_64__)
+#if defined(TD_HAS_AVX2)
 #define TD_BOTH_WIDE(name) {TD_JOIN(name, base), TD_JOIN(name, avx2)}
 #else
 #define TD_BOTH_WIDE(name) {TD_JOIN(name, base), TD_JOIN(name, base)}

@@ -82,7 +82,7 @@ static const char *def_error(const thud_world_def *d)
 
 static bool wide_here(bool baseline)
 {
-#if defined(__x86_64__)
+#if defined(TD_HAS_AVX2)
     return !baseline && __builtin_cpu_supports("avx2");
 #else
     (void)baseline;

@@ -117,35 +117,37 @@ typedef struct thud_world_def {
     thud_crew crew;              /* threads to work on; default: the calling one alone */
 } thud_world_def;
 
-thud_world_def thud_default_world_def(void);
+THUD_API thud_world_def thud_default_world_def(void);
 /* The same with another quality. A program that never asks for the default one does not link what that
  * needs: at draft it goes without the island solver. */
-thud_world_def thud_world_def_of(const thud_quality *quality);
+THUD_API thud_world_def thud_world_def_of(const thud_quality *quality);
 
-thud_result thud_world_create(const thud_world_def *def, thud_world **out);
+THUD_API thud_result thud_world_create(const thud_world_def *def, thud_world **out);
 /* Null is fine. Inside a callback the log hook hears THUD_ERROR_LOCKED, and the world lives on. */
-void thud_world_destroy(thud_world *world);
+THUD_API void thud_world_destroy(thud_world *world);
 
 /* Runs one step. On THUD_ERROR_MEMORY nothing has moved and no event is told; edits are in effect, as after
  * a query, and whom it was to wake may be awake. Made again it ends with the same bits and events. */
-thud_result thud_world_step(thud_world *world);
+THUD_API thud_result thud_world_step(thud_world *world);
 
 /* The world keeps its own time: runs as many whole steps as `elapsed` seconds (>= 0) allow, at
  * most `max_steps` (>= 1; time beyond that is dropped), and gives in *alpha, in [0, 1), how far
  * the present lies between the last step and the next, for thud_world_poses. Where a step runs out of
  * memory, *steps and *alpha are of those before it, and the time left waits for the next call; if it was
  * the first, `elapsed` is as if never given. */
-thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps, int *steps,
-                               double *alpha);
+THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
+                                        int *steps, double *alpha);
 
 /* Settings hold from the next step on. Inside a callback they are refused with THUD_ERROR_LOCKED, since
  * the step under way has begun with the old ones. */
-thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity); /* wakes everything */
-thud_result thud_world_set_time_step(thud_world *world, double time_step);
-thud_result thud_world_set_max_error(thud_world *world, double max_error); /* see thud_world_def */
+/* Wakes everything. */
+THUD_API thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity);
+THUD_API thud_result thud_world_set_time_step(thud_world *world, double time_step);
+/* See thud_world_def. */
+THUD_API thud_result thud_world_set_max_error(thud_world *world, double max_error);
 /* What the def itself named stays as it is. Wakes everything. */
-thud_result thud_world_set_quality(thud_world *world, const thud_quality *quality);
-thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
+THUD_API thud_result thud_world_set_quality(thud_world *world, const thud_quality *quality);
+THUD_API thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
 
 /* ---- bodies ---- */
 
@@ -171,11 +173,12 @@ typedef struct thud_body_def {
     uint64_t user_data;
 } thud_body_def;
 
-thud_body_def thud_default_body_def(void);
+THUD_API thud_body_def thud_default_body_def(void);
 
-thud_result thud_body_create(thud_world *world, const thud_body_def *def, thud_body_id *out);
-thud_result thud_body_destroy(thud_world *world, thud_body_id body); /* and its shapes */
-bool thud_body_is_valid(const thud_world *world, thud_body_id body);
+THUD_API thud_result thud_body_create(thud_world *world, const thud_body_def *def,
+                                      thud_body_id *out);
+THUD_API thud_result thud_body_destroy(thud_world *world, thud_body_id body); /* and its shapes */
+THUD_API bool thud_body_is_valid(const thud_world *world, thud_body_id body);
 
 typedef struct thud_body_state {
     thud_body_kind kind;
@@ -193,30 +196,32 @@ typedef struct thud_body_state {
     int shape_count;
 } thud_body_state;
 
-thud_result thud_body_get(const thud_world *world, thud_body_id body, thud_body_state *out);
+THUD_API thud_result thud_body_get(const thud_world *world, thud_body_id body,
+                                   thud_body_state *out);
 
 /* Edits wake the body, also the bodies that touch it. Inside a callback they take effect at the
  * start of the next step, or with a query between the two: until then a shape made there takes no
  * part in anything, its mass included. What is destroyed there is stale at once. */
-thud_result thud_body_set_transform(thud_world *world, thud_body_id body, thud_pos position,
-                                    double angle);
-thud_result thud_body_set_velocity(thud_world *world, thud_body_id body, thud_vec2 velocity,
-                                   float angular_velocity);
-thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body, thud_vec2 impulse,
-                                    thud_pos point);
+THUD_API thud_result thud_body_set_transform(thud_world *world, thud_body_id body,
+                                             thud_pos position, double angle);
+THUD_API thud_result thud_body_set_velocity(thud_world *world, thud_body_id body,
+                                            thud_vec2 velocity, float angular_velocity);
+THUD_API thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body,
+                                             thud_vec2 impulse, thud_pos point);
 /* Acts through the next step only. */
-thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec2 force,
-                                  float torque);
+THUD_API thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec2 force,
+                                           float torque);
 /* False: the body counts as at rest from now on, and sleeps as soon as its whole island does. */
-thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
+THUD_API thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
 /* False takes the body and its shapes out of the world, as if destroyed: its contacts end, nothing
  * moves, meets or finds them. True brings it back, where it is and at the velocity it had. */
-thud_result thud_body_set_enabled(thud_world *world, thud_body_id body, bool enabled);
-thud_result thud_body_set_user_data(thud_world *world, thud_body_id body, uint64_t user_data);
+THUD_API thud_result thud_body_set_enabled(thud_world *world, thud_body_id body, bool enabled);
+THUD_API thud_result thud_body_set_user_data(thud_world *world, thud_body_id body,
+                                             uint64_t user_data);
 /* Writes up to `capacity` (>= 0) shape handles to `out`, unless it is null; *count (likewise) is how
  * many the body has. */
-thud_result thud_body_shapes(const thud_world *world, thud_body_id body, thud_shape_id *out,
-                             int capacity, int *count);
+THUD_API thud_result thud_body_shapes(const thud_world *world, thud_body_id body,
+                                      thud_shape_id *out, int capacity, int *count);
 
 /* ---- shapes ---- */
 
@@ -238,28 +243,29 @@ typedef struct thud_shape_def {
     uint64_t user_data;
 } thud_shape_def;
 
-thud_shape_def thud_default_shape_def(void);
+THUD_API thud_shape_def thud_default_shape_def(void);
 
 /* Offsets are in the body's frame. Sizes (radius, half extents) lie in [1e-4, 16384] length scales, of
  * static bodies in [1e-4, 32000]; longer ground is a terrain, or boxes side by side. Where a large shape
  * is turned, or large both ways, its surface is told to 1e-7 of its size. */
-thud_result thud_shape_create_circle(thud_world *world, thud_body_id body,
-                                     const thud_shape_def *def, thud_vec2 offset, float radius,
-                                     thud_shape_id *out);
+THUD_API thud_result thud_shape_create_circle(thud_world *world, thud_body_id body,
+                                              const thud_shape_def *def, thud_vec2 offset,
+                                              float radius, thud_shape_id *out);
 /* An AABB keeps its axes: its body's rotation is fixed from then on, and its angle must be 0. */
-thud_result thud_shape_create_aabb(thud_world *world, thud_body_id body,
-                                   const thud_shape_def *def, thud_vec2 offset,
-                                   thud_vec2 half_extents, thud_shape_id *out);
-thud_result thud_shape_create_obb(thud_world *world, thud_body_id body,
-                                  const thud_shape_def *def, thud_vec2 offset,
-                                  thud_vec2 half_extents, double angle, thud_shape_id *out);
+THUD_API thud_result thud_shape_create_aabb(thud_world *world, thud_body_id body,
+                                            const thud_shape_def *def, thud_vec2 offset,
+                                            thud_vec2 half_extents, thud_shape_id *out);
+THUD_API thud_result thud_shape_create_obb(thud_world *world, thud_body_id body,
+                                           const thud_shape_def *def, thud_vec2 offset,
+                                           thud_vec2 half_extents, double angle,
+                                           thud_shape_id *out);
 /* Only on static bodies with angle 0; coordinates are relative to the body's origin; the points
  * are copied. */
-thud_result thud_shape_create_terrain(thud_world *world, thud_body_id body,
-                                      const thud_shape_def *def, const thud_terrain *terrain,
-                                      thud_shape_id *out);
-thud_result thud_shape_destroy(thud_world *world, thud_shape_id shape);
-bool thud_shape_is_valid(const thud_world *world, thud_shape_id shape);
+THUD_API thud_result thud_shape_create_terrain(thud_world *world, thud_body_id body,
+                                               const thud_shape_def *def,
+                                               const thud_terrain *terrain, thud_shape_id *out);
+THUD_API thud_result thud_shape_destroy(thud_world *world, thud_shape_id shape);
+THUD_API bool thud_shape_is_valid(const thud_world *world, thud_shape_id shape);
 
 typedef struct thud_shape_state {
     thud_shape_kind kind;
@@ -273,10 +279,12 @@ typedef struct thud_shape_state {
     uint64_t user_data;
 } thud_shape_state;
 
-thud_result thud_shape_get(const thud_world *world, thud_shape_id shape, thud_shape_state *out);
+THUD_API thud_result thud_shape_get(const thud_world *world, thud_shape_id shape,
+                                    thud_shape_state *out);
 /* The world's own copy of a terrain; valid until the next edit of the world. Edits of the
  * line are in thud_terrain.h. */
-thud_result thud_shape_terrain(const thud_world *world, thud_shape_id shape, thud_terrain *out);
+THUD_API thud_result thud_shape_terrain(const thud_world *world, thud_shape_id shape,
+                                        thud_terrain *out);
 
 /* ---- reading all poses at once ---- */
 
@@ -288,7 +296,8 @@ typedef struct thud_pose {
 /* Every body's pose at alpha in [0, 1] between the last two steps (0: the one before, 1: the last), by
  * slot (thud_body_id.index1 - 1); slots without a body have x = y = NaN. Belongs to the world, valid until
  * its next call. Null and *count = 0 if memory is short, or |origin.x| or |origin.y| > 1e9 length scales. */
-const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha, int *count);
+THUD_API const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha,
+                                           int *count);
 
 /* ---- events of the last step, in a deterministic order; valid until the next step ----
  *
@@ -324,7 +333,7 @@ typedef struct thud_events {
         quarantined_count;
 } thud_events;
 
-thud_events thud_world_events(const thud_world *world);
+THUD_API thud_events thud_world_events(const thud_world *world);
 
 /* ---- statistics ---- */
 
@@ -341,7 +350,7 @@ typedef enum thud_stage {
     THUD_STAGE_COUNT
 } thud_stage;
 
-const char *thud_stage_name(thud_stage stage);
+THUD_API const char *thud_stage_name(thud_stage stage);
 
 typedef struct thud_stats {
     uint64_t steps;
@@ -368,11 +377,11 @@ typedef struct thud_stats {
                                              time of collision was worked out */
 } thud_stats;
 
-thud_stats thud_world_stats(const thud_world *world);
+THUD_API thud_stats thud_world_stats(const thud_world *world);
 
 /* The speed from which on bisection may miss something: the thickness of the thinnest shape, terrain
  * left out, a time step; infinite without shapes. A scene whose bodies stay below it loses nothing. */
-thud_result thud_world_bisection_limit(thud_world *world, double *speed);
+THUD_API thud_result thud_world_bisection_limit(thud_world *world, double *speed);
 
 /* What the last step got wrong, found as it was solved: costs nothing to ask. Of contacts that are
  * awake, and as the solver left them: collisions that detection then finds within the step, and
@@ -390,7 +399,8 @@ typedef struct thud_step_error {
     int overlaps;          /* points deeper than max_error, or without one than 0.005 length scales */
 } thud_step_error;
 
-thud_step_error thud_world_error(const thud_world *world); /* all 0 before the first step */
+/* All 0 before the first step. */
+THUD_API thud_step_error thud_world_error(const thud_world *world);
 
 /* Error and energy of the present state; costs a pass over contacts and bodies. */
 typedef struct thud_measure {
@@ -398,10 +408,10 @@ typedef struct thud_measure {
     double kinetic_energy, potential_energy;  /* potential against the world's height 0 */
 } thud_measure;
 
-thud_measure thud_world_measure(const thud_world *world);
+THUD_API thud_measure thud_world_measure(const thud_world *world);
 
 /* Hash of every body's exact position, angle and velocity, in slot order. */
-uint64_t thud_world_hash(const thud_world *world);
+THUD_API uint64_t thud_world_hash(const thud_world *world);
 
 #ifdef __cplusplus
 }

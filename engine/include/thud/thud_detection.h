@@ -3,6 +3,8 @@
 #ifndef THUD_DETECTION_H
 #define THUD_DETECTION_H
 
+#include "thud_math.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -20,14 +22,14 @@ typedef struct thud_broadphase thud_broadphase;
 
 /* A grid with a level for each eightfold of size: cost per shape stays flat as their number grows,
  * whatever their sizes. The default. */
-extern const thud_broadphase thud_broadphase_grid;
+extern THUD_API const thud_broadphase thud_broadphase_grid;
 /* Sort and sweep along x, kept sorted by insertion sort: cheap while little moves; dear where many
  * shapes stand above each other, or where one is much wider than the rest. */
-extern const thud_broadphase thud_broadphase_sweep;
+extern THUD_API const thud_broadphase thud_broadphase_sweep;
 /* Each shape against each, eight at a time: nothing to keep, and the fastest for a handful. */
-extern const thud_broadphase thud_broadphase_all;
+extern THUD_API const thud_broadphase thud_broadphase_all;
 
-const char *thud_broadphase_name(const thud_broadphase *broadphase); /* "" for null */
+THUD_API const char *thud_broadphase_name(const thud_broadphase *broadphase); /* "" for null */
 
 /* How moving shapes are tested: a choice for a world, and for single bodies. Of two moving bodies the
  * finer choice decides on their pair. `docs/catalogue.md` has what each costs and gets wrong. */
@@ -35,15 +37,15 @@ typedef struct thud_detection thud_detection;
 
 /* Where they stand at the start of each step, and nowhere else: the cheapest. What moves further than
  * a shape is thick may pass through it. */
-extern const thud_detection thud_detection_overlap;
+extern THUD_API const thud_detection thud_detection_overlap;
 /* As above, and bodies that move further than a quarter of their size stop for the rest of the step
  * where they first meet a static shape. The default. */
-extern const thud_detection thud_detection_continuous;
+extern THUD_API const thud_detection thud_detection_continuous;
 /* A pair that overlaps at the end of the step's motion is taken back to the time of its collision,
  * found by bisection, gets its new velocities there and moves on. Sees nothing that was passed
  * through: speed * time_step must stay below the smallest size, see thud_world_bisection_limit; the
  * statistics count who broke it. */
-extern const thud_detection thud_detection_bisect;
+extern THUD_API const thud_detection thud_detection_bisect;
 /* Bodies move forward to each of their times of impact, in the order of time, get new velocities
  * there and move on. Nothing passes through anything, and what is apart does not come to overlap; but
  * a kinematic body goes its way whatever stands in it, and load may press what touches together, by
@@ -56,9 +58,9 @@ extern const thud_detection thud_detection_bisect;
  * Swept bodies that nothing bears fly exact parabolas, and elastic ones (restitution 1) keep their
  * energy. In a world that chooses one of the two contacts rest 0.004 length scales apart, so that what
  * load presses together does not overlap. */
-extern const thud_detection thud_detection_swept;
+extern THUD_API const thud_detection thud_detection_swept;
 
-const char *thud_detection_name(const thud_detection *detection); /* "" for null */
+THUD_API const char *thud_detection_name(const thud_detection *detection); /* "" for null */
 
 #ifdef __cplusplus
 }

@@ -2,13 +2,12 @@
 #ifndef THUD_DRAW_H
 #define THUD_DRAW_H
 
+#include "thud_ids.h"
 #include "thud_math.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-typedef struct thud_world thud_world;
 
 typedef enum thud_draw_style {
     THUD_DRAW_STATIC = 0,
@@ -76,7 +75,7 @@ typedef struct thud_debug_draw {
 
 /* THUD_ERROR_NULL; THUD_ERROR_INVALID where origin, lower or upper is not finite or farther out than
  * a body may be; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY. Unknown flags do nothing. */
-thud_result thud_world_draw(thud_world *world, const thud_debug_draw *draw);
+THUD_API thud_result thud_world_draw(thud_world *world, const thud_debug_draw *draw);
 
 #ifdef __cplusplus
 }

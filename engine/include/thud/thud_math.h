@@ -8,6 +8,20 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* What a shared library shows. THUD_SHARED comes with the CMake target of one; THUD_BUILDS is for
+ * building it. */
+#if defined(_WIN32)
+#if defined(THUD_SHARED) && defined(THUD_BUILDS)
+#define THUD_API __declspec(dllexport)
+#elif defined(THUD_SHARED)
+#define THUD_API __declspec(dllimport)
+#else
+#define THUD_API
+#endif
+#else
+#define THUD_API __attribute__((visibility("default")))
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -31,11 +45,11 @@ typedef enum thud_result {
 } thud_result;
 
 /* A short English sentence for a result; a static string, never null. */
-const char *thud_result_text(thud_result result);
+THUD_API const char *thud_result_text(thud_result result);
 
 /* Sine and cosine with the same bits from every compiler and processor, which the C library's do not
  * promise. |angle| <= 1e6 radians; the error stays below 1e-15. THUD_ERROR_NULL, THUD_ERROR_INVALID. */
-thud_result thud_sincos(double angle, double *sine, double *cosine);
+THUD_API thud_result thud_sincos(double angle, double *sine, double *cosine);
 
 #ifdef __cplusplus
 }

@@ -53,8 +53,8 @@ typedef struct thud_one_way {
 } thud_one_way;
 
 /* A thud_mover_pass_fn for platforms that are jumped through from below and stood on. */
-bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hit,
-                               thud_vec2 velocity, void *context);
+THUD_API bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hit,
+                                        thud_vec2 velocity, void *context);
 
 struct thud_mover {
     thud_placed shape;       /* in the world; what thud_mover_move moves, and the caller may */
@@ -87,7 +87,7 @@ struct thud_mover {
 };
 
 /* A mover of this shape, in the air. */
-thud_mover thud_default_mover(thud_placed shape);
+THUD_API thud_mover thud_default_mover(thud_placed shape);
 
 typedef struct thud_mover_report {
     thud_vec2 velocity;        /* what is left of the one asked for: on the ground the part across
@@ -109,8 +109,8 @@ typedef struct thud_mover_report {
  * THUD_ERROR_NULL without a world or mover, THUD_ERROR_INVALID for a mover or motion out of
  * range, or a body that is not kinematic, THUD_ERROR_STALE for a body that is gone,
  * THUD_ERROR_MEMORY: mover, report and world are then as they were. `report` may be null. */
-thud_result thud_mover_move(thud_world *world, thud_mover *mover, thud_vec2 velocity, double dt,
-                            thud_mover_report *report);
+THUD_API thud_result thud_mover_move(thud_world *world, thud_mover *mover, thud_vec2 velocity,
+                                     double dt, thud_mover_report *report);
 
 #ifdef __cplusplus
 }

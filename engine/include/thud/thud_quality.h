@@ -15,7 +15,7 @@ extern "C" {
 
 /* How islands that the soft solver cannot hold are solved instead: all their contacts at once. */
 typedef struct thud_island_solver thud_island_solver;
-extern const thud_island_solver thud_islands_direct;
+extern THUD_API const thud_island_solver thud_islands_direct;
 
 /* Four stand below; a caller may take one, change it and use that instead. Worlds keep a copy. */
 typedef struct thud_quality {
@@ -44,10 +44,10 @@ typedef struct thud_quality {
                                 island_work it is that at once. 0: any number, each step tried anew */
 } thud_quality;
 
-extern const thud_quality thud_quality_draft;
-extern const thud_quality thud_quality_default;
-extern const thud_quality thud_quality_high;
-extern const thud_quality thud_quality_exact;
+extern THUD_API const thud_quality thud_quality_draft;
+extern THUD_API const thud_quality thud_quality_default;
+extern THUD_API const thud_quality thud_quality_high;
+extern THUD_API const thud_quality thud_quality_exact;
 
 #ifdef __cplusplus
 }

@@ -25,7 +25,7 @@ typedef struct thud_query_filter {
     bool sensors;            /* sensors too; default false */
 } thud_query_filter;
 
-thud_query_filter thud_default_query_filter(void);
+THUD_API thud_query_filter thud_default_query_filter(void);
 
 /* ---- rays and casts: what a point or a shape meets along a straight way ---- */
 
@@ -39,40 +39,45 @@ typedef struct thud_ray_hit {
 
 /* The first shape along the ray; *hit = false if none, and *out is then as it was. A ray that
  * starts inside a shape does not meet it. */
-thud_result thud_world_cast_ray(thud_world *world, thud_pos origin, double dx, double dy,
-                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out);
+THUD_API thud_result thud_world_cast_ray(thud_world *world, thud_pos origin, double dx, double dy,
+                                         const thud_query_filter *filter, bool *hit,
+                                         thud_ray_hit *out);
 
 /* Every shape along the ray, each where it is first met. *count is how many there are; the nearest
  * `capacity` (>= 0) are written, in order. `out` may be null where capacity is 0. */
-thud_result thud_world_cast_ray_all(thud_world *world, thud_pos origin, double dx, double dy,
-                                    const thud_query_filter *filter, thud_ray_hit *out,
-                                    int capacity, int *count);
+THUD_API thud_result thud_world_cast_ray_all(thud_world *world, thud_pos origin, double dx,
+                                             double dy, const thud_query_filter *filter,
+                                             thud_ray_hit *out, int capacity, int *count);
 
 /* The first shape that the circle, AABB or OBB `shape`, placed about `center` (shape->x, y are an
  * offset from it), meets while it is moved by (dx, dy) without turning. Touching counts. A shape
  * that it overlaps from the start is met at 0, with the normal of least penetration. */
-thud_result thud_world_cast_shape(thud_world *world, thud_pos center, const thud_placed *shape,
-                                  double dx, double dy, const thud_query_filter *filter, bool *hit,
-                                  thud_ray_hit *out);
-thud_result thud_world_cast_shape_all(thud_world *world, thud_pos center, const thud_placed *shape,
-                                      double dx, double dy, const thud_query_filter *filter,
-                                      thud_ray_hit *out, int capacity, int *count);
+THUD_API thud_result thud_world_cast_shape(thud_world *world, thud_pos center,
+                                           const thud_placed *shape, double dx, double dy,
+                                           const thud_query_filter *filter, bool *hit,
+                                           thud_ray_hit *out);
+THUD_API thud_result thud_world_cast_shape_all(thud_world *world, thud_pos center,
+                                               const thud_placed *shape, double dx, double dy,
+                                               const thud_query_filter *filter, thud_ray_hit *out,
+                                               int capacity, int *count);
 
-thud_result thud_world_cast_circle(thud_world *world, thud_pos center, double radius, double dx,
-                                   double dy, const thud_query_filter *filter, bool *hit,
-                                   thud_ray_hit *out);
-thud_result thud_world_cast_circle_all(thud_world *world, thud_pos center, double radius, double dx,
-                                       double dy, const thud_query_filter *filter,
-                                       thud_ray_hit *out, int capacity, int *count);
+THUD_API thud_result thud_world_cast_circle(thud_world *world, thud_pos center, double radius,
+                                            double dx, double dy, const thud_query_filter *filter,
+                                            bool *hit, thud_ray_hit *out);
+THUD_API thud_result thud_world_cast_circle_all(thud_world *world, thud_pos center, double radius,
+                                                double dx, double dy,
+                                                const thud_query_filter *filter, thud_ray_hit *out,
+                                                int capacity, int *count);
 
 /* A box of the given half extents, turned by `angle` radians, |angle| <= 1e6; upright at 0. */
-thud_result thud_world_cast_box(thud_world *world, thud_pos center, double half_x, double half_y,
-                                double angle, double dx, double dy,
-                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out);
-thud_result thud_world_cast_box_all(thud_world *world, thud_pos center, double half_x,
-                                    double half_y, double angle, double dx, double dy,
-                                    const thud_query_filter *filter, thud_ray_hit *out,
-                                    int capacity, int *count);
+THUD_API thud_result thud_world_cast_box(thud_world *world, thud_pos center, double half_x,
+                                         double half_y, double angle, double dx, double dy,
+                                         const thud_query_filter *filter, bool *hit,
+                                         thud_ray_hit *out);
+THUD_API thud_result thud_world_cast_box_all(thud_world *world, thud_pos center, double half_x,
+                                             double half_y, double angle, double dx, double dy,
+                                             const thud_query_filter *filter, thud_ray_hit *out,
+                                             int capacity, int *count);
 
 /* ---- overlaps: every shape in a place, in the order of their slots; touching counts ---- */
 
@@ -80,18 +85,20 @@ thud_result thud_world_cast_box_all(thud_world *world, thud_pos center, double h
 typedef bool thud_overlap_fn(thud_shape_id shape, void *context);
 
 /* The circle, AABB or OBB `shape`, placed about `center` as above. */
-thud_result thud_world_overlap_shape(thud_world *world, thud_pos center, const thud_placed *shape,
-                                     const thud_query_filter *filter, thud_overlap_fn *fn,
-                                     void *context);
-thud_result thud_world_overlap_circle(thud_world *world, thud_pos center, double radius,
-                                      const thud_query_filter *filter, thud_overlap_fn *fn,
-                                      void *context);
-thud_result thud_world_overlap_aabb(thud_world *world, thud_pos lower, thud_pos upper,
-                                    const thud_query_filter *filter, thud_overlap_fn *fn,
-                                    void *context);
-thud_result thud_world_overlap_obb(thud_world *world, thud_pos center, double half_x, double half_y,
-                                   double angle, const thud_query_filter *filter,
-                                   thud_overlap_fn *fn, void *context);
+THUD_API thud_result thud_world_overlap_shape(thud_world *world, thud_pos center,
+                                              const thud_placed *shape,
+                                              const thud_query_filter *filter, thud_overlap_fn *fn,
+                                              void *context);
+THUD_API thud_result thud_world_overlap_circle(thud_world *world, thud_pos center, double radius,
+                                               const thud_query_filter *filter, thud_overlap_fn *fn,
+                                               void *context);
+THUD_API thud_result thud_world_overlap_aabb(thud_world *world, thud_pos lower, thud_pos upper,
+                                             const thud_query_filter *filter, thud_overlap_fn *fn,
+                                             void *context);
+THUD_API thud_result thud_world_overlap_obb(thud_world *world, thud_pos center, double half_x,
+                                            double half_y, double angle,
+                                            const thud_query_filter *filter, thud_overlap_fn *fn,
+                                            void *context);
 
 /* ---- the closest shape to a point ---- */
 
@@ -104,14 +111,15 @@ typedef struct thud_closest_hit {
 
 /* The shape whose surface is at the least signed distance, if that is at most `max_distance`
  * (>= 0, at most 1e9 length scales); *found = false if none, and *out is then as it was. */
-thud_result thud_world_closest(thud_world *world, thud_pos point, double max_distance,
-                               const thud_query_filter *filter, bool *found, thud_closest_hit *out);
+THUD_API thud_result thud_world_closest(thud_world *world, thud_pos point, double max_distance,
+                                        const thud_query_filter *filter, bool *found,
+                                        thud_closest_hit *out);
 
 /* The bounding volume of the wanted kind around all shapes of a body as they stand now, relative to
  * `origin`; see thud_volumes.h. THUD_ERROR_INVALID for a body without shapes or with flat terrain,
  * which has no end. */
-thud_result thud_body_volume(thud_world *world, thud_body_id body, thud_shape_kind kind,
-                             thud_pos origin, thud_volume *out);
+THUD_API thud_result thud_body_volume(thud_world *world, thud_body_id body, thud_shape_kind kind,
+                                      thud_pos origin, thud_volume *out);
 
 /* ---- the contacts of one body ---- */
 
@@ -131,8 +139,8 @@ typedef struct thud_manifold {
 /* *count is how many there are; as many as there is room for (`capacity` >= 0) are written, the
  * latest to touch first. `out` may be null where capacity is 0. THUD_ERROR_STALE for a body that is
  * gone, THUD_ERROR_LOCKED inside a callback. */
-thud_result thud_body_contacts(thud_world *world, thud_body_id body, thud_manifold *out,
-                               int capacity, int *count);
+THUD_API thud_result thud_body_contacts(thud_world *world, thud_body_id body, thud_manifold *out,
+                                        int capacity, int *count);
 
 #ifdef __cplusplus
 }

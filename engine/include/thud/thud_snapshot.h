@@ -29,6 +29,7 @@
 #define THUD_SNAPSHOT_H
 
 #include "thud_ids.h"
+#include "thud_math.h"
 
 #include <stddef.h>
 
@@ -38,14 +39,14 @@ extern "C" {
 
 /* *bytes is what a snapshot taken now needs: for each body with a shape about 0.5 kB, for
  * each touching pair about 0.25 kB. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback. */
-thud_result thud_world_snapshot_size(const thud_world *world, size_t *bytes);
+THUD_API thud_result thud_world_snapshot_size(const thud_world *world, size_t *bytes);
 
 /* Writes a snapshot to `buffer`, which needs no alignment; *bytes (may be null) is its size. It
  * costs two passes over the bytes, allocates nothing and does not change the world.
  * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID where `capacity` is less
  * than thud_world_snapshot_size tells. The buffer is then as it was. */
-thud_result thud_world_snapshot(const thud_world *world, void *buffer, size_t capacity,
-                                size_t *bytes);
+THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, size_t capacity,
+                                         size_t *bytes);
 
 /* Puts the world, or another one from the same def, into the state that the snapshot was taken in.
  * Handles are valid again where they were then. Those made since are stale, until something takes
@@ -62,7 +63,7 @@ thud_result thud_world_snapshot(const thud_world *world, void *buffer, size_t ca
  * any other but for one in 2^64. Sizes and counts are checked as well, so that restoring writes only
  * where there is room; but the values of bytes that somebody forged, checksum and all, can name what is
  * not there, which the next step follows: restore only what you trust. */
-thud_result thud_world_restore(thud_world *world, const void *buffer, size_t bytes);
+THUD_API thud_result thud_world_restore(thud_world *world, const void *buffer, size_t bytes);
 
 #ifdef __cplusplus
 }

@@ -21,8 +21,8 @@ typedef struct thud_uv {
  * and `vertices[segment + 1]`, by the sample's weights. The caller keeps one thud_uv a vertex; a
  * flat line has two, at x = 0 and x = 1, and goes on beyond them. THUD_ERROR_INVALID when there are
  * no such vertices among the `count`, or the outcome is not finite; *out is then as it was. */
-thud_result thud_terrain_texture_at(const thud_terrain_sample *sample, const thud_uv *vertices,
-                                    int count, thud_uv *out);
+THUD_API thud_result thud_terrain_texture_at(const thud_terrain_sample *sample,
+                                             const thud_uv *vertices, int count, thud_uv *out);
 
 /* Where a foot comes to stand. */
 typedef struct thud_foot {
@@ -36,8 +36,8 @@ typedef struct thud_foot {
  * juts out beyond an end of the line does not count. Takes three look-ups and a pass over the
  * vertices under the sole. THUD_ERROR_INVALID when no part of the sole is over the line; *out is then as it
  * was. */
-thud_result thud_terrain_place_foot(const thud_terrain *terrain, double x, double width,
-                                    thud_foot *out);
+THUD_API thud_result thud_terrain_place_foot(const thud_terrain *terrain, double x, double width,
+                                             thud_foot *out);
 
 /* ---- editing the line of a terrain shape while the world runs ----
  *
@@ -55,8 +55,8 @@ thud_result thud_terrain_place_foot(const thud_terrain *terrain, double x, doubl
 
 /* Replaces the heights of `count` vertices from `first` on; not of flat ground. Heights are
  * relative to the body's origin. */
-thud_result thud_shape_set_heights(thud_world *world, thud_shape_id shape, int first,
-                                   const double *heights, int count);
+THUD_API thud_result thud_shape_set_heights(thud_world *world, thud_shape_id shape, int first,
+                                            const double *heights, int count);
 
 /* Takes away the ground inside a circle, and what stands above it, since a line has no caves: under
  * the circle the ground goes down to its lower half. The centre is a place in the world; the radius
@@ -64,21 +64,22 @@ thud_result thud_shape_set_heights(thud_world *world, thud_shape_id shape, int f
  * grid, so that a circle between two of its vertices digs nothing; an irregular one gets up to 19
  * vertices more, and follows the circle within 1 % of the radius, but for walls at its sides, which
  * lean in by 2 %. Not for flat ground. */
-thud_result thud_shape_dig(thud_world *world, thud_shape_id shape, thud_pos center, double radius);
+THUD_API thud_result thud_shape_dig(thud_world *world, thud_shape_id shape, thud_pos center,
+                                    double radius);
 
 /* Raises a mound about x, a place in the world, over `radius` (range as above) to either side:
  * heights grow by height * (1 - u^2)^2 at the fraction u of the radius, so that neither foot nor
  * top has an edge. A negative height makes a hollow; |height| <= 1e9 length scales. A uniform line
  * keeps its grid, an irregular one gets vertices as above. Not for flat ground. */
-thud_result thud_shape_raise(thud_world *world, thud_shape_id shape, double x, double radius,
-                             double height);
+THUD_API thud_result thud_shape_raise(thud_world *world, thud_shape_id shape, double x,
+                                      double radius, double height);
 
 /* Replaces the vertices of an irregular line at x0 to x1, both included, by `count` others (>= 0;
  * null if 0) with strictly increasing x from x0 to x1. Coordinates are relative to the body's
  * origin, as in thud_shape_create_terrain. The range may lie beyond an end, and the line grows; at
  * least two vertices must be left. */
-thud_result thud_shape_replace_range(thud_world *world, thud_shape_id shape, double x0, double x1,
-                                     const thud_pos *points, int count);
+THUD_API thud_result thud_shape_replace_range(thud_world *world, thud_shape_id shape, double x0,
+                                              double x1, const thud_pos *points, int count);
 
 #ifdef __cplusplus
 }

@@ -29,50 +29,52 @@ typedef thud_placed thud_volume;
 
 /* THUD_OK if it is a circle, AABB or OBB, |x|, |y| <= 1e16, extents of 0 to 1e16, and (c, s) of
  * length 1 within 1e-5, (1, 0) for an AABB. Of a circle, c, s and hy are not read. */
-thud_result thud_volume_check(const thud_volume *volume);
+THUD_API thud_result thud_volume_check(const thud_volume *volume);
 
 /* ---- fit: the volume of the wanted kind around something ---- */
 
 /* The smallest of its kind. */
-thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_placed *shape,
-                                     thud_volume *out);
+THUD_API thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_placed *shape,
+                                              thud_volume *out);
 
 /* Around every place of the shape in its motion, turning included. A box counts as wide everywhere
  * as it ever is on its way, for a circle as the circle around it. An OBB lies in the direction of
  * the motion or in the shape's own direction halfway, whichever makes it smaller. */
-thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_placed *shape,
-                                      thud_motion motion, thud_volume *out);
+THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_placed *shape,
+                                               thud_motion motion, thud_volume *out);
 
 /* Around count >= 1 points, |x|, |y| <= 1e15; one point, or all on a line, will do. The smallest
  * circle, by exchanging the points that it rests on (Gaertner, Fast and robust smallest enclosing
  * balls, 1999), takes a few passes over the points. The OBB of least area has a side along a side
  * of the convex hull (Freeman and Shapira, Determining the minimum-area encasing rectangle, 1975):
  * two passes for each of the hull's sides, of which the first 512 are tried. */
-thud_result thud_volume_around_points(thud_shape_kind kind, const thud_pos *points, int count,
-                                      thud_volume *out);
+THUD_API thud_result thud_volume_around_points(thud_shape_kind kind, const thud_pos *points,
+                                               int count, thud_volume *out);
 
 /* Around the ground line (not what is below it) from x_min to x_max, as around points; cut off at
  * the ends of the line, THUD_ERROR_INVALID when nothing of it is left. */
-thud_result thud_volume_around_terrain(thud_shape_kind kind, const thud_terrain *terrain,
-                                       double x_min, double x_max, thud_volume *out);
+THUD_API thud_result thud_volume_around_terrain(thud_shape_kind kind, const thud_terrain *terrain,
+                                                double x_min, double x_max, thud_volume *out);
 
 /* Around both: the smallest AABB; the smallest circle around the circles of the two; an OBB
  * upright, in the direction of a, of b, or from centre to centre, whichever is the smallest. */
-thud_result thud_volume_merge(thud_shape_kind kind, const thud_volume *a, const thud_volume *b,
-                              thud_volume *out);
+THUD_API thud_result thud_volume_merge(thud_shape_kind kind, const thud_volume *a,
+                                       const thud_volume *b, thud_volume *out);
 
 /* ---- test ---- */
 
 /* Whether two volumes of any kinds share a point. Touching counts. From cheap to dear: two circles,
  * two AABBs, circle and AABB, circle and OBB, AABB or OBB and OBB. */
-thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, bool *overlap);
+THUD_API thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b,
+                                          bool *overlap);
 
 /* Whether the point is in the volume; its edge belongs to it. |x|, |y| <= 1e16. */
-thud_result thud_volume_contains_point(const thud_volume *volume, double x, double y,
-                                       bool *inside);
+THUD_API thud_result thud_volume_contains_point(const thud_volume *volume, double x, double y,
+                                                bool *inside);
 
 /* Whether every point of the inner volume is in the outer one. */
-thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *inner, bool *inside);
+THUD_API thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *inner,
+                                          bool *inside);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,141 @@
+"""The engine as others take it: headers alone, installed and found from C++, as part of a parent
+project, shared and static. usage: test_package.py SOURCE BUILD CC [CXX]"""
+
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SOURCE, BUILD, CC = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3]
+CXX = sys.argv[4] if len(sys.argv) > 4 else ""
+HEADERS = sorted(path.name for path in (SOURCE / "engine/include/thud").glob("*.h"))
+PROGRAM = """#include <thud/thud.h>
+int main() {
+    thud_world_def def = thud_default_world_def();
+    thud_world *world;
+    if (thud_world_create(&def, &world) != THUD_OK) return 1;
+    thud_world_step(world);
+    int wrong = thud_world_stats(world).steps != 1;
+    thud_world_destroy(world);
+    return wrong;
+}
+"""
+FINDS = """cmake_minimum_required(VERSION 3.22)
+project(game LANGUAGES CXX)
+find_package(thud 0.1 REQUIRED)
+add_executable(game game.cpp)
+target_link_libraries(game PRIVATE thud::thud)
+"""
+ADDS = """cmake_minimum_required(VERSION 3.22)
+project(game LANGUAGES CXX)
+add_subdirectory({} thud)
+add_executable(game game.cpp)
+target_link_libraries(game PRIVATE thud)
+"""
+
+
+def run(*words, **more):
+    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, text=True,
+                          stderr=subprocess.STDOUT, check=False, **more)
+    if done.returncode != 0:
+        raise AssertionError(f"{' '.join(map(str, words))}\n{done.stdout}")
+    return done.stdout
+
+
+def project(folder, text):
+    (folder / "CMakeLists.txt").write_text(text, encoding="utf-8")
+    (folder / "game.cpp").write_text(PROGRAM, encoding="utf-8")
+
+
+def names_shown(library):
+    words = [line.split() for line in run("nm", "-D", "--defined-only", library).splitlines()]
+    return {word[2] for word in words if word[1] in "TDRBG"}
+
+
+class PackageTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.held = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.held.name)
+        cls.prefix = cls.folder / "prefix"
+        run("cmake", "--install", BUILD, "--prefix", cls.prefix)
+        cls.library = next(cls.prefix.rglob("libthud.a"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.held.cleanup()
+
+    def made(self, name):
+        folder = self.folder / name
+        folder.mkdir()
+        return folder
+
+    def test_each_header_compiles_alone(self):
+        ways = [(CC, "c", std) for std in ("c99", "c11", "c17")]
+        ways += [(CXX, "c++", std) for std in ("c++11", "c++17") if CXX]
+        for compiler, language, std in ways:
+            for header in HEADERS:
+                with self.subTest(header=header, std=std):
+                    run(compiler, "-x", language, f"-std={std}", "-Wall", "-Wextra",
+                        "-pedantic-errors", "-Werror", "-fsyntax-only",
+                        f"-I{self.prefix / 'include'}", "-",
+                        input=f"#include <thud/{header}>\nextern int here;\n")
+
+    def test_licence_and_pkg_config_file_are_installed(self):
+        licences = [path.read_text() for path in self.prefix.rglob("LICENSE")]
+        self.assertEqual(licences, [(SOURCE / "LICENSE").read_text()])
+        text = next(self.prefix.rglob("thud.pc")).read_text()
+        self.assertRegex(text, r"Version: \d+\.\d+\.\d+\n")
+        self.assertNotRegex(text, r"[@$]<|@\w+@")
+
+    @unittest.skipUnless(CXX, "there is no C++ compiler")
+    def test_project_in_cplusplus_alone_finds_it_by_version(self):
+        folder = self.made("finds")
+        project(folder, FINDS)
+        run("cmake", "-B", folder / "build", "-S", folder, f"-DCMAKE_PREFIX_PATH={self.prefix}",
+            f"-DCMAKE_CXX_COMPILER={CXX}")
+        run("cmake", "--build", folder / "build")
+        run(folder / "build/game")
+        project(folder, FINDS.replace("thud 0.1", "thud 0.2"))
+        with self.assertRaisesRegex(AssertionError, "considered but not accepted"):
+            run("cmake", "-B", folder / "later", "-S", folder,
+                f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_CXX_COMPILER={CXX}")
+
+    @unittest.skipUnless(CXX, "there is no C++ compiler")
+    def test_project_in_cplusplus_alone_may_have_it_as_a_part(self):
+        folder = self.made("adds")
+        project(folder, ADDS.format(SOURCE))
+        run("cmake", "-B", folder / "build", "-S", folder, f"-DCMAKE_CXX_COMPILER={CXX}",
+            f"-DCMAKE_C_COMPILER={CC}")
+
+    def test_static_library_becomes_part_of_a_shared_one_and_shows_only_its_interface(self):
+        whole = self.folder / "libwhole.so"
+        run(CC, "-shared", "-o", whole, "-Wl,--whole-archive", self.library,
+            "-Wl,--no-whole-archive", "-lm", "-Wl,-z,defs")
+        shown = names_shown(whole)
+        self.assertEqual([name for name in shown if not name.startswith("thud_")], [])
+        declared = set()
+        for header in HEADERS:
+            text = (SOURCE / "engine/include/thud" / header).read_text()
+            declared |= set(re.findall(r"THUD_API[^;(]*?\b(thud_\w+)\s*[;(]", text))
+        self.assertEqual(shown, declared)
+
+    def test_excess_precision_is_refused_with_the_reason(self):
+        if "x86" not in run(CC, "-dumpmachine") or "clang" in run(CC, "--version"):
+            self.skipTest("only gcc for x86 computes on the x87")
+        with self.assertRaisesRegex(AssertionError, "without excess precision"):
+            run(CC, "-std=c17", "-mfpmath=387", "-fsyntax-only", f"-I{SOURCE / 'engine/include'}",
+                SOURCE / "engine/src/memory.c")
+
+    def test_shared_library_is_configured_where_it_is_asked_for(self):
+        folder = self.made("shared")
+        run("cmake", "-G", "Unix Makefiles", "-B", folder, "-S", SOURCE, "-DBUILD_SHARED_LIBS=ON",
+            "-DTHUD_DEMO=OFF", f"-DCMAKE_C_COMPILER={CC}")
+        link = (folder / "engine/CMakeFiles/thud.dir/link.txt").read_text()
+        self.assertRegex(link, r"-shared .*libthud\.so")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
