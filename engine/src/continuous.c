@@ -251,7 +251,7 @@ static void find_next(sweep *s, int first, float c, float sine)
     const td_array *hits = &w->scratch.ahead;
     s->next = (meeting){.time = 1.0};
     for (int i = first; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        if (td_shape_at(w, i)->flags & TD_SHAPE_SENSOR) {
+        if (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW) {
             continue;
         }
         set_shape(s, i, td_row(&w->delta, s->slot), c, sine);
@@ -288,30 +288,11 @@ static void sweep_body(thud_world *w, int slot)
     float c, s;
     td_angle_turn(angle, &c, &s);
     int first = td_body_at(w, index)->first_shape;
-<<<<<<< HEAD
     do {
         swept.last = swept.next;
         find_next(&swept, first, c, s);
     } while (swept.next.time < 1.0 && passes(&swept, (int)swept.next.pair, swept.next.time));
     if (swept.next.time < 1.0) {
-=======
-    for (int i = first; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        if (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW) {
-            continue;
-        }
-        set_shape(&swept, i, td_row(&w->delta, slot), c, s);
-        for (int k = 0; k < hits->count; k++) {
-            against_shape(&swept, *(int *)td_at(hits, k));
-        }
-        for (int t = 0; t < w->terrains.count; t++) {
-            const td_terrain_record *record = td_slot_at(&w->terrains, t);
-            if (record->shape != TD_NONE) {
-                against_terrain(&swept, record->shape);
-            }
-        }
-    }
-    if (swept.time < 1.0) {
->>>>>>> 7c55b64 (Sensors see all that their filter names; callbacks find the world locked)
         w->stats.held_bodies++;
         w->stats.held_seconds += (1.0 - swept.next.time) * w->def.time_step;
         stop_at(w, index, start, angle, swept.next.time, td_row(&w->delta, slot));

@@ -3,6 +3,7 @@
 #include <thud/thud.h>
 #include <thud/thud_detection.h>
 #include <thud/thud_draw.h>
+#include <thud/thud_events.h>
 #include <thud/thud_ids.h>
 #include <thud/thud_jobs.h>
 #include <thud/thud_math.h>

@@ -15,6 +15,7 @@
 
 #include "thud_detection.h"
 #include "thud_draw.h"
+#include "thud_events.h"
 #include "thud_ids.h"
 #include "thud_jobs.h"
 #include "thud_math.h"
@@ -239,7 +240,7 @@ typedef struct thud_shape_def {
                             runs clockwise about the shape, to +x on its top, as a conveyor belt;
                             a pair's is the sum */
     thud_filter filter;
-    bool sensor;       /* reports overlaps, collides with nothing; see thud_events */
+    bool sensor;       /* reports overlaps, collides with nothing; see thud_events.h */
     uint64_t user_data;
 } thud_shape_def;
 
@@ -298,42 +299,6 @@ typedef struct thud_pose {
  * its next call. Null and *count = 0 if memory is short, or |origin.x| or |origin.y| > 1e9 length scales. */
 THUD_API const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha,
                                            int *count);
-
-/* ---- events of the last step, in a deterministic order; valid until the next step ----
- *
- * Of one pair of shapes, begin and end come in turn, and each begin has its end: also when a shape,
- * its body or the ground goes, moves or falls asleep. Where an edit ended a pair, the end comes with
- * the next step. A pair listed in both has ended and begun again, or begun and ended, as it was open
- * before or not. Inside a callback the events are still those of the step before.
- *
- * A sensor reports every shape of another body that it overlaps and that the filters of both let
- * meet, sensors too: of dynamic, kinematic and static bodies, awake or asleep, whose sleep it does
- * not disturb. Two static bodies alone are nothing to each other, since neither ever comes or goes:
- * thud_world_overlap_shape tells what stands where. Of two sensors each reports the other. They go
- * by where bodies stand as a step begins, after the edits: what moves in within a step is told by the
- * next one, and what has then passed through altogether is not. */
-
-typedef struct thud_contact_event {
-    thud_shape_id shape_a, shape_b; /* of an end event they may have been destroyed since */
-} thud_contact_event;
-
-typedef struct thud_hit_event {
-    thud_shape_id shape_a, shape_b;
-    thud_pos point;
-    thud_vec2 normal;  /* from a to b */
-    float speed;       /* of approach */
-} thud_hit_event;
-
-typedef struct thud_events {
-    const thud_contact_event *begin, *end;
-    const thud_contact_event *sensor_begin, *sensor_end; /* shape_a is the sensor that reports */
-    const thud_hit_event *hit;
-    const thud_body_id *quarantined; /* frozen because they became non-finite */
-    int begin_count, end_count, sensor_begin_count, sensor_end_count, hit_count,
-        quarantined_count;
-} thud_events;
-
-THUD_API thud_events thud_world_events(const thud_world *world);
 
 /* ---- statistics ---- */
 
