@@ -84,6 +84,7 @@ need_test() {
     need "Python 3" python3 have python3
     need "Chromium" "chromium|chromium-browser" \
         have_any chromium chromium-browser google-chrome
+    need "Firefox" "firefox-esr|firefox" have_any firefox-esr firefox
 }
 
 # ensure WHAT: installs what need_WHAT misses for the verb, or says what that is and ends.

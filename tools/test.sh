@@ -78,7 +78,7 @@ test_everything() {
     stage "native, clang" test_clang
     stage "sanitizers" test_sanitize
     stage "wasm in Node" test_wasm
-    stage "page in Chromium" test_page
+    stage "page in Chromium and Firefox" test_page
     stage "comparison with Box2D" test_baseline
     say "Summary"
     printf '%s\n' "$summary"

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launchChromium } from "../../web/tools/browser.mjs";
+import { launch, launchChromium } from "../../web/tools/browser.mjs";
 import { writeServiceWorker } from "../../web/tools/offline-plugin.mjs";
 import { createStaticServer } from "../../web/tools/static-server.mjs";
 import { copyOfPage, createPlainServer, serve, untilOffline } from "./built-page.mjs";
@@ -100,6 +100,33 @@ test("new_build_waits_for_the_visitor_and_then_replaces_the_old_one", async (t) 
   const present = await page.evaluate(() => caches.keys());
   assert.equal(present.length, 1);
   assert.notDeepEqual(present, former);
+});
+
+/** As it was once: in Firefox no worker can import then. */
+const FORMER_POLICY =
+  "default-src 'none'; script-src 'self' blob: 'unsafe-eval'; connect-src 'self'; worker-src 'none'";
+
+test("policy_of_a_new_build_replaces_the_former_one_in_firefox", async (t) => {
+  const folder = copyOfPage(t);
+  await writeServiceWorker(folder, FORMER_POLICY);
+  // The policy is the service worker's alone.
+  const { url } = await serve(t, createPlainServer(folder));
+  const firefox = await launch("firefox", { webgl: false });
+  t.after(() => firefox.close());
+  const page = await firefox.newPage();
+  page.setDefaultTimeout(PATIENCE);
+  await page.goto(url + STANDING);
+  await untilOffline(page);
+  await page.goto(`${url}?scene=platformer_game`);
+  await page.waitForSelector("#failure:not([hidden])");
+
+  await writeServiceWorker(folder);
+  await page.goto(url + STANDING);
+  await page.getByRole("button", { name: /reload/i }).click();
+  await page.waitForFunction(() => caches.keys().then(({ length }) => length === 1));
+  await page.goto(`${url}?scene=platformer_game`);
+  await untilRunning(page);
+  assert.ok(await page.isHidden("#failure"));
 });
 
 test("build_with_a_missing_file_is_not_kept_and_the_page_runs", async (t) => {

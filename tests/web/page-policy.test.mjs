@@ -5,7 +5,7 @@ import { createServer } from "node:http";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { transformWithEsbuild } from "../../web/node_modules/vite/dist/node/index.js";
-import { launchChromium } from "../../web/tools/browser.mjs";
+import { BROWSERS, launch } from "../../web/tools/browser.mjs";
 import { writeServiceWorker } from "../../web/tools/offline-plugin.mjs";
 import { listenFrom } from "../../web/tools/serve.mjs";
 import { createStaticServer } from "../../web/tools/static-server.mjs";
@@ -13,15 +13,15 @@ import { copyOfPage, createPlainServer, serve, untilOffline } from "./built-page
 import { PATIENCE, untilRunning } from "./page-support.mjs";
 import { until } from "./wait-support.mjs";
 
-let browser;
+const browsers = {};
 before(async () => {
-  browser = await launchChromium({ webgl: false });
+  for (const name of BROWSERS) browsers[name] = await launch(name, { webgl: false });
 });
-after(() => browser.close());
+after(() => Promise.all(Object.values(browsers).map((browser) => browser.close())));
 
 /** A page that writes down each request, breach of its policy, and word of trouble. */
-async function openWatched(t) {
-  const context = await browser.newContext();
+async function openWatched(t, browser = "chromium") {
+  const context = await browsers[browser].newContext();
   t.after(() => context.close());
   context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
@@ -41,11 +41,15 @@ async function openWatched(t) {
   return { page, requests, troubles };
 }
 
-for (const under of ["/", "/some/path/"])
-  test(`page_at_${under}_asks_its_host_alone_and_breaks_no_policy`, async (t) => {
+for (const [browser, under] of [
+  ["chromium", "/"],
+  ["chromium", "/some/path/"],
+  ["firefox", "/some/path/"],
+])
+  test(`page_at_${under}_asks_its_host_alone_and_breaks_no_policy_in_${browser}`, async (t) => {
     const { url } = await serve(t, createStaticServer(copyOfPage(t), under), under);
-    const { page, requests, troubles } = await openWatched(t);
-    for (const search of ["", "?scene=tumbler", "?level=towers"]) {
+    const { page, requests, troubles } = await openWatched(t, browser);
+    for (const search of ["", "?scene=platformer_game", "?level=towers"]) {
       await page.goto(url + search);
       await untilRunning(page);
     }
@@ -96,6 +100,14 @@ test("manifest_is_valid_and_its_icons_have_their_sizes", async (t) => {
 
 /** What a stranger's code may try from a worker; answers with what came of each. */
 const PROBE = `
+const NESTED = "onmessage = ({ data }) => fetch(data + 'nested', { mode: 'no-cors' })" +
+  ".then(() => postMessage(true), () => postMessage(false))";
+const start = (code, host) => new Promise((done, fail) => {
+  const worker = new Worker(URL.createObjectURL(code));
+  worker.onmessage = ({ data }) => data ? done() : fail(new Error("confined"));
+  worker.onerror = () => fail(new Error("refused"));
+  worker.postMessage(host);
+});
 const tries = {
   fetch: (host) => fetch(host + "fetch", { mode: "no-cors" }),
   import: (host) => import(host + "import.js"),
@@ -108,6 +120,8 @@ const tries = {
     const code = new Blob(["export default 1"], { type: "text/javascript" });
     return import(URL.createObjectURL(code));
   },
+  own: () => import("./own.js"),
+  nested: (host) => start(new Blob([NESTED], { type: "text/javascript" }), host),
   assemble: () => WebAssembly.compile(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0])),
   home: () => fetch("icon.svg"),
 };
@@ -119,9 +133,10 @@ onmessage = async ({ data: host }) => {
 };`;
 
 /** What code in a worker of the page can do, and which of its requests another host has seen. */
-async function probeFrom(t, create, offline) {
+async function probeFrom(t, create, browser, offline) {
   const folder = copyOfPage(t);
   writeFileSync(join(folder, "probe.js"), PROBE);
+  writeFileSync(join(folder, "own.js"), "export default 1;");
   await writeServiceWorker(folder);
   const seen = [];
   const other = createServer((request, response) => {
@@ -143,7 +158,7 @@ async function probeFrom(t, create, offline) {
     other.close();
   });
   const { url } = await serve(t, create(folder));
-  const { page } = await openWatched(t);
+  const { page } = await openWatched(t, browser);
   await page.goto(url);
   if (offline) await untilOffline(page);
   const reached = await page.evaluate(
@@ -151,6 +166,7 @@ async function probeFrom(t, create, offline) {
       new Promise((done) => {
         const worker = new Worker("probe.js", { type: "module" });
         worker.onmessage = ({ data }) => done(data);
+        worker.onerror = () => done("the worker does not start");
         worker.postMessage(host);
       }),
     elsewhere,
@@ -158,19 +174,21 @@ async function probeFrom(t, create, offline) {
   return { reached, seen };
 }
 
-const FREE = ["compile", "assemble", "home"];
+const FREE = ["compile", "own", "assemble", "home"];
 
-test("code_in_a_worker_reaches_no_other_host", async (t) => {
-  const { reached, seen } = await probeFrom(t, createStaticServer, false);
-  assert.deepEqual(reached, FREE);
-  assert.deepEqual(seen, []);
-});
+for (const browser of BROWSERS) {
+  test(`code_in_a_worker_reaches_no_other_host_in_${browser}`, async (t) => {
+    const { reached, seen } = await probeFrom(t, createStaticServer, browser, false);
+    assert.deepEqual(reached, FREE);
+    assert.deepEqual(seen, []);
+  });
 
-test("code_in_a_worker_of_a_plain_host_is_confined_by_the_service_worker", async (t) => {
-  const { reached, seen } = await probeFrom(t, createPlainServer, true);
-  assert.deepEqual(reached, FREE);
-  assert.deepEqual(seen, []);
-});
+  test(`code_in_a_worker_of_a_plain_host_is_confined_by_the_service_worker_in_${browser}`, async (t) => {
+    const { reached, seen } = await probeFrom(t, createPlainServer, browser, true);
+    assert.deepEqual(reached, FREE);
+    assert.deepEqual(seen, []);
+  });
+}
 
 /** What isConfined says of the probe on a first visit to a host. */
 async function confinedOn(t, create, prepare = async () => {}) {

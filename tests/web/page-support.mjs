@@ -1,9 +1,9 @@
 /** A visitor's browser for the tests of the page. */
 import assert from "node:assert/strict";
-import { DESKTOP, launchChromium, servePage } from "../../web/tools/browser.mjs";
+import { DESKTOP, launch, servePage } from "../../web/tools/browser.mjs";
 import { axeSource } from "./support.mjs";
 
-export { DESKTOP, PHONE, stepBy } from "../../web/tools/browser.mjs";
+export { BROWSERS, DESKTOP, PHONE, stepBy } from "../../web/tools/browser.mjs";
 
 /**
  * Milliseconds that a wait may take. It ends as soon as what is waited for is there; until then a
@@ -12,9 +12,9 @@ export { DESKTOP, PHONE, stepBy } from "../../web/tools/browser.mjs";
 export const PATIENCE = 120_000;
 
 /** A browser and the served page; every page that is opened collects its errors. */
-export async function openVisitor({ webgl = false } = {}) {
+export async function openVisitor({ webgl = false, browser: name = "chromium" } = {}) {
   const server = await servePage();
-  const browser = await launchChromium({ webgl });
+  const browser = await launch(name, { webgl });
   return {
     browser,
     async open(search = "", options = DESKTOP, prepare = async () => {}) {

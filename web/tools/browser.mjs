@@ -1,8 +1,11 @@
-/** The system's Chromium for tests and screenshots, driven by playwright-core. */
+/**
+ * The system's browsers for tests and screenshots, driven by playwright-core: Chromium by its own
+ * protocol, Firefox by WebDriver BiDi, which Firefox as it comes understands.
+ */
 import { accessSync, constants } from "node:fs";
 import { delimiter, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { chromium } from "playwright-core";
+import { chromium, firefox } from "playwright-core";
 import { listenFrom } from "./serve.mjs";
 import { createStaticServer } from "./static-server.mjs";
 
@@ -15,26 +18,48 @@ export const PHONE = {
   isMobile: true,
 };
 
-const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+/** What each is called on the path; the first is Debian's package too. */
+const NAMES = {
+  chromium: ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"],
+  firefox: ["firefox-esr", "firefox"],
+};
 
-/** CHROMIUM names another browser than the first one on the path. */
-function findChromium() {
-  if (process.env.CHROMIUM) return process.env.CHROMIUM;
+/** The browsers that the page is tested in. */
+export const BROWSERS = Object.keys(NAMES);
+
+/** CHROMIUM and FIREFOX name another one than the first on the path. */
+function find(browser) {
+  const chosen = process.env[browser.toUpperCase()];
+  if (chosen) return chosen;
   for (const folder of (process.env.PATH ?? "").split(delimiter))
-    for (const name of NAMES)
+    for (const name of NAMES[browser])
       try {
         accessSync(join(folder, name), constants.X_OK);
         return join(folder, name);
       } catch {
         // Not there: the next one.
       }
-  throw new Error("no Chromium found on the path; on Debian: apt-get install chromium");
+  const [first] = NAMES[browser];
+  throw new Error(`no ${browser} found on the path; on Debian: apt-get install ${first}`);
 }
 
 /** Headless, and quiet towards the network; with `webgl` it draws by software. */
+export function launch(browser, options) {
+  return browser === "firefox" ? launchFirefox(options) : launchChromium(options);
+}
+
+export function launchFirefox({ webgl = true } = {}) {
+  return firefox.launch({
+    channel: "moz-firefox",
+    executablePath: find("firefox"),
+    headless: true,
+    firefoxUserPrefs: { "webgl.disabled": !webgl },
+  });
+}
+
 export function launchChromium({ webgl = true } = {}) {
   return chromium.launch({
-    executablePath: findChromium(),
+    executablePath: find("chromium"),
     headless: true,
     args: [
       "--no-sandbox",

@@ -17,8 +17,10 @@ export const ISOLATION = {
  * a stranger, runs in the physics worker and nowhere else. It may compute what it likes
  * ('unsafe-eval' and blob: are how it is compiled, and Box2D's loader makes functions of text), but
  * it must not reach another host: fetch, import, WebSocket and importScripts end at this one.
+ * Firefox takes what a worker imports for workers: 'none' there would stop every import. A worker
+ * that a worker starts is this host's own, and is sent the same policy.
  * It is sent with every script, because only workers heed it there.
  */
 export const WORKER_POLICY =
   "default-src 'none'; script-src 'self' blob: 'unsafe-eval'; connect-src 'self'; " +
-  "worker-src 'none'";
+  "worker-src 'self'";

@@ -33,10 +33,10 @@ export function offline() {
   };
 }
 
-/** Writes sw.js for the files that a built folder has now. */
-export async function writeServiceWorker(dir) {
+/** Writes sw.js for the files that a built folder has now, and the policy of its workers. */
+export async function writeServiceWorker(dir, scriptPolicy = WORKER_POLICY) {
   const lists = { files: [], simd: [], scalar: [] };
-  const version = createHash("sha256");
+  const version = createHash("sha256").update(JSON.stringify([ISOLATION, scriptPolicy]));
   for (const path of filesOf(dir).sort()) {
     const url = relative(dir, path).split(sep).join("/");
     const list = listOf(url);
@@ -49,7 +49,7 @@ export async function writeServiceWorker(dir) {
     version: version.digest("hex").slice(0, 16),
     ...lists,
     headers: ISOLATION,
-    scriptPolicy: WORKER_POLICY,
+    scriptPolicy,
   };
   writeFileSync(join(dir, "sw.js"), await bundle(BUILD));
 }
