@@ -11,7 +11,7 @@ import { Figures } from "./page/figures";
 import { addHint } from "./page/hint";
 import { howToPlay } from "./page/how";
 import { Hud } from "./page/hud";
-import { fail, notice, say } from "./page/messages";
+import { fail, notice, say, type WayOn } from "./page/messages";
 import { Pad } from "./page/pad";
 import { Stage } from "./page/stage";
 import { applyTheme, onPrint, onTheme } from "./page/theme";
@@ -26,6 +26,8 @@ import { chooseWasm } from "./wasm/choose";
 const OWN_LEVEL = "own_level";
 /** Where code is shown, and its errors. */
 const CODE_PANEL = "code";
+/** The part of its time from which on a scene runs in slow motion. */
+const MUCH_LAG = 0.2;
 /** Milliseconds that the first scene stands still for a panel that comes with it. */
 const LONGEST_WAIT = 5000;
 
@@ -102,9 +104,8 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
       notice(`“${file.name}” cannot be read: ${messageOf(error)}`, 20);
       return;
     }
-    const files = { "own.tmj": text };
-    app.fileName = file.name.replace(/\.[^.]*$/, "");
-    await app.open(OWN_LEVEL, { files });
+    const name = file.name.replace(/\.[^.]*$/, "");
+    await app.open(OWN_LEVEL, { level: { name, files: { "own.tmj": text } } });
   };
   addDialogs();
   let gallery: Promise<void> | null = null;
@@ -137,10 +138,13 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   onPrint(() => stage.draw(0));
   window.addEventListener("resize", change);
   // A link to other code in the same page: browsers do not load the page again for it.
-  window.addEventListener("hashchange", () => location.reload());
+  window.addEventListener("hashchange", () => history.state ?? location.reload());
+  // Back and forward between scenes.
+  window.addEventListener("popstate", ({ state }) => {
+    if (state) void readAddress(app).then((address) => runFirst(app, address));
+  });
 
-  const state = await readState(new URL(location.href));
-  app.begin(state);
+  const state = await readAddress(app);
   let lastTime = 0;
   let pictured = false;
   const draw = (time: number) => {
@@ -148,6 +152,7 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
     const seconds = lastTime > 0 ? (time - lastTime) / 1000 : 0;
     lastTime = time;
     app.player.advance(seconds);
+    if (app.player.lag > MUCH_LAG) tellSlow(app);
     app.requestFrame();
     stage.draw(seconds);
     const shown = app.player.shown;
@@ -164,29 +169,49 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   app.player.waiting = false;
 }
 
+let slow: Promise<void> | null = null;
+
+/** Most scenes never come to that. */
+function tellSlow(app: App): void {
+  slow ??= import("./page/slow").then(({ watch }) => watch(app));
+}
+
 /** A panel that compares or records begins with the scene's first step, if it comes in time. */
 function waitForPanel({ player }: App): void {
   player.waiting = true;
   setTimeout(() => (player.waiting = false), LONGEST_WAIT);
 }
 
+async function readAddress(app: App): Promise<Partial<State>> {
+  const state = await readState(new URL(location.href));
+  state.level ??= (history.state as Partial<State> | null)?.level;
+  app.begin(state);
+  return state;
+}
+
 async function runFirst(app: App, state: Partial<State>): Promise<void> {
-  const { scene = FIRST_SCENE, size, seed, code, camera, claim } = state;
-  if (!findScene(scene)) {
-    fail("Not found", `There is no scene called “${scene}” here.`, [], {
-      label: "Go to the first scene",
-      go: () => void app.open(FIRST_SCENE),
-    });
+  const { scene = FIRST_SCENE, size, seed, code, camera, claim, level } = state;
+  const own = scene === OWN_LEVEL;
+  if (own ? !level : !findScene(scene)) {
+    const text = own
+      ? "It was too large for a link, or the link is damaged. Whoever has its file can open it " +
+        "here, under Scenes."
+      : `There is no scene called “${scene}” here.`;
+    fail(own ? "The level is not in this link" : "Not found", text, [], toFirst(app));
     return;
   }
   // Code from a link is another's, unless it was written in this tab: it runs when the visitor has
   // read it and says so.
-  const more = { size, seed, camera, claim };
-  const own = code && readDraft(scene) === code ? code : null;
-  if (!own || !(await app.open(scene, { ...more, code: own }))) await app.open(scene, more);
-  if (code && !own) app.offerCode(code);
+  const more = { size, seed, camera, claim, level };
+  const draft = code && readDraft(scene) === code ? code : null;
+  if (!draft || !(await app.open(scene, { ...more, code: draft }))) await app.open(scene, more);
+  if (code && !draft) app.offerCode(code);
   if (code === null)
     notice("The code in this link is damaged, so the page’s own scene runs.", 20);
+}
+
+function toFirst(app: App): WayOn {
+  return { label: "Go to the first scene", go: () => void app.open(FIRST_SCENE) };
 }
 
 /** What is told of scenes: what to look at, how to play, what is wrong. `hinted`: a hint is shown. */
@@ -218,7 +243,7 @@ function listenToScenes(
       byId("scene-title").textContent = title;
       byId("scenes-button").setAttribute("aria-label", `Scenes and levels; now: ${title}`);
       document.title = `${title} · thud`;
-      untold = announced !== app.state.scene;
+      untold = announced !== title;
       framed = false;
       say(untold ? title : `${title}, from the beginning`);
       // What was told of the scene before is not of this one.
@@ -226,7 +251,7 @@ function listenToScenes(
         notice("");
         hinted = false;
       }
-      announced = app.state.scene;
+      announced = title;
       const [first, ...more] = scene.notes;
       if (!first) return;
       untold = false;
@@ -250,10 +275,13 @@ function listenToScenes(
       const { message, details } = trouble;
       if (running) notice(`The scene stopped: ${message}`, 30);
       else
-        fail("This scene cannot be run", message, details, {
-          label: app.scene ? "Go back" : "Go to the first scene",
-          go: () => void app.open(app.scene && app.lastGood ? app.lastGood : FIRST_SCENE),
-        });
+        fail(
+          `This ${app.state.level ? "level" : "scene"} cannot be run`,
+          message,
+          details,
+          // What ran before has never stopped.
+          app.scene ? { label: "Go back", go() {} } : toFirst(app),
+        );
     },
     stuck() {
       if (app.state.code !== null) {

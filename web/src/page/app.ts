@@ -32,18 +32,17 @@ export interface Listener {
 }
 
 /** What a scene may be opened with. */
-type Opening = Partial<
-  Pick<State, "code" | "size" | "seed" | "camera" | "claim"> & { files: App["files"] }
->;
+type Opening = Partial<Pick<State, "code" | "size" | "seed" | "camera" | "claim" | "level">>;
 
 /** What a scene began with. */
-type Begun = Pick<State, "scene" | "code" | "size" | "seed"> & { files: App["files"] };
+type Begun = Pick<State, "scene" | "code" | "size" | "seed" | "level">;
 
 export class App {
   readonly client: Client;
   readonly player = new Player();
   readonly state: State = {
     scene: "towers",
+    level: null,
     seed: 0,
     choices: { ...USUAL },
     versus: { ...USUAL_VERSUS },
@@ -59,20 +58,12 @@ export class App {
   scene: RunningScene | null = null;
   /** Of the running scene, as the last frame with shapes had them. */
   shapes: Shapes | null = null;
-  /** Text of files that `readText` finds before those of the page: a level that was dropped. */
-  files: Record<string, string> | undefined;
   /** By scene. They come after the first picture. */
   abouts: Readonly<Record<string, string>> | null = null;
-  /** Of the level that was dropped. */
-  fileName = "";
-  /** The last scene that ran. */
-  lastGood: string | null = null;
   /** Code of a link that has not been run; the address keeps it. */
   offeredCode: string | null = null;
   /** The engine's files, for further workers. */
   wasm: ChosenWasm = { wasm: "", simd: true };
-  /** Why the last scene could not be run or stopped; null while one runs. */
-  trouble: Trouble | null = null;
   readonly #listeners = new Set<Listener>();
   readonly #look: () => Look;
   /** Single steps that are asked for and not yet made. */
@@ -87,6 +78,10 @@ export class App {
   #runs = 0;
   /** Of addresses that are written one after the other the last one stays. */
   #addresses = 0;
+  /** The next scene is that of the address, and not another after it. */
+  #arrives = true;
+  /** The next address is that of another scene: Back goes to the one before. */
+  #goesOn = false;
 
   /** `look` tells what the page sees and what shall be drawn there by the engine. */
   constructor(look: () => Look) {
@@ -120,8 +115,13 @@ export class App {
     state.seed = more.seed ?? 0;
     state.camera = more.camera ?? null;
     state.claim = more.claim ?? null;
-    this.files = more.files;
+    state.level = more.level ?? null;
     return this.#run();
+  }
+
+  /** Text of files that `readText` finds before those of the page. */
+  get files(): Record<string, string> | undefined {
+    return this.state.level?.files;
   }
 
   /** What is chosen now, as a worker is asked to run it. */
@@ -183,7 +183,7 @@ export class App {
   }
 
   get title(): string {
-    return findScene(this.state.scene)?.title ?? this.fileName;
+    return findScene(this.state.scene)?.title ?? this.state.level?.name ?? "";
   }
 
   /** What to look at; "" also as long as `abouts` are not there. */
@@ -191,8 +191,12 @@ export class App {
     return this.abouts?.[this.state.scene] ?? "";
   }
 
-  /** What an address says, before the first scene. */
+  /** What an address says, before its scene. */
   begin({ choices, versus, speed, paused, overlays, result }: Partial<State>): void {
+    // What was to be written of the scene before is not of this address.
+    this.#addresses++;
+    this.#arrives = true;
+    this.#goesOn = false;
     this.state.result = result ?? null;
     if (choices) Object.assign(this.state.choices, choices);
     if (versus) Object.assign(this.state.versus, versus);
@@ -213,12 +217,13 @@ export class App {
   #begin(scene: RunningScene): void {
     // The scene has bounds for it.
     if (this.state.size !== undefined) this.state.size = scene.sizes ? scene.size : undefined;
-    const { scene: name, code, size, seed } = this.state;
+    const { scene: name, code, size, seed, level } = this.state;
     this.scene = scene;
-    this.lastGood = name;
     if (code !== null || name !== this.#running?.scene) this.offeredCode = null;
-    this.#running = { scene: name, code, size, seed, files: this.files };
-    this.trouble = null;
+    if (!this.#arrives && (name !== this.#running?.scene || level !== this.#running.level))
+      this.#goesOn = true;
+    this.#arrives = false;
+    this.#running = { scene: name, code, size, seed, level };
     this.shapes = null;
     this.#owed = 0;
     if (this.#halted) this.setPaused(false);
@@ -229,14 +234,10 @@ export class App {
   }
 
   #keepRunning(): void {
-    if (!this.#running) return;
-    const { files, ...state } = this.#running;
-    Object.assign(this.state, state);
-    this.files = files;
+    if (this.#running) Object.assign(this.state, this.#running);
   }
 
   #stop(trouble: Trouble, running: boolean): void {
-    this.trouble = trouble;
     if (running && !this.state.paused) {
       this.setPaused(true);
       this.#halted = true;
@@ -276,13 +277,23 @@ export class App {
   /** Tells everybody that `state` has changed, and keeps it in the address. */
   chosen(): void {
     this.#tell((listener) => listener.state?.(this.state));
-    // A level of the visitor's own has no address.
-    if (this.files) return;
     const number = ++this.#addresses;
     const code = this.state.code ?? this.offeredCode;
     void writeState({ ...this.state, code }).then((address) => {
-      if (number === this.#addresses) history.replaceState(null, "", address);
+      if (number === this.#addresses) this.#write(address);
     });
+  }
+
+  #write(address: string): void {
+    const method = this.#goesOn ? "pushState" : "replaceState";
+    this.#goesOn = false;
+    const { level } = this.state;
+    try {
+      // Levels that are too long for an address are found again with Back nevertheless.
+      history[method]({ level }, "", address);
+    } catch {
+      history[method]({}, "", address);
+    }
   }
 
   // ---- time ----
@@ -334,6 +345,8 @@ export class App {
     this.#owed = Math.max(0, this.#owed - made);
     if (frame.samples.length > 0) this.#tell((listener) => listener.samples?.(frame.samples));
     this.#tell((listener) => listener.frame?.(frame));
+    // Where the worker is behind, it does not wait for the display.
+    if (!player.paused) this.requestFrame();
   }
 
   #keepShapes(frame: Frame): void {

@@ -1,6 +1,6 @@
 /**
  * The page's state in its address: the scene, its size and seed, what was chosen and is not the
- * usual, the camera, and after the # the visitor's own code, which no server ever sees.
+ * usual, the camera, and after the # the visitor's own code or level, which no server ever sees.
  */
 import { BROADPHASES, DETECTIONS, QUALITIES } from "thud";
 import { OVERLAYS, type OverlayName } from "../scene/overlays";
@@ -37,8 +37,10 @@ export const USUAL_VERSUS: Versus = { split: "side", substeps: 4 };
 /** What is shown over the bodies, unless chosen. */
 export const USUAL_OVERLAYS: readonly OverlayName[] = ["sleeping"];
 
-/** Bytes of a scene's text that an address may bring. */
-const LONGEST_CODE = 2 ** 20;
+/** Bytes of a scene's or level's text that an address may bring. */
+const LONGEST_TEXT = 2 ** 20;
+/** Letters of a packed level that an address may have: longer ones are cut where they are sent. */
+export const LONGEST_LEVEL = 32_000;
 
 export interface Place {
   x: number;
@@ -57,8 +59,18 @@ export interface Claim {
   hash: string;
 }
 
+/** A level that the visitor brought. */
+export interface OwnLevel {
+  /** Of its file. */
+  name: string;
+  /** Texts by the names that the scene reads them by. */
+  files: Record<string, string>;
+}
+
 export interface State {
   scene: string;
+  /** Of the scene that runs levels of visitors. */
+  level: OwnLevel | null;
   size?: number;
   seed: number;
   choices: Choices;
@@ -125,6 +137,8 @@ export async function readState(address: URL): Promise<Partial<State>> {
   const packed = after.get("code");
   if (packed !== null) state.code = await unpack(packed);
   state.result = after.get("result");
+  const level = after.get("level");
+  if (level !== null) state.level = await unpackLevel(level);
   return state;
 }
 
@@ -156,8 +170,30 @@ export async function writeState(state: State): Promise<string> {
   const after = [];
   if (state.code !== null) after.push(`code=${await pack(state.code)}`);
   if (state.result !== null) after.push(`result=${state.result}`);
+  const level = state.level && (await packLevel(state.level));
+  if (level) after.push(`level=${level}`);
   const hash = after.length > 0 ? `#${after.join("&")}` : "";
   return `?${params.toString().replaceAll("%2C", ",")}${hash}`;
+}
+
+const packedLevels = new WeakMap<OwnLevel, Promise<string>>();
+
+/** Null if it is too long for an address. */
+async function packLevel(level: OwnLevel): Promise<string | null> {
+  // Addresses are written often.
+  if (!packedLevels.has(level)) packedLevels.set(level, pack(JSON.stringify(level)));
+  const packed = await packedLevels.get(level)!.catch(() => "");
+  return packed.length <= LONGEST_LEVEL ? packed : null;
+}
+
+async function unpackLevel(packed: string): Promise<OwnLevel | null> {
+  try {
+    const { name, files } = JSON.parse((await unpack(packed)) ?? "") as OwnLevel;
+    const texts = [name, ...Object.values(files)];
+    return texts.every((text) => typeof text === "string") ? { name, files } : null;
+  } catch {
+    return null;
+  }
 }
 
 function readPlace(text: string | null): Place | null {
@@ -207,7 +243,7 @@ async function through(
   for (let next = await reader.read(); next.value; next = await reader.read()) {
     parts.push(next.value);
     length += next.value.length;
-    if (length > LONGEST_CODE) {
+    if (length > LONGEST_TEXT) {
       await reader.cancel();
       throw new RangeError("too long");
     }

@@ -170,7 +170,7 @@ class CodePanel implements Panel {
     this.#keep(text);
     this.#forgetTrouble();
     const code = text === this.#original ? null : text;
-    const runs = await app.open(scene, { code, size, seed, camera, files: app.files });
+    const runs = await app.open(scene, { code, size, seed, camera, level: app.state.level });
     if (runs) await this.#findImports(++this.#loads);
   }
 

@@ -4,7 +4,16 @@ import { choiceBar, make } from "../page/dom";
 import type { Panel } from "../page/dock";
 import { notice } from "../page/messages";
 import { applyTheme, chosenTheme, chooseTheme, THEMES } from "../page/theme";
-import { SPEEDS } from "../page/url";
+import { LONGEST_LEVEL, SPEEDS } from "../page/url";
+
+/** What the address has of what one sees. */
+function carried({ state: { level } }: App): string {
+  if (!level) return "scene, choices, view and code.";
+  return location.hash.includes("level=")
+    ? "level, choices, view and code."
+    : `choices and view, but not the level, which is over ${LONGEST_LEVEL / 1000} kB even packed. ` +
+        "Send its file too.";
+}
 
 export function createPanel(app: App): Panel {
   const speed = choiceBar(
@@ -41,7 +50,7 @@ export function createPanel(app: App): Panel {
   const share = make("button", { class: "wide", id: "share" }, "Copy a link to what you see");
   share.addEventListener("click", () => {
     void navigator.clipboard.writeText(location.href).then(
-      () => notice("The link is in the clipboard: scene, choices, view and code."),
+      () => notice(`The link is in the clipboard: ${carried(app)}`),
       () => notice("The clipboard is not allowed here: copy the address from the address bar."),
     );
   });

@@ -32,6 +32,8 @@ export interface Frame {
   error: StepError;
   /** Of the steps made since the last frame. */
   samples: Sample[];
+  /** Milliseconds of the worker: for those steps, with all that goes along, and for this frame. */
+  spent?: { steps: number; picture: number };
   /** Steps that the visitor can go back to. */
   history: { first: number; last: number };
   /** The other engine's bodies at the same moment, while there is one; laid out alike. */

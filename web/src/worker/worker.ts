@@ -155,8 +155,11 @@ self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
     if (data.kind === "deed") session.do(data.deed);
     else {
       // Asked for before the page knew of this scene, they are no steps of it.
+      const start = performance.now();
       if (data.run === session.run) tick(session, data.until);
+      const made = performance.now();
       const frame = frames.make(data.look);
+      frame.spent = { steps: made - start, picture: performance.now() - made };
       post({ kind: "frame", frame }, transferables(frame));
     }
   } catch (error) {

@@ -1,0 +1,141 @@
+/** The scene's time goes with the clock at any rate of the display, or the page says why not. */
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { boxes } from "./code-support.mjs";
+import { BROWSERS, DESKTOP, openVisitor, untilRunning } from "./page-support.mjs";
+import { until } from "./wait-support.mjs";
+
+/** Milliseconds between two pictures here: longer than a machine needs for a small step. */
+const PAUSE = 60;
+
+/**
+ * A display of so many pictures a second by its own clock, whatever the machine's is: the same
+ * comes out where the machine is slow.
+ */
+function display(hertz) {
+  return (page) =>
+    page.addInitScript(
+      ([rate, pause]) => {
+        let asked = new Map();
+        let count = 0;
+        window.clock = 0;
+        window.requestAnimationFrame = (act) => {
+          asked.set(++count, act);
+          return count;
+        };
+        window.cancelAnimationFrame = (number) => asked.delete(number);
+        setInterval(() => {
+          window.clock += 1000 / rate;
+          const acts = asked;
+          asked = new Map();
+          for (const act of acts.values()) act(window.clock);
+        }, pause);
+      },
+      [hertz, PAUSE],
+    );
+}
+
+const GAMES = [
+  [20, "artillery", 3, 1],
+  [30, "platformer_game", 3, 1],
+];
+/** Pictures a second, of what, for so many seconds, at that speed. */
+const RATES = {
+  firefox: GAMES,
+  chromium: [...GAMES, [30, "cradle", 3, 2], [60, "cradle", 2, 0.5], [144, "cradle", 0.8, 1]],
+};
+
+/** Seconds of the display and of the scene. */
+function times(page) {
+  return page.evaluate(() => ({
+    clock: window.clock / 1000,
+    scene: Number(document.querySelector("#hud").dataset.steps) / 60,
+  }));
+}
+
+for (const browser of BROWSERS)
+  describe(browser, () => {
+    let visitor;
+    before(async () => {
+      visitor = await openVisitor({ browser });
+    });
+    after(() => visitor.close());
+
+    for (const [hertz, scene, seconds, speed] of RATES[browser])
+      test(`${scene}_at_${speed}_times_keeps_the_clock_s_time_at_${hertz}_pictures_a_second`, async () => {
+        const search = `?scene=${scene}&speed=${speed}`;
+        const { page, errors, close } = await visitor.open(search, DESKTOP, display(hertz));
+        await untilRunning(page);
+        const start = await times(page);
+        const end = await until(
+          () => times(page),
+          ({ clock }) => clock >= start.clock + seconds,
+          "the display goes on",
+        );
+        const part = (end.scene - start.scene) / (end.clock - start.clock) / speed;
+        // The pictures at both ends may be off by one.
+        assert.ok(Math.abs(part - 1) <= 2 / (seconds * Math.min(60, hertz)), `${part}`);
+        assert.equal(await page.locator("#slow").count(), 0, "nothing is said of slow motion");
+        assert.deepEqual(errors, []);
+        await close();
+      });
+  });
+
+describe("slow motion", () => {
+  let visitor;
+  before(async () => {
+    visitor = await openVisitor();
+  });
+  after(() => visitor.close());
+
+  /** What is told while a scene cannot keep up. */
+  async function toldOf(page) {
+    await page.waitForSelector("#slow:not([hidden])");
+    const notice = await page.innerText("#notice");
+    return { line: await page.innerText("#slow"), notice };
+  }
+
+  test("scene_whose_own_code_takes_too_long_runs_on_and_says_so_until_it_is_paused", async () => {
+    const body = boxes(3, { update: "for (const t = performance.now(); performance.now() < t + 200;);" });
+    const { page, close } = await visitor.open("?scene=sketch", DESKTOP, async (opened) => {
+      await opened.route("**/scenes/sketch.js", (route) =>
+        route.fulfill({ contentType: "text/javascript", body }),
+      );
+      await display(60)(opened);
+    });
+    const { line, notice } = await toldOf(page);
+    assert.match(line, /^Slow motion, 0\.\d+×: a step takes \d+(\.\d)? ms, 16\.7 ms would keep up$/);
+    assert.match(notice, /cannot keep up with the clock: .*scene’s own code/);
+    const { scene } = await times(page);
+    await until(() => times(page), (now) => now.scene > scene + 0.05, "it goes on");
+    await page.click("#pause");
+    await page.waitForSelector("#slow", { state: "hidden" });
+    await page.click("#pause");
+    await page.waitForSelector("#slow:not([hidden])");
+    await page.click("#scenes-button");
+    await page.click('[data-entry="cradle"]');
+    await page.waitForFunction(() => document.title.startsWith("Newton"));
+    assert.ok(await page.isHidden("#slow"));
+    await close();
+  });
+
+  test("browser_that_draws_four_pictures_a_second_is_told_as_the_reason", async () => {
+    const { page, close } = await visitor.open("?scene=cradle", DESKTOP, display(4));
+    const { notice } = await toldOf(page);
+    assert.match(notice, /draws 4 pictures a second.*smaller window/);
+    const wanted = /^Slow motion, 0\.4\d*×: the browser draws 4 pictures a second$/;
+    await until(() => page.innerText("#slow"), (line) => wanted.test(line), "of its time");
+    await close();
+  });
+
+  test("tab_that_was_out_of_sight_for_a_minute_is_not_slow", async () => {
+    const { page, close } = await visitor.open("?scene=cradle", DESKTOP, display(60));
+    await untilRunning(page);
+    const before = await times(page);
+    await page.evaluate(() => (window.clock += 60_000));
+    const after = await until(() => times(page), ({ clock }) => clock > before.clock + 61, "on");
+    assert.ok(after.scene < before.scene + 3, "nothing is made up for");
+    assert.equal(await page.locator("#slow").count(), 0);
+    await close();
+  });
+});
