@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { boxes } from "./code-support.mjs";
-import { BROWSERS, DESKTOP, openVisitor, untilRunning } from "./page-support.mjs";
+import { BROWSERS, DESKTOP, openVisitor, untilRunning, untilTold } from "./page-support.mjs";
 import { until } from "./wait-support.mjs";
 
 /** Milliseconds between two pictures here: longer than a machine needs for a small step. */
@@ -62,7 +62,7 @@ for (const browser of BROWSERS)
     after(() => visitor.close());
 
     for (const [hertz, scene, seconds, speed] of RATES[browser])
-      test(`${scene}_at_${speed}_times_keeps_the_clock_s_time_at_${hertz}_pictures_a_second`, async () => {
+      test(`${scene}_at_${speed}_times_keeps_the_time_at_${hertz}_pictures_a_second`, async () => {
         const search = `?scene=${scene}&speed=${speed}`;
         const { page, errors, close } = await visitor.open(search, DESKTOP, display(hertz));
         await untilRunning(page);
@@ -91,21 +91,22 @@ describe("slow motion", () => {
   /** What is told while a scene cannot keep up. */
   async function toldOf(page) {
     await page.waitForSelector("#slow:not([hidden])");
-    const notice = await page.innerText("#notice");
-    return { line: await page.innerText("#slow"), notice };
+    return page.innerText("#slow");
   }
 
   test("scene_whose_own_code_takes_too_long_runs_on_and_says_so_until_it_is_paused", async () => {
-    const body = boxes(3, { update: "for (const t = performance.now(); performance.now() < t + 200;);" });
+    const update = "for (const t = performance.now(); performance.now() < t + 200;);";
+    const body = boxes(3, { update });
     const { page, close } = await visitor.open("?scene=sketch", DESKTOP, async (opened) => {
       await opened.route("**/scenes/sketch.js", (route) =>
         route.fulfill({ contentType: "text/javascript", body }),
       );
       await display(60)(opened);
     });
-    const { line, notice } = await toldOf(page);
-    assert.match(line, /^Slow motion, 0\.\d+×: a step takes \d+(\.\d)? ms, 16\.7 ms would keep up$/);
-    assert.match(notice, /cannot keep up with the clock: .*scene’s own code/);
+    const told = await toldOf(page);
+    assert.match(told, /^Slow motion, 0\.\d+×: a step takes \d+(\.\d)? ms, 16\.7 ms would keep up\./);
+    assert.match(told, /scene’s own code/);
+    await untilTold(page, "cannot keep up with the clock");
     const { scene } = await times(page);
     await until(() => times(page), (now) => now.scene > scene + 0.05, "it goes on");
     await page.click("#pause");
@@ -121,9 +122,8 @@ describe("slow motion", () => {
 
   test("browser_that_draws_four_pictures_a_second_is_told_as_the_reason", async () => {
     const { page, close } = await visitor.open("?scene=cradle", DESKTOP, display(4));
-    const { notice } = await toldOf(page);
-    assert.match(notice, /draws 4 pictures a second.*smaller window/);
-    const wanted = /^Slow motion, 0\.4\d*×: the browser draws 4 pictures a second$/;
+    assert.match(await toldOf(page), /draws 4 pictures a second\. A smaller window/);
+    const wanted = /^Slow motion, 0\.4\d*×: the browser draws 4 pictures a second/;
     await until(() => page.innerText("#slow"), (line) => wanted.test(line), "of its time");
     await close();
   });

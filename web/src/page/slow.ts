@@ -7,13 +7,15 @@ import { mean } from "../shared/step-times";
 import type { App } from "./app";
 import { byId, make } from "./dom";
 import { duration } from "./format";
-import { notice } from "./messages";
+import { say } from "./messages";
 
 /** The parts of its time from which on it is told, and below which it is over. */
 const MUCH = 0.2;
 const LITTLE = 0.05;
 /** Milliseconds between two texts. */
 const EVERY = 1000;
+/** Milliseconds that what helps is shown. */
+const READ = 12_000;
 /** Frames that are looked at. */
 const LAST = 60;
 /** Of the time that there is: a worker that needs as much has none to spare. */
@@ -31,6 +33,8 @@ export function watch(app: App): void {
   byId("notice").after(line);
   let frames: Frame[] = [];
   let shown = 0;
+  /** Until then what helps is told too. */
+  let whole = 0;
   /** What has been told of this scene. */
   const told = new Set<string>();
   const hide = () => (line.hidden = true);
@@ -51,11 +55,14 @@ export function watch(app: App): void {
       shown = now;
       const why = whyOf(app, frames);
       const rate = `${((1 - lag) * speed).toPrecision(2)}×`;
-      line.textContent = `Slow motion, ${rate}: ${why.short}`;
+      const text = `${speed === 1 ? `Slow motion, ${rate}` : `${rate}, not ${speed}×`}: ${why.short}`;
+      if (!told.has(why.kind)) {
+        told.add(why.kind);
+        whole = now + READ;
+        say(`The scene cannot keep up with the clock: ${why.short}. ${why.advice}`);
+      }
+      line.textContent = now < whole ? `${text}. ${why.advice}` : text;
       line.hidden = false;
-      if (told.has(why.kind)) return;
-      told.add(why.kind);
-      notice(`The scene cannot keep up with the clock: ${why.short}. ${why.advice}`, 12);
     },
   });
 }
@@ -85,7 +92,7 @@ function whyOf({ player, scene }: App, frames: readonly Frame[]): Why {
     return {
       kind: "picture",
       short: `what is shown takes ${duration(picture)} a step, ${enough}`,
-      advice: "Without some overlays it takes less.",
+      advice: "Fewer bodies or overlays take less.",
     };
   const short = `a step takes ${duration(step)}, ${enough}`;
   if (most === box2d)
