@@ -39,6 +39,9 @@ need_native() {
     need "a C compiler with make" build-essential compiles
     need "CMake 3.22 or later" cmake have cmake
     need "cJSON's headers" libcjson-dev has_header cjson/cJSON.h
+    need "Expat's headers" libexpat1-dev has_header expat.h
+    need "zlib's headers" zlib1g-dev has_header zlib.h
+    need "Zstandard's headers" libzstd-dev has_header zstd.h
 }
 
 need_demo() {

@@ -1,10 +1,9 @@
-/* level.c: reads a Tiled map: the file, the map itself, and its layers. */
+/* level.c: reads a Tiled map: the map itself, and its layers. */
 #include "level.h"
 
 #include "reader.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,8 +17,7 @@ static void read_layer(level_reader *r, const level_layer *parent, const cJSON *
     const char *kind = cJSON_IsString(type) ? type->valuestring : "";
     if (strcmp(kind, "imagelayer") == 0)
         return;
-    /* An object, or a tileset and a tile, still come on top. */
-    if (layer.chain.count > LEVEL_CHAIN - 3) {
+    if (layer.chain.count > LEVEL_DEEPEST) {
         level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': too deep inside groups",
                           layer.name);
         return;
@@ -121,7 +119,7 @@ static void read_map(level_reader *r, const cJSON *json, const char *name) {
         return;
     }
     level_layer map = {.json = json, .name = "map", .chain = {.links = {json}, .count = 1}};
-    r->tilesets = level_field(json, "tilesets");
+    r->s->failed = !level_list_tilesets(&r->tilesets, level_field(json, "tilesets"), "");
     level_note_unknown(r->report, json, 0, "map");
     if (!read_map_values(r, &map, name)) {
         level_problem_add(r->report, LEVEL_FATAL, 0, "the map's own values cannot be used");
@@ -130,31 +128,48 @@ static void read_map(level_reader *r, const cJSON *json, const char *name) {
     read_layers(r, &map);
 }
 
-/* Where in the text parsing stopped, as an editor counts. */
-static void report_syntax(level_report *report, const char *text, const char *end) {
-    int line = 1;
-    for (const char *p = text; end && p < end; p++)
-        line += *p == '\n';
-    level_problem_add(report, LEVEL_FATAL, 0, "this is not JSON: parsing stops in line %d", line);
+/* More cells than this are read of no map, in all its layers. */
+static const double MOST_CELLS = 1 << 26;
+
+/* Reads the map into an empty scene; true if nothing in it collides, but tiles might. */
+static bool read_once(level_library *library, const cJSON *json, const char *name, bool all_solid,
+                      scene *s, level_report *report) {
+    scene_init(s);
+    level_reader reader = {
+        .s = s, .report = report, .library = library, .cells = MOST_CELLS, .all_solid = all_solid};
+    read_map(&reader, json, name);
+    free(reader.tilesets.items);
+    return s->body_count == 0 && reader.unmarked > 0 && report->fatal == 0 && !s->failed;
 }
 
-bool level_read(const char *name, const char *text, size_t length, bool skip, scene *s,
-                level_report *report) {
+static void read_document(level_library *library, const cJSON *json, const char *name, scene *s,
+                          level_report *report) {
+    if (!read_once(library, json, name, false, s, report))
+        return;
+    scene_free(s);
+    level_report_free(report);
+    level_library_forget_reports(library);
+    level_problem_add(report, LEVEL_NOTE, 0,
+                      "nothing in this map says what collides, so every tile does: 'solid' says it "
+                      "for a layer, a tileset, a tile or a tile object");
+    read_once(library, json, name, true, s, report);
+}
+
+bool level_read_with(const char *name, const char *text, size_t length, const level_opener *opener,
+                     bool skip, scene *s, level_report *report) {
     scene_init(s);
     *report = (level_report){0};
-    const char *end = NULL;
-    cJSON *json = cJSON_ParseWithLengthOpts(text, length, &end, false);
-    while (json && end < text + length && strchr(" \t\r\n", *end) && *end)
-        end++;
-    if (!json || end != text + length) {
-        report_syntax(report, text, end);
-    } else {
-        level_reader reader = {.s = s, .report = report};
-        read_map(&reader, json, name);
-    }
-    cJSON_Delete(json);
-    if (s->failed)
+    char trouble[120];
+    cJSON *json = level_document(text, length, trouble, sizeof trouble);
+    level_library *library = level_library_create(opener);
+    if (!json)
+        level_problem_add(report, LEVEL_FATAL, 0, "%s", trouble);
+    else if (library)
+        read_document(library, json, name, s, report);
+    if (s->failed || !library)
         level_problem_add(report, LEVEL_FATAL, 0, "out of memory");
+    cJSON_Delete(json);
+    level_library_free(library);
     if (report->fatal > 0 || (report->skipped > 0 && !skip)) {
         scene_free(s);
         return false;
@@ -162,57 +177,7 @@ bool level_read(const char *name, const char *text, size_t length, bool skip, sc
     return true;
 }
 
-/* The whole file in memory, or null after a report. */
-static char *read_whole(const char *path, size_t *length, level_report *report) {
-    FILE *file = fopen(path, "rb");
-    char *text = NULL;
-    size_t used = 0, capacity = 0;
-    while (file) {
-        if (used == capacity) {
-            capacity = capacity ? 2 * capacity : 1 << 16;
-            char *grown = realloc(text, capacity);
-            if (!grown)
-                break;
-            text = grown;
-        }
-        size_t got = fread(text + used, 1, capacity - used, file);
-        used += got;
-        if (got == 0)
-            break;
-    }
-    bool complete = file && !ferror(file) && feof(file);
-    if (file)
-        fclose(file);
-    if (!complete) {
-        level_problem_add(report, LEVEL_FATAL, 0, "the file cannot be read");
-        free(text);
-        return NULL;
-    }
-    *length = used;
-    return text;
-}
-
-/* "assets/levels/quarry.tmj" is "quarry". */
-static void name_of(const char *path, char *name, size_t size) {
-    const char *base = path;
-    for (const char *p = path; *p; p++)
-        if (*p == '/' || *p == '\\')
-            base = p + 1;
-    const char *dot = strrchr(base, '.');
-    size_t length = dot && dot != base ? (size_t)(dot - base) : strlen(base);
-    snprintf(name, size, "%.*s", (int)(length < size ? length : size - 1), base);
-}
-
-bool level_read_file(const char *path, bool skip, scene *s, level_report *report) {
-    scene_init(s);
-    *report = (level_report){0};
-    size_t length = 0;
-    char *text = read_whole(path, &length, report);
-    if (!text)
-        return false;
-    char name[128];
-    name_of(path, name, sizeof name);
-    bool read = level_read(name, text, length, skip, s, report);
-    free(text);
-    return read;
+bool level_read(const char *name, const char *text, size_t length, bool skip, scene *s,
+                level_report *report) {
+    return level_read_with(name, text, length, NULL, skip, s, report);
 }

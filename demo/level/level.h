@@ -1,4 +1,5 @@
-/* level.h: reads a map of the Tiled editor in its JSON format (.tmj) into a scene.
+/* level.h: reads a map of the Tiled editor into a scene: .tmj and .tmx, with the tilesets (.tsj,
+ * .tsx) and templates (.tj, .tx) that it refers to.
  *
  * What of a map means what, and the names of the properties, stand in assets/levels/README.md.
  * The page has a reader of its own for the same files, and both must make equal worlds to the bit.
@@ -9,18 +10,30 @@
  *   H           map height in pixels: height * tileheight
  *   ox, oy      a layer's offset: offsetx, offsety, plus its parent group's: parent + own
  *   c, s, r     level_turn(rotation), below
- *   rectangle   hw = width * 0.5    dx = c * hw - s * hh    position x = ((ox + x) + dx) / ppu
- *   or ellipse  hh = height * 0.5   dy = s * hw + c * hh             y = (H - ((oy + y) + dy)) /
- * ppu angle = 0 - r * (pi / 180)    half extents hw / ppu, hh / ppu; radius hw / ppu polyline
- * position of its body ((ox + x) / ppu, (H - (oy + y)) / ppu), angle 0; points
- *               ((c * px - s * py) / ppu, 0 - (s * px + c * py) / ppu), reversed if the last
- *               lies left of the first
- *   tile        column i, row j: x = (ox + (i + 0.5) * tilewidth) / ppu,
- *               y = (H - (oy + (j + 0.5) * tileheight)) / ppu,
- *               half extents (tilewidth * 0.5) / ppu, (tileheight * 0.5) / ppu
+ *   form        what an object's outline is, in pixels from the object's own place, unturned:
+ *               rectangle or circle about (width * 0.5, height * 0.5); the points of a line
+ *   turned      about (x, y): centre (x + (c * fx - s * fy), y + (s * fx + c * fy)), its rotation
+ *               level_turn(form's + rotation); points of a line (c * px - s * py, s * px + c * py)
+ *               about the place (x, y), reversed if the last lies left of the first
+ *   body        position (x / ppu, (H - y) / ppu), angle 0 - r * (pi / 180); a form on it has the
+ *               offset (fx / ppu, 0 - fy / ppu), half extents hx / ppu, hy / ppu, radius hx / ppu,
+ *               angle 0 - its r * (pi / 180), points (px / ppu, 0 - py / ppu)
+ *   object      a single box or circle is turned about (ox + x, oy + y), and its body lies at its
+ *               centre with its rotation; a line's body lies at (ox + x, oy + y), unturned; several
+ *               forms share a body there, with the object's rotation
+ *   tile        of w by h pixels (its image), drawn dw by dh: sx = dw / w, sy = dh / h. Forms of
+ *               its collision shapes are turned about their places, flipped (x and y change places
+ *               first, then x becomes w - x, y becomes h - y; rotations change sign each time),
+ *               scaled, then moved by (0 - dw * 0.5, 0 - dh * 0.5)
+ *   tile object body at the drawn centre: the anchor's fraction (ax, ay) of the tileset gives
+ *               (((0.5 - ax) * dw) + offx * sx, ((0.5 - ay) * dh) + offy * sy), turned about
+ *               (ox + x, oy + y)
+ *   cell        column i, row j: body at ((ox + i * tilewidth) + offx * sx) + dw * 0.5,
+ *               ((oy + (j + 1) * tileheight) + offy * sy) - dh * 0.5
  *
  * Positions of bodies are then rounded by scene_grid. Layers come in the order of the file, within
- * them objects in the order of the file and tiles row by row from the top left. */
+ * them objects in the order of the file and tiles row by row from the top left. Lines have a body
+ * each, after that of the other forms. */
 #ifndef THUD_DEMO_LEVEL_H
 #define THUD_DEMO_LEVEL_H
 
@@ -35,24 +48,42 @@ typedef enum level_severity {
 typedef struct level_problem {
     level_severity severity;
     uint32_t object; /* id of the object, or 0 if it is about a layer or the map */
-    char text[160];  /* says what and where; already names the object or layer */
+    char text[200];  /* says what and where; already names the object or layer */
 } level_problem;
 
-/* All that a reader has to say about a file; the first LEVEL_PROBLEMS of it in words. */
-enum { LEVEL_PROBLEMS = 100 };
+/* All that a reader has to say about a file, in the order of the file. Only a file made to fill
+ * the memory has more than LEVEL_PROBLEMS: those are counted, and not in words. */
+enum { LEVEL_PROBLEMS = 100000 };
 typedef struct level_report {
-    level_problem problems[LEVEL_PROBLEMS];
-    int count;                  /* of problems in words */
-    int notes, skipped, fatal;  /* how many there are of each severity, in words or not */
+    level_problem *problems;
+    int count, capacity;       /* of problems in words, and of the room for them */
+    int notes, skipped, fatal; /* how many there are of each severity, in words or not */
 } level_report;
 
+/* Frees the words; a report that a reader filled needs it. */
+void level_report_free(level_report *report);
+
+/* Gives the files that a map refers to. `path` is relative to the map's own folder, with '/' and
+ * no '.' in it, "templates/block.tx" or "../tiles/ground.tsx"; paths that are absolute, or name a
+ * host, are refused before. Returns the whole file in memory from malloc, or null. */
+typedef struct level_opener {
+    char *(*open)(void *context, const char *path, size_t *length);
+    void *context;
+} level_opener;
+
 /* Reads a map of `length` bytes into *s, which it initialises; the caller frees the scene. `name`
- * becomes the scene's. Everything amiss is in *report. False, and *s is empty, if something is
+ * becomes the scene's. A null `opener` means a map that stands alone. Everything amiss is in
+ * *report, which it initialises too; the caller frees it. False, and *s is empty, if something is
  * fatal, or if something would have to be skipped and `skip` is false. */
+bool level_read_with(const char *name, const char *text, size_t length, const level_opener *opener,
+                     bool skip, scene *s, level_report *report);
+
+/* The same with a map that stands alone. */
 bool level_read(const char *name, const char *text, size_t length, bool skip, scene *s,
                 level_report *report);
 
-/* The same with a file; the name is the file's, without folder and suffix. */
+/* The same with a file, and with those beside it that it refers to; the name is the file's,
+ * without folder and suffix. */
 bool level_read_file(const char *path, bool skip, scene *s, level_report *report);
 
 /* Cosine and sine of a rotation in degrees, equal in every language with IEEE doubles:

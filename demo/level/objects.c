@@ -1,189 +1,230 @@
-/* objects.c: reads an object layer; adds one body with one shape for each object. */
+/* objects.c: reads an object layer; adds a body for each object. */
 #include "reader.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Pixels beyond which a map is absurd, and the same for degrees. */
-static const double FAR = 1e9;
-static const double DEGREES = 1e6;
+/* An object with what its template says. */
+typedef struct thing {
+    const cJSON *json;           /* its fields; those of its template where it has none */
+    cJSON *merged;               /* that, if there is a template: the thing's own */
+    const level_tilesets *tiles; /* what its tile number is of */
+    level_tilesets template_tiles;
+} thing;
 
-/* Sizes, in length scales, between which the engine takes them with room to spare for rounding. */
-static const double SMALLEST = 2e-4;
-static const double LARGEST = 16000;
-
-typedef struct placement {
-    double x, y, width, height; /* as in the file, but with the layer's offset */
-    double c, s, rotation;      /* rotation in [-180, 180) */
-} placement;
-
-static double field_or(level_values *v, const cJSON *json, const char *name, double fallback,
-                       double low, double high) {
-    return level_field(json, name) ? level_required(v, json, name, low, high) : fallback;
+static void thing_free(thing *o) {
+    cJSON_Delete(o->merged);
+    free(o->template_tiles.items);
 }
 
-static placement read_placement(level_values *v, const level_layer *layer, const cJSON *object) {
-    placement p;
-    p.x = layer->ox + level_required(v, object, "x", -FAR, FAR);
-    p.y = layer->oy + level_required(v, object, "y", -FAR, FAR);
-    p.width = field_or(v, object, "width", 0, 0, FAR);
-    p.height = field_or(v, object, "height", 0, 0, FAR);
-    p.rotation = level_turn(field_or(v, object, "rotation", 0, -DEGREES, DEGREES), &p.c, &p.s);
-    return p;
+/* A template's object with the fields of the one that is made after it put over its own. */
+static cJSON *merge(const cJSON *template_object, const cJSON *object) {
+    cJSON *merged = cJSON_Duplicate(template_object, true);
+    const cJSON *field;
+    cJSON_ArrayForEach(field, object) {
+        cJSON *copy = merged ? cJSON_Duplicate(field, true) : NULL;
+        cJSON_DeleteItemFromObjectCaseSensitive(merged, field->string);
+        if (!copy || !cJSON_AddItemToObject(merged, field->string, copy)) {
+            cJSON_Delete(copy);
+            cJSON_Delete(merged);
+            return NULL;
+        }
+    }
+    return merged;
+}
+
+/* Finds the template of an object that has one; false after a report. */
+static bool resolve(level_reader *r, level_values *v, const cJSON *object, level_chain *chain,
+                    thing *o) {
+    const cJSON *source = level_field(object, "template");
+    *o = (thing){.json = object, .tiles = &r->tilesets};
+    if (!source)
+        return true;
+    const char *path;
+    const cJSON *file = level_library_open(
+        r->library, r->report, "", level_field_text(object, "template", ""), "template", &path);
+    const cJSON *template_object = level_field(file, "object");
+    if (!file || !cJSON_IsObject(template_object) || level_field(template_object, "template")) {
+        level_complain(v, LEVEL_SKIP,
+                       file ? "its template has no object of its own"
+                            : "its template cannot be used");
+        return false;
+    }
+    chain->links[chain->count - 1] = template_object;
+    chain->links[chain->count++] = object;
+    o->merged = merge(template_object, object);
+    /* A number of the template's own is of its own tileset. */
+    cJSON *list = cJSON_CreateArray();
+    const cJSON *tileset = level_field(file, "tileset");
+    if (list && tileset)
+        cJSON_AddItemReferenceToArray(list, (cJSON *)(uintptr_t)tileset);
+    bool listed = list && level_list_tilesets(&o->template_tiles, list, path);
+    for (int i = 0; listed && i < o->template_tiles.count; i++)
+        o->template_tiles.items[i].json = tileset;
+    cJSON_Delete(list);
+    if (!o->merged || !listed) {
+        r->s->failed = true;
+        thing_free(o);
+        return false;
+    }
+    o->json = o->merged;
+    if (!level_field(object, "gid"))
+        o->tiles = &o->template_tiles;
+    return true;
 }
 
 /* The class of an object: `type`, but `class` in files of Tiled 1.9. */
 static const char *class_of(const cJSON *object) {
-    const cJSON *type = level_field(object, "type");
-    if (!type)
-        type = level_field(object, "class");
-    return cJSON_IsString(type) ? type->valuestring : "";
+    return level_field_text(object, "type", level_field_text(object, "class", ""));
 }
 
-static bool size_in_range(const level_reader *r, level_values *v, double hx, double hy) {
-    double low = SMALLEST * r->s->length_scale, high = LARGEST * r->s->length_scale;
-    if (hx >= low && hy >= low && hx <= high && hy <= high)
-        return true;
-    level_problem_add(r->report, LEVEL_SKIP, v->object, "its size, %g by %g units, is out of range",
-                      2 * hx, 2 * hy);
-    return false;
-}
-
-static void add_box_or_circle(level_reader *r, level_values *v, const placement *p, bool circle) {
-    double hw = p->width * 0.5, hh = p->height * 0.5;
-    double dx = p->c * hw - p->s * hh;
-    double dy = p->s * hw + p->c * hh;
-    double hx = hw / r->pixels_per_unit, hy = hh / r->pixels_per_unit;
-    level_physics physics = level_read_physics(v);
-    if (v->bad || !size_in_range(r, v, hx, hy))
-        return;
-    scene_body *body = scene_add_body(r->s, physics.kind, (p->x + dx) / r->pixels_per_unit,
-                                      (r->map_height - (p->y + dy)) / r->pixels_per_unit);
-    body->angle = 0.0 - p->rotation * 0.017453292519943295;
-    body->id = v->object;
-    bool upright = p->rotation == 0 && (physics.kind == SCENE_STATIC || physics.fixed_rotation);
-    scene_shape *shape = circle    ? scene_add_circle(r->s, hx)
-                         : upright ? scene_add_aabb(r->s, hx, hy)
-                                   : scene_add_obb(r->s, hx, hy);
-    level_apply_physics(&physics, body, shape);
-}
-
-/* Two axes count as equal within a thousandth: the editor rounds what it writes. */
-static void add_ellipse(level_reader *r, level_values *v, const placement *p) {
-    double larger = p->width > p->height ? p->width : p->height;
-    if (fabs(p->width - p->height) > 1e-3 * larger)
-        level_problem_add(r->report, LEVEL_SKIP, v->object,
-                          "an ellipse of unequal axes, %g by %g, cannot be modelled; only circles",
-                          p->width, p->height);
-    else
-        add_box_or_circle(r, v, p, true);
-}
-
-/* Reads the points, from left to right; false after a report. */
-static bool read_polyline(level_reader *r, level_values *v, const placement *p, const cJSON *line,
-                          scene_point *points, int count) {
-    int i = 0;
-    const cJSON *item;
-    cJSON_ArrayForEach(item, line) {
-        double x = level_required(v, item, "x", -FAR, FAR);
-        double y = level_required(v, item, "y", -FAR, FAR);
-        if (v->bad)
-            return false;
-        points[i++] = (scene_point){(p->c * x - p->s * y) / r->pixels_per_unit,
-                                    0.0 - (p->s * x + p->c * y) / r->pixels_per_unit};
-    }
-    if (points[count - 1].x < points[0].x) {
-        for (int a = 0, b = count - 1; a < b; a++, b--) {
-            scene_point swap = points[a];
-            points[a] = points[b];
-            points[b] = swap;
-        }
-    }
-    for (i = 1; i < count; i++) {
-        if (!(points[i].x > points[i - 1].x)) {
-            level_problem_add(r->report, LEVEL_SKIP, v->object,
-                              "its line turns back: terrain must go on from left to right "
-                              "(vertices %d and %d of %d, from the left)",
-                              i, i + 1, count);
-            return false;
-        }
-    }
-    return true;
-}
-
-static void add_terrain(level_reader *r, level_values *v, const placement *p, const cJSON *line) {
-    int count = cJSON_IsArray(line) ? cJSON_GetArraySize(line) : 0;
-    if (count < 2) {
-        level_problem_add(r->report, LEVEL_SKIP, v->object, "a line needs two points at least");
-        return;
-    }
-    level_physics physics = level_read_physics(v);
-    if (!v->bad && physics.kind != SCENE_STATIC) {
-        level_problem_add(r->report, LEVEL_SKIP, v->object, "a line is terrain, which is static");
-        return;
-    }
-    scene_point *points = malloc((size_t)count * sizeof *points);
-    if (!points) {
-        r->s->failed = true;
-        return;
-    }
-    if (!v->bad && read_polyline(r, v, p, line, points, count)) {
-        scene_body *body = scene_add_body(r->s, SCENE_STATIC, p->x / r->pixels_per_unit,
-                                          (r->map_height - p->y) / r->pixels_per_unit);
-        body->id = v->object;
-        level_apply_physics(&physics, body, scene_add_irregular(r->s, points, count));
-    }
-    free(points);
-}
-
-static void read_point(level_reader *r, level_values *v, const placement *p, const cJSON *object) {
+static void read_point(level_reader *r, const level_values *v, const cJSON *object, double x,
+                       double y) {
     if (strcmp(class_of(object), "spawn") == 0) {
-        r->s->spawn_x = p->x / r->pixels_per_unit;
-        r->s->spawn_y = (r->map_height - p->y) / r->pixels_per_unit;
+        r->s->spawn_x = x / r->pixels_per_unit;
+        r->s->spawn_y = (r->map_height - y) / r->pixels_per_unit;
     } else {
-        level_problem_add(r->report, LEVEL_NOTE, v->object,
-                          "a point has no meaning here, unless its class is 'spawn'");
+        level_complain(v, LEVEL_NOTE, "a point has no meaning here, unless its class is 'spawn'");
     }
 }
 
-/* What an object is that no shape of the engine can be; null if it is nothing of the kind. */
-static const char *unsupported(const cJSON *object) {
-    return level_field(object, "template")  ? "an object from a template"
-           : level_field(object, "gid")     ? "a tile object"
-           : level_field(object, "text")    ? "a text"
-           : level_field(object, "polygon") ? "a polygon"
-           : level_field(object, "capsule") ? "a capsule"
-                                            : NULL;
+/* How far below `y` ground reaches at least: nothing falls between it and the map's lower edge. */
+static double lowest_below(const level_reader *r, double y) {
+    return r->map_height - r->tile_height - y;
 }
 
-static void read_object(level_reader *r, const level_layer *layer, const cJSON *object) {
+static void add_shape(level_reader *r, level_values *v, const cJSON *object, double x, double y,
+                      double degrees) {
+    level_forms forms = {0};
+    bool read = level_read_forms(v, object, &forms);
+    level_physics physics = {0};
+    if (read)
+        physics = level_read_physics(v);
+    if (read && !v->bad) {
+        for (int i = 0; i < forms.count; i++)
+            forms.items[i].physics = physics;
+        bool single = forms.count == 1 && !forms.items[0].points;
+        if (single) {
+            level_form *form = &forms.items[0];
+            level_form_turn(form, x, y, degrees);
+            x = form->x;
+            y = form->y;
+            degrees = form->rotation;
+            form->x = form->y = form->rotation = 0;
+        }
+        level_forms_settle(r, v, &physics, &forms, degrees, lowest_below(r, y));
+        level_add_body(r, &physics, v->object, &forms, true, x, y, degrees);
+    }
+    r->s->failed = r->s->failed || forms.failed;
+    level_forms_free(&forms);
+}
+
+/* ---- tile objects ---- */
+
+/* The chain with the tile's links before those of the object, of which it has `own`. */
+static level_chain chain_of_tile(const level_chain *chain, int own, const level_tile *tile,
+                                 int *outer) {
+    level_chain longer = *chain;
+    int at = chain->count - own, more = tile->json ? 2 : 1;
+    for (int i = 0; i < own; i++)
+        longer.links[at + more + i] = chain->links[at + i];
+    longer.links[at] = tile->tileset;
+    if (tile->json)
+        longer.links[at + 1] = tile->json;
+    longer.count += more;
+    *outer = at + more;
+    return longer;
+}
+
+/* The number of a tile object's tile, or 0 after a report. */
+static uint32_t gid_of(level_values *v, const cJSON *object) {
+    return (uint32_t)level_required(v, object, "gid", 1, UINT32_MAX);
+}
+
+static double drawn(level_values *v, const cJSON *object, const char *name, double length) {
+    double wanted = level_optional(v, object, name, 0, 0, LEVEL_FAR);
+    return wanted > 0 ? wanted : length;
+}
+
+static level_solid add_tile(level_reader *r, level_values *v, const thing *o, int own, double x,
+                            double y, double degrees) {
+    uint32_t gid = gid_of(v, o->json);
+    level_tile tile = level_find_tile(r, o->tiles, gid);
+    if (v->bad || !tile.tileset) {
+        if (!v->bad)
+            level_complain(v, LEVEL_SKIP, "its tile is of no tileset that can be used");
+        return LEVEL_OPEN;
+    }
+    int outer;
+    level_chain chain = chain_of_tile(v->chain, own, &tile, &outer);
+    double width = drawn(v, o->json, "width", tile.width);
+    double height = drawn(v, o->json, "height", tile.height);
+    if (v->bad)
+        return LEVEL_OPEN;
+    level_values of_tile = *v;
+    of_tile.chain = &chain;
+    level_forms forms = {0};
+    level_physics physics = {0};
+    level_solid solid =
+        level_read_tile_forms(r, &of_tile, &tile, gid, width, height, outer, &physics, &forms);
+    if (forms.count > 0) {
+        double c, s;
+        level_turn(degrees, &c, &s);
+        double dx = (0.5 - tile.anchor_x) * width + tile.offset_x * (width / tile.width);
+        double dy = (0.5 - tile.anchor_y) * height + tile.offset_y * (height / tile.height);
+        x = x + (c * dx - s * dy);
+        y = y + (s * dx + c * dy);
+        level_forms_settle(r, &of_tile, &physics, &forms, degrees, lowest_below(r, y));
+        level_add_body(r, &physics, v->object, &forms, true, x, y, degrees);
+    }
+    r->s->failed = r->s->failed || forms.failed;
+    level_forms_free(&forms);
+    return solid;
+}
+
+/* ---- layers ---- */
+
+static level_solid read_thing(level_reader *r, level_values *v, const thing *o,
+                              const level_layer *layer, int own) {
+    const char *what = level_field(o->json, "text")      ? "a text"
+                       : level_field(o->json, "capsule") ? "a capsule"
+                                                         : NULL;
+    if (what) {
+        level_complain(v, LEVEL_SKIP, "%s cannot be modelled", what);
+        return LEVEL_OPEN;
+    }
+    double x = layer->ox + level_required(v, o->json, "x", -LEVEL_FAR, LEVEL_FAR);
+    double y = layer->oy + level_required(v, o->json, "y", -LEVEL_FAR, LEVEL_FAR);
+    double degrees = level_optional(v, o->json, "rotation", 0, -LEVEL_DEGREES, LEVEL_DEGREES);
+    if (v->bad)
+        return LEVEL_OPEN;
+    if (level_field(o->json, "gid"))
+        return add_tile(r, v, o, own, x, y, degrees);
+    if (cJSON_IsTrue(level_field(o->json, "point")))
+        read_point(r, v, o->json, x, y);
+    else
+        add_shape(r, v, o->json, x, y, degrees);
+    return LEVEL_OPEN;
+}
+
+static level_solid read_object(level_reader *r, const level_layer *layer, const cJSON *object) {
     const cJSON *id = level_field(object, "id");
     if (!cJSON_IsNumber(id) || !(id->valuedouble >= 1 && id->valuedouble <= UINT32_MAX)) {
         level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': an object has no valid id",
                           layer->name);
-        return;
+        return LEVEL_OPEN;
     }
     level_chain chain = layer->chain;
     chain.links[chain.count++] = object;
     level_values v = {.report = r->report, .chain = &chain, .object = (uint32_t)id->valuedouble};
     level_note_unknown(r->report, object, v.object, "");
-    const char *what = unsupported(object);
-    if (what) {
-        level_problem_add(r->report, LEVEL_SKIP, v.object, "%s cannot be modelled", what);
-        return;
-    }
-    placement p = read_placement(&v, layer, object);
-    if (v.bad)
-        return;
-    if (cJSON_IsTrue(level_field(object, "point")))
-        read_point(r, &v, &p, object);
-    else if (level_field(object, "polyline"))
-        add_terrain(r, &v, &p, level_field(object, "polyline"));
-    else if (cJSON_IsTrue(level_field(object, "ellipse")))
-        add_ellipse(r, &v, &p);
-    else
-        add_box_or_circle(r, &v, &p, false);
+    thing o;
+    if (!resolve(r, &v, object, &chain, &o))
+        return LEVEL_OPEN;
+    level_solid solid = read_thing(r, &v, &o, layer, chain.count - layer->chain.count);
+    thing_free(&o);
+    return solid;
 }
 
 void level_read_objects(level_reader *r, const level_layer *layer) {
@@ -193,6 +234,12 @@ void level_read_objects(level_reader *r, const level_layer *layer) {
                           layer->name);
         return;
     }
+    int unmarked = 0;
     const cJSON *object;
-    cJSON_ArrayForEach(object, objects) read_object(r, layer, object);
+    cJSON_ArrayForEach(object, objects) unmarked += read_object(r, layer, object) == LEVEL_UNMARKED;
+    r->unmarked += unmarked;
+    if (unmarked > 0)
+        level_problem_add(r->report, LEVEL_NOTE, 0,
+                          "layer '%.40s': of %d tile objects nothing says that they are solid",
+                          layer->name, unmarked);
 }

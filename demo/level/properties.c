@@ -2,10 +2,12 @@
 #include "reader.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char *const KNOWN[] = {
     "body",
+    "bodyType", /* what maps made for other engines call it */
     "fixed_rotation",
     "sensor",
     "may_sleep",
@@ -42,6 +44,10 @@ static const char *string_or(const cJSON *json, const char *fallback) {
     return cJSON_IsString(json) ? json->valuestring : fallback;
 }
 
+const char *level_field_text(const cJSON *json, const char *name, const char *fallback) {
+    return string_or(level_field(json, name), fallback);
+}
+
 const cJSON *level_own_property(const cJSON *json, const char *name) {
     const cJSON *property;
     cJSON_ArrayForEach(property, level_field(json, "properties")) {
@@ -51,7 +57,7 @@ const cJSON *level_own_property(const cJSON *json, const char *name) {
     return NULL;
 }
 
-static const cJSON *find(const level_chain *chain, const char *name) {
+const cJSON *level_property(const level_chain *chain, const char *name) {
     for (int i = chain->count - 1; i >= 0; i--) {
         const cJSON *value = level_own_property(chain->links[i], name);
         if (value)
@@ -62,10 +68,46 @@ static const cJSON *find(const level_chain *chain, const char *name) {
 
 static void complain(level_values *v, const char *name, const char *what) {
     v->bad = true;
-    if (v->object != 0)
-        level_problem_add(v->report, LEVEL_SKIP, v->object, "%s %s", name, what);
-    else
-        level_problem_add(v->report, LEVEL_SKIP, 0, "%.60s: %s %s", v->where, name, what);
+    level_complain(v, LEVEL_SKIP, "%s %s", name, what);
+}
+
+/* Longer numbers than anybody writes are none; the text is not read beyond. */
+enum { LONGEST_NUMBER = 60 };
+
+static const char *skip_digits(const char *p) {
+    while (*p >= '0' && *p <= '9')
+        p++;
+    return p;
+}
+
+bool level_number_of(const char *text, double *value) {
+    const char *whole = text + (*text == '-');
+    const char *p = skip_digits(whole);
+    if (p == whole)
+        return false;
+    if (*p == '.') {
+        const char *fraction = p + 1;
+        p = skip_digits(fraction);
+        if (p == fraction)
+            return false;
+    }
+    if (*p == 'e' || *p == 'E') {
+        const char *power = p + 1 + (p[1] == '-' || p[1] == '+');
+        p = skip_digits(power);
+        if (p == power)
+            return false;
+    }
+    if (*p != 0 || p - text > LONGEST_NUMBER)
+        return false;
+    *value = strtod(text, NULL);
+    return true;
+}
+
+static double in_range(level_values *v, double value, const char *name, double low, double high) {
+    if (isfinite(value) && value >= low && value <= high)
+        return value;
+    complain(v, name, "is out of range");
+    return low;
 }
 
 static double checked_number(level_values *v, const cJSON *value, const char *name, double low,
@@ -74,15 +116,15 @@ static double checked_number(level_values *v, const cJSON *value, const char *na
         complain(v, name, "is not a number");
         return low;
     }
-    if (!isfinite(value->valuedouble) || value->valuedouble < low || value->valuedouble > high) {
-        complain(v, name, "is out of range");
-        return low;
-    }
-    return value->valuedouble;
+    return in_range(v, value->valuedouble, name, low, high);
 }
 
 double level_number(level_values *v, const char *name, double fallback, double low, double high) {
-    const cJSON *value = find(v->chain, name);
+    const cJSON *value = level_property(v->chain, name);
+    double number;
+    /* A property's type is string where nobody chose another. */
+    if (cJSON_IsString(value) && level_number_of(value->valuestring, &number))
+        return in_range(v, number, name, low, high);
     return value ? checked_number(v, value, name, low, high) : fallback;
 }
 
@@ -96,17 +138,30 @@ double level_required(level_values *v, const cJSON *json, const char *name, doub
     return checked_number(v, value, name, low, high);
 }
 
+double level_optional(level_values *v, const cJSON *json, const char *name, double fallback,
+                      double low, double high) {
+    return level_field(json, name) ? level_required(v, json, name, low, high) : fallback;
+}
+
+int level_flag_of(const cJSON *value) {
+    const char *text = string_or(value, "");
+    return cJSON_IsTrue(value) || strcmp(text, "true") == 0     ? 1
+           : cJSON_IsFalse(value) || strcmp(text, "false") == 0 ? 0
+                                                                : -1;
+}
+
 bool level_flag(level_values *v, const char *name, bool fallback) {
-    const cJSON *value = find(v->chain, name);
+    const cJSON *value = level_property(v->chain, name);
     if (!value)
         return fallback;
-    if (!cJSON_IsBool(value))
+    int flag = level_flag_of(value);
+    if (flag < 0)
         complain(v, name, "is neither true nor false");
-    return cJSON_IsTrue(value);
+    return flag == 1;
 }
 
 const char *level_text(level_values *v, const char *name, const char *fallback) {
-    const cJSON *value = find(v->chain, name);
+    const cJSON *value = level_property(v->chain, name);
     if (!value)
         return fallback;
     if (!cJSON_IsString(value))
@@ -132,7 +187,7 @@ void level_note_unknown(level_report *report, const cJSON *json, uint32_t object
 }
 
 static scene_body_kind read_kind(level_values *v) {
-    const char *kind = level_text(v, "body", "static");
+    const char *kind = level_text(v, "body", level_text(v, "bodyType", "static"));
     if (strcmp(kind, "dynamic") == 0)
         return SCENE_DYNAMIC;
     if (strcmp(kind, "kinematic") == 0)
@@ -172,7 +227,7 @@ level_physics level_read_physics(level_values *v) {
     return p;
 }
 
-void level_apply_physics(const level_physics *p, scene_body *body, scene_shape *shape) {
+void level_apply_body(const level_physics *p, scene_body *body) {
     body->kind = p->kind;
     body->may_sleep = p->may_sleep;
     body->gravity_scale = p->gravity_scale;
@@ -185,6 +240,9 @@ void level_apply_physics(const level_physics *p, scene_body *body, scene_shape *
     }
     if (p->fixed_rotation)
         body->fixed_rotation = true;
+}
+
+void level_apply_shape(const level_physics *p, scene_shape *shape) {
     shape->material = p->material;
     shape->sensor = p->sensor;
     shape->category = p->category;

@@ -1,154 +1,235 @@
-/* tiles.c: reads a tile layer; adds one static AABB for every solid tile.
+/* tiles.c: reads a tile layer; adds a static body for every tile that collides.
  *
  * The property `solid` of the layer decides for all its tiles; where it has none, that of the tile
- * decides, then that of its tileset; without any a tile is decoration. */
+ * decides, then that of its tileset; without any a tile collides with the shapes that Tiled's
+ * collision editor gave it, and one that has none is decoration. */
 #include "reader.h"
 
+#include <float.h>
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
-enum { MOST_CELLS = 1 << 26 };
-
-/* The upper bits of a cell tell how the tile is flipped, which a box does not show. */
-static const uint32_t GID_BITS = 0x0FFFFFFF;
-
-/* The tileset that a tile number belongs to, or null. */
-static const cJSON *tileset_of(const level_reader *r, uint32_t gid, uint32_t *local) {
-    const cJSON *best = NULL, *tileset;
-    double best_first = 0;
-    cJSON_ArrayForEach(tileset, r->tilesets) {
-        const cJSON *first = level_field(tileset, "firstgid");
-        if (cJSON_IsNumber(first) && first->valuedouble >= 1 && first->valuedouble <= gid &&
-            first->valuedouble > best_first) {
-            best = tileset;
-            best_first = first->valuedouble;
-        }
-    }
-    *local = gid - (uint32_t)best_first;
-    return best;
-}
-
-/* The entry of a tile in its tileset, which only tiles with something to say have; or null. */
-static const cJSON *tile_of(const cJSON *tileset, uint32_t local) {
-    const cJSON *tile;
-    cJSON_ArrayForEach(tile, level_field(tileset, "tiles")) {
-        const cJSON *id = level_field(tile, "id");
-        if (cJSON_IsNumber(id) && id->valuedouble == local)
-            return tile;
-    }
-    return NULL;
-}
-
-/* What one tile number stands for; looked up again only when the number changes. */
+/* What one tile number stands for in this layer. */
 typedef struct tile_kind {
     uint32_t gid;
-    bool known, solid, bad;
+    bool known, full; /* full: it fills its cell, and stops what comes */
+    level_solid solid;
     level_physics physics;
+    level_forms forms;
+    bool has_ground;
+    double foot; /* the highest that ground of it must reach down to, from its middle */
+    double dx, dy; /* from the cell's lower left corner to its middle */
+    int placed, ungrounded; /* how many there are, and how many are no ground here */
 } tile_kind;
 
-static tile_kind read_kind(level_reader *r, const level_layer *layer, uint32_t gid) {
-    tile_kind kind = {.gid = gid};
-    uint32_t local;
-    const cJSON *tileset = tileset_of(r, gid, &local);
-    if (!tileset || level_field(tileset, "source"))
-        return kind;
-    kind.known = true;
-    const cJSON *tile = tile_of(tileset, local);
-    const cJSON *solid = level_own_property(layer->json, "solid");
-    if (!solid && tile)
-        solid = level_own_property(tile, "solid");
-    if (!solid)
-        solid = level_own_property(tileset, "solid");
-    kind.solid = cJSON_IsTrue(solid);
-    if (!kind.solid)
-        return kind;
+/* Kinds by number: a table with open addressing, its size a power of two. */
+typedef struct tile_kinds {
+    tile_kind *slots;
+    uint32_t size, used;
+} tile_kinds;
+
+static void free_kinds(tile_kinds *kinds) {
+    for (uint32_t i = 0; i < kinds->size; i++)
+        level_forms_free(&kinds->slots[i].forms);
+    free(kinds->slots);
+}
+
+static tile_kind *slot_of(const tile_kinds *kinds, uint32_t gid) {
+    uint32_t at = gid * 2654435769u & (kinds->size - 1);
+    while (kinds->slots[at].gid != 0 && kinds->slots[at].gid != gid)
+        at = (at + 1) & (kinds->size - 1);
+    return &kinds->slots[at];
+}
+
+static bool grow(tile_kinds *kinds) {
+    tile_kinds wider = {.size = kinds->size ? 2 * kinds->size : 64, .used = kinds->used};
+    wider.slots = calloc(wider.size, sizeof *wider.slots);
+    if (!wider.slots)
+        return false;
+    for (uint32_t i = 0; i < kinds->size; i++)
+        if (kinds->slots[i].gid != 0)
+            *slot_of(&wider, kinds->slots[i].gid) = kinds->slots[i];
+    free(kinds->slots);
+    *kinds = wider;
+    return true;
+}
+
+/* Whether a form covers a cell of the map about the middle of which it lies. */
+static bool covers(const level_reader *r, const level_form *form) {
+    double near = 1e-3 * fmax(r->tile_width, r->tile_height);
+    return form->kind == LEVEL_BOX && form->rotation == 0 && !form->physics.sensor &&
+           fabs(form->x) + r->tile_width * 0.5 <= form->hx + near &&
+           fabs(form->y) + r->tile_height * 0.5 <= form->hy + near;
+}
+
+/* How large a tile is drawn, and from where in its cell; false after a report. */
+static bool lay_out(const level_reader *r, const level_values *v, const level_tile *tile,
+                    uint32_t gid, double *width, double *height) {
+    bool turned = gid & LEVEL_FLIP_TURN;
+    double w = turned ? tile->height : tile->width, h = turned ? tile->width : tile->height;
+    *width = tile->fills_cell ? r->tile_width : w;
+    *height = tile->fills_cell ? r->tile_height : h;
+    bool squeezed = fabs(*width * h - *height * w) > 1e-3 * (*width * h);
+    if (tile->fills_cell && tile->keeps_aspect && squeezed) {
+        level_complain(v, LEVEL_SKIP, "its picture neither fills the cell nor has its own size");
+        return false;
+    }
+    return true;
+}
+
+static void read_kind(level_reader *r, const level_layer *layer, uint32_t gid, tile_kind *kind) {
+    *kind = (tile_kind){.gid = gid, .solid = LEVEL_OPEN};
+    level_tile tile = level_find_tile(r, &r->tilesets, gid);
+    kind->known = tile.tileset != NULL;
+    if (!kind->known)
+        return;
+    char where[100];
+    const cJSON *id = level_field(tile.json, "id");
+    snprintf(where, sizeof where, id ? "layer '%.40s', tile %g of '%.30s'" : "layer '%.40s'",
+             layer->name, id ? id->valuedouble : 0, level_field_text(tile.tileset, "name", ""));
     level_chain chain = layer->chain;
-    chain.links[chain.count++] = tileset;
-    if (tile)
-        chain.links[chain.count++] = tile;
-    level_values v = {.report = r->report, .chain = &chain, .where = layer->name};
-    kind.physics = level_read_physics(&v);
-    kind.physics.kind = SCENE_STATIC;
-    kind.bad = v.bad;
-    const cJSON *width = level_field(tileset, "tilewidth");
-    const cJSON *height = level_field(tileset, "tileheight");
-    if (!cJSON_IsNumber(width) || !cJSON_IsNumber(height) || width->valuedouble != r->tile_width ||
-        height->valuedouble != r->tile_height) {
-        level_problem_add(r->report, LEVEL_SKIP, 0,
-                          "layer '%.40s': its tiles are not of the size of the map's cells",
-                          layer->name);
-        kind.bad = true;
+    chain.links[chain.count++] = tile.tileset;
+    if (tile.json)
+        chain.links[chain.count++] = tile.json;
+    level_values v = {.report = r->report, .chain = &chain, .where = where};
+    double width, height;
+    if (!lay_out(r, &v, &tile, gid, &width, &height))
+        return;
+    kind->solid = level_read_tile_forms(r, &v, &tile, gid, width, height, chain.count,
+                                        &kind->physics, &kind->forms);
+    kind->physics.kind = SCENE_STATIC;
+    level_forms_settle(r, &v, &kind->physics, &kind->forms, 0, -DBL_MAX);
+    r->s->failed = r->s->failed || kind->forms.failed;
+    bool turned = gid & LEVEL_FLIP_TURN;
+    kind->dx = tile.offset_x * (width / (turned ? tile.height : tile.width)) + width * 0.5;
+    kind->dy = tile.offset_y * (height / (turned ? tile.width : tile.height)) - height * 0.5;
+    kind->foot = DBL_MAX;
+    for (int i = 0; i < kind->forms.count; i++) {
+        const level_form *form = &kind->forms.items[i];
+        level_form placed = *form;
+        placed.x += kind->dx - r->tile_width * 0.5;
+        placed.y += kind->dy + r->tile_height * 0.5;
+        kind->full = kind->full || (!form->points && covers(r, &placed));
+        kind->has_ground = kind->has_ground || form->ground;
+        if (form->ground)
+            kind->foot = fmin(kind->foot, form->y + form->foot + kind->dy);
+    }
+}
+
+/* Null without memory. */
+static tile_kind *kind_of(level_reader *r, const level_layer *layer, tile_kinds *kinds,
+                          uint32_t gid) {
+    if (2 * kinds->used >= kinds->size && !grow(kinds)) {
+        r->s->failed = true;
+        return NULL;
+    }
+    tile_kind *kind = slot_of(kinds, gid);
+    if (kind->gid == 0) {
+        read_kind(r, layer, gid, kind);
+        kinds->used++;
     }
     return kind;
 }
 
-static void add_tile(level_reader *r, const level_layer *layer, const tile_kind *kind, int column,
-                     int row) {
-    double ppu = r->pixels_per_unit;
-    double x = (layer->ox + (column + 0.5) * r->tile_width) / ppu;
-    double y = (r->map_height - (layer->oy + (row + 0.5) * r->tile_height)) / ppu;
-    scene_body *body = scene_add_body(r->s, SCENE_STATIC, x, y);
-    scene_shape *shape =
-        scene_add_aabb(r->s, (r->tile_width * 0.5) / ppu, (r->tile_height * 0.5) / ppu);
-    level_apply_physics(&kind->physics, body, shape);
+/* In each column the row from which on all cells are full; null without memory. What is below the
+ * lowest row is out of the map. */
+static int *find_floors(level_reader *r, const level_layer *layer, tile_kinds *kinds,
+                        const level_cells *cells) {
+    int *floors = malloc((size_t)cells->width * sizeof *floors), last = cells->height;
+    if (!floors) {
+        r->s->failed = true;
+        return NULL;
+    }
+    bool infinite = cJSON_IsArray(level_field(layer->json, "chunks"));
+    bool empty = infinite;
+    while (last > 0 && empty) {
+        for (int i = 0; i < cells->width; i++)
+            empty = empty && cells->at[(size_t)(last - 1) * (size_t)cells->width + (size_t)i] == 0;
+        last -= empty;
+    }
+    for (int i = 0; i < cells->width; i++) {
+        int row = last;
+        for (; row > 0; row--) {
+            uint32_t gid = cells->at[(size_t)(row - 1) * (size_t)cells->width + (size_t)i];
+            const tile_kind *kind =
+                (gid & LEVEL_NUMBER) == 0 ? NULL : kind_of(r, layer, kinds, gid);
+            if (!kind || !kind->full)
+                break;
+        }
+        floors[i] = row;
+    }
+    return floors;
 }
 
-/* Adds the tiles; `width` and the length of `data` have been checked. */
-static void read_cells(level_reader *r, const level_layer *layer, const cJSON *data, int width) {
-    tile_kind kind = {0};
-    int index = 0, used = 0, solid = 0, unknown = 0, malformed = 0;
-    const cJSON *cell;
-    cJSON_ArrayForEach(cell, data) {
-        int at = index++;
-        if (!cJSON_IsNumber(cell) || !(cell->valuedouble >= 0 && cell->valuedouble <= UINT32_MAX)) {
-            malformed++;
-            continue;
+static void add_tile(level_reader *r, const level_layer *layer, tile_kind *kind, double column,
+                     double row, bool on_floor) {
+    double x = (layer->ox + column * r->tile_width) + kind->dx;
+    double y = (layer->oy + (row + 1) * r->tile_height) + kind->dy;
+    bool grounded = on_floor && kind->foot >= -1e-3 * r->tile_height;
+    kind->placed++;
+    kind->ungrounded += kind->has_ground && !grounded;
+    level_add_body(r, &kind->physics, 0, &kind->forms, grounded, x, y, 0);
+}
+
+static void report_ungrounded(const level_reader *r, const level_layer *layer,
+                              const tile_kinds *kinds) {
+    int ungrounded = 0;
+    for (uint32_t i = 0; i < kinds->size; i++)
+        ungrounded += kinds->slots[i].ungrounded;
+    if (ungrounded > 0)
+        level_problem_add(r->report, LEVEL_SKIP, 0,
+                          "layer '%.40s': the polygons of %d tiles are no ground: all below them, "
+                          "down to the map's lower edge, would have to be solid",
+                          layer->name, ungrounded);
+}
+
+static void read_cells(level_reader *r, const level_layer *layer, const level_cells *cells,
+                       tile_kinds *kinds) {
+    int used = 0, colliding = 0, unknown = 0, unmarked = 0;
+    int *floors = NULL;
+    for (int j = 0; j < cells->height && !r->s->failed; j++) {
+        for (int i = 0; i < cells->width; i++) {
+            uint32_t gid = cells->at[(size_t)j * (size_t)cells->width + (size_t)i];
+            tile_kind *kind = (gid & LEVEL_NUMBER) == 0 ? NULL : kind_of(r, layer, kinds, gid);
+            if (!kind)
+                continue;
+            used++;
+            unknown += !kind->known;
+            unmarked += kind->known && kind->solid == LEVEL_UNMARKED;
+            colliding += kind->solid == LEVEL_SOLID;
+            if (kind->has_ground && !floors) {
+                floors = find_floors(r, layer, kinds, cells);
+                if (!floors)
+                    return;
+                kind = slot_of(kinds, gid); /* the table may have grown */
+            }
+            if (kind->forms.count > 0)
+                add_tile(r, layer, kind, (double)cells->column + i, (double)cells->row + j,
+                         kind->has_ground && j + 1 >= floors[i]);
         }
-        uint32_t gid = (uint32_t)cell->valuedouble & GID_BITS;
-        if (gid == 0)
-            continue;
-        used++;
-        if (gid != kind.gid)
-            kind = read_kind(r, layer, gid);
-        unknown += !kind.known;
-        solid += kind.solid;
-        if (kind.solid && !kind.bad)
-            add_tile(r, layer, &kind, at % width, at / width);
     }
-    if (malformed > 0)
-        level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': %d cells are no tile numbers",
-                          layer->name, malformed);
+    free(floors);
+    report_ungrounded(r, layer, kinds);
+    r->unmarked += unmarked;
     if (unknown > 0)
-        level_problem_add(
-            r->report, LEVEL_SKIP, 0,
-            "layer '%.40s': %d tiles belong to no tileset that is embedded in the map", layer->name,
-            unknown);
-    if (used > 0 && solid == 0)
+        level_problem_add(r->report, LEVEL_SKIP, 0,
+                          "layer '%.40s': %d tiles belong to no tileset that can be used",
+                          layer->name, unknown);
+    if (used > 0 && colliding == 0 && unknown < used)
         level_problem_add(r->report, LEVEL_NOTE, 0, "layer '%.40s': none of its %d tiles is solid",
                           layer->name, used);
 }
 
 void level_read_tiles(level_reader *r, const level_layer *layer) {
-    if (cJSON_IsFalse(level_own_property(layer->json, "solid")))
+    if (level_flag_of(level_own_property(layer->json, "solid")) == 0)
         return;
-    const cJSON *data = level_field(layer->json, "data");
-    if (!cJSON_IsArray(data)) {
-        level_problem_add(r->report, LEVEL_SKIP, 0,
-                          "layer '%.40s': has no plain list of tiles; save the map with the tile "
-                          "layer format CSV, not infinite",
-                          layer->name);
+    level_cells cells;
+    if (!level_read_cells(r, layer, &cells))
         return;
-    }
-    level_values v = {.report = r->report, .chain = &layer->chain, .where = layer->name};
-    double width = level_required(&v, layer->json, "width", 1, 1e6);
-    double height = level_required(&v, layer->json, "height", 1, 1e6);
-    if (v.bad)
-        return;
-    if (width != floor(width) || height != floor(height) || width * height > MOST_CELLS ||
-        width * height != cJSON_GetArraySize(data)) {
-        level_problem_add(r->report, LEVEL_SKIP, 0,
-                          "layer '%.40s': %d tiles do not fill its %g columns and %g rows",
-                          layer->name, cJSON_GetArraySize(data), width, height);
-        return;
-    }
-    read_cells(r, layer, data, (int)width);
+    tile_kinds kinds = {0};
+    read_cells(r, layer, &cells, &kinds);
+    free_kinds(&kinds);
+    free(cells.at);
 }

@@ -9,12 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char SUFFIX[] = ".tmj";
+/* Of both suffixes. */
+enum { SUFFIX = 4 };
 
 static bool is_level_file(const char *path) {
     size_t length = strlen(path);
-    size_t suffix = sizeof SUFFIX - 1;
-    return length > suffix && strcmp(path + length - suffix, SUFFIX) == 0;
+    return length > SUFFIX && (strcmp(path + length - SUFFIX, ".tmj") == 0 ||
+                               strcmp(path + length - SUFFIX, ".tmx") == 0);
 }
 
 /* "levels/wrecking_ball.tmj" becomes "wrecking_ball". */
@@ -22,7 +23,7 @@ static char *level_name(const char *path) {
     const char *slash = strrchr(path, '/');
     char *name = strdup(slash ? slash + 1 : path);
     if (name)
-        name[strlen(name) - (sizeof SUFFIX - 1)] = '\0';
+        name[strlen(name) - SUFFIX] = '\0';
     return name;
 }
 
@@ -128,21 +129,23 @@ bool catalog_fill(const catalog_entry *entry, scene *s, char *message, size_t me
         snprintf(message, message_size, "%s: out of memory", entry->info->name);
         return false;
     }
-    level_report *report = malloc(sizeof *report);
-    if (!report) {
-        scene_init(s);
-        snprintf(message, message_size, "%s: out of memory", entry->path);
-        return false;
+    level_report report;
+    bool read = level_read_file(entry->path, true, s, &report);
+    static const char *const WORDS[] = {"note", "left out", "error"};
+    const char *worst = "";
+    for (int i = 0; i < report.count; i++) {
+        const level_problem *problem = &report.problems[i];
+        fprintf(stderr, "thud-play: %s: %s: %s\n", entry->path, WORDS[problem->severity],
+                problem->text);
+        if (problem->severity == LEVEL_FATAL && !worst[0])
+            worst = problem->text;
     }
-    bool read = level_read_file(entry->path, false, s, report);
-    if (!read) {
-        /* The first problem that is more than a note is what stood in the way. */
-        const char *text = "cannot be read";
-        for (int i = report->count - 1; i >= 0; i--)
-            if (report->problems[i].severity != LEVEL_NOTE)
-                text = report->problems[i].text;
-        snprintf(message, message_size, "%s: %s", entry->path, text);
-    }
-    free(report);
+    if (!read)
+        snprintf(message, message_size, "%s: %s", entry->path, worst);
+    else if (report.skipped > 0)
+        snprintf(message, message_size,
+                 "%d things of this level cannot be modelled: the terminal lists them",
+                 report.skipped);
+    level_report_free(&report);
     return read;
 }

@@ -18,7 +18,7 @@ typedef struct catalog {
     int count;
 } catalog;
 
-/* All scenes, and the *.tmj of `level_directory` by name (none if it cannot be read). False when
+/* All scenes, and the *.tmj and *.tmx of `level_directory` by name (none if it cannot be read). False when
  * memory is short. */
 bool catalog_init(catalog *c, const char *level_directory);
 void catalog_free(catalog *c);
@@ -27,7 +27,8 @@ void catalog_free(catalog *c);
  * is not listed yet is added. -1 if it is neither; -2 when memory is short. */
 int catalog_find(catalog *c, const char *name_or_path);
 
-/* Fills *s, which the caller frees. False, *s is empty and `message` says why, if that fails. */
+/* Fills *s, which the caller frees. False, *s is empty and `message` says why, if that fails. What
+ * of a level cannot be modelled is left out and listed on stderr, and `message` says how much. */
 bool catalog_fill(const catalog_entry *entry, scene *s, char *message, size_t message_size);
 
 #endif

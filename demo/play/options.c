@@ -11,9 +11,10 @@
 enum { FRAMES_MAX = 1000000, SIDE_MIN = 64, SIDE_MAX = 8192 };
 
 void options_print_help(void) {
-    printf("usage: thud-play [SCENE|LEVEL.tmj] [OPTION...]\n"
+    printf("usage: thud-play [SCENE|LEVEL.tmj|LEVEL.tmx] [OPTION...]\n"
            "\n"
-           "Shows a built-in scene or a level of the Tiled editor, and lets you play with it.\n"
+           "Shows a built-in scene or a level of the Tiled editor, and lets you play with it. What\n"
+           "of a level cannot be modelled is left out, and listed on standard error.\n"
            "\n"
            "  --list             print what there is to show\n"
            "  --size WxH         size of the window or picture (1280x800)\n"

@@ -135,6 +135,7 @@ static void point_of_class_spawn_sets_the_spawn_and_others_are_noted(void **stat
     assert_int_equal(report.notes, 1);
     assert_int_equal(report.problems[0].object, 5);
     scene_free(&s);
+    level_report_free(&report);
 }
 
 static void properties_are_inherited_from_map_and_layer_and_overridden(void **state) {

@@ -11,8 +11,8 @@ const COIN = 4;
 const FEET = 0.75; // below the figure's middle
 
 const engine = await thud.load();
-const map = level.readLevel("adventure", readLevelFile("adventure.tmj"));
-const coins = map.bodies.filter(({ material }) => material.category === COIN);
+const map = await level.readLevel("adventure", readLevelFile("adventure.tmj"));
+const coins = map.bodies.filter(({ shapes: [{ material }] }) => material.category === COIN);
 
 /** The game; with a place, its figure stands there. */
 async function start(place, choices = {}) {

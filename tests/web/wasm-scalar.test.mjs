@@ -9,8 +9,8 @@ const dist = new URL("../../web/package/dist/", import.meta.url);
 const simd = await thud.load(new URL("thud.wasm", dist));
 const scalar = await thud.load(new URL("thud-scalar.wasm", dist));
 
-function hashOf(engine, file) {
-  const read = level.readLevel(file, readLevelFile(file), { skip: true });
+async function hashOf(engine, file) {
+  const read = await level.readLevel(file, readLevelFile(file), { skip: true });
   const world = level.buildLevel(engine, read);
   for (let i = 0; i < STEPS; i++) world.step();
   const hash = world.hash();
@@ -19,8 +19,8 @@ function hashOf(engine, file) {
 }
 
 for (const file of levelFiles)
-  test(`level_${file}_has_equal_hash_with_and_without_simd`, () => {
-    assert.equal(hashOf(scalar, file), hashOf(simd, file));
+  test(`level_${file}_has_equal_hash_with_and_without_simd`, async () => {
+    assert.equal(await hashOf(scalar, file), await hashOf(simd, file));
   });
 
 /** Whether i32x4.add or f32x4.mul occurs, as it is bound to in an engine built for SIMD. */

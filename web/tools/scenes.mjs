@@ -32,17 +32,20 @@ export function readText(file) {
   return readFile(new URL(`../assets/${file}`, web), "utf8");
 }
 
+/** Vite's runner, which is closed by then, would have to import it otherwise. */
+const loadReader = () => import("../package/dist/level.js");
+
 /** Builds a scene of the registry: { module, setting, scene }. `options` as for createSetting. */
 export async function buildScene(thud, name, options = {}) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
-  const setting = createSetting(module, { thud, readText, ...options });
+  const setting = createSetting(module, { thud, readText, loadReader, ...options });
   return { module, setting, scene: await module.default(setting) };
 }
 
 /** A running scene of the registry, as the page's worker has it. `options`: size, seed. */
 export async function openSession(thud, name, options = {}) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
-  return setUp(1, module, thud, { name, seed: 0, choices: USUAL, ...options }, readText);
+  return setUp(1, module, thud, { name, seed: 0, choices: USUAL, ...options }, readText, loadReader);
 }
 
 /** Makes steps as the page does, with nobody at the keys. */

@@ -1,186 +1,146 @@
-/** Objects of a Tiled map: rectangles, circles, terrain lines and spawn points. */
+/** Objects of a Tiled map: a body for each. Follows demo/level/objects.c. */
 import type { Layer, Reader } from "./level.js";
-import { grid, isRecord, type Json, type JsonRecord, readPhysics, Values } from "./level-values.js";
-import type { Vec2 } from "./types.js";
+import { addBody, DEGREES, FAR, readForms, settleForms, turn, turnForm } from "./level-forms.js";
+import { findTile, listTilesets, readTileForms, type Tileset } from "./level-tilesets.js";
+import { isRecord, type JsonRecord, readPhysics, Values } from "./level-values.js";
 
-/** Pixels beyond which a map is absurd, and the same for degrees. */
-const FAR = 1e9;
-const DEGREES = 1e6;
-
-/** Sizes, in length scales, between which the engine takes them with room for rounding. */
-const SMALLEST = 2e-4;
-const LARGEST = 16000;
-
-const RADIANS = 0.017453292519943295;
-
-interface Placement {
-  x: number;
-  y: number;
-  width: number;
-  height: number;
-  c: number;
-  s: number;
-  /** Degrees, in [-180, 180). */
-  rotation: number;
+/** An object with what its template says. */
+interface Thing {
+  /** Its fields; those of its template where it has none. */
+  json: JsonRecord;
+  /** Where its properties are: the template's, then its own. */
+  links: JsonRecord[];
+  /** What its tile number is of. */
+  tilesets: Tileset[];
 }
 
-/**
- * Cosine and sine of a rotation in degrees by Taylor series on the nearest quarter turn: the same
- * bits as level_turn in demo/level/turn.c, which Math.cos does not promise.
- */
-export function turn(degrees: number): { r: number; c: number; s: number } {
-  const r = degrees - 360 * Math.floor(degrees / 360 + 0.5);
-  const q = Math.floor(r / 90 + 0.5);
-  const a = (r - 90 * q) * RADIANS;
-  const z = a * a;
-  const series = (divisors: number[]) => divisors.reduceRight((sum, d) => 1 / d + z * sum, 0);
-  const sine = a * series([1, -6, 120, -5040, 362880, -39916800, 6227020800, -1307674368000]);
-  const cosine = series([1, -2, 24, -720, 40320, -3628800, 479001600, -87178291200]);
-  if (q === 0) return { r, c: cosine, s: sine };
-  if (q === 1) return { r, c: -sine, s: cosine };
-  if (q === -1) return { r, c: sine, s: -cosine };
-  return { r, c: -cosine, s: -sine };
+export function readObjects(reader: Reader, layer: Layer): void {
+  const { objects } = layer.json;
+  const { report } = reader;
+  if (!Array.isArray(objects)) {
+    report.add("skip", 0, `layer '${layer.name}': has no list of objects`);
+    return;
+  }
+  let unmarked = 0;
+  for (const object of objects)
+    if (readObject(reader, layer, isRecord(object) ? object : {})) unmarked++;
+  reader.unmarked += unmarked;
+  const what = `of ${unmarked} tile objects nothing says that they are solid`;
+  if (unmarked > 0) report.add("note", 0, `layer '${layer.name}': ${what}`);
 }
 
-export function readObject(reader: Reader, layer: Layer, object: JsonRecord): void {
+/** True if it is a tile of which nothing says that it collides. */
+function readObject(reader: Reader, layer: Layer, object: JsonRecord): boolean {
   const { id } = object;
+  const { report } = reader;
   if (typeof id !== "number" || !(id >= 1 && id <= 0xffffffff)) {
-    reader.report.add("skip", 0, `layer '${layer.name}': an object has no valid id`);
-    return;
+    report.add("skip", 0, `layer '${layer.name}': an object has no valid id`);
+    return false;
   }
-  const v = new Values(reader.report, [...layer.chain, object], Math.floor(id), "");
-  reader.report.noteUnknown(object, v.object, "");
-  const what = unsupported(object);
+  const plain = new Values(report, [...layer.chain, object], Math.floor(id), "");
+  report.noteUnknown(object, plain.object, "");
+  const thing = resolve(reader, plain, object);
+  if (!thing) return false;
+  const { json, links } = thing;
+  const v = plain.within([...layer.chain, ...links]);
+  const what = json.text !== undefined ? "a text" : json.capsule !== undefined ? "a capsule" : null;
   if (what) {
-    reader.report.add("skip", v.object, `${what} cannot be modelled`);
-    return;
+    v.complain("skip", `${what} cannot be modelled`);
+    return false;
   }
-  const place = readPlacement(v, layer, object);
-  if (v.bad) return;
-  if (object.point === true) readPoint(reader, v, place, object);
-  else if (object.polyline !== undefined) addTerrain(reader, v, place, object.polyline);
-  else if (object.ellipse === true) addEllipse(reader, v, place);
-  else addBoxOrCircle(reader, v, place, false);
+  const x = layer.ox + v.required(json, "x", -FAR, FAR);
+  const y = layer.oy + v.required(json, "y", -FAR, FAR);
+  const degrees = v.optional(json, "rotation", 0, -DEGREES, DEGREES);
+  if (v.bad) return false;
+  if (json.gid !== undefined) return addTile(reader, layer, v, thing, x, y, degrees);
+  if (json.point === true) readPoint(reader, v, json, x, y);
+  else addShape(reader, v, json, x, y, degrees);
+  return false;
 }
 
-/** What an object is that no shape of the engine can be. */
-function unsupported(object: JsonRecord): string | null {
-  if (object.template !== undefined) return "an object from a template";
-  if (object.gid !== undefined) return "a tile object";
-  if (object.text !== undefined) return "a text";
-  if (object.polygon !== undefined) return "a polygon";
-  if (object.capsule !== undefined) return "a capsule";
-  return null;
-}
-
-function readPlacement(v: Values, layer: Layer, object: JsonRecord): Placement {
-  const optional = (name: string, low: number, high: number) =>
-    object[name] === undefined ? 0 : v.required(object, name, low, high);
-  const x = layer.ox + v.required(object, "x", -FAR, FAR);
-  const y = layer.oy + v.required(object, "y", -FAR, FAR);
-  const width = optional("width", 0, FAR);
-  const height = optional("height", 0, FAR);
-  const { r, c, s } = turn(optional("rotation", -DEGREES, DEGREES));
-  return { x, y, width, height, c, s, rotation: r };
-}
-
-function addBoxOrCircle(reader: Reader, v: Values, p: Placement, circle: boolean): void {
-  const { pixelsPerUnit: ppu, level } = reader;
-  const hw = p.width * 0.5;
-  const hh = p.height * 0.5;
-  const dx = p.c * hw - p.s * hh;
-  const dy = p.s * hw + p.c * hh;
-  const halfWidth = hw / ppu;
-  const halfHeight = hh / ppu;
-  const { kind, body, material } = readPhysics(v);
-  if (v.bad) return;
-  const low = SMALLEST * level.lengthScale;
-  const high = LARGEST * level.lengthScale;
-  if (!(halfWidth >= low && halfHeight >= low && halfWidth <= high && halfHeight <= high)) {
-    const size = `${2 * halfWidth} by ${2 * halfHeight}`;
-    reader.report.add("skip", v.object, `its size, ${size} units, is out of range`);
-    return;
-  }
-  const upright = p.rotation === 0 && (kind === "static" || body.fixedRotation === true);
-  level.bodies.push({
-    body: {
-      ...body,
-      fixedRotation: upright || body.fixedRotation,
-      position: [grid((p.x + dx) / ppu), grid((reader.mapHeight - (p.y + dy)) / ppu)],
-      angle: 0 - p.rotation * RADIANS,
-      userData: v.object,
-    },
-    material,
-    shape: circle
-      ? { kind: "circle", radius: halfWidth }
-      : { kind: upright ? "aabb" : "obb", halfWidth, halfHeight },
-  });
-}
-
-/** Two axes count as equal within a thousandth: the editor rounds what it writes. */
-function addEllipse(reader: Reader, v: Values, p: Placement): void {
-  if (Math.abs(p.width - p.height) <= 1e-3 * Math.max(p.width, p.height)) {
-    addBoxOrCircle(reader, v, p, true);
-    return;
-  }
-  const axes = `${p.width} by ${p.height}`;
-  const text = `an ellipse of unequal axes, ${axes}, cannot be modelled; only circles`;
-  reader.report.add("skip", v.object, text);
-}
-
-function addTerrain(reader: Reader, v: Values, p: Placement, line: Json): void {
-  if (!Array.isArray(line) || line.length < 2) {
-    reader.report.add("skip", v.object, "a line needs two points at least");
-    return;
-  }
-  const { kind, body, material } = readPhysics(v);
-  if (!v.bad && kind !== "static") {
-    reader.report.add("skip", v.object, "a line is terrain, which is static");
-    return;
-  }
-  const points = v.bad ? null : readPolyline(reader, v, p, line);
-  if (!points) return;
-  const { pixelsPerUnit: ppu } = reader;
-  reader.level.bodies.push({
-    body: {
-      ...body,
-      position: [grid(p.x / ppu), grid((reader.mapHeight - p.y) / ppu)],
-      userData: v.object,
-    },
-    material,
-    shape: { kind: "terrain", points },
-  });
-}
-
-/** The points from left to right, or null after a report. */
-function readPolyline(reader: Reader, v: Values, p: Placement, line: Json[]): Vec2[] | null {
-  const { pixelsPerUnit: ppu } = reader;
-  const points: Vec2[] = [];
-  for (const item of line) {
-    const json = isRecord(item) ? item : {};
-    const x = v.required(json, "x", -FAR, FAR);
-    const y = v.required(json, "y", -FAR, FAR);
-    if (v.bad) return null;
-    points.push([(p.c * x - p.s * y) / ppu, 0 - (p.s * x + p.c * y) / ppu]);
-  }
-  if (points[points.length - 1][0] < points[0][0]) points.reverse();
-  for (let i = 1; i < points.length; i++) {
-    if (points[i][0] > points[i - 1][0]) continue;
-    const where = `vertices ${i} and ${i + 1} of ${points.length}, from the left`;
-    const rule = "terrain must go on from left to right";
-    reader.report.add("skip", v.object, `its line turns back: ${rule} (${where})`);
+/** Finds the template of an object that has one; null after a report. */
+function resolve(reader: Reader, v: Values, object: JsonRecord): Thing | null {
+  if (object.template === undefined)
+    return { json: object, links: [object], tilesets: reader.tilesets };
+  const file = reader.library.open(reader.report, "", object.template, "template");
+  const own = file?.json.object;
+  if (!file || !isRecord(own) || own.template !== undefined) {
+    const what = file ? "has no object of its own" : "cannot be used";
+    v.complain("skip", `its template ${what}`);
     return null;
   }
-  return points;
+  // A number of the template's own is of its own tileset.
+  const tilesets =
+    object.gid === undefined ? listTilesets([file.json.tileset], file.path) : reader.tilesets;
+  return { json: { ...own, ...object }, links: [own, object], tilesets };
 }
 
-function readPoint(reader: Reader, v: Values, p: Placement, object: JsonRecord): void {
-  const name = object.type === undefined ? object.class : object.type; // `class` in Tiled 1.9
-  if (name === "spawn") {
-    const { pixelsPerUnit: ppu } = reader;
-    reader.level.spawn = [p.x / ppu, (reader.mapHeight - p.y) / ppu];
-    return;
+function readPoint(reader: Reader, v: Values, object: JsonRecord, x: number, y: number): void {
+  const { pixelsPerUnit: ppu, mapHeight, level } = reader;
+  // `class` in Tiled 1.9.
+  const name = typeof object.type === "string" ? object.type : object.class;
+  if (name === "spawn") level.spawn = [x / ppu, (mapHeight - y) / ppu];
+  else v.complain("note", "a point has no meaning here, unless its class is 'spawn'");
+}
+
+/** How far below `y` ground reaches at least: nothing falls between it and the map's lower edge. */
+function lowestBelow({ mapHeight, tileHeight }: Reader, y: number): number {
+  return mapHeight - tileHeight - y;
+}
+
+function addShape(
+  reader: Reader,
+  v: Values,
+  object: JsonRecord,
+  x: number,
+  y: number,
+  degrees: number,
+): void {
+  const forms = readForms(v, object);
+  if (!forms) return;
+  const physics = readPhysics(v);
+  if (v.bad) return;
+  for (const f of forms) f.material = physics.material;
+  const [first] = forms;
+  if (forms.length === 1 && !first.points) {
+    turnForm(first, x, y, degrees);
+    ({ x, y, rotation: degrees } = first);
+    first.x = first.y = first.rotation = 0;
   }
-  const text = "a point has no meaning here, unless its class is 'spawn'";
-  reader.report.add("note", v.object, text);
+  const settled = settleForms(reader, v, physics, forms, degrees, lowestBelow(reader, y));
+  addBody(reader, physics, v.object, settled, true, x, y, degrees);
+}
+
+function addTile(
+  reader: Reader,
+  layer: Layer,
+  v: Values,
+  { json, links, tilesets }: Thing,
+  x: number,
+  y: number,
+  degrees: number,
+): boolean {
+  const gid = Math.floor(v.required(json, "gid", 1, 0xffffffff));
+  const tile = findTile(reader, tilesets, gid);
+  if (v.bad) return false;
+  if (!tile) {
+    v.complain("skip", "its tile is of no tileset that can be used");
+    return false;
+  }
+  const inner = tile.json ? [tile.tileset, tile.json] : [tile.tileset];
+  const outer = layer.chain.length + inner.length;
+  const width = v.optional(json, "width", 0, 0, FAR) || tile.width;
+  const height = v.optional(json, "height", 0, 0, FAR) || tile.height;
+  if (v.bad) return false;
+  const ofTile = v.within([...layer.chain, ...inner, ...links]);
+  const { solid, physics, forms } = readTileForms(reader, ofTile, tile, gid, width, height, outer);
+  if (physics && forms.length > 0) {
+    const { c, s } = turn(degrees);
+    const dx = (0.5 - tile.anchorX) * width + tile.offsetX * (width / tile.width);
+    const dy = (0.5 - tile.anchorY) * height + tile.offsetY * (height / tile.height);
+    const [cx, cy] = [x + (c * dx - s * dy), y + (s * dx + c * dy)];
+    const settled = settleForms(reader, ofTile, physics, forms, degrees, lowestBelow(reader, cy));
+    addBody(reader, physics, v.object, settled, true, cx, cy, degrees);
+  }
+  return solid === "unmarked";
 }

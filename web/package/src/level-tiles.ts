@@ -1,145 +1,160 @@
 /**
- * Tile layers of a Tiled map: a static AABB for every solid tile. The property `solid` of the
- * layer decides for all its tiles; where it has none, that of the tile decides, then that of its
- * tileset; without any a tile is decoration.
+ * Tile layers of a Tiled map: a static body for every tile that collides. The property `solid` of
+ * the layer decides for all its tiles; where it has none, that of the tile decides, then that of
+ * its tileset; without any a tile collides with the shapes that Tiled's collision editor gave it,
+ * and one that has none is decoration. Follows demo/level/tiles.c.
  */
 import type { Layer, Reader } from "./level.js";
-import {
-  grid,
-  isRecord,
-  type Json,
-  type JsonRecord,
-  ownProperty,
-  type Physics,
-  readPhysics,
-  Values,
-} from "./level-values.js";
+import { type Cells, readCells } from "./level-cells.js";
+import { addBody, type Form, NUMBER, settleForms } from "./level-forms.js";
+import { findTile, isTurned, readTileForms, type Tile } from "./level-tilesets.js";
+import { flagOf, ownProperty, type Physics, Values } from "./level-values.js";
 
-const MOST_CELLS = 2 ** 26;
-
-/** The upper bits of a cell tell how the tile is flipped, which a box does not show. */
-const GID_BITS = 0x0fffffff;
-
-/** What one tile number stands for. */
+/** What one tile number stands for in this layer. */
 interface TileKind {
-  gid: number;
   known: boolean;
-  solid: boolean;
-  /** Null where its properties cannot be used. */
+  solid: "open" | "unmarked" | "solid";
   physics: Physics | null;
+  forms: Form[];
+  /** It fills its cell, and stops what comes. */
+  full: boolean;
+  hasGround: boolean;
+  /** The highest that ground of it reaches down to, from the cell's lower edge. */
+  foot: number;
+  /** From the cell's lower left corner to its middle. */
+  dx: number;
+  dy: number;
 }
 
-export function readTiles(reader: Reader, layer: Layer): void {
-  const { json } = layer;
-  if (ownProperty(json, "solid") === false) return;
-  const { data } = json;
-  const complain = (what: string) => reader.report.add("skip", 0, `layer '${layer.name}': ${what}`);
-  if (!Array.isArray(data)) {
-    complain(
-      "has no plain list of tiles; save the map with the tile layer format CSV, not infinite",
-    );
-    return;
-  }
-  const v = new Values(reader.report, layer.chain, 0, layer.name);
-  const width = v.required(json, "width", 1, 1e6);
-  const height = v.required(json, "height", 1, 1e6);
-  if (v.bad) return;
-  const whole = Number.isInteger(width) && Number.isInteger(height);
-  if (!whole || width * height > MOST_CELLS || width * height !== data.length) {
-    complain(`${data.length} tiles do not fill its ${width} columns and ${height} rows`);
-    return;
-  }
-  readCells(reader, layer, data, width);
-}
-
-function readCells(reader: Reader, layer: Layer, data: Json[], width: number): void {
-  let kind: TileKind = { gid: 0, known: false, solid: false, physics: null };
+export async function readTiles(reader: Reader, layer: Layer): Promise<void> {
+  if (flagOf(ownProperty(layer.json, "solid")) === false) return;
+  const cells = await readCells(reader, layer);
+  if (!cells) return;
+  const kinds = new Map<number, TileKind>();
+  const kindAt = (i: number, j: number): TileKind | null => {
+    const gid = cells.at[j * cells.width + i];
+    if ((gid & NUMBER) === 0) return null;
+    let kind = kinds.get(gid);
+    if (!kind) kinds.set(gid, (kind = readKind(reader, layer, gid)));
+    return kind;
+  };
   let used = 0;
-  let solid = 0;
+  let colliding = 0;
   let unknown = 0;
-  let malformed = 0;
-  data.forEach((cell, at) => {
-    if (typeof cell !== "number" || !(cell >= 0 && cell <= 0xffffffff)) {
-      malformed++;
-      return;
+  let unmarked = 0;
+  let ungrounded = 0;
+  let floors: number[] | null = null;
+  for (let j = 0; j < cells.height; j++) {
+    for (let i = 0; i < cells.width; i++) {
+      const kind = kindAt(i, j);
+      if (!kind) continue;
+      used++;
+      if (!kind.known) unknown++;
+      if (kind.known && kind.solid === "unmarked") unmarked++;
+      if (kind.solid === "solid") colliding++;
+      if (kind.hasGround) floors ??= findFloors(layer, cells, kindAt);
+      const onFloor = kind.hasGround && floors !== null && j + 1 >= floors[i];
+      const grounded = onFloor && kind.foot >= -1e-3 * reader.tileHeight;
+      if (kind.hasGround && !grounded) ungrounded++;
+      if (kind.physics && kind.forms.length > 0)
+        addTile(reader, layer, kind, cells.column + i, cells.row + j, grounded);
     }
-    const gid = Math.floor(cell) & GID_BITS;
-    if (gid === 0) return;
-    used++;
-    if (gid !== kind.gid) kind = readKind(reader, layer, gid);
-    if (!kind.known) unknown++;
-    if (kind.solid) solid++;
-    if (kind.solid && kind.physics)
-      addTile(reader, layer, kind.physics, at % width, Math.floor(at / width));
-  });
+  }
+  reader.unmarked += unmarked;
   const say = (severity: "skip" | "note", what: string) =>
     reader.report.add(severity, 0, `layer '${layer.name}': ${what}`);
-  if (malformed > 0) say("skip", `${malformed} cells are no tile numbers`);
-  if (unknown > 0)
-    say("skip", `${unknown} tiles belong to no tileset that is embedded in the map`);
-  if (used > 0 && solid === 0) say("note", `none of its ${used} tiles is solid`);
+  if (ungrounded > 0) {
+    const rule = "all below them, down to the map's lower edge, would have to be solid";
+    say("skip", `the polygons of ${ungrounded} tiles are no ground: ${rule}`);
+  }
+  if (unknown > 0) say("skip", `${unknown} tiles belong to no tileset that can be used`);
+  if (used > 0 && colliding === 0 && unknown < used)
+    say("note", `none of its ${used} tiles is solid`);
 }
 
 function addTile(
   reader: Reader,
   layer: Layer,
-  { body, material }: Physics,
+  { physics, forms, dx, dy }: TileKind,
   column: number,
   row: number,
+  grounded: boolean,
 ): void {
-  const { pixelsPerUnit: ppu, tileWidth, tileHeight, mapHeight } = reader;
-  const x = (layer.ox + (column + 0.5) * tileWidth) / ppu;
-  const y = (mapHeight - (layer.oy + (row + 0.5) * tileHeight)) / ppu;
-  reader.level.bodies.push({
-    body: { ...body, position: [grid(x), grid(y)] },
-    material,
-    shape: {
-      kind: "aabb",
-      halfWidth: (tileWidth * 0.5) / ppu,
-      halfHeight: (tileHeight * 0.5) / ppu,
-    },
-  });
+  const x = layer.ox + column * reader.tileWidth + dx;
+  const y = layer.oy + (row + 1) * reader.tileHeight + dy;
+  if (physics) addBody(reader, physics, 0, forms, grounded, x, y, 0);
 }
 
 function readKind(reader: Reader, layer: Layer, gid: number): TileKind {
-  const found = tilesetOf(reader.tilesets, gid);
-  if (!found || found.tileset.source !== undefined)
-    return { gid, known: false, solid: false, physics: null };
-  const { tileset, first } = found;
-  const tile = tileOf(tileset, gid - first);
-  const solid =
-    ownProperty(layer.json, "solid") ??
-    (tile && ownProperty(tile, "solid")) ??
-    ownProperty(tileset, "solid");
-  if (solid !== true) return { gid, known: true, solid: false, physics: null };
-  const chain = tile ? [...layer.chain, tileset, tile] : [...layer.chain, tileset];
-  const v = new Values(reader.report, chain, 0, layer.name);
-  const physics = readPhysics(v);
-  const { velocity: _, angularVelocity: __, ...body } = physics.body;
-  let bad = v.bad;
-  if (tileset.tilewidth !== reader.tileWidth || tileset.tileheight !== reader.tileHeight) {
-    const what = "its tiles are not of the size of the map's cells";
-    reader.report.add("skip", 0, `layer '${layer.name}': ${what}`);
-    bad = true;
+  const none = { solid: "open" as const, physics: null, forms: [], full: false };
+  const kind: TileKind = { ...none, known: false, hasGround: false, foot: Infinity, dx: 0, dy: 0 };
+  const tile = findTile(reader, reader.tilesets, gid);
+  if (!tile) return kind;
+  kind.known = true;
+  const { tileset, json } = tile;
+  const name = typeof tileset.name === "string" ? tileset.name : "";
+  const where = json ? `layer '${layer.name}', tile ${tile.id} of '${name}'` : `layer '${layer.name}'`;
+  const chain = json ? [...layer.chain, tileset, json] : [...layer.chain, tileset];
+  const v = new Values(reader.report, chain, 0, where);
+  const turned = isTurned(gid);
+  const [w, h] = turned ? [tile.height, tile.width] : [tile.width, tile.height];
+  const width = tile.fillsCell ? reader.tileWidth : w;
+  const height = tile.fillsCell ? reader.tileHeight : h;
+  if (isSqueezed(tile, width, height, w, h)) {
+    v.complain("skip", "its picture neither fills the cell nor has its own size");
+    return kind;
   }
-  const fixed: Physics = { ...physics, kind: "static", body: { ...body, kind: "static" } };
-  return { gid, known: true, solid: true, physics: bad ? null : fixed };
+  const read = readTileForms(reader, v, tile, gid, width, height, chain.length);
+  kind.solid = read.solid;
+  kind.dx = tile.offsetX * (width / w) + width * 0.5;
+  kind.dy = tile.offsetY * (height / h) - height * 0.5;
+  if (!read.physics) return kind;
+  const { velocity: _, angularVelocity: __, ...body } = read.physics.body;
+  kind.physics = { ...read.physics, kind: "static", body: { ...body, kind: "static" } };
+  kind.forms = settleForms(reader, v, kind.physics, read.forms, 0, -Infinity);
+  for (const f of kind.forms) {
+    if (!f.points && covers(reader, f, kind)) kind.full = true;
+    if (f.ground) kind.foot = Math.min(kind.foot, f.y + f.foot + kind.dy);
+    if (f.ground) kind.hasGround = true;
+  }
+  return kind;
 }
 
-/** The embedded tileset that a tile number belongs to: the one that begins last before it. */
-function tilesetOf(tilesets: Json, gid: number): { tileset: JsonRecord; first: number } | null {
-  let best: { tileset: JsonRecord; first: number } | null = null;
-  for (const tileset of Array.isArray(tilesets) ? tilesets : []) {
-    if (!isRecord(tileset)) continue;
-    const first = tileset.firstgid;
-    if (typeof first === "number" && first >= 1 && first <= gid && first > (best?.first ?? 0))
-      best = { tileset, first: Math.floor(first) };
-  }
-  return best;
+/** Whether a picture that is to fill its cell, and to keep its shape, cannot do both. */
+function isSqueezed(tile: Tile, width: number, height: number, w: number, h: number): boolean {
+  const askew = Math.abs(width * h - height * w) > 1e-3 * (width * h);
+  return tile.fillsCell && tile.keepsAspect && askew;
 }
 
-/** The entry of a tile in its tileset, which only tiles with something to say have. */
-function tileOf(tileset: JsonRecord, local: number): JsonRecord | undefined {
-  const tiles = Array.isArray(tileset.tiles) ? tileset.tiles : [];
-  return tiles.filter(isRecord).find((tile) => tile.id === local);
+/** Whether a form of a tile covers the cell that the tile lies in. */
+function covers({ tileWidth, tileHeight }: Reader, f: Form, { dx, dy }: TileKind): boolean {
+  const near = 1e-3 * Math.max(tileWidth, tileHeight);
+  const x = f.x + (dx - tileWidth * 0.5);
+  const y = f.y + (dy + tileHeight * 0.5);
+  return (
+    f.kind === "box" &&
+    f.rotation === 0 &&
+    f.material.sensor !== true &&
+    Math.abs(x) + tileWidth * 0.5 <= f.hx + near &&
+    Math.abs(y) + tileHeight * 0.5 <= f.hy + near
+  );
+}
+
+/**
+ * In each column the row from which on all cells are full. What is below the lowest row is out of
+ * the map.
+ */
+function findFloors(
+  layer: Layer,
+  { at, width, height }: Cells,
+  kindAt: (i: number, j: number) => TileKind | null,
+): number[] {
+  let last = height;
+  const isEmpty = (row: number) => at.subarray(row * width, (row + 1) * width).every((gid) => gid === 0);
+  if (Array.isArray(layer.json.chunks)) while (last > 0 && isEmpty(last - 1)) last--;
+  return Array.from({ length: width }, (_, i) => {
+    let row = last;
+    while (row > 0 && kindAt(i, row - 1)?.full) row--;
+    return row;
+  });
 }

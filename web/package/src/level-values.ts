@@ -17,7 +17,7 @@ export interface Problem {
 
 const KNOWN = new Set(
   (
-    "body fixed_rotation sensor may_sleep velocity_x velocity_y angular_velocity gravity_scale " +
+    "body bodyType fixed_rotation sensor may_sleep velocity_x velocity_y angular_velocity gravity_scale " +
     "linear_damping angular_damping density friction restitution category mask group solid " +
     "gravity_x gravity_y pixels_per_unit length_scale camera_x camera_y camera_height character " +
     "title about"
@@ -28,6 +28,9 @@ export function isRecord(json: Json): json is JsonRecord {
   return typeof json === "object" && json !== null && !Array.isArray(json);
 }
 
+/** Problems in words: only a file made to fill the memory has more, which are only counted. */
+const MOST_PROBLEMS = 100000;
+
 /** All that a reader has to say about a map. */
 export class Report {
   readonly problems: Problem[] = [];
@@ -37,6 +40,7 @@ export class Report {
   add(severity: Problem["severity"], object: number, text: string): void {
     if (severity === "skip") this.skipped++;
     if (severity === "fatal") this.fatal++;
+    if (this.problems.length === MOST_PROBLEMS) return;
     this.problems.push({
       severity,
       object,
@@ -68,6 +72,21 @@ export function ownProperty(json: JsonRecord, name: string): Json {
   return ownProperties(json).find(([known]) => known === name)?.[1];
 }
 
+/** As JSON writes numbers; longer ones than anybody writes are none. */
+const NUMBER = /^-?\d+(\.\d+)?([eE][-+]?\d+)?$/;
+const LONGEST_NUMBER = 60;
+
+/** The number that a whole text is, or null. */
+export function numberOf(text: string): number | null {
+  return text.length <= LONGEST_NUMBER && NUMBER.test(text) ? Number(text) : null;
+}
+
+/** True, false, or neither. */
+export function flagOf(value: Json): boolean | null {
+  if (value === true || value === "true") return true;
+  return value === false || value === "false" ? false : null;
+}
+
 /** Reads values for one thing; `bad` is set, and the reason reported, when one cannot be used. */
 export class Values {
   bad = false;
@@ -79,10 +98,19 @@ export class Values {
     readonly where: string,
   ) {}
 
+  /** Values for the same thing that are looked up elsewhere. */
+  within(chain: readonly JsonRecord[]): Values {
+    return new Values(this.report, chain, this.object, this.where);
+  }
+
+  complain(severity: Problem["severity"], text: string): void {
+    const place = this.object !== 0 ? "" : `${this.where}: `;
+    this.report.add(severity, this.object, place + text);
+  }
+
   #complain(name: string, what: string): void {
     this.bad = true;
-    const place = this.object !== 0 ? "" : `${this.where}: `;
-    this.report.add("skip", this.object, `${place}${name} ${what}`);
+    this.complain("skip", `${name} ${what}`);
   }
 
   #checked(value: Json, name: string, low: number, high: number): number {
@@ -90,6 +118,10 @@ export class Values {
       this.#complain(name, "is not a number");
       return low;
     }
+    return this.#ranged(value, name, low, high);
+  }
+
+  #ranged(value: number, name: string, low: number, high: number): number {
     if (!Number.isFinite(value) || value < low || value > high) {
       this.#complain(name, "is out of range");
       return low;
@@ -97,7 +129,8 @@ export class Values {
     return value;
   }
 
-  #find(name: string): Json {
+  /** A property from the innermost place that has it. */
+  find(name: string): Json {
     for (let i = this.chain.length - 1; i >= 0; i--) {
       const value = ownProperty(this.chain[i], name);
       if (value !== undefined) return value;
@@ -115,21 +148,30 @@ export class Values {
     return this.#checked(value, name, low, high);
   }
 
+  /** The same where a file may do without. */
+  optional(json: JsonRecord, name: string, fallback: number, low: number, high: number): number {
+    return json[name] === undefined ? fallback : this.required(json, name, low, high);
+  }
+
   /** Properties, each from the innermost place that has it. */
   number(name: string, fallback: number, low: number, high: number): number {
-    const value = this.#find(name);
+    const value = this.find(name);
+    // A property's type is string where nobody chose another.
+    const number = typeof value === "string" ? numberOf(value) : null;
+    if (number !== null) return this.#ranged(number, name, low, high);
     return value === undefined ? fallback : this.#checked(value, name, low, high);
   }
 
   flag(name: string, fallback: boolean): boolean {
-    const value = this.#find(name);
+    const value = this.find(name);
     if (value === undefined) return fallback;
-    if (typeof value !== "boolean") this.#complain(name, "is neither true nor false");
-    return value === true;
+    const flag = flagOf(value);
+    if (flag === null) this.#complain(name, "is neither true nor false");
+    return flag === true;
   }
 
   text(name: string, fallback: string): string {
-    const value = this.#find(name);
+    const value = this.find(name);
     if (value === undefined) return fallback;
     if (typeof value !== "string") this.#complain(name, "is not a text");
     return typeof value === "string" ? value : fallback;
@@ -142,7 +184,7 @@ export class Values {
   }
 
   kind(): BodyKind {
-    const kind = this.text("body", "static");
+    const kind = this.text("body", this.text("bodyType", "static"));
     if (kind === "dynamic" || kind === "kinematic" || kind === "static") return kind;
     this.#complain("body", "is none of static, kinematic, dynamic");
     return "static";

@@ -1,8 +1,10 @@
 /**
- * Levels: maps of the Tiled editor in its JSON format (.tmj).
+ * Levels: maps of the Tiled editor, .tmj and .tmx, with the tilesets (.tsj, .tsx) and templates
+ * (.tj, .tx) that they refer to.
  *
  *     import { buildLevel, readLevel } from "thud/level";
- *     const level = readLevel("quarry", await (await fetch("quarry.tmj")).text());
+ *     const open = async (path) => (await fetch(`levels/${path}`)).text();
+ *     const level = await readLevel("quarry", await open("quarry.tmx"), { open });
  *     const world = buildLevel(thud, level);
  *
  * What of a map means what stands in assets/levels/README.md. The C reader in demo/level builds
@@ -10,7 +12,11 @@
  */
 import type { Engine } from "./engine.js";
 import { messageOf, ThudError } from "./error.js";
-import { readObject } from "./level-objects.js";
+import { MOST_CELLS } from "./level-cells.js";
+import { type FileContent, type FileOpener, Library, parseDocument } from "./level-library.js";
+import { readObjects } from "./level-objects.js";
+import { readTiles } from "./level-tiles.js";
+import { listTilesets, type Tileset } from "./level-tilesets.js";
 import {
   isRecord,
   type Json,
@@ -19,22 +25,25 @@ import {
   Report,
   Values,
 } from "./level-values.js";
-import { readTiles } from "./level-tiles.js";
 import { checkNames } from "./names.js";
 import type { BodyOptions, ShapeOptions, Vec2, WorldOptions } from "./types.js";
 import type { World } from "./world.js";
 
+export type { FileContent, FileOpener } from "./level-library.js";
 export type { Problem } from "./level-values.js";
 
-/** A body with its one shape. Lists of points run from left to right. */
+/** A shape in its body's frame. Lists of points run from left to right. */
+export type LevelShape = { material: ShapeOptions } & (
+  | { kind: "circle"; offset: Vec2; radius: number }
+  | { kind: "aabb"; offset: Vec2; halfWidth: number; halfHeight: number }
+  | { kind: "obb"; offset: Vec2; halfWidth: number; halfHeight: number; angle: number }
+  | { kind: "terrain"; points: Vec2[] }
+);
+
+/** A body with its shapes, one at least; `body.userData` is the object's id, none of a tile. */
 export interface LevelBody {
   body: BodyOptions;
-  material: ShapeOptions;
-  shape:
-    | { kind: "circle"; radius: number }
-    | { kind: "aabb"; halfWidth: number; halfHeight: number }
-    | { kind: "obb"; halfWidth: number; halfHeight: number }
-    | { kind: "terrain"; points: Vec2[] };
+  shapes: LevelShape[];
 }
 
 /** A map as it was read, in world units: plain data for `buildLevel`. */
@@ -59,6 +68,8 @@ export interface Level {
 export interface ReadOptions {
   /** Leave out what cannot be modelled instead of refusing the level. Default false. */
   skip?: boolean;
+  /** Gives the tilesets and templates that the map refers to. Without it the map stands alone. */
+  open?: FileOpener;
 }
 
 /** Why a level cannot be used; the message tells the first three problems. */
@@ -84,7 +95,14 @@ export interface Reader {
   /** Pixels. */
   readonly mapHeight: number;
   readonly pixelsPerUnit: number;
-  readonly tilesets: Json;
+  readonly tilesets: Tileset[];
+  readonly library: Library;
+  /** Nothing in the map says what collides, so that every tile does. */
+  readonly allSolid: boolean;
+  /** Cells that may still be read, in all layers: a small file can claim any number. */
+  cells: number;
+  /** Tiles of which nothing says whether they collide. */
+  unmarked: number;
 }
 
 /** A layer on the way from the map, through its groups. */
@@ -101,14 +119,38 @@ export interface Layer {
 /** As deep as the C reader goes; an object, or a tileset and a tile, still come on top. */
 const DEEPEST_CHAIN = 16 - 3;
 
-/** Reads a map. Throws a LevelError if it cannot be used, or something would have to be skipped. */
-export function readLevel(name: string, text: string, options: ReadOptions = {}): Level {
-  checkNames("readLevel", options, ["skip"]);
-  const report = new Report();
-  const level = readMap(name, parse(text, report), report);
-  if (!level || report.fatal > 0 || (report.skipped > 0 && !options.skip))
+/**
+ * Reads a map, .tmj or .tmx. Rejects with a LevelError if it cannot be used, or something would
+ * have to be skipped. XML needs the package @rgrove/parse-xml, and layers packed by Zstandard need
+ * fzstd: both are optional, and loaded when a level comes to need them.
+ */
+export async function readLevel(
+  name: string,
+  content: FileContent,
+  options: ReadOptions = {},
+): Promise<Level> {
+  checkNames("readLevel", options, ["skip", "open"]);
+  let report = new Report();
+  let read: Reader | null = null;
+  try {
+    const json = await parseDocument(content);
+    const library = new Library(options.open);
+    if (isRecord(json)) await library.prepare(json);
+    read = await readMap(name, json, report, library, false);
+    if (read && read.level.bodies.length === 0 && read.unmarked > 0) {
+      report = new Report();
+      library.forgetReports();
+      const what = "nothing in this map says what collides, so every tile does";
+      const way = "'solid' says it for a layer, a tileset, a tile or a tile object";
+      report.add("note", 0, `${what}: ${way}`);
+      read = await readMap(name, json, report, library, true);
+    }
+  } catch (error) {
+    report.add("fatal", 0, messageOf(error));
+  }
+  if (!read || report.fatal > 0 || (report.skipped > 0 && !options.skip))
     throw new LevelError(name, report.problems);
-  return level;
+  return read.level;
 }
 
 /** Makes a world of a level. Throws, and leaves nothing behind, if the engine refuses a body. */
@@ -124,34 +166,32 @@ export function buildLevel(engine: Engine, level: Level, options: WorldOptions =
   return world;
 }
 
-function addBody(world: World, { body, material, shape }: LevelBody): void {
+function addBody(world: World, { body, shapes }: LevelBody): void {
   const id = world.createBody(body);
-  switch (shape.kind) {
-    case "circle":
-      world.createCircle(id, { ...material, radius: shape.radius });
-      break;
-    case "aabb":
-      world.createAabb(id, { ...material, ...shape });
-      break;
-    case "obb":
-      world.createObb(id, { ...material, ...shape });
-      break;
-    case "terrain":
+  for (const shape of shapes) {
+    const { material } = shape;
+    if (shape.kind === "terrain") {
       world.createTerrain(id, { kind: "irregular", points: shape.points }, material);
+      continue;
+    }
+    const { offset } = shape;
+    if (shape.kind === "circle") {
+      world.createCircle(id, { ...material, offset, radius: shape.radius });
+      continue;
+    }
+    const { halfWidth, halfHeight } = shape;
+    if (shape.kind === "aabb") world.createAabb(id, { ...material, offset, halfWidth, halfHeight });
+    else world.createObb(id, { ...material, offset, halfWidth, halfHeight, angle: shape.angle });
   }
 }
 
-function parse(text: string, report: Report): Json {
-  try {
-    return JSON.parse(text) as Json;
-  } catch (error) {
-    report.add("fatal", 0, `this is not JSON: ${messageOf(error)}`);
-    return null;
-  }
-}
-
-function readMap(name: string, json: Json, report: Report): Level | null {
-  if (report.fatal > 0) return null;
+async function readMap(
+  name: string,
+  json: Json,
+  report: Report,
+  library: Library,
+  allSolid: boolean,
+): Promise<Reader | null> {
   if (!isRecord(json) || json.type !== "map") {
     report.add("fatal", 0, 'this is not a Tiled map: no "type": "map"');
     return null;
@@ -161,17 +201,23 @@ function readMap(name: string, json: Json, report: Report): Level | null {
     return null;
   }
   report.noteUnknown(json, 0, "map");
-  const reader = readMapValues(name, json, report);
+  const reader = readMapValues(name, json, report, library, allSolid);
   if (!reader) {
     report.add("fatal", 0, "the map's own values cannot be used");
     return null;
   }
-  readLayers(reader, { json, chain: [json], ox: 0, oy: 0, name: "map" });
-  return reader.level;
+  await readLayers(reader, { json, chain: [json], ox: 0, oy: 0, name: "map" });
+  return reader;
 }
 
 /** What is wrong with the map's own values is fatal: every object depends on them. */
-function readMapValues(name: string, json: JsonRecord, report: Report): Reader | null {
+function readMapValues(
+  name: string,
+  json: JsonRecord,
+  report: Report,
+  library: Library,
+  allSolid: boolean,
+): Reader | null {
   const v = new Values(report, [json], 0, "map");
   const columns = v.required(json, "width", 1, 1e6);
   const rows = v.required(json, "height", 1, 1e6);
@@ -208,20 +254,31 @@ function readMapValues(name: string, json: JsonRecord, report: Report): Reader |
     bodies: [],
     problems: report.problems,
   };
-  const { tilesets } = json;
-  return { level, report, tileWidth, tileHeight, mapHeight, pixelsPerUnit, tilesets };
+  return {
+    level,
+    report,
+    library,
+    tileWidth,
+    tileHeight,
+    mapHeight,
+    pixelsPerUnit,
+    tilesets: listTilesets(json.tilesets, ""),
+    allSolid,
+    cells: MOST_CELLS,
+    unmarked: 0,
+  };
 }
 
-function readLayers(reader: Reader, parent: Layer): void {
+async function readLayers(reader: Reader, parent: Layer): Promise<void> {
   const layers = parent.json.layers;
   if (!Array.isArray(layers)) {
     reader.report.add("skip", 0, `'${parent.name}' has no list of layers`);
     return;
   }
-  for (const json of layers) readLayer(reader, parent, json);
+  for (const json of layers) await readLayer(reader, parent, json);
 }
 
-function readLayer(reader: Reader, parent: Layer, value: Json): void {
+async function readLayer(reader: Reader, parent: Layer, value: Json): Promise<void> {
   const { report } = reader;
   const json = isRecord(value) ? value : {};
   const name = typeof json.name === "string" ? json.name : "unnamed";
@@ -239,16 +296,7 @@ function readLayer(reader: Reader, parent: Layer, value: Json): void {
   if (v.bad) return;
   const layer: Layer = { json, chain, ox, oy, name };
   if (type === "objectgroup") readObjects(reader, layer);
-  else if (type === "tilelayer") readTiles(reader, layer);
-  else if (type === "group") readLayers(reader, layer);
+  else if (type === "tilelayer") await readTiles(reader, layer);
+  else if (type === "group") await readLayers(reader, layer);
   else report.add("skip", 0, `layer '${name}': its type '${type}' is not known`);
-}
-
-function readObjects(reader: Reader, layer: Layer): void {
-  const { objects } = layer.json;
-  if (!Array.isArray(objects)) {
-    reader.report.add("skip", 0, `layer '${layer.name}': has no list of objects`);
-    return;
-  }
-  for (const object of objects) readObject(reader, layer, isRecord(object) ? object : {});
 }

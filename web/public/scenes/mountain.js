@@ -4,7 +4,7 @@
 import { Figure, WALK } from "./platformer_game/figure.js";
 
 export default async function (setting) {
-  const level = setting.readLevel("mountain", await setting.readText("levels/mountain.tmj"));
+  const level = await setting.readLevel("mountain", await setting.readText("levels/mountain.tmj"));
   const world = setting.buildLevel(level);
   const figure = new Figure(setting, world, level);
   const [x, y] = level.camera;

@@ -1,6 +1,6 @@
 // A level of your own, drawn with the Tiled editor and dropped onto the page.
 export default async function ownLevel({ readLevel, buildLevel, readText }) {
-  const level = readLevel("own", await readText("own.tmj"), { skip: true });
+  const level = await readLevel("own", await readText("own.tmj"), { skip: true });
   return {
     world: buildLevel(level),
     view: { x: level.camera[0], y: level.camera[1], height: level.cameraHeight },

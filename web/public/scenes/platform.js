@@ -5,7 +5,7 @@ import { grassOn } from "./platformer_game/grass.js";
 import { findLifts, turnLifts } from "./platformer_game/lifts.js";
 
 export default async function (setting) {
-  const level = setting.readLevel("platform", await setting.readText("levels/platform.tmj"));
+  const level = await setting.readLevel("platform", await setting.readText("levels/platform.tmj"));
   const world = setting.buildLevel(level);
   const lifts = findLifts(world);
   const grass = grassOn(world);

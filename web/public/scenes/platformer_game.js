@@ -26,7 +26,7 @@ const HINTS = [
 ];
 
 export default async function (setting) {
-  const level = setting.readLevel("adventure", await setting.readText("levels/adventure.tmj"));
+  const level = await setting.readLevel("adventure", await setting.readText("levels/adventure.tmj"));
   const world = setting.buildLevel(level);
   const lifts = findLifts(world);
   const crates = findBodies(world, ({ kind }) => kind === "dynamic");

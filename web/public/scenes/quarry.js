@@ -3,7 +3,7 @@
 // The map was drawn in Tiled (www.mapeditor.org): properties there say what is heavy or rough.
 
 export default async function ({ readText, readLevel, buildLevel }) {
-  const level = readLevel("quarry", await readText("levels/quarry.tmj"));
+  const level = await readLevel("quarry", await readText("levels/quarry.tmj"));
   const [x, y] = level.camera;
   return {
     world: buildLevel(level),

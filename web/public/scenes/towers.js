@@ -2,7 +2,7 @@
 // The map was drawn in Tiled (www.mapeditor.org): properties there say what is heavy or rough.
 
 export default async function ({ readText, readLevel, buildLevel }) {
-  const level = readLevel("towers", await readText("levels/towers.tmj"));
+  const level = await readLevel("towers", await readText("levels/towers.tmj"));
   const [x, y] = level.camera;
   return {
     world: buildLevel(level),

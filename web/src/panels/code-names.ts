@@ -24,7 +24,7 @@ const SETTING: Record<keyof SceneSetting, Entry> = {
   ],
   grid: ["grid(x)", "The nearest multiple of 1/65536."],
   readText: ['await readText("levels/quarry.tmj")', "The text of a file of this page."],
-  readLevel: ["readLevel(name, text)", "Reads a map of the Tiled editor."],
+  readLevel: ["await readLevel(name, text)", "Reads a map of the Tiled editor."],
   buildLevel: ["const world = buildLevel(level)", "The world of such a map."],
   createMover: [
     'createMover(world, { shape: { kind: "circle", radius: 0.4 }, position: [0, 2] })',

@@ -5,7 +5,7 @@
  * `state` cross the border of threads.
  */
 import type { Engine, Mover, MoverOptions, Vec2, World, WorldOptions } from "thud";
-import type { readLevel } from "thud/level";
+import type { Level, readLevel } from "thud/level";
 import type { OverlayName } from "./overlays";
 
 /** A module of web/public/scenes. */
@@ -28,8 +28,8 @@ export interface SceneSetting {
   thud: Engine;
   /** As `thud.createWorld`, with the visitor's choices (quality, …) put over the options. */
   createWorld(options?: WorldOptions): World;
-  /** As the package's, with the visitor's choices likewise. */
-  buildLevel(level: ReturnType<typeof readLevel>): World;
+  /** As the package's, with the visitor's choices likewise; after `readLevel`. */
+  buildLevel(level: Level): World;
   readLevel: typeof readLevel;
   createMover(world: World, options: MoverOptions): Mover;
   /** The text of a file of the page: "levels/quarry.tmj", "terrain/jacksboro_100.csv". */

@@ -1,6 +1,6 @@
 /** What a scene module is given: the same in the worker and in Node.js (tests, thumbnails). */
 import { type Engine, Mover, type WorldOptions } from "thud";
-import { buildLevel, readLevel } from "thud/level";
+import type * as level from "thud/level";
 import { random } from "./random";
 import type { SceneModule, SceneSetting } from "./scene";
 
@@ -12,17 +12,33 @@ export interface SettingOptions {
   size?: number;
   seed?: number;
   readText(file: string): Promise<string>;
+  /** The reader of levels, which is loaded with the first one. */
+  loadReader?(): Promise<typeof level>;
 }
 
 export function createSetting(
   module: SceneModule,
-  { thud, choices = {}, size, seed = 0, readText }: SettingOptions,
+  {
+    thud,
+    choices = {},
+    size,
+    seed = 0,
+    readText,
+    loadReader = () => import("thud/level"),
+  }: SettingOptions,
 ): SceneSetting {
+  let reader: typeof level | undefined;
   return {
     thud,
     createWorld: (options = {}) => thud.createWorld({ ...options, ...choices }),
-    buildLevel: (level) => buildLevel(thud, level, choices),
-    readLevel,
+    buildLevel(level) {
+      if (!reader) throw new Error("readLevel comes before buildLevel.");
+      return reader.buildLevel(thud, level, choices);
+    },
+    async readLevel(...request) {
+      reader ??= await loadReader();
+      return reader.readLevel(...request);
+    },
     createMover: (world, options) => new Mover(world, options),
     readText,
     size: sizeOf(module, size),

@@ -2,7 +2,7 @@
 import type { Engine, Mover, World, WorldOptions } from "thud";
 import { knownOf } from "../rival/watch";
 import type { KeyWords, Scene, SceneModule, View } from "../scene/scene";
-import { createSetting } from "../scene/setting";
+import { createSetting, type SettingOptions } from "../scene/setting";
 import { BODY, DYNAMIC, HALF, ROW, SLOT, STATIC } from "../scene/shape-table";
 import type { Choices, RunningScene, SceneRequest } from "./protocol";
 import { checkScene } from "./check";
@@ -28,6 +28,7 @@ export async function setUp(
   engine: Engine,
   request: SceneRequest,
   readText: (file: string) => Promise<string>,
+  loadReader?: SettingOptions["loadReader"],
 ): Promise<Session> {
   const setting = createSetting(module, {
     thud: engine,
@@ -35,6 +36,7 @@ export async function setUp(
     size: request.size,
     seed: request.seed,
     readText,
+    loadReader,
   });
   // The world that a scene returns is run; others, and movers, are freed with it.
   const worlds = new Map<World, Pick<WorldOptions, "lengthScale" | "timeStep">>();

@@ -1,0 +1,81 @@
+/* file.c: reads a map from a file, and from beside it what it refers to. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "reader.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* Larger files are no maps; a map can name any file as its tileset, /dev/zero's like among them. */
+enum { LARGEST_FILE = 1 << 28 };
+
+/* The whole file in memory, or null. */
+static char *read_whole(const char *path, size_t *length) {
+    FILE *file = fopen(path, "rb");
+    struct stat about;
+    char *text = NULL;
+    if (!file)
+        return NULL;
+    bool usual =
+        fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode) && about.st_size <= LARGEST_FILE;
+    if (usual)
+        text = malloc((size_t)about.st_size + 1);
+    if (text) {
+        *length = fread(text, 1, (size_t)about.st_size, file);
+        if (ferror(file)) {
+            free(text);
+            text = NULL;
+        }
+    }
+    fclose(file);
+    return text;
+}
+
+static const char *last_part(const char *path) {
+    const char *base = path;
+    for (const char *p = path; *p; p++)
+        if (*p == '/' || *p == '\\')
+            base = p + 1;
+    return base;
+}
+
+/* The context is the map's own path. */
+static char *open_beside(void *context, const char *path, size_t *length) {
+    const char *map = context;
+    size_t folder = (size_t)(last_part(map) - map);
+    char *whole = malloc(folder + strlen(path) + 1);
+    if (!whole)
+        return NULL;
+    memcpy(whole, map, folder);
+    strcpy(whole + folder, path);
+    char *text = read_whole(whole, length);
+    free(whole);
+    return text;
+}
+
+/* "assets/levels/quarry.tmj" is "quarry". */
+static void name_of(const char *path, char *name, size_t size) {
+    const char *base = last_part(path);
+    const char *dot = strrchr(base, '.');
+    size_t length = dot && dot != base ? (size_t)(dot - base) : strlen(base);
+    snprintf(name, size, "%.*s", (int)(length < size ? length : size - 1), base);
+}
+
+bool level_read_file(const char *path, bool skip, scene *s, level_report *report) {
+    scene_init(s);
+    *report = (level_report){0};
+    size_t length = 0;
+    char *text = read_whole(path, &length);
+    if (!text) {
+        level_problem_add(report, LEVEL_FATAL, 0, "the file cannot be read");
+        return false;
+    }
+    char name[128];
+    name_of(path, name, sizeof name);
+    level_opener opener = {.open = open_beside, .context = (void *)(uintptr_t)path};
+    bool read = level_read_with(name, text, length, &opener, skip, s, report);
+    free(text);
+    return read;
+}

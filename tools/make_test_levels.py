@@ -1,0 +1,301 @@
+#!/usr/bin/env python3
+"""Makes the maps in tests/levels, each with a part of Tiled's formats in it, and each as JSON and as
+XML: tests/unit/test_level_formats.c and tests/web/wasm-level-formats.test.mjs read them.
+
+Running it twice gives the same files."""
+
+import base64
+import ctypes
+import gzip
+import json
+import struct
+import zlib
+from pathlib import Path
+
+from tiled_map import properties
+from tiled_xml import xml_of
+
+FOLDER = Path(__file__).resolve().parent.parent / "tests" / "levels"
+TILE = 32
+FLIP_X, FLIP_Y, TURN = 1 << 31, 1 << 30, 1 << 29
+# Tile numbers, as cells hold them.
+STONE, BALL, SLOPE, HALF, ANGLE, LEAN, OPEN, ICE = range(1, 9)
+
+
+def zstd(data):
+    library = ctypes.CDLL("libzstd.so.1")
+    library.ZSTD_compressBound.restype = library.ZSTD_compress.restype = ctypes.c_size_t
+    library.ZSTD_compressBound.argtypes = [ctypes.c_size_t]
+    library.ZSTD_compress.argtypes = [ctypes.c_char_p, ctypes.c_size_t, ctypes.c_char_p,
+                                      ctypes.c_size_t, ctypes.c_int]
+    out = ctypes.create_string_buffer(library.ZSTD_compressBound(len(data)))
+    size = library.ZSTD_compress(out, len(out), data, len(data), 19)
+    return out.raw[:size]
+
+
+PACKINGS = {"": lambda data: data, "zlib": lambda data: zlib.compress(data, 9),
+            "gzip": lambda data: gzip.compress(data, 9, mtime=0), "zstd": zstd}
+
+
+def packed(cells, packing):
+    data = struct.pack(f"<{len(cells)}I", *cells)
+    return base64.b64encode(PACKINGS[packing](data)).decode("ascii")
+
+
+class Objects:
+    """Objects with numbers of their own."""
+
+    def __init__(self):
+        self.list = []
+
+    def add(self, x, y, **rest):
+        custom = rest.pop("custom", {})
+        entry = {"id": len(self.list) + 1, "x": x, "y": y, **rest}
+        if custom:
+            entry["properties"] = properties(**custom)
+        self.list.append(entry)
+
+
+def shape(x, y, **rest):
+    return {"id": 1, "x": x, "y": y, **rest}
+
+
+def tile(number, *objects, **custom):
+    entry = {"id": number - 1}
+    if objects:
+        entry["objectgroup"] = {"type": "objectgroup", "draworder": "index",
+                                "objects": [{**one, "id": i + 1} for i, one in enumerate(objects)]}
+    if custom:
+        entry["properties"] = properties(**custom)
+    return entry
+
+
+def points(*pairs):
+    return [{"x": x, "y": y} for x, y in pairs]
+
+
+def ground_tiles():
+    """Collision shapes of every kind that the reader knows."""
+    return {"type": "tileset", "name": "ground", "tilewidth": TILE, "tileheight": TILE,
+            "tilecount": 8, "columns": 8, "tiles": [
+                tile(STONE, shape(0, 0, width=TILE, height=TILE)),
+                tile(BALL, shape(4, 6, width=20, height=20, ellipse=True)),
+                tile(SLOPE, shape(0, TILE, polygon=points((0, 0), (TILE, -TILE), (TILE, 0)))),
+                tile(HALF, shape(0, 0, width=TILE, height=10), shape(6, 18, width=9, height=14)),
+                tile(ANGLE, shape(0, 0, polygon=points((0, 0), (12, 0), (12, 20), (TILE, 20),
+                                                       (TILE, TILE), (0, TILE)))),
+                tile(LEAN, shape(9, 3, width=18, height=6, rotation=37)),
+                tile(ICE, solid=True, friction=0.02)]}
+
+
+def things():
+    """Pictures of their own sizes, for tile objects."""
+    return {"type": "tileset", "name": "things", "tilewidth": 96, "tileheight": 80,
+            "tilecount": 4, "columns": 0, "tiles": [
+                {"id": 0, "image": "crate.png", "imagewidth": 40, "imageheight": 24},
+                {"id": 3, "image": "barrel.png", "imagewidth": 32, "imageheight": 32,
+                 **tile(4, shape(0, 0, width=32, height=32, ellipse=True), density=3.0)},
+                {"id": 5, "image": "sign.png", "imagewidth": 96, "imageheight": 80,
+                 **tile(6, shape(0, 0, width=96, height=16), shape(40, 16, width=16, height=64))}]}
+
+
+def map_of(layers, columns=20, rows=15, tilesets=(), infinite=False, **custom):
+    return {"type": "map", "version": "1.10", "orientation": "orthogonal", "width": columns,
+            "height": rows, "tilewidth": TILE, "tileheight": TILE, "infinite": infinite,
+            "tilesets": list(tilesets), "layers": layers, "properties": properties(**custom)}
+
+
+def object_layer(objects, **custom):
+    return {"type": "objectgroup", "id": 2, "name": "things", "objects": objects.list,
+            "properties": properties(**custom)}
+
+
+def tile_layer(cells, columns, rows, packing=None, **custom):
+    layer = {"type": "tilelayer", "id": 1, "name": "ground", "width": columns, "height": rows,
+             "properties": properties(**custom)}
+    if packing is None:
+        return {**layer, "data": cells}
+    return {**layer, "encoding": "base64", "compression": packing, "data": packed(cells, packing)}
+
+
+def balls(count, across, top=40):
+    """What falls on the level, so that its shapes are felt."""
+    objects = Objects()
+    for i in range(count):
+        side = 14 + 2 * (i % 3)
+        objects.add(across * (i + 0.5) / count, top + 7 * (i % 5), width=side, height=side,
+                    **({"ellipse": True} if i % 2 else {"rotation": 11 * i}),
+                    custom={"body": "dynamic"})
+    return objects
+
+
+def shapes():
+    """Every collision shape in all eight ways that a tile can lie."""
+    columns, rows = 20, 15
+    cells = [0] * (columns * rows)
+    for i in range(columns):
+        cells[(rows - 1) * columns + i] = STONE
+    for number in (BALL, HALF, ANGLE, LEAN, ICE, OPEN):
+        for flip in range(8):
+            row, column = 3 + number % 5 * 2, 1 + 2 * flip + number % 2
+            cells[row * columns + column] = number | flip << 29
+    for column, flip in ((6, 0), (9, FLIP_X)):
+        cells[(rows - 2) * columns + column] = SLOPE | flip
+    return map_of([tile_layer(cells, columns, rows), object_layer(balls(40, 640, 8))],
+                  columns, rows, [{"firstgid": 1, "source": "tiles/ground.tsx"}])
+
+
+def hills():
+    """Polygons as ground and as boxes, and a line."""
+    objects = balls(30, 640)
+    objects.add(0, 480, polygon=points((0, 0), (0, -60), (90, -90), (200, -40), (320, -70),
+                                       (320, 0)))
+    objects.add(640, 490, polygon=points((0, 0), (-320, 0), (-320, -80), (-100, -30), (0, -120)))
+    objects.add(200, 200, rotation=20, polygon=points((0, 0), (64, 0), (64, 24), (0, 24)))
+    objects.add(420, 220, polygon=points((0, 0), (48, 36), (36, 52), (-12, 16)))
+    objects.add(100, 260, polygon=points((0, 0), (60, 0), (60, 60), (40, 60), (40, 20), (20, 20),
+                                         (20, 60), (0, 60)))
+    objects.add(320, 60, polygon=points((0, 0), (40, 0), (40, 20), (20, 20), (20, 60), (0, 60)),
+                rotation=15, custom={"body": "dynamic", "friction": "0.9"})
+    objects.add(520, 300, polyline=points((0, 0), (-60, 20), (-110, 0)))
+    return map_of([object_layer(objects)])
+
+
+def template(content, source, **object_fields):
+    return {"type": "template", "tileset": {"firstgid": 1, "source": source},
+            "object": {**object_fields, **content}}
+
+
+def props():
+    """Tile objects: turned, flipped, drawn larger, and from templates."""
+    first, more = 1, 100
+    crate, barrel, sign = more, more + 3, more + 5
+    objects = balls(12, 640)
+    dynamic = {"body": "dynamic"}
+    objects.add(60, 120, gid=crate, width=40, height=24, custom=dynamic)
+    objects.add(160, 120, gid=crate, width=60, height=18, rotation=30, custom={"bodyType": "dynamic"})
+    objects.add(260, 120, gid=barrel, width=32, height=32, custom=dynamic)
+    objects.add(340, 120, gid=barrel, width=48, height=48, rotation=-75, custom=dynamic)
+    objects.add(420, 160, gid=sign | FLIP_Y, width=96, height=80, rotation=10, custom=dynamic)
+    objects.add(100, 300, gid=sign, width=48, height=80)
+    objects.add(300, 300, gid=first + SLOPE - 1 | FLIP_X, width=64, height=32, rotation=0,
+                custom={"solid": False})
+    objects.add(420, 330, gid=first + LEAN - 1 | FLIP_X, width=64, height=64, rotation=45)
+    objects.add(200, 400, gid=crate, width=40, height=24)
+    objects.add(60, 40, template="templates/crate.tx")
+    objects.add(120, 40, template="templates/crate.tx", rotation=45, custom={"density": 4})
+    objects.add(180, 40, template="templates/crate.tx", gid=barrel, width=24, height=24)
+    objects.add(240, 40, template="templates/plank.tj")
+    cells = [0] * (20 * 14) + [first + STONE - 1] * 20
+    return map_of([tile_layer(cells, 20, 15), object_layer(objects)], tilesets=[
+        {"firstgid": first, "source": "tiles/ground.tsx"},
+        {"firstgid": more, "source": "tiles/things.tsj"}])
+
+
+def landscape(columns, rows):
+    """Cells that pack well and badly."""
+    cells = [0] * (columns * rows)
+    for i in range(columns):
+        for j in range(rows - 2 - i * 7 % 3, rows):
+            cells[j * columns + i] = (STONE, ICE, STONE | FLIP_X)[i * i % 3]
+    return cells
+
+
+def packed_map(packing):
+    columns, rows = 24, 15
+    layer = tile_layer(landscape(columns, rows), columns, rows, packing)
+    return map_of([layer, object_layer(balls(20, 768))], columns, rows,
+                  [{"firstgid": 1, "source": "tiles/ground.tsx"}])
+
+
+def infinite_map():
+    """Chunks to both sides of the origin, an empty one below all others, and slopes."""
+    side, chunks = 8, []
+    for x, y in ((-8, 8), (0, 8), (8, 0), (8, 8), (0, 16)):
+        cells = [0] * (side * side)
+        if y == 8:
+            for i in range(side):
+                cells[5 * side + i] = SLOPE if i == 2 else 0
+                cells[6 * side + i] = cells[7 * side + i] = STONE
+        elif y == 0:
+            cells[7 * side + 3] = HALF | TURN
+        chunks.append({"x": x, "y": y, "width": side, "height": side, "data": packed(cells, "zlib")})
+    layer = {"type": "tilelayer", "id": 1, "name": "ground", "width": 24, "height": 24,
+             "startx": -8, "starty": 0, "encoding": "base64", "compression": "zlib",
+             "chunks": chunks, "offsetx": 3.5}
+    empty = {"type": "tilelayer", "id": 3, "name": "sky", "width": 24, "height": 24, "chunks": []}
+    return map_of([layer, empty, object_layer(balls(16, 256))], 20, 15,
+                  [{"firstgid": 1, "source": "tiles/ground.tsx"}], infinite=True)
+
+
+def unmarked():
+    """Nothing says what collides; tiles larger than cells, moved, drawn as large as cells."""
+    big = {"type": "tileset", "firstgid": 1, "name": "big", "tilewidth": 48, "tileheight": 40,
+           "tilecount": 4, "columns": 4, "tileoffset": {"x": 5, "y": -3}}
+    fitted = {"type": "tileset", "firstgid": 10, "name": "fitted", "tilewidth": 16,
+              "tileheight": 16, "tilecount": 4, "columns": 4, "tilerendersize": "grid"}
+    cells = [0] * 300
+    cells[5 * 20 + 4] = 1
+    cells[5 * 20 + 9] = 2 | TURN
+    cells[7 * 20 + 12] = 10
+    objects = Objects()
+    objects.add(64, 64, gid=1, width=48, height=40)
+    return map_of([tile_layer(cells, 20, 15), object_layer(objects)],
+                  tilesets=[big, fitted])
+
+
+def wrong():
+    """One of each thing that cannot be modelled, beside a box."""
+    objects = Objects()
+    objects.add(0, 0, width=TILE, height=TILE)
+    objects.add(0, 0, polygon=points((0, 0), (40, 60), (80, 0), (40, 20)))
+    objects.add(0, 0, polygon=points((0, 0), (40, -30), (80, 0)))
+    objects.add(0, 0, width=40, height=30, ellipse=True)
+    objects.add(0, 0, width=40, height=30, text={"text": "a < b"})
+    objects.add(0, 0, gid=77, width=40, height=30)
+    objects.add(0, 0, template="templates/missing.tx")
+    objects.add(0, 0, template="../../etc/passwd")
+    objects.add(0, 0, template="/etc/passwd")
+    objects.add(0, 0, gid=HALF, width=64, height=32)
+    objects.add(0, 0, gid=BALL, width=64, height=32)
+    objects.add(0, 0, gid=LEAN, width=64, height=32)
+    objects.add(0, 0, capsule=True, width=64, height=32)
+    cells = [0] * 300
+    cells[45] = SLOPE  # in the air
+    cells[46] = 99
+    return map_of([tile_layer(cells, 20, 15), object_layer(objects)], tilesets=[
+        {"firstgid": 1, "source": "tiles/ground.tsx"},
+        {"firstgid": 50, "source": "tiles/missing.tsx"}])
+
+
+def write_json(name, content):
+    path = FOLDER / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(content) + "\n", encoding="utf-8")
+
+
+def write_xml(name, content):
+    path = FOLDER / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(xml_of(content), encoding="utf-8")
+
+
+def main():
+    maps = {"shapes": shapes(), "hills": hills(), "props": props(), "infinite": infinite_map(),
+            "unmarked": unmarked(), "wrong": wrong(), "csv": packed_map(None)}
+    for packing in PACKINGS:
+        maps[packing or "base64"] = packed_map(packing)
+    for name, content in maps.items():
+        write_json(f"{name}.tmj", content)
+        write_xml(f"{name}.tmx", content)
+    write_xml("tiles/ground.tsx", ground_tiles())
+    write_json("tiles/things.tsj", things())
+    crate = {"properties": properties(body="dynamic", density="2.5")}
+    write_xml("templates/crate.tx",
+              template(crate, "../tiles/things.tsj", name="crate", gid=1, width=40, height=24))
+    write_json("templates/plank.tj", {"type": "template", "object": {
+        "width": 60, "height": 8, "rotation": 25, "properties": properties(body="dynamic")}})
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,250 @@
+/** Outlines of objects on their way from the file to bodies. Follows demo/level/forms.c. */
+import type { LevelShape, Reader } from "./level.js";
+import { readPolygon, toGround } from "./level-polygon.js";
+import { grid, isRecord, type Json, type JsonRecord, type Physics, type Values } from "./level-values.js";
+import type { ShapeOptions, Vec2 } from "./types.js";
+
+/** Pixels beyond which a map is absurd. */
+export const FAR = 1e9;
+export const DEGREES = 1e6;
+export const RADIANS = 0.017453292519943295;
+
+/** Sizes, in length scales, between which the engine takes them with room for rounding. */
+const SMALLEST = 2e-4;
+const LARGEST = 16000;
+
+/** The upper bits of a tile number tell how it is flipped. */
+export const FLIP_X = 0x80000000;
+export const FLIP_Y = 0x40000000;
+export const FLIP_TURN = 0x20000000;
+export const NUMBER = 0x0fffffff;
+
+/** One shape in pixels, y down. */
+export interface Form {
+  kind: "box" | "circle" | "line" | "polygon";
+  /** Centre; of a line or polygon the place that its points start from. */
+  x: number;
+  y: number;
+  /** Half extents; of a circle its radius, twice. */
+  hx: number;
+  hy: number;
+  /** Degrees, clockwise, in [-180, 180). */
+  rotation: number;
+  /** Of a line or polygon. */
+  points: Vec2[] | null;
+  /** A line that was a polygon: stands for it only where all below it is solid. */
+  ground: boolean;
+  /** How far down that polygon reached, below y. */
+  foot: number;
+  material: ShapeOptions;
+}
+
+export function form(kind: Form["kind"], more: Partial<Form> = {}): Form {
+  const none = { x: 0, y: 0, hx: 0, hy: 0, rotation: 0, ground: false, foot: 0 };
+  return { kind, ...none, points: null, material: {}, ...more };
+}
+
+/**
+ * Cosine and sine of a rotation in degrees by Taylor series on the nearest quarter turn: the same
+ * bits as level_turn in demo/level/turn.c, which Math.cos does not promise.
+ */
+export function turn(degrees: number): { r: number; c: number; s: number } {
+  const r = degrees - 360 * Math.floor(degrees / 360 + 0.5);
+  const q = Math.floor(r / 90 + 0.5);
+  const a = (r - 90 * q) * RADIANS;
+  const z = a * a;
+  const series = (divisors: number[]) => divisors.reduceRight((sum, d) => 1 / d + z * sum, 0);
+  const sine = a * series([1, -6, 120, -5040, 362880, -39916800, 6227020800, -1307674368000]);
+  const cosine = series([1, -2, 24, -720, 40320, -3628800, 479001600, -87178291200]);
+  if (q === 0) return { r, c: cosine, s: sine };
+  if (q === 1) return { r, c: -sine, s: cosine };
+  if (q === -1) return { r, c: sine, s: -cosine };
+  return { r, c: -cosine, s: -sine };
+}
+
+/** Two lengths count as equal within a thousandth: the editor rounds what it writes. */
+function nearlyEqual(a: number, b: number): boolean {
+  return Math.abs(a - b) <= 1e-3 * Math.max(Math.abs(a), Math.abs(b));
+}
+
+// ---- reading ----
+
+/**
+ * What the outline of an object is, that is no tile, point or text, unturned about its own place;
+ * null after a report.
+ */
+export function readForms(v: Values, object: JsonRecord): Form[] | null {
+  if (object.polyline !== undefined) return readLine(v, object.polyline, false);
+  if (object.polygon !== undefined) return readLine(v, object.polygon, true);
+  const width = v.optional(object, "width", 0, 0, FAR);
+  const height = v.optional(object, "height", 0, 0, FAR);
+  if (v.bad) return null;
+  const round = object.ellipse === true;
+  if (round && !nearlyEqual(width, height)) {
+    const axes = `${width} by ${height}`;
+    v.complain("skip", `an ellipse of unequal axes, ${axes}, cannot be modelled; only circles`);
+    return null;
+  }
+  const [hx, hy] = [width * 0.5, height * 0.5];
+  return [form(round ? "circle" : "box", { x: hx, y: hy, hx, hy })];
+}
+
+function readLine(v: Values, list: Json, closed: boolean): Form[] | null {
+  if (!Array.isArray(list) || list.length < (closed ? 3 : 2)) {
+    const what = closed ? "a polygon needs three" : "a line needs two";
+    v.complain("skip", `${what} points at least`);
+    return null;
+  }
+  const points: Vec2[] = [];
+  for (const item of list) {
+    const json = isRecord(item) ? item : {};
+    const x = v.required(json, "x", -FAR, FAR);
+    const y = v.required(json, "y", -FAR, FAR);
+    if (v.bad) return null;
+    points.push([x, y]);
+  }
+  return closed ? readPolygon(points) : [form("line", { points })];
+}
+
+// ---- moving ----
+
+/** Turns a form about its frame's origin, then moves that to (x, y). */
+export function turnForm(f: Form, x: number, y: number, degrees: number): void {
+  const { c, s } = turn(degrees);
+  [f.x, f.y] = [x + (c * f.x - s * f.y), y + (s * f.x + c * f.y)];
+  if (f.points) f.points = f.points.map(([px, py]) => [c * px - s * py, s * px + c * py]);
+  else f.rotation = turn(f.rotation + degrees).r;
+}
+
+/** In a tile of this size, as the upper bits of its number tell. */
+export function flipForm(f: Form, gid: number, width: number, height: number): void {
+  const mirror = (change: (point: Vec2) => Vec2) => {
+    f.rotation = turn(0 - f.rotation).r;
+    if (f.points) f.points = f.points.map(change);
+  };
+  if (gid & FLIP_TURN) {
+    [f.x, f.y] = [f.y, f.x];
+    [f.hx, f.hy] = [f.hy, f.hx];
+    [width, height] = [height, width];
+    mirror(([x, y]) => [y, x]);
+  }
+  if (gid & FLIP_X) {
+    f.x = width - f.x;
+    mirror(([x, y]) => [0 - x, y]);
+  }
+  if (gid & FLIP_Y) {
+    f.y = height - f.y;
+    mirror(([x, y]) => [x, 0 - y]);
+  }
+}
+
+/** False after a report: an ellipse or a slanted box would come of it. */
+export function scaleForm(v: Values, f: Form, sx: number, sy: number): boolean {
+  const across = f.rotation === 90 || f.rotation === -90;
+  const along = f.rotation === 0 || f.rotation === -180;
+  if (!f.points && !nearlyEqual(sx, sy) && (f.kind === "circle" || !(along || across))) {
+    const turned = f.kind === "circle" ? "circle into an ellipse" : "box askew";
+    v.complain("skip", `a tile drawn ${sx} times as wide and ${sy} times as high turns its ${turned}`);
+    return false;
+  }
+  f.x *= sx;
+  f.y *= sy;
+  f.hx *= across ? sy : sx;
+  f.hy *= f.kind === "circle" || across ? sx : sy;
+  if (f.points) f.points = f.points.map(([x, y]) => [x * sx, y * sy]);
+  return true;
+}
+
+// ---- what the engine takes ----
+
+function sizeFits({ pixelsPerUnit: ppu, level }: Reader, v: Values, f: Form): boolean {
+  const [hx, hy] = [f.hx / ppu, f.hy / ppu];
+  const low = SMALLEST * level.lengthScale;
+  const high = LARGEST * level.lengthScale;
+  if (hx >= low && hy >= low && hx <= high && hy <= high) return true;
+  v.complain("skip", `its size, ${2 * hx} by ${2 * hy} units, is out of range`);
+  return false;
+}
+
+function lineFits({ pixelsPerUnit: ppu }: Reader, v: Values, points: Vec2[]): boolean {
+  if (points[points.length - 1][0] < points[0][0]) points.reverse();
+  for (let i = 1; i < points.length; i++) {
+    if (points[i][0] / ppu > points[i - 1][0] / ppu) continue;
+    const where = `vertices ${i} and ${i + 1} of ${points.length}, from the left`;
+    const rule = "terrain must go on from left to right";
+    v.complain("skip", `its line turns back: ${rule} (${where})`);
+    return false;
+  }
+  return true;
+}
+
+/**
+ * The forms of a body that the engine takes, the others reported: polygons become ground, and lines
+ * run from left to right. `degrees` is the body's rotation, which lines and polygons take over.
+ * Ground reaches down to `lowest` at least, pixels below the body.
+ */
+export function settleForms(
+  reader: Reader,
+  v: Values,
+  physics: Physics,
+  forms: Form[],
+  degrees: number,
+  lowest: number,
+): Form[] {
+  return forms.filter((f) => {
+    if (!f.points) return sizeFits(reader, v, f);
+    turnForm(f, 0, 0, degrees);
+    if (f.kind === "polygon" && !toGround(v, f)) return false;
+    if (f.ground && !(f.y + f.foot >= lowest)) {
+      const rule = "a polygon is ground only if it reaches down to the map's lower edge";
+      v.complain("skip", `${rule}: all below a line is solid`);
+      return false;
+    }
+    if (physics.kind !== "static") {
+      v.complain("skip", "a line is terrain, which is static");
+      return false;
+    }
+    return lineFits(reader, v, f.points);
+  });
+}
+
+// ---- adding ----
+
+/** A body at (x, y) pixels with these forms, but for lines, which get one each. */
+export function addBody(
+  reader: Reader,
+  { kind, body }: Physics,
+  id: number,
+  forms: readonly Form[],
+  withGround: boolean,
+  x: number,
+  y: number,
+  degrees: number,
+): void {
+  const { pixelsPerUnit: ppu, level, mapHeight } = reader;
+  const { r: rotation } = turn(degrees);
+  const unturned = rotation === 0 && (kind === "static" || body.fixedRotation === true);
+  const add = (px: number, py: number, angle: number, shapes: LevelShape[]) => {
+    const fixed = shapes.some((shape) => shape.kind === "aabb") || body.fixedRotation;
+    const position: Vec2 = [grid(px / ppu), grid((mapHeight - py) / ppu)];
+    const userData = id === 0 ? undefined : id;
+    level.bodies.push({ body: { ...body, fixedRotation: fixed, position, angle, userData }, shapes });
+  };
+  const shapes = forms.flatMap((f): LevelShape[] => {
+    if (f.points) return [];
+    const offset: Vec2 = [f.x / ppu, 0 - f.y / ppu];
+    const { material } = f;
+    if (f.kind === "circle") return [{ kind: "circle", material, offset, radius: f.hx / ppu }];
+    const [halfWidth, halfHeight] = [f.hx / ppu, f.hy / ppu];
+    if (unturned && f.rotation === 0)
+      return [{ kind: "aabb", material, offset, halfWidth, halfHeight }];
+    const angle = 0 - f.rotation * RADIANS;
+    return [{ kind: "obb", material, offset, halfWidth, halfHeight, angle }];
+  });
+  if (shapes.length > 0) add(x, y, 0 - rotation * RADIANS, shapes);
+  for (const { points, material, ground, x: fx, y: fy } of forms) {
+    if (!points || (ground && !withGround)) continue;
+    const inUnits = points.map(([px, py]): Vec2 => [px / ppu, 0 - py / ppu]);
+    add(x + fx, y + fy, 0, [{ kind: "terrain", material, points: inUnits }]);
+  }
+}

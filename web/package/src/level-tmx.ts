@@ -1,0 +1,171 @@
+/**
+ * The XML form of Tiled's files (.tmx, .tsx, .tx) as the JSON that Tiled would have written for the
+ * same, so that the rest of the reader knows one form only. Follows demo/level/tmx.c.
+ */
+import type { XmlElement } from "@rgrove/parse-xml";
+import { ThudError } from "./error.js";
+import { type Json, type JsonRecord, numberOf } from "./level-values.js";
+
+/** Groups in groups, as deep as anybody builds. */
+const DEEPEST = 64;
+
+/** What becomes of an element inside another. */
+interface Rule {
+  parents: string;
+  element: string;
+  /**
+   * list: one more of it; field: an object of its own; place: what it holds belongs to the element
+   * around it; flag: true; points; cell: a number of a list, the oldest form of cells.
+   */
+  kind: "list" | "field" | "place" | "flag" | "points" | "cell";
+  /** Of the list or field. */
+  name: string;
+  /** The field "type" of layers. */
+  type?: string;
+}
+
+const rule = (
+  parents: string,
+  element: string,
+  kind: Rule["kind"],
+  name = element,
+  type?: string,
+): Rule => ({ parents, element, kind, name, type });
+
+const RULES: Rule[] = [
+  rule("map", "tileset", "list", "tilesets"),
+  rule("template", "tileset", "field"),
+  rule("map group", "layer", "list", "layers", "tilelayer"),
+  rule("map group", "objectgroup", "list", "layers", "objectgroup"),
+  rule("map group", "imagelayer", "list", "layers", "imagelayer"),
+  rule("map group", "group", "list", "layers", "group"),
+  rule("tileset", "tile", "list", "tiles"),
+  rule("tileset", "tileoffset", "field"),
+  rule("tile", "objectgroup", "field"),
+  rule("tile", "image", "field"),
+  rule("layer", "data", "place"),
+  rule("data", "chunk", "list", "chunks"),
+  rule("data chunk", "tile", "cell", "data"),
+  rule("objectgroup", "object", "list", "objects"),
+  rule("template", "object", "field"),
+  rule("object", "ellipse", "flag"),
+  rule("object", "point", "flag"),
+  rule("object", "capsule", "flag"),
+  rule("object", "text", "flag"),
+  rule("object", "polygon", "points"),
+  rule("object", "polyline", "points"),
+  rule("map tileset tile layer objectgroup imagelayer group object", "properties", "place"),
+  rule("properties", "property", "list", "properties"),
+];
+
+/** The attributes that the reader asks for: those that are numbers in JSON, too, and others. */
+const NUMBERS = new Set(
+  (
+    "width height tilewidth tileheight firstgid id gid x y rotation offsetx offsety"
+  ).split(" "),
+);
+const TEXTS = new Set(
+  (
+    "name type class value source template encoding compression orientation objectalignment " +
+    "tilerendersize fillmode"
+  ).split(" "),
+);
+
+/** Reads XML; throws if it is none, or if the package that parses it is not installed. */
+export async function parseTmx(text: string): Promise<JsonRecord> {
+  const { parseXml } = await import("@rgrove/parse-xml").catch((cause) => {
+    const what = "a map in XML needs the package @rgrove/parse-xml";
+    throw new ThudError("load", what, { cause });
+  });
+  const { root } = parseXml(text, { ignoreUndefinedEntities: false });
+  if (!root) throw new ThudError("invalid", "it has no element");
+  const json: JsonRecord = { type: root.name };
+  if (root.name === "map") json.layers = [];
+  putAttributes(json, root);
+  walk(json, root, "", 1);
+  return json;
+}
+
+/** Of two of a name the first stays. */
+function put(json: JsonRecord, name: string, value: Json): boolean {
+  if (Object.hasOwn(json, name)) return false;
+  json[name] = value;
+  return true;
+}
+
+function putAttributes(json: JsonRecord, { attributes }: XmlElement): void {
+  for (const [name, text] of Object.entries(attributes)) {
+    if (NUMBERS.has(name)) put(json, name, numberOf(text) ?? text);
+    else if (TEXTS.has(name)) put(json, name, text);
+  }
+}
+
+function putInList(json: JsonRecord, name: string, value: Json): boolean {
+  put(json, name, []);
+  const list = json[name];
+  if (!Array.isArray(list)) return false;
+  list.push(value);
+  return true;
+}
+
+/** Goes through an element's children; `textAs` is the field that its text becomes. */
+function walk(json: JsonRecord, element: XmlElement, textAs: string, depth: number): void {
+  if (depth > DEEPEST) throw new ThudError("invalid", "its elements are nested too deeply");
+  let text = "";
+  for (const child of element.children) {
+    if (child.type === "element") {
+      text = "";
+      enter(json, element.name, child as XmlElement, depth + 1);
+    } else if (child.type === "text" || child.type === "cdata") {
+      text += (child as unknown as { text: string }).text;
+    }
+  }
+  if (textAs && text.trim() !== "") put(json, textAs, text);
+  // An infinite map's layer without a tile has not even chunks.
+  else if (element.name === "data" && json.data === undefined) put(json, "chunks", []);
+}
+
+function enter(around: JsonRecord, parent: string, child: XmlElement, depth: number): void {
+  const found = RULES.find(
+    ({ parents, element }) => element === child.name && parents.split(" ").includes(parent),
+  );
+  if (!found) return;
+  const { kind, name, type } = found;
+  const { attributes } = child;
+  if (kind === "flag") put(around, name, true);
+  else if (kind === "points") put(around, name, pointsOf(attributes.points ?? ""));
+  else if (kind === "cell") putInList(around, name, numberOf(attributes.gid ?? "0") ?? -1);
+  else {
+    const json: JsonRecord = kind === "place" ? around : {};
+    if (kind === "list" && !putInList(around, name, json)) return;
+    if (kind === "field" && !put(around, name, json)) return;
+    if (type) {
+      put(json, "type", type);
+      if (type === "objectgroup") put(json, "objects", []);
+      if (type === "group") put(json, "layers", []);
+    }
+    putAttributes(json, child);
+    if (child.name === "property") putTypedValue(json);
+    const isData = child.name === "data" || child.name === "chunk";
+    walk(json, child, isData ? "data" : child.name === "property" ? "value" : "", depth);
+  }
+}
+
+/** A property's value in the type that it says it has. */
+function putTypedValue(property: JsonRecord): void {
+  const { type, value } = property;
+  if (typeof value !== "string") return;
+  if (type === "int" || type === "float") property.value = numberOf(value) ?? value;
+  else if (type === "bool") property.value = value === "true";
+}
+
+/** "0,0 16,-8": pairs that are none become points without x or y, which is told later. */
+function pointsOf(text: string): Json[] {
+  const pairs = text.split(/[ \t\r\n]+/).filter((pair) => pair !== "");
+  return pairs.map((pair) => {
+    const comma = pair.indexOf(",");
+    const x = comma < 0 ? null : numberOf(pair.slice(0, comma));
+    const y = comma < 0 ? null : numberOf(pair.slice(comma + 1));
+    return x === null || y === null ? {} : { x, y };
+  });
+}
