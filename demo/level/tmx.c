@@ -78,7 +78,7 @@ static const char TEXTS[] = " name type class value source template encoding com
 
 static bool in_words(const char *words, const char *word) {
     size_t length = strlen(word);
-    for (const char *at = strstr(words, word); at; at = strstr(at + 1, word))
+    for (const char *at = strstr(words, word); at && length > 0; at = strstr(at + 1, word))
         if (at > words && at[-1] == ' ' && at[length] == ' ')
             return true;
     return false;
