@@ -12,6 +12,7 @@ import { addHint } from "./page/hint";
 import { howToPlay } from "./page/how";
 import { Hud } from "./page/hud";
 import { fail, notice, say, type WayOn } from "./page/messages";
+import type { Brought } from "./page/own-level";
 import { Pad } from "./page/pad";
 import { Stage } from "./page/stage";
 import { applyTheme, onPrint, onTheme } from "./page/theme";
@@ -96,23 +97,22 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   const pad = new Pad((held) => app.do({ kind: "keys", held }));
   const change = () => layOut(app, stage);
   const dock = new Dock(app, panels(stage), change);
-  const openFile = async (file: File) => {
-    let text: string;
+  const openFiles = async (brought: Brought[]) => {
     try {
-      text = await file.text();
+      const { findLevel } = await import("./page/own-level");
+      const { name, files, others } = await findLevel(brought);
+      await app.open(OWN_LEVEL, { level: { name, files } });
+      if (others.length > 0) notice(`This is “${name}”; also there: ${others.join(", ")}`, 20);
     } catch (error) {
-      notice(`“${file.name}” cannot be read: ${messageOf(error)}`, 20);
-      return;
+      notice(messageOf(error), 20);
     }
-    const name = file.name.replace(/\.[^.]*$/, "");
-    await app.open(OWN_LEVEL, { level: { name, files: { "own.tmj": text } } });
   };
   addDialogs();
   let gallery: Promise<void> | null = null;
   const loadGallery = () => {
     gallery ??= import("./page/gallery").then(
       ({ ABOUTS, addGallery }) => {
-        addGallery(app, (file) => void openFile(file));
+        addGallery(app, (brought) => void openFiles(brought));
         app.abouts = ABOUTS;
         app.chosen();
       },
@@ -234,6 +234,8 @@ function listenToScenes(
     hinted = false;
   };
   let takeBack = () => {};
+  /** What lists the notes of scenes, once one has some. */
+  let leftOut: Promise<typeof import("./page/left-out")> | undefined;
   app.listen({
     run(scene) {
       hud.reset();
@@ -252,10 +254,12 @@ function listenToScenes(
         hinted = false;
       }
       announced = title;
-      const [first, ...more] = scene.notes;
-      if (!first) return;
-      untold = false;
-      notice(`${first}${more.length > 0 ? ` (and ${more.length} more)` : ""}`, 12);
+      const { notes } = scene;
+      if (notes.length > 0) {
+        untold = false;
+        leftOut ??= import("./page/left-out");
+      }
+      void leftOut?.then(({ showNotes }) => showNotes(notes));
     },
     frame({ paint }) {
       figures.show(paint);

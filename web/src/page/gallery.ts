@@ -7,6 +7,7 @@ import { GROUPS, type SceneEntry, SCENES, thumbnailFile } from "../scene/registr
 import type { App } from "./app";
 import { showCurrent } from "./dialogs";
 import { byId, make } from "./dom";
+import type { Brought } from "./own-level";
 
 export { ABOUTS };
 
@@ -22,7 +23,8 @@ interface GroupOfCards {
   cards: Card[];
 }
 
-export function addGallery(app: App, openFile: (file: File) => void): void {
+/** `openFiles` gets files and folders; of a folder that is dropped only its entry is known at once. */
+export function addGallery(app: App, openFiles: (brought: Brought[]) => void): void {
   const dialog = byId<HTMLDialogElement>("scenes");
   const run = (entry: SceneEntry) => {
     dialog.close();
@@ -45,11 +47,11 @@ export function addGallery(app: App, openFile: (file: File) => void): void {
   const file = byId<HTMLInputElement>("level-file");
   byId("open-level").addEventListener("click", () => file.click());
   file.addEventListener("change", () => {
-    if (file.files?.[0]) openFile(file.files[0]);
+    if (file.files?.length) openFiles([...file.files]);
     file.value = "";
     dialog.close();
   });
-  listenToDrops(openFile);
+  listenToDrops(openFiles);
   const mark = () => markScene(app.state.scene);
   app.listen({ run: mark });
   mark();
@@ -162,7 +164,7 @@ function markScene(name: string): void {
   }
 }
 
-function listenToDrops(openFile: (file: File) => void): void {
+function listenToDrops(openFiles: (brought: Brought[]) => void): void {
   const sign = byId("drop");
   document.addEventListener("dragover", (event) => {
     event.preventDefault();
@@ -174,7 +176,9 @@ function listenToDrops(openFile: (file: File) => void): void {
   document.addEventListener("drop", (event) => {
     event.preventDefault();
     sign.hidden = true;
-    const file = event.dataTransfer?.files[0];
-    if (file) openFile(file);
+    const items = [...(event.dataTransfer?.items ?? [])];
+    const brought = items.map((item) => item.webkitGetAsEntry() ?? item.getAsFile());
+    const some = brought.filter((one) => one !== null);
+    if (some.length > 0) openFiles(some);
   });
 }

@@ -3,6 +3,8 @@ import { byId, make } from "./dom";
 
 /** Lines of what is said that are kept: a screen reader may be behind by some. */
 const SAID = 3;
+/** Details of a failure that are listed: a browser is slow with more. */
+const MOST_DETAILS = 2000;
 
 let noticeTimer = 0;
 
@@ -45,7 +47,7 @@ export function fail(
   const failure = byId("failure");
   failure.querySelector("h2")!.textContent = title;
   failure.querySelector("p")!.textContent = text;
-  const items = details.slice(0, 12).map((detail) => make("li", {}, detail));
+  const items = details.slice(0, MOST_DETAILS).map((detail) => make("li", {}, detail));
   failure.querySelector("ul")!.replaceChildren(...items);
   const button = failure.querySelector("button")!;
   button.hidden = !wayOn;

@@ -115,6 +115,7 @@ async function readFile(
   own: Readonly<Record<string, string>> | undefined,
 ): Promise<string> {
   if (own && file in own) return own[file];
+  if (file.startsWith("own/")) throw new Error(`${file} was not brought.`);
   const url = new URL(file, base);
   if (!url.href.startsWith(new URL(".", base).href))
     throw new Error(`${file} is not a file of this page.`);
