@@ -260,6 +260,13 @@ class Viewer(unittest.TestCase):
         self.assertEqual(result.returncode, 1)
         self.assertIn("broken.tmj", result.stderr)
 
+    def test_level_without_what_cannot_be_modelled_is_shown_and_that_is_listed(self):
+        wrong = pathlib.Path(__file__).parents[1] / "levels" / "wrong.tmx"
+        result = run(wrong, "--screenshot", self.folder / "wrong.png")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for number in (2, 4, 7, 11, 13):
+            self.assertIn(f"object {number}: ", result.stderr)
+
     def test_help_names_every_option(self):
         result = run("--help")
         self.assertEqual(result.returncode, 0)

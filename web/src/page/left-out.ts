@@ -14,7 +14,7 @@ export function showNotes(notes: readonly string[]): void {
   dialog?.close();
   const button = (opener ??= addOpener());
   button.hidden = !first;
-  button.textContent = `What is to be said of this level (${notes.length})`;
+  button.textContent = `What this level does without (${notes.length})`;
   if (!first) return;
   const open = () => openList(notes);
   button.onclick = () => {
@@ -47,7 +47,7 @@ function openList(notes: readonly string[]): void {
 function addDialog(): HTMLDialogElement {
   const close = make("button", { class: "close", "aria-label": "Close" });
   close.append(document.querySelector("dialog .close svg")!.cloneNode(true));
-  const heading = make("h2", { id: "notes-heading" }, "What is to be said of this level");
+  const heading = make("h2", { id: "notes-heading" }, "What this level does without");
   const head = make("div", { class: "head" }, heading, close);
   const made = make("dialog", { id: "notes", "aria-labelledby": "notes-heading" }, head, make("ul"));
   close.addEventListener("click", () => made.close());
