@@ -19,7 +19,7 @@ td_seam td_seam_of(thud_world *w, int shape, int other)
 bool td_is_ground(const thud_world *w, int shape)
 {
     const td_shape *s = td_shape_at(w, shape);
-    return s->flags == TD_SHAPE_LIVE &&
+    return (s->flags & (TD_SHAPE_LIVE | TD_SHAPE_HOLLOW)) == TD_SHAPE_LIVE &&
            td_body_at(w, s->body)->kind == THUD_STATIC &&
            !(td_body_at(w, s->body)->flags & TD_BODY_DISABLED);
 }

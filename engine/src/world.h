@@ -58,8 +58,8 @@ typedef struct td_body {
 
 enum { /* td_shape.flags */
     TD_SHAPE_LIVE = 1,
-    TD_SHAPE_SENSOR = 2,
-    TD_SHAPE_WAITS = 4, /* made inside a callback: nothing meets or weighs it before the next step */
+    TD_SHAPE_SENSOR = 2, /* 4: see seams.h */
+    TD_SHAPE_WAITS = 8, /* made inside a callback: nothing meets or weighs it before the next step */
     TD_SHAPE_HOLLOW = TD_SHAPE_SENSOR | TD_SHAPE_WAITS /* either: no body is stopped by it */
 };
 
