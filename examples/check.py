@@ -7,7 +7,7 @@ import sys
 SAYS = {
     "embed": "the ball rests at y = 0.50\n",
     "callbacks": "the skater glides at 3.00\n"
-    "the jumper fell from 2.5 and rose to 4.5\n"
+    "the jumper fell from 2.5 and rose to 4.7\n"
     "the climber stands at 0.50\n"
     "the parcel rides at 2.00 and collected 1 coin\n"
     "the loudest thud: 17\n",

@@ -10,6 +10,7 @@
 #include "fixed.h"
 #include "simd.h"
 
+#include <stdatomic.h>
 #include <stddef.h>
 
 /* A shape as it stands in the world: one cache line, all that finish, grid and narrowphase read. */
@@ -36,13 +37,14 @@ typedef struct td_point {
 /* What few ask of a contact point. */
 typedef struct td_point_history {
     f8 approach; /* normal velocity at the start of the step; negative: closing */
-    f8 total;    /* normal impulse of all substeps; kept only where td_solve_context asks */
+    f8 total;    /* normal impulse of the step; kept only where td_solve_context asks */
 } td_point_history;
 
-/* ... and of friction. */
+/* ... and of friction and restitution. */
 typedef struct td_surface {
-    f8 speed; /* at which b is driven along t; read only where td_solve_context.belts */
-    f8 total; /* tangent impulse of all substeps; kept only where keep_tangents */
+    f8 speed;  /* at which b is driven along t; read only where td_solve_context.belts */
+    f8 total;  /* tangent impulse of all substeps; kept only where keep_tangents */
+    f8 energy; /* twice the pair's, when it had bounced in this step; < 0: it has not. Where bouncy */
 } td_surface;
 
 /* Poses for which a lane's manifold was worked out. While the pair stays near them, relative to each
@@ -151,18 +153,31 @@ typedef struct td_collide_context {
     float axis_tolerance;      /* how much better b's face must be to be preferred */
 } td_collide_context;
 
+/* Passes of restitution: the first and others before all substeps, and the one after them. */
+typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_bounce;
+
+enum { TD_BOUNCE_PASSES = 64 }; /* before all substeps; each takes a row two links on at least */
+
 typedef struct td_solve_context {
     float (*velocity)[4]; /* by awake slot */
     float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle */
+    const float (*push)[4]; /* by awake slot: velocity that gravity and forces give in a substep */
     float inv_h;          /* substeps per second */
+    float substeps, time_step; /* of a step */
     float push_speed;
-    float bounce_speed;         /* slower approaches do not bounce */
+    float bounce_speed;         /* normal speed, <= 0: slower approaches do not bounce ... */
+    float elastic_speed;        /* ... and of restitution 1 */
+    float fall;                 /* in a step */
     float bias_rate[2];         /* soft contact against a moving [0] and a static body [1] */
     float mass_scale[2], impulse_scale[2];
     bool keep_totals;           /* somebody will read td_point_history.total ... */
     bool keep_tangents;         /* ... or td_surface.total */
     bool belts;                 /* a lane has a surface speed */
-    bool first;                 /* substep: totals start anew */
+    bool last;                  /* substep: its relax pass tallies */
+    bool first;                 /* substep: totals start anew ... */
+    bool bounces;               /* ... where they have not in a bounce */
+    td_bounce bounce;           /* which pass */
+    atomic_bool *bounced;       /* set by it where a pair bounces */
     struct td_tally *tally;     /* the last relax pass notes approaches there */
 } td_solve_context;
 
@@ -182,7 +197,7 @@ typedef td_sifted td_sift_fn(const int32_t *shape_a, const int32_t *shape_b,
 
 /* The passes over blocks of one number of points: [0] both sides move, [1] side a is static. */
 typedef struct td_solve_ops {
-    td_solve_fn *warm_start[2], *solve[2], *relax[2], *last_relax[2], *bounce[2];
+    td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce;
 } td_solve_ops;
 
 /* Kinds of pairs that have their own narrowphase; the names say (a, b). */

@@ -226,6 +226,17 @@ static void stop_at(thud_world *w, int index, td_place start, uint32_t start_ang
     td_angle_turn(pose->angle, &pose->c, &pose->s);
 }
 
+/* It does not fall on in the rest of the step: it would fall back for nothing from where it stands. */
+static void give_back(thud_world *w, int slot, double time)
+{
+    float *velocity = td_row(&w->velocity, slot);
+    const float *push = td_row(&w->push, slot);
+    for (int k = 0; k < 3; k++) {
+        velocity[k] -= (float)(w->substeps * (1.0 - time)) * push[k];
+    }
+    w->kinetic_stale = true;
+}
+
 /* Whether the sweep comes near anything that it might hit; scratch.ahead gets the static shapes. */
 static bool looks_around(sweep *s)
 {
@@ -296,6 +307,7 @@ static void sweep_body(thud_world *w, int slot)
         w->stats.held_bodies++;
         w->stats.held_seconds += (1.0 - swept.next.time) * w->def.time_step;
         stop_at(w, index, start, angle, swept.next.time, td_row(&w->delta, slot));
+        give_back(w, slot, swept.next.time);
         td_body_place_shapes(w, index);
     }
 }

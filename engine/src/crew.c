@@ -30,10 +30,12 @@ void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work)
     worker->phase += 1 + workers;
 }
 
-/* Most has the solver: two passes over bodies and at least two over each bin a substep. */
+/* Most has the solver: two passes over bodies and two over each bin a substep, the warm start, and
+ * those of restitution. */
 static int counter_count(const thud_world *w)
 {
-    int phases = 2 * w->substeps + (2 * w->substeps + 2) * w->scratch.chunks.count;
+    int bounces = w->bouncy > 0 || w->def.prologue ? TD_BOUNCE_PASSES + 1 : 0;
+    int phases = 2 * w->substeps + (2 * w->substeps + 1 + bounces) * w->scratch.chunks.count;
     return phases * (1 + w->def.crew.workers);
 }
 

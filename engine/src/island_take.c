@@ -92,15 +92,11 @@ static double wanted_of(const thud_world *w, double gap, double blur)
     return depth < blur ? 0.0 : pushed < most ? pushed : most;
 }
 
-/* Whether the point closes in so fast that it is going to bounce in this step. */
-static bool bounces(const thud_world *w, const td_contact *contact, td_block *block, int k, int lane)
+/* Whether the soft solver has had the point bounce in this step. */
+static bool bounces(const thud_world *w, const td_contact *contact, td_block *block, int lane)
 {
-    if (!(block->restitution[lane] > 0.0f)) {
-        return false;
-    }
-    float approach = td_history_of(block, td_island_points(w, contact))[k].approach[lane];
-    return approach < -w->def.restitution_threshold * w->unit &&
-           block->point[k].base[lane] + approach * (float)w->def.time_step < 0.0f;
+    return block->restitution[lane] > 0.0f &&
+           td_surface_at(block, td_island_points(w, contact))->energy[lane] >= 0.0f;
 }
 
 static void take_row(td_direct_contact *c, td_direct_row *r, double x, double y, double cross_a,
@@ -149,7 +145,7 @@ static void take_contact(td_island_work *work, int i)
                  turns_b * (double)p->cross_b[lane], known);
         c->row[k].impulse = 0.5 * (double)impulses[k];
         c->row[k].wanted = wanted_of(w, (double)p->base[lane], blur_of(w, &c->row[k]));
-        work->bounces |= bounces(w, contact, block, k, lane);
+        work->bounces |= bounces(w, contact, block, lane);
         work->pushed = td_max_double(work->pushed, c->row[k].wanted);
     }
     /* Arms end in the middle of the gap. Where that is open, as it is about a skin, a disc would roll

@@ -1,4 +1,4 @@
-/* solve.c: the substeps.
+/* solve.c: bounces, then the substeps.
  *
  * In each: integrate velocity and warm start, solve with bias, integrate position, relax. Contact
  * frequency rises with the substep rate, so that more substeps also make contacts stiffer. */
@@ -9,6 +9,10 @@
 #include "step.h"
 
 #include <string.h>
+
+/* Pairs of restitution 1 that close in more slowly than so many times what gravity gives in a step
+ * rest, or else a stack of them would never. */
+#define ELASTIC_REST 4.0f
 
 /* Soft constraint of Catto's "Soft Constraints" (2011) for frequency `hertz` and damping ratio. */
 static void soften(td_solve_context *c, int which, float hertz, float damping, float h)
@@ -24,14 +28,22 @@ static void soften(td_solve_context *c, int which, float hertz, float damping, f
 
 static td_solve_context solve_context(const thud_world *w, float h)
 {
+    float x = w->def.gravity.x, y = w->def.gravity.y, time = (float)w->def.time_step;
+    float gained = __builtin_sqrtf(x * x + y * y) * time;
     td_solve_context c = {
         .velocity = w->velocity.data,
         .delta = w->delta.data,
+        .push = w->push.data,
         .inv_h = 1.0f / h,
+        .substeps = (float)w->substeps,
+        .time_step = time,
         .push_speed = w->def.push_speed * w->unit,
-        .bounce_speed = w->def.restitution_threshold * w->unit,
+        .bounce_speed = -w->def.restitution_threshold * w->unit,
+        .fall = gained * time,
     };
-    c.keep_totals = w->def.epilogue != NULL || w->bouncy > 0;
+    c.elastic_speed = td_max_float(c.bounce_speed, -ELASTIC_REST * gained);
+    c.keep_totals = w->def.epilogue != NULL;
+    c.bounces = w->bouncy > 0;
     c.keep_tangents = w->def.epilogue != NULL;
     c.belts = w->belts > 0;
     /* Against static bodies twice as stiff: nothing gives way there. */
@@ -72,7 +84,7 @@ static void refresh_push(thud_world *w, float h)
 
 /* ---- the passes ---- */
 
-typedef enum pass { WARM_START, SOLVE, RELAX, LAST_RELAX, BOUNCE } pass;
+typedef enum pass { WARM_START, SOLVE, RELAX, BOUNCE } pass;
 
 /* What all workers share, and what each has of its own: where it is. */
 typedef struct solving {
@@ -82,6 +94,7 @@ typedef struct solving {
     td_tally_context tally;
     td_tally *tallies; /* by worker */
     td_crew_task *task;
+    atomic_bool *bounced; /* in each pass before the substeps */
     td_worker worker;
     pass which;      /* of the pass that is being walked */
     int first_chunk; /* of its phase */
@@ -108,12 +121,12 @@ static void solve_chunk(void *work, int index)
     const td_pair_ops *pair = w->pairs[run->kind];
     const td_solve_ops *ops = run->armed ? pair->solve : pair->solve_unarmed;
     td_block *const *blocks = (td_block **)w->scratch.blocks.data + chunk->first;
-    td_solve_fn *const *fns = s->which == WARM_START   ? ops->warm_start
-                              : s->which == SOLVE      ? ops->solve
-                              : s->which == RELAX      ? ops->relax
-                              : s->which == LAST_RELAX ? ops->last_relax
-                                                       : ops->bounce;
-    if (s->which == LAST_RELAX) {
+    td_solve_fn *const *fns = s->which == WARM_START ? ops->warm_start
+                              : s->which == SOLVE    ? ops->solve
+                                                       : ops->relax;
+    if (s->which == BOUNCE) {
+        ops->bounce(blocks, chunk->count, &s->contacts);
+    } else if (s->which == RELAX && s->contacts.last) {
         solve_and_tally(s, fns[run->fixed], blocks, chunk->count, td_form_points(pair->form));
     } else {
         fns[run->fixed](blocks, chunk->count, &s->contacts);
@@ -194,6 +207,20 @@ static void positions(void *work, int chunk)
     TD_PICK_WIDE(s->w, td_integrate_position)(&part);
 }
 
+/* Until nobody closes in fast any more; whether anybody did. */
+static bool bounce(solving *s)
+{
+    int passes = 0;
+    bool any = s->contacts.bounces;
+    while (any && passes < TD_BOUNCE_PASSES) {
+        s->contacts.bounce = passes ? TD_BOUNCE_AGAIN : TD_BOUNCE_FIRST;
+        s->contacts.bounced = &s->bounced[passes++];
+        walk(s, BOUNCE);
+        any = atomic_load_explicit(s->contacts.bounced, memory_order_relaxed);
+    }
+    return passes > 1;
+}
+
 /* One worker's way through all substeps. */
 static void substeps(void *argument)
 {
@@ -202,6 +229,7 @@ static void substeps(void *argument)
     int bodies = (s->motion.count + bodies_at_once(s) - 1) / bodies_at_once(s);
     int last = s->w->substeps - 1;
     s->contacts.tally = &s->tallies[s->worker.index];
+    bool bounced = bounce(s);
     for (int i = 0; i <= last; i++) {
         s->contacts.first = i == 0;
         td_worker_walk(&s->worker, bodies, i ? velocities : first_velocities, s);
@@ -210,9 +238,11 @@ static void substeps(void *argument)
         }
         walk(s, SOLVE);
         td_worker_walk(&s->worker, bodies, positions, s);
-        walk(s, i == last ? LAST_RELAX : RELAX);
+        s->contacts.last = i == last;
+        walk(s, RELAX);
     }
-    if (s->contacts.keep_totals) {
+    if (bounced) {
+        s->contacts.bounce = TD_BOUNCE_LAST;
         walk(s, BOUNCE);
     }
 }
@@ -220,6 +250,7 @@ static void substeps(void *argument)
 void td_solve(thud_world *w)
 {
     td_tally tallies[THUD_WORKERS_MAX];
+    atomic_bool bounced[TD_BOUNCE_PASSES] = {false};
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
     td_crew_task task = td_crew_begin(w);
@@ -237,6 +268,7 @@ void td_solve(thud_world *w)
         .tally = {.skin = w->skin, .overlap = td_error_overlap(w), .to_fixed = w->to_fixed},
         .tallies = tallies,
         .task = &task,
+        .bounced = bounced,
     };
     memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
     td_error_begin(w);

@@ -188,12 +188,13 @@ TD_INLINE f8 rub(const td_solve_context *c, td_block *block, int points, td_arms
 
 /* The last one also notes the fastest approach that it finds. */
 TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                            int points, td_arms arms, bool fixed, bool last)
+                            int points, td_arms arms, bool fixed)
 {
     f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h), slowest = zero;
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_fetch_early(blocks, i, count, points);
+        bool anew = c->first && !(c->bounces && block->bouncy);
         sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
         f8 nx = block->nx, ny = block->ny;
         impulses change = {.tangent = zero};
@@ -202,7 +203,7 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
         }
         if (c->keep_tangents) {
             td_surface *surface = td_surface_at(block, points);
-            surface->total = block->tangent_impulse + (c->first ? zero : surface->total);
+            surface->total = block->tangent_impulse + (anew ? zero : surface->total);
         }
         f8 closing = centres_along(&v, fixed, nx, ny), opened = centres_along(&d, fixed, nx, ny);
         for (int k = 0; k < points; k++) {
@@ -219,66 +220,20 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
             if (k) {
                 speed += by_first(block, &v, fixed) * change.normal[0];
             }
-            if (last) {
-                slowest = f8_min(speed, slowest);
-            }
+            slowest = f8_min(speed, slowest);
             f8 old = p->normal_impulse;
             f8 now = f8_max(old - p->normal_mass * speed, zero);
             p->normal_impulse = now;
             change.normal[k] = now - old;
             if (c->keep_totals) {
                 td_point_history *history = &td_history_of(block, points)[k];
-                history->total = c->first ? now : history->total + now;
+                history->total = anew ? now : history->total + now;
             }
         }
         push(c, block, points, arms, fixed, true, v, change);
     }
-    if (last) {
+    if (c->last) {
         c->tally->slowest = f8_min(slowest, c->tally->slowest);
-    }
-}
-
-/* The two points of a box change each other's speed; for a cube that lands flat each round leaves a
- * fifth of what the one before did. */
-enum { BOUNCE_ROUNDS = 6 };
-
-/* Restitution, once after all substeps: a point that closed in fast and was really pushed leaves
- * with its share of the speed. */
-TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                             int points, td_arms arms, bool fixed)
-{
-    f8 zero = f8_all(0.0f), threshold = f8_all(-c->bounce_speed);
-    for (int i = 0; i < count; i++) {
-        td_block *block = blocks[i];
-        if (!block->bouncy) {
-            continue;
-        }
-        sides v = read_sides(c->velocity, block, fixed);
-        f8 closing = centres_along(&v, fixed, block->nx, block->ny);
-        /* Without impulse, a point would be this far from the speed at which it is to leave. */
-        f8 lacks[2], other = points == 2 ? by_first(block, &v, fixed) : zero;
-        i8 hit[2];
-        for (int k = 0; k < points; k++) {
-            const td_point_history *history = &td_history_of(block, points)[k];
-            hit[k] = (history->approach < threshold) & (history->total > zero) &
-                     (block->restitution > zero);
-            lacks[k] = at_point(closing, &v, fixed, arms, &block->point[k]) +
-                       block->restitution * history->approach;
-        }
-        impulses change = {{zero, zero}, zero};
-        for (int round = 0; round < (points == 2 ? BOUNCE_ROUNDS : 1); round++) {
-            for (int k = 0; k < points; k++) {
-                const td_point *p = &block->point[k];
-                f8 lack = points == 2 ? lacks[k] + other * change.normal[1 - k] : lacks[k];
-                f8 now = f8_max(p->normal_impulse - p->normal_mass * lack, zero);
-                change.normal[k] = f8_keep(hit[k], now - p->normal_impulse);
-            }
-        }
-        for (int k = 0; k < points; k++) {
-            block->point[k].normal_impulse += change.normal[k];
-            td_history_of(block, points)[k].total += change.normal[k];
-        }
-        push(c, block, points, arms, fixed, false, v, change);
     }
 }
 
