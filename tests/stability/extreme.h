@@ -91,6 +91,8 @@ bool figure_holds(const figure *f, entrant e);
 /* Who is known not to keep this line's bound: ON_. Such a miss is told, and not asserted by the
  * tests. The list stands in known_misses.c. */
 unsigned known_misses(const extreme *x, const figure *f);
+/* ... and the figure beyond which it is no known one any more; the bound where none is known. */
+double known_misses_worst(const extreme *x, const figure *f);
 /* The text of a known miss of the extreme that none of its figures has; null if there is none. */
 const char *known_misses_stray(const extreme *x, const ledger *l);
 

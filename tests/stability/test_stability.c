@@ -23,6 +23,11 @@ static void check_figure(const extreme *x, const figure *f) {
         if (!(known_misses(x, f) & 1u << e))
             fail_msg("%s: %s: %g (%s), bound %g", x->name, f->what, f->reached[e], entrant_name(e),
                      f->bound.value);
+        double worst = known_misses_worst(x, f);
+        bool most = f->bound.kind == BOUND_AT_MOST;
+        if (!(most ? f->reached[e] <= worst : f->reached[e] >= worst))
+            fail_msg("%s: %s: %g (%s), worse than the %g of known_misses.c", x->name, f->what,
+                     f->reached[e], entrant_name(e), worst);
         print_message("missed, as known: %s: %s: %g (%s), bound %g\n", x->name, f->what,
                       f->reached[e], entrant_name(e), f->bound.value);
     }

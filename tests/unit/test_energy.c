@@ -372,7 +372,7 @@ static void soft_elastic_gas_keeps_its_energy_and_gains_none(void **state)
             double kept, gained;
             soft_gas(SOFT[q], falls ? -10 : 0, CIRCLE, 0, &kept, &gained);
             /* Falling bodies' speeds are half a substep's fall behind their places. */
-            double least = SOFT[q] == &thud_quality_draft ? 0.98 : 0.99;
+            double least = SOFT[q] == &thud_quality_default ? 0.99 : 0.97;
             if (!(kept > least && gained < (falls ? 5e-3 : 1e-5))) {
                 fail_msg("%s, falling %d: kept %g, gained %g", SOFT[q]->name, falls, kept,
                          gained);
