@@ -160,6 +160,7 @@ bool td_contact_end_reserve(thud_world *w, int more)
 {
     td_event_lists *e = &w->events;
     int sensed = td_min_int(more, w->contact_count[TD_PAIR_SENSOR]);
+    more = td_max_int(more, 32); /* that many do now and then, and a long run asks for nothing */
     return (!w->def.contact_events || td_array_reserve(&w->memory, &e->end, e->end.count + more)) &&
            td_array_reserve(&w->memory, &e->sensor_end, e->sensor_end.count + 2 * sensed);
 }

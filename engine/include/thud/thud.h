@@ -88,9 +88,8 @@ typedef struct thud_world_def {
     float push_speed;            /* highest speed at which overlap is pushed apart, lengths/s, in
                                     multiples of length_scale; default 3 */
     float restitution_threshold; /* slower approaches do not bounce; multiples of length_scale per
-                                    second; default 1. Pairs of restitution 1 bounce below it too,
-                                    down to 4 * gravity * time_step; swept ones that nothing bears
-                                    down to gravity * time_step / 8 */
+                                    second; default 1. At restitution 1 at most 4 * gravity *
+                                    time_step, swept in free flight gravity * time_step / 8 */
     float hit_speed;             /* approaches faster than this are hit events; default 1, as above */
     float maximum_speed;         /* multiples of length_scale per second; default 1e6 */
     bool sleeping;               /* default true */
