@@ -111,6 +111,9 @@ static void update_shapes(thud_world *w, int index)
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_shape_settle(w, i);
     }
+    if (w->seams && body->kind != THUD_STATIC) {
+        w->seams->join(w, index);
+    }
     td_awake_refresh(w, index);
     for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
         if (td_contact_at(w, e / 2)->state == TD_TOUCHING) {

@@ -4,6 +4,7 @@
 
 #include "body.h"
 #include "rotation.h"
+#include "seams.h"
 #include "shape.h"
 #include "terrain.h"
 
@@ -178,21 +179,58 @@ double td_flights_bend(const td_flight *a, const td_flight *b, double rest)
     return 0.125 * __builtin_sqrt(x * x + y * y) * rest * rest;
 }
 
+void td_encounter_ways(const thud_world *w, const td_encounter *e, double now, double until,
+                       td_approach *p)
+{
+    td_flight a = td_flight_of(w, e->body[0]), b = td_flight_of(w, e->body[1]);
+    td_place origin = a.place;
+    *p = (td_approach){.on_ground = td_shape_at(w, e->shape[0])->kind == THUD_TERRAIN};
+    if (p->on_ground) {
+        origin = td_stance_at(w, e->shape[0])->center;
+        p->ground = td_terrain_view(w, e->shape[0]);
+        p->a = td_flight_shape(w, &b, e->shape[1], now, origin);
+        thud_placed end = td_flight_shape(w, &b, e->shape[1], until, origin);
+        p->motion_a = motion_between(&b, &p->a, &end, until - now);
+        return;
+    }
+    p->a = td_flight_shape(w, &a, e->shape[0], now, origin);
+    p->b = td_flight_shape(w, &b, e->shape[1], now, origin);
+    thud_placed end_a = td_flight_shape(w, &a, e->shape[0], until, origin);
+    thud_placed end_b = td_flight_shape(w, &b, e->shape[1], until, origin);
+    p->motion_a = motion_between(&a, &p->a, &end_a, until - now);
+    p->motion_b = motion_between(&b, &p->b, &end_b, until - now);
+}
+
+bool td_encounter_has_seams(const thud_world *w, const td_encounter *e)
+{
+    return td_shape_at(w, e->shape[0])->seams | td_shape_at(w, e->shape[1])->seams;
+}
+
+/* Boxes that overlap by a hidden face are as deep as where they can be met. */
+static double distance_of(thud_world *w, const td_encounter *e, const td_approach *p)
+{
+    td_seam_contact contact;
+    thud_closest c;
+    td_closest(&p->a, &p->b, &c);
+    if (c.distance < 0.0 && td_encounter_has_seams(w, e)) {
+        td_seam_pair pair = {w, {e->shape[0], e->shape[1]}, {p->a, p->b}};
+        if (w->seams->is_ghost(&pair, c.nx, c.ny) && w->seams->contact(&pair, &contact)) {
+            double last = contact.separation[contact.count - 1];
+            return td_min_double(contact.separation[0], last);
+        }
+    }
+    return c.distance;
+}
+
 bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, double until,
                            td_approach *p)
 {
     td_flight a = td_flight_of(w, e->body[0]), b = td_flight_of(w, e->body[1]);
     double target = (double)(TD_MEET * w->unit) + arc_error(w, &b, e->shape[1], until - now) +
                     td_flights_bend(&a, &b, until - now);
-    td_place origin = a.place;
-    *p = (td_approach){.target = target};
-    if (td_shape_at(w, e->shape[0])->kind == THUD_TERRAIN) {
-        origin = td_stance_at(w, e->shape[0])->center;
-        p->on_ground = true;
-        p->ground = td_terrain_view(w, e->shape[0]);
-        p->a = td_flight_shape(w, &b, e->shape[1], now, origin);
-        thud_placed end = td_flight_shape(w, &b, e->shape[1], until, origin);
-        p->motion_a = motion_between(&b, &p->a, &end, until - now);
+    td_encounter_ways(w, e, now, until, p);
+    p->target = target;
+    if (p->on_ground) {
         w->stats.motion_pairs++;
         if (above_ground(w, e->shape[0], p)) {
             return false;
@@ -208,23 +246,33 @@ bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, dou
     }
     p->target += arc_error(w, &a, e->shape[0], until - now);
     p->swing = p->target - (double)(TD_MEET * w->unit);
-    p->a = td_flight_shape(w, &a, e->shape[0], now, origin);
-    p->b = td_flight_shape(w, &b, e->shape[1], now, origin);
-    thud_placed end_a = td_flight_shape(w, &a, e->shape[0], until, origin);
-    thud_placed end_b = td_flight_shape(w, &b, e->shape[1], until, origin);
-    p->motion_a = motion_between(&a, &p->a, &end_a, until - now);
-    p->motion_b = motion_between(&b, &p->b, &end_b, until - now);
     if (motions_miss(w, p)) {
         return false;
     }
-    thud_closest closest;
-    td_closest(&p->a, &p->b, &closest);
-    p->distance = closest.distance;
-    p->target = 0.5 * closest.distance < p->target ? 0.5 * closest.distance : p->target;
+    p->distance = distance_of(w, e, p);
+    p->target = 0.5 * p->distance < p->target ? 0.5 * p->distance : p->target;
     return true;
 }
 
-void td_encounter_features(const thud_world *w, const td_encounter *e, double time,
+/* The contacts of a pair at a ghost go to where boxes can be met, if anywhere. */
+static void amend(thud_world *w, const td_encounter *e, const thud_placed *a, const thud_placed *b,
+                  thud_contacts *contacts)
+{
+    td_seam_pair pair = {w, {e->shape[0], e->shape[1]}, {*a, *b}};
+    td_seam_contact open = {.count = 0};
+    if (!w->seams->is_ghost(&pair, contacts->point[0].nx, contacts->point[0].ny)) {
+        return;
+    }
+    contacts->count = w->seams->contact(&pair, &open) ? open.count : 0;
+    for (int k = 0; k < contacts->count; k++) {
+        double x = 0.5 * open.separation[k] * open.nx, y = 0.5 * open.separation[k] * open.ny;
+        contacts->point[k] = (thud_closest){open.separation[k], open.nx,       open.ny,
+                                            open.x[k] - x,      open.y[k] - y, open.x[k] + x,
+                                            open.y[k] + y};
+    }
+}
+
+void td_encounter_features(thud_world *w, const td_encounter *e, double time,
                            td_features *out)
 {
     td_flight a = td_flight_of(w, e->body[0]), b = td_flight_of(w, e->body[1]);
@@ -240,4 +288,7 @@ void td_encounter_features(const thud_world *w, const td_encounter *e, double ti
     thud_placed at_a = td_flight_shape(w, &a, e->shape[0], time, a.place);
     thud_placed at_b = td_flight_shape(w, &b, e->shape[1], time, a.place);
     thud_shapes_contacts(&at_a, &at_b, margin, &out->contacts);
+    if (out->contacts.count && td_encounter_has_seams(w, e)) {
+        amend(w, e, &at_a, &at_b, &out->contacts);
+    }
 }

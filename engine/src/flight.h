@@ -59,13 +59,19 @@ td_encounter td_encounter_at(const thud_world *w, int number);
 bool td_encounter_approach(thud_world *w, const td_encounter *e, double now, double until,
                            td_approach *approach);
 
+/* Their ways alone: places at `now`, and motions from then on. */
+void td_encounter_ways(const thud_world *w, const td_encounter *e, double now, double until,
+                       td_approach *approach);
+/* One of them may be hidden from the other: see seams.h. */
+bool td_encounter_has_seams(const thud_world *w, const td_encounter *e);
+
 /* Where two shapes are nearest to each other, relative to `origin`. */
 typedef struct td_features {
     td_place origin;
     thud_contacts contacts;
 } td_features;
 
-void td_encounter_features(const thud_world *w, const td_encounter *e, double time,
+void td_encounter_features(thud_world *w, const td_encounter *e, double time,
                            td_features *features);
 
 #endif

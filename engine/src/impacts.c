@@ -12,6 +12,7 @@
 #include "collide.h"
 #include "contact.h"
 #include "encounters.h"
+#include "ghosts.h"
 #include "lanes.h"
 #include "rotation.h"
 #include "shape.h"
@@ -27,6 +28,7 @@
 enum {
     MOST_IMPACTS = 8,   /* of a body in a step, before it is held */
     MOST_BOUNCES = 16,  /* ... while those that it meets are elastic */
+    MOST_GHOSTS = 16,   /* of a pair, that it may meet on its way */
     SPARE = 256       /* room for so many encounters more than there are bodies */
 };
 
@@ -64,17 +66,14 @@ static bool gives_way(const thud_world *w, int body)
     return b->kind == THUD_DYNAMIC && b->awake > 0 && !td_flight_at(w, b->awake)->held;
 }
 
-/* When the two meet, if they do. */
-static bool meets(thud_world *w, const td_encounter *e, double *time)
+/* When the two meet after `now`, or are to be looked at again; false where that is not in this step. */
+static bool meets_after(thud_world *w, const td_encounter *e, const thud_detection *detection,
+                        double now, bool *hit, double *time)
 {
     td_approach approach;
-    const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
     double unit = (double)(TD_MEET * w->unit);
-    double now = later(td_flight_of(w, e->body[0]).since, td_flight_of(w, e->body[1]).since);
-    *time = now;
-    bool fixed = !gives_way(w, e->body[0]) && !gives_way(w, e->body[1]);
-    if (e->vetoed || !detection->meet || now >= 1.0 || fixed ||
-        !td_encounter_approach(w, e, now, 1.0, &approach)) {
+    *hit = false;
+    if (now >= 1.0 || !td_encounter_approach(w, e, now, 1.0, &approach)) {
         return false;
     }
     /* Where an arc may swing further than they are apart, only as much of it as is nearly straight. */
@@ -89,9 +88,9 @@ static bool meets(thud_world *w, const td_encounter *e, double *time)
     approach.tolerance = 0.1 * approach.target;
     if (approach.target <= TOUCHING * unit) {
         if (approach.on_ground) {
-            bool met = presses(w, e, now);
-            *time = met ? now : until;
-            return met || until < 1.0;
+            *hit = presses(w, e, now);
+            *time = *hit ? now : until;
+            return *hit || until < 1.0;
         }
         approach.target =
             approach.distance - (approach.distance > 0.0 ? NOTHING : PRESSED) * unit;
@@ -99,9 +98,26 @@ static bool meets(thud_world *w, const td_encounter *e, double *time)
     }
     double part;
     w->stats.motion_exact++;
-    bool hit = detection->meet(&approach, &part);
-    *time = hit ? now + (until - now) * part : until;
-    return hit || until < 1.0;
+    *hit = detection->meet(&approach, &part);
+    *time = *hit ? now + (until - now) * part : until;
+    return *hit || until < 1.0;
+}
+
+/* When the two meet, if they do. */
+static bool meets(thud_world *w, const td_encounter *e, double *time)
+{
+    const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
+    double now = later(td_flight_of(w, e->body[0]).since, td_flight_of(w, e->body[1]).since);
+    bool fixed = !gives_way(w, e->body[0]) && !gives_way(w, e->body[1]), hit = true;
+    if (e->vetoed || !detection->meet || fixed) {
+        return false;
+    }
+    for (int i = 0; i < MOST_GHOSTS && meets_after(w, e, detection, now, &hit, time); i++) {
+        if (!hit || !td_ghost_met(w, e, *time, &now)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /* Puts down when the two meet. */

@@ -4,6 +4,7 @@
  * solver never changes them. */
 #include "lanes.h"
 
+#include "seams.h"
 #include "surface.h"
 
 #include <string.h>
@@ -198,8 +199,9 @@ static void fill_lane(thud_world *w, td_block *block, int lane, int contact_inde
     block->contact[lane] = contact_index;
     thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
     td_surface_set(w, block, points_of(w, contact->kind), lane, &own);
-    block->armed |= !(a->plain && b->plain);
-    block->seams[lane] = a->seams;
+    block->armed |= !(a->plain && b->plain) || b->seams ||
+                    (a->seams && td_body_at(w, a->body)->kind != THUD_STATIC);
+    block->seams[lane] = td_seams_of(a, b);
     block->touching |= 1u << lane;
 }
 

@@ -92,7 +92,8 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
             block->contact[lane] = index;
             block->shape_a[lane] = contact->shape_a;
             block->shape_b[lane] = contact->shape_b;
-            block->seams[lane] = td_shape_at(w, contact->shape_a)->seams;
+            block->seams[lane] = td_seams_of(
+                td_shape_at(w, contact->shape_a), td_shape_at(w, contact->shape_b));
         }
     }
     td_block *parted[TEST_BLOCKS + 1];

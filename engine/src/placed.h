@@ -76,5 +76,9 @@ void td_time_of_impact(const thud_placed *a, thud_motion motion_a, const thud_pl
 void td_time_of_near_impact(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
                             thud_motion motion_b, double target, double tolerance, bool *hit,
                             double *time);
+/* For how long nothing can come across a direction, in which the two are apart by more than the
+ * target; more than 1 where that is longer than the motions. */
+double td_time_across(const thud_placed *a, const thud_motion *motion_a, const thud_placed *b,
+                      const thud_motion *motion_b, double nx, double ny, double target);
 
 #endif

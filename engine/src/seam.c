@@ -5,15 +5,36 @@
 #include "shape.h"
 #include "terrain.h"
 
-td_seam td_seam_of(thud_world *w, int shape, int other)
+td_seam td_seam_between(thud_world *w, int shape, int other, const thud_placed *a,
+                        const thud_placed *b)
 {
+    const td_shape *first = td_shape_at(w, shape);
     td_seam s = {.w = w, .shape = shape, .other = other, .origin = td_stance_at(w, shape)->center,
-              .unit = (double)w->unit};
-    s.a = td_shape_placed(w, shape, s.origin);
-    if (other != TD_NONE) {
-        s.b = td_shape_placed(w, other, s.origin);
+                 .moves = td_body_at(w, first->body)->kind != THUD_STATIC, .c = 1.0, .a = *a, .b = *b,
+                 .unit = (double)w->unit};
+    s.b.x -= s.a.x;
+    s.b.y -= s.a.y;
+    s.a.x = s.a.y = 0.0;
+    if (s.moves) {
+        thud_placed own = {.c = (double)first->angle_c, .s = (double)first->angle_s};
+        td_to_frame(&own, a->c, a->s, &s.c, &s.s);
+        thud_placed axes = {.c = s.c, .s = s.s};
+        s.a.c = own.c;
+        s.a.s = own.s;
+        td_to_frame(&axes, s.b.x, s.b.y, &s.b.x, &s.b.y);
+        td_to_frame(&axes, s.b.c, s.b.s, &s.b.c, &s.b.s);
     }
     return s;
+}
+
+td_seam td_seam_of(thud_world *w, int shape, int other)
+{
+    td_place origin = td_stance_at(w, shape)->center;
+    thud_placed a = td_shape_placed(w, shape, origin), b = a;
+    if (other != TD_NONE) {
+        b = td_shape_placed(w, other, origin);
+    }
+    return td_seam_between(w, shape, other, &a, &b);
 }
 
 bool td_is_ground(const thud_world *w, int shape)
@@ -24,9 +45,24 @@ bool td_is_ground(const thud_world *w, int shape)
            !(td_body_at(w, s->body)->flags & TD_BODY_DISABLED);
 }
 
+thud_placed td_seam_place(const td_seam *s, int neighbour)
+{
+    const td_shape *n = td_shape_at(s->w, neighbour), *first = td_shape_at(s->w, s->shape);
+    if (!s->moves) {
+        return td_shape_placed(s->w, neighbour, s->origin);
+    }
+    return (thud_placed){.kind = (thud_shape_kind)n->kind,
+                         .x = (double)(n->x - first->x),
+                         .y = (double)(n->y - first->y),
+                         .c = (double)n->angle_c,
+                         .s = (double)n->angle_s,
+                         .hx = (double)n->half_x,
+                         .hy = (double)n->half_y};
+}
+
 bool td_seam_holds(const td_seam *s, int neighbour, double x, double y, double slack)
 {
-    thud_placed n = td_shape_placed(s->w, neighbour, s->origin);
+    thud_placed n = td_seam_place(s, neighbour);
     thud_placed point = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
     if (n.kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
@@ -53,7 +89,7 @@ static bool ends_at(const td_seam *s, const thud_terrain *t, int vertex, double 
 bool td_seam_rises(const td_seam *s, int neighbour, double x, double y, double nx, double ny,
                   double level)
 {
-    thud_placed n = td_shape_placed(s->w, neighbour, s->origin);
+    thud_placed n = td_seam_place(s, neighbour);
     double past = (n.x - x) * nx + (n.y - y) * ny;
     if (n.kind == THUD_TERRAIN) {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
@@ -73,10 +109,35 @@ bool td_seam_rises(const td_seam *s, int neighbour, double x, double y, double n
     return past + (n.kind == THUD_CIRCLE ? n.hx : td_shadow(&n, nx, ny)) > level;
 }
 
+static bool asks(const td_seam *s, int n, td_neighbour_fn *fn, void *context)
+{
+    return n != s->shape && (s->other == TD_NONE || td_pair_allowed(s->w, n, s->other)) &&
+           fn(s, n, context);
+}
+
+static bool any_of_body(const td_seam *s, const thud_placed *where, td_neighbour_fn *fn, void *context)
+{
+    double near = td_reach(where) + 2.0 * TD_FLUSH * s->unit;
+    int n = td_body_at(s->w, td_shape_at(s->w, s->shape)->body)->first_shape;
+    for (; n != TD_NONE; n = td_shape_at(s->w, n)->next) {
+        thud_placed p = td_seam_place(s, n);
+        double reach = near + td_reach(&p);
+        int flags = td_shape_at(s->w, n)->flags & (TD_SHAPE_LIVE | TD_SHAPE_SENSOR);
+        if (td_abs(p.x - where->x) <= reach && td_abs(p.y - where->y) <= reach &&
+            flags == TD_SHAPE_LIVE && asks(s, n, fn, context)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool td_seam_any(const td_seam *s, const thud_placed *where, td_neighbour_fn *fn, void *context)
 {
     thud_world *w = s->w;
     td_array *hits = &w->scratch.hits;
+    if (s->moves) {
+        return any_of_body(s, where, fn, context);
+    }
     td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_FLUSH * s->unit);
     hits->count = 0;
     if (where->kind != THUD_TERRAIN &&
@@ -85,16 +146,14 @@ bool td_seam_any(const td_seam *s, const thud_placed *where, td_neighbour_fn *fn
     }
     for (int i = 0; i < hits->count; i++) {
         int n = *(int *)td_at(hits, i);
-        if (n != s->shape && td_is_ground(w, n) &&
-            (s->other == TD_NONE || td_pair_allowed(w, n, s->other)) && fn(s, n, context)) {
+        if (td_is_ground(w, n) && asks(s, n, fn, context)) {
             return true;
         }
     }
     for (int t = 0; t < w->terrains.count; t++) {
         const td_terrain_record *record = td_slot_at(&w->terrains, t);
         int n = record->shape;
-        if (n != TD_NONE && n != s->shape && td_is_ground(w, n) &&
-            (s->other == TD_NONE || td_pair_allowed(w, n, s->other)) && fn(s, n, context)) {
+        if (n != TD_NONE && td_is_ground(w, n) && asks(s, n, fn, context)) {
             return true;
         }
     }

@@ -1,4 +1,5 @@
-/* seam.h: a static shape among its static neighbours. */
+/* seam.h: a shape among its neighbours: of a static one, the other static shapes; of one that moves,
+ * those of its own body. */
 #ifndef TD_SEAM_H
 #define TD_SEAM_H
 
@@ -10,18 +11,27 @@
  * there. */
 #define TD_FLUSH 1e-3
 
-/* A pair of which the first shape is static, relative to the centre of that; `other` may be TD_NONE. */
+/* A shape and another that it meets, or TD_NONE, relative to the centre of the first; along the axes of
+ * the world where the first is static, else along those of its body. */
 typedef struct td_seam {
     thud_world *w;
     int shape, other;
-    td_place origin;
+    td_place origin; /* the centre, of a static shape */
+    bool moves;
+    double c, s;     /* of the axes in the world */
     thud_placed a, b;
     double unit;
 } td_seam;
 
 td_seam td_seam_of(thud_world *w, int shape, int other);
+/* Where the two are placed as told, relative to anything. */
+td_seam td_seam_between(thud_world *w, int shape, int other, const thud_placed *a,
+                        const thud_placed *b);
 
+/* A static shape that others meet. */
 bool td_is_ground(const thud_world *w, int shape);
+
+thud_placed td_seam_place(const td_seam *s, int neighbour);
 
 /* Whether the ground of a neighbour, `slack` thicker, holds a point. */
 bool td_seam_holds(const td_seam *s, int neighbour, double x, double y, double slack);
@@ -31,8 +41,7 @@ bool td_seam_rises(const td_seam *s, int neighbour, double x, double y, double n
 
 typedef bool td_neighbour_fn(const td_seam *s, int neighbour, void *context);
 
-/* Asks of each static shape near a place, relative to the origin, that the other shape meets too, until
- * one answers true. */
+/* Asks of each neighbour near a place that the other shape meets too, until one answers true. */
 bool td_seam_any(const td_seam *s, const thud_placed *where, td_neighbour_fn *fn, void *context);
 
 #endif

@@ -1,4 +1,5 @@
-/* seam_find.c: which faces of static shapes have something static at them. */
+/* seam_find.c: which faces of static shapes have something static at them, and which faces of one body
+ * something else of it. */
 #include "contact.h"
 #include "lanes.h"
 #include "seam.h"
@@ -16,9 +17,10 @@ static void set(thud_world *w, int shape, unsigned seams, unsigned hidden)
     int e = same ? TD_NONE : td_body_at(w, s->body)->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_contact *contact = td_contact_at(w, e / 2);
-        if (contact->state == TD_TOUCHING && contact->shape_a == shape) {
+        if (contact->state == TD_TOUCHING) {
             td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-            block->seams[contact->slot % TD_LANES] = s->seams;
+            block->seams[contact->slot % TD_LANES] =
+                td_seams_of(td_shape_at(w, contact->shape_a), td_shape_at(w, contact->shape_b));
         }
     }
 }
@@ -75,7 +77,7 @@ static void note_box(const td_seam *s, int shape, const thud_placed *box, int ne
 {
     const td_shape *noted = td_shape_at(s->w, shape);
     unsigned seams = noted->seams, hidden = noted->hidden, held = 0;
-    thud_placed other = td_shape_placed(s->w, neighbour, s->origin);
+    thud_placed other = td_seam_place(s, neighbour);
     for (int k = 0; k < 4; k++) {
         double x, y;
         td_from_frame(box, k & 1 ? box->hx : -box->hx, k & 2 ? box->hy : -box->hy, &x, &y);
@@ -243,4 +245,24 @@ bool td_seams_lose(thud_world *w, int body)
         }
     }
     return true;
+}
+
+static bool note_own(const td_seam *s, int neighbour, void *context)
+{
+    (void)context;
+    note_box(s, s->shape, &s->a, neighbour);
+    return false;
+}
+
+void td_seams_join(thud_world *w, int body)
+{
+    const td_body *b = td_body_at(w, body);
+    for (int i = b->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        td_seam s = td_seam_of(w, i, TD_NONE);
+        bool box = s.a.kind == THUD_AABB || s.a.kind == THUD_OBB;
+        if (box && !(td_shape_at(w, i)->flags & TD_SHAPE_SENSOR)) {
+            set(w, i, 0, 0);
+            td_seam_any(&s, &s.a, note_own, NULL);
+        }
+    }
 }

@@ -1,8 +1,8 @@
 /* seams.c: see seams.h.
  *
  * A contact is a ghost where its normal is not one of the ground as a whole: where the place of its
- * static shape is covered by a neighbour, or is a corner that a neighbour goes past in the direction
- * of the normal. Circles then have no contact with that shape: the neighbour has one. Boxes may only
+ * shape is covered by a neighbour, or is a corner that a neighbour goes past in the direction of the
+ * normal. Circles then have no contact with that shape: the neighbour has one. Boxes may only
  * have chosen the wrong axis of several: the separating axes are searched again without hidden faces. */
 #include "seams.h"
 
@@ -18,8 +18,12 @@
 #define LEVEL 1e-4
 /* A normal off by less than this, in radians, is a face's. */
 #define STRAIGHT 1e-5
+/* ... where both shapes have neighbours, and the normal is a face's of one: it is all but the other's. */
+#define NEARLY_STRAIGHT 0.01
 /* Beyond each end of what touches, so much of the other shape's size has to be covered too. */
 #define BEYOND 0.05
+/* Cosine between normals that go on bearing what another bore. */
+#define ALIKE 0.9f
 
 /* ---- ghosts ---- */
 
@@ -76,11 +80,11 @@ typedef struct site {
     unsigned bit;     /* of td_shape.hidden */
 } site;
 
-static site site_of(double c, double s, double nx, double ny)
+static site site_of(double c, double s, double nx, double ny, double straight)
 {
     double u = c * nx + s * ny, v = c * ny - s * nx;
     site at = {.face = TD_NONE, .right = u > 0.0, .top = v > 0.0};
-    if (td_abs(u) > STRAIGHT && td_abs(v) > STRAIGHT) {
+    if (td_abs(u) > straight && td_abs(v) > straight) {
         at.bit = td_corner_bit(at.right, at.top);
         return at;
     }
@@ -118,10 +122,10 @@ static bool shadow_hidden(const td_seam *s, int face)
 }
 
 /* Whether the first shape cannot be met along a normal. */
-static bool is_ghost(const td_seam *s, double nx, double ny)
+static bool is_ghost(const td_seam *s, double nx, double ny, double straight)
 {
     const td_shape *shape = td_shape_at(s->w, s->shape);
-    site at = site_of(s->a.c, s->a.s, nx, ny);
+    site at = site_of(s->a.c, s->a.s, nx, ny, straight);
     if (!(shape->seams & at.bit) || (shape->hidden & at.bit)) {
         return shape->hidden & at.bit;
     }
@@ -142,9 +146,37 @@ static bool is_plain(const thud_world *w, const td_block *block, int lane)
     return !(block->seams[lane] & bits);
 }
 
-static bool axis_hidden(double nx, double ny, void *context)
+static bool looks_out(const thud_placed *box, double nx, double ny)
 {
-    return is_ghost(context, nx, ny);
+    return site_of(box->c, box->s, nx, ny, STRAIGHT).face != TD_NONE;
+}
+
+/* Either shape may be the one that has neighbours. */
+static bool pair_is_ghost(double nx, double ny, void *context)
+{
+    const td_seam_pair *p = context;
+    bool both = td_shape_at(p->w, p->shape[0])->seams && td_shape_at(p->w, p->shape[1])->seams;
+    bool face = both && (looks_out(&p->placed[0], nx, ny) || looks_out(&p->placed[1], nx, ny));
+    for (int side = 0; side < 2; side++) {
+        const td_shape *shape = td_shape_at(p->w, p->shape[side]);
+        if (shape->seams && shape->kind != THUD_TERRAIN) {
+            td_seam s = td_seam_between(p->w, p->shape[side], p->shape[!side], &p->placed[side],
+                                        &p->placed[!side]);
+            double sign = side ? -1.0 : 1.0, x = sign * nx, y = sign * ny;
+            if (s.moves) {
+                td_to_frame(&(thud_placed){.c = s.c, .s = s.s}, x, y, &x, &y);
+            }
+            if (is_ghost(&s, x, y, face ? NEARLY_STRAIGHT : STRAIGHT)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+static bool is_ghost_of(const td_seam_pair *p, double nx, double ny)
+{
+    return pair_is_ghost(nx, ny, (void *)p);
 }
 
 /* ---- amending a lane ---- */
@@ -166,15 +198,29 @@ static float inverse_or_zero(float k)
     return k > 0.0f ? 1.0f / k : 0.0f;
 }
 
-/* As td_write_points, for one lane whose first shape is static. */
+/* As td_write_points, for one lane. */
 static void write_lane(thud_world *w, td_block *block, int kind, int lane, const td_seam_contact *c)
 {
     int points = td_form_points(w->pairs[kind]->form);
     const td_stance *b = td_stance_at(w, block->shape_b[lane]), *a = td_stance_at(w, block->shape_a[lane]);
-    const float *v = (const float *)w->velocity.data + block->b[lane] / sizeof(float);
+    const float *va = (const float *)w->velocity.data + block->a[lane] / sizeof(float);
+    const float *vb = (const float *)w->velocity.data + block->b[lane] / sizeof(float);
     float nx = (float)c->nx, ny = (float)c->ny, mid_x = 0.0f, mid_y = 0.0f;
     float dx = (float)((double)(a->center.x - b->center.x) / w->to_fixed) + b->x;
     float dy = (float)((double)(a->center.y - b->center.y) / w->to_fixed) + b->y;
+    float ia = block->inv_inertia_a[lane], ib = block->inv_inertia_b[lane], mass = va[3] + vb[3];
+    bool fixed = block->a[lane] == 0;
+    float apart_x = a->x - dx, apart_y = a->y - dy; /* the centres of mass */
+    float ax = fixed ? 0.0f : apart_x, ay = fixed ? 0.0f : apart_y;
+    float impulse[3] = {block->tangent_impulse[lane], block->point[0].normal_impulse[lane],
+                        block->point[points - 1].normal_impulse[lane]};
+    float alike = nx * block->nx[lane] + ny * block->ny[lane];
+    td_kept *kept = w->pairs[kind]->form == TD_FORM_TWO_KEPT ? td_kept_of(block, points) : NULL;
+    if (kept) { /* from this pose on; the manifold may be of an earlier one */
+        kept->dx[lane] = apart_x, kept->dy[lane] = apart_y;
+        kept->ac[lane] = a->c, kept->as[lane] = a->s;
+        kept->bc[lane] = b->c, kept->bs[lane] = b->s;
+    }
     drop(block, points, lane);
     block->nx[lane] = nx;
     block->ny[lane] = ny;
@@ -182,22 +228,26 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane, const
     for (int k = 0; k < count; k++) {
         td_point *p = &block->point[k];
         float x = dx + (float)c->x[k], y = dy + (float)c->y[k], separation = (float)c->separation[k];
-        float cross = x * ny - y * nx;
+        float cross = x * ny - y * nx, cross_a = fixed ? 0.0f : (ax + x) * ny - (ay + y) * nx;
         p->separation[lane] = p->base[lane] = separation - w->skin;
-        p->cross_a[lane] = 0.0f;
+        p->cross_a[lane] = cross_a;
         p->cross_b[lane] = cross;
-        p->normal_mass[lane] = inverse_or_zero(v[3] + block->inv_inertia_b[lane] * cross * cross);
-        td_history_of(block, points)[k].approach[lane] = v[0] * nx + v[1] * ny + v[2] * cross;
-        if (w->pairs[kind]->form == TD_FORM_TWO_KEPT) {
-            td_kept_of(block, points)->base[k][lane] = p->base[lane];
+        p->normal_impulse[lane] = alike > ALIKE ? impulse[1 + k] : 0.0f;
+        p->normal_mass[lane] = inverse_or_zero(mass + ib * cross * cross + ia * cross_a * cross_a);
+        td_history_of(block, points)[k].approach[lane] =
+            (vb[0] - va[0]) * nx + (vb[1] - va[1]) * ny + vb[2] * cross - va[2] * cross_a;
+        if (kept) {
+            kept->base[k][lane] = p->base[lane];
         }
         mid_x += x / (float)count;
         mid_y += y / (float)count;
     }
     float turn = -(mid_x * nx + mid_y * ny);
-    block->tangent_cross_a[lane] = 0.0f;
+    float turn_a = fixed ? 0.0f : -((ax + mid_x) * nx + (ay + mid_y) * ny);
+    block->tangent_cross_a[lane] = turn_a;
     block->tangent_cross_b[lane] = turn;
-    block->tangent_mass[lane] = inverse_or_zero(v[3] + block->inv_inertia_b[lane] * turn * turn);
+    block->tangent_mass[lane] = inverse_or_zero(mass + ib * turn * turn + ia * turn_a * turn_a);
+    block->tangent_impulse[lane] = alike > ALIKE ? impulse[0] : 0.0f;
     block->touching |= 1u << lane;
 }
 
@@ -210,6 +260,14 @@ static void join_points(td_seam_contact *c)
     c->count = 1;
 }
 
+/* Whether a shape is of the ground that a contact of the same body has its ghost from. */
+static bool goes_on(const thud_world *w, const td_contact *to, const td_contact *from, int side)
+{
+    return to->body[side] == from->body[side] ||
+           (td_body_at(w, to->body[side])->kind == THUD_STATIC &&
+            td_body_at(w, from->body[side])->kind == THUD_STATIC);
+}
+
 /* The neighbour that the body goes on to takes over what bore it: a contact that began without any
  * impulse would give way a little first. */
 static void hand_over(thud_world *w, td_block *block, int kind, int lane)
@@ -219,14 +277,15 @@ static void hand_over(thud_world *w, td_block *block, int kind, int lane)
     int e = td_body_at(w, from->body[1])->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_contact *to = td_contact_at(w, e / 2);
-        if (to == from || to->kind != kind || to->shape_b != from->shape_b ||
-            to->state != TD_TOUCHING || td_body_at(w, to->body[0])->kind != THUD_STATIC) {
+        bool alike_sides = (to->shape_b == from->shape_b && goes_on(w, to, from, 0)) ||
+                           (to->shape_a == from->shape_a && goes_on(w, to, from, 1));
+        if (to == from || to->kind != kind || to->state != TD_TOUCHING || !alike_sides) {
             continue;
         }
         td_block *other = td_block_at(w, kind, to->slot / TD_LANES);
         int at = to->slot % TD_LANES;
         float alike = other->nx[at] * block->nx[lane] + other->ny[at] * block->ny[lane];
-        if (alike > 0.9f && other->point[0].normal_impulse[at] == 0.0f) {
+        if (alike > ALIKE && other->point[0].normal_impulse[at] == 0.0f) {
             for (int k = 0; k < points; k++) {
                 other->point[k].normal_impulse[at] = block->point[k].normal_impulse[lane];
             }
@@ -236,16 +295,25 @@ static void hand_over(thud_world *w, td_block *block, int kind, int lane)
     }
 }
 
+static bool contact_of(const td_seam_pair *p, td_seam_contact *contact)
+{
+    const thud_placed *a = &p->placed[0], *b = &p->placed[1];
+    return a->kind != THUD_CIRCLE && b->kind != THUD_CIRCLE &&
+           td_seam_boxes(a, b, (double)(TD_SPECULATIVE * p->w->unit), pair_is_ghost, (void *)p,
+                         contact);
+}
+
 static void amend_lane(thud_world *w, td_block *block, int kind, int lane)
 {
-    td_seam s = td_seam_of(w, block->shape_a[lane], block->shape_b[lane]);
-    if (s.a.kind == THUD_CIRCLE || !is_ghost(&s, (double)block->nx[lane], (double)block->ny[lane])) {
+    int a = block->shape_a[lane], b = block->shape_b[lane];
+    td_place origin = td_stance_at(w, a)->center;
+    td_seam_pair pair = {w, {a, b}, {td_shape_placed(w, a, origin), td_shape_placed(w, b, origin)}};
+    if (!is_ghost_of(&pair, (double)block->nx[lane], (double)block->ny[lane])) {
         return;
     }
     int points = td_form_points(w->pairs[kind]->form);
     td_seam_contact contact;
-    if (s.b.kind == THUD_CIRCLE ||
-        !td_seam_boxes(&s.a, &s.b, (double)(TD_SPECULATIVE * w->unit), axis_hidden, &s, &contact)) {
+    if (!contact_of(&pair, &contact)) {
         if (block->contact[lane] != TD_NONE &&
             td_contact_at(w, block->contact[lane])->state == TD_TOUCHING) {
             hand_over(w, block, kind, lane);
@@ -273,13 +341,15 @@ static void amend(thud_world *w, td_block *block, int kind)
     }
 }
 
+/* Of the blocks that move only those with shapes off their bodies' centres may have seams. */
 static void amend_all(thud_world *w)
 {
     td_block *const *blocks = w->scratch.blocks.data;
     td_block **parted = w->scratch.parted.data;
     for (int r = 0; r < w->scratch.runs.count; r++) {
         const td_run *run = td_at(&w->scratch.runs, r);
-        for (int i = run->first; i < run->first + run->count && run->fixed; i++) {
+        int count = run->fixed || run->armed ? run->count : 0;
+        for (int i = run->first; i < run->first + count; i++) {
             td_block *block = blocks[i];
             bool whole = block->touching == (1u << block->used) - 1u;
             amend(w, block, run->kind);
@@ -290,4 +360,5 @@ static void amend_all(thud_world *w)
     }
 }
 
-const td_seam_ops td_seams = {td_seams_find, td_seams_see, td_seams_lose, amend, amend_all};
+const td_seam_ops td_seams = {td_seams_find, td_seams_see, td_seams_lose, td_seams_join,
+                               amend,         amend_all,    is_ghost_of,   contact_of};

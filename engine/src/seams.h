@@ -1,13 +1,14 @@
-/* seams.h: static shapes that stand side by side make one ground. What slides over the seam between
- * two of them must not meet the face that each hides from the other: a ghost. */
+/* seams.h: static shapes that stand side by side make one ground, and so do those of one body. What
+ * slides over the seam between two of them must not meet the face that each hides from the other: a
+ * ghost. */
 #ifndef TD_SEAMS_H
 #define TD_SEAMS_H
 
+#include "seam_box.h"
 #include "world.h"
 
-/* Faces of a box, and the bits of td_shape.seams: something static covers a part of them; of a
- * terrain, its right and its left end. In td_shape.hidden: a shape that meets the same others covers
- * the whole face. */
+/* Faces of a box, and the bits of td_shape.seams: a neighbour covers a part of them; of a terrain, its
+ * right and its left end. In td_shape.hidden: one that meets the same others covers the whole face. */
 enum { TD_FACE_RIGHT, TD_FACE_TOP, TD_FACE_LEFT, TD_FACE_BOTTOM, TD_FACES };
 
 /* In both, the bit of the corner on the right (1) and at the top (2), or not: at it stands something;
@@ -21,6 +22,19 @@ static inline unsigned td_corner_bit(bool right, bool top)
  * at, and every bit of td_shape.seams is set. */
 enum { TD_SHAPE_UNSEEN = 4 };
 
+/* Two shapes where they stand, relative to anything. */
+typedef struct td_seam_pair {
+    thud_world *w;
+    int shape[2];
+    thud_placed placed[2];
+} td_seam_pair;
+
+/* td_block.seams of two shapes: all of them where the second has any, since lanes know the faces of the first alone. */
+static inline uint8_t td_seams_of(const td_shape *a, const td_shape *b)
+{
+    return b->seams ? UINT8_MAX : a->seams;
+}
+
 /* Plugged into a world with the first box or line, see kinds.h. */
 typedef struct td_seam_ops {
     /* A static shape came or moved: it and its neighbours are to be looked at, at once where they have
@@ -30,11 +44,17 @@ typedef struct td_seam_ops {
     bool (*see)(thud_world *w, int shape);
     /* Before a static body's shapes leave or move: their neighbours will look anew. Likewise. */
     bool (*lose)(thud_world *w, int body);
-    /* Takes ghosts out of the lanes of a block whose first shapes are static: a contact with a hidden
-     * face moves to one that can be met, or ends, which td_block.touching tells. */
+    /* Looks for which shapes of a moving body stand next to each other. */
+    void (*join)(thud_world *w, int body);
+    /* Takes ghosts out of the lanes of a block: a contact with a hidden face moves to one that can be
+     * met, or ends, which td_block.touching tells. */
     void (*amend)(thud_world *w, td_block *block, int kind);
     /* The same for all lanes of the step; adds to scratch.parted, which has room. */
     void (*amend_all)(thud_world *w);
+    /* Whether a normal, from the first to the second, is that of a ghost. */
+    bool (*is_ghost)(const td_seam_pair *pair, double nx, double ny);
+    /* Two boxes: where they touch along an axis on which they can; false where they do not. */
+    bool (*contact)(const td_seam_pair *pair, td_seam_contact *contact);
 } td_seam_ops;
 
 extern const td_seam_ops td_seams;
@@ -42,5 +62,6 @@ extern const td_seam_ops td_seams;
 bool td_seams_find(thud_world *w, int shape); /* seam_find.c */
 bool td_seams_see(thud_world *w, int shape);
 bool td_seams_lose(thud_world *w, int body);
+void td_seams_join(thud_world *w, int body);
 
 #endif

@@ -71,21 +71,20 @@ static double radius_of(const thud_placed *box)
     return __builtin_sqrt(box->hx * box->hx + box->hy * box->hy);
 }
 
-/* For how long nothing can come across the direction of c, in which the shapes are apart by more
- * than the target: not before the circles about turning shapes, nor before the first corner. The
- * second derivative of a corner's way is at most turn^2 times the circle's radius. */
-static double jump(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
-                   const thud_motion *mb, const thud_closest *c, double target)
+/* Not before the circles about turning shapes, nor before the first corner. The second derivative of a
+ * corner's way is at most turn^2 times the circle's radius. */
+double td_time_across(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
+                      const thud_motion *mb, double nx, double ny, double target)
 {
     corner of_a[4], of_b[4];
     double turn_a = turns(a, ma) ? ma->turn : 0.0, turn_b = turns(b, mb) ? mb->turn : 0.0;
-    int count_a = corners_along(a, turn_a, c->nx, c->ny, of_a);
-    int count_b = corners_along(b, turn_b, -c->nx, -c->ny, of_b);
+    int count_a = corners_along(a, turn_a, nx, ny, of_a);
+    int count_b = corners_along(b, turn_b, -nx, -ny, of_b);
     double radius_a = count_a > 1 ? radius_of(a) : of_a[0].along;
     double radius_b = count_b > 1 ? radius_of(b) : of_b[0].along;
     double bend = 0.5 * (turn_a * turn_a * radius_a + turn_b * turn_b * radius_b);
-    double apart = (b->x - a->x) * c->nx + (b->y - a->y) * c->ny - target;
-    double closing = (ma->dx - mb->dx) * c->nx + (ma->dy - mb->dy) * c->ny;
+    double apart = (b->x - a->x) * nx + (b->y - a->y) * ny - target;
+    double closing = (ma->dx - mb->dx) * nx + (ma->dy - mb->dy) * ny;
     double circles = apart - radius_a - radius_b, corners = 2.0;
     for (int i = 0; i < count_a; i++) {
         for (int j = 0; j < count_b; j++) {
@@ -130,7 +129,7 @@ void td_time_of_near_impact(const thud_placed *a, thud_motion ma, const thud_pla
         if (closest.distance - target <= tolerance) {
             break;
         }
-        t += jump(&pa, &ma, &pb, &mb, &closest, target);
+        t += td_time_across(&pa, &ma, &pb, &mb, closest.nx, closest.ny, target);
         if (t > 1.0) {
             return;
         }

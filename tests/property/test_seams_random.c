@@ -25,6 +25,8 @@ typedef struct heap {
     double scale, speed;
     float friction;
     const thud_detection *detection;
+    const thud_quality *quality;
+    bool joined; /* all shapes are of one kinematic body */
 } heap;
 
 /* ---- heaps ---- */
@@ -177,6 +179,10 @@ static heap draw_heap(source *r)
     h.friction = draw_below(r, 3) ? 0.6f : 0.0f;
     h.detection = draw_below(r, 4) ? &thud_detection_continuous : &thud_detection_swept;
     add_faller(r, &h);
+    h.quality = draw_below(r, 2) ? &thud_quality_default
+                                 : draw_below(r, 2) ? &thud_quality_high : &thud_quality_exact;
+    h.detection = draw_below(r, 8) ? h.detection : &thud_detection_bisect;
+    h.joined = draw_below(r, 4) == 0;
     return h;
 }
 
@@ -194,15 +200,38 @@ static thud_body_id add_placed(thud_world *world, const heap *h, const thud_plac
     return body;
 }
 
+/* AABBs would keep it from turning, which it does not: boxes of either kind stand as they are told. */
+static void add_joined(thud_world *world, const heap *h)
+{
+    thud_body_id body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
+    thud_shape_def def = thud_default_shape_def();
+    def.friction = h->friction;
+    for (int i = 0; i < h->count; i++) {
+        const thud_placed *p = &h->shapes[i];
+        thud_vec2 at = {(float)(p->x * h->scale), (float)(p->y * h->scale)};
+        thud_vec2 half = {(float)(p->hx * h->scale), (float)(p->hy * h->scale)};
+        if (p->kind == THUD_CIRCLE) {
+            OK(thud_shape_create_circle(world, body, &def, at, half.x, NULL));
+        } else if (p->kind == THUD_AABB) {
+            OK(thud_shape_create_aabb(world, body, &def, at, half, NULL));
+        } else {
+            OK(thud_shape_create_obb(world, body, &def, at, half, h->angles[i], NULL));
+        }
+    }
+}
+
 static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body)
 {
-    thud_world_def def = thud_default_world_def();
+    thud_world_def def = thud_world_def_of(h->quality);
     def.length_scale = (float)h->scale;
     def.gravity.y = (float)(-10 * h->scale);
     def.detection = h->detection;
     thud_world *world = make_world(def);
-    for (int i = 0; i < h->count; i++) {
+    for (int i = 0; i < h->count && !h->joined; i++) {
         add_placed(world, h, &h->shapes[i], h->angles[i], false);
+    }
+    if (h->joined) {
+        add_joined(world, h);
     }
     if (h->vertices) {
         thud_pos points[VERTICES];
@@ -319,10 +348,11 @@ static void describe(const heap *h, const outcome *o)
     }
     const thud_placed *b = &h->body;
     print_message("  body: kind %d at %.9g, %.9g half %.9g, %.9g angle %.9g speed %.9g scale %g "
-                  "friction %g %s\n  ends at %.9g, %.9g: overlap %g, inside %g, speed %g, nearest "
+                  "friction %g %s %s%s\n  ends at %.9g, %.9g: overlap %g, inside %g, speed %g, nearest "
                   "%g, energy %g\n",
                   (int)b->kind, b->x, b->y, b->hx, b->hy, h->body_angle, h->speed, h->scale,
-                  (double)h->friction, thud_detection_name(h->detection), o->x, o->y, o->overlap,
+                  (double)h->friction, thud_detection_name(h->detection),
+                  h->quality->islands ? "direct" : "soft", h->joined ? " joined" : "", o->x, o->y, o->overlap,
                   o->inside, o->speed, o->nearest, o->energy);
 }
 
