@@ -9,7 +9,7 @@ static bool meet(const td_approach *p, double *time)
         thud_terrain_time_of_impact(&p->ground, &p->a, p->motion_a, p->target, &hit, time);
     } else {
         td_time_of_near_impact(&p->a, p->motion_a, &p->b, p->motion_b, p->target, p->tolerance,
-                               &hit, time);
+                               td_time_across_faces, &hit, time);
     }
     return hit;
 }

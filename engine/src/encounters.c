@@ -5,11 +5,30 @@
 #include "placed.h"
 #include "shape.h"
 
+/* Of two that stray each may find the other. */
+static bool is_listed(const thud_world *w, int shape_a, int shape_b)
+{
+    int slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
+    int e = slot > 0 ? td_flight_at(w, slot)->extras : TD_NONE;
+    while (e != TD_NONE) {
+        const td_encounter *extra = td_at(&w->scratch.encounters, e / 2);
+        if ((extra->shape[0] == shape_a && extra->shape[1] == shape_b) ||
+            (extra->shape[0] == shape_b && extra->shape[1] == shape_a)) {
+            break;
+        }
+        e = extra->next[e & 1];
+    }
+    return e != TD_NONE;
+}
+
 /* False when memory is short; what strays is then held. */
 static bool add_extra(thud_world *w, int shape_a, int shape_b)
 {
     td_array *extras = &w->scratch.encounters;
     int number = w->contacts.count + extras->count, index = extras->count;
+    if (is_listed(w, shape_a, shape_b)) {
+        return true;
+    }
     if (!td_array_reserve(&w->memory, extras, index + 1) ||
         !td_agenda_reserve(&w->memory, &w->scratch.agenda, number + 1)) {
         return false;
@@ -49,6 +68,14 @@ static const td_bounds *bounds_at_start(const thud_world *w, int shape)
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
 }
 
+/* Some see to it that the two do not pass each other. */
+static bool is_looked_at(const thud_world *w, int shape, int other)
+{
+    const td_shape *a = td_shape_at(w, shape), *b = td_shape_at(w, other);
+    return !((a->flags | b->flags) & TD_SHAPE_HOLLOW) && td_pair_allowed(w, shape, other) &&
+           td_detection_of(w, a->body, b->body)->meet;
+}
+
 /* In the order of shapes: each broadphase has its own. */
 static bool add_found(thud_world *w, int shape, const td_bounds *ahead)
 {
@@ -56,13 +83,9 @@ static bool add_found(thud_world *w, int shape, const td_bounds *ahead)
     td_sort_ints(&w->scratch.hits);
     for (int i = 0; i < hits->count; i++) {
         int other = *(int *)td_at(hits, i);
-        if (td_bounds_overlap(bounds_at_start(w, shape), bounds_at_start(w, other)) ||
-            !td_bounds_overlap(ahead, bounds_at_start(w, other)) ||
-            ((td_shape_at(w, other)->flags | td_shape_at(w, shape)->flags) & TD_SHAPE_HOLLOW) ||
-            !td_pair_allowed(w, shape, other)) {
-            continue;
-        }
-        if (!add_extra(w, shape, other)) {
+        if (!td_bounds_overlap(bounds_at_start(w, shape), bounds_at_start(w, other)) &&
+            td_bounds_overlap(ahead, bounds_at_start(w, other)) && is_looked_at(w, shape, other) &&
+            !add_extra(w, shape, other)) {
             return false;
         }
     }
@@ -70,47 +93,57 @@ static bool add_found(thud_world *w, int shape, const td_bounds *ahead)
 }
 
 /* Others who strayed are not where the grids believe. */
-static bool add_strays(thud_world *w, int shape, const td_bounds *ahead)
+static bool add_strays(thud_world *w, int shape, const td_bounds *ahead, bool chose)
 {
     const td_array *strays = &w->scratch.strays;
     for (int i = 0; i < strays->count; i++) {
-        const td_flight *f = td_flight_at(w, *(int *)td_at(strays, i));
-        int other = td_body_at(w, f->body)->first_shape;
-        for (; other != TD_NONE; other = td_shape_at(w, other)->next) {
-            td_bounds b = bounds_ahead(w, f, other);
-            if (td_bounds_overlap(ahead, &b) &&
-                !((td_shape_at(w, other)->flags | td_shape_at(w, shape)->flags) &
-                  TD_SHAPE_HOLLOW) &&
-                td_pair_allowed(w, shape, other) && !add_extra(w, shape, other)) {
-                return false;
-            }
+        const td_stray *s = td_at(strays, i);
+        if ((chose || s->chose) && td_bounds_overlap(ahead, &s->ahead) &&
+            !td_bounds_overlap(bounds_at_start(w, shape), bounds_at_start(w, s->shape)) &&
+            is_looked_at(w, shape, s->shape) && !add_extra(w, shape, s->shape)) {
+            return false;
         }
     }
+    return true;
+}
+
+static bool note_stray(thud_world *w, td_flight *f, int shape, const td_bounds *ahead, bool chose)
+{
+    td_array *strays = &w->scratch.strays;
+    int i = f->strays;
+    while (i != TD_NONE && ((td_stray *)td_at(strays, i))->shape != shape) {
+        i = ((td_stray *)td_at(strays, i))->next;
+    }
+    if (i == TD_NONE) {
+        if (!td_array_reserve(&w->memory, strays, strays->count + 1)) {
+            return false;
+        }
+        i = strays->count++;
+        *(td_stray *)td_at(strays, i) = (td_stray){.shape = shape, .next = f->strays, .chose = chose};
+        f->strays = i;
+    }
+    ((td_stray *)td_at(strays, i))->ahead = *ahead;
     return true;
 }
 
 bool td_encounters_around(thud_world *w, td_flight *f)
 {
     td_find_fn *find = w->def.broadphase->find[w->wide];
-    int slot = td_body_at(w, f->body)->awake, i = td_body_at(w, f->body)->first_shape;
-    bool strays = false;
-    for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
+    const td_body *body = td_body_at(w, f->body);
+    bool chose = body->kind == THUD_DYNAMIC && body->detection->meet;
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_bounds ahead = bounds_ahead(w, f, i);
         if (td_bounds_contain(bounds_at_start(w, i), &ahead) ||
             (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
             continue;
         }
         w->scratch.hits.count = 0;
-        strays = true;
         if (!find(&w->awake_shapes, &w->memory, &ahead, f->place, &w->scratch.hits) ||
             !find(&w->rest_shapes, &w->memory, &ahead, f->place, &w->scratch.hits) ||
-            !add_found(w, i, &ahead) || !add_strays(w, i, &ahead)) {
+            !add_found(w, i, &ahead) || !add_strays(w, i, &ahead, chose) ||
+            !note_stray(w, f, i, &ahead, chose)) {
             return false;
         }
-    }
-    if (strays && !f->strays) {
-        f->strays = true;
-        td_push_int(&w->scratch.strays, slot);
     }
     return true;
 }
@@ -134,10 +167,14 @@ bool td_encounters_on_ground(thud_world *w, const td_flight *f)
     return true;
 }
 
-bool td_flight_is_unexpected(const thud_world *w, int body)
+/* A turn may take corners out of the bounds of both ends. */
+bool td_flight_is_unexpected(const thud_world *w, const td_flight *f)
 {
-    int i = td_body_at(w, body)->first_shape;
-    while (i != TD_NONE && !(*td_marks_at(w, i) & TD_MARK_MOVED)) {
+    const td_body *body = td_body_at(w, f->body);
+    double out = 0.125 * (double)body->rim * f->motion[2] * f->motion[2];
+    int i = body->first_shape;
+    bool turns = !body->aabbs && out > (double)(TD_MARGIN * w->unit);
+    while (i != TD_NONE && !turns && !(*td_marks_at(w, i) & TD_MARK_MOVED)) {
         i = td_shape_at(w, i)->next;
     }
     return i != TD_NONE;

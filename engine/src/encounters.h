@@ -9,7 +9,7 @@
 bool td_encounters_on_ground(thud_world *w, const td_flight *flight);
 /* A body that leaves the bounds that the broadphase knew looks for what else it may meet. */
 bool td_encounters_around(thud_world *w, td_flight *flight);
-/* Whether the solver's motion took the body out of those bounds. */
-bool td_flight_is_unexpected(const thud_world *w, int body);
+/* Whether the solver's motion may have taken the body out of those bounds. */
+bool td_flight_is_unexpected(const thud_world *w, const td_flight *flight);
 
 #endif

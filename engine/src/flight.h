@@ -19,8 +19,15 @@ typedef struct td_flight {
     bool borne;       /* contacts pushed it in the step before */
     bool changed;     /* its way is no more the one that finish.c took */
     bool held;        /* stays where it is for the rest of the step */
-    bool strays;      /* may leave the bounds that its shapes had at the start */
+    int32_t strays;   /* first of its shapes in scratch.strays, or TD_NONE */
 } td_flight;
+
+/* A shape that may leave the bounds that it had at the start of the step. */
+typedef struct td_stray {
+    td_bounds ahead; /* of the rest of its way */
+    int32_t shape, next; /* of the same body */
+    bool chose;      /* its body's own detection looks for what it meets */
+} td_stray;
 
 /* Two shapes that may meet; a terrain comes first. Numbers below w->contacts.count are contacts',
  * the others extra ones': of terrain, and of bodies that strayed from where they were expected. */

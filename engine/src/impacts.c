@@ -66,6 +66,13 @@ static bool gives_way(const thud_world *w, int body)
     return b->kind == THUD_DYNAMIC && b->awake > 0 && !td_flight_at(w, b->awake)->held;
 }
 
+/* In this step. */
+static bool has_met(const thud_world *w, int body)
+{
+    const td_body *b = td_body_at(w, body);
+    return b->awake > 0 && td_flight_at(w, b->awake)->impacts > 0;
+}
+
 /* When the two meet after `now`, or are to be looked at again; false where that is not in this step. */
 static bool meets_after(thud_world *w, const td_encounter *e, const thud_detection *detection,
                         double now, bool *hit, double *time)
@@ -92,8 +99,8 @@ static bool meets_after(thud_world *w, const td_encounter *e, const thud_detecti
             *time = *hit ? now : until;
             return *hit || until < 1.0;
         }
-        approach.target =
-            approach.distance - (approach.distance > 0.0 ? NOTHING : PRESSED) * unit;
+        bool pressed = approach.distance <= 0.0 && !has_met(w, e->body[0]) && !has_met(w, e->body[1]);
+        approach.target = approach.distance - (pressed ? PRESSED : NOTHING) * unit;
         approach.tolerance = 0.1 * NOTHING * unit;
     }
     double part;
@@ -262,6 +269,7 @@ static void take_off(thud_world *w, int slot)
         .angle = pose->angle - td_angle_between(delta[2]),
         .body = index,
         .extras = TD_NONE,
+        .strays = TD_NONE,
         .motion = {(double)delta[0] - 0.5 * f.fall[0], (double)delta[1] - 0.5 * f.fall[1],
                    (double)delta[2]},
         .fall = {f.fall[0], f.fall[1]},
@@ -320,14 +328,13 @@ static void schedule_everything(thud_world *w)
     }
     for (int slot = 1; slot < w->body_of.count; slot++) {
         td_flight *f = td_flight_at(w, slot);
-        if (!takes_part(w, slot)) {
-            continue;
-        }
-        bool strays = td_flight_is_unexpected(w, f->body);
-        if (!td_encounters_on_ground(w, f) || (strays && !td_encounters_around(w, f))) {
+        bool own = takes_part(w, slot), strays = td_flight_is_unexpected(w, f);
+        if ((own && !td_encounters_on_ground(w, f)) || (strays && !td_encounters_around(w, f))) {
             hold(w, f);
         }
-        count_unsafe(w, slot);
+        if (own) {
+            count_unsafe(w, slot);
+        }
     }
     for (int i = 0; i < w->contacts.count; i++) {
         td_contact *contact = td_contact_at(w, i);

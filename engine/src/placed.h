@@ -71,14 +71,18 @@ void td_closest(const thud_placed *a, const thud_placed *b, thud_closest *out);
 /* toi.c: as thud_shapes_time_of_impact, likewise. */
 void td_time_of_impact(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
                        thud_motion motion_b, double target, bool *hit, double *time);
-/* The same with a target that may be negative, where they overlap, and of which turning shapes may
- * stop `tolerance` short, which saves jumps. */
-void td_time_of_near_impact(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
-                            thud_motion motion_b, double target, double tolerance, bool *hit,
-                            double *time);
 /* For how long nothing can come across a direction, in which the two are apart by more than the
  * target; more than 1 where that is longer than the motions. */
-double td_time_across(const thud_placed *a, const thud_motion *motion_a, const thud_placed *b,
-                      const thud_motion *motion_b, double nx, double ny, double target);
+typedef double td_jump_fn(const thud_placed *a, const thud_motion *motion_a, const thud_placed *b,
+                          const thud_motion *motion_b, double nx, double ny, double target);
+td_jump_fn td_time_across;
+/* The same, but longer where a turning box's face goes on keeping them apart: pays for what slides on. */
+td_jump_fn td_time_across_faces;
+
+/* As td_time_of_impact with a target that may be negative, where they overlap, and of which turning
+ * shapes may stop `tolerance` short, which saves jumps. */
+void td_time_of_near_impact(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
+                            thud_motion motion_b, double target, double tolerance,
+                            td_jump_fn *jump, bool *hit, double *time);
 
 #endif

@@ -45,12 +45,9 @@ bool td_is_ground(const thud_world *w, int shape)
            !(td_body_at(w, s->body)->flags & TD_BODY_DISABLED);
 }
 
-thud_placed td_seam_place(const td_seam *s, int neighbour)
+thud_placed td_seam_own_place(const td_seam *s, int neighbour)
 {
     const td_shape *n = td_shape_at(s->w, neighbour), *first = td_shape_at(s->w, s->shape);
-    if (!s->moves) {
-        return td_shape_placed(s->w, neighbour, s->origin);
-    }
     return (thud_placed){.kind = (thud_shape_kind)n->kind,
                          .x = (double)(n->x - first->x),
                          .y = (double)(n->y - first->y),

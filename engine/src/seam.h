@@ -4,7 +4,7 @@
 #define TD_SEAM_H
 
 #include "placed.h"
-#include "world.h"
+#include "shape.h"
 
 /* In length scales: neighbours may be so far apart or overlap so much. What lies twice as far outside
  * a face is looked at to see whether it is covered: a neighbour's face in line with it does not reach
@@ -31,7 +31,13 @@ td_seam td_seam_between(thud_world *w, int shape, int other, const thud_placed *
 /* A static shape that others meet. */
 bool td_is_ground(const thud_world *w, int shape);
 
-thud_placed td_seam_place(const td_seam *s, int neighbour);
+/* Another shape of the same body. */
+thud_placed td_seam_own_place(const td_seam *s, int neighbour);
+
+static inline thud_placed td_seam_place(const td_seam *s, int neighbour)
+{
+    return s->moves ? td_seam_own_place(s, neighbour) : td_shape_placed(s->w, neighbour, s->origin);
+}
 
 /* Whether the ground of a neighbour, `slack` thicker, holds a point. */
 bool td_seam_holds(const td_seam *s, int neighbour, double x, double y, double slack);

@@ -247,20 +247,13 @@ bool td_seams_lose(thud_world *w, int body)
     return true;
 }
 
-static bool note_own(const td_seam *s, int neighbour, void *context)
-{
-    (void)context;
-    note_box(s, s->shape, &s->a, neighbour);
-    return false;
-}
-
 void td_seams_join(thud_world *w, int body)
 {
     const td_body *b = td_body_at(w, body);
     for (int i = b->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_seam s = td_seam_of(w, i, TD_NONE);
         bool box = s.a.kind == THUD_AABB || s.a.kind == THUD_OBB;
-        if (box && !(td_shape_at(w, i)->flags & TD_SHAPE_SENSOR)) {
+        if (box && !(td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
             set(w, i, 0, 0);
             td_seam_any(&s, &s.a, note_own, NULL);
         }

@@ -152,31 +152,48 @@ static bool looks_out(const thud_placed *box, double nx, double ny)
 }
 
 /* Either shape may be the one that has neighbours. */
-static bool pair_is_ghost(double nx, double ny, void *context)
+typedef struct sides {
+    const td_seam_pair *pair;
+    int count;
+    td_seam seam[2];
+    double sign[2]; /* of a normal as the side sees it */
+} sides;
+
+static sides sides_of(const td_seam_pair *p)
 {
-    const td_seam_pair *p = context;
-    bool both = td_shape_at(p->w, p->shape[0])->seams && td_shape_at(p->w, p->shape[1])->seams;
-    bool face = both && (looks_out(&p->placed[0], nx, ny) || looks_out(&p->placed[1], nx, ny));
-    for (int side = 0; side < 2; side++) {
-        const td_shape *shape = td_shape_at(p->w, p->shape[side]);
+    sides s = {.pair = p};
+    for (int i = 0; i < 2; i++) {
+        const td_shape *shape = td_shape_at(p->w, p->shape[i]);
         if (shape->seams && shape->kind != THUD_TERRAIN) {
-            td_seam s = td_seam_between(p->w, p->shape[side], p->shape[!side], &p->placed[side],
-                                        &p->placed[!side]);
-            double sign = side ? -1.0 : 1.0, x = sign * nx, y = sign * ny;
-            if (s.moves) {
-                td_to_frame(&(thud_placed){.c = s.c, .s = s.s}, x, y, &x, &y);
-            }
-            if (is_ghost(&s, x, y, face ? NEARLY_STRAIGHT : STRAIGHT)) {
-                return true;
-            }
+            s.seam[s.count] = td_seam_between(p->w, p->shape[i], p->shape[!i], &p->placed[i],
+                                              &p->placed[!i]);
+            s.sign[s.count++] = i ? -1.0 : 1.0;
         }
     }
-    return false;
+    return s;
+}
+
+static bool is_hidden(double nx, double ny, void *context)
+{
+    const sides *s = context;
+    const thud_placed *placed = s->pair->placed;
+    bool face = s->count > 1 && (looks_out(&placed[0], nx, ny) || looks_out(&placed[1], nx, ny));
+    bool hidden = false;
+    for (int i = 0; i < s->count && !hidden; i++) {
+        const td_seam *seam = &s->seam[i];
+        double x = s->sign[i] * nx, y = s->sign[i] * ny;
+        if (seam->moves) {
+            td_to_frame(&(thud_placed){.c = seam->c, .s = seam->s}, x, y, &x, &y);
+        }
+        hidden = is_ghost(seam, x, y, face ? NEARLY_STRAIGHT : STRAIGHT);
+    }
+    return hidden;
 }
 
 static bool is_ghost_of(const td_seam_pair *p, double nx, double ny)
 {
-    return pair_is_ghost(nx, ny, (void *)p);
+    sides s = sides_of(p);
+    return is_hidden(nx, ny, &s);
 }
 
 /* ---- amending a lane ---- */
@@ -298,9 +315,9 @@ static void hand_over(thud_world *w, td_block *block, int kind, int lane)
 static bool contact_of(const td_seam_pair *p, td_seam_contact *contact)
 {
     const thud_placed *a = &p->placed[0], *b = &p->placed[1];
+    sides s = sides_of(p);
     return a->kind != THUD_CIRCLE && b->kind != THUD_CIRCLE &&
-           td_seam_boxes(a, b, (double)(TD_SPECULATIVE * p->w->unit), pair_is_ghost, (void *)p,
-                         contact);
+           td_seam_boxes(a, b, (double)(TD_SPECULATIVE * p->w->unit), is_hidden, &s, contact);
 }
 
 static void amend_lane(thud_world *w, td_block *block, int kind, int lane)

@@ -2,7 +2,8 @@
  * in closed form. Turning ones meet by conservative advancement (Mirtich 1996): in the direction of
  * the present closest features the shapes cannot meet before the first corner has come across, so
  * time may safely jump to there. A turning corner's way is bounded by its Taylor polynomial, with
- * the second derivative at its largest: near the impact each jump squares what is left. */
+ * the second derivative at its largest: near the impact each jump squares what is left. A turning box's
+ * own faces are tried as well: what touches a long one stays apart from it for longer. */
 #include "minkowski.h"
 
 /* Shapes that turn close by each other for long need many; most need less than ten. */
@@ -96,6 +97,53 @@ double td_time_across(const thud_placed *a, const thud_motion *ma, const thud_pl
     return circles > 0.0 ? td_max_double(corners, time_to_close(circles, closing, 0.0)) : corners;
 }
 
+/* The same of that face of a box from which the other shape is furthest, and which turns with the box:
+ * it is not crossed by its own far corner. In the box's frame a corner of the other is at R(-turn t)
+ * (from + way t) + R((other turn - turn) t) corner, which bounds the second derivative. */
+static double time_across_face(const thud_placed *box, const thud_motion *m, const thud_placed *other,
+                               const thud_motion *mo, double target)
+{
+    double x = other->x - box->x, y = other->y - box->y, vx = mo->dx - m->dx, vy = mo->dy - m->dy;
+    double twist = (other->kind == THUD_OBB ? mo->turn : 0.0) - m->turn, apart = 0.0, nx = 0.0, ny = 0.0;
+    corner corners[4];
+    for (int i = 0; i < 2; i++) {
+        double ax = i ? -box->s : box->c, ay = i ? box->c : box->s, along = x * ax + y * ay;
+        double sign = along < 0.0 ? -1.0 : 1.0, far = sign * along - (i ? box->hy : box->hx) - target;
+        corners_along(other, 0.0, ax, ay, corners);
+        if (far - corners[0].along > apart) {
+            apart = far - corners[0].along, nx = sign * ax, ny = sign * ay;
+        }
+    }
+    if (apart == 0.0) {
+        return 0.0;
+    }
+    double way = __builtin_sqrt(vx * vx + vy * vy), from = __builtin_sqrt(x * x + y * y);
+    double turn = td_abs(m->turn), radius = other->kind == THUD_CIRCLE ? 0.0 : radius_of(other);
+    double bend = 0.5 * (turn * (turn * (from + way) + 2.0 * way) + twist * twist * radius);
+    double closing = m->turn * (x * ny - y * nx) - vx * nx - vy * ny, time = 2.0;
+    corners_along(other, 0.0, nx, ny, corners);
+    double nearest = corners[0].along;
+    int count = corners_along(other, twist, -nx, -ny, corners);
+    for (int i = 0; i < count; i++) {
+        double gap = apart + nearest - corners[i].along;
+        time = td_min_double(time, time_to_close(gap, closing + corners[i].speed, bend));
+    }
+    return time;
+}
+
+double td_time_across_faces(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
+                            const thud_motion *mb, double nx, double ny, double target)
+{
+    double time = td_time_across(a, ma, b, mb, nx, ny, target);
+    if (turns(a, ma)) {
+        time = td_max_double(time, time_across_face(a, ma, b, mb, target));
+    }
+    if (turns(b, mb)) {
+        time = td_max_double(time, time_across_face(b, mb, a, ma, target));
+    }
+    return time;
+}
+
 /* The distance at which shapes count as met: far below what anyone sees, above the rounding of
  * their places. */
 static double tolerance_of(const thud_placed *a, const thud_motion *ma, const thud_placed *b,
@@ -106,8 +154,8 @@ static double tolerance_of(const thud_placed *a, const thud_motion *ma, const th
 }
 
 void td_time_of_near_impact(const thud_placed *a, thud_motion ma, const thud_placed *b,
-                            thud_motion mb, double target, double tolerance, bool *hit,
-                            double *time)
+                            thud_motion mb, double target, double tolerance, td_jump_fn *jump,
+                            bool *hit, double *time)
 {
     if (!turns(a, &ma) && !turns(b, &mb) && target >= 0.0) {
         translating(a, &ma, b, &mb, target, hit, time);
@@ -129,7 +177,7 @@ void td_time_of_near_impact(const thud_placed *a, thud_motion ma, const thud_pla
         if (closest.distance - target <= tolerance) {
             break;
         }
-        t += td_time_across(&pa, &ma, &pb, &mb, closest.nx, closest.ny, target);
+        t += jump(&pa, &ma, &pb, &mb, closest.nx, closest.ny, target);
         if (t > 1.0) {
             return;
         }
@@ -142,7 +190,7 @@ void td_time_of_near_impact(const thud_placed *a, thud_motion ma, const thud_pla
 void td_time_of_impact(const thud_placed *a, thud_motion ma, const thud_placed *b, thud_motion mb,
                        double target, bool *hit, double *time)
 {
-    td_time_of_near_impact(a, ma, b, mb, target, 0.0, hit, time);
+    td_time_of_near_impact(a, ma, b, mb, target, 0.0, td_time_across, hit, time);
 }
 
 thud_result thud_shapes_time_of_impact(const thud_placed *a, thud_motion motion_a,

@@ -154,7 +154,7 @@ static const struct {
     ARRAY(scratch.lane_bins, int),
     ARRAY(scratch.flights, td_flight),
     ARRAY(scratch.encounters, td_encounter),
-    ARRAY(scratch.strays, int),
+    ARRAY(scratch.strays, td_stray),
     ARRAY(scratch.impacts, td_impact),
     ARRAY(scratch.test_list, td_block *),
     ARRAY(scratch.fast, int),

@@ -261,7 +261,7 @@ struct thud_world {
         td_agenda agenda;     /* of the encounters that are going to meet */
         td_array flights;     /* td_flight, by awake slot */
         td_array encounters;  /* td_encounter: the extra ones */
-        td_array strays;      /* int: awake slots */
+        td_array strays;      /* td_stray */
         td_array impacts;     /* td_impact */
         td_array odd;         /* int: awake slots that the wide part of finish leaves over */
         td_array order;       /* while a population is put into its order */
