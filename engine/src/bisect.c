@@ -95,6 +95,15 @@ static double thickness(const thud_placed *shape)
     return 2.0 * least;
 }
 
+/* No point of it goes further by turning. Where it turns about its own middle, only what is further out
+ * than both are thick, by halves, can go through the middle of another. */
+static double swing(const thud_placed *shape, thud_motion m, const thud_placed *other)
+{
+    double radius = __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
+    bool far = radius > 0.5 * (thickness(shape) + thickness(other));
+    return shape->kind == THUD_OBB && far ? td_abs(m.turn) * radius : 0.0;
+}
+
 bool thud_motion_is_bisectable(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
                                thud_motion motion_b)
 {
@@ -104,5 +113,6 @@ bool thud_motion_is_bisectable(const thud_placed *a, thud_motion motion_a, const
     }
     double x = motion_a.dx - motion_b.dx, y = motion_a.dy - motion_b.dy;
     double least = thickness(a) < thickness(b) ? thickness(a) : thickness(b);
-    return x * x + y * y < least * least;
+    double left = least - swing(a, motion_a, b) - swing(b, motion_b, a);
+    return left > 0.0 && x * x + y * y < left * left;
 }

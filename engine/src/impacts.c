@@ -18,6 +18,7 @@
 #include "shape.h"
 #include "step.h"
 #include "surface.h"
+#include "unbisectable.h"
 
 /* In multiples of TD_MEET: nearer than this shapes touch; so little motion into each other is none;
  * and so much of it in a step is left to the contact solver where load has pressed them together. */
@@ -308,16 +309,6 @@ static void expect(thud_world *w, int slot)
     }
 }
 
-/* Bodies that moved further than the thinnest shape is thick may have passed through it unseen. */
-static void count_unsafe(thud_world *w, int slot)
-{
-    const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
-    const float *delta = td_row(&w->delta, slot);
-    float least = td_thinnest(w);
-    w->stats.unbisectable += body->detection->rank == TD_RANK_BISECT &&
-                             delta[0] * delta[0] + delta[1] * delta[1] >= least * least;
-}
-
 /* Everything that may meet, from the start of the step. */
 static void schedule_everything(thud_world *w)
 {
@@ -332,9 +323,7 @@ static void schedule_everything(thud_world *w)
         if ((own && !td_encounters_on_ground(w, f)) || (strays && !td_encounters_around(w, f))) {
             hold(w, f);
         }
-        if (own) {
-            count_unsafe(w, slot);
-        }
+        w->stats.unbisectable += td_is_unbisectable(w, slot);
     }
     for (int i = 0; i < w->contacts.count; i++) {
         td_contact *contact = td_contact_at(w, i);

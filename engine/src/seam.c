@@ -119,7 +119,7 @@ static bool any_of_body(const td_seam *s, const thud_placed *where, td_neighbour
     for (; n != TD_NONE; n = td_shape_at(s->w, n)->next) {
         thud_placed p = td_seam_place(s, n);
         double reach = near + td_reach(&p);
-        int flags = td_shape_at(s->w, n)->flags & (TD_SHAPE_LIVE | TD_SHAPE_SENSOR);
+        int flags = td_shape_at(s->w, n)->flags & (TD_SHAPE_LIVE | TD_SHAPE_HOLLOW);
         if (td_abs(p.x - where->x) <= reach && td_abs(p.y - where->y) <= reach &&
             flags == TD_SHAPE_LIVE && asks(s, n, fn, context)) {
             return true;

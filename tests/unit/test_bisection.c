@@ -45,6 +45,20 @@ static void bisection_does_not_see_a_wall_that_was_passed_through(void **state)
     assert_true(thud_motion_is_bisectable(&ball, fast, &wall, fast));
 }
 
+/* A bar's end moves by its half length a radian. */
+static void turn_counts_for_what_is_bisectable(void **state)
+{
+    (void)state;
+    thud_placed bar = {.kind = THUD_OBB, .c = 1.0, .hx = 3.0, .hy = 4.0}, upright = bar;
+    upright.kind = THUD_AABB;
+    thud_placed disc = {.kind = THUD_CIRCLE, .x = 9.0, .c = 1.0, .hx = 0.5};
+    assert_true(thud_motion_is_bisectable(&disc, still, &bar, (thud_motion){0, 0, 0.199}));
+    assert_false(thud_motion_is_bisectable(&disc, still, &bar, (thud_motion){0, 0, -0.201}));
+    assert_false(thud_motion_is_bisectable(&bar, (thud_motion){0.5, 0, 0.101}, &disc, still));
+    assert_true(thud_motion_is_bisectable(&bar, (thud_motion){0.5, 0, 0.099}, &disc, still));
+    assert_true(thud_motion_is_bisectable(&disc, (thud_motion){0, 0, 9}, &upright, still));
+}
+
 static void bisection_of_shapes_that_overlap_at_the_start_is_no_collision(void **state)
 {
     (void)state;
@@ -109,6 +123,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bisection_stops_before_a_wall_by_no_more_than_its_tolerance),
         cmocka_unit_test(bisection_does_not_see_a_wall_that_was_passed_through),
+        cmocka_unit_test(turn_counts_for_what_is_bisectable),
         cmocka_unit_test(bisection_of_shapes_that_overlap_at_the_start_is_no_collision),
         cmocka_unit_test(bisection_of_a_turning_bar_is_when_its_end_comes_down),
         cmocka_unit_test(bisection_refuses_bad_input_and_leaves_the_answers),

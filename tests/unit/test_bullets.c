@@ -107,11 +107,32 @@ static void what_is_not_swept_itself_passes_no_swept_body(void **state)
     }
 }
 
+/* It meets the ball, or is counted; a ball that only spins is not. */
+static void bar_that_spins_past_a_bisected_ball_is_counted(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 40; i++) {
+        thud_world_def def = weightless();
+        def.detection = &thud_detection_bisect;
+        thud_world *world = make_world(def);
+        thud_body_id bar = add_body(world, i % 2 ? THUD_KINEMATIC : THUD_DYNAMIC, 0, 0, 0.05 * i);
+        add_shape(world, bar, 1, 0.1f, false, NULL);
+        OK(thud_body_set_velocity(world, bar, (thud_vec2){0, 0}, i < 20 ? 30 : 3));
+        thud_body_id ball = add_body(world, THUD_DYNAMIC, 0.8, 0.02 * i - 0.4, 0);
+        add_shape(world, ball, 0.1f, 0, false, NULL);
+        OK(thud_body_set_velocity(world, ball, (thud_vec2){0, 0}, 40));
+        run(world, 1);
+        assert_int_equal(thud_world_stats(world).unbisectable, i < 20);
+        thud_world_destroy(world);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bullets_at_light_walls_never_pass_nor_sink_in),
         cmocka_unit_test(what_is_not_swept_itself_passes_no_swept_body),
+        cmocka_unit_test(bar_that_spins_past_a_bisected_ball_is_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -334,8 +334,8 @@ typedef struct thud_stats {
     int impacts;                          /* collisions within the step, bisected or swept */
     int held_bodies;                      /* stopped before its end ... */
     double held_seconds;                  /* ... and the time that they lost, together */
-    int unbisectable;                     /* bisected bodies that moved further than the thinnest
-                                             shape is thick: they may have passed through it */
+    int unbisectable;                     /* bodies beyond the bisection limit, where any are bisected:
+                                             unless swept, they may have passed through something */
     int motion_pairs;                     /* pairs whose motions were looked at, ... */
     int motion_circles, motion_boxes, motion_exact; /* ... whose circles met, whose boxes, and whose
                                              time of collision was worked out */
@@ -343,8 +343,8 @@ typedef struct thud_stats {
 
 THUD_API thud_stats thud_world_stats(const thud_world *world);
 
-/* The speed from which on bisection may miss something: the thickness of the thinnest shape, terrain
- * left out, a time step; infinite without shapes. A scene whose bodies stay below it loses nothing. */
+/* The speed from which on bisection may miss something: the thickness of the thinnest shape, but for
+ * terrain, a time step; infinite without. Bodies below it, with what turning adds, miss nothing. */
 THUD_API thud_result thud_world_bisection_limit(thud_world *world, double *speed);
 
 /* What the last step got wrong, found as it was solved: costs nothing to ask. Of contacts that are

@@ -43,8 +43,8 @@ extern THUD_API const thud_detection thud_detection_overlap;
 extern THUD_API const thud_detection thud_detection_continuous;
 /* A pair that overlaps at the end of the step's motion is taken back to the time of its collision,
  * found by bisection, gets its new velocities there and moves on. Sees nothing that was passed
- * through: speed * time_step must stay below the smallest size, see thud_world_bisection_limit; the
- * statistics count who broke it. */
+ * through: speed * time_step, that of corners that turn too, must stay below the smallest size, see
+ * thud_world_bisection_limit; the statistics count who broke it. */
 extern THUD_API const thud_detection thud_detection_bisect;
 /* Bodies move forward to each of their times of impact, in the order of time, get new velocities
  * there and move on. Nothing passes through anything, and what is apart does not come to overlap; but

@@ -103,10 +103,11 @@ THUD_API thud_result thud_shapes_time_of_collision(const thud_placed *a, thud_mo
                                                    double tolerance, bool *collided, double *time);
 
 /* Whether a test at the end of the motions cannot miss that one shape went through the middle of
- * the other: they move by less, relative to each other, than the smaller of both is thick. Corners
- * that only graze each other can be missed all the same. False for invalid shapes. */
-THUD_API bool thud_motion_is_bisectable(const thud_placed *a, thud_motion motion_a,
-                                        const thud_placed *b, thud_motion motion_b);
+ * the other: they move by less, relative to each other and with what turning adds at their corners,
+ * than the smaller of both is thick. Corners that only graze each other can be missed all the same.
+ * False for invalid shapes. */
+bool thud_motion_is_bisectable(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
+                               thud_motion motion_b);
 
 /* ---- terrain ---- */
 
