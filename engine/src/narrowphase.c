@@ -391,11 +391,8 @@ bool td_narrowphase(thud_world *w)
     enum { PARTS = 5 };
     static bool (*const parts[PARTS])(thud_world *) = {find_meeting, begin_contacts, part_waiting,
                                                        collide_all, part_contacts};
-    while (w->narrowed < PARTS) {
-        if (!parts[w->narrowed](w)) {
-            return false;
-        }
+    while (w->narrowed < PARTS && parts[w->narrowed](w)) {
         w->narrowed++;
     }
-    return true;
+    return w->narrowed == PARTS;
 }

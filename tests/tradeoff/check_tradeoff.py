@@ -23,8 +23,9 @@ QUALITIES = ["draft", "default", "high", "exact", "soft 4", "soft 8", "soft 16",
 SUBSTEPS = ["1", "2", "4", "8", "16", "8 stiff", "16 stiff"]
 MEASURES = ["ms_median", "ms_mean", "ms_total", "penetration_worst", "penetration_mean",
             "energy_gained"]
-# Cases in which a finer quality still errs more than a coarser one.
-NOT_YET_MONOTONE = {"cradle"}
+# Cases in which a finer quality still errs more than a coarser one: a gas keeps all but some thousandths
+# of its energy at each, and which rare pair loses that is chance.
+NOT_YET_MONOTONE = {"gas"}
 
 
 def run(program, *words):
