@@ -42,16 +42,17 @@ const REFUSED = [
   ["readLevel", () => readLevel("ball", ballLevel(), { skips: true }), "skips", "skip"],
   [
     "buildLevel",
-    () => buildLevel(engine, readLevel("ball", ballLevel()), { detections: "swept" }),
+    async () => buildLevel(engine, await readLevel("ball", ballLevel()), { detections: "swept" }),
     "detections",
     "detection",
   ],
 ];
 
 for (const [call, act, name, nearest] of REFUSED)
-  test(`${call}_refuses_${name}_by_name_with_the_nearest_known_one`, () => {
+  test(`${call}_refuses_${name}_by_name_with_the_nearest_known_one`, async () => {
     const { bodies, shapes } = world.stats();
-    assert.throws(act, (error) => {
+    // What reads files answers later.
+    await assert.rejects(async () => act(), (error) => {
       assert.ok(error instanceof thud.ThudError, String(error));
       assert.equal(error.code, "invalid");
       const told = /no option is called "(.*)"; the nearest is "(.*)"/.exec(error.message) ?? [];
