@@ -171,9 +171,9 @@ test("clicked_body_stays_in_the_panel_until_it_is_let_go", async () => {
   assert.equal(await page.textContent(".inside section:not([hidden]) h3"), "No body");
   await page.mouse.click(ball.x, ball.y);
   await page.mouse.move(ball.x - 250, ball.y - 250);
-  await page.waitForSelector("text=Let it go");
+  await page.waitForSelector("text=Let go of it");
   assert.match(await page.textContent(".inside section:not([hidden]) h3"), /dynamic/);
-  await page.click("text=Let it go");
+  await page.click("text=Let go of it");
   assert.equal(await page.textContent(".inside section:not([hidden]) h3"), "No body");
   assert.deepEqual(errors, []);
   await close();
@@ -189,9 +189,9 @@ for (const [size, options] of SIZES)
     assert.match(await page.textContent(".inside section:not([hidden]) h3"), /Body \d+, dynamic/);
     if (options.hasTouch) {
       const { x, y, width, height } = await page.locator("#crosshair").boundingBox();
-      await page.click("text=Let it go");
+      await page.click("text=Let go of it");
       await page.touchscreen.tap(x + width / 2, y + height / 2);
-      await page.waitForSelector("text=Let it go");
+      await page.waitForSelector("text=Let go of it");
     }
     assert.deepEqual(errors, []);
     await close();
