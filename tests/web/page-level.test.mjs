@@ -46,6 +46,7 @@ test("map_that_is_dropped_with_its_files_runs", async () => {
     name: path.slice(path.indexOf("/") + 1),
     text: open(path).toString("utf8"),
   }));
+  await page.waitForSelector("[data-entry]", { state: "attached" });
   await page.evaluate((given) => {
     const dataTransfer = new DataTransfer();
     for (const { name, text } of given) dataTransfer.items.add(new File([text], name));

@@ -122,7 +122,9 @@ test("policy_of_a_new_build_replaces_the_former_one_in_firefox", async (t) => {
 
   await writeServiceWorker(folder);
   await page.goto(url + STANDING);
+  const again = page.waitForEvent("load");
   await page.getByRole("button", { name: /reload/i }).click();
+  await again; // nothing else may be gone to before
   await page.waitForFunction(() => caches.keys().then(({ length }) => length === 1));
   await page.goto(`${url}?scene=platformer_game`);
   await untilRunning(page);
