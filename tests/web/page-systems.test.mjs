@@ -140,8 +140,11 @@ for (const [size, options] of SIZES)
     // The view is 17 m high about (0.4, 0), or as wide as what moves; the upper pair's first shape
     // is at (-0.8, 4), its second one at (2.3, 6).
     const [top, bottom] = await page.evaluate(() => [
-      document.querySelector("#top").getBoundingClientRect().bottom + 8,
-      innerHeight - document.querySelector("#controls").getBoundingClientRect().top + 8,
+      // A first visitor's hint has its own room below the top.
+      Math.max(
+        ...["#top", "#hint"].map((id) => document.querySelector(id).getBoundingClientRect().bottom),
+      ) + 8,
+      innerHeight - document.querySelector("#bottom").getBoundingClientRect().top + 8,
     ]);
     const { width, height } = options.viewport;
     const scale = Math.min((height - top - bottom) / 17, (width - 32) / (2.2 * 1.9));
