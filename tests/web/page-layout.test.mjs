@@ -131,6 +131,30 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
     await close();
   });
 
+for (const [size, options, gliding] of [["desktop", DESKTOP, "hint"], ["phone", PHONE, "dock"]])
+  test(`view_on_a_${size}_is_that_of_the_${gliding}_at_rest_while_it_glides_in`, async () => {
+    const openGliding = async (seconds) => {
+      const { page } = await visitor.open(
+        `?scene=tall_stack&paused=1${gliding === "dock" ? "&panel=options" : ""}`,
+        options,
+        (opened) =>
+          opened.addInitScript((duration) => {
+            const style = new CSSStyleSheet();
+            style.replaceSync(`#hint, #dock { animation-duration: ${duration}s !important; }`);
+            document.adoptedStyleSheets = [style];
+          }, seconds),
+      );
+      await stepBy(page, 1);
+      await page.waitForSelector(`#${gliding}:not([hidden])`);
+      return page;
+    };
+    const [slow, resting] = [await openGliding(1000), await openGliding(0)];
+    const both = async () => [await drawn(slow), await drawn(resting)];
+    await until(both, ([a, b]) => a.count === b.count && a.y === b.y, "two pictures");
+    await slow.context().close();
+    await resting.context().close();
+  });
+
 test("hint_can_be_closed_and_games_show_none", async () => {
   const { page, close } = await visitor.open("?scene=platformer_game");
   await untilRunning(page);

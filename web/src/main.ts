@@ -320,15 +320,20 @@ function layOut(app: App, stage: Stage): void {
 /** What the controls leave free of the page. */
 function freeOf(): { top: number; right: number; bottom: number; left: number } {
   // A hint that is closed gives its room back with the next scene: nothing moves under a hand.
-  const [top] = ["top", "hint"]
-    .map((id) => byId(id).getBoundingClientRect().bottom)
-    .sort((a, b) => b - a);
-  const bottom = innerHeight - byId("bottom").getBoundingClientRect().top;
-  const dock = byId("dock").getBoundingClientRect();
+  const top = Math.max(atRest("top").bottom, atRest("hint").bottom);
+  const bottom = innerHeight - atRest("bottom").top;
+  const dock = atRest("dock");
   const free = { top: top + 8, right: 16, bottom: bottom + 8, left: 16 };
   if (dock.width === 0) return free;
   // Beside the scene where there is room, else a sheet over its lower part.
   if (dock.width < 0.6 * innerWidth) free.right = innerWidth - dock.left + 8;
   else free.bottom = innerHeight - dock.top + 8;
   return free;
+}
+
+/** Where an element will stand that may still be gliding into its place. */
+function atRest(id: string): DOMRect {
+  const { x, y, width, height } = byId(id).getBoundingClientRect();
+  const glide = new DOMMatrix(getComputedStyle(byId(id)).transform);
+  return new DOMRect(x - glide.e, y - glide.f, width, height);
 }
