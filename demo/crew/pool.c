@@ -89,6 +89,6 @@ void pool_destroy(pool *p) {
     free(p);
 }
 
-thud_crew pool_crew(pool *p) {
-    return p ? (thud_crew){run, p, p->workers} : (thud_crew){0};
+thud_job_system pool_job_system(pool *p) {
+    return p ? (thud_job_system){run, p, p->workers} : (thud_job_system){0};
 }

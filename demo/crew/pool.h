@@ -11,6 +11,6 @@ typedef struct pool pool;
 pool *pool_create(int workers);
 void pool_destroy(pool *p); /* null is fine */
 
-thud_crew pool_crew(pool *p); /* of null: the calling thread alone */
+thud_job_system pool_job_system(pool *p); /* of null: the calling thread alone */
 
 #endif

@@ -35,7 +35,7 @@ void character_start(character *c, session *s) {
     if (!c->present)
         return;
     double unit = from->length_scale;
-    c->mover = thud_default_mover((thud_placed){
+    c->mover = thud_default_mover((thud_shape_instance){
         .kind = THUD_AABB, .c = 1, .hx = HALF_WIDTH * unit, .hy = HALF_HEIGHT * unit});
     c->mover.push_force = PUSH * unit * unit * unit;
     c->mover.pass = thud_mover_passes_one_way;
@@ -91,7 +91,7 @@ static void turn_lift(thud_world *world, thud_body_id lift, thud_shape_id id, do
     if (thud_body_get(world, lift, &body) != THUD_OK ||
         thud_shape_get(world, id, &shape) != THUD_OK)
         return;
-    thud_placed placed = {.kind = shape.kind, .c = 1, .hx = (double)shape.half_extents.x,
+    thud_shape_instance placed = {.kind = shape.kind, .c = 1, .hx = (double)shape.half_extents.x,
                           .hy = (double)shape.half_extents.y};
     thud_query_filter filter = thud_default_query_filter();
     thud_ray_hit hits[16];

@@ -7,14 +7,14 @@
 
 /* The only shape of the body in a slot, where it stands; false where there is none. */
 static bool placed_at(const session *s, const thud_pose *poses, int count, int slot,
-                      thud_placed *out) {
+                      thud_shape_instance *out) {
     for (int i = 0; i < s->body_count && slot < count; i++) {
         const session_body *body = &s->bodies[i];
         if ((int)body->id.index1 - 1 != slot || body->shape_count != 1)
             continue;
         const session_shape *shape = &s->shapes[body->first_shape];
         const thud_pose *p = &poses[slot];
-        *out = (thud_placed){.kind = shape->kind,
+        *out = (thud_shape_instance){.kind = shape->kind,
                              .x = p->x + p->c * shape->offset.x - p->s * shape->offset.y,
                              .y = p->y + p->s * shape->offset.x + p->c * shape->offset.y,
                              .c = p->c * shape->c - p->s * shape->s,
@@ -26,7 +26,7 @@ static bool placed_at(const session *s, const thud_pose *poses, int count, int s
     return false;
 }
 
-static void draw_sum(canvas *c, const camera *view, const thud_placed *a, const thud_placed *b) {
+static void draw_sum(canvas *c, const camera *view, const thud_shape_instance *a, const thud_shape_instance *b) {
     sum_picture sum;
     if (!sum_picture_of(a, b, &sum))
         return;
@@ -50,7 +50,7 @@ void draw_sums(canvas *c, const camera *view, session *s) {
     int count = 0;
     const thud_pose *poses = thud_world_poses(s->world, view->center, s->alpha, &count);
     for (int i = 0; i < s->scene.sum_pairs; i++) {
-        thud_placed a, b;
+        thud_shape_instance a, b;
         if (placed_at(s, poses, count, 2 * i, &a) && placed_at(s, poses, count, 2 * i + 1, &b))
             draw_sum(c, view, &a, &b);
     }

@@ -233,7 +233,7 @@ bool session_pick(session *s, thud_pos at, double margin, thud_body_kind kind, t
     if (!s->world)
         return false;
     picking p = {.session = s, .at = at, .kind = kind};
-    thud_placed spot = {.kind = THUD_CIRCLE, .c = 1, .hx = margin};
+    thud_shape_instance spot = {.kind = THUD_CIRCLE, .c = 1, .hx = margin};
     thud_world_overlap_shape(s->world, at, &spot, NULL, pick_nearest, &p);
     if (p.found)
         *out = p.body;

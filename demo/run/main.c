@@ -87,7 +87,7 @@ static thud_world *build(const run_options *options, const scene *s, pool *threa
     def.sleeping = !options->no_sleeping;
     def.clock = seconds_now;
     def.log = log_to_stderr;
-    def.crew = pool_crew(threads);
+    def.job_system = pool_job_system(threads);
     thud_world *world;
     int failed_body;
     thud_result result = scene_build_thud(s, &def, &world, NULL, &failed_body);

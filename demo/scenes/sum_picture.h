@@ -15,6 +15,6 @@ typedef struct sum_picture {
 } sum_picture;
 
 /* False where a shape is a terrain or out of range. */
-bool sum_picture_of(const thud_placed *a, const thud_placed *b, sum_picture *out);
+bool sum_picture_of(const thud_shape_instance *a, const thud_shape_instance *b, sum_picture *out);
 
 #endif

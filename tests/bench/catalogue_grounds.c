@@ -29,7 +29,7 @@ static bool make_line(thud_terrain_kind kind, int count, double spacing, thud_te
 typedef struct ground_places {
     thud_terrain terrain;
     double length; /* of the line, or of what is looked at of an endless one */
-    thud_placed circles[PLACES], boxes[PLACES];
+    thud_shape_instance circles[PLACES], boxes[PLACES];
 } ground_places;
 
 static void make_places(ground_places *g) {
@@ -39,8 +39,8 @@ static void make_places(ground_places *g) {
         thud_terrain_sample sample = {0};
         thud_terrain_sample_at(&g->terrain, x, &sample);
         double y = sample.height + scene_random_range(&random, 0, 1);
-        g->circles[i] = (thud_placed){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
-        g->boxes[i] = (thud_placed){THUD_OBB, x, y, 0.8, 0.6, 0.5, 0.5};
+        g->circles[i] = (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
+        g->boxes[i] = (thud_shape_instance){THUD_OBB, x, y, 0.8, 0.6, 0.5, 0.5};
     }
 }
 
@@ -105,7 +105,7 @@ static double ray(const void *inputs, int count) {
 
 static double circle_impact(const void *inputs, int count) {
     FOR_EACH_PLACE(inputs, count) {
-        thud_placed shape = g->circles[i];
+        thud_shape_instance shape = g->circles[i];
         bool hit = false;
         double time = 0;
         shape.y += 2;

@@ -30,7 +30,7 @@ typedef struct looks {
     int count;
 } looks;
 
-static bool look(const scene *s, const way_world *w, thud_placed *shapes, bool *movable,
+static bool look(const scene *s, const way_world *w, thud_shape_instance *shapes, bool *movable,
                  looks *sum) {
     for (int i = 0; i < w->count; i++) {
         const scene_shape *shape = &s->shapes[s->bodies[i].first_shape];
@@ -38,7 +38,7 @@ static bool look(const scene *s, const way_world *w, thud_placed *shapes, bool *
         if (thud_body_get(w->world, w->bodies[i], &body) != THUD_OK)
             return false;
         double length = hypot(body.cosine, body.sine); /* 1 but for the rounding to floats */
-        shapes[i] = (thud_placed){
+        shapes[i] = (thud_shape_instance){
             .kind = shape->kind == SCENE_CIRCLE ? THUD_CIRCLE
                     : shape->kind == SCENE_AABB ? THUD_AABB
                                                 : THUD_OBB,
@@ -60,7 +60,7 @@ static bool look(const scene *s, const way_world *w, thud_placed *shapes, bool *
 
 static bool watch(const char *name, const scene *s, bool quick, looks *sum) {
     way_world w = {0};
-    thud_placed *shapes = calloc((size_t)s->body_count, sizeof *shapes);
+    thud_shape_instance *shapes = calloc((size_t)s->body_count, sizeof *shapes);
     bool *movable = calloc((size_t)s->body_count, sizeof *movable);
     bool ok = shapes && movable && way_open(&w, s, &thud_detection_continuous, CONTENDER_TIME_STEP);
     int looks_wanted = quick ? QUICK_LOOKS : LOOKS;

@@ -206,7 +206,7 @@ static bool walk(thud_world *world, thud_mover mover, int moves, double *ns) {
 static bool time_movers(bool quick, json *out) {
     const struct {
         const char *name;
-        thud_placed shape;
+        thud_shape_instance shape;
     } MOVERS[] = {
         {"circle", {.kind = THUD_CIRCLE, .x = 10, .y = 1, .c = 1, .hx = 0.4}},
         {"AABB", {.kind = THUD_AABB, .x = 10, .y = 1, .c = 1, .hx = 0.4, .hy = 0.9}},

@@ -10,7 +10,7 @@ enum { WORKERS = 2 };
 
 static const double LEAST_GAIN = 1.6;
 
-static pool *crew; /* of the pair that is being measured */
+static pool *job_system; /* of the pair that is being measured */
 
 static void fill(const char *name, bool with, scene *s, thud_world_def *def) {
     scene filled;
@@ -21,7 +21,7 @@ static void fill(const char *name, bool with, scene *s, thud_world_def *def) {
     scene_free(s);
     *s = filled;
     if (with)
-        def->crew = pool_crew(crew);
+        def->job_system = pool_job_system(job_system);
 }
 
 static void fill_pyramid(bool with, scene *s, thud_world_def *def) {
@@ -58,8 +58,8 @@ static bool compare_all(bool quick, json *out) {
 }
 
 bool lab_workers(bool quick, json *out) {
-    crew = pool_create(WORKERS);
-    if (!crew) {
+    job_system = pool_create(WORKERS);
+    if (!job_system) {
         fprintf(stderr, "thud-bench: no second thread to be had\n");
         return false;
     }
@@ -67,6 +67,6 @@ bool lab_workers(bool quick, json *out) {
     json_begin_array(out, "workers");
     bool ok = compare_all(quick, out);
     json_end(out);
-    pool_destroy(crew);
+    pool_destroy(job_system);
     return ok;
 }

@@ -25,7 +25,7 @@ static int passed(const wrapped *a, const wrapped *b) {
     return VOLUMES;
 }
 
-static bool wrap(const thud_placed *shape, wrapped *out) {
+static bool wrap(const thud_shape_instance *shape, wrapped *out) {
     for (int k = 0; k < VOLUMES; k++)
         if (thud_volume_around_shape(KINDS[k], shape, &out->volumes[k]) != THUD_OK)
             return false;
@@ -34,7 +34,7 @@ static bool wrap(const thud_placed *shape, wrapped *out) {
 
 /* The distance of two boxes along the direction that parts them most, of those of their sides: the
  * faces of their Minkowski sum. No more than the exact distance, which corners make larger. */
-static double distance_along_axes(const thud_placed *a, const thud_placed *b) {
+static double distance_along_axes(const thud_shape_instance *a, const thud_shape_instance *b) {
     thud_minkowski sum;
     double most = -INFINITY;
     if (thud_minkowski_sum(a, b, &sum) != THUD_OK)
@@ -46,7 +46,7 @@ static double distance_along_axes(const thud_placed *a, const thud_placed *b) {
     return most;
 }
 
-static void count_near(const thud_placed *a, const thud_placed *b, double margin, levels *sum) {
+static void count_near(const thud_shape_instance *a, const thud_shape_instance *b, double margin, levels *sum) {
     /* Corners that are a margin apart along both axes are further apart than one. */
     double reach = hypot(a->hx, a->hy) + hypot(b->hx, b->hy) + 2 * margin;
     thud_closest closest;
@@ -57,7 +57,7 @@ static void count_near(const thud_placed *a, const thud_placed *b, double margin
     sum->near += closest.distance < margin;
 }
 
-bool levels_count(const thud_placed *shapes, const bool *movable, int count, double margin,
+bool levels_count(const thud_shape_instance *shapes, const bool *movable, int count, double margin,
                   levels *sum) {
     wrapped *all = calloc((size_t)count + 1, sizeof *all);
     bool ok = all != NULL;

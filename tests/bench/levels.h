@@ -17,7 +17,7 @@ typedef struct levels {
 
 /* Adds one look at all pairs of the shapes. False for a shape that is not valid, or without
  * memory. */
-bool levels_count(const thud_placed *shapes, const bool *movable, int count, double margin,
+bool levels_count(const thud_shape_instance *shapes, const bool *movable, int count, double margin,
                   levels *sum);
 
 #endif

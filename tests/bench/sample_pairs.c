@@ -7,8 +7,8 @@
 
 static const double TURN = 6.28318530717959;
 
-static thud_placed random_shape(thud_shape_kind kind, scene_random *random) {
-    thud_placed shape = {.kind = kind, .c = 1};
+static thud_shape_instance random_shape(thud_shape_kind kind, scene_random *random) {
+    thud_shape_instance shape = {.kind = kind, .c = 1};
     shape.hx = scene_random_range(random, 0.2, 1);
     shape.hy = kind == THUD_CIRCLE ? 0 : scene_random_range(random, 0.2, 1);
     if (kind == THUD_OBB) {
@@ -19,7 +19,7 @@ static thud_placed random_shape(thud_shape_kind kind, scene_random *random) {
     return shape;
 }
 
-static void place(thud_placed *shape, double distance, scene_random *random) {
+static void place(thud_shape_instance *shape, double distance, scene_random *random) {
     double direction = scene_random_range(random, 0, TURN);
     shape->x = distance * cos(direction);
     shape->y = distance * sin(direction);
@@ -29,7 +29,7 @@ void sample_pairs_make(thud_shape_kind kind_a, thud_shape_kind kind_b, sample_pa
     scene_random random = {12};
     out->tolerance = 0x1p-10;
     for (int i = 0; i < SAMPLE_PAIRS; i++) {
-        thud_placed a = random_shape(kind_a, &random), b = random_shape(kind_b, &random);
+        thud_shape_instance a = random_shape(kind_a, &random), b = random_shape(kind_b, &random);
         double reach = hypot(a.hx, a.hy) + hypot(b.hx, b.hy);
         out->a[i] = a;
         place(&b, scene_random_range(&random, 0, 2) * reach, &random);
@@ -37,7 +37,7 @@ void sample_pairs_make(thud_shape_kind kind_a, thud_shape_kind kind_b, sample_pa
         place(&b, scene_random_range(&random, 1.5, 4) * reach, &random);
         out->far_b[i] = b;
         /* A place that the smaller extents of both still reach. */
-        thud_placed end = b;
+        thud_shape_instance end = b;
         place(&end, 0.3 * scene_random_range(&random, 0, 1), &random);
         out->motion[i] = (thud_motion){end.x - b.x, end.y - b.y,
                                        kind_b == THUD_OBB ? scene_random_range(&random, -1, 1) : 0};

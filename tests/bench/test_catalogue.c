@@ -17,18 +17,18 @@
 
 /* ---- levels ---- */
 
-static thud_placed circle(double x, double y, double radius) {
-    return (thud_placed){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = radius};
+static thud_shape_instance circle(double x, double y, double radius) {
+    return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = radius};
 }
 
 /* Turned by 45 degrees. */
-static thud_placed bar(double x, double y, double hx, double hy) {
+static thud_shape_instance bar(double x, double y, double hx, double hy) {
     double half = sqrt(0.5);
-    return (thud_placed){THUD_OBB, x, y, half, half, hx, hy};
+    return (thud_shape_instance){THUD_OBB, x, y, half, half, hx, hy};
 }
 
-static levels count_pair(thud_placed a, thud_placed b) {
-    thud_placed shapes[] = {a, b};
+static levels count_pair(thud_shape_instance a, thud_shape_instance b) {
+    thud_shape_instance shapes[] = {a, b};
     bool movable[] = {true, false};
     levels sum = {0};
     assert_true(levels_count(shapes, movable, 2, 0.02, &sum));
@@ -49,23 +49,23 @@ static void levels_count_a_pair_up_to_the_volume_that_parts_it(void **state) {
      * bars 0.6 apart, whose AABBs meet as well; two circles in whose squares the corners meet, so
      * that only the exact test parts them; and an overlap. */
     assert_levels(count_pair(circle(0, 0, 1), circle(9, 0, 1)), (levels){1, 0, 0, 0, 0, 0, 0});
-    assert_levels(count_pair((thud_placed){THUD_AABB, 0, 0, 1, 0, 2, 0.1},
-                             (thud_placed){THUD_AABB, 0, 1, 1, 0, 2, 0.1}),
+    assert_levels(count_pair((thud_shape_instance){THUD_AABB, 0, 0, 1, 0, 2, 0.1},
+                             (thud_shape_instance){THUD_AABB, 0, 1, 1, 0, 2, 0.1}),
                   (levels){1, 1, 0, 0, 0, 0, 0});
     assert_levels(count_pair(bar(0, 0, 2, 0.1), bar(0.6, -0.6, 2, 0.1)),
                   (levels){1, 1, 1, 0, 0, 0, 0});
     /* A circle's OBB is the square around it; the box's corner is in that, not in the circle. */
-    assert_levels(count_pair(circle(0, 0, 1), (thud_placed){THUD_AABB, 3.75, 1.25, 1, 0, 3, 0.5}),
+    assert_levels(count_pair(circle(0, 0, 1), (thud_shape_instance){THUD_AABB, 3.75, 1.25, 1, 0, 3, 0.5}),
                   (levels){1, 1, 1, 1, 0, 0, 0});
     assert_levels(count_pair(circle(0, 0, 1), circle(1, 0, 1)), (levels){1, 1, 1, 1, 1, 1, 1});
 }
 
 static void levels_near_pairs_pass_the_sieve_and_corners_do_not_pass_the_exact_test(void **state) {
     (void)state;
-    thud_placed box = {THUD_AABB, 0, 0, 1, 0, 1, 1};
-    thud_placed beside = {THUD_AABB, 2.019, 0, 1, 0, 1, 1};
+    thud_shape_instance box = {THUD_AABB, 0, 0, 1, 0, 1, 1};
+    thud_shape_instance beside = {THUD_AABB, 2.019, 0, 1, 0, 1, 1};
     /* Along either axis 0.019 apart, from corner to corner 0.027. */
-    thud_placed across = {THUD_AABB, 2.019, 2.019, 1, 0, 1, 1};
+    thud_shape_instance across = {THUD_AABB, 2.019, 2.019, 1, 0, 1, 1};
     assert_levels(count_pair(box, beside), (levels){1, 1, 0, 0, 0, 1, 1});
     assert_levels(count_pair(box, across), (levels){1, 0, 0, 0, 0, 1, 0});
     assert_levels(count_pair(circle(0, 0, 1), circle(2.021, 0, 1)), (levels){1, 0, 0, 0, 0, 0, 0});
@@ -74,7 +74,7 @@ static void levels_near_pairs_pass_the_sieve_and_corners_do_not_pass_the_exact_t
 
 static void levels_leave_out_pairs_of_which_none_moves_and_add_up(void **state) {
     (void)state;
-    thud_placed shapes[] = {circle(0, 0, 1), circle(1, 0, 1), circle(0, 1, 1)};
+    thud_shape_instance shapes[] = {circle(0, 0, 1), circle(1, 0, 1), circle(0, 1, 1)};
     bool movable[] = {false, false, true};
     levels sum = {0};
     assert_true(levels_count(shapes, movable, 3, 0.02, &sum));
@@ -84,7 +84,7 @@ static void levels_leave_out_pairs_of_which_none_moves_and_add_up(void **state) 
 
 static void levels_refuse_a_shape_that_is_not_valid(void **state) {
     (void)state;
-    thud_placed shapes[] = {circle(0, 0, 1), circle(NAN, 0, 1)};
+    thud_shape_instance shapes[] = {circle(0, 0, 1), circle(NAN, 0, 1)};
     bool movable[] = {true, true};
     levels sum = {0};
     assert_false(levels_count(shapes, movable, 2, 0.02, &sum));

@@ -5,7 +5,7 @@
   cycles      no file includes itself, however far round
   public      a public header includes only public headers and the C library's
   outside     demo/ and web/ speak to the engine through its public headers alone
-  intrinsics  processor-specific code stands only in engine/src/simd.h
+  intrinsics  processor-specific code stands only in engine/src/base/simd.h
   length      no C file of engine/ or demo/, and no text of web/ or tests/web, is longer than 400
               lines
   sources     the C files that the CMakeLists name are those that are there
@@ -28,7 +28,7 @@ FROM_A_HOST = re.compile(r'"resolved": "\w+://')
 ELSEWHERE = re.compile(r"(?<![\w.}])/(?:home|root|tmp|work)/")
 TREES = ("engine", "demo", "tests", "web")
 SKIPPED = {"node_modules", "target", "dist", "build", "generated"}
-INTRINSICS_HOME = "engine/src/simd.h"
+INTRINSICS_HOME = "engine/src/base/simd.h"
 INTRINSICS = re.compile(
     r"\b(?:[a-z]*mmintrin|immintrin|x86intrin|arm_neon|arm_sve|wasm_simd128)\.h\b"
     r"|\b_mm(?:256|512)?_\w+\s*\("
@@ -101,7 +101,8 @@ def in_directory(file, directory):
 
 
 def check_listed(root, floors):
-    names = sorted(path.name for path in (root / "engine/src").iterdir() if path.is_file())
+    names = sorted(path.relative_to(root / "engine/src").as_posix()
+                   for path in (root / "engine/src").rglob("*") if path.is_file())
     for name in names:
         lines = [pattern for _, _, pattern in floors if fnmatch.fnmatchcase(name, pattern)]
         if len(lines) != 1:
@@ -111,10 +112,14 @@ def check_listed(root, floors):
             yield f"listed: no file of engine/src matches the line {pattern} of floors.txt"
 
 
+def path_in(file, folder="engine/src"):
+    return file.relative_to(folder).as_posix()
+
+
 def check_floors(graph, floors):
     def place(file):
         return next(((floor, stage) for floor, stage, pattern in floors
-                     if fnmatch.fnmatchcase(file.name, pattern)), None)
+                     if fnmatch.fnmatchcase(path_in(file), pattern)), None)
 
     for file, includes in graph.items():
         if not in_directory(file, "engine/src"):

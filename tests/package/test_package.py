@@ -127,7 +127,7 @@ class PackageTest(unittest.TestCase):
             self.skipTest("only gcc for x86 computes on the x87")
         with self.assertRaisesRegex(AssertionError, "without excess precision"):
             run(CC, "-std=c17", "-mfpmath=387", "-fsyntax-only", f"-I{SOURCE / 'engine/include'}",
-                SOURCE / "engine/src/memory.c")
+                f"-I{SOURCE / 'engine/src'}", SOURCE / "engine/src/base/memory.c")
 
     def test_shared_library_is_configured_where_it_is_asked_for(self):
         folder = self.made("shared")

@@ -57,7 +57,7 @@ typedef struct solid {
     real radius;
 } solid;
 
-static inline solid solid_at(const thud_placed *s, vec center, real c, real si)
+static inline solid solid_at(const thud_shape_instance *s, vec center, real c, real si)
 {
     solid out = {.count = 1, .v = {center}, .radius = s->kind == THUD_CIRCLE ? (real)s->hx : 0.0L};
     if (s->kind != THUD_CIRCLE) {
@@ -72,13 +72,13 @@ static inline solid solid_at(const thud_placed *s, vec center, real c, real si)
 }
 
 /* Relative to (x, y). */
-static inline solid solid_of(const thud_placed *s, double x, double y)
+static inline solid solid_of(const thud_shape_instance *s, double x, double y)
 {
     return solid_at(s, vec_of((real)s->x - x, (real)s->y - y), s->c, s->s);
 }
 
 /* Where the shape is after a part of its motion. */
-static inline solid solid_after(const thud_placed *s, thud_motion m, real t, double x, double y)
+static inline solid solid_after(const thud_shape_instance *s, thud_motion m, real t, double x, double y)
 {
     bool turns = s->kind == THUD_OBB && m.turn != 0.0;
     real c = turns ? cosl(m.turn * t) : 1.0L, si = turns ? sinl(m.turn * t) : 0.0L;

@@ -23,7 +23,7 @@ typedef enum ground_family {
 typedef struct ground {
     thud_terrain terrain;
     thud_pos points[MAX_VERTICES];
-    thud_placed shape;
+    thud_shape_instance shape;
 } ground;
 
 static inline double vertex_x(const thud_terrain *t, int i)
@@ -54,14 +54,14 @@ static inline void draw_line(source *r, ground *g, ground_family family)
 }
 
 /* A vertex seen from the shape's centre: exact, also far from the origin. */
-static inline vec vertex_from(const thud_terrain *t, const thud_placed *s, int i)
+static inline vec vertex_from(const thud_terrain *t, const thud_shape_instance *s, int i)
 {
     return (vec){(real)vertex_x(t, i) - s->x, (real)t->points[i].y - s->y};
 }
 
 /* Height of the line over the shape's centre at x from it, by a scan; -infinity where there is no
  * ground. */
-static inline real line_height(const thud_terrain *t, const thud_placed *s, real x)
+static inline real line_height(const thud_terrain *t, const thud_shape_instance *s, real x)
 {
     if (t->kind == THUD_TERRAIN_FLAT) {
         return t->slope * (s->x + x) - s->y;
@@ -76,14 +76,14 @@ static inline real line_height(const thud_terrain *t, const thud_placed *s, real
     return -HUGE_VALL;
 }
 
-static inline real half_width(const thud_placed *s)
+static inline real half_width(const thud_shape_instance *s)
 {
     return s->kind == THUD_CIRCLE ? (real)s->hx
                                   : fabsl((real)s->c * s->hx) + fabsl((real)s->s * s->hy);
 }
 
 /* The height of the shape's underside over its centre, at dx from it. */
-static inline real underside(const thud_placed *s, real dx)
+static inline real underside(const thud_shape_instance *s, real dx)
 {
     real low = HUGE_VALL;
     if (s->kind == THUD_CIRCLE) {
@@ -103,7 +103,7 @@ static inline real underside(const thud_placed *s, real dx)
 /* How far the shape, moved by x to the side, must be lifted to be just out of the ground; negative
  * if it may sink, -infinity where no ground is under it. The ground is highest over the underside
  * at a vertex, at a corner of a box, or where a circle is parallel to a segment. */
-static inline real lift_at(const ground *g, const thud_placed *s, real x)
+static inline real lift_at(const ground *g, const thud_shape_instance *s, real x)
 {
     const thud_terrain *t = &g->terrain;
     real half = half_width(s), lift = -HUGE_VALL;
@@ -156,7 +156,7 @@ static inline real outline_distance(const ground *g, const solid *s)
 /* A shape by the ground: on it, in it, over it, beyond its ends, on one of its vertices. */
 static inline void place_shape(source *r, ground *g)
 {
-    thud_placed *s = &g->shape;
+    thud_shape_instance *s = &g->shape;
     const thud_terrain *t = &g->terrain;
     bool flat = t->kind == THUD_TERRAIN_FLAT;
     double from = flat ? -3.0 : vertex_x(t, 0), to = flat ? 3.0 : vertex_x(t, t->count - 1);
@@ -185,7 +185,7 @@ static inline ground *draw_ground_of(source *r, ground *g, thud_terrain_kind kin
 {
     *g = (ground){.terrain = {.kind = kind}, .shape = {.kind = shape, .c = 1.0}};
     draw_line(r, g, (ground_family)(i % GROUND_FAMILIES));
-    thud_placed *s = &g->shape;
+    thud_shape_instance *s = &g->shape;
     s->hx = exp(draw(r, -2.0, 0.7));
     s->hy = shape == THUD_CIRCLE ? 0.0 : exp(draw(r, -2.0, 0.7));
     if (draw_below(r, 8) == 0) {
@@ -244,7 +244,7 @@ static inline double steepest(const thud_terrain *t)
 static inline void print_ground(const ground *g)
 {
     const thud_terrain *t = &g->terrain;
-    const thud_placed *s = &g->shape;
+    const thud_shape_instance *s = &g->shape;
     printf("shape = {.kind = %d, .x = %a, .y = %a, .c = %a, .s = %a, .hx = %a, .hy = %a}\n",
            (int)s->kind, s->x, s->y, s->c, s->s, s->hx, s->hy);
     printf("terrain = {.kind = %d, .slope = %a, .x0 = %a, .spacing = %a, .count = %d}\n",

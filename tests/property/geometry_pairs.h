@@ -27,7 +27,7 @@ typedef enum pair_family {
 } pair_family;
 
 typedef struct pair {
-    thud_placed a, b;
+    thud_shape_instance a, b;
 } pair;
 
 /* Moves b until it touches a: the shortest way, but for a circle whose centre is in the other. */
@@ -80,7 +80,7 @@ static inline void place_corners(source *r, pair *p)
 
 static inline void make_needles(source *r, pair *p)
 {
-    thud_placed *thin = draw_below(r, 2) ? &p->a : &p->b;
+    thud_shape_instance *thin = draw_below(r, 2) ? &p->a : &p->b;
     for (int i = 0; i < 2; i++, thin = thin == &p->a ? &p->b : &p->a) {
         if (thin->kind == THUD_CIRCLE) {
             thin->hx = 1e-6;
@@ -202,7 +202,7 @@ static inline real moving_distance(const moving *m, real t)
     return solids_distance(&a, &b);
 }
 
-static inline void print_shape(const char *name, const thud_placed *s)
+static inline void print_shape(const char *name, const thud_shape_instance *s)
 {
     printf("%s = {.kind = %d, .x = %a, .y = %a, .c = %a, .s = %a, .hx = %a, .hy = %a}\n", name,
            (int)s->kind, s->x, s->y, s->c, s->s, s->hx, s->hy);

@@ -31,16 +31,16 @@ static inline int draw_below(source *r, int count)
     return (int)(draw_bits(r) >> 33) % count;
 }
 
-static inline void set_angle(thud_placed *shape, double angle)
+static inline void set_angle(thud_shape_instance *shape, double angle)
 {
     shape->c = shape->kind == THUD_OBB ? cos(angle) : 1.0;
     shape->s = shape->kind == THUD_OBB ? sin(angle) : 0.0;
 }
 
 /* Of any kind about the origin; some are needles. */
-static inline thud_placed draw_shape(source *r)
+static inline thud_shape_instance draw_shape(source *r)
 {
-    thud_placed shape = {.kind = (thud_shape_kind)draw_below(r, 3), .c = 1.0};
+    thud_shape_instance shape = {.kind = (thud_shape_kind)draw_below(r, 3), .c = 1.0};
     shape.x = draw(r, -1.5, 1.5);
     shape.y = draw(r, -1.5, 1.5);
     shape.hx = exp(draw(r, -2.0, 0.7));
@@ -53,7 +53,7 @@ static inline thud_placed draw_shape(source *r)
 }
 
 /* A point of the outline; `turn` in [0, 1) goes once round it. Relative to the centre. */
-static inline thud_pos outline(const thud_placed *shape, double turn)
+static inline thud_pos outline(const thud_shape_instance *shape, double turn)
 {
     if (shape->kind == THUD_CIRCLE) {
         double angle = turn * 6.283185307179586;
@@ -69,7 +69,7 @@ static inline thud_pos outline(const thud_placed *shape, double turn)
 }
 
 /* Signed distance of a point (given relative to the shape's centre) from the shape. */
-static inline double point_distance(const thud_placed *shape, double x, double y)
+static inline double point_distance(const thud_shape_instance *shape, double x, double y)
 {
     if (shape->kind == THUD_CIRCLE) {
         return sqrt(x * x + y * y) - shape->hx;
@@ -80,7 +80,7 @@ static inline double point_distance(const thud_placed *shape, double x, double y
     return u > 0.0 || v > 0.0 ? sqrt(over_u * over_u + over_v * over_v) : u > v ? u : v;
 }
 
-static inline double outline_length(const thud_placed *shape)
+static inline double outline_length(const thud_shape_instance *shape)
 {
     return shape->kind == THUD_CIRCLE ? 6.283185307179586 * shape->hx
                                       : 4.0 * (shape->hx + shape->hy);
@@ -94,9 +94,9 @@ static inline int case_count(int usual)
     return count > 0 ? count : usual;
 }
 
-static inline thud_placed draw_shape_of(source *r, thud_shape_kind kind)
+static inline thud_shape_instance draw_shape_of(source *r, thud_shape_kind kind)
 {
-    thud_placed shape = {.kind = kind, .c = 1.0};
+    thud_shape_instance shape = {.kind = kind, .c = 1.0};
     shape.x = draw(r, -1.5, 1.5);
     shape.y = draw(r, -1.5, 1.5);
     shape.hx = exp(draw(r, -2.0, 0.7));

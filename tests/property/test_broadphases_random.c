@@ -3,7 +3,7 @@
  * order, the same events and questions in the same order, the same bits. */
 #include "../unit/engine_support.h"
 
-#include "world.h"
+#include "state/world.h"
 
 enum { BODIES = 70, STEPS = 90 };
 

@@ -12,7 +12,7 @@ enum { QUICK = 200000 };
 #define BOUND 8.0
 
 typedef struct passing {
-    thud_placed a, b;
+    thud_shape_instance a, b;
     thud_motion motion_a, motion_b;
     vec start, way; /* of b's centre, seen from a's */
     double slack;

@@ -12,7 +12,7 @@
 enum { PAIRS = 12000, OUTLINE = 256, RAYS = 20000, MARCH = 400, MOTIONS = 2500, TIMES = 300 };
 
 typedef struct pair {
-    thud_placed a, b;
+    thud_shape_instance a, b;
     double scale; /* rounding of the coordinates in use */
 } pair;
 
@@ -100,7 +100,7 @@ static void check_points(const pair *p, const thud_closest *c)
 /* Moving b out along the normal by the depth parts the shapes; by less, no direction does. */
 static void check_depth(const pair *p, const thud_closest *c)
 {
-    thud_placed moved = p->b;
+    thud_shape_instance moved = p->b;
     double out = -c->distance + p->scale * 10.0;
     moved.x += c->nx * out;
     moved.y += c->ny * out;
@@ -155,7 +155,7 @@ static void rays_at_random_shapes_agree_with_marching(void **state)
     source r = {3};
     int hits = 0;
     for (int i = 0; i < RAYS; i++) {
-        thud_placed shape = draw_shape(&r);
+        thud_shape_instance shape = draw_shape(&r);
         double far = i % 4 ? 0.0 : 1e6 * draw(&r, -1.0, 1.0), f, nx, ny;
         double eps = far != 0.0 ? 1e-8 : 1e-11;
         shape.x += far;
@@ -194,9 +194,9 @@ static thud_motion draw_motion(source *r)
                          draw_below(r, 2) ? draw(r, -6.0, 6.0) : 0.0};
 }
 
-static thud_placed moved_by(const thud_placed *shape, thud_motion m, double t)
+static thud_shape_instance moved_by(const thud_shape_instance *shape, thud_motion m, double t)
 {
-    thud_placed p = *shape;
+    thud_shape_instance p = *shape;
     p.x += m.dx * t;
     p.y += m.dy * t;
     if (p.kind == THUD_OBB) {
@@ -209,7 +209,7 @@ static thud_placed moved_by(const thud_placed *shape, thud_motion m, double t)
 
 static double distance_at(const pair *p, thud_motion ma, thud_motion mb, double t)
 {
-    thud_placed a = moved_by(&p->a, ma, t), b = moved_by(&p->b, mb, t);
+    thud_shape_instance a = moved_by(&p->a, ma, t), b = moved_by(&p->b, mb, t);
     thud_closest c;
     assert_int_equal(thud_shapes_closest(&a, &b, &c), THUD_OK);
     return c.distance;
@@ -253,9 +253,9 @@ static void fast_shapes_never_pass_a_needle(void **state)
     (void)state;
     source r = {5};
     for (int i = 0; i < PAIRS; i++) {
-        thud_placed wall = {.kind = THUD_OBB, .c = 1.0, .hx = 2.0, .hy = 1e-7};
+        thud_shape_instance wall = {.kind = THUD_OBB, .c = 1.0, .hx = 2.0, .hy = 1e-7};
         set_angle(&wall, draw(&r, -4.0, 4.0));
-        thud_placed shape = draw_shape(&r);
+        thud_shape_instance shape = draw_shape(&r);
         /* From one side of the wall to the other, through a point of it. */
         double along = draw(&r, -1.9, 1.9), way = draw(&r, 5.0, 5000.0), skew = draw(&r, -1.2, 1.2);
         double nx = -wall.s, ny = wall.c;

@@ -2,7 +2,7 @@
  * fine and coarse, ending under the shape) against dense sampling: look-up, rays, overlap, time of
  * impact, and the contacts of all segments together. */
 #include "geometry_random.h"
-#include "terrain_manifold.h"
+#include "terrain/terrain_manifold.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -68,13 +68,13 @@ static double height(const thud_terrain *t, double x)
     return -INFINITY;
 }
 
-static double half_width(const thud_placed *s)
+static double half_width(const thud_shape_instance *s)
 {
     return s->kind == THUD_CIRCLE ? s->hx : fabs(s->c) * s->hx + fabs(s->s) * s->hy;
 }
 
 /* The lowest point of the shape at one x of it. */
-static double underside(const thud_placed *s, double x)
+static double underside(const thud_shape_instance *s, double x)
 {
     double dx = x - s->x, low = INFINITY;
     if (s->kind == THUD_CIRCLE) {
@@ -90,7 +90,7 @@ static double underside(const thud_placed *s, double x)
 }
 
 /* How deep the shape reaches into the ground, straight down; negative above it. */
-static double sampled_depth(const thud_terrain *t, const thud_placed *s)
+static double sampled_depth(const thud_terrain *t, const thud_shape_instance *s)
 {
     double half = half_width(s), depth = -INFINITY;
     double from = fmax(s->x - half, first_x(t)), to = fmin(s->x + half, last_x(t));
@@ -107,9 +107,9 @@ static double sampled_depth(const thud_terrain *t, const thud_placed *s)
     return depth;
 }
 
-static thud_placed draw_over(source *r, const thud_terrain *t)
+static thud_shape_instance draw_over(source *r, const thud_terrain *t)
 {
-    thud_placed s = draw_shape(r);
+    thud_shape_instance s = draw_shape(r);
     s.hx = fmax(s.hx, 0.05);
     double from = fmax(first_x(t), -3.0), to = fmin(last_x(t), 3.0);
     s.x = from < to ? draw(r, from - 0.5, to + 0.5) : draw(r, -1.0, 1.0);
@@ -219,14 +219,14 @@ static void overlap_with_random_ground_agrees_with_sampled_depth(void **state)
     for (int i = 0; i < LINES; i++) {
         draw_ground(&r, &g);
         for (int k = 0; k < PER_LINE; k++) {
-            thud_placed s = draw_over(&r, &g.terrain);
+            thud_shape_instance s = draw_over(&r, &g.terrain);
             double depth = sampled_depth(&g.terrain, &s);
             bool overlap = thud_terrain_overlap(&g.terrain, &s);
             in += overlap;
             assert_false(depth > 1e-7 && !overlap);
             if (overlap && depth < -1e-7) {
                 /* Between two samples, or in the side alone: bigger by a little, it shows. */
-                thud_placed more = s;
+                thud_shape_instance more = s;
                 double step = 2.0 * half_width(&s) / SAMPLES;
                 more.hx += 1.5 * step + 1e-9;
                 more.hy += s.kind == THUD_CIRCLE ? 0.0 : 1.5 * step + 1e-9;
@@ -247,7 +247,7 @@ static void impact_on_random_ground_agrees_with_sampled_times(void **state)
     for (int i = 0; i < LINES; i++) {
         draw_ground(&r, &g);
         for (int k = 0; k < PER_LINE / 2; k++) {
-            thud_placed s = draw_over(&r, &g.terrain);
+            thud_shape_instance s = draw_over(&r, &g.terrain);
             thud_motion m = {draw(&r, -3.0, 3.0), draw(&r, -8.0, 1.0),
                              k % 2 ? draw(&r, -5.0, 5.0) : 0.0};
             double time, first = 2.0;
@@ -255,7 +255,7 @@ static void impact_on_random_ground_agrees_with_sampled_times(void **state)
             assert_int_equal(thud_terrain_time_of_impact(&g.terrain, &s, m, 0.0, &hit, &time),
                              THUD_OK);
             for (int j = 0; j <= TIMES && first > 1.0; j++) {
-                thud_placed at = s;
+                thud_shape_instance at = s;
                 double t = (double)j / TIMES;
                 at.x += m.dx * t;
                 at.y += m.dy * t;
@@ -270,7 +270,7 @@ static void impact_on_random_ground_agrees_with_sampled_times(void **state)
             assert_false(first <= 1.0 && !hit);
             assert_true(hit ? time <= first : time == 1.0);
             if (hit) {
-                thud_placed at = s;
+                thud_shape_instance at = s;
                 at.x += m.dx * time;
                 at.y += m.dy * time;
                 if (s.kind == THUD_OBB) {
@@ -325,7 +325,7 @@ static bool within_neighbours(const thud_terrain *t, int i, double nx, double ny
     return angle >= low - 1e-9 && angle <= high + 1e-9;
 }
 
-static deepest meet(const thud_terrain *t, const thud_placed *s)
+static deepest meet(const thud_terrain *t, const thud_shape_instance *s)
 {
     deepest d = {0, 1e300, 0.0, 1.0};
     double reach = half_width(s) + MARGIN;
@@ -352,10 +352,10 @@ static deepest meet(const thud_terrain *t, const thud_placed *s)
 }
 
 /* Neither a needle nor wider than half the ground, its centre over or in the ground. */
-static thud_placed draw_body_over(source *r, const thud_terrain *t)
+static thud_shape_instance draw_body_over(source *r, const thud_terrain *t)
 {
     double width = last_x(t) - first_x(t);
-    thud_placed s = draw_over(r, t);
+    thud_shape_instance s = draw_over(r, t);
     s.hy = s.kind == THUD_CIRCLE ? 0.0 : fmax(s.hy, 0.05);
     while (half_width(&s) > 0.25 * width) {
         s.hx *= 0.5;
@@ -366,7 +366,7 @@ static thud_placed draw_body_over(source *r, const thud_terrain *t)
 }
 
 /* No more than half of the shape is in the ground: what a world with sane steps may see. */
-static bool shallow(const thud_terrain *t, thud_placed s)
+static bool shallow(const thud_terrain *t, thud_shape_instance s)
 {
     s.hx *= 0.5;
     s.hy *= 0.5;
@@ -382,7 +382,7 @@ static void contacts_exist_whenever_a_shape_is_in_the_ground(void **state)
     for (int i = 0; i < LINES * 4; i++) {
         draw_ground(&r, &g);
         for (int k = 0; k < PER_LINE; k++) {
-            thud_placed s = draw_body_over(&r, &g.terrain), less = s;
+            thud_shape_instance s = draw_body_over(&r, &g.terrain), less = s;
             bool deep = !shallow(&g.terrain, s);
             less.hx -= 1e-6;
             less.hy -= s.kind == THUD_CIRCLE ? 0.0 : 1e-6;
@@ -409,7 +409,7 @@ static void contacts_followed_out_leave_the_ground(void **state)
     for (int i = 0; i < LINES * 4; i++) {
         draw_ground(&r, &g);
         for (int k = 0; k < PER_LINE; k++) {
-            thud_placed s = draw_body_over(&r, &g.terrain);
+            thud_shape_instance s = draw_body_over(&r, &g.terrain);
             bool deep = !shallow(&g.terrain, s);
             if (!thud_terrain_overlap(&g.terrain, &s)) {
                 continue;
@@ -440,7 +440,7 @@ static void contacts_of_parted_shapes_are_no_nearer_than_the_ground(void **state
     for (int i = 0; i < LINES * 4; i++) {
         draw_ground(&r, &g);
         for (int k = 0; k < PER_LINE; k++) {
-            thud_placed s = draw_over(&r, &g.terrain), more = s;
+            thud_shape_instance s = draw_over(&r, &g.terrain), more = s;
             if (thud_terrain_overlap(&g.terrain, &s)) {
                 continue;
             }

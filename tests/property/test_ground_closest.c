@@ -14,23 +14,23 @@
 enum { QUICK = 2000, SAMPLES = 48, REFINEMENTS = 40 };
 #define BOUND 16.0
 
-static thud_placed thicker(const thud_placed *s, double by)
+static thud_shape_instance thicker(const thud_shape_instance *s, double by)
 {
-    thud_placed t = *s;
+    thud_shape_instance t = *s;
     t.hx += by;
     t.hy += s->kind == THUD_CIRCLE ? 0.0 : by;
     return t;
 }
 
 /* Squared length of the way out over the outline at x; no ground there is a way straight aside. */
-static real way_out(const ground *g, const thud_placed *s, real x)
+static real way_out(const ground *g, const thud_shape_instance *s, real x)
 {
     real lift = lift_at(g, s, x);
     return x * x + (lift > 0.0L ? lift * lift : 0.0L);
 }
 
 /* The shortest way out that a search finds: not shorter than the shortest there is. */
-static real searched_way_out(const ground *g, const thud_placed *s, real within)
+static real searched_way_out(const ground *g, const thud_shape_instance *s, real within)
 {
     real step = 2.0L * within / SAMPLES, best = way_out(g, s, 0.0L), at = 0.0L;
     for (int i = 0; i <= SAMPLES; i++) {
@@ -63,10 +63,10 @@ static int ways, parted;
 
 static void check_closest(const ground *g)
 {
-    const thud_placed *s = &g->shape;
+    const thud_shape_instance *s = &g->shape;
     double slack = BOUND * ground_rounding(g), coarse = BOUND * spot_rounding(g);
     solid shape = solid_of(s, s->x, s->y);
-    thud_placed more = thicker(s, slack), less = thicker(s, -slack);
+    thud_shape_instance more = thicker(s, slack), less = thicker(s, -slack);
     thud_closest c;
     assert_int_equal(thud_terrain_closest(&g->terrain, s, &c), THUD_OK);
     CHECK_GROUND(g, fabs(c.nx * c.nx + c.ny * c.ny - 1.0) <= BOUND * ROUNDING);

@@ -43,7 +43,7 @@ static vec nearest_on(vec a, vec b, vec p)
 static void offer_corner(reach *k, vec corner)
 {
     const thud_terrain *t = &k->g->terrain;
-    const thud_placed *s = &k->g->shape;
+    const thud_shape_instance *s = &k->g->shape;
     vec place[MAX_VERTICES + 2];
     int count = 0;
     if (t->kind == THUD_TERRAIN_FLAT) {
@@ -78,7 +78,7 @@ static void offer_corner(reach *k, vec corner)
 }
 
 /* The direction in which the shape would be moved off the place p. */
-static vec way_off(const thud_placed *s, vec p, real *distance)
+static vec way_off(const thud_shape_instance *s, vec p, real *distance)
 {
     solid shape = solid_of(s, s->x, s->y);
     *distance = solid_distance(&shape, p);
@@ -105,7 +105,7 @@ static vec way_off(const thud_placed *s, vec p, real *distance)
 static void offer_ridge(reach *k, int i)
 {
     const thud_terrain *t = &k->g->terrain;
-    const thud_placed *s = &k->g->shape;
+    const thud_shape_instance *s = &k->g->shape;
     vec v = vertex_from(t, s, i), before = {0.0L, 1.0L}, after = {0.0L, -1.0L};
     if (i > 0) {
         before = unit(minus(v, vertex_from(t, s, i - 1)));
@@ -162,7 +162,7 @@ static reach search(const ground *g, const thud_closest *from, double depth, dou
 
 static void check_point(const ground *g, const thud_closest *c, double coarse)
 {
-    const thud_placed *s = &g->shape;
+    const thud_shape_instance *s = &g->shape;
     solid shape = solid_of(s, s->x, s->y);
     vec on_shape = {(real)c->bx - s->x, (real)c->by - s->y};
     solid on_ground = {.count = 1, .v = {{(real)c->ax - s->x, (real)c->ay - s->y}}};

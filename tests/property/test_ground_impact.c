@@ -11,9 +11,9 @@
 enum { QUICK = 6000, QUICK_TURNING = 200, STEPS = 1000 };
 #define BOUND 16.0
 
-static thud_placed thicker(const thud_placed *s, double by)
+static thud_shape_instance thicker(const thud_shape_instance *s, double by)
 {
-    thud_placed t = *s;
+    thud_shape_instance t = *s;
     t.hx += by;
     t.hy += s->kind == THUD_CIRCLE ? 0.0 : by;
     return t;
@@ -24,7 +24,7 @@ typedef enum answer { NO, YES, EITHER } answer;
 /* In the ground, touching included; either where a few roundings decide. */
 static answer in_ground(const ground *g, double slack)
 {
-    thud_placed more = thicker(&g->shape, slack), less = thicker(&g->shape, -slack);
+    thud_shape_instance more = thicker(&g->shape, slack), less = thicker(&g->shape, -slack);
     return lift_at(g, &less, 0.0L) > 0.0L ? YES : lift_at(g, &more, 0.0L) < 0.0L ? NO : EITHER;
 }
 
@@ -164,7 +164,7 @@ static void check_turning(const ground *g, thud_motion m, double target)
 static answer in_ground_after(const ground *g, thud_motion m, double t, double slack)
 {
     ground moved = *g;
-    thud_placed *s = &moved.shape;
+    thud_shape_instance *s = &moved.shape;
     moved.terrain.points = moved.points;
     s->x += m.dx * t;
     s->y += m.dy * t;

@@ -65,7 +65,7 @@ static void distance_of_every_pair_is_that_of_long_double(void **state)
     each_pair(1, case_count(CASES), check_distance);
 }
 
-static real support(const thud_placed *shape, vec n)
+static real support(const thud_shape_instance *shape, vec n)
 {
     solid s = solid_of(shape, shape->x, shape->y);
     real most = -1e300L;
@@ -106,7 +106,7 @@ static void faces_of_every_sum_support_both_shapes(void **state)
 /* What the engine's own distance is at another place of b. */
 static double distance_at(const trial *t, double x, double y)
 {
-    thud_placed b = t->p.b;
+    thud_shape_instance b = t->p.b;
     thud_closest c;
     b.x = x;
     b.y = y;
@@ -223,8 +223,8 @@ static void normal_at_a_vertex_within_rounding_is_one_that_parts(void **state)
     (void)state;
     source r = {6};
     for (int i = 0; i < CASES; i++) {
-        thud_placed a = draw_shape_of(&r, THUD_OBB);
-        thud_placed b = draw_shape_of(&r, i % 2 ? THUD_OBB : THUD_AABB);
+        thud_shape_instance a = draw_shape_of(&r, THUD_OBB);
+        thud_shape_instance b = draw_shape_of(&r, i % 2 ? THUD_OBB : THUD_AABB);
         thud_minkowski m;
         OK(thud_minkowski_sum(&a, &b, &m));
         thud_pos v = m.vertices[draw_below(&r, 8)];

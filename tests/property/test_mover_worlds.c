@@ -18,7 +18,7 @@ static bool count_one(thud_shape_id shape, void *context)
     return true;
 }
 
-static bool is_inside(thud_world *world, const thud_placed *shape)
+static bool is_inside(thud_world *world, const thud_shape_instance *shape)
 {
     int count = 0;
     OK(thud_world_overlap_shape(world, (thud_pos){0, 0}, shape, NULL, count_one, &count));
@@ -44,7 +44,7 @@ static thud_world *make_random_world(source *r)
     thud_world *world = make_world(weightless());
     add_ground(world, r);
     for (int i = 0; i < SOLIDS; i++) {
-        thud_placed shape = draw_shape(r);
+        thud_shape_instance shape = draw_shape(r);
         double angle = shape.kind == THUD_OBB ? draw(r, -3, 3) : 0;
         thud_body_id body =
             add_body(world, THUD_STATIC, draw(r, -20, 20), draw(r, -5, 20), angle);
@@ -75,7 +75,7 @@ static void random_moves_in_random_worlds_never_enter_anything(void **state)
     long cases = wanted ? strtol(wanted, NULL, 10) : 20000, on_ground = 0;
     for (long k = 0; k < cases;) {
         thud_world *world = make_random_world(&r);
-        thud_placed shape = {.kind = (thud_shape_kind)draw_below(&r, 3), .c = 1};
+        thud_shape_instance shape = {.kind = (thud_shape_kind)draw_below(&r, 3), .c = 1};
         shape.hx = draw(&r, 0.2, 0.8);
         shape.hy = shape.kind == THUD_CIRCLE ? 0 : draw(&r, 0.2, 0.8);
         set_angle(&shape, draw(&r, -3, 3));
@@ -87,7 +87,7 @@ static void random_moves_in_random_worlds_never_enter_anything(void **state)
                 velocity = (thud_vec2){(float)draw(&r, -15, 15), (float)draw(&r, -20, 15)};
             }
             velocity.y -= 20.0f / 60;
-            thud_placed before = mover.shape;
+            thud_shape_instance before = mover.shape;
             thud_mover_report report;
             OK(thud_mover_move(world, &mover, velocity, DT, &report));
             assert_false(is_inside(world, &mover.shape));

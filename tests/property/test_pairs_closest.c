@@ -12,7 +12,7 @@
 enum { QUICK = 20000 };
 #define BOUND 8.0
 
-static bool on_outline(const solid *s, const thud_placed *origin, double x, double y, double slack)
+static bool on_outline(const solid *s, const thud_shape_instance *origin, double x, double y, double slack)
 {
     vec p = {(real)x - origin->x, (real)y - origin->y};
     return fabsl(solid_distance(s, p)) <= slack;

@@ -61,7 +61,7 @@ static void bisectable_motion_through_the_middle_is_never_missed(void **state)
         source r = {131 + kinds};
         for (int i = 0; i < count; i++) {
             moving m = draw_moving(&r, kinds, i, false);
-            thud_placed *a = &m.p.a, *b = &m.p.b;
+            thud_shape_instance *a = &m.p.a, *b = &m.p.b;
             double part = draw(&r, 0.0, 1.0), speed = draw(&r, 0.0, 3.0),
                    angle = draw(&r, -4.0, 4.0);
             double thin_a = a->kind == THUD_CIRCLE ? a->hx : fmin(a->hx, a->hy);

@@ -61,8 +61,8 @@ static void impact_of_flush_boxes_with_a_target_is_never_missed(void **state)
     (void)state;
     for (int i = 1; i < 400; i++) {
         double c = cos(i * 0.01), s = sin(i * 0.01), length = sqrt(9.0 * c * c + 9.0 * s * s);
-        thud_placed a = {THUD_OBB, 0.0, 0.0, c, s, 0.3, 1.0};
-        thud_placed b = {THUD_OBB, 0.0, 0.0, 3.0 * c / length, 3.0 * s / length, 2.0, 0.5};
+        thud_shape_instance a = {THUD_OBB, 0.0, 0.0, c, s, 0.3, 1.0};
+        thud_shape_instance b = {THUD_OBB, 0.0, 0.0, 3.0 * c / length, 3.0 * s / length, 2.0, 0.5};
         for (int k = -20; k <= 20; k++) {
             thud_motion up = {-s, c, 0.0}, down = {s, -c, 0.0};
             bool hit;

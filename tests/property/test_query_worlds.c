@@ -18,7 +18,7 @@ typedef struct worlds {
     thud_pos origin; /* of what follows */
     int count;
     thud_shape_id ids[SHAPES];
-    thud_placed placed[SHAPES];
+    thud_shape_instance placed[SHAPES];
     thud_terrain terrain[SHAPES]; /* of kind THUD_TERRAIN, whose origin `placed` has */
     thud_pos points[SHAPES][6];
     thud_filter filter[SHAPES];
@@ -46,7 +46,7 @@ static void add_terrain(worlds *w, source *r, const thud_shape_def *def)
     int n = w->count++;
     thud_pos at = {(float)draw(r, -10, 10), (float)draw(r, -30, -10)};
     w->terrain[n] = draw_terrain(r, w->points[n]);
-    w->placed[n] = (thud_placed){.kind = THUD_TERRAIN, .x = at.x, .y = at.y};
+    w->placed[n] = (thud_shape_instance){.kind = THUD_TERRAIN, .x = at.x, .y = at.y};
     for (int b = 0; b < BROADPHASES; b++) {
         thud_body_id body =
             add_body(w->world[b], THUD_STATIC, w->origin.x + at.x, w->origin.y + at.y, 0);
@@ -57,7 +57,7 @@ static void add_terrain(worlds *w, source *r, const thud_shape_def *def)
 static void add_solid(worlds *w, source *r, const thud_shape_def *def)
 {
     int n = w->count++;
-    thud_placed shape = draw_shape(r);
+    thud_shape_instance shape = draw_shape(r);
     shape.hx = (float)fmax(shape.hx, 1e-3);
     shape.hy = (float)shape.hy;
     double angle = shape.kind == THUD_OBB ? draw(r, -3, 3) : 0;
@@ -127,16 +127,16 @@ static bool passes(const worlds *w, int i, const thud_query_filter *filter)
     return (filter->sensors || !w->sensor[i]) && (w->filter[i].category & filter->mask);
 }
 
-static thud_placed grown(const thud_placed *shape, double by)
+static thud_shape_instance grown(const thud_shape_instance *shape, double by)
 {
-    thud_placed p = *shape;
+    thud_shape_instance p = *shape;
     p.hx = fmax(p.hx + by, 1e-9);
     p.hy = p.kind == THUD_CIRCLE ? 0 : fmax(p.hy + by, 1e-9);
     return p;
 }
 
 typedef struct query {
-    thud_placed shape; /* about (0, 0), in the worlds' frame; of a ray or point not read */
+    thud_shape_instance shape; /* about (0, 0), in the worlds' frame; of a ray or point not read */
     bool pointlike;
     double x, y, dx, dy;
     thud_query_filter filter;
@@ -155,14 +155,14 @@ static bool meets(const worlds *w, int i, const query *q, double by, double *fra
             return thud_terrain_cast_ray(&w->terrain[i], x, y - by, q->dx, q->dy, fraction, NULL,
                                          NULL);
         }
-        thud_placed moving = grown(&q->shape, by);
+        thud_shape_instance moving = grown(&q->shape, by);
         moving.x = x;
         moving.y = y;
         OK(thud_terrain_time_of_impact(&w->terrain[i], &moving, (thud_motion){q->dx, q->dy, 0}, 0,
                                        &hit, fraction));
         return hit;
     }
-    thud_placed still = grown(&w->placed[i], by), moving = q->shape;
+    thud_shape_instance still = grown(&w->placed[i], by), moving = q->shape;
     if (q->pointlike) {
         return thud_shape_cast_ray(&still, x, y, q->dx, q->dy, fraction, NULL, NULL);
     }
@@ -173,10 +173,10 @@ static bool meets(const worlds *w, int i, const query *q, double by, double *fra
     return hit;
 }
 
-static double distance_to(const worlds *w, int i, const thud_placed *shape)
+static double distance_to(const worlds *w, int i, const thud_shape_instance *shape)
 {
     thud_closest c;
-    thud_placed other = *shape;
+    thud_shape_instance other = *shape;
     if (w->placed[i].kind == THUD_TERRAIN) {
         other.x -= w->placed[i].x;
         other.y -= w->placed[i].y;
@@ -252,14 +252,14 @@ static bool same_hit(const thud_ray_hit *a, const thud_ray_hit *b)
  * touches. */
 static void check_hit(const worlds *w, const query *q, const thud_ray_hit *hit)
 {
-    thud_placed point = {.kind = THUD_CIRCLE, .c = 1, .hx = 1e-9};
+    thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1, .hx = 1e-9};
     int i = index_of(w, hit->shape);
     point.x = hit->point.x - w->origin.x;
     point.y = hit->point.y - w->origin.y;
     near_to(distance_to(w, i, &point), 0, GRAZE);
     near_to(hypot((double)hit->normal.x, (double)hit->normal.y), 1, 1e-5);
     if (!q->pointlike) {
-        thud_placed there = q->shape;
+        thud_shape_instance there = q->shape;
         there.x = q->x + hit->fraction * q->dx;
         there.y = q->y + hit->fraction * q->dy;
         double distance = distance_to(w, i, &there);
@@ -321,7 +321,7 @@ static bool append(thud_shape_id shape, void *context)
 static void check_overlap(const worlds *w, const query *q)
 {
     list found[BROADPHASES] = {0};
-    thud_placed there = q->shape;
+    thud_shape_instance there = q->shape;
     there.x = q->x;
     there.y = q->y;
     for (int b = 0; b < BROADPHASES; b++) {
@@ -344,7 +344,7 @@ static void check_overlap(const worlds *w, const query *q)
 static void check_closest(const worlds *w, source *r, const query *q)
 {
     double most = draw_below(r, 2) ? draw(r, 0, 5) : draw(r, 0, 200), least = 1e300;
-    thud_placed point = {.kind = THUD_CIRCLE, .x = q->x, .y = q->y, .c = 1, .hx = 1e-9};
+    thud_shape_instance point = {.kind = THUD_CIRCLE, .x = q->x, .y = q->y, .c = 1, .hx = 1e-9};
     for (int i = 0; i < w->count; i++) {
         double distance = distance_to(w, i, &point) + 1e-9;
         least = passes(w, i, &q->filter) && distance < least ? distance : least;

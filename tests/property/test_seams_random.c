@@ -1,12 +1,12 @@
 /* test_seams_random.c: bodies dropped and slid onto random heaps of static shapes, which lie side by
  * side, in line, in each other, or a little off: they never come to overlap any of them, never change
  * sides, and never rest on nothing. What overlaps is told by exact geometry of every pair; a heap
- * counts only where the same world without its seams (seams.h) is right. */
+ * counts only where the same world without its seams (internal_edges.h) is right. */
 #include "../unit/engine_support.h"
 
 #include "geometry_exact.h"
 #include "geometry_random.h"
-#include "world.h"
+#include "state/world.h"
 
 enum { STATICS = 9, VERTICES = 6, STEPS = 150, SETTLED = 120 };
 
@@ -17,7 +17,7 @@ enum { STATICS = 9, VERTICES = 6, STEPS = 150, SETTLED = 120 };
 
 /* All sizes in length scales; scaled when the world is made. */
 typedef struct heap {
-    thud_placed shapes[STATICS], body;
+    thud_shape_instance shapes[STATICS], body;
     double angles[STATICS], body_angle;
     int count;
     thud_pos line[VERTICES]; /* no line where there are no vertices */
@@ -44,14 +44,14 @@ static double draw_gap(source *r)
     return draw_below(r, 2) ? gap * draw(r, 0.8, 1.2) : -gap;
 }
 
-static void turn_to(thud_placed *shape, double *angle, double to)
+static void turn_to(thud_shape_instance *shape, double *angle, double to)
 {
     *angle = to;
     shape->kind = to == 0.0 && shape->kind == THUD_AABB ? THUD_AABB : THUD_OBB;
     set_angle(shape, to);
 }
 
-static void move_in_frame(thud_placed *shape, const thud_placed *frame, double u, double v)
+static void move_in_frame(thud_shape_instance *shape, const thud_shape_instance *frame, double u, double v)
 {
     shape->x = frame->x + frame->c * u - frame->s * v;
     shape->y = frame->y + frame->s * u + frame->c * v;
@@ -61,9 +61,9 @@ static void move_in_frame(thud_placed *shape, const thud_placed *frame, double u
 static void add_related_box(source *r, heap *h)
 {
     int i = h->count++, of = draw_below(r, i);
-    const thud_placed *frame = &h->shapes[of];
-    thud_placed *box = &h->shapes[i];
-    *box = (thud_placed){.kind = draw_below(r, 2) ? THUD_AABB : THUD_OBB, .c = 1.0,
+    const thud_shape_instance *frame = &h->shapes[of];
+    thud_shape_instance *box = &h->shapes[i];
+    *box = (thud_shape_instance){.kind = draw_below(r, 2) ? THUD_AABB : THUD_OBB, .c = 1.0,
                          .hx = draw_size(r, 0.05, 3), .hy = draw_size(r, 0.05, 3)};
     if (draw_below(r, 3) == 0) {
         box->hx = frame->hx;
@@ -110,7 +110,7 @@ static void add_related_box(source *r, heap *h)
 
 static void add_line(source *r, heap *h)
 {
-    const thud_placed *box = &h->shapes[draw_below(r, h->count)];
+    const thud_shape_instance *box = &h->shapes[draw_below(r, h->count)];
     double side = draw_below(r, 2) ? 1.0 : -1.0, x = box->x + side * (box->hx + draw_gap(r));
     double y = box->y + box->hy + draw_gap(r);
     h->vertices = VERTICES;
@@ -121,7 +121,7 @@ static void add_line(source *r, heap *h)
     }
 }
 
-static bool is_clear(const heap *h, const thud_placed *body)
+static bool is_clear(const heap *h, const thud_shape_instance *body)
 {
     solid b = solid_of(body, 0, 0);
     for (int i = 0; i < h->count; i++) {
@@ -142,9 +142,9 @@ static bool is_clear(const heap *h, const thud_placed *body)
 static void add_faller(source *r, heap *h)
 {
     static const thud_shape_kind kinds[] = {THUD_CIRCLE, THUD_AABB, THUD_OBB};
-    const thud_placed *over = &h->shapes[draw_below(r, h->count)];
-    thud_placed *b = &h->body;
-    *b = (thud_placed){.kind = kinds[draw_below(r, 3)], .c = 1.0, .hx = draw_size(r, 0.05, 1)};
+    const thud_shape_instance *over = &h->shapes[draw_below(r, h->count)];
+    thud_shape_instance *b = &h->body;
+    *b = (thud_shape_instance){.kind = kinds[draw_below(r, 3)], .c = 1.0, .hx = draw_size(r, 0.05, 1)};
     b->hy = b->kind == THUD_CIRCLE ? 0 : draw_size(r, 0.05, 1);
     h->body_angle = b->kind == THUD_OBB && draw_below(r, 2) ? draw(r, -3, 3) : 0;
     set_angle(b, h->body_angle);
@@ -161,7 +161,7 @@ static heap draw_heap(source *r)
     static const double scales[] = {1, 1, 0.01, 100};
     heap h = {.count = 1, .scale = scales[draw_below(r, 4)]};
     double angle = draw_below(r, 3) ? 0.0 : draw_below(r, 2) ? draw(r, -0.6, 0.6) : TD_PI / 2;
-    h.shapes[0] = (thud_placed){.kind = THUD_AABB, .c = 1.0, .hx = draw_size(r, 0.5, 20),
+    h.shapes[0] = (thud_shape_instance){.kind = THUD_AABB, .c = 1.0, .hx = draw_size(r, 0.5, 20),
                                 .hy = draw_size(r, 0.2, 5)};
     turn_to(&h.shapes[0], &h.angles[0], angle);
     int boxes = 2 + draw_below(r, STATICS - 2);
@@ -169,8 +169,8 @@ static heap draw_heap(source *r)
         add_related_box(r, &h);
     }
     if (draw_below(r, 4) == 0) {
-        const thud_placed *box = &h.shapes[draw_below(r, boxes)];
-        h.shapes[h.count++] = (thud_placed){.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5,
+        const thud_shape_instance *box = &h.shapes[draw_below(r, boxes)];
+        h.shapes[h.count++] = (thud_shape_instance){.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5,
                                             .x = box->x, .y = box->y + box->hy - 0.5};
     }
     if (draw_below(r, 4) == 0) {
@@ -188,7 +188,7 @@ static heap draw_heap(source *r)
 
 /* ---- worlds ---- */
 
-static thud_body_id add_placed(thud_world *world, const heap *h, const thud_placed *p, double angle,
+static thud_body_id add_placed(thud_world *world, const heap *h, const thud_shape_instance *p, double angle,
                                bool moves)
 {
     thud_shape_def def = thud_default_shape_def();
@@ -207,7 +207,7 @@ static void add_joined(thud_world *world, const heap *h)
     thud_shape_def def = thud_default_shape_def();
     def.friction = h->friction;
     for (int i = 0; i < h->count; i++) {
-        const thud_placed *p = &h->shapes[i];
+        const thud_shape_instance *p = &h->shapes[i];
         thud_vec2 at = {(float)(p->x * h->scale), (float)(p->y * h->scale)};
         thud_vec2 half = {(float)(p->hx * h->scale), (float)(p->hy * h->scale)};
         if (p->kind == THUD_CIRCLE) {
@@ -246,7 +246,7 @@ static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body)
     }
     *body = add_placed(world, h, &h->body, h->body_angle, true);
     OK(thud_body_set_velocity(world, *body, (thud_vec2){(float)(h->speed * h->scale), 0}, 0));
-    world->seams = seams ? world->seams : NULL;
+    world->internal_edges = seams ? world->internal_edges : NULL;
     return world;
 }
 
@@ -262,7 +262,7 @@ typedef struct outcome {
 } outcome;
 
 /* Of the body, where it is now, from a shape or from the line: exact but for the line's ends. */
-static double least_distance(const heap *h, const thud_placed *body)
+static double least_distance(const heap *h, const thud_shape_instance *body)
 {
     solid b = solid_of(body, 0, 0);
     double least = 1e9;
@@ -287,11 +287,11 @@ static double least_distance(const heap *h, const thud_placed *body)
     return least;
 }
 
-static double middle_inside(const heap *h, const thud_placed *body)
+static double middle_inside(const heap *h, const thud_shape_instance *body)
 {
     double most = 0;
     for (int i = 0; i < h->count; i++) {
-        const thud_placed *s = &h->shapes[i];
+        const thud_shape_instance *s = &h->shapes[i];
         most = fmax(most, -point_distance(s, body->x - s->x, body->y - s->y));
     }
     return most;
@@ -306,7 +306,7 @@ static outcome watch(const heap *h, bool seams)
     for (int step = 1; step <= STEPS; step++) {
         run(world, 1);
         thud_body_state s = state_of(world, id);
-        thud_placed now = h->body;
+        thud_shape_instance now = h->body;
         now.x = s.position.x / h->scale;
         now.y = s.position.y / h->scale;
         set_angle(&now, s.angle);
@@ -339,14 +339,14 @@ static const char *fault_of(const outcome *o)
 static void describe(const heap *h, const outcome *o)
 {
     for (int i = 0; i < h->count; i++) {
-        const thud_placed *s = &h->shapes[i];
+        const thud_shape_instance *s = &h->shapes[i];
         print_message("  kind %d at %.9g, %.9g half %.9g, %.9g angle %.9g\n", (int)s->kind, s->x,
                       s->y, s->hx, s->hy, h->angles[i]);
     }
     for (int i = 0; i < h->vertices; i++) {
         print_message("  vertex %.9g, %.9g\n", h->line[i].x, h->line[i].y);
     }
-    const thud_placed *b = &h->body;
+    const thud_shape_instance *b = &h->body;
     print_message("  body: kind %d at %.9g, %.9g half %.9g, %.9g angle %.9g speed %.9g scale %g "
                   "friction %g %s %s%s\n  ends at %.9g, %.9g: overlap %g, inside %g, speed %g, nearest "
                   "%g, energy %g\n",

@@ -30,7 +30,7 @@ typedef struct seen_shape {
     uint32_t body;
     thud_filter filter;
     bool is_line;
-    thud_placed placed;
+    thud_shape_instance placed;
     thud_terrain line;
 } seen_shape;
 
@@ -44,7 +44,7 @@ static void look_at(const chaos *c, thud_shape_id id, seen_shape *out)
     *out = (seen_shape){.there = body.enabled, .sensor = shape.sensor, .awake = body.awake,
                         .kind = body.kind, .body = shape.body.index1, .filter = shape.filter,
                         .is_line = shape.kind == THUD_TERRAIN};
-    out->placed = (thud_placed){.kind = shape.kind,
+    out->placed = (thud_shape_instance){.kind = shape.kind,
                                 .x = body.position.x + cs * x - sn * y,
                                 .y = body.position.y + sn * x + cs * y,
                                 .c = shape.kind == THUD_OBB ? cs : 1.0,
@@ -83,7 +83,7 @@ static double distance_of(const seen_shape *a, const seen_shape *b)
 {
     thud_closest c = {.distance = 1};
     if (a->is_line) {
-        thud_placed relative = b->placed;
+        thud_shape_instance relative = b->placed;
         relative.x -= a->placed.x;
         relative.y -= a->placed.y;
         OK(thud_terrain_closest(&a->line, &relative, &c));

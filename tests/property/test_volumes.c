@@ -44,12 +44,12 @@ static double area(const thud_volume *v)
 }
 
 /* How large roundings are where the shape is. */
-static double rounding(const thud_placed *shape)
+static double rounding(const thud_shape_instance *shape)
 {
     return 1e-14 * (1.0 + fabs(shape->x) + fabs(shape->y) + shape->hx + shape->hy);
 }
 
-static thud_volume around_shape(thud_shape_kind kind, const thud_placed *shape)
+static thud_volume around_shape(thud_shape_kind kind, const thud_shape_instance *shape)
 {
     thud_volume v;
     OK(thud_volume_around_shape(kind, shape, &v));
@@ -111,7 +111,7 @@ static void volumes_of_overlapping_pairs_overlap(void **state)
 
 static void check_contains(source *r, const pair *p)
 {
-    const thud_placed *a = &p->a, *b = &p->b;
+    const thud_shape_instance *a = &p->a, *b = &p->b;
     bool inside = contains(a, b);
     double eps = rounding(a) + rounding(b), most = -1e300;
     /* The most that b reaches out of a: at a corner, or on the far side of a circle. */
@@ -139,7 +139,7 @@ static void containment_of_every_pair_agrees_with_sampled_outlines(void **state)
 static void check_around_shape(source *r, const pair *p)
 {
     (void)r;
-    const thud_placed *a = &p->a;
+    const thud_shape_instance *a = &p->a;
     thud_volume circle = around_shape(THUD_CIRCLE, a), upright = around_shape(THUD_AABB, a);
     thud_volume oriented = around_shape(THUD_OBB, a);
     double eps = rounding(a), width = 0.0, height = 0.0, far = 0.0;
@@ -172,7 +172,7 @@ static thud_motion draw_motion(source *r)
 
 static void check_around_motion(source *r, const pair *both)
 {
-    const thud_placed *shape = &both->a;
+    const thud_shape_instance *shape = &both->a;
     thud_motion m = draw_motion(r);
     thud_volume v[KINDS];
     double width = 0.0, height = 0.0, eps = 8.0 * rounding(shape);
@@ -181,7 +181,7 @@ static void check_around_motion(source *r, const pair *both)
     }
     for (int i = 0; i <= 32; i++) {
         double t = i < 16 ? i / 15.0 : draw(r, 0.0, 1.0), angle = m.turn * t;
-        thud_placed p = *shape;
+        thud_shape_instance p = *shape;
         if (p.kind == THUD_OBB) {
             p.c = shape->c * cos(angle) - shape->s * sin(angle);
             p.s = shape->s * cos(angle) + shape->c * sin(angle);
@@ -190,7 +190,7 @@ static void check_around_motion(source *r, const pair *both)
         p.y += m.dy * t;
         for (int kind = 0; kind < KINDS; kind++) {
             /* The sampled place is rounded far from the origin, and the check leaves no room. */
-            thud_placed middle = p;
+            thud_shape_instance middle = p;
             middle.hx -= fmin(eps, 0.5 * p.hx);
             middle.hy -= fmin(eps, 0.5 * p.hy);
             assert_true(contains(&v[kind], &middle));
@@ -217,7 +217,7 @@ static void volumes_of_random_motions_hold_every_place_on_the_way(void **state)
 static void check_merge(source *r, const pair *p)
 {
     (void)r;
-    const thud_placed *a = &p->a, *b = &p->b;
+    const thud_shape_instance *a = &p->a, *b = &p->b;
     double eps = rounding(a) + rounding(b);
     for (int i = 0; i < KINDS * KINDS; i++) {
         thud_volume v = around_shape((thud_shape_kind)(i / KINDS), a);

@@ -58,7 +58,7 @@ static void ball_falls_onto_floor(thud_world *world)
 
 static void geometry_answers(thud_world *world)
 {
-    thud_placed disc = {THUD_CIRCLE, 0, 3, 1, 0, 0.5, 0};
+    thud_shape_instance disc = {THUD_CIRCLE, 0, 3, 1, 0, 0.5, 0};
     thud_minkowski sum;
     EXPECT(thud_minkowski_sum(&disc, &disc, &sum) == THUD_OK);
     thud_volume around;

@@ -73,7 +73,7 @@ void village_make(village *v, thud_world_def def)
     OK(thud_body_set_enabled(v->world, v->switched_off, false));
     v->bare = add_body(v->world, THUD_DYNAMIC, 20, 300, 0);
     v->mover = thud_default_mover(
-        (thud_placed){.kind = THUD_CIRCLE, .x = -12, .y = 0.5, .c = 1, .hx = 0.4});
+        (thud_shape_instance){.kind = THUD_CIRCLE, .x = -12, .y = 0.5, .c = 1, .hx = 0.4});
     run(v->world, 20);
 }
 

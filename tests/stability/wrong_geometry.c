@@ -2,13 +2,13 @@
  * they were. */
 #include "wrong_input.h"
 
-static const thud_placed ball = {.kind = THUD_CIRCLE, .x = 1, .y = 5, .c = 1, .hx = 0.5};
-static const thud_placed box = {.kind = THUD_OBB, .x = 2, .c = 0.6, .s = 0.8, .hx = 1, .hy = 0.5};
+static const thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = 1, .y = 5, .c = 1, .hx = 0.5};
+static const thud_shape_instance box = {.kind = THUD_OBB, .x = 2, .c = 0.6, .s = 0.8, .hx = 1, .hy = 0.5};
 static const thud_motion still = {0, 0, 0};
 static const thud_pos hill[] = {{0, 0}, {1, 2}, {4, 0}};
 static const thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = hill, .count = 3};
 
-static const thud_placed bad_shapes[] = {
+static const thud_shape_instance bad_shapes[] = {
     {.kind = THUD_CIRCLE, .c = 1, .hx = 0},
     {.kind = THUD_CIRCLE, .c = 1, .hx = -1},
     {.kind = THUD_CIRCLE, .c = 1, .hx = NAN},
@@ -49,7 +49,7 @@ void wrong_geometry(void **state)
     thud_approach *approach = &wrong_out.approach;
     double *time = &wrong_out.number, *nx = &wrong_out.nx, *ny = &wrong_out.ny;
     for (int i = 0; i < COUNT(bad_shapes); i++) {
-        const thud_placed *bad = &bad_shapes[i];
+        const thud_shape_instance *bad = &bad_shapes[i];
         assert_false(thud_shapes_overlap(&ball, bad) || thud_shapes_overlap(bad, &ball));
         assert_false(thud_shape_cast_ray(bad, 0, 0, 1, 0, time, nx, ny));
         assert_false(thud_motion_is_bisectable(&ball, still, bad, still));
@@ -181,7 +181,7 @@ void wrong_volumes(void **state)
     wrong_pair *p = *state;
     thud_volume *out = &wrong_out.volume;
     for (int i = 0; i < COUNT(bad_shapes); i++) {
-        const thud_placed *bad = &bad_shapes[i];
+        const thud_shape_instance *bad = &bad_shapes[i];
         REFUSED_UNTOLD(INVALID, thud_volume_around_shape(THUD_AABB, bad, out));
         REFUSED_UNTOLD(INVALID, thud_volume_around_motion(THUD_OBB, bad, still, out));
     }

@@ -9,7 +9,7 @@ static bool count_shape(thud_shape_id shape, void *context)
 }
 
 /* What thud_placed_check refuses. */
-static const thud_placed no_shapes[] = {
+static const thud_shape_instance no_shapes[] = {
     {.kind = THUD_CIRCLE, .c = 1, .hx = NAN},
     {.kind = THUD_CIRCLE, .c = 1, .hx = 0},
     {.kind = THUD_CIRCLE, .c = 1, .hx = -1},
@@ -21,7 +21,7 @@ static const thud_placed no_shapes[] = {
     {.kind = THUD_TERRAIN, .c = 1, .hx = 1, .hy = 1},
     {.kind = (thud_shape_kind)99, .c = 1, .hx = 1, .hy = 1},
 };
-static const thud_placed disc = {.kind = THUD_CIRCLE, .c = 1, .hx = 1};
+static const thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = 1};
 static const double not_a_length[] = {NAN, INFINITY, -INFINITY, 0, -1};
 
 void wrong_rays_and_casts(void **state)
@@ -57,7 +57,7 @@ void wrong_rays_and_casts(void **state)
         REFUSED(INVALID, thud_world_cast_box_all(w, from, 1, 1, x, 1, 0, NULL, hits, 4, count));
     }
     for (int i = 0; i < COUNT(no_shapes); i++) {
-        const thud_placed *none = &no_shapes[i];
+        const thud_shape_instance *none = &no_shapes[i];
         REFUSED(INVALID, thud_world_cast_shape(w, from, none, 1, 0, NULL, OUT_FLAG, hit));
         REFUSED(INVALID, thud_world_cast_shape_all(w, from, none, 1, 0, NULL, hits, 4, count));
     }

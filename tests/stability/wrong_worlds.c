@@ -102,9 +102,9 @@ void wrong_worlds(void **state)
     BAD(time_budget, -1);
     BAD(time_budget, 1.1);
     BAD(time_budget, 0.001); /* and no clock */
-    BAD(crew.workers, -1);
-    BAD(crew.workers, THUD_WORKERS_MAX + 1);
-    BAD(crew.workers, 2); /* and nobody to run them */
+    BAD(job_system.workers, -1);
+    BAD(job_system.workers, THUD_WORKERS_MAX + 1);
+    BAD(job_system.workers, 2); /* and nobody to run them */
     BAD_QUALITY(substeps, 0);
     BAD_QUALITY(substeps, 65);
     BAD_QUALITY(contact_stiffness, 0.6f);

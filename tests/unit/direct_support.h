@@ -4,7 +4,7 @@
 
 #include "engine_support.h"
 
-#include "direct.h"
+#include "islands/direct.h"
 
 enum { BODIES_MOST = 32, CONTACTS_MOST = 64, GROUND = TD_NONE };
 

@@ -74,7 +74,7 @@ static inline uint64_t digest_of(thud_world *world)
     const uint64_t counts[] = {
         s.steps,       (uint64_t)s.bodies,       (uint64_t)s.shapes,     (uint64_t)s.awake_bodies,
         (uint64_t)s.pairs, (uint64_t)s.contacts, (uint64_t)s.colours,    (uint64_t)s.blocks,
-        (uint64_t)s.substeps, (uint64_t)s.hard_islands, (uint64_t)s.factorings,
+        (uint64_t)s.substeps, (uint64_t)s.direct_islands, (uint64_t)s.factorings,
         (uint64_t)s.island_work, (uint64_t)s.impacts, (uint64_t)s.motion_pairs};
     MIX(counts);
     return digest;

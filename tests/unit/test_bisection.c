@@ -8,8 +8,8 @@
 
 #include <cmocka.h>
 
-static const thud_placed ball = {.kind = THUD_CIRCLE, .x = 0.0, .y = 0.0, .c = 1.0, .hx = 0.5};
-static const thud_placed wall = {.kind = THUD_AABB, .x = 3.0, .c = 1.0, .hx = 0.5, .hy = 4.0};
+static const thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = 0.0, .y = 0.0, .c = 1.0, .hx = 0.5};
+static const thud_shape_instance wall = {.kind = THUD_AABB, .x = 3.0, .c = 1.0, .hx = 0.5, .hy = 4.0};
 static const thud_motion still = {0.0, 0.0, 0.0};
 
 static double collision(thud_motion motion, double tolerance, bool *collided)
@@ -49,9 +49,9 @@ static void bisection_does_not_see_a_wall_that_was_passed_through(void **state)
 static void turn_counts_for_what_is_bisectable(void **state)
 {
     (void)state;
-    thud_placed bar = {.kind = THUD_OBB, .c = 1.0, .hx = 3.0, .hy = 4.0}, upright = bar;
+    thud_shape_instance bar = {.kind = THUD_OBB, .c = 1.0, .hx = 3.0, .hy = 4.0}, upright = bar;
     upright.kind = THUD_AABB;
-    thud_placed disc = {.kind = THUD_CIRCLE, .x = 9.0, .c = 1.0, .hx = 0.5};
+    thud_shape_instance disc = {.kind = THUD_CIRCLE, .x = 9.0, .c = 1.0, .hx = 0.5};
     assert_true(thud_motion_is_bisectable(&disc, still, &bar, (thud_motion){0, 0, 0.199}));
     assert_false(thud_motion_is_bisectable(&disc, still, &bar, (thud_motion){0, 0, -0.201}));
     assert_false(thud_motion_is_bisectable(&bar, (thud_motion){0.5, 0, 0.101}, &disc, still));
@@ -73,7 +73,7 @@ static void bisection_of_shapes_that_overlap_at_the_start_is_no_collision(void *
 static void bisection_of_a_turning_bar_is_when_its_end_comes_down(void **state)
 {
     (void)state;
-    thud_placed bar = {THUD_OBB, 0.0, 1.0, 1.0, 0.0, 2.0, 0.001};
+    thud_shape_instance bar = {THUD_OBB, 0.0, 1.0, 1.0, 0.0, 2.0, 0.001};
     thud_terrain floor = {.kind = THUD_TERRAIN_FLAT};
     bool collided;
     double time;
@@ -89,7 +89,7 @@ static void bisection_refuses_bad_input_and_leaves_the_answers(void **state)
 {
     (void)state;
     thud_terrain floor = {.kind = THUD_TERRAIN_FLAT}, steep = {.slope = 1e9};
-    thud_placed bad = ball;
+    thud_shape_instance bad = ball;
     bad.hx = -1.0;
     bool collided = true;
     double time = 7.0;

@@ -2,8 +2,8 @@
  * world does, and every broadphase makes the same ones in the same order. */
 #include "engine_support.h"
 
-#include "contact.h"
-#include "world.h"
+#include "contact/contact.h"
+#include "state/world.h"
 
 typedef struct chaos {
     thud_world *world;
@@ -68,7 +68,7 @@ static void check(const thud_world *w, bool crowd)
             }
             const td_bounds *of_a = bounds_seen(w, a), *of_b = bounds_seen(w, b);
             /* Bounds wrap around far away: only near ones count. */
-            const td_place *p = &td_stance_at(w, a)->center, *q = &td_stance_at(w, b)->center;
+            const td_position *p = &td_shape_proxy_at(w, a)->center, *q = &td_shape_proxy_at(w, b)->center;
             double most = 1e5 * TD_FIXED_ONE;
             bool near_by = fabs((double)(p->x - q->x)) < most && fabs((double)(p->y - q->y)) < most;
             bool overlap = near_by && td_bounds_overlap(of_a, of_b);

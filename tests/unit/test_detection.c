@@ -95,7 +95,7 @@ static void swept_bullets_pass_no_thin_wall_and_overlap_tested_ones_do(void **st
 /* The deepest overlap of any two bodies with one shape each. */
 static double deepest(const thud_world *world, const thud_body_id *ids, int count)
 {
-    thud_placed *placed = calloc((size_t)count, sizeof *placed);
+    thud_shape_instance *placed = calloc((size_t)count, sizeof *placed);
     double depth = 0.0;
     for (int i = 0; i < count; i++) {
         thud_body_state b = state_of(world, ids[i]);
@@ -104,7 +104,7 @@ static double deepest(const thud_world *world, const thud_body_id *ids, int coun
         OK(thud_body_shapes(world, ids[i], &shape, 1, NULL));
         OK(thud_shape_get(world, shape, &s));
         bool obb = s.kind == THUD_OBB;
-        placed[i] = (thud_placed){s.kind, b.position.x, b.position.y,
+        placed[i] = (thud_shape_instance){s.kind, b.position.x, b.position.y,
                                   obb ? cos(b.angle) : 1.0, obb ? sin(b.angle) : 0.0,
                                   (double)s.half_extents.x, (double)s.half_extents.y};
         for (int k = 0; k < i; k++) {

@@ -2,7 +2,7 @@
 #include "engine_support.h"
 
 #include "build_thud.h"
-#include "error.h"
+#include "solver/error.h"
 #include "pool.h"
 #include "scenes.h"
 
@@ -371,7 +371,7 @@ static void report_is_the_same_with_any_workers_and_any_simd(void **state)
             thud_world_def def = thud_default_world_def();
             threads[k] = k > 0 && k < 4 ? pool_create(k + 1) : NULL;
             if (threads[k]) {
-                def.crew = pool_crew(threads[k]);
+                def.job_system = pool_job_system(threads[k]);
             }
             def.baseline_simd = k == 4;
             world[k] = world_of(scenes[i].name, scenes[i].size, def);

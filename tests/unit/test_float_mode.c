@@ -7,7 +7,7 @@
 #include "build_thud.h"
 #include "pool.h"
 #include "scenes.h"
-#include "simd.h"
+#include "base/simd.h"
 
 #if !defined(TD_MODE_OWN)
 typedef unsigned td_mode;
@@ -125,7 +125,7 @@ static void workers_in_any_mode_give_the_same_bits(void **state)
         set_mode(TD_MODE_OWN);
         assert_non_null(p);
         thud_world_def def = thud_default_world_def();
-        def.crew = pool_crew(p);
+        def.job_system = pool_job_system(p);
         hash[m] = hash_of("platformer", 1000, 80, &def);
         pool_destroy(p);
         assert_true(hash[m] == hash[0]);
@@ -227,7 +227,7 @@ static uint64_t do_all(const thud_quality *quality)
     def.length_scale = 0.7f;
     deeds d = {.seen = 1};
     d.mover = thud_default_mover(
-        (thud_placed){.kind = THUD_CIRCLE, .x = -6.2, .y = 5.3, .c = 1, .hx = 0.4});
+        (thud_shape_instance){.kind = THUD_CIRCLE, .x = -6.2, .y = 5.3, .c = 1, .hx = 0.4});
     IN_MODE(thud_world_create(&def, &d.world));
     IN_MODE(thud_world_set_quality(d.world, quality));
     make_ground(&d);

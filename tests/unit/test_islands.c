@@ -18,8 +18,8 @@ static void islands_heavy_on_light_turns_hard_by_itself(void **state)
     for (int i = 0; i < 60; i++) {
         run(world, 1);
         thud_stats stats = thud_world_stats(world);
-        assert_int_equal(stats.hard_islands, 1);
-        assert_int_equal(stats.hard_bodies, 2);
+        assert_int_equal(stats.direct_islands, 1);
+        assert_int_equal(stats.direct_bodies, 2);
         assert_int_equal(stats.soft_islands, 0);
     }
     thud_world_destroy(world);
@@ -36,7 +36,7 @@ static void islands_turn_soft_a_second_after_their_load_is_gone(void **state)
     OK(thud_body_destroy(world, top));
     for (int i = 0; i < 90; i++) {
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).hard_bodies, i < 60 ? 2 : 0);
+        assert_int_equal(thud_world_stats(world).direct_bodies, i < 60 ? 2 : 0);
     }
     thud_world_destroy(world);
 }
@@ -48,7 +48,7 @@ static void islands_of_equal_boxes_stay_soft_at_default(void **state)
     add_column(world, 0, 5, NULL);
     for (int i = 0; i < 120; i++) {
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).hard_islands, 0);
+        assert_int_equal(thud_world_stats(world).direct_islands, 0);
         assert_int_equal(thud_world_stats(world).factorings, 0);
     }
     thud_world_destroy(world);
@@ -67,8 +67,8 @@ static void islands_are_all_hard_where_the_limit_is_zero(void **state)
         add_ball(world, -10, 500, 0.5f);
         run(world, 10);
         thud_stats stats = thud_world_stats(world);
-        assert_int_equal(stats.hard_islands, 3);
-        assert_int_equal(stats.hard_bodies, 6);
+        assert_int_equal(stats.direct_islands, 3);
+        assert_int_equal(stats.direct_bodies, 6);
         assert_int_equal(stats.soft_islands, 0);
         assert_true(stats.factorings >= 3);
         thud_world_destroy(world);
@@ -83,7 +83,7 @@ static void islands_are_none_without_a_solver(void **state)
     add_heavy(world, 0, 1.5, 0.5f, 1e5f);
     for (int i = 0; i < 60; i++) {
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).hard_islands, 0);
+        assert_int_equal(thud_world_stats(world).direct_islands, 0);
     }
     thud_world_destroy(world);
 }
@@ -116,8 +116,8 @@ static void islands_of_more_bodies_than_the_limit_stay_soft(void **state)
     add_column(world, 10, 6, NULL);
     for (int i = 0; i < 30; i++) {
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).hard_islands, 1);
-        assert_int_equal(thud_world_stats(world).hard_bodies, 5);
+        assert_int_equal(thud_world_stats(world).direct_islands, 1);
+        assert_int_equal(thud_world_stats(world).direct_bodies, 5);
     }
     thud_world_destroy(world);
 }
@@ -136,9 +136,9 @@ static void islands_for_which_no_work_is_left_stay_soft(void **state)
         run(world, 1);
         thud_stats stats = thud_world_stats(world);
         assert_true(stats.island_work <= little.island_work);
-        hard += stats.hard_islands - stats.soft_islands;
+        hard += stats.direct_islands - stats.soft_islands;
         soft += stats.soft_islands;
-        assert_true(stats.hard_islands - stats.soft_islands <= 1);
+        assert_true(stats.direct_islands - stats.soft_islands <= 1);
     }
     assert_true(hard > 100);
     assert_true(soft > 0);
@@ -155,7 +155,7 @@ static void islands_without_any_work_stay_soft(void **state)
     for (int i = 0; i < 30; i++) {
         run(world, 1);
         thud_stats stats = thud_world_stats(world);
-        assert_int_equal(stats.hard_islands, stats.soft_islands);
+        assert_int_equal(stats.direct_islands, stats.soft_islands);
         assert_int_equal(stats.factorings, 0);
     }
     thud_world_destroy(world);
@@ -179,8 +179,8 @@ static int direct_steps(int patience, int *longest)
     for (int i = 0; i < 240; i++) {
         run(world, 1);
         thud_stats stats = thud_world_stats(world);
-        steps += stats.hard_islands > stats.soft_islands;
-        strained = stats.factorings > 8 * stats.hard_islands ? strained + 1 : 0;
+        steps += stats.direct_islands > stats.soft_islands;
+        strained = stats.factorings > 8 * stats.direct_islands ? strained + 1 : 0;
         *longest = strained > *longest ? strained : *longest;
     }
     thud_world_destroy(world);
@@ -259,7 +259,7 @@ static void islands_follow_a_copy_of_the_callers_quality(void **state)
     mine.island_limit = 1;
     add_column(world, 0, 4, NULL);
     run(world, 10);
-    assert_int_equal(thud_world_stats(world).hard_bodies, 4);
+    assert_int_equal(thud_world_stats(world).direct_bodies, 4);
     assert_int_equal(thud_world_stats(world).substeps, 2);
     thud_world_destroy(world);
 }
@@ -276,7 +276,7 @@ static void islands_follow_the_quality_back_and_forth(void **state)
         OK(thud_world_set_quality(world, quality));
         run(world, 20);
         if (quality->sag_limit == 0 && quality->islands) {
-            assert_int_equal(thud_world_stats(world).hard_bodies, 30);
+            assert_int_equal(thud_world_stats(world).direct_bodies, 30);
         }
     }
     OK(thud_world_set_quality(world, &thud_quality_exact));
@@ -305,7 +305,7 @@ static void run_hard(thud_world *world, int steps)
     int64_t bodies = 0;
     for (int i = 0; i < steps; i++) {
         run(world, 1);
-        bodies += thud_world_stats(world).hard_bodies;
+        bodies += thud_world_stats(world).direct_bodies;
     }
     assert_true(bodies > 20);
 }
@@ -330,7 +330,7 @@ static void islands_are_the_same_for_any_number_of_workers(void **state)
         for (int workers = 2; workers <= 4; workers++) {
             pool *p = pool_create(workers);
             assert_non_null(p);
-            def.crew = pool_crew(p);
+            def.job_system = pool_job_system(p);
             assert_true(hash_of_yard(def) == alone);
             pool_destroy(p);
         }
@@ -424,10 +424,10 @@ static void islands_sleep_and_wake_without_loss(void **state)
         double lost = lost_by(world, top, 1.5);
         for (int i = 0; i < 5; i++) {
             assert_int_equal(thud_world_stats(world).awake_bodies, 0);
-            assert_int_equal(thud_world_stats(world).hard_islands, 0);
+            assert_int_equal(thud_world_stats(world).direct_islands, 0);
             OK(thud_body_set_awake(world, top, true));
             run(world, 20);
-            assert_int_equal(thud_world_stats(world).hard_bodies, 2);
+            assert_int_equal(thud_world_stats(world).direct_bodies, 2);
             run(world, 280);
         }
         near_to(lost_by(world, top, 1.5), lost, 1e-3);

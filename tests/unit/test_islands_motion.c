@@ -40,7 +40,7 @@ static void islands_tall_column_stands_at_default(void **state)
     thud_body_id ids[60];
     add_column(world, 0, 60, ids);
     run(world, 600);
-    assert_int_equal(thud_world_stats(world).hard_bodies, 60);
+    assert_int_equal(thud_world_stats(world).direct_bodies, 60);
     near_to(lost_by(world, ids[59], 59.5), 0, 0.05);
     thud_world_destroy(world);
 }
@@ -282,7 +282,7 @@ static void islands_lift_takes_a_column_along(void **state)
         OK(thud_body_set_velocity(world, lift, (thud_vec2){0, 0.5f}, 0));
         run(world, 240);
         double top = state_of(world, lift).position.y + 0.5;
-        assert_int_equal(thud_world_stats(world).hard_bodies, 10);
+        assert_int_equal(thud_world_stats(world).direct_bodies, 10);
         near_to(state_of(world, ids[9]).velocity.y, 0.5, 1e-3);
         near_to(lost_by(world, ids[9], top + 9.5), 0, 0.01);
         thud_world_destroy(world);
@@ -318,7 +318,7 @@ static void islands_leave_out_what_a_prologue_vetoes(void **state)
         near_to(state_of(world, ids[0]).position.y, 0.5, 1e-3);
         run(world, 90);
         near_to(state_of(world, ids[2]).position.y, 1.5, 5e-3);
-        assert_int_equal(thud_world_stats(world).hard_bodies, 2);
+        assert_int_equal(thud_world_stats(world).direct_bodies, 2);
         thud_world_destroy(world);
     }
 }
@@ -332,15 +332,15 @@ static void islands_go_on_without_bodies_that_vanish(void **state)
         thud_body_id ids[8];
         add_column(world, 0, 8, ids);
         run(world, 30);
-        assert_int_equal(thud_world_stats(world).hard_bodies, 8);
+        assert_int_equal(thud_world_stats(world).direct_bodies, 8);
         OK(thud_body_destroy(world, ids[3]));
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).hard_bodies, 7);
+        assert_int_equal(thud_world_stats(world).direct_bodies, 7);
         run(world, 120);
         near_to(lost_by(world, ids[7], 6.5), 0, 0.01);
         OK(thud_body_set_enabled(world, ids[5], false));
         run(world, 1);
-        assert_int_equal(thud_world_stats(world).hard_bodies, 6);
+        assert_int_equal(thud_world_stats(world).direct_bodies, 6);
         run(world, 120);
         near_to(lost_by(world, ids[7], 5.5), 0, 0.01);
         thud_world_destroy(world);

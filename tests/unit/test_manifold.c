@@ -77,7 +77,7 @@ static void turned_boxes_agree_with_the_closest_features(void **state)
         thud_world_def def = weightless();
         def.prologue = look;
         thud_world *world = make_world(def);
-        thud_placed p[2];
+        thud_shape_instance p[2];
         for (int k = 0; k < 2; k++) {
             double angle = random_in(&seed, -3, 3);
             thud_body_id id = add_body(world, THUD_DYNAMIC, random_in(&seed, -0.8, 0.8),
@@ -85,7 +85,7 @@ static void turned_boxes_agree_with_the_closest_features(void **state)
             float hx = (float)random_in(&seed, 0.2, 1), hy = (float)random_in(&seed, 0.2, 1);
             add_shape(world, id, hx, hy, false, NULL);
             thud_body_state s = state_of(world, id);
-            p[k] = (thud_placed){THUD_OBB, s.position.x, s.position.y, cos(s.angle), sin(s.angle),
+            p[k] = (thud_shape_instance){THUD_OBB, s.position.x, s.position.y, cos(s.angle), sin(s.angle),
                                  (double)hx, (double)hy};
         }
         thud_closest closest;

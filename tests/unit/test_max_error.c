@@ -38,7 +38,7 @@ static void error_without_limit_is_missed(void **state)
     add_column(world, 0, 10);
     run(world, 120);
     assert_true(thud_world_error(world).penetration_max > 0.005);
-    assert_int_equal(thud_world_stats(world).hard_islands, 0);
+    assert_int_equal(thud_world_stats(world).direct_islands, 0);
     thud_world_destroy(world);
 }
 
@@ -53,8 +53,8 @@ static void column_keeps_the_limit_and_the_lone_box_stays_soft(void **state)
     thud_step_error error = thud_world_error(world);
     assert_true(error.penetration_max < 0.002);
     assert_int_equal(error.overlaps, 0);
-    assert_int_equal(thud_world_stats(world).hard_islands, 1);
-    assert_int_equal(thud_world_stats(world).hard_bodies, 10);
+    assert_int_equal(thud_world_stats(world).direct_islands, 1);
+    assert_int_equal(thud_world_stats(world).direct_bodies, 10);
     thud_world_destroy(world);
 }
 
@@ -68,12 +68,12 @@ static void quality_falls_again_when_the_load_is_gone(void **state)
         boxes[i] = add_box(world, 0, 0.5 + i, 0.5f, 0.5f);
     }
     run(world, 120);
-    assert_int_equal(thud_world_stats(world).hard_islands, 1);
+    assert_int_equal(thud_world_stats(world).direct_islands, 1);
     for (int i = 1; i < 10; i++) {
         OK(thud_body_destroy(world, boxes[i]));
     }
     run(world, 120);
-    assert_int_equal(thud_world_stats(world).hard_islands, 0);
+    assert_int_equal(thud_world_stats(world).direct_islands, 0);
     assert_true(thud_world_error(world).penetration_max < 0.002);
     thud_world_destroy(world);
 }

@@ -15,15 +15,15 @@
 #define INVALID(call) assert_int_equal(call, THUD_ERROR_INVALID)
 #define MISSING(call) assert_int_equal(call, THUD_ERROR_NULL)
 
-static thud_placed box(double hx, double hy)
+static thud_shape_instance box(double hx, double hy)
 {
-    return (thud_placed){.kind = THUD_AABB, .c = 1.0, .hx = hx, .hy = hy};
+    return (thud_shape_instance){.kind = THUD_AABB, .c = 1.0, .hx = hx, .hy = hy};
 }
 
 static void sum_of_boxes_by_hand_has_the_sums_of_their_extents(void **state)
 {
     (void)state;
-    thud_placed a = box(1.0, 2.0), b = box(0.5, 0.25);
+    thud_shape_instance a = box(1.0, 2.0), b = box(0.5, 0.25);
     thud_minkowski m;
     OK(thud_minkowski_sum(&a, &b, &m));
     assert_int_equal(m.count, 4);
@@ -38,7 +38,7 @@ static void sum_of_square_and_diamond_by_hand_is_an_octagon(void **state)
 {
     (void)state;
     double half = sqrt(0.5);
-    thud_placed a = box(1.0, 1.0), b = {THUD_OBB, 0.0, 0.0, half, half, half, half};
+    thud_shape_instance a = box(1.0, 1.0), b = {THUD_OBB, 0.0, 0.0, half, half, half, half};
     thud_minkowski m;
     bool inside;
     OK(thud_minkowski_sum(&a, &b, &m));
@@ -54,7 +54,7 @@ static void sum_of_square_and_diamond_by_hand_is_an_octagon(void **state)
 static void sum_of_circles_is_a_point_with_both_radii(void **state)
 {
     (void)state;
-    thud_placed a = {.kind = THUD_CIRCLE, .hx = 2.0}, b = {.kind = THUD_CIRCLE, .hx = 0.5};
+    thud_shape_instance a = {.kind = THUD_CIRCLE, .hx = 2.0}, b = {.kind = THUD_CIRCLE, .hx = 0.5};
     thud_minkowski m;
     memset(&m, 0xff, sizeof m);
     OK(thud_minkowski_sum(&a, &b, &m));
@@ -66,7 +66,7 @@ static void sum_of_circles_is_a_point_with_both_radii(void **state)
 static void cast_along_a_face_touches_its_end(void **state)
 {
     (void)state;
-    thud_placed a = box(1.0, 2.0), b = box(0.5, 0.25);
+    thud_shape_instance a = box(1.0, 2.0), b = box(0.5, 0.25);
     thud_minkowski m;
     bool hit;
     double f, nx, ny;
@@ -82,7 +82,7 @@ static void cast_along_a_face_touches_its_end(void **state)
 static void ray_from_inside_through_a_corner_hits_nothing(void **state)
 {
     (void)state;
-    thud_placed a = box(1.0, 1.0);
+    thud_shape_instance a = box(1.0, 1.0);
     double f, nx, ny;
     for (int i = 0; i < 4; i++) {
         double dx = i % 2 ? 2.0 : -2.0, dy = i / 2 ? 2.0 : -2.0;
@@ -93,7 +93,7 @@ static void ray_from_inside_through_a_corner_hits_nothing(void **state)
 static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void **state)
 {
     (void)state;
-    thud_placed a = box(1.0, 1e-12);
+    thud_shape_instance a = box(1.0, 1e-12);
     double f, nx, ny;
     for (int i = 1; i < 1000; i++) {
         assert_true(thud_shape_cast_ray(&a, 0.0, 1e7 / i, 0.0, -1e7, &f, &nx, &ny));
@@ -108,7 +108,7 @@ static void impact_on_ground_with_points_next_to_each_other_is_found(void **stat
     const thud_pos points[4] = {{-5.0, 0.0}, {0.0, 0.0}, {1e-200, 0.0}, {5.0, 0.0}};
     thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
     for (int kind = THUD_CIRCLE; kind <= THUD_OBB; kind++) {
-        thud_placed a = {(thud_shape_kind)kind, 0.0, 3.0, 1.0, 0.0, 1.0, 1.0};
+        thud_shape_instance a = {(thud_shape_kind)kind, 0.0, 3.0, 1.0, 0.0, 1.0, 1.0};
         bool hit;
         double time;
         OK(thud_terrain_time_of_impact(&ground, &a, (thud_motion){0.0, -4.0, 0.0}, 0.0, &hit,
@@ -121,8 +121,8 @@ static void impact_on_ground_with_points_next_to_each_other_is_found(void **stat
 static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state)
 {
     (void)state;
-    thud_placed b = {THUD_OBB, 0.0, 0.0, 0.6 * (1.0 + 4e-6), 0.8 * (1.0 + 4e-6), 2.0, 1.0};
-    thud_placed point = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1e-9};
+    thud_shape_instance b = {THUD_OBB, 0.0, 0.0, 0.6 * (1.0 + 4e-6), 0.8 * (1.0 + 4e-6), 2.0, 1.0};
+    thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1e-9};
     thud_minkowski m;
     OK(thud_minkowski_sum(&b, &point, &m));
     for (int i = 0; i < 2; i++) {
@@ -134,7 +134,7 @@ static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state)
 static void cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not(void **state)
 {
     (void)state;
-    thud_placed a = box(1.0, 1.0), b = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1.0};
+    thud_shape_instance a = box(1.0, 1.0), b = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1.0};
     thud_minkowski m;
     bool hit;
     double f, nx, ny;
@@ -155,8 +155,8 @@ static void sum_of_needles_near_parallel_loses_no_face(void **state)
 {
     (void)state;
     for (double angle = 1e-15; angle < 1.0; angle *= 10.0) {
-        thud_placed a = {THUD_OBB, 0.0, 0.0, 1.0, 0.0, 1.0, 1e-6};
-        thud_placed b = {THUD_OBB, 0.0, 0.0, cos(angle), sin(angle), 1.0, 1e-6};
+        thud_shape_instance a = {THUD_OBB, 0.0, 0.0, 1.0, 0.0, 1.0, 1e-6};
+        thud_shape_instance b = {THUD_OBB, 0.0, 0.0, cos(angle), sin(angle), 1.0, 1e-6};
         thud_minkowski m;
         bool hit;
         double f, nx, ny;
@@ -173,7 +173,7 @@ static void sum_of_needles_near_parallel_loses_no_face(void **state)
 static void refused_input_leaves_every_output_as_it_was(void **state)
 {
     (void)state;
-    thud_placed good = box(1.0, 1.0), bad[4] = {good, good, good, good};
+    thud_shape_instance good = box(1.0, 1.0), bad[4] = {good, good, good, good};
     thud_minkowski m, kept, wrong[3];
     bad[0].x = NAN;
     bad[1].hx = 0.0;

@@ -13,13 +13,13 @@
 
 static thud_mover box_mover(double x, double y)
 {
-    return thud_default_mover((thud_placed){.kind = THUD_AABB, .x = x, .y = y, .c = 1, .hx = 0.3,
+    return thud_default_mover((thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1, .hx = 0.3,
                                             .hy = 0.5});
 }
 
 static thud_mover circle_mover(double x, double y)
 {
-    thud_placed circle = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
+    thud_shape_instance circle = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
     return thud_default_mover(circle);
 }
 
@@ -385,7 +385,7 @@ static void random_moves_in_a_level_never_enter_anything(void **state)
             velocity.y = report.velocity.y;
             on_ground += mover.on_ground;
             int inside = 0;
-            thud_placed shape = mover.shape;
+            thud_shape_instance shape = mover.shape;
             thud_pos origin = {0, 0};
             OK(thud_world_overlap_shape(world, origin, &shape, NULL, count_one, &inside));
             assert_int_equal(inside, 0);

@@ -8,7 +8,7 @@
 
 static thud_mover box_mover(double x, double y)
 {
-    return thud_default_mover((thud_placed){.kind = THUD_AABB, .x = x, .y = y, .c = 1, .hx = 0.3,
+    return thud_default_mover((thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1, .hx = 0.3,
                                             .hy = 0.5});
 }
 

@@ -85,7 +85,7 @@ static void overlap_tells_in_order_of_slots_until_told_to_stop(void **state)
     assert_int_equal(found[0], 3);
     assert_true(found[1] == 3 && found[2] == 4 && found[3] == 5);
     int one[8] = {0};
-    thud_placed disc = {.kind = THUD_CIRCLE, .c = 1, .hx = 0.2};
+    thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = 0.2};
     OK(thud_world_overlap_shape(world, (thud_pos){4, 0.5}, &disc, NULL, gather, one));
     assert_int_equal(one[0], 1);
     assert_int_equal(one[1], 2);

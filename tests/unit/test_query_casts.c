@@ -302,7 +302,7 @@ static void casts_refuse_bad_input_and_leave_outputs_alone(void **state)
     REFUSED(thud_world_cast_ray_all(world, at, 0, -9, NULL, NULL, 1, &count), THUD_ERROR_NULL);
     REFUSED(thud_world_cast_ray_all(NULL, at, 0, -9, NULL, &out, 1, &count), THUD_ERROR_NULL);
     REFUSED(thud_world_cast_shape(world, at, NULL, 0, -9, NULL, flag, &out), THUD_ERROR_NULL);
-    thud_placed line = {.kind = THUD_TERRAIN, .c = 1, .hx = 1, .hy = 1};
+    thud_shape_instance line = {.kind = THUD_TERRAIN, .c = 1, .hx = 1, .hy = 1};
     REFUSED(thud_world_cast_shape(world, at, &line, 0, -9, NULL, flag, &out), THUD_ERROR_INVALID);
     REFUSED(thud_world_cast_shape_all(world, at, &line, 0, -9, NULL, &out, 1, &count),
             THUD_ERROR_INVALID);

@@ -109,10 +109,10 @@ static void sensor_knows_at_every_step_who_is_in(void **state)
         for (int k = 0; k < 300; k++) {
             /* Overlaps are of where bodies stand as a step begins. */
             int overlap = 0;
-            thud_placed box = {.kind = THUD_AABB, .c = 1, .hx = 3, .hy = 3};
+            thud_shape_instance box = {.kind = THUD_AABB, .c = 1, .hx = 3, .hy = 3};
             for (int i = 0; i < 30; i++) {
                 thud_pos p = state_of(world, balls[i]).position;
-                thud_placed ball = {.kind = THUD_CIRCLE, .x = p.x, .y = p.y, .c = 1,
+                thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = p.x, .y = p.y, .c = 1,
                                     .hx = (double)0.4f};
                 overlap += thud_shapes_overlap(&box, &ball);
             }

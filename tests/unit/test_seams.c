@@ -3,7 +3,7 @@
  * boxes all of it. */
 #include "engine_support.h"
 
-#include "seams.h"
+#include "contact/internal_edges.h"
 
 enum { TILES, TURNED_TILES, LINE, LINES_AND_BOXES, GROUNDS };
 
@@ -240,9 +240,9 @@ static void corner_at_the_start_of_a_steep_line_is_met(void **state)
         add_shape(world, box, 0.06f, 0.27f, false, &def);
         run(world, 150);
         thud_body_state s = state_of(world, box);
-        thud_placed b = {THUD_OBB, s.position.x, s.position.y, cos(s.angle), sin(s.angle), 0.06, 0.27};
-        thud_placed upper = {THUD_AABB, -1, -0.1, 1, 0, 1, 0.1};
-        thud_placed lower = {THUD_AABB, 2, -1.2, 1, 0, 5, 0.97};
+        thud_shape_instance b = {THUD_OBB, s.position.x, s.position.y, cos(s.angle), sin(s.angle), 0.06, 0.27};
+        thud_shape_instance upper = {THUD_AABB, -1, -0.1, 1, 0, 1, 0.1};
+        thud_shape_instance lower = {THUD_AABB, 2, -1.2, 1, 0, 5, 0.97};
         thud_closest c;
         OK(thud_shapes_closest(&upper, &b, &c));
         if (!(c.distance > -0.005)) {

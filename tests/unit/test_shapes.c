@@ -1,6 +1,6 @@
 /* test_shapes.c: circles and boxes against answers worked out by hand, and what is refused. */
 #include "thud/thud_shapes.h"
-#include "trig.h"
+#include "base/trig.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -11,29 +11,29 @@
 
 #define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-12)
 
-static thud_placed circle(double x, double y, double r)
+static thud_shape_instance circle(double x, double y, double r)
 {
-    return (thud_placed){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
+    return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_placed box(double x, double y, double hx, double hy)
+static thud_shape_instance box(double x, double y, double hx, double hy)
 {
-    return (thud_placed){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
+    return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
-static thud_placed turned(double x, double y, double hx, double hy, double angle)
+static thud_shape_instance turned(double x, double y, double hx, double hy, double angle)
 {
-    return (thud_placed){THUD_OBB, x, y, cos(angle), sin(angle), hx, hy};
+    return (thud_shape_instance){THUD_OBB, x, y, cos(angle), sin(angle), hx, hy};
 }
 
-static thud_closest closest(thud_placed a, thud_placed b)
+static thud_closest closest(thud_shape_instance a, thud_shape_instance b)
 {
     thud_closest c;
     assert_int_equal(thud_shapes_closest(&a, &b, &c), THUD_OK);
     return c;
 }
 
-static double impact(thud_placed a, thud_motion ma, thud_placed b, double target)
+static double impact(thud_shape_instance a, thud_motion ma, thud_shape_instance b, double target)
 {
     bool hit;
     double time;
@@ -81,7 +81,7 @@ static void sincos_of_quarter_turns_hits_the_axes(void **state)
 static void placed_check_refuses_what_no_shape_can_be(void **state)
 {
     (void)state;
-    thud_placed good = turned(1.0, 2.0, 3.0, 4.0, 0.5), bad[9];
+    thud_shape_instance good = turned(1.0, 2.0, 3.0, 4.0, 0.5), bad[9];
     assert_int_equal(thud_placed_check(NULL), THUD_ERROR_NULL);
     assert_int_equal(thud_placed_check(&good), THUD_OK);
     for (int i = 0; i < 9; i++) {
@@ -114,7 +114,7 @@ static void placed_check_refuses_what_no_shape_can_be(void **state)
 static void null_pointers_are_refused(void **state)
 {
     (void)state;
-    thud_placed a = circle(0, 0, 1);
+    thud_shape_instance a = circle(0, 0, 1);
     thud_closest c;
     bool hit;
     double time;
@@ -132,7 +132,7 @@ static void null_pointers_are_refused(void **state)
 static void impact_refuses_motion_and_target_out_of_range(void **state)
 {
     (void)state;
-    thud_placed a = circle(0, 0, 1), b = circle(5, 0, 1);
+    thud_shape_instance a = circle(0, 0, 1), b = circle(5, 0, 1);
     thud_motion bad[] = {{NAN, 0, 0}, {0, INFINITY, 0}, {0, 0, 1e7}, {0, 0, NAN}}, still = {0};
     double targets[] = {-1.0, NAN, INFINITY};
     bool hit;
@@ -152,8 +152,8 @@ static void impact_refuses_motion_and_target_out_of_range(void **state)
 static void overlap_of_touching_shapes_is_true(void **state)
 {
     (void)state;
-    thud_placed unit = circle(0, 0, 1), side = circle(2, 0, 1), above = box(0, 2, 1, 1);
-    thud_placed square = box(0, 0, 1, 1), corner = box(2, 2, 1, 1), apart = box(2.001, 0, 1, 1);
+    thud_shape_instance unit = circle(0, 0, 1), side = circle(2, 0, 1), above = box(0, 2, 1, 1);
+    thud_shape_instance square = box(0, 0, 1, 1), corner = box(2, 2, 1, 1), apart = box(2.001, 0, 1, 1);
     assert_true(thud_shapes_overlap(&unit, &side));
     assert_true(thud_shapes_overlap(&unit, &above));
     assert_true(thud_shapes_overlap(&square, &corner));
@@ -218,7 +218,7 @@ static void closest_of_overlapping_boxes_is_the_least_axis(void **state)
 static void ray_at_circle_and_box_gives_fraction_and_normal(void **state)
 {
     (void)state;
-    thud_placed c = circle(5, 0, 1), b = box(0, 0, 1, 2);
+    thud_shape_instance c = circle(5, 0, 1), b = box(0, 0, 1, 2);
     double f, nx, ny;
     assert_true(thud_shape_cast_ray(&c, 0, 0, 8, 0, &f, &nx, &ny));
     NEAR(f, 0.5);
@@ -234,7 +234,7 @@ static void ray_at_circle_and_box_gives_fraction_and_normal(void **state)
 static void ray_that_starts_inside_or_has_no_length_hits_nothing(void **state)
 {
     (void)state;
-    thud_placed shapes[] = {circle(0, 0, 1), box(0, 0, 1, 1), turned(0, 0, 1, 1, 0.3)};
+    thud_shape_instance shapes[] = {circle(0, 0, 1), box(0, 0, 1, 1), turned(0, 0, 1, 1, 0.3)};
     double f, nx, ny;
     for (int i = 0; i < 3; i++) {
         assert_false(thud_shape_cast_ray(&shapes[i], 0.1, 0.2, 9, 9, &f, &nx, &ny));
@@ -247,7 +247,7 @@ static void ray_that_starts_inside_or_has_no_length_hits_nothing(void **state)
 static void ray_from_a_million_away_finds_a_small_circle_edge(void **state)
 {
     (void)state;
-    thud_placed c = circle(0, 0, 1e-3);
+    thud_shape_instance c = circle(0, 0, 1e-3);
     double f, nx, ny;
     assert_true(thud_shape_cast_ray(&c, -1e6, 0.999e-3, 2e6, 0, &f, &nx, &ny));
     assert_true(fabs(ny - 0.999) < 1e-6);

@@ -12,12 +12,12 @@
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
-static const thud_placed ball = {.kind = THUD_CIRCLE, .x = 1.0, .y = 5.0, .c = 1.0, .hx = 0.5};
+static const thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = 1.0, .y = 5.0, .c = 1.0, .hx = 0.5};
 static const thud_motion still = {0.0, 0.0, 0.0};
 static const thud_pos hill[] = {{0.0, 0.0}, {1.0, 2.0}, {4.0, 0.0}};
 static const thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = hill, .count = 3};
 
-static const thud_placed bad_shapes[] = {
+static const thud_shape_instance bad_shapes[] = {
     {.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.0},
     {.kind = THUD_CIRCLE, .c = 1.0, .hx = -1.0},
     {.kind = THUD_CIRCLE, .c = 1.0, .hx = NAN},
@@ -109,7 +109,7 @@ static void assert_as_it_was(void)
 static void functions_of_shapes_refuse_null_pointers(void **state)
 {
     (void)state;
-    const thud_placed *a = &ball;
+    const thud_shape_instance *a = &ball;
     thud_motion m = still;
     REFUSES(THUD_ERROR_NULL, thud_placed_check(NULL));
     REFUSES(NO, thud_shapes_overlap(NULL, a));
@@ -142,7 +142,7 @@ static void functions_of_terrain_refuse_null_pointers(void **state)
 {
     (void)state;
     const thud_terrain *t = &ground;
-    const thud_placed *a = &ball;
+    const thud_shape_instance *a = &ball;
     thud_motion m = still;
     REFUSES(THUD_ERROR_NULL, thud_terrain_check(NULL));
     REFUSES(THUD_ERROR_NULL, thud_terrain_sample_at(NULL, 1.0, &out.sample));
@@ -169,15 +169,15 @@ static void functions_of_terrain_refuse_null_pointers(void **state)
 static void functions_of_shapes_refuse_impossible_shapes(void **state)
 {
     (void)state;
-    const thud_placed *a = &ball;
+    const thud_shape_instance *a = &ball;
     thud_motion m = still;
     for (int i = 0; i < COUNT(bad_shapes); i++) {
-        const thud_placed *bad = &bad_shapes[i];
-        const thud_placed *pair[2][2] = {{bad, a}, {a, bad}};
+        const thud_shape_instance *bad = &bad_shapes[i];
+        const thud_shape_instance *pair[2][2] = {{bad, a}, {a, bad}};
         REFUSES(THUD_ERROR_INVALID, thud_placed_check(bad));
         REFUSES(NO, thud_shape_cast_ray(bad, -9.0, 5.0, 99.0, 0.0, &out.time, &out.nx, &out.ny));
         for (int k = 0; k < 2; k++) {
-            const thud_placed *one = pair[k][0], *two = pair[k][1];
+            const thud_shape_instance *one = pair[k][0], *two = pair[k][1];
             REFUSES(NO, thud_shapes_overlap(one, two));
             REFUSES(THUD_ERROR_INVALID, thud_shapes_closest(one, two, &out.closest));
             REFUSES(THUD_ERROR_INVALID, thud_shapes_contacts(one, two, 0.0, &out.contacts));
@@ -195,7 +195,7 @@ static void functions_of_terrain_refuse_impossible_shapes(void **state)
 {
     (void)state;
     for (int i = 0; i < COUNT(bad_shapes); i++) {
-        const thud_placed *bad = &bad_shapes[i];
+        const thud_shape_instance *bad = &bad_shapes[i];
         REFUSES(NO, thud_terrain_overlap(&ground, bad));
         REFUSES(THUD_ERROR_INVALID, thud_terrain_closest(&ground, bad, &out.closest));
         REFUSES(THUD_ERROR_INVALID, thud_terrain_contacts(&ground, bad, 0.0, &out.contacts));
@@ -251,7 +251,7 @@ static void terrain_check_refuses_lines_that_go_back_or_are_no_number(void **sta
         /* The others do not look at every vertex, but they come to an end. */
         for (int k = 0; k < 2; k++, t.kind = THUD_TERRAIN_IRREGULAR) {
             for (int y = -2; y <= 2; y++) {
-                thud_placed low = ball;
+                thud_shape_instance low = ball;
                 low.y = y;
                 (void)thud_terrain_overlap(&t, &low);
                 (void)thud_terrain_closest(&t, &low, &out.closest);
@@ -265,7 +265,7 @@ static void terrain_check_refuses_lines_that_go_back_or_are_no_number(void **sta
 static void functions_refuse_motions_out_of_range(void **state)
 {
     (void)state;
-    const thud_placed *a = &ball;
+    const thud_shape_instance *a = &ball;
     for (int i = 0; i < COUNT(bad_motions); i++) {
         thud_motion bad = bad_motions[i], pair[2][2] = {{bad, still}, {still, bad}};
         for (int k = 0; k < 2; k++) {
@@ -287,7 +287,7 @@ static void functions_refuse_motions_out_of_range(void **state)
 static void functions_refuse_margins_targets_and_tolerances_out_of_range(void **state)
 {
     (void)state;
-    const thud_placed *a = &ball;
+    const thud_shape_instance *a = &ball;
     thud_motion m = still;
     for (int i = 0; i < COUNT(bad_lengths); i++) {
         double bad = bad_lengths[i];
@@ -337,7 +337,7 @@ static void rays_and_lookups_refuse_what_is_no_number(void **state)
 static void approach_refuses_boxes(void **state)
 {
     (void)state;
-    const thud_placed box = {.kind = THUD_AABB, .c = 1.0, .hx = 1.0, .hy = 1.0};
+    const thud_shape_instance box = {.kind = THUD_AABB, .c = 1.0, .hx = 1.0, .hy = 1.0};
     REFUSES(THUD_ERROR_INVALID, thud_circles_approach(&ball, still, &box, still, &out.approach));
     REFUSES(THUD_ERROR_INVALID, thud_circles_approach(&box, still, &ball, still, &out.approach));
 }

@@ -4,7 +4,7 @@
 
 #include "../support/hostile_memory.h"
 
-#include "snapshot.h"
+#include "api/snapshot.h"
 
 static char told[128];
 

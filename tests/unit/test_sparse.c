@@ -2,7 +2,7 @@
 #include "dense_support.h"
 
 #include "../support/hostile_memory.h"
-#include "sparse.h"
+#include "islands/sparse.h"
 
 static bool order(td_memory *memory, td_sparse *s)
 {

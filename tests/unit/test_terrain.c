@@ -20,17 +20,17 @@ static const thud_terrain uniform = {
 
 static const thud_terrain flat = {.kind = THUD_TERRAIN_FLAT, .slope = 0.75};
 
-static thud_placed circle(double x, double y, double r)
+static thud_shape_instance circle(double x, double y, double r)
 {
-    return (thud_placed){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
+    return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_placed box(double x, double y, double hx, double hy)
+static thud_shape_instance box(double x, double y, double hx, double hy)
 {
-    return (thud_placed){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
+    return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
-static double impact(const thud_terrain *t, thud_placed shape, double dx, double dy, double target)
+static double impact(const thud_terrain *t, thud_shape_instance shape, double dx, double dy, double target)
 {
     bool hit;
     double time;
@@ -40,7 +40,7 @@ static double impact(const thud_terrain *t, thud_placed shape, double dx, double
     return hit ? time : 2.0;
 }
 
-static bool overlaps(const thud_terrain *t, thud_placed shape)
+static bool overlaps(const thud_terrain *t, thud_shape_instance shape)
 {
     return thud_terrain_overlap(t, &shape);
 }
@@ -75,7 +75,7 @@ static void check_refuses_what_no_ground_can_be(void **state)
 static void calls_with_bad_input_are_refused(void **state)
 {
     (void)state;
-    thud_placed shape = circle(0, 9, 1), bad_shape = circle(NAN, 9, 1);
+    thud_shape_instance shape = circle(0, 9, 1), bad_shape = circle(NAN, 9, 1);
     thud_terrain none = {.kind = THUD_TERRAIN_UNIFORM, .spacing = 1, .count = 3};
     thud_terrain_sample sample;
     thud_motion still = {0}, wild = {0, 0, NAN};

@@ -1,6 +1,6 @@
 /* test_terrain_manifold.c: contacts of circles and boxes with the segments of a ground line: that
  * they come from one segment each, with the normal that a smooth ride needs. */
-#include "terrain_manifold.h"
+#include "terrain/terrain_manifold.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -19,14 +19,14 @@ typedef struct contacts {
     double nx[64], ny[64];
 } contacts;
 
-static thud_placed circle(double x, double y, double r)
+static thud_shape_instance circle(double x, double y, double r)
 {
-    return (thud_placed){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
+    return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_placed box(double x, double y, double hx, double hy, double angle)
+static thud_shape_instance box(double x, double y, double hx, double hy, double angle)
 {
-    return (thud_placed){THUD_OBB, x, y, cos(angle), sin(angle), hx, hy};
+    return (thud_shape_instance){THUD_OBB, x, y, cos(angle), sin(angle), hx, hy};
 }
 
 static thud_terrain line(const thud_pos *points, int count)
@@ -35,7 +35,7 @@ static thud_terrain line(const thud_pos *points, int count)
 }
 
 /* What a world sees: the contacts with all segments near the shape. */
-static contacts meet(const thud_terrain *t, thud_placed shape)
+static contacts meet(const thud_terrain *t, thud_shape_instance shape)
 {
     contacts c = {0};
     double reach = shape.hx + shape.hy + MARGIN;
@@ -113,7 +113,7 @@ static void box_sliding_over_collinear_segments_meets_two_corners_with_one_norma
         double length = sqrt(1 + 0.09 * slope * slope);
         for (int i = 0; i < 4000; i++) {
             double x = 2.0 + i * 0.0015;
-            thud_placed b = box(x, 0.3 * slope * x + 0.49 * length, 0.8, 0.5, 0);
+            thud_shape_instance b = box(x, 0.3 * slope * x + 0.49 * length, 0.8, 0.5, 0);
             b.c = 1 / length;
             b.s = 0.3 * slope / length;
             contacts c = meet(&t, b);
@@ -310,7 +310,7 @@ static void manifold_has_the_same_bits_every_time(void **state)
     (void)state;
     const thud_pos hills[] = {{-4, 1}, {-1, 0}, {0, 0.5}, {4, -4}};
     thud_terrain t = line(hills, 4);
-    thud_placed b = box(-0.3, 0.8, 1, 0.6, 0.3);
+    thud_shape_instance b = box(-0.3, 0.8, 1, 0.6, 0.3);
     for (int i = 0; i < 3; i++) {
         td_terrain_manifold one, two;
         memset(&one, 0, sizeof one);

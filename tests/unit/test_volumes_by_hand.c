@@ -15,12 +15,12 @@
 #define INVALID(call) assert_int_equal(call, THUD_ERROR_INVALID)
 #define MISSING(call) assert_int_equal(call, THUD_ERROR_NULL)
 
-static const thud_placed square = {.kind = THUD_AABB, .x = 3.0, .y = 4.0, .c = 1.0, .hx = 1.0,
+static const thud_shape_instance square = {.kind = THUD_AABB, .x = 3.0, .y = 4.0, .c = 1.0, .hx = 1.0,
                                    .hy = 1.0};
 
-static thud_placed turned(double hx, double hy, double angle)
+static thud_shape_instance turned(double hx, double hy, double angle)
 {
-    return (thud_placed){THUD_OBB, 0.0, 0.0, cos(angle), sin(angle), hx, hy};
+    return (thud_shape_instance){THUD_OBB, 0.0, 0.0, cos(angle), sin(angle), hx, hy};
 }
 
 static void circle_around_square_reaches_its_corners(void **state)
@@ -37,7 +37,7 @@ static void circle_around_square_reaches_its_corners(void **state)
 static void obb_around_obb_is_itself(void **state)
 {
     (void)state;
-    thud_placed box = turned(2.0, 0.5, 0.3);
+    thud_shape_instance box = turned(2.0, 0.5, 0.3);
     thud_volume v;
     OK(thud_volume_around_shape(THUD_OBB, &box, &v));
     NEAR(v.c, box.c);
@@ -51,7 +51,7 @@ static void aabb_around_turning_bar_is_widest_on_the_way(void **state)
     (void)state;
     /* A bar of half length 2 from 45 degrees before to 45 degrees after level: it is widest, 2, in
      * the middle, where neither of its ends shows it. */
-    thud_placed bar = turned(2.0, 1e-9, -0.78539816339744831);
+    thud_shape_instance bar = turned(2.0, 1e-9, -0.78539816339744831);
     thud_volume v;
     OK(thud_volume_around_motion(THUD_AABB, &bar, (thud_motion){0.0, 0.0, 1.5707963267948966},
                                  &v));
@@ -62,7 +62,7 @@ static void aabb_around_turning_bar_is_widest_on_the_way(void **state)
 static void volumes_around_whole_turn_are_as_wide_as_the_diagonal(void **state)
 {
     (void)state;
-    thud_placed box = turned(4.0, 3.0, 0.0);
+    thud_shape_instance box = turned(4.0, 3.0, 0.0);
     thud_volume v;
     OK(thud_volume_around_motion(THUD_AABB, &box, (thud_motion){2.0, 0.0, -7.0}, &v));
     NEAR(v.x, 1.0);
@@ -84,7 +84,7 @@ static void turn_of_an_aabb_is_not_heeded(void **state)
 static void obb_around_diagonal_flight_lies_along_it(void **state)
 {
     (void)state;
-    thud_placed ball = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5};
+    thud_shape_instance ball = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5};
     thud_volume v;
     OK(thud_volume_around_motion(THUD_OBB, &ball, (thud_motion){30.0, 40.0, 0.0}, &v));
     NEAR(v.c, 0.6);
@@ -96,7 +96,7 @@ static void obb_around_diagonal_flight_lies_along_it(void **state)
 static void obb_around_turning_bar_lies_as_the_bar_halfway(void **state)
 {
     (void)state;
-    thud_placed bar = turned(2.0, 1e-9, 0.2);
+    thud_shape_instance bar = turned(2.0, 1e-9, 0.2);
     thud_volume v;
     OK(thud_volume_around_motion(THUD_OBB, &bar, (thud_motion){0.0, 0.0, 0.4}, &v));
     NEAR(v.c, cos(0.4));
@@ -108,7 +108,7 @@ static void obb_around_turning_bar_lies_as_the_bar_halfway(void **state)
 static void circle_around_flight_reaches_both_ends(void **state)
 {
     (void)state;
-    thud_placed ball = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5};
+    thud_shape_instance ball = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5};
     thud_volume v;
     OK(thud_volume_around_motion(THUD_CIRCLE, &ball, (thud_motion){30.0, 40.0, 0.0}, &v));
     NEAR(v.x, 15.0);
@@ -330,7 +330,7 @@ static void values_out_of_range_are_refused_and_change_nothing(void **state)
 {
     (void)state;
     thud_volume out = square;
-    thud_placed flat = square;
+    thud_shape_instance flat = square;
     bool yes = true;
     flat.hy = 0.0; /* a volume, but no shape */
     OK(thud_volume_check(&flat));

@@ -5,12 +5,12 @@
 #include "pool.h"
 #include "scenes.h"
 
-static uint64_t hash_after(const char *name, int size, int steps, thud_crew crew)
+static uint64_t hash_after(const char *name, int size, int steps, thud_job_system job_system)
 {
     scene s;
     assert_true(scenes_fill(scenes_find(name), size, &s));
     thud_world_def def = thud_default_world_def();
-    def.crew = crew;
+    def.job_system = job_system;
     thud_world *world;
     OK(scene_build_thud(&s, &def, &world, NULL, NULL));
     run(world, steps);
@@ -40,12 +40,12 @@ static void any_number_of_workers_gives_the_same_bits(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
         uint64_t alone =
-            hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, (thud_crew){0});
+            hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, (thud_job_system){0});
         for (int workers = 2; workers <= 5; workers++) {
             pool *p = pool_create(workers);
             assert_non_null(p);
             uint64_t shared =
-                hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, pool_crew(p));
+                hash_after(SCENES[i].name, SCENES[i].size, SCENES[i].steps, pool_job_system(p));
             pool_destroy(p);
             if (shared != alone) {
                 fail_msg("%s differs with %d workers", SCENES[i].name, workers);
@@ -58,9 +58,9 @@ static void workers_one_after_the_other_give_the_same_bits(void **state)
 {
     (void)state;
     int calls = 0;
-    thud_crew crew = {one_after_the_other, &calls, 3};
-    assert_true(hash_after("pyramid", 40, 40, crew) ==
-                hash_after("pyramid", 40, 40, (thud_crew){0}));
+    thud_job_system job_system = {one_after_the_other, &calls, 3};
+    assert_true(hash_after("pyramid", 40, 40, job_system) ==
+                hash_after("pyramid", 40, 40, (thud_job_system){0}));
     assert_true(calls >= 40);
 }
 
@@ -68,8 +68,8 @@ static void small_worlds_ask_nobody(void **state)
 {
     (void)state;
     int calls = 0;
-    thud_crew crew = {one_after_the_other, &calls, 3};
-    hash_after("tall_stack", 10, 20, crew);
+    thud_job_system job_system = {one_after_the_other, &calls, 3};
+    hash_after("tall_stack", 10, 20, job_system);
     assert_int_equal(calls, 0);
 }
 
@@ -78,11 +78,11 @@ static void absurd_crews_are_refused(void **state)
     (void)state;
     thud_world_def def = thud_default_world_def();
     thud_world *world = NULL;
-    def.crew = (thud_crew){NULL, NULL, 2};
+    def.job_system = (thud_job_system){NULL, NULL, 2};
     assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
-    def.crew = (thud_crew){one_after_the_other, NULL, THUD_WORKERS_MAX + 1};
+    def.job_system = (thud_job_system){one_after_the_other, NULL, THUD_WORKERS_MAX + 1};
     assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
-    def.crew = (thud_crew){one_after_the_other, NULL, -1};
+    def.job_system = (thud_job_system){one_after_the_other, NULL, -1};
     assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
     assert_null(world);
 }

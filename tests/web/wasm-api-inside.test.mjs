@@ -71,12 +71,12 @@ test("contacts_of_a_body_apart_are_none_and_of_a_destroyed_one_throw", () => {
 test("island_that_is_solved_directly_shows_in_contacts_stats_and_overlay", () => {
   const scene = boxOnGround({ sleeping: false });
   const { world } = scene;
-  assert.equal(world.stats().hardIslands, 0);
+  assert.equal(world.stats().directIslands, 0);
   assert.equal(stylesOf(world, { islands: true })["solved directly"], undefined);
   const heavy = load(scene);
   assert.ok(world.contactsOf(heavy).every(({ direct }) => direct));
-  const { hardIslands, hardBodies, softIslands } = world.stats();
-  assert.deepEqual([hardIslands, hardBodies, softIslands], [1, 2, 0]);
+  const { directIslands, directBodies, softIslands } = world.stats();
+  assert.deepEqual([directIslands, directBodies, softIslands], [1, 2, 0]);
   assert.equal(stylesOf(world, { islands: true })["solved directly"], 2);
   world.close();
 });
@@ -206,7 +206,7 @@ test("draft_with_islands_takes_a_maximum_error_and_without_refuses_it", () => {
   const quality = { base: "draft", islands: true };
   const scene = boxOnGround({ quality, maxError: 0.01, sleeping: false });
   load(scene);
-  assert.equal(scene.world.stats().hardIslands, 1);
+  assert.equal(scene.world.stats().directIslands, 1);
   assert.ok(scene.world.measure().penetrationMax <= 0.01);
   assert.throws(() => scene.world.setQuality("draft"), refused);
   scene.world.close();

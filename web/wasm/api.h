@@ -39,7 +39,7 @@ uint32_t api_to_u32(double value);
 void api_sincos(double angle, double *s, double *c);
 
 /* A query's or mover's shape about the origin. */
-thud_placed api_placed(int kind, double hx, double hy, double angle);
+thud_shape_instance api_placed(int kind, double hx, double hy, double angle);
 
 static inline thud_body_id api_body(uint32_t index1, uint32_t generation) {
     return (thud_body_id){index1, generation};

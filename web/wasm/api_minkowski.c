@@ -9,8 +9,8 @@
  * centre. */
 int api_minkowski_sum(void) {
     double *s = api_slots, distance = 0.0, nx = 0.0, ny = 0.0, x = s[8], y = s[9];
-    thud_placed a = api_placed(api_to_int(s[0]), s[1], s[2], s[3]);
-    thud_placed b = api_placed(api_to_int(s[4]), s[5], s[6], s[7]);
+    thud_shape_instance a = api_placed(api_to_int(s[0]), s[1], s[2], s[3]);
+    thud_shape_instance b = api_placed(api_to_int(s[4]), s[5], s[6], s[7]);
     thud_minkowski sum;
     bool overlaps = false;
     thud_result result = thud_minkowski_sum(&a, &b, &sum);

@@ -10,12 +10,12 @@ static thud_query_filter query_filter(double category, double mask, int sensors)
     return (thud_query_filter){api_to_u32(category), api_to_u32(mask), sensors != 0};
 }
 
-thud_placed api_placed(int kind, double hx, double hy, double angle) {
+thud_shape_instance api_placed(int kind, double hx, double hy, double angle) {
     double c = 1.0, s = 0.0;
     if (kind == THUD_OBB) {
         api_sincos(angle, &s, &c);
     }
-    return (thud_placed){.kind = (thud_shape_kind)kind,
+    return (thud_shape_instance){.kind = (thud_shape_kind)kind,
                          .c = c,
                          .s = s,
                          .hx = hx,
@@ -52,7 +52,7 @@ int api_cast_ray(thud_world *world, double x, double y, double dx, double dy, do
 int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
                    double angle, double dx, double dy, double category, double mask, int sensors) {
     thud_query_filter filter = query_filter(category, mask, sensors);
-    thud_placed shape = api_placed(kind, hx, hy, angle);
+    thud_shape_instance shape = api_placed(kind, hx, hy, angle);
     bool hit = false;
     thud_ray_hit met = {0};
     thud_result result =
@@ -67,7 +67,7 @@ int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, d
 int api_cast_all(thud_world *world, int kind, double x, double y, double hx, double hy,
                  double angle, double dx, double dy, double category, double mask, int sensors) {
     thud_query_filter filter = query_filter(category, mask, sensors);
-    thud_placed shape = api_placed(kind, hx, hy, angle);
+    thud_shape_instance shape = api_placed(kind, hx, hy, angle);
     static const thud_ray_hit none = {0};
     int count = ROOM, room = 0;
     while (room < count) { /* once more where there are more hits than room for them */
@@ -144,7 +144,7 @@ int api_overlap_aabb(thud_world *world, double lower_x, double lower_y, double u
 int api_overlap_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
                       double angle, double category, double mask, int sensors) {
     thud_query_filter filter = query_filter(category, mask, sensors);
-    thud_placed shape = api_placed(kind, hx, hy, angle);
+    thud_shape_instance shape = api_placed(kind, hx, hy, angle);
     api_buffer_clear(&found);
     return collected(
         thud_world_overlap_shape(world, (thud_pos){x, y}, &shape, &filter, collect, &found));

@@ -204,8 +204,8 @@ int api_world_stats(const thud_world *world) {
     s[9] = (double)stats.step_allocations;
     s[10] = stats.substeps;
     s[11] = stats.step_seconds;
-    s[12] = stats.hard_islands;
-    s[13] = stats.hard_bodies;
+    s[12] = stats.direct_islands;
+    s[13] = stats.direct_bodies;
     s[14] = stats.soft_islands;
     s[15] = stats.impacts;
     s[16] = stats.motion_pairs;

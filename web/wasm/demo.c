@@ -60,9 +60,9 @@ int api_scene_create(int index, int size) {
 int api_sum_picture(void) {
     static sum_picture picture;
     double *s = api_slots;
-    thud_placed a = {
+    thud_shape_instance a = {
         .kind = (thud_shape_kind)api_to_int(s[0]), .hx = s[1], .hy = s[2], .c = s[3], .s = s[4]};
-    thud_placed b = {.kind = (thud_shape_kind)api_to_int(s[5]),
+    thud_shape_instance b = {.kind = (thud_shape_kind)api_to_int(s[5]),
                      .hx = s[6],
                      .hy = s[7],
                      .c = s[8],

@@ -114,7 +114,7 @@ typedef struct thud_world_def {
                                     happens, and runs differ. Needs `clock` */
     const thud_detection *detection;   /* default null: the quality's */
     const thud_broadphase *broadphase; /* default (also null): &thud_broadphase_grid */
-    thud_crew crew;              /* threads to work on; default: the calling one alone */
+    thud_job_system job_system;              /* threads to work on; default: the calling one alone */
 } thud_world_def;
 
 THUD_API thud_world_def thud_default_world_def(void);
@@ -307,7 +307,7 @@ typedef enum thud_stage {
     THUD_STAGE_NARROWPHASE,
     THUD_STAGE_CONTACTS, /* the prologue */
     THUD_STAGE_SOLVE,
-    THUD_STAGE_FINISH,
+    THUD_STAGE_FINALIZE,
     THUD_STAGE_CONTINUOUS,
     THUD_STAGE_EVENTS, /* the epilogue */
     THUD_STAGE_SLEEP,
@@ -326,7 +326,7 @@ typedef struct thud_stats {
     double stage_seconds[THUD_STAGE_COUNT]; /* of the last step; 0 without a clock */
     double step_seconds;
     /* Islands solved at once in the last step. */
-    int hard_islands, hard_bodies;
+    int direct_islands, direct_bodies;
     int soft_islands;                     /* of them, that stayed as the soft solver had them */
     int factorings;                       /* of matrices ... */
     int64_t island_work;                  /* ... and operations on blocks, see thud_quality.h */

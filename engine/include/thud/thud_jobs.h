@@ -13,10 +13,10 @@ typedef void thud_task_fn(void *argument);
  * once or twice a step, from inside thud_world_step, and never while an earlier call is under way. */
 typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, void *context);
 
-typedef struct thud_crew {
+typedef struct thud_job_system {
     thud_parallel_fn *run; /* null (the default): the calling thread alone */
     void *context;         /* handed to run */
     int workers;           /* 0 (as 1) .. THUD_WORKERS_MAX; more than 1 needs run */
-} thud_crew;
+} thud_job_system;
 
 #endif

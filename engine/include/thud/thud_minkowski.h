@@ -43,7 +43,7 @@ typedef struct thud_minkowski {
 
 /* The sum of a and the reflected b. The centres are not read, but must be valid. Entries beyond
  * count are 0. */
-THUD_API thud_result thud_minkowski_sum(const thud_placed *a, const thud_placed *b,
+THUD_API thud_result thud_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,
                                         thud_minkowski *sum);
 
 /* Whether the point (x, y) is in the sum; its edge belongs to it. |x|, |y| <= 1e16. */

@@ -57,7 +57,7 @@ THUD_API bool thud_mover_passes_one_way(const thud_mover *mover, const thud_move
                                         thud_vec2 velocity, void *context);
 
 struct thud_mover {
-    thud_placed shape;       /* in the world; what thud_mover_move moves, and the caller may */
+    thud_shape_instance shape;       /* in the world; what thud_mover_move moves, and the caller may */
     thud_vec2 up;            /* unit; default (0, 1); (0, 0) for a game from above: no ground */
     double skin;             /* kept between the mover and what it meets, > 0; default 2 % of the
                                 smallest half extent */
@@ -87,7 +87,7 @@ struct thud_mover {
 };
 
 /* A mover of this shape, in the air. */
-THUD_API thud_mover thud_default_mover(thud_placed shape);
+THUD_API thud_mover thud_default_mover(thud_shape_instance shape);
 
 typedef struct thud_mover_report {
     thud_vec2 velocity;        /* what is left of the one asked for: on the ground the part across

@@ -53,11 +53,11 @@ THUD_API thud_result thud_world_cast_ray_all(thud_world *world, thud_pos origin,
  * offset from it), meets while it is moved by (dx, dy) without turning. Touching counts. A shape
  * that it overlaps from the start is met at 0, with the normal of least penetration. */
 THUD_API thud_result thud_world_cast_shape(thud_world *world, thud_pos center,
-                                           const thud_placed *shape, double dx, double dy,
+                                           const thud_shape_instance *shape, double dx, double dy,
                                            const thud_query_filter *filter, bool *hit,
                                            thud_ray_hit *out);
 THUD_API thud_result thud_world_cast_shape_all(thud_world *world, thud_pos center,
-                                               const thud_placed *shape, double dx, double dy,
+                                               const thud_shape_instance *shape, double dx, double dy,
                                                const thud_query_filter *filter, thud_ray_hit *out,
                                                int capacity, int *count);
 
@@ -86,7 +86,7 @@ typedef bool thud_overlap_fn(thud_shape_id shape, void *context);
 
 /* The circle, AABB or OBB `shape`, placed about `center` as above. */
 THUD_API thud_result thud_world_overlap_shape(thud_world *world, thud_pos center,
-                                              const thud_placed *shape,
+                                              const thud_shape_instance *shape,
                                               const thud_query_filter *filter, thud_overlap_fn *fn,
                                               void *context);
 THUD_API thud_result thud_world_overlap_circle(thud_world *world, thud_pos center, double radius,

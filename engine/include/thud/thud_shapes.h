@@ -19,12 +19,12 @@ typedef enum thud_shape_kind {
 } thud_shape_kind;
 
 /* A circle, AABB or OBB in its place. */
-typedef struct thud_placed {
+typedef struct thud_shape_instance {
     thud_shape_kind kind; /* not THUD_TERRAIN */
     double x, y;          /* centre */
     double c, s;          /* cosine and sine of the angle; 1, 0 unless OBB; not read of a circle */
     double hx, hy;        /* half extents, > 0; a circle's radius is hx, its hy is 0 */
-} thud_placed;
+} thud_shape_instance;
 
 /* Straight motion with turning about the centre, over one unit of time. */
 typedef struct thud_motion {
@@ -56,25 +56,25 @@ typedef struct thud_approach {
 } thud_approach;
 
 /* THUD_OK if finite and in range. */
-THUD_API thud_result thud_placed_check(const thud_placed *shape);
+THUD_API thud_result thud_placed_check(const thud_shape_instance *shape);
 
 /* True if the shapes share a point. Touching counts. False also for invalid shapes. */
-THUD_API bool thud_shapes_overlap(const thud_placed *a, const thud_placed *b);
+THUD_API bool thud_shapes_overlap(const thud_shape_instance *a, const thud_shape_instance *b);
 
 /* Signed distance, normal and closest points. Overlapping shapes give the axis of least
  * penetration. */
-THUD_API thud_result thud_shapes_closest(const thud_placed *a, const thud_placed *b,
+THUD_API thud_result thud_shapes_closest(const thud_shape_instance *a, const thud_shape_instance *b,
                                          thud_closest *out);
 
 /* The points at which the shapes are within `margin` (>= 0) of each other. The first is that of
  * thud_shapes_closest. Boxes of which one has a face across the normal may have a second: the place
  * furthest from the first along that face where the other box's opposite face lies over it. */
-THUD_API thud_result thud_shapes_contacts(const thud_placed *a, const thud_placed *b, double margin,
+THUD_API thud_result thud_shapes_contacts(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
                                           thud_contacts *out);
 
 /* Where the ray from (ox, oy) along (dx, dy) first meets the shape. *fraction is in [0, 1] of the
  * translation, (*nx, *ny) the outward unit normal there. A ray that starts inside hits nothing. */
-THUD_API bool thud_shape_cast_ray(const thud_placed *shape, double ox, double oy, double dx,
+THUD_API bool thud_shape_cast_ray(const thud_shape_instance *shape, double ox, double oy, double dx,
                                   double dy, double *fraction, double *nx, double *ny);
 
 /* First time in [0, 1] at which the moving shapes come within `target` (>= 0) of each other; 1 and
@@ -82,15 +82,15 @@ THUD_API bool thud_shape_cast_ray(const thud_placed *shape, double ox, double oy
  * time is in closed form, exact but for rounding; with turning it is found by conservative
  * advancement, as soon as the shapes are within 1e-10 of their size of the target: never late, and
  * early where they turn so close by each other, for so long, that the work is cut off. */
-THUD_API thud_result thud_shapes_time_of_impact(const thud_placed *a, thud_motion motion_a,
-                                                const thud_placed *b, thud_motion motion_b,
+THUD_API thud_result thud_shapes_time_of_impact(const thud_shape_instance *a, thud_motion motion_a,
+                                                const thud_shape_instance *b, thud_motion motion_b,
                                                 double target, bool *hit, double *time);
 
 /* Impact and nearest approach of two circles in closed form; turning does not matter. The nearest
  * approach is of the whole motion, as if the circles went through each other. THUD_ERROR_INVALID
  * unless both are circles. */
-THUD_API thud_result thud_circles_approach(const thud_placed *a, thud_motion motion_a,
-                                           const thud_placed *b, thud_motion motion_b,
+THUD_API thud_result thud_circles_approach(const thud_shape_instance *a, thud_motion motion_a,
+                                           const thud_shape_instance *b, thud_motion motion_b,
                                            thud_approach *out);
 
 /* When the moving shapes began to overlap, by bisection over the motion, for shapes that are apart
@@ -98,15 +98,15 @@ THUD_API thud_result thud_circles_approach(const thud_placed *a, thud_motion mot
  * of it they overlap; tolerance is in [1e-15, 1], of the motion, and each halving costs one overlap
  * test. *collided = false and *time = 1 where they are apart at the end, whatever happened in
  * between (see thud_motion_is_bisectable), or overlap at the start. */
-THUD_API thud_result thud_shapes_time_of_collision(const thud_placed *a, thud_motion motion_a,
-                                                   const thud_placed *b, thud_motion motion_b,
+THUD_API thud_result thud_shapes_time_of_collision(const thud_shape_instance *a, thud_motion motion_a,
+                                                   const thud_shape_instance *b, thud_motion motion_b,
                                                    double tolerance, bool *collided, double *time);
 
 /* Whether a test at the end of the motions cannot miss that one shape went through the middle of
  * the other: they move by less, relative to each other and with what turning adds at their corners,
  * than the smaller of both is thick. Corners that only graze each other can be missed all the same.
  * False for invalid shapes. */
-bool thud_motion_is_bisectable(const thud_placed *a, thud_motion motion_a, const thud_placed *b,
+bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a, const thud_shape_instance *b,
                                thud_motion motion_b);
 
 /* ---- terrain ---- */
@@ -155,13 +155,13 @@ THUD_API bool thud_terrain_cast_ray(const thud_terrain *terrain, double ox, doub
                                     double dy, double *fraction, double *nx, double *ny);
 
 /* True if the shape reaches the line or the solid ground below it. */
-THUD_API bool thud_terrain_overlap(const thud_terrain *terrain, const thud_placed *shape);
+THUD_API bool thud_terrain_overlap(const thud_terrain *terrain, const thud_shape_instance *shape);
 
 /* As thud_shapes_closest with the terrain as a. Overlapping, the distance is that of the least
  * translation that takes the shape out of the ground, and the normal its direction; the points are
  * of one of the places that then touch. Time grows with the number of segments that are as near as
  * the result, and when overlapping with that number times those under the shape's width. */
-THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_placed *shape,
+THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_shape_instance *shape,
                                           thud_closest *out);
 
 /* As thud_shapes_contacts with the terrain as a. Candidates for the second point are the corners of
@@ -170,17 +170,17 @@ THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain, const thu
  * furthest from thud_terrain_closest's is taken; the first point is thud_terrain_closest's, or of
  * candidates as deep (to 1e-9 of the shape's size) the one furthest from the second. Each point has
  * a normal of its own: a circle in a valley leans on both slopes. */
-THUD_API thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_placed *shape,
+THUD_API thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_shape_instance *shape,
                                            double margin, thud_contacts *out);
 
 /* As thud_shapes_time_of_impact with the terrain at rest. */
 THUD_API thud_result thud_terrain_time_of_impact(const thud_terrain *terrain,
-                                                 const thud_placed *shape, thud_motion motion,
+                                                 const thud_shape_instance *shape, thud_motion motion,
                                                  double target, bool *hit, double *time);
 
 /* As thud_shapes_time_of_collision with the terrain at rest. */
 THUD_API thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
-                                                    const thud_placed *shape, thud_motion motion,
+                                                    const thud_shape_instance *shape, thud_motion motion,
                                                     double tolerance, bool *collided, double *time);
 
 #ifdef __cplusplus

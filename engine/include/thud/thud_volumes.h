@@ -25,7 +25,7 @@ extern "C" {
 
 /* As a placed shape, but that its extents (a circle's radius is hx) may be 0. `kind` says which
  * volume it is. */
-typedef thud_placed thud_volume;
+typedef thud_shape_instance thud_volume;
 
 /* THUD_OK if it is a circle, AABB or OBB, |x|, |y| <= 1e16, extents of 0 to 1e16, and (c, s) of
  * length 1 within 1e-5, (1, 0) for an AABB. Of a circle, c, s and hy are not read. */
@@ -34,13 +34,13 @@ THUD_API thud_result thud_volume_check(const thud_volume *volume);
 /* ---- fit: the volume of the wanted kind around something ---- */
 
 /* The smallest of its kind. */
-THUD_API thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_placed *shape,
+THUD_API thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_shape_instance *shape,
                                               thud_volume *out);
 
 /* Around every place of the shape in its motion, turning included. A box counts as wide everywhere
  * as it ever is on its way, for a circle as the circle around it. An OBB lies in the direction of
  * the motion or in the shape's own direction halfway, whichever makes it smaller. */
-THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_placed *shape,
+THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_instance *shape,
                                                thud_motion motion, thud_volume *out);
 
 /* Around count >= 1 points, |x|, |y| <= 1e15; one point, or all on a line, will do. The smallest

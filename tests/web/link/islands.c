@@ -1,3 +1,3 @@
-/* islands.c: circles at the default quality, which has the solver of hard islands. */
+/* direct_islands.c: circles at the default quality, which has the solver of hard islands. */
 #define QUALITY thud_quality_default
 #include "circles.c"

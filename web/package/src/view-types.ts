@@ -55,9 +55,9 @@ export interface Stats {
   /** Seconds of the last step; 0 unless the world is timed or has a time budget. */
   stepSeconds: number;
   /** Islands that the soft solver could not hold, solved directly in the last step. */
-  hardIslands: number;
+  directIslands: number;
   /** In those islands. */
-  hardBodies: number;
+  directBodies: number;
   /** Of those islands, how many stayed as the soft solver had them. */
   softIslands: number;
   /** Collisions found within the last step, by the detections "bisect" and "swept". */

@@ -232,8 +232,8 @@ function sum(times: Times): number {
   return times.reduce((a, b) => a + b, 0);
 }
 
-function islandsText({ hardIslands, hardBodies }: Stats): string {
-  return hardIslands === 0 ? "0" : `${count(hardIslands)} (${count(hardBodies)} bodies)`;
+function islandsText({ directIslands, directBodies }: Stats): string {
+  return directIslands === 0 ? "0" : `${count(directIslands)} (${count(directBodies)} bodies)`;
 }
 
 function heldText({ heldBodies, heldSeconds }: Stats): string {

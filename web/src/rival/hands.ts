@@ -89,7 +89,7 @@ export function pull(hands: Hands, { body, anchor, target }: Pull, lengthScale =
 }
 
 /**
- * As a Mover of thud does it (push in engine/src/mover.c): the impulse against the surface that
+ * As a Mover of thud does it (push in engine/src/api/mover.c): the impulse against the surface that
  * takes the place that was met up to the character's speed.
  */
 export function push(hands: Hands, { body, anchor, normal, velocity, ...push }: Push): void {

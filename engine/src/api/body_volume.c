@@ -1,0 +1,71 @@
+/* body_volume.c: the bounding volume of a body, merged from those of its shapes. */
+#include "state/body.h"
+#include "state/handles.h"
+#include "state/shape.h"
+#include "api/step.h"
+
+#include "thud/thud_queries.h"
+
+static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int index, td_position origin,
+                                thud_volume *out)
+{
+    thud_shape_instance placed = td_shape_instance(w, index, origin);
+    if (placed.kind != THUD_TERRAIN) {
+        return thud_volume_around_shape(kind, &placed, out);
+    }
+    thud_terrain line = td_terrain_view(w, index);
+    if (line.kind == THUD_TERRAIN_FLAT) {
+        return THUD_ERROR_INVALID; /* it has no end */
+    }
+    bool uniform = line.kind == THUD_TERRAIN_UNIFORM;
+    double first = uniform ? line.x0 : line.points[0].x;
+    double last = uniform ? line.x0 + (line.count - 1) * line.spacing : line.points[line.count - 1].x;
+    thud_result result = thud_volume_around_terrain(kind, &line, first, last, out);
+    if (result == THUD_OK) {
+        out->x += placed.x;
+        out->y += placed.y;
+    }
+    return result;
+}
+
+thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kind,
+                             thud_pos origin, thud_volume *out)
+{
+    TD_IN_OWN_MODE;
+    int index;
+    if (!w || !out) {
+        return td_refuse(w, THUD_ERROR_NULL, "body volume: world or out is null");
+    }
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!w->locked && !td_changes_apply(w)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "body volume: out of memory");
+    }
+    double most = TD_PLACE_MAX * (double)w->unit;
+    if (!(origin.x >= -most && origin.x <= most && origin.y >= -most && origin.y <= most)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "body volume: origin is out of range");
+    }
+    int i = td_body_at(w, index)->first_shape;
+    thud_volume volume, shape;
+    bool first = true;
+    for (; i != TD_NONE && result == THUD_OK; i = td_shape_at(w, i)->next) {
+        if (td_shape_at(w, i)->flags & TD_SHAPE_WAITS) {
+            continue;
+        }
+        result = around_shape(w, kind, i, td_place_from(w, origin), &shape);
+        if (result == THUD_OK && !first) {
+            result = thud_volume_merge(kind, &volume, &shape, &volume);
+        } else {
+            volume = shape;
+        }
+        first = false;
+    }
+    result = result == THUD_OK && first ? THUD_ERROR_INVALID : result;
+    if (result != THUD_OK) {
+        return td_refuse(w, result, "body volume: no such volume, no shapes, or a line without end");
+    }
+    *out = volume;
+    return THUD_OK;
+}

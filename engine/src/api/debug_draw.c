@@ -1,0 +1,159 @@
+/* debug_draw.c: the world drawn through the caller's functions, for viewers and tests. */
+#include "state/body.h"
+#include "api/debug_draw.h"
+#include "state/handles.h"
+#include "state/shape.h"
+#include "api/step.h"
+
+thud_vec2 td_drawing_local(const td_drawing *d, td_position p)
+{
+    return (thud_vec2){(float)((double)(p.x - d->origin.x) / d->w->to_fixed),
+                       (float)((double)(p.y - d->origin.y) / d->w->to_fixed)};
+}
+
+void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_draw_style style)
+{
+    if (d->draw->line) {
+        d->draw->line(a, b, style, d->draw->context);
+    }
+}
+
+static thud_draw_style style_of(const td_drawing *d, const td_shape *shape)
+{
+    const td_body *body = td_body_at(d->w, shape->body);
+    if (shape->flags & TD_SHAPE_SENSOR) {
+        return THUD_DRAW_SENSOR;
+    }
+    if (body->kind == THUD_STATIC) {
+        return THUD_DRAW_STATIC;
+    }
+    return body->awake < 0                  ? THUD_DRAW_SLEEPING
+           : body->kind == THUD_KINEMATIC ? THUD_DRAW_KINEMATIC
+                                          : THUD_DRAW_DYNAMIC;
+}
+
+static void draw_terrain(const td_drawing *d, int index, thud_draw_style style)
+{
+    const td_position *center = &td_shape_proxy_at(d->w, index)->center;
+    thud_terrain terrain = td_terrain_view(d->w, index);
+    double x_min = (double)(d->lower.x - center->x) / d->w->to_fixed;
+    double x_max = (double)(d->upper.x - center->x) / d->w->to_fixed;
+    int first, last;
+    thud_terrain_segments(&terrain, x_min, x_max, &first, &last);
+    for (int i = first; i <= last && d->draw->line; i++) {
+        thud_pos p = {x_min, terrain.slope * x_min}, q = {x_max, terrain.slope * x_max};
+        if (terrain.kind != THUD_TERRAIN_FLAT) {
+            p = terrain.points[i];
+            q = terrain.points[i + 1];
+        }
+        thud_vec2 at = td_drawing_local(d, *center);
+        d->draw->line((thud_vec2){at.x + (float)p.x, at.y + (float)p.y},
+                      (thud_vec2){at.x + (float)q.x, at.y + (float)q.y}, style, d->draw->context);
+    }
+}
+
+static void draw_shape(const td_drawing *d, int index, int island)
+{
+    const td_shape *shape = td_shape_at(d->w, index);
+    const td_shape_proxy *proxy = td_shape_proxy_at(d->w, index);
+    thud_draw_style style = style_of(d, shape);
+    thud_vec2 at = td_drawing_local(d, proxy->center);
+    if (shape->kind == THUD_TERRAIN) {
+        draw_terrain(d, index, style);
+    } else if (shape->kind == THUD_CIRCLE && d->draw->circle) {
+        const td_pose *pose = td_pose_at(d->w, shape->body);
+        d->draw->circle(at, shape->half_x, pose->c, pose->s, style, island, d->draw->context);
+    } else if (shape->kind != THUD_CIRCLE && d->draw->box) {
+        d->draw->box(at, (thud_vec2){shape->half_x, shape->half_y}, proxy->c, proxy->s, style,
+                     island, d->draw->context);
+    }
+}
+
+void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_t max_x,
+                       int64_t max_y, thud_draw_style style)
+{
+    if (!d->draw->box) {
+        return;
+    }
+    int64_t quantum = 1 << TD_COARSE_SHIFT;
+    thud_vec2 a = td_drawing_local(d, (td_position){min_x * quantum, min_y * quantum});
+    thud_vec2 b = td_drawing_local(d, (td_position){max_x * quantum, max_y * quantum});
+    d->draw->box((thud_vec2){0.5f * (a.x + b.x), 0.5f * (a.y + b.y)},
+                 (thud_vec2){0.5f * (b.x - a.x), 0.5f * (b.y - a.y)}, 1.0f, 0.0f, style, -1,
+                 d->draw->context);
+}
+
+static void draw_shapes(const td_drawing *d)
+{
+    const thud_world *w = d->w;
+    unsigned flags = d->draw->flags;
+    const int *islands = flags & THUD_DRAW_ISLANDS ? w->scratch.parents.data : NULL;
+    for (int i = 0; i < w->shapes.count; i++) {
+        const td_shape *shape = td_shape_at(w, i);
+        if ((shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) != TD_SHAPE_LIVE) {
+            continue;
+        }
+        const td_bounds *b = td_fat_at(w, i);
+        const td_position *center = &td_shape_proxy_at(w, i)->center;
+        int64_t x0 = td_unwrap(b->min_x, center->x), x1 = td_unwrap(b->max_x, center->x);
+        int64_t y0 = td_unwrap(b->min_y, center->y), y1 = td_unwrap(b->max_y, center->y);
+        bool seen = shape->kind == THUD_TERRAIN ||
+                    (x1 >= d->lower.x >> TD_COARSE_SHIFT && x0 <= d->upper.x >> TD_COARSE_SHIFT &&
+                     y1 >= d->lower.y >> TD_COARSE_SHIFT && y0 <= d->upper.y >> TD_COARSE_SHIFT);
+        const td_body *body = td_body_at(w, shape->body);
+        if (seen && (flags & (THUD_DRAW_SHAPES | THUD_DRAW_ISLANDS))) {
+            draw_shape(d, i, islands && body->awake > 0 ? islands[body->awake] : -1);
+        }
+        if (seen && (flags & THUD_DRAW_SHAPE_BOUNDS) && shape->kind != THUD_TERRAIN) {
+            td_drawing_bounds(d, x0, y0, x1, y1, THUD_DRAW_BOUNDS);
+        }
+    }
+}
+
+thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw)
+{
+    TD_IN_OWN_MODE;
+    if (!w || !draw) {
+        return td_refuse(w, THUD_ERROR_NULL, "draw: world or draw is null");
+    }
+    double most = TD_PLACE_MAX * (double)w->unit;
+    const double all[] = {draw->origin.x, draw->origin.y, draw->lower.x,
+                          draw->lower.y,  draw->upper.x,  draw->upper.y};
+    for (int i = 0; i < 6; i++) {
+        if (!(all[i] >= -most && all[i] <= most)) {
+            return td_refuse(w, THUD_ERROR_INVALID, "draw: origin or box is out of range");
+        }
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "draw: not inside a callback");
+    }
+    if (!td_changes_apply(w) || !td_broadphase_refresh(w) ||
+        ((draw->flags & THUD_DRAW_ISLANDS) && !td_islands_label(w))) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "draw: out of memory");
+    }
+    td_drawing d = {w, draw, td_place_from(w, draw->origin), td_place_from(w, draw->lower),
+                 td_place_from(w, draw->upper)};
+    const struct {
+        unsigned flags;
+        void (*run)(const td_drawing *d);
+    } parts[] = {
+        {THUD_DRAW_SHAPES | THUD_DRAW_ISLANDS | THUD_DRAW_SHAPE_BOUNDS, draw_shapes},
+        {THUD_DRAW_CELLS, td_draw_cells},
+        {THUD_DRAW_AXES, td_draw_intervals},
+        {THUD_DRAW_MOTIONS, td_draw_motions},
+        {THUD_DRAW_PAIRS, td_draw_pairs},
+        {THUD_DRAW_STAGES, td_draw_stages},
+        {THUD_DRAW_COLOURS, td_draw_colours},
+        {THUD_DRAW_ISLANDS, td_draw_direct},
+        {THUD_DRAW_CONTACTS, td_draw_contacts},
+        {THUD_DRAW_MANIFOLDS, td_draw_manifolds},
+    };
+    w->locked = true;
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        if (draw->flags & parts[i].flags) {
+            parts[i].run(&d);
+        }
+    }
+    w->locked = false;
+    return THUD_OK;
+}

@@ -1,0 +1,86 @@
+/* draw_contacts.c: what the solver goes by, drawn: contacts and their points, graph colours, and the
+ * pairs of islands that were solved directly. */
+#include "state/body.h"
+#include "contact/contact.h"
+#include "api/debug_draw.h"
+#include "contact/lanes.h"
+#include "contact/manifold.h"
+
+/* The next touching contact from *i on, or null; *i moves past it. */
+static const td_contact *next_touching(const thud_world *w, int *i)
+{
+    while (*i < w->contacts.count) {
+        const td_contact *contact = td_contact_at(w, (*i)++);
+        if (contact->live && contact->state == TD_TOUCHING && contact->child != TD_NONE) {
+            return contact;
+        }
+    }
+    return NULL;
+}
+
+static void draw_point(const td_drawing *d, thud_vec2 p, thud_draw_style style)
+{
+    if (d->draw->point) {
+        d->draw->point(p, style, d->draw->context);
+    }
+}
+
+static thud_vec2 along(thud_vec2 p, thud_vec2 normal, float length)
+{
+    return (thud_vec2){p.x + length * normal.x, p.y + length * normal.y};
+}
+
+void td_draw_contacts(const td_drawing *d)
+{
+    const thud_world *w = d->w;
+    const td_contact *contact;
+    for (int i = 0; (contact = next_touching(w, &i)) != NULL;) {
+        thud_contact seen = td_contact_view(
+            w, td_block_at(w, contact->kind, contact->slot / TD_LANES), contact->slot % TD_LANES);
+        thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point));
+        draw_point(d, p, THUD_DRAW_CONTACT);
+        td_drawing_line(d, p, along(p, seen.normal, 0.3f * w->unit), THUD_DRAW_NORMAL);
+    }
+}
+
+void td_draw_direct(const td_drawing *d)
+{
+    const td_contact *contact;
+    for (int i = 0; (contact = next_touching(d->w, &i)) != NULL;) {
+        const td_block *block = td_block_at(d->w, contact->kind, contact->slot / TD_LANES);
+        if (block->loaded[contact->slot % TD_LANES] & TD_DIRECT) {
+            td_drawing_pair(d, contact, THUD_DRAW_DIRECT);
+        }
+    }
+}
+
+void td_draw_colours(const td_drawing *d)
+{
+    const td_contact *contact;
+    for (int i = 0; (contact = next_touching(d->w, &i)) != NULL;) {
+        if (contact->bin != TD_SLEEPING) {
+            int style = THUD_DRAW_COLOUR + contact->bin % TD_COLOURS;
+            td_drawing_pair(d, contact,
+                            (thud_draw_style)td_min_int(style, THUD_DRAW_COLOUR_LAST));
+        }
+    }
+}
+
+void td_draw_manifolds(const td_drawing *d)
+{
+    const thud_world *w = d->w;
+    const td_contact *contact;
+    for (int i = 0; (contact = next_touching(w, &i)) != NULL;) {
+        thud_manifold seen = td_manifold_of(w, contact);
+        float inverse = td_max_float(td_body_at(w, contact->body[0])->inv_mass,
+                                     td_body_at(w, contact->body[1])->inv_mass);
+        for (int k = 0; k < seen.point_count; k++) {
+            thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point[k]));
+            float depth = td_max_float(-seen.separation[k], 0.0f);
+            draw_point(d, p, THUD_DRAW_MANIFOLD);
+            td_drawing_line(d, p, along(p, seen.normal, depth), THUD_DRAW_DEPTH);
+            td_drawing_line(d, p, along(p, seen.normal, seen.normal_impulse[k] * inverse),
+                            THUD_DRAW_IMPULSE);
+        }
+    }
+}

@@ -1,0 +1,208 @@
+/* mover_meet.c: what a mover meets on a straight way, and how far it gets. */
+#include "api/mover.h"
+
+#include "geometry/shape_instance.h"
+#include "api/query.h"
+
+enum { MET = 16, PUSHES = 8 };
+
+td_way td_mover_normal(const thud_mover_hit *hit)
+{
+    td_way n = {(double)hit->normal.x, (double)hit->normal.y};
+    return td_scaled(n, 1.0 / td_size(n));
+}
+
+void td_mover_note(td_move *m, const thud_mover_hit *hit)
+{
+    thud_mover_report *report = &m->report;
+    if (report->hit_count < THUD_MOVER_HITS) {
+        report->hits[report->hit_count++] = *hit;
+    }
+}
+
+/* What the mover meets, nearest first; at most MET of it. */
+static int list(td_move *m, td_way way, thud_ray_hit *found)
+{
+    int count = 0;
+    thud_shape_instance shape = m->mover.shape;
+    thud_pos center = {shape.x, shape.y};
+    shape.x = shape.y = 0.0;
+    if (m->result == THUD_OK) {
+        m->result = thud_world_cast_shape_all(m->world, center, &shape, way.x, way.y,
+                                              &m->solid, found, MET, &count);
+    }
+    return td_min_int(count, MET);
+}
+
+/* False for what the mover passes: its own body, and what the caller says. */
+static bool stops(td_move *m, const thud_ray_hit *found, thud_mover_hit *hit)
+{
+    thud_shape_state shape;
+    if (!thud_shape_is_valid(m->world, found->shape)) { /* `pass` has destroyed it */
+        return false;
+    }
+    thud_shape_get(m->world, found->shape, &shape);
+    *hit = (thud_mover_hit){.shape = found->shape,
+                            .body = shape.body,
+                            .point = found->point,
+                            .normal = found->normal,
+                            .depth = found->depth,
+                            .category = shape.filter.category};
+    bool own = shape.body.index1 == m->mover.body.index1 && m->mover.body.index1 != 0;
+    return !own &&
+           !(m->mover.pass && m->mover.pass(&m->mover, hit, m->velocity, m->mover.context));
+}
+
+bool td_mover_meets(td_move *m, td_way way, thud_mover_hit *hit, double *fraction)
+{
+    thud_ray_hit found[MET];
+    int count = list(m, way, found);
+    for (int i = 0; i < count; i++) {
+        /* What it leaves, or moves along, does not stop it. */
+        td_way normal = {(double)found[i].normal.x, (double)found[i].normal.y};
+        if (td_dot(way, normal) < 0.0 && stops(m, &found[i], hit)) {
+            *fraction = found[i].fraction;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Each sensor once; none of its own body. */
+static void note_sensor(td_move *m, thud_shape_id sensor)
+{
+    thud_mover_report *report = &m->report;
+    thud_shape_state shape;
+    int i = 0;
+    while (i < report->sensor_count && report->sensors[i].index1 != sensor.index1) {
+        i++;
+    }
+    if (i == report->sensor_count && i < THUD_MOVER_SENSORS &&
+        thud_shape_get(m->world, sensor, &shape) == THUD_OK &&
+        !(shape.body.index1 == m->mover.body.index1 && m->mover.body.index1 != 0)) {
+        report->sensors[report->sensor_count++] = sensor;
+    }
+}
+
+void td_mover_sense(td_move *m, td_way way)
+{
+    thud_ray_hit found[THUD_MOVER_SENSORS];
+    int count = 0;
+    thud_shape_instance shape = m->mover.shape;
+    thud_pos center = {shape.x, shape.y};
+    shape.x = shape.y = 0.0;
+    if (m->mover.filter.sensors && m->result == THUD_OK) {
+        m->result = td_query_cast_sensors(m->world, center, &shape, way.x, way.y, &m->mover.filter,
+                                          found, THUD_MOVER_SENSORS, &count);
+    }
+    for (int i = 0; i < td_min_int(count, THUD_MOVER_SENSORS); i++) {
+        note_sensor(m, found[i].shape);
+    }
+}
+
+bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left)
+{
+    double length = td_size(way), fraction = 1.0;
+    if (!(length > 0.0)) {
+        return false;
+    }
+    /* A skin further, so that it is kept also from what lies just behind the end of the way. */
+    double reach = 1.0 + m->mover.skin / length;
+    bool met = td_mover_meets(m, td_scaled(way, reach), hit, &fraction);
+    double going = 1.0;
+    if (met) {
+        double against = -td_dot(way, td_mover_normal(hit)) / length;
+        going = fraction * reach - m->mover.skin / (length * against);
+        met = going < 1.0;
+        going = td_clamp(going, 0.0, 1.0);
+    }
+    td_mover_sense(m, td_scaled(way, going));
+    if (m->result == THUD_OK) {
+        m->mover.shape.x += way.x * going;
+        m->mover.shape.y += way.y * going;
+    }
+    *left = td_scaled(way, 1.0 - going);
+    return met;
+}
+
+/* The deepest overlap with what the mover cannot push away. */
+static bool deepest(td_move *m, thud_mover_hit *hit)
+{
+    thud_ray_hit found[MET];
+    int count = list(m, (td_way){0.0, 0.0}, found);
+    hit->depth = 0.0;
+    for (int i = 0; i < count; i++) {
+        thud_mover_hit here;
+        thud_body_state body;
+        if (found[i].depth > hit->depth && stops(m, &found[i], &here) &&
+            thud_body_get(m->world, here.body, &body) == THUD_OK && body.kind != THUD_DYNAMIC) {
+            *hit = here;
+        }
+    }
+    return hit->depth > 0.0;
+}
+
+void td_mover_separate(td_move *m)
+{
+    thud_mover_hit hit;
+    for (int i = 0; deepest(m, &hit); i++) {
+        if (i == PUSHES) {
+            m->report.depth = hit.depth;
+            break;
+        }
+        td_way out = td_scaled(td_mover_normal(&hit), hit.depth + m->mover.skin);
+        m->mover.shape.x += out.x;
+        m->mover.shape.y += out.y;
+        td_mover_note(m, &hit);
+    }
+}
+
+/* Less of an overlap, in skins, is a platform that came up under the mover's feet. */
+#define FOOT_DEEP 8.0
+/* What is less upright than this is not a platform's upper side. */
+#define UPPER_SIDE 0.7f
+
+bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hit,
+                               thud_vec2 velocity, void *context)
+{
+    const thud_one_way *one_way = context;
+    thud_vec2 up = mover->up;
+    return (hit->category & one_way->categories) &&
+           (one_way->drop || hit->depth > FOOT_DEEP * mover->skin ||
+            hit->normal.x * up.x + hit->normal.y * up.y < UPPER_SIDE ||
+            velocity.x * up.x + velocity.y * up.y > 0.0f);
+}
+
+/* ---- ground ---- */
+
+double td_mover_bottom(const td_move *m)
+{
+    const thud_shape_instance *s = &m->mover.shape;
+    td_way up = td_up(m);
+    double half = s->kind == THUD_CIRCLE ? s->hx : td_shadow(s, up.x, up.y);
+    return td_dot((td_way){s->x, s->y}, up) - half;
+}
+
+bool td_mover_stands_on(td_move *m, const thud_mover_hit *hit, double bottom)
+{
+    td_way up = td_up(m), normal = td_mover_normal(hit);
+    double rise = td_dot(normal, up);
+    if (rise >= m->walkable) {
+        return true;
+    }
+    td_way point = {hit->point.x, hit->point.y};
+    if (rise < TD_LEAST_RISE || td_dot(point, up) - bottom > m->mover.step_height + m->mover.skin) {
+        return false;
+    }
+    /* A look straight down on it, just behind the point that was met. */
+    double little = m->mover.skin;
+    td_way ahead = td_plus(td_scaled(up, rise), normal, -1.0);
+    double size = td_size(ahead);
+    td_way from = td_plus(td_plus(point, up, little), ahead, size > 0.0 ? little / size : 0.0);
+    bool found;
+    thud_ray_hit below;
+    return thud_world_cast_ray(m->world, (thud_pos){from.x, from.y}, -2.0 * little * up.x,
+                               -2.0 * little * up.y, &m->solid, &found, &below) == THUD_OK &&
+           found && below.shape.index1 == hit->shape.index1 &&
+           (double)below.normal.x * up.x + (double)below.normal.y * up.y >= m->walkable;
+}

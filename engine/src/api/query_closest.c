@@ -1,0 +1,83 @@
+/* query_closest.c: the closest shape to a point. */
+#include "api/query.h"
+
+#include "state/body.h"
+#include "state/handles.h"
+#include "state/shape.h"
+#include "terrain/terrain.h"
+
+/* From the shape to the point, which is the origin. */
+static void measure(const thud_world *w, int index, td_position origin, thud_closest *out)
+{
+    thud_shape_instance shape = td_query_instance(w, index, origin);
+    thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0};
+    if (shape.kind != THUD_TERRAIN) {
+        td_closest(&shape, &point, out);
+        return;
+    }
+    thud_terrain terrain = td_terrain_view(w, index);
+    td_terrain_closest(&terrain, &point, (thud_pos){-shape.x, -shape.y}, out);
+}
+
+/* Keeps the nearest of the candidates; *nearest is its slot. */
+static void keep_nearest(const thud_world *w, td_position at, const thud_query_filter *filter,
+                         int *nearest, thud_closest *best)
+{
+    for (int i = 0; i < w->scratch.hits.count; i++) {
+        int index = *(int *)td_at(&w->scratch.hits, i);
+        if (!td_query_passes(w, index, filter)) {
+            continue;
+        }
+        thud_closest found;
+        measure(w, index, at, &found);
+        if (found.distance < best->distance ||
+            (found.distance == best->distance && index < *nearest)) {
+            *best = found;
+            *nearest = index;
+        }
+    }
+}
+
+thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distance,
+                               const thud_query_filter *filter, bool *found, thud_closest_hit *out)
+{
+    TD_IN_OWN_MODE;
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (!td_query_in_range(w, point.x, point.y) ||
+        !(max_distance >= 0.0 && max_distance <= TD_PLACE_MAX * (double)w->unit)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "closest: not finite or out of range");
+    }
+    if (!td_query_prepare(w)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "closest: out of memory");
+    }
+    /* Looks near by first, and further only while nothing as near as it looked was found. */
+    thud_closest best = {.distance = 1e300};
+    int nearest = TD_NONE;
+    double reach = max_distance < (double)w->unit ? max_distance : (double)w->unit;
+    for (bool first = true;; first = false) {
+        thud_pos lower = {point.x - reach, point.y - reach};
+        thud_pos upper = {point.x + reach, point.y + reach};
+        if (!td_query_list(w, lower, upper) || (first && !td_query_list_terrains(w))) {
+            return td_refuse(w, THUD_ERROR_MEMORY, "closest: out of memory");
+        }
+        keep_nearest(w, td_place_from(w, point), filter, &nearest, &best);
+        if (best.distance <= reach || reach >= max_distance) {
+            break;
+        }
+        reach = 4.0 * reach < max_distance ? 4.0 * reach : max_distance;
+    }
+    bool any = best.distance <= max_distance;
+    if (found) {
+        *found = any;
+    }
+    if (out && any) {
+        *out = (thud_closest_hit){
+            .shape = td_shape_handle(w, nearest),
+            .point = {point.x - best.nx * best.distance, point.y - best.ny * best.distance},
+            .normal = {(float)best.nx, (float)best.ny},
+            .distance = best.distance};
+    }
+    return THUD_OK;
+}

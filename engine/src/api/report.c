@@ -1,0 +1,196 @@
+/* report.c: what a world tells of itself: events, poses, statistics, measures, its hash. */
+#include "state/body.h"
+#include "state/handles.h"
+#include "contact/lanes.h"
+#include "base/rotation.h"
+
+thud_events thud_world_events(const thud_world *w)
+{
+    if (!w) {
+        return (thud_events){0};
+    }
+    const td_event_lists *e = &w->published;
+    return (thud_events){
+        .begin = e->begin.data,
+        .end = e->end.data,
+        .sensor_begin = e->sensor_begin.data,
+        .sensor_end = e->sensor_end.data,
+        .hit = e->hit.data,
+        .quarantined = e->quarantined.data,
+        .begin_count = e->begin.count,
+        .end_count = e->end.count,
+        .sensor_begin_count = e->sensor_begin.count,
+        .sensor_end_count = e->sensor_end.count,
+        .hit_count = e->hit.count,
+        .quarantined_count = e->quarantined.count,
+    };
+}
+
+const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, int *count)
+{
+    TD_IN_OWN_MODE;
+    if (count) {
+        *count = 0;
+    }
+    double most = w ? TD_PLACE_MAX * (double)w->unit : -1.0;
+    if (!(origin.x >= -most && origin.x <= most && origin.y >= -most && origin.y <= most &&
+          alpha >= 0.0 && alpha <= 1.0)) {
+        td_refuse(w, THUD_ERROR_INVALID, "poses: origin or alpha is not finite or out of range");
+        return NULL;
+    }
+    if (!td_array_reserve(&w->memory, &w->poses, td_max_int(w->bodies.count, 1))) {
+        td_refuse(w, THUD_ERROR_MEMORY, "poses: out of memory");
+        return NULL;
+    }
+    thud_pose *poses = w->poses.data;
+    td_position from = td_place_from(w, origin);
+    float back = (float)(1.0 - alpha);
+    for (int i = 0; i < w->bodies.count; i++) {
+        const td_body *body = td_body_at(w, i);
+        const td_pose *pose = td_pose_at(w, i);
+        if (!(body->flags & TD_BODY_LIVE)) {
+            poses[i].x = poses[i].y = __builtin_nanf("");
+            continue;
+        }
+        float x = (float)(pose->center.x - from.x) * w->quantum;
+        float y = (float)(pose->center.y - from.y) * w->quantum;
+        float c = pose->c, s = pose->s;
+        if (body->awake > 0 && back > 0.0f) {
+            const float *delta = td_row(&w->delta, body->awake);
+            x -= back * delta[0];
+            y -= back * delta[1];
+            if (delta[2] != 0.0f) {
+                td_angle_turn(pose->angle - td_angle_between(back * delta[2]), &c, &s);
+            }
+        }
+        poses[i] = (thud_pose){x - (c * body->center_x - s * body->center_y),
+                               y - (s * body->center_x + c * body->center_y), c, s};
+    }
+    if (count) {
+        *count = w->bodies.count;
+    }
+    return poses;
+}
+
+const char *thud_stage_name(thud_stage stage)
+{
+    static const char *const names[THUD_STAGE_COUNT] = {
+        "changes", "broadphase", "narrowphase", "contacts", "solve",
+        "finish",  "continuous", "events",      "sleep"};
+    return (int)stage >= 0 && stage < THUD_STAGE_COUNT ? names[stage] : "unknown";
+}
+
+thud_stats thud_world_stats(const thud_world *w)
+{
+    if (!w) {
+        return (thud_stats){0};
+    }
+    thud_stats stats = w->stats;
+    stats.steps = w->steps;
+    stats.bodies = w->bodies.live;
+    stats.shapes = w->shapes.live;
+    stats.awake_bodies = w->body_of.count - 1;
+    stats.pairs = w->contacts.live;
+    stats.contacts = w->touching;
+    stats.bytes = w->memory.bytes;
+    return stats;
+}
+
+thud_step_error thud_world_error(const thud_world *w)
+{
+    if (!w) {
+        return (thud_step_error){0};
+    }
+    const td_errors *e = &w->errors;
+    return (thud_step_error){
+        .penetration_max = (double)e->deepest,
+        .penetration_mean = e->points ? e->depth / w->to_fixed / (double)e->points : 0.0,
+        .residual = (double)e->residual,
+        .energy_change = e->energy_change,
+        .overlaps = (int)e->overlaps,
+    };
+}
+
+static void measure_penetration(const thud_world *w, thud_measure *m)
+{
+    int points = 0;
+    double sum = 0.0;
+    for (int i = 0; i < w->contacts.count; i++) {
+        const td_contact *contact = td_contact_at(w, i);
+        if (!contact->live || contact->state != TD_TOUCHING) {
+            continue;
+        }
+        const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+        int lane = contact->slot % TD_LANES;
+        for (int k = 0; k < td_form_points(w->pairs[contact->kind]->form); k++) {
+            const td_point *p = &block->point[k];
+            if (p->normal_mass[lane] == 0.0f) {
+                continue;
+            }
+            float separation = p->separation[lane] + w->skin;
+            double depth = separation < 0.0f ? -(double)separation : 0.0;
+            m->penetration_max = depth > m->penetration_max ? depth : m->penetration_max;
+            sum += depth;
+            points++;
+        }
+    }
+    m->penetration_mean = points ? sum / points : 0.0;
+}
+
+thud_measure thud_world_measure(const thud_world *w)
+{
+    TD_IN_OWN_MODE;
+    thud_measure m = {0};
+    if (!w) {
+        return m;
+    }
+    measure_penetration(w, &m);
+    for (int i = 0; i < w->bodies.count; i++) {
+        const td_body *body = td_body_at(w, i);
+        if (!(body->flags & TD_BODY_LIVE) || body->kind != THUD_DYNAMIC) {
+            continue;
+        }
+        const float *v = td_body_velocity(w, body);
+        double x = (double)v[0], y = (double)v[1], turn = (double)v[2];
+        double mass = (double)body->mass * (double)body->gravity_scale;
+        thud_pos center = td_place_to(w, td_pose_at(w, i)->center);
+        m.kinetic_energy += 0.5 * (double)body->mass * (x * x + y * y) +
+                            0.5 * (double)body->inertia * turn * turn;
+        m.potential_energy -= mass * ((double)w->def.gravity.x * center.x +
+                                      (double)w->def.gravity.y * center.y);
+    }
+    return m;
+}
+
+/* FNV-1a over 64-bit words. */
+static uint64_t mix(uint64_t hash, uint64_t word)
+{
+    return (hash ^ word) * 0x100000001b3ull;
+}
+
+static uint64_t bits_of(float x)
+{
+    uint32_t bits;
+    __builtin_memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+uint64_t thud_world_hash(const thud_world *w)
+{
+    uint64_t hash = 0xcbf29ce484222325ull;
+    for (int i = 0; w && i < w->bodies.count; i++) {
+        const td_body *body = td_body_at(w, i);
+        if (!(body->flags & TD_BODY_LIVE)) {
+            continue;
+        }
+        const td_pose *pose = td_pose_at(w, i);
+        const float *v = td_body_velocity(w, body);
+        hash = mix(hash, (uint64_t)pose->center.x);
+        hash = mix(hash, (uint64_t)pose->center.y);
+        hash = mix(hash, pose->angle);
+        hash = mix(hash, bits_of(v[0]) | bits_of(v[1]) << 32);
+        hash = mix(hash, bits_of(v[2]));
+        hash ^= hash >> 29; /* lets high bits reach low ones */
+    }
+    return hash;
+}

@@ -1,0 +1,249 @@
+/* snapshot.c: taking snapshots, and restoring them: all checks first, then room for all, and then
+ * nothing can fail. */
+#include "api/snapshot.h"
+
+#include "state/handles.h"
+
+#include <string.h>
+
+/* A world is not changed by being written; what passes values has the same lines for both ways. */
+static thud_world *unconst(const thud_world *w)
+{
+    union {
+        const thud_world *given;
+        thud_world *same;
+    } pointer = {w};
+    return pointer.same;
+}
+
+thud_result thud_world_snapshot_size(const thud_world *w, size_t *bytes)
+{
+    if (!w || !bytes) {
+        return td_refuse(w, THUD_ERROR_NULL, "snapshot size: world or bytes is null");
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "snapshot size: not inside a callback");
+    }
+    *bytes = (size_t)td_snapshot_head_of(unconst(w)).bytes;
+    return THUD_OK;
+}
+
+static const size_t SUMMED_FROM = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t);
+
+thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity, size_t *bytes)
+{
+    if (!w || !buffer) {
+        return td_refuse(w, THUD_ERROR_NULL, "snapshot: world or buffer is null");
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "snapshot: not inside a callback");
+    }
+    td_snapshot_head head = td_snapshot_head_of(unconst(w));
+    if (head.bytes > capacity) {
+        return td_refuse(w, THUD_ERROR_INVALID, "snapshot: the buffer is too small");
+    }
+    char *to = buffer;
+    size_t size = (size_t)head.bytes;
+    memcpy(to, &head, sizeof head);
+    td_snapshot_write(unconst(w), &head, to + sizeof head);
+    head.checksum = td_snapshot_checksum(to + SUMMED_FROM, size - SUMMED_FROM);
+    memcpy(to, &head, SUMMED_FROM);
+    if (bytes) {
+        *bytes = size;
+    }
+    return THUD_OK;
+}
+
+/* ---- restoring ---- */
+
+static bool counts_valid(const td_snapshot_head *head)
+{
+    bool valid = head->detection >= 0 && head->detection < TD_RANK_COUNT && head->bins >= 0;
+    int64_t most = INT32_MAX / 16; /* of td_array */
+    for (int i = 0; i < 2; i++) {
+        valid = valid && head->levels[i] >= 0 && head->levels[i] <= TD_LEVELS;
+    }
+    for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
+        const td_snapshot_slots *s = &head->slots[i];
+        valid = valid && s->count >= 0 && s->count <= most && s->live >= 0 &&
+                s->live <= s->count && s->free_head >= TD_NONE && s->free_head < s->count;
+    }
+    for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
+        const td_snapshot_part *p = &head->parts[i];
+        valid = valid && p->count >= 0 && p->count <= most && p->used >= 0 && p->used <= most;
+    }
+    for (int i = 0; i < TD_PAIR_COUNT; i++) {
+        valid = valid && head->contacts[i] >= 0 && head->contacts[i] <= most;
+    }
+    return valid;
+}
+
+/* Whether what lies side by side is as long as what it belongs to says, and no list is longer than its
+ * room. */
+static bool lengths_valid(thud_world *w, const td_snapshot_head *head)
+{
+    const td_snapshot_part *parts = head->parts;
+    td_part own[TD_SNAPSHOT_PARTS];
+    td_snapshot_list_parts(w, head, own);
+    bool valid = parts[TD_SNAPSHOT_BODY_OF].count > 0 &&
+                 parts[TD_SNAPSHOT_BODY_OF].count <= head->slots[TD_SNAPSHOT_BODIES].live + 1 &&
+                 parts[TD_SNAPSHOT_PLACES].used == head->slots[TD_SNAPSHOT_BODIES].count &&
+                 parts[TD_SNAPSHOT_MOVED].count <= head->slots[TD_SNAPSHOT_SHAPES].count &&
+                 parts[TD_SNAPSHOT_MOVED + 1].count <= head->slots[TD_SNAPSHOT_BODIES].count;
+    for (int i = 1; i < TD_SNAPSHOT_VELOCITY; i++) {
+        valid = valid && parts[i].used == head->slots[TD_SNAPSHOT_SHAPES].count;
+    }
+    for (int i = 0; i < TD_SNAPSHOT_AWAKE_ROWS; i++) {
+        const td_snapshot_part *row = &parts[TD_SNAPSHOT_VELOCITY + i];
+        valid = valid && row->used >= parts[TD_SNAPSHOT_BODY_OF].count;
+    }
+    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+        valid = valid && parts[TD_SNAPSHOT_WAITING + kind].count <= head->contacts[kind];
+    }
+    for (int p = 0; p < 2; p++) {
+        const td_snapshot_part *rows =
+            &parts[TD_SNAPSHOT_POPULATIONS + p * TD_SNAPSHOT_POPULATION_PARTS + 1];
+        for (int i = 0; i < 6; i++) {
+            valid = valid && rows[i].used >= rows[0].count;
+        }
+    }
+    for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
+        valid = valid && parts[i].count <= td_max_int(parts[i].used, own[i].room);
+    }
+    return valid;
+}
+
+static int32_t table_at(const char *table, int i)
+{
+    int32_t value;
+    memcpy(&value, table + (size_t)i * sizeof value, sizeof value);
+    return value;
+}
+
+/* Whether the table agrees with the head. */
+static bool table_valid(const td_snapshot_head *head, const char *table)
+{
+    uint64_t points = 0;
+    bool valid = true;
+    int at = 0;
+    for (; at < head->slots[TD_SNAPSHOT_TERRAINS].count; at++) {
+        valid = valid && table_at(table, at) >= 0;
+        points += (uint64_t)table_at(table, at);
+    }
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        const td_snapshot_slots *pool = &head->slots[TD_SNAPSHOT_POOLS + form];
+        int live = 0;
+        for (int end = at + pool->count; at < end; at++) {
+            live += table_at(table, at) == TD_SNAPSHOT_LIVE;
+        }
+        valid = valid && live == pool->live;
+    }
+    return valid && points == head->points;
+}
+
+/* Why not, or null. */
+static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_snapshot_head *head)
+{
+    if (bytes < sizeof *head) {
+        return "restore: too short for a snapshot";
+    }
+    memcpy(head, from, sizeof *head);
+    td_snapshot_head own = td_snapshot_head_of(w);
+    if (memcmp(head->magic, own.magic, sizeof own.magic) != 0) {
+        return "restore: this is no snapshot of a thud world";
+    }
+    if (head->version != own.version || head->layout != own.layout) {
+        return "restore: the snapshot is of another version or build of thud";
+    }
+    if (head->bytes != bytes) {
+        return "restore: the snapshot is cut short, or has something after it";
+    }
+    if (head->checksum != td_snapshot_checksum(from + SUMMED_FROM, bytes - SUMMED_FROM)) {
+        return "restore: the snapshot is damaged";
+    }
+    if (head->unit != own.unit) {
+        return "restore: the snapshot is of a world with another length scale";
+    }
+    if (memcmp(head->broadphase, own.broadphase, sizeof own.broadphase) != 0) {
+        return "restore: the snapshot is of a world with another broadphase";
+    }
+    if (memcmp(head->settings, own.settings, sizeof own.settings) != 0) {
+        return "restore: the snapshot is of a world whose def has other settings";
+    }
+    if (!counts_valid(head) || !lengths_valid(w, head) || td_snapshot_bytes_of(w, head) != bytes ||
+        !table_valid(head, from + sizeof *head)) {
+        return "restore: the snapshot contradicts itself";
+    }
+    return NULL;
+}
+
+/* Points that belong to no terrain. */
+static void free_spare_lines(thud_world *w)
+{
+    for (int i = 0; i < td_slots_capacity(&w->terrains); i++) {
+        td_terrain_record *record = td_slot_at(&w->terrains, i);
+        if (i >= w->terrains.count || record->shape == TD_NONE) {
+            td_array_free(&w->memory, &record->points);
+        }
+    }
+}
+
+/* Room for a world as the snapshot has it; what the world holds stays as it is. */
+static bool reserve(thud_world *w, const td_snapshot_head *head, const char *table)
+{
+    td_slots *slots[TD_SNAPSHOT_SLOTS];
+    td_snapshot_list_slots(w, slots);
+    for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
+        if (!td_slots_reserve(&w->memory, slots[i], head->slots[i].count - slots[i]->live)) {
+            return false;
+        }
+    }
+    td_part parts[TD_SNAPSHOT_PARTS];
+    td_snapshot_list_parts(w, head, parts);
+    for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
+        int room = td_max_int(parts[i].room, head->parts[i].used);
+        if (!td_array_reserve(&w->memory, parts[i].array, room)) {
+            return false;
+        }
+    }
+    for (int i = 0; i < head->slots[TD_SNAPSHOT_TERRAINS].count; i++) {
+        td_terrain_record *record = td_slot_at(&w->terrains, i);
+        record->points.stride = (int)sizeof(thud_pos);
+        if (!td_array_reserve(&w->memory, &record->points, table_at(table, i))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* What the steps that are undone have left for later ones. */
+static void forget_scratch(thud_world *w)
+{
+    w->scratch.sequenced = w->paired = false;
+    w->narrowed = w->scratch.begins.count = 0;
+    w->scratch.blocks.count = w->scratch.runs.count = w->scratch.impacts.count = 0;
+    w->islands.island.count = w->islands.slots.count = w->islands.contacts.count = 0;
+    w->islands.local.count = 0;
+}
+
+thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes)
+{
+    td_snapshot_head head;
+    if (!w || !buffer) {
+        return td_refuse(w, THUD_ERROR_NULL, "restore: world or buffer is null");
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "restore: not inside a callback");
+    }
+    const char *from = buffer, *fault = fault_of(w, from, bytes, &head);
+    if (fault) {
+        return td_refuse(w, THUD_ERROR_INVALID, fault);
+    }
+    bool room = reserve(w, &head, from + sizeof head);
+    if (room) {
+        td_snapshot_read(w, &head, from + sizeof head);
+        forget_scratch(w);
+    }
+    free_spare_lines(w);
+    return room ? THUD_OK : td_refuse(w, THUD_ERROR_MEMORY, "restore: out of memory");
+}

@@ -1,0 +1,391 @@
+/* snapshot_pass.c: every value of a snapshot, in the one order in which it is written and read. */
+#include "api/snapshot.h"
+
+#include "state/kinds.h"
+
+#include <string.h>
+
+/* Values that stand in the world by themselves. */
+#define FIELD(name) {offsetof(thud_world, name), sizeof((thud_world *)0)->name}
+#define POPULATION_FIELDS(p)                                                                       \
+    FIELD(p.moved_count), FIELD(p.listed), FIELD(p.loose), FIELD(p.valid), FIELD(p.origin_x),      \
+        FIELD(p.origin_y), FIELD(p.end_x), FIELD(p.end_y), FIELD(p.reference), FIELD(p.widest)
+
+static const struct {
+    size_t at, bytes;
+} FIELDS[] = {
+    /* What has a setter; pointers go by head.plugged and head.detection. */
+    FIELD(def.gravity), FIELD(def.time_step), FIELD(def.sleeping), FIELD(def.max_error),
+    FIELD(quality.substeps), FIELD(quality.contact_stiffness), FIELD(quality.contact_damping),
+    FIELD(quality.sag_limit), FIELD(quality.island_limit), FIELD(quality.island_work),
+    FIELD(quality.island_patience), FIELD(substeps), FIELD(skin),
+    FIELD(number), /* so that handles stay valid */
+    FIELD(steps), FIELD(spare_time), FIELD(rest_epoch),
+    FIELD(touching), FIELD(bouncy), FIELD(surface_speeds), FIELD(mobile_sensors), FIELD(damped),
+    FIELD(push_stale), FIELD(kinetic), FIELD(kinetic_stale), FIELD(idle_bodies),
+    FIELD(thinnest), FIELD(thinnest_stale), FIELD(drowsy_bodies), FIELD(vast),
+    POPULATION_FIELDS(awake_shapes), POPULATION_FIELDS(rest_shapes),
+    FIELD(errors), FIELD(budget), FIELD(stats),
+};
+enum { FIELD_COUNT = sizeof FIELDS / sizeof *FIELDS };
+
+/* A body but for the address of its detection, instead of which its rank goes. */
+enum {
+    BODY_FRONT = offsetof(td_body, detection),
+    BODY_BACK = offsetof(td_body, user_data),
+    BODY_BYTES = BODY_FRONT + 1 + sizeof(td_body) - BODY_BACK
+};
+
+/* A terrain but for its points. */
+enum { TERRAIN_BYTES = offsetof(td_terrain_record, points) };
+
+enum {
+    BIN_BYTES = sizeof(int32_t) + sizeof(td_bin),
+    BIN_COUNT = TD_PAIR_TOUCH_COUNT * TD_BINS_A_KIND
+};
+
+static const thud_detection *const DETECTIONS[TD_RANK_COUNT] = {
+    &thud_detection_overlap, &thud_detection_continuous, &thud_detection_bisect,
+    &thud_detection_swept};
+
+/* ---- the head ---- */
+
+/* Tells builds apart whose records differ, or whose words have another order. */
+static uint32_t layout_of_build(void)
+{
+    const uint32_t sizes[] = {
+        0x01020304, sizeof(void *), sizeof(td_body), sizeof(td_shape), sizeof(td_contact),
+        sizeof(td_terrain_record), sizeof(td_pose), sizeof(td_shape_proxy), sizeof(td_deferred_edit),
+        sizeof(td_level), (uint32_t)td_form_bytes(TD_FORM_ONE),
+        (uint32_t)td_form_bytes(TD_FORM_TWO_CACHED), sizeof(td_errors), sizeof(td_budget),
+        sizeof(thud_stats), sizeof(thud_hit_event), BIN_COUNT, TD_LEVELS};
+    return (uint32_t)td_snapshot_checksum(sizes, sizeof sizes);
+}
+
+static uint32_t plugged_into(const thud_world *w)
+{
+    uint32_t plugged = (w->pairs[TD_PAIR_CIRCLE_CIRCLE] ? TD_SNAPSHOT_CIRCLE : 0u) |
+                       (w->pairs[TD_PAIR_AABB_AABB] ? TD_SNAPSHOT_AABB : 0u) |
+                       (w->pairs[TD_PAIR_BOX_BOX] ? TD_SNAPSHOT_OBB : 0u) |
+                       (w->pairs[TD_PAIR_TERRAIN_BOX] ? TD_SNAPSHOT_TERRAIN : 0u) |
+                       (w->quality.islands ? TD_SNAPSHOT_ISLANDS : 0u);
+    for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
+        plugged |= w->detections[rank] ? (uint32_t)TD_SNAPSHOT_DETECTIONS << rank : 0u;
+    }
+    return plugged;
+}
+
+/* What the def says for good, and the steps to come follow. */
+static void list_settings(const thud_world_def *d, double out[TD_SNAPSHOT_SETTINGS])
+{
+    const double settings[TD_SNAPSHOT_SETTINGS] = {
+        (double)d->substeps, (double)d->contact_stiffness, (double)d->contact_damping,
+        (double)d->push_speed, (double)d->restitution_threshold, (double)d->hit_speed,
+        (double)d->maximum_speed, (double)d->contact_events, d->time_budget,
+        d->detection ? (double)d->detection->rank : -1.0};
+    memcpy(out, settings, sizeof settings);
+}
+
+static int levels_of(const td_proxy_set *p)
+{
+    int first = 0;
+    while (first < TD_LEVELS && p->levels[first].count == 0) {
+        first++;
+    }
+    return TD_LEVELS - first;
+}
+
+static uint64_t points_of(const thud_world *w)
+{
+    uint64_t points = 0;
+    for (int i = 0; i < w->terrains.count; i++) {
+        const td_terrain_record *record = td_slot_at(&w->terrains, i);
+        points += (uint64_t)record->points.count;
+    }
+    return points;
+}
+
+td_snapshot_head td_snapshot_head_of(thud_world *w)
+{
+    td_snapshot_head head = {.magic = TD_SNAPSHOT_MAGIC,
+                             .version = TD_SNAPSHOT_VERSION,
+                             .layout = layout_of_build(),
+                             .unit = (double)w->unit,
+                             .plugged = plugged_into(w),
+                             .detection = w->quality.detection->rank,
+                             .levels = {levels_of(&w->awake_shapes), levels_of(&w->rest_shapes)},
+                             .points = points_of(w)};
+    strncpy(head.broadphase, w->def.broadphase->name, sizeof head.broadphase - 1);
+    list_settings(&w->def, head.settings);
+    memcpy(head.contacts, w->contact_count, sizeof head.contacts);
+    const td_bin *bins = &w->bins[0][0];
+    for (int i = 0; i < BIN_COUNT; i++) {
+        head.bins += bins[i].lanes > 0;
+    }
+    td_slots *slots[TD_SNAPSHOT_SLOTS];
+    td_snapshot_list_slots(w, slots);
+    for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
+        head.slots[i] =
+            (td_snapshot_slots){slots[i]->count, slots[i]->free_head, slots[i]->live};
+    }
+    td_part parts[TD_SNAPSHOT_PARTS];
+    td_snapshot_list_parts(w, &head, parts);
+    for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
+        head.parts[i] = (td_snapshot_part){parts[i].array->count, parts[i].used};
+    }
+    head.bytes = td_snapshot_bytes_of(w, &head);
+    return head;
+}
+
+/* FNV's step on a 64-bit word, turned so that high bits reach low ones. */
+static uint64_t mix(uint64_t sum, uint64_t word)
+{
+    sum = (sum ^ word) * 0x100000001b3ull;
+    return sum << 29 | sum >> 35;
+}
+
+uint64_t td_snapshot_checksum(const void *bytes, size_t count)
+{
+    enum { LANES = 8 }; /* one alone would wait for its products */
+    uint64_t lane[LANES] = {1, 2, 3, 4, 5, 6, 7, 8}, words[LANES], sum = count;
+    const char *at = bytes;
+    size_t whole = count - count % sizeof words;
+    for (size_t i = 0; i < whole; i += sizeof words) {
+        memcpy(words, at + i, sizeof words);
+        for (int k = 0; k < LANES; k++) {
+            lane[k] = mix(lane[k], words[k]);
+        }
+    }
+    memset(words, 0, sizeof words);
+    memcpy(words, at + whole, count - whole);
+    for (int k = 0; k < LANES; k++) {
+        sum = mix(sum, mix(lane[k], words[k]));
+    }
+    return sum;
+}
+
+int td_snapshot_table_of(const td_snapshot_head *head)
+{
+    int count = head->slots[TD_SNAPSHOT_TERRAINS].count;
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        count += head->slots[TD_SNAPSHOT_POOLS + form].count;
+    }
+    return count;
+}
+
+uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head)
+{
+    const td_snapshot_slots *slots = head->slots;
+    td_part parts[TD_SNAPSHOT_PARTS];
+    td_snapshot_list_parts(w, head, parts);
+    uint64_t bytes = sizeof *head + sizeof(int32_t) * (uint64_t)td_snapshot_table_of(head);
+    for (int i = 0; i < FIELD_COUNT; i++) {
+        bytes += FIELDS[i].bytes;
+    }
+    bytes += (uint64_t)head->bins * BIN_BYTES;
+    bytes += (uint64_t)(head->levels[0] + head->levels[1]) * sizeof(td_level);
+    bytes += (uint64_t)slots[TD_SNAPSHOT_BODIES].count * BODY_BYTES;
+    bytes += (uint64_t)slots[TD_SNAPSHOT_SHAPES].count * sizeof(td_shape);
+    bytes += (uint64_t)slots[TD_SNAPSHOT_CONTACTS].count * sizeof(td_contact);
+    bytes += (uint64_t)slots[TD_SNAPSHOT_TERRAINS].count * TERRAIN_BYTES;
+    bytes += head->points * sizeof(thud_pos);
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        bytes += (uint64_t)slots[TD_SNAPSHOT_POOLS + form].live *
+                 td_form_bytes((td_block_form)form);
+    }
+    for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
+        bytes += (uint64_t)head->parts[i].used * (uint64_t)parts[i].array->stride;
+    }
+    return bytes;
+}
+
+/* ---- the values ---- */
+
+/* Copies to the tape or from it. */
+typedef struct tape {
+    char *to; /* null: from */
+    const char *from;
+} tape;
+
+static void pass(tape *t, void *memory, size_t bytes)
+{
+    if (bytes && t->to) {
+        memcpy(t->to, memory, bytes);
+        t->to += bytes;
+    } else if (bytes) {
+        memcpy(memory, t->from, bytes);
+        t->from += bytes;
+    }
+}
+
+/* What restoring must know before it can begin: the points of each terrain, and which blocks are
+ * free. */
+static void pass_table(tape *t, thud_world *w)
+{
+    for (int i = 0; i < w->terrains.count; i++) {
+        int32_t *count = &((td_terrain_record *)td_slot_at(&w->terrains, i))->points.count;
+        pass(t, count, sizeof *count);
+    }
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        for (int i = 0; i < w->pool[form].count; i++) {
+            td_block *block = td_slot_at(&w->pool[form], i);
+            int32_t link = block->used ? TD_SNAPSHOT_LIVE : *(int32_t *)block;
+            pass(t, &link, sizeof link);
+            if (!t->to) {
+                block->used = link == TD_SNAPSHOT_LIVE; /* as many as it has come with it */
+                *(int32_t *)block = link;
+            }
+        }
+    }
+}
+
+static void pass_bins(tape *t, thud_world *w, int count)
+{
+    td_bin *bins = &w->bins[0][0];
+    if (!t->to) {
+        memset(bins, 0, sizeof w->bins);
+    }
+    for (int32_t i = 0; t->to && i < BIN_COUNT; i++) {
+        if (bins[i].lanes) {
+            pass(t, &i, sizeof i);
+            pass(t, &bins[i], sizeof bins[i]);
+        }
+    }
+    for (int k = 0; !t->to && k < count; k++) {
+        int32_t i = 0;
+        pass(t, &i, sizeof i);
+        pass(t, &bins[i], sizeof bins[i]);
+    }
+}
+
+static void pass_levels(tape *t, td_proxy_set *p, int count)
+{
+    if (!t->to) {
+        memset(p->levels, 0, sizeof p->levels);
+    }
+    pass(t, &p->levels[TD_LEVELS - count], (size_t)count * sizeof(td_level));
+}
+
+static void pass_body(tape *t, td_body *body)
+{
+    uint8_t rank = t->to ? (uint8_t)body->detection->rank : 0;
+    pass(t, body, BODY_FRONT);
+    pass(t, &rank, sizeof rank);
+    pass(t, &body->user_data, sizeof *body - BODY_BACK);
+    if (!t->to) {
+        body->detection = DETECTIONS[rank];
+    }
+}
+
+static void pass_slots(tape *t, td_slots *slots)
+{
+    for (int i = 0; i < slots->count; i += TD_CHUNK) {
+        int count = td_min_int(TD_CHUNK, slots->count - i);
+        pass(t, td_slot_at(slots, i), (size_t)count * (size_t)slots->stride);
+    }
+}
+
+static void pass_terrains(tape *t, td_slots *terrains)
+{
+    for (int i = 0; i < terrains->count; i++) {
+        td_terrain_record *record = td_slot_at(terrains, i);
+        pass(t, record, TERRAIN_BYTES);
+        pass(t, record->points.data, (size_t)record->points.count * sizeof(thud_pos));
+    }
+}
+
+static void pass_blocks(tape *t, td_slots *pool)
+{
+    for (int i = 0; i < pool->count; i++) {
+        td_block *block = td_slot_at(pool, i);
+        if (block->used) {
+            pass(t, block, (size_t)pool->stride);
+        }
+    }
+}
+
+static void plug_in(thud_world *w, const td_snapshot_head *head)
+{
+    memset(w->pairs, 0, sizeof w->pairs);
+    w->internal_edges = NULL;
+    w->ground = NULL;
+    static void (*const kinds[])(thud_world *) = {td_kind_circle, td_kind_aabb, td_kind_obb,
+                                                  td_kind_terrain};
+    for (int i = 0; i < 4; i++) {
+        if (head->plugged >> i & 1) {
+            kinds[i](w);
+        }
+    }
+    for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
+        w->detections[rank] =
+            head->plugged & (uint32_t)TD_SNAPSHOT_DETECTIONS << rank ? DETECTIONS[rank] : NULL;
+    }
+    w->quality.detection = DETECTIONS[head->detection];
+    w->quality.islands = head->plugged & TD_SNAPSHOT_ISLANDS ? &thud_islands_direct : NULL;
+}
+
+/* The counts of the head. What lies beyond them is as if it had never been: handles of new bodies
+ * and shapes begin anew, and slots that the wide kernels pass over hold nothing that moves. */
+static void take_counts(thud_world *w, const td_snapshot_head *head)
+{
+    td_slots *slots[TD_SNAPSHOT_SLOTS];
+    td_snapshot_list_slots(w, slots);
+    for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
+        const td_snapshot_slots *to = &head->slots[i];
+        for (int k = to->count; k < slots[i]->count && i <= TD_SNAPSHOT_SHAPES; k++) {
+            memset(td_slot_at(slots[i], k), 0, (size_t)slots[i]->stride);
+        }
+        slots[i]->count = to->count;
+        slots[i]->free_head = to->free_head;
+        slots[i]->live = to->live;
+    }
+    for (int slot = head->parts[TD_SNAPSHOT_VELOCITY].used; slot < w->body_of.count; slot++) {
+        memset(td_row(&w->velocity, slot), 0, sizeof(float[4]));
+    }
+    memcpy(w->contact_count, head->contacts, sizeof head->contacts);
+}
+
+static void pass_all(tape *t, thud_world *w, const td_snapshot_head *head)
+{
+    td_part parts[TD_SNAPSHOT_PARTS];
+    td_snapshot_list_parts(w, head, parts);
+    pass_table(t, w);
+    for (int i = 0; i < FIELD_COUNT; i++) {
+        pass(t, (char *)w + FIELDS[i].at, FIELDS[i].bytes);
+    }
+    pass_bins(t, w, head->bins);
+    pass_levels(t, &w->awake_shapes, head->levels[0]);
+    pass_levels(t, &w->rest_shapes, head->levels[1]);
+    for (int i = 0; i < w->bodies.count; i++) {
+        pass_body(t, td_body_at(w, i));
+    }
+    pass_slots(t, &w->shapes);
+    pass_slots(t, &w->contacts);
+    pass_terrains(t, &w->terrains);
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        pass_blocks(t, &w->pool[form]);
+    }
+    for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
+        td_array *array = parts[i].array;
+        pass(t, array->data, (size_t)head->parts[i].used * (size_t)array->stride);
+        if (!t->to) {
+            array->count = head->parts[i].count;
+        }
+    }
+}
+
+void td_snapshot_write(thud_world *w, const td_snapshot_head *head, char *to)
+{
+    tape t = {.to = to};
+    pass_all(&t, w, head);
+    assert((uint64_t)(t.to - to) == head->bytes - sizeof *head);
+}
+
+void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *from)
+{
+    tape t = {.from = from};
+    plug_in(w, head);
+    take_counts(w, head);
+    pass_all(&t, w, head);
+    assert((uint64_t)(t.from - from) == head->bytes - sizeof *head);
+}

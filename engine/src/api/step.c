@@ -1,0 +1,176 @@
+/* step.c: the whole engine at a glance. Data flows one way; stages meet in the world's state. */
+#include "solver/budget.h"
+#include "state/handles.h"
+#include "api/step.h"
+
+/* Events are handed over whole: what edits ended before the step, because a query had them applied,
+ * and what a step met that ran out of memory, waits in `events` for the first step that is done. */
+static void publish_events(thud_world *w)
+{
+    td_event_lists published = w->events;
+    w->events = w->published;
+    w->published = published;
+    w->scratch.begins.count = 0;
+    td_event_lists *next = &w->events;
+    next->begin.count = next->end.count = next->hit.count = next->quarantined.count = 0;
+    next->sensor_begin.count = next->sensor_end.count = 0;
+}
+
+/* Time since the last mark goes to the stage. */
+static void mark(thud_world *w, thud_stage stage, double *last)
+{
+    if (w->def.clock) {
+        double now = w->def.clock(w->def.clock_context);
+        w->stats.stage_seconds[stage] = now - *last;
+        *last = now;
+    }
+}
+
+/* Bisection and sweeping share their stages. */
+static bool is_repeated(const thud_world *w, int rank)
+{
+    return rank > 0 && w->detections[rank - 1] &&
+           w->detections[rank - 1]->run[TD_AFTER_MOVING] ==
+               w->detections[rank]->run[TD_AFTER_MOVING];
+}
+
+static bool reserve_detection(thud_world *w)
+{
+    bool done = true;
+    for (int rank = 0; rank < TD_RANK_COUNT && done; rank++) {
+        const thud_detection *d = w->detections[rank];
+        done = !d || !d->reserve || is_repeated(w, rank) || d->reserve(w);
+    }
+    return done;
+}
+
+static void detect(thud_world *w, td_moment moment)
+{
+    for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
+        const thud_detection *d = w->detections[rank];
+        if (d && d->run[moment] && !is_repeated(w, rank)) {
+            d->run[moment](w);
+        }
+    }
+}
+
+static void forget_motions(thud_world *w)
+{
+    w->stats.impacts = w->stats.held_bodies = w->stats.unbisectable = 0;
+    w->stats.motion_pairs = w->stats.motion_circles = w->stats.motion_boxes = 0;
+    w->stats.motion_exact = 0;
+    w->stats.held_seconds = 0.0;
+}
+
+static bool find_islands(thud_world *w)
+{
+    return !w->quality.islands || w->quality.islands->find(w);
+}
+
+/* Direct islands are solved twice, the second time at once and directly. */
+static void solve(thud_world *w)
+{
+    w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings = 0;
+    w->stats.island_work = 0;
+    if (w->quality.islands) {
+        w->quality.islands->begin(w);
+    }
+    td_solve(w);
+    if (w->quality.islands) {
+        w->quality.islands->end(w);
+    }
+}
+
+static thud_result run_stages(thud_world *w)
+{
+    double start = w->def.clock ? w->def.clock(w->def.clock_context) : 0.0, last = start;
+
+    /* May run out of memory, and then leave every body as it was. */
+    bool done = td_changes_apply(w);
+    mark(w, THUD_STAGE_CHANGES, &last);
+    done = done && (w->paired || td_broadphase(w));
+    w->paired |= done;
+    mark(w, THUD_STAGE_BROADPHASE, &last);
+    done = done && td_broadphase_refresh(w) && td_narrowphase(w) && find_islands(w) &&
+           td_finalize_reserve(w) && reserve_detection(w) && td_sleep_reserve(w);
+    mark(w, THUD_STAGE_NARROWPHASE, &last);
+    if (!done) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
+    }
+
+    w->paired = false;
+    w->narrowed = 0;
+    td_contacts_ask(w);
+    detect(w, TD_BEFORE_SOLVING);
+    td_contacts_hit(w);
+    mark(w, THUD_STAGE_CONTACTS, &last);
+    w->stats.substeps = w->substeps;
+    solve(w);
+    detect(w, TD_BEFORE_MOVING);
+    mark(w, THUD_STAGE_SOLVE, &last);
+    td_finalize(w);
+    mark(w, THUD_STAGE_FINALIZE, &last);
+    forget_motions(w);
+    detect(w, TD_AFTER_MOVING);
+    mark(w, THUD_STAGE_CONTINUOUS, &last);
+    td_contacts_tell(w);
+    mark(w, THUD_STAGE_EVENTS, &last);
+    td_sleep(w);
+    mark(w, THUD_STAGE_SLEEP, &last);
+    publish_events(w);
+    w->stats.step_seconds = last - start;
+    td_budget_keep(w);
+    return THUD_OK;
+}
+
+thud_result thud_world_step(thud_world *w)
+{
+    TD_IN_OWN_MODE;
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "step: not inside a callback");
+    }
+    uint64_t allocations = w->memory.allocations;
+    w->locked = true; /* whatever of the caller's it calls: callbacks, log, clock, job system, allocator */
+    thud_result result = run_stages(w);
+    w->locked = false;
+    w->steps += result == THUD_OK;
+    w->stats.step_allocations = w->memory.allocations - allocations;
+    return result;
+}
+
+thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int *steps,
+                               double *alpha)
+{
+    TD_IN_OWN_MODE;
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (!(elapsed >= 0.0 && elapsed <= 1e9) || max_steps < 1) {
+        return td_refuse(w, THUD_ERROR_INVALID, "advance: elapsed or max_steps is out of range");
+    }
+    double h = w->def.time_step;
+    double spare = w->spare_time + elapsed;
+    thud_result result = THUD_OK;
+    int done = 0;
+    while (spare >= h && done < max_steps && (result = thud_world_step(w)) == THUD_OK) {
+        spare -= h;
+        done++;
+        w->spare_time = spare;
+    }
+    /* What max_steps leaves over is dropped, but for the part of a step. */
+    if (result == THUD_OK) {
+        double steps_left = spare / h;
+        spare = steps_left < 0x1p62 ? spare - h * (double)(int64_t)steps_left : 0.0;
+        w->spare_time = spare >= 0.0 && spare < h ? spare : 0.0;
+    }
+    if (steps) {
+        *steps = done;
+    }
+    if (alpha) {
+        *alpha = td_min_double(w->spare_time / h, 0x1.fffffffffffffp-1);
+    }
+    return result;
+}

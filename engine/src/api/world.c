@@ -1,0 +1,327 @@
+/* world.c: making and ending worlds, and their settings. */
+#include "state/world.h"
+
+#include "state/awake.h"
+#include "state/body.h"
+#include "detection/collide.h"
+#include "state/handles.h"
+#include "contact/lanes.h"
+#include "solver/quality.h"
+#include "api/step.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+thud_world_def thud_world_def_of(const thud_quality *quality)
+{
+    return (thud_world_def){
+        .gravity = {0.0f, -10.0f},
+        .time_step = 1.0 / 60.0,
+        .length_scale = 1.0f,
+        .quality = quality,
+        .push_speed = 3.0f,
+        .restitution_threshold = 1.0f,
+        .hit_speed = 1.0f,
+        .maximum_speed = 1e6f,
+        .sleeping = true,
+        .contact_events = true,
+        .broadphase = &thud_broadphase_grid,
+    };
+}
+
+static bool between(double x, double low, double high)
+{
+    return x >= low && x <= high;
+}
+
+static const char *def_error(const thud_world_def *d)
+{
+    if (!td_finite((double)d->gravity.x) || !td_finite((double)d->gravity.y)) {
+        return "world def: gravity is not finite";
+    }
+    if (!(d->time_step > 0.0 && d->time_step <= 1.0)) {
+        return "world def: time_step is not in (0, 1]";
+    }
+    if (!between((double)d->length_scale, (double)1e-6f, 1e6)) {
+        return "world def: length_scale is not in [1e-6, 1e6]";
+    }
+    if (!d->quality) {
+        return "world def: quality is null";
+    }
+    if (td_quality_error(d->quality)) {
+        return td_quality_error(d->quality);
+    }
+    if (td_max_error_error(d->max_error, d->quality)) {
+        return td_max_error_error(d->max_error, d->quality);
+    }
+    if (d->substeps < 0 || d->substeps > 64) {
+        return "world def: substeps is not in 0..64";
+    }
+    if (d->contact_stiffness != 0.0f && !between((double)d->contact_stiffness, (double)0.01f, 0.5)) {
+        return "world def: contact_stiffness is neither 0 nor in [0.01, 0.5]";
+    }
+    if (!between((double)d->contact_damping, 0.0, 100.0) ||
+        !between((double)d->push_speed, 0.0, 1e6) ||
+        !between((double)d->restitution_threshold, 0.0, 1e6) ||
+        !between((double)d->hit_speed, 0.0, 1e6) ||
+        !(d->maximum_speed > 0.0f && d->maximum_speed <= 1e6f)) {
+        return "world def: a damping ratio or speed is out of range";
+    }
+    if (!between(d->time_budget, 0.0, 1.0) || (d->time_budget > 0.0 && !d->clock)) {
+        return "world def: time_budget is not in [0, 1], or there is no clock";
+    }
+    if (d->job_system.workers < 0 || d->job_system.workers > THUD_WORKERS_MAX ||
+        (d->job_system.workers > 1 && !d->job_system.run)) {
+        return "world def: crew.workers is not in 0..64, or there is nobody to run them";
+    }
+    if (!d->allocator.allocate != !d->allocator.release) {
+        return "world def: the allocator lacks one of its two functions";
+    }
+    return NULL;
+}
+
+static bool wide_here(bool baseline)
+{
+#if defined(TD_HAS_AVX2)
+    return !baseline && __builtin_cpu_supports("avx2");
+#else
+    (void)baseline;
+    return false;
+#endif
+}
+
+/* The power of two nearest below, so that scaling by it is exact. */
+static double power_below(double x)
+{
+    double p = 1.0;
+    while (p > x) {
+        p *= 0.5;
+    }
+    while (p * 2.0 <= x) {
+        p *= 2.0;
+    }
+    return p;
+}
+
+/* The arrays of a world, and what is in them. */
+#define ARRAY(name, element) {offsetof(thud_world, name), sizeof(element)}
+#define EVENTS(list)                                                                               \
+    ARRAY(list.begin, thud_contact_event), ARRAY(list.end, thud_contact_event),                    \
+        ARRAY(list.sensor_begin, thud_contact_event), ARRAY(list.sensor_end, thud_contact_event),  \
+        ARRAY(list.hit, thud_hit_event), ARRAY(list.quarantined, thud_body_id)
+
+static const struct {
+    uint16_t at, stride;
+} ARRAYS[] = {
+    ARRAY(pose, td_pose),
+    ARRAY(proxy, td_shape_proxy),
+    ARRAY(was, td_bounds),
+    ARRAY(marks, uint8_t),
+    ARRAY(velocity, float[4]),
+    ARRAY(delta, float[4]),
+    ARRAY(start, float[4]),
+    ARRAY(push, float[4]),
+    ARRAY(damping, float[2]),
+    ARRAY(idle, float),
+    ARRAY(direct_steps, uint8_t),
+    ARRAY(slow_steps, uint16_t),
+    ARRAY(reach, float[2]),
+    ARRAY(mass, float),
+    ARRAY(inertia, float),
+    ARRAY(weight, float),
+    ARRAY(body_of, int),
+    ARRAY(lone, int),
+    ARRAY(colours, td_colours),
+    ARRAY(moved, int),
+    ARRAY(changed, int),
+    ARRAY(deferred, td_deferred_edit),
+    ARRAY(poses, thud_pose),
+    ARRAY(scratch.hits, int),
+    ARRAY(scratch.ahead, int),
+    ARRAY(scratch.crowded, int),
+    ARRAY(scratch.stamps, uint32_t),
+    ARRAY(scratch.pairs, int[3]),
+    ARRAY(scratch.bodies, int),
+    ARRAY(scratch.contacts, int),
+    ARRAY(scratch.blocks, td_block *),
+    ARRAY(scratch.runs, td_run),
+    ARRAY(scratch.parted, td_block *),
+    ARRAY(scratch.chunks, td_chunk),
+    ARRAY(scratch.counters, atomic_int),
+    ARRAY(scratch.begins, int),
+    ARRAY(scratch.ends, int),
+    ARRAY(scratch.parents, int),
+    ARRAY(scratch.lane_bins, int),
+    ARRAY(scratch.trajectories, td_trajectory),
+    ARRAY(scratch.candidates, td_toi_candidate),
+    ARRAY(scratch.strays, td_stray),
+    ARRAY(scratch.impacts, td_impact),
+    ARRAY(scratch.test_list, td_block *),
+    ARRAY(scratch.fast, int),
+    ARRAY(scratch.odd, int),
+    ARRAY(scratch.order, int32_t),
+    EVENTS(events),
+    EVENTS(published),
+};
+enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
+
+static td_array *array_at(thud_world *w, int i)
+{
+    return (td_array *)((char *)w + ARRAYS[i].at);
+}
+
+static void set_strides(thud_world *w)
+{
+    static_assert(sizeof *w <= UINT16_MAX, "offsets of arrays are 16 bits");
+    for (int i = 0; i < ARRAY_COUNT; i++) {
+        array_at(w, i)->stride = ARRAYS[i].stride;
+    }
+    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+        w->waiting[kind].stride = (int)sizeof(int);
+    }
+    td_slots_init(&w->bodies, (int)sizeof(td_body));
+    td_slots_init(&w->shapes, (int)sizeof(td_shape));
+    td_slots_init(&w->contacts, (int)sizeof(td_contact));
+    td_slots_init(&w->terrains, (int)sizeof(td_terrain_record));
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        td_slots_init(&w->pool[form], (int)td_form_bytes((td_block_form)form));
+    }
+}
+
+/* While there is no world yet, the def's log hears why. */
+static thud_result refuse(const thud_world_def *def, thud_result result, const char *message)
+{
+    if (def->log) {
+        def->log(result, message, def->log_context);
+    }
+    return result;
+}
+
+thud_result thud_world_create(const thud_world_def *def, thud_world **out)
+{
+    TD_IN_OWN_MODE;
+    static const char no_memory[] = "world create: out of memory";
+    static atomic_uint made;
+    if (!def) {
+        return THUD_ERROR_NULL;
+    }
+    if (!out) {
+        return refuse(def, THUD_ERROR_NULL, "world create: out is null");
+    }
+    const char *error = def_error(def);
+    if (error) {
+        return refuse(def, THUD_ERROR_INVALID, error);
+    }
+    td_memory memory = td_memory_make(def->allocator);
+    thud_world *w = td_memory_get(&memory, sizeof *w);
+    if (!w) {
+        return refuse(def, THUD_ERROR_MEMORY, no_memory);
+    }
+    w->def = *def;
+    w->memory = memory;
+    w->number = atomic_fetch_add(&made, 1u) + 1u;
+    w->wide = wide_here(def->baseline_simd);
+    w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;
+    double unit = power_below((double)def->length_scale);
+    w->unit = (float)unit;
+    w->to_fixed = TD_FIXED_ONE / unit;
+    w->to_coarse = TD_COARSE_ONE / unit;
+    w->quantum = (float)(unit / TD_FIXED_ONE);
+    w->thinnest_stale = true;
+    set_strides(w);
+    td_event_queue_init(&w->scratch.queue);
+    td_islands_init(&w->islands);
+    td_proxy_set_init(&w->awake_shapes);
+    td_proxy_set_init(&w->rest_shapes);
+    td_quality_take(w, def->quality);
+    if (!td_awake_reserve(w, 0)) {
+        thud_world_destroy(w);
+        return refuse(def, THUD_ERROR_MEMORY, no_memory);
+    }
+    *out = w;
+    return THUD_OK;
+}
+
+void thud_world_destroy(thud_world *w)
+{
+    if (!w) {
+        return;
+    }
+    if (w->locked) {
+        td_refuse(w, THUD_ERROR_LOCKED, "world destroy: not inside a callback; it lives on");
+        return;
+    }
+    for (int i = 0; i < w->terrains.count; i++) {
+        td_array_free(&w->memory, &((td_terrain_record *)td_slot_at(&w->terrains, i))->points);
+    }
+    for (int i = 0; i < ARRAY_COUNT; i++) {
+        td_array_free(&w->memory, array_at(w, i));
+    }
+    td_array_free(&w->memory, &w->scratch.test_blocks); /* as wide as a block, see narrowphase.c */
+    td_slots *slots[] = {&w->bodies, &w->shapes, &w->contacts, &w->terrains};
+    for (size_t i = 0; i < sizeof slots / sizeof *slots; i++) {
+        td_slots_free(&w->memory, slots[i]);
+    }
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        td_slots_free(&w->memory, &w->pool[form]);
+    }
+    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+        td_array_free(&w->memory, &w->waiting[kind]);
+    }
+    td_islands_free(&w->memory, &w->islands);
+    td_event_queue_free(&w->memory, &w->scratch.queue);
+    td_proxy_set_free(&w->memory, &w->awake_shapes);
+    td_proxy_set_free(&w->memory, &w->rest_shapes);
+    td_memory memory = w->memory;
+    td_memory_put(&memory, w, sizeof *w);
+}
+
+/* ---- settings ---- */
+
+thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (!td_finite((double)gravity.x) || !td_finite((double)gravity.y)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set gravity: not finite");
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set gravity: not inside a callback");
+    }
+    w->def.gravity = gravity;
+    td_wake_all(w);
+    return THUD_OK;
+}
+
+thud_result thud_world_set_time_step(thud_world *w, double time_step)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (!(time_step > 0.0 && time_step <= 1.0)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set time step: not in (0, 1]");
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set time step: not inside a callback");
+    }
+    w->def.time_step = time_step;
+    w->drowsy_bodies = w->body_of.count; /* a longer step may bring sleep sooner than expected */
+    w->push_stale = true;
+    return THUD_OK;
+}
+
+thud_result thud_world_set_sleeping(thud_world *w, bool sleeping)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set sleeping: not inside a callback");
+    }
+    w->def.sleeping = sleeping;
+    if (!sleeping) {
+        td_wake_all(w);
+    }
+    return THUD_OK;
+}

@@ -1,0 +1,104 @@
+/* event_queue.c: see event_queue.h. */
+#include "base/event_queue.h"
+
+void td_event_queue_init(td_event_queue *a)
+{
+    a->time.stride = (int)sizeof(double);
+    a->spot.stride = a->heap.stride = (int)sizeof(int);
+}
+
+bool td_event_queue_reserve(td_memory *memory, td_event_queue *a, int count)
+{
+    return td_array_reserve(memory, &a->time, count) && td_array_reserve(memory, &a->spot, count) &&
+           td_array_reserve(memory, &a->heap, count);
+}
+
+void td_event_queue_free(td_memory *memory, td_event_queue *a)
+{
+    td_array_free(memory, &a->time);
+    td_array_free(memory, &a->spot);
+    td_array_free(memory, &a->heap);
+}
+
+void td_event_queue_clear(td_event_queue *a, int count)
+{
+    int *spot = a->spot.data;
+    for (int i = 0; i < count; i++) {
+        spot[i] = TD_NONE;
+    }
+    a->heap.count = 0;
+}
+
+static bool before(const td_event_queue *a, int number, int other)
+{
+    const double *time = a->time.data;
+    return time[number] < time[other] || (time[number] == time[other] && number < other);
+}
+
+static void put(td_event_queue *a, int at, int number)
+{
+    ((int *)a->heap.data)[at] = number;
+    ((int *)a->spot.data)[number] = at;
+}
+
+/* From `at`, towards the front as long as it comes before what stands there. */
+static void rise(td_event_queue *a, int at, int number)
+{
+    const int *heap = a->heap.data;
+    for (; at > 0 && before(a, number, heap[(at - 1) / 2]); at = (at - 1) / 2) {
+        put(a, at, heap[(at - 1) / 2]);
+    }
+    put(a, at, number);
+}
+
+static void sink(td_event_queue *a, int at, int number)
+{
+    const int *heap = a->heap.data;
+    for (;;) {
+        int child = 2 * at + 1;
+        if (child + 1 < a->heap.count && before(a, heap[child + 1], heap[child])) {
+            child++;
+        }
+        if (child >= a->heap.count || !before(a, heap[child], number)) {
+            break;
+        }
+        put(a, at, heap[child]);
+        at = child;
+    }
+    rise(a, at, number);
+}
+
+void td_event_queue_set(td_event_queue *a, int number, double time)
+{
+    int at = *(int *)td_at(&a->spot, number);
+    *(double *)td_at(&a->time, number) = time;
+    if (at == TD_NONE) {
+        rise(a, a->heap.count++, number);
+    } else {
+        sink(a, at, number);
+    }
+}
+
+void td_event_queue_strike(td_event_queue *a, int number)
+{
+    int *spot = td_at(&a->spot, number), at = *spot;
+    if (at == TD_NONE) {
+        return;
+    }
+    *spot = TD_NONE;
+    int last = *(int *)td_at(&a->heap, --a->heap.count);
+    if (last != number) {
+        sink(a, at, last);
+    }
+}
+
+int td_event_queue_next(td_event_queue *a, double *time)
+{
+    if (a->heap.count == 0) {
+        return TD_NONE;
+    }
+    int number = *(int *)a->heap.data;
+    *time = *(double *)td_at(&a->time, number);
+    td_event_queue_strike(a, number);
+    return number;
+}

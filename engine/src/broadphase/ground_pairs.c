@@ -1,0 +1,59 @@
+/* ground_pairs.c: new pairs of lines and what is awake, or a sensor. Each segment is a shape of its own, found by
+ * its index. */
+#include "contact/contact.h"
+#include "broadphase/pairs.h"
+#include "state/shape.h"
+
+static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
+{
+    const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
+    if (td_terrain_below(w, terrain_shape, proxy->center, &proxy->fat)) {
+        return true;
+    }
+    thud_terrain terrain = td_terrain_view(w, terrain_shape);
+    int marks = *td_marks_at(w, terrain_shape) | *td_marks_at(w, shape);
+    if (!td_pair_allowed(w, terrain_shape, shape)) {
+        return true;
+    }
+    int first, last;
+    td_position at = td_shape_proxy_at(w, shape)->center;
+    td_terrain_segments_of(w, terrain_shape, &terrain, at, td_fat_at(w, shape), &first, &last);
+    for (int i = first; i <= last; i++) {
+        if (!td_terrain_reaches(w, terrain_shape, &terrain, at, td_fat_at(w, shape), i)) {
+            continue;
+        }
+        bool old = !(marks & (TD_MARK_WOKEN | TD_MARK_FRESH)) && !w->vast &&
+                   td_terrain_reaches(w, terrain_shape, &terrain, at, td_bounds_before(w, shape), i);
+        if (!old && !td_pairs_add(w, terrain_shape, shape, i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* With those that are awake; sleepers matter to sensors alone. */
+static bool pair_line(thud_world *w, int line, const td_array *shapes)
+{
+    for (int i = 0; i < shapes->count; i++) {
+        int shape = *(int *)td_at(shapes, i);
+        bool awake = td_body_at(w, td_shape_at(w, shape)->body)->awake > 0;
+        if ((awake || td_senses(w, line) || td_senses(w, shape)) && !pair_terrain(w, line, shape)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool td_pairs_add_ground(thud_world *w)
+{
+    for (int t = 0; t < w->terrains.count; t++) {
+        int line = ((const td_terrain_record *)td_slot_at(&w->terrains, t))->shape;
+        bool came = line != TD_NONE && *td_marks_at(w, line) & TD_MARK_FRESH;
+        if (line != TD_NONE && !(came ? pair_line(w, line, &w->awake_shapes.ids) &&
+                                            pair_line(w, line, &w->rest_shapes.ids)
+                                      : pair_line(w, line, &w->moved))) {
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,238 @@
+/* block.h: eight contacts side by side, the unit of narrowphase and solver.
+ *
+ * A contact that touches holds one lane of a block for as long as it touches. Blocks of one bin
+ * (pair kind, static or not, graph colour) never name a moving body twice, so that eight lanes are
+ * solved at once. Slot 0 of the awake bodies is a dummy at rest: static sides and empty lanes point
+ * to it, and have zero mass. */
+#ifndef TD_BLOCK_H
+#define TD_BLOCK_H
+
+#include "base/fixed.h"
+#include "base/simd.h"
+
+#include <stdatomic.h>
+#include <stddef.h>
+
+/* A shape as it stands in the world: one cache line, all that finish, grid and narrowphase read. */
+typedef struct td_shape_proxy {
+    td_position center;
+    float c, s;           /* rotation; 1, 0 where it cannot matter */
+    float half_x, half_y; /* half extents; a circle's are both its radius */
+    float x, y;           /* offset of the centre from the body's centre of mass, in the world */
+    float turns;          /* 1 where the bounds depend on the rotation, else 0 */
+    int32_t margin;       /* of the fat bounds about the tight ones, bounds quanta */
+    td_bounds fat;
+} td_shape_proxy;
+
+/* A contact point of eight lanes. Crosses are (r x n), of its arms with the normal. The solver is
+ * bound by the bytes that it moves, so that its rows stand together, three cache lines a point. */
+typedef struct td_point {
+    f8 separation;  /* now: the relax pass leaves it for the next solve pass */
+    f8 normal_mass; /* 0: no point here */
+    f8 normal_impulse;
+    f8 cross_a, cross_b;
+    f8 base; /* separation at the start of the step */
+} td_point;
+
+/* What few ask of a contact point. */
+typedef struct td_point_history {
+    f8 approach; /* normal velocity at the start of the step; negative: closing */
+    f8 total;    /* normal impulse of the step; kept only where td_solve_context asks */
+} td_point_history;
+
+/* ... and of friction and restitution. */
+typedef struct td_surface {
+    f8 speed;  /* at which b is driven along t; read only where td_solve_context.belts */
+    f8 total;  /* tangent impulse of all substeps; kept only where keep_tangents */
+    f8 energy; /* twice the pair's, when it had bounced in this step; < 0: it has not. Where bouncy */
+} td_surface;
+
+/* Poses for which a lane's manifold was worked out. While the pair stays near them, relative to each
+ * other and in the world, the manifold is kept and only its separations follow: see wide_manifold_cache.h. */
+typedef struct td_manifold_cache {
+    f8 dx, dy;         /* from a's centre of mass to b's; on terrain: bits of b's place */
+    f8 ac, as, bc, bs; /* cosine and sine of both shapes */
+    f8 base[2];        /* separations then */
+    f8 limit;          /* motion up to which the manifold stays */
+    f8 reach;          /* greatest half extent: what a turn moves */
+} td_manifold_cache;
+
+/* Behind its points a block has a td_point_history each, a td_surface, and a td_manifold_cache where its kind
+ * keeps. */
+typedef struct td_block {
+    int32_t shape_a[TD_LANES], shape_b[TD_LANES];
+    int32_t contact[TD_LANES];  /* TD_NONE: empty lane */
+    uint32_t feature[TD_LANES]; /* faces in touch; impulses carry over while they stay; 0: none yet */
+    int32_t next, prev;         /* blocks of the same bin */
+    int32_t used;               /* lanes 0 .. used - 1 are in use */
+    uint32_t touching;          /* lanes with a point, by the last narrowphase */
+    int32_t bouncy;             /* a lane has restitution */
+    int32_t armed;              /* a lane's shape may be off its body's centre of mass */
+    int32_t shared;             /* a lane has a kinematic body, which other blocks may have as well */
+    uint8_t internal_edges[TD_LANES];    /* of shape_a, where it is static */
+    uint8_t loaded[TD_LANES];   /* how often found to carry too much, see direct_islands.c; and TD_DIRECT */
+    int32_t padding[5];
+    /* The solver's rows begin here. */
+    uint32_t a[TD_LANES], b[TD_LANES]; /* awake slots, in bytes of their records of four floats; 0:
+                                          that side is static */
+    f8 nx, ny;                        /* from a to b */
+    f8 inv_inertia_a, inv_inertia_b;
+    /* Friction acts along t = (ny, -nx), once for all points, whose tangents are the same line. */
+    f8 friction;
+    f8 tangent_mass, tangent_impulse;
+    f8 tangent_cross_a, tangent_cross_b; /* of the mean arms with t */
+    f8 restitution;
+    td_point point[]; /* one or two */
+} td_block;
+
+enum { TD_DIRECT = 128 }; /* in td_block.loaded: impulses are the direct solver's */
+
+enum { TD_AWAKE_BYTES = 4 * (int)sizeof(float) };
+
+enum { TD_CHUNK_BLOCKS = 24 }; /* enough work for a worker to be worth taking */
+
+static inline td_point_history *td_history_of(td_block *block, int points)
+{
+    return (td_point_history *)&block->point[points];
+}
+
+static inline td_surface *td_surface_at(td_block *block, int points)
+{
+    return (td_surface *)&td_history_of(block, points)[points];
+}
+
+static inline td_manifold_cache *td_manifold_cache_of(td_block *block, int points)
+{
+    return (td_manifold_cache *)(td_surface_at(block, points) + 1);
+}
+
+/* Blocks lie where their contacts began, and the passes over them are bound by memory: the solver's
+ * rows of the one after the next are asked for early. */
+TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int points)
+{
+    if (i + 2 < count) {
+        const td_block *block = blocks[i + 2];
+        const char *at = (const char *)block->a, *end = (const char *)&block->point[points];
+        for (; at < end; at += 64) {
+            __builtin_prefetch(at, 1);
+        }
+    }
+}
+
+/* What blocks there are: by points, and whether manifolds are kept. */
+typedef enum td_block_form {
+    TD_FORM_ONE,
+    TD_FORM_ONE_CACHED,
+    TD_FORM_TWO_CACHED,
+    TD_FORM_COUNT
+} td_block_form;
+
+static inline int td_form_points(td_block_form form)
+{
+    return form == TD_FORM_TWO_CACHED ? 2 : 1;
+}
+
+static inline size_t td_form_bytes(td_block_form form)
+{
+    size_t points = (size_t)td_form_points(form);
+    return sizeof(td_block) + points * (sizeof(td_point) + sizeof(td_point_history)) +
+           sizeof(td_surface) + (form == TD_FORM_ONE ? 0 : sizeof(td_manifold_cache));
+}
+
+/* ---- what the wide kernels are given ---- */
+
+typedef struct td_collide_context {
+    const td_shape_proxy *proxy;   /* by shape */
+    const float (*velocity)[4]; /* by awake slot: x, y, angular, inverse mass */
+    td_block **parted;         /* gets the blocks that have a lane without a point */
+    int *parted_count;
+    int *armed;                /* set where a block is armed */
+    float quantum;             /* length of a position quantum */
+    float margin;              /* speculative */
+    float skin;                /* at which contacts rest: what the solver takes for touching */
+    float axis_tolerance;      /* how much better b's face must be to be preferred */
+} td_collide_context;
+
+/* Passes of restitution: the first and others before all substeps, and the one after them. */
+typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_bounce;
+
+enum { TD_BOUNCE_PASSES = 64 }; /* before all substeps; each takes a row two links on at least */
+
+typedef struct td_solve_context {
+    float (*velocity)[4]; /* by awake slot */
+    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle */
+    const float (*push)[4]; /* by awake slot: velocity that gravity and forces give in a substep */
+    float inv_h;          /* substeps per second */
+    float substeps, time_step; /* of a step */
+    float push_speed;
+    float bounce_speed;         /* normal speed, <= 0: slower approaches do not bounce ... */
+    float elastic_speed;        /* ... and of restitution 1 */
+    float fall;                 /* in a step */
+    float bias_rate[2];         /* soft contact against a moving [0] and a static body [1] */
+    float mass_scale[2], impulse_scale[2];
+    bool keep_totals;           /* somebody will read td_point_history.total ... */
+    bool keep_tangents;         /* ... or td_surface.total */
+    bool surface_speeds;                 /* a lane has a surface speed */
+    bool last;                  /* substep: its relax pass tallies */
+    bool first;                 /* substep: totals start anew ... */
+    bool bounces;               /* ... where they have not in a bounce */
+    td_bounce bounce;           /* which pass */
+    atomic_bool *bounced;       /* set by it where a pair bounces */
+    struct td_tally *tally;     /* the last relax pass notes approaches there */
+} td_solve_context;
+
+/* Fills normal, crosses, masses, base and separation of the blocks from the present poses, and
+ * sets td_block.touching. */
+typedef void td_collide_fn(td_block *const *blocks, int count, const td_collide_context *context);
+typedef void td_solve_fn(td_block *const *blocks, int count, const td_solve_context *context);
+
+/* Sifts eight pairs of shapes: bits of those whose fat bounds overlap no more, and of those that may
+ * touch. What is in neither is surely apart, but not for good. */
+typedef struct td_sifted {
+    unsigned parted, near;
+} td_sifted;
+
+typedef td_sifted td_sift_fn(const int32_t *shape_a, const int32_t *shape_b,
+                             const td_collide_context *context);
+
+/* The passes over blocks of one number of points: [0] both sides move, [1] side a is static. */
+typedef struct td_solve_ops {
+    td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce;
+} td_solve_ops;
+
+/* Kinds of pairs that have their own narrowphase; the names say (a, b). */
+typedef enum td_pair_kind {
+    TD_PAIR_CIRCLE_CIRCLE = 0,
+    TD_PAIR_BOX_CIRCLE,
+    TD_PAIR_CIRCLE_BOX, /* only where the circle is static */
+    TD_PAIR_AABB_AABB,
+    TD_PAIR_BOX_BOX,
+    TD_PAIR_TERRAIN_CIRCLE,
+    TD_PAIR_TERRAIN_BOX,
+    TD_PAIR_TOUCH_COUNT,
+    TD_PAIR_SENSOR = TD_PAIR_TOUCH_COUNT, /* overlap only; has no blocks */
+    TD_PAIR_COUNT
+} td_pair_kind;
+
+struct thud_world;
+
+/* What a pair kind plugs in when its shapes are first used; see kinds.h. */
+typedef struct td_pair_ops {
+    td_block_form form;
+    td_sift_fn *sift;         /* null for terrain */
+    td_collide_fn *collide;   /* null where `collide_world` is set */
+    /* Pairs whose geometry does not lie in the per-shape records (terrain). */
+    void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
+                          const td_collide_context *context);
+    const td_solve_ops *solve;
+    const td_solve_ops *solve_unarmed; /* for runs of blocks of which none is armed */
+} td_pair_ops;
+
+/* Exported names of a wide file carry the instruction set it was compiled for. */
+#define TD_JOIN_(a, b) a##_##b
+#define TD_JOIN(a, b) TD_JOIN_(a, b)
+#ifdef TD_ISA
+#define TD_WIDE(name) TD_JOIN(name, TD_ISA)
+#endif
+
+#endif

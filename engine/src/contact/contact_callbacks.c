@@ -1,0 +1,136 @@
+/* contact_callbacks.c: contacts as callbacks and statistics see them; prologue and epilogue. */
+#include "state/body.h"
+#include "detection/collide.h"
+#include "contact/contact.h"
+#include "state/handles.h"
+#include "contact/lanes.h"
+#include "api/step.h"
+#include "state/surface.h"
+
+thud_contact td_contact_view(const thud_world *w, td_block *block, int lane)
+{
+    const td_contact *contact = td_contact_at(w, block->contact[lane]);
+    int points = td_form_points(w->pairs[contact->kind]->form);
+    const td_pose *pose = td_pose_at(w, contact->body[1]);
+    thud_contact seen = {
+        .shape_a = td_shape_handle(w, contact->shape_a),
+        .shape_b = td_shape_handle(w, contact->shape_b),
+        .body_a = td_body_handle(w, contact->body[0]),
+        .body_b = td_body_handle(w, contact->body[1]),
+        .normal = {block->nx[lane], block->ny[lane]},
+        .separation = 3.0e38f,
+    };
+    float nx = seen.normal.x, ny = seen.normal.y, along = 0.0f;
+    for (int k = 0; k < points; k++) {
+        const td_point *p = &block->point[k];
+        if (p->normal_mass[lane] == 0.0f) {
+            continue;
+        }
+        along += p->cross_b[lane];
+        seen.point_count++;
+        seen.separation = td_min_float(seen.separation, p->separation[lane] + w->skin);
+        seen.normal_impulse += td_history_of(block, points)[k].total[lane];
+    }
+    seen.tangent_impulse = td_surface_at(block, points)->total[lane];
+    /* The crosses of the mean arm with normal and tangent are the arm itself, turned. */
+    float cn = seen.point_count ? along / (float)seen.point_count : 0.0f;
+    float ct = block->tangent_cross_b[lane];
+    td_position at = {pose->center.x + td_length_from(w, cn * ny - ct * nx),
+                   pose->center.y + td_length_from(w, -cn * nx - ct * ny)};
+    seen.point = td_place_to(w, at);
+    return seen;
+}
+
+/* How fast a point closes, > 0, at the start of the step. */
+static float closing_of(const thud_world *w, const td_block *block, const td_point *p, int lane)
+{
+    const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
+    const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
+    return (a[0] - b[0]) * block->nx[lane] + (a[1] - b[1]) * block->ny[lane] +
+           a[2] * p->cross_a[lane] - b[2] * p->cross_b[lane];
+}
+
+/* Lanes that did not bounce before may not know how fast they close in. */
+static void note_approach(const thud_world *w, td_block *block, int points, int lane)
+{
+    for (int k = 0; k < points; k++) {
+        td_history_of(block, points)[k].approach[lane] =
+            -closing_of(w, block, &block->point[k], lane);
+    }
+}
+
+/* Settings are for this step: each time they start from the pair's own. */
+static void ask(thud_world *w, td_block *block, int lane)
+{
+    td_contact *contact = td_contact_at(w, block->contact[lane]);
+    int points = td_form_points(w->pairs[contact->kind]->form);
+    thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
+    thud_contact_settings settings = own;
+    thud_contact seen = td_contact_view(w, block, lane);
+    contact->vetoed = !td_surface_ask(w, &seen, &settings);
+    td_surface_set(w, block, points, lane, &settings);
+    if (settings.restitution != own.restitution) {
+        note_approach(w, block, points, lane);
+    }
+    if (contact->vetoed) {
+        td_surface_mute(block, points, lane);
+    }
+}
+
+void td_contacts_ask(thud_world *w)
+{
+    for (int i = 0; i < w->scratch.blocks.count && w->def.prologue; i++) {
+        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        for (int lane = 0; lane < block->used; lane++) {
+            ask(w, block, lane);
+        }
+    }
+}
+
+/* What meets within the step, or does nothing in it, has no points here: see bounces.c. */
+void td_contacts_hit(thud_world *w)
+{
+    float least = -w->def.hit_speed * w->unit;
+    for (int i = 0; i < w->scratch.begins.count && w->def.contact_events; i++) {
+        int index = *(int *)td_at(&w->scratch.begins, i);
+        const td_contact *contact = td_contact_at(w, index);
+        if (contact->state != TD_TOUCHING) {
+            continue;
+        }
+        td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+        int lane = contact->slot % TD_LANES, points = td_form_points(w->pairs[contact->kind]->form);
+        const td_point_history *history = td_history_of(block, points);
+        float approach = history[0].approach[lane];
+        if (points == 2) {
+            approach = td_min_float(approach, history[1].approach[lane]);
+        }
+        if (approach >= least) {
+            continue;
+        }
+        thud_contact seen = td_contact_view(w, block, lane);
+        if (seen.point_count > 0) {
+            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) =
+                (thud_hit_event){seen.shape_a, seen.shape_b, seen.point, seen.normal, -approach};
+        }
+    }
+}
+
+void td_contacts_tell(thud_world *w)
+{
+    if (!w->def.epilogue) {
+        return;
+    }
+    for (int i = 0; i < w->scratch.blocks.count; i++) {
+        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        for (int lane = 0; lane < block->used; lane++) {
+            thud_contact seen = td_contact_view(w, block, lane);
+            if (seen.point_count) {
+                w->def.epilogue(w, &seen, w->def.callback_context);
+            }
+        }
+    }
+    for (int i = 0; i < w->scratch.impacts.count; i++) {
+        const td_impact *impact = td_at(&w->scratch.impacts, i);
+        w->def.epilogue(w, &impact->seen, w->def.callback_context);
+    }
+}

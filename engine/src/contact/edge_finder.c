@@ -1,0 +1,261 @@
+/* edge_finder.c: which faces of static shapes have something static at them, and which faces of one body
+ * something else of it. */
+#include "contact/contact.h"
+#include "contact/lanes.h"
+#include "contact/edge_neighbours.h"
+#include "contact/box_faces.h"
+#include "contact/internal_edges.h"
+#include "state/shape.h"
+#include "terrain/terrain.h"
+
+static void set(thud_world *w, int shape, unsigned internal_edges, unsigned hidden)
+{
+    td_shape *s = td_shape_at(w, shape);
+    bool same = s->internal_edges == internal_edges;
+    s->internal_edges = (uint8_t)internal_edges;
+    s->hidden = (uint8_t)hidden;
+    int e = same ? TD_NONE : td_body_at(w, s->body)->first_contact;
+    for (; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_contact *contact = td_contact_at(w, e / 2);
+        if (contact->state == TD_TOUCHING) {
+            td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+            block->internal_edges[contact->slot % TD_LANES] =
+                td_internal_edges_of(td_shape_at(w, contact->shape_a), td_shape_at(w, contact->shape_b));
+        }
+    }
+}
+
+/* A strip outside a face, from one to two widths away, short of its ends. */
+static thud_shape_instance strip_of(const thud_shape_instance *box, int face, double width)
+{
+    thud_shape_instance strip = *box;
+    double along = face % 2 ? box->hx : box->hy, out = (face % 2 ? box->hy : box->hx) + 1.5 * width;
+    double u = face % 2 ? 0.0 : out, v = face % 2 ? out : 0.0, x, y;
+    td_from_frame(box, face >= 2 ? -u : u, face >= 2 ? -v : v, &x, &y);
+    strip.x += x;
+    strip.y += y;
+    along = along > 2.0 * width ? along - width : 0.5 * along;
+    strip.hx = face % 2 ? along : 0.5 * width;
+    strip.hy = face % 2 ? 0.5 * width : along;
+    return strip;
+}
+
+/* Both meet the same shapes, so that what one hides of the other is hidden from all. */
+static bool alike(const thud_world *w, int a, int b)
+{
+    const thud_filter *p = &td_shape_at(w, a)->filter, *q = &td_shape_at(w, b)->filter;
+    return p->category == q->category && p->mask == q->mask && p->group == q->group;
+}
+
+static unsigned corners_of_face(int face)
+{
+    bool upright = face % 2 == 0, far = face < 2; /* right and top lie at greater coordinates */
+    return td_corner_bit(upright ? far : false, upright ? false : far) |
+           td_corner_bit(upright ? far : true, upright ? true : far);
+}
+
+/* A corner is straight where a neighbour goes on past it however little a normal leans away from
+ * either face. */
+#define LEAN 0.01
+
+static bool straightens(const td_internal_edge *s, const thud_shape_instance *box, int neighbour, bool right, bool top)
+{
+    double u = right ? 1.0 : -1.0, v = top ? 1.0 : -1.0, x, y, nx, ny, mx, my;
+    double level = 0.5 * LEAN * (box->hx < box->hy ? box->hx : box->hy);
+    td_from_frame(box, u * box->hx, v * box->hy, &x, &y);
+    td_from_frame(box, u, LEAN * v, &nx, &ny);
+    td_from_frame(box, LEAN * u, v, &mx, &my);
+    x += box->x;
+    y += box->y;
+    return td_internal_edge_holds(s, neighbour, x, y, TD_FLUSH * s->unit) &&
+           td_internal_edge_rises(s, neighbour, x, y, nx, ny, level) &&
+           td_internal_edge_rises(s, neighbour, x, y, mx, my, level);
+}
+
+/* Notes what of a box a neighbour stands at and hides. */
+static void note_box(const td_internal_edge *s, int shape, const thud_shape_instance *box, int neighbour)
+{
+    const td_shape *noted = td_shape_at(s->w, shape);
+    unsigned internal_edges = noted->internal_edges, hidden = noted->hidden, held = 0;
+    thud_shape_instance other = td_internal_edge_place(s, neighbour);
+    for (int k = 0; k < 4; k++) {
+        double x, y;
+        td_from_frame(box, k & 1 ? box->hx : -box->hx, k & 2 ? box->hy : -box->hy, &x, &y);
+        bool here = td_internal_edge_holds(s, neighbour, box->x + x, box->y + y, TD_FLUSH * s->unit);
+        held |= here ? td_corner_bit(k & 1, k >> 1 & 1) : 0;
+        bool straight = here && other.kind != THUD_TERRAIN && alike(s->w, shape, neighbour) &&
+                        straightens(s, box, neighbour, k & 1, k >> 1 & 1);
+        hidden |= straight ? td_corner_bit(k & 1, k >> 1 & 1) : 0;
+    }
+    for (int f = 0; f < TD_FACES; f++) {
+        thud_shape_instance strip = strip_of(box, f, TD_FLUSH * s->unit);
+        bool covered;
+        if (other.kind == THUD_TERRAIN) {
+            thud_terrain terrain = td_terrain_view(s->w, neighbour);
+            strip.x -= other.x;
+            strip.y -= other.y;
+            covered = thud_terrain_overlap(&terrain, &strip);
+        } else {
+            covered = other.kind == THUD_CIRCLE ? thud_shapes_overlap(&other, &strip)
+                                                : td_internal_edge_boxes_meet(&other, &strip);
+        }
+        internal_edges |= (unsigned)covered << f;
+        /* What holds both ends of a face, and is convex, holds all of it. */
+        bool whole = covered && other.kind != THUD_TERRAIN && alike(s->w, shape, neighbour) &&
+                     (held & corners_of_face(f)) == corners_of_face(f);
+        hidden |= (unsigned)whole << f;
+    }
+    set(s->w, shape, internal_edges | held, hidden);
+}
+
+/* A line's end is sealed where a neighbour reaches up to it from outside. */
+static uint8_t ends_at(const td_internal_edge *s, int terrain_shape, int neighbour)
+{
+    thud_terrain t = td_terrain_view(s->w, terrain_shape);
+    thud_shape_instance at = td_shape_instance(s->w, terrain_shape, s->origin);
+    double out = TD_FLUSH * s->unit;
+    if (t.kind == THUD_TERRAIN_FLAT) {
+        return 0;
+    }
+    double right = td_terrain_x(&t, t.count - 1), left = td_terrain_x(&t, 0);
+    double last = t.points[t.count - 1].y, first = t.points[0].y;
+    bool at_right = td_internal_edge_holds(s, neighbour, at.x + right + out, at.y + last - out, out);
+    bool at_left = td_internal_edge_holds(s, neighbour, at.x + left - out, at.y + first - out, out);
+    return (uint8_t)(at_right << TD_FACE_RIGHT | at_left << TD_FACE_LEFT);
+}
+
+static bool note_own(const td_internal_edge *s, int neighbour, void *context)
+{
+    (void)context;
+    note_box(s, s->shape, &s->a, neighbour);
+    return false;
+}
+
+static bool reserve(thud_world *w)
+{
+    return td_array_reserve(&w->memory, &w->scratch.hits,
+                            3 * w->rest_shapes.ids.count + 4 * TD_LANES);
+}
+
+bool td_internal_edges_see(thud_world *w, int shape)
+{
+    td_internal_edge s = td_internal_edge_of(w, shape, TD_NONE);
+    if (!reserve(w)) {
+        return false;
+    }
+    td_shape_at(w, shape)->flags &= (uint8_t)~TD_SHAPE_UNSEEN;
+    set(w, shape, 0, 0);
+    td_internal_edge_any(&s, &s.a, note_own, NULL);
+    return true;
+}
+
+static void forget(thud_world *w, int shape)
+{
+    td_shape *s = td_shape_at(w, shape);
+    if (s->kind == THUD_AABB || s->kind == THUD_OBB) {
+        s->flags |= TD_SHAPE_UNSEEN;
+        set(w, shape, 0xff, 0);
+    }
+}
+
+/* What has contacts is seen at once. */
+static bool is_due(const td_internal_edge *s, int neighbour, void *context)
+{
+    const td_shape *n = td_shape_at(s->w, neighbour);
+    bool due = (n->flags & TD_SHAPE_UNSEEN) && td_body_at(s->w, n->body)->first_contact != TD_NONE;
+    *(int *)context = due ? neighbour : *(int *)context;
+    return due;
+}
+
+/* Lines note their ends at once, since they are few. */
+static bool forget_pair(const td_internal_edge *s, int neighbour, void *context)
+{
+    int pair[] = {s->shape, neighbour};
+    for (int i = 0; i < 2; i++) {
+        if (td_shape_at(s->w, pair[i])->kind == THUD_TERRAIN) {
+            unsigned ends = ends_at(s, pair[i], pair[!i]);
+            set(s->w, pair[i], td_shape_at(s->w, pair[i])->internal_edges | ends, 0);
+        }
+    }
+    forget(s->w, neighbour);
+    is_due(s, neighbour, context);
+    return false;
+}
+
+/* Boxes are found by a terrain that came as well: all of them, since lines are few. */
+bool td_internal_edges_find(thud_world *w, int shape)
+{
+    int due = TD_NONE;
+    if (!td_is_ground(w, shape)) {
+        return true;
+    }
+    td_internal_edge s = td_internal_edge_of(w, shape, TD_NONE);
+    if (s.a.kind == THUD_TERRAIN) {
+        for (int i = 0; i < w->rest_shapes.ids.count; i++) {
+            int n = *(int *)td_at(&w->rest_shapes.ids, i);
+            if (!td_is_ground(w, n)) {
+                continue;
+            }
+            forget_pair(&s, n, &due);
+            if (due == n && !td_internal_edges_see(w, n)) {
+                return false;
+            }
+        }
+    }
+    if (!reserve(w)) {
+        return false;
+    }
+    due = TD_NONE;
+    forget(w, shape);
+    td_internal_edge_any(&s, &s.a, forget_pair, &due);
+    is_due(&s, shape, &due);
+    while (due != TD_NONE) {
+        if (!td_internal_edges_see(w, due)) {
+            return false;
+        }
+        due = TD_NONE;
+        td_internal_edge_any(&s, &s.a, is_due, &due);
+    }
+    return true;
+}
+
+static bool look_anew(const td_internal_edge *s, int neighbour, void *context)
+{
+    (void)context;
+    set(s->w, neighbour, 0, 0);
+    td_shape_mark_moved(s->w, neighbour);
+    return false;
+}
+
+/* The shapes that rest are still those of the last step; who came since will look for himself. */
+bool td_internal_edges_lose(thud_world *w, int body)
+{
+    int i = td_body_at(w, body)->first_shape;
+    if (td_body_at(w, body)->kind != THUD_STATIC || i == TD_NONE) {
+        return true;
+    }
+    if (!reserve(w)) {
+        return false;
+    }
+    for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        if (td_shape_at(w, i)->internal_edges) {
+            td_internal_edge s = td_internal_edge_of(w, i, TD_NONE);
+            td_internal_edge_any(&s, &s.a, look_anew, NULL);
+            set(w, i, 0, 0);
+        }
+    }
+    return true;
+}
+
+void td_internal_edges_join(thud_world *w, int body)
+{
+    const td_body *b = td_body_at(w, body);
+    for (int i = b->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        td_internal_edge s = td_internal_edge_of(w, i, TD_NONE);
+        bool box = s.a.kind == THUD_AABB || s.a.kind == THUD_OBB;
+        if (box && !(td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
+            set(w, i, 0, 0);
+            td_internal_edge_any(&s, &s.a, note_own, NULL);
+        }
+    }
+}

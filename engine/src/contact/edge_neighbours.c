@@ -1,0 +1,158 @@
+/* edge_neighbours.c: see edge_neighbours.h. */
+#include "contact/edge_neighbours.h"
+
+#include "contact/contact.h"
+#include "state/shape.h"
+#include "terrain/terrain.h"
+
+td_internal_edge td_internal_edge_between(thud_world *w, int shape, int other, const thud_shape_instance *a,
+                        const thud_shape_instance *b)
+{
+    const td_shape *first = td_shape_at(w, shape);
+    td_internal_edge s = {.w = w, .shape = shape, .other = other, .origin = td_shape_proxy_at(w, shape)->center,
+                 .moves = td_body_at(w, first->body)->kind != THUD_STATIC, .c = 1.0, .a = *a, .b = *b,
+                 .unit = (double)w->unit};
+    s.b.x -= s.a.x;
+    s.b.y -= s.a.y;
+    s.a.x = s.a.y = 0.0;
+    if (s.moves) {
+        thud_shape_instance own = {.c = (double)first->angle_c, .s = (double)first->angle_s};
+        td_to_frame(&own, a->c, a->s, &s.c, &s.s);
+        thud_shape_instance axes = {.c = s.c, .s = s.s};
+        s.a.c = own.c;
+        s.a.s = own.s;
+        td_to_frame(&axes, s.b.x, s.b.y, &s.b.x, &s.b.y);
+        td_to_frame(&axes, s.b.c, s.b.s, &s.b.c, &s.b.s);
+    }
+    return s;
+}
+
+td_internal_edge td_internal_edge_of(thud_world *w, int shape, int other)
+{
+    td_position origin = td_shape_proxy_at(w, shape)->center;
+    thud_shape_instance a = td_shape_instance(w, shape, origin), b = a;
+    if (other != TD_NONE) {
+        b = td_shape_instance(w, other, origin);
+    }
+    return td_internal_edge_between(w, shape, other, &a, &b);
+}
+
+bool td_is_ground(const thud_world *w, int shape)
+{
+    const td_shape *s = td_shape_at(w, shape);
+    return (s->flags & (TD_SHAPE_LIVE | TD_SHAPE_HOLLOW)) == TD_SHAPE_LIVE &&
+           td_body_at(w, s->body)->kind == THUD_STATIC &&
+           !(td_body_at(w, s->body)->flags & TD_BODY_DISABLED);
+}
+
+thud_shape_instance td_internal_edge_own_place(const td_internal_edge *s, int neighbour)
+{
+    const td_shape *n = td_shape_at(s->w, neighbour), *first = td_shape_at(s->w, s->shape);
+    return (thud_shape_instance){.kind = (thud_shape_kind)n->kind,
+                         .x = (double)(n->x - first->x),
+                         .y = (double)(n->y - first->y),
+                         .c = (double)n->angle_c,
+                         .s = (double)n->angle_s,
+                         .hx = (double)n->half_x,
+                         .hy = (double)n->half_y};
+}
+
+bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, double x, double y, double slack)
+{
+    thud_shape_instance n = td_internal_edge_place(s, neighbour);
+    thud_shape_instance point = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
+    if (n.kind == THUD_TERRAIN) {
+        thud_terrain terrain = td_terrain_view(s->w, neighbour);
+        point.x -= n.x;
+        point.y -= n.y;
+        return thud_terrain_overlap(&terrain, &point);
+    }
+    if (n.kind == THUD_CIRCLE) {
+        return thud_shapes_overlap(&n, &point);
+    }
+    double u, v;
+    td_to_frame(&n, x - n.x, y - n.y, &u, &v);
+    return td_abs(u) <= n.hx + slack && td_abs(v) <= n.hy + slack;
+}
+
+/* Whether a line ends at a place: its sealed end is no edge of its own, and leaves it to a box's corner
+ * that is there. */
+static bool ends_at(const td_internal_edge *s, const thud_terrain *t, int vertex, double at, double x)
+{
+    bool end = t->kind != THUD_TERRAIN_FLAT && (vertex == 0 || vertex == t->count - 1);
+    return end && td_abs(at - x) <= 2.0 * TD_FLUSH * s->unit;
+}
+
+bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, double y, double nx, double ny,
+                  double level)
+{
+    thud_shape_instance n = td_internal_edge_place(s, neighbour);
+    double past = (n.x - x) * nx + (n.y - y) * ny;
+    if (n.kind == THUD_TERRAIN) {
+        thud_terrain terrain = td_terrain_view(s->w, neighbour);
+        double near = 2.0 * TD_FLUSH * s->unit; /* the ground further away is met on its own */
+        int first, last;
+        thud_terrain_segments(&terrain, x - n.x - near, x - n.x + near, &first, &last);
+        bool higher = ny < 0.0;
+        for (int i = first; i <= last; i++) {
+            td_segment t = td_terrain_segment(&terrain, i, x - n.x - s->unit, x - n.x + s->unit);
+            higher |= !ends_at(s, &terrain, i, t.p.x, x - n.x) &&
+                      past + t.p.x * nx + t.p.y * ny > level;
+            higher |= !ends_at(s, &terrain, i + 1, t.q.x, x - n.x) &&
+                      past + t.q.x * nx + t.q.y * ny > level;
+        }
+        return higher;
+    }
+    return past + (n.kind == THUD_CIRCLE ? n.hx : td_shadow(&n, nx, ny)) > level;
+}
+
+static bool asks(const td_internal_edge *s, int n, td_neighbour_fn *fn, void *context)
+{
+    return n != s->shape && (s->other == TD_NONE || td_pair_allowed(s->w, n, s->other)) &&
+           fn(s, n, context);
+}
+
+static bool any_of_body(const td_internal_edge *s, const thud_shape_instance *where, td_neighbour_fn *fn, void *context)
+{
+    double near = td_reach(where) + 2.0 * TD_FLUSH * s->unit;
+    int n = td_body_at(s->w, td_shape_at(s->w, s->shape)->body)->first_shape;
+    for (; n != TD_NONE; n = td_shape_at(s->w, n)->next) {
+        thud_shape_instance p = td_internal_edge_place(s, n);
+        double reach = near + td_reach(&p);
+        int flags = td_shape_at(s->w, n)->flags & (TD_SHAPE_LIVE | TD_SHAPE_HOLLOW);
+        if (td_abs(p.x - where->x) <= reach && td_abs(p.y - where->y) <= reach &&
+            flags == TD_SHAPE_LIVE && asks(s, n, fn, context)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool td_internal_edge_any(const td_internal_edge *s, const thud_shape_instance *where, td_neighbour_fn *fn, void *context)
+{
+    thud_world *w = s->w;
+    td_array *hits = &w->scratch.hits;
+    if (s->moves) {
+        return any_of_body(s, where, fn, context);
+    }
+    td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_FLUSH * s->unit);
+    hits->count = 0;
+    if (where->kind != THUD_TERRAIN &&
+        !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, hits)) {
+        return false;
+    }
+    for (int i = 0; i < hits->count; i++) {
+        int n = *(int *)td_at(hits, i);
+        if (td_is_ground(w, n) && asks(s, n, fn, context)) {
+            return true;
+        }
+    }
+    for (int t = 0; t < w->terrains.count; t++) {
+        const td_terrain_record *record = td_slot_at(&w->terrains, t);
+        int n = record->shape;
+        if (n != TD_NONE && td_is_ground(w, n) && asks(s, n, fn, context)) {
+            return true;
+        }
+    }
+    return false;
+}

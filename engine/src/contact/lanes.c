@@ -1,0 +1,397 @@
+/* lanes.c: see lanes.h.
+ *
+ * Colours are the lowest free one of both bodies; static and kinematic bodies take none, since the
+ * solver never changes them. */
+#include "contact/lanes.h"
+
+#include "contact/internal_edges.h"
+#include "state/surface.h"
+
+#include <string.h>
+
+static int points_of(const thud_world *w, int kind)
+{
+    return td_form_points(w->pairs[kind]->form);
+}
+
+static td_slots *pool_of(thud_world *w, int kind)
+{
+    return &w->pool[w->pairs[kind]->form];
+}
+
+static td_colours *colours_at(const thud_world *w, int awake)
+{
+    return td_at(&w->colours, awake);
+}
+
+/* The awake slot of the body if the solver moves it, else 0. */
+static int moving_slot(const td_body *body)
+{
+    return body->kind == THUD_DYNAMIC && body->awake > 0 ? body->awake : 0;
+}
+
+static void mark(thud_world *w, int awake, int bin, bool taken)
+{
+    if (awake > 0 && bin != TD_SLEEPING && bin % TD_COLOURS != TD_OVERFLOW) {
+        td_colours *colours = colours_at(w, awake);
+        uint64_t *mask = bin < TD_COLOURS ? &colours->moving : &colours->fixed;
+        uint64_t bit = 1ull << (bin % TD_COLOURS);
+        *mask = taken ? *mask | bit : *mask & ~bit;
+    }
+}
+
+/* Picks the bin of a contact and takes its colour. */
+static int choose_bin(thud_world *w, const td_contact *contact)
+{
+    const td_body *a = td_body_at(w, contact->body[0]);
+    const td_body *b = td_body_at(w, contact->body[1]);
+    bool fixed = a->kind == THUD_STATIC;
+    int slot_a = moving_slot(a), slot_b = moving_slot(b);
+    uint64_t taken = 1ull << TD_OVERFLOW;
+    if (slot_a) {
+        taken |= colours_at(w, slot_a)->moving;
+    }
+    if (slot_b) {
+        taken |= fixed ? colours_at(w, slot_b)->fixed : colours_at(w, slot_b)->moving;
+    }
+    int colour = ~taken ? __builtin_ctzll(~taken) : TD_OVERFLOW;
+    int bin = colour + (fixed ? TD_COLOURS : 0);
+    mark(w, slot_a, bin, true);
+    mark(w, slot_b, bin, true);
+    return bin;
+}
+
+static void release_bin(thud_world *w, const td_contact *contact, int bin)
+{
+    mark(w, moving_slot(td_body_at(w, contact->body[0])), bin, false);
+    mark(w, moving_slot(td_body_at(w, contact->body[1])), bin, false);
+}
+
+static int lanes_a_block(int bin)
+{
+    return bin != TD_SLEEPING && bin % TD_COLOURS == TD_OVERFLOW ? 1 : TD_LANES;
+}
+
+static int blocks_for(int bin, int lanes)
+{
+    int size = lanes_a_block(bin);
+    return (lanes + size - 1) / size;
+}
+
+static int take_block(thud_world *w, int kind)
+{
+    td_slots *pool = pool_of(w, kind);
+    int index = td_slots_take(pool);
+    td_block *block = td_slot_at(pool, index);
+    memset(block, 0, (size_t)pool->stride);
+    for (int i = 0; i < TD_LANES; i++) {
+        block->contact[i] = TD_NONE;
+    }
+    return index;
+}
+
+/* A block is rows of eight words, all but the words that are the block's own. */
+enum {
+    ROW = (int)sizeof(f8),
+    OWN_FIRST = (int)offsetof(td_block, next) / ROW,
+    OWN_END = (int)offsetof(td_block, a) / ROW
+};
+
+static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int bytes)
+{
+    uint32_t *t = (uint32_t *)to + to_lane;
+    const uint32_t *f = (const uint32_t *)from + from_lane;
+    for (int row = 0; row < bytes / ROW; row++) {
+        if (row < OWN_FIRST || row >= OWN_END) {
+            t[row * TD_LANES] = f[row * TD_LANES];
+        }
+    }
+    to->bouncy |= to->restitution[to_lane] > 0.0f;
+    to->armed |= from->armed;
+    to->shared |= from->shared;
+    to->internal_edges[to_lane] = from->internal_edges[from_lane];
+    to->loaded[to_lane] = from->loaded[from_lane];
+    to->touching = (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
+}
+
+/* An empty lane: no contact, no mass, and both bodies the dummy. */
+static void clear_lane(td_block *block, int lane, int bytes)
+{
+    uint32_t *t = (uint32_t *)block + lane;
+    for (int row = 0; row < bytes / ROW; row++) {
+        if (row < OWN_FIRST || row >= OWN_END) {
+            t[row * TD_LANES] = 0;
+        }
+    }
+    block->contact[lane] = TD_NONE;
+    block->internal_edges[lane] = block->loaded[lane] = 0;
+    block->touching &= ~(1u << lane);
+}
+
+/* Returns the block; *lane is the new last lane of the bin. */
+static int bin_grow(thud_world *w, int kind, int index, int *lane)
+{
+    td_bin *bin = &w->bins[kind][index];
+    bool full = bin->lanes == 0 ||
+                td_block_at(w, kind, bin->tail)->used == lanes_a_block(index);
+    if (full) {
+        int block = take_block(w, kind);
+        td_block *new_block = td_block_at(w, kind, block);
+        new_block->next = TD_NONE;
+        new_block->prev = bin->lanes ? bin->tail : TD_NONE;
+        if (bin->lanes) {
+            td_block_at(w, kind, bin->tail)->next = block;
+        } else {
+            bin->head = block;
+        }
+        bin->tail = block;
+    }
+    w->scratch.sequenced &= !full;
+    bin->lanes++;
+    *lane = td_block_at(w, kind, bin->tail)->used++;
+    return bin->tail;
+}
+
+/* Takes a lane out of its bin; the last lane of the bin fills the hole. */
+static void bin_shrink(thud_world *w, int kind, int index, int slot)
+{
+    td_bin *bin = &w->bins[kind][index];
+    td_slots *pool = pool_of(w, kind);
+    int bytes = pool->stride;
+    td_block *tail = td_block_at(w, kind, bin->tail);
+    int last = tail->used - 1;
+    if (slot != bin->tail * TD_LANES + last) {
+        td_block *hole = td_block_at(w, kind, slot / TD_LANES);
+        copy_lane(hole, slot % TD_LANES, tail, last, bytes);
+        td_contact_at(w, hole->contact[slot % TD_LANES])->slot = slot;
+    }
+    clear_lane(tail, last, bytes);
+    tail->used--;
+    bin->lanes--;
+    if (tail->used == 0) {
+        w->scratch.sequenced = false;
+        int block = bin->tail;
+        bin->tail = tail->prev;
+        if (bin->lanes) {
+            td_block_at(w, kind, bin->tail)->next = TD_NONE;
+        }
+        td_slots_give(pool, block);
+    }
+}
+
+static void set_slots(thud_world *w, td_block *block, int lane, const td_contact *contact)
+{
+    const td_body *a = td_body_at(w, contact->body[0]);
+    const td_body *b = td_body_at(w, contact->body[1]);
+    block->a[lane] = (uint32_t)td_max_int(a->awake, 0) * TD_AWAKE_BYTES;
+    block->b[lane] = (uint32_t)td_max_int(b->awake, 0) * TD_AWAKE_BYTES;
+    block->inv_inertia_a[lane] = a->inv_inertia;
+    block->inv_inertia_b[lane] = b->inv_inertia;
+}
+
+static void fill_lane(thud_world *w, td_block *block, int lane, int contact_index)
+{
+    const td_contact *contact = td_contact_at(w, contact_index);
+    const td_shape *a = td_shape_at(w, contact->shape_a);
+    const td_shape *b = td_shape_at(w, contact->shape_b);
+    block->shape_a[lane] = contact->shape_a;
+    block->shape_b[lane] = contact->shape_b;
+    block->contact[lane] = contact_index;
+    thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
+    td_surface_set(w, block, points_of(w, contact->kind), lane, &own);
+    block->armed |= !(a->plain && b->plain) || b->internal_edges ||
+                    (a->internal_edges && td_body_at(w, a->body)->kind != THUD_STATIC);
+    block->internal_edges[lane] = td_internal_edges_of(a, b);
+    block->touching |= 1u << lane;
+}
+
+static void place(thud_world *w, int contact_index, int bin)
+{
+    td_contact *contact = td_contact_at(w, contact_index);
+    int kind = contact->kind, lane;
+    int block = bin_grow(w, kind, bin, &lane);
+    if (contact->state == TD_TOUCHING) {
+        copy_lane(td_block_at(w, kind, block), lane,
+                  td_block_at(w, kind, contact->slot / TD_LANES), contact->slot % TD_LANES,
+                  pool_of(w, kind)->stride);
+        bin_shrink(w, kind, contact->bin, contact->slot);
+    } else {
+        fill_lane(w, td_block_at(w, kind, block), lane, contact_index);
+        w->touching++;
+    }
+    set_slots(w, td_block_at(w, kind, block), lane, contact);
+    if (td_body_at(w, contact->body[0])->kind == THUD_KINEMATIC ||
+        td_body_at(w, contact->body[1])->kind == THUD_KINEMATIC) {
+        td_block_at(w, kind, block)->shared = 1;
+        w->scratch.sequenced = false;
+    }
+    contact->state = TD_TOUCHING;
+    contact->bin = (uint16_t)bin;
+    contact->slot = block * TD_LANES + lane;
+}
+
+/* Blocks needed when every bin grows by `grown`, per pool. */
+static bool reserve_grown(thud_world *w, int (*grown)[TD_BINS_A_KIND])
+{
+    int more[TD_FORM_COUNT] = {0};
+    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+        for (int bin = 0; bin < TD_BINS_A_KIND && w->pairs[kind]; bin++) {
+            if (grown[kind][bin]) {
+                int lanes = w->bins[kind][bin].lanes;
+                more[w->pairs[kind]->form] +=
+                    blocks_for(bin, lanes + grown[kind][bin]) - blocks_for(bin, lanes);
+            }
+        }
+    }
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        if (!td_slots_reserve(&w->memory, &w->pool[form], more[form])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool td_lanes_place(thud_world *w, const int *contacts, int count, bool sleeping)
+{
+    if (count == 0) {
+        return true;
+    }
+    int grown[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND] = {0};
+    if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count)) {
+        return false;
+    }
+    int *bins = w->scratch.lane_bins.data;
+    for (int i = 0; i < count; i++) {
+        const td_contact *contact = td_contact_at(w, contacts[i]);
+        int bin = sleeping ? TD_SLEEPING : choose_bin(w, contact);
+        bins[i] = bin;
+        grown[contact->kind][bin]++;
+    }
+    if (!reserve_grown(w, grown)) {
+        for (int i = 0; i < count; i++) {
+            release_bin(w, td_contact_at(w, contacts[i]), bins[i]);
+        }
+        return false;
+    }
+    for (int i = 0; i < count; i++) {
+        const td_contact *contact = td_contact_at(w, contacts[i]);
+        if (sleeping) {
+            release_bin(w, contact, contact->bin);
+        }
+        place(w, contacts[i], bins[i]);
+    }
+    return true;
+}
+
+bool td_lanes_reserve_sleeping(thud_world *w)
+{
+    int grown[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND] = {0};
+    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+        for (int bin = 0; bin < TD_SLEEPING; bin++) {
+            grown[kind][TD_SLEEPING] += w->bins[kind][bin].lanes;
+        }
+    }
+    return td_array_reserve(&w->memory, &w->scratch.lane_bins, w->touching) &&
+           reserve_grown(w, grown);
+}
+
+void td_lane_remove(thud_world *w, int contact_index)
+{
+    td_contact *contact = td_contact_at(w, contact_index);
+    assert(contact->state == TD_TOUCHING);
+    release_bin(w, contact, contact->bin);
+    td_surface_set(w, td_block_at(w, contact->kind, contact->slot / TD_LANES),
+                   points_of(w, contact->kind), contact->slot % TD_LANES,
+                   &(thud_contact_settings){0.0f, 0.0f, 0.0f});
+    bin_shrink(w, contact->kind, contact->bin, contact->slot);
+    w->touching--;
+}
+
+void td_lane_refresh(thud_world *w, int contact_index)
+{
+    const td_contact *contact = td_contact_at(w, contact_index);
+    set_slots(w, td_block_at(w, contact->kind, contact->slot / TD_LANES),
+              contact->slot % TD_LANES, contact);
+}
+
+void td_lane_renew(thud_world *w, int contact_index)
+{
+    const td_contact *contact = td_contact_at(w, contact_index);
+    td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+    td_lane_refresh(w, contact_index);
+    block->armed = 1; /* its shapes may have got another centre of mass */
+    for (int k = 0; k < points_of(w, contact->kind); k++) {
+        block->point[k].normal_mass[contact->slot % TD_LANES] = 0.0f;
+    }
+}
+
+static void list_bin(thud_world *w, int kind, int bin)
+{
+    if (!w->bins[kind][bin].lanes) {
+        return;
+    }
+    td_array *runs = &w->scratch.runs, *blocks = &w->scratch.blocks;
+    td_run *run = td_at(runs, runs->count++);
+    *run = (td_run){.kind = kind, .fixed = bin >= TD_COLOURS, .bin = bin, .first = blocks->count};
+    for (int i = w->bins[kind][bin].head; i != TD_NONE;) {
+        td_block *block = td_block_at(w, kind, i);
+        *(td_block **)td_at(blocks, blocks->count++) = block;
+        run->count++;
+        run->armed |= block->armed;
+        run->shared |= block->shared;
+        i = block->next;
+    }
+}
+
+/* Alone a worker takes whole runs. */
+static bool cut_chunks(thud_world *w)
+{
+    td_array *chunks = &w->scratch.chunks;
+    int size = w->def.job_system.workers > 1 ? TD_CHUNK_BLOCKS : INT32_MAX;
+    int most = w->scratch.runs.count + w->scratch.blocks.count / size;
+    if (!td_array_reserve(&w->memory, chunks, most)) {
+        return false;
+    }
+    chunks->count = 0;
+    for (int r = 0; r < w->scratch.runs.count; r++) {
+        const td_run *run = td_at(&w->scratch.runs, r);
+        int step = td_run_is_single(run) ? run->count : td_min_int(size, run->count);
+        for (int first = 0; first < run->count; first += step) {
+            *(td_chunk *)td_at(chunks, chunks->count++) = (td_chunk){
+                .run = r, .first = run->first + first, .count = td_min_int(step, run->count - first)};
+        }
+    }
+    return true;
+}
+
+bool td_lanes_sequence(thud_world *w)
+{
+    int most = 0;
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        most += w->pool[form].live;
+    }
+    if (w->scratch.sequenced) {
+        return true;
+    }
+    if (!td_array_reserve(&w->memory, &w->scratch.blocks, most) ||
+        !td_array_reserve(&w->memory, &w->scratch.parted, 2 * most + 1) ||
+        !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_PAIR_TOUCH_COUNT)) {
+        return false;
+    }
+    w->scratch.blocks.count = 0;
+    w->scratch.runs.count = 0;
+    w->stats.colours = 0;
+    for (int bin = 0; bin < 2 * TD_COLOURS; bin++) {
+        int before = w->scratch.blocks.count;
+        for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+            list_bin(w, kind, bin);
+        }
+        w->stats.colours += w->scratch.blocks.count > before;
+    }
+    w->stats.blocks = w->scratch.blocks.count;
+    if (!cut_chunks(w)) {
+        return false;
+    }
+    w->scratch.sequenced = true;
+    return true;
+}

@@ -1,0 +1,76 @@
+/* manifold.c: see manifold.h; the contacts of one body. */
+#include "contact/manifold.h"
+
+#include "state/body.h"
+#include "contact/contact.h"
+#include "state/handles.h"
+#include "contact/lanes.h"
+#include "api/step.h"
+
+thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact)
+{
+    const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+    const td_pose *pose = td_pose_at(w, contact->body[1]);
+    int lane = contact->slot % TD_LANES, points = td_form_points(w->pairs[contact->kind]->form);
+    thud_manifold out = {
+        .shape_a = td_shape_handle(w, contact->shape_a),
+        .shape_b = td_shape_handle(w, contact->shape_b),
+        .body_a = td_body_handle(w, contact->body[0]),
+        .body_b = td_body_handle(w, contact->body[1]),
+        .normal = {block->nx[lane], block->ny[lane]},
+        .tangent_impulse = (float)w->substeps * block->tangent_impulse[lane],
+        .direct = (block->loaded[lane] & TD_DIRECT) != 0,
+    };
+    float nx = out.normal.x, ny = out.normal.y, ct = block->tangent_cross_b[lane];
+    for (int k = 0; k < points; k++) {
+        const td_point *p = &block->point[k];
+        if (p->normal_mass[lane] == 0.0f) {
+            continue;
+        }
+        /* The crosses of the arm with normal and tangent are the arm itself, turned; both points have
+         * one tangent, and so one cross with it. */
+        float cn = p->cross_b[lane];
+        td_position at = {pose->center.x + td_length_from(w, cn * ny - ct * nx),
+                       pose->center.y + td_length_from(w, -cn * nx - ct * ny)};
+        int n = out.point_count++;
+        out.point[n] = td_place_to(w, at);
+        out.separation[n] = p->separation[lane] + w->skin;
+        out.normal_impulse[n] = (float)w->substeps * p->normal_impulse[lane];
+    }
+    return out;
+}
+
+thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *out, int capacity,
+                               int *count)
+{
+    TD_IN_OWN_MODE;
+    int index, n = 0;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!count || (!out && capacity > 0)) {
+        return td_refuse(w, THUD_ERROR_NULL, "body contacts: out or count is null");
+    }
+    if (capacity < 0) {
+        return td_refuse(w, THUD_ERROR_INVALID, "body contacts: capacity is negative");
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "body contacts: not inside a callback");
+    }
+    if (!td_changes_apply(w)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "body contacts: out of memory");
+    }
+    for (int e = td_body_at(w, index)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_contact *contact = td_contact_at(w, e / 2);
+        if (contact->state != TD_TOUCHING || contact->child == TD_NONE) {
+            continue;
+        }
+        if (n < capacity) {
+            out[n] = td_manifold_of(w, contact);
+        }
+        n++;
+    }
+    *count = n;
+    return THUD_OK;
+}

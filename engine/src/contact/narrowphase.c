@@ -1,0 +1,398 @@
+/* narrowphase.c: which pairs touch, and how.
+ *
+ * Waiting pairs are tested in blocks of their own; those that touch take a lane. Then all lanes get
+ * their manifold in place, in the blocks that the solver works on; those that touch no more give
+ * their lane back and wait. A step that is tried again goes on where it ran out of memory. */
+#include "contact/contact.h"
+#include "state/jobs.h"
+#include "state/handles.h"
+#include "contact/lanes.h"
+#include "contact/internal_edges.h"
+#include "state/shape.h"
+#include "api/step.h"
+
+#include <string.h>
+
+enum { TEST_BLOCKS = 32 };
+
+td_collide_context td_collide_context_of(const thud_world *w)
+{
+    return (td_collide_context){
+        .proxy = w->proxy.data,
+        .velocity = w->velocity.data,
+        .quantum = w->quantum,
+        .margin = TD_SPECULATIVE * w->unit,
+        .skin = w->skin,
+        .axis_tolerance = 0.1f * TD_SLOP * w->unit,
+    };
+}
+
+/* Returns whether one of the blocks is armed. `parted` has room for one more than the blocks. */
+static int collide(thud_world *w, int kind, td_block *const *blocks, int count, td_block **parted,
+                   int *parted_count)
+{
+    td_collide_context context = td_collide_context_of(w);
+    int armed = 0;
+    context.armed = &armed;
+    context.parted = parted;
+    context.parted_count = parted_count;
+    if (w->pairs[kind]->collide) {
+        w->pairs[kind]->collide(blocks, count, &context);
+    } else {
+        w->pairs[kind]->collide_world(w, blocks, count, &context);
+    }
+    return armed;
+}
+
+/* ---- waiting pairs ---- */
+
+static bool reaches(const thud_world *w, int terrain_shape, int shape, int child)
+{
+    thud_terrain terrain = td_terrain_view(w, terrain_shape);
+    const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
+    return td_terrain_reaches(w, terrain_shape, &terrain, proxy->center, &proxy->fat, child);
+}
+
+static bool bounds_meet(const thud_world *w, const td_contact *contact)
+{
+    int a = contact->shape_a, b = contact->shape_b, kind = contact->kind;
+    if (kind == TD_PAIR_TERRAIN_CIRCLE || kind == TD_PAIR_TERRAIN_BOX) {
+        return reaches(w, a, b, contact->child);
+    }
+    if (kind == TD_PAIR_SENSOR && td_shape_at(w, a)->kind == THUD_TERRAIN) {
+        return reaches(w, a, b, contact->child);
+    }
+    if (kind == TD_PAIR_SENSOR && td_shape_at(w, b)->kind == THUD_TERRAIN) {
+        return reaches(w, b, a, contact->child);
+    }
+    return td_pair_meets(w, a, b);
+}
+
+static bool test_room(thud_world *w)
+{
+    td_array *blocks = &w->scratch.test_blocks, *list = &w->scratch.test_list;
+    blocks->stride = (int)td_form_bytes(TD_FORM_TWO_CACHED);
+    return td_array_reserve(&w->memory, blocks, TEST_BLOCKS) &&
+           td_array_reserve(&w->memory, list, TEST_BLOCKS);
+}
+
+/* Runs the pair kind's own kernel on the contacts and lists those that have a point. */
+static void test_contacts(thud_world *w, int kind, const int *contacts, int count)
+{
+    td_block **list = w->scratch.test_list.data;
+    int blocks = (count + TD_LANES - 1) / TD_LANES;
+    for (int i = 0; i < blocks; i++) {
+        td_block *block = list[i] = td_at(&w->scratch.test_blocks, i);
+        memset(block, 0, td_form_bytes(TD_FORM_TWO_CACHED));
+        block->armed = 1;
+        block->used = td_min_int(count - i * TD_LANES, TD_LANES);
+        for (int lane = 0; lane < block->used; lane++) {
+            int index = contacts[i * TD_LANES + lane];
+            const td_contact *contact = td_contact_at(w, index);
+            block->contact[lane] = index;
+            block->shape_a[lane] = contact->shape_a;
+            block->shape_b[lane] = contact->shape_b;
+            block->internal_edges[lane] = td_internal_edges_of(
+                td_shape_at(w, contact->shape_a), td_shape_at(w, contact->shape_b));
+        }
+    }
+    td_block *parted[TEST_BLOCKS + 1];
+    int parted_count = 0;
+    collide(w, kind, list, blocks, parted, &parted_count);
+    for (int i = 0; i < blocks; i++) {
+        if (w->internal_edges) {
+            w->internal_edges->amend(w, list[i], kind);
+        }
+        for (unsigned bits = list[i]->touching; bits; bits &= bits - 1) {
+            td_push_int(&w->scratch.begins, list[i]->contact[__builtin_ctz(bits)]);
+        }
+    }
+}
+
+/* Waiting pairs on their way to the exact test. */
+typedef struct batch {
+    thud_world *w;
+    int kind, count;
+    int contacts[TEST_BLOCKS * TD_LANES];
+} batch;
+
+static void test_batch(batch *b)
+{
+    if (b->count) {
+        test_contacts(b->w, b->kind, b->contacts, b->count);
+    }
+    b->count = 0;
+}
+
+static void add_to_batch(batch *b, int contact)
+{
+    b->contacts[b->count++] = contact;
+    if (b->count == TEST_BLOCKS * TD_LANES) {
+        test_batch(b);
+    }
+}
+
+/* One by one, where the kind has no sieve, or bounds may deceive. */
+static void sift_singly(batch *b, const int *waiting, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (bounds_meet(b->w, td_contact_at(b->w, waiting[i]))) {
+            add_to_batch(b, waiting[i]);
+        } else {
+            td_push_int(&b->w->scratch.ends, waiting[i]);
+        }
+    }
+}
+
+static void sift_widely(batch *b, const int *waiting, int count)
+{
+    thud_world *w = b->w;
+    td_sift_fn *sift = w->pairs[b->kind]->sift;
+    td_collide_context context = td_collide_context_of(w);
+    for (int first = 0; first < count; first += TD_LANES) {
+        int32_t shape_a[TD_LANES], shape_b[TD_LANES];
+        int used = td_min_int(count - first, TD_LANES);
+        for (int i = 0; i < TD_LANES; i++) {
+            const td_contact *contact =
+                td_contact_at(w, waiting[first + td_min_int(i, used - 1)]);
+            shape_a[i] = contact->shape_a;
+            shape_b[i] = contact->shape_b;
+            if (first + i + 3 * TD_LANES < count) {
+                __builtin_prefetch(td_contact_at(w, waiting[first + i + 3 * TD_LANES]));
+            }
+        }
+        td_sifted sifted = sift(shape_a, shape_b, &context);
+        unsigned here = (1u << used) - 1u;
+        for (unsigned bits = sifted.parted & here; bits; bits &= bits - 1) {
+            td_push_int(&w->scratch.ends, waiting[first + __builtin_ctz(bits)]);
+        }
+        for (unsigned bits = sifted.near & here; bits; bits &= bits - 1) {
+            add_to_batch(b, waiting[first + __builtin_ctz(bits)]);
+        }
+    }
+}
+
+/* Sorts the waiting pairs of one kind into those that begin and those whose bounds parted. */
+static void test_waiting(thud_world *w, int kind)
+{
+    batch b = {.w = w, .kind = kind};
+    if (w->pairs[kind]->sift && !w->vast) {
+        sift_widely(&b, w->waiting[kind].data, w->waiting[kind].count);
+    } else {
+        sift_singly(&b, w->waiting[kind].data, w->waiting[kind].count);
+    }
+    test_batch(&b);
+}
+
+/* Which waiting pairs touch. What began in a step that ran out of memory stays listed: nobody heard of it. */
+static bool find_meeting(thud_world *w)
+{
+    int contacts = w->contacts.live, *begins = w->scratch.begins.data, kept = 0;
+    for (int i = 0; i < w->scratch.begins.count; i++) {
+        const td_contact *contact = td_contact_at(w, begins[i]);
+        if (contact->live && contact->state == TD_TOUCHING) {
+            begins[kept++] = begins[i];
+        }
+    }
+    w->scratch.begins.count = kept;
+    w->scratch.ends.count = 0;
+    if (!test_room(w) || !td_array_reserve(&w->memory, &w->scratch.begins, kept + contacts) ||
+        !td_array_reserve(&w->memory, &w->scratch.ends, contacts)) {
+        return false;
+    }
+    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+        if (w->waiting[kind].count) {
+            test_waiting(w, kind);
+        }
+    }
+    return true;
+}
+
+static bool begin_contacts(thud_world *w)
+{
+    td_array *begins = &w->scratch.begins;
+    const int *list = begins->data;
+    int first = 0;
+    while (first < begins->count && td_contact_at(w, list[first])->state == TD_TOUCHING) {
+        first++;
+    }
+    int count = begins->count - first;
+    list += first;
+    for (int i = 0; i < count; i++) {
+        const td_contact *contact = td_contact_at(w, list[i]);
+        int sleeper = contact->body[td_body_sleeps(w, contact->body[0]) ? 0 : 1];
+        if (td_body_sleeps(w, sleeper) && !td_wake(w, sleeper)) {
+            return false;
+        }
+    }
+    td_event_lists *events = &w->events;
+    if (w->def.contact_events &&
+        (!td_array_reserve(&w->memory, &events->begin, events->begin.count + count) ||
+         !td_array_reserve(&w->memory, &events->hit, events->hit.count + begins->count))) {
+        return false;
+    }
+    for (int i = 0; i < count; i++) {
+        td_contact_rest(w, list[i]);
+    }
+    bool placed = td_lanes_place(w, list, count, false);
+    for (int i = 0; i < count; i++) { /* those that wait again are the last to do so, and leave first */
+        (placed ? td_contact_begin : td_contact_wait)(w, list[i]);
+    }
+    return placed;
+}
+
+/* ---- sensors ---- */
+
+static bool sensor_overlaps(const thud_world *w, const td_contact *contact)
+{
+    int a = contact->shape_a, b = contact->shape_b;
+    if (td_shape_at(w, b)->kind == THUD_TERRAIN) {
+        a = contact->shape_b, b = contact->shape_a;
+    }
+    td_position origin = td_shape_proxy_at(w, a)->center;
+    thud_shape_instance placed_b = td_shape_instance(w, b, origin);
+    if (td_shape_at(w, a)->kind == THUD_TERRAIN) {
+        thud_terrain terrain = td_terrain_view(w, a);
+        return w->ground->overlap(&terrain, &placed_b);
+    }
+    thud_shape_instance placed_a = td_shape_instance(w, a, origin);
+    return thud_shapes_overlap(&placed_a, &placed_b);
+}
+
+/* Sensor pairs have no lanes: they wait as long as their bounds overlap, and are tested exactly, once
+ * where neither moves. One that rests gives its place to the last. */
+static bool test_sensors(thud_world *w)
+{
+    const td_array *waiting = &w->waiting[TD_PAIR_SENSOR];
+    td_array *begin = &w->events.sensor_begin;
+    if (!td_array_reserve(&w->memory, begin, begin->count + 2 * waiting->count) ||
+        !td_contact_end_reserve(w, waiting->count)) {
+        return false;
+    }
+    for (int i = 0; i < waiting->count;) {
+        int index = *(int *)td_at(waiting, i);
+        const td_contact *contact = td_contact_at(w, index);
+        bool met = bounds_meet(w, contact), overlaps = met && sensor_overlaps(w, contact);
+        bool rests = met && td_body_at(w, contact->body[0])->awake < 0 &&
+                     td_body_at(w, contact->body[1])->awake < 0;
+        if (!met) {
+            td_push_int(&w->scratch.ends, index);
+        } else if (overlaps != contact->open) {
+            (overlaps ? td_contact_begin : td_contact_end)(w, index);
+        }
+        if (rests) {
+            td_contact_rest(w, index);
+        }
+        i += !rests;
+    }
+    return true;
+}
+
+/* ---- lanes ---- */
+
+typedef struct colliding {
+    thud_world *w;
+    td_job task;
+} colliding;
+
+/* Every chunk lists its parted blocks where its own blocks begin. */
+static void collide_chunk(void *work, int index)
+{
+    thud_world *w = ((const colliding *)work)->w;
+    td_chunk *chunk = td_at(&w->scratch.chunks, index);
+    const td_run *run = td_at(&w->scratch.runs, chunk->run);
+    td_block **parted = (td_block **)w->scratch.parted.data + chunk->first + index;
+    chunk->parted = 0;
+    chunk->armed = collide(w, run->kind, (td_block **)w->scratch.blocks.data + chunk->first,
+                           chunk->count, parted, &chunk->parted);
+}
+
+static void collide_as_worker(void *argument)
+{
+    colliding *c = argument;
+    td_worker worker = td_worker_arrive(&c->task);
+    td_worker_walk(&worker, c->w->scratch.chunks.count, collide_chunk, c);
+}
+
+static void collide_lanes(thud_world *w)
+{
+    colliding c = {w, td_job_begin(w)};
+    td_job_run(w, &c.task, collide_as_worker, &c);
+    for (int i = 0; i < w->scratch.runs.count; i++) {
+        ((td_run *)td_at(&w->scratch.runs, i))->armed = 0;
+    }
+    td_block **parted = w->scratch.parted.data;
+    w->scratch.parted.count = 0;
+    for (int i = 0; i < w->scratch.chunks.count; i++) {
+        const td_chunk *chunk = td_at(&w->scratch.chunks, i);
+        ((td_run *)td_at(&w->scratch.runs, chunk->run))->armed |= chunk->armed;
+        for (int k = 0; k < chunk->parted; k++) {
+            parted[w->scratch.parted.count++] = parted[chunk->first + i + k];
+        }
+    }
+}
+
+/* Lanes without a point left go back to waiting. */
+static bool part_contacts(thud_world *w)
+{
+    td_array *ends = &w->scratch.ends;
+    ends->count = 0;
+    for (int i = 0; i < w->scratch.parted.count; i++) {
+        const td_block *block = *(td_block **)td_at(&w->scratch.parted, i);
+        unsigned parted = ((1u << block->used) - 1u) & ~block->touching;
+        for (; parted; parted &= parted - 1) {
+            td_push_int(ends, block->contact[__builtin_ctz(parted)]);
+        }
+    }
+    if (ends->count == 0) {
+        return true;
+    }
+    if (!td_contact_end_reserve(w, ends->count)) {
+        return false;
+    }
+    for (int i = 0; i < ends->count; i++) {
+        int contact = *(int *)td_at(ends, i);
+        td_contact_part(w, contact);
+        /* After a teleport the bounds may be apart as well; then the pair ends at once, as the
+         * broadphase believes that it has. */
+        if (!bounds_meet(w, td_contact_at(w, contact))) {
+            td_contact_destroy(w, contact);
+        }
+    }
+    return td_lanes_sequence(w) && td_job_reserve(w);
+}
+
+/* Bounds that parted, and what is in sensors. */
+static bool part_waiting(thud_world *w)
+{
+    if (w->waiting[TD_PAIR_SENSOR].count && !test_sensors(w)) {
+        return false;
+    }
+    for (int i = 0; i < w->scratch.ends.count; i++) {
+        td_contact_destroy(w, *(int *)td_at(&w->scratch.ends, i));
+    }
+    return true;
+}
+
+static bool collide_all(thud_world *w)
+{
+    if (!td_lanes_sequence(w) || !td_job_reserve(w)) {
+        return false;
+    }
+    collide_lanes(w);
+    if (w->internal_edges) {
+        w->internal_edges->amend_all(w);
+    }
+    return true;
+}
+
+bool td_narrowphase(thud_world *w)
+{
+    enum { PARTS = 5 };
+    static bool (*const parts[PARTS])(thud_world *) = {find_meeting, begin_contacts, part_waiting,
+                                                       collide_all, part_contacts};
+    while (w->narrowed < PARTS && parts[w->narrowed](w)) {
+        w->narrowed++;
+    }
+    return w->narrowed == PARTS;
+}

@@ -1,0 +1,205 @@
+/* wide_collide.h: what the narrowphase kernels share: reading the poses of eight pairs, and turning
+ * a contact point into the rows that the solver needs. */
+#ifndef TD_WIDE_COLLIDE_H
+#define TD_WIDE_COLLIDE_H
+
+#include "contact/block.h"
+
+#include <stddef.h>
+
+/* Block by block the kernels ask early for the rows of a later one. */
+TD_INLINE void td_fetch_block(td_block *const *blocks, int i, int count, int points)
+{
+    td_fetch_early(blocks, i, count, points);
+    if (i + 3 < count) {
+        const char *head = (const char *)blocks[i + 3];
+        __builtin_prefetch(head);
+        __builtin_prefetch(head + 64);
+        __builtin_prefetch(head + 128, 1);
+    }
+}
+
+/* ... and, where little is done with them, for the shapes of the next one. */
+TD_INLINE void td_fetch_shapes(td_block *const *blocks, int i, int count,
+                               const td_collide_context *c)
+{
+    for (int k = 0; k < TD_LANES && i + 1 < count; k++) {
+        __builtin_prefetch(&c->proxy[blocks[i + 1]->shape_a[k]]);
+        __builtin_prefetch(&c->proxy[blocks[i + 1]->shape_b[k]]);
+    }
+}
+
+typedef struct td_pairs8 {
+    f8 dx, dy;         /* from a's centre to b's */
+    f8 ax, ay, ac, as; /* a: offset from its centre of mass; cosine, sine */
+    f8 bx, by, bc, bs;
+    f8 ahx, ahy, bhx, bhy; /* half extents */
+} td_pairs8;
+
+/* Four floats of each stance, from the member at `offset` on. */
+TD_INLINE td_rows td_gather_proxies(const td_collide_context *c, const int32_t *index,
+                                    size_t offset)
+{
+    const float *r[TD_LANES];
+    for (int i = 0; i < TD_LANES; i++) {
+        r[i] = (const float *)((const char *)&c->proxy[index[i]] + offset);
+    }
+    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+}
+
+/* Exact differences of two lanes' centres, as doubles: x, y, x, y. Shapes whose bounds overlap are
+ * nearer than 2^51 quanta; what else may come out is then no contact's. */
+TD_INLINE d4 td_between(const td_shape_proxy *a0, const td_shape_proxy *b0, const td_shape_proxy *a1,
+                        const td_shape_proxy *b1)
+{
+    l4 bits = {b0->center.x - a0->center.x, b0->center.y - a0->center.y,
+               b1->center.x - a1->center.x, b1->center.y - a1->center.y};
+    bits += TD_ROUND_BITS;
+    return (d4)bits - TD_ROUND_SHIFT;
+}
+
+TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_b, int armed,
+                                   const td_collide_context *c)
+{
+    td_pairs8 p;
+    f4 between[4];
+    for (int i = 0; i < 4; i++) {
+        int j = i + 4;
+        between[i] = __builtin_convertvector(
+            td_between(&c->proxy[shape_a[i]], &c->proxy[shape_b[i]],
+                       &c->proxy[shape_a[j]], &c->proxy[shape_b[j]]), f4);
+    }
+    f8 r01 = __builtin_shufflevector(between[0], between[1], 0, 4, 1, 5, 2, 6, 3, 7);
+    f8 r23 = __builtin_shufflevector(between[2], between[3], 0, 4, 1, 5, 2, 6, 3, 7);
+    f8 quantum = f8_all(c->quantum);
+    p.dx = quantum * __builtin_shufflevector(r01, r23, 0, 1, 8, 9, 4, 5, 12, 13);
+    p.dy = quantum * __builtin_shufflevector(r01, r23, 2, 3, 10, 11, 6, 7, 14, 15);
+    td_rows proxy = td_gather_proxies(c, shape_a, offsetof(td_shape_proxy, c));
+    p.ac = proxy.x, p.as = proxy.y, p.ahx = proxy.z, p.ahy = proxy.w;
+    proxy = td_gather_proxies(c, shape_b, offsetof(td_shape_proxy, c));
+    p.bc = proxy.x, p.bs = proxy.y, p.bhx = proxy.z, p.bhy = proxy.w;
+    p.ax = p.ay = p.bx = p.by = f8_all(0.0f);
+    if (armed) {
+        proxy = td_gather_proxies(c, shape_a, offsetof(td_shape_proxy, x));
+        p.ax = proxy.x, p.ay = proxy.y;
+        proxy = td_gather_proxies(c, shape_b, offsetof(td_shape_proxy, x));
+        p.bx = proxy.x, p.by = proxy.y;
+    }
+    return p;
+}
+
+TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c)
+{
+    return td_read_shapes(block->shape_a, block->shape_b, block->armed, c);
+}
+
+/* Four bounds of each shape. */
+TD_INLINE void td_read_bounds(const td_collide_context *c, const int32_t *shapes, i8 out[4])
+{
+    td_rows rows = td_gather_proxies(c, shapes, offsetof(td_shape_proxy, fat));
+    out[0] = (i8)rows.x, out[1] = (i8)rows.y, out[2] = (i8)rows.z, out[3] = (i8)rows.w;
+}
+
+/* `separation` is no more than the exact one. */
+TD_INLINE td_sifted td_sift(const int32_t *shape_a, const int32_t *shape_b, f8 separation,
+                            const td_collide_context *c)
+{
+    i8 a[4], b[4];
+    td_read_bounds(c, shape_a, a);
+    td_read_bounds(c, shape_b, b);
+    i8 parted = i8_wrap_sub(a[2], b[0]) | i8_wrap_sub(b[2], a[0]) | i8_wrap_sub(a[3], b[1]) |
+                i8_wrap_sub(b[3], a[1]);
+    return (td_sifted){i8_bits(parted), i8_bits(~parted & (separation < f8_all(c->margin)))};
+}
+
+TD_INLINE i8 td_used_mask(const td_block *block)
+{
+    i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    return lane < i8_all(block->used);
+}
+
+/* Notes which lanes touch. */
+TD_INLINE void td_set_touching(td_block *block, unsigned touching, const td_collide_context *c)
+{
+    block->touching = touching;
+    c->parted[*c->parted_count] = block;
+    *c->armed |= block->armed;
+    *c->parted_count += touching != (1u << block->used) - 1u;
+}
+
+/* A contact point as a kernel finds it: r_a and r_b are its arms about the centres of mass. */
+typedef struct td_found {
+    i8 valid;
+    f8 separation, rax, ray, rbx, rby;
+} td_found;
+
+/* Lanes that keep their old rows; kernels that keep none pass no mask, which costs nothing. */
+TD_INLINE void td_set_row(f8 *row, const i8 *fresh, f8 value)
+{
+    *row = fresh ? f8_pick(*fresh, value, *row) : value;
+}
+
+TD_INLINE f8 td_inverse_or_zero(i8 valid, f8 k)
+{
+    i8 heavy = valid & (k > f8_all(0.0f));
+    return f8_keep(heavy, f8_all(1.0f) / f8_pick(heavy, k, f8_all(1.0f)));
+}
+
+/* Friction acts at the middle of the points, which is the same for the bodies as at each of them:
+ * they lie on one tangent line. */
+TD_INLINE td_found middle_of(const td_found *found, int points)
+{
+    if (points == 1) {
+        return found[0];
+    }
+    td_found p = found[0], q = found[1];
+    f8 half = f8_all(0.5f);
+    f8 share = f8_pick(p.valid & q.valid, half, f8_keep(q.valid, f8_all(1.0f))); /* of q */
+    return (td_found){p.valid | q.valid,
+                      p.separation,
+                      p.rax + (q.rax - p.rax) * share,
+                      p.ray + (q.ray - p.ray) * share,
+                      p.rbx + (q.rbx - p.rbx) * share,
+                      p.rby + (q.rby - p.rby) * share};
+}
+
+/* Writes the rows of the block's points, for its normal and impulses as they stand. Points that are
+ * not valid have no mass and no impulse: they neither push nor remember. */
+TD_INLINE void td_write_points(td_block *block, const td_found *found, int points,
+                               const i8 *fresh, const td_collide_context *c)
+{
+    f8 apart = f8_all(TD_APART);
+    f8 nx = block->nx, ny = block->ny;
+    f8 ia = block->inv_inertia_a, ib = block->inv_inertia_b;
+    td_rows va = td_gather(c->velocity, block->a), vb = td_gather(c->velocity, block->b);
+    f8 mass = va.w + vb.w;
+    td_found middle = middle_of(found, points);
+    f8 turn_a = f8_keep(middle.valid, -(middle.rax * nx + middle.ray * ny));
+    f8 turn_b = f8_keep(middle.valid, -(middle.rbx * nx + middle.rby * ny));
+    f8 side_a = ia * turn_a, side_b = ib * turn_b;
+    td_set_row(&block->tangent_cross_a, fresh, turn_a);
+    td_set_row(&block->tangent_cross_b, fresh, turn_b);
+    td_set_row(&block->tangent_mass, fresh,
+               td_inverse_or_zero(middle.valid, mass + side_a * turn_a + side_b * turn_b));
+    td_set_row(&block->tangent_impulse, fresh, f8_keep(middle.valid, block->tangent_impulse));
+    f8 approach = (vb.x - va.x) * nx + (vb.y - va.y) * ny;
+    for (int k = 0; k < points; k++) {
+        td_point *point = &block->point[k];
+        const td_found *f = &found[k];
+        f8 cross_a = f8_keep(f->valid, f->rax * ny - f->ray * nx);
+        f8 cross_b = f8_keep(f->valid, f->rbx * ny - f->rby * nx);
+        f8 lever_a = ia * cross_a, lever_b = ib * cross_b;
+        f8 separation = f8_pick(f->valid, f->separation - f8_all(c->skin), apart);
+        td_set_row(&point->separation, fresh, separation);
+        td_set_row(&point->base, fresh, separation);
+        td_set_row(&point->cross_a, fresh, cross_a);
+        td_set_row(&point->cross_b, fresh, cross_b);
+        td_set_row(&point->normal_mass, fresh,
+                   td_inverse_or_zero(f->valid, mass + lever_a * cross_a + lever_b * cross_b));
+        td_set_row(&point->normal_impulse, fresh, f8_keep(f->valid, point->normal_impulse));
+        td_set_row(&td_history_of(block, points)[k].approach, fresh,
+                   f8_keep(f->valid, approach + vb.z * cross_b - va.z * cross_a));
+    }
+}
+
+#endif

@@ -1,0 +1,337 @@
+/* continuous.c: fast bodies do not pass through static shapes.
+ *
+ * A body that moved further than half its smallest half extent in the step is swept from where it
+ * was; at its first time of impact with a static shape it stops for the rest of the step, and the
+ * contact solver takes over in the next. The swept shapes are a little smaller, so that sliding
+ * along a floor is no impact. Where even the smaller shape overlaps at the start, the middle of the
+ * body is swept alone: it may rub along, but never change sides. */
+#include "state/body.h"
+#include "contact/contact.h"
+#include "detection/detection.h"
+#include "state/kinds.h"
+#include "geometry/shape_instance.h"
+#include "base/rotation.h"
+#include "state/shape.h"
+#include "api/step.h"
+#include "state/surface.h"
+
+/* One of the body's shapes meets a static one. */
+typedef struct meeting {
+    double time;
+    int64_t pair; /* both shapes, which decide where times agree */
+} meeting;
+
+typedef struct sweep {
+    thud_world *w;
+    int slot, body, shape;
+    td_position start;       /* of the body's centre */
+    thud_shape_instance placed;   /* relative to start; smaller than the shape */
+    thud_shape_instance core;     /* a small circle in its middle */
+    thud_motion motion;
+    double shrink;
+    meeting last, next;   /* the one let through last, and the first after it so far */
+    td_bounds bounds;     /* of the whole sweep, about start */
+} sweep;
+
+/* The ground below the middle of the shape stands for where they meet. */
+static thud_closest ground_below(const thud_world *w, int terrain_shape, const thud_shape_instance *shape)
+{
+    thud_terrain terrain = td_terrain_view(w, terrain_shape);
+    thud_terrain_sample ground = {.height = shape->y, .ny = 1.0};
+    w->ground->sample_at(&terrain, shape->x, &ground);
+    return (thud_closest){.nx = ground.nx, .ny = ground.ny, .ax = shape->x, .ay = ground.height,
+                          .bx = shape->x, .by = ground.height};
+}
+
+/* The pair as the prologue sees it: the shape at `time`, in its full size. */
+static thud_contact view(const sweep *s, int other, double time)
+{
+    const thud_world *w = s->w;
+    bool ground = td_shape_at(w, other)->kind == THUD_TERRAIN;
+    td_position origin = ground ? td_shape_proxy_at(w, other)->center : s->start;
+    thud_shape_instance shape = td_placed_at(&s->placed, &s->motion, time);
+    shape.x += (double)(s->start.x - origin.x) / w->to_fixed;
+    shape.y += (double)(s->start.y - origin.y) / w->to_fixed;
+    shape.hx += s->shrink;
+    shape.hy += shape.kind == THUD_CIRCLE ? 0.0 : s->shrink;
+    thud_closest c;
+    if (ground) {
+        c = ground_below(w, other, &shape);
+    } else {
+        thud_shape_instance b = td_shape_instance(w, other, origin);
+        td_closest(&b, &shape, &c);
+    }
+    td_position at = {origin.x + td_round64(0.5 * (c.ax + c.bx) * w->to_fixed),
+                   origin.y + td_round64(0.5 * (c.ay + c.by) * w->to_fixed)};
+    return td_contact_between(w, other, s->shape, at, (thud_vec2){(float)c.nx, (float)c.ny},
+                              c.distance);
+}
+
+/* Whether the prologue lets the body through the static shape. It has been asked already about what
+ * touched at the start. A callback may make bodies and queries: arrays of them may have moved. */
+static bool passes(const sweep *s, int other, double time)
+{
+    thud_world *w = s->w;
+    bool asked = false, vetoed = true;
+    int e = w->def.prologue ? td_body_at(w, s->body)->first_contact : TD_NONE;
+    for (; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_contact *contact = td_contact_at(w, e / 2);
+        if (contact->state == TD_TOUCHING && contact->shape_a == other &&
+            contact->shape_b == s->shape) {
+            asked = true;
+            vetoed &= contact->vetoed;
+        }
+    }
+    if (asked || !w->def.prologue) {
+        return asked && vetoed;
+    }
+    thud_contact seen = view(s, other, time);
+    thud_contact_settings settings = td_surface_of_pair(w, other, s->shape);
+    return !td_surface_ask(w, &seen, &settings);
+}
+
+static bool is_sooner(const meeting *a, const meeting *b)
+{
+    return a->time < b->time || (a->time == b->time && a->pair < b->pair);
+}
+
+/* `inside`: the core met it. The smaller shape meets a little later than the real one does. */
+static void meet(sweep *s, int other, bool inside, bool hit, double time)
+{
+    const thud_motion *m = &s->motion;
+    if (!inside) {
+        time -= s->shrink / __builtin_sqrt(m->dx * m->dx + m->dy * m->dy);
+        time = time > 0.0 ? time : 0.0;
+    }
+    meeting met = {time, (int64_t)s->shape << 32 | other};
+    if (hit && !(inside && time <= 0.0) && is_sooner(&met, &s->next) && is_sooner(&s->last, &met)) {
+        s->next = met;
+    }
+}
+
+/* Where even the smaller shape overlaps at the start, the core goes alone, and does not turn. */
+static thud_motion motion_of(const sweep *s, bool inside)
+{
+    return (thud_motion){s->motion.dx, s->motion.dy, inside ? 0.0 : s->motion.turn};
+}
+
+static void against_shape(sweep *s, int other)
+{
+    const thud_world *w = s->w;
+    const td_shape *shape = td_shape_at(w, other);
+    if (td_body_at(w, shape->body)->kind != THUD_STATIC || (shape->flags & TD_SHAPE_HOLLOW) ||
+        !td_pair_allowed(w, s->shape, other)) {
+        return;
+    }
+    bool hit = false;
+    double time = 1.0;
+    thud_motion still = {0.0, 0.0, 0.0};
+    thud_shape_instance b = td_shape_instance(w, other, s->start);
+    bool inside = thud_shapes_overlap(&s->placed, &b);
+    thud_shapes_time_of_impact(inside ? &s->core : &s->placed, motion_of(s, inside), &b, still, 0.0,
+                               &hit, &time);
+    meet(s, other, inside, hit, time);
+}
+
+/* Whether the bounds of the sweep come down to any segment at all; most falling bodies' do not. */
+static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terrain)
+{
+    int first, last;
+    if (td_terrain_below(s->w, other, s->start, &s->bounds)) {
+        return false;
+    }
+    td_terrain_segments_of(s->w, other, terrain, s->start, &s->bounds, &first, &last);
+    while (first <= last &&
+           !td_terrain_reaches(s->w, other, terrain, s->start, &s->bounds, first)) {
+        first++;
+    }
+    return first <= last;
+}
+
+static void against_terrain(sweep *s, int other)
+{
+    const thud_world *w = s->w;
+    if (td_body_at(w, td_shape_at(w, other)->body)->kind != THUD_STATIC ||
+        (td_shape_at(w, other)->flags & TD_SHAPE_HOLLOW) ||
+        !td_pair_allowed(w, s->shape, other)) {
+        return;
+    }
+    thud_terrain terrain = td_terrain_view(w, other);
+    if (!reaches_terrain(s, other, &terrain)) {
+        return;
+    }
+    const td_position *origin = &td_shape_proxy_at(w, other)->center;
+    double ox = (double)(s->start.x - origin->x) / w->to_fixed;
+    double oy = (double)(s->start.y - origin->y) / w->to_fixed;
+    thud_shape_instance placed = s->placed;
+    placed.x += ox, placed.y += oy;
+    bool hit = false, inside = w->ground->overlap(&terrain, &placed);
+    double time = 1.0;
+    if (inside) {
+        placed = s->core;
+        placed.x += ox, placed.y += oy;
+    }
+    w->ground->time_of_impact(&terrain, &placed, motion_of(s, inside), 0.0, &hit, &time);
+    meet(s, other, inside, hit, time);
+}
+
+/* Bounds of the whole sweep, for the grid. */
+static td_bounds swept_bounds(const sweep *s, td_position end)
+{
+    const thud_world *w = s->w;
+    double reach = (double)td_row(&w->reach, s->slot)[1] + (double)w->unit * (double)TD_SPECULATIVE;
+    int32_t half = (int32_t)(reach * w->to_coarse) + 1;
+    td_bounds a = td_bounds_about(s->start, half, half), b = td_bounds_about(end, half, half);
+    return td_bounds_around(&a, &b);
+}
+
+static void set_shape(sweep *s, int index, const float *delta, float c, float sine)
+{
+    const thud_world *w = s->w;
+    const td_shape *shape = td_shape_at(w, index);
+    float arm_x = shape->arm_x, arm_y = shape->arm_y, hx = shape->half_x, hy = shape->half_y;
+    float least = shape->kind == THUD_CIRCLE ? hx : td_min_float(hx, hy);
+    float shrink = td_min_float(2.0f * TD_SLOP * w->unit, 0.25f * least);
+    s->shape = index;
+    s->shrink = (double)shrink;
+    s->placed = (thud_shape_instance){
+        .kind = (thud_shape_kind)shape->kind,
+        .x = (double)(c * arm_x - sine * arm_y),
+        .y = (double)(sine * arm_x + c * arm_y),
+        .c = shape->kind == THUD_OBB ? (double)(c * shape->angle_c - sine * shape->angle_s) : 1.0,
+        .s = shape->kind == THUD_OBB ? (double)(sine * shape->angle_c + c * shape->angle_s) : 0.0,
+        .hx = (double)(hx - shrink),
+        .hy = shape->kind == THUD_CIRCLE ? 0.0 : (double)(hy - shrink)};
+    s->core = (thud_shape_instance){.kind = THUD_CIRCLE, .x = s->placed.x, .y = s->placed.y, .c = 1.0,
+                            .hx = (double)(0.25f * least)};
+    /* The centre of an offset shape also moves as the body turns. */
+    float end_c, end_s;
+    td_angle_turn(td_pose_at(w, s->body)->angle, &end_c, &end_s);
+    s->motion = (thud_motion){
+        (double)delta[0] + (double)(end_c * arm_x - end_s * arm_y) - s->placed.x,
+        (double)delta[1] + (double)(end_s * arm_x + end_c * arm_y) - s->placed.y,
+        shape->kind == THUD_OBB ? (double)delta[2] : 0.0};
+}
+
+static void stop_at(thud_world *w, int index, td_position start, uint32_t start_angle, double time,
+                    float *delta)
+{
+    td_pose *pose = td_pose_at(w, index);
+    for (int k = 0; k < 3; k++) {
+        delta[k] = (float)((double)delta[k] * time);
+    }
+    pose->center = (td_position){start.x + td_length_from(w, delta[0]),
+                              start.y + td_length_from(w, delta[1])};
+    pose->angle = start_angle + td_angle_between(delta[2]);
+    td_angle_turn(pose->angle, &pose->c, &pose->s);
+}
+
+/* It does not fall on in the rest of the step: it would fall back for nothing from where it stands. */
+static void give_back(thud_world *w, int slot, double time)
+{
+    float *velocity = td_row(&w->velocity, slot);
+    const float *push = td_row(&w->push, slot);
+    for (int k = 0; k < 3; k++) {
+        velocity[k] -= (float)(w->substeps * (1.0 - time)) * push[k];
+    }
+    w->kinetic_stale = true;
+}
+
+/* Whether the sweep comes near anything that it might hit; scratch.ahead gets the static shapes. */
+static bool looks_around(sweep *s)
+{
+    thud_world *w = s->w;
+    td_array *hits = &w->scratch.ahead;
+    hits->count = 0;
+    td_find_fn *find = w->def.broadphase->find[w->wide];
+    bool near_any = find(&w->rest_shapes, &w->memory, &s->bounds, s->start, hits) && hits->count > 0;
+    for (int t = 0; t < w->terrains.count && !near_any; t++) {
+        const td_terrain_record *record = td_slot_at(&w->terrains, t);
+        if (record->shape != TD_NONE) {
+            thud_terrain terrain = td_terrain_view(w, record->shape);
+            near_any = reaches_terrain(s, record->shape, &terrain);
+        }
+    }
+    return near_any;
+}
+
+/* The first meeting after the last one, of all shapes of the body; and puts that shape in place. */
+static void find_next(sweep *s, int first, float c, float sine)
+{
+    const thud_world *w = s->w;
+    const td_array *hits = &w->scratch.ahead;
+    s->next = (meeting){.time = 1.0};
+    for (int i = first; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        if (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW) {
+            continue;
+        }
+        set_shape(s, i, td_row(&w->delta, s->slot), c, sine);
+        for (int k = 0; k < hits->count; k++) {
+            against_shape(s, *(int *)td_at(hits, k));
+        }
+        for (int t = 0; t < w->terrains.count; t++) {
+            const td_terrain_record *record = td_slot_at(&w->terrains, t);
+            if (record->shape != TD_NONE) {
+                against_terrain(s, record->shape);
+            }
+        }
+    }
+    if (s->next.time < 1.0) {
+        set_shape(s, (int)(s->next.pair >> 32), td_row(&w->delta, s->slot), c, sine);
+    }
+}
+
+/* The prologue is asked in the order of time, whichever order the broadphase has, up to the first
+ * that stops the body. */
+static void sweep_body(thud_world *w, int slot)
+{
+    int index = *(int *)td_at(&w->body_of, slot);
+    const td_pose *pose = td_pose_at(w, index);
+    const float *delta = td_row(&w->delta, slot);
+    td_position start = {pose->center.x - td_length_from(w, delta[0]),
+                      pose->center.y - td_length_from(w, delta[1])};
+    sweep swept = {.w = w, .slot = slot, .body = index, .start = start, .next = {.time = -1.0}};
+    swept.bounds = swept_bounds(&swept, pose->center);
+    if (!looks_around(&swept)) {
+        return;
+    }
+    uint32_t angle = pose->angle - td_angle_between(delta[2]);
+    float c, s;
+    td_angle_turn(angle, &c, &s);
+    int first = td_body_at(w, index)->first_shape;
+    do {
+        swept.last = swept.next;
+        find_next(&swept, first, c, s);
+    } while (swept.next.time < 1.0 && passes(&swept, (int)swept.next.pair, swept.next.time));
+    if (swept.next.time < 1.0) {
+        w->stats.held_bodies++;
+        w->stats.held_seconds += (1.0 - swept.next.time) * w->def.time_step;
+        stop_at(w, index, start, angle, swept.next.time, td_row(&w->delta, slot));
+        give_back(w, slot, swept.next.time);
+        td_body_place_shapes(w, index);
+    }
+}
+
+/* A query asks for room as if every shape of the ranges that it scans were a hit. */
+static bool reserve(thud_world *w)
+{
+    return td_array_reserve(&w->memory, &w->scratch.ahead,
+                            3 * w->rest_shapes.ids.count + 4 * TD_LANES);
+}
+
+static void run(thud_world *w)
+{
+    bool anything = w->rest_shapes.ids.count > 0 || w->terrains.live > 0;
+    for (int i = 0; i < w->scratch.fast.count && anything; i++) {
+        int slot = *(int *)td_at(&w->scratch.fast, i);
+        const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
+        if (body->detection->rank == TD_RANK_CONTINUOUS) {
+            sweep_body(w, slot);
+        }
+    }
+}
+
+const thud_detection thud_detection_continuous = {.name = "continuous",
+                                                  .rank = TD_RANK_CONTINUOUS,
+                                                  .reserve = reserve,
+                                                  .run = {[TD_AFTER_MOVING] = run}};

@@ -1,0 +1,21 @@
+/* detect_swept.c: a pair is stopped at the first time of impact along its motion. */
+#include "detection/detection.h"
+#include "api/step.h"
+
+static bool meet(const td_approach *p, double *time)
+{
+    bool hit = false;
+    if (p->on_ground) {
+        thud_terrain_time_of_impact(&p->ground, &p->a, p->motion_a, p->target, &hit, time);
+    } else {
+        td_time_of_near_impact(&p->a, p->motion_a, &p->b, p->motion_b, p->target, p->tolerance,
+                               td_time_across_faces, &hit, time);
+    }
+    return hit;
+}
+
+const thud_detection thud_detection_swept = {.name = "swept",
+                                             .rank = TD_RANK_SWEPT,
+                                             .reserve = td_impacts_reserve,
+                                             .run = {td_impacts_prepare, td_impacts_launch, td_impacts},
+                                             .meet = meet};

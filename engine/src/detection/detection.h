@@ -1,0 +1,44 @@
+/* detection.h: the kinds of collision detection, as worlds and bodies choose them. */
+#ifndef TD_DETECTION_H
+#define TD_DETECTION_H
+
+#include "geometry/shape_instance.h"
+
+/* Two shapes, or a shape and the ground, on their straight ways through the rest of a step. */
+typedef struct td_approach {
+    bool on_ground;       /* a against `ground`, relative to it, and no b */
+    thud_terrain ground;
+    thud_shape_instance a, b;
+    thud_motion motion_a, motion_b;
+    double distance; /* now, where it is small; negative: overlap */
+    double target;   /* the distance at which they count as met, less than the present one;
+                        negative where they touch already */
+    double swing;     /* so far may their arcs be from the straight ways */
+    double tolerance; /* they may be so much further apart when they meet */
+} td_approach;
+
+/* When shapes that are apart meet, in [0, 1] of the rest; false where they do not. At *time they do
+ * not overlap. */
+typedef bool td_meet_fn(const td_approach *approach, double *time);
+
+enum { TD_RANK_OVERLAP, TD_RANK_CONTINUOUS, TD_RANK_BISECT, TD_RANK_SWEPT, TD_RANK_COUNT };
+
+struct thud_world;
+
+/* When in a step detection has its say. */
+typedef enum td_moment {
+    TD_BEFORE_SOLVING,
+    TD_BEFORE_MOVING, /* velocities and motions are known, and no body is where they take it */
+    TD_AFTER_MOVING,
+    TD_MOMENT_COUNT
+} td_moment;
+
+struct thud_detection {
+    const char *name;
+    int rank; /* TD_RANK_...; the higher of two moving bodies' decides on their pair */
+    bool (*reserve)(struct thud_world *w); /* room, so that `run` cannot fail; false: out of memory */
+    void (*run[TD_MOMENT_COUNT])(struct thud_world *w); /* null: nothing */
+    td_meet_fn *meet; /* for impacts.c */
+};
+
+#endif

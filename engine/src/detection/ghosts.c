@@ -1,0 +1,93 @@
+/* ghosts.c: see ghosts.h. A ghost lasts until one shape has come past a face of the other that was
+ * hidden from it: from there on another normal is theirs. What happens before is the neighbours'. */
+#include "detection/ghosts.h"
+
+#include "contact/internal_edges.h"
+#include "terrain/terrain.h"
+
+/* Of the rest of a step: no ghost goes sooner. */
+#define SHORTEST 0x1p-20
+/* A normal off by less than this, in radians, is that of the ground. */
+#define STRAIGHT 1e-5
+
+/* What goes past a face: of a circle, its centre. */
+static thud_shape_instance heart_of(const thud_shape_instance *shape)
+{
+    thud_shape_instance heart = *shape;
+    if (shape->kind == THUD_CIRCLE) {
+        heart.hx = heart.hy = 0.0;
+    }
+    return heart;
+}
+
+/* When the first of those faces that are between the two is passed, in [0, 1] of the approach. */
+static double time_past_face(const td_approach *p)
+{
+    thud_shape_instance a = heart_of(&p->a), b = heart_of(&p->b);
+    double first = 2.0;
+    for (int i = 0; i < 4; i++) {
+        const thud_shape_instance *box = i < 2 ? &a : &b;
+        double x = i % 2 ? -box->s : box->c, y = i % 2 ? box->c : box->s;
+        double along = (b.x - a.x) * x + (b.y - a.y) * y, sign = along < 0.0 ? -1.0 : 1.0;
+        if (box->kind != THUD_CIRCLE && sign * along > td_shadow(&a, x, y) + td_shadow(&b, x, y)) {
+            first = td_min_double(first, td_time_across(&a, &p->motion_a, &b, &p->motion_b, sign * x,
+                                                        sign * y, 0.0));
+        }
+    }
+    return first;
+}
+
+/* The sealed end of a line is no edge: what is met there beside the ground's own normal is a ghost until
+ * the shape comes over the line. */
+static bool met_at_end(const thud_world *w, const td_toi_candidate *e, const td_approach *p, double *part)
+{
+    const thud_terrain *t = &p->ground;
+    unsigned sealed = td_shape_at(w, e->shape[0])->internal_edges;
+    thud_closest c;
+    thud_terrain_closest(t, &p->a, &c);
+    for (int side = 0; side < 2; side++) {
+        double out = side ? 1.0 : -1.0;
+        td_segment s = td_terrain_segment(t, side ? t->count - 2 : 0, 0.0, 0.0);
+        thud_shape_instance end = {.kind = THUD_CIRCLE, .x = side ? s.q.x : s.p.x, .y = p->a.y, .c = 1.0};
+        if ((sealed >> (side ? TD_FACE_RIGHT : TD_FACE_LEFT) & 1) &&
+            (c.ax - end.x) * out > -STRAIGHT * td_reach(&p->a) &&
+            (c.nx * s.tx + c.ny * s.ty) * out > STRAIGHT) {
+            thud_shape_instance heart = heart_of(&p->a);
+            double beyond = (heart.x - end.x) * out - td_shadow(&heart, 1.0, 0.0);
+            *part = beyond > 0.0 ? td_time_across(&end, &(thud_motion){0}, &heart, &p->motion_a, out,
+                                                  0.0, 0.0)
+                                 : 2.0;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool met(thud_world *w, const td_toi_candidate *e, const td_approach *p, double *part)
+{
+    td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {p->a, p->b}};
+    td_internal_edge_contact contact;
+    thud_closest c;
+    td_closest(&p->a, &p->b, &c);
+    if (!w->internal_edges->is_ghost(&pair, c.nx, c.ny)) {
+        return false;
+    }
+    *part = time_past_face(p);
+    /* Boxes that are past all faces touch along a normal that can be met, or not at all. */
+    return *part < 2.0 || !w->internal_edges->contact(&pair, &contact);
+}
+
+bool td_ghost_met(thud_world *w, const td_toi_candidate *e, double time, double *again)
+{
+    if (!td_toi_candidate_has_seams(w, e)) {
+        return false;
+    }
+    td_approach p;
+    double part;
+    td_toi_candidate_ways(w, e, time, 1.0, &p);
+    if (!(p.on_ground ? met_at_end(w, e, &p, &part) : met(w, e, &p, &part))) {
+        return false;
+    }
+    *again = time + (1.0 - time) * td_max_double(part, SHORTEST);
+    return true;
+}

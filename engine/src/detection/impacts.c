@@ -1,0 +1,395 @@
+/* impacts.c: moves the bodies that are bisected or swept forward to each of their collisions, in the
+ * order of time, and resolves it there.
+ *
+ * Reads the motion that the solver gave to every awake body; writes poses, velocities and motions of
+ * those that met something, events, and what callbacks are told. Candidates are the contacts, whose
+ * bounds reach as far as the bodies were expected to move; who strays from that looks around for
+ * himself. The work is bounded: a body that met others too often is held where it is for the rest of
+ * the step, which the statistics tell. */
+#include "detection/ballistics.h"
+#include "state/body.h"
+#include "solver/bounces.h"
+#include "detection/collide.h"
+#include "contact/contact.h"
+#include "detection/toi_candidates.h"
+#include "detection/ghosts.h"
+#include "contact/lanes.h"
+#include "base/rotation.h"
+#include "state/shape.h"
+#include "api/step.h"
+#include "state/surface.h"
+#include "detection/unbisectable.h"
+
+/* In multiples of TD_MEET: nearer than this shapes touch; so little motion into each other is none;
+ * and so much of it in a step is left to the contact solver where load has pressed them together. */
+#define TOUCHING 0.01
+#define NOTHING 0.01
+#define PRESSED 0.2
+
+enum {
+    MOST_IMPACTS = 8,   /* of a body in a step, before it is held */
+    MOST_BOUNCES = 16,  /* ... while those that it meets are elastic */
+    MOST_GHOSTS = 16,   /* of a pair, that it may meet on its way */
+    SPARE = 256       /* room for so many candidates more than there are bodies */
+};
+
+/* ---- the agenda ---- */
+
+static void hold(thud_world *w, td_trajectory *f)
+{
+    if (!f->held) {
+        f->held = true;
+        w->stats.held_bodies++;
+        w->stats.held_seconds += (1.0 - f->since) * w->def.time_step;
+    }
+    td_trajectory_bear(w, f, f->fall[0], f->fall[1]);
+    f->motion[0] = f->motion[1] = f->motion[2] = 0.0;
+    f->free = false;
+    f->changed = true;
+}
+
+static double later(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* Shapes that touch meet at once if they go on into each other. */
+static bool presses(thud_world *w, const td_toi_candidate *e, double now)
+{
+    td_impact_point at;
+    return td_impact_point_of(w, e, now, &at) &&
+           at.closing > NOTHING * (double)(TD_MEET * w->unit);
+}
+
+static bool gives_way(const thud_world *w, int body)
+{
+    const td_body *b = td_body_at(w, body);
+    return b->kind == THUD_DYNAMIC && b->awake > 0 && !td_trajectory_at(w, b->awake)->held;
+}
+
+/* In this step. */
+static bool has_met(const thud_world *w, int body)
+{
+    const td_body *b = td_body_at(w, body);
+    return b->awake > 0 && td_trajectory_at(w, b->awake)->impacts > 0;
+}
+
+/* When the two meet after `now`, or are to be looked at again; false where that is not in this step. */
+static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
+                        double now, bool *hit, double *time)
+{
+    td_approach approach;
+    double unit = (double)(TD_MEET * w->unit);
+    *hit = false;
+    if (now >= 1.0 || !td_toi_candidate_approach(w, e, now, 1.0, &approach)) {
+        return false;
+    }
+    /* Where an arc may swing further than they are apart, only as much of it as is nearly straight. */
+    double until = 1.0, apart = later(approach.distance, TOUCHING * unit);
+    if (approach.swing > 0.5 * apart) {
+        until = now + (1.0 - now) * __builtin_sqrt(0.5 * apart / approach.swing);
+        if (!td_toi_candidate_approach(w, e, now, until, &approach)) {
+            *time = until;
+            return true;
+        }
+    }
+    approach.tolerance = 0.1 * approach.target;
+    if (approach.target <= TOUCHING * unit) {
+        if (approach.on_ground) {
+            *hit = presses(w, e, now);
+            *time = *hit ? now : until;
+            return *hit || until < 1.0;
+        }
+        bool pressed = approach.distance <= 0.0 && !has_met(w, e->body[0]) && !has_met(w, e->body[1]);
+        approach.target = approach.distance - (pressed ? PRESSED : NOTHING) * unit;
+        approach.tolerance = 0.1 * NOTHING * unit;
+    }
+    double part;
+    w->stats.motion_exact++;
+    *hit = detection->meet(&approach, &part);
+    *time = *hit ? now + (until - now) * part : until;
+    return *hit || until < 1.0;
+}
+
+/* When the two meet, if they do. */
+static bool meets(thud_world *w, const td_toi_candidate *e, double *time)
+{
+    const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
+    double now = later(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
+    bool fixed = !gives_way(w, e->body[0]) && !gives_way(w, e->body[1]), hit = true;
+    if (e->vetoed || !detection->meet || fixed) {
+        return false;
+    }
+    for (int i = 0; i < MOST_GHOSTS && meets_after(w, e, detection, now, &hit, time); i++) {
+        if (!hit || !td_ghost_met(w, e, *time, &now)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Puts down when the two meet. */
+static void schedule(thud_world *w, int number)
+{
+    td_toi_candidate e = td_toi_candidate_at(w, number);
+    double time;
+    if (meets(w, &e, &time)) {
+        td_event_queue_set(&w->scratch.queue, number, time);
+    } else {
+        td_event_queue_strike(&w->scratch.queue, number);
+    }
+}
+
+/* Whether a contact is one of those that are looked at here. */
+static bool counts(const thud_world *w, int contact)
+{
+    int kind = td_contact_at(w, contact)->kind;
+    return kind != TD_PAIR_SENSOR && kind != TD_PAIR_TERRAIN_CIRCLE && kind != TD_PAIR_TERRAIN_BOX;
+}
+
+static void schedule_all_of(thud_world *w, const td_trajectory *f)
+{
+    for (int e = td_body_at(w, f->body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        if (counts(w, e / 2)) {
+            schedule(w, e / 2);
+        }
+    }
+    for (int e = f->extras; e != TD_NONE;) {
+        const td_toi_candidate *extra = td_at(&w->scratch.candidates, e / 2);
+        int next = extra->next[e & 1];
+        schedule(w, w->contacts.count + e / 2);
+        e = next;
+    }
+}
+
+/* ---- collisions ---- */
+
+/* The prologue has been asked about what touched at the start of the step. */
+static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const thud_contact *seen,
+                   thud_contact_settings *settings)
+{
+    if (number < w->contacts.count && td_contact_at(w, number)->state == TD_TOUCHING) {
+        const td_contact *contact = td_contact_at(w, number);
+        *settings = td_surface_get(td_block_at(w, contact->kind, contact->slot / TD_LANES),
+                                   td_form_points(w->pairs[contact->kind]->form),
+                                   contact->slot % TD_LANES);
+        return false;
+    }
+    *settings = td_surface_of_pair(w, e->shape[0], e->shape[1]);
+    if (!w->def.prologue) {
+        return false;
+    }
+    bool veto = !td_surface_ask(w, seen, settings);
+    if (veto && number < w->contacts.count) {
+        td_contact_at(w, number)->vetoed = 1;
+    } else if (veto) {
+        td_extra_at(w, number)->vetoed = true;
+    }
+    return veto;
+}
+
+/* Shapes that swing about their bodies' centres are stopped early, where their arcs may be near: from
+ * there on less of the arc is left. This counts as having met, or they would never arrive. */
+static void look_again(thud_world *w, int number, td_trajectory *const trajectories[2])
+{
+    for (int side = 0; side < 2; side++) {
+        td_trajectory *f = trajectories[side];
+        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && ++f->impacts > MOST_IMPACTS) {
+            hold(w, f);
+            schedule_all_of(w, f);
+        }
+    }
+    schedule(w, number);
+}
+
+/* The two are at the place of their collision now. Whoever is asleep wakes in the next step, and is
+ * met then. */
+static void collide(thud_world *w, int number, double time)
+{
+    td_toi_candidate e = td_toi_candidate_at(w, number);
+    td_trajectory *trajectories[2] = {NULL, NULL};
+    for (int side = 0; side < 2; side++) {
+        int slot = td_body_at(w, e.body[side])->awake;
+        if (slot > 0) {
+            trajectories[side] = td_trajectory_at(w, slot);
+            td_trajectory_advance(w, trajectories[side], time);
+        }
+    }
+    td_impact_point at;
+    if (!td_impact_point_of(w, &e, time, &at) || at.speed <= 0.0) {
+        look_again(w, number, trajectories);
+        return;
+    }
+    td_impact impact = {.seen = td_impact_view(w, &e, &at)};
+    thud_contact_settings settings;
+    if (vetoes(w, number, &e, &impact.seen, &settings)) {
+        return;
+    }
+    bool sleeper = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]);
+    if (!sleeper) {
+        td_impact_resolve(w, &e, &at, time, &settings, &impact);
+        *(td_impact *)td_at(&w->scratch.impacts, w->scratch.impacts.count++) = impact;
+    }
+    int most = settings.restitution < 1.0f ? MOST_IMPACTS : MOST_BOUNCES;
+    for (int side = 0; side < 2; side++) {
+        td_trajectory *f = trajectories[side];
+        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC &&
+            (sleeper || f->impacts > most || !td_toi_candidates_around(w, f))) {
+            hold(w, f);
+        }
+    }
+    w->stats.impacts++;
+    for (int side = 0; side < 2; side++) {
+        if (trajectories[side]) {
+            schedule_all_of(w, trajectories[side]);
+        }
+    }
+}
+
+/* ---- the stage ---- */
+
+static bool takes_part(const thud_world *w, int slot)
+{
+    const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
+    return body->kind == THUD_DYNAMIC && body->detection->meet;
+}
+
+/* From where the solver's motion began. */
+static void take_off(thud_world *w, int slot)
+{
+    int index = *(int *)td_at(&w->body_of, slot);
+    const td_pose *pose = td_pose_at(w, index);
+    const float *delta = td_row(&w->delta, slot);
+    td_trajectory f = *td_trajectory_at(w, slot);
+    if (f.body != index) { /* somebody was quarantined, and it stands in his slot */
+        f = (td_trajectory){.body = index};
+    }
+    *td_trajectory_at(w, slot) = (td_trajectory){
+        .place = {pose->center.x - td_length_from(w, delta[0]),
+                  pose->center.y - td_length_from(w, delta[1])},
+        .angle = pose->angle - td_angle_between(delta[2]),
+        .body = index,
+        .extras = TD_NONE,
+        .strays = TD_NONE,
+        .motion = {(double)delta[0] - 0.5 * f.fall[0], (double)delta[1] - 0.5 * f.fall[1],
+                   (double)delta[2]},
+        .fall = {f.fall[0], f.fall[1]},
+        .free = f.free};
+}
+
+static void land(thud_world *w, int slot)
+{
+    td_trajectory *f = td_trajectory_at(w, slot);
+    if (!f->changed) {
+        return;
+    }
+    td_pose *pose = td_pose_at(w, f->body);
+    float *delta = td_row(&w->delta, slot);
+    td_position start = {pose->center.x - td_length_from(w, delta[0]),
+                      pose->center.y - td_length_from(w, delta[1])};
+    uint32_t angle = pose->angle - td_angle_between(delta[2]);
+    td_trajectory_advance(w, f, 1.0);
+    pose->center = f->place;
+    pose->angle = f->angle;
+    td_angle_turn(pose->angle, &pose->c, &pose->s);
+    delta[0] = (float)((double)(f->place.x - start.x) / w->to_fixed);
+    delta[1] = (float)((double)(f->place.y - start.y) / w->to_fixed);
+    delta[2] = (float)(int32_t)(f->angle - angle) * (float)TD_RADIANS_A_QUANTUM;
+    td_body_place_shapes(w, f->body);
+}
+
+/* Bounds for the next step reach as far as the body is going to move. */
+static void expect(thud_world *w, int slot)
+{
+    const float *v = td_row(&w->velocity, slot);
+    float h = (float)w->def.time_step;
+    int i = td_body_at(w, *(int *)td_at(&w->body_of, slot))->first_shape;
+    for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        td_shape_expect(w, i, v[0] * h, v[1] * h);
+    }
+}
+
+/* Everything that may meet, from the start of the step. */
+static void schedule_everything(thud_world *w)
+{
+    w->scratch.candidates.count = w->scratch.strays.count = w->scratch.impacts.count = 0;
+    td_event_queue_clear(&w->scratch.queue, w->contacts.count);
+    for (int slot = 1; slot < w->body_of.count; slot++) {
+        take_off(w, slot);
+    }
+    for (int slot = 1; slot < w->body_of.count; slot++) {
+        td_trajectory *f = td_trajectory_at(w, slot);
+        bool own = takes_part(w, slot), strays = td_trajectory_is_unexpected(w, f);
+        if ((own && !td_toi_candidates_on_ground(w, f)) || (strays && !td_toi_candidates_around(w, f))) {
+            hold(w, f);
+        }
+        w->stats.unbisectable += td_is_unbisectable(w, slot);
+    }
+    for (int i = 0; i < w->contacts.count; i++) {
+        td_contact *contact = td_contact_at(w, i);
+        if (contact->live) {
+            contact->vetoed &= contact->state == TD_TOUCHING;
+            if (counts(w, i)) {
+                schedule(w, i);
+            }
+        }
+    }
+    for (int i = 0; i < w->scratch.candidates.count; i++) {
+        schedule(w, w->contacts.count + i);
+    }
+}
+
+static void hit_events(thud_world *w)
+{
+    for (int i = 0; i < w->scratch.impacts.count && w->def.contact_events; i++) {
+        const td_impact *impact = td_at(&w->scratch.impacts, i);
+        if (impact->approach > w->def.hit_speed * w->unit) {
+            const thud_contact *seen = &impact->seen;
+            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) = (thud_hit_event){
+                seen->shape_a, seen->shape_b, seen->point, seen->normal, impact->approach};
+        }
+    }
+}
+
+bool td_impacts_reserve(thud_world *w)
+{
+    /* Every impact has a body that was not held before it. */
+    int awake = w->body_of.count, most = (MOST_BOUNCES + 1) * awake;
+    int extras = awake * (w->terrains.live + 1) + SPARE;
+    int hits = w->scratch.begins.count; /* of contacts */
+    int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count; /* each may be found, and asked for */
+    return td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
+           td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
+           td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
+           td_array_reserve(&w->memory, &w->scratch.impacts, most) &&
+           td_array_reserve(&w->memory, &w->scratch.candidates, extras) &&
+           td_array_reserve(&w->memory, &w->events.hit, w->events.hit.count + hits + most) &&
+           td_event_queue_reserve(&w->memory, &w->scratch.queue, w->contacts.count + extras);
+}
+
+void td_impacts_prepare(thud_world *w)
+{
+    td_ballistics_note(w);
+    td_bounces_take(w);
+}
+
+void td_impacts_launch(thud_world *w)
+{
+    td_ballistics_fly(w);
+}
+
+void td_impacts(thud_world *w)
+{
+    double time;
+    schedule_everything(w);
+    for (int n; (n = td_event_queue_next(&w->scratch.queue, &time)) != TD_NONE;) {
+        collide(w, n, time);
+    }
+    for (int slot = 1; slot < w->body_of.count; slot++) {
+        land(w, slot);
+        if (takes_part(w, slot)) {
+            expect(w, slot);
+        }
+    }
+    hit_events(w);
+}

@@ -1,0 +1,203 @@
+/* closest.c: overlap and closest features of circles and boxes, in closed form. */
+#include "geometry/shape_instance.h"
+
+thud_result thud_placed_check(const thud_shape_instance *p)
+{
+    if (!p) {
+        return THUD_ERROR_NULL;
+    }
+    bool circle = p->kind == THUD_CIRCLE;
+    bool kind = circle || p->kind == THUD_AABB || p->kind == THUD_OBB;
+    bool place = td_abs(p->x) <= 1e15 && td_abs(p->y) <= 1e15;
+    bool size = p->hx > 0.0 && p->hx <= 1e15 && (circle || (p->hy > 0.0 && p->hy <= 1e15));
+    bool turned = td_abs(p->c * p->c + p->s * p->s - 1.0) < 1e-5;
+    bool upright = p->kind == THUD_OBB || (p->c == 1.0 && p->s == 0.0) || circle;
+    return kind && place && size && (circle || turned) && upright ? THUD_OK : THUD_ERROR_INVALID;
+}
+
+static void circle_circle(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out)
+{
+    double dx = b->x - a->x, dy = b->y - a->y;
+    double length = __builtin_sqrt(dx * dx + dy * dy);
+    out->nx = length > 0.0 ? dx / length : 0.0;
+    out->ny = length > 0.0 ? dy / length : 1.0;
+    out->distance = length - a->hx - b->hx;
+    out->ax = a->x + out->nx * a->hx;
+    out->ay = a->y + out->ny * a->hx;
+    out->bx = b->x - out->nx * b->hx;
+    out->by = b->y - out->ny * b->hx;
+}
+
+static void box_circle(const thud_shape_instance *box, const thud_shape_instance *circle, thud_closest *out)
+{
+    double u, v, nu, nv, distance;
+    td_to_frame(box, circle->x - box->x, circle->y - box->y, &u, &v);
+    double cu = td_clamp(u, -box->hx, box->hx), cv = td_clamp(v, -box->hy, box->hy);
+    if (cu != u || cv != v) {
+        double du = u - cu, dv = v - cv;
+        distance = __builtin_sqrt(du * du + dv * dv);
+        nu = du / distance;
+        nv = dv / distance;
+    } else if (box->hx - td_abs(u) < box->hy - td_abs(v)) {
+        distance = td_abs(u) - box->hx;
+        nu = u < 0.0 ? -1.0 : 1.0;
+        nv = 0.0;
+        cu = nu * box->hx;
+    } else {
+        distance = td_abs(v) - box->hy;
+        nu = 0.0;
+        nv = v < 0.0 ? -1.0 : 1.0;
+        cv = nv * box->hy;
+    }
+    td_from_frame(box, nu, nv, &out->nx, &out->ny);
+    td_from_frame(box, cu, cv, &out->ax, &out->ay);
+    out->ax += box->x;
+    out->ay += box->y;
+    out->distance = distance - circle->hx;
+    out->bx = circle->x - out->nx * circle->hx;
+    out->by = circle->y - out->ny * circle->hx;
+}
+
+static void flip(thud_closest *c)
+{
+    double x = c->ax, y = c->ay;
+    c->ax = c->bx;
+    c->ay = c->by;
+    c->bx = x;
+    c->by = y;
+    c->nx = -c->nx;
+    c->ny = -c->ny;
+}
+
+/* Separation along each of the reference box's axes. Keeps the best in *out, normal from a, and
+ * reports whether it is one of these. */
+static bool try_axes(const thud_shape_instance *reference, const thud_shape_instance *a, const thud_shape_instance *b,
+                     thud_closest *out)
+{
+    double dx = b->x - a->x, dy = b->y - a->y;
+    bool better = false;
+    for (int axis = 0; axis < 2; axis++) {
+        double nx = axis ? -reference->s : reference->c, ny = axis ? reference->c : reference->s;
+        double along = dx * nx + dy * ny;
+        double separation = td_abs(along) - (td_shadow(a, nx, ny) + td_shadow(b, nx, ny));
+        if (separation > out->distance) {
+            out->distance = separation;
+            out->nx = along < 0.0 ? -nx : nx;
+            out->ny = along < 0.0 ? -ny : ny;
+            better = true;
+        }
+    }
+    return better;
+}
+
+/* Points of overlapping boxes, the normal being that of a face of a: the deepest corner of b, moved
+ * along the face to within it where b's edge is parallel to it and longer. */
+static void deepest_points(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out)
+{
+    double u, v, x, y;
+    td_to_frame(b, -out->nx, -out->ny, &u, &v);
+    td_from_frame(b, u < 0.0 ? -b->hx : b->hx, v < 0.0 ? -b->hy : b->hy, &x, &y);
+    x += b->x - a->x - out->nx * out->distance;
+    y += b->y - a->y - out->ny * out->distance;
+    td_to_frame(a, x, y, &u, &v);
+    td_from_frame(a, td_clamp(u, -a->hx, a->hx), td_clamp(v, -a->hy, a->hy), &x, &y);
+    out->ax = a->x + x;
+    out->ay = a->y + y;
+    out->bx = out->ax + out->nx * out->distance;
+    out->by = out->ay + out->ny * out->distance;
+}
+
+static void shift(thud_closest *c, double x, double y)
+{
+    c->ax += x;
+    c->ay += y;
+    c->bx += x;
+    c->by += y;
+}
+
+/* Each corner of b against the solid box a; keeps the closest pair. `flipped`: b and a changed
+ * places. Relative to a's centre: far from the origin, places are too coarse for a distance. */
+static void try_corners(const thud_shape_instance *a, const thud_shape_instance *b, bool flipped,
+                        thud_closest *out)
+{
+    thud_shape_instance box = *a, other = *b;
+    box.x = box.y = 0.0;
+    other.x = b->x - a->x;
+    other.y = b->y - a->y;
+    for (int i = 0; i < 4; i++) {
+        thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0};
+        thud_closest found;
+        td_corner(&other, i, &point.x, &point.y);
+        box_circle(&box, &point, &found);
+        if (found.distance < out->distance) {
+            *out = found;
+            shift(out, a->x, a->y);
+            if (flipped) {
+                flip(out);
+            }
+        }
+    }
+}
+
+/* How far b is beyond a along the normal. */
+static double gap_along(const thud_shape_instance *a, const thud_shape_instance *b, const thud_closest *c)
+{
+    return (b->x - a->x) * c->nx + (b->y - a->y) * c->ny - td_shadow(a, c->nx, c->ny) -
+           td_shadow(b, c->nx, c->ny);
+}
+
+static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out)
+{
+    thud_closest corners = {.distance = 1e300};
+    out->distance = -1e300;
+    try_axes(a, a, b, out);
+    bool face_of_b = try_axes(b, a, b, out);
+    if (out->distance > 0.0) {
+        try_corners(a, b, false, &corners);
+        try_corners(b, a, true, &corners);
+    }
+    /* The link between corners that all but touch has a direction of mere rounding, which may even
+     * point into a box; then an axis is the better normal. */
+    double rounding = 1e-15 * (td_reach(a) + td_reach(b));
+    if (out->distance > 0.0 && gap_along(a, b, &corners) >= out->distance - rounding) {
+        *out = corners;
+    } else if (face_of_b) {
+        flip(out);
+        deepest_points(b, a, out);
+        flip(out);
+    } else {
+        deepest_points(a, b, out);
+    }
+}
+
+void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out)
+{
+    if (a->kind == THUD_CIRCLE && b->kind == THUD_CIRCLE) {
+        circle_circle(a, b, out);
+    } else if (b->kind == THUD_CIRCLE) {
+        box_circle(a, b, out);
+    } else if (a->kind == THUD_CIRCLE) {
+        box_circle(b, a, out);
+        flip(out);
+    } else {
+        box_box(a, b, out);
+    }
+}
+
+thud_result thud_shapes_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out)
+{
+    if (!a || !b || !out) {
+        return THUD_ERROR_NULL;
+    }
+    if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK) {
+        return THUD_ERROR_INVALID;
+    }
+    td_closest(a, b, out);
+    return THUD_OK;
+}
+
+bool thud_shapes_overlap(const thud_shape_instance *a, const thud_shape_instance *b)
+{
+    thud_closest closest;
+    return thud_shapes_closest(a, b, &closest) == THUD_OK && closest.distance <= 0.0;
+}

@@ -1,0 +1,26 @@
+/* ray.c: rays against circles and boxes, each being its own Minkowski sum with the ray's point. */
+#include "geometry/minkowski.h"
+
+bool thud_shape_cast_ray(const thud_shape_instance *shape, double ox, double oy, double dx, double dy,
+                         double *fraction, double *nx, double *ny)
+{
+    thud_minkowski sum;
+    double f, u, v;
+    if (thud_placed_check(shape) != THUD_OK || !td_finite(ox + oy + dx + dy)) {
+        return false;
+    }
+    td_minkowski_of(shape, &sum);
+    if (!td_minkowski_enter(&sum, ox - shape->x, oy - shape->y, dx, dy, &f, &u, &v)) {
+        return false;
+    }
+    if (fraction) {
+        *fraction = f;
+    }
+    if (nx) {
+        *nx = u;
+    }
+    if (ny) {
+        *ny = v;
+    }
+    return true;
+}

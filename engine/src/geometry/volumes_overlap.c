@@ -1,0 +1,112 @@
+/* volumes_overlap.c: bounding volumes against points and each other. A box is its two pairs of
+ * sides: two boxes are apart if one of their up to four directions parts them (Gottschalk, Lin and
+ * Manocha, OBBTree, 1996). */
+#include "geometry/shape_instance.h"
+#include "thud/thud_volumes.h"
+
+static bool circle_circle(const thud_volume *a, const thud_volume *b)
+{
+    double x = b->x - a->x, y = b->y - a->y, r = a->hx + b->hx;
+    return x * x + y * y <= r * r;
+}
+
+/* The circle's centre being at (u, v) in the frame of the box. */
+static bool circle_box(const thud_volume *circle, const thud_volume *box, double u, double v)
+{
+    double out_u = td_abs(u) - box->hx, out_v = td_abs(v) - box->hy;
+    out_u = out_u > 0.0 ? out_u : 0.0;
+    out_v = out_v > 0.0 ? out_v : 0.0;
+    return out_u * out_u + out_v * out_v <= circle->hx * circle->hx;
+}
+
+static bool aabb_aabb(const thud_volume *a, const thud_volume *b)
+{
+    return td_abs(b->x - a->x) <= a->hx + b->hx && td_abs(b->y - a->y) <= a->hy + b->hy;
+}
+
+static bool box_box(const thud_volume *a, const thud_volume *b)
+{
+    double x = b->x - a->x, y = b->y - a->y, u, v;
+    double c = td_abs(a->c * b->c + a->s * b->s), s = td_abs(a->c * b->s - a->s * b->c);
+    td_to_frame(a, x, y, &u, &v);
+    if (td_abs(u) > a->hx + c * b->hx + s * b->hy || td_abs(v) > a->hy + s * b->hx + c * b->hy) {
+        return false;
+    }
+    td_to_frame(b, x, y, &u, &v);
+    return td_abs(u) <= b->hx + c * a->hx + s * a->hy && td_abs(v) <= b->hy + s * a->hx + c * a->hy;
+}
+
+/* In the order of the kinds, so that the first is a circle if any is. */
+static bool overlap(const thud_volume *a, const thud_volume *b)
+{
+    double x = a->x - b->x, y = a->y - b->y, u, v;
+    if (b->kind == THUD_CIRCLE) {
+        return circle_circle(a, b);
+    }
+    if (a->kind == THUD_CIRCLE && b->kind == THUD_AABB) {
+        return circle_box(a, b, x, y);
+    }
+    if (a->kind == THUD_CIRCLE) {
+        td_to_frame(b, x, y, &u, &v);
+        return circle_box(a, b, u, v);
+    }
+    return b->kind == THUD_AABB ? aabb_aabb(a, b) : box_box(a, b);
+}
+
+thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, bool *out)
+{
+    if (!a || !b || !out) {
+        return THUD_ERROR_NULL;
+    }
+    if (thud_volume_check(a) != THUD_OK || thud_volume_check(b) != THUD_OK) {
+        return THUD_ERROR_INVALID;
+    }
+    *out = a->kind <= b->kind ? overlap(a, b) : overlap(b, a);
+    return THUD_OK;
+}
+
+/* The furthest point of the inner one is a corner, or behind the centre of a circle. */
+static bool in_circle(const thud_volume *circle, const thud_volume *inner)
+{
+    double x = inner->x - circle->x, y = inner->y - circle->y;
+    double room = circle->hx;
+    if (inner->kind == THUD_CIRCLE) {
+        room -= inner->hx;
+        return room >= 0.0 && x * x + y * y <= room * room;
+    }
+    double u, v;
+    td_to_frame(inner, x, y, &u, &v);
+    u = td_abs(u) + inner->hx;
+    v = td_abs(v) + inner->hy;
+    return u * u + v * v <= room * room;
+}
+
+static bool in_box(const thud_volume *box, const thud_volume *inner)
+{
+    double u, v, hu = inner->hx, hv = inner->hx;
+    td_to_frame(box, inner->x - box->x, inner->y - box->y, &u, &v);
+    if (inner->kind != THUD_CIRCLE) {
+        hu = td_shadow(inner, box->c, box->s);
+        hv = td_shadow(inner, -box->s, box->c);
+    }
+    return td_abs(u) + hu <= box->hx && td_abs(v) + hv <= box->hy;
+}
+
+thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *inner, bool *inside)
+{
+    if (!outer || !inner || !inside) {
+        return THUD_ERROR_NULL;
+    }
+    if (thud_volume_check(outer) != THUD_OK || thud_volume_check(inner) != THUD_OK) {
+        return THUD_ERROR_INVALID;
+    }
+    *inside = outer->kind == THUD_CIRCLE ? in_circle(outer, inner) : in_box(outer, inner);
+    return THUD_OK;
+}
+
+thud_result thud_volume_contains_point(const thud_volume *volume, double x, double y,
+                                       bool *inside)
+{
+    const thud_volume point = {.kind = THUD_CIRCLE, .x = x, .y = y};
+    return thud_volume_contains(volume, &point, inside);
+}

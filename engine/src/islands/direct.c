@@ -1,0 +1,173 @@
+/* direct.c: see direct.h. */
+#include "islands/direct.h"
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* ---- rows ---- */
+
+static double inverse_share(const double *j, const td_direct_body *b)
+{
+    return (j[0] * j[0] + j[1] * j[1]) * b->inverse_mass + j[2] * j[2] * b->inverse_inertia;
+}
+
+static void weigh(td_direct *d)
+{
+    for (int i = 0; i < d->contact_count; i++) {
+        td_direct_contact *c = &d->contacts[i];
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &c->row[k];
+            double inverse = (c->a == TD_NONE ? 0.0 : inverse_share(r->a, &d->bodies[c->a])) +
+                             (c->b == TD_NONE ? 0.0 : inverse_share(r->b, &d->bodies[c->b]));
+            r->used = r->used && inverse > 0.0;
+            r->mass = inverse > 0.0 ? 1.0 / inverse : 0.0;
+        }
+    }
+}
+
+static double speed_of(const td_direct_contact *c, const td_direct_row *r, const double *va,
+                       const double *vb)
+{
+    return (c->a == TD_NONE ? 0.0 : dot(r->a, va)) + (c->b == TD_NONE ? 0.0 : dot(r->b, vb));
+}
+
+void td_direct_measure(td_direct *d)
+{
+    for (int i = 0; i < d->contact_count; i++) {
+        td_direct_contact *c = &d->contacts[i];
+        const double *va = c->a == TD_NONE ? NULL : d->bodies[c->a].velocity;
+        const double *vb = c->b == TD_NONE ? NULL : d->bodies[c->b].velocity;
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            c->row[k].speed = c->row[k].known + speed_of(c, &c->row[k], va, vb);
+        }
+    }
+}
+
+void td_direct_bound(td_direct *d)
+{
+    for (int i = 0; i < d->contact_count; i++) {
+        td_direct_contact *c = &d->contacts[i];
+        double load = 0.0;
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            load += c->row[k].used ? c->row[k].impulse : 0.0;
+        }
+        c->row[TD_DIRECT_TANGENT].most = c->friction * load;
+    }
+}
+
+double td_direct_miss(const td_direct *d)
+{
+    double worst = 0.0;
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            const td_direct_row *r = &d->contacts[i].row[k];
+            worst = r->used ? td_max_double(worst, r->wanted - r->speed) : worst;
+        }
+    }
+    return worst;
+}
+
+/* ---- a Newton step ---- */
+
+static double inertia_of(const td_direct_body *b)
+{
+    return b->inverse_inertia > 0.0 ? 1.0 / b->inverse_inertia : 1.0;
+}
+
+static void add_product(td_block3 *block, double weight, const double *i, const double *k)
+{
+    for (int p = 0; p < 3; p++) {
+        double wi = weight * i[p];
+        block->at[3 * p] += wi * k[0];
+        block->at[3 * p + 1] += wi * k[1];
+        block->at[3 * p + 2] += wi * k[2];
+    }
+}
+
+static void add_row(td_direct *d, const td_direct_contact *c, const td_direct_row *r)
+{
+    if (c->a != TD_NONE) {
+        add_product(td_sparse_diagonal(d->matrix, c->a), r->weight, r->a, r->a);
+    }
+    if (c->b != TD_NONE) {
+        add_product(td_sparse_diagonal(d->matrix, c->b), r->weight, r->b, r->b);
+    }
+    if (c->a != TD_NONE && c->b != TD_NONE) {
+        add_product(td_sparse_entry(d->matrix, c->entry), r->weight, c->b_later ? r->b : r->a,
+                    c->b_later ? r->a : r->b);
+    }
+}
+
+bool td_direct_factor(td_direct *d)
+{
+    td_sparse_clear(d->matrix);
+    for (int i = 0; i < d->body_count; i++) {
+        double *at = td_sparse_diagonal(d->matrix, i)->at;
+        at[0] = at[4] = 1.0 / d->bodies[i].inverse_mass;
+        at[8] = inertia_of(&d->bodies[i]);
+    }
+    for (int i = 0; i < d->contact_count; i++) {
+        const td_direct_contact *c = &d->contacts[i];
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            if (c->row[k].used && c->row[k].active) {
+                add_row(d, c, &c->row[k]);
+            }
+        }
+    }
+    d->factorings++;
+    return td_sparse_factor(d->matrix);
+}
+
+void td_direct_step(td_direct *d)
+{
+    for (int i = 0; i < d->body_count; i++) {
+        const td_direct_body *b = &d->bodies[i];
+        d->step[i][0] = (b->free[0] - b->velocity[0]) / b->inverse_mass;
+        d->step[i][1] = (b->free[1] - b->velocity[1]) / b->inverse_mass;
+        d->step[i][2] = (b->free[2] - b->velocity[2]) * inertia_of(b);
+    }
+    for (int i = 0; i < d->contact_count; i++) {
+        const td_direct_contact *c = &d->contacts[i];
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &c->row[k];
+            for (int j = 0; j < 3 && r->used && c->a != TD_NONE; j++) {
+                d->step[c->a][j] += r->a[j] * r->force;
+            }
+            for (int j = 0; j < 3 && r->used && c->b != TD_NONE; j++) {
+                d->step[c->b][j] += r->b[j] * r->force;
+            }
+        }
+    }
+    td_sparse_solve(d->matrix, d->step, d->work);
+    for (int i = 0; i < d->contact_count; i++) {
+        td_direct_contact *c = &d->contacts[i];
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            c->row[k].change = speed_of(c, &c->row[k], c->a == TD_NONE ? NULL : d->step[c->a],
+                                        c->b == TD_NONE ? NULL : d->step[c->b]);
+        }
+    }
+}
+
+/* ---- the whole ---- */
+
+enum { LEAST_STEPS = 8 }; /* with fewer the interior point need not begin */
+
+double td_direct_solve(td_direct *d, double tolerance)
+{
+    weigh(d);
+    td_direct_bound(d);
+    d->factored = false;
+    if (!td_direct_active(d, tolerance)) {
+        /* Bounds of friction come from a first pass; the second one heeds them. */
+        for (int pass = 0; pass < 2; pass++) {
+            if (d->patience - d->factorings < LEAST_STEPS || !td_direct_interior(d, tolerance)) {
+                return __builtin_inf();
+            }
+            td_direct_bound(d);
+        }
+    }
+    td_direct_measure(d);
+    return td_direct_miss(d);
+}

@@ -1,0 +1,89 @@
+/* direct.h: velocities of an island of bodies, with all its contacts at once.
+ *
+ * Of all velocities v that keep every contact's speed along its normal at least as `wanted`, those
+ * nearest to the free ones v*, in the norm of the masses, are what rigid bodies do:
+ *     minimise (v - v*)' M (v - v*) / 2   subject to   J v >= wanted.
+ * Friction is a force along the tangent of at most `most`, which is frozen while velocities are
+ * sought and follows the normal impulses then. Two methods, both in Newton steps with one sparse
+ * factorisation each: an active set (direct_active.c), which takes one or two where hardly anything
+ * has changed since the step before; and an interior point (direct_interior.c), which takes ten to
+ * twenty from anywhere. */
+#ifndef TD_DIRECT_H
+#define TD_DIRECT_H
+
+#include "islands/sparse.h"
+
+enum {
+    TD_DIRECT_ROWS = 3,  /* of a contact: two points and the tangent ... */
+    TD_DIRECT_TANGENT = 2
+};
+
+typedef struct td_direct_body {
+    double inverse_mass, inverse_inertia; /* inertia 0: does not turn */
+    double free[3];     /* velocity without contacts: x, y, turn */
+    double velocity[3]; /* in: a guess; out: the solution */
+} td_direct_body;
+
+typedef struct td_direct_row {
+    double a[3], b[3]; /* J: of either side */
+    double wanted;     /* speed along the row; of a tangent: at which friction would have it */
+    double known;      /* speed that sides without a variable give it */
+    double impulse;    /* in: as known; out: the solution's. Normal: >= 0 */
+    bool used;         /* there is such a row */
+    bool active;       /* stands in the matrix, with `weight` */
+    double mass;       /* that it feels */
+    double weight;
+    double base, most; /* of a tangent: |impulse| <= most */
+    double speed;      /* J v + known */
+    double force;      /* impulse that goes to the right side */
+    double change;     /* of the speed by a Newton step */
+    double slack[2], push[3]; /* interior point: slacks; steps of the impulse and the slacks */
+} td_direct_row;
+
+typedef struct td_direct_contact {
+    int a, b;     /* bodies; TD_NONE: that side is no variable */
+    int entry;    /* of the matrix, where both are */
+    bool b_later; /* it has b's rows */
+    double friction;
+    td_direct_row row[TD_DIRECT_ROWS];
+} td_direct_contact;
+
+typedef struct td_direct {
+    td_direct_body *bodies;
+    td_direct_contact *contacts;
+    td_sparse *matrix;             /* ordered, of the bodies */
+    double (*step)[3], (*work)[3]; /* room for as many as bodies */
+    int body_count, contact_count;
+    double unit_speed; /* what a body gains by gravity in a step */
+    int factorings;    /* so far ... */
+    int patience;      /* ... and at most */
+    bool factored;     /* the matrix of the active rows stands */
+} td_direct;
+
+/* Puts the solution into velocities and impulses. Returns the greatest speed by which a contact misses
+ * what it wants, which is at most `tolerance` where all went well; infinite where numbers failed. */
+double td_direct_solve(td_direct *d, double tolerance);
+
+/* ---- the two methods ---- */
+
+/* True where the active rows were found in a few steps. */
+bool td_direct_active(td_direct *d, double tolerance);
+/* The same rows once more, for other free velocities and wanted speeds that leave them as they are, and
+ * impulses that are nearly right: without another matrix. False where that will not do. */
+bool td_direct_again(td_direct *d, double tolerance);
+/* False where numbers failed, or steps ran out. */
+bool td_direct_interior(td_direct *d, double tolerance);
+
+/* ---- what they share ---- */
+
+void td_direct_measure(td_direct *d); /* speeds of all rows */
+/* The matrix of masses and active rows, factored; false where numbers failed. */
+bool td_direct_factor(td_direct *d);
+/* Solves for what masses and the rows' forces leave unbalanced: the bodies' step, the rows' change. */
+void td_direct_step(td_direct *d);
+/* The greatest speed by which a contact misses what it wants. */
+double td_direct_miss(const td_direct *d);
+/* Bounds of friction for the impulses along the normals. */
+void td_direct_bound(td_direct *d);
+
+#endif

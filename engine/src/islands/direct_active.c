@@ -1,0 +1,228 @@
+/* direct_active.c: which contacts push is guessed from the step before, and mended.
+ *
+ * Active rows become penalties of weight D with a multiplier y, the impulse as known so far: a normal
+ * gives max(0, y - D (J v - wanted)), a tangent y - D (J v - wanted) cut off at its bounds (the
+ * augmented Lagrangian of Hestenes, 1969, and Powell, 1969, for inequalities after Rockafellar, 1973).
+ * Where no row changes its mind in a whole Newton step, that minimises the function of v. Then y takes
+ * the impulses, and it goes on until nothing is missed. */
+#include "islands/direct.h"
+
+/* The penalty of a contact is the mass that it feels times so much, or the load it carries where that
+ * is more; and never more than the second, or rounding ends it. */
+#define STIFFNESS 1e5
+#define STIFFNESS_MOST 1e9
+
+/* A row keeps its mind for so much of the tolerance. */
+#define DOUBT 0.1
+
+enum { PATIENCE = 6 }; /* factorisations */
+
+static double size_of(double x)
+{
+    return x < 0.0 ? -x : x;
+}
+
+static double clamped(double x, double most)
+{
+    return x > most ? most : x < -most ? -most : x;
+}
+
+/* In a heap at rest many contacts carry nothing, or just so much that they stick, and rounding would
+ * have them change their minds for ever: `doubt` is the speed, and times its mass the impulse, that a
+ * row does not change its mind for. */
+static void answer(td_direct_row *r, bool tangent, double doubt)
+{
+    double impulse = r->base - r->weight * (r->speed - r->wanted), little = doubt * r->mass;
+    if (tangent) {
+        /* From one bound to the other it sticks in between. */
+        double against = r->impulse < 0.0 ? -impulse : impulse;
+        r->active = r->active ? size_of(impulse) < r->most + little : against < r->most - little;
+        r->active = r->active && r->most > 0.0; /* which has no direction to have slid in */
+        r->impulse = clamped(impulse, r->most);
+    } else {
+        r->active = r->active ? impulse > -little : r->speed < r->wanted - doubt;
+        r->impulse = r->active && impulse > 0.0 ? impulse : 0.0;
+    }
+    r->force = r->active ? impulse : r->impulse;
+}
+
+static void set_weight(const td_direct *d, td_direct_contact *c)
+{
+    double load = 0.0;
+    for (int k = 0; k < TD_DIRECT_TANGENT && d->unit_speed > 0.0; k++) {
+        load += c->row[k].used ? c->row[k].impulse / d->unit_speed : 0.0;
+    }
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+        td_direct_row *r = &c->row[k];
+        double weight = STIFFNESS * td_max_double(load, r->mass), most = STIFFNESS_MOST * r->mass;
+        r->weight = weight < most ? weight : most;
+    }
+}
+
+/* Nothing is known from a step before. */
+static bool is_new(const td_direct *d)
+{
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            if (d->contacts[i].row[k].impulse > 0.0) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* What pushed before does so again, and so does what is about to meet; in a new island all that
+ * touches and does not part. */
+static void guess(td_direct *d, double doubt)
+{
+    double parting = is_new(d) ? doubt : -doubt;
+    td_direct_measure(d);
+    for (int i = 0; i < d->contact_count; i++) {
+        td_direct_contact *c = &d->contacts[i];
+        set_weight(d, c);
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            td_direct_row *r = &c->row[k];
+            r->active = r->impulse > 0.0 || r->speed < r->wanted + parting;
+        }
+    }
+}
+
+/* Friction that has slid all the way to its bound slides on where that has grown a little since. */
+static bool slides_on(const td_direct_row *r, double doubt)
+{
+    double slip = r->impulse < 0.0 ? r->speed - r->wanted : r->wanted - r->speed;
+    return slip > doubt && size_of(r->impulse) > 0.9 * r->most;
+}
+
+/* The multipliers take the impulses. Friction that had reached a bound, which has grown by much since,
+ * sticks for now. */
+static void take_multipliers(td_direct *d, double doubt)
+{
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->contacts[i].row[k];
+            if (k == TD_DIRECT_TANGENT && slides_on(r, doubt)) {
+                r->active = false;
+                r->impulse = r->impulse < 0.0 ? -r->most : r->most;
+            } else if (k == TD_DIRECT_TANGENT) {
+                r->active = size_of(r->impulse) < 0.999 * r->most;
+                r->impulse = clamped(r->impulse, r->most);
+            }
+            r->base = r->impulse;
+            r->force = r->active ? r->base - r->weight * (r->speed - r->wanted) : r->base;
+        }
+    }
+}
+
+/* A whole Newton step, of the matrix as factored; *settled where no row changed its mind. */
+static bool leap(td_direct *d, double doubt, bool *settled)
+{
+    td_direct_step(d);
+    double sum = 0.0;
+    for (int i = 0; i < d->body_count; i++) {
+        for (int k = 0; k < 3; k++) {
+            d->bodies[i].velocity[k] += d->step[i][k];
+            sum += d->bodies[i].velocity[k];
+        }
+    }
+    *settled = true;
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->contacts[i].row[k];
+            if (r->used) {
+                bool before = r->active;
+                r->speed += r->change;
+                answer(r, k == TD_DIRECT_TANGENT, doubt);
+                *settled &= r->active == before;
+            }
+        }
+    }
+    return td_finite(sum);
+}
+
+/* The speed at which something slides whose friction was held back by a bound that has grown since. */
+static double slip(const td_direct *d)
+{
+    double worst = 0.0;
+    for (int i = 0; i < d->contact_count; i++) {
+        const td_direct_contact *c = &d->contacts[i];
+        const td_direct_row *r = &c->row[TD_DIRECT_TANGENT];
+        double load = 0.0;
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            load += c->row[k].used ? c->row[k].impulse : 0.0;
+        }
+        if (r->used && !r->active && c->friction * load > r->most * 1.02) {
+            worst = td_max_double(worst, size_of(r->speed - r->wanted));
+        }
+    }
+    return worst;
+}
+
+/* The greatest speed at which something parts that is still pushed: impulses kept from a hit in the step
+ * before are far too great for this one, and a penalty alone would let them push for another step. */
+static double overshoot(const td_direct *d)
+{
+    double worst = 0.0;
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            const td_direct_row *r = &d->contacts[i].row[k];
+            if (r->used && r->impulse > 0.0) {
+                worst = td_max_double(worst, r->speed - r->wanted);
+            }
+        }
+    }
+    return worst;
+}
+
+/* The greatest speed by which anything is not as it should be. */
+static double off(const td_direct *d)
+{
+    return td_max_double(td_direct_miss(d), td_max_double(overshoot(d), slip(d)));
+}
+
+bool td_direct_active(td_direct *d, double tolerance)
+{
+    int most = td_min_int(d->factorings + PATIENCE, d->patience);
+    guess(d, DOUBT * tolerance);
+    take_multipliers(d, DOUBT * tolerance);
+    for (;;) {
+        bool settled = false;
+        while (!settled) {
+            if (d->factorings >= most || !td_direct_factor(d) ||
+                !leap(d, DOUBT * tolerance, &settled)) {
+                return false;
+            }
+        }
+        if (off(d) <= tolerance) {
+            d->factored = true;
+            return true;
+        }
+        td_direct_bound(d);
+        take_multipliers(d, DOUBT * tolerance);
+    }
+}
+
+bool td_direct_again(td_direct *d, double tolerance)
+{
+    if (!d->factored) {
+        return false;
+    }
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->contacts[i].row[k];
+            r->base = r->impulse;
+            r->force = r->active ? r->base - r->weight * (r->speed - r->wanted) : r->base;
+        }
+    }
+    bool settled;
+    bool done = leap(d, DOUBT * tolerance, &settled) && settled && off(d) <= tolerance;
+    /* Rows that have changed their mind have impulses of penalties, which mean nothing yet; nothing
+     * is to be bounded by them. */
+    for (int i = 0; i < d->contact_count && !done; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            d->contacts[i].row[k].impulse = d->contacts[i].row[k].base;
+        }
+    }
+    return done;
+}

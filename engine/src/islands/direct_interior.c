@@ -1,0 +1,248 @@
+/* direct_interior.c: the contacts' complementarity approached from inside.
+ *
+ * Mehrotra's predictor-corrector ("On the implementation of a primal-dual interior point method", 1992)
+ * for the quadratic problem of direct.h. A normal has a slack s = J v - wanted and an impulse l, both
+ * > 0, whose product goes to zero. A tangent's impulse y lies between its bounds; the distances to
+ * them, most + y and most - y, have slacks whose difference is the sliding speed, and their products go
+ * to zero likewise. Products are measured in the mass that a row feels, so that heavy and light
+ * contacts converge alike. */
+#include "islands/direct.h"
+
+/* A step goes so much of the way to where the first number would be zero. */
+#define NEARLY 0.98
+/* So much of the tolerance may the square root of a product per mass be. */
+#define CLOSE 0.1
+
+enum { STEPS = 40 };
+
+/* Impulses at least so strong, against what gravity gives the row's mass, are worth a tangent. */
+#define FRICTION_LEAST 1e-9
+
+static bool slides_free(const td_direct *d, const td_direct_row *r)
+{
+    return !(r->most > FRICTION_LEAST * r->mass * d->unit_speed);
+}
+
+/* Distance of a tangent's impulse from its lower and upper bound. */
+static double room(const td_direct_row *r, int which)
+{
+    return which ? r->most - r->impulse : r->most + r->impulse;
+}
+
+/* What a state needs to begin with: everything well inside. */
+static void start(td_direct *d)
+{
+    double sum = 0.0;
+    int rows = 0;
+    for (int i = 0; i < d->body_count; i++) {
+        for (int k = 0; k < 3; k++) {
+            d->bodies[i].velocity[k] = d->bodies[i].free[k];
+        }
+    }
+    td_direct_measure(d);
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            const td_direct_row *r = &d->contacts[i].row[k];
+            double lack = r->used && r->speed < r->wanted ? r->wanted - r->speed : 0.0;
+            sum += lack * lack;
+            rows += r->used;
+        }
+    }
+    double typical = td_max_double(d->unit_speed, rows ? __builtin_sqrt(sum / rows) : 0.0);
+    typical = td_max_double(typical, 1e-9);
+    for (int i = 0; i < d->contact_count; i++) {
+        td_direct_contact *c = &d->contacts[i];
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &c->row[k];
+            double over = r->speed - r->wanted;
+            if (k < TD_DIRECT_TANGENT) {
+                r->slack[0] = td_max_double(over, typical);
+                r->impulse = r->mass * typical;
+            } else {
+                r->slack[0] = td_max_double(over, 0.0) + typical;
+                r->slack[1] = td_max_double(-over, 0.0) + typical;
+                r->impulse = 0.0;
+            }
+            r->active = r->used && (k < TD_DIRECT_TANGENT || !slides_free(d, r));
+            r->force = 0.0;
+        }
+    }
+}
+
+/* Mean product per mass, after a part of the step. */
+static double gap(const td_direct *d, double part)
+{
+    double sum = 0.0;
+    int products = 0;
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->contacts[i].row[k];
+            if (!r->active) {
+                continue;
+            }
+            double impulse = part * r->push[0], first = r->slack[0] + part * r->push[1];
+            if (k < TD_DIRECT_TANGENT) {
+                sum += first * (r->impulse + impulse) / r->mass;
+                products++;
+            } else {
+                double second = r->slack[1] + part * r->push[2];
+                sum += (first * (room(r, 0) + impulse) + second * (room(r, 1) - impulse)) / r->mass;
+                products += 2;
+            }
+        }
+    }
+    return products ? sum / products : 0.0;
+}
+
+/* Sets what the row gives to matrix and right side. The products aim at `aim` per mass; with `mend`
+ * they heed what the steps of the predictor, in `push`, did to them. */
+static void prepare_row(td_direct_row *r, bool tangent, double aim, double mend)
+{
+    double over = r->speed - r->wanted;
+    if (!tangent) {
+        double lack = over - r->slack[0];
+        double product = aim * r->mass - r->slack[0] * r->impulse - mend * r->push[0] * r->push[1];
+        r->weight = r->impulse / r->slack[0];
+        r->force = r->impulse + product / r->slack[0] - r->weight * lack;
+        return;
+    }
+    double low = room(r, 0), high = room(r, 1);
+    double lack = over - (r->slack[0] - r->slack[1]);
+    double first = aim * r->mass - r->slack[0] * low - mend * r->push[0] * r->push[1];
+    double second = aim * r->mass - r->slack[1] * high + mend * r->push[0] * r->push[2];
+    r->weight = 1.0 / (r->slack[0] / low + r->slack[1] / high);
+    r->force = r->impulse + r->weight * (first / low - second / high - lack);
+}
+
+/* The row's own steps, from the change of its speed. */
+static void follow_row(td_direct_row *r, bool tangent, double aim, double mend)
+{
+    double over = r->speed - r->wanted, old = r->push[0];
+    r->push[0] = r->force - r->impulse - r->weight * r->change;
+    if (!tangent) {
+        r->push[1] = r->change + over - r->slack[0];
+        return;
+    }
+    double low = room(r, 0), high = room(r, 1);
+    double first = aim * r->mass - r->slack[0] * low - mend * old * r->push[1];
+    double second = aim * r->mass - r->slack[1] * high + mend * old * r->push[2];
+    r->push[1] = (first - r->slack[0] * r->push[0]) / low;
+    r->push[2] = (second + r->slack[1] * r->push[0]) / high;
+}
+
+static double cut(double part, double value, double change)
+{
+    return value + part * change < 0.0 ? -value / change : part;
+}
+
+/* So many steps, or parts of one, may be taken until something is negative; at most `most`. */
+static double reach(const td_direct *d, double most)
+{
+    double part = most;
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->contacts[i].row[k];
+            if (!r->active) {
+                continue;
+            }
+            part = cut(part, r->slack[0], r->push[1]);
+            if (k < TD_DIRECT_TANGENT) {
+                part = cut(part, r->impulse, r->push[0]);
+            } else {
+                part = cut(part, r->slack[1], r->push[2]);
+                part = cut(part, room(r, 0), r->push[0]);
+                part = cut(part, room(r, 1), -r->push[0]);
+            }
+        }
+    }
+    return part;
+}
+
+static void for_rows(td_direct *d, void (*each)(td_direct_row *, bool, double, double), double aim,
+                     double mend)
+{
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->contacts[i].row[k];
+            if (r->active) {
+                each(r, k == TD_DIRECT_TANGENT, aim, mend);
+            }
+        }
+    }
+}
+
+/* Forward by a part of the step; false where numbers failed. */
+static bool advance(td_direct *d, double part)
+{
+    double sum = 0.0;
+    for (int i = 0; i < d->body_count; i++) {
+        for (int k = 0; k < 3; k++) {
+            d->bodies[i].velocity[k] += part * d->step[i][k];
+            sum += d->bodies[i].velocity[k];
+        }
+    }
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->contacts[i].row[k];
+            if (r->active) {
+                r->impulse += part * r->push[0];
+                r->slack[0] += part * r->push[1];
+                r->slack[1] += part * r->push[2];
+            }
+        }
+    }
+    td_direct_measure(d);
+    return td_finite(sum);
+}
+
+/* The greatest speed that a slack is off by: zero once a whole step was taken. */
+static double lack(const td_direct *d)
+{
+    double worst = 0.0;
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            const td_direct_row *r = &d->contacts[i].row[k];
+            double off = r->used ? r->slack[0] - (r->speed - r->wanted) : 0.0;
+            worst = td_max_double(worst, off < 0.0 ? -off : off);
+        }
+    }
+    return worst;
+}
+
+/* What is nearer to opening than to pushing does not push. */
+static void decide(td_direct *d)
+{
+    for (int i = 0; i < d->contact_count; i++) {
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            td_direct_row *r = &d->contacts[i].row[k];
+            r->impulse = r->used && r->impulse > r->mass * r->slack[0] ? r->impulse : 0.0;
+        }
+    }
+}
+
+bool td_direct_interior(td_direct *d, double tolerance)
+{
+    double close = CLOSE * tolerance * CLOSE * tolerance;
+    start(d);
+    for (int n = 0; n < STEPS && d->factorings < d->patience; n++) {
+        for_rows(d, prepare_row, 0.0, 0.0);
+        if (!td_direct_factor(d)) {
+            return false;
+        }
+        td_direct_step(d);
+        for_rows(d, follow_row, 0.0, 0.0);
+        double now = gap(d, 0.0), after = gap(d, reach(d, 1.0)), share = now > 0.0 ? after / now : 0.0;
+        double aim = share * share * share * now;
+        for_rows(d, prepare_row, aim, 1.0);
+        td_direct_step(d);
+        for_rows(d, follow_row, aim, 1.0);
+        if (!advance(d, NEARLY * reach(d, 1.0 / NEARLY))) {
+            return false;
+        }
+        if (gap(d, 0.0) <= close && lack(d) <= tolerance) {
+            decide(d);
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,329 @@
+/* island_solve.c: solves direct islands directly, between the soft solver's start and its end.
+ *
+ * The soft solver has done them as well: where the direct result is no better, because its numbers
+ * failed or it ran out of patience, the soft one stands. Otherwise velocities, motions and impulses of
+ * the island are written over. Two problems a step: the first is for the mean velocity, which brings
+ * the bodies to where nothing overlaps, and is exact to second order; the second for the velocities to
+ * go on with. Where nothing hits or is pushed apart the second one's solution follows from the first.
+ * A bounce is left to the soft solver: several at once, each with its share of the speed back, would
+ * gain energy. */
+#include "islands/island_solve.h"
+
+#include "solver/error.h"
+#include "solver/motion.h"
+#include "api/step.h"
+
+/* Matrices that are few. */
+#define EASY 8
+#define CALM_PATIENCE 20
+/* Radians a step; and speed, in multiples of the greatest that is there or wanted. */
+#define TURN_MOST 0.4
+#define SPEED_MOST 4.0
+/* Impulse, in multiples of all the momentum that is there or wanted. */
+#define LEVERAGE_MOST 10.0
+/* The speed that may be missing, in multiples of what gravity gives in a step, and at least so many
+ * length scales a second. */
+#define TOLERANCE 1e-3
+#define TOLERANCE_LEAST 1e-6
+
+enum { TANGENT = TD_DIRECT_TANGENT };
+
+/* ---- the result ---- */
+
+static void limit(const thud_world *w, double velocity[3])
+{
+    double most = (double)(w->def.maximum_speed * w->unit);
+    for (int k = 0; k < 3; k++) {
+        double m = k < 2 ? most : (double)TD_SPIN_MOST;
+        velocity[k] = velocity[k] > m ? m : velocity[k] < -m ? -m : velocity[k];
+    }
+}
+
+/* How far apart the contact's point is after the motion. */
+static double gap_after(const td_island_work *work, const td_direct_contact *c, int k, double before)
+{
+    const td_direct_row *r = &c->row[k];
+    double gap = before + work->time * r->known;
+    for (int j = 0; j < 3; j++) {
+        gap += c->a == TD_NONE ? 0.0 : r->a[j] * work->moved[c->a][j];
+        gap += c->b == TD_NONE ? 0.0 : r->b[j] * work->moved[c->b][j];
+    }
+    return gap;
+}
+
+/* What the contact wants of the velocities to go on with. */
+static void want_velocity(td_island_work *work, int i)
+{
+    thud_world *w = work->w;
+    const td_contact *contact = td_contact_at(w, work->contacts[i]);
+    td_direct_contact *c = &work->problem.contacts[i];
+    td_block *block = td_island_block(w, contact);
+    int lane = contact->slot % TD_LANES, points = td_island_points(w, contact);
+    for (int k = 0; k < points; k++) {
+        td_direct_row *r = &c->row[k];
+        if (!r->used) {
+            continue;
+        }
+        double gap = gap_after(work, c, k, (double)block->point[k].base[lane]);
+        r->wanted = gap > 0.0 ? -gap / work->time : 0.0;
+    }
+}
+
+/* The greatest speed into each other that the soft solver has left where things touch. */
+static double soft_miss(const td_island_work *work)
+{
+    const thud_world *w = work->w;
+    double worst = 0.0;
+    for (int i = 0; i < work->island->contacts; i++) {
+        const td_direct_contact *c = &work->problem.contacts[i];
+        const td_contact *contact = td_contact_at(w, work->contacts[i]);
+        const td_block *block = td_island_block(w, contact);
+        for (int k = 0; k < td_island_points(w, contact); k++) {
+            const td_direct_row *r = &c->row[k];
+            if (!r->used || block->point[k].separation[contact->slot % TD_LANES] > 0.0f) {
+                continue;
+            }
+            double speed = r->known;
+            for (int j = 0; j < 3; j++) {
+                speed += c->a == TD_NONE
+                             ? 0.0
+                             : r->a[j] * (double)td_row(&w->velocity, work->slots[c->a])[j];
+                speed += c->b == TD_NONE
+                             ? 0.0
+                             : r->b[j] * (double)td_row(&w->velocity, work->slots[c->b])[j];
+            }
+            worst = td_max_double(worst, -speed);
+        }
+    }
+    return worst;
+}
+
+static double speed_of(const double velocity[3])
+{
+    return __builtin_sqrt(velocity[0] * velocity[0] + velocity[1] * velocity[1]);
+}
+
+/* Contacts are taken as they are at the start of the step; arms that swing far by its end, and most of
+ * all a body that spins, are a matter for substeps. So is what is wedged in where it cannot be pushed
+ * apart: it would leave sideways, at any speed. */
+static bool goes_too_far(const td_island_work *work)
+{
+    double fastest = 0.0, furthest = 0.0;
+    for (int i = 0; i < work->island->bodies; i++) {
+        double turn = work->moved[i][2];
+        if (turn > TURN_MOST || turn < -TURN_MOST) {
+            return true;
+        }
+        fastest = td_max_double(fastest, speed_of(work->problem.bodies[i].free));
+        furthest = td_max_double(furthest, speed_of(work->moved[i]));
+    }
+    /* A column whose contacts all open grows by all of that at its top. */
+    double pushed = work->pushed * work->island->bodies;
+    return furthest > SPEED_MOST * work->time * (fastest + pushed);
+}
+
+/* Nor does a wedge press harder than all that is there could, with some leverage: the soft solver would
+ * begin with those impulses should the wedge open. */
+static bool presses_too_hard(const td_island_work *work)
+{
+    const td_direct *d = &work->problem;
+    double fastest = d->unit_speed + work->pushed * work->island->bodies, mass = 0.0;
+    double greatest = 0.0;
+    for (int i = 0; i < work->island->bodies; i++) {
+        fastest = td_max_double(fastest, speed_of(d->bodies[i].free));
+        mass += 1.0 / d->bodies[i].inverse_mass;
+    }
+    for (int i = 0; i < work->island->contacts; i++) {
+        for (int k = 0; k < TANGENT; k++) {
+            const td_direct_row *r = &d->contacts[i].row[k];
+            greatest = td_max_double(greatest, r->used ? r->impulse : 0.0);
+        }
+    }
+    return greatest > LEVERAGE_MOST * mass * fastest;
+}
+
+/* From the mean velocity of the step to the one at its end: what went on evenly goes on so. */
+static void carry_on(td_island_work *work)
+{
+    td_direct *d = &work->problem;
+    for (int i = 0; i < work->island->bodies; i++) {
+        td_direct_body *b = &d->bodies[i];
+        const float *before = td_at(&work->w->islands.before, work->island->first_body + i);
+        for (int k = 0; k < 3; k++) {
+            b->free[k] = 2.0 * b->free[k] - (double)before[k];
+            b->velocity[k] = 2.0 * b->velocity[k] - (double)before[k];
+        }
+    }
+    for (int i = 0; i < work->island->contacts; i++) {
+        td_direct_contact *c = &d->contacts[i];
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            c->row[k].impulse *= 2.0;
+        }
+        want_velocity(work, i);
+    }
+    td_direct_bound(d);
+    td_direct_measure(d);
+}
+
+/* False: the soft solver's result is as good. */
+static bool work_out(td_island_work *work)
+{
+    td_direct *d = &work->problem;
+    double tolerance = td_max_double(TOLERANCE * d->unit_speed,
+                                     TOLERANCE_LEAST * (double)work->w->unit);
+    double missing = td_direct_solve(d, tolerance);
+    for (int i = 0; i < work->island->bodies; i++) {
+        limit(work->w, d->bodies[i].velocity);
+        for (int k = 0; k < 3; k++) {
+            work->moved[i][k] = work->time * d->bodies[i].velocity[k];
+        }
+    }
+    if (td_finite(missing)) {
+        carry_on(work);
+        double then = td_direct_again(d, tolerance) ? td_direct_miss(d) : td_direct_solve(d, tolerance);
+        missing = td_max_double(missing, then);
+        for (int i = 0; i < work->island->bodies; i++) {
+            limit(work->w, d->bodies[i].velocity);
+        }
+    }
+    work->w->stats.factorings += d->factorings;
+    work->w->stats.island_work += d->factorings * td_island_cost(work->island);
+    if (goes_too_far(work) || presses_too_hard(work)) {
+        return false;
+    }
+    return missing <= tolerance || (td_finite(missing) && missing < soft_miss(work));
+}
+
+static void write_contact(const td_island_work *work, int i)
+{
+    thud_world *w = work->w;
+    const td_contact *contact = td_contact_at(w, work->contacts[i]);
+    const td_direct_contact *c = &work->problem.contacts[i];
+    td_block *block = td_island_block(w, contact);
+    int lane = contact->slot % TD_LANES, points = td_island_points(w, contact);
+    float part = 1.0f / (float)w->substeps;
+    for (int k = 0; k < points; k++) {
+        if (c->row[k].used) {
+            td_point *p = &block->point[k];
+            float impulse = (float)c->row[k].impulse;
+            p->normal_impulse[lane] = part * impulse;
+            p->separation[lane] = (float)gap_after(work, c, k, (double)p->base[lane]);
+            td_history_of(block, points)[k].total[lane] = impulse;
+        }
+    }
+    float tangent = c->row[TANGENT].used ? (float)c->row[TANGENT].impulse : 0.0f;
+    block->tangent_impulse[lane] = part * tangent;
+    block->loaded[lane] |= TD_DIRECT;
+    td_surface_at(block, points)->total[lane] = tangent;
+}
+
+/* Whether a contact still carries so much that the island is to stay. */
+static bool is_loaded(const td_island_work *work, const td_direct_contact *c)
+{
+    thud_world *w = work->w;
+    double impulse = 0.0, inverse = 0.0;
+    float size = 3e38f;
+    for (int k = 0; k < TANGENT; k++) {
+        impulse += c->row[k].used ? c->row[k].impulse : 0.0;
+    }
+    const int sides[2] = {c->a, c->b};
+    for (int side = 0; side < 2; side++) {
+        if (sides[side] != TD_NONE) {
+            inverse = td_max_double(inverse, work->problem.bodies[sides[side]].inverse_mass);
+            size = td_min_float(size, 2.0f * td_row(&w->reach, work->slots[sides[side]])[0]);
+        }
+    }
+    return impulse / w->substeps * inverse > TD_DIRECT_LEAVE * (double)td_islands_most(w, size);
+}
+
+static bool is_calm(const td_island_work *work)
+{
+    float fastest = 0.0f, most = td_calm_speed(work->w);
+    for (int i = 0; i < work->island->bodies; i++) {
+        const float *v = td_row(&work->w->velocity, work->slots[i]);
+        fastest = td_max_float(fastest, v[0] * v[0] + v[1] * v[1]);
+    }
+    return fastest <= most * most;
+}
+
+/* An island that takes many matrices step after step moves, and would do so for long; one that is calm
+ * may be just being pushed apart, and gets more time. */
+static bool is_slow(const td_island_work *work)
+{
+    int patience = work->w->quality.island_patience * (is_calm(work) ? CALM_PATIENCE : 1);
+    bool easy = work->problem.factorings <= EASY;
+    int most = 0;
+    for (int i = 0; i < work->island->bodies; i++) {
+        uint16_t *slow_steps = td_at(&work->w->slow_steps, work->slots[i]);
+        int steps = *slow_steps % TD_SLOW_ONCE;
+        *slow_steps = easy ? 0 : steps < TD_SLOW_STEPS ? *slow_steps + 1 : *slow_steps;
+        most = easy ? 0 : td_max_int(most, steps + 1);
+    }
+    return patience > 0 && most > td_min_int(patience, TD_SLOW_STEPS);
+}
+
+static void write(const td_island_work *work)
+{
+    thud_world *w = work->w;
+    bool loaded = false;
+    for (int i = 0; i < work->island->contacts; i++) {
+        write_contact(work, i);
+        loaded |= is_loaded(work, &work->problem.contacts[i]);
+    }
+    for (int i = 0; i < work->island->bodies; i++) {
+        float *velocity = td_row(&w->velocity, work->slots[i]);
+        float *delta = td_row(&w->delta, work->slots[i]);
+        uint8_t *direct_steps = td_at(&w->direct_steps, work->slots[i]);
+        for (int k = 0; k < 3; k++) {
+            velocity[k] = (float)work->problem.bodies[i].velocity[k];
+            delta[k] = (float)work->moved[i][k];
+        }
+        *direct_steps = loaded ? TD_DIRECT_STEPS : *direct_steps ? *direct_steps - 1 : 0;
+    }
+}
+
+/* What is too dear for a whole step's work, be it a few matrices, is so for long. */
+static void leave(thud_world *w, const td_island *island)
+{
+    if (w->quality.island_patience > 0) {
+        td_islands_leave(w, island, EASY * td_island_cost(island) > w->quality.island_work);
+    }
+}
+
+static void solve_island(thud_world *w, const td_island *island)
+{
+    bool bounces = false;
+    w->stats.direct_islands++;
+    w->stats.direct_bodies += island->bodies;
+    if (td_island_patience(w, island) > 0) {
+        td_island_work work = td_island_take(w, island);
+        bounces = work.bounces;
+        if (!bounces && work_out(&work) && !is_slow(&work)) {
+            write(&work);
+            return;
+        }
+    }
+    w->stats.soft_islands++;
+    if (!bounces) {
+        leave(w, island);
+    }
+}
+
+static void begin(thud_world *w)
+{
+    td_islands_settle(w);
+    td_island_note(w);
+}
+
+static void end(thud_world *w)
+{
+    for (int i = 0; i < w->islands.island.count; i++) {
+        solve_island(w, td_at(&w->islands.island, i));
+    }
+    if (w->stats.direct_islands > w->stats.soft_islands) {
+        td_error_recount(w);
+    }
+    td_islands_watch(w);
+}
+
+const thud_island_solver thud_islands_direct = {td_islands_find, begin, end};

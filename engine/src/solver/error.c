@@ -1,0 +1,75 @@
+/* error.c: see error.h. */
+#include "solver/error.h"
+
+#include "state/kinds.h"
+#include "contact/lanes.h"
+
+/* What wakes, falls asleep or is edited makes the energy of the last step stale; and so may detection
+ * that resolves collisions after its finish. */
+void td_error_begin(thud_world *w)
+{
+    if (w->kinetic_stale || w->detections[TD_RANK_BISECT] || w->detections[TD_RANK_SWEPT]) {
+        w->kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
+    }
+    w->errors = (td_errors){.energy_change = -w->kinetic};
+}
+
+void td_error_add(thud_world *w, const td_tally *found)
+{
+    td_errors *e = &w->errors;
+    for (int i = 0; i < TD_LANES; i++) {
+        e->points += found->points[i];
+        e->overlaps += found->overlaps[i];
+        e->deepest = td_max_float(e->deepest, -found->least[i]);
+        e->residual = td_max_float(e->residual, -found->slowest[i]);
+    }
+    e->depth += found->depth[0] + found->depth[1] + found->depth[2] + found->depth[3];
+}
+
+float td_error_overlap(const thud_world *w)
+{
+    return w->def.max_error > 0.0 ? (float)w->def.max_error : TD_SLOP * w->unit;
+}
+
+/* Normal velocity of a point; negative where it closes. */
+static float speed_of(const thud_world *w, const td_block *block, const td_point *p, int lane)
+{
+    const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
+    const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
+    return (b[0] - a[0]) * block->nx[lane] + (b[1] - a[1]) * block->ny[lane] +
+           b[2] * p->cross_b[lane] - a[2] * p->cross_a[lane];
+}
+
+static void count_block(thud_world *w, const td_block *block, int points)
+{
+    td_errors *e = &w->errors;
+    float inv_h = (float)(w->substeps / w->def.time_step);
+    for (int lane = 0; lane < block->used; lane++) {
+        for (int k = 0; k < points; k++) {
+            const td_point *p = &block->point[k];
+            if (p->normal_mass[lane] == 0.0f) {
+                continue;
+            }
+            float separation = p->separation[lane];
+            float depth = td_max_float(-(separation + w->skin), 0.0f);
+            float speed = speed_of(w, block, p, lane) + td_max_float(separation, 0.0f) * inv_h;
+            e->points++;
+            e->overlaps += depth > td_error_overlap(w);
+            e->depth += (double)depth * w->to_fixed;
+            e->deepest = td_max_float(e->deepest, depth);
+            e->residual = td_max_float(e->residual, -speed);
+        }
+    }
+}
+
+void td_error_recount(thud_world *w)
+{
+    w->errors = (td_errors){.energy_change = w->errors.energy_change};
+    for (int i = 0; i < w->scratch.runs.count; i++) {
+        const td_run *run = td_at(&w->scratch.runs, i);
+        int points = td_form_points(w->pairs[run->kind]->form);
+        for (int k = 0; k < run->count; k++) {
+            count_block(w, *(td_block **)td_at(&w->scratch.blocks, run->first + k), points);
+        }
+    }
+}

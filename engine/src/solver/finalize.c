@@ -1,0 +1,90 @@
+/* finalize.c: motion becomes pose. Reads velocity and delta of every awake body; writes poses, shape
+ * places, fat bounds, idle times, the moved list and the list of fast bodies. A body that is not
+ * finite is frozen where it was and reported: its contacts end, nobody else hears of its values. */
+#include "state/awake.h"
+#include "state/body.h"
+#include "contact/contact.h"
+#include "state/handles.h"
+#include "state/kinds.h"
+#include "base/rotation.h"
+#include "api/step.h"
+
+#include <string.h>
+
+static bool row_finite(const float *row)
+{
+    return td_finite((double)row[0] + (double)row[1] + (double)row[2]);
+}
+
+/* The body in slot `from` is in slot `to` now. */
+static void follow_slot(td_array *slots, int from, int to)
+{
+    int *list = slots->data;
+    for (int i = 0; i < slots->count; i++) {
+        list[i] = list[i] == from ? to : list[i];
+    }
+}
+
+static void quarantine(thud_world *w, int index)
+{
+    td_body *body = td_body_at(w, index);
+    int slot = body->awake;
+    memset(td_row(&w->velocity, body->awake), 0, sizeof(float[4]));
+    for (int e = body->first_contact; e != TD_NONE;) {
+        int next = td_next_edge(w, e);
+        if (!td_contact_end_reserve(w, 1)) {
+            td_contact_at(w, e / 2)->open = 0; /* goes unheard rather than stays */
+        }
+        td_contact_destroy(w, e / 2);
+        e = next;
+    }
+    td_awake_remove(w, index);
+    follow_slot(&w->scratch.fast, w->body_of.count, slot);
+    body->flags |= TD_BODY_QUARANTINED;
+    td_proxy_set_forget(&w->awake_shapes);
+    td_proxy_set_forget(&w->rest_shapes);
+    if (td_array_reserve(&w->memory, &w->events.quarantined, w->events.quarantined.count + 1)) {
+        *(thud_body_id *)td_at(&w->events.quarantined, w->events.quarantined.count++) =
+            td_body_handle(w, index);
+    }
+    td_refuse(w, THUD_ERROR_INVALID, "a body became non-finite and is quarantined");
+}
+
+static void move(thud_world *w, int index, const float *delta)
+{
+    td_pose *pose = td_pose_at(w, index);
+    pose->center.x += td_length_from(w, delta[0]);
+    pose->center.y += td_length_from(w, delta[1]);
+    if (delta[2] != 0.0f) {
+        pose->angle += td_angle_between(delta[2]);
+        td_angle_turn(pose->angle, &pose->c, &pose->s);
+    }
+}
+
+bool td_finalize_reserve(thud_world *w)
+{
+    return td_array_reserve(&w->memory, &w->scratch.fast, w->body_of.count) &&
+           td_array_reserve(&w->memory, &w->scratch.odd, w->body_of.count);
+}
+
+void td_finalize(thud_world *w)
+{
+    w->idle_bodies = w->drowsy_bodies = 0;
+    w->scratch.fast.count = w->scratch.odd.count = 0;
+    TD_PICK_WIDE(w, td_finalize_bodies)(w);
+    /* From the last slot down, since a body that leaves its slot gives it to the last one. */
+    for (int i = w->scratch.odd.count - 1; i >= 0; i--) {
+        int slot = *(int *)td_at(&w->scratch.odd, i), index = *(int *)td_at(&w->body_of, slot);
+        const float *delta = td_row(&w->delta, slot), *reach = td_row(&w->reach, slot);
+        if (!row_finite(td_row(&w->velocity, slot)) || !row_finite(delta)) {
+            quarantine(w, index);
+            continue;
+        }
+        move(w, index, delta);
+        td_body_place_shapes(w, index);
+        if (w->detections[TD_RANK_CONTINUOUS] && td_row(&w->velocity, slot)[3] > 0.0f &&
+            delta[0] * delta[0] + delta[1] * delta[1] > 0.25f * reach[0] * reach[0]) {
+            td_push_int(&w->scratch.fast, slot);
+        }
+    }
+}

@@ -1,0 +1,34 @@
+/* motion.h: the wide passes over awake bodies: velocities, positions, and the end of the step. */
+#ifndef TD_MOTION_H
+#define TD_MOTION_H
+
+#include "contact/block.h"
+
+/* rad/s: the fastest spin. Nothing needs it but that values stay finite: circles do not care how far
+ * they turn in a step, and free boxes turn by all of it. See thud_body_def. */
+#define TD_SPIN_MOST 1.0e8f
+
+typedef struct td_motion_context {
+    float (*velocity)[4], (*delta)[4], (*start)[4];
+    const float (*push)[4];    /* velocity that gravity and forces give in a substep */
+    const float (*damping)[2]; /* null where no body is damped */
+    int count;                 /* awake slots, the dummy included */
+    float h;                   /* of a substep */
+    float max_speed;           /* length/s */
+} td_motion_context;
+
+/* First substep: v += push. Later ones also add what the contacts gave in the substep before: with
+ * anchors fixed over the step that is exactly a warm start, at the price of two vector operations a
+ * body instead of a pass over the contacts. */
+typedef void td_integrate_velocity_fn(const td_motion_context *context, bool first);
+typedef void td_integrate_position_fn(const td_motion_context *context);
+struct thud_world;
+
+/* wide_finalize.c: the end of the step; fills scratch.odd, scratch.fast and the moved list, and sums up
+ * energies. */
+typedef void td_finalize_bodies_fn(struct thud_world *world);
+
+/* Kinetic energy of all awake bodies, to the bit as the finish sums it up. */
+typedef double td_kinetic_energy_fn(const struct thud_world *world);
+
+#endif

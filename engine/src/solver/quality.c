@@ -1,0 +1,143 @@
+/* quality.c: see quality.h. */
+#include "solver/quality.h"
+
+#include "state/body.h"
+#include "state/handles.h"
+#include "contact/lanes.h"
+
+static bool between(float x, float low, float high)
+{
+    return x >= low && x <= high;
+}
+
+const char *td_quality_error(const thud_quality *q)
+{
+    if (q->substeps < 1 || q->substeps > 64) {
+        return "quality: substeps is not in 1..64";
+    }
+    if (!between(q->contact_stiffness, 0.01f, 0.5f) || !between(q->contact_damping, 0.0f, 100.0f)) {
+        return "quality: contact_stiffness is not in [0.01, 0.5], or contact_damping in [0, 100]";
+    }
+    if (!q->detection) {
+        return "quality: detection is null";
+    }
+    if (!(q->sag_limit >= 0.0f) || q->island_limit < 1 || q->island_limit > TD_ISLAND_MOST || q->island_work < 0 ||
+        q->island_patience < 0 || q->island_patience > 1000) {
+        return "quality: a limit of islands is out of range";
+    }
+    return NULL;
+}
+
+const char *td_max_error_error(double max_error, const thud_quality *quality)
+{
+    if (!(max_error >= 0.0 && max_error <= 1e9)) {
+        return "max_error is not in [0, 1e9]";
+    }
+    return max_error > 0.0 && !quality->islands ? "max_error needs a quality with an island solver"
+                                                : NULL;
+}
+
+/* Bodies that chose nothing themselves follow the world. */
+static void detect_by(thud_world *w, const thud_detection *detection)
+{
+    /* What is solved directly is not pressed together, and has no need of a thick skin. */
+    bool direct = w->quality.islands && w->quality.sag_limit == 0.0f;
+    float skin = detection->rank < TD_RANK_BISECT ? 0.0f : (direct ? TD_MEET : TD_SKIN) * w->unit;
+    w->detections[detection->rank] = detection;
+    for (int i = 0; i < w->bodies.count; i++) {
+        td_body *body = td_body_at(w, i);
+        if (!(body->flags & TD_BODY_CHOSE)) {
+            body->detection = detection;
+        }
+    }
+    for (int i = 0; i < w->contacts.count && skin != w->skin; i++) {
+        const td_contact *contact = td_contact_at(w, i);
+        if (contact->live && contact->state == TD_TOUCHING) {
+            td_lane_renew(w, i);
+        }
+    }
+    w->skin = skin;
+}
+
+/* Impulses are those of one substep, and carry over into substeps of another length. */
+static void scale_impulses(thud_world *w, float scale)
+{
+    for (int i = 0; i < w->contacts.count; i++) {
+        const td_contact *contact = td_contact_at(w, i);
+        if (!contact->live || contact->state != TD_TOUCHING) {
+            continue;
+        }
+        td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
+        int lane = contact->slot % TD_LANES;
+        block->tangent_impulse[lane] *= scale;
+        for (int k = 0; k < td_form_points(w->pairs[contact->kind]->form); k++) {
+            block->point[k].normal_impulse[lane] *= scale;
+        }
+    }
+}
+
+int td_substeps_asked(const thud_world *w)
+{
+    return w->def.substeps ? w->def.substeps : w->quality.substeps;
+}
+
+void td_substeps_set(thud_world *w, int substeps)
+{
+    if (substeps != w->substeps) {
+        scale_impulses(w, (float)w->substeps / (float)substeps);
+        w->substeps = substeps;
+        w->push_stale = true;
+    }
+}
+
+void td_quality_take(thud_world *w, const thud_quality *quality)
+{
+    w->quality = *quality;
+    if (w->def.contact_stiffness != 0.0f) {
+        w->quality.contact_stiffness = w->def.contact_stiffness;
+    }
+    if (w->def.contact_damping != 0.0f) {
+        w->quality.contact_damping = w->def.contact_damping;
+    }
+    if (w->def.detection) {
+        w->quality.detection = w->def.detection;
+    }
+    td_substeps_set(w, td_substeps_asked(w));
+    detect_by(w, w->quality.detection);
+}
+
+thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality)
+{
+    TD_IN_OWN_MODE;
+    if (!w || !quality) {
+        return td_refuse(w, THUD_ERROR_NULL, "set quality: world or quality is null");
+    }
+    const char *error = td_quality_error(quality);
+    error = error ? error : td_max_error_error(w->def.max_error, quality);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set quality: not inside a callback");
+    }
+    td_quality_take(w, quality);
+    td_wake_all(w);
+    return THUD_OK;
+}
+
+thud_result thud_world_set_max_error(thud_world *w, double max_error)
+{
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    const char *error = td_max_error_error(max_error, &w->quality);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "set max_error: not inside a callback");
+    }
+    w->def.max_error = max_error;
+    td_wake_all(w);
+    return THUD_OK;
+}

@@ -1,0 +1,241 @@
+/* wide_finalize.c: the end of the step for bodies with one plain shape, eight at a time: pose, shape,
+ * idle time, and whether the shape left its fat bounds. Bodies that need more thought (several
+ * shapes, values that are not finite, motion beyond what the short ways can express) are listed in
+ * scratch.odd, for finalize.c to do one by one. */
+#include "solver/motion.h"
+#include "base/rotation.h"
+#include "solver/wide_energy.h"
+#include "state/world.h"
+
+#include <stddef.h>
+
+/* As td_angle_turn, the same operations in the same order. */
+TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s)
+{
+    u8 quarter = (angle + 0x20000000u) >> 30;
+    f8 x = __builtin_convertvector((i8)(angle - (quarter << 30)), f8) *
+           f8_all((float)TD_RADIANS_A_QUANTUM);
+    f8 xx = x * x, one = f8_all(1.0f);
+    f8 sine = x + x * xx * (TD_SIN3 + xx * (TD_SIN5 + xx * (TD_SIN7 + xx * TD_SIN9)));
+    f8 cosine = one + xx * (TD_COS2 + xx * (TD_COS4 + xx * (TD_COS6 + xx * TD_COS8)));
+    i8 odd = (i8)((quarter & 1u) == 1u);
+    *c = f8_flip(f8_pick(odd, sine, cosine), (i8)(((quarter + 1u) & 2u) == 2u));
+    *s = f8_flip(f8_pick(odd, cosine, sine), (i8)((quarter & 2u) == 2u));
+}
+
+/* Angle quanta in |radians| < pi / 2. */
+TD_INLINE u8 quanta_of(f8 radians)
+{
+    d4 low = __builtin_convertvector(__builtin_shufflevector(radians, radians, 0, 1, 2, 3), d4);
+    d4 high = __builtin_convertvector(__builtin_shufflevector(radians, radians, 4, 5, 6, 7), d4);
+    low = low * (1.0 / TD_RADIANS_A_QUANTUM) + TD_ROUND_SHIFT;
+    high = high * (1.0 / TD_RADIANS_A_QUANTUM) + TD_ROUND_SHIFT;
+    i4 a = __builtin_convertvector((l4)low, i4), b = __builtin_convertvector((l4)high, i4);
+    return (u8)__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+static void list_lanes(td_array *list, const int32_t *values, unsigned bits)
+{
+    for (; bits; bits &= bits - 1) {
+        td_push_int(list, values[__builtin_ctz(bits)]);
+    }
+}
+
+/* Adds to the time at rest, or starts it over. Kinematic bodies never rest while they move. */
+TD_INLINE void count_idle(thud_world *w, int slot, const td_rows *v, f8 rim, i8 here)
+{
+    f8 still = f8_all(TD_SLEEP_SPEED * w->unit), dt = f8_all((float)w->def.time_step);
+    float *at = td_row(&w->idle, slot);
+    i8 rests = (v->x * v->x + v->y * v->y < still * still) & (f8_abs(v->z) * rim < still);
+    f8 idle = f8_keep(rests, f8_load(at) + dt);
+    __builtin_memcpy(at, &idle, sizeof idle);
+    w->idle_bodies +=
+        __builtin_popcount(i8_bits(here & (idle >= f8_all(TD_SLEEP_TIME))));
+    w->drowsy_bodies +=
+        __builtin_popcount(i8_bits(here & (idle + dt >= f8_all(TD_SLEEP_TIME))));
+}
+
+/* Tight bounds of eight shapes against their fat ones. */
+typedef struct bounds8 {
+    i8 min_x, min_y, max_x, max_y;
+} bounds8;
+
+TD_INLINE i8 wrap_add(i8 a, i8 b)
+{
+    return (i8)((u8)a + (u8)b);
+}
+
+/* `shape` holds c, s and half extents; what does not turn has c = 1 and s = 0. */
+TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse)
+{
+    f8 ca = f8_abs(shape->x), sa = f8_abs(shape->y);
+    f8 hx = ca * shape->z + sa * shape->w, hy = sa * shape->z + ca * shape->w;
+    i8 half_x = __builtin_convertvector(hx * to_coarse, i8) + i8_all(2);
+    i8 half_y = __builtin_convertvector(hy * to_coarse, i8) + i8_all(2);
+    return (bounds8){i8_wrap_sub(x, half_x), i8_wrap_sub(y, half_y),
+                     wrap_add(x, half_x + i8_all(1)), wrap_add(y, half_y + i8_all(1))};
+}
+
+/* A shape that left its fat bounds goes onto the moved list and gets new ones. */
+TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat)
+{
+    td_bounds *bounds = td_fat_at(w, shape);
+    uint8_t *marks = td_marks_at(w, shape);
+    if (!(*marks & TD_MARK_MOVED)) {
+        *(td_bounds *)td_at(&w->was, shape) = *bounds;
+        *marks |= TD_MARK_MOVED;
+        td_push_int(&w->moved, shape);
+    }
+    __builtin_memcpy(bounds, &fat, sizeof fat);
+}
+
+/* Four floats of each record, whatever they stand for. */
+TD_INLINE td_rows load_eight(const void *const records[TD_LANES], size_t offset)
+{
+    const float *r[TD_LANES];
+    for (int i = 0; i < TD_LANES; i++) {
+        r[i] = (const float *)(const void *)((const char *)records[i] + offset);
+    }
+    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+}
+
+TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows v)
+{
+    f4 r[TD_LANES];
+    td_turn_back(v, r);
+    for (int i = 0; i < TD_LANES; i++) {
+        __builtin_memcpy((char *)records[i] + offset, &r[i], sizeof r[i]);
+    }
+}
+
+/* Adds the motion of eight bodies to their places; returns those in bounds quanta, x and y. */
+TD_INLINE td_rows move_eight(const thud_world *w, int first, void *const poses[TD_LANES],
+                             void *const proxies[TD_LANES])
+{
+    f4 coarse[TD_LANES];
+    for (int i = 0; i < TD_LANES; i++) {
+        const float *delta = td_row(&w->delta, first + i);
+        d2 quanta = {(double)delta[0], (double)delta[1]};
+        l2 center, moved = (l2)(quanta * w->to_fixed + TD_ROUND_SHIFT) - TD_ROUND_BITS;
+        __builtin_memcpy(&center, poses[i], sizeof center);
+        center = (l2)((v2)center + (v2)moved); /* odd ones, to the spare pose, may wrap around */
+        __builtin_memcpy(poses[i], &center, sizeof center);
+        __builtin_memcpy(proxies[i], &center, sizeof center);
+        /* The low halves hold x and y; the sign does not reach them. */
+        coarse[i] = (f4)((v2)center >> TD_COARSE_SHIFT);
+    }
+    f8 r[4];
+    for (int i = 0; i < 4; i++) {
+        r[i] = __builtin_shufflevector(coarse[i], coarse[i + 4], 0, 1, 2, 3, 4, 5, 6, 7);
+    }
+    return td_turn(r[0], r[1], r[2], r[3]);
+}
+
+/* Poses and shapes of the lanes in `bits`, whose slots begin at `first`. The other lanes do the same
+ * to records that nobody reads. */
+TD_INLINE void place_lanes(thud_world *w, int first, f8 turn, unsigned bits)
+{
+    const int32_t *bodies = (const int32_t *)w->body_of.data + first;
+    const int32_t *lone = (const int32_t *)w->lone.data + first;
+    td_pose spare_pose = {0};
+    td_shape_proxy spare_proxy = {0};
+    void *poses[TD_LANES], *proxies[TD_LANES];
+    for (int i = 0; i < TD_LANES; i++) {
+        bool here = bits >> i & 1;
+        poses[i] = here ? (void *)((td_pose *)w->pose.data + bodies[i]) : &spare_pose;
+        proxies[i] = here ? (void *)((td_shape_proxy *)w->proxy.data + lone[i]) : &spare_proxy;
+    }
+    td_rows coarse = move_eight(w, first, poses, proxies);
+    td_rows tail = load_eight((const void *const *)poses, offsetof(td_pose, angle));
+    u8 angle = (u8)tail.x + quanta_of(turn);
+    tail.x = (f8)angle;
+    turn_of(angle, &tail.y, &tail.z);
+    store_eight(poses, offsetof(td_pose, angle), tail);
+
+    td_rows shape = load_eight((const void *const *)proxies, offsetof(td_shape_proxy, c));
+    td_rows rest = load_eight((const void *const *)proxies, offsetof(td_shape_proxy, x));
+    i8 turns = rest.z > f8_all(0.0f);
+    shape.x = f8_pick(turns, tail.y, f8_all(1.0f));
+    shape.y = f8_keep(turns, tail.z);
+    store_eight(proxies, offsetof(td_shape_proxy, c), shape);
+
+    td_rows fat = load_eight((const void *const *)proxies, offsetof(td_shape_proxy, fat));
+    bounds8 tight = tight_bounds((i8)coarse.x, (i8)coarse.z, &shape, f8_all((float)w->to_coarse));
+    i8 outside = i8_wrap_sub(tight.min_x, (i8)fat.x) | i8_wrap_sub(tight.min_y, (i8)fat.y) |
+                 i8_wrap_sub((i8)fat.z, tight.max_x) | i8_wrap_sub((i8)fat.w, tight.max_y);
+    unsigned left = bits & i8_bits(outside);
+    if (left) {
+        i8 margin = (i8)rest.w;
+        f4 grown[TD_LANES];
+        td_turn_back((td_rows){(f8)i8_wrap_sub(tight.min_x, margin),
+                               (f8)i8_wrap_sub(tight.min_y, margin),
+                               (f8)wrap_add(tight.max_x, margin),
+                               (f8)wrap_add(tight.max_y, margin)}, grown);
+        w->awake_shapes.valid = false;
+        for (; left; left &= left - 1) {
+            int i = __builtin_ctz(left);
+            renew_bounds(w, lone[i], grown[i]);
+        }
+    }
+}
+
+td_finalize_bodies_fn TD_WIDE(td_finalize_bodies);
+void TD_WIDE(td_finalize_bodies)(thud_world *w)
+{
+    const float(*velocity)[4] = w->velocity.data, (*delta)[4] = w->delta.data;
+    const float *mass = w->mass.data, *inertia = w->inertia.data, *weight = w->weight.data;
+    i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
+    f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
+    d4 kinetic = {0}, gained = {0};
+    int count = w->body_of.count;
+    for (int first = 0; first < count; first += TD_LANES) {
+        td_rows v = td_load_rows(velocity + first), d = td_load_rows(delta + first);
+        f8 reach0 = f8_load(td_row(&w->reach, first));
+        f8 reach1 = f8_load(td_row(&w->reach, first) + TD_LANES);
+        f8 core = __builtin_shufflevector(reach0, reach1, 0, 2, 4, 6, 8, 10, 12, 14);
+        f8 rim = __builtin_shufflevector(reach0, reach1, 1, 3, 5, 7, 9, 11, 13, 15);
+        i8 slot = i8_all(first) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
+        f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
+        i8 finite = sum - sum == zero;
+        f8 fallen = f8_load(weight + first) * (gx * d.x + gy * d.y);
+        f8 moving = td_kinetic_of(&v, mass + first, inertia + first);
+        kinetic += d4_folded(f8_keep(here & finite, moving));
+        gained += d4_folded(f8_keep(here & finite, fallen));
+        if (w->def.sleeping) {
+            count_idle(w, first, &v, rim, here & finite);
+        }
+        i8 easy = here & finite & (i8_load((const int32_t *)td_at(&w->lone, first)) >= i8_all(0)) &
+                  (f8_abs(d.x) < far) & (f8_abs(d.y) < far) & (f8_abs(d.z) < f8_all(1.5f));
+        int32_t slots[TD_LANES];
+        __builtin_memcpy(slots, &slot, sizeof slots);
+        list_lanes(&w->scratch.odd, slots, i8_bits(here & ~easy));
+        if (w->detections[TD_RANK_CONTINUOUS]) {
+            i8 fast = easy & (v.w > zero) & (d.x * d.x + d.y * d.y > f8_all(0.25f) * core * core);
+            list_lanes(&w->scratch.fast, slots, i8_bits(fast));
+        }
+        unsigned bits = i8_bits(easy);
+        if (bits) {
+            place_lanes(w, first, d.z, bits);
+        }
+    }
+    w->kinetic = td_total_of(kinetic);
+    w->kinetic_stale = false;
+    w->errors.energy_change += w->kinetic - td_total_of(gained);
+}
+
+td_kinetic_energy_fn TD_WIDE(td_kinetic_energy);
+double TD_WIDE(td_kinetic_energy)(const thud_world *w)
+{
+    const float(*velocity)[4] = w->velocity.data;
+    const float *mass = w->mass.data, *inertia = w->inertia.data;
+    i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    d4 kinetic = {0};
+    int count = w->body_of.count;
+    for (int first = 0; first < count; first += TD_LANES) {
+        td_rows v = td_load_rows(velocity + first);
+        i8 slot = i8_all(first) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
+        kinetic += d4_folded(f8_keep(here, td_kinetic_of(&v, mass + first, inertia + first)));
+    }
+    return td_total_of(kinetic);
+}

@@ -1,0 +1,16 @@
+/* wide_solve_two.c: solver passes for contacts of two points: boxes on boxes and on terrain. */
+#include "solver/wide_bounce.h"
+
+TD_PASS(warm_start_moving, warm_start_blocks, 2, ARMS_ALL, false)
+TD_PASS(warm_start_fixed, warm_start_blocks, 2, ARMS_ALL, true)
+TD_PASS(solve_moving, solve_blocks, 2, ARMS_ALL, false)
+TD_PASS(solve_fixed, solve_blocks, 2, ARMS_ALL, true)
+TD_PASS(relax_moving, relax_blocks, 2, ARMS_ALL, false)
+TD_PASS(relax_fixed, relax_blocks, 2, ARMS_ALL, true)
+TD_PASS(bounce, bounce_blocks, 2)
+
+extern const td_solve_ops TD_WIDE(td_solve_two);
+const td_solve_ops TD_WIDE(td_solve_two) = {{warm_start_moving, warm_start_fixed},
+                                            {solve_moving, solve_fixed},
+                                            {relax_moving, relax_fixed},
+                                            bounce};

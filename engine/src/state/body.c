@@ -1,0 +1,302 @@
+/* body.c: making, destroying, weighing and reading bodies. Nothing here reaches into contacts or
+ * the broadphase: the change list does, at the start of the next step. */
+#include "state/body.h"
+
+#include "state/awake.h"
+#include "state/handles.h"
+#include "base/rotation.h"
+
+#include <string.h>
+
+thud_body_def thud_default_body_def(void)
+{
+    return (thud_body_def){.gravity_scale = 1.0f, .may_sleep = true};
+}
+
+static bool place_valid(const thud_world *w, thud_pos p)
+{
+    double most = TD_PLACE_MAX * (double)w->unit;
+    return p.x >= -most && p.x <= most && p.y >= -most && p.y <= most;
+}
+
+static const char *def_error(const thud_world *w, const thud_body_def *def)
+{
+    if ((int)def->kind < 0 || def->kind >= THUD_BODY_KIND_COUNT) {
+        return "body def: kind is none of static, kinematic, dynamic";
+    }
+    if (!place_valid(w, def->position)) {
+        return "body def: position is not finite or further than 1e9 length scales";
+    }
+    if (!(def->angle >= -1e6 && def->angle <= 1e6)) {
+        return "body def: angle is not finite or beyond 1e6";
+    }
+    if (!td_finite((double)def->velocity.x) || !td_finite((double)def->velocity.y) ||
+        !td_finite((double)def->angular_velocity)) {
+        return "body def: velocity is not finite";
+    }
+    if (def->kind == THUD_STATIC && !(def->velocity.x == 0.0f && def->velocity.y == 0.0f &&
+                                      def->angular_velocity == 0.0f)) {
+        return "body def: a static body has no velocity; what moves at one is kinematic";
+    }
+    if (!td_finite((double)def->gravity_scale)) {
+        return "body def: gravity_scale is not finite";
+    }
+    if (!(def->linear_damping >= 0.0f && def->angular_damping >= 0.0f) ||
+        !td_finite((double)def->linear_damping) || !td_finite((double)def->angular_damping)) {
+        return "body def: damping is negative or not finite";
+    }
+    return NULL;
+}
+
+void td_wake_all(thud_world *w)
+{
+    for (int i = 0; i < w->bodies.count; i++) {
+        if (td_body_at(w, i)->flags & TD_BODY_LIVE) {
+            td_body_mark(w, i, TD_CHANGE_WAKE);
+        }
+    }
+    w->push_stale = true;
+}
+
+thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_id *out)
+{
+    TD_IN_OWN_MODE;
+    if (!w || !def) {
+        return td_refuse(w, THUD_ERROR_NULL, "body create: world or def is null");
+    }
+    const char *error = def_error(w, def);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    if (!td_slots_reserve(&w->memory, &w->bodies, 1) ||
+        !td_array_reserve(&w->memory, &w->pose, td_slots_capacity(&w->bodies)) ||
+        !td_array_reserve(&w->memory, &w->changed, td_slots_capacity(&w->bodies)) ||
+        !td_awake_reserve(w, 1)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "body create: out of memory");
+    }
+    int index = td_slots_take(&w->bodies);
+    td_body *body = td_body_at(w, index);
+    *body = (td_body){
+        .generation = body->generation,
+        .kind = (uint8_t)def->kind,
+        .flags = (uint8_t)(TD_BODY_LIVE | (def->fixed_rotation ? TD_BODY_FIXED : 0) |
+                           (def->may_sleep ? 0 : TD_BODY_RESTLESS) |
+                           (def->detection ? TD_BODY_CHOSE : 0)),
+        .awake = TD_NONE,
+        .velocity = {def->velocity.x, def->velocity.y, def->angular_velocity},
+        .first_shape = TD_NONE,
+        .first_contact = TD_NONE,
+        .gravity_scale = def->gravity_scale,
+        .linear_damping = def->linear_damping,
+        .angular_damping = def->angular_damping,
+        .detection = def->detection ? def->detection : w->quality.detection,
+        .user_data = def->user_data,
+    };
+    td_pose *pose = td_pose_at(w, index);
+    pose->center = td_place_from(w, def->position);
+    pose->angle = td_angle_from(def->angle);
+    td_angle_turn(pose->angle, &pose->c, &pose->s);
+    td_body_weigh(w, index);
+    td_body_mark(w, index, TD_CHANGE_ENTER);
+    if (out) {
+        *out = td_body_handle(w, index);
+    }
+    return THUD_OK;
+}
+
+void td_body_mark(thud_world *w, int index, td_change_kind change)
+{
+    td_body *body = td_body_at(w, index);
+    if (!body->changes) {
+        td_push_int(&w->changed, index);
+    }
+    body->changes |= (uint8_t)change;
+    w->kinetic_stale = true; /* its velocity may have been edited */
+}
+
+thud_result thud_body_destroy(thud_world *w, thud_body_id id)
+{
+    int index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result == THUD_OK) {
+        td_body *body = td_body_at(w, index);
+        body->flags &= (uint8_t)~TD_BODY_LIVE;
+        for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+            td_shape_at(w, i)->flags &= (uint8_t)~TD_SHAPE_LIVE;
+        }
+        td_body_mark(w, index, TD_CHANGE_LEAVE);
+    }
+    return result;
+}
+
+bool thud_body_is_valid(const thud_world *w, thud_body_id id)
+{
+    return w && id.index1 > 0 && id.index1 <= (uint32_t)w->bodies.count &&
+           (td_body_at(w, (int)id.index1 - 1)->flags & TD_BODY_LIVE) &&
+           td_tag(w, td_body_at(w, (int)id.index1 - 1)->generation) == id.generation;
+}
+
+/* ---- mass ---- */
+
+/* Area, and second moment of area about the shape's own centre. */
+static void area_of(const td_shape *shape, double *area, double *moment)
+{
+    double x = (double)shape->half_x, y = (double)shape->half_y;
+    if (shape->kind == THUD_CIRCLE) {
+        *area = TD_PI * x * x;
+        *moment = *area * x * x / 2.0;
+    } else if (shape->kind == THUD_TERRAIN) {
+        *area = *moment = 0.0;
+    } else {
+        *area = 4.0 * x * y;
+        *moment = *area * (x * x + y * y) / 3.0;
+    }
+}
+
+static float reach_of(const td_shape *shape)
+{
+    return shape->kind == THUD_CIRCLE
+               ? shape->half_x
+               : __builtin_sqrtf(shape->half_x * shape->half_x + shape->half_y * shape->half_y);
+}
+
+/* Moves the centre of mass to (x, y) of the body's frame while the origin stays where it is. */
+static void set_center(thud_world *w, int index, double x, double y)
+{
+    td_body *body = td_body_at(w, index);
+    td_pose *pose = td_pose_at(w, index);
+    td_position origin = td_body_origin(w, index);
+    body->center_x = (float)x;
+    body->center_y = (float)y;
+    pose->center = origin;
+    td_position offset = td_body_origin(w, index);
+    pose->center = (td_position){2 * origin.x - offset.x, 2 * origin.y - offset.y};
+}
+
+void td_body_weigh(thud_world *w, int index)
+{
+    td_body *body = td_body_at(w, index);
+    double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
+    bool dynamic = body->kind == THUD_DYNAMIC;
+    if (body->aabbs) {
+        td_body_velocity(w, body)[2] = 0.0f; /* it keeps its axes */
+    }
+    for (int i = body->first_shape; dynamic && i != TD_NONE; i = td_shape_at(w, i)->next) {
+        const td_shape *shape = td_shape_at(w, i);
+        double area, moment;
+        double density = shape->flags & TD_SHAPE_WAITS ? 0.0 : (double)shape->density;
+        double x = (double)shape->x, y = (double)shape->y;
+        area_of(shape, &area, &moment);
+        mass += density * area;
+        mx += density * area * x;
+        my += density * area * y;
+        inertia += density * (moment + area * (x * x + y * y));
+    }
+    double cx = mass > 0.0 ? mx / mass : 0.0, cy = mass > 0.0 ? my / mass : 0.0;
+    inertia -= mass * (cx * cx + cy * cy);
+    if (dynamic && !(mass > 0.0)) {
+        mass = 1.0; /* without shapes or density it still has to fall */
+    }
+    bool turns = dynamic && inertia > 0.0 && !(body->flags & TD_BODY_FIXED) && !body->aabbs;
+    body->mass = (float)mass;
+    body->inertia = turns ? (float)inertia : 0.0f;
+    body->inv_mass = dynamic ? (float)(1.0 / mass) : 0.0f;
+    body->inv_inertia = turns ? (float)(1.0 / inertia) : 0.0f;
+    if ((float)cx != body->center_x || (float)cy != body->center_y) {
+        set_center(w, index, cx, cy);
+    }
+    if (body->kind == THUD_STATIC) {
+        return;
+    }
+    body->core = body->shape_count ? 3.0e38f : 0.0f;
+    body->rim = 0.0f;
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        const td_shape *shape = td_shape_at(w, i);
+        float x = shape->x - body->center_x, y = shape->y - body->center_y;
+        float least = shape->kind == THUD_CIRCLE ? shape->half_x
+                                                 : td_min_float(shape->half_x, shape->half_y);
+        body->core = td_min_float(body->core, least);
+        body->rim = td_max_float(body->rim, __builtin_sqrtf(x * x + y * y) + reach_of(shape));
+    }
+}
+
+/* ---- reading ---- */
+
+td_position td_body_origin(const thud_world *w, int index)
+{
+    const td_body *body = td_body_at(w, index);
+    const td_pose *pose = td_pose_at(w, index);
+    float x = pose->c * body->center_x - pose->s * body->center_y;
+    float y = pose->s * body->center_x + pose->c * body->center_y;
+    return (td_position){pose->center.x - td_length_from(w, x), pose->center.y - td_length_from(w, y)};
+}
+
+thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state *out)
+{
+    int index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK || !out) {
+        return result;
+    }
+    const td_body *body = td_body_at(w, index);
+    const td_pose *pose = td_pose_at(w, index);
+    const float *velocity = td_body_velocity(w, body);
+    *out = (thud_body_state){
+        .kind = (thud_body_kind)body->kind,
+        .position = td_place_to(w, td_body_origin(w, index)),
+        .center = td_place_to(w, pose->center),
+        .angle = td_angle_radians(pose->angle),
+        .cosine = pose->c,
+        .sine = pose->s,
+        .velocity = {velocity[0], velocity[1]},
+        .angular_velocity = velocity[2],
+        .mass = body->mass,
+        .inertia = body->inertia,
+        .gravity_scale = body->gravity_scale,
+        .awake = body->awake > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)),
+        .enabled = !(body->flags & TD_BODY_DISABLED),
+        .quarantined = (body->flags & TD_BODY_QUARANTINED) != 0,
+        .user_data = body->user_data,
+        .shape_count = body->shape_count,
+    };
+    if (body->kind == THUD_STATIC || !out->enabled) {
+        out->awake = false;
+    }
+    return THUD_OK;
+}
+
+thud_result thud_body_shapes(const thud_world *w, thud_body_id id, thud_shape_id *out, int capacity,
+                             int *count)
+{
+    int index, n = 0;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (capacity < 0) {
+        return td_refuse(w, THUD_ERROR_INVALID, "body shapes: capacity is negative");
+    }
+    for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        if (!(td_shape_at(w, i)->flags & TD_SHAPE_LIVE)) {
+            continue;
+        }
+        if (out && n < capacity) {
+            out[n] = td_shape_handle(w, i);
+        }
+        n++;
+    }
+    if (count) {
+        *count = n;
+    }
+    return THUD_OK;
+}
+
+thud_result thud_body_set_user_data(thud_world *w, thud_body_id id, uint64_t user_data)
+{
+    int index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result == THUD_OK) {
+        td_body_at(w, index)->user_data = user_data;
+    }
+    return result;
+}

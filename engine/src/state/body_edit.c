@@ -1,0 +1,251 @@
+/* body_edit.c: edits of a body's motion. Outside callbacks they act at once on the body's own
+ * record and leave the rest to the change list; inside, they wait for the next step. */
+#include "state/awake.h"
+#include "state/body.h"
+#include "state/handles.h"
+#include "base/rotation.h"
+
+static void transform(thud_world *w, int index, const double v[4])
+{
+    td_body *body = td_body_at(w, index);
+    td_pose *pose = td_pose_at(w, index);
+    pose->angle = td_angle_from(v[2]);
+    td_angle_turn(pose->angle, &pose->c, &pose->s);
+    td_position origin = td_place_from(w, (thud_pos){v[0], v[1]});
+    float x = pose->c * body->center_x - pose->s * body->center_y;
+    float y = pose->s * body->center_x + pose->c * body->center_y;
+    pose->center = (td_position){origin.x + td_length_from(w, x), origin.y + td_length_from(w, y)};
+    td_body_mark(w, index, TD_CHANGE_PLACE);
+}
+
+static void set_velocity(thud_world *w, int index, const double v[4])
+{
+    td_body *body = td_body_at(w, index);
+    float *velocity = td_body_velocity(w, body);
+    velocity[0] = (float)v[0];
+    velocity[1] = (float)v[1];
+    velocity[2] = body->kind == THUD_DYNAMIC && body->inv_inertia == 0.0f ? 0.0f : (float)v[2];
+    td_body_mark(w, index, TD_CHANGE_WAKE);
+}
+
+static void impulse(thud_world *w, int index, const double v[4])
+{
+    td_body *body = td_body_at(w, index);
+    const td_pose *pose = td_pose_at(w, index);
+    float *velocity = td_body_velocity(w, body);
+    td_position point = td_place_from(w, (thud_pos){v[2], v[3]});
+    float x = (float)(point.x - pose->center.x) * w->quantum;
+    float y = (float)(point.y - pose->center.y) * w->quantum;
+    velocity[0] += body->inv_mass * (float)v[0];
+    velocity[1] += body->inv_mass * (float)v[1];
+    velocity[2] += body->inv_inertia * (x * (float)v[1] - y * (float)v[0]);
+    td_body_mark(w, index, TD_CHANGE_WAKE);
+}
+
+static void force(thud_world *w, int index, const double v[4])
+{
+    td_body *body = td_body_at(w, index);
+    body->force[0] += (float)v[0];
+    body->force[1] += (float)v[1];
+    body->force[2] += (float)v[2];
+    w->push_stale = true;
+    td_body_mark(w, index, TD_CHANGE_WAKE);
+}
+
+static void set_awake(thud_world *w, int index, const double v[4])
+{
+    td_body_mark(w, index, v[0] != 0.0 ? TD_CHANGE_WAKE : TD_CHANGE_SLEEP);
+}
+
+static void set_enabled(thud_world *w, int index, const double v[4])
+{
+    td_body *body = td_body_at(w, index);
+    uint8_t flags = (uint8_t)(body->flags & ~TD_BODY_DISABLED);
+    flags |= v[0] != 0.0 ? 0 : TD_BODY_DISABLED;
+    if (flags != body->flags) {
+        body->flags = flags;
+        td_body_mark(w, index, TD_CHANGE_ENABLE);
+    }
+}
+
+static void add_shape(thud_world *w, int index, const double v[4])
+{
+    td_shape_at(w, (int)v[0])->flags &= (uint8_t)~TD_SHAPE_WAITS;
+    if (td_body_at(w, index)->kind != THUD_STATIC) {
+        td_body_weigh(w, index);
+    }
+}
+
+static void act(thud_world *w, int index, td_deferred_kind what, const double v[4])
+{
+    static void (*const acts[])(thud_world *, int, const double[4]) = {
+        transform, set_velocity, impulse, force, set_awake, set_enabled, add_shape};
+    if (what == TD_PUT_SHAPE || !(td_body_at(w, index)->flags & TD_BODY_QUARANTINED)) {
+        acts[what](w, index, v);
+    }
+}
+
+void td_deferred_apply(thud_world *w)
+{
+    for (int i = 0; i < w->deferred.count; i++) {
+        const td_deferred_edit *edit = td_at(&w->deferred, i);
+        const td_body *body = td_body_at(w, edit->body);
+        if ((body->flags & TD_BODY_LIVE) && body->generation == edit->generation) {
+            act(w, edit->body, (td_deferred_kind)edit->what, edit->value);
+        }
+    }
+    w->deferred.count = 0;
+}
+
+bool td_deferred_reserve(thud_world *w)
+{
+    return !w->locked || td_array_reserve(&w->memory, &w->deferred, w->deferred.count + 1);
+}
+
+void td_deferred_add(thud_world *w, int index, td_deferred_kind what, const double v[4])
+{
+    *(td_deferred_edit *)td_at(&w->deferred, w->deferred.count++) =
+        (td_deferred_edit){.body = index,
+                     .generation = td_body_at(w, index)->generation,
+                     .what = (int32_t)what,
+                     .value = {v[0], v[1], v[2], v[3]}};
+}
+
+bool td_deferred_turns(const thud_world *w, int index)
+{
+    bool turns = false, kinematic = td_body_at(w, index)->kind == THUD_KINEMATIC;
+    for (int i = 0; i < w->deferred.count; i++) {
+        const td_deferred_edit *edit = td_at(&w->deferred, i);
+        turns |= edit->body == index && edit->value[2] != 0.0 &&
+                 (edit->what == TD_PUT_TRANSFORM || (edit->what == TD_PUT_VELOCITY && kinematic));
+    }
+    return turns;
+}
+
+static thud_result edit(thud_world *w, int index, td_deferred_kind what, const double v[4])
+{
+    if (!w->locked) {
+        act(w, index, what, v);
+        return THUD_OK;
+    }
+    if (!td_deferred_reserve(w)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "body edit: out of memory");
+    }
+    td_deferred_add(w, index, what, v);
+    return THUD_OK;
+}
+
+static thud_result check_dynamic(const thud_world *w, int index, const char *message)
+{
+    return td_body_at(w, index)->kind == THUD_DYNAMIC ? THUD_OK
+                                                      : td_refuse(w, THUD_ERROR_INVALID, message);
+}
+
+thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos position, double angle)
+{
+    TD_IN_OWN_MODE;
+    int index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    double most = TD_PLACE_MAX * (double)w->unit;
+    if (!(position.x >= -most && position.x <= most && position.y >= -most && position.y <= most &&
+          angle >= -1e6 && angle <= 1e6)) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "set transform: position or angle is not finite or out of range");
+    }
+    const td_body *body = td_body_at(w, index);
+    bool upright = body->aabbs > 0;
+    for (int i = body->first_shape; i != TD_NONE && !upright; i = td_shape_at(w, i)->next) {
+        upright = td_shape_at(w, i)->kind == THUD_TERRAIN;
+    }
+    if (upright && angle != 0.0) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "set transform: a body with an AABB or terrain keeps angle 0");
+    }
+    return edit(w, index, TD_PUT_TRANSFORM, (double[4]){position.x, position.y, angle, 0.0});
+}
+
+thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 velocity,
+                                   float angular_velocity)
+{
+    TD_IN_OWN_MODE;
+    int index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!td_finite((double)velocity.x) || !td_finite((double)velocity.y) ||
+        !td_finite((double)angular_velocity)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set velocity: not finite");
+    }
+    const td_body *body = td_body_at(w, index);
+    if (body->kind == THUD_STATIC) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set velocity: the body is static");
+    }
+    if (body->kind == THUD_KINEMATIC && body->aabbs && angular_velocity != 0.0f) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set velocity: a body with an AABB cannot turn");
+    }
+    return edit(w, index, TD_PUT_VELOCITY,
+                (double[4]){(double)velocity.x, (double)velocity.y, (double)angular_velocity, 0.0});
+}
+
+thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 value, thud_pos point)
+{
+    TD_IN_OWN_MODE;
+    int index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    double most = TD_PLACE_MAX * (double)w->unit;
+    if (!td_finite((double)value.x) || !td_finite((double)value.y) ||
+        !(point.x >= -most && point.x <= most && point.y >= -most && point.y <= most)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "apply impulse: not finite or out of range");
+    }
+    result = check_dynamic(w, index, "apply impulse: the body is not dynamic");
+    return result != THUD_OK
+               ? result
+               : edit(w, index, TD_PUT_IMPULSE,
+                      (double[4]){(double)value.x, (double)value.y, point.x, point.y});
+}
+
+thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque)
+{
+    TD_IN_OWN_MODE;
+    int index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!td_finite((double)value.x) || !td_finite((double)value.y) || !td_finite((double)torque)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "apply force: not finite");
+    }
+    result = check_dynamic(w, index, "apply force: the body is not dynamic");
+    return result != THUD_OK
+               ? result
+               : edit(w, index, TD_PUT_FORCE,
+                      (double[4]){(double)value.x, (double)value.y, (double)torque, 0.0});
+}
+
+thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake)
+{
+    int index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    result = check_dynamic(w, index, "set awake: the body is not dynamic");
+    return result != THUD_OK ? result
+                             : edit(w, index, TD_PUT_AWAKE, (double[4]){awake ? 1.0 : 0.0});
+}
+
+thud_result thud_body_set_enabled(thud_world *w, thud_body_id id, bool enabled)
+{
+    int index;
+    thud_result result = td_find_body(w, id, &index);
+    return result != THUD_OK
+               ? result
+               : edit(w, index, TD_PUT_ENABLED, (double[4]){enabled ? 1.0 : 0.0});
+}

@@ -1,0 +1,265 @@
+/* changes.c: the first stage. Bodies on the change list enter, leave, wake, and get their shapes
+ * placed; whatever rested on them wakes. One body is done whole or not at all. */
+#include "state/awake.h"
+#include "state/body.h"
+#include "contact/contact.h"
+#include "contact/lanes.h"
+#include "contact/internal_edges.h"
+#include "state/shape.h"
+#include "api/step.h"
+
+#include <string.h>
+
+static int other_body(const thud_world *w, int edge)
+{
+    const td_contact *contact = td_contact_at(w, edge / 2);
+    return contact->body[1 - (edge & 1)];
+}
+
+/* Wakes every sleeping body that touches this one; what is in a sensor sleeps on, and is looked at
+ * again. */
+static bool wake_touching(thud_world *w, int body)
+{
+    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_contact *contact = td_contact_at(w, e / 2);
+        if (contact->kind == TD_PAIR_SENSOR) {
+            if (contact->state == TD_RESTING) {
+                td_contact_wait(w, e / 2);
+            }
+        } else if (contact->open && !td_wake(w, other_body(w, e))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Room for the end events of all its contacts. */
+static bool reserve_ends(thud_world *w, int body)
+{
+    int count = 0;
+    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        count++;
+    }
+    return td_contact_end_reserve(w, count);
+}
+
+/* All contacts of the body, or of one of its shapes. */
+static void destroy_contacts(thud_world *w, int body, int shape)
+{
+    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE;) {
+        int next = td_next_edge(w, e);
+        const td_contact *contact = td_contact_at(w, e / 2);
+        if (shape == TD_NONE || contact->shape_a == shape || contact->shape_b == shape) {
+            td_contact_destroy(w, e / 2);
+        }
+        e = next;
+    }
+}
+
+static void free_shape(thud_world *w, int index)
+{
+    td_shape *shape = td_shape_at(w, index);
+    if (shape->terrain != TD_NONE) {
+        td_terrain_record *record = td_slot_at(&w->terrains, shape->terrain);
+        td_array_free(&w->memory, &record->points);
+        record->shape = TD_NONE;
+        td_slots_give(&w->terrains, shape->terrain);
+    }
+    w->thinnest_stale = true;
+    w->mobile_sensors -= (shape->flags & TD_SHAPE_SENSOR) &&
+                         td_body_at(w, shape->body)->kind == THUD_DYNAMIC;
+    shape->flags = 0;
+    *td_marks_at(w, index) = 0;
+    shape->generation++;
+    td_slots_give(&w->shapes, index);
+}
+
+static void leave(thud_world *w, int index)
+{
+    td_body *body = td_body_at(w, index);
+    destroy_contacts(w, index, TD_NONE);
+    if (body->awake > 0) {
+        td_awake_remove(w, index);
+    }
+    for (int i = body->first_shape; i != TD_NONE;) {
+        int next = td_shape_at(w, i)->next;
+        free_shape(w, i);
+        i = next;
+    }
+    body->changes = 0;
+    body->flags = 0;
+    body->generation++;
+    td_slots_give(&w->bodies, index);
+}
+
+/* Destroyed shapes go, new ones get their place. */
+static void update_shapes(thud_world *w, int index)
+{
+    td_body *body = td_body_at(w, index);
+    for (int *link = &body->first_shape; *link != TD_NONE;) {
+        int i = *link;
+        if (td_shape_at(w, i)->flags & TD_SHAPE_LIVE) {
+            link = &td_shape_at(w, i)->next;
+            continue;
+        }
+        *link = td_shape_at(w, i)->next;
+        destroy_contacts(w, index, i);
+        free_shape(w, i);
+        body->shape_count--;
+    }
+    td_body_weigh(w, index);
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        td_shape_settle(w, i);
+    }
+    if (w->internal_edges && body->kind != THUD_STATIC) {
+        w->internal_edges->join(w, index);
+    }
+    td_awake_refresh(w, index);
+    for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        if (td_contact_at(w, e / 2)->state == TD_TOUCHING) {
+            td_lane_renew(w, e / 2);
+        }
+    }
+}
+
+/* A line that moved or changed has no pair in common with what it was. */
+static void renew_terrain(thud_world *w, int index)
+{
+    for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        if (td_shape_at(w, i)->kind == THUD_TERRAIN) {
+            destroy_contacts(w, index, i);
+            *td_marks_at(w, i) |= TD_MARK_FRESH;
+        }
+    }
+}
+
+/* Its shapes stay where the broadphase has them: nothing may pair with those of a disabled body, and all
+ * pairs of an enabled one are new. */
+static void change_enabled(thud_world *w, int index)
+{
+    td_body *body = td_body_at(w, index);
+    bool enabled = !(body->flags & TD_BODY_DISABLED);
+    destroy_contacts(w, index, TD_NONE);
+    if (!enabled && body->awake > 0) {
+        td_awake_remove(w, index);
+    } else if (enabled && body->awake < 0 && body->kind != THUD_STATIC) {
+        td_awake_add(w, index);
+    }
+    memset(body->force, 0, sizeof body->force);
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        *td_marks_at(w, i) |= TD_MARK_FRESH;
+    }
+    td_proxy_set_forget(&w->awake_shapes);
+    td_proxy_set_forget(&w->rest_shapes);
+}
+
+/* Contacts with segments that an edit of a line took away. */
+static void destroy_gone(thud_world *w, int index)
+{
+    for (int e = td_body_at(w, index)->first_contact; e != TD_NONE;) {
+        int next = td_next_edge(w, e);
+        if (td_contact_at(w, e / 2)->child == TD_NONE) {
+            td_contact_destroy(w, e / 2);
+        }
+        e = next;
+    }
+}
+
+/* What moves on from collision to collision is looked for as far as it goes in this step. */
+static void expect(thud_world *w, int index)
+{
+    const td_body *body = td_body_at(w, index);
+    if (body->awake < 0 || !body->detection->meet) {
+        return;
+    }
+    const float *v = td_row(&w->velocity, body->awake);
+    float h = (float)w->def.time_step;
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        td_shape_expect(w, i, v[0] * h, v[1] * h);
+    }
+}
+
+static bool apply(thud_world *w, int index)
+{
+    td_body *body = td_body_at(w, index);
+    int changes = body->changes;
+    int edits = TD_CHANGE_LEAVE | TD_CHANGE_SHAPES | TD_CHANGE_PLACE | TD_CHANGE_ENABLE;
+    if (!reserve_ends(w, index) || ((changes & edits) && w->internal_edges && !w->internal_edges->lose(w, index)) ||
+        ((changes & edits || body->kind == THUD_KINEMATIC) && !wake_touching(w, index)) ||
+        (changes != TD_CHANGE_SLEEP && !(changes & TD_CHANGE_LEAVE) && !td_wake(w, index))) {
+        return false;
+    }
+    body->changes = 0;
+    bool rests = body->awake < 0;
+    if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) && body->kind != THUD_STATIC &&
+        !(body->flags & TD_BODY_DISABLED)) {
+        td_awake_add(w, index);
+        rests = false;
+    }
+    if (changes & (edits | TD_CHANGE_ENTER)) {
+        td_proxy_set_forget(rests ? &w->rest_shapes : &w->awake_shapes);
+        w->rest_epoch += rests;
+    }
+    if (changes & TD_CHANGE_LEAVE) {
+        leave(w, index);
+        return true;
+    }
+    if (changes & TD_CHANGE_ENTER) {
+        /* Not before: a step that a callback interrupts has no room for another kind of detection. */
+        w->detections[body->detection->rank] = body->detection;
+    }
+    if (changes & TD_CHANGE_WAKE) {
+        destroy_gone(w, index);
+    }
+    if (changes & TD_CHANGE_SHAPES) {
+        update_shapes(w, index);
+    }
+    if (changes & TD_CHANGE_PLACE) {
+        renew_terrain(w, index);
+    }
+    if (changes & TD_CHANGE_ENABLE) {
+        change_enabled(w, index);
+    }
+    if (changes & (edits | TD_CHANGE_ENTER)) {
+        td_body_place_shapes(w, index);
+        expect(w, index);
+    }
+    if (body->awake > 0) {
+        *td_row(&w->idle, body->awake) = changes == TD_CHANGE_SLEEP ? TD_SLEEP_TIME : 0.0f;
+        w->drowsy_bodies += changes == TD_CHANGE_SLEEP;
+    }
+    return true;
+}
+
+/* Shapes that left take their place on the moved list with them. */
+static void clean_moved(thud_world *w)
+{
+    int *moved = w->moved.data, count = 0;
+    for (int i = 0; i < w->moved.count; i++) {
+        if (*td_marks_at(w, moved[i]) & TD_MARK_MOVED) {
+            moved[count++] = moved[i];
+        }
+    }
+    w->moved.count = count;
+}
+
+bool td_changes_apply(thud_world *w)
+{
+    td_deferred_apply(w);
+    if (w->changed.count == 0) {
+        return true;
+    }
+    w->paired = false;
+    w->narrowed = 0;
+    int done = 0, *changed = w->changed.data;
+    while (done < w->changed.count && apply(w, changed[done])) {
+        done++;
+    }
+    bool whole = done == w->changed.count;
+    for (int i = done; i < w->changed.count; i++) {
+        changed[i - done] = changed[i];
+    }
+    w->changed.count -= done;
+    clean_moved(w);
+    return whole;
+}

@@ -1,0 +1,45 @@
+/* kinds.h: the wide functions, picked for the processor at run time; and shape kinds, which plug
+ * their pair functions into a world when they are first used, so that a program that never makes a
+ * kind does not link its code. */
+#ifndef TD_KINDS_H
+#define TD_KINDS_H
+
+#include "solver/motion.h"
+#include "state/world.h"
+
+void td_kind_circle(thud_world *w);
+void td_kind_aabb(thud_world *w);
+void td_kind_obb(thud_world *w);
+void td_kind_terrain(thud_world *w);
+
+/* Wide files exist once for every processor and, on x86-64, once more for AVX2; the names here
+ * pick one at run time. */
+#if defined(TD_HAS_AVX2)
+#define TD_PICK_WIDE(w, name) (*((w)->wide ? &TD_JOIN(name, avx2) : &TD_JOIN(name, base)))
+#define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base), TD_JOIN(name, avx2)
+#else
+#define TD_PICK_WIDE(w, name) TD_JOIN(name, base)
+#define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base)
+#endif
+
+TD_DECLARE_WIDE(td_grid_measure_fn, td_grid_measure);
+TD_DECLARE_WIDE(td_grid_cells_fn, td_grid_cells);
+TD_DECLARE_WIDE(td_proxy_set_fill_fn, td_proxy_set_fill);
+TD_DECLARE_WIDE(td_sweep_fn, td_grid_sweep);
+TD_DECLARE_WIDE(td_sweep_fn, td_sorted_axis_sweep);
+TD_DECLARE_WIDE(td_find_fn, td_grid_find);
+TD_DECLARE_WIDE(td_find_fn, td_sorted_axis_find);
+TD_DECLARE_WIDE(td_integrate_velocity_fn, td_integrate_velocity);
+TD_DECLARE_WIDE(td_integrate_position_fn, td_integrate_position);
+TD_DECLARE_WIDE(td_tally_fn, td_tally_points);
+TD_DECLARE_WIDE(td_kinetic_energy_fn, td_kinetic_energy);
+TD_DECLARE_WIDE(td_finalize_bodies_fn, td_finalize_bodies);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_circle);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_circle);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_box);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_aabb_aabb);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_box);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_terrain_circle);
+TD_DECLARE_WIDE(const td_pair_ops, td_pair_terrain_box);
+
+#endif

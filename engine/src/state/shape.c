@@ -1,0 +1,319 @@
+/* shape.c: making, destroying, reading and placing shapes. */
+#include "state/shape.h"
+
+#include "state/body.h"
+#include "state/handles.h"
+#include "state/kinds.h"
+#include "base/rotation.h"
+
+#include <math.h>
+#include <string.h>
+
+thud_shape_def thud_default_shape_def(void)
+{
+    return (thud_shape_def){
+        .density = 1.0f, .friction = 0.6f, .filter = {.category = 1, .mask = UINT32_MAX}};
+}
+
+static const char *def_error(const thud_world *w, const thud_shape_def *def)
+{
+    float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
+    if (!(def->density >= 0.0f && def->density <= 1e12f)) {
+        return "shape def: density is not in [0, 1e12]";
+    }
+    if (!(def->friction >= 0.0f && def->friction <= THUD_FRICTION_MAX)) {
+        return "shape def: friction is not in [0, 1e6]";
+    }
+    if (!(def->restitution >= 0.0f && def->restitution <= 1.0f)) {
+        return "shape def: restitution is not in [0, 1]";
+    }
+    if (!(def->surface_speed >= -fastest && def->surface_speed <= fastest)) {
+        return "shape def: surface_speed is not finite or beyond 1e6 length scales a second";
+    }
+    return NULL;
+}
+
+static bool size_valid(const thud_world *w, int body, float size)
+{
+    double s = (double)size / (double)w->unit;
+    bool rests = td_body_at(w, body)->kind == THUD_STATIC;
+    return s >= TD_SIZE_MIN && s <= (rests ? TD_STATIC_SIZE_MAX : TD_SIZE_MAX);
+}
+
+static bool offset_valid(const thud_world *w, thud_vec2 offset)
+{
+    float most = (float)TD_SIZE_MAX * w->unit;
+    return offset.x >= -most && offset.x <= most && offset.y >= -most && offset.y <= most;
+}
+
+static bool reserve(thud_world *w)
+{
+    td_array *arrays[] = {&w->proxy, &w->was, &w->marks, &w->moved};
+    if (!td_slots_reserve(&w->memory, &w->shapes, 1) || !td_deferred_reserve(w)) {
+        return false;
+    }
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
+        if (!td_array_reserve(&w->memory, arrays[i], td_slots_capacity(&w->shapes))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The checks that all kinds share. On success *body is the slot, and memory is there. */
+static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *def, int *body)
+{
+    thud_result result = td_find_body(w, id, body);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!def) {
+        return td_refuse(w, THUD_ERROR_NULL, "shape create: def is null");
+    }
+    const char *error = def_error(w, def);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    return reserve(w) ? THUD_OK : td_refuse(w, THUD_ERROR_MEMORY, "shape create: out of memory");
+}
+
+static thud_result finish(thud_world *w, int body_index, const thud_shape_def *def, td_shape made,
+                          thud_shape_id *out)
+{
+    int index = td_slots_take(&w->shapes);
+    td_shape *shape = td_shape_at(w, index);
+    td_body *body = td_body_at(w, body_index);
+    made.generation = shape->generation;
+    made.flags = (uint8_t)(TD_SHAPE_LIVE | (def->sensor ? TD_SHAPE_SENSOR : 0) |
+                           (w->locked ? TD_SHAPE_WAITS : 0));
+    *td_marks_at(w, index) = TD_MARK_FRESH;
+    made.body = body_index;
+    made.next = body->first_shape;
+    made.density = def->density;
+    made.friction = def->friction;
+    made.restitution = def->restitution;
+    made.surface_speed = def->surface_speed;
+    made.filter = def->filter;
+    made.user_data = def->user_data;
+    if (made.kind == THUD_TERRAIN) {
+        ((td_terrain_record *)td_slot_at(&w->terrains, made.terrain))->shape = index;
+    } else {
+        made.terrain = TD_NONE;
+    }
+    *shape = made;
+    w->thinnest_stale = true;
+    w->mobile_sensors += def->sensor && body->kind == THUD_DYNAMIC;
+    body->first_shape = index;
+    body->shape_count++;
+    body->aabbs = (uint8_t)(body->aabbs | (made.kind == THUD_AABB));
+    if (w->locked) {
+        td_deferred_add(w, body_index, TD_PUT_SHAPE, (double[4]){index});
+    } else if (body->kind != THUD_STATIC) {
+        td_body_weigh(w, body_index);
+    }
+    td_body_mark(w, body_index, TD_CHANGE_SHAPES);
+    if (out) {
+        *out = td_shape_handle(w, index);
+    }
+    if (!(def->filter.category | def->filter.mask | (uint32_t)def->filter.group)) {
+        td_refuse(w, THUD_OK, "shape create: made, but meets nothing: its filter is all zero");
+    }
+    return THUD_OK;
+}
+
+thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_shape_def *def,
+                                     thud_vec2 offset, float radius, thud_shape_id *out)
+{
+    TD_IN_OWN_MODE;
+    int body;
+    thud_result result = begin(w, id, def, &body);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!offset_valid(w, offset) || !size_valid(w, body, radius)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "circle: offset or radius is out of range");
+    }
+    td_kind_circle(w);
+    return finish(w, body, def,
+                  (td_shape){.kind = THUD_CIRCLE, .x = offset.x, .y = offset.y, .angle_c = 1.0f,
+                             .half_x = radius, .half_y = 0.0f},
+                  out);
+}
+
+thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_shape_def *def,
+                                   thud_vec2 offset, thud_vec2 half, thud_shape_id *out)
+{
+    TD_IN_OWN_MODE;
+    int body;
+    thud_result result = begin(w, id, def, &body);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!offset_valid(w, offset) || !size_valid(w, body, half.x) ||
+        !size_valid(w, body, half.y)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "AABB: offset or half extents are out of range");
+    }
+    if (td_pose_at(w, body)->angle != 0 || td_deferred_turns(w, body)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "AABB: its body's angle must be 0");
+    }
+    if (td_body_at(w, body)->kind == THUD_KINEMATIC &&
+        td_body_velocity(w, td_body_at(w, body))[2] != 0.0f) {
+        return td_refuse(w, THUD_ERROR_INVALID, "AABB: its body must not turn");
+    }
+    td_kind_aabb(w);
+    return finish(w, body, def,
+                  (td_shape){.kind = THUD_AABB, .x = offset.x, .y = offset.y, .angle_c = 1.0f,
+                             .half_x = half.x, .half_y = half.y},
+                  out);
+}
+
+thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_shape_def *def,
+                                  thud_vec2 offset, thud_vec2 half, double angle,
+                                  thud_shape_id *out)
+{
+    TD_IN_OWN_MODE;
+    int body;
+    thud_result result = begin(w, id, def, &body);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!offset_valid(w, offset) || !size_valid(w, body, half.x) ||
+        !size_valid(w, body, half.y)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "OBB: offset or half extents are out of range");
+    }
+    if (!(angle >= -1e6 && angle <= 1e6)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "OBB: angle is not finite or beyond 1e6");
+    }
+    td_kind_obb(w);
+    td_shape made = {.kind = THUD_OBB, .x = offset.x, .y = offset.y, .angle = td_angle_from(angle),
+                     .half_x = half.x, .half_y = half.y};
+    td_angle_turn(made.angle, &made.angle_c, &made.angle_s);
+    return finish(w, body, def, made, out);
+}
+
+/* ---- terrain ---- */
+
+static bool copy_points(thud_world *w, td_terrain_record *record, const thud_terrain *terrain)
+{
+    record->highest = -INFINITY;
+    if (terrain->kind == THUD_TERRAIN_FLAT) {
+        record->highest = terrain->slope == 0.0 ? 0.0 : INFINITY;
+        return true;
+    }
+    if (!td_array_reserve(&w->memory, &record->points, terrain->count)) {
+        return false;
+    }
+    thud_pos *points = record->points.data;
+    for (int i = 0; i < terrain->count; i++) {
+        bool uniform = terrain->kind == THUD_TERRAIN_UNIFORM;
+        points[i].x = uniform ? terrain->x0 + i * terrain->spacing : terrain->points[i].x;
+        points[i].y = terrain->points[i].y;
+        record->highest = td_max_double(record->highest, points[i].y);
+    }
+    record->points.count = terrain->count;
+    return true;
+}
+
+thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud_shape_def *def,
+                                      const thud_terrain *terrain, thud_shape_id *out)
+{
+    TD_IN_OWN_MODE;
+    int body;
+    thud_result result = begin(w, id, def, &body);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!terrain) {
+        return td_refuse(w, THUD_ERROR_NULL, "terrain: the line is null");
+    }
+    result = thud_terrain_check(terrain);
+    if (result != THUD_OK) {
+        return td_refuse(w, result, "terrain: not finite, too few points, or x does not rise");
+    }
+    if (td_body_at(w, body)->kind != THUD_STATIC || td_pose_at(w, body)->angle != 0 ||
+        td_deferred_turns(w, body)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "terrain: needs a static body with angle 0");
+    }
+    if (!td_slots_reserve(&w->memory, &w->terrains, 1)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "terrain: out of memory");
+    }
+    td_terrain_record made = {.kind = terrain->kind, .slope = terrain->slope, .x0 = terrain->x0,
+                              .spacing = terrain->spacing, .points.stride = sizeof(thud_pos)};
+    if (!copy_points(w, &made, terrain)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "terrain: out of memory");
+    }
+    td_kind_terrain(w);
+    int index = td_slots_take(&w->terrains);
+    td_terrain_record *record = td_slot_at(&w->terrains, index);
+    *record = made;
+    return finish(w, body, def,
+                  (td_shape){.kind = THUD_TERRAIN, .terrain = index, .angle_c = 1.0f}, out);
+}
+
+thud_terrain td_terrain_view(const thud_world *w, int shape)
+{
+    const td_terrain_record *record = td_slot_at(&w->terrains, td_shape_at(w, shape)->terrain);
+    return (thud_terrain){record->kind, record->slope, record->x0, record->spacing,
+                          record->points.data, record->points.count};
+}
+
+thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out)
+{
+    int index;
+    thud_result result = td_find_shape(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (td_shape_at(w, index)->kind != THUD_TERRAIN) {
+        return td_refuse(w, THUD_ERROR_INVALID, "shape terrain: the shape is no terrain");
+    }
+    if (out) {
+        *out = td_terrain_view(w, index);
+    }
+    return THUD_OK;
+}
+
+/* ---- the rest of a shape's life ---- */
+
+thud_result thud_shape_destroy(thud_world *w, thud_shape_id id)
+{
+    int index;
+    thud_result result = td_find_shape(w, id, &index);
+    if (result == THUD_OK) {
+        td_shape *shape = td_shape_at(w, index);
+        shape->flags &= (uint8_t)~TD_SHAPE_LIVE;
+        td_body_mark(w, shape->body, TD_CHANGE_SHAPES);
+    }
+    return result;
+}
+
+bool thud_shape_is_valid(const thud_world *w, thud_shape_id id)
+{
+    return w && id.index1 > 0 && id.index1 <= (uint32_t)w->shapes.count &&
+           (td_shape_at(w, (int)id.index1 - 1)->flags & TD_SHAPE_LIVE) &&
+           td_tag(w, td_shape_at(w, (int)id.index1 - 1)->generation) == id.generation;
+}
+
+thud_result thud_shape_get(const thud_world *w, thud_shape_id id, thud_shape_state *out)
+{
+    int index;
+    thud_result result = td_find_shape(w, id, &index);
+    if (result == THUD_OK && out) {
+        const td_shape *shape = td_shape_at(w, index);
+        *out = (thud_shape_state){
+            .kind = (thud_shape_kind)shape->kind,
+            .body = td_body_handle(w, shape->body),
+            .offset = {shape->x, shape->y},
+            .half_extents = {shape->half_x, shape->half_y},
+            .angle = td_angle_radians(shape->angle),
+            .density = shape->density,
+            .friction = shape->friction,
+            .restitution = shape->restitution,
+            .surface_speed = shape->surface_speed,
+            .filter = shape->filter,
+            .sensor = (shape->flags & TD_SHAPE_SENSOR) != 0,
+            .user_data = shape->user_data,
+        };
+    }
+    return result;
+}

@@ -1,0 +1,58 @@
+/* shape.h: placing shapes, and terrain as the world keeps it. */
+#ifndef TD_SHAPE_H
+#define TD_SHAPE_H
+
+#include "state/world.h"
+
+/* Recomputes offsets from the centre of mass; after td_body_weigh. */
+void td_shape_settle(thud_world *w, int shape);
+
+/* Puts one shape where its body's pose says, and its bounds onto the moved list when they leave the
+ * fat ones. Terrain keeps its place and has no bounds. */
+void td_shape_place(thud_world *w, int shape);
+
+/* Makes the fat bounds reach as far as the shape is expected to move in the next step. */
+void td_shape_expect(thud_world *w, int shape, float dx, float dy);
+
+/* Bounds of a shape placed relative to `origin`, and `slack` more on each side. */
+td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *placed, td_position origin,
+                           double slack);
+
+static inline float td_thickness(const td_shape *shape)
+{
+    return 2.0f * (shape->kind == THUD_CIRCLE ? shape->half_x
+                                              : td_min_float(shape->half_x, shape->half_y));
+}
+
+/* The thinnest shape's thickness; infinite where there is none. Terrain is solid below. */
+float td_thinnest(thud_world *w);
+
+/* Puts a shape onto the moved list; its bounds of before go to `was`. */
+void td_shape_mark_moved(thud_world *w, int shape);
+
+/* A shape in its place, relative to `origin`; of a terrain, only where its origin stands. */
+thud_shape_instance td_shape_instance(const thud_world *w, int shape, td_position origin);
+
+/* What is asked of a line; plugged into a world with the first one, see kinds.h. */
+typedef struct td_ground_ops {
+    bool (*overlap)(const thud_terrain *terrain, const thud_shape_instance *shape);
+    thud_result (*time_of_impact)(const thud_terrain *terrain, const thud_shape_instance *shape,
+                                  thud_motion motion, double target, bool *hit, double *time);
+    thud_result (*sample_at)(const thud_terrain *terrain, double x, thud_terrain_sample *out);
+} td_ground_ops;
+
+/* A view of a terrain shape's line, relative to its body's origin. */
+thud_terrain td_terrain_view(const thud_world *w, int shape);
+
+/* Whether bounds near a place stand above the whole line; most of what falls does for long. */
+bool td_terrain_below(const thud_world *w, int terrain_shape, td_position near_place,
+                      const td_bounds *bounds);
+
+/* The segments in the column of bounds that lie near a place. */
+void td_terrain_segments_of(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
+                            td_position near_place, const td_bounds *bounds, int *first, int *last);
+/* Whether the bounds reach down to one segment: the pair exists exactly while they do. */
+bool td_terrain_reaches(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
+                        td_position near_place, const td_bounds *bounds, int segment);
+
+#endif

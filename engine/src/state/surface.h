@@ -1,0 +1,22 @@
+/* surface.h: how the surfaces of two shapes act on each other: as their defs have it, as a prologue
+ * wants it for a step, and as a lane of the solver keeps it. */
+#ifndef TD_SURFACE_H
+#define TD_SURFACE_H
+
+#include "state/world.h"
+
+/* What their defs make of it. */
+thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b);
+
+/* Asks the world's prologue, which there is; false where it says no. Settings out of range are
+ * refused, and stay as they were. */
+bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settings *settings);
+
+/* Of one lane. What it had is all zero while it is empty. */
+void td_surface_set(thud_world *w, td_block *block, int points, int lane,
+                    const thud_contact_settings *settings);
+/* It does nothing in this step. */
+void td_surface_mute(td_block *block, int points, int lane);
+thud_contact_settings td_surface_get(td_block *block, int points, int lane);
+
+#endif

@@ -1,0 +1,248 @@
+/* terrain_closest.c: how far a shape is from the ground, or how far it must move to leave it.
+ *
+ * Both are the distance of the shape's centre from the outline of the grown ground. From outside,
+ * the nearest piece is the answer. From inside, pieces may be buried under others, so the outline
+ * is walked from straight above the centre to both sides, from piece to piece, until nothing nearer
+ * can come. */
+#include "terrain/grown_ground.h"
+
+enum { MAX_HALVINGS = 64 };
+
+#define ANY_HEIGHT 1e300
+
+/* ---- the nearest place ---- */
+
+/* Offers a result with the centre at `distance` along the normal from the place z of the outline;
+ * *best keeps the nearest. */
+static void offer(const td_grown *k, const td_piece *e, thud_closest found, thud_pos z,
+                  thud_closest *best)
+{
+    if (td_abs(found.distance) >= td_abs(best->distance)) {
+        return;
+    }
+    found.ax = e->at_vertex ? e->touch.x : z.x + e->touch.x;
+    found.ay = e->at_vertex ? e->touch.y : z.y + e->touch.y;
+    if (k->mirrored) {
+        found.nx = -found.nx;
+        found.ax = -found.ax;
+    }
+    *best = found;
+}
+
+static void offer_point(const td_grown *k, const td_piece *e, thud_pos z, bool inside,
+                        thud_closest *best)
+{
+    double length = __builtin_sqrt(z.x * z.x + z.y * z.y), sign = inside ? 1.0 : -1.0;
+    thud_pos n = {sign * z.x / length, sign * z.y / length};
+    if (length <= 1e-15 * (td_abs(e->touch.x) + td_abs(e->touch.y))) {
+        n = td_piece_normal(e, z); /* the link's direction is mere rounding */
+    }
+    offer(k, e, (thud_closest){.distance = -sign * length, .nx = n.x, .ny = n.y}, z, best);
+}
+
+/* Where the normal of the piece goes through the centre, if that is between x = from and x = to. */
+static void offer_foot(const td_grown *k, const td_piece *e, double from, double to,
+                       thud_closest *best)
+{
+    thud_pos n = td_piece_normal(e, (thud_pos){0.0, 0.0});
+    double distance = -(e->p.x * n.x + e->p.y * n.y);
+    if (e->round) {
+        distance = __builtin_sqrt(e->touch.x * e->touch.x + e->touch.y * e->touch.y) - e->radius;
+    }
+    thud_pos z = {-n.x * distance, -n.y * distance};
+    if (z.x >= from && z.x <= to && n.y > 0.0) { /* not on the lower half of a circle */
+        offer(k, e, (thud_closest){.distance = distance, .nx = n.x, .ny = n.y}, z, best);
+    }
+}
+
+/* The upright side under the right end. */
+static void offer_side(const td_grown *k, thud_closest *best)
+{
+    thud_pos last = td_grown_vertex(k, k->terrain->count - 1);
+    double x = last.x - k->under[0].x, top;
+    td_piece e;
+    if (!td_grown_highest(k, x, ANY_HEIGHT, &e, &top) || top < 0.0) {
+        return;
+    }
+    e = (td_piece){.at_vertex = true, .touch = {last.x, k->under[0].y}};
+    e.touch.y = e.touch.y < last.y ? e.touch.y : last.y;
+    offer(k, &e, (thud_closest){.distance = -x, .nx = 1.0}, e.touch, best);
+}
+
+/* ---- from above and beside ---- */
+
+static void offer_vertex(const td_grown *k, int i, thud_closest *best)
+{
+    for (int part = 0; part < TD_PIECES; part++) {
+        td_piece e;
+        if (td_grown_piece(k, i, part, &e)) {
+            offer_foot(k, &e, e.p.x, e.q.x, best);
+            offer_point(k, &e, e.p, false, best);
+            offer_point(k, &e, e.q, false, best);
+        }
+    }
+}
+
+/* `flipped` has left and right changed. */
+static void from_outside(const td_grown *k, const td_grown *flipped, thud_closest *best)
+{
+    int first, last;
+    td_grown_vertices(k, 0.0, 0.0, &first, &last);
+    for (int i = first; i <= last; i++) {
+        offer_vertex(k, i, best);
+    }
+    if (td_grown_vertex(k, k->terrain->count - 1).x < k->under[0].x) {
+        offer_side(k, best);
+    }
+    if (td_grown_vertex(k, 0).x > k->under[2].x) {
+        offer_side(flipped, best);
+    }
+    while (first > 0 && k->under[0].x - td_grown_vertex(k, first).x < best->distance) {
+        offer_vertex(k, --first, best);
+    }
+    while (last < k->terrain->count - 1 &&
+           td_grown_vertex(k, last).x - k->under[2].x < best->distance) {
+        offer_vertex(k, ++last, best);
+    }
+}
+
+/* ---- from below ---- */
+
+static double rise(const td_piece *other, const td_piece *top, double x)
+{
+    return td_piece_height(other, x) - td_piece_height(top, x);
+}
+
+/* Where the other piece comes out above the top one, between x and `stop`. On its way there the
+ * difference changes its sign once: it is linear, or convex and not positive at the start, or, for
+ * a round piece over a straight one, concave up to where both are parallel. */
+static bool overtakes(const td_piece *other, const td_piece *top, double x, double stop,
+                      double tolerance, double *at)
+{
+    double low = x > other->p.x ? x : other->p.x;
+    double high = stop < other->q.x ? stop : other->q.x;
+    if (low >= high) {
+        return false;
+    }
+    if (other->round && !top->round) {
+        double dx = top->q.x - top->p.x, dy = top->q.y - top->p.y;
+        double parallel = other->touch.x - other->radius * dy / __builtin_sqrt(dx * dx + dy * dy);
+        high = td_clamp(parallel, low, high);
+    }
+    double below = rise(other, top, low), above = rise(other, top, high);
+    *at = low;
+    if (!(above > tolerance) || !(below < 0.0)) { /* also where heights are no numbers */
+        return above > tolerance;
+    }
+    if (!other->round && !top->round) {
+        *at = low + (high - low) * (below / (below - above));
+        return true;
+    }
+    for (int i = 0; i < MAX_HALVINGS; i++) {
+        double middle = 0.5 * (low + high);
+        if (rise(other, top, middle) < 0.0) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    *at = high;
+    return true;
+}
+
+/* Where the outline goes over from one piece to the next, in a valley or at a joint. The height of
+ * the flatter one is the more exact, since x is rounded; the ground is touched by the one that the
+ * way there leaves. */
+static void offer_joint(const td_grown *k, const td_piece *top, const td_piece *next, double x,
+                        thud_closest *best)
+{
+    bool flatter = td_piece_steepness(next, x) < td_piece_steepness(top, x);
+    thud_pos z = {x, td_piece_height(flatter ? next : top, x)};
+    thud_pos n = td_piece_normal(top, z), m = td_piece_normal(next, z);
+    bool leaves_next = m.x * z.x + m.y * z.y > n.x * z.x + n.y * z.y;
+    offer_point(k, leaves_next ? next : top, z, true, best);
+}
+
+/* Along the outline to the right, from the height over x of the piece `top`. */
+static void walk(const td_grown *k, td_piece top, double x, double tolerance, thud_closest *best)
+{
+    double end = td_grown_vertex(k, k->terrain->count - 1).x - k->under[0].x, height;
+    while (x < end && x < -best->distance) {
+        td_piece next = top;
+        double stop = top.q.x, at;
+        int first, last;
+        td_grown_vertices(k, x, stop, &first, &last);
+        for (int i = first * TD_PIECES; i < (last + 1) * TD_PIECES; i++) {
+            td_piece e;
+            if (td_grown_piece(k, i / TD_PIECES, i % TD_PIECES, &e) &&
+                overtakes(&e, &top, x, stop, tolerance, &at) && at < stop) {
+                stop = at;
+                next = e;
+            }
+        }
+        offer_foot(k, &top, x, stop, best);
+        offer_joint(k, &top, &next, stop, best);
+        bool ended = stop >= top.q.x;
+        x = stop > x ? stop : x + tolerance; /* rounding never stops the walk */
+        top = next;
+        if (ended && !td_grown_highest(k, x, ANY_HEIGHT, &top, &height)) {
+            break;
+        }
+    }
+    if (x >= end) {
+        offer_side(k, best);
+    }
+}
+
+static void on_endless_line(const td_grown *k, thud_closest *out)
+{
+    double slope = k->terrain->slope, length = __builtin_sqrt(1.0 + slope * slope);
+    td_piece e = td_grown_line(k);
+    out->nx = -slope / length;
+    out->ny = 1.0 / length;
+    out->distance = -(e.p.x * out->nx + e.p.y * out->ny);
+    out->ax = e.touch.x - out->nx * out->distance;
+    out->ay = e.touch.y - out->ny * out->distance;
+}
+
+void td_terrain_closest(const thud_terrain *t, const thud_shape_instance *shape, thud_pos offset,
+                        thud_closest *out)
+{
+    td_grown k = td_grown_by(t, shape, offset), flipped = td_grown_mirrored(&k);
+    td_piece top;
+    double height;
+    *out = (thud_closest){.distance = 1e300, .ny = 1.0};
+    if (t->kind == THUD_TERRAIN_FLAT) {
+        on_endless_line(&k, out);
+    } else if (td_grown_highest(&k, 0.0, ANY_HEIGHT, &top, &height) && height >= 0.0) {
+        double tolerance = 1e-15 * (td_reach(shape) + height);
+        *out = (thud_closest){.distance = -1e300, .ny = 1.0};
+        offer_point(&k, &top, (thud_pos){0.0, height}, true, out);
+        walk(&k, top, 0.0, tolerance, out);
+        if (td_grown_highest(&flipped, 0.0, ANY_HEIGHT, &top, &height)) {
+            walk(&flipped, top, 0.0, tolerance, out);
+        }
+    } else {
+        from_outside(&k, &flipped, out);
+    }
+    out->bx = out->ax + out->nx * out->distance;
+    out->by = out->ay + out->ny * out->distance;
+}
+
+thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_shape_instance *shape,
+                                 thud_closest *out)
+{
+    if (!terrain || !shape || !out) {
+        return THUD_ERROR_NULL;
+    }
+    thud_result readable = td_terrain_readable(terrain);
+    if (readable != THUD_OK || thud_placed_check(shape) != THUD_OK) {
+        return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
+    }
+    td_terrain_closest(terrain, shape, (thud_pos){0.0, 0.0}, out);
+    out->ax += shape->x;
+    out->ay += shape->y;
+    out->bx += shape->x;
+    out->by += shape->y;
+    return THUD_OK;
+}
