@@ -6,8 +6,7 @@
 
 enum { PLAIN, ICE, TRAMPOLINE, ONE_WAY }; /* kept in the shapes' user data */
 
-static uint64_t material_of(const thud_world *world, thud_shape_id shape)
-{
+static uint64_t material_of(const thud_world *world, thud_shape_id shape) {
     thud_shape_state state = {.user_data = PLAIN};
     thud_shape_get(world, shape, &state);
     return state.user_data;
@@ -15,8 +14,7 @@ static uint64_t material_of(const thud_world *world, thud_shape_id shape)
 
 /* Asked before a pair is solved. Static shapes come first: a is what b meets. */
 static bool prologue(thud_world *world, const thud_contact *contact,
-                     thud_contact_settings *settings, void *context)
-{
+                     thud_contact_settings *settings, void *context) {
     (void)context;
     thud_body_state body;
     switch (material_of(world, contact->shape_a)) {
@@ -35,16 +33,14 @@ static bool prologue(thud_world *world, const thud_contact *contact,
 }
 
 /* Told after a pair was solved, with the impulses that were applied. */
-static void epilogue(thud_world *world, const thud_contact *contact, void *context)
-{
+static void epilogue(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     float *loudest = context;
     *loudest = fmaxf(*loudest, contact->normal_impulse);
 }
 
 static thud_shape_id add_box(thud_world *world, double x, double y, float half_width,
-                             thud_shape_def def)
-{
+                             thud_shape_def def) {
     thud_body_def body_def = thud_default_body_def();
     thud_body_id body;
     thud_shape_id shape;
@@ -56,8 +52,7 @@ static thud_shape_id add_box(thud_world *world, double x, double y, float half_w
 }
 
 /* A crate of 1 by 1 and mass 1. */
-static thud_body_id add_crate(thud_world *world, double x, double y, float vx, float vy)
-{
+static thud_body_id add_crate(thud_world *world, double x, double y, float vx, float vy) {
     thud_body_def body_def = thud_default_body_def();
     thud_shape_def shape_def = thud_default_shape_def();
     thud_body_id body;
@@ -70,22 +65,21 @@ static thud_body_id add_crate(thud_world *world, double x, double y, float vx, f
     return body;
 }
 
-static thud_body_state state_of(const thud_world *world, thud_body_id body)
-{
+static thud_body_state state_of(const thud_world *world, thud_body_id body) {
     thud_body_state state = {0};
     thud_body_get(world, body, &state);
     return state;
 }
 
-int main(void)
-{
+int main(void) {
     float loudest = 0;
     thud_world *world;
     thud_world_def world_def = thud_default_world_def();
     world_def.prologue = prologue;
     world_def.epilogue = epilogue;
     world_def.callback_context = &loudest;
-    if (thud_world_create(&world_def, &world) != THUD_OK) return 1;
+    if (thud_world_create(&world_def, &world) != THUD_OK)
+        return 1;
 
     thud_shape_def def = thud_default_shape_def();
     add_box(world, 0, -0.25, 8, (def.user_data = ICE, def));

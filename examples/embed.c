@@ -1,11 +1,11 @@
 #include <stdio.h>
 #include <thud/thud.h>
 
-int main(void)
-{
+int main(void) {
     thud_world *world;
     thud_world_def world_def = thud_default_world_def();
-    if (thud_world_create(&world_def, &world) != THUD_OK) return 1;
+    if (thud_world_create(&world_def, &world) != THUD_OK)
+        return 1;
     thud_body_def body_def = thud_default_body_def();
     thud_shape_def shape_def = thud_default_shape_def();
     thud_body_id ground, ball;
@@ -16,7 +16,8 @@ int main(void)
     body_def.position = (thud_pos){0.0, 4.0};
     thud_body_create(world, &body_def, &ball);
     thud_shape_create_circle(world, ball, &shape_def, (thud_vec2){0, 0}, 0.5f, NULL);
-    for (int i = 0; i < 120; i++) thud_world_step(world);
+    for (int i = 0; i < 120; i++)
+        thud_world_step(world);
     thud_body_state state;
     thud_body_get(world, ball, &state);
     printf("the ball rests at y = %.2f\n", state.position.y);

@@ -59,6 +59,7 @@ need_play() {
 
 need_bench() {
     need_native
+    need "clang-format 16" clang-format-16 have clang-format-16
     need "cmocka's headers" libcmocka-dev has_header cmocka.h
     need "clang, which builds Box2D" "clang-16|clang" have_any clang-16 clang
 }

@@ -1,5 +1,5 @@
-/* pool.c: threads that wait for work. Between two steps of a game they sleep; between two tasks of a
- * step, which follow each other within microseconds, they stay awake for a moment. */
+/* pool.c: threads that wait for work. Between two steps of a game they sleep; between two tasks of
+ * a step, which follow each other within microseconds, they stay awake for a moment. */
 #include "pool.h"
 
 #include <pthread.h>

@@ -6,8 +6,8 @@
 
 typedef struct pool pool;
 
-/* `workers` in 2 .. THUD_WORKERS_MAX, the calling thread among them. Null when threads or memory run
- * out. Must outlive the worlds that use it; worlds may take turns, but not run at once. */
+/* `workers` in 2 .. THUD_WORKERS_MAX, the calling thread among them. Null when threads or memory
+ * run out. Must outlive the worlds that use it; worlds may take turns, but not run at once. */
 pool *pool_create(int workers);
 void pool_destroy(pool *p); /* null is fine */
 

@@ -179,7 +179,8 @@ static bool read_chunks(level_reader *r, const level_layer *layer, const cJSON *
         return true;
     if (!make_room(r, layer, &all, cells))
         return false;
-    cJSON_ArrayForEach(chunk, chunks) read_chunk(r, layer, chunk, cells);
+    cJSON_ArrayForEach(chunk, chunks)
+        read_chunk(r, layer, chunk, cells);
     return true;
 }
 

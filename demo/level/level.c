@@ -52,7 +52,8 @@ static void read_layers(level_reader *r, const level_layer *parent) {
         return;
     }
     const cJSON *json;
-    cJSON_ArrayForEach(json, layers) read_layer(r, parent, json);
+    cJSON_ArrayForEach(json, layers)
+        read_layer(r, parent, json);
 }
 
 /* Copies the three texts behind a scene; its own storage, since the JSON goes away. */

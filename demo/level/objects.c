@@ -42,8 +42,9 @@ static bool resolve(level_reader *r, level_values *v, const cJSON *object, level
     if (!source)
         return true;
     const char *path;
-    const cJSON *file = level_library_open(
-        r->library, r->report, "", level_field_text(object, "template", ""), "template", &path);
+    const cJSON *file =
+        level_library_open(r->library, r->report, "", level_field_text(object, "template", ""),
+                           "template", &path);
     const cJSON *template_object = level_field(file, "object");
     if (!file || !cJSON_IsObject(template_object) || level_field(template_object, "template")) {
         level_complain(v, LEVEL_SKIP,
@@ -236,7 +237,8 @@ void level_read_objects(level_reader *r, const level_layer *layer) {
     }
     int unmarked = 0;
     const cJSON *object;
-    cJSON_ArrayForEach(object, objects) unmarked += read_object(r, layer, object) == LEVEL_UNMARKED;
+    cJSON_ArrayForEach(object, objects)
+        unmarked += read_object(r, layer, object) == LEVEL_UNMARKED;
     r->unmarked += unmarked;
     if (unmarked > 0)
         level_problem_add(r->report, LEVEL_NOTE, 0,

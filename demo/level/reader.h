@@ -7,7 +7,7 @@
 #include <cjson/cJSON.h>
 
 /* Pixels beyond which a map is absurd. */
-#define LEVEL_FAR     1e9
+#define LEVEL_FAR 1e9
 #define LEVEL_DEGREES 1e6
 
 /* What a tile number belongs to: an entry of a map's or a template's list of tilesets. */
@@ -59,7 +59,7 @@ typedef struct level_layer {
 typedef struct level_values {
     level_report *report;
     const level_chain *chain;
-    uint32_t object;   /* 0: `where` says what it is about */
+    uint32_t object; /* 0: `where` says what it is about */
     const char *where;
     bool bad;
 } level_values;
@@ -210,20 +210,20 @@ void level_add_body(level_reader *r, const level_physics *physics, uint32_t id,
 /* ---- tilesets.c ---- */
 
 /* The upper bits of a tile number tell how it is flipped. */
-#define LEVEL_FLIP_X    0x80000000u
-#define LEVEL_FLIP_Y    0x40000000u
+#define LEVEL_FLIP_X 0x80000000u
+#define LEVEL_FLIP_Y 0x40000000u
 #define LEVEL_FLIP_TURN 0x20000000u
-#define LEVEL_NUMBER    0x0FFFFFFFu
+#define LEVEL_NUMBER 0x0FFFFFFFu
 
 /* A tile as it lies in a map: what it is made of, about the middle of its picture. */
 typedef struct level_tile {
-    const cJSON *tileset; /* null: there is none, or it cannot be used, which is reported */
-    const cJSON *json;    /* the tile's own entry, or null */
-    double width, height;        /* of its picture, pixels */
-    double offset_x, offset_y;   /* of the tileset, likewise */
-    double anchor_x, anchor_y;   /* of tile objects, as a fraction of the picture */
-    bool fills_cell;             /* in a layer drawn as large as a cell of the map */
-    bool keeps_aspect;           /* but no wider or higher than the picture is */
+    const cJSON *tileset;      /* null: there is none, or it cannot be used, which is reported */
+    const cJSON *json;         /* the tile's own entry, or null */
+    double width, height;      /* of its picture, pixels */
+    double offset_x, offset_y; /* of the tileset, likewise */
+    double anchor_x, anchor_y; /* of tile objects, as a fraction of the picture */
+    bool fills_cell;           /* in a layer drawn as large as a cell of the map */
+    bool keeps_aspect;         /* but no wider or higher than the picture is */
 } level_tile;
 
 /* Reads a list "tilesets", of the map or the one of a template; false without memory. */

@@ -19,8 +19,8 @@ typedef struct tile_kind {
     level_physics physics;
     level_forms forms;
     bool has_ground;
-    double foot; /* the highest that ground of it must reach down to, from its middle */
-    double dx, dy; /* from the cell's lower left corner to its middle */
+    double foot;            /* the highest that ground of it must reach down to, from its middle */
+    double dx, dy;          /* from the cell's lower left corner to its middle */
     int placed, ungrounded; /* how many there are, and how many are no ground here */
 } tile_kind;
 

@@ -18,8 +18,8 @@ typedef struct catalog {
     int count;
 } catalog;
 
-/* All scenes, and the *.tmj and *.tmx of `level_directory` by name (none if it cannot be read). False when
- * memory is short. */
+/* All scenes, and the *.tmj and *.tmx of `level_directory` by name (none if it cannot be read).
+ * False when memory is short. */
 bool catalog_init(catalog *c, const char *level_directory);
 void catalog_free(catalog *c);
 

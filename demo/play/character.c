@@ -7,15 +7,15 @@
 #include <math.h>
 
 static const double HALF_WIDTH = 0.35, HALF_HEIGHT = 0.75;
-static const float RUN_SPEED = 8;       /* per second */
-static const float RUN_GAIN = 60;       /* per second, squared: on the ground */
-static const float AIR_GAIN = 35;       /* ... and in the air */
+static const float RUN_SPEED = 8; /* per second */
+static const float RUN_GAIN = 60; /* per second, squared: on the ground */
+static const float AIR_GAIN = 35; /* ... and in the air */
 static const float JUMP_HEIGHT = 3.2f;
 static const float GRAVITY_MORE = 1.6f; /* than what falls by itself: jumps feel light otherwise */
 static const float FALL_SPEED = 25;
-static const float CUT_SHORT = 0.45f;   /* of the rise is left where the key is let go */
-static const double KINDNESS = 0.1;     /* seconds */
-static const double PUSH = 60;          /* force, for bodies of density 1 */
+static const float CUT_SHORT = 0.45f; /* of the rise is left where the key is let go */
+static const double KINDNESS = 0.1;   /* seconds */
+static const double PUSH = 60;        /* force, for bodies of density 1 */
 enum { ONE_WAY_CATEGORY = 2 };
 
 /* Falls that far below where it began are out of every level. */
@@ -91,8 +91,10 @@ static void turn_lift(thud_world *world, thud_body_id lift, thud_shape_id id, do
     if (thud_body_get(world, lift, &body) != THUD_OK ||
         thud_shape_get(world, id, &shape) != THUD_OK)
         return;
-    thud_shape_instance placed = {.kind = shape.kind, .c = 1, .hx = (double)shape.half_extents.x,
-                          .hy = (double)shape.half_extents.y};
+    thud_shape_instance placed = {.kind = shape.kind,
+                                  .c = 1,
+                                  .hx = (double)shape.half_extents.x,
+                                  .hy = (double)shape.half_extents.y};
     thud_query_filter filter = thud_default_query_filter();
     thud_ray_hit hits[16];
     int count = 0;

@@ -16,14 +16,14 @@ typedef struct character {
     thud_mover mover;
     thud_one_way one_way;
     thud_vec2 velocity, ground_velocity;
-    thud_pos before;       /* where it was a step ago */
+    thud_pos before; /* where it was a step ago */
     character_keys keys;
-    bool jump_held;        /* by the jump under way */
-    bool jump_was_down;    /* the key, a step ago */
-    double since_ground;   /* seconds */
+    bool jump_held;      /* by the jump under way */
+    bool jump_was_down;  /* the key, a step ago */
+    double since_ground; /* seconds */
     double since_jump_key;
-    float gravity;         /* length/s^2 */
-    float facing;          /* -1 left, 1 right */
+    float gravity; /* length/s^2 */
+    float facing;  /* -1 left, 1 right */
     double start_x, start_y;
 } character;
 

@@ -15,18 +15,19 @@ static bool placed_at(const session *s, const thud_pose *poses, int count, int s
         const session_shape *shape = &s->shapes[body->first_shape];
         const thud_pose *p = &poses[slot];
         *out = (thud_shape_instance){.kind = shape->kind,
-                             .x = p->x + p->c * shape->offset.x - p->s * shape->offset.y,
-                             .y = p->y + p->s * shape->offset.x + p->c * shape->offset.y,
-                             .c = p->c * shape->c - p->s * shape->s,
-                             .s = p->s * shape->c + p->c * shape->s,
-                             .hx = shape->half.x,
-                             .hy = shape->half.y};
+                                     .x = p->x + p->c * shape->offset.x - p->s * shape->offset.y,
+                                     .y = p->y + p->s * shape->offset.x + p->c * shape->offset.y,
+                                     .c = p->c * shape->c - p->s * shape->s,
+                                     .s = p->s * shape->c + p->c * shape->s,
+                                     .hx = shape->half.x,
+                                     .hy = shape->half.y};
         return shape->kind != THUD_TERRAIN;
     }
     return false;
 }
 
-static void draw_sum(canvas *c, const camera *view, const thud_shape_instance *a, const thud_shape_instance *b) {
+static void draw_sum(canvas *c, const camera *view, const thud_shape_instance *a,
+                     const thud_shape_instance *b) {
     sum_picture sum;
     if (!sum_picture_of(a, b, &sum))
         return;

@@ -9,9 +9,9 @@
 
 #include <math.h>
 
-static const float RATE = 12;             /* 1/s: the gap closes by a factor e in 1/12 s */
-static const float FASTEST = 60;          /* length scales per second */
-static const float SPIN_KEPT = 0.95f;     /* of the turning, per step: a held body calms down */
+static const float RATE = 12;         /* 1/s: the gap closes by a factor e in 1/12 s */
+static const float FASTEST = 60;      /* length scales per second */
+static const float SPIN_KEPT = 0.95f; /* of the turning, per step: a held body calms down */
 
 bool grab_start(grab *g, session *s, thud_pos at, double margin) {
     thud_body_id id;

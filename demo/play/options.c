@@ -11,28 +11,29 @@
 enum { FRAMES_MAX = 1000000, SIDE_MIN = 64, SIDE_MAX = 8192 };
 
 void options_print_help(void) {
-    printf("usage: thud-play [SCENE|LEVEL.tmj|LEVEL.tmx] [OPTION...]\n"
-           "\n"
-           "Shows a built-in scene or a level of the Tiled editor, and lets you play with it. What\n"
-           "of a level cannot be modelled is left out, and listed on standard error.\n"
-           "\n"
-           "  --list             print what there is to show\n"
-           "  --size WxH         size of the window or picture (1280x800)\n"
-           "  --quality Q        draft, default, high or exact\n"
-           "  --detection D      overlap, continuous, bisect or swept (continuous)\n"
-           "  --broadphase B     grid, sweep or all (grid)\n"
-           "  --overlay LIST     contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
-           "                     pairs, motions, separated by commas; or all, or none (sleeping, and\n"
-           "                     what the scene is there to show)\n"
-           "  --paused           do not start yet\n"
-           "  --bare             no panel and no texts\n"
-           "  --frames N         end after N frames\n"
-           "  --screenshot FILE  needs no display: runs N steps of --frames (0), writes the\n"
-           "                     picture to FILE.png or FILE.bmp, and ends\n"
-           "  --help             this\n"
-           "\n"
-           "%s",
-           INPUT_HELP);
+    printf(
+        "usage: thud-play [SCENE|LEVEL.tmj|LEVEL.tmx] [OPTION...]\n"
+        "\n"
+        "Shows a built-in scene or a level of the Tiled editor, and lets you play with it. What\n"
+        "of a level cannot be modelled is left out, and listed on standard error.\n"
+        "\n"
+        "  --list             print what there is to show\n"
+        "  --size WxH         size of the window or picture (1280x800)\n"
+        "  --quality Q        draft, default, high or exact\n"
+        "  --detection D      overlap, continuous, bisect or swept (continuous)\n"
+        "  --broadphase B     grid, sweep or all (grid)\n"
+        "  --overlay LIST     contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
+        "                     pairs, motions, separated by commas; or all, or none (sleeping, and\n"
+        "                     what the scene is there to show)\n"
+        "  --paused           do not start yet\n"
+        "  --bare             no panel and no texts\n"
+        "  --frames N         end after N frames\n"
+        "  --screenshot FILE  needs no display: runs N steps of --frames (0), writes the\n"
+        "                     picture to FILE.png or FILE.bmp, and ends\n"
+        "  --help             this\n"
+        "\n"
+        "%s",
+        INPUT_HELP);
 }
 
 static bool complain(const char *what, const char *argument) {

@@ -12,9 +12,9 @@ typedef struct options {
     int frames;             /* to run before the end; -1 for no end */
     int width, height;
     overlay_set overlays;
-    int quality; /* of QUALITIES in choices.h */
+    int quality;               /* of QUALITIES in choices.h */
     int detection, broadphase; /* as in session.h */
-    bool overlays_given; /* else those of the scene */
+    bool overlays_given;       /* else those of the scene */
     bool bare, paused, list, help;
 } options;
 

@@ -16,9 +16,10 @@ const char *overlay_name(overlay which) {
 }
 
 SDL_Color overlay_color(overlay which) {
-    static const SDL_Color colors[OVERLAY_COUNT] = {
-        COLOR_CONTACT,  COLOR_NORMAL,  COLOR_BOUNDS,   COLOR_CELL, COLOR_ISLAND,
-        COLOR_SLEEPING, COLOR_TIMINGS, COLOR_INTERVAL, COLOR_PAIR, COLOR_MOTION};
+    static const SDL_Color colors[OVERLAY_COUNT] = {COLOR_CONTACT, COLOR_NORMAL,   COLOR_BOUNDS,
+                                                    COLOR_CELL,    COLOR_ISLAND,   COLOR_SLEEPING,
+                                                    COLOR_TIMINGS, COLOR_INTERVAL, COLOR_PAIR,
+                                                    COLOR_MOTION};
     return colors[which];
 }
 

@@ -41,18 +41,17 @@ struct session {
     session_body *bodies;
     session_shape *shapes;
     int body_count, body_capacity, shape_count, shape_capacity;
-    int quality; /* of QUALITIES in choices.h */
+    int quality;               /* of QUALITIES in choices.h */
     int detection, broadphase; /* of DETECTIONS and BROADPHASES; the next load heeds them */
     bool paused;
-    double speed; /* seconds of the world per second */
+    double speed;     /* seconds of the world per second */
     double time_step; /* seconds */
-    double alpha; /* for thud_world_poses */
+    double alpha;     /* for thud_world_poses */
     session_missed missed;
     session_stepped_fn *stepped; /* null: nobody asks */
     void *stepped_context;
     char message[256]; /* the last thing that went wrong; empty if nothing did */
 };
-
 
 void session_init(session *s);
 void session_free(session *s);

@@ -5,10 +5,10 @@
 #include "canvas.h"
 
 typedef struct ui {
-    float x, y;    /* the pointer, in pixels of the output */
-    bool down;     /* the left button */
-    bool pressed;  /* it went down since the last frame */
-    float wheel;   /* notches since the last frame, up positive */
+    float x, y;   /* the pointer, in pixels of the output */
+    bool down;    /* the left button */
+    bool pressed; /* it went down since the last frame */
+    float wheel;  /* notches since the last frame, up positive */
 } ui;
 
 bool ui_hovers(const ui *u, SDL_FRect r);

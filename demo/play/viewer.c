@@ -64,7 +64,8 @@ void viewer_look_home(viewer *v) {
     const scene *s = &v->session.scene;
     thud_pos center = {s->camera_x, s->camera_y};
     if (v->character.present)
-        camera_look(&v->camera, character_place(&v->character, 1), CHARACTER_VIEW * s->length_scale);
+        camera_look(&v->camera, character_place(&v->character, 1),
+                    CHARACTER_VIEW * s->length_scale);
     else
         camera_look(&v->camera, center, s->camera_height);
 }
@@ -125,7 +126,8 @@ static void record_timings(viewer *v, uint64_t steps_before) {
         timings_add(&v->timings, &stats);
 }
 
-/* The view closes in on the character while it moves, and is the player's to move while it stands. */
+/* The view closes in on the character while it moves, and is the player's to move while it stands.
+ */
 static void follow_character(viewer *v, double elapsed) {
     const character *c = &v->character;
     if (!c->present || v->panning || v->session.paused || !character_moves(c))
@@ -158,8 +160,7 @@ void viewer_draw(viewer *v) {
         if (v->character.present)
             draw_character(c, &v->camera, &v->character, v->session.alpha);
         draw_sums(c, &v->camera, &v->session);
-        draw_overlays(c, &v->camera, &v->session, v->overlays,
-                      v->bare ? 0 : hud_footer(c));
+        draw_overlays(c, &v->camera, &v->session, v->overlays, v->bare ? 0 : hud_footer(c));
         thud_pos anchor;
         if (grab_anchor(&v->grab, &v->session, &anchor))
             draw_pull(c, &v->camera, anchor, v->grab.target);

@@ -24,10 +24,10 @@ typedef struct viewer {
     overlay_set lent; /* of the overlays those that the scene asked for, and takes along */
     timings timings;
     ui ui;
-    bool bare;        /* the picture alone: no panel, no texts */
+    bool bare; /* the picture alone: no panel, no texts */
     bool panning;
-    float list_scroll; /* of the panel's list, in pixels */
-    bool reveal;      /* the list has to scroll to the selected entry */
+    float list_scroll;    /* of the panel's list, in pixels */
+    bool reveal;          /* the list has to scroll to the selected entry */
     double frame_seconds; /* smoothed time between frames; 0 where time is not real */
     bool quit;
 } viewer;
@@ -45,7 +45,7 @@ void viewer_toggle_overlay(viewer *v, overlay which);
 void viewer_set_detection(viewer *v, int detection);
 void viewer_set_broadphase(viewer *v, int broadphase);
 void viewer_toggle_pause(viewer *v);
-void viewer_single_step(viewer *v); /* pauses first */
+void viewer_single_step(viewer *v);                 /* pauses first */
 void viewer_change_speed(viewer *v, int direction); /* to the next of a row of speeds */
 void viewer_spawn_at_home(viewer *v, thud_shape_kind kind);
 

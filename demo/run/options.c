@@ -45,7 +45,8 @@ static bool parse_valued(const char *option, const char *value, run_options *out
     if (strcmp(option, "--steps") == 0)
         return parse_number(option, value, 1, 1000000000, &out->steps);
     if (strcmp(option, "--quality") == 0)
-        return choose(option, "draft, default, high or exact", value, quality_find(value), &out->quality);
+        return choose(option, "draft, default, high or exact", value, quality_find(value),
+                      &out->quality);
     if (strcmp(option, "--detection") == 0)
         return choose(option, "overlap, continuous, bisect or swept", value, detection_find(value),
                       &out->detection);

@@ -7,8 +7,8 @@
 typedef struct run_options {
     const char *source; /* a scene's name or a level's path */
     long steps;
-    int size; /* of a built-in scene; 0 is its default */
-    int workers; /* threads; 0 as 1 */
+    int size;                           /* of a built-in scene; 0 is its default */
+    int workers;                        /* threads; 0 as 1 */
     int quality, detection, broadphase; /* of QUALITIES, DETECTIONS and BROADPHASES in choices.h */
     bool json, skip_unsupported, no_sleeping, list, help;
 } run_options;
@@ -18,6 +18,5 @@ bool run_options_parse(int count, char **arguments, run_options *out);
 
 void run_print_help(void);
 void run_print_list(void);
-
 
 #endif

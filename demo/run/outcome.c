@@ -28,8 +28,7 @@ void run_print_text(const run_outcome *o, const scene *s, const run_options *opt
     printf("penetration  %.6g at worst, at the end %.6g at worst and %.6g in the mean\n",
            o->penetration_max, o->measure.penetration_max, o->measure.penetration_mean);
     printf("worst step   penetration %.6g in the mean, residual %.6g, %d overlaps, energy %+.6g\n",
-           o->worst.penetration_mean, o->worst.residual, o->worst.overlaps,
-           o->worst.energy_change);
+           o->worst.penetration_mean, o->worst.residual, o->worst.overlaps, o->worst.energy_change);
     printf("energy       %.9g (kinetic %.9g, potential %.9g)\n", energy_of(o),
            o->measure.kinetic_energy, o->measure.potential_energy);
     printf("memory       %" PRIu64 " bytes\n", o->stats.bytes);

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-const thud_quality *const QUALITIES[QUALITY_CHOICES] = {
-    &thud_quality_draft, &thud_quality_default, &thud_quality_high, &thud_quality_exact};
+const thud_quality *const QUALITIES[QUALITY_CHOICES] = {&thud_quality_draft, &thud_quality_default,
+                                                        &thud_quality_high, &thud_quality_exact};
 
 const detection_choice DETECTIONS[DETECTION_CHOICES] = {
     {"auto", NULL},

@@ -17,8 +17,9 @@ typedef struct broadphase_choice {
     const thud_broadphase *broadphase;
 } broadphase_choice;
 
-extern const thud_quality *const QUALITIES[QUALITY_CHOICES];    /* in the order of their price */
-extern const detection_choice DETECTIONS[DETECTION_CHOICES];    /* the quality's own; the others by price */
+extern const thud_quality *const QUALITIES[QUALITY_CHOICES]; /* in the order of their price */
+extern const detection_choice
+    DETECTIONS[DETECTION_CHOICES]; /* the quality's own; the others by price */
 extern const broadphase_choice BROADPHASES[BROADPHASE_CHOICES]; /* the default first */
 
 enum { QUALITY_DEFAULT = 1, DETECTION_DEFAULT = 0, BROADPHASE_DEFAULT = 0 };

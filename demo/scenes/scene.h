@@ -58,11 +58,11 @@ typedef struct scene_material {
 
 typedef struct scene_shape {
     scene_shape_kind kind;
-    double x, y;   /* offset in the body's frame */
-    double hx, hy; /* half extents; a circle's radius is hx, its hy is 0 */
-    double angle;  /* OBB: in the body's frame */
-    double slope;  /* flat terrain */
-    double spacing; /* uniform terrain */
+    double x, y;                  /* offset in the body's frame */
+    double hx, hy;                /* half extents; a circle's radius is hx, its hy is 0 */
+    double angle;                 /* OBB: in the body's frame */
+    double slope;                 /* flat terrain */
+    double spacing;               /* uniform terrain */
     int first_point, point_count; /* uniform and irregular terrain: in scene.points */
     scene_material material;
     bool sensor;
@@ -79,7 +79,7 @@ typedef struct scene_body {
     bool fixed_rotation;
     bool may_sleep; /* default true */
     scene_detection detection;
-    uint32_t id;    /* of the object in a level file; 0 in built-in scenes */
+    uint32_t id;                  /* of the object in a level file; 0 in built-in scenes */
     int first_shape, shape_count; /* in scene.shapes */
 } scene_body;
 
@@ -87,15 +87,15 @@ typedef struct scene {
     const char *name;  /* the registry's, or the level's file name without folder and suffix */
     const char *title; /* for a menu */
     const char *about; /* one sentence: what to look at */
-    double gravity_x, gravity_y;         /* default 0, -10 */
-    double length_scale;                 /* of a typical body; default 1 */
-    double camera_x, camera_y;           /* what to look at first ... */
-    double camera_height;                /* ... and how many metres of it from top to bottom */
-    double spawn_x, spawn_y;             /* where a viewer drops new bodies */
-    bool character;                      /* played with one, which starts there */
-    unsigned show;                       /* scene_show */
-    int sum_pairs;                       /* so many times two bodies, from the first on, are shown
-                      with their Minkowski sum; each has one shape, no terrain */
+    double gravity_x, gravity_y; /* default 0, -10 */
+    double length_scale;         /* of a typical body; default 1 */
+    double camera_x, camera_y;   /* what to look at first ... */
+    double camera_height;        /* ... and how many metres of it from top to bottom */
+    double spawn_x, spawn_y;     /* where a viewer drops new bodies */
+    bool character;              /* played with one, which starts there */
+    unsigned show;               /* scene_show */
+    int sum_pairs;               /* so many times two bodies, from the first on, are shown
+              with their Minkowski sum; each has one shape, no terrain */
     scene_body *bodies;
     scene_shape *shapes;
     scene_point *points;
@@ -105,7 +105,7 @@ typedef struct scene {
     bool failed;             /* memory ran out while filling: the scene is incomplete */
     scene_body spare_body;   /* what the helpers hand out once memory has run out */
     scene_shape spare_shape;
-    char *owned_text;        /* storage behind name, title and about of a level; else null */
+    char *owned_text; /* storage behind name, title and about of a level; else null */
 } scene;
 
 /* An empty scene with the defaults above. Every scene_init needs its scene_free. */

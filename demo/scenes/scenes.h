@@ -18,8 +18,8 @@ typedef struct scene_info {
 } scene_info;
 
 int scenes_count(void);
-const scene_info *scenes_at(int index);           /* null outside 0..count-1 */
-const scene_info *scenes_find(const char *name);  /* null if there is none */
+const scene_info *scenes_at(int index);          /* null outside 0..count-1 */
+const scene_info *scenes_find(const char *name); /* null if there is none */
 
 /* Initialises and fills *s; size 0 takes the default. False, and *s is empty, when the size is
  * out of range or memory runs out. */

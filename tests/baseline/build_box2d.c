@@ -127,8 +127,7 @@ static bool add_body(b2WorldId world, const scene *s, const scene_body *body, bo
     return ok;
 }
 
-bool scene_build_box2d(const scene *s, box2d_settings settings, b2WorldId *out,
-                       b2BodyId *bodies) {
+bool scene_build_box2d(const scene *s, box2d_settings settings, b2WorldId *out, b2BodyId *bodies) {
     *out = b2_nullWorldId;
     if (s->failed)
         return false;

@@ -17,8 +17,7 @@ typedef struct box2d_world {
 static void *create(const scene *s, contender_settings settings) {
     if (!box2d_can_run())
         return NULL;
-    box2d_world *world =
-        calloc(1, sizeof *world + (size_t)s->body_count * sizeof world->bodies[0]);
+    box2d_world *world = calloc(1, sizeof *world + (size_t)s->body_count * sizeof world->bodies[0]);
     box2d_settings own = {.sleeping = settings.sleeping, .events = settings.events};
     if (!world || !scene_build_box2d(s, own, &world->id, world->bodies)) {
         fprintf(stderr, "box2d: scene %s could not be built\n", s->name);

@@ -14,7 +14,7 @@ typedef struct duel {
     scene scene;
     const contender *engine[ENGINES];
     void *world[ENGINES];
-    contender_body *bodies[ENGINES]; /* as of the last step, in the scene's order */
+    contender_body *bodies[ENGINES];  /* as of the last step, in the scene's order */
     contender_events events[ENGINES]; /* summed over all steps so far */
 } duel;
 
@@ -59,12 +59,12 @@ static inline void duel_end(duel *d) {
 }
 
 /* False for what is not a number, too. */
-#define assert_near(actual, expected, tolerance)                                                   \
-    do {                                                                                           \
-        double actual_ = (actual), expected_ = (expected), tolerance_ = (tolerance);               \
-        if (!(fabs(actual_ - expected_) <= tolerance_))                                            \
-            fail_msg("%s is %.6g, not within %.3g of %.6g", #actual, actual_, tolerance_,          \
-                     expected_);                                                                   \
+#define assert_near(actual, expected, tolerance)                                          \
+    do {                                                                                  \
+        double actual_ = (actual), expected_ = (expected), tolerance_ = (tolerance);      \
+        if (!(fabs(actual_ - expected_) <= tolerance_))                                   \
+            fail_msg("%s is %.6g, not within %.3g of %.6g", #actual, actual_, tolerance_, \
+                     expected_);                                                          \
     } while (0)
 
 #endif

@@ -79,8 +79,8 @@ static void filters_decide_alike_who_falls_through(void **state) {
         uint32_t category;
         int32_t group;
         bool falls;
-    } balls[] = {{-4, 1, 0, false}, {0, 2, 0, true}, {4, 2, 5, false}, {28, 1, -3, true},
-                 {32, 1, 0, false}};
+    } balls[] = {
+        {-4, 1, 0, false}, {0, 2, 0, true}, {4, 2, 5, false}, {28, 1, -3, true}, {32, 1, 0, false}};
     for (int i = 0; i < 5; i++) {
         scene_dynamic_circle(&d.scene, balls[i].x, 1, 0.5);
         d.scene.shapes[2 + i].category = balls[i].category;

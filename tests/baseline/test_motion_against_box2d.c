@@ -69,7 +69,8 @@ static double way_along_slope(const duel *d, int engine) {
                  d->bodies[engine][1].y - d->scene.bodies[1].y);
 }
 
-/* After two seconds a / 2 * t^2 = 2 a; 2 % for the integration (0.4 %) and the give at the start. */
+/* After two seconds a / 2 * t^2 = 2 a; 2 % for the integration (0.4 %) and the give at the start.
+ */
 static void motion_box_on_steep_slope_slides_with_coulomb_friction(void **state) {
     (void)state;
     duel d;

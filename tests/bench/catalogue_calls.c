@@ -21,9 +21,9 @@ static const struct {
 static const thud_motion STILL = {0, 0, 0};
 
 /* The i-th call is of the i-th pair; every answer has a part in what is returned. */
-#define FOR_EACH_CALL(inputs, count)                                                               \
-    const sample_pairs *p = inputs;                                                                \
-    double answers = 0;                                                                            \
+#define FOR_EACH_CALL(inputs, count) \
+    const sample_pairs *p = inputs;  \
+    double answers = 0;              \
     for (int n = 0, i = 0; n < count; n++, i = n & (SAMPLE_PAIRS - 1))
 
 static double volumes_overlap(const void *inputs, int count) {

@@ -39,14 +39,15 @@ static void make_places(ground_places *g) {
         thud_terrain_sample sample = {0};
         thud_terrain_sample_at(&g->terrain, x, &sample);
         double y = sample.height + scene_random_range(&random, 0, 1);
-        g->circles[i] = (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
+        g->circles[i] =
+            (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
         g->boxes[i] = (thud_shape_instance){THUD_OBB, x, y, 0.8, 0.6, 0.5, 0.5};
     }
 }
 
-#define FOR_EACH_PLACE(inputs, count)                                                              \
-    const ground_places *g = inputs;                                                               \
-    double answers = 0;                                                                            \
+#define FOR_EACH_PLACE(inputs, count) \
+    const ground_places *g = inputs;  \
+    double answers = 0;               \
     for (int n = 0, i = 0; n < count; n++, i = n & (PLACES - 1))
 
 static double sample_at(const void *inputs, int count) {

@@ -30,9 +30,9 @@ static void make_questions(questions *q, double half) {
     }
 }
 
-#define FOR_EACH_QUESTION(inputs, count)                                                           \
-    const questions *q = inputs;                                                                   \
-    double answers = 0;                                                                            \
+#define FOR_EACH_QUESTION(inputs, count) \
+    const questions *q = inputs;         \
+    double answers = 0;                  \
     for (int n = 0, i = 0; n < count; n++, i = n & (PLACES - 1))
 
 static double ray(const void *inputs, int count) {

@@ -14,17 +14,17 @@ static const double RATES[RATE_COUNT] = {30, 60, 120, 240}; /* steps a second */
 static const double GRAVITY = 10, RADIUS = 0.1, WALL_FACE = 20, VX = 20, VY = 5;
 
 typedef struct throw_errors {
-    double flight;     /* worst distance of a centre from its parabola at the end of a step */
-    double worst, sum; /* of the places of the hits, along the wall, off their parabolas */
+    double flight;      /* worst distance of a centre from its parabola at the end of a step */
+    double worst, sum;  /* of the places of the hits, along the wall, off their parabolas */
     double early, late; /* most that a ball was before the wall, and in it, when it was met */
-    double bend; /* worst of the heights of balls that are met, off the parabolas through the
-                    ends of the step */
+    double bend;        /* worst of the heights of balls that are met, off the parabolas through the
+                           ends of the step */
     int hits;
 } throw_errors;
 
 typedef struct throws {
     scene with_wall, without;
-    way_world worlds[2]; /* with the wall, and without */
+    way_world worlds[2];                          /* with the wall, and without */
     thud_pos before[BALLS + 1], after[BALLS + 1]; /* the last step without the wall */
     bool hit[BALLS + 1];
     double time_step;

@@ -37,9 +37,9 @@ static void make_contents(thud_shape_kind kind, contents *c) {
     }
 }
 
-#define FOR_EACH_CALL(inputs, count)                                                               \
-    const contents *c = inputs;                                                                    \
-    double answers = 0;                                                                            \
+#define FOR_EACH_CALL(inputs, count) \
+    const contents *c = inputs;      \
+    double answers = 0;              \
     for (int n = 0, i = 0; n < count; n++, i = n & (SAMPLE_PAIRS - 1))
 
 static double around_shape(const void *inputs, int count) {

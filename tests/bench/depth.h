@@ -8,9 +8,9 @@
 /* A circle (hy 0, radius hx) or a box in its place. */
 typedef struct depth_shape {
     bool circle;
-    double x, y;           /* centre */
-    double cosine, sine;   /* of the angle; a circle heeds neither */
-    double hx, hy;         /* half extents; a circle's radius is hx */
+    double x, y;         /* centre */
+    double cosine, sine; /* of the angle; a circle heeds neither */
+    double hx, hy;       /* half extents; a circle's radius is hx */
 } depth_shape;
 
 /* A ground line with solid below, its vertices from left to right in world coordinates. */

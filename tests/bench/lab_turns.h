@@ -18,11 +18,11 @@ typedef struct lab_turns_plan {
 /* Seconds: the least of the repetitions so far, as worlds are deterministic. */
 typedef struct lab_turns_times {
     bool dropped;
-    double first;       /* of the first step's broadphase */
-    double second_step; /* of all of it */
+    double first;                                              /* of the first step's broadphase */
+    double second_step;                                        /* of all of it */
     double step[LAB_TURNS_STEPS], broadphase[LAB_TURNS_STEPS]; /* after the warm-up */
-    int count;          /* of the timed steps */
-    thud_stats stats;   /* of the last step */
+    int count;                                                 /* of the timed steps */
+    thud_stats stats;                                          /* of the last step */
 } lab_turns_times;
 
 /* The worlds are new, and have lab_now for their clock. Repetition 0 fills in the times, and later

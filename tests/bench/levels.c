@@ -46,7 +46,8 @@ static double distance_along_axes(const thud_shape_instance *a, const thud_shape
     return most;
 }
 
-static void count_near(const thud_shape_instance *a, const thud_shape_instance *b, double margin, levels *sum) {
+static void count_near(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
+                       levels *sum) {
     /* Corners that are a margin apart along both axes are further apart than one. */
     double reach = hypot(a->hx, a->hy) + hypot(b->hx, b->hy) + 2 * margin;
     thud_closest closest;

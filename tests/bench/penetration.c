@@ -45,8 +45,8 @@ static int ground_vertices(const scene_shape *shape) {
 }
 
 /* Terrain stands still, so that its vertices are placed once. */
-static void place_ground(penetration_meter *meter, const scene_body *body,
-                         const scene_shape *shape, scene_point *points) {
+static void place_ground(penetration_meter *meter, const scene_body *body, const scene_shape *shape,
+                         scene_point *points) {
     int count = ground_vertices(shape);
     for (int i = 0; i < count; i++) {
         double flat_x = i == 0 ? -FLAT_HALF_WIDTH : FLAT_HALF_WIDTH;
@@ -157,7 +157,8 @@ static bool place(placed *p, const contender_body *body) {
 }
 
 static size_t bucket_of(const penetration_meter *meter, int64_t cell_x, int64_t cell_y) {
-    uint64_t mixed = (uint64_t)cell_x * 0x9E3779B97F4A7C15u ^ (uint64_t)cell_y * 0xC2B2AE3D27D4EB4Fu;
+    uint64_t mixed =
+        (uint64_t)cell_x * 0x9E3779B97F4A7C15u ^ (uint64_t)cell_y * 0xC2B2AE3D27D4EB4Fu;
     return (size_t)(mixed ^ mixed >> 29) & meter->bucket_mask;
 }
 
@@ -198,8 +199,7 @@ static void test_grounds(const penetration_meter *meter, const placed *p, penetr
             count_depth(seen, depth_in_ground(&meter->grounds[i], &p->shape));
 }
 
-void penetration_sample(penetration_meter *meter, const contender_body *bodies,
-                        penetration *seen) {
+void penetration_sample(penetration_meter *meter, const contender_body *bodies, penetration *seen) {
     placed *p = meter->placed;
     int lost = 0;
     for (size_t i = 0; i <= meter->bucket_mask; i++)

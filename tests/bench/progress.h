@@ -4,6 +4,6 @@
 #define THUD_BENCH_PROGRESS_H
 
 void progress_show(const char *what, double fraction); /* in [0, 1] */
-void progress_clear(void); /* before anything else is printed */
+void progress_clear(void);                             /* before anything else is printed */
 
 #endif

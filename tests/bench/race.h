@@ -28,7 +28,7 @@ typedef struct race_entry {
 typedef struct race_result {
     const char *scene;
     int size, bodies, steps, entry_count;
-    double target; /* against Box2D; 0: none */
+    double target;   /* against Box2D; 0: none */
     double limit_ms; /* on thud's worst step; 0: none */
     race_entry entries[RACE_MAX_CONTENDERS];
 } race_result;

@@ -55,7 +55,8 @@ static void levels_count_a_pair_up_to_the_volume_that_parts_it(void **state) {
     assert_levels(count_pair(bar(0, 0, 2, 0.1), bar(0.6, -0.6, 2, 0.1)),
                   (levels){1, 1, 1, 0, 0, 0, 0});
     /* A circle's OBB is the square around it; the box's corner is in that, not in the circle. */
-    assert_levels(count_pair(circle(0, 0, 1), (thud_shape_instance){THUD_AABB, 3.75, 1.25, 1, 0, 3, 0.5}),
+    assert_levels(count_pair(circle(0, 0, 1),
+                             (thud_shape_instance){THUD_AABB, 3.75, 1.25, 1, 0, 3, 0.5}),
                   (levels){1, 1, 1, 1, 0, 0, 0});
     assert_levels(count_pair(circle(0, 0, 1), circle(1, 0, 1)), (levels){1, 1, 1, 1, 1, 1, 1});
 }

@@ -18,8 +18,8 @@ static depth_shape circle(double x, double y, double radius) {
 }
 
 static depth_shape box(double x, double y, double hx, double hy, double angle) {
-    return (depth_shape){
-        .x = x, .y = y, .cosine = cos(angle), .sine = sin(angle), .hx = hx, .hy = hy};
+    return (
+        depth_shape){.x = x, .y = y, .cosine = cos(angle), .sine = sin(angle), .hx = hx, .hy = hy};
 }
 
 static void assert_near(double actual, double expected, double tolerance) {

@@ -45,8 +45,13 @@ static penetration measure_at_start(const scene *s) {
 static depth_shape placed(const scene *s, int body) {
     const scene_body *b = &s->bodies[body];
     const scene_shape *shape = &s->shapes[b->first_shape];
-    return (depth_shape){shape->kind == SCENE_CIRCLE, b->x,      b->y,     cos(b->angle),
-                         sin(b->angle),               shape->hx, shape->hy};
+    return (depth_shape){shape->kind == SCENE_CIRCLE,
+                         b->x,
+                         b->y,
+                         cos(b->angle),
+                         sin(b->angle),
+                         shape->hx,
+                         shape->hy};
 }
 
 /* Sizes over a factor of 1,000, so that there are large ones outside of the grid as well. */

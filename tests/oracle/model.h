@@ -21,11 +21,11 @@ typedef struct model_body {
 typedef struct model_shape {
     const scene_shape *source;
     int body;
-    bool ground;        /* terrain: `line`; else `solid` */
-    depth_shape solid;  /* in place since model_place; its centre is NaN where the body is lost */
-    depth_ground line;  /* stands still */
-    double reach;       /* m, radius of the circle around the centre that holds the solid */
-    double size;        /* m: diameter, or shorter side; infinite for what is not dynamic */
+    bool ground;       /* terrain: `line`; else `solid` */
+    depth_shape solid; /* in place since model_place; its centre is NaN where the body is lost */
+    depth_ground line; /* stands still */
+    double reach;      /* m, radius of the circle around the centre that holds the solid */
+    double size;       /* m: diameter, or shorter side; infinite for what is not dynamic */
 } model_shape;
 
 typedef struct model {

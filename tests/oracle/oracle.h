@@ -20,23 +20,23 @@
 /* Size of a shape: a circle's diameter, a box's shorter side. Of a pair, the smaller one counts;
  * terrain and static shapes have no size, so that the other one's counts there. */
 typedef struct oracle_score {
-    int touching;             /* pairs with a touching point */
-    double penetration_max;   /* m, deepest overlap; 0 if nothing overlaps */
-    double penetration_mean;  /* m, over the touching pairs, 0 for one that does not overlap */
-    double relative_max;      /* the same two in sizes */
+    int touching;            /* pairs with a touching point */
+    double penetration_max;  /* m, deepest overlap; 0 if nothing overlaps */
+    double penetration_mean; /* m, over the touching pairs, 0 for one that does not overlap */
+    double relative_max;     /* the same two in sizes */
     double relative_mean;
-    double approach_max;      /* m/s, fastest approach at a touching point: the velocity residual.
-                  A pair that met within the last step may approach rightly */
-    double approach_rms;      /* m/s, over the touching points; parting counts as 0 */
-    double kinetic_energy;    /* J, of dynamic bodies, like all below */
-    double potential_energy;  /* J, 0 at the world's origin */
-    double energy;            /* J, the sum of both */
+    double approach_max;     /* m/s, fastest approach at a touching point: the velocity residual.
+                 A pair that met within the last step may approach rightly */
+    double approach_rms;     /* m/s, over the touching points; parting counts as 0 */
+    double kinetic_energy;   /* J, of dynamic bodies, like all below */
+    double potential_energy; /* J, 0 at the world's origin */
+    double energy;           /* J, the sum of both */
     double momentum_x, momentum_y; /* kg m/s */
-    double angular_momentum;  /* kg m^2/s, about the world's origin */
-    double speed_max;         /* m/s, of a centre of mass */
-    double height;            /* m, of the highest centre of mass against gravity; in a world
-without gravity along y */
-    int lost;                 /* bodies without a finite state; they count nowhere else */
+    double angular_momentum;       /* kg m^2/s, about the world's origin */
+    double speed_max;              /* m/s, of a centre of mass */
+    double height;                 /* m, of the highest centre of mass against gravity; in a world
+     without gravity along y */
+    int lost;                      /* bodies without a finite state; they count nowhere else */
 } oracle_score;
 
 typedef struct oracle_meter oracle_meter;
@@ -82,10 +82,10 @@ typedef struct oracle_report {
 
 /* The force at a contact point, averaged over the last step. */
 typedef struct oracle_force {
-    int body_a, body_b;         /* in the scene's order */
-    double x, y;                /* the point, m */
-    double normal_x, normal_y;  /* from a to b */
-    double normal, tangent;     /* N, on b, along the normal and (normal_y, -normal_x) */
+    int body_a, body_b;        /* in the scene's order */
+    double x, y;               /* the point, m */
+    double normal_x, normal_y; /* from a to b */
+    double normal, tangent;    /* N, on b, along the normal and (normal_y, -normal_x) */
 } oracle_force;
 
 typedef struct oracle oracle;

@@ -7,12 +7,12 @@
 #include <math.h>
 
 /* False for what is not a number, too. */
-#define assert_near(actual, expected, tolerance)                                                   \
-    do {                                                                                           \
-        double actual_ = (actual), expected_ = (expected), tolerance_ = (tolerance);               \
-        if (!(fabs(actual_ - expected_) <= tolerance_))                                            \
-            fail_msg("%s is %.12g, not within %.3g of %.12g", #actual, actual_, tolerance_,        \
-                     expected_);                                                                   \
+#define assert_near(actual, expected, tolerance)                                            \
+    do {                                                                                    \
+        double actual_ = (actual), expected_ = (expected), tolerance_ = (tolerance);        \
+        if (!(fabs(actual_ - expected_) <= tolerance_))                                     \
+            fail_msg("%s is %.12g, not within %.3g of %.12g", #actual, actual_, tolerance_, \
+                     expected_);                                                            \
     } while (0)
 
 /* A body as the scene has it at the start. */

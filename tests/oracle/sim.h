@@ -21,12 +21,12 @@ struct oracle {
     inverse_mass *masses;
     motion *places, *velocities; /* of the centres of mass */
     motion *scratch;
-    double *margins;             /* m, a shape */
-    contact_list found;          /* at the places last looked at */
-    contact_list active;         /* solved in the last step, in the order of `contact_order` */
-    contact_list chosen;         /* room for a part of `found` */
-    double last_step;            /* s, which `active` acted for */
-    double slow, tiny;           /* m/s, see sim_least_impact */
+    double *margins;     /* m, a shape */
+    contact_list found;  /* at the places last looked at */
+    contact_list active; /* solved in the last step, in the order of `contact_order` */
+    contact_list chosen; /* room for a part of `found` */
+    double last_step;    /* s, which `active` acted for */
+    double slow, tiny;   /* m/s, see sim_least_impact */
     oracle_force *forces;
     oracle_report report;
 };

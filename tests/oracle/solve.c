@@ -24,11 +24,11 @@ static const double ROUNDING = 1e-11;
 
 struct contact_solver {
     int body_count, capacity;
-    int *list_start;       /* of the contacts of a dynamic body, in `list`; one more at the end */
+    int *list_start; /* of the contacts of a dynamic body, in `list`; one more at the end */
     int *list;
-    int *row;              /* first of a contact in the matrix; -1 while open */
+    int *row; /* first of a contact in the matrix; -1 while open */
     contact_block *blocks;
-    contact *kept;         /* a copy of all */
+    contact *kept; /* a copy of all */
     double *x;
     motion *free_motion, *work;
     skyline matrix;

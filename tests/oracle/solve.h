@@ -27,15 +27,15 @@ typedef enum contact_state {
 
 typedef struct contact {
     int body_a, body_b;
-    int shape_a, shape_b, feature; /* tell it from others */
-    double x, y;                   /* the point */
-    double normal_x, normal_y;     /* from a to b; the tangent is (normal_y, -normal_x) */
+    int shape_a, shape_b, feature;         /* tell it from others */
+    double x, y;                           /* the point */
+    double normal_x, normal_y;             /* from a to b; the tangent is (normal_y, -normal_x) */
     double arm_ax, arm_ay, arm_bx, arm_by; /* from the centres of mass to the point */
-    double gap, size;              /* m, of the smaller shape */
+    double gap, size;                      /* m, of the smaller shape */
     double friction, restitution;
-    double bias;                   /* m/s */
-    contact_state state;           /* guess, and then the answer */
-    double normal, tangent;        /* the same of the impulses on b, kg m/s */
+    double bias;            /* m/s */
+    contact_state state;    /* guess, and then the answer */
+    double normal, tangent; /* the same of the impulses on b, kg m/s */
 } contact;
 
 /* Relative velocity of b at the contact, along the normal or the tangent. */

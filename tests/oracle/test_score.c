@@ -35,7 +35,7 @@ static void score_two_overlaps_gives_worst_and_mean(void **state) {
     scene s;
     scene_init(&s);
     scene_static_box(&s, 0, -1, 10, 1);
-    scene_dynamic_box(&s, 0, 0.375, 1, 0.5); /* 0.125 deep, shorter side 1 */
+    scene_dynamic_box(&s, 0, 0.375, 1, 0.5);   /* 0.125 deep, shorter side 1 */
     scene_dynamic_circle(&s, 5, 0.1875, 0.25); /* 0.0625 deep, diameter 0.5 */
     oracle_score score = score_at_start(&s);
     assert_int_equal(score.touching, 2);

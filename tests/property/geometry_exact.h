@@ -19,33 +19,27 @@ typedef struct vec {
 /* Half a unit in the last place of 1.0: what one operation of the engine may lose. */
 #define ROUNDING 0x1p-53
 
-static inline vec vec_of(real x, real y)
-{
+static inline vec vec_of(real x, real y) {
     return (vec){x, y};
 }
 
-static inline vec minus(vec a, vec b)
-{
+static inline vec minus(vec a, vec b) {
     return (vec){a.x - b.x, a.y - b.y};
 }
 
-static inline real dot(vec a, vec b)
-{
+static inline real dot(vec a, vec b) {
     return a.x * b.x + a.y * b.y;
 }
 
-static inline real cross(vec a, vec b)
-{
+static inline real cross(vec a, vec b) {
     return a.x * b.y - a.y * b.x;
 }
 
-static inline real length_of(vec a)
-{
+static inline real length_of(vec a) {
     return sqrtl(dot(a, a));
 }
 
-static inline vec unit(vec a)
-{
+static inline vec unit(vec a) {
     real length = length_of(a);
     return (vec){a.x / length, a.y / length};
 }
@@ -57,8 +51,7 @@ typedef struct solid {
     real radius;
 } solid;
 
-static inline solid solid_at(const thud_shape_instance *s, vec center, real c, real si)
-{
+static inline solid solid_at(const thud_shape_instance *s, vec center, real c, real si) {
     solid out = {.count = 1, .v = {center}, .radius = s->kind == THUD_CIRCLE ? (real)s->hx : 0.0L};
     if (s->kind != THUD_CIRCLE) {
         out.count = 4;
@@ -72,14 +65,13 @@ static inline solid solid_at(const thud_shape_instance *s, vec center, real c, r
 }
 
 /* Relative to (x, y). */
-static inline solid solid_of(const thud_shape_instance *s, double x, double y)
-{
+static inline solid solid_of(const thud_shape_instance *s, double x, double y) {
     return solid_at(s, vec_of((real)s->x - x, (real)s->y - y), s->c, s->s);
 }
 
 /* Where the shape is after a part of its motion. */
-static inline solid solid_after(const thud_shape_instance *s, thud_motion m, real t, double x, double y)
-{
+static inline solid solid_after(const thud_shape_instance *s, thud_motion m, real t, double x,
+                                double y) {
     bool turns = s->kind == THUD_OBB && m.turn != 0.0;
     real c = turns ? cosl(m.turn * t) : 1.0L, si = turns ? sinl(m.turn * t) : 0.0L;
     return solid_at(s, vec_of((real)s->x - x + m.dx * t, (real)s->y - y + m.dy * t),
@@ -93,8 +85,7 @@ typedef struct sum {
     real radius;
 } sum;
 
-static inline void hull_add(sum *h, int keep, vec p)
-{
+static inline void hull_add(sum *h, int keep, vec p) {
     while (h->count > keep && cross(minus(h->v[h->count - 1], h->v[h->count - 2]),
                                     minus(p, h->v[h->count - 1])) <= 0) {
         h->count--;
@@ -103,8 +94,7 @@ static inline void hull_add(sum *h, int keep, vec p)
 }
 
 /* By monotone chain (Andrew 1979). */
-static inline sum sum_of(const solid *a, const solid *b)
-{
+static inline sum sum_of(const solid *a, const solid *b) {
     sum h = {.radius = a->radius + b->radius};
     vec p[16];
     int n = 0;
@@ -134,8 +124,7 @@ static inline sum sum_of(const solid *a, const solid *b)
 }
 
 /* From p to the piece between a and b. */
-static inline real segment_distance(vec a, vec b, vec p)
-{
+static inline real segment_distance(vec a, vec b, vec p) {
     vec d = minus(b, a), q = minus(p, a);
     real square = dot(d, d), t = square > 0.0L ? dot(d, q) / square : 0.0L;
     if (t > 0.0L && t < 1.0L) {
@@ -145,8 +134,7 @@ static inline real segment_distance(vec a, vec b, vec p)
 }
 
 /* Of p from the sum; negative inside: the depth. */
-static inline real sum_distance(const sum *h, vec p)
-{
+static inline real sum_distance(const sum *h, vec p) {
     real nearest = 1e300L, deepest = -1e300L;
     if (h->count == 1) {
         return length_of(minus(p, h->v[0])) - h->radius;
@@ -159,15 +147,13 @@ static inline real sum_distance(const sum *h, vec p)
     return (deepest > 0.0L || h->count == 2 ? nearest : deepest) - h->radius;
 }
 
-static inline real solids_distance(const solid *a, const solid *b)
-{
+static inline real solids_distance(const solid *a, const solid *b) {
     sum h = sum_of(a, b);
     return sum_distance(&h, vec_of(0.0L, 0.0L));
 }
 
 /* Of a point from a solid. */
-static inline real solid_distance(const solid *s, vec p)
-{
+static inline real solid_distance(const solid *s, vec p) {
     solid point = {.count = 1, .v = {p}};
     return solids_distance(&point, s);
 }
@@ -176,8 +162,7 @@ static inline real solid_distance(const solid *s, vec p)
 #define NEVER 2.0L
 
 /* Narrows [first, last] to where p + t d is within `inset` of the inner side of the edge. */
-static inline void clip_path(vec a, vec b, real inset, vec p, vec d, real *first, real *last)
-{
+static inline void clip_path(vec a, vec b, real inset, vec p, vec d, real *first, real *last) {
     vec along = unit(minus(b, a)), out = {along.y, -along.x};
     real start = dot(out, minus(p, a)) + inset, speed = dot(out, d);
     if (speed == 0.0L) {
@@ -189,8 +174,7 @@ static inline void clip_path(vec a, vec b, real inset, vec p, vec d, real *first
     }
 }
 
-static inline real enters_circle(vec center, real radius, vec p, vec d)
-{
+static inline real enters_circle(vec center, real radius, vec p, vec d) {
     vec o = minus(p, center);
     real a = dot(d, d), b = dot(o, d), side = cross(d, o);
     if (length_of(o) <= radius) {
@@ -204,8 +188,7 @@ static inline real enters_circle(vec center, real radius, vec p, vec d)
 
 /* When a point that starts at the origin and moves by d first is within `radius` of the polygon; a
  * negative radius is a smaller polygon. */
-static inline real enters(const sum *h, real radius, vec d)
-{
+static inline real enters(const sum *h, real radius, vec d) {
     vec origin = {0.0L, 0.0L};
     real time = NEVER, first = 0.0L, last = 1.0L;
     for (int i = 0; i < h->count && h->count > 1; i++) {
@@ -233,8 +216,7 @@ static inline real enters(const sum *h, real radius, vec d)
 
 /* How far b is beyond a in the direction n, which has length 1. The distance of two shapes is the
  * largest of all directions' gaps, so a direction with that gap is a right normal. */
-static inline real gap_along(const solid *a, const solid *b, vec n)
-{
+static inline real gap_along(const solid *a, const solid *b, vec n) {
     real top = -1e300L, low = 1e300L;
     for (int i = 0; i < a->count; i++) {
         top = fmaxl(top, dot(n, a->v[i]));

@@ -26,13 +26,11 @@ typedef struct ground {
     thud_shape_instance shape;
 } ground;
 
-static inline double vertex_x(const thud_terrain *t, int i)
-{
+static inline double vertex_x(const thud_terrain *t, int i) {
     return t->kind == THUD_TERRAIN_UNIFORM ? t->x0 + i * t->spacing : t->points[i].x;
 }
 
-static inline void draw_line(source *r, ground *g, ground_family family)
-{
+static inline void draw_line(source *r, ground *g, ground_family family) {
     int count = family == TWO_POINTS ? 2 : 3 + draw_below(r, MAX_VERTICES - 2);
     double spacing = exp(draw(r, -2.5, 0.5)), rough = family == GENTLE ? 0.1 : 1.0;
     double x = -spacing * draw(r, 0.0, 1.0) * count, y = 0.0, slope = draw(r, -1.0, 1.0);
@@ -54,15 +52,13 @@ static inline void draw_line(source *r, ground *g, ground_family family)
 }
 
 /* A vertex seen from the shape's centre: exact, also far from the origin. */
-static inline vec vertex_from(const thud_terrain *t, const thud_shape_instance *s, int i)
-{
+static inline vec vertex_from(const thud_terrain *t, const thud_shape_instance *s, int i) {
     return (vec){(real)vertex_x(t, i) - s->x, (real)t->points[i].y - s->y};
 }
 
 /* Height of the line over the shape's centre at x from it, by a scan; -infinity where there is no
  * ground. */
-static inline real line_height(const thud_terrain *t, const thud_shape_instance *s, real x)
-{
+static inline real line_height(const thud_terrain *t, const thud_shape_instance *s, real x) {
     if (t->kind == THUD_TERRAIN_FLAT) {
         return t->slope * (s->x + x) - s->y;
     }
@@ -76,15 +72,13 @@ static inline real line_height(const thud_terrain *t, const thud_shape_instance 
     return -HUGE_VALL;
 }
 
-static inline real half_width(const thud_shape_instance *s)
-{
+static inline real half_width(const thud_shape_instance *s) {
     return s->kind == THUD_CIRCLE ? (real)s->hx
                                   : fabsl((real)s->c * s->hx) + fabsl((real)s->s * s->hy);
 }
 
 /* The height of the shape's underside over its centre, at dx from it. */
-static inline real underside(const thud_shape_instance *s, real dx)
-{
+static inline real underside(const thud_shape_instance *s, real dx) {
     real low = HUGE_VALL;
     if (s->kind == THUD_CIRCLE) {
         return -sqrtl(fmaxl(0.0L, ((real)s->hx - dx) * ((real)s->hx + dx)));
@@ -103,8 +97,7 @@ static inline real underside(const thud_shape_instance *s, real dx)
 /* How far the shape, moved by x to the side, must be lifted to be just out of the ground; negative
  * if it may sink, -infinity where no ground is under it. The ground is highest over the underside
  * at a vertex, at a corner of a box, or where a circle is parallel to a segment. */
-static inline real lift_at(const ground *g, const thud_shape_instance *s, real x)
-{
+static inline real lift_at(const ground *g, const thud_shape_instance *s, real x) {
     const thud_terrain *t = &g->terrain;
     real half = half_width(s), lift = -HUGE_VALL;
     bool flat = t->kind == THUD_TERRAIN_FLAT, round = s->kind == THUD_CIRCLE;
@@ -131,8 +124,7 @@ static inline real lift_at(const ground *g, const thud_shape_instance *s, real x
 
 /* Of a solid from the line and the sides under its ends. Only a flat line knows what is below it.
  */
-static inline real outline_distance(const ground *g, const solid *s)
-{
+static inline real outline_distance(const ground *g, const solid *s) {
     const thud_terrain *t = &g->terrain;
     const real deep = 128.0L; /* further than any shape is in or over the ground */
     real least = HUGE_VALL;
@@ -154,8 +146,7 @@ static inline real outline_distance(const ground *g, const solid *s)
 }
 
 /* A shape by the ground: on it, in it, over it, beyond its ends, on one of its vertices. */
-static inline void place_shape(source *r, ground *g)
-{
+static inline void place_shape(source *r, ground *g) {
     thud_shape_instance *s = &g->shape;
     const thud_terrain *t = &g->terrain;
     bool flat = t->kind == THUD_TERRAIN_FLAT;
@@ -172,7 +163,7 @@ static inline void place_shape(source *r, ground *g)
         s->y += draw(r, -2.0, 3.0) * size;
     } else if (where <= 5) {
         s->y += draw(r, -0.1, 0.05) * size; /* little in, or little over */
-    } else if (where == 6 && !flat) { /* centre or corner on a vertex */
+    } else if (where == 6 && !flat) {       /* centre or corner on a vertex */
         int i = draw_below(r, t->count);
         thud_pos corner = outline(s, 0.25 * draw_below(r, 4));
         s->x = vertex_x(t, i) - (draw_below(r, 2) ? corner.x : 0.0);
@@ -181,8 +172,7 @@ static inline void place_shape(source *r, ground *g)
 }
 
 static inline ground *draw_ground_of(source *r, ground *g, thud_terrain_kind kind,
-                                     thud_shape_kind shape, int i)
-{
+                                     thud_shape_kind shape, int i) {
     *g = (ground){.terrain = {.kind = kind}, .shape = {.kind = shape, .c = 1.0}};
     draw_line(r, g, (ground_family)(i % GROUND_FAMILIES));
     thud_shape_instance *s = &g->shape;
@@ -211,8 +201,7 @@ static inline ground *draw_ground_of(source *r, ground *g, thud_terrain_kind kin
 
 /* What the engine's answers are rounded by: a unit of what it adds up; a flat line and heights on
  * it are as coarse as the place on it. */
-static inline double ground_rounding(const ground *g)
-{
+static inline double ground_rounding(const ground *g) {
     const thud_terrain *t = &g->terrain;
     double far = 0.0;
     for (int i = 0; i < t->count; i++) {
@@ -225,14 +214,12 @@ static inline double ground_rounding(const ground *g)
 }
 
 /* ... and its places, which are as coarse as their coordinates. */
-static inline double spot_rounding(const ground *g)
-{
+static inline double spot_rounding(const ground *g) {
     return ground_rounding(g) + ROUNDING * (fabs(g->shape.x) + fabs(g->shape.y));
 }
 
 /* How far a place on the line may be off in height for a rounding sideways. */
-static inline double steepest(const thud_terrain *t)
-{
+static inline double steepest(const thud_terrain *t) {
     double most = 1.0;
     for (int i = 0; i + 1 < t->count && t->kind != THUD_TERRAIN_FLAT; i++) {
         double rise = fabs(t->points[i + 1].y - t->points[i].y);
@@ -241,8 +228,7 @@ static inline double steepest(const thud_terrain *t)
     return most;
 }
 
-static inline void print_ground(const ground *g)
-{
+static inline void print_ground(const ground *g) {
     const thud_terrain *t = &g->terrain;
     const thud_shape_instance *s = &g->shape;
     printf("shape = {.kind = %d, .x = %a, .y = %a, .c = %a, .s = %a, .hx = %a, .hy = %a}\n",
@@ -255,12 +241,12 @@ static inline void print_ground(const ground *g)
 }
 
 /* As assert_true, with the ground for whoever wants to try it again. */
-#define CHECK_GROUND(g, condition)                                                                 \
-    do {                                                                                           \
-        if (!(condition)) {                                                                        \
-            print_ground(g);                                                                       \
-        }                                                                                          \
-        assert_true(condition);                                                                    \
+#define CHECK_GROUND(g, condition) \
+    do {                           \
+        if (!(condition)) {        \
+            print_ground(g);       \
+        }                          \
+        assert_true(condition);    \
     } while (0)
 
 #endif

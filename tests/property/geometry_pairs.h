@@ -31,8 +31,7 @@ typedef struct pair {
 } pair;
 
 /* Moves b until it touches a: the shortest way, but for a circle whose centre is in the other. */
-static inline void bring_to_touch(pair *p)
-{
+static inline void bring_to_touch(pair *p) {
     solid a = solid_of(&p->a, p->a.x, p->a.y), b = solid_of(&p->b, p->a.x, p->a.y);
     sum h = sum_of(&a, &b);
     vec best = {0.0L, 0.0L}; /* the point of the sum's outline that is nearest to the origin */
@@ -52,8 +51,7 @@ static inline void bring_to_touch(pair *p)
     p->b.y -= (double)(best.y * part);
 }
 
-static inline void place_parallel(source *r, pair *p)
-{
+static inline void place_parallel(source *r, pair *p) {
     const double gaps[] = {0.0, 0.01, -0.01, draw(r, -1.0, 1.0)};
     const double turns[] = {0.0, 0.0, 1e-12, 1e-9, 1e-6, 1e-3};
     double angle = p->a.kind == THUD_OBB && p->b.kind == THUD_OBB ? draw(r, -4.0, 4.0) : 0.0;
@@ -69,8 +67,7 @@ static inline void place_parallel(source *r, pair *p)
 }
 
 /* A corner of one on a corner of the other, or on a circle's outline. */
-static inline void place_corners(source *r, pair *p)
-{
+static inline void place_corners(source *r, pair *p) {
     thud_pos i = outline(&p->a, 0.25 * draw_below(r, 4)),
              j = outline(&p->b, 0.25 * draw_below(r, 4));
     double off = draw_below(r, 2) ? 0.0 : draw(r, -1e-3, 1e-3);
@@ -78,8 +75,7 @@ static inline void place_corners(source *r, pair *p)
     p->b.y = p->a.y + i.y - j.y - off * draw(r, -1.0, 1.0);
 }
 
-static inline void make_needles(source *r, pair *p)
-{
+static inline void make_needles(source *r, pair *p) {
     thud_shape_instance *thin = draw_below(r, 2) ? &p->a : &p->b;
     for (int i = 0; i < 2; i++, thin = thin == &p->a ? &p->b : &p->a) {
         if (thin->kind == THUD_CIRCLE) {
@@ -98,8 +94,7 @@ static inline void make_needles(source *r, pair *p)
     }
 }
 
-static inline pair draw_pair_of(source *r, int kinds, pair_family family)
-{
+static inline pair draw_pair_of(source *r, int kinds, pair_family family) {
     pair p = {draw_shape_of(r, pair_kinds[kinds][0]), draw_shape_of(r, pair_kinds[kinds][1])};
     bool far = family == FAR_AWAY;
     switch (far ? draw_below(r, FAR_AWAY) : (int)family) {
@@ -145,15 +140,13 @@ static inline pair draw_pair_of(source *r, int kinds, pair_family family)
 }
 
 /* What the engine's answers about the pair are rounded by: a unit of what it adds up. */
-static inline double pair_rounding(const pair *p)
-{
+static inline double pair_rounding(const pair *p) {
     double size = p->a.hx + p->a.hy + p->b.hx + p->b.hy;
     return ROUNDING * (fabs(p->b.x - p->a.x) + fabs(p->b.y - p->a.y) + size);
 }
 
 /* ... and its places, which are as coarse as their coordinates. */
-static inline double place_rounding(const pair *p)
-{
+static inline double place_rounding(const pair *p) {
     return pair_rounding(p) + ROUNDING * (fabs(p->a.x) + fabs(p->a.y));
 }
 
@@ -164,8 +157,7 @@ typedef struct moving {
     double target;
 } moving;
 
-static inline moving draw_moving(source *r, int kinds, int i, bool turning)
-{
+static inline moving draw_moving(source *r, int kinds, int i, bool turning) {
     moving m = {.p = draw_pair_of(r, kinds, (pair_family)(i % FAMILIES))};
     double speed = exp(draw(r, -3.0, 5.0)), away = draw_below(r, 3) ? 3.0 : 0.0;
     m.p.b.x += draw(r, -away, away);
@@ -189,33 +181,30 @@ static inline moving draw_moving(source *r, int kinds, int i, bool turning)
     return m;
 }
 
-static inline double moving_rounding(const moving *m)
-{
+static inline double moving_rounding(const moving *m) {
     double way = fabs(m->a.dx) + fabs(m->a.dy) + fabs(m->b.dx) + fabs(m->b.dy);
     return pair_rounding(&m->p) + ROUNDING * (way + m->target);
 }
 
-static inline real moving_distance(const moving *m, real t)
-{
+static inline real moving_distance(const moving *m, real t) {
     solid a = solid_after(&m->p.a, m->a, t, m->p.a.x, m->p.a.y);
     solid b = solid_after(&m->p.b, m->b, t, m->p.a.x, m->p.a.y);
     return solids_distance(&a, &b);
 }
 
-static inline void print_shape(const char *name, const thud_shape_instance *s)
-{
+static inline void print_shape(const char *name, const thud_shape_instance *s) {
     printf("%s = {.kind = %d, .x = %a, .y = %a, .c = %a, .s = %a, .hx = %a, .hy = %a}\n", name,
            (int)s->kind, s->x, s->y, s->c, s->s, s->hx, s->hy);
 }
 
 /* As assert_true, with the pair for whoever wants to try it again. */
-#define CHECK_PAIR(pair, condition)                                                                \
-    do {                                                                                           \
-        if (!(condition)) {                                                                        \
-            print_shape("a", &(pair)->a);                                                          \
-            print_shape("b", &(pair)->b);                                                          \
-        }                                                                                          \
-        assert_true(condition);                                                                    \
+#define CHECK_PAIR(pair, condition)       \
+    do {                                  \
+        if (!(condition)) {               \
+            print_shape("a", &(pair)->a); \
+            print_shape("b", &(pair)->b); \
+        }                                 \
+        assert_true(condition);           \
     } while (0)
 
 #endif

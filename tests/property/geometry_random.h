@@ -13,33 +13,28 @@ typedef struct source {
 } source;
 
 /* xorshift64*, Marsaglia 2003 and Vigna 2016. */
-static inline uint64_t draw_bits(source *r)
-{
+static inline uint64_t draw_bits(source *r) {
     r->state ^= r->state >> 12;
     r->state ^= r->state << 25;
     r->state ^= r->state >> 27;
     return r->state * 0x2545f4914f6cdd1dull;
 }
 
-static inline double draw(source *r, double low, double high)
-{
+static inline double draw(source *r, double low, double high) {
     return low + (high - low) * (double)(draw_bits(r) >> 11) * 0x1p-53;
 }
 
-static inline int draw_below(source *r, int count)
-{
+static inline int draw_below(source *r, int count) {
     return (int)(draw_bits(r) >> 33) % count;
 }
 
-static inline void set_angle(thud_shape_instance *shape, double angle)
-{
+static inline void set_angle(thud_shape_instance *shape, double angle) {
     shape->c = shape->kind == THUD_OBB ? cos(angle) : 1.0;
     shape->s = shape->kind == THUD_OBB ? sin(angle) : 0.0;
 }
 
 /* Of any kind about the origin; some are needles. */
-static inline thud_shape_instance draw_shape(source *r)
-{
+static inline thud_shape_instance draw_shape(source *r) {
     thud_shape_instance shape = {.kind = (thud_shape_kind)draw_below(r, 3), .c = 1.0};
     shape.x = draw(r, -1.5, 1.5);
     shape.y = draw(r, -1.5, 1.5);
@@ -53,8 +48,7 @@ static inline thud_shape_instance draw_shape(source *r)
 }
 
 /* A point of the outline; `turn` in [0, 1) goes once round it. Relative to the centre. */
-static inline thud_pos outline(const thud_shape_instance *shape, double turn)
-{
+static inline thud_pos outline(const thud_shape_instance *shape, double turn) {
     if (shape->kind == THUD_CIRCLE) {
         double angle = turn * 6.283185307179586;
         return (thud_pos){shape->hx * cos(angle), shape->hx * sin(angle)};
@@ -69,8 +63,7 @@ static inline thud_pos outline(const thud_shape_instance *shape, double turn)
 }
 
 /* Signed distance of a point (given relative to the shape's centre) from the shape. */
-static inline double point_distance(const thud_shape_instance *shape, double x, double y)
-{
+static inline double point_distance(const thud_shape_instance *shape, double x, double y) {
     if (shape->kind == THUD_CIRCLE) {
         return sqrt(x * x + y * y) - shape->hx;
     }
@@ -80,22 +73,19 @@ static inline double point_distance(const thud_shape_instance *shape, double x, 
     return u > 0.0 || v > 0.0 ? sqrt(over_u * over_u + over_v * over_v) : u > v ? u : v;
 }
 
-static inline double outline_length(const thud_shape_instance *shape)
-{
+static inline double outline_length(const thud_shape_instance *shape) {
     return shape->kind == THUD_CIRCLE ? 6.283185307179586 * shape->hx
                                       : 4.0 * (shape->hx + shape->hy);
 }
 
 /* How many random cases a pair gets: `usual`, or what THUD_CASES in the environment says. */
-static inline int case_count(int usual)
-{
+static inline int case_count(int usual) {
     const char *text = getenv("THUD_CASES");
     int count = text ? atoi(text) : 0;
     return count > 0 ? count : usual;
 }
 
-static inline thud_shape_instance draw_shape_of(source *r, thud_shape_kind kind)
-{
+static inline thud_shape_instance draw_shape_of(source *r, thud_shape_kind kind) {
     thud_shape_instance shape = {.kind = kind, .c = 1.0};
     shape.x = draw(r, -1.5, 1.5);
     shape.y = draw(r, -1.5, 1.5);

@@ -1,6 +1,6 @@
-/* test_broadphases_random.c: random worlds live the same life with each broadphase, whichever way of
- * detection, while lines are made, moved and dug under awake bodies: the same contacts in the same
- * order, the same events and questions in the same order, the same bits. */
+/* test_broadphases_random.c: random worlds live the same life with each broadphase, whichever way
+ * of detection, while lines are made, moved and dug under awake bodies: the same contacts in the
+ * same order, the same events and questions in the same order, the same bits. */
 #include "../unit/engine_support.h"
 
 #include "state/world.h"
@@ -12,33 +12,29 @@ typedef struct life {
     thud_body_id bodies[BODIES], ground;
     thud_shape_id line;
     uint64_t seed;
-    uint64_t told;            /* hash of what callbacks were told */
+    uint64_t told; /* hash of what callbacks were told */
     int lines_made, lines_moved, asked, events;
-    uint64_t hash[STEPS][4];  /* contacts, events, callbacks, bodies */
+    uint64_t hash[STEPS][4]; /* contacts, events, callbacks, bodies */
 } life;
 
-static void mix(uint64_t *hash, const void *data, size_t bytes)
-{
+static void mix(uint64_t *hash, const void *data, size_t bytes) {
     for (size_t i = 0; i < bytes; i++) {
         *hash = (*hash ^ ((const unsigned char *)data)[i]) * 0x100000001b3u;
     }
 }
 
-static void mix_int(uint64_t *hash, uint32_t value)
-{
+static void mix_int(uint64_t *hash, uint32_t value) {
     mix(hash, &value, sizeof value);
 }
 
-static int pick(life *l, int count)
-{
+static int pick(life *l, int count) {
     return (int)random_in(&l->seed, 0, (double)count);
 }
 
 /* ---- what callbacks are told ---- */
 
 static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
-                void *context)
-{
+                void *context) {
     life *l = context;
     (void)world;
     l->asked++;
@@ -49,8 +45,7 @@ static bool ask(thud_world *world, const thud_contact *contact, thud_contact_set
     return (contact->shape_a.index1 + contact->shape_b.index1) % 5 != 0;
 }
 
-static void tell(thud_world *world, const thud_contact *contact, void *context)
-{
+static void tell(thud_world *world, const thud_contact *contact, void *context) {
     life *l = context;
     (void)world;
     mix_int(&l->told, contact->shape_a.index1);
@@ -60,11 +55,10 @@ static void tell(thud_world *world, const thud_contact *contact, void *context)
 
 /* ---- a world that changes ---- */
 
-static void add_random(life *l, int i)
-{
+static void add_random(life *l, int i) {
     thud_body_kind kind = pick(l, 7) ? THUD_DYNAMIC : (thud_body_kind)pick(l, 2);
-    l->bodies[i] = add_body(l->world, kind, random_in(&l->seed, -9, 9),
-                            random_in(&l->seed, 0.5, 7), 0);
+    l->bodies[i] =
+        add_body(l->world, kind, random_in(&l->seed, -9, 9), random_in(&l->seed, 0.5, 7), 0);
     for (int shapes = pick(l, 4) == 0; shapes >= 0; shapes--) {
         thud_shape_def def = thud_default_shape_def();
         def.sensor = pick(l, 6) == 0;
@@ -82,8 +76,7 @@ static void add_random(life *l, int i)
 }
 
 /* Two layers on the ground and a wall at its end, made in no order at all. */
-static void add_tiles(life *l)
-{
+static void add_tiles(life *l) {
     for (int i = 0; i < 64; i++) {
         int at = i * 29 % 64;
         double x = at < 48 ? at % 24 - 12 : 12, y = at < 48 ? -1.5 - at / 24 : at - 50;
@@ -92,22 +85,23 @@ static void add_tiles(life *l)
     }
 }
 
-static void add_line(life *l)
-{
+static void add_line(life *l) {
     thud_pos points[25];
     for (int i = 0; i < 25; i++) {
         points[i] = (thud_pos){i - 12.0, random_in(&l->seed, -0.5, 0.5)};
     }
     thud_terrain line = {.kind = pick(l, 2) ? THUD_TERRAIN_IRREGULAR : THUD_TERRAIN_UNIFORM,
-                         .points = points, .count = 25, .x0 = -12.0, .spacing = 1.0};
+                         .points = points,
+                         .count = 25,
+                         .x0 = -12.0,
+                         .spacing = 1.0};
     thud_shape_def def = thud_default_shape_def();
     l->ground = add_body(l->world, THUD_STATIC, 0, random_in(&l->seed, 0, 2), 0);
     OK(thud_shape_create_terrain(l->world, l->ground, &def, &line, &l->line));
     l->lines_made++;
 }
 
-static void edit_line(life *l)
-{
+static void edit_line(life *l) {
     switch (pick(l, 4)) {
     case 0:
         OK(thud_body_destroy(l->world, l->ground));
@@ -115,7 +109,8 @@ static void edit_line(life *l)
         break;
     case 1:
         OK(thud_body_set_transform(l->world, l->ground,
-                                   (thud_pos){random_in(&l->seed, -1, 1), random_in(&l->seed, 0, 2)},
+                                   (thud_pos){random_in(&l->seed, -1, 1),
+                                              random_in(&l->seed, 0, 2)},
                                    0));
         l->lines_moved++;
         break;
@@ -127,8 +122,7 @@ static void edit_line(life *l)
     }
 }
 
-static void edit(life *l)
-{
+static void edit(life *l) {
     int i = pick(l, BODIES);
     switch (pick(l, 3)) {
     case 0:
@@ -136,9 +130,10 @@ static void edit(life *l)
         add_random(l, i);
         break;
     case 1:
-        OK(thud_body_set_transform(
-            l->world, l->bodies[i],
-            (thud_pos){random_in(&l->seed, -9, 9), random_in(&l->seed, 0.5, 7)}, 0));
+        OK(thud_body_set_transform(l->world, l->bodies[i],
+                                   (thud_pos){random_in(&l->seed, -9, 9),
+                                              random_in(&l->seed, 0.5, 7)},
+                                   0));
         break;
     default:
         OK(thud_body_set_enabled(l->world, l->bodies[i], pick(l, 3) != 0));
@@ -147,8 +142,7 @@ static void edit(life *l)
 
 /* ---- what it was like ---- */
 
-static void mix_pairs(uint64_t *hash, const thud_contact_event *e, int count)
-{
+static void mix_pairs(uint64_t *hash, const thud_contact_event *e, int count) {
     for (int i = 0; i < count; i++) {
         mix_int(hash, e[i].shape_a.index1);
         mix_int(hash, e[i].shape_b.index1);
@@ -156,8 +150,7 @@ static void mix_pairs(uint64_t *hash, const thud_contact_event *e, int count)
     mix_int(hash, (uint32_t)count);
 }
 
-static void note(life *l, uint64_t hash[4])
-{
+static void note(life *l, uint64_t hash[4]) {
     const thud_world *w = l->world;
     for (int i = 0; i < w->contacts.count; i++) {
         const td_contact *c = td_contact_at(w, i);
@@ -188,8 +181,7 @@ static void note(life *l, uint64_t hash[4])
 }
 
 static life *live(const thud_broadphase *broadphase, const thud_detection *detection,
-                  uint64_t seed)
-{
+                  uint64_t seed) {
     life *l = calloc(1, sizeof *l);
     assert_non_null(l);
     thud_world_def def = thud_default_world_def();
@@ -221,8 +213,7 @@ static life *live(const thud_broadphase *broadphase, const thud_detection *detec
     return l;
 }
 
-static void random_lives_are_the_same_with_every_broadphase(void **state)
-{
+static void random_lives_are_the_same_with_every_broadphase(void **state) {
     (void)state;
     static const char *const what[] = {"contacts", "events", "callbacks", "bodies"};
     const thud_broadphase *broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
@@ -254,8 +245,7 @@ static void random_lives_are_the_same_with_every_broadphase(void **state)
     assert_true(made > 100 && moved > 100 && asked > 10000 && events > 10000);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_lives_are_the_same_with_every_broadphase),
     };

@@ -19,8 +19,7 @@ typedef struct passing {
 } passing;
 
 /* Slow and fast, head-on, grazing, in parallel, at rest against each other, tiny, far away. */
-static passing draw_passing(source *r, int i)
-{
+static passing draw_passing(source *r, int i) {
     passing p = {draw_shape_of(r, THUD_CIRCLE), draw_shape_of(r, THUD_CIRCLE), .slack = 0.0};
     double speed = exp(draw(r, -3.0, 8.0));
     p.b.x += draw(r, -4.0, 4.0);
@@ -60,14 +59,12 @@ static passing draw_passing(source *r, int i)
     return p;
 }
 
-static real distance_at(const passing *p, real t)
-{
+static real distance_at(const passing *p, real t) {
     return length_of(vec_of(p->start.x + t * p->way.x, p->start.y + t * p->way.y));
 }
 
 /* When the centres first are within r, or 2. */
-static real first_within(const passing *p, real r)
-{
+static real first_within(const passing *p, real r) {
     real a = dot(p->way, p->way), b = dot(p->start, p->way), side = cross(p->way, p->start);
     if (length_of(p->start) <= r) {
         return 0.0L;
@@ -79,8 +76,7 @@ static real first_within(const passing *p, real r)
     return t <= 1.0L ? t : 2.0L;
 }
 
-static void least_distance_of_circles_is_that_of_long_double(void **state)
-{
+static void least_distance_of_circles_is_that_of_long_double(void **state) {
     (void)state;
     source r = {91};
     int count = case_count(QUICK);
@@ -98,8 +94,7 @@ static void least_distance_of_circles_is_that_of_long_double(void **state)
     }
 }
 
-static void impact_of_circles_is_when_the_sum_of_radii_is_reached(void **state)
-{
+static void impact_of_circles_is_when_the_sum_of_radii_is_reached(void **state) {
     (void)state;
     source r = {92};
     int count = case_count(QUICK), hits = 0;
@@ -118,8 +113,7 @@ static void impact_of_circles_is_when_the_sum_of_radii_is_reached(void **state)
     assert_true(hits > count / 5 && hits < count);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(least_distance_of_circles_is_that_of_long_double),
         cmocka_unit_test(impact_of_circles_is_when_the_sum_of_radii_is_reached),

@@ -14,8 +14,7 @@ typedef struct mix {
 
 /* Contacts between any two, with arms and normals of any direction: harder than bodies in a plane
  * can be. Every third is a copy of another one. */
-static void make_random(problem *p, mix m, uint64_t *seed)
-{
+static void make_random(problem *p, mix m, uint64_t *seed) {
     begin_problem(p);
     int bodies = 1 + (int)random_in(seed, 0, m.bodies);
     int contacts = 1 + (int)random_in(seed, 0, m.contacts);
@@ -39,10 +38,9 @@ static void make_random(problem *p, mix m, uint64_t *seed)
         for (int k = 0; k < 4; k++) {
             arms[k / 2][k % 2] = random_in(seed, -1, 1);
         }
-        td_direct_contact *c =
-            add_contact(p, a == b ? GROUND : a, b, cos(angle), sin(angle), arms,
-                        1 + (int)random_in(seed, 0, m.points), random_in(seed, 0.2, 1),
-                        random_in(seed, 0, m.friction));
+        td_direct_contact *c = add_contact(p, a == b ? GROUND : a, b, cos(angle), sin(angle), arms,
+                                           1 + (int)random_in(seed, 0, m.points),
+                                           random_in(seed, 0.2, 1), random_in(seed, 0, m.friction));
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             r->a[2] *= c->a != GROUND && p->bodies[c->a].inverse_inertia > 0;
@@ -63,8 +61,7 @@ typedef struct normals {
     int count;
 } normals;
 
-static normals normals_of(const problem *p)
-{
+static normals normals_of(const problem *p) {
     normals n = {.count = 0};
     for (int i = 0; i < p->d.contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
@@ -78,8 +75,7 @@ static normals normals_of(const problem *p)
 }
 
 /* What an impulse along row k changes of the speed along row i. */
-static long double coupling(const problem *p, const normals *n, int i, int k)
-{
+static long double coupling(const problem *p, const normals *n, int i, int k) {
     long double sum = 0;
     for (int body = 0; body < p->d.body_count; body++) {
         const double *ji = n->contact[i]->a == body   ? n->row[i]->a
@@ -96,8 +92,7 @@ static long double coupling(const problem *p, const normals *n, int i, int k)
     return sum;
 }
 
-static long double free_speed(const problem *p, const normals *n, int i)
-{
+static long double free_speed(const problem *p, const normals *n, int i) {
     long double sum = n->row[i]->known;
     for (int j = 0; j < 3; j++) {
         int a = n->contact[i]->a, b = n->contact[i]->b;
@@ -110,8 +105,7 @@ static long double free_speed(const problem *p, const normals *n, int i)
 /* Impulses of the rows of a set that give them just the wanted speeds; false where they depend on
  * each other. */
 static bool solve_set(const long double full[ROWS_MOST][ROWS_MOST], const long double *lack,
-                      int count, unsigned set, long double *impulse)
-{
+                      int count, unsigned set, long double *impulse) {
     long double m[ROWS_MOST][ROWS_MOST + 1];
     int rows[ROWS_MOST], size = 0;
     for (int i = 0; i < count; i++) {
@@ -145,8 +139,7 @@ static bool solve_set(const long double full[ROWS_MOST][ROWS_MOST], const long d
 
 /* The impulses of the set whose rows push, and whose other rows do not close: of all sets there is
  * one, and its velocities are the only ones. False where rounding hides it. */
-static bool search(const problem *p, long double *impulse)
-{
+static bool search(const problem *p, long double *impulse) {
     normals n = normals_of(p);
     long double full[ROWS_MOST][ROWS_MOST], lack[ROWS_MOST];
     for (int i = 0; i < n.count; i++) {
@@ -171,8 +164,7 @@ static bool search(const problem *p, long double *impulse)
     return false;
 }
 
-static void assert_same_velocities(const problem *p, const long double *impulse, double tolerance)
-{
+static void assert_same_velocities(const problem *p, const long double *impulse, double tolerance) {
     normals n = normals_of(p);
     for (int body = 0; body < p->d.body_count; body++) {
         const td_direct_body *b = &p->bodies[body];
@@ -191,8 +183,7 @@ static void assert_same_velocities(const problem *p, const long double *impulse,
 
 static const mix FEW = {.bodies = 4, .contacts = 4, .ratio = 1, .points = 2};
 
-static void direct_velocities_are_those_of_a_search(void **state)
-{
+static void direct_velocities_are_those_of_a_search(void **state) {
     (void)state;
     uint64_t seed = 21;
     int found = 0;
@@ -213,8 +204,7 @@ static void direct_velocities_are_those_of_a_search(void **state)
 
 static const mix MANY = {.bodies = 20, .contacts = 40, .ratio = 1, .points = 2};
 
-static mix many(double ratio, double friction)
-{
+static mix many(double ratio, double friction) {
     mix m = MANY;
     m.ratio = ratio;
     m.friction = friction;
@@ -222,15 +212,13 @@ static mix many(double ratio, double friction)
 }
 
 /* Masses that rows feel, and bounds of friction for the impulses that are there. */
-static void weigh(problem *p)
-{
+static void weigh(problem *p) {
     p->d.patience = 0;
     assert_true(td_direct_solve(&p->d, TOLERANCE) > TOLERANCE);
     p->d.patience = 200;
 }
 
-static void direct_interior_point_solves_from_nothing(void **state)
-{
+static void direct_interior_point_solves_from_nothing(void **state) {
     (void)state;
     uint64_t seed = 22;
     for (int i = 0; i < 600; i++) {
@@ -245,8 +233,7 @@ static void direct_interior_point_solves_from_nothing(void **state)
 
 /* Bounds of friction between next to nothing and a thousand times what moves. A few in a hundred
  * may be beyond it, and it has to know. */
-static void direct_interior_point_heeds_bounds_of_friction(void **state)
-{
+static void direct_interior_point_heeds_bounds_of_friction(void **state) {
     (void)state;
     uint64_t seed = 25;
     int solved = 0;
@@ -267,8 +254,7 @@ static void direct_interior_point_heeds_bounds_of_friction(void **state)
 }
 
 /* That of another problem whose free velocities were a little different. */
-static void direct_active_set_solves_from_a_good_guess(void **state)
-{
+static void direct_active_set_solves_from_a_good_guess(void **state) {
     (void)state;
     uint64_t seed = 23;
     int solved = 0;
@@ -292,8 +278,7 @@ static void direct_active_set_solves_from_a_good_guess(void **state)
 }
 
 /* A pyramid of boxes with edges of 1, of any mass. */
-static void make_heap(problem *p, int height, double ratio, uint64_t *seed)
-{
+static void make_heap(problem *p, int height, double ratio, uint64_t *seed) {
     int below[BODIES_MOST] = {0}, above[BODIES_MOST] = {0};
     begin_problem(p);
     for (int level = 0; level < height; level++) {
@@ -315,8 +300,7 @@ static void make_heap(problem *p, int height, double ratio, uint64_t *seed)
 }
 
 /* As step after step would: from the impulses of the one before. */
-static void direct_heaps_come_to_rest_within_their_cones(void **state)
-{
+static void direct_heaps_come_to_rest_within_their_cones(void **state) {
     (void)state;
     uint64_t seed = 26;
     for (int i = 0; i < 100; i++) {
@@ -335,8 +319,7 @@ static void direct_heaps_come_to_rest_within_their_cones(void **state)
 
 /* Friction of its own, and walls that want what cannot be: where it does not say infinite there is
  * what it says, and never a number that is none. */
-static void direct_solver_tells_what_is_missing(void **state)
-{
+static void direct_solver_tells_what_is_missing(void **state) {
     (void)state;
     uint64_t seed = 24;
     int solved = 0;
@@ -364,8 +347,7 @@ static void direct_solver_tells_what_is_missing(void **state)
     assert_true(solved > 300); /* all that can be are about as many */
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(direct_velocities_are_those_of_a_search),
         cmocka_unit_test(direct_interior_point_solves_from_nothing),

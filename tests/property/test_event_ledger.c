@@ -11,13 +11,11 @@ typedef struct ledger {
     int count, begun;
 } ledger;
 
-static bool same(const thud_contact_event *a, const thud_contact_event *b)
-{
+static bool same(const thud_contact_event *a, const thud_contact_event *b) {
     return memcmp(a, b, sizeof *a) == 0;
 }
 
-static int find(const ledger *l, const thud_contact_event *pair)
-{
+static int find(const ledger *l, const thud_contact_event *pair) {
     int i = 0;
     while (i < l->count && !same(&l->open[i], pair)) {
         i++;
@@ -25,8 +23,7 @@ static int find(const ledger *l, const thud_contact_event *pair)
     return i;
 }
 
-static bool closes(ledger *l, const thud_contact_event *pair)
-{
+static bool closes(ledger *l, const thud_contact_event *pair) {
     int i = find(l, pair);
     if (i == l->count) {
         return false;
@@ -37,8 +34,7 @@ static bool closes(ledger *l, const thud_contact_event *pair)
 
 /* Ends of what was open come first; what is left of them must be of what begins. */
 static void book(ledger *l, const thud_contact_event *begin, int begins,
-                 const thud_contact_event *end, int ends)
-{
+                 const thud_contact_event *end, int ends) {
     bool *late = calloc((size_t)ends + 1, sizeof *late);
     for (int i = 0; i < ends; i++) {
         late[i] = !closes(l, &end[i]);
@@ -73,18 +69,15 @@ typedef struct chaos {
     bool quiet;       /* callbacks leave the world alone */
 } chaos;
 
-static int pick(chaos *c, int count)
-{
+static int pick(chaos *c, int count) {
     return (int)random_in(&c->seed, 0, (double)count);
 }
 
-static void fine_or_gone(thud_result result)
-{
+static void fine_or_gone(thud_result result) {
     assert_true(result == THUD_OK || result == THUD_ERROR_STALE);
 }
 
-static void add_random_shape(chaos *c, thud_body_id body)
-{
+static void add_random_shape(chaos *c, thud_body_id body) {
     thud_shape_def def = thud_default_shape_def();
     def.sensor = pick(c, 5) == 0;
     def.restitution = pick(c, 3) == 0 ? 0.8f : 0.0f;
@@ -92,11 +85,10 @@ static void add_random_shape(chaos *c, thud_body_id body)
     add_shape(c->world, body, x, pick(c, 3) == 0 ? 0 : y, false, &def);
 }
 
-static void add_random_body(chaos *c, int i)
-{
+static void add_random_body(chaos *c, int i) {
     thud_body_kind kind = pick(c, 8) ? THUD_DYNAMIC : (thud_body_kind)pick(c, 2);
-    c->bodies[i] = add_body(c->world, kind, random_in(&c->seed, -8, 8),
-                            random_in(&c->seed, 0, 6), random_in(&c->seed, -1, 1));
+    c->bodies[i] = add_body(c->world, kind, random_in(&c->seed, -8, 8), random_in(&c->seed, 0, 6),
+                            random_in(&c->seed, -1, 1));
     for (int shapes = pick(c, 3); shapes >= 0; shapes--) {
         add_random_shape(c, c->bodies[i]);
     }
@@ -107,8 +99,7 @@ static void add_random_body(chaos *c, int i)
 }
 
 /* What falls through the ground that a prologue has taken away lands here. */
-static void add_pit(chaos *c)
-{
+static void add_pit(chaos *c) {
     thud_body_id pit = add_body(c->world, THUD_STATIC, 0, 0, 0);
     thud_shape_def def = thud_default_shape_def();
     OK(thud_shape_create_aabb(c->world, pit, &def, (thud_vec2){0, -4}, (thud_vec2){12, 1}, NULL));
@@ -116,8 +107,7 @@ static void add_pit(chaos *c)
     OK(thud_shape_create_aabb(c->world, pit, &def, (thud_vec2){11, 5}, (thud_vec2){1, 9}, NULL));
 }
 
-static void add_ground(chaos *c)
-{
+static void add_ground(chaos *c) {
     thud_pos points[21];
     for (int i = 0; i < 21; i++) {
         points[i] = (thud_pos){i - 10.0, random_in(&c->seed, -0.3, 0.3)};
@@ -128,8 +118,7 @@ static void add_ground(chaos *c)
     OK(thud_shape_create_terrain(c->world, c->ground, &def, &line, &c->line));
 }
 
-static void edit(chaos *c)
-{
+static void edit(chaos *c) {
     thud_world *w = c->world;
     int i = pick(c, BODIES), shapes;
     thud_body_id body = c->bodies[i];
@@ -177,8 +166,7 @@ static void edit(chaos *c)
     }
 }
 
-static void edit_ground(chaos *c)
-{
+static void edit_ground(chaos *c) {
     double x = random_in(&c->seed, -8, 8);
     if (pick(c, 6) == 0) {
         OK(thud_body_destroy(c->world, c->ground));
@@ -190,8 +178,7 @@ static void edit_ground(chaos *c)
     }
 }
 
-static void edit_inside(chaos *c, int one_in)
-{
+static void edit_inside(chaos *c, int one_in) {
     bool hit;
     if (!c->quiet && pick(c, one_in) == 0) {
         c->edits_inside++;
@@ -200,9 +187,8 @@ static void edit_inside(chaos *c, int one_in)
     }
 }
 
-static bool ask(thud_world *world, const thud_contact *contact,
-                thud_contact_settings *settings, void *context)
-{
+static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                void *context) {
     (void)settings;
     (void)world;
     (void)contact;
@@ -210,30 +196,26 @@ static bool ask(thud_world *world, const thud_contact *contact,
     return ((const chaos *)context)->quiet || pick(context, 10) != 0;
 }
 
-static void tell(thud_world *world, const thud_contact *contact, void *context)
-{
+static void tell(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     (void)contact;
     edit_inside(context, 20);
 }
 
-static bool look(thud_shape_id shape, void *context)
-{
+static bool look(thud_shape_id shape, void *context) {
     (void)shape;
     edit_inside(context, 5);
     return true;
 }
 
 /* A query applies the edits made so far, long before the step that tells their events. */
-static void query(chaos *c)
-{
+static void query(chaos *c) {
     bool hit;
     OK(thud_world_cast_ray(c->world, (thud_pos){-9, 1}, 18, 0, NULL, &hit, NULL));
     OK(thud_world_overlap_circle(c->world, (thud_pos){0, 1}, 3, NULL, look, c));
 }
 
-static void step(chaos *c)
-{
+static void step(chaos *c) {
     run(c->world, 1);
     thud_events e = thud_world_events(c->world);
     book(&c->touches, e.begin, e.begin_count, e.end, e.end_count);
@@ -242,8 +224,7 @@ static void step(chaos *c)
 
 static int slept_in_all; /* bodies times steps */
 
-static int sleepers(const chaos *c)
-{
+static int sleepers(const chaos *c) {
     int count = 0;
     for (int i = 0; i < BODIES; i++) {
         thud_body_state state = {.awake = true};
@@ -254,8 +235,7 @@ static int sleepers(const chaos *c)
 }
 
 static void run_chaos(const thud_detection *detection, const thud_broadphase *broadphase,
-                      uint64_t seed)
-{
+                      uint64_t seed) {
     chaos *c = calloc(1, sizeof *c);
     thud_world_def def = thud_default_world_def();
     def.detection = detection;
@@ -300,8 +280,7 @@ static void run_chaos(const thud_detection *detection, const thud_broadphase *br
     free(c);
 }
 
-static void every_begin_has_its_end_whatever_is_edited_and_where(void **state)
-{
+static void every_begin_has_its_end_whatever_is_edited_and_where(void **state) {
     (void)state;
     const thud_detection *detections[] = {&thud_detection_overlap, &thud_detection_continuous,
                                           &thud_detection_bisect, &thud_detection_swept};
@@ -318,8 +297,7 @@ static void every_begin_has_its_end_whatever_is_edited_and_where(void **state)
 }
 
 /* Where the edit is seen first by a query, its end comes with the next step, as without one. */
-static void end_of_what_an_edit_took_away_survives_a_query(void **state)
-{
+static void end_of_what_an_edit_took_away_survives_a_query(void **state) {
     (void)state;
     for (int how = 0; how < 4; how++) {
         thud_world *world = make_world(thud_default_world_def());
@@ -347,8 +325,7 @@ static void end_of_what_an_edit_took_away_survives_a_query(void **state)
 }
 
 /* Nobody steps into or out of a room that goes away with a sleeper in it. */
-static void sensor_that_moves_away_from_a_sleeper_ends(void **state)
-{
+static void sensor_that_moves_away_from_a_sleeper_ends(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def sensor = thud_default_shape_def();
@@ -365,10 +342,10 @@ static void sensor_that_moves_away_from_a_sleeper_ends(void **state)
     thud_world_destroy(world);
 }
 
-/* Two shapes of any kind and size side by side, nearer to each other than contacts reach, that drift
- * together and creep past each other: their fat bounds part and meet again, they touch all along. */
-static void drift(uint64_t *seed, bool with_skin, bool on_line)
-{
+/* Two shapes of any kind and size side by side, nearer to each other than contacts reach, that
+ * drift together and creep past each other: their fat bounds part and meet again, they touch all
+ * along. */
+static void drift(uint64_t *seed, bool with_skin, bool on_line) {
     chaos *c = calloc(1, sizeof *c);
     thud_world_def def = weightless();
     def.detection = with_skin ? &thud_detection_swept : &thud_detection_continuous;
@@ -395,7 +372,8 @@ static void drift(uint64_t *seed, bool with_skin, bool on_line)
         }
         bool box = pick(c, 2);
         double angle = on_line ? 0 : turn;
-        c->bodies[i] = add_body(c->world, THUD_DYNAMIC, i * x * cos(turn), i * x * sin(turn), angle);
+        c->bodies[i] =
+            add_body(c->world, THUD_DYNAMIC, i * x * cos(turn), i * x * sin(turn), angle);
         add_shape(c->world, c->bodies[i], size[i][0], box ? size[i][box && on_line ? 0 : 1] : 0,
                   false, NULL);
         thud_vec2 v = {along.x + (float)random_in(seed, -0.01, 0.01),
@@ -410,8 +388,7 @@ static void drift(uint64_t *seed, bool with_skin, bool on_line)
     free(c);
 }
 
-static void pair_that_drifts_within_reach_begins_once(void **state)
-{
+static void pair_that_drifts_within_reach_begins_once(void **state) {
     (void)state;
     uint64_t seed = 77;
     for (int i = 0; i < 400; i++) {
@@ -420,8 +397,7 @@ static void pair_that_drifts_within_reach_begins_once(void **state)
 }
 
 /* A line is one shape: what rolls from segment to segment touches it once. */
-static void ball_that_rolls_over_many_segments_begins_once(void **state)
-{
+static void ball_that_rolls_over_many_segments_begins_once(void **state) {
     (void)state;
     for (int sensor = 0; sensor < 2; sensor++) {
         chaos *c = calloc(1, sizeof *c);
@@ -453,8 +429,7 @@ static void ball_that_rolls_over_many_segments_begins_once(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_begin_has_its_end_whatever_is_edited_and_where),
         cmocka_unit_test(end_of_what_an_edit_took_away_survives_a_query),

@@ -1,6 +1,7 @@
-/* test_failing_steps.c: random worlds of every setting, beside a twin whose memory never fails. Each step
- * has its first allocation failing, then its second, and so on until it gets through: nothing has moved
- * and nothing is told until then, and then bits, events and who is awake are the twin's. */
+/* test_failing_steps.c: random worlds of every setting, beside a twin whose memory never fails.
+ * Each step has its first allocation failing, then its second, and so on until it gets through:
+ * nothing has moved and nothing is told until then, and then bits, events and who is awake are the
+ * twin's. */
 #include "../unit/engine_support.h"
 
 #include "../support/hostile_memory.h"
@@ -24,16 +25,15 @@ typedef struct setting {
 } setting;
 
 static const thud_detection *const detections[] = {NULL, &thud_detection_overlap,
-                                                   &thud_detection_continuous, &thud_detection_bisect,
-                                                   &thud_detection_swept};
+                                                   &thud_detection_continuous,
+                                                   &thud_detection_bisect, &thud_detection_swept};
 static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                      &thud_broadphase_all};
 
 /* ---- callbacks: edits that wait for the next step. What they are refused is no step's ---- */
 
-static bool prologue(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
-                     void *context)
-{
+static bool prologue(thud_world *world, const thud_contact *contact,
+                     thud_contact_settings *settings, void *context) {
     side *s = context;
     long allowed = memory_allowed;
     memory_allowed = -1;
@@ -48,8 +48,7 @@ static bool prologue(thud_world *world, const thud_contact *contact, thud_contac
     return s->asked % 13 != 0;
 }
 
-static void epilogue(thud_world *world, const thud_contact *contact, void *context)
-{
+static void epilogue(thud_world *world, const thud_contact *contact, void *context) {
     side *s = context;
     long allowed = memory_allowed;
     memory_allowed = -1;
@@ -63,8 +62,7 @@ static void epilogue(thud_world *world, const thud_contact *contact, void *conte
 
 /* ---- worlds ---- */
 
-static void add(side *s, const setting *set, uint64_t *seed)
-{
+static void add(side *s, const setting *set, uint64_t *seed) {
     if (s->count == BODIES) {
         return;
     }
@@ -90,8 +88,7 @@ static void add(side *s, const setting *set, uint64_t *seed)
     s->count++;
 }
 
-static void make(side *s, const setting *set, thud_allocator allocator)
-{
+static void make(side *s, const setting *set, thud_allocator allocator) {
     thud_world_def def = thud_world_def_of(qualities[set->quality]);
     uint64_t seed = set->seed;
     *s = (side){.count = 0};
@@ -129,8 +126,7 @@ static void make(side *s, const setting *set, thud_allocator allocator)
 }
 
 /* Of a step, by a seed: things come in shoals, after quiet times in which others fall asleep. */
-static void deeds(side *s, const setting *set, uint64_t seed, int step)
-{
+static void deeds(side *s, const setting *set, uint64_t seed, int step) {
     if (step % 45 == 0) {
         for (int i = 0; i < 25; i++) {
             add(s, set, &seed);
@@ -156,24 +152,23 @@ static void deeds(side *s, const setting *set, uint64_t seed, int step)
     }
 }
 
-static void ask(side *s)
-{
+static void ask(side *s) {
     thud_world_cast_ray(s->world, (thud_pos){-10, 1}, 20, 0, NULL, NULL, NULL);
 }
 
 /* ---- comparing ---- */
 
-static void note(char *text, size_t size, const char *what, const thud_contact_event *e, int count)
-{
+static void note(char *text, size_t size, const char *what, const thud_contact_event *e,
+                 int count) {
     for (int i = 0; i < count; i++) {
         size_t used = strlen(text);
-        snprintf(text + used, size - used, "%s %u %u\n", what, e[i].shape_a.index1, e[i].shape_b.index1);
+        snprintf(text + used, size - used, "%s %u %u\n", what, e[i].shape_a.index1,
+                 e[i].shape_b.index1);
     }
 }
 
 /* All that the last step told, in its order, and who is awake. */
-static const char *told(const side *s, char *text, size_t size)
-{
+static const char *told(const side *s, char *text, size_t size) {
     thud_events e = thud_world_events(s->world);
     text[0] = 0;
     note(text, size, "begin", e.begin, e.begin_count);
@@ -183,16 +178,18 @@ static const char *told(const side *s, char *text, size_t size)
     for (int i = 0; i < e.hit_count; i++) {
         size_t used = strlen(text);
         snprintf(text + used, size - used, "hit %u %u at %a %a by %a\n", e.hit[i].shape_a.index1,
-                 e.hit[i].shape_b.index1, e.hit[i].point.x, e.hit[i].point.y, (double)e.hit[i].speed);
+                 e.hit[i].shape_b.index1, e.hit[i].point.x, e.hit[i].point.y,
+                 (double)e.hit[i].speed);
     }
     return text;
 }
 
-static const char *awake(const side *s, char *text, size_t size)
-{
+static const char *awake(const side *s, char *text, size_t size) {
     thud_stats stats = thud_world_stats(s->world);
-    snprintf(text, size, "bodies %d shapes %d awake %d pairs %d contacts %d impacts %d held %d:", stats.bodies,
-             stats.shapes, stats.awake_bodies, stats.pairs, stats.contacts, stats.impacts, stats.held_bodies);
+    snprintf(text, size,
+             "bodies %d shapes %d awake %d pairs %d contacts %d impacts %d held %d:", stats.bodies,
+             stats.shapes, stats.awake_bodies, stats.pairs, stats.contacts, stats.impacts,
+             stats.held_bodies);
     for (int i = 0; i < s->count; i++) {
         size_t used = strlen(text);
         thud_body_state body = {0};
@@ -204,8 +201,7 @@ static const char *awake(const side *s, char *text, size_t size)
     return text;
 }
 
-static long step_with_failures(side *s, const setting *set)
-{
+static long step_with_failures(side *s, const setting *set) {
     static char before[1 << 17], after[1 << 17];
     uint64_t hash = thud_world_hash(s->world), steps = thud_world_stats(s->world).steps;
     told(s, before, sizeof before);
@@ -230,8 +226,7 @@ static long step_with_failures(side *s, const setting *set)
     }
 }
 
-static long compare(const setting *set)
-{
+static long compare(const setting *set) {
     static char a[1 << 17], b[1 << 17];
     side here, twin;
     long failures = 0;
@@ -250,8 +245,8 @@ static long compare(const setting *set)
         bool same = thud_world_hash(here.world) == thud_world_hash(twin.world) &&
                     strcmp(told(&here, a, sizeof a), told(&twin, b, sizeof b)) == 0;
         if (!same || strcmp(awake(&here, a, sizeof a), awake(&twin, b, sizeof b)) != 0) {
-            fail_msg("step %d of seed %d, quality %d, detection %d, broadphase %d differs:\n%s\n%s", i,
-                     (int)set->seed, set->quality, set->detection, set->broadphase, a, b);
+            fail_msg("step %d of seed %d, quality %d, detection %d, broadphase %d differs:\n%s\n%s",
+                     i, (int)set->seed, set->quality, set->detection, set->broadphase, a, b);
         }
     }
     thud_world_destroy(here.world);
@@ -260,18 +255,23 @@ static long compare(const setting *set)
     return failures;
 }
 
-static void steps_that_ran_out_of_memory_end_as_if_they_had_not(void **state)
-{
+static void steps_that_ran_out_of_memory_end_as_if_they_had_not(void **state) {
     (void)state;
     const char *wanted = getenv("THUD_CASES");
     long failures = 0;
     uint64_t seed = 88172645463325252ull;
     int worlds = wanted ? atoi(wanted) : 60;
     for (int i = 0; i < worlds; i++) {
-        setting set = {i % 4, i / 4 % 5, (int)random_in(&seed, 0, 3), random_in(&seed, 0, 1) < 0.8,
-                       random_in(&seed, 0, 1) < 0.5, random_in(&seed, 0, 1) < 0.5,
-                       random_in(&seed, 0, 1) < 0.3, random_in(&seed, 0, 1) < 0.5,
-                       random_in(&seed, 0, 1) < 0.3, (uint64_t)i + 1};
+        setting set = {i % 4,
+                       i / 4 % 5,
+                       (int)random_in(&seed, 0, 3),
+                       random_in(&seed, 0, 1) < 0.8,
+                       random_in(&seed, 0, 1) < 0.5,
+                       random_in(&seed, 0, 1) < 0.5,
+                       random_in(&seed, 0, 1) < 0.3,
+                       random_in(&seed, 0, 1) < 0.5,
+                       random_in(&seed, 0, 1) < 0.3,
+                       (uint64_t)i + 1};
         failures += compare(&set);
     }
     print_message("%ld allocations failed in %d worlds\n", failures, worlds);
@@ -280,8 +280,7 @@ static void steps_that_ran_out_of_memory_end_as_if_they_had_not(void **state)
 
 /* ---- advancing ---- */
 
-static void advance_out_of_memory_tells_how_many_steps_it_made(void **state)
-{
+static void advance_out_of_memory_tells_how_many_steps_it_made(void **state) {
     (void)state;
     thud_world_def def = weightless();
     def.allocator = hostile_memory();
@@ -320,8 +319,7 @@ static void advance_out_of_memory_tells_how_many_steps_it_made(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_that_ran_out_of_memory_end_as_if_they_had_not),
         cmocka_unit_test(advance_out_of_memory_tells_how_many_steps_it_made),

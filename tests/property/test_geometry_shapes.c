@@ -16,24 +16,21 @@ typedef struct pair {
     double scale; /* rounding of the coordinates in use */
 } pair;
 
-static void shift(pair *p, double x, double y)
-{
+static void shift(pair *p, double x, double y) {
     p->a.x += x, p->b.x += x;
     p->a.y += y, p->b.y += y;
     p->scale = 1e-9;
 }
 
 /* Moves b along the link until the shapes touch. */
-static void bring_together(pair *p)
-{
+static void bring_together(pair *p) {
     thud_closest c;
     assert_int_equal(thud_shapes_closest(&p->a, &p->b, &c), THUD_OK);
     p->b.x -= c.nx * c.distance;
     p->b.y -= c.ny * c.distance;
 }
 
-static pair draw_pair(source *r, int family)
-{
+static pair draw_pair(source *r, int family) {
     pair p = {draw_shape(r), draw_shape(r), 1e-12};
     switch (family) {
     case 1:
@@ -76,8 +73,7 @@ static pair draw_pair(source *r, int family)
 }
 
 /* The least distance of a's outline from b, too large by no more than the samples' spacing. */
-static double sampled_distance(const pair *p)
-{
+static double sampled_distance(const pair *p) {
     double best = 1e300;
     for (int i = 0; i < OUTLINE; i++) {
         thud_pos o = outline(&p->a, (double)i / OUTLINE);
@@ -86,8 +82,7 @@ static double sampled_distance(const pair *p)
     return best;
 }
 
-static void check_points(const pair *p, const thud_closest *c)
-{
+static void check_points(const pair *p, const thud_closest *c) {
     double on_a = point_distance(&p->a, c->ax - p->a.x, c->ay - p->a.y);
     double on_b = point_distance(&p->b, c->bx - p->b.x, c->by - p->b.y);
     assert_true(fabs(c->nx * c->nx + c->ny * c->ny - 1.0) < 1e-12);
@@ -98,8 +93,7 @@ static void check_points(const pair *p, const thud_closest *c)
 }
 
 /* Moving b out along the normal by the depth parts the shapes; by less, no direction does. */
-static void check_depth(const pair *p, const thud_closest *c)
-{
+static void check_depth(const pair *p, const thud_closest *c) {
     thud_shape_instance moved = p->b;
     double out = -c->distance + p->scale * 10.0;
     moved.x += c->nx * out;
@@ -114,8 +108,7 @@ static void check_depth(const pair *p, const thud_closest *c)
     }
 }
 
-static void closest_of_random_pairs_agrees_with_sampled_outlines(void **state)
-{
+static void closest_of_random_pairs_agrees_with_sampled_outlines(void **state) {
     (void)state;
     source r = {1};
     for (int i = 0; i < PAIRS; i++) {
@@ -137,8 +130,7 @@ static void closest_of_random_pairs_agrees_with_sampled_outlines(void **state)
     }
 }
 
-static void touching_pairs_overlap_within_rounding(void **state)
-{
+static void touching_pairs_overlap_within_rounding(void **state) {
     (void)state;
     source r = {2};
     for (int i = 0; i < PAIRS; i++) {
@@ -149,8 +141,7 @@ static void touching_pairs_overlap_within_rounding(void **state)
     }
 }
 
-static void rays_at_random_shapes_agree_with_marching(void **state)
-{
+static void rays_at_random_shapes_agree_with_marching(void **state) {
     (void)state;
     source r = {3};
     int hits = 0;
@@ -187,15 +178,13 @@ static void rays_at_random_shapes_agree_with_marching(void **state)
     assert_true(hits > RAYS / 10 && hits < RAYS);
 }
 
-static thud_motion draw_motion(source *r)
-{
+static thud_motion draw_motion(source *r) {
     double speed = draw_below(r, 3) ? 4.0 : 0.1;
     return (thud_motion){draw(r, -speed, speed), draw(r, -speed, speed),
                          draw_below(r, 2) ? draw(r, -6.0, 6.0) : 0.0};
 }
 
-static thud_shape_instance moved_by(const thud_shape_instance *shape, thud_motion m, double t)
-{
+static thud_shape_instance moved_by(const thud_shape_instance *shape, thud_motion m, double t) {
     thud_shape_instance p = *shape;
     p.x += m.dx * t;
     p.y += m.dy * t;
@@ -207,16 +196,14 @@ static thud_shape_instance moved_by(const thud_shape_instance *shape, thud_motio
     return p;
 }
 
-static double distance_at(const pair *p, thud_motion ma, thud_motion mb, double t)
-{
+static double distance_at(const pair *p, thud_motion ma, thud_motion mb, double t) {
     thud_shape_instance a = moved_by(&p->a, ma, t), b = moved_by(&p->b, mb, t);
     thud_closest c;
     assert_int_equal(thud_shapes_closest(&a, &b, &c), THUD_OK);
     return c.distance;
 }
 
-static void time_of_impact_of_random_motions_agrees_with_sampled_times(void **state)
-{
+static void time_of_impact_of_random_motions_agrees_with_sampled_times(void **state) {
     (void)state;
     source r = {4};
     int hits = 0, exact = 0;
@@ -248,8 +235,7 @@ static void time_of_impact_of_random_motions_agrees_with_sampled_times(void **st
     assert_true(exact > hits * 99 / 100);
 }
 
-static void fast_shapes_never_pass_a_needle(void **state)
-{
+static void fast_shapes_never_pass_a_needle(void **state) {
     (void)state;
     source r = {5};
     for (int i = 0; i < PAIRS; i++) {
@@ -267,16 +253,15 @@ static void fast_shapes_never_pass_a_needle(void **state)
         thud_motion m = {dx, dy, draw(&r, -3.0, 3.0)};
         bool hit;
         double time;
-        assert_int_equal(
-            thud_shapes_time_of_impact(&shape, m, &wall, (thud_motion){0}, 0.0, &hit, &time),
-            THUD_OK);
+        assert_int_equal(thud_shapes_time_of_impact(&shape, m, &wall, (thud_motion){0}, 0.0, &hit,
+                                                    &time),
+                         THUD_OK);
         assert_true(hit);
         assert_true(time <= back);
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closest_of_random_pairs_agrees_with_sampled_outlines),
         cmocka_unit_test(touching_pairs_overlap_within_rounding),

@@ -19,8 +19,7 @@ typedef struct ground {
 } ground;
 
 /* About x = 0; heights within a few units of 0. */
-static void draw_ground(source *r, ground *g)
-{
+static void draw_ground(source *r, ground *g) {
     int kind = draw_below(r, 8), count = 2 + draw_below(r, VERTICES - 1);
     double spacing = exp(draw(r, -2.5, 0.5)), rough = draw_below(r, 2) ? 1.0 : 0.1;
     double x = -spacing * draw(r, 0.0, 1.0) * count, y = 0.0, slope = draw(r, -1.0, 1.0);
@@ -32,29 +31,28 @@ static void draw_ground(source *r, ground *g)
     g->terrain = (thud_terrain){.kind = kind == 0   ? THUD_TERRAIN_FLAT
                                         : kind <= 3 ? THUD_TERRAIN_UNIFORM
                                                     : THUD_TERRAIN_IRREGULAR,
-                                .slope = slope, .x0 = g->points[0].x, .spacing = spacing,
-                                .points = g->points, .count = count};
+                                .slope = slope,
+                                .x0 = g->points[0].x,
+                                .spacing = spacing,
+                                .points = g->points,
+                                .count = count};
     assert_int_equal(thud_terrain_check(&g->terrain), THUD_OK);
 }
 
-static double vertex_x(const thud_terrain *t, int i)
-{
+static double vertex_x(const thud_terrain *t, int i) {
     return t->kind == THUD_TERRAIN_UNIFORM ? t->x0 + i * t->spacing : t->points[i].x;
 }
 
-static double first_x(const thud_terrain *t)
-{
+static double first_x(const thud_terrain *t) {
     return t->kind == THUD_TERRAIN_FLAT ? -1e9 : vertex_x(t, 0);
 }
 
-static double last_x(const thud_terrain *t)
-{
+static double last_x(const thud_terrain *t) {
     return t->kind == THUD_TERRAIN_FLAT ? 1e9 : vertex_x(t, t->count - 1);
 }
 
 /* By a scan; -infinity where there is no ground. */
-static double height(const thud_terrain *t, double x)
-{
+static double height(const thud_terrain *t, double x) {
     if (t->kind == THUD_TERRAIN_FLAT) {
         return t->slope * x;
     }
@@ -68,14 +66,12 @@ static double height(const thud_terrain *t, double x)
     return -INFINITY;
 }
 
-static double half_width(const thud_shape_instance *s)
-{
+static double half_width(const thud_shape_instance *s) {
     return s->kind == THUD_CIRCLE ? s->hx : fabs(s->c) * s->hx + fabs(s->s) * s->hy;
 }
 
 /* The lowest point of the shape at one x of it. */
-static double underside(const thud_shape_instance *s, double x)
-{
+static double underside(const thud_shape_instance *s, double x) {
     double dx = x - s->x, low = INFINITY;
     if (s->kind == THUD_CIRCLE) {
         return s->y - sqrt(fmax(0.0, s->hx * s->hx - dx * dx));
@@ -90,8 +86,7 @@ static double underside(const thud_shape_instance *s, double x)
 }
 
 /* How deep the shape reaches into the ground, straight down; negative above it. */
-static double sampled_depth(const thud_terrain *t, const thud_shape_instance *s)
-{
+static double sampled_depth(const thud_terrain *t, const thud_shape_instance *s) {
     double half = half_width(s), depth = -INFINITY;
     double from = fmax(s->x - half, first_x(t)), to = fmin(s->x + half, last_x(t));
     for (int i = 0; i <= SAMPLES && from <= to; i++) {
@@ -107,8 +102,7 @@ static double sampled_depth(const thud_terrain *t, const thud_shape_instance *s)
     return depth;
 }
 
-static thud_shape_instance draw_over(source *r, const thud_terrain *t)
-{
+static thud_shape_instance draw_over(source *r, const thud_terrain *t) {
     thud_shape_instance s = draw_shape(r);
     s.hx = fmax(s.hx, 0.05);
     double from = fmax(first_x(t), -3.0), to = fmin(last_x(t), 3.0);
@@ -118,8 +112,7 @@ static thud_shape_instance draw_over(source *r, const thud_terrain *t)
     return s;
 }
 
-static void sample_of_random_ground_agrees_with_a_scan(void **state)
-{
+static void sample_of_random_ground_agrees_with_a_scan(void **state) {
     (void)state;
     source r = {11};
     ground g;
@@ -147,8 +140,7 @@ static void sample_of_random_ground_agrees_with_a_scan(void **state)
     }
 }
 
-static void segments_of_random_intervals_are_those_that_touch(void **state)
-{
+static void segments_of_random_intervals_are_those_that_touch(void **state) {
     (void)state;
     source r = {12};
     ground g;
@@ -169,8 +161,7 @@ static void segments_of_random_intervals_are_those_that_touch(void **state)
     }
 }
 
-static void rays_at_random_ground_agree_with_marching(void **state)
-{
+static void rays_at_random_ground_agree_with_marching(void **state) {
     (void)state;
     source r = {13};
     ground g;
@@ -210,8 +201,7 @@ static void rays_at_random_ground_agree_with_marching(void **state)
     assert_true(hits > LINES);
 }
 
-static void overlap_with_random_ground_agrees_with_sampled_depth(void **state)
-{
+static void overlap_with_random_ground_agrees_with_sampled_depth(void **state) {
     (void)state;
     source r = {14};
     ground g;
@@ -238,8 +228,7 @@ static void overlap_with_random_ground_agrees_with_sampled_depth(void **state)
     assert_true(in > LINES && in < LINES * PER_LINE);
 }
 
-static void impact_on_random_ground_agrees_with_sampled_times(void **state)
-{
+static void impact_on_random_ground_agrees_with_sampled_times(void **state) {
     (void)state;
     source r = {15};
     ground g;
@@ -294,8 +283,7 @@ typedef struct deepest {
     double separation, nx, ny;
 } deepest;
 
-static void segment_normal(const thud_terrain *t, int i, double *nx, double *ny)
-{
+static void segment_normal(const thud_terrain *t, int i, double *nx, double *ny) {
     if (t->kind == THUD_TERRAIN_FLAT) {
         *nx = -t->slope;
         *ny = 1.0;
@@ -312,8 +300,7 @@ static void segment_normal(const thud_terrain *t, int i, double *nx, double *ny)
 }
 
 /* Normals turn clockwise from the left side's to the right side's, so an angle orders them. */
-static bool within_neighbours(const thud_terrain *t, int i, double nx, double ny)
-{
+static bool within_neighbours(const thud_terrain *t, int i, double nx, double ny) {
     double low = 4.0, high = -4.0, angle = atan2(ny + 0.0, nx); /* no -0 */
     for (int j = i - 1; j <= i + 1; j++) {
         double x, y;
@@ -325,8 +312,7 @@ static bool within_neighbours(const thud_terrain *t, int i, double nx, double ny
     return angle >= low - 1e-9 && angle <= high + 1e-9;
 }
 
-static deepest meet(const thud_terrain *t, const thud_shape_instance *s)
-{
+static deepest meet(const thud_terrain *t, const thud_shape_instance *s) {
     deepest d = {0, 1e300, 0.0, 1.0};
     double reach = half_width(s) + MARGIN;
     int first, last;
@@ -352,8 +338,7 @@ static deepest meet(const thud_terrain *t, const thud_shape_instance *s)
 }
 
 /* Neither a needle nor wider than half the ground, its centre over or in the ground. */
-static thud_shape_instance draw_body_over(source *r, const thud_terrain *t)
-{
+static thud_shape_instance draw_body_over(source *r, const thud_terrain *t) {
     double width = last_x(t) - first_x(t);
     thud_shape_instance s = draw_over(r, t);
     s.hy = s.kind == THUD_CIRCLE ? 0.0 : fmax(s.hy, 0.05);
@@ -366,15 +351,13 @@ static thud_shape_instance draw_body_over(source *r, const thud_terrain *t)
 }
 
 /* No more than half of the shape is in the ground: what a world with sane steps may see. */
-static bool shallow(const thud_terrain *t, thud_shape_instance s)
-{
+static bool shallow(const thud_terrain *t, thud_shape_instance s) {
     s.hx *= 0.5;
     s.hy *= 0.5;
     return !thud_terrain_overlap(t, &s);
 }
 
-static void contacts_exist_whenever_a_shape_is_in_the_ground(void **state)
-{
+static void contacts_exist_whenever_a_shape_is_in_the_ground(void **state) {
     (void)state;
     source r = {16};
     ground g;
@@ -400,8 +383,7 @@ static void contacts_exist_whenever_a_shape_is_in_the_ground(void **state)
     assert_true(missed[1] * 500 < in[1]);
 }
 
-static void contacts_followed_out_leave_the_ground(void **state)
-{
+static void contacts_followed_out_leave_the_ground(void **state) {
     (void)state;
     source r = {17};
     ground g;
@@ -431,8 +413,7 @@ static void contacts_followed_out_leave_the_ground(void **state)
     assert_true(stuck[1] * 200 < in[1]);
 }
 
-static void contacts_of_parted_shapes_are_no_nearer_than_the_ground(void **state)
-{
+static void contacts_of_parted_shapes_are_no_nearer_than_the_ground(void **state) {
     (void)state;
     source r = {18};
     ground g;
@@ -456,8 +437,7 @@ static void contacts_of_parted_shapes_are_no_nearer_than_the_ground(void **state
     assert_true(near > 20);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sample_of_random_ground_agrees_with_a_scan),
         cmocka_unit_test(segments_of_random_intervals_are_those_that_touch),

@@ -14,8 +14,7 @@
 enum { QUICK = 2000, SAMPLES = 48, REFINEMENTS = 40 };
 #define BOUND 16.0
 
-static thud_shape_instance thicker(const thud_shape_instance *s, double by)
-{
+static thud_shape_instance thicker(const thud_shape_instance *s, double by) {
     thud_shape_instance t = *s;
     t.hx += by;
     t.hy += s->kind == THUD_CIRCLE ? 0.0 : by;
@@ -23,15 +22,13 @@ static thud_shape_instance thicker(const thud_shape_instance *s, double by)
 }
 
 /* Squared length of the way out over the outline at x; no ground there is a way straight aside. */
-static real way_out(const ground *g, const thud_shape_instance *s, real x)
-{
+static real way_out(const ground *g, const thud_shape_instance *s, real x) {
     real lift = lift_at(g, s, x);
     return x * x + (lift > 0.0L ? lift * lift : 0.0L);
 }
 
 /* The shortest way out that a search finds: not shorter than the shortest there is. */
-static real searched_way_out(const ground *g, const thud_shape_instance *s, real within)
-{
+static real searched_way_out(const ground *g, const thud_shape_instance *s, real within) {
     real step = 2.0L * within / SAMPLES, best = way_out(g, s, 0.0L), at = 0.0L;
     for (int i = 0; i <= SAMPLES; i++) {
         real x = i * step - within, way = way_out(g, s, x);
@@ -51,8 +48,7 @@ static real searched_way_out(const ground *g, const thud_shape_instance *s, real
 
 /* From its place on the ground the normal leads out of it, as a step of many roundings shows. Far
  * from the origin that would be longer than the ground's features. */
-static void check_normal(const ground *g, const thud_closest *c, real coarse)
-{
+static void check_normal(const ground *g, const thud_closest *c, real coarse) {
     const real step = 1e3L * coarse;
     vec out = {(real)c->ax - g->shape.x + step * c->nx, (real)c->ay - g->shape.y + step * c->ny};
     real slack = BOUND * coarse * steepest(&g->terrain);
@@ -61,8 +57,7 @@ static void check_normal(const ground *g, const thud_closest *c, real coarse)
 
 static int ways, parted;
 
-static void check_closest(const ground *g)
-{
+static void check_closest(const ground *g) {
     const thud_shape_instance *s = &g->shape;
     double slack = BOUND * ground_rounding(g), coarse = BOUND * spot_rounding(g);
     solid shape = solid_of(s, s->x, s->y);
@@ -91,8 +86,7 @@ static void check_closest(const ground *g)
     }
 }
 
-static void each_ground(thud_terrain_kind kind)
-{
+static void each_ground(thud_terrain_kind kind) {
     int count = case_count(QUICK);
     ways = parted = 0;
     for (int shape = 0; shape < 3; shape++) {
@@ -105,26 +99,22 @@ static void each_ground(thud_terrain_kind kind)
     assert_true(ways > count / 2 && parted > count / 2);
 }
 
-static void closest_of_flat_ground_is_that_of_long_double(void **state)
-{
+static void closest_of_flat_ground_is_that_of_long_double(void **state) {
     (void)state;
     each_ground(THUD_TERRAIN_FLAT);
 }
 
-static void closest_of_uniform_ground_is_that_of_long_double(void **state)
-{
+static void closest_of_uniform_ground_is_that_of_long_double(void **state) {
     (void)state;
     each_ground(THUD_TERRAIN_UNIFORM);
 }
 
-static void closest_of_irregular_ground_is_that_of_long_double(void **state)
-{
+static void closest_of_irregular_ground_is_that_of_long_double(void **state) {
     (void)state;
     each_ground(THUD_TERRAIN_IRREGULAR);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closest_of_flat_ground_is_that_of_long_double),
         cmocka_unit_test(closest_of_uniform_ground_is_that_of_long_double),

@@ -20,8 +20,7 @@ typedef struct reach {
     real margin, slack, may, must;
 } reach;
 
-static void offer(reach *k, real distance, vec place, bool certain)
-{
+static void offer(reach *k, real distance, vec place, bool certain) {
     real apart = length_of(minus(place, k->from));
     if (distance <= k->margin + k->slack) {
         k->may = fmaxl(k->may, apart);
@@ -31,8 +30,7 @@ static void offer(reach *k, real distance, vec place, bool certain)
     }
 }
 
-static vec nearest_on(vec a, vec b, vec p)
-{
+static vec nearest_on(vec a, vec b, vec p) {
     vec d = minus(b, a);
     real t = dot(minus(p, a), d) / dot(d, d);
     t = fminl(fmaxl(t, 0.0L), 1.0L);
@@ -40,8 +38,7 @@ static vec nearest_on(vec a, vec b, vec p)
 }
 
 /* A corner with its nearest places of the outline; a second one as near makes it uncertain. */
-static void offer_corner(reach *k, vec corner)
-{
+static void offer_corner(reach *k, vec corner) {
     const thud_terrain *t = &k->g->terrain;
     const thud_shape_instance *s = &k->g->shape;
     vec place[MAX_VERTICES + 2];
@@ -78,8 +75,7 @@ static void offer_corner(reach *k, vec corner)
 }
 
 /* The direction in which the shape would be moved off the place p. */
-static vec way_off(const thud_shape_instance *s, vec p, real *distance)
-{
+static vec way_off(const thud_shape_instance *s, vec p, real *distance) {
     solid shape = solid_of(s, s->x, s->y);
     *distance = solid_distance(&shape, p);
     if (s->kind == THUD_CIRCLE) {
@@ -102,8 +98,7 @@ static vec way_off(const thud_shape_instance *s, vec p, real *distance)
 /* Whether a ridge counts hangs on its sharpness, on the direction off it, and on whether that is
  * between the normals of both sides. The direction is a rounding's choice on the outline, in the
  * middle of the shape (where it may be no number), and where two faces are as near. */
-static void offer_ridge(reach *k, int i)
-{
+static void offer_ridge(reach *k, int i) {
     const thud_terrain *t = &k->g->terrain;
     const thud_shape_instance *s = &k->g->shape;
     vec v = vertex_from(t, s, i), before = {0.0L, 1.0L}, after = {0.0L, -1.0L};
@@ -126,8 +121,7 @@ static void offer_ridge(reach *k, int i)
 }
 
 /* A segment under a circle whose centre is out of the ground by that much. */
-static void offer_segment(reach *k, int i, real out)
-{
+static void offer_segment(reach *k, int i, real out) {
     vec p = vertex_from(&k->g->terrain, &k->g->shape, i);
     vec q = vertex_from(&k->g->terrain, &k->g->shape, i + 1), d = unit(minus(q, p));
     real along = -dot(d, p), above = -cross(d, p), length = length_of(minus(q, p));
@@ -139,8 +133,7 @@ static void offer_segment(reach *k, int i, real out)
 }
 
 static reach search(const ground *g, const thud_closest *from, double depth, double margin,
-                    double slack)
-{
+                    double slack) {
     reach k = {.g = g,
                .from = {(real)from->ax - g->shape.x, (real)from->ay - g->shape.y},
                .margin = margin,
@@ -160,8 +153,7 @@ static reach search(const ground *g, const thud_closest *from, double depth, dou
     return k;
 }
 
-static void check_point(const ground *g, const thud_closest *c, double coarse)
-{
+static void check_point(const ground *g, const thud_closest *c, double coarse) {
     const thud_shape_instance *s = &g->shape;
     solid shape = solid_of(s, s->x, s->y);
     vec on_shape = {(real)c->bx - s->x, (real)c->by - s->y};
@@ -173,16 +165,14 @@ static void check_point(const ground *g, const thud_closest *c, double coarse)
     CHECK_GROUND(g, fabsl(outline_distance(g, &on_ground)) <= coarse);
 }
 
-static real apart(const thud_closest *one, const thud_closest *two)
-{
+static real apart(const thud_closest *one, const thud_closest *two) {
     return length_of(vec_of((real)two->ax - one->ax, (real)two->ay - one->ay));
 }
 
 /* The second point is the furthest from the closest features. The first is the closest features, or
  * another place as deep, further from the second. */
 static void check_second(const ground *g, const thud_contacts *c, const thud_closest *closest,
-                         double margin, double slack)
-{
+                         double margin, double slack) {
     const thud_closest *one = &c->point[0], *two = &c->point[1];
     double coarse = BOUND * spot_rounding(g), size = g->shape.hx + g->shape.hy;
     real placed = 8.0L * coarse * steepest(&g->terrain);
@@ -204,8 +194,7 @@ static void check_second(const ground *g, const thud_contacts *c, const thud_clo
 
 static int seconds;
 
-static void check_contacts(const ground *g, double margin)
-{
+static void check_contacts(const ground *g, double margin) {
     double slack = BOUND * ground_rounding(g), coarse = BOUND * spot_rounding(g);
     thud_closest closest;
     thud_contacts c;
@@ -219,8 +208,7 @@ static void check_contacts(const ground *g, double margin)
     }
 }
 
-static void each_ground(thud_terrain_kind kind)
-{
+static void each_ground(thud_terrain_kind kind) {
     int count = case_count(QUICK);
     for (int shape = 0; shape < 3; shape++) {
         source r = {71 + 3 * kind + shape};
@@ -236,26 +224,22 @@ static void each_ground(thud_terrain_kind kind)
     }
 }
 
-static void contacts_of_flat_ground_are_those_of_long_double(void **state)
-{
+static void contacts_of_flat_ground_are_those_of_long_double(void **state) {
     (void)state;
     each_ground(THUD_TERRAIN_FLAT);
 }
 
-static void contacts_of_uniform_ground_are_those_of_long_double(void **state)
-{
+static void contacts_of_uniform_ground_are_those_of_long_double(void **state) {
     (void)state;
     each_ground(THUD_TERRAIN_UNIFORM);
 }
 
-static void contacts_of_irregular_ground_are_those_of_long_double(void **state)
-{
+static void contacts_of_irregular_ground_are_those_of_long_double(void **state) {
     (void)state;
     each_ground(THUD_TERRAIN_IRREGULAR);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contacts_of_flat_ground_are_those_of_long_double),
         cmocka_unit_test(contacts_of_uniform_ground_are_those_of_long_double),

@@ -11,8 +11,7 @@
 enum { QUICK = 6000, QUICK_TURNING = 200, STEPS = 1000 };
 #define BOUND 16.0
 
-static thud_shape_instance thicker(const thud_shape_instance *s, double by)
-{
+static thud_shape_instance thicker(const thud_shape_instance *s, double by) {
     thud_shape_instance t = *s;
     t.hx += by;
     t.hy += s->kind == THUD_CIRCLE ? 0.0 : by;
@@ -22,14 +21,12 @@ static thud_shape_instance thicker(const thud_shape_instance *s, double by)
 typedef enum answer { NO, YES, EITHER } answer;
 
 /* In the ground, touching included; either where a few roundings decide. */
-static answer in_ground(const ground *g, double slack)
-{
+static answer in_ground(const ground *g, double slack) {
     thud_shape_instance more = thicker(&g->shape, slack), less = thicker(&g->shape, -slack);
     return lift_at(g, &less, 0.0L) > 0.0L ? YES : lift_at(g, &more, 0.0L) < 0.0L ? NO : EITHER;
 }
 
-static thud_motion draw_motion_over(source *r, const ground *g, bool turning)
-{
+static thud_motion draw_motion_over(source *r, const ground *g, bool turning) {
     double size = g->shape.hx + g->shape.hy, speed = exp(draw(r, -2.0, 4.0)) * size;
     thud_motion m = {draw(r, -speed, speed), draw(r, -speed, speed), 0.0};
     if (draw_below(r, 2)) {
@@ -42,16 +39,14 @@ static thud_motion draw_motion_over(source *r, const ground *g, bool turning)
     return m;
 }
 
-static double motion_rounding(const ground *g, thud_motion m)
-{
+static double motion_rounding(const ground *g, thud_motion m) {
     double slope = g->terrain.kind == THUD_TERRAIN_FLAT ? fabs(g->terrain.slope) : 0.0;
     return ground_rounding(g) + ROUNDING * (fabs(m.dx) + fabs(m.dy)) * (1.0 + slope);
 }
 
 /* Piece i of the ground's outline as the shape's centre sees it; false if there is none. A flat
  * line is long enough for the motion, but no longer: its far ends are rounded, too. */
-static bool outline_piece(const ground *g, thud_motion m, int i, solid *out)
-{
+static bool outline_piece(const ground *g, thud_motion m, int i, solid *out) {
     const thud_terrain *t = &g->terrain;
     const real way = fabsl(m.dx) + fabsl(m.dy) + g->shape.hx + g->shape.hy;
     *out = (solid){.count = 2};
@@ -72,8 +67,7 @@ static bool outline_piece(const ground *g, thud_motion m, int i, solid *out)
 
 static int in, hits, stopped_early;
 
-static void check_overlap(const ground *g)
-{
+static void check_overlap(const ground *g) {
     answer expected = in_ground(g, BOUND * ground_rounding(g));
     bool overlap = thud_terrain_overlap(&g->terrain, &g->shape);
     CHECK_GROUND(g, expected == EITHER || overlap == (expected == YES));
@@ -82,8 +76,7 @@ static void check_overlap(const ground *g)
 
 /* ---- time of impact ---- */
 
-static void check_translating(const ground *g, thud_motion m, double target)
-{
+static void check_translating(const ground *g, thud_motion m, double target) {
     double slack = BOUND * (motion_rounding(g, m) + ROUNDING * target), time;
     bool hit;
     assert_int_equal(thud_terrain_time_of_impact(&g->terrain, &g->shape, m, target, &hit, &time),
@@ -105,8 +98,7 @@ static void check_translating(const ground *g, thud_motion m, double target)
     hits += hit;
 }
 
-static real ground_distance(const ground *g, thud_motion m, real t)
-{
+static real ground_distance(const ground *g, thud_motion m, real t) {
     solid shape = solid_after(&g->shape, m, t, g->shape.x, g->shape.y), piece;
     real least = HUGE_VALL, reach = (real)g->shape.hx + g->shape.hy;
     vec center = {m.dx * t, m.dy * t};
@@ -119,8 +111,7 @@ static real ground_distance(const ground *g, thud_motion m, real t)
 }
 
 /* Is the shape no nearer to the ground than `least` until `end`? */
-static bool apart_until(const ground *g, thud_motion m, real least, real end)
-{
+static bool apart_until(const ground *g, thud_motion m, real least, real end) {
     real reach = g->shape.kind == THUD_OBB ? hypotl(g->shape.hx, g->shape.hy) : 0.0L;
     real speed = hypotl(m.dx, m.dy) + fabsl(m.turn) * reach;
     for (real t = 0.0L; t < end;) {
@@ -133,8 +124,7 @@ static bool apart_until(const ground *g, thud_motion m, real least, real end)
     return true;
 }
 
-static void check_turning(const ground *g, thud_motion m, double target)
-{
+static void check_turning(const ground *g, thud_motion m, double target) {
     double size = g->shape.hx + g->shape.hy, time, longest = 0.0;
     for (int i = 0; i + 1 < g->terrain.count; i++) {
         vec p = vertex_from(&g->terrain, &g->shape, i),
@@ -161,8 +151,7 @@ static void check_turning(const ground *g, thud_motion m, double target)
 
 /* ---- time of collision ---- */
 
-static answer in_ground_after(const ground *g, thud_motion m, double t, double slack)
-{
+static answer in_ground_after(const ground *g, thud_motion m, double t, double slack) {
     ground moved = *g;
     thud_shape_instance *s = &moved.shape;
     moved.terrain.points = moved.points;
@@ -176,13 +165,12 @@ static answer in_ground_after(const ground *g, thud_motion m, double t, double s
     return in_ground(&moved, slack);
 }
 
-static void check_collision(const ground *g, thud_motion m, double tolerance)
-{
+static void check_collision(const ground *g, thud_motion m, double tolerance) {
     double slack = BOUND * (motion_rounding(g, m) + spot_rounding(g)), time;
     bool collided;
-    assert_int_equal(
-        thud_terrain_time_of_collision(&g->terrain, &g->shape, m, tolerance, &collided, &time),
-        THUD_OK);
+    assert_int_equal(thud_terrain_time_of_collision(&g->terrain, &g->shape, m, tolerance, &collided,
+                                                    &time),
+                     THUD_OK);
     answer before = in_ground(g, slack), after = in_ground_after(g, m, 1.0, slack);
     if (before != EITHER && after != EITHER) {
         CHECK_GROUND(g, collided == (before == NO && after == YES));
@@ -204,8 +192,7 @@ typedef struct totals {
     int cases, in, hits, stopped_early;
 } totals;
 
-static totals each_ground(uint64_t seed, int count, void check(const ground *g, source *r, int i))
-{
+static totals each_ground(uint64_t seed, int count, void check(const ground *g, source *r, int i)) {
     in = hits = stopped_early = 0;
     for (int kind = 0; kind < 3; kind++) {
         for (int shape = 0; shape < 3; shape++) {
@@ -220,59 +207,50 @@ static totals each_ground(uint64_t seed, int count, void check(const ground *g, 
     return (totals){9 * count, in, hits, stopped_early};
 }
 
-static void overlap_case(const ground *g, source *r, int i)
-{
+static void overlap_case(const ground *g, source *r, int i) {
     (void)r;
     (void)i;
     check_overlap(g);
 }
 
-static void translating_case(const ground *g, source *r, int i)
-{
+static void translating_case(const ground *g, source *r, int i) {
     check_translating(g, draw_motion_over(r, g, false), i % 3 ? 0.0 : 0.05);
 }
 
-static void turning_case(const ground *g, source *r, int i)
-{
+static void turning_case(const ground *g, source *r, int i) {
     check_turning(g, draw_motion_over(r, g, true), i % 3 ? 0.0 : 0.05);
 }
 
-static void collision_case(const ground *g, source *r, int i)
-{
+static void collision_case(const ground *g, source *r, int i) {
     check_collision(g, draw_motion_over(r, g, i % 2), i % 3 ? 1e-6 : i % 5 ? 0.1 : 1e-15);
 }
 
-static void overlap_of_ground_is_that_of_long_double(void **state)
-{
+static void overlap_of_ground_is_that_of_long_double(void **state) {
     (void)state;
     totals t = each_ground(141, case_count(QUICK), overlap_case);
     assert_true(t.in > t.cases / 5 && t.in < t.cases * 4 / 5);
 }
 
-static void impact_on_ground_without_turning_is_that_of_long_double(void **state)
-{
+static void impact_on_ground_without_turning_is_that_of_long_double(void **state) {
     (void)state;
     totals t = each_ground(151, case_count(QUICK), translating_case);
     assert_true(t.hits > t.cases / 10);
 }
 
-static void impact_on_ground_with_turning_comes_no_later_and_no_earlier(void **state)
-{
+static void impact_on_ground_with_turning_comes_no_later_and_no_earlier(void **state) {
     (void)state;
     totals t = each_ground(161, case_count(QUICK_TURNING), turning_case);
     assert_true(t.hits > t.cases / 10);
     assert_true(t.stopped_early * 5000 <= t.hits);
 }
 
-static void collision_with_ground_is_between_apart_and_together(void **state)
-{
+static void collision_with_ground_is_between_apart_and_together(void **state) {
     (void)state;
     totals t = each_ground(171, case_count(QUICK), collision_case);
     assert_true(t.hits > t.cases / 50);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(overlap_of_ground_is_that_of_long_double),
         cmocka_unit_test(impact_on_ground_without_turning_is_that_of_long_double),

@@ -1,7 +1,7 @@
-/* test_impacts_random.c: random worlds of bisected and swept bodies in a closed room, of all sizes and
- * speeds, of several shapes, with sensors, filters and kinematic bodies, edited by their callbacks:
- * they stay finite, run twice alike (with wide and with plain SIMD, and with allocations that fail),
- * keep to their bounds on work, and let nothing swept out of the room. */
+/* test_impacts_random.c: random worlds of bisected and swept bodies in a closed room, of all sizes
+ * and speeds, of several shapes, with sensors, filters and kinematic bodies, edited by their
+ * callbacks: they stay finite, run twice alike (with wide and with plain SIMD, and with allocations
+ * that fail), keep to their bounds on work, and let nothing swept out of the room. */
 #include "../support/hostile_memory.h"
 #include "../unit/engine_support.h"
 
@@ -28,19 +28,16 @@ static bool fails;
 
 /* ---- callbacks ---- */
 
-static thud_vec2 draw_velocity(source *r)
-{
+static thud_vec2 draw_velocity(source *r) {
     double speed = exp(draw(r, log(0.1), log(1e5))), angle = draw(r, 0, 6.28);
     return (thud_vec2){(float)(speed * cos(angle)), (float)(speed * sin(angle))};
 }
 
-static void done_or_short(thud_result result)
-{
+static void done_or_short(thud_result result) {
     assert_true(result == THUD_OK || (result == THUD_ERROR_MEMORY && fails));
 }
 
-static void edit(room *m)
-{
+static void edit(room *m) {
     source *r = &m->random;
     thud_body_id body = m->bodies[draw_below(r, BODIES)];
     thud_body_state s;
@@ -65,16 +62,14 @@ static void edit(room *m)
     }
 }
 
-static bool is_wall(const thud_world *world, thud_body_id body)
-{
+static bool is_wall(const thud_world *world, thud_body_id body) {
     thud_body_state s;
     return thud_body_get(world, body, &s) == THUD_OK && s.kind == THUD_STATIC;
 }
 
 /* Walls are always heeded. */
 static bool prologue(thud_world *world, const thud_contact *contact,
-                     thud_contact_settings *settings, void *context)
-{
+                     thud_contact_settings *settings, void *context) {
     room *m = context;
     edit(m);
     settings->restitution = draw_below(&m->random, 2) ? 0.9f : 0.0f;
@@ -82,8 +77,7 @@ static bool prologue(thud_world *world, const thud_contact *contact,
            draw_below(&m->random, 8);
 }
 
-static void epilogue(thud_world *world, const thud_contact *contact, void *context)
-{
+static void epilogue(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     assert_true(isfinite((double)contact->normal_impulse));
     edit(context);
@@ -91,8 +85,7 @@ static void epilogue(thud_world *world, const thud_contact *contact, void *conte
 
 /* ---- rooms ---- */
 
-static void add_walls(thud_world *world)
-{
+static void add_walls(thud_world *world) {
     thud_shape_def def = thud_default_shape_def();
     thud_body_id body = add_body(world, THUD_STATIC, 0, 0, 0);
     def.filter.category = WALLS;
@@ -104,8 +97,7 @@ static void add_walls(thud_world *world)
     }
 }
 
-static void add_shapes(source *r, thud_world *world, thud_body_id body)
-{
+static void add_shapes(source *r, thud_world *world, thud_body_id body) {
     for (int shapes = 1 + (draw_below(r, 3) == 0) * draw_below(r, 3), i = 0; i < shapes; i++) {
         thud_shape_def def = thud_default_shape_def();
         def.sensor = i > 0 && draw_below(r, 3) == 0;
@@ -123,8 +115,7 @@ static void add_shapes(source *r, thud_world *world, thud_body_id body)
     }
 }
 
-static void make_room(room *m, uint64_t seed, bool plain_simd)
-{
+static void make_room(room *m, uint64_t seed, bool plain_simd) {
     source r = {seed};
     thud_world_def def = thud_default_world_def();
     bool bisects = draw_below(&r, 3) == 0;
@@ -157,8 +148,7 @@ static void make_room(room *m, uint64_t seed, bool plain_simd)
 
 /* ---- what must hold after every step ---- */
 
-static void check(const room *m, uint64_t seed, int step)
-{
+static void check(const room *m, uint64_t seed, int step) {
     thud_stats stats = thud_world_stats(m->world);
     if (stats.impacts > 9 * BODIES || stats.held_bodies > BODIES ||
         !(stats.held_seconds <= BODIES * m->time_step * 1.000001)) {
@@ -173,8 +163,9 @@ static void check(const room *m, uint64_t seed, int step)
         }
         assert_true(isfinite(s.center.x + s.center.y + s.angle));
         assert_true(isfinite((double)(s.velocity.x + s.velocity.y + s.angular_velocity)));
-        /* The first shape is solid, and its centre the origin; that of mass may be a sensor's. Those
-         * that began in each other, and spin by many turns a step, may be pressed into a wall. */
+        /* The first shape is solid, and its centre the origin; that of mass may be a sensor's.
+         * Those that began in each other, and spin by many turns a step, may be pressed into a
+         * wall. */
         bool outside = fabs(s.position.x) > ROOM + 1 || fabs(s.position.y) > ROOM + 1;
         if (m->swept && !m->kinematic && outside) {
             fail_msg("room %016" PRIx64 ", step %d: body %d is out at %g, %g", seed, step, i,
@@ -183,9 +174,9 @@ static void check(const room *m, uint64_t seed, int step)
     }
 }
 
-/* Every 16th step fails at its first allocation, then at its second, and so on, until it is done. */
-static void step_with_failures(room *m, int step)
-{
+/* Every 16th step fails at its first allocation, then at its second, and so on, until it is done.
+ */
+static void step_with_failures(room *m, int step) {
     for (long failures = 0;; failures++) {
         fails = step % 16 == 3;
         memory_allowed = fails ? failures : -1;
@@ -199,8 +190,7 @@ static void step_with_failures(room *m, int step)
     }
 }
 
-static void random_rooms_run_alike_within_bounds_and_lose_nothing(void **state)
-{
+static void random_rooms_run_alike_within_bounds_and_lose_nothing(void **state) {
     (void)state;
     for (int k = 0; k < case_count(200); k++) {
         uint64_t seed = 0x9e3779b97f4a7c15ull * (uint64_t)(k + 1);
@@ -223,8 +213,7 @@ static void random_rooms_run_alike_within_bounds_and_lose_nothing(void **state)
 /* A failed step may have been halfway through: what callbacks and impacts add is not lost nor done
  * twice. Impacts that stray may want memory that the step before did not need, and then hold their
  * bodies, so that the two are not alike; but all else holds. */
-static void random_rooms_survive_failing_allocations(void **state)
-{
+static void random_rooms_survive_failing_allocations(void **state) {
     (void)state;
     for (int k = 0; k < case_count(60); k++) {
         uint64_t seed = 0xd1342543de82ef95ull * (uint64_t)(k + 1);
@@ -238,8 +227,7 @@ static void random_rooms_survive_failing_allocations(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_rooms_run_alike_within_bounds_and_lose_nothing),
         cmocka_unit_test(random_rooms_survive_failing_allocations),

@@ -25,8 +25,7 @@ typedef struct room {
 
 /* ---- rooms ---- */
 
-static void add_walls(thud_world *world, const thud_shape_def *def)
-{
+static void add_walls(thud_world *world, const thud_shape_def *def) {
     thud_body_id body = add_body(world, THUD_STATIC, 0, 0, 0);
     for (int side = 0; side < 4; side++) {
         float out = (side < 2 ? 1 : -1) * (float)(ROOM + 1), half = (float)ROOM + 2;
@@ -38,16 +37,15 @@ static void add_walls(thud_world *world, const thud_shape_def *def)
 
 /* Within a circle of the given radius. */
 static void add_shapes(source *r, thud_world *world, thud_body_id body, float radius,
-                       const thud_shape_def *def)
-{
+                       const thud_shape_def *def) {
     float half = 0.7f * radius;
     switch (draw_below(r, 4)) {
     case 0:
         add_shape(world, body, radius, 0, false, def);
         break;
     case 1:
-        OK(thud_shape_create_circle(world, body, def, (thud_vec2){-0.5f * radius, 0},
-                                    0.5f * radius, NULL));
+        OK(thud_shape_create_circle(world, body, def, (thud_vec2){-0.5f * radius, 0}, 0.5f * radius,
+                                    NULL));
         OK(thud_shape_create_obb(world, body, def, (thud_vec2){0.4f * radius, 0},
                                  (thud_vec2){0.4f * radius, 0.3f * radius}, 0.3, NULL));
         break;
@@ -57,8 +55,7 @@ static void add_shapes(source *r, thud_world *world, thud_body_id body, float ra
 }
 
 /* Nothing overlaps at first: each body has a cell of its own. */
-static void make_room(room *m, uint64_t seed, int quality, bool plain_simd)
-{
+static void make_room(room *m, uint64_t seed, int quality, bool plain_simd) {
     source r = {seed};
     thud_world_def def = thud_default_world_def();
     thud_shape_def surface = thud_default_shape_def();
@@ -90,8 +87,7 @@ static void make_room(room *m, uint64_t seed, int quality, bool plain_simd)
 }
 
 /* Takes bodies away, out of the world and back, and changes the quality. */
-static void edit(room *m, int step)
-{
+static void edit(room *m, int step) {
     source *r = &m->random;
     thud_body_id body = m->bodies[draw_below(r, m->count)];
     if (!m->edits || step % 8 || !thud_body_is_valid(m->world, body)) {
@@ -114,8 +110,7 @@ static void edit(room *m, int step)
 
 /* ---- what must hold after every step ---- */
 
-static void check_bodies(const room *m, uint64_t seed, int step)
-{
+static void check_bodies(const room *m, uint64_t seed, int step) {
     assert_int_equal(thud_world_events(m->world).quarantined_count, 0);
     for (int i = 0; i < m->count; i++) {
         if (!thud_body_is_valid(m->world, m->bodies[i])) {
@@ -133,8 +128,7 @@ static void check_bodies(const room *m, uint64_t seed, int step)
 
 /* Overlap that is pushed apart lifts what lies on it: a part of what the room could give is
  * allowed. */
-static void check_energy(const room *m, uint64_t seed, int step)
-{
+static void check_energy(const room *m, uint64_t seed, int step) {
     thud_measure now = thud_world_measure(m->world);
     double gained = now.kinetic_energy + now.potential_energy - m->energy;
     double share = gained / (m->mass * GRAVITY * 2 * ROOM);
@@ -146,8 +140,7 @@ static void check_energy(const room *m, uint64_t seed, int step)
 
 /* The error of a step is that of what is awake, and detection may change things after it was
  * counted. */
-static void check_telling(const room *m)
-{
+static void check_telling(const room *m) {
     thud_stats stats = thud_world_stats(m->world);
     assert_in_range(stats.soft_islands, 0, stats.direct_islands);
     assert_in_range(stats.direct_bodies, stats.direct_islands, m->count);
@@ -162,8 +155,7 @@ static void check_telling(const room *m)
     }
 }
 
-static void random_heaps_stay_inside_gain_nothing_and_run_alike(void **state)
-{
+static void random_heaps_stay_inside_gain_nothing_and_run_alike(void **state) {
     (void)state;
     int hard = 0;
     for (int k = 0; k < case_count(600); k++) {
@@ -190,8 +182,7 @@ static void random_heaps_stay_inside_gain_nothing_and_run_alike(void **state)
     assert_true(hard > 0);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_heaps_stay_inside_gain_nothing_and_run_alike),
     };

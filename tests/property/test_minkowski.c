@@ -25,8 +25,7 @@ typedef struct trial {
 
 /* Calls the check with every pair of kinds, every family, and as many cases as are asked for. The
  * shapes come with a at the origin: where they were, the sum does not depend on. */
-static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const trial *t))
-{
+static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const trial *t)) {
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
         source r = {seed + kinds};
         for (int i = 0; i < cases; i++) {
@@ -43,8 +42,7 @@ static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const t
     }
 }
 
-static void check_distance(source *r, const trial *t)
-{
+static void check_distance(source *r, const trial *t) {
     (void)r;
     solid a = solid_of(&t->p.a, 0.0, 0.0), b = solid_of(&t->p.b, 0.0, 0.0);
     real exact = solids_distance(&a, &b);
@@ -59,14 +57,12 @@ static void check_distance(source *r, const trial *t)
     CHECK_PAIR(&t->p, fabsl(gap_along(&a, &b, unit(n)) - exact) <= t->slack);
 }
 
-static void distance_of_every_pair_is_that_of_long_double(void **state)
-{
+static void distance_of_every_pair_is_that_of_long_double(void **state) {
     (void)state;
     each_pair(1, case_count(CASES), check_distance);
 }
 
-static real support(const thud_shape_instance *shape, vec n)
-{
+static real support(const thud_shape_instance *shape, vec n) {
     solid s = solid_of(shape, shape->x, shape->y);
     real most = -1e300L;
     for (int i = 0; i < s.count; i++) {
@@ -75,8 +71,7 @@ static real support(const thud_shape_instance *shape, vec n)
     return most + s.radius;
 }
 
-static void check_polygon(source *r, const trial *t)
-{
+static void check_polygon(source *r, const trial *t) {
     (void)r;
     const thud_minkowski *m = &t->sum;
     int faces = m->count / 2;
@@ -97,15 +92,13 @@ static void check_polygon(source *r, const trial *t)
     }
 }
 
-static void faces_of_every_sum_support_both_shapes(void **state)
-{
+static void faces_of_every_sum_support_both_shapes(void **state) {
     (void)state;
     each_pair(11, case_count(CASES), check_polygon);
 }
 
 /* What the engine's own distance is at another place of b. */
-static double distance_at(const trial *t, double x, double y)
-{
+static double distance_at(const trial *t, double x, double y) {
     thud_shape_instance b = t->p.b;
     thud_closest c;
     b.x = x;
@@ -116,15 +109,14 @@ static double distance_at(const trial *t, double x, double y)
 
 /* The least distance of b from a on its way up to `end`. The distance from a convex set is a convex
  * function along a line, so that golden sections find it (Kiefer 1953). */
-static double least_distance(const trial *t, double dx, double dy, double end)
-{
+static double least_distance(const trial *t, double dx, double dy, double end) {
     const double golden = 0.6180339887498949;
     double low = 0.0, high = end;
     double p = high - golden * (high - low), q = low + golden * (high - low);
     double at_p = distance_at(t, t->x + p * dx, t->y + p * dy);
     double at_q = distance_at(t, t->x + q * dx, t->y + q * dy);
-    double least = fmin(distance_at(t, t->x, t->y),
-                        distance_at(t, t->x + end * dx, t->y + end * dy));
+    double least =
+        fmin(distance_at(t, t->x, t->y), distance_at(t, t->x + end * dx, t->y + end * dy));
     for (int i = 0; i < SECTIONS; i++) {
         least = fmin(least, fmin(at_p, at_q));
         if (at_p < at_q) {
@@ -142,8 +134,7 @@ static double least_distance(const trial *t, double dx, double dy, double end)
 
 static int casts, hits;
 
-static void check_cast(source *r, const trial *t)
-{
+static void check_cast(source *r, const trial *t) {
     double reach = draw_below(r, 2) ? 8.0 : 2.0, fraction, nx, ny;
     double dx = draw(r, -reach, reach), dy = draw(r, -reach, reach);
     if (draw_below(r, 2)) { /* towards a */
@@ -185,8 +176,7 @@ static void check_cast(source *r, const trial *t)
     assert_true(fabsl(dot(n, there) - support(&t->p.a, n) - support(&t->p.b, n)) < eps);
 }
 
-static void casts_of_random_motions_agree_with_the_least_distance(void **state)
-{
+static void casts_of_random_motions_agree_with_the_least_distance(void **state) {
     (void)state;
     casts = hits = 0;
     each_pair(21, case_count(CASES / 2), check_cast);
@@ -194,13 +184,13 @@ static void casts_of_random_motions_agree_with_the_least_distance(void **state)
 }
 
 /* Turning by next to nothing makes thud_shapes_time_of_impact advance step by step. */
-static void check_advancement(source *r, const trial *t)
-{
+static void check_advancement(source *r, const trial *t) {
     thud_motion m = {draw(r, -4.0, 4.0), draw(r, -4.0, 4.0), 1e-15}, still = {0};
     bool hit, hit_by_steps;
     double fraction, time, nx, ny;
     OK(thud_minkowski_cast(&t->sum, t->x, t->y, m.dx, m.dy, &hit, &fraction, &nx, &ny));
-    assert_int_equal(thud_shapes_time_of_impact(&t->p.a, still, &t->p.b, m, 0.0, &hit_by_steps, &time),
+    assert_int_equal(thud_shapes_time_of_impact(&t->p.a, still, &t->p.b, m, 0.0, &hit_by_steps,
+                                                &time),
                      THUD_OK);
     if (hit) {
         assert_true(hit_by_steps && time <= fraction + 1e-9);
@@ -211,15 +201,13 @@ static void check_advancement(source *r, const trial *t)
     }
 }
 
-static void casts_never_come_before_conservative_advancement(void **state)
-{
+static void casts_never_come_before_conservative_advancement(void **state) {
     (void)state;
     each_pair(31, case_count(CASES / 4), check_advancement);
 }
 
 /* A rounding beside a vertex, the direction from it may be any; the normal must still part them. */
-static void normal_at_a_vertex_within_rounding_is_one_that_parts(void **state)
-{
+static void normal_at_a_vertex_within_rounding_is_one_that_parts(void **state) {
     (void)state;
     source r = {6};
     for (int i = 0; i < CASES; i++) {
@@ -237,8 +225,7 @@ static void normal_at_a_vertex_within_rounding_is_one_that_parts(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(distance_of_every_pair_is_that_of_long_double),
         cmocka_unit_test(faces_of_every_sum_support_both_shapes),

@@ -11,25 +11,24 @@ enum { SOLIDS = 60, POINTS = 40, MOVES = 500, TRIES = 2000 };
 
 #define DT (1.0 / 60)
 
-static bool count_one(thud_shape_id shape, void *context)
-{
+static bool count_one(thud_shape_id shape, void *context) {
     (void)shape;
     ++*(int *)context;
     return true;
 }
 
-static bool is_inside(thud_world *world, const thud_shape_instance *shape)
-{
+static bool is_inside(thud_world *world, const thud_shape_instance *shape) {
     int count = 0;
     OK(thud_world_overlap_shape(world, (thud_pos){0, 0}, shape, NULL, count_one, &count));
     return count > 0;
 }
 
-static void add_ground(thud_world *world, source *r)
-{
+static void add_ground(thud_world *world, source *r) {
     thud_pos points[POINTS];
     thud_terrain line = {.kind = draw_below(r, 2) ? THUD_TERRAIN_FLAT : THUD_TERRAIN_IRREGULAR,
-                         .slope = draw(r, -1, 1), .points = points, .count = POINTS};
+                         .slope = draw(r, -1, 1),
+                         .points = points,
+                         .count = POINTS};
     double x = -40;
     for (int i = 0; i < POINTS; i++) {
         points[i] = (thud_pos){x, draw(r, 0, 5)};
@@ -39,15 +38,13 @@ static void add_ground(thud_world *world, source *r)
     OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, -6, 0), &def, &line, NULL));
 }
 
-static thud_world *make_random_world(source *r)
-{
+static thud_world *make_random_world(source *r) {
     thud_world *world = make_world(weightless());
     add_ground(world, r);
     for (int i = 0; i < SOLIDS; i++) {
         thud_shape_instance shape = draw_shape(r);
         double angle = shape.kind == THUD_OBB ? draw(r, -3, 3) : 0;
-        thud_body_id body =
-            add_body(world, THUD_STATIC, draw(r, -20, 20), draw(r, -5, 20), angle);
+        thud_body_id body = add_body(world, THUD_STATIC, draw(r, -20, 20), draw(r, -5, 20), angle);
         add_shape(world, body, (float)fmax(2 * shape.hx, 0.02), (float)(2 * shape.hy),
                   shape.kind == THUD_AABB, NULL);
     }
@@ -55,8 +52,7 @@ static thud_world *make_random_world(source *r)
 }
 
 /* False if there is hardly a free place. */
-static bool find_place(thud_world *world, source *r, thud_mover *mover)
-{
+static bool find_place(thud_world *world, source *r, thud_mover *mover) {
     for (int i = 0; i < TRIES; i++) {
         mover->shape.x = draw(r, -15, 15);
         mover->shape.y = draw(r, -3, 15);
@@ -67,8 +63,7 @@ static bool find_place(thud_world *world, source *r, thud_mover *mover)
     return false;
 }
 
-static void random_moves_in_random_worlds_never_enter_anything(void **state)
-{
+static void random_moves_in_random_worlds_never_enter_anything(void **state) {
     (void)state;
     source r = {31};
     const char *wanted = getenv("THUD_CASES");
@@ -93,8 +88,8 @@ static void random_moves_in_random_worlds_never_enter_anything(void **state)
             assert_false(is_inside(world, &mover.shape));
             double way = hypot(mover.shape.x - before.x, mover.shape.y - before.y);
             double speed = hypot((double)velocity.x, (double)velocity.y);
-            assert_true(way <= speed * DT + mover.step_height + mover.snap_distance +
-                                   8 * mover.skin);
+            assert_true(way <=
+                        speed * DT + mover.step_height + mover.snap_distance + 8 * mover.skin);
             velocity = report.velocity;
             on_ground += mover.on_ground;
         }
@@ -103,8 +98,7 @@ static void random_moves_in_random_worlds_never_enter_anything(void **state)
     assert_true(on_ground > cases / 5 && on_ground < cases);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_moves_in_random_worlds_never_enter_anything),
     };

@@ -12,14 +12,13 @@
 enum { QUICK = 20000 };
 #define BOUND 8.0
 
-static bool on_outline(const solid *s, const thud_shape_instance *origin, double x, double y, double slack)
-{
+static bool on_outline(const solid *s, const thud_shape_instance *origin, double x, double y,
+                       double slack) {
     vec p = {(real)x - origin->x, (real)y - origin->y};
     return fabsl(solid_distance(s, p)) <= slack;
 }
 
-static void check_closest(const pair *p)
-{
+static void check_closest(const pair *p) {
     double slack = BOUND * pair_rounding(p), coarse = BOUND * place_rounding(p);
     solid a = solid_of(&p->a, p->a.x, p->a.y), b = solid_of(&p->b, p->a.x, p->a.y);
     real exact = solids_distance(&a, &b);
@@ -35,8 +34,7 @@ static void check_closest(const pair *p)
     CHECK_PAIR(p, fabs(c.by - c.ay - c.ny * c.distance) <= coarse);
 }
 
-static void check_overlap(const pair *p)
-{
+static void check_overlap(const pair *p) {
     solid a = solid_of(&p->a, p->a.x, p->a.y), b = solid_of(&p->b, p->a.x, p->a.y);
     real exact = solids_distance(&a, &b);
     if (fabsl(exact) > BOUND * pair_rounding(p)) {
@@ -45,16 +43,14 @@ static void check_overlap(const pair *p)
     }
 }
 
-static void check_either_way_round(const pair *p)
-{
+static void check_either_way_round(const pair *p) {
     thud_closest there, back;
     assert_int_equal(thud_shapes_closest(&p->a, &p->b, &there), THUD_OK);
     assert_int_equal(thud_shapes_closest(&p->b, &p->a, &back), THUD_OK);
     CHECK_PAIR(p, fabs(there.distance - back.distance) <= BOUND * pair_rounding(p));
 }
 
-static void each_pair(uint64_t seed, void check(const pair *p))
-{
+static void each_pair(uint64_t seed, void check(const pair *p)) {
     int count = case_count(QUICK);
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
         source r = {seed + kinds};
@@ -65,26 +61,22 @@ static void each_pair(uint64_t seed, void check(const pair *p))
     }
 }
 
-static void closest_of_every_pair_is_that_of_long_double(void **state)
-{
+static void closest_of_every_pair_is_that_of_long_double(void **state) {
     (void)state;
     each_pair(21, check_closest);
 }
 
-static void closest_of_every_pair_has_one_distance_either_way_round(void **state)
-{
+static void closest_of_every_pair_has_one_distance_either_way_round(void **state) {
     (void)state;
     each_pair(31, check_either_way_round);
 }
 
-static void overlap_of_every_pair_is_that_of_long_double(void **state)
-{
+static void overlap_of_every_pair_is_that_of_long_double(void **state) {
     (void)state;
     each_pair(41, check_overlap);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closest_of_every_pair_is_that_of_long_double),
         cmocka_unit_test(closest_of_every_pair_has_one_distance_either_way_round),

@@ -14,13 +14,12 @@ enum { QUICK = 12000 };
 static int collisions;
 
 /* Where the shapes may or may not touch at an end of the motion, anything goes. */
-static void check_collision(const moving *m, double tolerance)
-{
+static void check_collision(const moving *m, double tolerance) {
     double slack = BOUND * (moving_rounding(m) + place_rounding(&m->p)), time;
     bool collided;
-    assert_int_equal(
-        thud_shapes_time_of_collision(&m->p.a, m->a, &m->p.b, m->b, tolerance, &collided, &time),
-        THUD_OK);
+    assert_int_equal(thud_shapes_time_of_collision(&m->p.a, m->a, &m->p.b, m->b, tolerance,
+                                                   &collided, &time),
+                     THUD_OK);
     real before = moving_distance(m, 0.0L), after = moving_distance(m, 1.0L);
     if (fabsl(before) > slack && fabsl(after) > slack) {
         CHECK_PAIR(&m->p, collided == (before > 0.0L && after < 0.0L));
@@ -37,8 +36,7 @@ static void check_collision(const moving *m, double tolerance)
     collisions++;
 }
 
-static void collision_of_every_pair_is_between_apart_and_together(void **state)
-{
+static void collision_of_every_pair_is_between_apart_and_together(void **state) {
     (void)state;
     int count = case_count(QUICK);
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
@@ -53,8 +51,7 @@ static void collision_of_every_pair_is_between_apart_and_together(void **state)
 }
 
 /* Through the middle: at some time both centres are in one place. */
-static void bisectable_motion_through_the_middle_is_never_missed(void **state)
-{
+static void bisectable_motion_through_the_middle_is_never_missed(void **state) {
     (void)state;
     int count = case_count(QUICK), bisectable = 0;
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
@@ -84,8 +81,7 @@ static void bisectable_motion_through_the_middle_is_never_missed(void **state)
     assert_true(bisectable > count);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(collision_of_every_pair_is_between_apart_and_together),
         cmocka_unit_test(bisectable_motion_through_the_middle_is_never_missed),

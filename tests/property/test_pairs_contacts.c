@@ -19,14 +19,12 @@ typedef struct spot {
     real along, above;
 } spot;
 
-static spot spot_of(vec n, vec p)
-{
+static spot spot_of(vec n, vec p) {
     return (spot){n.x * p.y - n.y * p.x, dot(n, p)};
 }
 
 /* How much the side's outward normal, turned into the direction n, is off, as a sine. */
-static real off_normal(const solid *s, int side, vec n)
-{
+static real off_normal(const solid *s, int side, vec n) {
     vec d = unit(minus(s->v[(side + 1) % 4], s->v[side]));
     return cross(n, d) > 0.0L ? fabsl(dot(n, d)) : 2.0L;
 }
@@ -34,8 +32,7 @@ static real off_normal(const solid *s, int side, vec n)
 /* May the engine's second point, or its absence, come from this side as the face that looks along n
  * and that side of the other box as the one over it? */
 static bool explains(const solid *face, int side, const solid *other, int over, vec n, vec first,
-                     real margin, real slack, const vec *second)
-{
+                     real margin, real slack, const vec *second) {
     spot p = spot_of(n, minus(face->v[side], first));
     spot q = spot_of(n, minus(face->v[(side + 1) % 4], first));
     spot u = spot_of(n, minus(other->v[over], first));
@@ -67,8 +64,7 @@ static bool explains(const solid *face, int side, const solid *other, int over, 
 
 /* All the ways to take a face and what is over it. n points from `face`; `first` is on it. */
 static bool some_side_explains(const solid *face, const solid *other, vec n, vec first, real margin,
-                               real slack, const vec *second)
-{
+                               real slack, const vec *second) {
     vec back = {-n.x, -n.y};
     real least = 3.0L;
     for (int i = 0; i < 4; i++) {
@@ -86,8 +82,7 @@ static bool some_side_explains(const solid *face, const solid *other, vec n, vec
     return false;
 }
 
-static bool has_face_along(const solid *s, vec n, real slack)
-{
+static bool has_face_along(const solid *s, vec n, real slack) {
     for (int i = 0; i < 4 && s->count == 4; i++) {
         if (off_normal(s, i, n) <= slack) {
             return true;
@@ -96,8 +91,7 @@ static bool has_face_along(const solid *s, vec n, real slack)
     return false;
 }
 
-static void check_second(const pair *p, const thud_contacts *c, real margin, real slack)
-{
+static void check_second(const pair *p, const thud_contacts *c, real margin, real slack) {
     const thud_closest *one = &c->point[0], *two = &c->point[1];
     double x = p->a.x, y = p->a.y;
     solid a = solid_of(&p->a, x, y), b = solid_of(&p->b, x, y);
@@ -117,16 +111,15 @@ static void check_second(const pair *p, const thud_contacts *c, real margin, rea
     }
     if (second ||
         (boxes && (has_face_along(&a, n, ALIGNED) || has_face_along(&b, back, ALIGNED)))) {
-        CHECK_PAIR(
-            p, some_side_explains(&a, &b, n, on_a, margin, slack, second ? &far_b : NULL) ||
-                   some_side_explains(&b, &a, back, on_b, margin, slack, second ? &far_a : NULL));
+        CHECK_PAIR(p, some_side_explains(&a, &b, n, on_a, margin, slack, second ? &far_b : NULL) ||
+                          some_side_explains(&b, &a, back, on_b, margin, slack,
+                                             second ? &far_a : NULL));
     }
 }
 
 static int seconds;
 
-static void check_contacts(const pair *p, double margin)
-{
+static void check_contacts(const pair *p, double margin) {
     double slack = BOUND * place_rounding(p);
     thud_closest closest;
     thud_contacts c;
@@ -143,8 +136,7 @@ static void check_contacts(const pair *p, double margin)
     }
 }
 
-static void contacts_of_every_pair_are_those_of_clipped_faces(void **state)
-{
+static void contacts_of_every_pair_are_those_of_clipped_faces(void **state) {
     (void)state;
     int count = case_count(QUICK);
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
@@ -158,8 +150,7 @@ static void contacts_of_every_pair_are_those_of_clipped_faces(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contacts_of_every_pair_are_those_of_clipped_faces),
     };

@@ -21,8 +21,7 @@ enum { QUICK = 12000, QUICK_TURNING = 600, STEPS = 1000 };
 
 static int hits;
 
-static void check_translating(const moving *m)
-{
+static void check_translating(const moving *m) {
     double slack = BOUND * moving_rounding(m), time;
     bool hit;
     solid a = solid_of(&m->p.a, m->p.a.x, m->p.a.y), b = solid_of(&m->p.b, m->p.a.x, m->p.a.y);
@@ -31,16 +30,16 @@ static void check_translating(const moving *m)
     vec way = {(real)m->a.dx - m->b.dx, (real)m->a.dy - m->b.dy};
     real early = enters(&h, h.radius + m->target + slack, way);
     real late = enters(&h, h.radius + m->target - slack, way);
-    assert_int_equal(
-        thud_shapes_time_of_impact(&m->p.a, m->a, &m->p.b, m->b, m->target, &hit, &time), THUD_OK);
+    assert_int_equal(thud_shapes_time_of_impact(&m->p.a, m->a, &m->p.b, m->b, m->target, &hit,
+                                                &time),
+                     THUD_OK);
     CHECK_PAIR(&m->p, hit || time == 1.0);
     real found = hit ? (real)time : NEVER;
     CHECK_PAIR(&m->p, found >= early - BOUND * ROUNDING && found <= late + BOUND * ROUNDING);
     hits += hit;
 }
 
-static void impact_without_turning_is_that_of_long_double(void **state)
-{
+static void impact_without_turning_is_that_of_long_double(void **state) {
     (void)state;
     int count = case_count(QUICK);
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
@@ -56,8 +55,7 @@ static void impact_without_turning_is_that_of_long_double(void **state)
 
 /* Faces that are parallel but for a rounding: b lies over all places of a's, within the target; and
  * falls to there from 1 above. */
-static void impact_of_flush_boxes_with_a_target_is_never_missed(void **state)
-{
+static void impact_of_flush_boxes_with_a_target_is_never_missed(void **state) {
     (void)state;
     for (int i = 1; i < 400; i++) {
         double c = cos(i * 0.01), s = sin(i * 0.01), length = sqrt(9.0 * c * c + 9.0 * s * s);
@@ -69,15 +67,15 @@ static void impact_of_flush_boxes_with_a_target_is_never_missed(void **state)
             double time;
             b.x = 0.1 * k * c - 1.54 * s;
             b.y = 0.1 * k * s + 1.54 * c;
-            assert_int_equal(
-                thud_shapes_time_of_impact(&a, (thud_motion){0}, &b, up, 0.05, &hit, &time),
-                THUD_OK);
+            assert_int_equal(thud_shapes_time_of_impact(&a, (thud_motion){0}, &b, up, 0.05, &hit,
+                                                        &time),
+                             THUD_OK);
             assert_true(hit && time == 0.0);
             b.x = 0.1 * k * c - 2.0 * s;
             b.y = 0.1 * k * s + 2.0 * c;
-            assert_int_equal(
-                thud_shapes_time_of_impact(&a, (thud_motion){0}, &b, down, 0.05, &hit, &time),
-                THUD_OK);
+            assert_int_equal(thud_shapes_time_of_impact(&a, (thud_motion){0}, &b, down, 0.05, &hit,
+                                                        &time),
+                             THUD_OK);
             assert_true(hit && fabs(time - 0.45) < 1e-14);
         }
     }
@@ -86,8 +84,7 @@ static void impact_of_flush_boxes_with_a_target_is_never_missed(void **state)
 /* ---- with turning ---- */
 
 /* The fastest that the shapes' distance may change. */
-static real fastest(const moving *m)
-{
+static real fastest(const moving *m) {
     real reach_a = m->p.a.kind == THUD_OBB ? hypotl(m->p.a.hx, m->p.a.hy) : 0.0L;
     real reach_b = m->p.b.kind == THUD_OBB ? hypotl(m->p.b.hx, m->p.b.hy) : 0.0L;
     return hypotl(m->a.dx - m->b.dx, m->a.dy - m->b.dy) + fabsl(m->a.turn) * reach_a +
@@ -96,8 +93,7 @@ static real fastest(const moving *m)
 
 /* Are the shapes no nearer than `least` until `end`? Steps that the distance allows, but no shorter
  * than a thousandth: where they graze each other, what is nearer for less time is not seen. */
-static bool apart_until(const moving *m, real least, real end)
-{
+static bool apart_until(const moving *m, real least, real end) {
     real speed = fastest(m);
     for (real t = 0.0L; t < end;) {
         real distance = moving_distance(m, t);
@@ -111,13 +107,13 @@ static bool apart_until(const moving *m, real least, real end)
 
 static int stopped_early;
 
-static void check_turning(const moving *m)
-{
+static void check_turning(const moving *m) {
     double size = m->p.a.hx + m->p.a.hy + m->p.b.hx + m->p.b.hy;
     double slack = 1.1e-10 * size + BOUND * moving_rounding(m), time;
     bool hit;
-    assert_int_equal(
-        thud_shapes_time_of_impact(&m->p.a, m->a, &m->p.b, m->b, m->target, &hit, &time), THUD_OK);
+    assert_int_equal(thud_shapes_time_of_impact(&m->p.a, m->a, &m->p.b, m->b, m->target, &hit,
+                                                &time),
+                     THUD_OK);
     CHECK_PAIR(&m->p, time >= 0.0 && time <= 1.0 && (hit || time == 1.0));
     CHECK_PAIR(&m->p, apart_until(m, m->target - slack, time));
     if (hit) {
@@ -128,8 +124,7 @@ static void check_turning(const moving *m)
     }
 }
 
-static void impact_with_turning_comes_no_later_and_no_earlier(void **state)
-{
+static void impact_with_turning_comes_no_later_and_no_earlier(void **state) {
     (void)state;
     int count = case_count(QUICK_TURNING);
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
@@ -145,8 +140,7 @@ static void impact_with_turning_comes_no_later_and_no_earlier(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(impact_without_turning_is_that_of_long_double),
         cmocka_unit_test(impact_of_flush_boxes_with_a_target_is_never_missed),

@@ -27,8 +27,7 @@ typedef struct worlds {
 
 /* ---- making ---- */
 
-static thud_terrain draw_terrain(source *r, thud_pos *points)
-{
+static thud_terrain draw_terrain(source *r, thud_pos *points) {
     thud_terrain t = {.kind = (thud_terrain_kind)draw_below(r, 3), .points = points, .count = 6};
     t.slope = draw(r, -0.8, 0.8);
     t.x0 = draw(r, -20, 0);
@@ -41,8 +40,7 @@ static thud_terrain draw_terrain(source *r, thud_pos *points)
     return t;
 }
 
-static void add_terrain(worlds *w, source *r, const thud_shape_def *def)
-{
+static void add_terrain(worlds *w, source *r, const thud_shape_def *def) {
     int n = w->count++;
     thud_pos at = {(float)draw(r, -10, 10), (float)draw(r, -30, -10)};
     w->terrain[n] = draw_terrain(r, w->points[n]);
@@ -54,8 +52,7 @@ static void add_terrain(worlds *w, source *r, const thud_shape_def *def)
     }
 }
 
-static void add_solid(worlds *w, source *r, const thud_shape_def *def)
-{
+static void add_solid(worlds *w, source *r, const thud_shape_def *def) {
     int n = w->count++;
     thud_shape_instance shape = draw_shape(r);
     shape.hx = (float)fmax(shape.hx, 1e-3);
@@ -75,9 +72,8 @@ static void add_solid(worlds *w, source *r, const thud_shape_def *def)
 }
 
 /* Shapes may lie in each other without being pushed apart. */
-static bool ignore(thud_world *world, const thud_contact *contact,
-                   thud_contact_settings *settings, void *context)
-{
+static bool ignore(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                   void *context) {
     (void)settings;
     (void)world;
     (void)contact;
@@ -85,8 +81,7 @@ static bool ignore(thud_world *world, const thud_contact *contact,
     return false;
 }
 
-static void make_worlds(worlds *w, source *r)
-{
+static void make_worlds(worlds *w, source *r) {
     const thud_broadphase *const all[BROADPHASES] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                      &thud_broadphase_all};
     for (int b = 0; b < BROADPHASES; b++) {
@@ -113,8 +108,7 @@ static void make_worlds(worlds *w, source *r)
     }
 }
 
-static void drop_worlds(worlds *w)
-{
+static void drop_worlds(worlds *w) {
     for (int b = 0; b < BROADPHASES; b++) {
         thud_world_destroy(w->world[b]);
     }
@@ -122,13 +116,11 @@ static void drop_worlds(worlds *w)
 
 /* ---- one shape, without a world ---- */
 
-static bool passes(const worlds *w, int i, const thud_query_filter *filter)
-{
+static bool passes(const worlds *w, int i, const thud_query_filter *filter) {
     return (filter->sensors || !w->sensor[i]) && (w->filter[i].category & filter->mask);
 }
 
-static thud_shape_instance grown(const thud_shape_instance *shape, double by)
-{
+static thud_shape_instance grown(const thud_shape_instance *shape, double by) {
     thud_shape_instance p = *shape;
     p.hx = fmax(p.hx + by, 1e-9);
     p.hy = p.kind == THUD_CIRCLE ? 0 : fmax(p.hy + by, 1e-9);
@@ -143,8 +135,7 @@ typedef struct query {
 } query;
 
 /* Whether shape i, grown by so much, is met, and at which fraction at the latest and earliest. */
-static bool meets(const worlds *w, int i, const query *q, double by, double *fraction)
-{
+static bool meets(const worlds *w, int i, const query *q, double by, double *fraction) {
     double x = q->x, y = q->y;
     bool hit = false;
     *fraction = 2;
@@ -173,8 +164,7 @@ static bool meets(const worlds *w, int i, const query *q, double by, double *fra
     return hit;
 }
 
-static double distance_to(const worlds *w, int i, const thud_shape_instance *shape)
-{
+static double distance_to(const worlds *w, int i, const thud_shape_instance *shape) {
     thud_closest c;
     thud_shape_instance other = *shape;
     if (w->placed[i].kind == THUD_TERRAIN) {
@@ -187,8 +177,7 @@ static double distance_to(const worlds *w, int i, const thud_shape_instance *sha
     return c.distance;
 }
 
-static int index_of(const worlds *w, thud_shape_id id)
-{
+static int index_of(const worlds *w, thud_shape_id id) {
     for (int i = 0; i < w->count; i++) {
         if (w->ids[i].index1 == id.index1) {
             return i;
@@ -198,8 +187,7 @@ static int index_of(const worlds *w, thud_shape_id id)
     return -1;
 }
 
-static query draw_query(source *r)
-{
+static query draw_query(source *r) {
     query q = {.shape = draw_shape(r), .filter = thud_default_query_filter()};
     q.shape.x = q.shape.y = 0;
     q.pointlike = draw_below(r, 3) == 0;
@@ -215,8 +203,7 @@ static query draw_query(source *r)
 
 /* ---- casts ---- */
 
-static int cast_all(const worlds *w, int b, const query *q, thud_ray_hit *hits, int capacity)
-{
+static int cast_all(const worlds *w, int b, const query *q, thud_ray_hit *hits, int capacity) {
     int count = -1;
     thud_pos at = {w->origin.x + q->x, w->origin.y + q->y};
     if (q->pointlike) {
@@ -229,8 +216,7 @@ static int cast_all(const worlds *w, int b, const query *q, thud_ray_hit *hits, 
     return count;
 }
 
-static bool cast_first(const worlds *w, int b, const query *q, thud_ray_hit *hit)
-{
+static bool cast_first(const worlds *w, int b, const query *q, thud_ray_hit *hit) {
     bool any = false;
     thud_pos at = {w->origin.x + q->x, w->origin.y + q->y};
     if (q->pointlike) {
@@ -241,8 +227,7 @@ static bool cast_first(const worlds *w, int b, const query *q, thud_ray_hit *hit
     return any;
 }
 
-static bool same_hit(const thud_ray_hit *a, const thud_ray_hit *b)
-{
+static bool same_hit(const thud_ray_hit *a, const thud_ray_hit *b) {
     return a->shape.index1 == b->shape.index1 && a->fraction == b->fraction &&
            a->point.x == b->point.x && a->point.y == b->point.y && a->normal.x == b->normal.x &&
            a->normal.y == b->normal.y;
@@ -250,8 +235,7 @@ static bool same_hit(const thud_ray_hit *a, const thud_ray_hit *b)
 
 /* The point lies on the surface of the shape, and where the query's shape then stands it
  * touches. */
-static void check_hit(const worlds *w, const query *q, const thud_ray_hit *hit)
-{
+static void check_hit(const worlds *w, const query *q, const thud_ray_hit *hit) {
     thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1, .hx = 1e-9};
     int i = index_of(w, hit->shape);
     point.x = hit->point.x - w->origin.x;
@@ -269,8 +253,7 @@ static void check_hit(const worlds *w, const query *q, const thud_ray_hit *hit)
     }
 }
 
-static void check_cast(const worlds *w, const query *q)
-{
+static void check_cast(const worlds *w, const query *q) {
     thud_ray_hit hits[ROOM], others[ROOM], first;
     int count = cast_all(w, 0, q, hits, ROOM);
     bool told[SHAPES] = {false};
@@ -311,15 +294,13 @@ typedef struct list {
     uint32_t index1[ROOM];
 } list;
 
-static bool append(thud_shape_id shape, void *context)
-{
+static bool append(thud_shape_id shape, void *context) {
     list *l = context;
     l->index1[l->count++] = shape.index1;
     return true;
 }
 
-static void check_overlap(const worlds *w, const query *q)
-{
+static void check_overlap(const worlds *w, const query *q) {
     list found[BROADPHASES] = {0};
     thud_shape_instance there = q->shape;
     there.x = q->x;
@@ -341,8 +322,7 @@ static void check_overlap(const worlds *w, const query *q)
     assert_int_equal(next, found[0].count);
 }
 
-static void check_closest(const worlds *w, source *r, const query *q)
-{
+static void check_closest(const worlds *w, source *r, const query *q) {
     double most = draw_below(r, 2) ? draw(r, 0, 5) : draw(r, 0, 200), least = 1e300;
     thud_shape_instance point = {.kind = THUD_CIRCLE, .x = q->x, .y = q->y, .c = 1, .hx = 1e-9};
     for (int i = 0; i < w->count; i++) {
@@ -368,14 +348,12 @@ static void check_closest(const worlds *w, source *r, const query *q)
 }
 
 /* As many as THUD_CASES says. */
-static long cases_wanted(long usual)
-{
+static long cases_wanted(long usual) {
     const char *wanted = getenv("THUD_CASES");
     return wanted ? strtol(wanted, NULL, 10) : usual;
 }
 
-static void queries_of_random_worlds_agree_with_every_shape_asked_one_by_one(void **state)
-{
+static void queries_of_random_worlds_agree_with_every_shape_asked_one_by_one(void **state) {
     (void)state;
     source r = {2024};
     static worlds w;
@@ -399,8 +377,7 @@ static void queries_of_random_worlds_agree_with_every_shape_asked_one_by_one(voi
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(queries_of_random_worlds_agree_with_every_shape_asked_one_by_one),
     };

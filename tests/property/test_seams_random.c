@@ -1,7 +1,7 @@
-/* test_seams_random.c: bodies dropped and slid onto random heaps of static shapes, which lie side by
- * side, in line, in each other, or a little off: they never come to overlap any of them, never change
- * sides, and never rest on nothing. What overlaps is told by exact geometry of every pair; a heap
- * counts only where the same world without its seams (internal_edges.h) is right. */
+/* test_seams_random.c: bodies dropped and slid onto random heaps of static shapes, which lie side
+ * by side, in line, in each other, or a little off: they never come to overlap any of them, never
+ * change sides, and never rest on nothing. What overlaps is told by exact geometry of every pair; a
+ * heap counts only where the same world without its seams (internal_edges.h) is right. */
 #include "../unit/engine_support.h"
 
 #include "geometry_exact.h"
@@ -31,40 +31,38 @@ typedef struct heap {
 
 /* ---- heaps ---- */
 
-static double draw_size(source *r, double least, double most)
-{
+static double draw_size(source *r, double least, double most) {
     return exp(draw(r, log(least), log(most)));
 }
 
 /* Neighbours are flush, or off by about what counts as flush. */
-static double draw_gap(source *r)
-{
+static double draw_gap(source *r) {
     static const double gaps[] = {0, 0, 0, 1e-5, 1e-4, 1e-3, 2e-3, 1e-2, 0.05};
     double gap = gaps[draw_below(r, 9)];
     return draw_below(r, 2) ? gap * draw(r, 0.8, 1.2) : -gap;
 }
 
-static void turn_to(thud_shape_instance *shape, double *angle, double to)
-{
+static void turn_to(thud_shape_instance *shape, double *angle, double to) {
     *angle = to;
     shape->kind = to == 0.0 && shape->kind == THUD_AABB ? THUD_AABB : THUD_OBB;
     set_angle(shape, to);
 }
 
-static void move_in_frame(thud_shape_instance *shape, const thud_shape_instance *frame, double u, double v)
-{
+static void move_in_frame(thud_shape_instance *shape, const thud_shape_instance *frame, double u,
+                          double v) {
     shape->x = frame->x + frame->c * u - frame->s * v;
     shape->y = frame->y + frame->s * u + frame->c * v;
 }
 
 /* A box in some relation to one that stands already. */
-static void add_related_box(source *r, heap *h)
-{
+static void add_related_box(source *r, heap *h) {
     int i = h->count++, of = draw_below(r, i);
     const thud_shape_instance *frame = &h->shapes[of];
     thud_shape_instance *box = &h->shapes[i];
-    *box = (thud_shape_instance){.kind = draw_below(r, 2) ? THUD_AABB : THUD_OBB, .c = 1.0,
-                         .hx = draw_size(r, 0.05, 3), .hy = draw_size(r, 0.05, 3)};
+    *box = (thud_shape_instance){.kind = draw_below(r, 2) ? THUD_AABB : THUD_OBB,
+                                 .c = 1.0,
+                                 .hx = draw_size(r, 0.05, 3),
+                                 .hy = draw_size(r, 0.05, 3)};
     if (draw_below(r, 3) == 0) {
         box->hx = frame->hx;
         box->hy = frame->hy;
@@ -102,14 +100,12 @@ static void add_related_box(source *r, heap *h)
             double turn = draw(r, -0.3, 0.3), c = cos(turn), s = sin(turn);
             turn_to(box, &h->angles[i], h->angles[of] + turn);
             double u = side * box->hx, v = -box->hy;
-            move_in_frame(box, frame, side * frame->hx + c * u - s * v,
-                          frame->hy + s * u + c * v);
+            move_in_frame(box, frame, side * frame->hx + c * u - s * v, frame->hy + s * u + c * v);
         }
     }
 }
 
-static void add_line(source *r, heap *h)
-{
+static void add_line(source *r, heap *h) {
     const thud_shape_instance *box = &h->shapes[draw_below(r, h->count)];
     double side = draw_below(r, 2) ? 1.0 : -1.0, x = box->x + side * (box->hx + draw_gap(r));
     double y = box->y + box->hy + draw_gap(r);
@@ -121,8 +117,7 @@ static void add_line(source *r, heap *h)
     }
 }
 
-static bool is_clear(const heap *h, const thud_shape_instance *body)
-{
+static bool is_clear(const heap *h, const thud_shape_instance *body) {
     solid b = solid_of(body, 0, 0);
     for (int i = 0; i < h->count; i++) {
         solid s = solid_of(&h->shapes[i], 0, 0);
@@ -139,12 +134,13 @@ static bool is_clear(const heap *h, const thud_shape_instance *body)
 }
 
 /* Somewhat above what stands there, in the clear. */
-static void add_faller(source *r, heap *h)
-{
+static void add_faller(source *r, heap *h) {
     static const thud_shape_kind kinds[] = {THUD_CIRCLE, THUD_AABB, THUD_OBB};
     const thud_shape_instance *over = &h->shapes[draw_below(r, h->count)];
     thud_shape_instance *b = &h->body;
-    *b = (thud_shape_instance){.kind = kinds[draw_below(r, 3)], .c = 1.0, .hx = draw_size(r, 0.05, 1)};
+    *b = (thud_shape_instance){.kind = kinds[draw_below(r, 3)],
+                               .c = 1.0,
+                               .hx = draw_size(r, 0.05, 1)};
     b->hy = b->kind == THUD_CIRCLE ? 0 : draw_size(r, 0.05, 1);
     h->body_angle = b->kind == THUD_OBB && draw_below(r, 2) ? draw(r, -3, 3) : 0;
     set_angle(b, h->body_angle);
@@ -156,13 +152,14 @@ static void add_faller(source *r, heap *h)
     h->speed = draw_below(r, 2) ? 0 : draw(r, -5, 5);
 }
 
-static heap draw_heap(source *r)
-{
+static heap draw_heap(source *r) {
     static const double scales[] = {1, 1, 0.01, 100};
     heap h = {.count = 1, .scale = scales[draw_below(r, 4)]};
     double angle = draw_below(r, 3) ? 0.0 : draw_below(r, 2) ? draw(r, -0.6, 0.6) : TD_PI / 2;
-    h.shapes[0] = (thud_shape_instance){.kind = THUD_AABB, .c = 1.0, .hx = draw_size(r, 0.5, 20),
-                                .hy = draw_size(r, 0.2, 5)};
+    h.shapes[0] = (thud_shape_instance){.kind = THUD_AABB,
+                                        .c = 1.0,
+                                        .hx = draw_size(r, 0.5, 20),
+                                        .hy = draw_size(r, 0.2, 5)};
     turn_to(&h.shapes[0], &h.angles[0], angle);
     int boxes = 2 + draw_below(r, STATICS - 2);
     while (h.count < boxes) {
@@ -170,8 +167,8 @@ static heap draw_heap(source *r)
     }
     if (draw_below(r, 4) == 0) {
         const thud_shape_instance *box = &h.shapes[draw_below(r, boxes)];
-        h.shapes[h.count++] = (thud_shape_instance){.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5,
-                                            .x = box->x, .y = box->y + box->hy - 0.5};
+        h.shapes[h.count++] = (thud_shape_instance){
+            .kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5, .x = box->x, .y = box->y + box->hy - 0.5};
     }
     if (draw_below(r, 4) == 0) {
         add_line(r, &h);
@@ -179,8 +176,9 @@ static heap draw_heap(source *r)
     h.friction = draw_below(r, 3) ? 0.6f : 0.0f;
     h.detection = draw_below(r, 4) ? &thud_detection_continuous : &thud_detection_swept;
     add_faller(r, &h);
-    h.quality = draw_below(r, 2) ? &thud_quality_default
-                                 : draw_below(r, 2) ? &thud_quality_high : &thud_quality_exact;
+    h.quality = draw_below(r, 2)   ? &thud_quality_default
+                : draw_below(r, 2) ? &thud_quality_high
+                                   : &thud_quality_exact;
     h.detection = draw_below(r, 8) ? h.detection : &thud_detection_bisect;
     h.joined = draw_below(r, 4) == 0;
     return h;
@@ -188,9 +186,8 @@ static heap draw_heap(source *r)
 
 /* ---- worlds ---- */
 
-static thud_body_id add_placed(thud_world *world, const heap *h, const thud_shape_instance *p, double angle,
-                               bool moves)
-{
+static thud_body_id add_placed(thud_world *world, const heap *h, const thud_shape_instance *p,
+                               double angle, bool moves) {
     thud_shape_def def = thud_default_shape_def();
     def.friction = h->friction;
     thud_body_id body = add_body(world, moves ? THUD_DYNAMIC : THUD_STATIC, p->x * h->scale,
@@ -200,9 +197,9 @@ static thud_body_id add_placed(thud_world *world, const heap *h, const thud_shap
     return body;
 }
 
-/* AABBs would keep it from turning, which it does not: boxes of either kind stand as they are told. */
-static void add_joined(thud_world *world, const heap *h)
-{
+/* AABBs would keep it from turning, which it does not: boxes of either kind stand as they are told.
+ */
+static void add_joined(thud_world *world, const heap *h) {
     thud_body_id body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
     thud_shape_def def = thud_default_shape_def();
     def.friction = h->friction;
@@ -220,8 +217,7 @@ static void add_joined(thud_world *world, const heap *h)
     }
 }
 
-static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body)
-{
+static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body) {
     thud_world_def def = thud_world_def_of(h->quality);
     def.length_scale = (float)h->scale;
     def.gravity.y = (float)(-10 * h->scale);
@@ -253,17 +249,16 @@ static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body)
 /* ---- what happened ---- */
 
 typedef struct outcome {
-    double overlap;    /* what never went away of it after it settled */
-    double nearest;    /* at the end */
-    double inside;     /* the deepest that its middle ever was in one */
-    double speed;      /* at the end */
-    double energy;     /* the most that it gained, per mass, in (length scales / s)^2 */
+    double overlap; /* what never went away of it after it settled */
+    double nearest; /* at the end */
+    double inside;  /* the deepest that its middle ever was in one */
+    double speed;   /* at the end */
+    double energy;  /* the most that it gained, per mass, in (length scales / s)^2 */
     double x, y;
 } outcome;
 
 /* Of the body, where it is now, from a shape or from the line: exact but for the line's ends. */
-static double least_distance(const heap *h, const thud_shape_instance *body)
-{
+static double least_distance(const heap *h, const thud_shape_instance *body) {
     solid b = solid_of(body, 0, 0);
     double least = 1e9;
     for (int i = 0; i < h->count; i++) {
@@ -287,8 +282,7 @@ static double least_distance(const heap *h, const thud_shape_instance *body)
     return least;
 }
 
-static double middle_inside(const heap *h, const thud_shape_instance *body)
-{
+static double middle_inside(const heap *h, const thud_shape_instance *body) {
     double most = 0;
     for (int i = 0; i < h->count; i++) {
         const thud_shape_instance *s = &h->shapes[i];
@@ -297,8 +291,7 @@ static double middle_inside(const heap *h, const thud_shape_instance *body)
     return most;
 }
 
-static outcome watch(const heap *h, bool seams)
-{
+static outcome watch(const heap *h, bool seams) {
     thud_body_id id;
     thud_world *world = make_heap(h, seams, &id);
     outcome out = {.overlap = 1e9};
@@ -327,17 +320,15 @@ static outcome watch(const heap *h, bool seams)
     return out;
 }
 
-static const char *fault_of(const outcome *o)
-{
-    return o->overlap > OVERLAP                    ? "overlaps"
-           : o->inside > 0.02                      ? "was inside"
-           : o->speed < REST && o->nearest > NEAR  ? "rests on nothing"
-           : o->energy > 0.3                       ? "gained energy"
-                                                   : NULL;
+static const char *fault_of(const outcome *o) {
+    return o->overlap > OVERLAP                   ? "overlaps"
+           : o->inside > 0.02                     ? "was inside"
+           : o->speed < REST && o->nearest > NEAR ? "rests on nothing"
+           : o->energy > 0.3                      ? "gained energy"
+                                                  : NULL;
 }
 
-static void describe(const heap *h, const outcome *o)
-{
+static void describe(const heap *h, const outcome *o) {
     for (int i = 0; i < h->count; i++) {
         const thud_shape_instance *s = &h->shapes[i];
         print_message("  kind %d at %.9g, %.9g half %.9g, %.9g angle %.9g\n", (int)s->kind, s->x,
@@ -347,17 +338,17 @@ static void describe(const heap *h, const outcome *o)
         print_message("  vertex %.9g, %.9g\n", h->line[i].x, h->line[i].y);
     }
     const thud_shape_instance *b = &h->body;
-    print_message("  body: kind %d at %.9g, %.9g half %.9g, %.9g angle %.9g speed %.9g scale %g "
-                  "friction %g %s %s%s\n  ends at %.9g, %.9g: overlap %g, inside %g, speed %g, nearest "
-                  "%g, energy %g\n",
-                  (int)b->kind, b->x, b->y, b->hx, b->hy, h->body_angle, h->speed, h->scale,
-                  (double)h->friction, thud_detection_name(h->detection),
-                  h->quality->islands ? "direct" : "soft", h->joined ? " joined" : "", o->x, o->y, o->overlap,
-                  o->inside, o->speed, o->nearest, o->energy);
+    print_message(
+        "  body: kind %d at %.9g, %.9g half %.9g, %.9g angle %.9g speed %.9g scale %g "
+        "friction %g %s %s%s\n  ends at %.9g, %.9g: overlap %g, inside %g, speed %g, nearest "
+        "%g, energy %g\n",
+        (int)b->kind, b->x, b->y, b->hx, b->hy, h->body_angle, h->speed, h->scale,
+        (double)h->friction, thud_detection_name(h->detection),
+        h->quality->islands ? "direct" : "soft", h->joined ? " joined" : "", o->x, o->y, o->overlap,
+        o->inside, o->speed, o->nearest, o->energy);
 }
 
-static void bodies_on_random_heaps_never_overlap_them_nor_rest_on_nothing(void **state)
-{
+static void bodies_on_random_heaps_never_overlap_them_nor_rest_on_nothing(void **state) {
     (void)state;
     int faults = 0, not_of_seams = 0, count = case_count(8000);
     for (int i = 0; i < count; i++) {
@@ -381,8 +372,7 @@ static void bodies_on_random_heaps_never_overlap_them_nor_rest_on_nothing(void *
     assert_true(not_of_seams <= 5 + count / 500);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_on_random_heaps_never_overlap_them_nor_rest_on_nothing),
     };

@@ -1,6 +1,6 @@
-/* test_sensors_random.c: random worlds whose bodies come, go, jump, sleep and are switched off. After
- * every step the books of sensor events are what plain geometry, each shape against each, finds of
- * the bodies as they stood at the step's start. */
+/* test_sensors_random.c: random worlds whose bodies come, go, jump, sleep and are switched off.
+ * After every step the books of sensor events are what plain geometry, each shape against each,
+ * finds of the bodies as they stood at the step's start. */
 #include "../unit/engine_support.h"
 
 enum { BODIES = 26, SHAPES_MAX = 256, STEPS = 200, LINE = 9 };
@@ -17,8 +17,7 @@ typedef struct chaos {
     int begun, asleep_begun; /* asleep: seen while neither of the two bodies was awake */
 } chaos;
 
-static int pick(chaos *c, int count)
-{
+static int pick(chaos *c, int count) {
     return (int)random_in(&c->seed, 0, (double)count);
 }
 
@@ -34,30 +33,32 @@ typedef struct seen_shape {
     thud_terrain line;
 } seen_shape;
 
-static void look_at(const chaos *c, thud_shape_id id, seen_shape *out)
-{
+static void look_at(const chaos *c, thud_shape_id id, seen_shape *out) {
     thud_shape_state shape;
     OK(thud_shape_get(c->world, id, &shape));
     thud_body_state body = state_of(c->world, shape.body);
     double x = (double)shape.offset.x, y = (double)shape.offset.y;
     double cs = (double)body.cosine, sn = (double)body.sine;
-    *out = (seen_shape){.there = body.enabled, .sensor = shape.sensor, .awake = body.awake,
-                        .kind = body.kind, .body = shape.body.index1, .filter = shape.filter,
+    *out = (seen_shape){.there = body.enabled,
+                        .sensor = shape.sensor,
+                        .awake = body.awake,
+                        .kind = body.kind,
+                        .body = shape.body.index1,
+                        .filter = shape.filter,
                         .is_line = shape.kind == THUD_TERRAIN};
     out->placed = (thud_shape_instance){.kind = shape.kind,
-                                .x = body.position.x + cs * x - sn * y,
-                                .y = body.position.y + sn * x + cs * y,
-                                .c = shape.kind == THUD_OBB ? cs : 1.0,
-                                .s = shape.kind == THUD_OBB ? sn : 0.0,
-                                .hx = (double)shape.half_extents.x,
-                                .hy = (double)shape.half_extents.y};
+                                        .x = body.position.x + cs * x - sn * y,
+                                        .y = body.position.y + sn * x + cs * y,
+                                        .c = shape.kind == THUD_OBB ? cs : 1.0,
+                                        .s = shape.kind == THUD_OBB ? sn : 0.0,
+                                        .hx = (double)shape.half_extents.x,
+                                        .hy = (double)shape.half_extents.y};
     if (out->is_line) {
         OK(thud_shape_terrain(c->world, id, &out->line));
     }
 }
 
-static void look_around(const chaos *c, seen_shape *shapes)
-{
+static void look_around(const chaos *c, seen_shape *shapes) {
     memset(shapes, 0, SHAPES_MAX * sizeof *shapes);
     for (int i = 0; i <= BODIES; i++) {
         thud_shape_id ids[16];
@@ -73,14 +74,12 @@ static void look_around(const chaos *c, seen_shape *shapes)
     }
 }
 
-static bool filters_meet(const thud_filter *a, const thud_filter *b)
-{
+static bool filters_meet(const thud_filter *a, const thud_filter *b) {
     return a->group == b->group && a->group ? a->group > 0
                                             : (a->mask & b->category) && (b->mask & a->category);
 }
 
-static double distance_of(const seen_shape *a, const seen_shape *b)
-{
+static double distance_of(const seen_shape *a, const seen_shape *b) {
     thud_closest c = {.distance = 1};
     if (a->is_line) {
         thud_shape_instance relative = b->placed;
@@ -93,8 +92,7 @@ static double distance_of(const seen_shape *a, const seen_shape *b)
     return c.distance;
 }
 
-static void check(const chaos *c, const seen_shape *shapes, int step)
-{
+static void check(const chaos *c, const seen_shape *shapes, int step) {
     for (int i = 0; i < SHAPES_MAX; i++) {
         for (int k = 0; k < SHAPES_MAX; k++) {
             const seen_shape *s = &shapes[i], *v = &shapes[k];
@@ -104,8 +102,9 @@ static void check(const chaos *c, const seen_shape *shapes, int step)
             double distance = !may ? 1 : v->is_line ? distance_of(v, s) : distance_of(s, v);
             if (c->open[i][k] != (distance < 0) && fabs(distance) > NEARLY) {
                 fail_msg("step %d, seed %d: sensor %d (body kind %d) and shape %d (body kind %d), "
-                         "%g apart: %s", step, (int)c->seed, i, (int)s->kind, k, (int)v->kind,
-                         distance, c->open[i][k] ? "seen" : "not seen");
+                         "%g apart: %s",
+                         step, (int)c->seed, i, (int)s->kind, k, (int)v->kind, distance,
+                         c->open[i][k] ? "seen" : "not seen");
             }
         }
     }
@@ -113,10 +112,9 @@ static void check(const chaos *c, const seen_shape *shapes, int step)
 
 /* ---- a world that changes all the time ---- */
 
-static void add_random_shape(chaos *c, thud_body_id body)
-{
-    static const thud_filter filters[] = {{1, UINT32_MAX, 0}, {2, UINT32_MAX, 0}, {4, 2, 0},
-                                          {1, UINT32_MAX, -1}, {8, 0, 2}};
+static void add_random_shape(chaos *c, thud_body_id body) {
+    static const thud_filter filters[] = {
+        {1, UINT32_MAX, 0}, {2, UINT32_MAX, 0}, {4, 2, 0}, {1, UINT32_MAX, -1}, {8, 0, 2}};
     thud_shape_def def = thud_default_shape_def();
     def.sensor = pick(c, 3) == 0;
     def.filter = filters[pick(c, 2) ? 0 : pick(c, 5)];
@@ -129,8 +127,7 @@ static void add_random_shape(chaos *c, thud_body_id body)
     }
 }
 
-static void add_random_body(chaos *c, int i)
-{
+static void add_random_body(chaos *c, int i) {
     thud_body_kind kind = (thud_body_kind)(pick(c, 5) > 2 ? THUD_DYNAMIC : pick(c, 3));
     c->bodies[i] = add_body(c->world, kind, random_in(&c->seed, -6, 6), random_in(&c->seed, -1, 5),
                             random_in(&c->seed, -1, 1));
@@ -143,8 +140,7 @@ static void add_random_body(chaos *c, int i)
     }
 }
 
-static void add_ground(chaos *c)
-{
+static void add_ground(chaos *c) {
     thud_pos points[LINE];
     for (int i = 0; i < LINE; i++) {
         points[i] = (thud_pos){2 * i - 8.0, random_in(&c->seed, -1.3, -0.7)};
@@ -159,8 +155,7 @@ static void add_ground(chaos *c)
                               NULL));
 }
 
-static void edit_ground(chaos *c)
-{
+static void edit_ground(chaos *c) {
     double x = random_in(&c->seed, -7, 7);
     switch (pick(c, 4)) {
     case 0:
@@ -168,8 +163,8 @@ static void edit_ground(chaos *c)
         add_ground(c);
         break;
     case 1:
-        OK(thud_body_set_transform(c->world, c->ground,
-                                   (thud_pos){0, random_in(&c->seed, -1, 1)}, 0));
+        OK(thud_body_set_transform(c->world, c->ground, (thud_pos){0, random_in(&c->seed, -1, 1)},
+                                   0));
         break;
     case 2:
         OK(thud_shape_dig(c->world, c->line, (thud_pos){x, -1}, 0.5));
@@ -179,8 +174,7 @@ static void edit_ground(chaos *c)
     }
 }
 
-static void edit(chaos *c)
-{
+static void edit(chaos *c) {
     thud_world *w = c->world;
     int i = pick(c, BODIES);
     thud_body_id body = c->bodies[i];
@@ -222,8 +216,7 @@ static void edit(chaos *c)
     }
 }
 
-static void lull(chaos *c)
-{
+static void lull(chaos *c) {
     for (int i = 0; i < BODIES; i++) {
         if (thud_body_is_valid(c->world, c->bodies[i]) &&
             state_of(c->world, c->bodies[i]).kind == THUD_DYNAMIC) {
@@ -233,8 +226,7 @@ static void lull(chaos *c)
 }
 
 /* Moves what never moves by itself, while others sleep. */
-static void shift_still(chaos *c)
-{
+static void shift_still(chaos *c) {
     int i = pick(c, BODIES), tried = 0;
     while (tried < BODIES && !(thud_body_is_valid(c->world, c->bodies[i]) &&
                                state_of(c->world, c->bodies[i]).kind == THUD_STATIC)) {
@@ -247,8 +239,7 @@ static void shift_still(chaos *c)
     }
 }
 
-static void book(chaos *c, const seen_shape *shapes)
-{
+static void book(chaos *c, const seen_shape *shapes) {
     thud_events e = thud_world_events(c->world);
     for (int i = 0; i < e.sensor_end_count; i++) {
         const thud_contact_event *pair = &e.sensor_end[i];
@@ -261,16 +252,15 @@ static void book(chaos *c, const seen_shape *shapes)
         assert_false(*open);
         *open = true;
         c->begun++;
-        c->asleep_begun += !shapes[pair->shape_a.index1 - 1].awake &&
-                           !shapes[pair->shape_b.index1 - 1].awake;
+        c->asleep_begun +=
+            !shapes[pair->shape_a.index1 - 1].awake && !shapes[pair->shape_b.index1 - 1].awake;
     }
 }
 
 static int asleep_in_all, begun_in_all;
 
 static void run_chaos(const thud_detection *detection, const thud_broadphase *broadphase,
-                      uint64_t seed)
-{
+                      uint64_t seed) {
     chaos *c = calloc(1, sizeof *c);
     seen_shape *shapes = calloc(SHAPES_MAX, sizeof *shapes);
     thud_world_def def = thud_default_world_def();
@@ -306,8 +296,7 @@ static void run_chaos(const thud_detection *detection, const thud_broadphase *br
     free(c);
 }
 
-static void sensors_see_what_geometry_does_in_every_world(void **state)
-{
+static void sensors_see_what_geometry_does_in_every_world(void **state) {
     (void)state;
     const thud_detection *detections[] = {&thud_detection_overlap, &thud_detection_continuous,
                                           &thud_detection_bisect, &thud_detection_swept};
@@ -324,8 +313,7 @@ static void sensors_see_what_geometry_does_in_every_world(void **state)
     assert_true(asleep_in_all > 30);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sensors_see_what_geometry_does_in_every_world),
     };

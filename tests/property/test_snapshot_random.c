@@ -1,10 +1,9 @@
-/* test_snapshot_random.c: a random game, taken back and played again from any of its snapshots, is the
- * same. */
+/* test_snapshot_random.c: a random game, taken back and played again from any of its snapshots, is
+ * the same. */
 #include "../unit/snapshot_support.h"
 
 /* What a player might do in step `time`: the same each time. */
-static void play(const yard *y, int time)
-{
+static void play(const yard *y, int time) {
     uint64_t seed = 88172645463325252u + (uint64_t)time * 977;
     for (int i = 0; i < 8; i++) {
         random_in(&seed, 0, 1);
@@ -22,8 +21,7 @@ static void play(const yard *y, int time)
     }
 }
 
-static void random_play_rewound_and_repeated_is_the_same(void **state)
-{
+static void random_play_rewound_and_repeated_is_the_same(void **state) {
     (void)state;
     enum { TIMES = 160, EVERY = 20 };
     const thud_detection *const detections[] = {NULL, &thud_detection_swept};
@@ -58,8 +56,7 @@ static void random_play_rewound_and_repeated_is_the_same(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_play_rewound_and_repeated_is_the_same),
     };

@@ -15,8 +15,7 @@ enum { CASES = 20000, KINDS = THUD_OBB + 1, CLOUD = 40, ANGLES = 720 };
 
 #define OK(call) assert_int_equal(call, THUD_OK)
 
-static bool overlap(const thud_volume *a, const thud_volume *b)
-{
+static bool overlap(const thud_volume *a, const thud_volume *b) {
     bool yes, back;
     OK(thud_volumes_overlap(a, b, &yes));
     OK(thud_volumes_overlap(b, a, &back));
@@ -24,33 +23,28 @@ static bool overlap(const thud_volume *a, const thud_volume *b)
     return yes;
 }
 
-static bool contains(const thud_volume *outer, const thud_volume *inner)
-{
+static bool contains(const thud_volume *outer, const thud_volume *inner) {
     bool yes;
     OK(thud_volume_contains(outer, inner, &yes));
     return yes;
 }
 
-static bool holds(const thud_volume *volume, double x, double y)
-{
+static bool holds(const thud_volume *volume, double x, double y) {
     bool yes;
     OK(thud_volume_contains_point(volume, x, y, &yes));
     return yes;
 }
 
-static double area(const thud_volume *v)
-{
+static double area(const thud_volume *v) {
     return v->kind == THUD_CIRCLE ? 3.141592653589793 * v->hx * v->hx : 4.0 * v->hx * v->hy;
 }
 
 /* How large roundings are where the shape is. */
-static double rounding(const thud_shape_instance *shape)
-{
+static double rounding(const thud_shape_instance *shape) {
     return 1e-14 * (1.0 + fabs(shape->x) + fabs(shape->y) + shape->hx + shape->hy);
 }
 
-static thud_volume around_shape(thud_shape_kind kind, const thud_shape_instance *shape)
-{
+static thud_volume around_shape(thud_shape_kind kind, const thud_shape_instance *shape) {
     thud_volume v;
     OK(thud_volume_around_shape(kind, shape, &v));
     assert_int_equal(v.kind, kind);
@@ -58,8 +52,7 @@ static thud_volume around_shape(thud_shape_kind kind, const thud_shape_instance 
 }
 
 /* Calls the check with every pair of kinds, every family, and as many cases as are asked for. */
-static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const pair *p))
-{
+static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const pair *p)) {
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
         source r = {seed + kinds};
         for (int i = 0; i < cases; i++) {
@@ -71,29 +64,25 @@ static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const p
 
 /* ---- tests ---- */
 
-static real exact_distance(const pair *p)
-{
+static real exact_distance(const pair *p) {
     solid a = solid_of(&p->a, p->a.x, p->a.y), b = solid_of(&p->b, p->a.x, p->a.y);
     return solids_distance(&a, &b);
 }
 
-static void check_overlap(source *r, const pair *p)
-{
+static void check_overlap(source *r, const pair *p) {
     (void)r;
     real exact = exact_distance(p);
-    CHECK_PAIR(p, overlap(&p->a, &p->b) == (exact <= 0.0L) ||
-                      fabsl(exact) <= 8.0 * pair_rounding(p));
+    CHECK_PAIR(p,
+               overlap(&p->a, &p->b) == (exact <= 0.0L) || fabsl(exact) <= 8.0 * pair_rounding(p));
 }
 
-static void overlap_of_every_pair_is_that_of_long_double(void **state)
-{
+static void overlap_of_every_pair_is_that_of_long_double(void **state) {
     (void)state;
     each_pair(1, case_count(CASES), check_overlap);
 }
 
 /* Of each kind around either, the volumes overlap if the shapes do. */
-static void check_no_miss(source *r, const pair *p)
-{
+static void check_no_miss(source *r, const pair *p) {
     (void)r;
     bool touch = exact_distance(p) <= 0.0L;
     for (int i = 0; i < KINDS * KINDS && touch; i++) {
@@ -103,14 +92,12 @@ static void check_no_miss(source *r, const pair *p)
     }
 }
 
-static void volumes_of_overlapping_pairs_overlap(void **state)
-{
+static void volumes_of_overlapping_pairs_overlap(void **state) {
     (void)state;
     each_pair(2, case_count(CASES), check_no_miss);
 }
 
-static void check_contains(source *r, const pair *p)
-{
+static void check_contains(source *r, const pair *p) {
     const thud_shape_instance *a = &p->a, *b = &p->b;
     bool inside = contains(a, b);
     double eps = rounding(a) + rounding(b), most = -1e300;
@@ -130,14 +117,12 @@ static void check_contains(source *r, const pair *p)
     assert_true(holds(b, x, y) == (distance <= 0.0) || fabs(distance) < eps);
 }
 
-static void containment_of_every_pair_agrees_with_sampled_outlines(void **state)
-{
+static void containment_of_every_pair_agrees_with_sampled_outlines(void **state) {
     (void)state;
     each_pair(3, case_count(CASES / 4), check_contains);
 }
 
-static void check_around_shape(source *r, const pair *p)
-{
+static void check_around_shape(source *r, const pair *p) {
     (void)r;
     const thud_shape_instance *a = &p->a;
     thud_volume circle = around_shape(THUD_CIRCLE, a), upright = around_shape(THUD_AABB, a);
@@ -157,21 +142,18 @@ static void check_around_shape(source *r, const pair *p)
     assert_true(fabs(area(&oriented) - smallest) < 8.0 * eps * (a->hx + a->hy));
 }
 
-static void volumes_of_every_shape_are_the_smallest(void **state)
-{
+static void volumes_of_every_shape_are_the_smallest(void **state) {
     (void)state;
     each_pair(4, case_count(CASES / 4), check_around_shape);
 }
 
-static thud_motion draw_motion(source *r)
-{
+static thud_motion draw_motion(source *r) {
     const double turns[] = {0.0, 0.1, 1.5, 4.0, 30.0};
     double reach = draw_below(r, 4) ? 3.0 : 0.0, turn = turns[draw_below(r, 5)];
     return (thud_motion){draw(r, -reach, reach), draw(r, -reach, reach), draw(r, -turn, turn)};
 }
 
-static void check_around_motion(source *r, const pair *both)
-{
+static void check_around_motion(source *r, const pair *both) {
     const thud_shape_instance *shape = &both->a;
     thud_motion m = draw_motion(r);
     thud_volume v[KINDS];
@@ -208,14 +190,12 @@ static void check_around_motion(source *r, const pair *both)
     }
 }
 
-static void volumes_of_random_motions_hold_every_place_on_the_way(void **state)
-{
+static void volumes_of_random_motions_hold_every_place_on_the_way(void **state) {
     (void)state;
     each_pair(5, case_count(CASES / 20), check_around_motion);
 }
 
-static void check_merge(source *r, const pair *p)
-{
+static void check_merge(source *r, const pair *p) {
     (void)r;
     const thud_shape_instance *a = &p->a, *b = &p->b;
     double eps = rounding(a) + rounding(b);
@@ -240,15 +220,13 @@ static void check_merge(source *r, const pair *p)
     }
 }
 
-static void merged_volumes_of_random_pairs_hold_both(void **state)
-{
+static void merged_volumes_of_random_pairs_hold_both(void **state) {
     (void)state;
     each_pair(6, case_count(CASES / 8), check_merge);
 }
 
 /* Points anywhere, in one place, on a line, on a ring, on a grid, in a needle, far away. */
-static int draw_cloud(source *r, int family, thud_pos *points)
-{
+static int draw_cloud(source *r, int family, thud_pos *points) {
     int count = 1 + draw_below(r, CLOUD);
     double angle = draw(r, -4.0, 4.0), c = cos(angle), s = sin(angle);
     double far_x = family == 6 ? draw(r, -1e7, 1e7) : 0.0, far_y = 0.3 * far_x;
@@ -281,8 +259,7 @@ static int draw_cloud(source *r, int family, thud_pos *points)
 }
 
 /* A circle through two or three of the points that holds all is the smallest of those that do. */
-static double smallest_radius(const thud_pos *p, int count)
-{
+static double smallest_radius(const thud_pos *p, int count) {
     double best = count > 1 ? 1e300 : 0.0;
     for (int i = 0; i < count; i++) {
         for (int j = 0; j < i; j++) {
@@ -305,8 +282,7 @@ static double smallest_radius(const thud_pos *p, int count)
     return best;
 }
 
-static double smallest_sampled_area(const thud_pos *p, int count)
-{
+static double smallest_sampled_area(const thud_pos *p, int count) {
     double best = 1e300;
     for (int i = 0; i < ANGLES; i++) {
         double angle = i * (1.5707963267948966 / ANGLES), c = cos(angle), s = sin(angle);
@@ -321,8 +297,7 @@ static double smallest_sampled_area(const thud_pos *p, int count)
     return best;
 }
 
-static void volumes_of_random_points_hold_all_and_are_the_smallest(void **state)
-{
+static void volumes_of_random_points_hold_all_and_are_the_smallest(void **state) {
     (void)state;
     source r = {7};
     int cases = case_count(CASES);
@@ -354,8 +329,7 @@ static void volumes_of_random_points_hold_all_and_are_the_smallest(void **state)
     }
 }
 
-static void volumes_of_random_ground_hold_every_height(void **state)
-{
+static void volumes_of_random_ground_hold_every_height(void **state) {
     (void)state;
     source r = {8};
     int cases = case_count(CASES / 8);
@@ -400,8 +374,7 @@ static void volumes_of_random_ground_hold_every_height(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(overlap_of_every_pair_is_that_of_long_double),
         cmocka_unit_test(volumes_of_overlapping_pairs_overlap),

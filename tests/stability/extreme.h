@@ -41,10 +41,10 @@ enum { FIGURE_TEXT = 120 };
 
 /* A line of an extreme's table. */
 typedef struct figure {
-    char what[FIGURE_TEXT];      /* "10^3 on a column of ten: penetration, % of the size" */
+    char what[FIGURE_TEXT]; /* "10^3 on a column of ten: penetration, % of the size" */
     bound bound;
-    unsigned measured;           /* of whom there is a figure: ON_ */
-    double reached[ENTRANTS];    /* infinite: it fell, or something was lost */
+    unsigned measured;        /* of whom there is a figure: ON_ */
+    double reached[ENTRANTS]; /* infinite: it fell, or something was lost */
 } figure;
 
 enum { LEDGER_FIGURES = 64 };
@@ -53,10 +53,10 @@ enum { LEDGER_FIGURES = 64 };
 typedef struct ledger {
     bool quick;
     bool baseline_simd; /* thud never takes AVX2: the same bits */
-    unsigned entrants; /* who can be run here: without Box2D its bit is missing */
+    unsigned entrants;  /* who can be run here: without Box2D its bit is missing */
     figure figures[LEDGER_FIGURES];
     int count;
-    bool failed;       /* something could not be run; a line on stderr says what */
+    bool failed; /* something could not be run; a line on stderr says what */
     void (*progress)(const char *what, double share); /* null: nobody looks */
 } ledger;
 

@@ -8,9 +8,9 @@ extern const extreme extreme_mass_ratio, extreme_columns, extreme_far_away, extr
     extreme_speed, extreme_wrong_input;
 
 const extreme *const EXTREMES[] = {
-    &extreme_mass_ratio, &extreme_columns, &extreme_far_away, &extreme_speed,    &extreme_sizes,
-    &extreme_time_step,  &extreme_energy,  &extreme_slopes,   &extreme_long_run, &extreme_crowding,
-    &extreme_wrong_input,
+    &extreme_mass_ratio, &extreme_columns,   &extreme_far_away,    &extreme_speed,
+    &extreme_sizes,      &extreme_time_step, &extreme_energy,      &extreme_slopes,
+    &extreme_long_run,   &extreme_crowding,  &extreme_wrong_input,
 };
 const int EXTREME_COUNT = sizeof EXTREMES / sizeof EXTREMES[0];
 

@@ -52,8 +52,9 @@ static void run(ledger *l) {
     static const struct {
         const char *what;
         int light; /* 0: the big box on two small ones */
-    } CASES[] = {
-        {"one box", 1}, {"a column of ten boxes", 10}, {"two boxes, and 100 times as big", 0}};
+    } CASES[] = {{"one box", 1},
+                 {"a column of ten boxes", 10},
+                 {"two boxes, and 100 times as big", 0}};
     enum { CASE_COUNT = sizeof CASES / sizeof CASES[0], POWERS = 4 };
     for (int i = 0; i < CASE_COUNT; i++) {
         for (int power = 0; power < POWERS; power++) {

@@ -17,9 +17,9 @@ typedef enum misuse {
     MISUSE_FRICTION, /* likewise */
     MISUSE_GRAVITY,
     MISUSE_TIME_STEP,
-    MISUSE_RAY,      /* from that place */
-    MISUSE_GONE,     /* a velocity for a body that was destroyed; the value does not matter */
-    MISUSE_NOBODY,   /* ... for the null handle */
+    MISUSE_RAY,    /* from that place */
+    MISUSE_GONE,   /* a velocity for a body that was destroyed; the value does not matter */
+    MISUSE_NOBODY, /* ... for the null handle */
 } misuse;
 
 #endif

@@ -31,26 +31,54 @@ bool misuse_thud(thud_world *w, thud_body_id body, misuse call, double x) {
     const float f = (float)x;
     thud_result got = THUD_OK;
     switch (call) {
-    case MISUSE_POSITION: got = thud_body_set_transform(w, body, (thud_pos){x, x}, 0); break;
-    case MISUSE_ANGLE: got = thud_body_set_transform(w, body, here, x); break;
-    case MISUSE_VELOCITY: got = thud_body_set_velocity(w, body, (thud_vec2){f, f}, 0); break;
-    case MISUSE_SPIN: got = thud_body_set_velocity(w, body, (thud_vec2){0, 0}, f); break;
-    case MISUSE_FORCE: got = thud_body_apply_force(w, body, (thud_vec2){f, f}, 0); break;
-    case MISUSE_TORQUE: got = thud_body_apply_force(w, body, (thud_vec2){0, 0}, f); break;
-    case MISUSE_IMPULSE: got = thud_body_apply_impulse(w, body, (thud_vec2){f, f}, here); break;
+    case MISUSE_POSITION:
+        got = thud_body_set_transform(w, body, (thud_pos){x, x}, 0);
+        break;
+    case MISUSE_ANGLE:
+        got = thud_body_set_transform(w, body, here, x);
+        break;
+    case MISUSE_VELOCITY:
+        got = thud_body_set_velocity(w, body, (thud_vec2){f, f}, 0);
+        break;
+    case MISUSE_SPIN:
+        got = thud_body_set_velocity(w, body, (thud_vec2){0, 0}, f);
+        break;
+    case MISUSE_FORCE:
+        got = thud_body_apply_force(w, body, (thud_vec2){f, f}, 0);
+        break;
+    case MISUSE_TORQUE:
+        got = thud_body_apply_force(w, body, (thud_vec2){0, 0}, f);
+        break;
+    case MISUSE_IMPULSE:
+        got = thud_body_apply_impulse(w, body, (thud_vec2){f, f}, here);
+        break;
     case MISUSE_IMPULSE_POINT:
         got = thud_body_apply_impulse(w, body, (thud_vec2){0.01f, 0}, (thud_pos){x, x});
         break;
-    case MISUSE_NEW_BODY: got = create_at(w, x); break;
-    case MISUSE_RADIUS: got = add_circle(w, body, f, 1, 0.6f); break;
-    case MISUSE_DENSITY: got = add_circle(w, body, 0.1f, f, 0.6f); break;
-    case MISUSE_FRICTION: got = add_circle(w, body, 0.1f, 1, f); break;
-    case MISUSE_GRAVITY: got = thud_world_set_gravity(w, (thud_vec2){f, f}); break;
-    case MISUSE_TIME_STEP: got = thud_world_set_time_step(w, x); break;
+    case MISUSE_NEW_BODY:
+        got = create_at(w, x);
+        break;
+    case MISUSE_RADIUS:
+        got = add_circle(w, body, f, 1, 0.6f);
+        break;
+    case MISUSE_DENSITY:
+        got = add_circle(w, body, 0.1f, f, 0.6f);
+        break;
+    case MISUSE_FRICTION:
+        got = add_circle(w, body, 0.1f, 1, f);
+        break;
+    case MISUSE_GRAVITY:
+        got = thud_world_set_gravity(w, (thud_vec2){f, f});
+        break;
+    case MISUSE_TIME_STEP:
+        got = thud_world_set_time_step(w, x);
+        break;
     case MISUSE_RAY:
         got = thud_world_cast_ray(w, (thud_pos){x, x}, 1, 0, NULL, NULL, NULL);
         break;
-    case MISUSE_GONE: got = push_gone(w); break;
+    case MISUSE_GONE:
+        got = push_gone(w);
+        break;
     case MISUSE_NOBODY:
         got = thud_body_set_velocity(w, (thud_body_id){0, 0}, (thud_vec2){1, 0}, 0);
         break;

@@ -137,9 +137,10 @@ static void run(ledger *l) {
 const extreme extreme_wrong_input = {
     .name = "wrong-input",
     .title = "Wrong input",
-    .about = "One of a stack of five gets a value that is not a number, infinite or negative: place, "
-             "velocity, force, size, density and so on, or a call names nobody; both engines in "
-             "release builds. Others are affected where two seconds later any of them is not, to "
-             "the bit, as without the call.",
+    .about =
+        "One of a stack of five gets a value that is not a number, infinite or negative: place, "
+        "velocity, force, size, density and so on, or a call names nobody; both engines in "
+        "release builds. Others are affected where two seconds later any of them is not, to "
+        "the bit, as without the call.",
     .run = run,
 };

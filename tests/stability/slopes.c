@@ -1,8 +1,8 @@
 /* slopes.c: what slides, rolls and stays on slopes, against the formulas of a first course.
  *
- * On a slope of angle a, under gravity g and with friction u: a box slides at g (sin a - u cos a) where
- * u < tan a, and stays elsewhere; a disc rolls at 2/3 g sin a where u >= tan a / 3, and slips at the
- * box's acceleration elsewhere, while its spin gains 2 u g cos a / r. */
+ * On a slope of angle a, under gravity g and with friction u: a box slides at g (sin a - u cos a)
+ * where u < tan a, and stays elsewhere; a disc rolls at 2/3 g sin a where u >= tan a / 3, and slips
+ * at the box's acceleration elsewhere, while its spin gains 2 u g cos a / r. */
 #include "trial.h"
 
 #include <math.h>
@@ -47,8 +47,8 @@ static void fill(scene *s, const slope *c) {
     double lean = c->degrees * DEGREE;
     for (int i = 0; i < c->count; i++) {
         /* An upright box stands on its lower left corner. */
-        double height = c->rider == RIDER_UPRIGHT ? HALF * (cos(lean) + sin(lean))
-                                                  : HALF * (2 * i + 1);
+        double height =
+            c->rider == RIDER_UPRIGHT ? HALF * (cos(lean) + sin(lean)) : HALF * (2 * i + 1);
         scene_body *b = scene_add_body(s, SCENE_DYNAMIC, -height * d.y, height * d.x);
         if (c->rider == RIDER_DISC)
             scene_add_circle(s, HALF);
@@ -130,8 +130,8 @@ static double creep(ledger *l, entrant e, const slope *c) {
             const contender_body *now = trial_read(t);
             furthest = 0;
             for (int i = 1; i <= c->count; i++)
-                furthest = worse(furthest,
-                                 1000 * hypot(now[i].x - start[i].x, now[i].y - start[i].y));
+                furthest =
+                    worse(furthest, 1000 * hypot(now[i].x - start[i].x, now[i].y - start[i].y));
         }
     }
     trial_end(t);
@@ -170,8 +170,8 @@ static void run_slides(ledger *l) {
     for (int i = 0; i < CASE_COUNT; i++) {
         slope c = {CASES[i].rider, CASES[i].degrees, CASES[i].friction, .count = 1};
         figure *f = ledger_add(l, bound_at_most(0.1, ON_DEFAULT | ON_EXACT),
-                               "%s at %g degrees, friction %g: acceleration, %% off",
-                               CASES[i].what, c.degrees, c.friction);
+                               "%s at %g degrees, friction %g: acceleration, %% off", CASES[i].what,
+                               c.degrees, c.friction);
         for (entrant e = 0; e < ENTRANTS; e++) {
             ledger_progress(l, f->what, 0.1 * i / CASE_COUNT);
             if (ledger_has(l, e))
@@ -196,9 +196,9 @@ static void run_creeps(ledger *l) {
     enum { CASE_COUNT = sizeof CASES / sizeof CASES[0] };
     for (int i = 0; i < CASE_COUNT; i++) {
         slope c = {CASES[i].rider, CASES[i].degrees, 0.6, .count = CASES[i].count};
-        figure *f = ledger_add(l, bound_at_most(1, ON_DEFAULT | ON_EXACT),
-                               "%s at %g degrees, friction 0.6: creep, mm", CASES[i].what,
-                               c.degrees);
+        figure *f =
+            ledger_add(l, bound_at_most(1, ON_DEFAULT | ON_EXACT),
+                       "%s at %g degrees, friction 0.6: creep, mm", CASES[i].what, c.degrees);
         for (entrant e = 0; e < ENTRANTS; e++) {
             ledger_progress(l, f->what, 0.1 + 0.9 * i / CASE_COUNT);
             if (ledger_has(l, e))
@@ -215,9 +215,10 @@ static void run(ledger *l) {
 const extreme extreme_slopes = {
     .name = "slopes",
     .title = "Slopes",
-    .about = "Boxes of 1 m and discs on slopes, both a turned box and a line: those that slide or roll "
-             "for 3 s, after half a second to settle, and those that friction holds for 10 minutes. "
-             "Figures: how far the acceleration, of discs also that of the spin, is off the formula; "
-             "and how far what should stay has moved. The worse of the two grounds.",
+    .about =
+        "Boxes of 1 m and discs on slopes, both a turned box and a line: those that slide or roll "
+        "for 3 s, after half a second to settle, and those that friction holds for 10 minutes. "
+        "Figures: how far the acceleration, of discs also that of the spin, is off the formula; "
+        "and how far what should stay has moved. The worse of the two grounds.",
     .run = run,
 };

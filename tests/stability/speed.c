@@ -1,7 +1,7 @@
-/* speed.c: shots at thin walls. A wall and a bullet a lane, and lanes do not meet each other. Bullets
- * start at all parts of a step from the wall, and come at any angle down to a degree from the wall's
- * own direction. Walls do not turn, and are so long that nothing gets around their ends meanwhile:
- * what is beyond the wall in the end has gone through it. */
+/* speed.c: shots at thin walls. A wall and a bullet a lane, and lanes do not meet each other.
+ * Bullets start at all parts of a step from the wall, and come at any angle down to a degree from
+ * the wall's own direction. Walls do not turn, and are so long that nothing gets around their ends
+ * meanwhile: what is beyond the wall in the end has gone through it. */
 #include "random.h"
 #include "trial.h"
 
@@ -59,7 +59,8 @@ static void add_bullet(scene *s, scene_random *random, const range *r, double sp
     wall->vy = oncoming * n.y;
     double aim = scene_random_range(random, -1, 1);
     double slant = scene_random_range(random, -SLANT, SLANT) * DEGREE;
-    /* The direction back to the start, and when and where the bullet's centre would be in the wall. */
+    /* The direction back to the start, and when and where the bullet's centre would be in the wall.
+     */
     double bx = n.x * cos(slant) - n.y * sin(slant), by = n.x * sin(slant) + n.y * cos(slant);
     double time = CLEAR / (speed * cos(slant) + oncoming) + scene_random_range(random, 0, STEP);
     scene_point meeting = {place.x - aim * n.y + oncoming * time * n.x,
@@ -132,8 +133,9 @@ static void run(ledger *l) {
     static const struct {
         const char *name;
         scene_shape_kind kind;
-    } BULLETS[] = {
-        {"circles", SCENE_CIRCLE}, {"upright boxes", SCENE_AABB}, {"turning boxes", SCENE_OBB}};
+    } BULLETS[] = {{"circles", SCENE_CIRCLE},
+                   {"upright boxes", SCENE_AABB},
+                   {"turning boxes", SCENE_OBB}};
     static const char *const WALLS[WALL_KINDS] = {"static", "dynamic", "oncoming"};
     static const struct {
         const char *name;
@@ -167,9 +169,10 @@ static void run(ledger *l) {
 const extreme extreme_speed = {
     .name = "speed",
     .title = "Speed",
-    .about = "Bullets of 20 to 30 cm at walls of 2 cm, at 10, 100, ... 100,000 m/s and from head-on to "
-             "a degree from grazing, 10,000 shots at each speed, half of them under gravity. Oncoming walls fly at the "
-             "bullets as fast as those. Box2D's bullets are marked as such, and its speed limit is "
-             "lifted. Figures: how many of all 50,000 are beyond the wall in the end.",
+    .about =
+        "Bullets of 20 to 30 cm at walls of 2 cm, at 10, 100, ... 100,000 m/s and from head-on to "
+        "a degree from grazing, 10,000 shots at each speed, half of them under gravity. Oncoming walls fly at the "
+        "bullets as fast as those. Box2D's bullets are marked as such, and its speed limit is "
+        "lifted. Figures: how many of all 50,000 are beyond the wall in the end.",
     .run = run,
 };

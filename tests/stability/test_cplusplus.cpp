@@ -1,5 +1,5 @@
-// test_cplusplus.cpp: every public header on its own terms in C++, and a world built, stepped and asked
-// from there: names are linked as C's.
+// test_cplusplus.cpp: every public header on its own terms in C++, and a world built, stepped and
+// asked from there: names are linked as C's.
 #include <thud/thud.h>
 #include <thud/thud_detection.h>
 #include <thud/thud_draw.h>
@@ -20,8 +20,7 @@
 
 static int failures;
 
-static void expect(bool holds, const char *what)
-{
+static void expect(bool holds, const char *what) {
     if (!holds) {
         std::fprintf(stderr, "does not hold: %s\n", what);
         failures++;
@@ -29,8 +28,7 @@ static void expect(bool holds, const char *what)
 }
 #define EXPECT(condition) expect((condition), #condition)
 
-static void ball_falls_onto_floor(thud_world *world)
-{
+static void ball_falls_onto_floor(thud_world *world) {
     thud_body_def body = thud_default_body_def();
     thud_shape_def shape = thud_default_shape_def();
     thud_body_id floor, ball;
@@ -56,8 +54,7 @@ static void ball_falls_onto_floor(thud_world *world)
     EXPECT(hit);
 }
 
-static void geometry_answers(thud_world *world)
-{
+static void geometry_answers(thud_world *world) {
     thud_shape_instance disc = {THUD_CIRCLE, 0, 3, 1, 0, 0.5, 0};
     thud_minkowski sum;
     EXPECT(thud_minkowski_sum(&disc, &disc, &sum) == THUD_OK);
@@ -74,8 +71,7 @@ static void geometry_answers(thud_world *world)
     EXPECT(thud_world_draw(world, &nothing) == THUD_OK);
 }
 
-int main()
-{
+int main() {
     thud_world_def def = thud_default_world_def();
     def.quality = &thud_quality_high;
     def.detection = &thud_detection_swept;

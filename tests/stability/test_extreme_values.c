@@ -1,41 +1,35 @@
 /* test_extreme_values.c: values that are accepted and yet too much: speeds, forces and impulses of
- * 1e38, hardly any mass, the edge of the world, the shortest step. The world stays finite; a body that
- * does not is quarantined and told; bystanders go on to the bit as if nothing had happened, and
- * neighbours as if the body were gone. */
+ * 1e38, hardly any mass, the edge of the world, the shortest step. The world stays finite; a body
+ * that does not is quarantined and told; bystanders go on to the bit as if nothing had happened,
+ * and neighbours as if the body were gone. */
 #include "village.h"
 
 static const float HUGE_VALUE = 3e38f;
 
 /* ---- one body to which it happens ---- */
 
-static void fling(thud_world *w, thud_body_id b)
-{
+static void fling(thud_world *w, thud_body_id b) {
     OK(thud_body_set_velocity(w, b, (thud_vec2){HUGE_VALUE, -HUGE_VALUE}, 0));
 }
 
-static void spin(thud_world *w, thud_body_id b)
-{
+static void spin(thud_world *w, thud_body_id b) {
     OK(thud_body_set_velocity(w, b, (thud_vec2){0, 0}, HUGE_VALUE));
 }
 
-static void strike(thud_world *w, thud_body_id b)
-{
+static void strike(thud_world *w, thud_body_id b) {
     OK(thud_body_apply_impulse(w, b, (thud_vec2){HUGE_VALUE, HUGE_VALUE}, state_of(w, b).position));
 }
 
-static void strike_twice(thud_world *w, thud_body_id b)
-{
+static void strike_twice(thud_world *w, thud_body_id b) {
     strike(w, b);
     strike(w, b);
 }
 
-static void strike_from_afar(thud_world *w, thud_body_id b)
-{
+static void strike_from_afar(thud_world *w, thud_body_id b) {
     OK(thud_body_apply_impulse(w, b, (thud_vec2){0, 1e37f}, (thud_pos){1e9, 0}));
 }
 
-static void strike_to_and_fro(thud_world *w, thud_body_id b)
-{
+static void strike_to_and_fro(thud_world *w, thud_body_id b) {
     thud_pos at = state_of(w, b).position;
     for (int i = 0; i < 3; i++) {
         OK(thud_body_apply_impulse(w, b, (thud_vec2){HUGE_VALUE, 0}, at));
@@ -45,29 +39,24 @@ static void strike_to_and_fro(thud_world *w, thud_body_id b)
     }
 }
 
-static void force(thud_world *w, thud_body_id b)
-{
+static void force(thud_world *w, thud_body_id b) {
     OK(thud_body_apply_force(w, b, (thud_vec2){-HUGE_VALUE, HUGE_VALUE}, 0));
 }
 
-static void force_down(thud_world *w, thud_body_id b)
-{
+static void force_down(thud_world *w, thud_body_id b) {
     OK(thud_body_apply_force(w, b, (thud_vec2){0, -HUGE_VALUE}, 0));
 }
 
-static void force_twice(thud_world *w, thud_body_id b)
-{
+static void force_twice(thud_world *w, thud_body_id b) {
     force(w, b);
     force(w, b);
 }
 
-static void twist(thud_world *w, thud_body_id b)
-{
+static void twist(thud_world *w, thud_body_id b) {
     OK(thud_body_apply_force(w, b, (thud_vec2){0, 0}, HUGE_VALUE));
 }
 
-static void force_there_and_back(thud_world *w, thud_body_id b)
-{
+static void force_there_and_back(thud_world *w, thud_body_id b) {
     force_twice(w, b);
     for (int i = 0; i < 2; i++) {
         OK(thud_body_apply_force(w, b, (thud_vec2){HUGE_VALUE, -HUGE_VALUE}, 0));
@@ -94,13 +83,12 @@ static const blow blows[] = {
 };
 enum { BLOWS = sizeof blows / sizeof *blows };
 
-static const thud_detection *const detections[] = {
-    &thud_detection_overlap, &thud_detection_continuous, &thud_detection_bisect,
-    &thud_detection_swept};
+static const thud_detection *const detections[] = {&thud_detection_overlap,
+                                                   &thud_detection_continuous,
+                                                   &thud_detection_bisect, &thud_detection_swept};
 enum { DETECTIONS = 4 };
 
-static bool body_is_finite(const thud_world *w, thud_body_id b)
-{
+static bool body_is_finite(const thud_world *w, thud_body_id b) {
     thud_body_state s = state_of(w, b);
     return isfinite(s.position.x + s.position.y + s.angle) &&
            isfinite((double)s.velocity.x + (double)s.velocity.y + (double)s.angular_velocity) &&
@@ -116,8 +104,7 @@ typedef struct site {
     thud_body_id stack[STACK], ball, victim;
 } site;
 
-static site make_site(const thud_detection *detection, bool with_victim)
-{
+static site make_site(const thud_detection *detection, bool with_victim) {
     thud_world_def def = thud_default_world_def();
     site s = {.victim = {0, 0}};
     def.detection = detection;
@@ -136,8 +123,7 @@ static site make_site(const thud_detection *detection, bool with_victim)
 }
 
 static void body_is_as(const site *a, thud_body_id of_a, const site *b, thud_body_id of_b,
-                       const char *name, int step)
-{
+                       const char *name, int step) {
     char one[1024], other[1024];
     village_body_text(a->world, of_a, one, sizeof one);
     village_body_text(b->world, of_b, other, sizeof other);
@@ -146,8 +132,7 @@ static void body_is_as(const site *a, thud_body_id of_a, const site *b, thud_bod
     }
 }
 
-static void blow_far_from_others_leaves_them_as_they_are_to_the_bit(void **state)
-{
+static void blow_far_from_others_leaves_them_as_they_are_to_the_bit(void **state) {
     (void)state;
     for (int i = 0; i < BLOWS * DETECTIONS; i++) {
         const blow *dealt = &blows[i / DETECTIONS];
@@ -171,8 +156,7 @@ static void blow_far_from_others_leaves_them_as_they_are_to_the_bit(void **state
 }
 
 /* The victim stands in the stack, third from below. */
-static void blow_to_one_of_a_stack_leaves_the_others_finite(void **state)
-{
+static void blow_to_one_of_a_stack_leaves_the_others_finite(void **state) {
     (void)state;
     for (int i = 0; i < BLOWS * DETECTIONS; i++) {
         const blow *dealt = &blows[i / DETECTIONS];
@@ -202,8 +186,7 @@ static void blow_to_one_of_a_stack_leaves_the_others_finite(void **state)
 }
 
 /* A force that overflows: gravity 10, times that. */
-static thud_body_id add_doomed(thud_world *w, double x)
-{
+static thud_body_id add_doomed(thud_world *w, double x) {
     thud_body_def def = thud_default_body_def();
     thud_body_id body;
     def.kind = THUD_DYNAMIC;
@@ -215,8 +198,7 @@ static thud_body_id add_doomed(thud_world *w, double x)
 }
 
 /* It stands in touch with the stack, on the same floor. */
-static void body_that_overflows_is_quarantined_and_the_rest_goes_on_without_it(void **state)
-{
+static void body_that_overflows_is_quarantined_and_the_rest_goes_on_without_it(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         site s = make_site(detections[d], false), without = make_site(detections[d], false);
@@ -261,33 +243,32 @@ typedef struct pile {
     double size, x, y; /* of the bodies; of the floor's top */
 } pile;
 
-static pile usual_pile(void)
-{
-    pile p = {.world = thud_default_world_def(), .body = thud_default_body_def(),
-              .shape = thud_default_shape_def(), .size = 0.5};
+static pile usual_pile(void) {
+    pile p = {.world = thud_default_world_def(),
+              .body = thud_default_body_def(),
+              .shape = thud_default_shape_def(),
+              .size = 0.5};
     p.body.kind = THUD_DYNAMIC;
     return p;
 }
 
 enum { PILE = 12 };
 
-static void fill_pile(const pile *p, thud_world *w, thud_body_id made[PILE])
-{
+static void fill_pile(const pile *p, thud_world *w, thud_body_id made[PILE]) {
     float half = (float)p->size;
     thud_body_def body = p->body;
     thud_body_id floor = add_body(w, THUD_STATIC, p->x, p->y - p->size, 0);
     add_shape(w, floor, 20 * half, half, true, &p->shape);
     for (int i = 0; i < PILE; i++) {
-        body.position = (thud_pos){p->x + (i % 3 - 1) * 2.02 * p->size,
-                                   p->y + (1 + 2 * (i / 3)) * p->size};
+        body.position =
+            (thud_pos){p->x + (i % 3 - 1) * 2.02 * p->size, p->y + (1 + 2 * (i / 3)) * p->size};
         OK(thud_body_create(w, &body, &made[i]));
         add_shape(w, made[i], half, i % 2 ? half : 0, i % 4 == 1 && body.angle == 0, &p->shape);
     }
 }
 
 /* What differs from quality to quality does so within few steps. */
-static void pile_stays_finite(const pile *p, const char *name)
-{
+static void pile_stays_finite(const pile *p, const char *name) {
     for (int i = 0; i < DETECTIONS * QUALITIES; i++) {
         int d = i % DETECTIONS, steps = qualities[i / DETECTIONS] == &thud_quality_exact ? 24 : 120;
         thud_world_def def = p->world;
@@ -315,15 +296,14 @@ static void pile_stays_finite(const pile *p, const char *name)
     }
 }
 
-#define PILE_WITH(field, value)                                                                    \
-    do {                                                                                           \
-        pile with_ = usual_pile();                                                                 \
-        with_.field = (value);                                                                     \
-        pile_stays_finite(&with_, #field " = " #value);                                            \
+#define PILE_WITH(field, value)                         \
+    do {                                                \
+        pile with_ = usual_pile();                      \
+        with_.field = (value);                          \
+        pile_stays_finite(&with_, #field " = " #value); \
     } while (0)
 
-static void worlds_at_the_ends_of_their_ranges_stay_finite(void **state)
-{
+static void worlds_at_the_ends_of_their_ranges_stay_finite(void **state) {
     (void)state;
     PILE_WITH(world.gravity.y, -HUGE_VALUE);
     PILE_WITH(world.gravity.x, HUGE_VALUE);
@@ -346,8 +326,7 @@ static void worlds_at_the_ends_of_their_ranges_stay_finite(void **state)
     PILE_WITH(world.contact_stiffness, 0.01f);
 }
 
-static void bodies_at_the_ends_of_their_ranges_stay_finite(void **state)
-{
+static void bodies_at_the_ends_of_their_ranges_stay_finite(void **state) {
     (void)state;
     PILE_WITH(body.gravity_scale, 1e37f);
     PILE_WITH(body.gravity_scale, -1e37f);
@@ -370,8 +349,7 @@ static void bodies_at_the_ends_of_their_ranges_stay_finite(void **state)
 }
 
 /* What leaves the world's range by its own motion flies on, and no query reaches it there. */
-static void body_that_flies_past_the_edge_of_the_world_flies_on(void **state)
-{
+static void body_that_flies_past_the_edge_of_the_world_flies_on(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         thud_world_def def = weightless();
@@ -390,8 +368,7 @@ static void body_that_flies_past_the_edge_of_the_world_flies_on(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(blow_far_from_others_leaves_them_as_they_are_to_the_bit),
         cmocka_unit_test(blow_to_one_of_a_stack_leaves_the_others_finite),

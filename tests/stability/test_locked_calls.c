@@ -7,79 +7,65 @@
 
 /* ---- edits that wait for the next step ---- */
 
-static void move(village *v)
-{
+static void move(village *v) {
     OK(thud_body_set_transform(v->world, v->box, (thud_pos){-3, 2}, 0.5));
 }
 
-static void hurry(village *v)
-{
+static void hurry(village *v) {
     OK(thud_body_set_velocity(v->world, v->plank, (thud_vec2){3, 4}, 0));
 }
 
-static void hit(village *v)
-{
+static void hit(village *v) {
     OK(thud_body_apply_impulse(v->world, v->box, (thud_vec2){2, 1}, (thud_pos){3, 1}));
 }
 
-static void pull(village *v)
-{
+static void pull(village *v) {
     OK(thud_body_apply_force(v->world, v->ball, (thud_vec2){50, 0}, 1));
 }
 
-static void lull(village *v)
-{
+static void lull(village *v) {
     OK(thud_body_set_awake(v->world, v->plank, false));
 }
 
-static void switch_off(village *v)
-{
+static void switch_off(village *v) {
     OK(thud_body_set_enabled(v->world, v->box, false));
 }
 
-static void switch_on(village *v)
-{
+static void switch_on(village *v) {
     OK(thud_body_set_enabled(v->world, v->switched_off, true));
 }
 
-static void destroy_body(village *v)
-{
+static void destroy_body(village *v) {
     OK(thud_body_destroy(v->world, v->ball));
     assert_false(thud_body_is_valid(v->world, v->ball));
     assert_int_equal(thud_body_destroy(v->world, v->ball), THUD_ERROR_STALE);
 }
 
-static void destroy_floor(village *v)
-{
+static void destroy_floor(village *v) {
     OK(thud_body_destroy(v->world, v->floor));
 }
 
-static void destroy_shape(village *v)
-{
+static void destroy_shape(village *v) {
     OK(thud_shape_destroy(v->world, v->box_shape));
 }
 
-static void destroy_line(village *v)
-{
+static void destroy_line(village *v) {
     OK(thud_shape_destroy(v->world, v->hill));
 }
 
-static void create(village *v)
-{
+static void create(village *v) {
     add_ball(v->world, -9, 3, 0.25f);
     add_box(v->world, 3, 6, 0.5f, 0.25f);
 }
 
-static void create_hundreds(village *v)
-{
+static void create_hundreds(village *v) {
     for (int i = 0; i < 300; i++) {
         add_ball(v->world, 60 + i, 3, 0.25f);
     }
 }
 
 /* Of detections that the world may not have met before. */
-static void create_sharp_sighted(village *v)
-{
+static void create_sharp_sighted(village *v) {
     const thud_detection *const sharp[] = {&thud_detection_continuous, &thud_detection_bisect,
                                            &thud_detection_swept};
     for (int i = 0; i < 3; i++) {
@@ -94,14 +80,12 @@ static void create_sharp_sighted(village *v)
     }
 }
 
-static void add_to_body(village *v)
-{
+static void add_to_body(village *v) {
     add_shape(v->world, v->ball, 0.75f, 0, false, NULL);
 }
 
 /* The centre of mass moves: what comes before it, acts on the body as it was. */
-static void add_off_centre(village *v)
-{
+static void add_off_centre(village *v) {
     thud_shape_def def = thud_default_shape_def();
     OK(thud_body_apply_impulse(v->world, v->plank, (thud_vec2){1, 0}, (thud_pos){3, 2}));
     OK(thud_shape_create_circle(v->world, v->plank, &def, (thud_vec2){1, 0.5f}, 0.5f, NULL));
@@ -111,8 +95,7 @@ static void add_off_centre(village *v)
 }
 
 /* Of every kind, on bodies that move and that rest. */
-static void add_to_all(village *v)
-{
+static void add_to_all(village *v) {
     const thud_body_id bodies[] = {v->floor, v->ball, v->box, v->plank, v->lift, v->bare};
     const thud_pos points[] = {{-20, 4}, {20, 5}};
     const thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 2};
@@ -126,15 +109,13 @@ static void add_to_all(village *v)
     OK(thud_shape_create_terrain(v->world, v->floor, &def, &line, NULL));
 }
 
-static void create_and_destroy(village *v)
-{
+static void create_and_destroy(village *v) {
     thud_body_id body = add_ball(v->world, -9, 3, 0.25f);
     OK(thud_body_set_velocity(v->world, body, (thud_vec2){1, 1}, 1));
     OK(thud_body_destroy(v->world, body));
 }
 
-static void rename_body(village *v)
-{
+static void rename_body(village *v) {
     OK(thud_body_set_user_data(v->world, v->box, 77));
 }
 
@@ -168,16 +149,14 @@ enum { EDITS = sizeof edits / sizeof *edits };
 
 /* ---- what is refused ---- */
 
-static void never(thud_vec2 p, thud_draw_style style, void *context)
-{
+static void never(thud_vec2 p, thud_draw_style style, void *context) {
     (void)p;
     (void)style;
     (void)context;
     fail_msg("%s", "drawn inside a callback");
 }
 
-static void try_what_cannot_wait(village *v)
-{
+static void try_what_cannot_wait(village *v) {
     const double height = 3;
     const thud_pos point = {1, 3};
     const thud_debug_draw draw = {.flags = 0xff, .upper = {9, 9}, .point = never};
@@ -202,16 +181,14 @@ static void try_what_cannot_wait(village *v)
 
 /* ---- what is allowed, and changes nothing ---- */
 
-static bool count_shape(thud_shape_id shape, void *context)
-{
+static bool count_shape(thud_shape_id shape, void *context) {
     (void)shape;
     (*(int *)context)++;
     return true;
 }
 
 /* Queries of every kind; what they find of the ground does not move, and is known. */
-static void ask_everything(village *v)
-{
+static void ask_everything(village *v) {
     thud_world *w = v->world;
     const thud_pos high = {200, 9};
     thud_ray_hit hit_, hits[8];
@@ -246,8 +223,7 @@ typedef struct caller {
     int asked;
 } caller;
 
-static void call(caller *c, site s)
-{
+static void call(caller *c, site s) {
     if (s == c->site) {
         c->asked++;
         if (c->edit) {
@@ -258,9 +234,8 @@ static void call(caller *c, site s)
     }
 }
 
-static bool prologue(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
-                     void *context)
-{
+static bool prologue(thud_world *world, const thud_contact *contact,
+                     thud_contact_settings *settings, void *context) {
     (void)world;
     (void)contact;
     (void)settings;
@@ -268,23 +243,20 @@ static bool prologue(thud_world *world, const thud_contact *contact, thud_contac
     return true;
 }
 
-static void epilogue(thud_world *world, const thud_contact *contact, void *context)
-{
+static void epilogue(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     (void)contact;
     call(context, SITE_EPILOGUE);
 }
 
-static bool overlap(thud_shape_id shape, void *context)
-{
+static bool overlap(thud_shape_id shape, void *context) {
     (void)shape;
     call(context, SITE_OVERLAP);
     return true;
 }
 
 static bool pass(const thud_mover *mover, const thud_mover_hit *hit_, thud_vec2 velocity,
-                 void *context)
-{
+                 void *context) {
     (void)mover;
     (void)hit_;
     (void)velocity;
@@ -293,14 +265,12 @@ static bool pass(const thud_mover *mover, const thud_mover_hit *hit_, thud_vec2 
 }
 
 /* A step, a query and the mover's move: each asks its callback. */
-static void go_on(caller *c)
-{
+static void go_on(caller *c) {
     village_step(&c->v);
     OK(thud_world_overlap_circle(c->v.world, (thud_pos){3, 1}, 3, NULL, overlap, c));
 }
 
-static void make_caller(caller *c, site s, const thud_detection *detection)
-{
+static void make_caller(caller *c, site s, const thud_detection *detection) {
     thud_world_def def = thud_default_world_def();
     *c = (caller){.site = s};
     def.detection = detection;
@@ -315,8 +285,7 @@ static void make_caller(caller *c, site s, const thud_detection *detection)
     }
 }
 
-static void alike(const caller *a, const caller *b, const char *name, int step)
-{
+static void alike(const caller *a, const caller *b, const char *name, int step) {
     const thud_world *one = a->v.world, *other = b->v.world;
     thud_stats s = thud_world_stats(one), t = thud_world_stats(other);
     thud_events e = thud_world_events(one), f = thud_world_events(other);
@@ -328,8 +297,7 @@ static void alike(const caller *a, const caller *b, const char *name, int step)
     }
 }
 
-static void edit_in(site s, const village_edit *edit, const thud_detection *detection)
-{
+static void edit_in(site s, const village_edit *edit, const thud_detection *detection) {
     caller inside, between;
     make_caller(&inside, s, detection);
     make_caller(&between, s, detection);
@@ -351,13 +319,12 @@ static void edit_in(site s, const village_edit *edit, const thud_detection *dete
     village_free(&between.v);
 }
 
-static const thud_detection *const detections[] = {
-    &thud_detection_overlap, &thud_detection_continuous, &thud_detection_bisect,
-    &thud_detection_swept};
+static const thud_detection *const detections[] = {&thud_detection_overlap,
+                                                   &thud_detection_continuous,
+                                                   &thud_detection_bisect, &thud_detection_swept};
 enum { DETECTIONS = 4 };
 
-static void edits_inside_callbacks_wait_for_the_next_step(void **state)
-{
+static void edits_inside_callbacks_wait_for_the_next_step(void **state) {
     (void)state;
     for (site s = SITE_PROLOGUE; s <= SITE_PASS; s++) {
         for (int i = 0; i < EDITS * DETECTIONS; i++) {
@@ -366,8 +333,7 @@ static void edits_inside_callbacks_wait_for_the_next_step(void **state)
     }
 }
 
-static void what_cannot_wait_is_refused_inside_every_locked_callback(void **state)
-{
+static void what_cannot_wait_is_refused_inside_every_locked_callback(void **state) {
     (void)state;
     for (site s = SITE_PROLOGUE; s <= SITE_PASS; s++) {
         caller c, untouched;
@@ -385,8 +351,7 @@ static void what_cannot_wait_is_refused_inside_every_locked_callback(void **stat
     }
 }
 
-static void questions_inside_callbacks_are_answered_and_change_nothing(void **state)
-{
+static void questions_inside_callbacks_are_answered_and_change_nothing(void **state) {
     (void)state;
     for (site s = SITE_PROLOGUE; s <= SITE_PASS; s++) {
         for (int i = 0; i < DETECTIONS; i++) {
@@ -408,8 +373,7 @@ static void questions_inside_callbacks_are_answered_and_change_nothing(void **st
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edits_inside_callbacks_wait_for_the_next_step),
         cmocka_unit_test(questions_inside_callbacks_are_answered_and_change_nothing),

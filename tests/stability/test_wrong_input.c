@@ -1,5 +1,5 @@
-/* test_wrong_input.c: the whole public API, called wrongly: a result code, a message, nothing changed,
- * and nobody else's body affected. The calls are in the tables wrong_*.c. */
+/* test_wrong_input.c: the whole public API, called wrongly: a result code, a message, nothing
+ * changed, and nobody else's body affected. The calls are in the tables wrong_*.c. */
 #include "wrong_input.h"
 
 #include <stdio.h>
@@ -7,13 +7,11 @@
 wrong_outputs wrong_out;
 int wrong_total;
 
-static void fill_outputs(void)
-{
+static void fill_outputs(void) {
     memset(&wrong_out, 0x5a, sizeof wrong_out);
 }
 
-static bool outputs_are_untouched(void)
-{
+static bool outputs_are_untouched(void) {
     const unsigned char *bytes = (const unsigned char *)&wrong_out;
     for (size_t i = 0; i < sizeof wrong_out; i++) {
         if (bytes[i] != 0x5a) {
@@ -23,23 +21,20 @@ static bool outputs_are_untouched(void)
     return true;
 }
 
-static void make_villages(wrong_pair *p)
-{
+static void make_villages(wrong_pair *p) {
     village_make(&p->here, thud_default_world_def());
     village_make(&p->twin, thud_default_world_def());
     village_make(&p->other, thud_default_world_def());
     fill_outputs();
 }
 
-int wrong_setup(void **state)
-{
+int wrong_setup(void **state) {
     *state = calloc(1, sizeof(wrong_pair));
     make_villages(*state);
     return 0;
 }
 
-int wrong_teardown(void **state)
-{
+int wrong_teardown(void **state) {
     wrong_pair *p = *state;
     int complaints = p->complaints;
     wrong_total += p->refused;
@@ -51,8 +46,7 @@ int wrong_teardown(void **state)
 }
 
 /* The first line in which two texts differ, for the message of a failure. */
-static void show_difference(const char *a, const char *b)
-{
+static void show_difference(const char *a, const char *b) {
     for (; *a && *b; a += strcspn(a, "\n") + 1, b += strcspn(b, "\n") + 1) {
         size_t n = strcspn(a, "\n"), m = strcspn(b, "\n");
         if (n != m || strncmp(a, b, n) != 0) {
@@ -62,8 +56,7 @@ static void show_difference(const char *a, const char *b)
     }
 }
 
-static bool villages_are_alike(const wrong_pair *p)
-{
+static bool villages_are_alike(const wrong_pair *p) {
     char *here = village_text(&p->here), *twin = village_text(&p->twin);
     bool alike = strcmp(here, twin) == 0;
     if (!alike) {
@@ -75,8 +68,7 @@ static bool villages_are_alike(const wrong_pair *p)
 }
 
 /* What is wrong with the way in which a call was refused; null if nothing. */
-static const char *complaint(wrong_pair *p, thud_result got, thud_result wanted, int told)
-{
+static const char *complaint(wrong_pair *p, thud_result got, thud_result wanted, int told) {
     if (got != wanted) {
         return thud_result_text(got);
     }
@@ -98,8 +90,7 @@ static const char *complaint(wrong_pair *p, thud_result got, thud_result wanted,
 }
 
 void wrong_check(wrong_pair *p, thud_result got, thud_result wanted, int told, const char *call,
-                 const char *file, int line)
-{
+                 const char *file, int line) {
     const char *wrong = complaint(p, got, wanted, told);
     p->refused++;
     p->here.told = 0;
@@ -112,8 +103,7 @@ void wrong_check(wrong_pair *p, thud_result got, thud_result wanted, int told, c
     }
 }
 
-static void tables_hold_hundreds_of_wrong_calls(void **state)
-{
+static void tables_hold_hundreds_of_wrong_calls(void **state) {
     (void)state;
     print_message("%d wrong calls refused\n", wrong_total);
     assert_true(wrong_total >= 300);
@@ -121,8 +111,7 @@ static void tables_hold_hundreds_of_wrong_calls(void **state)
 
 #define TABLE(name) cmocka_unit_test_setup_teardown(name, wrong_setup, wrong_teardown)
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         TABLE(wrong_worlds),
         TABLE(wrong_settings),

@@ -11,11 +11,11 @@
 
 /* Each engine at its defaults with sleeping off, but for these. */
 typedef struct trial_settings {
-    double time_step;       /* s; 0: 1/60 */
-    bool every_bounce;      /* no approach is too slow to bounce */
+    double time_step;            /* s; 0: 1/60 */
+    bool every_bounce;           /* no approach is too slow to bounce */
     bool (*is_bullet)(int body); /* Box2D: bodies that are bullets, without a limit of speed; thud
                                knows neither. Null: none */
-    double origin_x, origin_y; /* places are read relative to here */
+    double origin_x, origin_y;   /* places are read relative to here */
 } trial_settings;
 
 typedef struct trial trial;

@@ -3,29 +3,26 @@
 
 #include <stdio.h>
 
-static void listen(thud_result result, const char *message, void *context)
-{
+static void listen(thud_result result, const char *message, void *context) {
     assert_int_not_equal(result, THUD_OK);
     assert_true(message && message[0]);
     ((village *)context)->told++;
 }
 
-static thud_shape_id add_line(thud_world *world, double x, double y, const thud_terrain *line)
-{
+static thud_shape_id add_line(thud_world *world, double x, double y, const thud_terrain *line) {
     thud_shape_def def = thud_default_shape_def();
     thud_shape_id shape;
     OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, x, y, 0), &def, line, &shape));
     return shape;
 }
 
-static void add_grounds(village *v)
-{
+static void add_grounds(village *v) {
     const thud_pos hill[] = {{-20, 0}, {-5, 1}, {0, 4}, {6, 1}, {20, 0}};
     const thud_pos heights[] = {{0, 0}, {0, 1}, {0, 0}, {0, 1}, {0, 0}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = hill, .count = 5};
     v->hill = add_line(v->world, 200, 0, &line);
-    line = (thud_terrain){.kind = THUD_TERRAIN_UNIFORM, .x0 = -8, .spacing = 4, .points = heights,
-                          .count = 5};
+    line = (thud_terrain){
+        .kind = THUD_TERRAIN_UNIFORM, .x0 = -8, .spacing = 4, .points = heights, .count = 5};
     v->dunes = add_line(v->world, 300, 0, &line);
     line = (thud_terrain){.kind = THUD_TERRAIN_FLAT, .slope = 0.1};
     v->plain = add_line(v->world, 0, -500, &line);
@@ -35,8 +32,7 @@ static void add_grounds(village *v)
 }
 
 /* Handles that name nothing any more; the slots are those of the ball. */
-static void add_and_destroy(village *v)
-{
+static void add_and_destroy(village *v) {
     v->gone = add_body(v->world, THUD_DYNAMIC, 0, 50, 0);
     v->gone_shape = add_shape(v->world, v->gone, 1, 0, false, NULL);
     run(v->world, 1);
@@ -44,8 +40,7 @@ static void add_and_destroy(village *v)
     run(v->world, 1);
 }
 
-void village_make(village *v, thud_world_def def)
-{
+void village_make(village *v, thud_world_def def) {
     *v = (village){.told = 0};
     def.log = listen;
     def.log_context = v;
@@ -78,44 +73,41 @@ void village_make(village *v, thud_world_def def)
 }
 
 /* The mover walks to and fro, so that it always has ground under its feet. */
-void village_step(village *v)
-{
+void village_step(village *v) {
     OK(thud_world_step(v->world));
     float x = (thud_world_stats(v->world).steps / 32) & 1 ? 0.5f : -0.5f;
     OK(thud_mover_move(v->world, &v->mover, (thud_vec2){x, -2}, 1.0 / 60, NULL));
 }
 
-void village_free(village *v)
-{
+void village_free(village *v) {
     thud_world_destroy(v->world);
 }
 
 /* ---- as text ---- */
 
-void village_body_text(const thud_world *world, thud_body_id body, char *out, size_t size)
-{
+void village_body_text(const thud_world *world, thud_body_id body, char *out, size_t size) {
     thud_body_state s = state_of(world, body);
-    int n = snprintf(out, size,
-                     "body %u: kind %d at %a %a centre %a %a angle %a (%a %a) velocity %a %a %a "
-                     "mass %a %a gravity %a awake %d enabled %d quarantined %d data %llu shapes %d\n",
-                     body.index1, (int)s.kind, s.position.x, s.position.y, s.center.x, s.center.y,
-                     s.angle, (double)s.cosine, (double)s.sine, (double)s.velocity.x,
-                     (double)s.velocity.y, (double)s.angular_velocity, (double)s.mass,
-                     (double)s.inertia, (double)s.gravity_scale, s.awake, s.enabled, s.quarantined,
-                     (unsigned long long)s.user_data, s.shape_count);
+    int n =
+        snprintf(out, size,
+                 "body %u: kind %d at %a %a centre %a %a angle %a (%a %a) velocity %a %a %a "
+                 "mass %a %a gravity %a awake %d enabled %d quarantined %d data %llu shapes %d\n",
+                 body.index1, (int)s.kind, s.position.x, s.position.y, s.center.x, s.center.y,
+                 s.angle, (double)s.cosine, (double)s.sine, (double)s.velocity.x,
+                 (double)s.velocity.y, (double)s.angular_velocity, (double)s.mass,
+                 (double)s.inertia, (double)s.gravity_scale, s.awake, s.enabled, s.quarantined,
+                 (unsigned long long)s.user_data, s.shape_count);
     assert_in_range(n, 1, (int)size - 1);
 }
 
-static void shape_text(const thud_world *world, thud_shape_id shape, char *out, size_t size)
-{
+static void shape_text(const thud_world *world, thud_shape_id shape, char *out, size_t size) {
     thud_shape_state s;
     OK(thud_shape_get(world, shape, &s));
     int n = snprintf(out, size,
                      "shape %u: kind %d of %u at %a %a half %a %a angle %a density %a friction %a "
                      "bounce %a speed %a filter %x %x %d sensor %d data %llu\n",
                      shape.index1, (int)s.kind, s.body.index1, (double)s.offset.x,
-                     (double)s.offset.y, (double)s.half_extents.x, (double)s.half_extents.y, s.angle,
-                     (double)s.density, (double)s.friction, (double)s.restitution,
+                     (double)s.offset.y, (double)s.half_extents.x, (double)s.half_extents.y,
+                     s.angle, (double)s.density, (double)s.friction, (double)s.restitution,
                      (double)s.surface_speed, s.filter.category, s.filter.mask, s.filter.group,
                      s.sensor, (unsigned long long)s.user_data);
     assert_in_range(n, 1, (int)size - 1);
@@ -126,16 +118,15 @@ typedef struct text {
     size_t left;
 } text;
 
-#define SAY(t, ...)                                                                                \
-    do {                                                                                           \
-        int said_ = snprintf((t)->at, (t)->left, __VA_ARGS__);                                     \
-        assert_in_range(said_, 1, (int)(t)->left - 1);                                             \
-        (t)->at += said_;                                                                          \
-        (t)->left -= (size_t)said_;                                                                \
+#define SAY(t, ...)                                            \
+    do {                                                       \
+        int said_ = snprintf((t)->at, (t)->left, __VA_ARGS__); \
+        assert_in_range(said_, 1, (int)(t)->left - 1);         \
+        (t)->at += said_;                                      \
+        (t)->left -= (size_t)said_;                            \
     } while (0)
 
-static void say_line(text *t, const village *v, const char *name, thud_shape_id shape)
-{
+static void say_line(text *t, const village *v, const char *name, thud_shape_id shape) {
     thud_terrain line;
     OK(thud_shape_terrain(v->world, shape, &line));
     SAY(t, "%s: kind %d slope %a from %a by %a:", name, (int)line.kind, line.slope, line.x0,
@@ -146,15 +137,15 @@ static void say_line(text *t, const village *v, const char *name, thud_shape_id 
     SAY(t, "\n");
 }
 
-static void say_world(text *t, const village *v)
-{
+static void say_world(text *t, const village *v) {
     thud_stats s = thud_world_stats(v->world);
     thud_measure m = thud_world_measure(v->world);
     thud_events e = thud_world_events(v->world);
     double limit;
     OK(thud_world_bisection_limit(v->world, &limit));
-    SAY(t, "world: hash %llx steps %llu bodies %d shapes %d awake %d pairs %d contacts %d colours %d "
-           "blocks %d bytes %llu allocations %llu\n",
+    SAY(t,
+        "world: hash %llx steps %llu bodies %d shapes %d awake %d pairs %d contacts %d colours %d "
+        "blocks %d bytes %llu allocations %llu\n",
         (unsigned long long)thud_world_hash(v->world), (unsigned long long)s.steps, s.bodies,
         s.shapes, s.awake_bodies, s.pairs, s.contacts, s.colours, s.blocks,
         (unsigned long long)s.bytes, (unsigned long long)s.step_allocations);
@@ -167,8 +158,7 @@ static void say_world(text *t, const village *v)
         e.sensor_end_count, e.hit_count, e.quarantined_count);
 }
 
-static void say_mover(text *t, const thud_mover *m)
-{
+static void say_mover(text *t, const thud_mover *m) {
     SAY(t, "mover: at %a %a ground %d %u %u normal %a %a point %a %a place %a %a turn %a %a\n",
         m->shape.x, m->shape.y, m->on_ground, m->ground_shape.index1, m->ground_body.index1,
         (double)m->ground_normal.x, (double)m->ground_normal.y, m->ground_point.x,
@@ -183,16 +173,14 @@ typedef struct shape_list {
     int count;
 } shape_list;
 
-static bool list_shape(thud_shape_id shape, void *context)
-{
+static bool list_shape(thud_shape_id shape, void *context) {
     shape_list *list = context;
     assert_true(list->count < SHAPES);
     list->at[list->count++] = shape;
     return true;
 }
 
-char *village_text(const village *v)
-{
+char *village_text(const village *v) {
     enum { SIZE = 1 << 19 };
     text t = {malloc(SIZE), SIZE};
     char *start = t.at;

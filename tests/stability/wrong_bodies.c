@@ -1,16 +1,15 @@
 /* wrong_bodies.c: bodies that cannot be, and edits that no body takes. */
 #include "wrong_input.h"
 
-void wrong_bodies(void **state)
-{
+void wrong_bodies(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     thud_body_def def = thud_default_body_def();
     def.kind = THUD_DYNAMIC;
     const thud_body_def good = def;
-#define BAD(field, value)                                                                          \
-    def = good;                                                                                    \
-    def.field = (value);                                                                           \
+#define BAD(field, value) \
+    def = good;           \
+    def.field = (value);  \
     REFUSED(INVALID, thud_body_create(w, &def, &wrong_out.body))
     BAD(kind, THUD_BODY_KIND_COUNT);
     BAD(kind, (thud_body_kind)-1);
@@ -36,8 +35,7 @@ void wrong_bodies(void **state)
     REFUSED_UNTOLD(NULL, thud_body_create(NULL, &good, &wrong_out.body));
 }
 
-void wrong_body_edits(void **state)
-{
+void wrong_body_edits(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     thud_body_id ball = p->here.ball, floor = p->here.floor, lift = p->here.lift;
@@ -86,10 +84,9 @@ void wrong_body_edits(void **state)
     REFUSED_UNTOLD(NULL, thud_body_destroy(NULL, ball));
 }
 
-/* Handles that were never made, are destroyed (their slots live again), are of a body's next life, are
- * of another world, or of a world that is gone. */
-void wrong_handles(void **state)
-{
+/* Handles that were never made, are destroyed (their slots live again), are of a body's next life,
+ * are of another world, or of a world that is gone. */
+void wrong_handles(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     village dead;
@@ -99,15 +96,29 @@ void wrong_handles(void **state)
     village_free(&dead);
     const thud_body_id ball = p->here.ball;
     const thud_body_id bodies[] = {
-        {0, 0}, {UINT32_MAX, UINT32_MAX}, {ball.index1, 0}, {ball.index1, ball.generation + 1},
-        {ball.index1 + 1, ball.generation + 1}, {0x80000000u, ball.generation}, p->here.gone,
-        p->other.ball, p->other.floor, dead_body,
+        {0, 0},
+        {UINT32_MAX, UINT32_MAX},
+        {ball.index1, 0},
+        {ball.index1, ball.generation + 1},
+        {ball.index1 + 1, ball.generation + 1},
+        {0x80000000u, ball.generation},
+        p->here.gone,
+        p->other.ball,
+        p->other.floor,
+        dead_body,
     };
     const thud_shape_id shape = p->here.ball_shape;
     const thud_shape_id shapes[] = {
-        {0, 0}, {UINT32_MAX, UINT32_MAX}, {shape.index1, 0}, {shape.index1, shape.generation + 1},
-        {0x80000000u, shape.generation}, p->here.gone_shape, p->other.ball_shape, p->other.hill,
-        dead_shape, dead_line,
+        {0, 0},
+        {UINT32_MAX, UINT32_MAX},
+        {shape.index1, 0},
+        {shape.index1, shape.generation + 1},
+        {0x80000000u, shape.generation},
+        p->here.gone_shape,
+        p->other.ball_shape,
+        p->other.hill,
+        dead_shape,
+        dead_line,
     };
     const double heights[] = {0, 0};
     const thud_pos points[] = {{1, 0}, {2, 0}};

@@ -1,9 +1,10 @@
-/* wrong_geometry.c: the geometry without a world: refused by result code, or by false; outputs are as
- * they were. */
+/* wrong_geometry.c: the geometry without a world: refused by result code, or by false; outputs are
+ * as they were. */
 #include "wrong_input.h"
 
 static const thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = 1, .y = 5, .c = 1, .hx = 0.5};
-static const thud_shape_instance box = {.kind = THUD_OBB, .x = 2, .c = 0.6, .s = 0.8, .hx = 1, .hy = 0.5};
+static const thud_shape_instance box = {
+    .kind = THUD_OBB, .x = 2, .c = 0.6, .s = 0.8, .hx = 1, .hy = 0.5};
 static const thud_motion still = {0, 0, 0};
 static const thud_pos hill[] = {{0, 0}, {1, 2}, {4, 0}};
 static const thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = hill, .count = 3};
@@ -25,8 +26,7 @@ static const thud_shape_instance bad_shapes[] = {
     {.kind = THUD_TERRAIN, .c = 1, .hx = 1, .hy = 1},
     {.kind = (thud_shape_kind)-1, .c = 1, .hx = 1, .hy = 1},
 };
-static const thud_motion bad_motions[] = {
-    {NAN, 0, 0}, {0, INFINITY, 0}, {0, 0, NAN}, {0, 0, 1e7}};
+static const thud_motion bad_motions[] = {{NAN, 0, 0}, {0, INFINITY, 0}, {0, 0, NAN}, {0, 0, 1e7}};
 static const double bad_margins[] = {-1, -1e-300, NAN, INFINITY};
 static const double bad_tolerances[] = {0, -1, 1e-16, 1.001, NAN, INFINITY};
 static const thud_terrain bad_grounds[] = {
@@ -41,8 +41,7 @@ static const thud_terrain bad_grounds[] = {
     {.kind = THUD_TERRAIN_IRREGULAR, .points = hill, .count = -3},
 };
 
-void wrong_geometry(void **state)
-{
+void wrong_geometry(void **state) {
     wrong_pair *p = *state;
     thud_closest *closest = &wrong_out.closest;
     thud_contacts *contacts = &wrong_out.contacts;
@@ -57,8 +56,8 @@ void wrong_geometry(void **state)
         REFUSED_UNTOLD(INVALID, thud_shapes_closest(&ball, bad, closest));
         REFUSED_UNTOLD(INVALID, thud_shapes_closest(bad, &box, closest));
         REFUSED_UNTOLD(INVALID, thud_shapes_contacts(&box, bad, 0.1, contacts));
-        REFUSED_UNTOLD(INVALID, thud_shapes_time_of_impact(&ball, still, bad, still, 0, OUT_FLAG,
-                                                           time));
+        REFUSED_UNTOLD(INVALID,
+                       thud_shapes_time_of_impact(&ball, still, bad, still, 0, OUT_FLAG, time));
         REFUSED_UNTOLD(INVALID, thud_shapes_time_of_collision(bad, still, &box, still, 1e-6,
                                                               OUT_FLAG, time));
         REFUSED_UNTOLD(INVALID, thud_circles_approach(&ball, still, bad, still, approach));
@@ -66,22 +65,22 @@ void wrong_geometry(void **state)
     for (int i = 0; i < COUNT(bad_motions); i++) {
         thud_motion m = bad_motions[i];
         assert_false(thud_motion_is_bisectable(&ball, still, &box, m));
-        REFUSED_UNTOLD(INVALID, thud_shapes_time_of_impact(&box, m, &ball, still, 0, OUT_FLAG,
-                                                           time));
-        REFUSED_UNTOLD(INVALID, thud_shapes_time_of_collision(&ball, still, &box, m, 1e-6, OUT_FLAG,
-                                                              time));
+        REFUSED_UNTOLD(INVALID,
+                       thud_shapes_time_of_impact(&box, m, &ball, still, 0, OUT_FLAG, time));
+        REFUSED_UNTOLD(INVALID,
+                       thud_shapes_time_of_collision(&ball, still, &box, m, 1e-6, OUT_FLAG, time));
         REFUSED_UNTOLD(INVALID, thud_terrain_time_of_impact(&ground, &box, m, 0, OUT_FLAG, time));
-        REFUSED_UNTOLD(INVALID, thud_terrain_time_of_collision(&ground, &box, m, 1e-6, OUT_FLAG,
-                                                               time));
+        REFUSED_UNTOLD(INVALID,
+                       thud_terrain_time_of_collision(&ground, &box, m, 1e-6, OUT_FLAG, time));
     }
     EACH(x, bad_margins) {
         REFUSED_UNTOLD(INVALID, thud_shapes_contacts(&ball, &box, x, contacts));
-        REFUSED_UNTOLD(INVALID, thud_shapes_time_of_impact(&ball, still, &box, still, x, OUT_FLAG,
-                                                           time));
+        REFUSED_UNTOLD(INVALID,
+                       thud_shapes_time_of_impact(&ball, still, &box, still, x, OUT_FLAG, time));
     }
     EACH(x, bad_tolerances) {
-        REFUSED_UNTOLD(INVALID, thud_shapes_time_of_collision(&ball, still, &box, still, x,
-                                                              OUT_FLAG, time));
+        REFUSED_UNTOLD(INVALID,
+                       thud_shapes_time_of_collision(&ball, still, &box, still, x, OUT_FLAG, time));
     }
     EACH(x, not_finite) {
         assert_false(thud_shape_cast_ray(&ball, x, 5, 1, 0, time, nx, ny));
@@ -94,16 +93,15 @@ void wrong_geometry(void **state)
     REFUSED_UNTOLD(NULL, thud_shapes_closest(&ball, &box, NULL));
     REFUSED_UNTOLD(NULL, thud_shapes_contacts(&ball, &box, 1, NULL));
     REFUSED_UNTOLD(NULL, thud_shapes_time_of_impact(NULL, still, &box, still, 0, OUT_FLAG, time));
-    REFUSED_UNTOLD(NULL, thud_shapes_time_of_collision(&ball, still, NULL, still, 1e-6, OUT_FLAG,
-                                                       time));
+    REFUSED_UNTOLD(NULL,
+                   thud_shapes_time_of_collision(&ball, still, NULL, still, 1e-6, OUT_FLAG, time));
     REFUSED_UNTOLD(NULL, thud_circles_approach(&ball, still, &ball, still, NULL));
     assert_false(thud_shapes_overlap(NULL, &ball) || thud_shapes_overlap(&ball, NULL));
     assert_false(thud_shape_cast_ray(NULL, 0, 0, 1, 0, time, nx, ny));
     assert_false(thud_motion_is_bisectable(NULL, still, &ball, still));
 }
 
-void wrong_ground_geometry(void **state)
-{
+void wrong_ground_geometry(void **state) {
     wrong_pair *p = *state;
     thud_terrain_sample *sample = &wrong_out.sample;
     double *time = &wrong_out.number, *nx = &wrong_out.nx, *ny = &wrong_out.ny;
@@ -120,8 +118,8 @@ void wrong_ground_geometry(void **state)
         REFUSED_UNTOLD(INVALID, thud_terrain_closest(bad, &ball, &wrong_out.closest));
         REFUSED_UNTOLD(INVALID, thud_terrain_contacts(bad, &ball, 0.1, &wrong_out.contacts));
         REFUSED_UNTOLD(INVALID, thud_terrain_time_of_impact(bad, &ball, still, 0, OUT_FLAG, time));
-        REFUSED_UNTOLD(INVALID, thud_terrain_time_of_collision(bad, &ball, still, 1e-6, OUT_FLAG,
-                                                               time));
+        REFUSED_UNTOLD(INVALID,
+                       thud_terrain_time_of_collision(bad, &ball, still, 1e-6, OUT_FLAG, time));
     }
     const double not_over_it[] = {NAN, INFINITY, -INFINITY, -0.001, 4.001, 1e300};
     EACH(x, not_over_it) {
@@ -133,16 +131,15 @@ void wrong_ground_geometry(void **state)
     }
     EACH(x, bad_margins) {
         REFUSED_UNTOLD(INVALID, thud_terrain_contacts(&ground, &ball, x, &wrong_out.contacts));
-        REFUSED_UNTOLD(INVALID, thud_terrain_time_of_impact(&ground, &ball, still, x, OUT_FLAG,
-                                                            time));
+        REFUSED_UNTOLD(INVALID,
+                       thud_terrain_time_of_impact(&ground, &ball, still, x, OUT_FLAG, time));
     }
     EACH(x, bad_tolerances) {
-        REFUSED_UNTOLD(INVALID, thud_terrain_time_of_collision(&ground, &ball, still, x, OUT_FLAG,
-                                                               time));
+        REFUSED_UNTOLD(INVALID,
+                       thud_terrain_time_of_collision(&ground, &ball, still, x, OUT_FLAG, time));
     }
     for (int i = 0; i < COUNT(bad_shapes); i++) {
-        REFUSED_UNTOLD(INVALID,
-                       thud_terrain_closest(&ground, &bad_shapes[i], &wrong_out.closest));
+        REFUSED_UNTOLD(INVALID, thud_terrain_closest(&ground, &bad_shapes[i], &wrong_out.closest));
         assert_false(thud_terrain_overlap(&ground, &bad_shapes[i]));
     }
     REFUSED_UNTOLD(INVALID, thud_terrain_place_foot(&ground, 9, 1, &wrong_out.foot));
@@ -171,13 +168,13 @@ void wrong_ground_geometry(void **state)
     REFUSED_UNTOLD(NULL, thud_terrain_closest(&ground, NULL, &wrong_out.closest));
     REFUSED_UNTOLD(NULL, thud_terrain_contacts(NULL, &ball, 1, &wrong_out.contacts));
     REFUSED_UNTOLD(NULL, thud_terrain_time_of_impact(NULL, &ball, still, 0, OUT_FLAG, time));
-    REFUSED_UNTOLD(NULL, thud_terrain_time_of_collision(&ground, NULL, still, 1e-6, OUT_FLAG, time));
+    REFUSED_UNTOLD(NULL,
+                   thud_terrain_time_of_collision(&ground, NULL, still, 1e-6, OUT_FLAG, time));
     assert_false(thud_terrain_overlap(NULL, &ball) || thud_terrain_overlap(&ground, NULL));
     assert_false(thud_terrain_cast_ray(NULL, 0, 0, 1, 0, time, nx, ny));
 }
 
-void wrong_volumes(void **state)
-{
+void wrong_volumes(void **state) {
     wrong_pair *p = *state;
     thud_volume *out = &wrong_out.volume;
     for (int i = 0; i < COUNT(bad_shapes); i++) {
@@ -186,10 +183,10 @@ void wrong_volumes(void **state)
         REFUSED_UNTOLD(INVALID, thud_volume_around_motion(THUD_OBB, bad, still, out));
     }
     const thud_volume bad_volumes[] = {
-        {.kind = THUD_CIRCLE, .c = 1, .hx = -1},      {.kind = THUD_CIRCLE, .c = 1, .hx = NAN},
-        {.kind = THUD_CIRCLE, .x = 2e16, .c = 1},     {.kind = THUD_AABB, .c = 1, .hx = INFINITY},
-        {.kind = THUD_AABB, .c = 0.6, .s = 0.8},      {.kind = THUD_OBB, .c = 0, .s = 0},
-        {.kind = THUD_OBB, .c = 1, .s = NAN},         {.kind = THUD_TERRAIN, .c = 1},
+        {.kind = THUD_CIRCLE, .c = 1, .hx = -1},  {.kind = THUD_CIRCLE, .c = 1, .hx = NAN},
+        {.kind = THUD_CIRCLE, .x = 2e16, .c = 1}, {.kind = THUD_AABB, .c = 1, .hx = INFINITY},
+        {.kind = THUD_AABB, .c = 0.6, .s = 0.8},  {.kind = THUD_OBB, .c = 0, .s = 0},
+        {.kind = THUD_OBB, .c = 1, .s = NAN},     {.kind = THUD_TERRAIN, .c = 1},
         {.kind = (thud_shape_kind)99, .c = 1},
     };
     for (int i = 0; i < COUNT(bad_volumes); i++) {
@@ -242,8 +239,7 @@ void wrong_volumes(void **state)
     REFUSED_UNTOLD(NULL, thud_volume_contains(&ball, &box, NULL));
 }
 
-void wrong_sums(void **state)
-{
+void wrong_sums(void **state) {
     wrong_pair *p = *state;
     double *number = &wrong_out.number, *nx = &wrong_out.nx, *ny = &wrong_out.ny;
     thud_minkowski sum;

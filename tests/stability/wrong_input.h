@@ -1,6 +1,6 @@
-/* wrong_input.h: calls that must be refused. Each is made in one of two villages that are alike, and
- * afterwards the two must still be alike, then and as they go on; outputs must be as they were, and
- * where there is a world its log must have heard why. */
+/* wrong_input.h: calls that must be refused. Each is made in one of two villages that are alike,
+ * and afterwards the two must still be alike, then and as they go on; outputs must be as they were,
+ * and where there is a world its log must have heard why. */
 #ifndef WRONG_INPUT_H
 #define WRONG_INPUT_H
 
@@ -53,10 +53,10 @@ int wrong_teardown(void **state);
 void wrong_check(wrong_pair *p, thud_result got, thud_result wanted, int told, const char *call,
                  const char *file, int line);
 
-#define REFUSED(wanted, call)                                                                      \
+#define REFUSED(wanted, call) \
     wrong_check(p, (call), THUD_ERROR_##wanted, 1, #call, __FILE__, __LINE__)
 /* Without a world nobody can be told. */
-#define REFUSED_UNTOLD(wanted, call)                                                               \
+#define REFUSED_UNTOLD(wanted, call) \
     wrong_check(p, (call), THUD_ERROR_##wanted, 0, #call, __FILE__, __LINE__)
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
@@ -64,11 +64,12 @@ void wrong_check(wrong_pair *p, thud_result got, thud_result wanted, int told, c
 static const double not_finite[] = {NAN, INFINITY, -INFINITY};
 static const double not_a_place[] = {NAN, INFINITY, -INFINITY, 1.0000001e9, -1e10, 1e300};
 static const double not_an_angle[] = {NAN, INFINITY, -INFINITY, 1.1e6, -1e300};
-static const double not_a_size[] = {NAN, INFINITY, -INFINITY, 0, -0.0, -1, 9e-5, 5e-324, 16385, 3e38};
+static const double not_a_size[] = {NAN, INFINITY, -INFINITY, 0,     -0.0,
+                                    -1,  9e-5,     5e-324,    16385, 3e38};
 
 /* For each value x of a list. */
-#define EACH(x, list)                                                                              \
-    for (int x##_at = 0; x##_at < COUNT(list); x##_at++)                                           \
+#define EACH(x, list)                                    \
+    for (int x##_at = 0; x##_at < COUNT(list); x##_at++) \
         for (double x = (list)[x##_at], *x##_once = &x; x##_once; x##_once = NULL)
 
 /* The tables: one cmocka test each. */

@@ -1,8 +1,7 @@
 /* wrong_queries.c: questions that have no answer, movers that cannot move, pictures of nowhere. */
 #include "wrong_input.h"
 
-static bool count_shape(thud_shape_id shape, void *context)
-{
+static bool count_shape(thud_shape_id shape, void *context) {
     (void)shape;
     (*(int *)context)++;
     return true;
@@ -24,8 +23,7 @@ static const thud_shape_instance no_shapes[] = {
 static const thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = 1};
 static const double not_a_length[] = {NAN, INFINITY, -INFINITY, 0, -1};
 
-void wrong_rays_and_casts(void **state)
-{
+void wrong_rays_and_casts(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     thud_pos from = {0, 5};
@@ -81,8 +79,7 @@ void wrong_rays_and_casts(void **state)
     REFUSED_UNTOLD(NULL, thud_world_cast_box_all(NULL, from, 1, 1, 0, 1, 0, NULL, hits, 4, count));
 }
 
-void wrong_overlaps_and_closest(void **state)
-{
+void wrong_overlaps_and_closest(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     thud_pos from = {3, 1};
@@ -139,8 +136,7 @@ void wrong_overlaps_and_closest(void **state)
     REFUSED_UNTOLD(NULL, thud_body_volume(NULL, p->here.box, THUD_AABB, from, volume));
 }
 
-void wrong_movers(void **state)
-{
+void wrong_movers(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     thud_mover *mover = &p->here.mover;
@@ -149,16 +145,16 @@ void wrong_movers(void **state)
     const thud_vec2 walk = {1, 0};
     const double dt = 1.0 / 60;
     /* The village's own mover is made wrong, refused, and must be as it was made. */
-#define BAD(wanted, field, value)                                                                  \
-    good = *mover;                                                                                 \
-    mover->field = (value);                                                                        \
-    {                                                                                              \
-        thud_mover before = *mover;                                                                \
-        thud_result result_ = thud_mover_move(w, out_of, walk, dt, report);                        \
-        assert_memory_equal(mover, &before, sizeof before);                                        \
-        *mover = good;                                                                             \
-        wrong_check(p, result_, THUD_ERROR_##wanted, 1, "mover with bad " #field, __FILE__,        \
-                    __LINE__);                                                                     \
+#define BAD(wanted, field, value)                                                           \
+    good = *mover;                                                                          \
+    mover->field = (value);                                                                 \
+    {                                                                                       \
+        thud_mover before = *mover;                                                         \
+        thud_result result_ = thud_mover_move(w, out_of, walk, dt, report);                 \
+        assert_memory_equal(mover, &before, sizeof before);                                 \
+        *mover = good;                                                                      \
+        wrong_check(p, result_, THUD_ERROR_##wanted, 1, "mover with bad " #field, __FILE__, \
+                    __LINE__);                                                              \
     }
     EACH(x, not_finite) {
         float f = (float)x;
@@ -202,15 +198,14 @@ void wrong_movers(void **state)
     REFUSED_UNTOLD(NULL, thud_mover_move(NULL, mover, walk, dt, report));
 }
 
-void wrong_drawings(void **state)
-{
+void wrong_drawings(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     const thud_debug_draw all = {.flags = 0xff, .lower = {-50, -50}, .upper = {50, 50}};
     thud_debug_draw draw;
-#define BAD(field, value)                                                                          \
-    draw = all;                                                                                    \
-    draw.field = (value);                                                                          \
+#define BAD(field, value) \
+    draw = all;           \
+    draw.field = (value); \
     REFUSED(INVALID, thud_world_draw(w, &draw))
     EACH(x, not_a_place) {
         BAD(origin.x, x);

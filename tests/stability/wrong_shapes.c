@@ -1,17 +1,16 @@
 /* wrong_shapes.c: shapes and lines that cannot be, and edits that no line takes. */
 #include "wrong_input.h"
 
-void wrong_shapes(void **state)
-{
+void wrong_shapes(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     thud_body_id box = p->here.box, lift = p->here.lift;
     const thud_shape_def good = thud_default_shape_def();
     thud_shape_def def;
     thud_vec2 zero = {0, 0}, one = {1, 1};
-#define BAD(field, value)                                                                          \
-    def = good;                                                                                    \
-    def.field = (value);                                                                           \
+#define BAD(field, value) \
+    def = good;           \
+    def.field = (value);  \
     REFUSED(INVALID, thud_shape_create_circle(w, box, &def, zero, 1, &wrong_out.shape))
     EACH(x, not_finite) {
         BAD(density, (float)x);
@@ -35,17 +34,17 @@ void wrong_shapes(void **state)
                                                 &wrong_out.shape));
         REFUSED(INVALID, thud_shape_create_aabb(w, p->here.plank, &good, zero, (thud_vec2){1, f},
                                                 &wrong_out.shape));
-        REFUSED(INVALID, thud_shape_create_obb(w, box, &good, zero, (thud_vec2){f, 1}, 0,
-                                               &wrong_out.shape));
-        REFUSED(INVALID, thud_shape_create_obb(w, box, &good, zero, (thud_vec2){1, f}, 0,
-                                               &wrong_out.shape));
+        REFUSED(INVALID,
+                thud_shape_create_obb(w, box, &good, zero, (thud_vec2){f, 1}, 0, &wrong_out.shape));
+        REFUSED(INVALID,
+                thud_shape_create_obb(w, box, &good, zero, (thud_vec2){1, f}, 0, &wrong_out.shape));
     }
     const double not_an_offset[] = {NAN, INFINITY, -INFINITY, 16400, -3e38};
     EACH(x, not_an_offset) {
         thud_vec2 aside = {(float)x, 0}, above = {0, (float)x};
         REFUSED(INVALID, thud_shape_create_circle(w, box, &good, aside, 1, &wrong_out.shape));
-        REFUSED(INVALID, thud_shape_create_aabb(w, p->here.plank, &good, above, one,
-                                                &wrong_out.shape));
+        REFUSED(INVALID,
+                thud_shape_create_aabb(w, p->here.plank, &good, above, one, &wrong_out.shape));
         REFUSED(INVALID, thud_shape_create_obb(w, box, &good, above, one, 0, &wrong_out.shape));
     }
     EACH(x, not_an_angle) {
@@ -63,8 +62,7 @@ void wrong_shapes(void **state)
     REFUSED_UNTOLD(NULL, thud_shape_destroy(NULL, p->here.hill));
 }
 
-void wrong_terrains(void **state)
-{
+void wrong_terrains(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     thud_body_id floor = p->here.floor;
@@ -72,19 +70,21 @@ void wrong_terrains(void **state)
     thud_pos points[3];
     const thud_pos good[3] = {{0, 0}, {1, 2}, {4, 0}};
     const thud_terrain hill = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 3};
-    const thud_terrain dunes = {.kind = THUD_TERRAIN_UNIFORM, .spacing = 1, .points = points,
+    const thud_terrain dunes = {.kind = THUD_TERRAIN_UNIFORM,
+                                .spacing = 1,
+                                .points = points,
                                 .count = 3};
     const thud_terrain plain = {.kind = THUD_TERRAIN_FLAT};
     thud_terrain line;
 #define MAKE_LINE thud_shape_create_terrain(w, floor, &def, &line, &wrong_out.shape)
-#define BAD(terrain, field, value)                                                                 \
-    line = terrain;                                                                                \
-    line.field = (value);                                                                          \
+#define BAD(terrain, field, value) \
+    line = terrain;                \
+    line.field = (value);          \
     REFUSED(INVALID, MAKE_LINE)
-#define BAD_POINT(terrain, field, value)                                                           \
-    line = terrain;                                                                                \
-    points[1].field = (value);                                                                     \
-    REFUSED(INVALID, MAKE_LINE);                                                                                 \
+#define BAD_POINT(terrain, field, value) \
+    line = terrain;                      \
+    points[1].field = (value);           \
+    REFUSED(INVALID, MAKE_LINE);         \
     points[1] = good[1]
     memcpy(points, good, sizeof points);
     EACH(x, not_finite) {
@@ -129,8 +129,7 @@ void wrong_terrains(void **state)
     REFUSED_UNTOLD(NULL, thud_shape_terrain(NULL, p->here.hill, &wrong_out.terrain));
 }
 
-void wrong_terrain_edits(void **state)
-{
+void wrong_terrain_edits(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     thud_shape_id hill = p->here.hill, dunes = p->here.dunes;

@@ -1,36 +1,31 @@
 /* wrong_worlds.c: worlds that cannot be, and settings that no world takes. */
 #include "wrong_input.h"
 
-static void tell(thud_result result, const char *message, void *context)
-{
+static void tell(thud_result result, const char *message, void *context) {
     assert_int_not_equal(result, THUD_OK);
     assert_true(message && message[0]);
     (*(int *)context)++;
 }
 
-static void *no_memory(size_t bytes, void *context)
-{
+static void *no_memory(size_t bytes, void *context) {
     (void)bytes;
     (void)context;
     return NULL;
 }
 
-static void forget(void *block, size_t bytes, void *context)
-{
+static void forget(void *block, size_t bytes, void *context) {
     (void)block;
     (void)bytes;
     (void)context;
 }
 
-static thud_result step_forever(wrong_pair *p, double elapsed, int max_steps)
-{
+static thud_result step_forever(wrong_pair *p, double elapsed, int max_steps) {
     return thud_world_advance(p->here.world, elapsed, max_steps, &wrong_out.count,
                               &wrong_out.number);
 }
 
 /* No result code: no poses, and none counted. */
-static thud_result poses(thud_world *world, thud_pos origin, double alpha)
-{
+static thud_result poses(thud_world *world, thud_pos origin, double alpha) {
     int count = 7;
     const thud_pose *got = thud_world_poses(world, origin, alpha, &count);
     if (got || count) {
@@ -39,21 +34,20 @@ static thud_result poses(thud_world *world, thud_pos origin, double alpha)
     return world ? THUD_ERROR_INVALID : THUD_ERROR_NULL;
 }
 
-void wrong_worlds(void **state)
-{
+void wrong_worlds(void **state) {
     wrong_pair *p = *state;
     thud_world_def def = thud_default_world_def();
     def.log = tell;
     def.log_context = &p->here.told;
     const thud_world_def good = def;
     thud_quality quality;
-#define BAD(field, value)                                                                          \
-    def = good;                                                                                    \
-    def.field = (value);                                                                           \
+#define BAD(field, value) \
+    def = good;           \
+    def.field = (value);  \
     REFUSED(INVALID, thud_world_create(&def, &wrong_out.world))
-#define BAD_QUALITY(field, value)                                                                  \
-    quality = thud_quality_default;                                                                \
-    quality.field = (value);                                                                       \
+#define BAD_QUALITY(field, value)   \
+    quality = thud_quality_default; \
+    quality.field = (value);        \
     BAD(quality, &quality)
     EACH(x, not_finite) {
         float f = (float)x;
@@ -122,8 +116,7 @@ void wrong_worlds(void **state)
     REFUSED(NULL, thud_world_create(&good, NULL));
 }
 
-void wrong_settings(void **state)
-{
+void wrong_settings(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     const double not_a_step[] = {NAN, INFINITY, -INFINITY, 0, -0.0, -1e-3, 1.0001, 1e300};

@@ -1,5 +1,5 @@
-/* hostile_memory.h: an allocator that refuses when a test tells it to, and knows what is still held.
- * Only memory asked for through it counts, so that a test's own is never refused. */
+/* hostile_memory.h: an allocator that refuses when a test tells it to, and knows what is still
+ * held. Only memory asked for through it counts, so that a test's own is never refused. */
 #ifndef HOSTILE_MEMORY_H
 #define HOSTILE_MEMORY_H
 
@@ -11,8 +11,7 @@ static long memory_allowed = -1; /* allocations until one fails; negative: no en
 static long memory_held;         /* blocks not given back */
 static long memory_refused;      /* allocations that failed */
 
-static inline void *hostile_allocate(size_t bytes, void *context)
-{
+static inline void *hostile_allocate(size_t bytes, void *context) {
     (void)context;
     if (memory_allowed >= 0 && memory_allowed-- == 0) {
         memory_refused++;
@@ -22,16 +21,14 @@ static inline void *hostile_allocate(size_t bytes, void *context)
     return aligned_alloc(64, bytes);
 }
 
-static inline void hostile_release(void *block, size_t bytes, void *context)
-{
+static inline void hostile_release(void *block, size_t bytes, void *context) {
     (void)bytes;
     (void)context;
     memory_held--;
     free(block);
 }
 
-static inline thud_allocator hostile_memory(void)
-{
+static inline thud_allocator hostile_memory(void) {
     return (thud_allocator){hostile_allocate, hostile_release, NULL};
 }
 

@@ -22,9 +22,9 @@ typedef enum case_fold { CASE_WORST = 0, CASE_MEAN, CASE_LAST } case_fold;
 
 typedef struct tradeoff_case {
     const char *name, *title;
-    const char *about; /* a sentence: what happens */
-    const char *error; /* what is measured, in words that fit an axis */
-    const char *unit;  /* "m", or "" where the error is a ratio */
+    const char *about;      /* a sentence: what happens */
+    const char *error;      /* what is measured, in words that fit an axis */
+    const char *unit;       /* "m", or "" where the error is a ratio */
     int size, quick_size;   /* handed to fill */
     int steps, quick_steps; /* of 1/60 s */
     /* Errors up to here are as good as none: what rounding, a tolerance that is documented, or the
@@ -33,7 +33,7 @@ typedef struct tradeoff_case {
     /* How much worse a finer quality may seem and count as no worse: 1 where nothing is chaotic. */
     double chance;
     case_fold fold;
-    const scene_info *built_in; /* the scene; null: it is made by ... */
+    const scene_info *built_in;       /* the scene; null: it is made by ... */
     bool (*fill)(scene *s, int size); /* ... which has an empty one, and gives false, and a line on
                                          stderr, when something is missing */
     double (*error_of)(const sighting *now);

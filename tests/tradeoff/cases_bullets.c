@@ -8,8 +8,8 @@ static const double WALL_HALF = 2, BULLET = 0.1;
 
 /* In every lane a wall, 0.02 m thick, and a bullet that flies at it: bodies 2 i and 2 i + 1. Speeds
  * go from 10 to 10^5 m/s, kinds from circle over upright box to turning box; every other fifteen
- * walls give way, ten times as heavy as a bullet. Bullets are told to be such, as both engines advise:
- * they are swept in thud, and flagged as bullets in Box2D. */
+ * walls give way, ten times as heavy as a bullet. Bullets are told to be such, as both engines
+ * advise: they are swept in thud, and flagged as bullets in Box2D. */
 static bool fill_bullets(scene *s, int size) {
     static const double SPEEDS[] = {1e1, 1e2, 1e3, 1e4, 1e5};
     scene_random random = {6};
@@ -22,9 +22,8 @@ static bool fill_bullets(scene *s, int size) {
         scene_add_body(s, gives_way ? SCENE_DYNAMIC : SCENE_STATIC, 0, y)->fixed_rotation = true;
         scene_add_aabb(s, 0.01, WALL_HALF);
         s->material.density = 1;
-        scene_body *bullet =
-            scene_add_body(s, SCENE_DYNAMIC, scene_random_range(&random, -3, -1),
-                           scene_grid(y + scene_random_range(&random, -1, 1)));
+        scene_body *bullet = scene_add_body(s, SCENE_DYNAMIC, scene_random_range(&random, -3, -1),
+                                            scene_grid(y + scene_random_range(&random, -1, 1)));
         bullet->x = scene_grid(bullet->x);
         bullet->vx = speed;
         bullet->detection = SCENE_SWEPT;

@@ -61,7 +61,8 @@ static double energy_drift(const sighting *now) {
 const tradeoff_case case_rubble = {
     .name = "rubble",
     .title = "Rubble on terrain",
-    .about = "Circles and boxes fall on a real terrain profile and roll into its valleys, for 10 s.",
+    .about =
+        "Circles and boxes fall on a real terrain profile and roll into its valleys, for 10 s.",
     .error = "deepest overlap of a step, on average",
     .unit = "m",
     .size = 400,

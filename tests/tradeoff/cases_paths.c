@@ -98,8 +98,9 @@ static double speed_off(const sighting *now) {
 const tradeoff_case case_slope = {
     .name = "slope",
     .title = "Slope with friction",
-    .about = "Boxes with friction 0.5 on slopes of 10, 20, 30 and 40 degrees, for 4 s: the steep two "
-             "slide.",
+    .about =
+        "Boxes with friction 0.5 on slopes of 10, 20, 30 and 40 degrees, for 4 s: the steep two "
+        "slide.",
     .error = "furthest off the analytic path",
     .unit = "m",
     .size = 4,

@@ -72,8 +72,9 @@ const tradeoff_case case_pyramid = {
 const tradeoff_case case_heavy_on_light = {
     .name = "heavy_on_light",
     .title = "Heavy on light",
-    .about = "Boxes of 1 m, 10, 100 and 1,000 times as heavy, stand for 10 s on a light box, and on "
-             "columns of ten.",
+    .about =
+        "Boxes of 1 m, 10, 100 and 1,000 times as heavy, stand for 10 s on a light box, and on "
+        "columns of ten.",
     .error = "deepest overlap",
     .unit = "m",
     .size = 3,

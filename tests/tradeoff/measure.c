@@ -1,7 +1,8 @@
-/* measure.c: see measure.h. Each setting runs once to be looked at after every step, and then all of
- * them together to be timed: their worlds take turns, a few steps each, so that whatever else the
- * machine does hits all alike, and nothing is looked at meanwhile. Engines are deterministic, so that
- * a step is the same work in every repetition, and the least of its times is the best estimate. */
+/* measure.c: see measure.h. Each setting runs once to be looked at after every step, and then all
+ * of them together to be timed: their worlds take turns, a few steps each, so that whatever else
+ * the machine does hits all alike, and nothing is looked at meanwhile. Engines are deterministic,
+ * so that a step is the same work in every repetition, and the least of its times is the best
+ * estimate. */
 #include "measure.h"
 
 #include "series.h"

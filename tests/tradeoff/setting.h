@@ -12,8 +12,8 @@ typedef struct setting setting;
 /* How the engine is driven; bodies are read as a contender of the benchmark reads them. */
 typedef struct setting_engine {
     const char *name;
-    /* Sleeping off, a step of 1/60 s, one thread. Null when it fails, and a line on stderr says why.
-     * The scene must outlive the world. */
+    /* Sleeping off, a step of 1/60 s, one thread. Null when it fails, and a line on stderr says
+     * why. The scene must outlive the world. */
     void *(*create)(const scene *s, const setting *how);
     void (*destroy)(void *world); /* null is fine */
     bool (*step)(void *world);
@@ -22,9 +22,9 @@ typedef struct setting_engine {
 
 struct setting {
     const setting_engine *engine;
-    const char *name;                /* unique among those of its engine */
-    const char *curve;               /* settings of one curve go from cheap to dear in their order */
-    const thud_quality *quality;     /* thud */
+    const char *name;            /* unique among those of its engine */
+    const char *curve;           /* settings of one curve go from cheap to dear in their order */
+    const thud_quality *quality; /* thud */
     const thud_detection *detection; /* thud: null takes the quality's */
     int substeps;                    /* Box2D */
     double contact_hertz;            /* Box2D: b2WorldDef.contactHertz */

@@ -1,14 +1,14 @@
 /* setting_box2d.c: Box2D v3.2 at 1 to 16 substeps, with its default contact stiffness and with one
  * that is scaled with the substeps.
  *
- * Its step lowers b2WorldDef.contactHertz to an eighth of the substep rate (b2World_Step), and takes
- * twice that against static bodies. The default is 30 Hz: at 60 steps a second it is lowered to 7.5
- * and 15 Hz at one and two substeps, just allowed at four, and keeps contacts from getting stiffer
- * beyond. Scaled means the most that it allows, 7.5 Hz a substep: the same settings as the default's
- * up to four substeps, so that these three are run once and belong to both curves.
+ * Its step lowers b2WorldDef.contactHertz to an eighth of the substep rate (b2World_Step), and
+ * takes twice that against static bodies. The default is 30 Hz: at 60 steps a second it is lowered
+ * to 7.5 and 15 Hz at one and two substeps, just allowed at four, and keeps contacts from getting
+ * stiffer beyond. Scaled means the most that it allows, 7.5 Hz a substep: the same settings as the
+ * default's up to four substeps, so that these three are run once and belong to both curves.
  *
- * Bodies for which a scene wants swept detection are flagged as bullets, which Box2D stops at moving
- * shapes too.
+ * Bodies for which a scene wants swept detection are flagged as bullets, which Box2D stops at
+ * moving shapes too.
  *
  * The highest speed, 400 m/s by default, is lifted: what is cut to it errs in speed, and would be
  * compared at something else than the trial asks. All else is at its defaults. */
@@ -19,7 +19,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define CONTACT_HERTZ 30.0           /* of b2DefaultWorldDef */
+#define CONTACT_HERTZ 30.0            /* of b2DefaultWorldDef */
 #define CONTACT_HERTZ_PER_SUBSTEP 7.5 /* 60 / 8 */
 #define DAMPING_RATIO 10.0f           /* of b2DefaultWorldDef, */
 #define PUSH_SPEED 3.0f               /* and so is this */
@@ -70,11 +70,16 @@ static void read_bodies(void *state, contender_body *bodies) {
 
 static const setting_engine ENGINE = {"box2d", create, destroy, step, read_bodies};
 
-#define AS_DEFAULT(n)                                                                              \
-    {.engine = &ENGINE, .name = #n, .curve = "box2d", .substeps = n, .contact_hertz = CONTACT_HERTZ}
-#define SCALED(n)                                                                                  \
-    {.engine = &ENGINE, .name = #n " stiff", .curve = "box2d stiff", .substeps = n,                \
-     .contact_hertz = n * CONTACT_HERTZ_PER_SUBSTEP}
+#define AS_DEFAULT(n)                                                   \
+    {                                                                   \
+        .engine = &ENGINE, .name = #n, .curve = "box2d", .substeps = n, \
+        .contact_hertz = CONTACT_HERTZ                                  \
+    }
+#define SCALED(n)                                                                      \
+    {                                                                                  \
+        .engine = &ENGINE, .name = #n " stiff", .curve = "box2d stiff", .substeps = n, \
+        .contact_hertz = n * CONTACT_HERTZ_PER_SUBSTEP                                 \
+    }
 
 const setting SETTINGS_BOX2D[] = {AS_DEFAULT(1),  AS_DEFAULT(2), AS_DEFAULT(4), AS_DEFAULT(8),
                                   AS_DEFAULT(16), SCALED(8),     SCALED(16)};

@@ -1,6 +1,6 @@
-/* setting_thud.c: thud at each of its qualities, everything else at its defaults; with the soft solver
- * alone at more substeps; and at the default quality with swept detection, which is what to choose where
- * all that matters is impacts. */
+/* setting_thud.c: thud at each of its qualities, everything else at its defaults; with the soft
+ * solver alone at more substeps; and at the default quality with swept detection, which is what to
+ * choose where all that matters is impacts. */
 #include "build_thud.h"
 #include "read_thud.h"
 #include "setting.h"
@@ -56,12 +56,16 @@ static void read_bodies(void *state, contender_body *bodies) {
 
 static const setting_engine ENGINE = {"thud", create, destroy, step, read_bodies};
 
-/* The soft solver alone, as it would be at more substeps: beside Box2D's, which is soft at all of its. */
-#define SOFT(n)                                                                                    \
-    {.engine = &ENGINE, .name = "soft " #n, .curve = "thud soft",                                   \
-     .quality = &(const thud_quality){.name = "soft " #n, .substeps = n, .contact_stiffness = 0.16f, \
-                                      .contact_damping = 10.0f,                                     \
-                                      .detection = &thud_detection_continuous, .island_limit = 1}}
+/* The soft solver alone, as it would be at more substeps: beside Box2D's, which is soft at all of
+ * its. */
+#define SOFT(n)                                                                                  \
+    {                                                                                            \
+        .engine = &ENGINE, .name = "soft " #n, .curve = "thud soft",                             \
+        .quality = &(const thud_quality) {                                                       \
+            .name = "soft " #n, .substeps = n, .contact_stiffness = 0.16f,                       \
+            .contact_damping = 10.0f, .detection = &thud_detection_continuous, .island_limit = 1 \
+        }                                                                                        \
+    }
 
 const setting SETTINGS_THUD[] = {
     {.engine = &ENGINE, .name = "draft", .curve = "thud", .quality = &thud_quality_draft},

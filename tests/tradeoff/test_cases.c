@@ -27,12 +27,12 @@ static void make(made *m, const tradeoff_case *c) {
     for (int i = 0; i < m->scene.body_count; i++) {
         const scene_body *b = &m->scene.bodies[i];
         m->bodies[i] = (contender_body){.x = b->x,
-                                       .y = b->y,
-                                       .cosine = cos(b->angle),
-                                       .sine = sin(b->angle),
-                                       .vx = b->vx,
-                                       .vy = b->vy,
-                                       .angular_velocity = b->angular_velocity};
+                                        .y = b->y,
+                                        .cosine = cos(b->angle),
+                                        .sine = sin(b->angle),
+                                        .vx = b->vx,
+                                        .vy = b->vy,
+                                        .angular_velocity = b->angular_velocity};
     }
     assert_true(yardstick_begin(m->yardstick, m->bodies));
 }

@@ -1,5 +1,5 @@
-/* yardstick.c: see yardstick.h. The oracle's meter scores each state: nothing that an engine says of
- * its own errors counts. */
+/* yardstick.c: see yardstick.h. The oracle's meter scores each state: nothing that an engine says
+ * of its own errors counts. */
 #include "yardstick.h"
 
 #include <math.h>
@@ -23,8 +23,8 @@ struct yardstick {
 
 /* Of bodies of one shape. */
 static double mass_of(const scene_shape *shape) {
-    double area = shape->kind == SCENE_CIRCLE ? PI * shape->hx * shape->hx
-                                              : 4 * shape->hx * shape->hy;
+    double area =
+        shape->kind == SCENE_CIRCLE ? PI * shape->hx * shape->hx : 4 * shape->hx * shape->hy;
     return shape->material.density * area;
 }
 

@@ -11,9 +11,9 @@ typedef struct errors {
     double error;             /* the case's own; infinite once a body was lost */
     double penetration_worst; /* m */
     double penetration_mean;  /* m, over all pairs that touched and all steps */
-    double energy_gained;     /* the most over that of the start, as a part of the most that ever was
-                                 kinetic, or of what all weigh times a metre; 0: never more */
-    int lost;                 /* bodies without a finite pose or velocity, in the worst step */
+    double energy_gained; /* the most over that of the start, as a part of the most that ever was
+                             kinetic, or of what all weigh times a metre; 0: never more */
+    int lost;             /* bodies without a finite pose or velocity, in the worst step */
 } errors;
 
 /* For one run of one setting. Null if memory runs out; case and scene must outlive it. */

@@ -22,39 +22,34 @@ typedef struct dense {
 static graph g;
 static dense full;
 
-static inline void tie(int a, int b)
-{
+static inline void tie(int a, int b) {
     g.edge[g.edges][0] = a;
     g.edge[g.edges++][1] = b;
 }
 
 /* ---- graphs ---- */
 
-static inline void make_chain(int nodes)
-{
+static inline void make_chain(int nodes) {
     g = (graph){.nodes = nodes};
     for (int i = 1; i < nodes; i++) {
         tie(i - 1, i);
     }
 }
 
-static inline void make_ring(int nodes)
-{
+static inline void make_ring(int nodes) {
     make_chain(nodes);
     tie(nodes - 1, 0);
 }
 
 /* The middle one comes first, where an order by number would fill in everything. */
-static inline void make_star(int nodes)
-{
+static inline void make_star(int nodes) {
     g = (graph){.nodes = nodes};
     for (int i = 1; i < nodes; i++) {
         tie(i, 0);
     }
 }
 
-static inline void make_all(int nodes)
-{
+static inline void make_all(int nodes) {
     g = (graph){.nodes = nodes};
     for (int i = 0; i < nodes; i++) {
         for (int k = 0; k < i; k++) {
@@ -63,8 +58,7 @@ static inline void make_all(int nodes)
     }
 }
 
-static inline void make_grid(int side)
-{
+static inline void make_grid(int side) {
     g = (graph){.nodes = side * side};
     for (int i = 0; i < side * side; i++) {
         if (i % side) {
@@ -77,8 +71,7 @@ static inline void make_grid(int side)
 }
 
 /* Some of its nodes may stand alone. */
-static inline void make_random(int nodes, double share, uint64_t *seed)
-{
+static inline void make_random(int nodes, double share, uint64_t *seed) {
     g = (graph){.nodes = nodes};
     for (int i = 0; i < nodes; i++) {
         for (int k = 0; k < i; k++) {
@@ -93,8 +86,7 @@ static inline void make_random(int nodes, double share, uint64_t *seed)
 
 /* Each row outweighs what stands beside its diagonal; nodes weigh up to 10^4 times as much as
  * others. */
-static inline void fill_dense(uint64_t *seed)
-{
+static inline void fill_dense(uint64_t *seed) {
     full = (dense){.size = 3 * g.nodes};
     double scale[NODES_MOST];
     for (int i = 0; i < g.nodes; i++) {
@@ -122,8 +114,7 @@ static inline void fill_dense(uint64_t *seed)
 }
 
 /* Cholesky's, in place of `at`, and the solution in place of `right`. */
-static inline void solve_dense(void)
-{
+static inline void solve_dense(void) {
     for (int i = 0; i < full.size; i++) {
         for (int k = 0; k <= i; k++) {
             long double sum = full.at[i][k];

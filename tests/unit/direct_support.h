@@ -21,8 +21,7 @@ typedef struct problem {
 #define UNIT_SPEED (10.0 / 60)
 #define TOLERANCE (1e-3 * UNIT_SPEED)
 
-static inline void begin_problem(problem *p)
-{
+static inline void begin_problem(problem *p) {
     *p = (problem){.memory = td_memory_make((thud_allocator){0})};
     td_sparse_init(&p->matrix);
     p->d = (td_direct){.bodies = p->bodies,
@@ -34,14 +33,12 @@ static inline void begin_problem(problem *p)
                        .unit_speed = UNIT_SPEED};
 }
 
-static inline void end_problem(problem *p)
-{
+static inline void end_problem(problem *p) {
     td_sparse_free(&p->memory, &p->matrix);
 }
 
 /* Gravity has pulled it for a step. An inertia of 0: it does not turn. */
-static inline int add_mass(problem *p, double mass, double inertia)
-{
+static inline int add_mass(problem *p, double mass, double inertia) {
     td_direct_body *b = &p->bodies[p->d.body_count];
     *b = (td_direct_body){.inverse_mass = 1 / mass,
                           .inverse_inertia = inertia > 0 ? 1 / inertia : 0,
@@ -50,8 +47,7 @@ static inline int add_mass(problem *p, double mass, double inertia)
 }
 
 static inline void put_row(td_direct_row *r, double x, double y, const double arm_a[2],
-                           const double arm_b[2])
-{
+                           const double arm_b[2]) {
     *r = (td_direct_row){.a = {-x, -y, -(arm_a[0] * y - arm_a[1] * x)},
                          .b = {x, y, arm_b[0] * y - arm_b[1] * x},
                          .used = true};
@@ -61,8 +57,7 @@ static inline void put_row(td_direct_row *r, double x, double y, const double ar
  * lies further by `width` across the normal. */
 static inline td_direct_contact *add_contact(problem *p, int a, int b, double x, double y,
                                              const double arms[2][2], int points, double width,
-                                             double friction)
-{
+                                             double friction) {
     td_direct_contact *c = &p->contacts[p->d.contact_count++];
     *c = (td_direct_contact){.a = a, .b = b, .friction = friction};
     for (int k = 0; k < points; k++) {
@@ -80,15 +75,13 @@ static inline td_direct_contact *add_contact(problem *p, int a, int b, double x,
 }
 
 /* Boxes of edge 1, of which b stands on a. */
-static inline td_direct_contact *stack(problem *p, int a, int b, double friction)
-{
+static inline td_direct_contact *stack(problem *p, int a, int b, double friction) {
     const double arms[2][2] = {{-0.5, 0.5}, {-0.5, -0.5}};
     return add_contact(p, a, b, 0, 1, arms, 2, 1, friction);
 }
 
 /* The order of the matrix, once all contacts are there. */
-static inline void order_problem(problem *p)
-{
+static inline void order_problem(problem *p) {
     assert_true(td_sparse_reserve(&p->memory, &p->matrix, p->d.body_count));
     td_sparse_forget(&p->matrix);
     assert_true(td_sparse_begin(&p->memory, &p->matrix, p->d.body_count));
@@ -110,8 +103,7 @@ static inline void order_problem(problem *p)
 }
 
 /* Impulses of the step before, for an active set to begin with. */
-static inline void forget_impulses(problem *p)
-{
+static inline void forget_impulses(problem *p) {
     for (int i = 0; i < p->d.contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             p->contacts[i].row[k].impulse = 0;
@@ -120,8 +112,7 @@ static inline void forget_impulses(problem *p)
     p->d.factorings = 0;
 }
 
-static inline double row_speed(const problem *p, const td_direct_contact *c, int k)
-{
+static inline double row_speed(const problem *p, const td_direct_contact *c, int k) {
     const td_direct_row *r = &c->row[k];
     double speed = r->known;
     for (int j = 0; j < 3; j++) {
@@ -131,15 +122,13 @@ static inline double row_speed(const problem *p, const td_direct_contact *c, int
     return speed;
 }
 
-static inline double load_of(const td_direct_contact *c)
-{
+static inline double load_of(const td_direct_contact *c) {
     return c->row[0].used * c->row[0].impulse + c->row[1].used * c->row[1].impulse;
 }
 
 /* Impulses account for what the velocities have changed by. A row may be off by the tolerance times
  * the mass that it feels, and rounding shows against the greatest load. */
-static inline void assert_balanced(const problem *p, double tolerance)
-{
+static inline void assert_balanced(const problem *p, double tolerance) {
     for (int i = 0; i < p->d.body_count; i++) {
         const td_direct_body *b = &p->bodies[i];
         for (int j = 0; j < 3; j++) {
@@ -166,8 +155,7 @@ static inline void assert_balanced(const problem *p, double tolerance)
 }
 
 /* The conditions of Karush, Kuhn and Tucker, at the bounds of friction that the solver went by. */
-static inline void assert_solved(const problem *p, double tolerance)
-{
+static inline void assert_solved(const problem *p, double tolerance) {
     assert_balanced(p, tolerance);
     for (int i = 0; i < p->d.contact_count; i++) {
         const td_direct_contact *c = &p->contacts[i];
@@ -191,8 +179,7 @@ static inline void assert_solved(const problem *p, double tolerance)
 }
 
 /* Friction within its cone of the impulses that came out, but for two parts in a hundred. */
-static inline void assert_within_cones(const problem *p, double tolerance)
-{
+static inline void assert_within_cones(const problem *p, double tolerance) {
     for (int i = 0; i < p->d.contact_count; i++) {
         const td_direct_contact *c = &p->contacts[i];
         const td_direct_row *t = &c->row[TD_DIRECT_TANGENT];

@@ -19,15 +19,13 @@ static const thud_quality *const qualities[] = {&thud_quality_draft, &thud_quali
                                                 &thud_quality_high, &thud_quality_exact};
 enum { QUALITIES = 4 };
 
-static inline thud_world *make_world(thud_world_def def)
-{
+static inline thud_world *make_world(thud_world_def def) {
     thud_world *world = NULL;
     OK(thud_world_create(&def, &world));
     return world;
 }
 
-static inline thud_world_def weightless(void)
-{
+static inline thud_world_def weightless(void) {
     thud_world_def def = thud_default_world_def();
     def.gravity = (thud_vec2){0, 0};
     def.sleeping = false;
@@ -35,8 +33,7 @@ static inline thud_world_def weightless(void)
 }
 
 static inline thud_body_id add_body(thud_world *world, thud_body_kind kind, double x, double y,
-                                    double angle)
-{
+                                    double angle) {
     thud_body_def def = thud_default_body_def();
     thud_body_id id;
     def.kind = kind;
@@ -48,8 +45,7 @@ static inline thud_body_id add_body(thud_world *world, thud_body_kind kind, doub
 
 /* hy 0: a circle of radius hx; else a box, an AABB where it is `upright`. */
 static inline thud_shape_id add_shape(thud_world *world, thud_body_id body, float hx, float hy,
-                                      bool upright, const thud_shape_def *def)
-{
+                                      bool upright, const thud_shape_def *def) {
     thud_shape_def plain = thud_default_shape_def();
     thud_shape_id id;
     const thud_shape_def *used = def ? def : &plain;
@@ -64,52 +60,45 @@ static inline thud_shape_id add_shape(thud_world *world, thud_body_id body, floa
     return id;
 }
 
-static inline thud_body_id add_ball(thud_world *world, double x, double y, float r)
-{
+static inline thud_body_id add_ball(thud_world *world, double x, double y, float r) {
     thud_body_id id = add_body(world, THUD_DYNAMIC, x, y, 0);
     add_shape(world, id, r, 0, false, NULL);
     return id;
 }
 
-static inline thud_body_id add_box(thud_world *world, double x, double y, float hx, float hy)
-{
+static inline thud_body_id add_box(thud_world *world, double x, double y, float hx, float hy) {
     thud_body_id id = add_body(world, THUD_DYNAMIC, x, y, 0);
     add_shape(world, id, hx, hy, false, NULL);
     return id;
 }
 
 /* A static box whose top is at y = 0. */
-static inline thud_body_id add_floor(thud_world *world, const thud_shape_def *def)
-{
+static inline thud_body_id add_floor(thud_world *world, const thud_shape_def *def) {
     thud_body_id id = add_body(world, THUD_STATIC, 0, -1, 0);
     add_shape(world, id, 100, 1, true, def);
     return id;
 }
 
-static inline thud_body_state state_of(const thud_world *world, thud_body_id id)
-{
+static inline thud_body_state state_of(const thud_world *world, thud_body_id id) {
     thud_body_state state;
     OK(thud_body_get(world, id, &state));
     return state;
 }
 
-static inline void run(thud_world *world, int steps)
-{
+static inline void run(thud_world *world, int steps) {
     for (int i = 0; i < steps; i++) {
         OK(thud_world_step(world));
     }
 }
 
-static inline void near_to(double value, double wanted, double tolerance)
-{
+static inline void near_to(double value, double wanted, double tolerance) {
     if (!(fabs(value - wanted) <= tolerance)) {
         fail_msg("%.9g is not within %g of %.9g", value, tolerance, wanted);
     }
 }
 
 /* A small generator of its own: xorshift. */
-static inline double random_in(uint64_t *seed, double low, double high)
-{
+static inline double random_in(uint64_t *seed, double low, double high) {
     *seed ^= *seed << 13;
     *seed ^= *seed >> 7;
     *seed ^= *seed << 17;

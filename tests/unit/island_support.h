@@ -7,16 +7,14 @@
 #define G 10.0
 #define STEP (1.0 / 60)
 
-static inline thud_world_def def_of(const thud_quality *quality)
-{
+static inline thud_world_def def_of(const thud_quality *quality) {
     thud_world_def def = thud_default_world_def();
     def.quality = quality;
     return def;
 }
 
 /* With a floor. */
-static inline thud_world *world_of(const thud_quality *quality)
-{
+static inline thud_world *world_of(const thud_quality *quality) {
     thud_world_def def = def_of(quality);
     def.sleeping = false;
     thud_world *world = make_world(def);
@@ -25,8 +23,7 @@ static inline thud_world *world_of(const thud_quality *quality)
 }
 
 static inline thud_body_id add_heavy(thud_world *world, double x, double y, float half,
-                                     float density)
-{
+                                     float density) {
     thud_shape_def def = thud_default_shape_def();
     thud_body_id id = add_body(world, THUD_DYNAMIC, x, y, 0);
     def.density = density;
@@ -35,8 +32,7 @@ static inline thud_body_id add_heavy(thud_world *world, double x, double y, floa
 }
 
 /* Boxes with edges of 1 from the floor up; handles, the lowest's first, where `ids` is not null. */
-static inline void add_column(thud_world *world, double x, int boxes, thud_body_id *ids)
-{
+static inline void add_column(thud_world *world, double x, int boxes, thud_body_id *ids) {
     for (int i = 0; i < boxes; i++) {
         thud_body_id id = add_box(world, x, i + 0.5, 0.5f, 0.5f);
         if (ids) {
@@ -46,8 +42,7 @@ static inline void add_column(thud_world *world, double x, int boxes, thud_body_
 }
 
 /* How far a body is below the height, which tells what all below it lose together. */
-static inline double lost_by(const thud_world *world, thud_body_id id, double height)
-{
+static inline double lost_by(const thud_world *world, thud_body_id id, double height) {
     return height - state_of(world, id).position.y;
 }
 

@@ -12,8 +12,7 @@ typedef struct saved {
     size_t size;
 } saved;
 
-static inline saved save(const thud_world *world)
-{
+static inline saved save(const thud_world *world) {
     saved made = {NULL, 0};
     size_t written = 0;
     OK(thud_world_snapshot_size(world, &made.size));
@@ -24,13 +23,11 @@ static inline saved save(const thud_world *world)
     return made;
 }
 
-static inline void back_to(thud_world *world, saved snapshot)
-{
+static inline void back_to(thud_world *world, saved snapshot) {
     OK(thud_world_restore(world, snapshot.bytes, snapshot.size));
 }
 
-static inline void mix(uint64_t *digest, const void *values, size_t bytes)
-{
+static inline void mix(uint64_t *digest, const void *values, size_t bytes) {
     const unsigned char *at = values;
     for (size_t i = 0; i < bytes; i++) {
         *digest = (*digest ^ at[i]) * 0x100000001b3u;
@@ -40,8 +37,7 @@ static inline void mix(uint64_t *digest, const void *values, size_t bytes)
 #define MIX(value) mix(&digest, &(value), sizeof(value))
 
 /* Hash, poses, events, errors and statistics, but for seconds and memory. */
-static inline uint64_t digest_of(thud_world *world)
-{
+static inline uint64_t digest_of(thud_world *world) {
     uint64_t digest = thud_world_hash(world);
     int count = 0;
     const thud_pose *poses = thud_world_poses(world, (thud_pos){0, 0}, 0.5, &count);
@@ -71,11 +67,20 @@ static inline uint64_t digest_of(thud_world *world)
     OK(thud_world_bisection_limit(world, &limit));
     MIX(limit);
     thud_stats s = thud_world_stats(world);
-    const uint64_t counts[] = {
-        s.steps,       (uint64_t)s.bodies,       (uint64_t)s.shapes,     (uint64_t)s.awake_bodies,
-        (uint64_t)s.pairs, (uint64_t)s.contacts, (uint64_t)s.colours,    (uint64_t)s.blocks,
-        (uint64_t)s.substeps, (uint64_t)s.direct_islands, (uint64_t)s.factorings,
-        (uint64_t)s.island_work, (uint64_t)s.impacts, (uint64_t)s.motion_pairs};
+    const uint64_t counts[] = {s.steps,
+                               (uint64_t)s.bodies,
+                               (uint64_t)s.shapes,
+                               (uint64_t)s.awake_bodies,
+                               (uint64_t)s.pairs,
+                               (uint64_t)s.contacts,
+                               (uint64_t)s.colours,
+                               (uint64_t)s.blocks,
+                               (uint64_t)s.substeps,
+                               (uint64_t)s.direct_islands,
+                               (uint64_t)s.factorings,
+                               (uint64_t)s.island_work,
+                               (uint64_t)s.impacts,
+                               (uint64_t)s.motion_pairs};
     MIX(counts);
     return digest;
 }
@@ -90,8 +95,7 @@ typedef struct trail {
     uint64_t digest[TRAIL_MOST + 1];
 } trail;
 
-static inline trail walk(thud_world *world, int steps)
-{
+static inline trail walk(thud_world *world, int steps) {
     trail made = {.steps = steps};
     assert_true(steps <= TRAIL_MOST);
     made.digest[0] = digest_of(world);
@@ -103,8 +107,7 @@ static inline trail walk(thud_world *world, int steps)
 }
 
 /* The world goes the same way once more. */
-static inline void walks_again(thud_world *world, const trail *before, const char *what)
-{
+static inline void walks_again(thud_world *world, const trail *before, const char *what) {
     trail now = walk(world, before->steps);
     for (int i = 0; i <= before->steps; i++) {
         if (now.digest[i] != before->digest[i]) {
@@ -120,8 +123,7 @@ typedef struct yard {
     thud_body_id ball, box, heap[12];
 } yard;
 
-static inline yard make_yard(const thud_world_def *def)
-{
+static inline yard make_yard(const thud_world_def *def) {
     yard y = {.world = make_world(def ? *def : thud_default_world_def())};
     thud_pos points[33];
     for (int i = 0; i < 33; i++) {

@@ -13,8 +13,7 @@ typedef struct ground {
 } ground;
 
 static inline thud_shape_id add_line(thud_world *world, thud_body_id body, const thud_terrain *line,
-                                     bool sensor)
-{
+                                     bool sensor) {
     thud_shape_def def = thud_default_shape_def();
     thud_shape_id shape;
     def.sensor = sensor;
@@ -23,8 +22,7 @@ static inline thud_shape_id add_line(thud_world *world, thud_body_id body, const
 }
 
 /* Level ground of height 0 from -50 to 50, a vertex every half. */
-static inline ground level_ground(thud_terrain_kind kind, thud_world_def def)
-{
+static inline ground level_ground(thud_terrain_kind kind, thud_world_def def) {
     thud_pos points[201];
     for (int i = 0; i < 201; i++) {
         points[i] = (thud_pos){-50 + 0.5 * i, 0};
@@ -36,30 +34,26 @@ static inline ground level_ground(thud_terrain_kind kind, thud_world_def def)
     return g;
 }
 
-static inline thud_terrain line_of(const ground *g)
-{
+static inline thud_terrain line_of(const ground *g) {
     thud_terrain line;
     OK(thud_shape_terrain(g->world, g->shape, &line));
     OK(thud_terrain_check(&line));
     return line;
 }
 
-static inline double height_of(const thud_terrain *line, double x)
-{
+static inline double height_of(const thud_terrain *line, double x) {
     thud_terrain_sample sample;
     OK(thud_terrain_sample_at(line, x, &sample));
     return sample.height;
 }
 
-static inline double height_at(const ground *g, double x)
-{
+static inline double height_at(const ground *g, double x) {
     thud_terrain line = line_of(g);
     return height_of(&line, x);
 }
 
 /* A copy that outlives edits. */
-static inline thud_terrain keep_line(const ground *g, thud_pos room[ROOM])
-{
+static inline thud_terrain keep_line(const ground *g, thud_pos room[ROOM]) {
     thud_terrain line = line_of(g);
     assert_in_range(line.count, 2, ROOM);
     memcpy(room, line.points, (size_t)line.count * sizeof *room);
@@ -67,21 +61,18 @@ static inline thud_terrain keep_line(const ground *g, thud_pos room[ROOM])
     return line;
 }
 
-static inline void line_is(const ground *g, const thud_terrain *wanted)
-{
+static inline void line_is(const ground *g, const thud_terrain *wanted) {
     thud_terrain line = line_of(g);
     assert_int_equal(line.count, wanted->count);
     assert_memory_equal(line.points, wanted->points, (size_t)line.count * sizeof *line.points);
 }
 
-static inline bool awake(const ground *g, thud_body_id body)
-{
+static inline bool awake(const ground *g, thud_body_id body) {
     return state_of(g->world, body).awake;
 }
 
 /* A pile of boxes of half extent 0.25, and the last of them. */
-static inline thud_body_id add_stack(const ground *g, double x, int boxes)
-{
+static inline thud_body_id add_stack(const ground *g, double x, int boxes) {
     thud_body_id top = {0, 0};
     for (int i = 0; i < boxes; i++) {
         top = add_box(g->world, x, 0.25 + 0.5 * i, 0.25f, 0.25f);
@@ -90,14 +81,12 @@ static inline thud_body_id add_stack(const ground *g, double x, int boxes)
 }
 
 /* So that nothing rolls off the ends. */
-static inline void add_walls(const ground *g)
-{
+static inline void add_walls(const ground *g) {
     add_shape(g->world, add_body(g->world, THUD_STATIC, -30, 0, 0), 1, 30, true, NULL);
     add_shape(g->world, add_body(g->world, THUD_STATIC, 30, 0, 0), 1, 30, true, NULL);
 }
 
-static inline void run_to_sleep(const ground *g)
-{
+static inline void run_to_sleep(const ground *g) {
     run(g->world, 1);
     for (int i = 0; i < 600 && thud_world_stats(g->world).awake_bodies; i++) {
         run(g->world, 1);

@@ -8,20 +8,21 @@
 
 #include <cmocka.h>
 
-static const thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = 0.0, .y = 0.0, .c = 1.0, .hx = 0.5};
-static const thud_shape_instance wall = {.kind = THUD_AABB, .x = 3.0, .c = 1.0, .hx = 0.5, .hy = 4.0};
+static const thud_shape_instance ball = {
+    .kind = THUD_CIRCLE, .x = 0.0, .y = 0.0, .c = 1.0, .hx = 0.5};
+static const thud_shape_instance wall = {
+    .kind = THUD_AABB, .x = 3.0, .c = 1.0, .hx = 0.5, .hy = 4.0};
 static const thud_motion still = {0.0, 0.0, 0.0};
 
-static double collision(thud_motion motion, double tolerance, bool *collided)
-{
+static double collision(thud_motion motion, double tolerance, bool *collided) {
     double time;
     assert_int_equal(thud_shapes_time_of_collision(&ball, motion, &wall, still, tolerance, collided,
-                                                   &time), THUD_OK);
+                                                   &time),
+                     THUD_OK);
     return time;
 }
 
-static void bisection_stops_before_a_wall_by_no_more_than_its_tolerance(void **state)
-{
+static void bisection_stops_before_a_wall_by_no_more_than_its_tolerance(void **state) {
     (void)state;
     for (double tolerance = 0.5; tolerance >= 1e-15; tolerance *= 0.5) {
         bool collided;
@@ -31,8 +32,7 @@ static void bisection_stops_before_a_wall_by_no_more_than_its_tolerance(void **s
     }
 }
 
-static void bisection_does_not_see_a_wall_that_was_passed_through(void **state)
-{
+static void bisection_does_not_see_a_wall_that_was_passed_through(void **state) {
     (void)state;
     bool collided;
     thud_motion fast = {6.0, 0.0, 0.0};
@@ -46,8 +46,7 @@ static void bisection_does_not_see_a_wall_that_was_passed_through(void **state)
 }
 
 /* A bar's end moves by its half length a radian. */
-static void turn_counts_for_what_is_bisectable(void **state)
-{
+static void turn_counts_for_what_is_bisectable(void **state) {
     (void)state;
     thud_shape_instance bar = {.kind = THUD_OBB, .c = 1.0, .hx = 3.0, .hy = 4.0}, upright = bar;
     upright.kind = THUD_AABB;
@@ -59,34 +58,33 @@ static void turn_counts_for_what_is_bisectable(void **state)
     assert_true(thud_motion_is_bisectable(&disc, (thud_motion){0, 0, 9}, &upright, still));
 }
 
-static void bisection_of_shapes_that_overlap_at_the_start_is_no_collision(void **state)
-{
+static void bisection_of_shapes_that_overlap_at_the_start_is_no_collision(void **state) {
     (void)state;
     bool collided = true;
     double time = 0.0;
     assert_int_equal(thud_shapes_time_of_collision(&ball, still, &ball, still, 0.1, &collided,
-                                                   &time), THUD_OK);
+                                                   &time),
+                     THUD_OK);
     assert_false(collided);
     assert_true(time == 1.0);
 }
 
-static void bisection_of_a_turning_bar_is_when_its_end_comes_down(void **state)
-{
+static void bisection_of_a_turning_bar_is_when_its_end_comes_down(void **state) {
     (void)state;
     thud_shape_instance bar = {THUD_OBB, 0.0, 1.0, 1.0, 0.0, 2.0, 0.001};
     thud_terrain floor = {.kind = THUD_TERRAIN_FLAT};
     bool collided;
     double time;
     assert_int_equal(thud_terrain_time_of_collision(&floor, &bar, (thud_motion){0, 0, 1.0}, 1e-9,
-                                                    &collided, &time), THUD_OK);
+                                                    &collided, &time),
+                     THUD_OK);
     assert_true(collided);
     /* The end is at 1 - 2 sin(turn) - 0.001 cos(turn). */
     double end = 1.0 - 2.0 * sin(time) - 0.001 * cos(time);
     assert_true(end > 0.0 && end < 1e-8);
 }
 
-static void bisection_refuses_bad_input_and_leaves_the_answers(void **state)
-{
+static void bisection_refuses_bad_input_and_leaves_the_answers(void **state) {
     (void)state;
     thud_terrain floor = {.kind = THUD_TERRAIN_FLAT}, steep = {.slope = 1e9};
     thud_shape_instance bad = ball;
@@ -97,16 +95,21 @@ static void bisection_refuses_bad_input_and_leaves_the_answers(void **state)
     const double tolerances[] = {0.0, -1.0, 2.0, (double)NAN};
     for (int i = 0; i < 4; i++) {
         assert_int_equal(thud_shapes_time_of_collision(&ball, still, &wall, still, tolerances[i],
-                                                       &collided, &time), THUD_ERROR_INVALID);
+                                                       &collided, &time),
+                         THUD_ERROR_INVALID);
         assert_int_equal(thud_terrain_time_of_collision(&floor, &ball, still, tolerances[i],
-                                                        &collided, &time), THUD_ERROR_INVALID);
+                                                        &collided, &time),
+                         THUD_ERROR_INVALID);
     }
     assert_int_equal(thud_shapes_time_of_collision(&bad, still, &wall, still, 0.1, &collided,
-                                                   &time), THUD_ERROR_INVALID);
+                                                   &time),
+                     THUD_ERROR_INVALID);
     assert_int_equal(thud_shapes_time_of_collision(&ball, wild, &wall, still, 0.1, &collided,
-                                                   &time), THUD_ERROR_INVALID);
+                                                   &time),
+                     THUD_ERROR_INVALID);
     assert_int_equal(thud_shapes_time_of_collision(&ball, still, NULL, still, 0.1, &collided,
-                                                   &time), THUD_ERROR_NULL);
+                                                   &time),
+                     THUD_ERROR_NULL);
     assert_int_equal(thud_shapes_time_of_collision(&ball, still, &wall, still, 0.1, NULL, &time),
                      THUD_ERROR_NULL);
     assert_int_equal(thud_terrain_time_of_collision(&steep, &ball, still, 0.1, &collided, &time),
@@ -118,8 +121,7 @@ static void bisection_refuses_bad_input_and_leaves_the_answers(void **state)
     assert_true(collided && time == 7.0);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bisection_stops_before_a_wall_by_no_more_than_its_tolerance),
         cmocka_unit_test(bisection_does_not_see_a_wall_that_was_passed_through),

@@ -1,8 +1,7 @@
 /* test_body_contacts.c: the contacts of one body, and what is drawn of them. */
 #include "engine_support.h"
 
-static thud_manifold only_contact_of(thud_world *world, thud_body_id body)
-{
+static thud_manifold only_contact_of(thud_world *world, thud_body_id body) {
     thud_manifold all[4];
     int count = -1;
     OK(thud_body_contacts(world, body, all, 4, &count));
@@ -10,8 +9,7 @@ static thud_manifold only_contact_of(thud_world *world, thud_body_id body)
     return all[0];
 }
 
-static thud_world *world_with_box_at_rest(thud_body_id *box)
-{
+static thud_world *world_with_box_at_rest(thud_body_id *box) {
     thud_world *world = make_world(thud_default_world_def());
     add_floor(world, NULL);
     *box = add_box(world, 3, 0.5, 1, 0.5f);
@@ -19,8 +17,7 @@ static thud_world *world_with_box_at_rest(thud_body_id *box)
     return world;
 }
 
-static void box_at_rest_stands_on_two_points_that_carry_its_weight(void **state)
-{
+static void box_at_rest_stands_on_two_points_that_carry_its_weight(void **state) {
     (void)state;
     thud_body_id box;
     thud_world *world = world_with_box_at_rest(&box);
@@ -40,8 +37,7 @@ static void box_at_rest_stands_on_two_points_that_carry_its_weight(void **state)
     thud_world_destroy(world);
 }
 
-static void heavy_box_on_a_light_one_is_solved_directly(void **state)
-{
+static void heavy_box_on_a_light_one_is_solved_directly(void **state) {
     (void)state;
     thud_body_id light;
     thud_world *world = world_with_box_at_rest(&light);
@@ -54,8 +50,7 @@ static void heavy_box_on_a_light_one_is_solved_directly(void **state)
     thud_world_destroy(world);
 }
 
-static void bodies_apart_and_bodies_removed_have_no_contacts(void **state)
-{
+static void bodies_apart_and_bodies_removed_have_no_contacts(void **state) {
     (void)state;
     thud_body_id box;
     thud_world *world = world_with_box_at_rest(&box);
@@ -71,8 +66,7 @@ static void bodies_apart_and_bodies_removed_have_no_contacts(void **state)
     thud_world_destroy(world);
 }
 
-static void contacts_refuse_what_they_cannot_do(void **state)
-{
+static void contacts_refuse_what_they_cannot_do(void **state) {
     (void)state;
     thud_body_id box;
     thud_world *world = world_with_box_at_rest(&box);
@@ -95,30 +89,30 @@ typedef struct seen {
     double length[THUD_DRAW_STYLE_COUNT]; /* of the lines, together */
 } seen;
 
-static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context)
-{
+static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
     seen *k = context;
     k->lines[style]++;
     k->length[style] += hypot((double)(b.x - a.x), (double)(b.y - a.y));
 }
 
-static void on_point(thud_vec2 p, thud_draw_style style, void *context)
-{
+static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
     (void)p;
     ((seen *)context)->points[style]++;
 }
 
-static seen draw(thud_world *world, unsigned flags)
-{
+static seen draw(thud_world *world, unsigned flags) {
     seen k = {0};
-    thud_debug_draw d = {.flags = flags, .lower = {-20, -10}, .upper = {20, 10}, .context = &k,
-                         .line = on_line, .point = on_point};
+    thud_debug_draw d = {.flags = flags,
+                         .lower = {-20, -10},
+                         .upper = {20, 10},
+                         .context = &k,
+                         .line = on_line,
+                         .point = on_point};
     OK(thud_world_draw(world, &d));
     return k;
 }
 
-static void manifolds_are_points_with_depth_and_impulse(void **state)
-{
+static void manifolds_are_points_with_depth_and_impulse(void **state) {
     (void)state;
     thud_body_id box;
     thud_world *world = world_with_box_at_rest(&box);
@@ -130,14 +124,13 @@ static void manifolds_are_points_with_depth_and_impulse(void **state)
     thud_world_destroy(world);
 }
 
-static void stages_tell_fat_bounds_from_true_ones_from_touching(void **state)
-{
+static void stages_tell_fat_bounds_from_true_ones_from_touching(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_ball(world, 0, 0, 0.5f);
-    add_ball(world, 1.04, 0, 0.5f);   /* only the fat bounds meet */
+    add_ball(world, 1.04, 0, 0.5f); /* only the fat bounds meet */
     add_ball(world, 0, 5, 0.5f);
-    add_ball(world, 0.8, 5.8, 0.5f);  /* the squares about them overlap */
+    add_ball(world, 0.8, 5.8, 0.5f); /* the squares about them overlap */
     add_ball(world, 9, 0, 0.5f);
     add_ball(world, 9.95, 0, 0.5f);
     run(world, 1);
@@ -148,8 +141,7 @@ static void stages_tell_fat_bounds_from_true_ones_from_touching(void **state)
     thud_world_destroy(world);
 }
 
-static void colours_of_a_stack_alternate(void **state)
-{
+static void colours_of_a_stack_alternate(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     add_floor(world, NULL);
@@ -168,8 +160,7 @@ static void colours_of_a_stack_alternate(void **state)
     thud_world_destroy(world);
 }
 
-static void pairs_solved_directly_are_marked_with_the_islands(void **state)
-{
+static void pairs_solved_directly_are_marked_with_the_islands(void **state) {
     (void)state;
     thud_body_id light;
     thud_world *world = world_with_box_at_rest(&light);
@@ -183,8 +174,7 @@ static void pairs_solved_directly_are_marked_with_the_islands(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(box_at_rest_stands_on_two_points_that_carry_its_weight),
         cmocka_unit_test(heavy_box_on_a_light_one_is_solved_directly),

@@ -1,14 +1,15 @@
-/* test_body_volume.c: the bounding volume of a body is around all its shapes, where they are now. */
+/* test_body_volume.c: the bounding volume of a body is around all its shapes, where they are now.
+ */
 #include "engine_support.h"
 
-static void body_volume_is_around_all_shapes_wherever_the_body_is(void **state)
-{
+static void body_volume_is_around_all_shapes_wherever_the_body_is(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_body_id body = add_body(world, THUD_DYNAMIC, 1e6, -3, 1.57079632679);
     thud_shape_def def = thud_default_shape_def();
     OK(thud_shape_create_circle(world, body, &def, (thud_vec2){2, 0}, 0.5f, NULL));
-    OK(thud_shape_create_obb(world, body, &def, (thud_vec2){-1, 0}, (thud_vec2){1, 0.25f}, 0, NULL));
+    OK(thud_shape_create_obb(world, body, &def, (thud_vec2){-1, 0}, (thud_vec2){1, 0.25f}, 0,
+                             NULL));
     thud_pos origin = {1e6, -3};
     thud_volume v;
     /* Turned by a quarter: the circle is 2 above, the box from 0 to 2 below. */
@@ -28,15 +29,14 @@ static void body_volume_is_around_all_shapes_wherever_the_body_is(void **state)
     thud_world_destroy(world);
 }
 
-static void body_volume_of_a_line_is_the_lines_own(void **state)
-{
+static void body_volume_of_a_line_is_the_lines_own(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_body_id body = add_body(world, THUD_STATIC, 10, 5, 0);
     thud_shape_def def = thud_default_shape_def();
     thud_pos points[] = {{0, 1}, {0, 3}, {0, 2}};
-    thud_terrain line = {.kind = THUD_TERRAIN_UNIFORM, .x0 = -2, .spacing = 2, .points = points,
-                         .count = 3};
+    thud_terrain line = {
+        .kind = THUD_TERRAIN_UNIFORM, .x0 = -2, .spacing = 2, .points = points, .count = 3};
     OK(thud_shape_create_terrain(world, body, &def, &line, NULL));
     thud_volume v;
     OK(thud_body_volume(world, body, THUD_AABB, (thud_pos){0, 0}, &v));
@@ -47,8 +47,7 @@ static void body_volume_of_a_line_is_the_lines_own(void **state)
     thud_world_destroy(world);
 }
 
-static void body_volume_refuses_bad_input_and_leaves_the_answer(void **state)
-{
+static void body_volume_refuses_bad_input_and_leaves_the_answer(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_def def = thud_default_shape_def();
@@ -70,8 +69,7 @@ static void body_volume_refuses_bad_input_and_leaves_the_answer(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(body_volume_is_around_all_shapes_wherever_the_body_is),
         cmocka_unit_test(body_volume_of_a_line_is_the_lines_own),

@@ -13,8 +13,7 @@ typedef struct chaos {
     double width, small, large;
 } chaos;
 
-static void add_random(chaos *c)
-{
+static void add_random(chaos *c) {
     bool fixed = random_in(&c->seed, 0, 1) < 0.2;
     double x = random_in(&c->seed, -c->width, c->width);
     double y = random_in(&c->seed, -c->width, c->width);
@@ -30,14 +29,12 @@ static void add_random(chaos *c)
     c->bodies[c->count++] = id;
 }
 
-static bool is_of(const td_contact *contact, int a, int b)
-{
+static bool is_of(const td_contact *contact, int a, int b) {
     return (contact->shape_a == a && contact->shape_b == b) ||
            (contact->shape_a == b && contact->shape_b == a);
 }
 
-static bool has_contact(const thud_world *w, int a, int b)
-{
+static bool has_contact(const thud_world *w, int a, int b) {
     int e = td_body_at(w, td_shape_at(w, a)->body)->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         if (is_of(td_contact_at(w, e / 2), a, b)) {
@@ -48,27 +45,25 @@ static bool has_contact(const thud_world *w, int a, int b)
 }
 
 /* What the broadphase of the last step went by. */
-static const td_bounds *bounds_seen(const thud_world *w, int shape)
-{
+static const td_bounds *bounds_seen(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
 }
 
 /* After the broadphase of a step bounds may have grown again, so the check runs the broadphase's
  * own input: bounds as they were when pairs were last made. */
-static void check(const thud_world *w, bool crowd)
-{
+static void check(const thud_world *w, bool crowd) {
     int pairs = 0, missing = 0;
     for (int a = 0; a < w->shapes.count; a++) {
         const td_shape *shape_a = td_shape_at(w, a);
         for (int b = a + 1; b < w->shapes.count; b++) {
             const td_shape *shape_b = td_shape_at(w, b);
-            if (!((shape_a->flags & shape_b->flags) & TD_SHAPE_LIVE) ||
-                !td_pair_allowed(w, a, b)) {
+            if (!((shape_a->flags & shape_b->flags) & TD_SHAPE_LIVE) || !td_pair_allowed(w, a, b)) {
                 continue;
             }
             const td_bounds *of_a = bounds_seen(w, a), *of_b = bounds_seen(w, b);
             /* Bounds wrap around far away: only near ones count. */
-            const td_position *p = &td_shape_proxy_at(w, a)->center, *q = &td_shape_proxy_at(w, b)->center;
+            const td_position *p = &td_shape_proxy_at(w, a)->center,
+                              *q = &td_shape_proxy_at(w, b)->center;
             double most = 1e5 * TD_FIXED_ONE;
             bool near_by = fabs((double)(p->x - q->x)) < most && fabs((double)(p->y - q->y)) < most;
             bool overlap = near_by && td_bounds_overlap(of_a, of_b);
@@ -87,8 +82,7 @@ static void check(const thud_world *w, bool crowd)
 }
 
 /* Every contact with its place in the world's list, which tells when it was made. */
-static uint64_t list_hash(const thud_world *w, uint64_t hash)
-{
+static uint64_t list_hash(const thud_world *w, uint64_t hash) {
     for (int i = 0; i < w->contacts.count; i++) {
         const td_contact *contact = td_contact_at(w, i);
         int words[] = {contact->live, contact->shape_a, contact->shape_b, contact->child};
@@ -100,8 +94,7 @@ static uint64_t list_hash(const thud_world *w, uint64_t hash)
 }
 
 /* Returns a hash of the contacts after each step. */
-static uint64_t live_through(chaos *c, int steps)
-{
+static uint64_t live_through(chaos *c, int steps) {
     int most = 0;
     uint64_t hash = 0xcbf29ce484222325u;
     for (int i = 0; i < 150; i++) {
@@ -134,8 +127,7 @@ static const thud_broadphase *const BROADPHASES[] = {&thud_broadphase_grid, &thu
                                                      &thud_broadphase_all};
 
 /* The same life with each broadphase: they make the same contacts at the same time. */
-static void live_with_each(chaos begin, thud_world_def def, bool floor, int steps)
-{
+static void live_with_each(chaos begin, thud_world_def def, bool floor, int steps) {
     uint64_t hash[3];
     for (int k = 0; k < 3; k++) {
         chaos c = begin;
@@ -151,45 +143,39 @@ static void live_with_each(chaos begin, thud_world_def def, bool floor, int step
     }
 }
 
-static void contacts_are_the_overlapping_bounds_in_a_crowd(void **state)
-{
+static void contacts_are_the_overlapping_bounds_in_a_crowd(void **state) {
     (void)state;
-    live_with_each((chaos){.seed = 7, .width = 8, .small = 0.3, .large = 0.6}, weightless(),
-                   false, 120);
+    live_with_each((chaos){.seed = 7, .width = 8, .small = 0.3, .large = 0.6}, weightless(), false,
+                   120);
 }
 
-static void contacts_are_the_overlapping_bounds_with_sizes_from_small_to_large(void **state)
-{
+static void contacts_are_the_overlapping_bounds_with_sizes_from_small_to_large(void **state) {
     (void)state;
-    live_with_each((chaos){.seed = 8, .width = 60, .small = 0.05, .large = 20}, weightless(),
-                   false, 120);
+    live_with_each((chaos){.seed = 8, .width = 60, .small = 0.05, .large = 20}, weightless(), false,
+                   120);
 }
 
-static void contacts_are_the_overlapping_bounds_in_a_sparse_wide_world(void **state)
-{
+static void contacts_are_the_overlapping_bounds_in_a_sparse_wide_world(void **state) {
     (void)state;
     live_with_each((chaos){.seed = 9, .width = 1.5e5, .small = 500, .large = 11000}, weightless(),
                    false, 60);
 }
 
-static void contacts_are_the_overlapping_bounds_in_one_spot(void **state)
-{
+static void contacts_are_the_overlapping_bounds_in_one_spot(void **state) {
     (void)state;
     live_with_each((chaos){.seed = 10, .width = 0.2, .small = 0.4, .large = 0.5}, weightless(),
                    false, 40);
 }
 
-static void contacts_are_the_overlapping_bounds_while_islands_sleep_and_wake(void **state)
-{
+static void contacts_are_the_overlapping_bounds_while_islands_sleep_and_wake(void **state) {
     (void)state;
     chaos begin = {.seed = 11, .width = 12, .small = 0.3, .large = 0.9};
     live_with_each(begin, thud_default_world_def(), true, 200);
 }
 
-/* Six hundred circles in one place have 180,000 pairs; the world works on a bounded number of them at
- * a time, and has every pair that is left once they have come apart. */
-static void crowd_in_one_place_has_bounded_contacts_and_comes_apart(void **state)
-{
+/* Six hundred circles in one place have 180,000 pairs; the world works on a bounded number of them
+ * at a time, and has every pair that is left once they have come apart. */
+static void crowd_in_one_place_has_bounded_contacts_and_comes_apart(void **state) {
     (void)state;
     enum { CIRCLES = 600 };
     thud_world *world = make_world(weightless());
@@ -213,8 +199,7 @@ static void crowd_in_one_place_has_bounded_contacts_and_comes_apart(void **state
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contacts_are_the_overlapping_bounds_in_a_crowd),
         cmocka_unit_test(contacts_are_the_overlapping_bounds_with_sizes_from_small_to_large),

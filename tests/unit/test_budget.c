@@ -8,8 +8,7 @@ typedef struct fake {
     int calls;
 } fake;
 
-static double read_fake(void *context)
-{
+static double read_fake(void *context) {
     fake *f = context;
     if (f->calls++ % (THUD_STAGE_COUNT + 1) == THUD_STAGE_SOLVE + 1) {
         f->now += f->fixed + f->per_substep * thud_world_stats(f->world).substeps;
@@ -17,8 +16,7 @@ static double read_fake(void *context)
     return f->now;
 }
 
-static thud_world_def budget_of(double seconds, int substeps, fake *f)
-{
+static thud_world_def budget_of(double seconds, int substeps, fake *f) {
     thud_world_def def = thud_default_world_def();
     def.time_budget = seconds;
     def.substeps = substeps;
@@ -28,14 +26,12 @@ static thud_world_def budget_of(double seconds, int substeps, fake *f)
     return def;
 }
 
-static int substeps_after(fake *f, int steps)
-{
+static int substeps_after(fake *f, int steps) {
     run(f->world, steps);
     return thud_world_stats(f->world).substeps;
 }
 
-static void budget_without_a_clock_or_out_of_range_is_refused(void **state)
-{
+static void budget_without_a_clock_or_out_of_range_is_refused(void **state) {
     (void)state;
     fake f = {0};
     thud_world *world = NULL;
@@ -50,8 +46,7 @@ static void budget_without_a_clock_or_out_of_range_is_refused(void **state)
     assert_null(world);
 }
 
-static void substeps_halve_until_steps_are_within_the_budget(void **state)
-{
+static void substeps_halve_until_steps_are_within_the_budget(void **state) {
     (void)state;
     fake f = {.fixed = 1e-3, .per_substep = 1e-3};
     f.world = make_world(budget_of(4e-3, 8, &f));
@@ -64,8 +59,7 @@ static void substeps_halve_until_steps_are_within_the_budget(void **state)
     thud_world_destroy(f.world);
 }
 
-static void substeps_rise_again_when_there_is_time_and_not_beyond_the_quality(void **state)
-{
+static void substeps_rise_again_when_there_is_time_and_not_beyond_the_quality(void **state) {
     (void)state;
     fake f = {.fixed = 0.9e-3, .per_substep = 1e-3};
     f.world = make_world(budget_of(4e-3, 6, &f));
@@ -75,8 +69,7 @@ static void substeps_rise_again_when_there_is_time_and_not_beyond_the_quality(vo
     thud_world_destroy(f.world);
 }
 
-static void one_slow_step_changes_nothing(void **state)
-{
+static void one_slow_step_changes_nothing(void **state) {
     (void)state;
     fake f = {.fixed = 1e-3};
     f.world = make_world(budget_of(4e-3, 8, &f));
@@ -87,8 +80,7 @@ static void one_slow_step_changes_nothing(void **state)
     thud_world_destroy(f.world);
 }
 
-static void load_about_the_budget_does_not_make_quality_flutter(void **state)
-{
+static void load_about_the_budget_does_not_make_quality_flutter(void **state) {
     (void)state;
     uint64_t seed = 3;
     fake f = {.fixed = 0};
@@ -105,8 +97,7 @@ static void load_about_the_budget_does_not_make_quality_flutter(void **state)
     thud_world_destroy(f.world);
 }
 
-static void world_without_a_budget_takes_the_time_it_needs(void **state)
-{
+static void world_without_a_budget_takes_the_time_it_needs(void **state) {
     (void)state;
     fake f = {.per_substep = 1};
     f.world = make_world(budget_of(0, 8, &f));
@@ -114,8 +105,7 @@ static void world_without_a_budget_takes_the_time_it_needs(void **state)
     thud_world_destroy(f.world);
 }
 
-static double fastest_in(thud_world *world, const thud_body_id *box, int count)
-{
+static double fastest_in(thud_world *world, const thud_body_id *box, int count) {
     double fastest = 0;
     for (int i = 0; i < count; i++) {
         thud_vec2 v = state_of(world, box[i]).velocity;
@@ -124,8 +114,7 @@ static double fastest_in(thud_world *world, const thud_body_id *box, int count)
     return fastest;
 }
 
-static void stack_stays_calm_while_substeps_change(void **state)
-{
+static void stack_stays_calm_while_substeps_change(void **state) {
     (void)state;
     fake f = {.per_substep = 1e-4};
     thud_body_id box[5];
@@ -148,8 +137,7 @@ static void stack_stays_calm_while_substeps_change(void **state)
     thud_world_destroy(f.world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(budget_without_a_clock_or_out_of_range_is_refused),
         cmocka_unit_test(substeps_halve_until_steps_are_within_the_budget),

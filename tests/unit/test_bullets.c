@@ -1,6 +1,6 @@
-/* test_bullets.c: swept bullets at light walls, which spin off and meet others: nothing passes through
- * anything, and what touches a spinning wall does not sink into it. Walls that were not swept
- * themselves passed through slow swept bodies unseen. */
+/* test_bullets.c: swept bullets at light walls, which spin off and meet others: nothing passes
+ * through anything, and what touches a spinning wall does not sink into it. Walls that were not
+ * swept themselves passed through slow swept bodies unseen. */
 #include "engine_support.h"
 
 enum { BULLETS = 200, STEPS = 240 };
@@ -10,8 +10,7 @@ typedef struct range {
     thud_body_id bullets[BULLETS], walls[BULLETS];
 } range;
 
-static range make_range(bool boxes)
-{
+static range make_range(bool boxes) {
     thud_world_def def = weightless();
     def.sleeping = false;
     range r = {.world = make_world(def)};
@@ -34,15 +33,13 @@ static range make_range(bool boxes)
 }
 
 /* A bullet in the frame of a wall: across it and along it. */
-static thud_pos seen_from(const thud_body_state *wall, const thud_body_state *bullet)
-{
+static thud_pos seen_from(const thud_body_state *wall, const thud_body_state *bullet) {
     double x = bullet->position.x - wall->position.x, y = bullet->position.y - wall->position.y;
     double c = (double)wall->cosine, s = (double)wall->sine;
     return (thud_pos){c * x + s * y, c * y - s * x};
 }
 
-static void bullets_at_light_walls_never_pass_nor_sink_in(void **state)
-{
+static void bullets_at_light_walls_never_pass_nor_sink_in(void **state) {
     (void)state;
     static thud_pos before[BULLETS][BULLETS];
     for (int boxes = 0; boxes < 2; boxes++) {
@@ -58,7 +55,8 @@ static void bullets_at_light_walls_never_pass_nor_sink_in(void **state)
                 int b = i / BULLETS, w = i % BULLETS;
                 thud_pos p = seen_from(&walls[w], &bullets[b]), q = before[b][w];
                 before[b][w] = p;
-                bool near = fabs(p.y) < 0.9 && fabs(q.y) < 0.9 && fabs(p.x) < 0.6 && fabs(q.x) < 0.6;
+                bool near =
+                    fabs(p.y) < 0.9 && fabs(q.y) < 0.9 && fabs(p.x) < 0.6 && fabs(q.x) < 0.6;
                 if (near && step && p.x * q.x < 0) {
                     fail_msg("step %d: bullet %d passed wall %d", step, b, w);
                 }
@@ -72,8 +70,7 @@ static void bullets_at_light_walls_never_pass_nor_sink_in(void **state)
 }
 
 /* A bar that only spins, or that flies by, and a ball that waits for it. */
-static void what_is_not_swept_itself_passes_no_swept_body(void **state)
-{
+static void what_is_not_swept_itself_passes_no_swept_body(void **state) {
     (void)state;
     uint64_t seed = 5;
     for (int i = 0; i < 100; i++) {
@@ -108,8 +105,7 @@ static void what_is_not_swept_itself_passes_no_swept_body(void **state)
 }
 
 /* It meets the ball, or is counted; a ball that only spins is not. */
-static void bar_that_spins_past_a_bisected_ball_is_counted(void **state)
-{
+static void bar_that_spins_past_a_bisected_ball_is_counted(void **state) {
     (void)state;
     for (int i = 0; i < 40; i++) {
         thud_world_def def = weightless();
@@ -127,8 +123,7 @@ static void bar_that_spins_past_a_bisected_ball_is_counted(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bullets_at_light_walls_never_pass_nor_sink_in),
         cmocka_unit_test(what_is_not_swept_itself_passes_no_swept_body),

@@ -1,5 +1,5 @@
-/* test_contact_settings.c: what a prologue makes of a contact, from ice to trampolines, what is refused,
- * and what the epilogue hears. */
+/* test_contact_settings.c: what a prologue makes of a contact, from ice to trampolines, what is
+ * refused, and what the epilogue hears. */
 #include "resolution_support.h"
 
 /* ---- settings of a prologue ---- */
@@ -11,8 +11,7 @@ typedef struct wish {
 } wish;
 
 static bool wish_for(thud_world *world, const thud_contact *contact,
-                     thud_contact_settings *settings, void *context)
-{
+                     thud_contact_settings *settings, void *context) {
     (void)world;
     assert_in_range(contact->point_count, 1, 2);
     assert_true(fabsf(contact->separation) < 1);
@@ -23,8 +22,7 @@ static bool wish_for(thud_world *world, const thud_contact *contact,
     return true;
 }
 
-static void ice_of_a_prologue_lasts_as_long_as_it_says(void **state)
-{
+static void ice_of_a_prologue_lasts_as_long_as_it_says(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         for (int kind = 1; kind < 3; kind++) {
@@ -47,8 +45,7 @@ static void ice_of_a_prologue_lasts_as_long_as_it_says(void **state)
     }
 }
 
-static void belt_of_a_prologue_carries_and_stops(void **state)
-{
+static void belt_of_a_prologue_carries_and_stops(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         wish w = {{0.6f, 0, -3}, true, 0};
@@ -64,10 +61,9 @@ static void belt_of_a_prologue_carries_and_stops(void **state)
     }
 }
 
-/* How fast something that falls from a height of 5, at 10, leaves the floor again: what it has, wherever
- * it is by the end of that step. */
-static double bounce(const thud_detection *detection, int kind, float restitution)
-{
+/* How fast something that falls from a height of 5, at 10, leaves the floor again: what it has,
+ * wherever it is by the end of that step. */
+static double bounce(const thud_detection *detection, int kind, float restitution) {
     wish w = {{0.6f, restitution, 0}, true, 0};
     thud_world *world = make_world_with(detection, wish_for, &w, true);
     add_floor(world, NULL);
@@ -83,8 +79,7 @@ static double bounce(const thud_detection *detection, int kind, float restitutio
     return fastest;
 }
 
-static void trampoline_of_a_prologue_bounces_as_high_as_it_says(void **state)
-{
+static void trampoline_of_a_prologue_bounces_as_high_as_it_says(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         for (int kind = 0; kind < 3; kind++) {
@@ -97,8 +92,7 @@ static void trampoline_of_a_prologue_bounces_as_high_as_it_says(void **state)
 }
 
 /* How fast a box that lies on the floor leaves it again when it is thrown down. */
-static float thrown_down(bool by_def)
-{
+static float thrown_down(bool by_def) {
     wish w = {{0.6f, 1, 0}, false, 0};
     thud_world *world = make_world_with(&thud_detection_overlap, wish_for, &w, true);
     thud_shape_def floor = thud_default_shape_def();
@@ -115,16 +109,14 @@ static float thrown_down(bool by_def)
 }
 
 /* The box has a manifold that is kept, at whose speed of approach nobody has looked. */
-static void restitution_of_a_prologue_is_that_of_a_def_for_what_rests_too(void **state)
-{
+static void restitution_of_a_prologue_is_that_of_a_def_for_what_rests_too(void **state) {
     (void)state;
     assert_true(thrown_down(true) > 4);
     near_to((double)thrown_down(false), (double)thrown_down(true), 1e-4);
 }
 
 /* A ball that hits a belt in flight gets a third of its speed: friction turns it as well. */
-static void impact_within_the_step_heeds_surface_speed_and_friction(void **state)
-{
+static void impact_within_the_step_heeds_surface_speed_and_friction(void **state) {
     (void)state;
     for (int rough = 0; rough < 2; rough++) {
         wish w = {{rough ? 1.0f : 0.02f, 1, 3}, true, 0};
@@ -140,15 +132,13 @@ static void impact_within_the_step_heeds_surface_speed_and_friction(void **state
     }
 }
 
-static void count_message(thud_result result, const char *message, void *context)
-{
+static void count_message(thud_result result, const char *message, void *context) {
     assert_int_equal(result, THUD_ERROR_INVALID);
     assert_non_null(strstr(message, "prologue"));
     ++*(int *)context;
 }
 
-static uint64_t hash_after(const thud_detection *detection, wish *w, bool asks)
-{
+static uint64_t hash_after(const thud_detection *detection, wish *w, bool asks) {
     thud_world_def def = thud_default_world_def();
     def.detection = detection;
     def.prologue = asks ? wish_for : NULL;
@@ -168,13 +158,14 @@ static uint64_t hash_after(const thud_detection *detection, wish *w, bool asks)
     return hash;
 }
 
-static void settings_out_of_range_are_refused_and_the_pair_keeps_its_own(void **state)
-{
+static void settings_out_of_range_are_refused_and_the_pair_keeps_its_own(void **state) {
     (void)state;
-    const thud_contact_settings bad[] = {
-        {-1, 0, 0},       {2e6f, 0, 0},     {NAN, 0, 0},       {INFINITY, 0, 0},
-        {0.5f, -0.1f, 0}, {0.5f, 4.1f, 0},  {0.5f, NAN, 0},    {0.5f, INFINITY, 0},
-        {0.5f, 0, NAN},   {0.5f, 0, 1.1e6f}, {0.5f, 0, -1.1e6f}, {0.5f, 0, -INFINITY}};
+    const thud_contact_settings bad[] = {{-1, 0, 0},         {2e6f, 0, 0},
+                                         {NAN, 0, 0},        {INFINITY, 0, 0},
+                                         {0.5f, -0.1f, 0},   {0.5f, 4.1f, 0},
+                                         {0.5f, NAN, 0},     {0.5f, INFINITY, 0},
+                                         {0.5f, 0, NAN},     {0.5f, 0, 1.1e6f},
+                                         {0.5f, 0, -1.1e6f}, {0.5f, 0, -INFINITY}};
     for (int d = 0; d < DETECTIONS; d++) {
         wish none = {{0, 0, 0}, false, 0};
         uint64_t plain = hash_after(detections[d], &none, false);
@@ -188,8 +179,7 @@ static void settings_out_of_range_are_refused_and_the_pair_keeps_its_own(void **
     }
 }
 
-static void surface_speed_out_of_range_is_no_shape(void **state)
-{
+static void surface_speed_out_of_range_is_no_shape(void **state) {
     (void)state;
     const float bad[] = {NAN, INFINITY, -INFINITY, 1.1e6f, -1.1e6f};
     thud_world *world = make_world(thud_default_world_def());
@@ -214,16 +204,14 @@ typedef struct pushes {
     double normal, tangent;
 } pushes;
 
-static void add_up(thud_world *world, const thud_contact *contact, void *context)
-{
+static void add_up(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     pushes *p = context;
     p->normal += (double)contact->normal_impulse;
     p->tangent += (double)contact->tangent_impulse;
 }
 
-static void epilogue_hears_all_of_friction_and_weight(void **state)
-{
+static void epilogue_hears_all_of_friction_and_weight(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         for (int quality = 0; quality < QUALITIES; quality++) {
@@ -250,8 +238,7 @@ static void epilogue_hears_all_of_friction_and_weight(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ice_of_a_prologue_lasts_as_long_as_it_says),
         cmocka_unit_test(belt_of_a_prologue_carries_and_stops),

@@ -11,25 +11,21 @@
 
 #define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-12)
 
-static thud_shape_instance circle(double x, double y, double r)
-{
+static thud_shape_instance circle(double x, double y, double r) {
     return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_shape_instance box(double x, double y, double hx, double hy)
-{
+static thud_shape_instance box(double x, double y, double hx, double hy) {
     return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
-static thud_contacts contacts(thud_shape_instance a, thud_shape_instance b, double margin)
-{
+static thud_contacts contacts(thud_shape_instance a, thud_shape_instance b, double margin) {
     thud_contacts c;
     assert_int_equal(thud_shapes_contacts(&a, &b, margin, &c), THUD_OK);
     return c;
 }
 
-static void point_is(const thud_closest *c, double ax, double ay, double distance)
-{
+static void point_is(const thud_closest *c, double ax, double ay, double distance) {
     NEAR(c->ax, ax);
     NEAR(c->ay, ay);
     NEAR(c->distance, distance);
@@ -37,8 +33,7 @@ static void point_is(const thud_closest *c, double ax, double ay, double distanc
     NEAR(c->by, ay + distance * c->ny);
 }
 
-static void contacts_of_a_box_on_a_box_are_the_ends_of_the_shared_face(void **state)
-{
+static void contacts_of_a_box_on_a_box_are_the_ends_of_the_shared_face(void **state) {
     (void)state;
     thud_contacts c = contacts(box(0, 0, 2, 1), box(1.5, 1.9, 1, 1), 0.0);
     assert_int_equal(c.count, 2);
@@ -48,8 +43,7 @@ static void contacts_of_a_box_on_a_box_are_the_ends_of_the_shared_face(void **st
     NEAR(c.point[1].ny, 1.0);
 }
 
-static void contacts_of_a_tilted_box_include_what_is_within_the_margin(void **state)
-{
+static void contacts_of_a_tilted_box_include_what_is_within_the_margin(void **state) {
     (void)state;
     /* Tilted by a slope of 3 to 4; its lower corners stand 0 and 1.2 above the floor. */
     thud_shape_instance floor = box(0, -1, 9, 1);
@@ -64,8 +58,7 @@ static void contacts_of_a_tilted_box_include_what_is_within_the_margin(void **st
     point_is(&c.point[1], 1.6, 0.0, 1.2);
 }
 
-static void contacts_of_corners_and_of_circles_are_single(void **state)
-{
+static void contacts_of_corners_and_of_circles_are_single(void **state) {
     (void)state;
     thud_contacts c = contacts(box(0, 0, 1, 1), box(2.3, 2.4, 1, 1), 1.0);
     assert_int_equal(c.count, 1);
@@ -75,8 +68,7 @@ static void contacts_of_corners_and_of_circles_are_single(void **state)
     point_is(&c.point[0], 0.5, 1.0, -0.25);
 }
 
-static void contacts_beyond_the_margin_are_none(void **state)
-{
+static void contacts_beyond_the_margin_are_none(void **state) {
     (void)state;
     assert_int_equal(contacts(box(0, 0, 1, 1), box(0, 2.011, 1, 1), 0.01).count, 0);
     assert_int_equal(contacts(box(0, 0, 1, 1), box(0, 2.009, 1, 1), 0.01).count, 2);
@@ -87,15 +79,13 @@ static void contacts_beyond_the_margin_are_none(void **state)
 static const thud_pos valley[] = {{-6, 4}, {0, 4}, {4, 0}, {8, 4}, {14, 4}};
 static const thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = valley, .count = 5};
 
-static thud_closest closest(thud_shape_instance shape)
-{
+static thud_closest closest(thud_shape_instance shape) {
     thud_closest c;
     assert_int_equal(thud_terrain_closest(&ground, &shape, &c), THUD_OK);
     return c;
 }
 
-static void distance_from_ground_is_to_its_nearest_feature(void **state)
-{
+static void distance_from_ground_is_to_its_nearest_feature(void **state) {
     (void)state;
     thud_closest c = closest(box(-3, 7, 1, 1));
     NEAR(c.distance, 2.0);
@@ -109,8 +99,7 @@ static void distance_from_ground_is_to_its_nearest_feature(void **state)
     NEAR(c.nx, -1.0);
 }
 
-static void way_out_of_a_valley_is_between_its_slopes(void **state)
-{
+static void way_out_of_a_valley_is_between_its_slopes(void **state) {
     (void)state;
     /* A circle of radius 1 fits at a height of sqrt(2). */
     thud_closest c = closest(circle(4, 1, 1));
@@ -123,8 +112,7 @@ static void way_out_of_a_valley_is_between_its_slopes(void **state)
     NEAR(c.ny, 1.0);
 }
 
-static void way_out_into_a_corner_touches_what_it_leaves(void **state)
-{
+static void way_out_into_a_corner_touches_what_it_leaves(void **state) {
     (void)state;
     /* Off the ridge at (-0.5, -0.25), until the gentle slope to the right stops the circle too. The
      * way there leads a little into that slope's side: it is the ridge that is left. */
@@ -142,8 +130,7 @@ static void way_out_into_a_corner_touches_what_it_leaves(void **state)
     assert_true(8 * c.ny - 5 * c.nx < 0.0);
 }
 
-static void way_out_of_the_ground_near_its_end_is_sideways(void **state)
-{
+static void way_out_of_the_ground_near_its_end_is_sideways(void **state) {
     (void)state;
     thud_closest c = closest(circle(-5, 1, 1));
     NEAR(c.distance, -2.0);
@@ -151,8 +138,7 @@ static void way_out_of_the_ground_near_its_end_is_sideways(void **state)
     point_is(&c, -6.0, 1.0, -2.0);
 }
 
-static void contacts_in_a_valley_have_a_normal_each(void **state)
-{
+static void contacts_in_a_valley_have_a_normal_each(void **state) {
     (void)state;
     thud_shape_instance ball = circle(4, sqrt(2.0) + 0.005, 1);
     thud_contacts c;
@@ -164,8 +150,7 @@ static void contacts_in_a_valley_have_a_normal_each(void **state)
     NEAR(c.point[1].distance, 0.005 * sqrt(0.5));
 }
 
-static void contacts_of_a_plank_over_a_valley_are_its_outermost(void **state)
-{
+static void contacts_of_a_plank_over_a_valley_are_its_outermost(void **state) {
     (void)state;
     /* It lies on both rims and on the plains, as far as it reaches. */
     thud_shape_instance plank = box(4, 4.5, 9, 0.5);
@@ -177,22 +162,20 @@ static void contacts_of_a_plank_over_a_valley_are_its_outermost(void **state)
     NEAR(c.point[1].ny, 1.0);
 }
 
-static void approach_of_circles_that_miss_is_where_they_are_abreast(void **state)
-{
+static void approach_of_circles_that_miss_is_where_they_are_abreast(void **state) {
     (void)state;
     thud_shape_instance a = circle(0, 0, 1), b = circle(-6, 3, 1);
     thud_approach out;
-    assert_int_equal(
-        thud_circles_approach(&a, (thud_motion){-2, 0, 0}, &b, (thud_motion){6, 0, 0}, &out),
-        THUD_OK);
+    assert_int_equal(thud_circles_approach(&a, (thud_motion){-2, 0, 0}, &b, (thud_motion){6, 0, 0},
+                                           &out),
+                     THUD_OK);
     assert_false(out.hit);
     assert_true(out.time == 1.0);
     NEAR(out.least, 3.0);
     NEAR(out.least_time, 0.75);
 }
 
-static void approach_of_circles_that_hit_goes_on_to_the_centres(void **state)
-{
+static void approach_of_circles_that_hit_goes_on_to_the_centres(void **state) {
     (void)state;
     thud_shape_instance a = circle(0, 0, 1), b = circle(-6, 0, 1);
     thud_approach out;
@@ -204,8 +187,7 @@ static void approach_of_circles_that_hit_goes_on_to_the_centres(void **state)
     NEAR(out.least_time, 0.75);
 }
 
-static void approach_of_circles_that_part_is_at_the_start(void **state)
-{
+static void approach_of_circles_that_part_is_at_the_start(void **state) {
     (void)state;
     thud_shape_instance a = circle(0, 0, 1), b = circle(3, 4, 1);
     thud_approach out;
@@ -216,8 +198,7 @@ static void approach_of_circles_that_part_is_at_the_start(void **state)
     assert_true(out.least_time == 0.0);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contacts_of_a_box_on_a_box_are_the_ends_of_the_shared_face),
         cmocka_unit_test(contacts_of_a_tilted_box_include_what_is_within_the_margin),

@@ -2,8 +2,7 @@
 #include "engine_support.h"
 
 /* Shoots a small body of the kind at a wall 0.02 thick or at terrain; it must stay on its side. */
-static void shoot(int kind, double speed, double jitter, bool terrain)
-{
+static void shoot(int kind, double speed, double jitter, bool terrain) {
     thud_world *world = make_world(weightless());
     thud_body_id target = add_body(world, THUD_STATIC, terrain ? 0 : 10, 0, 0);
     thud_shape_def plain = thud_default_shape_def();
@@ -29,8 +28,7 @@ static void shoot(int kind, double speed, double jitter, bool terrain)
     thud_world_destroy(world);
 }
 
-static void nothing_passes_a_thin_wall_or_the_ground(void **state)
-{
+static void nothing_passes_a_thin_wall_or_the_ground(void **state) {
     (void)state;
     uint64_t seed = 5;
     for (int kind = 0; kind < 3; kind++) {
@@ -42,8 +40,7 @@ static void nothing_passes_a_thin_wall_or_the_ground(void **state)
     }
 }
 
-static void without_it_a_bullet_passes(void **state)
-{
+static void without_it_a_bullet_passes(void **state) {
     (void)state;
     thud_world_def def = weightless();
     def.detection = &thud_detection_overlap;
@@ -57,8 +54,7 @@ static void without_it_a_bullet_passes(void **state)
     thud_world_destroy(world);
 }
 
-static void fast_sliding_along_a_floor_is_not_stopped(void **state)
-{
+static void fast_sliding_along_a_floor_is_not_stopped(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def smooth = thud_default_shape_def();
@@ -75,8 +71,7 @@ static void fast_sliding_along_a_floor_is_not_stopped(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_passes_a_thin_wall_or_the_ground),
         cmocka_unit_test(without_it_a_bullet_passes),

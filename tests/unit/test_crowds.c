@@ -1,5 +1,5 @@
-/* test_crowds.c: what stands in a crowd is found: at once where its pairs are few for the world, else
- * within a number of steps that grows with the crowd. Pairs that cannot act hold no places. */
+/* test_crowds.c: what stands in a crowd is found: at once where its pairs are few for the world,
+ * else within a number of steps that grows with the crowd. Pairs that cannot act hold no places. */
 #include "engine_support.h"
 
 static const thud_broadphase *const BROADPHASES[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
@@ -15,8 +15,7 @@ typedef struct crowd {
 } crowd;
 
 /* Circles in one spot that meet each other only where `def` says so. */
-static void fill(crowd *c, int count, const thud_shape_def *def)
-{
+static void fill(crowd *c, int count, const thud_shape_def *def) {
     for (int i = 0; i < count; i++) {
         thud_body_id id = add_body(c->world, THUD_DYNAMIC, random_in(&c->seed, -0.05, 0.05),
                                    random_in(&c->seed, -0.05, 0.05), 0);
@@ -25,8 +24,7 @@ static void fill(crowd *c, int count, const thud_shape_def *def)
     }
 }
 
-static void step(crowd *c)
-{
+static void step(crowd *c) {
     run(c->world, 1);
     thud_events e = thud_world_events(c->world);
     c->sensed += e.sensor_begin_count - e.sensor_end_count;
@@ -34,8 +32,7 @@ static void step(crowd *c)
 }
 
 static bool let_through(thud_world *world, const thud_contact *contact,
-                        thud_contact_settings *settings, void *context)
-{
+                        thud_contact_settings *settings, void *context) {
     (void)world;
     (void)contact;
     (void)settings;
@@ -43,8 +40,7 @@ static bool let_through(thud_world *world, const thud_contact *contact,
     return false;
 }
 
-static crowd mates(int count, const thud_broadphase *broadphase, bool by_group)
-{
+static crowd mates(int count, const thud_broadphase *broadphase, bool by_group) {
     thud_world_def def = weightless();
     thud_shape_def shape = thud_default_shape_def();
     def.broadphase = broadphase;
@@ -60,15 +56,13 @@ static crowd mates(int count, const thud_broadphase *broadphase, bool by_group)
     return c;
 }
 
-static void add_sensor(crowd *c, thud_body_kind kind)
-{
+static void add_sensor(crowd *c, thud_body_kind kind) {
     thud_shape_def sensor = thud_default_shape_def();
     sensor.sensor = true;
     add_shape(c->world, add_body(c->world, kind, 0, 0, 0), 1, 1, true, &sensor);
 }
 
-static void sensor_in_a_crowd_of_mates_reports_all(void **state)
-{
+static void sensor_in_a_crowd_of_mates_reports_all(void **state) {
     (void)state;
     for (int k = 0; k < 12; k++) {
         crowd c = mates(120, BROADPHASES[k % 3], k / 3 % 2);
@@ -80,8 +74,7 @@ static void sensor_in_a_crowd_of_mates_reports_all(void **state)
 }
 
 /* It comes later, from outside, and goes right through. */
-static void body_flown_through_a_crowd_of_mates_meets_all(void **state)
-{
+static void body_flown_through_a_crowd_of_mates_meets_all(void **state) {
     (void)state;
     for (int k = 0; k < 6; k++) {
         crowd c = mates(120, BROADPHASES[k % 3], k / 3);
@@ -98,8 +91,7 @@ static void body_flown_through_a_crowd_of_mates_meets_all(void **state)
 }
 
 /* A thousand have half a million pairs: too many to look at in one step. */
-static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(void **state)
-{
+static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(void **state) {
     (void)state;
     for (int k = 0; k < 3; k++) {
         crowd c = mates(1000, BROADPHASES[k], true);
@@ -120,8 +112,7 @@ static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(voi
 }
 
 /* They let each other through, and so never come apart; also where they sleep in between. */
-static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **state)
-{
+static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **state) {
     (void)state;
     enum { COUNT = 220, ALL = COUNT * (COUNT - 1) / 2 };
     for (int k = 0; k < 4; k++) {
@@ -145,8 +136,7 @@ static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sensor_in_a_crowd_of_mates_reports_all),
         cmocka_unit_test(body_flown_through_a_crowd_of_mates_meets_all),

@@ -10,8 +10,7 @@ typedef struct seen {
 } seen;
 
 static void on_circle(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
-                      int island, void *context)
-{
+                      int island, void *context) {
     seen *k = context;
     (void)c, (void)s, (void)island;
     k->circles[style]++;
@@ -19,14 +18,12 @@ static void on_circle(thud_vec2 center, float radius, float c, float s, thud_dra
 }
 
 static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw_style style,
-                   int island, void *context)
-{
+                   int island, void *context) {
     (void)center, (void)half, (void)c, (void)s, (void)island;
     ((seen *)context)->boxes[style]++;
 }
 
-static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context)
-{
+static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
     seen *k = context;
     k->lines[style]++;
     if (k->line_count < 64) {
@@ -35,44 +32,43 @@ static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *conte
     }
 }
 
-static void on_point(thud_vec2 p, thud_draw_style style, void *context)
-{
+static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
     (void)p;
     ((seen *)context)->points[style]++;
 }
 
 static const unsigned EVERYTHING = THUD_DRAW_MANIFOLDS * 2 - 1;
 
-static thud_debug_draw drawing_of(unsigned flags, seen *k)
-{
-    return (thud_debug_draw){.flags = flags, .lower = {-20, -10}, .upper = {20, 10}, .context = k,
-                             .circle = on_circle, .box = on_box, .line = on_line,
+static thud_debug_draw drawing_of(unsigned flags, seen *k) {
+    return (thud_debug_draw){.flags = flags,
+                             .lower = {-20, -10},
+                             .upper = {20, 10},
+                             .context = k,
+                             .circle = on_circle,
+                             .box = on_box,
+                             .line = on_line,
                              .point = on_point};
 }
 
-static seen draw(thud_world *world, unsigned flags)
-{
+static seen draw(thud_world *world, unsigned flags) {
     seen k = {0};
     thud_debug_draw d = drawing_of(flags, &k);
     OK(thud_world_draw(world, &d));
     return k;
 }
 
-static thud_world *world_with(const thud_broadphase *broadphase)
-{
+static thud_world *world_with(const thud_broadphase *broadphase) {
     thud_world_def def = weightless();
     def.broadphase = broadphase;
     return make_world(def);
 }
 
-static thud_body_id add_moving(thud_world *world, thud_body_id body, float vx, float turn)
-{
+static thud_body_id add_moving(thud_world *world, thud_body_id body, float vx, float turn) {
     OK(thud_body_set_velocity(world, body, (thud_vec2){vx, 0}, turn));
     return body;
 }
 
-static void motions_of_a_fast_ball_are_two_circles_and_two_tangents(void **state)
-{
+static void motions_of_a_fast_ball_are_two_circles_and_two_tangents(void **state) {
     (void)state;
     thud_world *world = world_with(NULL);
     add_moving(world, add_ball(world, 0, 0, 0.5f), 60, 0); /* 1 m a step */
@@ -92,8 +88,7 @@ static void motions_of_a_fast_ball_are_two_circles_and_two_tangents(void **state
     thud_world_destroy(world);
 }
 
-static void corners_of(double x, double angle, double hx, double hy, thud_pos out[4])
-{
+static void corners_of(double x, double angle, double hx, double hy, thud_pos out[4]) {
     double c = cos(angle), s = sin(angle);
     for (int i = 0; i < 4; i++) {
         double u = i & 1 ? hx : -hx, v = i & 2 ? hy : -hy;
@@ -102,8 +97,7 @@ static void corners_of(double x, double angle, double hx, double hy, thud_pos ou
 }
 
 /* Runs from a corner of the start to one of the end, and has all eight on one side. */
-static void is_side_of_hull(thud_vec2 from, thud_vec2 to, const thud_pos corners[8])
-{
+static void is_side_of_hull(thud_vec2 from, thud_vec2 to, const thud_pos corners[8]) {
     double dx = to.x - from.x, dy = to.y - from.y, least = 1, most = -1;
     int ends[2] = {0, 0};
     for (int i = 0; i < 8; i++) {
@@ -118,8 +112,7 @@ static void is_side_of_hull(thud_vec2 from, thud_vec2 to, const thud_pos corners
     assert_int_equal(ends[1], 1);
 }
 
-static void motions_of_a_box_are_joined_by_the_sides_of_its_hull(void **state)
-{
+static void motions_of_a_box_are_joined_by_the_sides_of_its_hull(void **state) {
     (void)state;
     const float turns[] = {0, 30, -45, 94.2477f}, sizes[] = {0.2f, 0.6f};
     for (int i = 0; i < 8; i++) {
@@ -145,8 +138,7 @@ static void motions_of_a_box_are_joined_by_the_sides_of_its_hull(void **state)
     }
 }
 
-static void motions_out_of_sight_are_not_drawn(void **state)
-{
+static void motions_out_of_sight_are_not_drawn(void **state) {
     (void)state;
     thud_world *world = world_with(NULL);
     add_moving(world, add_ball(world, 50, 0, 0.5f), 60, 0);
@@ -157,16 +149,14 @@ static void motions_out_of_sight_are_not_drawn(void **state)
 }
 
 /* Two above each other, one apart, and one out of sight. */
-static void add_four(thud_world *world)
-{
+static void add_four(thud_world *world) {
     add_ball(world, 0, 0, 0.5f);
     add_ball(world, 0.3, 5, 0.5f);
     add_ball(world, 5, 0, 0.5f);
     add_ball(world, 50, 0, 0.5f);
 }
 
-static void axes_of_a_plane_sweep_are_bars_in_rows_at_the_lower_edge(void **state)
-{
+static void axes_of_a_plane_sweep_are_bars_in_rows_at_the_lower_edge(void **state) {
     (void)state;
     thud_world *world = world_with(&thud_broadphase_sweep);
     add_four(world);
@@ -183,8 +173,7 @@ static void axes_of_a_plane_sweep_are_bars_in_rows_at_the_lower_edge(void **stat
     thud_world_destroy(world);
 }
 
-static void axes_of_resting_shapes_stand_above_those_of_awake_ones(void **state)
-{
+static void axes_of_resting_shapes_stand_above_those_of_awake_ones(void **state) {
     (void)state;
     thud_world *world = world_with(&thud_broadphase_sweep);
     add_ball(world, 0, 0, 0.5f);
@@ -196,8 +185,7 @@ static void axes_of_resting_shapes_stand_above_those_of_awake_ones(void **state)
     thud_world_destroy(world);
 }
 
-static void cells_and_axes_are_drawn_only_of_the_broadphase_that_has_them(void **state)
-{
+static void cells_and_axes_are_drawn_only_of_the_broadphase_that_has_them(void **state) {
     (void)state;
     const thud_broadphase *kinds[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                       &thud_broadphase_all};
@@ -214,8 +202,7 @@ static void cells_and_axes_are_drawn_only_of_the_broadphase_that_has_them(void *
 }
 
 /* Far apart cells are hashed, and some get the same number. */
-static void cells_of_scattered_shapes_are_drawn_each(void **state)
-{
+static void cells_of_scattered_shapes_are_drawn_each(void **state) {
     (void)state;
     thud_world *world = world_with(NULL);
     uint64_t seed = 7;
@@ -229,8 +216,7 @@ static void cells_of_scattered_shapes_are_drawn_each(void **state)
 }
 
 /* One pair whose bounds overlap at their corners, one that touches, and one that does neither. */
-static void pairs_are_lines_between_centers_and_tell_who_touches(void **state)
-{
+static void pairs_are_lines_between_centers_and_tell_who_touches(void **state) {
     (void)state;
     thud_world *world = world_with(NULL);
     add_ball(world, 0, 0, 0.5f);
@@ -250,8 +236,7 @@ static void pairs_are_lines_between_centers_and_tell_who_touches(void **state)
     thud_world_destroy(world);
 }
 
-static void pairs_with_the_ground_go_straight_down_to_it(void **state)
-{
+static void pairs_with_the_ground_go_straight_down_to_it(void **state) {
     (void)state;
     thud_world *world = world_with(NULL);
     thud_pos points[] = {{-10, 1}, {0, 1}, {10, 1}};
@@ -270,8 +255,7 @@ static void pairs_with_the_ground_go_straight_down_to_it(void **state)
     thud_world_destroy(world);
 }
 
-static void null_callbacks_are_skipped_and_no_flag_draws_nothing(void **state)
-{
+static void null_callbacks_are_skipped_and_no_flag_draws_nothing(void **state) {
     (void)state;
     const thud_broadphase *kinds[] = {&thud_broadphase_grid, &thud_broadphase_sweep};
     for (int i = 0; i < 2; i++) {
@@ -290,8 +274,7 @@ static void null_callbacks_are_skipped_and_no_flag_draws_nothing(void **state)
     }
 }
 
-static void draw_refuses_null_and_places_out_of_range(void **state)
-{
+static void draw_refuses_null_and_places_out_of_range(void **state) {
     (void)state;
     thud_world *world = world_with(NULL);
     seen k = {0};
@@ -305,8 +288,7 @@ static void draw_refuses_null_and_places_out_of_range(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(motions_of_a_fast_ball_are_two_circles_and_two_tangents),
         cmocka_unit_test(motions_of_a_box_are_joined_by_the_sides_of_its_hull),

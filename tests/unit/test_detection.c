@@ -1,15 +1,13 @@
-/* test_detection.c: bisected and swept worlds: what they place where, what never passes or overlaps,
- * what bodies may choose for themselves, and that nothing is lost in silence. */
+/* test_detection.c: bisected and swept worlds: what they place where, what never passes or
+ * overlaps, what bodies may choose for themselves, and that nothing is lost in silence. */
 #include "engine_support.h"
 
-static thud_world_def with(const thud_detection *detection, thud_world_def def)
-{
+static thud_world_def with(const thud_detection *detection, thud_world_def def) {
     def.detection = detection;
     return def;
 }
 
-static void make_elastic(thud_shape_def *def)
-{
+static void make_elastic(thud_shape_def *def) {
     *def = thud_default_shape_def();
     def->restitution = 1.0f;
     def->friction = 0.0f;
@@ -17,10 +15,9 @@ static void make_elastic(thud_shape_def *def)
 
 /* ---- swept ---- */
 
-/* A ball of radius 0.1 between walls 1 apart crosses 0.8 at a time; where it is then follows from how
- * often it has turned. */
-static void swept_ball_bounces_between_walls_many_times_a_step(void **state)
-{
+/* A ball of radius 0.1 between walls 1 apart crosses 0.8 at a time; where it is then follows from
+ * how often it has turned. */
+static void swept_ball_bounces_between_walls_many_times_a_step(void **state) {
     (void)state;
     thud_world_def def = with(&thud_detection_swept, weightless());
     thud_world *world = make_world(def);
@@ -49,8 +46,8 @@ static void swept_ball_bounces_between_walls_many_times_a_step(void **state)
 }
 
 /* Bullets of each kind at thin walls, static and dynamic: what is behind stays behind. */
-static int shoot(const thud_detection *detection, int kind, double speed, bool dynamic, uint64_t *seed)
-{
+static int shoot(const thud_detection *detection, int kind, double speed, bool dynamic,
+                 uint64_t *seed) {
     thud_world *world = make_world(with(detection, weightless()));
     thud_body_id wall = add_body(world, dynamic ? THUD_DYNAMIC : THUD_STATIC, 10, 0, 0);
     thud_shape_def heavy = thud_default_shape_def();
@@ -74,8 +71,7 @@ static int shoot(const thud_detection *detection, int kind, double speed, bool d
     return passed;
 }
 
-static void swept_bullets_pass_no_thin_wall_and_overlap_tested_ones_do(void **state)
-{
+static void swept_bullets_pass_no_thin_wall_and_overlap_tested_ones_do(void **state) {
     (void)state;
     uint64_t seed = 41;
     int shots = 0, passed_unswept = 0;
@@ -93,8 +89,7 @@ static void swept_bullets_pass_no_thin_wall_and_overlap_tested_ones_do(void **st
 }
 
 /* The deepest overlap of any two bodies with one shape each. */
-static double deepest(const thud_world *world, const thud_body_id *ids, int count)
-{
+static double deepest(const thud_world *world, const thud_body_id *ids, int count) {
     thud_shape_instance *placed = calloc((size_t)count, sizeof *placed);
     double depth = 0.0;
     for (int i = 0; i < count; i++) {
@@ -104,14 +99,17 @@ static double deepest(const thud_world *world, const thud_body_id *ids, int coun
         OK(thud_body_shapes(world, ids[i], &shape, 1, NULL));
         OK(thud_shape_get(world, shape, &s));
         bool obb = s.kind == THUD_OBB;
-        placed[i] = (thud_shape_instance){s.kind, b.position.x, b.position.y,
-                                  obb ? cos(b.angle) : 1.0, obb ? sin(b.angle) : 0.0,
-                                  (double)s.half_extents.x, (double)s.half_extents.y};
+        placed[i] = (thud_shape_instance){s.kind,
+                                          b.position.x,
+                                          b.position.y,
+                                          obb ? cos(b.angle) : 1.0,
+                                          obb ? sin(b.angle) : 0.0,
+                                          (double)s.half_extents.x,
+                                          (double)s.half_extents.y};
         for (int k = 0; k < i; k++) {
             thud_closest c;
             OK(thud_shapes_closest(&placed[k], &placed[i], &c));
-            bool both_static = b.kind == THUD_STATIC &&
-                               state_of(world, ids[k]).kind == THUD_STATIC;
+            bool both_static = b.kind == THUD_STATIC && state_of(world, ids[k]).kind == THUD_STATIC;
             depth = both_static ? depth : fmax(depth, -c.distance);
         }
     }
@@ -120,8 +118,7 @@ static double deepest(const thud_world *world, const thud_body_id *ids, int coun
 }
 
 /* Mixed kinds in a closed room. */
-static double deepest_in_a_room(const thud_detection *detection, double speed, thud_stats *sum)
-{
+static double deepest_in_a_room(const thud_detection *detection, double speed, thud_stats *sum) {
     enum { BODIES = 60, WALLS = 4 };
     thud_world *world = make_world(with(detection, weightless()));
     thud_body_id ids[BODIES + WALLS];
@@ -156,8 +153,7 @@ static double deepest_in_a_room(const thud_detection *detection, double speed, t
     return depth;
 }
 
-static void swept_bodies_of_all_kinds_never_overlap_where_unswept_ones_do(void **state)
-{
+static void swept_bodies_of_all_kinds_never_overlap_where_unswept_ones_do(void **state) {
     (void)state;
     thud_stats swept = {0}, overlap = {0};
     double depth = deepest_in_a_room(&thud_detection_swept, 60, &swept);
@@ -169,8 +165,7 @@ static void swept_bodies_of_all_kinds_never_overlap_where_unswept_ones_do(void *
     assert_int_equal(overlap.impacts, 0);
 }
 
-static void swept_head_on_impact_keeps_momentum_and_exchanges_velocities(void **state)
-{
+static void swept_head_on_impact_keeps_momentum_and_exchanges_velocities(void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_swept, weightless()));
     thud_shape_def elastic;
@@ -190,8 +185,7 @@ static void swept_head_on_impact_keeps_momentum_and_exchanges_velocities(void **
 }
 
 /* A body in a vice of two kinematic plates is held, and the world says for how long. */
-static void swept_body_without_a_way_out_is_held_and_counted(void **state)
-{
+static void swept_body_without_a_way_out_is_held_and_counted(void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_swept, weightless()));
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
@@ -214,8 +208,7 @@ static void swept_body_without_a_way_out_is_held_and_counted(void **state)
 
 /* ---- bisected ---- */
 
-static void bisected_body_is_taken_back_to_its_collision(void **state)
-{
+static void bisected_body_is_taken_back_to_its_collision(void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_bisect, weightless()));
     thud_body_id wall = add_body(world, THUD_STATIC, 3, 0, 0);
@@ -231,8 +224,8 @@ static void bisected_body_is_taken_back_to_its_collision(void **state)
     thud_world_destroy(world);
 }
 
-static void bisection_limit_is_the_thinnest_shape_a_step_and_who_breaks_it_is_counted(void **state)
-{
+static void bisection_limit_is_the_thinnest_shape_a_step_and_who_breaks_it_is_counted(
+    void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_bisect, weightless()));
     double limit = 0.0;
@@ -259,8 +252,7 @@ static void bisection_limit_is_the_thinnest_shape_a_step_and_who_breaks_it_is_co
     thud_world_destroy(world);
 }
 
-static void bisected_bodies_within_the_limit_never_overlap(void **state)
-{
+static void bisected_bodies_within_the_limit_never_overlap(void **state) {
     (void)state;
     thud_stats bisected = {0};
     assert_true(deepest_in_a_room(&thud_detection_bisect, 11, &bisected) < 0.001);
@@ -270,8 +262,7 @@ static void bisected_bodies_within_the_limit_never_overlap(void **state)
 
 /* ---- choice ---- */
 
-static void body_chooses_its_own_detection(void **state)
-{
+static void body_chooses_its_own_detection(void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_overlap, weightless()));
     thud_body_id wall = add_body(world, THUD_DYNAMIC, 10, 0, 0);
@@ -295,8 +286,7 @@ static void body_chooses_its_own_detection(void **state)
     thud_world_destroy(world);
 }
 
-static void names_tell_what_was_chosen(void **state)
-{
+static void names_tell_what_was_chosen(void **state) {
     (void)state;
     assert_string_equal(thud_detection_name(&thud_detection_overlap), "overlap");
     assert_string_equal(thud_detection_name(&thud_detection_continuous), "continuous");
@@ -313,9 +303,8 @@ typedef struct heard {
     bool veto;
 } heard;
 
-static bool ask(thud_world *world, const thud_contact *contact,
-                thud_contact_settings *settings, void *context)
-{
+static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                void *context) {
     (void)settings;
     (void)world;
     (void)contact;
@@ -324,16 +313,14 @@ static bool ask(thud_world *world, const thud_contact *contact,
     return !h->veto;
 }
 
-static void tell(thud_world *world, const thud_contact *contact, void *context)
-{
+static void tell(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     heard *h = context;
     h->told++;
     h->impulse += (double)contact->normal_impulse;
 }
 
-static void impact_within_a_step_asks_tells_and_hits(void **state)
-{
+static void impact_within_a_step_asks_tells_and_hits(void **state) {
     (void)state;
     for (int veto = 0; veto < 2; veto++) {
         heard h = {.veto = veto};
@@ -360,8 +347,7 @@ static void impact_within_a_step_asks_tells_and_hits(void **state)
     }
 }
 
-static void sleeper_that_is_hit_by_a_swept_body_wakes(void **state)
-{
+static void sleeper_that_is_hit_by_a_swept_body_wakes(void **state) {
     (void)state;
     thud_world_def def = with(&thud_detection_swept, thud_default_world_def());
     def.gravity = (thud_vec2){0, 0};
@@ -378,8 +364,7 @@ static void sleeper_that_is_hit_by_a_swept_body_wakes(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(swept_ball_bounces_between_walls_many_times_a_step),
         cmocka_unit_test(swept_bullets_pass_no_thin_wall_and_overlap_tested_ones_do),

@@ -11,8 +11,7 @@ static const char *const SCENES[] = {"tall_stack", "circle_pit", "mixed_terrain"
 
 /* Velocities and angles of all bodies after some steps: what a shift must not change. */
 static uint64_t motion_of(const char *name, int most, const thud_world_def *def, double shift_x,
-                          double shift_y)
-{
+                          double shift_y) {
     const scene_info *info = scenes_find(name);
     scene s;
     assert_non_null(info);
@@ -39,15 +38,13 @@ static uint64_t motion_of(const char *name, int most, const thud_world_def *def,
     return hash;
 }
 
-static uint64_t motion_after(const char *name, bool baseline, double shift_x, double shift_y)
-{
+static uint64_t motion_after(const char *name, bool baseline, double shift_x, double shift_y) {
     thud_world_def def = thud_default_world_def();
     def.baseline_simd = baseline;
     return motion_of(name, 600, &def, shift_x, shift_y);
 }
 
-static void baseline_and_widest_kernels_give_the_same_bits(void **state)
-{
+static void baseline_and_widest_kernels_give_the_same_bits(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
         if (motion_after(SCENES[i], false, 0, 0) != motion_after(SCENES[i], true, 0, 0)) {
@@ -56,8 +53,7 @@ static void baseline_and_widest_kernels_give_the_same_bits(void **state)
     }
 }
 
-static void shift_by_whole_units_changes_no_bit(void **state)
-{
+static void shift_by_whole_units_changes_no_bit(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
         uint64_t here = motion_after(SCENES[i], false, 0, 0);
@@ -68,8 +64,7 @@ static void shift_by_whole_units_changes_no_bit(void **state)
     }
 }
 
-static void every_broadphase_gives_the_same_bits(void **state)
-{
+static void every_broadphase_gives_the_same_bits(void **state) {
     (void)state;
     const thud_broadphase *others[] = {&thud_broadphase_sweep, &thud_broadphase_all};
     for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
@@ -85,8 +80,7 @@ static void every_broadphase_gives_the_same_bits(void **state)
     }
 }
 
-static void bisected_and_swept_scenes_have_the_same_bits_everywhere(void **state)
-{
+static void bisected_and_swept_scenes_have_the_same_bits_everywhere(void **state) {
     (void)state;
     static const char *const scenes[] = {"circle_pit", "mixed_terrain", "smash", "gas", "bullets"};
     const thud_detection *const kinds[] = {&thud_detection_bisect, &thud_detection_swept};
@@ -104,8 +98,7 @@ static void bisected_and_swept_scenes_have_the_same_bits_everywhere(void **state
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(baseline_and_widest_kernels_give_the_same_bits),
         cmocka_unit_test(every_broadphase_gives_the_same_bits),

@@ -2,8 +2,7 @@
 #include "direct_support.h"
 
 /* A problem of so many boxes of mass 1, each on the one before, the first on the ground. */
-static void make_column(problem *p, int boxes, double friction)
-{
+static void make_column(problem *p, int boxes, double friction) {
     begin_problem(p);
     for (int i = 0; i < boxes; i++) {
         add_mass(p, 1, 1.0 / 6);
@@ -12,8 +11,7 @@ static void make_column(problem *p, int boxes, double friction)
     order_problem(p);
 }
 
-static void assert_at_rest(const problem *p, double tolerance)
-{
+static void assert_at_rest(const problem *p, double tolerance) {
     for (int i = 0; i < p->d.body_count; i++) {
         for (int k = 0; k < 3; k++) {
             near_to(p->bodies[i].velocity[k], 0, tolerance);
@@ -21,8 +19,7 @@ static void assert_at_rest(const problem *p, double tolerance)
     }
 }
 
-static void direct_column_bears_what_is_above(void **state)
-{
+static void direct_column_bears_what_is_above(void **state) {
     (void)state;
     problem p;
     make_column(&p, 30, 0.6);
@@ -37,8 +34,7 @@ static void direct_column_bears_what_is_above(void **state)
 }
 
 /* From the impulses of the step before. */
-static void direct_column_at_rest_takes_one_matrix(void **state)
-{
+static void direct_column_at_rest_takes_one_matrix(void **state) {
     (void)state;
     problem p;
     make_column(&p, 30, 0.6);
@@ -52,8 +48,7 @@ static void direct_column_at_rest_takes_one_matrix(void **state)
 
 /* Light under heavy, with ratios of up to 10^6: to a thousandth of what the light one's own weight
  * would be. */
-static void direct_heavy_on_light_rests(void **state)
-{
+static void direct_heavy_on_light_rests(void **state) {
     (void)state;
     for (double mass = 1; mass <= 1e6; mass *= 10) {
         problem p;
@@ -73,8 +68,7 @@ static void direct_heavy_on_light_rests(void **state)
 
 /* A box of mass 4 on two small ones of 1, at -1 and at 1, with its centre at 0.5: by the lever law
  * a quarter of it rests on the left one. */
-static void direct_plank_shares_its_load_by_the_lever_law(void **state)
-{
+static void direct_plank_shares_its_load_by_the_lever_law(void **state) {
     (void)state;
     for (int interior = 0; interior < 2; interior++) {
         problem p;
@@ -100,8 +94,7 @@ static void direct_plank_shares_its_load_by_the_lever_law(void **state)
 }
 
 /* A box that slides: its friction is the coefficient times its weight, against the motion. */
-static void direct_slider_loses_what_friction_takes(void **state)
-{
+static void direct_slider_loses_what_friction_takes(void **state) {
     (void)state;
     for (int side = -1; side <= 1; side += 2) {
         problem p;
@@ -117,8 +110,7 @@ static void direct_slider_loses_what_friction_takes(void **state)
 }
 
 /* What is slow enough stops, and what pushes less than friction holds does not begin to move. */
-static void direct_box_sticks_below_the_bound_of_friction(void **state)
-{
+static void direct_box_sticks_below_the_bound_of_friction(void **state) {
     (void)state;
     problem p;
     make_column(&p, 1, 0.3);
@@ -129,8 +121,7 @@ static void direct_box_sticks_below_the_bound_of_friction(void **state)
 }
 
 /* A belt that runs at 0.1 takes along at once what is slow, by friction enough. */
-static void direct_belt_takes_a_box_along(void **state)
-{
+static void direct_belt_takes_a_box_along(void **state) {
     (void)state;
     problem p;
     make_column(&p, 1, 10);
@@ -142,8 +133,7 @@ static void direct_belt_takes_a_box_along(void **state)
 }
 
 /* The ground rises at 3, and all goes with it. */
-static void direct_known_speed_of_the_ground_is_taken_on(void **state)
-{
+static void direct_known_speed_of_the_ground_is_taken_on(void **state) {
     (void)state;
     problem p;
     make_column(&p, 5, 0.6);
@@ -155,8 +145,7 @@ static void direct_known_speed_of_the_ground_is_taken_on(void **state)
     end_problem(&p);
 }
 
-static void direct_contacts_that_part_do_not_push(void **state)
-{
+static void direct_contacts_that_part_do_not_push(void **state) {
     (void)state;
     problem p;
     make_column(&p, 3, 0.6);
@@ -169,8 +158,7 @@ static void direct_contacts_that_part_do_not_push(void **state)
 }
 
 /* Two further contacts at the same points. */
-static void direct_redundant_contacts_change_nothing(void **state)
-{
+static void direct_redundant_contacts_change_nothing(void **state) {
     (void)state;
     problem p;
     make_column(&p, 4, 0.6);
@@ -188,8 +176,7 @@ static void direct_redundant_contacts_change_nothing(void **state)
 }
 
 /* What presses a box from both sides, by walls that want it gone at 1. */
-static void direct_wedge_that_cannot_be_says_so(void **state)
-{
+static void direct_wedge_that_cannot_be_says_so(void **state) {
     (void)state;
     problem p;
     const double left[2][2] = {{0, 0}, {-0.5, 0}}, right[2][2] = {{0, 0}, {0.5, 0}};
@@ -205,8 +192,7 @@ static void direct_wedge_that_cannot_be_says_so(void **state)
 }
 
 /* By a wedge so narrow that much speed comes of little. */
-static void direct_narrow_wedge_is_pushed_out(void **state)
-{
+static void direct_narrow_wedge_is_pushed_out(void **state) {
     (void)state;
     for (double angle = 0.1; angle >= 1e-3; angle *= 0.1) {
         problem p;
@@ -223,8 +209,7 @@ static void direct_narrow_wedge_is_pushed_out(void **state)
     }
 }
 
-static void direct_solver_takes_no_more_matrices_than_it_may(void **state)
-{
+static void direct_solver_takes_no_more_matrices_than_it_may(void **state) {
     (void)state;
     for (int patience = 0; patience < 30; patience++) {
         problem p;
@@ -242,8 +227,7 @@ static void direct_solver_takes_no_more_matrices_than_it_may(void **state)
 }
 
 /* Twice the speeds, of what stands on the ground: the same matrix gives twice the impulses. */
-static void direct_same_rows_again_take_no_matrix(void **state)
-{
+static void direct_same_rows_again_take_no_matrix(void **state) {
     (void)state;
     problem p;
     make_column(&p, 10, 0.6);
@@ -267,8 +251,7 @@ static void direct_same_rows_again_take_no_matrix(void **state)
 }
 
 /* The column's top flies off, which takes other rows. */
-static void direct_other_rows_are_not_solved_again(void **state)
-{
+static void direct_other_rows_are_not_solved_again(void **state) {
     (void)state;
     problem p;
     make_column(&p, 10, 0.6);
@@ -279,8 +262,7 @@ static void direct_other_rows_are_not_solved_again(void **state)
 }
 
 /* Loads never are just what they were, and neither are the bounds of friction. */
-static void direct_slider_whose_bound_grows_a_little_takes_one_matrix(void **state)
-{
+static void direct_slider_whose_bound_grows_a_little_takes_one_matrix(void **state) {
     (void)state;
     problem p;
     make_column(&p, 1, 0.3);
@@ -296,8 +278,7 @@ static void direct_slider_whose_bound_grows_a_little_takes_one_matrix(void **sta
 }
 
 /* A row of boxes that a wall pushes over the ground at 1: one matrix a step, from the second on. */
-static void direct_pushed_row_takes_one_matrix_a_step(void **state)
-{
+static void direct_pushed_row_takes_one_matrix_a_step(void **state) {
     (void)state;
     problem p;
     const double arms[2][2] = {{0.5, 0.5}, {-0.5, 0.5}};
@@ -321,8 +302,7 @@ static void direct_pushed_row_takes_one_matrix_a_step(void **state)
 }
 
 /* A box thrown to either side and, by less than the tolerance, up: nothing holds it. */
-static void direct_contact_without_load_slides_without_friction(void **state)
-{
+static void direct_contact_without_load_slides_without_friction(void **state) {
     (void)state;
     for (int side = -1; side <= 1; side += 2) {
         problem p;
@@ -338,8 +318,7 @@ static void direct_contact_without_load_slides_without_friction(void **state)
 
 /* Where it does not work out, impulses are as before: friction is not bounded by what penalties
  * made of them. A box that did not touch does now, and slides. */
-static void direct_rows_not_solved_again_keep_their_impulses(void **state)
-{
+static void direct_rows_not_solved_again_keep_their_impulses(void **state) {
     (void)state;
     problem p;
     make_column(&p, 1, 0.4);
@@ -360,8 +339,7 @@ static void direct_rows_not_solved_again_keep_their_impulses(void **state)
     end_problem(&p);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(direct_column_bears_what_is_above),
         cmocka_unit_test(direct_column_at_rest_takes_one_matrix),

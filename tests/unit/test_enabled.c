@@ -1,15 +1,13 @@
 /* test_enabled.c: bodies that are taken out of the world for a while, and come back. */
 #include "resolution_support.h"
 
-static bool found(thud_world *world, double x, double y)
-{
+static bool found(thud_world *world, double x, double y) {
     bool hit;
     OK(thud_world_cast_circle(world, (thud_pos){x, y}, 0.01, 0, 0, NULL, &hit, NULL));
     return hit;
 }
 
-static void disabled_body_meets_nothing_and_comes_back_as_it_was(void **state)
-{
+static void disabled_body_meets_nothing_and_comes_back_as_it_was(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         for (int asleep = 0; asleep < 2; asleep++) {
@@ -44,8 +42,7 @@ static void disabled_body_meets_nothing_and_comes_back_as_it_was(void **state)
     }
 }
 
-static void disabled_ground_lets_fall_and_wakes_who_slept_on_it(void **state)
-{
+static void disabled_ground_lets_fall_and_wakes_who_slept_on_it(void **state) {
     (void)state;
     for (int line = 0; line < 2; line++) {
         thud_world *world = make_world(thud_default_world_def());
@@ -70,8 +67,7 @@ static void disabled_ground_lets_fall_and_wakes_who_slept_on_it(void **state)
 }
 
 /* Side by side with a disabled box stands nothing: its neighbour has a face there again. */
-static void disabled_box_hides_no_face_of_its_neighbour(void **state)
-{
+static void disabled_box_hides_no_face_of_its_neighbour(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_body_id boxes[2];
@@ -89,8 +85,7 @@ static void disabled_box_hides_no_face_of_its_neighbour(void **state)
 }
 
 static bool take_out(thud_world *world, const thud_contact *contact,
-                     thud_contact_settings *settings, void *context)
-{
+                     thud_contact_settings *settings, void *context) {
     (void)settings;
     (void)context;
     OK(thud_body_set_enabled(world, contact->body_b, false));
@@ -98,8 +93,7 @@ static bool take_out(thud_world *world, const thud_contact *contact,
     return true;
 }
 
-static void body_disabled_inside_a_callback_leaves_with_the_next_step(void **state)
-{
+static void body_disabled_inside_a_callback_leaves_with_the_next_step(void **state) {
     (void)state;
     thud_world *world = make_world_with(&thud_detection_overlap, take_out, NULL, true);
     add_floor(world, NULL);
@@ -112,8 +106,7 @@ static void body_disabled_inside_a_callback_leaves_with_the_next_step(void **sta
     thud_world_destroy(world);
 }
 
-static void enabling_what_is_no_body_is_refused(void **state)
-{
+static void enabling_what_is_no_body_is_refused(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_body_id ball = add_ball(world, 0, 0.5, 0.5f);
@@ -123,8 +116,7 @@ static void enabling_what_is_no_body_is_refused(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(disabled_body_meets_nothing_and_comes_back_as_it_was),
         cmocka_unit_test(disabled_ground_lets_fall_and_wakes_who_slept_on_it),

@@ -1,6 +1,6 @@
 /* test_energy.c: in swept worlds elastic bodies keep their energy and momentum, free ones fly
- * parabolas, and nothing ever gains energy, whatever the substeps. At draft, default and high nothing
- * gains any either, and elastic bodies keep nearly all. */
+ * parabolas, and nothing ever gains energy, whatever the substeps. At draft, default and high
+ * nothing gains any either, and elastic bodies keep nearly all. */
 #include "engine_support.h"
 
 enum { CIRCLE, UPRIGHT, TURNED, KINDS, MOST_BODIES = 100, MINUTE = 3600 };
@@ -12,8 +12,7 @@ typedef struct bodies {
     double gravity; /* along y */
 } bodies;
 
-static bodies make_bodies(double gravity, int substeps)
-{
+static bodies make_bodies(double gravity, int substeps) {
     thud_world_def def = weightless();
     def.gravity.y = (float)gravity;
     def.substeps = substeps;
@@ -21,8 +20,7 @@ static bodies make_bodies(double gravity, int substeps)
     return (bodies){.world = make_world(def), .gravity = gravity};
 }
 
-static thud_shape_def surface(float restitution, float friction)
-{
+static thud_shape_def surface(float restitution, float friction) {
     thud_shape_def def = thud_default_shape_def();
     def.restitution = restitution;
     def.friction = friction;
@@ -31,16 +29,14 @@ static thud_shape_def surface(float restitution, float friction)
 
 /* hx: a circle's radius, or half the width of a square. */
 static thud_body_id add(bodies *b, int kind, double x, double y, float hx,
-                        const thud_shape_def *def)
-{
+                        const thud_shape_def *def) {
     thud_body_id id = add_body(b->world, THUD_DYNAMIC, x, y, 0);
     add_shape(b->world, id, hx, kind == CIRCLE ? 0 : hx, kind == UPRIGHT, def);
     return b->id[b->count++] = id;
 }
 
 /* Potential energy is 0 at y = 0. */
-static double energy_of(const bodies *b)
-{
+static double energy_of(const bodies *b) {
     double energy = 0;
     for (int i = 0; i < b->count; i++) {
         thud_body_state s = state_of(b->world, b->id[i]);
@@ -53,8 +49,7 @@ static double energy_of(const bodies *b)
 
 /* ---- one ball ---- */
 
-static void free_body_flies_an_exact_parabola(void **state)
-{
+static void free_body_flies_an_exact_parabola(void **state) {
     (void)state;
     static const int substeps[] = {1, 4, 16};
     for (int k = 0; k < 3; k++) {
@@ -71,8 +66,7 @@ static void free_body_flies_an_exact_parabola(void **state)
     }
 }
 
-static void elastic_ball_keeps_its_height_for_a_minute(void **state)
-{
+static void elastic_ball_keeps_its_height_for_a_minute(void **state) {
     (void)state;
     static const int substeps[] = {1, 2, 4, 16};
     thud_shape_def elastic = surface(1, 0);
@@ -96,19 +90,22 @@ static void elastic_ball_keeps_its_height_for_a_minute(void **state)
 }
 
 /* Over ground of all kinds, in metres and in pixels, at long steps and short ones. */
-static void elastic_bodies_keep_their_energy_over_any_ground(void **state)
-{
+static void elastic_bodies_keep_their_energy_over_any_ground(void **state) {
     (void)state;
     static const struct {
         int kind;
         double scale, time_step, angle;
-    } cases[] = {{CIRCLE, 1, 1 / 60.0, 0},  {UPRIGHT, 1, 1 / 60.0, 0}, {TURNED, 1, 1 / 60.0, 0.4},
-                 {CIRCLE, 50, 1 / 60.0, 0}, {TURNED, 1, 1 / 15.0, 0.4}, {CIRCLE, 0.01, 1 / 240.0, 0}};
+    } cases[] = {{CIRCLE, 1, 1 / 60.0, 0},   {UPRIGHT, 1, 1 / 60.0, 0},
+                 {TURNED, 1, 1 / 60.0, 0.4}, {CIRCLE, 50, 1 / 60.0, 0},
+                 {TURNED, 1, 1 / 15.0, 0.4}, {CIRCLE, 0.01, 1 / 240.0, 0}};
     thud_shape_def elastic = surface(1, 0);
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         double unit = cases[k].scale;
-        thud_pos valley[] = {{-100 * unit, 20 * unit}, {-8 * unit, 0},         {0, 0.5 * unit},
-                             {6 * unit, 0},            {100 * unit, 30 * unit}};
+        thud_pos valley[] = {{-100 * unit, 20 * unit},
+                             {-8 * unit, 0},
+                             {0, 0.5 * unit},
+                             {6 * unit, 0},
+                             {100 * unit, 30 * unit}};
         thud_terrain grounds[] = {{.kind = THUD_TERRAIN_FLAT},
                                   {.kind = THUD_TERRAIN_IRREGULAR, .points = valley, .count = 5}};
         for (int ground = 0; ground < 2; ground++) {
@@ -120,8 +117,8 @@ static void elastic_bodies_keep_their_energy_over_any_ground(void **state)
             bodies b = {.world = make_world(def), .gravity = -10 * unit};
             thud_body_id floor = add_body(b.world, THUD_STATIC, 0, 0, 0);
             OK(thud_shape_create_terrain(b.world, floor, &elastic, &grounds[ground], NULL));
-            thud_body_id id = add(&b, cases[k].kind, 0.3 * unit, 2.5 * unit, 0.4f * (float)unit,
-                                  &elastic);
+            thud_body_id id =
+                add(&b, cases[k].kind, 0.3 * unit, 2.5 * unit, 0.4f * (float)unit, &elastic);
             OK(thud_body_set_transform(b.world, id, (thud_pos){0.3 * unit, 2.5 * unit},
                                        cases[k].angle));
             double before = energy_of(&b);
@@ -133,8 +130,7 @@ static void elastic_bodies_keep_their_energy_over_any_ground(void **state)
 }
 
 /* Restitution e: after the first bounce it rises e^2 as high. */
-static void bounce_rises_by_the_square_of_restitution(void **state)
-{
+static void bounce_rises_by_the_square_of_restitution(void **state) {
     (void)state;
     for (float e = 0.3f; e < 0.95f; e += 0.15f) {
         for (double drop = 1; drop < 2; drop += 0.137) {
@@ -158,8 +154,7 @@ static void bounce_rises_by_the_square_of_restitution(void **state)
 
 /* ---- many ---- */
 
-static void add_room(bodies *b, double half, const thud_shape_def *def)
-{
+static void add_room(bodies *b, double half, const thud_shape_def *def) {
     thud_body_id walls = add_body(b->world, THUD_STATIC, 0, 0, 0);
     for (int side = 0; side < 4; side++) {
         float out = (side < 2 ? 1 : -1) * (float)(half + 1), length = (float)half + 2;
@@ -171,8 +166,7 @@ static void add_room(bodies *b, double half, const thud_shape_def *def)
 
 /* A hundred in a room of 10 by 10, which may turn at first by `spin`. */
 static bodies make_gas(double gravity, int substeps, int kind, double speed, double spin,
-                       const thud_shape_def *def)
-{
+                       const thud_shape_def *def) {
     bodies b = make_bodies(gravity, substeps);
     uint64_t seed = 12345;
     add_room(&b, 5, def);
@@ -187,14 +181,13 @@ static bodies make_gas(double gravity, int substeps, int kind, double speed, dou
     return b;
 }
 
-static void elastic_gas_keeps_its_energy_for_a_minute(void **state)
-{
+static void elastic_gas_keeps_its_energy_for_a_minute(void **state) {
     (void)state;
     static const struct {
         double gravity, speed;
         int kind, substeps;
-    } cases[] = {{0, 3, CIRCLE, 4},    {0, 0.3, CIRCLE, 4},   {-10, 3, CIRCLE, 4},
-                 {-10, 3, CIRCLE, 16}, {0, 3, UPRIGHT, 4},    {-10, 3, UPRIGHT, 4},
+    } cases[] = {{0, 3, CIRCLE, 4},    {0, 0.3, CIRCLE, 4}, {-10, 3, CIRCLE, 4},
+                 {-10, 3, CIRCLE, 16}, {0, 3, UPRIGHT, 4},  {-10, 3, UPRIGHT, 4},
                  {0, 3, TURNED, 4},    {-10, 3, TURNED, 16}};
     thud_shape_def elastic = surface(1, 0);
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
@@ -205,7 +198,8 @@ static void elastic_gas_keeps_its_energy_for_a_minute(void **state)
             floor -= (double)state_of(b.world, b.id[i]).mass * b.gravity * 4.8;
         }
         double before = energy_of(&b) + floor;
-        double minutes = cases[k].kind == TURNED ? 0.25 : 1; /* boxes that turn take the most time */
+        double minutes =
+            cases[k].kind == TURNED ? 0.25 : 1; /* boxes that turn take the most time */
         run(b.world, (int)(minutes * MINUTE));
         double drift = (energy_of(&b) + floor) / before - 1;
         if (!(fabs(drift) < 1e-4 * minutes)) {
@@ -215,9 +209,9 @@ static void elastic_gas_keeps_its_energy_for_a_minute(void **state)
     }
 }
 
-/* Thrown together and falling, with friction and spin: at no time is there more than at the start. */
-static void nothing_gains_energy(void **state)
-{
+/* Thrown together and falling, with friction and spin: at no time is there more than at the start.
+ */
+static void nothing_gains_energy(void **state) {
     (void)state;
     static const float restitutions[] = {0, 0.5f, 0.95f, 1};
     for (int k = 0; k < 4; k++) {
@@ -242,8 +236,7 @@ static void nothing_gains_energy(void **state)
 
 /* A box that spins, slides and lands on a corner, with friction: Newton's restitution and Coulomb's
  * friction, each by itself, would give it energy (Kane and Levinson 1985). */
-static void rough_elastic_impact_never_gains_energy(void **state)
-{
+static void rough_elastic_impact_never_gains_energy(void **state) {
     (void)state;
     uint64_t seed = 99;
     thud_shape_def rough = surface(1, 1), ice = surface(1, 0);
@@ -252,8 +245,7 @@ static void rough_elastic_impact_never_gains_energy(void **state)
         add_floor(b.world, k % 3 ? &rough : &ice);
         thud_body_id id = add(&b, TURNED, 0, 1, 0.5f, k % 3 ? &rough : &ice);
         OK(thud_body_set_transform(b.world, id, (thud_pos){0, 1}, random_in(&seed, 0, 3)));
-        OK(thud_body_set_velocity(b.world, id,
-                                  (thud_vec2){(float)random_in(&seed, -5, 5), -3},
+        OK(thud_body_set_velocity(b.world, id, (thud_vec2){(float)random_in(&seed, -5, 5), -3},
                                   (float)random_in(&seed, -10, 10)));
         double before = energy_of(&b);
         run(b.world, 60);
@@ -267,8 +259,7 @@ static void rough_elastic_impact_never_gains_energy(void **state)
 /* ---- touching chains ---- */
 
 /* Of five circles that touch, the first `moving` come in at 2: as many leave at the other end. */
-static void cradle_hands_on(double gravity, int moving, double gap)
-{
+static void cradle_hands_on(double gravity, int moving, double gap) {
     thud_shape_def elastic = surface(1, 0);
     bodies b = make_bodies(gravity, 4);
     if (gravity != 0) {
@@ -287,8 +278,7 @@ static void cradle_hands_on(double gravity, int moving, double gap)
     thud_world_destroy(b.world);
 }
 
-static void cradle_hands_all_momentum_to_as_many_at_the_other_end(void **state)
-{
+static void cradle_hands_all_momentum_to_as_many_at_the_other_end(void **state) {
     (void)state;
     for (int moving = 1; moving < 5; moving++) {
         cradle_hands_on(0, moving, 0);
@@ -300,8 +290,7 @@ static void cradle_hands_all_momentum_to_as_many_at_the_other_end(void **state)
 
 /* ---- at rest ---- */
 
-static void elastic_stack_stays_at_rest(void **state)
-{
+static void elastic_stack_stays_at_rest(void **state) {
     (void)state;
     thud_shape_def elastic = surface(1, 0.6f);
     for (int kind = UPRIGHT; kind <= TURNED; kind++) {
@@ -324,10 +313,9 @@ static void elastic_stack_stays_at_rest(void **state)
 /* ---- at the other qualities, as they detect ---- */
 
 static const thud_quality *const SOFT[] = {&thud_quality_draft, &thud_quality_default,
-                                                &thud_quality_high};
+                                           &thud_quality_high};
 
-static bodies make_soft(const thud_quality *quality, double gravity)
-{
+static bodies make_soft(const thud_quality *quality, double gravity) {
     thud_world_def def = thud_world_def_of(quality);
     def.gravity = (thud_vec2){0, (float)gravity};
     def.sleeping = false;
@@ -336,8 +324,7 @@ static bodies make_soft(const thud_quality *quality, double gravity)
 
 /* A hundred in a room of 10 by 10, of sizes that differ by `spread`; 10 s. */
 static void soft_gas(const thud_quality *quality, double gravity, int kind, double spread,
-                     double *kept, double *gained)
-{
+                     double *kept, double *gained) {
     thud_shape_def elastic = surface(1, 0);
     bodies b = make_soft(quality, gravity);
     uint64_t seed = 12345;
@@ -347,7 +334,8 @@ static void soft_gas(const thud_quality *quality, double gravity, int kind, doub
         double angle = random_in(&seed, 0, 6.283), v = random_in(&seed, 1.5, 4.5);
         thud_body_id id = add(&b, kind, i % 10 - 4.5, i / 10 - 4.5, size, &elastic);
         OK(thud_body_set_velocity(b.world, id,
-                                  (thud_vec2){(float)(v * cos(angle)), (float)(v * sin(angle))}, 0));
+                                  (thud_vec2){(float)(v * cos(angle)), (float)(v * sin(angle))},
+                                  0));
     }
     double floor = 0;
     for (int i = 0; i < b.count; i++) {
@@ -364,8 +352,7 @@ static void soft_gas(const thud_quality *quality, double gravity, int kind, doub
     thud_world_destroy(b.world);
 }
 
-static void soft_elastic_gas_keeps_its_energy_and_gains_none(void **state)
-{
+static void soft_elastic_gas_keeps_its_energy_and_gains_none(void **state) {
     (void)state;
     for (int q = 0; q < 3; q++) {
         for (int falls = 0; falls < 2; falls++) {
@@ -374,15 +361,13 @@ static void soft_elastic_gas_keeps_its_energy_and_gains_none(void **state)
             /* Falling bodies' speeds are half a substep's fall behind their places. */
             double least = SOFT[q] == &thud_quality_default ? 0.99 : 0.97;
             if (!(kept > least && gained < (falls ? 5e-3 : 1e-5))) {
-                fail_msg("%s, falling %d: kept %g, gained %g", SOFT[q]->name, falls, kept,
-                         gained);
+                fail_msg("%s, falling %d: kept %g, gained %g", SOFT[q]->name, falls, kept, gained);
             }
         }
     }
 }
 
-static void soft_elastic_boxes_of_many_sizes_gain_no_energy(void **state)
-{
+static void soft_elastic_boxes_of_many_sizes_gain_no_energy(void **state) {
     (void)state;
     for (int q = 0; q < 3; q++) {
         for (int kind = UPRIGHT; kind <= TURNED; kind++) {
@@ -396,8 +381,7 @@ static void soft_elastic_boxes_of_many_sizes_gain_no_energy(void **state)
 }
 
 /* Of rows of five and of a hundred. */
-static void soft_cradle_hands_on_all_momentum(void **state)
-{
+static void soft_cradle_hands_on_all_momentum(void **state) {
     (void)state;
     thud_shape_def elastic = surface(1, 0);
     for (int q = 0; q < 3; q++) {
@@ -419,9 +403,9 @@ static void soft_cradle_hands_on_all_momentum(void **state)
     }
 }
 
-/* Free fall as a height is v^2 / 20: the ball meets the floor deep, and fast enough to be stopped. */
-static void soft_elastic_ball_keeps_its_height_for_a_minute(void **state)
-{
+/* Free fall as a height is v^2 / 20: the ball meets the floor deep, and fast enough to be stopped.
+ */
+static void soft_elastic_ball_keeps_its_height_for_a_minute(void **state) {
     (void)state;
     thud_shape_def elastic = surface(1, 0);
     for (int q = 0; q < 3; q++) {
@@ -445,8 +429,7 @@ static void soft_elastic_ball_keeps_its_height_for_a_minute(void **state)
 }
 
 /* A ball that falls on a box that stands on the ground, neither of which bounces by itself. */
-static void soft_ball_bounces_off_what_stands_and_stack_stays_at_rest(void **state)
-{
+static void soft_ball_bounces_off_what_stands_and_stack_stays_at_rest(void **state) {
     (void)state;
     thud_shape_def elastic = surface(1, 0.6f), dull = surface(0, 0.6f);
     bodies b = make_soft(&thud_quality_default, -10);
@@ -472,8 +455,7 @@ static void soft_ball_bounces_off_what_stands_and_stack_stays_at_rest(void **sta
     thud_world_destroy(b.world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_body_flies_an_exact_parabola),
         cmocka_unit_test(elastic_ball_keeps_its_height_for_a_minute),

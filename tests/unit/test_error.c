@@ -1,4 +1,5 @@
-/* test_error.c: the errors that every step reports, against figures by hand and thud_world_measure. */
+/* test_error.c: the errors that every step reports, against figures by hand and thud_world_measure.
+ */
 #include "engine_support.h"
 
 #include "build_thud.h"
@@ -6,20 +7,17 @@
 #include "pool.h"
 #include "scenes.h"
 
-static double energy_of(const thud_world *world)
-{
+static double energy_of(const thud_world *world) {
     thud_measure m = thud_world_measure(world);
     return m.kinetic_energy + m.potential_energy;
 }
 
-static thud_step_error error_of_step(thud_world *world)
-{
+static thud_step_error error_of_step(thud_world *world) {
     OK(thud_world_step(world));
     return thud_world_error(world);
 }
 
-static void error_before_the_first_step_and_without_a_world_is_zero(void **state)
-{
+static void error_before_the_first_step_and_without_a_world_is_zero(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     add_ball(world, 0, 0, 1);
@@ -32,8 +30,7 @@ static void error_before_the_first_step_and_without_a_world_is_zero(void **state
     thud_world_destroy(world);
 }
 
-static void penetration_of_a_sunk_ball_is_how_deep_it_ends(void **state)
-{
+static void penetration_of_a_sunk_ball_is_how_deep_it_ends(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_floor(world, NULL);
@@ -47,8 +44,7 @@ static void penetration_of_a_sunk_ball_is_how_deep_it_ends(void **state)
     thud_world_destroy(world);
 }
 
-static void mean_counts_points_that_do_not_overlap(void **state)
-{
+static void mean_counts_points_that_do_not_overlap(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_floor(world, NULL);
@@ -61,8 +57,7 @@ static void mean_counts_points_that_do_not_overlap(void **state)
     thud_world_destroy(world);
 }
 
-static thud_world *world_of(const char *name, int size, thud_world_def def)
-{
+static thud_world *world_of(const char *name, int size, thud_world_def def) {
     scene s;
     thud_world *world;
     assert_true(scenes_fill(scenes_find(name), size, &s));
@@ -71,14 +66,13 @@ static thud_world *world_of(const char *name, int size, thud_world_def def)
     return world;
 }
 
-static void penetration_agrees_with_the_measure_in_every_scene(void **state)
-{
+static void penetration_agrees_with_the_measure_in_every_scene(void **state) {
     (void)state;
     static const struct {
         const char *name;
         int size;
-    } scenes[] = {{"pyramid", 20}, {"circle_pit", 300}, {"mixed_terrain", 300}, {"tumbler", 100},
-                  {"platformer", 100}, {"gas", 200},
+    } scenes[] = {{"pyramid", 20},      {"circle_pit", 300}, {"mixed_terrain", 300},
+                  {"tumbler", 100},     {"platformer", 100}, {"gas", 200},
                   {"heavy_on_light", 4}};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         thud_world_def def = thud_default_world_def();
@@ -95,8 +89,7 @@ static void penetration_agrees_with_the_measure_in_every_scene(void **state)
     }
 }
 
-static void recount_finds_what_the_step_found(void **state)
-{
+static void recount_finds_what_the_step_found(void **state) {
     (void)state;
     static const char *const names[] = {"pyramid", "circle_pit"};
     for (int i = 0; i < 2; i++) {
@@ -117,14 +110,12 @@ static void recount_finds_what_the_step_found(void **state)
 }
 
 static bool never(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
-                  void *context)
-{
+                  void *context) {
     (void)world, (void)contact, (void)settings, (void)context;
     return false;
 }
 
-static void contacts_of_sleepers_and_vetoed_ones_do_not_count(void **state)
-{
+static void contacts_of_sleepers_and_vetoed_ones_do_not_count(void **state) {
     (void)state;
     for (int vetoed = 0; vetoed < 2; vetoed++) {
         thud_world_def def = thud_default_world_def();
@@ -143,8 +134,7 @@ static void contacts_of_sleepers_and_vetoed_ones_do_not_count(void **state)
     }
 }
 
-static void residual_is_large_where_the_solver_does_not_get_done(void **state)
-{
+static void residual_is_large_where_the_solver_does_not_get_done(void **state) {
     (void)state;
     double residual[2];
     for (int hard = 0; hard < 2; hard++) {
@@ -165,8 +155,7 @@ static void residual_is_large_where_the_solver_does_not_get_done(void **state)
     assert_true(residual[1] > 0.1);
 }
 
-static void points_of_a_stack_overlap_under_a_weight_that_crushes_it(void **state)
-{
+static void points_of_a_stack_overlap_under_a_weight_that_crushes_it(void **state) {
     (void)state;
     int overlaps[2];
     for (int crushed = 0; crushed < 2; crushed++) {
@@ -191,8 +180,7 @@ static void points_of_a_stack_overlap_under_a_weight_that_crushes_it(void **stat
 
 /* ---- energy ---- */
 
-static void free_flight_changes_no_energy_at_all(void **state)
-{
+static void free_flight_changes_no_energy_at_all(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     for (int i = 0; i < 19; i++) {
@@ -205,8 +193,7 @@ static void free_flight_changes_no_energy_at_all(void **state)
     thud_world_destroy(world);
 }
 
-static void fall_changes_no_more_energy_than_the_integrator_loses(void **state)
-{
+static void fall_changes_no_more_energy_than_the_integrator_loses(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     def.substeps = 4;
@@ -222,8 +209,7 @@ static void fall_changes_no_more_energy_than_the_integrator_loses(void **state)
     thud_world_destroy(world);
 }
 
-static void fall_on_exact_parabolas_changes_no_energy(void **state)
-{
+static void fall_on_exact_parabolas_changes_no_energy(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     def.detection = &thud_detection_swept;
@@ -236,8 +222,7 @@ static void fall_on_exact_parabolas_changes_no_energy(void **state)
     thud_world_destroy(world);
 }
 
-static void slide_loses_what_friction_works(void **state)
-{
+static void slide_loses_what_friction_works(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     thud_world *world = make_world(def);
@@ -261,8 +246,7 @@ static void slide_loses_what_friction_works(void **state)
 }
 
 /* Edits between steps are not the solver's doing. */
-static void energy_change_leaves_edits_out(void **state)
-{
+static void energy_change_leaves_edits_out(void **state) {
     (void)state;
     uint64_t seed = 5;
     thud_world_def def = weightless();
@@ -282,18 +266,31 @@ static void energy_change_leaves_edits_out(void **state)
         thud_vec2 v = {(float)random_in(&seed, -5, 5), (float)random_in(&seed, -5, 5)};
         thud_body_state s = state_of(world, body[i]);
         switch ((int)random_in(&seed, 0, 8)) {
-        case 0: OK(thud_body_set_velocity(world, body[i], v, 1)); break;
-        case 1: OK(thud_body_apply_impulse(world, body[i], v, s.position)); break;
-        case 2: OK(thud_body_set_awake(world, body[i], false)); break;
-        case 3: OK(thud_body_set_transform(world, body[i], (thud_pos){20, 3 * i}, 0)); break;
-        case 4: OK(thud_body_set_enabled(world, body[i], !s.enabled)); break;
-        case 5: add_shape(world, body[i], 0.3f, 0.3f, false, &bouncy); break;
+        case 0:
+            OK(thud_body_set_velocity(world, body[i], v, 1));
+            break;
+        case 1:
+            OK(thud_body_apply_impulse(world, body[i], v, s.position));
+            break;
+        case 2:
+            OK(thud_body_set_awake(world, body[i], false));
+            break;
+        case 3:
+            OK(thud_body_set_transform(world, body[i], (thud_pos){20, 3 * i}, 0));
+            break;
+        case 4:
+            OK(thud_body_set_enabled(world, body[i], !s.enabled));
+            break;
+        case 5:
+            add_shape(world, body[i], 0.3f, 0.3f, false, &bouncy);
+            break;
         case 6:
             OK(thud_body_destroy(world, body[i]));
             body[i] = add_ball(world, -3, 3 * i, 0.5f);
             OK(thud_body_set_velocity(world, body[i], v, 1));
             break;
-        default: break;
+        default:
+            break;
         }
         double before = thud_world_measure(world).kinetic_energy;
         double change = error_of_step(world).energy_change;
@@ -305,8 +302,7 @@ static void energy_change_leaves_edits_out(void **state)
     thud_world_destroy(world);
 }
 
-static void energy_counts_anew_after_a_collision_within_the_step(void **state)
-{
+static void energy_counts_anew_after_a_collision_within_the_step(void **state) {
     (void)state;
     thud_world_def def = weightless();
     def.detection = &thud_detection_swept;
@@ -327,8 +323,7 @@ static void energy_counts_anew_after_a_collision_within_the_step(void **state)
     thud_world_destroy(world);
 }
 
-static void report_of_a_step_that_quarantines_is_finite(void **state)
-{
+static void report_of_a_step_that_quarantines_is_finite(void **state) {
     (void)state;
     thud_world_def def = weightless();
     thud_world *world = make_world(def);
@@ -348,8 +343,7 @@ static void report_of_a_step_that_quarantines_is_finite(void **state)
 
 /* ---- one report, whoever works it out ---- */
 
-static void same_as(thud_step_error a, thud_step_error b)
-{
+static void same_as(thud_step_error a, thud_step_error b) {
     assert_true(a.penetration_max == b.penetration_max);
     assert_true(a.penetration_mean == b.penetration_mean);
     assert_true(a.residual == b.residual);
@@ -357,8 +351,7 @@ static void same_as(thud_step_error a, thud_step_error b)
     assert_int_equal(a.overlaps, b.overlaps);
 }
 
-static void report_is_the_same_with_any_workers_and_any_simd(void **state)
-{
+static void report_is_the_same_with_any_workers_and_any_simd(void **state) {
     (void)state;
     static const struct {
         const char *name;
@@ -392,8 +385,7 @@ static void report_is_the_same_with_any_workers_and_any_simd(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(error_before_the_first_step_and_without_a_world_is_zero),
         cmocka_unit_test(penetration_of_a_sunk_ball_is_how_deep_it_ends),

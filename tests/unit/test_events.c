@@ -6,8 +6,7 @@ typedef struct tally {
     int begun, ended, sensed, left, hits;
 } tally;
 
-static void count(thud_world *world, tally *t)
-{
+static void count(thud_world *world, tally *t) {
     thud_events e = thud_world_events(world);
     t->begun += e.begin_count;
     t->ended += e.end_count;
@@ -16,8 +15,7 @@ static void count(thud_world *world, tally *t)
     t->hits += e.hit_count;
 }
 
-static tally run_counting(thud_world *world, int steps)
-{
+static tally run_counting(thud_world *world, int steps) {
     tally t = {0, 0, 0, 0, 0};
     for (int i = 0; i < steps; i++) {
         run(world, 1);
@@ -26,8 +24,7 @@ static tally run_counting(thud_world *world, int steps)
     return t;
 }
 
-static void bouncing_ball_begins_and_ends_and_hits(void **state)
-{
+static void bouncing_ball_begins_and_ends_and_hits(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def bouncy = thud_default_shape_def();
@@ -53,8 +50,7 @@ static void bouncing_ball_begins_and_ends_and_hits(void **state)
     thud_world_destroy(world);
 }
 
-static void contact_ends_when_a_body_a_shape_or_the_ground_goes(void **state)
-{
+static void contact_ends_when_a_body_a_shape_or_the_ground_goes(void **state) {
     (void)state;
     for (int how = 0; how < 4; how++) {
         thud_world *world = make_world(thud_default_world_def());
@@ -86,8 +82,7 @@ static void contact_ends_when_a_body_a_shape_or_the_ground_goes(void **state)
     }
 }
 
-static void sensor_reports_and_does_not_collide(void **state)
-{
+static void sensor_reports_and_does_not_collide(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def sensor = thud_default_shape_def();
@@ -103,15 +98,15 @@ static void sensor_reports_and_does_not_collide(void **state)
     thud_world_destroy(world);
 }
 
-static void filters_decide_who_meets(void **state)
-{
+static void filters_decide_who_meets(void **state) {
     (void)state;
     const struct {
         thud_filter a, b;
         bool meet;
     } cases[] = {
-        {{1, 1, 0}, {1, 1, 0}, true},  {{1, 2, 0}, {1, 1, 0}, false}, {{1, 2, 0}, {2, 1, 0}, true},
-        {{1, 1, -3}, {1, 1, -3}, false}, {{1, 0, 3}, {1, 0, 3}, true}, {{1, 1, 3}, {1, 1, 4}, true},
+        {{1, 1, 0}, {1, 1, 0}, true}, {{1, 2, 0}, {1, 1, 0}, false},
+        {{1, 2, 0}, {2, 1, 0}, true}, {{1, 1, -3}, {1, 1, -3}, false},
+        {{1, 0, 3}, {1, 0, 3}, true}, {{1, 1, 3}, {1, 1, 4}, true},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         thud_world *world = make_world(weightless());
@@ -128,9 +123,8 @@ static void filters_decide_who_meets(void **state)
     }
 }
 
-static bool veto(thud_world *world, const thud_contact *contact,
-                 thud_contact_settings *settings, void *context)
-{
+static bool veto(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                 void *context) {
     (void)settings;
     (void)world;
     (void)contact;
@@ -138,8 +132,7 @@ static bool veto(thud_world *world, const thud_contact *contact,
     return false;
 }
 
-static void prologue_that_says_no_lets_bodies_through(void **state)
-{
+static void prologue_that_says_no_lets_bodies_through(void **state) {
     (void)state;
     int asked = 0;
     thud_world_def def = thud_default_world_def();
@@ -157,8 +150,7 @@ static void prologue_that_says_no_lets_bodies_through(void **state)
 
 static double impulse_sum;
 
-static void weigh(thud_world *world, const thud_contact *contact, void *context)
-{
+static void weigh(thud_world *world, const thud_contact *contact, void *context) {
     (void)context;
     impulse_sum += (double)contact->normal_impulse;
     /* Inside a callback the step is refused, and an edit waits for the next one. */
@@ -167,8 +159,7 @@ static void weigh(thud_world *world, const thud_contact *contact, void *context)
     assert_true((double)fabsf(state_of(world, contact->body_b).velocity.x) < 2.0);
 }
 
-static void epilogue_hears_the_impulse_that_carries_the_weight(void **state)
-{
+static void epilogue_hears_the_impulse_that_carries_the_weight(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     def.epilogue = weigh;
@@ -186,8 +177,7 @@ static void epilogue_hears_the_impulse_that_carries_the_weight(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bouncing_ball_begins_and_ends_and_hits),
         cmocka_unit_test(contact_ends_when_a_body_a_shape_or_the_ground_goes),

@@ -1,5 +1,6 @@
-/* test_float_mode.c: the same bits whatever floating-point mode the calling thread is in, and the thread
- * has its own back. Where a processor has no such mode there is nothing to test but the calls. */
+/* test_float_mode.c: the same bits whatever floating-point mode the calling thread is in, and the
+ * thread has its own back. Where a processor has no such mode there is nothing to test but the
+ * calls. */
 #include "engine_support.h"
 
 #include <thud/thud_mover.h>
@@ -29,22 +30,18 @@ static const struct {
     {"rounding to zero, denormals flushed", 0x1f80u | 0x6000u | 0x8040u},
     {"trapping everything but inexact results", 0x1000u},
 #elif defined(__aarch64__)
-    {"denormals flushed", 1u << 24},
-    {"rounding up", 1u << 22},
-    {"rounding down", 2u << 22},
-    {"rounding to zero, denormals flushed", 3u << 22 | 1u << 24},
+    {"denormals flushed", 1u << 24}, {"rounding up", 1u << 22},
+    {"rounding down", 2u << 22},     {"rounding to zero, denormals flushed", 3u << 22 | 1u << 24},
 #endif
 };
 enum { MODE_COUNT = sizeof MODES / sizeof *MODES };
 
-static void set_mode(td_mode mode)
-{
+static void set_mode(td_mode mode) {
     (void)mode;
     TD_MODE_SET(mode);
 }
 
-static td_mode mode_now(void)
-{
+static td_mode mode_now(void) {
     td_mode mode = TD_MODE_OWN;
     TD_MODE_GET(mode);
     return mode & ~(td_mode)TD_MODE_NOTES;
@@ -53,20 +50,19 @@ static td_mode mode_now(void)
 static td_mode callers; /* of the run under way */
 
 /* The call in the caller's mode, everything around it in the usual one: arguments are values. */
-#define IN_MODE(call)                                                                              \
-    do {                                                                                           \
-        set_mode(callers);                                                                         \
-        thud_result result_ = (call);                                                              \
-        td_mode after_ = mode_now();                                                               \
-        set_mode(TD_MODE_OWN);                                                                     \
-        assert_int_equal(result_, THUD_OK);                                                        \
-        assert_true(after_ == callers);                                                            \
+#define IN_MODE(call)                       \
+    do {                                    \
+        set_mode(callers);                  \
+        thud_result result_ = (call);       \
+        td_mode after_ = mode_now();        \
+        set_mode(TD_MODE_OWN);              \
+        assert_int_equal(result_, THUD_OK); \
+        assert_true(after_ == callers);     \
     } while (0)
 
 /* ---- steps ---- */
 
-static uint64_t hash_of(const char *name, int size, int steps, const thud_world_def *def)
-{
+static uint64_t hash_of(const char *name, int size, int steps, const thud_world_def *def) {
     scene s;
     thud_world *world;
     assert_true(scenes_fill(scenes_find(name), size, &s));
@@ -80,8 +76,7 @@ static uint64_t hash_of(const char *name, int size, int steps, const thud_world_
     return hash;
 }
 
-static void scenes_end_with_the_same_bits_in_any_mode(void **state)
-{
+static void scenes_end_with_the_same_bits_in_any_mode(void **state) {
     (void)state;
     for (int i = 0; i < scenes_count(); i++) {
         const scene_info *info = scenes_at(i);
@@ -97,15 +92,15 @@ static void scenes_end_with_the_same_bits_in_any_mode(void **state)
     }
 }
 
-static void qualities_end_with_the_same_bits_in_any_mode(void **state)
-{
+static void qualities_end_with_the_same_bits_in_any_mode(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
         thud_world_def def = thud_world_def_of(qualities[q]);
         uint64_t hash[MODE_COUNT];
         for (int m = 0; m < MODE_COUNT; m++) {
             callers = MODES[m].mode;
-            hash[m] = hash_of("heavy_on_light", 6, 90, &def) ^ hash_of("mixed_terrain", 80, 90, &def);
+            hash[m] =
+                hash_of("heavy_on_light", 6, 90, &def) ^ hash_of("mixed_terrain", 80, 90, &def);
             if (hash[m] != hash[0]) {
                 fail_msg("%s: differs where the caller has %s", qualities[q]->name, MODES[m].name);
             }
@@ -114,8 +109,7 @@ static void qualities_end_with_the_same_bits_in_any_mode(void **state)
 }
 
 /* A thread has the mode of the one that made it. */
-static void workers_in_any_mode_give_the_same_bits(void **state)
-{
+static void workers_in_any_mode_give_the_same_bits(void **state) {
     (void)state;
     uint64_t hash[MODE_COUNT];
     for (int m = 0; m < MODE_COUNT; m++) {
@@ -140,15 +134,13 @@ typedef struct deeds {
     uint64_t seen; /* what the calls answered */
 } deeds;
 
-static void see(deeds *d, const void *bytes, size_t size)
-{
+static void see(deeds *d, const void *bytes, size_t size) {
     for (size_t i = 0; i < size; i++) {
         d->seen = (d->seen ^ ((const unsigned char *)bytes)[i]) * 0x100000001b3ull;
     }
 }
 
-static void make_ground(deeds *d)
-{
+static void make_ground(deeds *d) {
     thud_body_def def = thud_default_body_def();
     thud_shape_def shape = thud_default_shape_def();
     thud_body_id ground;
@@ -168,8 +160,7 @@ static void make_ground(deeds *d)
     see(d, made.points, (size_t)made.count * sizeof *made.points);
 }
 
-static void make_bodies(deeds *d)
-{
+static void make_bodies(deeds *d) {
     thud_shape_def shape = thud_default_shape_def();
     shape.density = 0.7f;
     for (int i = 0; i < 30; i++) {
@@ -187,25 +178,27 @@ static void make_bodies(deeds *d)
         } else {
             IN_MODE(thud_shape_create_obb(d->world, body, &shape, off, half, turn, NULL));
         }
-        IN_MODE(thud_shape_create_circle(d->world, body, &shape, (thud_vec2){0.2f, 0.1f}, 0.23f, NULL));
+        IN_MODE(
+            thud_shape_create_circle(d->world, body, &shape, (thud_vec2){0.2f, 0.1f}, 0.23f, NULL));
         IN_MODE(thud_body_apply_impulse(d->world, body, (thud_vec2){0.1f, 1e-39f}, def.position));
         IN_MODE(thud_body_apply_force(d->world, body, (thud_vec2){0.3f, 0.7f}, 0.11f));
         if (i % 5 == 0) {
-            IN_MODE(thud_body_set_transform(d->world, body, (thud_pos){far, 9.1}, i % 3 ? 0.77 : 0));
+            IN_MODE(
+                thud_body_set_transform(d->world, body, (thud_pos){far, 9.1}, i % 3 ? 0.77 : 0));
             IN_MODE(thud_body_set_velocity(d->world, body, (thud_vec2){0.3f, 1e-40f}, 1e-39f));
         }
     }
 }
 
-static void ask(deeds *d, int step)
-{
+static void ask(deeds *d, int step) {
     bool hit;
     volatile double up = 0.1 * step; /* or the product might be made after the mode is set */
     thud_ray_hit ray = {0};
     thud_closest_hit closest = {0};
     IN_MODE(thud_world_cast_ray(d->world, (thud_pos){-15.3, 0.9}, 29.7, up, NULL, &hit, &ray));
     see(d, &ray.fraction, sizeof ray.fraction);
-    IN_MODE(thud_world_cast_box(d->world, (thud_pos){-9.7, 8}, 0.3, 0.7, 0.3, 7.1, -9.3, NULL, &hit, &ray));
+    IN_MODE(thud_world_cast_box(d->world, (thud_pos){-9.7, 8}, 0.3, 0.7, 0.3, 7.1, -9.3, NULL, &hit,
+                                &ray));
     see(d, &ray.fraction, sizeof ray.fraction);
     IN_MODE(thud_world_closest(d->world, (thud_pos){1.3, 7.7}, 30, NULL, &hit, &closest));
     see(d, &closest.distance, sizeof closest.distance);
@@ -221,8 +214,7 @@ static void ask(deeds *d, int step)
     see(d, &measure, sizeof measure);
 }
 
-static uint64_t do_all(const thud_quality *quality)
-{
+static uint64_t do_all(const thud_quality *quality) {
     thud_world_def def = thud_default_world_def();
     def.length_scale = 0.7f;
     deeds d = {.seen = 1};
@@ -245,8 +237,7 @@ static uint64_t do_all(const thud_quality *quality)
     return d.seen;
 }
 
-static void every_call_does_the_same_in_any_mode(void **state)
-{
+static void every_call_does_the_same_in_any_mode(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
         uint64_t seen[MODE_COUNT];
@@ -263,8 +254,7 @@ static void every_call_does_the_same_in_any_mode(void **state)
 /* ---- callbacks ---- */
 
 static bool prologue_notes_mode(thud_world *world, const thud_contact *contact,
-                                thud_contact_settings *settings, void *context)
-{
+                                thud_contact_settings *settings, void *context) {
     (void)world;
     (void)contact;
     (void)settings;
@@ -272,8 +262,7 @@ static bool prologue_notes_mode(thud_world *world, const thud_contact *contact,
     return true;
 }
 
-static void callbacks_are_called_in_the_worlds_own_mode(void **state)
-{
+static void callbacks_are_called_in_the_worlds_own_mode(void **state) {
     (void)state;
     bool own = false;
     thud_world_def def = thud_default_world_def();
@@ -288,8 +277,7 @@ static void callbacks_are_called_in_the_worlds_own_mode(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scenes_end_with_the_same_bits_in_any_mode),
         cmocka_unit_test(qualities_end_with_the_same_bits_in_any_mode),

@@ -10,8 +10,7 @@
 
 static const char path[] = "tests/golden/hashes.txt";
 
-static uint64_t hash_of(const scene_info *info)
-{
+static uint64_t hash_of(const scene_info *info) {
     scene s;
     thud_world *world;
     int size = info->default_size > 1000 ? 600 : info->default_size;
@@ -24,8 +23,7 @@ static uint64_t hash_of(const scene_info *info)
     return hash;
 }
 
-static void scenes_end_as_they_always_did(void **state)
-{
+static void scenes_end_as_they_always_did(void **state) {
     (void)state;
     char wanted[8192] = "", now[8192] = "";
     for (int i = 0; i < scenes_count(); i++) {
@@ -47,8 +45,7 @@ static void scenes_end_as_they_always_did(void **state)
     assert_string_equal(now, wanted);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(scenes_end_as_they_always_did)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

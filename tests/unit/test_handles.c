@@ -1,26 +1,24 @@
-/* test_handles.c: handles and bad input: refused with a result, told to the log, nothing changed. */
+/* test_handles.c: handles and bad input: refused with a result, told to the log, nothing changed.
+ */
 #include "engine_support.h"
 
 static int logged;
 
-static void count_log(thud_result result, const char *message, void *context)
-{
+static void count_log(thud_result result, const char *message, void *context) {
     (void)context;
     assert_int_not_equal(result, THUD_OK);
     assert_non_null(message);
     logged++;
 }
 
-static thud_world *logging_world(void)
-{
+static thud_world *logging_world(void) {
     thud_world_def def = thud_default_world_def();
     def.log = count_log;
     logged = 0;
     return make_world(def);
 }
 
-static void handle_of_destroyed_body_is_stale_even_when_its_slot_lives_again(void **state)
-{
+static void handle_of_destroyed_body_is_stale_even_when_its_slot_lives_again(void **state) {
     (void)state;
     thud_world *world = logging_world();
     thud_body_id old = add_ball(world, 0, 0, 1);
@@ -36,8 +34,7 @@ static void handle_of_destroyed_body_is_stale_even_when_its_slot_lives_again(voi
     thud_world_destroy(world);
 }
 
-static void handle_of_another_world_is_refused(void **state)
-{
+static void handle_of_another_world_is_refused(void **state) {
     (void)state;
     thud_world *one = logging_world(), *two = logging_world();
     thud_body_id body = add_ball(one, 0, 0, 1);
@@ -49,8 +46,7 @@ static void handle_of_another_world_is_refused(void **state)
     thud_world_destroy(two);
 }
 
-static void handle_is_refused_however_many_worlds_are_made_after_its_own(void **state)
-{
+static void handle_is_refused_however_many_worlds_are_made_after_its_own(void **state) {
     (void)state;
     thud_world *one = make_world(thud_default_world_def());
     thud_body_id body = add_ball(one, 0, 0, 1);
@@ -65,8 +61,7 @@ static void handle_is_refused_however_many_worlds_are_made_after_its_own(void **
     thud_world_destroy(one);
 }
 
-static void static_body_with_a_velocity_is_refused(void **state)
-{
+static void static_body_with_a_velocity_is_refused(void **state) {
     (void)state;
     thud_world *world = logging_world();
     thud_body_def def = thud_default_body_def();
@@ -83,15 +78,13 @@ static void static_body_with_a_velocity_is_refused(void **state)
     thud_world_destroy(world);
 }
 
-static void note_zero_filter(thud_result result, const char *message, void *context)
-{
+static void note_zero_filter(thud_result result, const char *message, void *context) {
     assert_int_equal(result, THUD_OK);
     assert_non_null(strstr(message, "meets nothing"));
     ++*(int *)context;
 }
 
-static void shape_whose_def_is_zeroed_is_made_and_told_to_meet_nothing(void **state)
-{
+static void shape_whose_def_is_zeroed_is_made_and_told_to_meet_nothing(void **state) {
     (void)state;
     int told = 0;
     thud_world_def def = thud_default_world_def();
@@ -111,8 +104,7 @@ static void shape_whose_def_is_zeroed_is_made_and_told_to_meet_nothing(void **st
     thud_world_destroy(world);
 }
 
-static void shapes_die_with_their_body(void **state)
-{
+static void shapes_die_with_their_body(void **state) {
     (void)state;
     thud_world *world = logging_world();
     thud_body_id body = add_body(world, THUD_DYNAMIC, 0, 0, 0);
@@ -123,17 +115,16 @@ static void shapes_die_with_their_body(void **state)
     thud_world_destroy(world);
 }
 
-static void bad_worlds_are_refused(void **state)
-{
+static void bad_worlds_are_refused(void **state) {
     (void)state;
     thud_world *world = NULL;
     thud_world_def good = thud_default_world_def(), def;
     assert_int_equal(thud_world_create(NULL, &world), THUD_ERROR_NULL);
     assert_int_equal(thud_world_create(&good, NULL), THUD_ERROR_NULL);
-#define REFUSED(field, value)                                                                      \
-    def = good;                                                                                    \
-    def.field = value;                                                                             \
-    assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);                         \
+#define REFUSED(field, value)                                              \
+    def = good;                                                            \
+    def.field = value;                                                     \
+    assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID); \
     assert_null(world)
     REFUSED(gravity.x, NAN);
     REFUSED(gravity.y, INFINITY);
@@ -162,8 +153,7 @@ static void bad_worlds_are_refused(void **state)
 }
 
 /* Every call of the table must be refused, told to the log and leave the world as it was. */
-static void bad_calls_change_nothing(void **state)
-{
+static void bad_calls_change_nothing(void **state) {
     (void)state;
     thud_world *world = logging_world();
     thud_body_id ball = add_ball(world, 0, 5, 1), floor = add_floor(world, NULL);
@@ -178,16 +168,16 @@ static void bad_calls_change_nothing(void **state)
     thud_pos unsorted[3] = {{0, 0}, {2, 0}, {1, 0}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = unsorted, .count = 3};
     int refused = 0;
-#define INVALID(call)                                                                              \
-    assert_int_equal((call), THUD_ERROR_INVALID);                                                  \
+#define INVALID(call)                             \
+    assert_int_equal((call), THUD_ERROR_INVALID); \
     refused++
-#define BAD_BODY(field, value)                                                                     \
-    body.field = value;                                                                            \
-    INVALID(thud_body_create(world, &body, NULL));                                                 \
+#define BAD_BODY(field, value)                     \
+    body.field = value;                            \
+    INVALID(thud_body_create(world, &body, NULL)); \
     body = thud_default_body_def()
-#define BAD_SHAPE(field, value)                                                                    \
-    shape.field = value;                                                                           \
-    INVALID(thud_shape_create_circle(world, ball, &shape, zero, 1, NULL));                         \
+#define BAD_SHAPE(field, value)                                            \
+    shape.field = value;                                                   \
+    INVALID(thud_shape_create_circle(world, ball, &shape, zero, 1, NULL)); \
     shape = thud_default_shape_def()
     BAD_BODY(kind, THUD_BODY_KIND_COUNT);
     BAD_BODY(position.x, NAN);
@@ -248,8 +238,7 @@ static void bad_calls_change_nothing(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(handle_of_destroyed_body_is_stale_even_when_its_slot_lives_again),
         cmocka_unit_test(handle_of_another_world_is_refused),

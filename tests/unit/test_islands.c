@@ -7,8 +7,7 @@
 
 /* ---- which ---- */
 
-static void islands_heavy_on_light_turns_hard_by_itself(void **state)
-{
+static void islands_heavy_on_light_turns_hard_by_itself(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_default);
     add_column(world, -5, 2, NULL);
@@ -26,8 +25,7 @@ static void islands_heavy_on_light_turns_hard_by_itself(void **state)
 }
 
 /* A second after the load is gone, and not before: it might be about to come back. */
-static void islands_turn_soft_a_second_after_their_load_is_gone(void **state)
-{
+static void islands_turn_soft_a_second_after_their_load_is_gone(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_default);
     add_column(world, 0, 2, NULL);
@@ -41,8 +39,7 @@ static void islands_turn_soft_a_second_after_their_load_is_gone(void **state)
     thud_world_destroy(world);
 }
 
-static void islands_of_equal_boxes_stay_soft_at_default(void **state)
-{
+static void islands_of_equal_boxes_stay_soft_at_default(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_default);
     add_column(world, 0, 5, NULL);
@@ -55,8 +52,7 @@ static void islands_of_equal_boxes_stay_soft_at_default(void **state)
 }
 
 /* Three columns are three islands, though they share the floor; what flies is in none. */
-static void islands_are_all_hard_where_the_limit_is_zero(void **state)
-{
+static void islands_are_all_hard_where_the_limit_is_zero(void **state) {
     (void)state;
     const thud_quality *all[] = {&thud_quality_high, &thud_quality_exact};
     for (int q = 0; q < 2; q++) {
@@ -75,8 +71,7 @@ static void islands_are_all_hard_where_the_limit_is_zero(void **state)
     }
 }
 
-static void islands_are_none_without_a_solver(void **state)
-{
+static void islands_are_none_without_a_solver(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_draft);
     add_box(world, 0, 0.5, 0.5f, 0.5f);
@@ -88,10 +83,9 @@ static void islands_are_none_without_a_solver(void **state)
     thud_world_destroy(world);
 }
 
-/* A column of n takes 3 n - 2 operations a matrix, n for its bodies and 2 n for its contacts; and at rest
- * one matrix a step. */
-static void islands_work_is_what_their_matrices_take(void **state)
-{
+/* A column of n takes 3 n - 2 operations a matrix, n for its bodies and 2 n for its contacts; and
+ * at rest one matrix a step. */
+static void islands_work_is_what_their_matrices_take(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_exact);
     add_column(world, 0, 20, NULL);
@@ -106,8 +100,7 @@ static void islands_work_is_what_their_matrices_take(void **state)
 
 /* ---- limits ---- */
 
-static void islands_of_more_bodies_than_the_limit_stay_soft(void **state)
-{
+static void islands_of_more_bodies_than_the_limit_stay_soft(void **state) {
     (void)state;
     thud_quality five = thud_quality_exact;
     five.island_limit = 5;
@@ -123,8 +116,7 @@ static void islands_of_more_bodies_than_the_limit_stay_soft(void **state)
 }
 
 /* So much that one of two columns at rest can be had. */
-static void islands_for_which_no_work_is_left_stay_soft(void **state)
-{
+static void islands_for_which_no_work_is_left_stay_soft(void **state) {
     (void)state;
     thud_quality little = thud_quality_exact;
     little.island_work = 70;
@@ -145,8 +137,7 @@ static void islands_for_which_no_work_is_left_stay_soft(void **state)
     thud_world_destroy(world);
 }
 
-static void islands_without_any_work_stay_soft(void **state)
-{
+static void islands_without_any_work_stay_soft(void **state) {
     (void)state;
     thud_quality none = thud_quality_exact;
     none.island_work = 0;
@@ -163,8 +154,7 @@ static void islands_without_any_work_stay_soft(void **state)
 
 /* Steps of 240 in which boxes that are thrown together were solved directly, and the most of them
  * in succession. */
-static int direct_steps(int patience, int *longest)
-{
+static int direct_steps(int patience, int *longest) {
     thud_quality quality = thud_quality_exact;
     quality.island_patience = patience;
     thud_world *world = world_of(&quality);
@@ -187,8 +177,7 @@ static int direct_steps(int patience, int *longest)
     return steps;
 }
 
-static void islands_that_strain_are_left_alone_once_patience_is_out(void **state)
-{
+static void islands_that_strain_are_left_alone_once_patience_is_out(void **state) {
     (void)state;
     int long_one, short_one;
     int any = direct_steps(0, &long_one), few = direct_steps(1, &short_one);
@@ -196,9 +185,9 @@ static void islands_that_strain_are_left_alone_once_patience_is_out(void **state
     assert_true(long_one > short_one);
 }
 
-/* Work on islands in ten seconds, in which boxes and discs fall on rolling ground and come to rest. */
-static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t seed)
-{
+/* Work on islands in ten seconds, in which boxes and discs fall on rolling ground and come to rest.
+ */
+static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t seed) {
     enum { POINTS = 61, BODIES = 150 };
     thud_world_def def = thud_world_def_of(quality);
     def.substeps = substeps;
@@ -227,10 +216,9 @@ static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t 
     return work;
 }
 
-/* Whoever asks for less pays no more: over a few heaps, since one takes this course, one that. And of
- * what default may take, a heap in motion leaves most alone. */
-static void heap_takes_no_more_work_at_fewer_substeps(void **state)
-{
+/* Whoever asks for less pays no more: over a few heaps, since one takes this course, one that. And
+ * of what default may take, a heap in motion leaves most alone. */
+static void heap_takes_no_more_work_at_fewer_substeps(void **state) {
     (void)state;
     int64_t sum[3] = {0};
     enum { HEAPS = 6 };
@@ -245,8 +233,7 @@ static void heap_takes_no_more_work_at_fewer_substeps(void **state)
 
 /* ---- the caller's quality ---- */
 
-static void islands_follow_a_copy_of_the_callers_quality(void **state)
-{
+static void islands_follow_a_copy_of_the_callers_quality(void **state) {
     (void)state;
     thud_quality mine = thud_quality_draft;
     mine.name = "mine";
@@ -264,8 +251,7 @@ static void islands_follow_a_copy_of_the_callers_quality(void **state)
     thud_world_destroy(world);
 }
 
-static void islands_follow_the_quality_back_and_forth(void **state)
-{
+static void islands_follow_the_quality_back_and_forth(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_exact);
     thud_body_id ids[30];
@@ -288,8 +274,7 @@ static void islands_follow_the_quality_back_and_forth(void **state)
 /* ---- the same bits ---- */
 
 /* A column, heavy on light and rubble that falls: islands of all sizes. */
-static void fill_yard(thud_world *world, double x)
-{
+static void fill_yard(thud_world *world, double x) {
     add_column(world, x, 12, NULL);
     add_box(world, x + 5, 0.5, 0.5f, 0.5f);
     add_heavy(world, x + 5, 1.5, 0.5f, 1000);
@@ -300,8 +285,7 @@ static void fill_yard(thud_world *world, double x)
     }
 }
 
-static void run_hard(thud_world *world, int steps)
-{
+static void run_hard(thud_world *world, int steps) {
     int64_t bodies = 0;
     for (int i = 0; i < steps; i++) {
         run(world, 1);
@@ -310,8 +294,7 @@ static void run_hard(thud_world *world, int steps)
     assert_true(bodies > 20);
 }
 
-static uint64_t hash_of_yard(thud_world_def def)
-{
+static uint64_t hash_of_yard(thud_world_def def) {
     thud_world *world = make_world(def);
     add_floor(world, NULL);
     fill_yard(world, 0);
@@ -321,8 +304,7 @@ static uint64_t hash_of_yard(thud_world_def def)
     return hash;
 }
 
-static void islands_are_the_same_for_any_number_of_workers(void **state)
-{
+static void islands_are_the_same_for_any_number_of_workers(void **state) {
     (void)state;
     for (int q = 1; q < QUALITIES; q++) {
         thud_world_def def = def_of(qualities[q]);
@@ -337,8 +319,7 @@ static void islands_are_the_same_for_any_number_of_workers(void **state)
     }
 }
 
-static void islands_are_the_same_without_avx2(void **state)
-{
+static void islands_are_the_same_without_avx2(void **state) {
     (void)state;
     for (int q = 1; q < QUALITIES; q++) {
         thud_world_def def = def_of(qualities[q]);
@@ -349,8 +330,7 @@ static void islands_are_the_same_without_avx2(void **state)
 }
 
 /* Each allocation of each step fails once; the step is then as if it had not been tried. */
-static void islands_are_the_same_after_memory_failed(void **state)
-{
+static void islands_are_the_same_after_memory_failed(void **state) {
     (void)state;
     thud_world_def def = def_of(&thud_quality_exact);
     thud_world *never = make_world(def);
@@ -386,8 +366,7 @@ static void islands_are_the_same_after_memory_failed(void **state)
 }
 
 /* The floor goes along; places are on a grid that is fine enough there. */
-static void islands_are_the_same_far_from_the_origin(void **state)
-{
+static void islands_are_the_same_far_from_the_origin(void **state) {
     (void)state;
     enum { BODIES = 75 };
     const double away = 1 << 23;
@@ -412,8 +391,7 @@ static void islands_are_the_same_far_from_the_origin(void **state)
 
 /* ---- sleep ---- */
 
-static void islands_sleep_and_wake_without_loss(void **state)
-{
+static void islands_sleep_and_wake_without_loss(void **state) {
     (void)state;
     for (int q = 1; q < QUALITIES; q++) {
         thud_world *world = make_world(def_of(qualities[q]));
@@ -436,8 +414,7 @@ static void islands_sleep_and_wake_without_loss(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(islands_heavy_on_light_turns_hard_by_itself),
         cmocka_unit_test(islands_turn_soft_a_second_after_their_load_is_gone),

@@ -20,8 +20,7 @@ typedef struct forces {
     int count;
 } forces;
 
-static void add_force(forces *f, int a, int b, double x, double y)
-{
+static void add_force(forces *f, int a, int b, double x, double y) {
     int sign = a < b ? 1 : -1, low = a < b ? a : b, high = a < b ? b : a, i = 0;
     while (i < f->count && (f->at[i].body_a != low || f->at[i].body_b != high)) {
         i++;
@@ -35,8 +34,7 @@ static void add_force(forces *f, int a, int b, double x, double y)
 }
 
 /* Worlds number their bodies in the scene's order. */
-static void note(thud_world *world, const thud_contact *c, void *context)
-{
+static void note(thud_world *world, const thud_contact *c, void *context) {
     (void)world;
     double n = (double)c->normal_impulse / STEP, t = (double)c->tangent_impulse / STEP;
     double x = (double)c->normal.x, y = (double)c->normal.y;
@@ -44,8 +42,7 @@ static void note(thud_world *world, const thud_contact *c, void *context)
               n * y - t * x);
 }
 
-static forces forces_of_thud(const scene *s, const thud_quality *quality)
-{
+static forces forces_of_thud(const scene *s, const thud_quality *quality) {
     forces found = {.count = 0};
     thud_world_def def = thud_default_world_def();
     thud_world *world;
@@ -64,8 +61,7 @@ static forces forces_of_thud(const scene *s, const thud_quality *quality)
     return found;
 }
 
-static forces forces_of_oracle(const scene *s)
-{
+static forces forces_of_oracle(const scene *s) {
     forces found = {.count = 0};
     oracle *o = oracle_create(s, &(oracle_settings){1.0 / 240, 0.01});
     assert_non_null(o);
@@ -83,8 +79,7 @@ static forces forces_of_oracle(const scene *s)
 }
 
 /* To a thousandth of the greatest, between each two bodies. */
-static void assert_same_forces(const scene *s)
-{
+static void assert_same_forces(const scene *s) {
     const thud_quality *const direct[] = {&thud_quality_high, &thud_quality_exact};
     forces right = forces_of_oracle(s);
     for (int q = 0; q < 2; q++) {
@@ -106,8 +101,7 @@ static void assert_same_forces(const scene *s)
     }
 }
 
-static void islands_press_as_in_the_oracle_in_a_column(void **state)
-{
+static void islands_press_as_in_the_oracle_in_a_column(void **state) {
     (void)state;
     for (int size = 1; size <= 40; size += 13) {
         scene s;
@@ -117,8 +111,7 @@ static void islands_press_as_in_the_oracle_in_a_column(void **state)
     }
 }
 
-static void islands_press_as_in_the_oracle_where_heavy_is_on_light(void **state)
-{
+static void islands_press_as_in_the_oracle_where_heavy_is_on_light(void **state) {
     (void)state;
     scene s;
     assert_true(scenes_fill(&scene_heavy_on_light, 1, &s));
@@ -130,8 +123,7 @@ static void islands_press_as_in_the_oracle_where_heavy_is_on_light(void **state)
 }
 
 /* A plank on two balls that stand still, with a load that is not in the middle. */
-static void islands_press_as_in_the_oracle_under_a_plank(void **state)
-{
+static void islands_press_as_in_the_oracle_under_a_plank(void **state) {
     (void)state;
     scene s;
     scene_init(&s);
@@ -147,8 +139,7 @@ static void islands_press_as_in_the_oracle_under_a_plank(void **state)
 }
 
 /* One ball on two in a groove of 90 degrees; without friction, which leaves it open who holds. */
-static void islands_press_as_in_the_oracle_in_a_wedge(void **state)
-{
+static void islands_press_as_in_the_oracle_in_a_wedge(void **state) {
     (void)state;
     scene s;
     scene_init(&s);
@@ -164,8 +155,7 @@ static void islands_press_as_in_the_oracle_in_a_wedge(void **state)
     scene_free(&s);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(islands_press_as_in_the_oracle_in_a_column),
         cmocka_unit_test(islands_press_as_in_the_oracle_where_heavy_is_on_light),

@@ -7,8 +7,7 @@ enum { DIRECT = 2 };
 
 /* ---- loads ---- */
 
-static void islands_heavy_on_light_keeps_its_height(void **state)
-{
+static void islands_heavy_on_light_keeps_its_height(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         for (float ratio = 10; ratio <= 1e5f; ratio *= 10) {
@@ -22,8 +21,7 @@ static void islands_heavy_on_light_keeps_its_height(void **state)
     }
 }
 
-static void islands_heavy_on_light_sinks_little_at_default(void **state)
-{
+static void islands_heavy_on_light_sinks_little_at_default(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_default);
     add_box(world, 0, 0.5, 0.5f, 0.5f);
@@ -33,8 +31,7 @@ static void islands_heavy_on_light_sinks_little_at_default(void **state)
     thud_world_destroy(world);
 }
 
-static void islands_tall_column_stands_at_default(void **state)
-{
+static void islands_tall_column_stands_at_default(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_default);
     thud_body_id ids[60];
@@ -45,8 +42,7 @@ static void islands_tall_column_stands_at_default(void **state)
     thud_world_destroy(world);
 }
 
-static void islands_two_small_boxes_bear_one_a_hundred_times_as_large(void **state)
-{
+static void islands_two_small_boxes_bear_one_a_hundred_times_as_large(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         thud_world *world = world_of(direct[q]);
@@ -60,8 +56,7 @@ static void islands_two_small_boxes_bear_one_a_hundred_times_as_large(void **sta
     }
 }
 
-static void islands_column_of_fifty_keeps_its_height(void **state)
-{
+static void islands_column_of_fifty_keeps_its_height(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         thud_world *world = world_of(direct[q]);
@@ -77,8 +72,7 @@ static void islands_column_of_fifty_keeps_its_height(void **state)
 /* ---- friction ---- */
 
 /* From v to rest in v^2 / (2 mu g). */
-static void islands_box_slides_as_far_as_friction_lets_it(void **state)
-{
+static void islands_box_slides_as_far_as_friction_lets_it(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         for (float v = 2; v <= 8; v *= 2) {
@@ -100,8 +94,7 @@ static void islands_box_slides_as_far_as_friction_lets_it(void **state)
 }
 
 /* A box on a box that slides on ice: the lower one is slowed as much as the upper one gains. */
-static void islands_friction_keeps_momentum(void **state)
-{
+static void islands_friction_keeps_momentum(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         thud_shape_def ice = thud_default_shape_def();
@@ -122,8 +115,7 @@ static void islands_friction_keeps_momentum(void **state)
 
 /* A disk of mass m that slides on a plank of mass M, on ice: friction turns it until it rolls, by
  * an impulse of v / (3 / m + 1 / M). */
-static void islands_sliding_disk_comes_to_roll(void **state)
-{
+static void islands_sliding_disk_comes_to_roll(void **state) {
     (void)state;
     for (int disk_first = 0; disk_first < 2; disk_first++) {
         thud_shape_def ice = thud_default_shape_def();
@@ -148,15 +140,14 @@ static void islands_sliding_disk_comes_to_roll(void **state)
 }
 
 typedef struct ledger {
-    double impulse;   /* into the floor */
-    double over;      /* the most by which friction exceeds its bound, of the greatest load */
+    double impulse; /* into the floor */
+    double over;    /* the most by which friction exceeds its bound, of the greatest load */
     double load;
     int contacts;
 } ledger;
 
 /* Of a floor that is at y = 0, and friction of 0.6 everywhere. */
-static void note(thud_world *world, const thud_contact *contact, void *context)
-{
+static void note(thud_world *world, const thud_contact *contact, void *context) {
     ledger *l = context;
     double bound = 0.6 * (double)contact->normal_impulse;
     l->contacts++;
@@ -167,8 +158,7 @@ static void note(thud_world *world, const thud_contact *contact, void *context)
     }
 }
 
-static thud_world *noted_world(const thud_quality *quality, ledger *l)
-{
+static thud_world *noted_world(const thud_quality *quality, ledger *l) {
     thud_world_def def = def_of(quality);
     def.sleeping = false;
     def.epilogue = note;
@@ -178,8 +168,7 @@ static thud_world *noted_world(const thud_quality *quality, ledger *l)
     return world;
 }
 
-static void islands_at_rest_keep_friction_within_its_bound(void **state)
-{
+static void islands_at_rest_keep_friction_within_its_bound(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         ledger l = {0};
@@ -200,8 +189,7 @@ static void islands_at_rest_keep_friction_within_its_bound(void **state)
 }
 
 /* All that the floor gives is all that gravity takes. */
-static void islands_epilogue_adds_up_to_the_weight(void **state)
-{
+static void islands_epilogue_adds_up_to_the_weight(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         ledger l = {0};
@@ -222,8 +210,7 @@ static void islands_epilogue_adds_up_to_the_weight(void **state)
 
 /* ---- what moves by itself ---- */
 
-static void islands_belt_carries_boxes_at_its_speed(void **state)
-{
+static void islands_belt_carries_boxes_at_its_speed(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         thud_world_def def = def_of(direct[q]);
@@ -245,8 +232,7 @@ static void islands_belt_carries_boxes_at_its_speed(void **state)
     }
 }
 
-static void islands_kinematic_wall_pushes_a_row_at_its_speed(void **state)
-{
+static void islands_kinematic_wall_pushes_a_row_at_its_speed(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         thud_world *world = world_of(direct[q]);
@@ -257,7 +243,8 @@ static void islands_kinematic_wall_pushes_a_row_at_its_speed(void **state)
             row[i] = add_box(world, i * 1.05, 0.5, 0.5f, 0.5f);
         }
         run(world, 180);
-        if (direct[q]->island_patience == 0) { /* what slides evenly takes as little as what rests */
+        if (direct[q]->island_patience ==
+            0) { /* what slides evenly takes as little as what rests */
             assert_in_range(thud_world_stats(world).factorings, 1, 2);
         }
         double front = state_of(world, wall).position.x + 0.5;
@@ -269,8 +256,7 @@ static void islands_kinematic_wall_pushes_a_row_at_its_speed(void **state)
     }
 }
 
-static void islands_lift_takes_a_column_along(void **state)
-{
+static void islands_lift_takes_a_column_along(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         thud_world_def def = def_of(direct[q]);
@@ -294,15 +280,13 @@ static void islands_lift_takes_a_column_along(void **state)
 static thud_body_id vetoed;
 
 static bool veto(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
-                 void *context)
-{
+                 void *context) {
     (void)world, (void)settings, (void)context;
     return contact->body_a.index1 != vetoed.index1 && contact->body_b.index1 != vetoed.index1;
 }
 
 /* The middle box of three falls as if alone, and the upper one comes down on the lower one. */
-static void islands_leave_out_what_a_prologue_vetoes(void **state)
-{
+static void islands_leave_out_what_a_prologue_vetoes(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         thud_world_def def = def_of(direct[q]);
@@ -324,8 +308,7 @@ static void islands_leave_out_what_a_prologue_vetoes(void **state)
 }
 
 /* One is destroyed, another one switched off: what stood on them falls down, and stays up. */
-static void islands_go_on_without_bodies_that_vanish(void **state)
-{
+static void islands_go_on_without_bodies_that_vanish(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         thud_world *world = world_of(direct[q]);
@@ -350,8 +333,7 @@ static void islands_go_on_without_bodies_that_vanish(void **state)
 /* ---- bounces ---- */
 
 /* A ball dropped by h on the floor, and on a block of 10^4 times its density, comes up to e^2 h. */
-static void islands_ball_bounces_to_the_square_of_its_restitution(void **state)
-{
+static void islands_ball_bounces_to_the_square_of_its_restitution(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         for (int on_block = 0; on_block < 2; on_block++) {
@@ -377,8 +359,7 @@ static void islands_ball_bounces_to_the_square_of_its_restitution(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(islands_heavy_on_light_keeps_its_height),
         cmocka_unit_test(islands_heavy_on_light_sinks_little_at_default),

@@ -302,13 +302,13 @@ static void everything_that_cannot_be_modelled_is_listed(void **state) {
 
 /* ---- what is no map ---- */
 
-#define XML(body)                                                                                  \
-    "<?xml version=\"1.0\"?><map width=\"2\" height=\"2\" tilewidth=\"32\" "                       \
+#define XML(body)                                                            \
+    "<?xml version=\"1.0\"?><map width=\"2\" height=\"2\" tilewidth=\"32\" " \
     "tileheight=\"32\">" body "</map>"
-#define PACKED(packing, data)                                                                      \
-    XML("<tileset firstgid=\"1\" tilewidth=\"32\" tileheight=\"32\"/><layer name=\"t\" "           \
-        "width=\"2\" "                                                                             \
-        "height=\"2\"><data encoding=\"base64\" compression=\"" packing "\">" data                 \
+#define PACKED(packing, data)                                                            \
+    XML("<tileset firstgid=\"1\" tilewidth=\"32\" tileheight=\"32\"/><layer name=\"t\" " \
+        "width=\"2\" "                                                                   \
+        "height=\"2\"><data encoding=\"base64\" compression=\"" packing "\">" data       \
         "</data></layer>")
 
 static void bad_file_is_told(void **state) {

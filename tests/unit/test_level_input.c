@@ -16,13 +16,13 @@ static const char *const LEVELS[] = {"assets/levels/platform.tmj", "assets/level
                                      "assets/levels/adventure.tmj"};
 enum { LEVEL_COUNT = sizeof LEVELS / sizeof LEVELS[0] };
 
-#define MAP(fields)                                                                                \
+#define MAP(fields) \
     "{\"type\":\"map\",\"width\":20,\"height\":10,\"tilewidth\":32,\"tileheight\":32," fields "}"
-#define OBJECTS(objects)                                                                           \
+#define OBJECTS(objects) \
     MAP("\"layers\":[{\"type\":\"objectgroup\",\"name\":\"a\",\"objects\":[" objects "]}]")
 /* An object that is fine beside the one that is not. */
 #define BESIDE(object) OBJECTS("{\"id\":1,\"x\":0,\"y\":0,\"width\":32,\"height\":32}," object)
-#define BOX            "\"x\":0,\"y\":0,\"width\":32,\"height\":32"
+#define BOX "\"x\":0,\"y\":0,\"width\":32,\"height\":32"
 #define WITH(property) BESIDE("{\"id\":9," BOX ",\"properties\":[" property "]}")
 
 /* Each has one good object, 1, and one bad object, 9. */
@@ -97,12 +97,12 @@ static void bad_object_is_refused_by_id_or_skipped_alone(void **state) {
     }
 }
 
-#define TILES(layer)                                                                               \
-    MAP("\"tilesets\":[{\"firstgid\":1,\"tilewidth\":32,\"tileheight\":32},"                       \
-        "{\"firstgid\":5,\"source\":\"a.tsx\"},"                                                   \
-        "{\"firstgid\":9,\"tilewidth\":16,\"tileheight\":16,\"properties\":"                       \
+#define TILES(layer)                                                         \
+    MAP("\"tilesets\":[{\"firstgid\":1,\"tilewidth\":32,\"tileheight\":32}," \
+        "{\"firstgid\":5,\"source\":\"a.tsx\"},"                             \
+        "{\"firstgid\":9,\"tilewidth\":16,\"tileheight\":16,\"properties\":" \
         "[{\"name\":\"solid\",\"value\":true}]}],\"layers\":[" layer "]")
-#define CELLS(size, data)                                                                          \
+#define CELLS(size, data) \
     TILES("{\"type\":\"tilelayer\",\"name\":\"t\"," size ",\"data\":" data "}")
 
 /* Layers that are refused, or skipped with a world left that is empty. */

@@ -1,5 +1,5 @@
-/* test_long_ground.c: one box as ground for a whole level, 40,000 length scales long: far from its middle
- * everything is as on a small one. */
+/* test_long_ground.c: one box as ground for a whole level, 40,000 length scales long: far from its
+ * middle everything is as on a small one. */
 #include "engine_support.h"
 
 #define HALF 20000.0f
@@ -11,8 +11,8 @@ static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thu
 typedef enum shape_of_test { BALL, UPRIGHT, ORIENTED, SHAPES } shape_of_test;
 
 /* Its top is at y = 0. */
-static thud_world *make_ground(thud_world_def def, float half_x, bool oriented, const thud_shape_def *shape)
-{
+static thud_world *make_ground(thud_world_def def, float half_x, bool oriented,
+                               const thud_shape_def *shape) {
     thud_world *world = make_world(def);
     thud_body_id ground = add_body(world, THUD_STATIC, 0, -1, 0);
     add_shape(world, ground, half_x, 1, !oriented, shape);
@@ -20,15 +20,13 @@ static thud_world *make_ground(thud_world_def def, float half_x, bool oriented, 
 }
 
 static thud_body_id add(thud_world *world, shape_of_test kind, double x, double y,
-                        const thud_shape_def *shape)
-{
+                        const thud_shape_def *shape) {
     thud_body_id id = add_body(world, THUD_DYNAMIC, x, y, 0);
     add_shape(world, id, 0.5f, kind == BALL ? 0 : 0.5f, kind == UPRIGHT, shape);
     return id;
 }
 
-static void bodies_rest_far_from_the_middle_as_on_a_small_box(void **state)
-{
+static void bodies_rest_far_from_the_middle_as_on_a_small_box(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
         for (int kind = 0; kind < SHAPES; kind++) {
@@ -52,8 +50,7 @@ static void bodies_rest_far_from_the_middle_as_on_a_small_box(void **state)
     }
 }
 
-static void stack_stands_at_the_end_as_on_a_small_box(void **state)
-{
+static void stack_stands_at_the_end_as_on_a_small_box(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
         thud_world *small = make_ground(thud_world_def_of(qualities[q]), 20, false, NULL);
@@ -75,8 +72,7 @@ static void stack_stands_at_the_end_as_on_a_small_box(void **state)
     }
 }
 
-static void nothing_fast_passes_and_what_leaves_the_end_falls(void **state)
-{
+static void nothing_fast_passes_and_what_leaves_the_end_falls(void **state) {
     (void)state;
     const thud_detection *const detections[] = {&thud_detection_continuous, &thud_detection_swept};
     for (int d = 0; d < 2; d++) {
@@ -96,8 +92,7 @@ static void nothing_fast_passes_and_what_leaves_the_end_falls(void **state)
     }
 }
 
-static void body_slides_from_one_long_box_to_the_next(void **state)
-{
+static void body_slides_from_one_long_box_to_the_next(void **state) {
     (void)state;
     thud_shape_def ice = thud_default_shape_def();
     ice.friction = 0;
@@ -118,8 +113,7 @@ static void body_slides_from_one_long_box_to_the_next(void **state)
     }
 }
 
-static void queries_find_it_all_along(void **state)
-{
+static void queries_find_it_all_along(void **state) {
     (void)state;
     for (int p = 0; p < 3; p++) {
         thud_world_def def = thud_default_world_def();
@@ -141,8 +135,7 @@ static void queries_find_it_all_along(void **state)
     }
 }
 
-static void sizes_beyond_the_limits_are_refused(void **state)
-{
+static void sizes_beyond_the_limits_are_refused(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def def = thud_default_shape_def();
@@ -151,7 +144,8 @@ static void sizes_beyond_the_limits_are_refused(void **state)
     OK(thud_shape_create_aabb(world, rests, &def, zero, most, NULL));
     OK(thud_shape_create_obb(world, rests, &def, zero, most, 1, NULL));
     OK(thud_shape_create_circle(world, rests, &def, zero, 32000, NULL));
-    assert_int_equal(thud_shape_create_aabb(world, rests, &def, zero, more, NULL), THUD_ERROR_INVALID);
+    assert_int_equal(thud_shape_create_aabb(world, rests, &def, zero, more, NULL),
+                     THUD_ERROR_INVALID);
     assert_int_equal(thud_shape_create_obb(world, moves, &def, zero, dynamic, 0, NULL),
                      THUD_ERROR_INVALID);
     assert_int_equal(thud_shape_create_circle(world, moves, &def, zero, 16385, NULL),
@@ -159,8 +153,7 @@ static void sizes_beyond_the_limits_are_refused(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_rest_far_from_the_middle_as_on_a_small_box),
         cmocka_unit_test(stack_stands_at_the_end_as_on_a_small_box),

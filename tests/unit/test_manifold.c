@@ -4,9 +4,8 @@
 static thud_contact seen;
 static int seen_count;
 
-static bool look(thud_world *world, const thud_contact *contact,
-                 thud_contact_settings *settings, void *context)
-{
+static bool look(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                 void *context) {
     (void)settings;
     (void)world;
     (void)context;
@@ -17,14 +16,12 @@ static bool look(thud_world *world, const thud_contact *contact,
 
 enum { CIRCLE, AABB, OBB, KINDS };
 
-static void add_kind(thud_world *world, thud_body_id body, int kind)
-{
+static void add_kind(thud_world *world, thud_body_id body, int kind) {
     add_shape(world, body, 0.5f, kind == CIRCLE ? 0 : 0.5f, kind == AABB, NULL);
 }
 
 /* Two shapes of half size 0.5 overlap by 0.1 along x; the first may be static. */
-static void meet(int kind_a, int kind_b, thud_body_kind body_a, bool b_first)
-{
+static void meet(int kind_a, int kind_b, thud_body_kind body_a, bool b_first) {
     thud_world_def def = weightless();
     def.prologue = look;
     thud_world *world = make_world(def);
@@ -53,8 +50,7 @@ static void meet(int kind_a, int kind_b, thud_body_kind body_a, bool b_first)
     thud_world_destroy(world);
 }
 
-static void every_pair_of_kinds_has_its_normal_depth_and_point(void **state)
-{
+static void every_pair_of_kinds_has_its_normal_depth_and_point(void **state) {
     (void)state;
     for (int a = 0; a < KINDS; a++) {
         for (int b = 0; b < KINDS; b++) {
@@ -68,8 +64,7 @@ static void every_pair_of_kinds_has_its_normal_depth_and_point(void **state)
 }
 
 /* Random boxes: the wide kernel's depth and normal against the scalar separating axes. */
-static void turned_boxes_agree_with_the_closest_features(void **state)
-{
+static void turned_boxes_agree_with_the_closest_features(void **state) {
     (void)state;
     uint64_t seed = 3;
     int touching = 0;
@@ -85,8 +80,8 @@ static void turned_boxes_agree_with_the_closest_features(void **state)
             float hx = (float)random_in(&seed, 0.2, 1), hy = (float)random_in(&seed, 0.2, 1);
             add_shape(world, id, hx, hy, false, NULL);
             thud_body_state s = state_of(world, id);
-            p[k] = (thud_shape_instance){THUD_OBB, s.position.x, s.position.y, cos(s.angle), sin(s.angle),
-                                 (double)hx, (double)hy};
+            p[k] = (thud_shape_instance){THUD_OBB,     s.position.x, s.position.y, cos(s.angle),
+                                         sin(s.angle), (double)hx,   (double)hy};
         }
         thud_closest closest;
         OK(thud_shapes_closest(&p[0], &p[1], &closest));
@@ -106,8 +101,7 @@ static void turned_boxes_agree_with_the_closest_features(void **state)
     assert_true(touching > 500);
 }
 
-static void terrain_pushes_along_its_normal(void **state)
-{
+static void terrain_pushes_along_its_normal(void **state) {
     (void)state;
     for (int kind = 0; kind < KINDS; kind++) {
         thud_world_def def = weightless();
@@ -130,8 +124,7 @@ static void terrain_pushes_along_its_normal(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_pair_of_kinds_has_its_normal_depth_and_point),
         cmocka_unit_test(turned_boxes_agree_with_the_closest_features),

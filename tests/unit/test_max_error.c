@@ -2,8 +2,7 @@
 #include "engine_support.h"
 
 /* Draft, but for what `max_error` asks of it. */
-static thud_quality rough(void)
-{
+static thud_quality rough(void) {
     thud_quality q = thud_quality_draft;
     q.islands = &thud_islands_direct;
     q.sag_limit = INFINITY;
@@ -12,8 +11,7 @@ static thud_quality rough(void)
     return q;
 }
 
-static thud_world *world_with(double max_error, const thud_quality *quality)
-{
+static thud_world *world_with(double max_error, const thud_quality *quality) {
     thud_world_def def = thud_default_world_def();
     def.quality = quality;
     def.max_error = max_error;
@@ -23,15 +21,13 @@ static thud_world *world_with(double max_error, const thud_quality *quality)
     return world;
 }
 
-static void add_column(thud_world *world, double x, int boxes)
-{
+static void add_column(thud_world *world, double x, int boxes) {
     for (int i = 0; i < boxes; i++) {
         add_box(world, x, 0.5 + i, 0.5f, 0.5f);
     }
 }
 
-static void error_without_limit_is_missed(void **state)
-{
+static void error_without_limit_is_missed(void **state) {
     (void)state;
     thud_quality q = rough();
     thud_world *world = world_with(0.0, &q);
@@ -42,8 +38,7 @@ static void error_without_limit_is_missed(void **state)
     thud_world_destroy(world);
 }
 
-static void column_keeps_the_limit_and_the_lone_box_stays_soft(void **state)
-{
+static void column_keeps_the_limit_and_the_lone_box_stays_soft(void **state) {
     (void)state;
     thud_quality q = rough();
     thud_world *world = world_with(0.002, &q);
@@ -58,8 +53,7 @@ static void column_keeps_the_limit_and_the_lone_box_stays_soft(void **state)
     thud_world_destroy(world);
 }
 
-static void quality_falls_again_when_the_load_is_gone(void **state)
-{
+static void quality_falls_again_when_the_load_is_gone(void **state) {
     (void)state;
     thud_quality q = rough();
     thud_world *world = world_with(0.002, &q);
@@ -78,8 +72,7 @@ static void quality_falls_again_when_the_load_is_gone(void **state)
     thud_world_destroy(world);
 }
 
-static void limit_set_later_takes_effect(void **state)
-{
+static void limit_set_later_takes_effect(void **state) {
     (void)state;
     thud_quality q = rough();
     thud_world *world = world_with(0.0, &q);
@@ -91,8 +84,7 @@ static void limit_set_later_takes_effect(void **state)
     thud_world_destroy(world);
 }
 
-static void limit_that_cannot_be_kept_is_refused(void **state)
-{
+static void limit_that_cannot_be_kept_is_refused(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     thud_world *world = NULL;
@@ -114,8 +106,7 @@ static void limit_that_cannot_be_kept_is_refused(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(error_without_limit_is_missed),
         cmocka_unit_test(column_keeps_the_limit_and_the_lone_box_stays_soft),

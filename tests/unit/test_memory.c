@@ -6,8 +6,7 @@
 #include "build_thud.h"
 #include "scenes.h"
 
-static thud_world *build(const char *name, int size)
-{
+static thud_world *build(const char *name, int size) {
     scene s;
     thud_world *world;
     thud_world_def def = thud_default_world_def();
@@ -20,8 +19,7 @@ static thud_world *build(const char *name, int size)
 }
 
 /* Fails the first allocation of every step, then the second, until the step gets through. */
-static long step_with_failures(thud_world *world)
-{
+static long step_with_failures(thud_world *world) {
     for (long failures = 0;; failures++) {
         uint64_t before = thud_world_hash(world);
         memory_allowed = failures;
@@ -35,8 +33,7 @@ static long step_with_failures(thud_world *world)
     }
 }
 
-static void step_after_failed_ones_is_the_same_step(void **state)
-{
+static void step_after_failed_ones_is_the_same_step(void **state) {
     (void)state;
     const struct {
         const char *name;
@@ -64,8 +61,7 @@ static void step_after_failed_ones_is_the_same_step(void **state)
     assert_int_equal(memory_held, 0);
 }
 
-static void creation_that_fails_leaves_nothing_behind(void **state)
-{
+static void creation_that_fails_leaves_nothing_behind(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     def.allocator = hostile_memory();
@@ -110,8 +106,7 @@ static void creation_that_fails_leaves_nothing_behind(void **state)
     assert_int_equal(memory_held, 0);
 }
 
-static void settled_world_allocates_nothing(void **state)
-{
+static void settled_world_allocates_nothing(void **state) {
     (void)state;
     const char *const names[] = {"tall_stack", "platformer", "tumbler"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -125,8 +120,7 @@ static void settled_world_allocates_nothing(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(step_after_failed_ones_is_the_same_step),
         cmocka_unit_test(creation_that_fails_leaves_nothing_behind),

@@ -10,18 +10,16 @@
 
 #include <cmocka.h>
 
-#define NEAR(a, b)    assert_true(fabs((a) - (b)) < 1e-12)
-#define OK(call)      assert_int_equal(call, THUD_OK)
+#define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-12)
+#define OK(call) assert_int_equal(call, THUD_OK)
 #define INVALID(call) assert_int_equal(call, THUD_ERROR_INVALID)
 #define MISSING(call) assert_int_equal(call, THUD_ERROR_NULL)
 
-static thud_shape_instance box(double hx, double hy)
-{
+static thud_shape_instance box(double hx, double hy) {
     return (thud_shape_instance){.kind = THUD_AABB, .c = 1.0, .hx = hx, .hy = hy};
 }
 
-static void sum_of_boxes_by_hand_has_the_sums_of_their_extents(void **state)
-{
+static void sum_of_boxes_by_hand_has_the_sums_of_their_extents(void **state) {
     (void)state;
     thud_shape_instance a = box(1.0, 2.0), b = box(0.5, 0.25);
     thud_minkowski m;
@@ -34,8 +32,7 @@ static void sum_of_boxes_by_hand_has_the_sums_of_their_extents(void **state)
     }
 }
 
-static void sum_of_square_and_diamond_by_hand_is_an_octagon(void **state)
-{
+static void sum_of_square_and_diamond_by_hand_is_an_octagon(void **state) {
     (void)state;
     double half = sqrt(0.5);
     thud_shape_instance a = box(1.0, 1.0), b = {THUD_OBB, 0.0, 0.0, half, half, half, half};
@@ -51,8 +48,7 @@ static void sum_of_square_and_diamond_by_hand_is_an_octagon(void **state)
     assert_false(inside);
 }
 
-static void sum_of_circles_is_a_point_with_both_radii(void **state)
-{
+static void sum_of_circles_is_a_point_with_both_radii(void **state) {
     (void)state;
     thud_shape_instance a = {.kind = THUD_CIRCLE, .hx = 2.0}, b = {.kind = THUD_CIRCLE, .hx = 0.5};
     thud_minkowski m;
@@ -63,8 +59,7 @@ static void sum_of_circles_is_a_point_with_both_radii(void **state)
     assert_true(m.vertices[0].x == 0.0 && m.vertices[7].y == 0.0 && m.offsets[3] == 0.0);
 }
 
-static void cast_along_a_face_touches_its_end(void **state)
-{
+static void cast_along_a_face_touches_its_end(void **state) {
     (void)state;
     thud_shape_instance a = box(1.0, 2.0), b = box(0.5, 0.25);
     thud_minkowski m;
@@ -79,8 +74,7 @@ static void cast_along_a_face_touches_its_end(void **state)
     assert_false(hit);
 }
 
-static void ray_from_inside_through_a_corner_hits_nothing(void **state)
-{
+static void ray_from_inside_through_a_corner_hits_nothing(void **state) {
     (void)state;
     thud_shape_instance a = box(1.0, 1.0);
     double f, nx, ny;
@@ -90,8 +84,7 @@ static void ray_from_inside_through_a_corner_hits_nothing(void **state)
     }
 }
 
-static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void **state)
-{
+static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void **state) {
     (void)state;
     thud_shape_instance a = box(1.0, 1e-12);
     double f, nx, ny;
@@ -102,8 +95,7 @@ static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void 
 }
 
 /* Points so near each other that their squared distance is 0 in a double give no direction. */
-static void impact_on_ground_with_points_next_to_each_other_is_found(void **state)
-{
+static void impact_on_ground_with_points_next_to_each_other_is_found(void **state) {
     (void)state;
     const thud_pos points[4] = {{-5.0, 0.0}, {0.0, 0.0}, {1e-200, 0.0}, {5.0, 0.0}};
     thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
@@ -118,8 +110,7 @@ static void impact_on_ground_with_points_next_to_each_other_is_found(void **stat
     }
 }
 
-static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state)
-{
+static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state) {
     (void)state;
     thud_shape_instance b = {THUD_OBB, 0.0, 0.0, 0.6 * (1.0 + 4e-6), 0.8 * (1.0 + 4e-6), 2.0, 1.0};
     thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1e-9};
@@ -131,8 +122,7 @@ static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state)
     assert_true(fabs(hypot(m.vertices[0].x, m.vertices[0].y) - sqrt(5.0)) < 1e-9);
 }
 
-static void cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not(void **state)
-{
+static void cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not(void **state) {
     (void)state;
     thud_shape_instance a = box(1.0, 1.0), b = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1.0};
     thud_minkowski m;
@@ -151,8 +141,7 @@ static void cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not(
     NEAR(ny, 1.0);
 }
 
-static void sum_of_needles_near_parallel_loses_no_face(void **state)
-{
+static void sum_of_needles_near_parallel_loses_no_face(void **state) {
     (void)state;
     for (double angle = 1e-15; angle < 1.0; angle *= 10.0) {
         thud_shape_instance a = {THUD_OBB, 0.0, 0.0, 1.0, 0.0, 1.0, 1e-6};
@@ -170,8 +159,7 @@ static void sum_of_needles_near_parallel_loses_no_face(void **state)
     }
 }
 
-static void refused_input_leaves_every_output_as_it_was(void **state)
-{
+static void refused_input_leaves_every_output_as_it_was(void **state) {
     (void)state;
     thud_shape_instance good = box(1.0, 1.0), bad[4] = {good, good, good, good};
     thud_minkowski m, kept, wrong[3];
@@ -227,8 +215,7 @@ static void refused_input_leaves_every_output_as_it_was(void **state)
     assert_true(yes && d == 7.0 && nx == 8.0 && ny == 9.0);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sum_of_boxes_by_hand_has_the_sums_of_their_extents),
         cmocka_unit_test(sum_of_square_and_diamond_by_hand_is_an_octagon),

@@ -11,21 +11,19 @@
 #define WALK_END_X 14.504182945844535
 #define WALK_END_Y 3.036515603702544
 
-static thud_mover box_mover(double x, double y)
-{
-    return thud_default_mover((thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1, .hx = 0.3,
-                                            .hy = 0.5});
+static thud_mover box_mover(double x, double y) {
+    return thud_default_mover(
+        (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1, .hx = 0.3, .hy = 0.5});
 }
 
-static thud_mover circle_mover(double x, double y)
-{
+static thud_mover circle_mover(double x, double y) {
     thud_shape_instance circle = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = 0.5};
     return thud_default_mover(circle);
 }
 
 /* A game's own part: walks at `speed`, falls by a gravity of 20. */
-static thud_mover_report go(thud_world *world, thud_mover *mover, thud_vec2 *velocity, float speed)
-{
+static thud_mover_report go(thud_world *world, thud_mover *mover, thud_vec2 *velocity,
+                            float speed) {
     thud_mover_report report;
     velocity->x = speed;
     velocity->y -= 20.0f / 60;
@@ -34,8 +32,7 @@ static thud_mover_report go(thud_world *world, thud_mover *mover, thud_vec2 *vel
     return report;
 }
 
-static void go_on(thud_world *world, thud_mover *mover, float speed, int moves)
-{
+static void go_on(thud_world *world, thud_mover *mover, float speed, int moves) {
     thud_vec2 velocity = {0, 0};
     for (int i = 0; i < moves; i++) {
         go(world, mover, &velocity, speed);
@@ -43,8 +40,7 @@ static void go_on(thud_world *world, thud_mover *mover, float speed, int moves)
 }
 
 /* Flat up to x = 0, then rising by `slope` to x = 8, then flat again. */
-static thud_world *world_with_slope(double slope)
-{
+static thud_world *world_with_slope(double slope) {
     thud_world *world = make_world(weightless());
     thud_shape_def def = thud_default_shape_def();
     const thud_pos points[] = {{-20, 0}, {0, 0}, {8, 8 * slope}, {30, 8 * slope}};
@@ -53,22 +49,19 @@ static thud_world *world_with_slope(double slope)
     return world;
 }
 
-static thud_body_id add_block(thud_world *world, double x, double y, float hx, float hy)
-{
+static thud_body_id add_block(thud_world *world, double x, double y, float hx, float hy) {
     thud_body_id body = add_body(world, THUD_STATIC, x, y, 0);
     add_shape(world, body, hx, hy, true, NULL);
     return body;
 }
 
-static thud_mover mover_of(int kind, double x, double y)
-{
+static thud_mover mover_of(int kind, double x, double y) {
     thud_mover mover = kind ? circle_mover(x, y) : box_mover(x, y);
     mover.step_height = mover.snap_distance = 0.4;
     return mover;
 }
 
-static void slope_of_30_degrees_is_walked_up_and_down_and_60_is_a_wall(void **state)
-{
+static void slope_of_30_degrees_is_walked_up_and_down_and_60_is_a_wall(void **state) {
     (void)state;
     for (int kind = 0; kind < 2; kind++) {
         thud_world *gentle = world_with_slope(tan(0.5236)), *steep = world_with_slope(tan(1.0472));
@@ -93,8 +86,7 @@ static void slope_of_30_degrees_is_walked_up_and_down_and_60_is_a_wall(void **st
     }
 }
 
-static void step_of_0_3_is_climbed_and_one_of_0_6_is_not(void **state)
-{
+static void step_of_0_3_is_climbed_and_one_of_0_6_is_not(void **state) {
     (void)state;
     for (int kind = 0; kind < 2; kind++) {
         for (int high = 0; high < 2; high++) {
@@ -117,8 +109,7 @@ static void step_of_0_3_is_climbed_and_one_of_0_6_is_not(void **state)
 }
 
 /* Stands on a platform that moves so, and tells how far it came from its place on it. */
-static void ride_platform(int kind, thud_vec2 platform, float spin)
-{
+static void ride_platform(int kind, thud_vec2 platform, float spin) {
     thud_world *world = make_world(weightless());
     thud_body_id body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
     add_shape(world, body, 2, 0.25f, spin == 0, NULL);
@@ -146,8 +137,7 @@ static void ride_platform(int kind, thud_vec2 platform, float spin)
     thud_world_destroy(world);
 }
 
-static void platform_is_ridden_up_down_and_sideways_without_sinking_or_hopping(void **state)
-{
+static void platform_is_ridden_up_down_and_sideways_without_sinking_or_hopping(void **state) {
     (void)state;
     for (int kind = 0; kind < 2; kind++) {
         ride_platform(kind, (thud_vec2){0, 3}, 0);
@@ -158,8 +148,7 @@ static void platform_is_ridden_up_down_and_sideways_without_sinking_or_hopping(v
     }
 }
 
-static void wall_takes_only_the_normal_part_of_a_flight(void **state)
-{
+static void wall_takes_only_the_normal_part_of_a_flight(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_block(world, 3, 0, 1, 50);
@@ -176,8 +165,7 @@ static void wall_takes_only_the_normal_part_of_a_flight(void **state)
     thud_world_destroy(world);
 }
 
-static void mover_seen_from_above_slides_along_slanting_walls_and_has_no_ground(void **state)
-{
+static void mover_seen_from_above_slides_along_slanting_walls_and_has_no_ground(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_shape(world, add_body(world, THUD_STATIC, 0, -1, 0.4), 40, 1, false, NULL);
@@ -195,8 +183,7 @@ static void mover_seen_from_above_slides_along_slanting_walls_and_has_no_ground(
     thud_world_destroy(world);
 }
 
-static void mover_on_a_slope_stands_still_for_10_seconds(void **state)
-{
+static void mover_on_a_slope_stands_still_for_10_seconds(void **state) {
     (void)state;
     for (int kind = 0; kind < 2; kind++) {
         thud_world *world = world_with_slope(tan(0.5236));
@@ -211,8 +198,7 @@ static void mover_on_a_slope_stands_still_for_10_seconds(void **state)
     }
 }
 
-static void slope_too_steep_to_stand_on_is_slid_down(void **state)
-{
+static void slope_too_steep_to_stand_on_is_slid_down(void **state) {
     (void)state;
     thud_world *world = world_with_slope(tan(1.0472));
     thud_mover mover = circle_mover(4, 9);
@@ -224,8 +210,7 @@ static void slope_too_steep_to_stand_on_is_slid_down(void **state)
     thud_world_destroy(world);
 }
 
-static void jump_against_a_steep_slope_gains_no_height(void **state)
-{
+static void jump_against_a_steep_slope_gains_no_height(void **state) {
     (void)state;
     thud_world *world = world_with_slope(tan(1.0472));
     thud_mover mover = box_mover(-0.5, 0.6);
@@ -242,8 +227,7 @@ static void jump_against_a_steep_slope_gains_no_height(void **state)
     thud_world_destroy(world);
 }
 
-static void one_way_platform_is_passed_from_below_and_carries_from_above(void **state)
-{
+static void one_way_platform_is_passed_from_below_and_carries_from_above(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_floor(world, NULL);
@@ -277,8 +261,7 @@ static void one_way_platform_is_passed_from_below_and_carries_from_above(void **
     thud_world_destroy(world);
 }
 
-static void dynamic_body_is_pushed_by_a_bounded_impulse_if_asked(void **state)
-{
+static void dynamic_body_is_pushed_by_a_bounded_impulse_if_asked(void **state) {
     (void)state;
     double speed[3];
     for (int i = 0; i < 3; i++) {
@@ -296,8 +279,7 @@ static void dynamic_body_is_pushed_by_a_bounded_impulse_if_asked(void **state)
     assert_true(speed[2] > 2.5 && speed[2] < 3.001); /* 3 where it is pushed; it turns as well */
 }
 
-static void kinematic_body_follows_and_dynamic_bodies_meet_it(void **state)
-{
+static void kinematic_body_follows_and_dynamic_bodies_meet_it(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     add_floor(world, NULL);
@@ -319,8 +301,7 @@ static void kinematic_body_follows_and_dynamic_bodies_meet_it(void **state)
     thud_world_destroy(world);
 }
 
-static void mover_pressed_by_a_moving_wall_is_pushed_out_and_told_where_it_cannot_be(void **state)
-{
+static void mover_pressed_by_a_moving_wall_is_pushed_out_and_told_where_it_cannot_be(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_floor(world, NULL);
@@ -347,15 +328,13 @@ static void mover_pressed_by_a_moving_wall_is_pushed_out_and_told_where_it_canno
 
 /* ---- a level ---- */
 
-static bool count_one(thud_shape_id shape, void *context)
-{
+static bool count_one(thud_shape_id shape, void *context) {
     (void)shape;
     ++*(int *)context;
     return true;
 }
 
-static void random_moves_in_a_level_never_enter_anything(void **state)
-{
+static void random_moves_in_a_level_never_enter_anything(void **state) {
     (void)state;
     scene s;
     level_report problems;
@@ -401,8 +380,7 @@ static void random_moves_in_a_level_never_enter_anything(void **state)
 
 /* ---- the same everywhere ---- */
 
-static void scripted_walk_ends_at_the_same_bits_on_every_machine(void **state)
-{
+static void scripted_walk_ends_at_the_same_bits_on_every_machine(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_def def = thud_default_shape_def();
@@ -423,8 +401,7 @@ static void scripted_walk_ends_at_the_same_bits_on_every_machine(void **state)
 
 /* ---- bad input ---- */
 
-static void bad_input_is_refused_and_changes_nothing(void **state)
-{
+static void bad_input_is_refused_and_changes_nothing(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_floor(world, NULL);
@@ -450,20 +427,48 @@ static void bad_input_is_refused_and_changes_nothing(void **state)
     for (int i = 0; i < 14; i++) {
         thud_mover bad = good, before;
         switch (i) {
-        case 0: bad.shape.hx = 0; break;
-        case 1: bad.shape.hy = NAN; break;
-        case 2: bad.shape.x = INFINITY; break;
-        case 3: bad.shape.x = 2e9; break;
-        case 4: bad.shape.kind = THUD_TERRAIN; break;
-        case 5: bad.up = (thud_vec2){0, 2}; break;
-        case 6: bad.skin = 0; break;
-        case 7: bad.skin = 10; break;
-        case 8: bad.max_slope = 1.57; break;
-        case 9: bad.max_slope = NAN; break;
-        case 10: bad.step_height = -1; break;
-        case 11: bad.snap_distance = NAN; break;
-        case 12: bad.push_force = -1; break;
-        case 13: bad.body = crate; break;
+        case 0:
+            bad.shape.hx = 0;
+            break;
+        case 1:
+            bad.shape.hy = NAN;
+            break;
+        case 2:
+            bad.shape.x = INFINITY;
+            break;
+        case 3:
+            bad.shape.x = 2e9;
+            break;
+        case 4:
+            bad.shape.kind = THUD_TERRAIN;
+            break;
+        case 5:
+            bad.up = (thud_vec2){0, 2};
+            break;
+        case 6:
+            bad.skin = 0;
+            break;
+        case 7:
+            bad.skin = 10;
+            break;
+        case 8:
+            bad.max_slope = 1.57;
+            break;
+        case 9:
+            bad.max_slope = NAN;
+            break;
+        case 10:
+            bad.step_height = -1;
+            break;
+        case 11:
+            bad.snap_distance = NAN;
+            break;
+        case 12:
+            bad.push_force = -1;
+            break;
+        case 13:
+            bad.body = crate;
+            break;
         }
         before = bad;
         assert_int_equal(thud_mover_move(world, &bad, velocity, DT, &report), THUD_ERROR_INVALID);
@@ -479,8 +484,7 @@ static void bad_input_is_refused_and_changes_nothing(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slope_of_30_degrees_is_walked_up_and_down_and_60_is_a_wall),
         cmocka_unit_test(step_of_0_3_is_climbed_and_one_of_0_6_is_not),

@@ -1,26 +1,23 @@
-/* test_mover_sensors.c: a character and sensors: it collects what it goes through, and is stopped by
- * none of it. */
+/* test_mover_sensors.c: a character and sensors: it collects what it goes through, and is stopped
+ * by none of it. */
 #include "engine_support.h"
 
 #include <thud/thud_mover.h>
 
 #define DT (1.0 / 60)
 
-static thud_mover box_mover(double x, double y)
-{
-    return thud_default_mover((thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1, .hx = 0.3,
-                                            .hy = 0.5});
+static thud_mover box_mover(double x, double y) {
+    return thud_default_mover(
+        (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1, .hx = 0.3, .hy = 0.5});
 }
 
-static thud_shape_id add_sensor(thud_world *world, double x, double y, float hx, float hy)
-{
+static thud_shape_id add_sensor(thud_world *world, double x, double y, float hx, float hy) {
     thud_shape_def def = thud_default_shape_def();
     def.sensor = true;
     return add_shape(world, add_body(world, THUD_STATIC, x, y, 0), hx, hy, true, &def);
 }
 
-static bool is_listed(const thud_mover_report *report, thud_shape_id sensor)
-{
+static bool is_listed(const thud_mover_report *report, thud_shape_id sensor) {
     int count = 0;
     for (int i = 0; i < report->sensor_count; i++) {
         count += memcmp(&report->sensors[i], &sensor, sizeof sensor) == 0;
@@ -30,8 +27,7 @@ static bool is_listed(const thud_mover_report *report, thud_shape_id sensor)
 }
 
 /* The coins see the kinematic body that follows the mover. */
-static void hero_s_body_collects_coins(void **state)
-{
+static void hero_s_body_collects_coins(void **state) {
     (void)state;
     enum { COINS = 6 };
     thud_world *world = make_world(thud_default_world_def());
@@ -67,8 +63,7 @@ static void hero_s_body_collects_coins(void **state)
 }
 
 /* Steps, slopes and walls, with sensors all over them or without. */
-static thud_world *make_way(bool sensors)
-{
+static thud_world *make_way(bool sensors) {
     thud_world *world = make_world(weightless());
     thud_shape_def def = thud_default_shape_def();
     const thud_pos points[] = {{-20, 0}, {4, 0}, {8, 2}, {12, 2}, {16, 0}, {40, 0}};
@@ -85,8 +80,7 @@ static thud_world *make_way(bool sensors)
     return world;
 }
 
-static void sensors_stop_no_mover_whatever_its_filter(void **state)
-{
+static void sensors_stop_no_mover_whatever_its_filter(void **state) {
     (void)state;
     thud_world *clear = make_way(false), *full = make_way(true);
     for (int wants = 0; wants < 2; wants++) {
@@ -113,8 +107,7 @@ static void sensors_stop_no_mover_whatever_its_filter(void **state)
     thud_world_destroy(full);
 }
 
-static void mover_reports_the_sensors_on_its_way_once_and_in_order(void **state)
-{
+static void mover_reports_the_sensors_on_its_way_once_and_in_order(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_def def = thud_default_shape_def();
@@ -153,8 +146,7 @@ static void mover_reports_the_sensors_on_its_way_once_and_in_order(void **state)
 }
 
 /* A climb that is tried and given up has not been made. */
-static void sensor_above_a_step_too_high_is_not_reported(void **state)
-{
+static void sensor_above_a_step_too_high_is_not_reported(void **state) {
     (void)state;
     for (int high = 0; high < 2; high++) {
         thud_world *world = make_world(weightless());
@@ -178,8 +170,7 @@ static void sensor_above_a_step_too_high_is_not_reported(void **state)
 }
 
 /* More of them than a move looks at. */
-static void crowd_of_sensors_hides_no_wall(void **state)
-{
+static void crowd_of_sensors_hides_no_wall(void **state) {
     (void)state;
     for (int wants = 0; wants < 2; wants++) {
         thud_world *world = make_world(weightless());
@@ -197,8 +188,7 @@ static void crowd_of_sensors_hides_no_wall(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hero_s_body_collects_coins),
         cmocka_unit_test(sensors_stop_no_mover_whatever_its_filter),

@@ -1,8 +1,7 @@
 /* test_physics.c: motion against analytic answers. */
 #include "engine_support.h"
 
-static void projectile_follows_the_parabola_to_first_order(void **state)
-{
+static void projectile_follows_the_parabola_to_first_order(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
@@ -17,8 +16,7 @@ static void projectile_follows_the_parabola_to_first_order(void **state)
     thud_world_destroy(world);
 }
 
-static void ball_bounces_by_its_restitution(void **state)
-{
+static void ball_bounces_by_its_restitution(void **state) {
     (void)state;
     for (int i = 1; i <= 9; i += 4) {
         thud_shape_def bouncy = thud_default_shape_def();
@@ -40,8 +38,7 @@ static void ball_bounces_by_its_restitution(void **state)
 }
 
 /* A box on a plane of slope s with friction mu. */
-static thud_body_state slide(double slope, float mu, float radius, double seconds)
-{
+static thud_body_state slide(double slope, float mu, float radius, double seconds) {
     thud_world_def def = thud_default_world_def();
     def.sleeping = false;
     thud_world *world = make_world(def);
@@ -60,8 +57,7 @@ static thud_body_state slide(double slope, float mu, float radius, double second
     return s;
 }
 
-static void box_holds_below_and_slides_above_the_angle_of_friction(void **state)
-{
+static void box_holds_below_and_slides_above_the_angle_of_friction(void **state) {
     (void)state;
     thud_body_state held = slide(-0.4, 0.5f, 0, 3);
     near_to((double)held.velocity.x, 0, 1e-3);
@@ -71,8 +67,7 @@ static void box_holds_below_and_slides_above_the_angle_of_friction(void **state)
     near_to(speed, a * 3, 0.02 * a * 3);
 }
 
-static void disc_rolls_at_two_thirds_of_g_sin(void **state)
-{
+static void disc_rolls_at_two_thirds_of_g_sin(void **state) {
     (void)state;
     thud_body_state s = slide(-0.5, 2, 0.5f, 2);
     double a = 2.0 / 3.0 * 10 * sin(atan(0.5));
@@ -81,14 +76,14 @@ static void disc_rolls_at_two_thirds_of_g_sin(void **state)
     near_to((double)-s.angular_velocity * 0.5, speed, 0.01 * speed);
 }
 
-static void elastic_circles_exchange_momentum_and_keep_energy(void **state)
-{
+static void elastic_circles_exchange_momentum_and_keep_energy(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_def elastic = thud_default_shape_def();
     elastic.restitution = 1;
     elastic.friction = 0;
-    thud_body_id a = add_body(world, THUD_DYNAMIC, -2, 0, 0), b = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    thud_body_id a = add_body(world, THUD_DYNAMIC, -2, 0, 0),
+                 b = add_body(world, THUD_DYNAMIC, 0, 0, 0);
     add_shape(world, a, 0.5f, 0, false, &elastic);
     elastic.density = 3;
     add_shape(world, b, 0.5f, 0, false, &elastic);
@@ -100,8 +95,7 @@ static void elastic_circles_exchange_momentum_and_keep_energy(void **state)
     thud_world_destroy(world);
 }
 
-static void column_of_thirty_stands_for_twenty_seconds(void **state)
-{
+static void column_of_thirty_stands_for_twenty_seconds(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     def.sleeping = false;
@@ -118,8 +112,7 @@ static void column_of_thirty_stands_for_twenty_seconds(void **state)
 }
 
 /* How deep a column of ten sinks into itself. */
-static double depth_of_column(const thud_quality *quality)
-{
+static double depth_of_column(const thud_quality *quality) {
     thud_world_def def = thud_default_world_def();
     def.quality = quality;
     thud_world *world = make_world(def);
@@ -133,8 +126,7 @@ static double depth_of_column(const thud_quality *quality)
     return depth;
 }
 
-static void more_substeps_sink_less(void **state)
-{
+static void more_substeps_sink_less(void **state) {
     (void)state;
     double last = 1e9;
     for (int substeps = 2; substeps <= 16; substeps *= 2) {
@@ -146,16 +138,15 @@ static void more_substeps_sink_less(void **state)
     }
 }
 
-static void column_solved_directly_does_not_sink(void **state)
-{
+static void column_solved_directly_does_not_sink(void **state) {
     (void)state;
-    assert_true(depth_of_column(&thud_quality_default) < 0.7 * depth_of_column(&thud_quality_draft));
+    assert_true(depth_of_column(&thud_quality_default) <
+                0.7 * depth_of_column(&thud_quality_draft));
     assert_true(depth_of_column(&thud_quality_high) < 1e-5);
     assert_true(depth_of_column(&thud_quality_exact) < 1e-5);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(projectile_follows_the_parabola_to_first_order),
         cmocka_unit_test(ball_bounces_by_its_restitution),

@@ -1,8 +1,7 @@
 /* test_query.c: rays, overlaps, poses, time keeping. */
 #include "engine_support.h"
 
-static void ray_finds_the_first_shape_of_many(void **state)
-{
+static void ray_finds_the_first_shape_of_many(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     uint64_t seed = 12;
@@ -44,8 +43,7 @@ static void ray_finds_the_first_shape_of_many(void **state)
     thud_world_destroy(world);
 }
 
-static void ray_meets_the_ground_and_heeds_filters(void **state)
-{
+static void ray_meets_the_ground_and_heeds_filters(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_def def = thud_default_shape_def();
@@ -66,22 +64,21 @@ static void ray_meets_the_ground_and_heeds_filters(void **state)
     thud_world_destroy(world);
 }
 
-static bool gather(thud_shape_id shape, void *context)
-{
+static bool gather(thud_shape_id shape, void *context) {
     int *count = context;
     count[++*count] = (int)shape.index1;
     return *count < 3;
 }
 
-static void overlap_tells_in_order_of_slots_until_told_to_stop(void **state)
-{
+static void overlap_tells_in_order_of_slots_until_told_to_stop(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     for (int i = 0; i < 6; i++) {
         add_ball(world, 5.0 - i, 0, 0.4f);
     }
     int found[8] = {0};
-    OK(thud_world_overlap_aabb(world, (thud_pos){0.5, -1}, (thud_pos){3.5, 1}, NULL, gather, found));
+    OK(thud_world_overlap_aabb(world, (thud_pos){0.5, -1}, (thud_pos){3.5, 1}, NULL, gather,
+                               found));
     assert_int_equal(found[0], 3);
     assert_true(found[1] == 3 && found[2] == 4 && found[3] == 5);
     int one[8] = {0};
@@ -92,8 +89,7 @@ static void overlap_tells_in_order_of_slots_until_told_to_stop(void **state)
     thud_world_destroy(world);
 }
 
-static void poses_interpolate_and_mark_free_slots(void **state)
-{
+static void poses_interpolate_and_mark_free_slots(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_body_id gone = add_ball(world, 0, 0, 1), ball = add_ball(world, 10, 0, 1);
@@ -113,8 +109,7 @@ static void poses_interpolate_and_mark_free_slots(void **state)
     thud_world_destroy(world);
 }
 
-static void advance_runs_whole_steps_and_keeps_the_rest(void **state)
-{
+static void advance_runs_whole_steps_and_keeps_the_rest(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     int steps;
@@ -132,13 +127,13 @@ static void advance_runs_whole_steps_and_keeps_the_rest(void **state)
     thud_world_destroy(world);
 }
 
-static void raised_ground_lifts_what_rests_on_it(void **state)
-{
+static void raised_ground_lifts_what_rests_on_it(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def def = thud_default_shape_def();
     thud_pos points[5] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
-    thud_terrain line = {.kind = THUD_TERRAIN_UNIFORM, .x0 = -4, .spacing = 2, .points = points, .count = 5};
+    thud_terrain line = {
+        .kind = THUD_TERRAIN_UNIFORM, .x0 = -4, .spacing = 2, .points = points, .count = 5};
     thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
     thud_shape_id shape;
     OK(thud_shape_create_terrain(world, ground, &def, &line, &shape));
@@ -153,8 +148,7 @@ static void raised_ground_lifts_what_rests_on_it(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ray_finds_the_first_shape_of_many),
         cmocka_unit_test(ray_meets_the_ground_and_heeds_filters),

@@ -6,8 +6,8 @@
 
 enum { ROOM = 8 };
 
-static thud_shape_id add_ground(thud_world *world, double x, double y, const thud_terrain *terrain)
-{
+static thud_shape_id add_ground(thud_world *world, double x, double y,
+                                const thud_terrain *terrain) {
     thud_shape_def def = thud_default_shape_def();
     thud_shape_id id;
     OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, x, y, 0), &def, terrain, &id));
@@ -15,14 +15,12 @@ static thud_shape_id add_ground(thud_world *world, double x, double y, const thu
 }
 
 static thud_shape_id add_still(thud_world *world, double x, double y, float hx, float hy,
-                               double angle)
-{
+                               double angle) {
     return add_shape(world, add_body(world, THUD_STATIC, x, y, angle), hx, hy, false, NULL);
 }
 
 static void is_hit(const thud_ray_hit *hit, thud_shape_id shape, double fraction, double x,
-                   double y, double nx, double ny)
-{
+                   double y, double nx, double ny) {
     assert_int_equal(hit->shape.index1, shape.index1);
     near_to(hit->fraction, fraction, 1e-8);
     near_to(hit->point.x, x, 1e-6);
@@ -31,8 +29,7 @@ static void is_hit(const thud_ray_hit *hit, thud_shape_id shape, double fraction
     near_to((double)hit->normal.y, ny, 1e-6);
 }
 
-static void ray_through_all_lists_the_nearest_first(void **state)
-{
+static void ray_through_all_lists_the_nearest_first(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_id far_off = add_still(world, 8, 0, 1, 0, 0);
@@ -56,8 +53,7 @@ static void ray_through_all_lists_the_nearest_first(void **state)
     thud_world_destroy(world);
 }
 
-static void equal_fractions_are_told_in_the_order_of_slots(void **state)
-{
+static void equal_fractions_are_told_in_the_order_of_slots(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_id ids[5];
@@ -76,8 +72,7 @@ static void equal_fractions_are_told_in_the_order_of_slots(void **state)
     thud_world_destroy(world);
 }
 
-static void circle_cast_meets_faces_corners_and_circles(void **state)
-{
+static void circle_cast_meets_faces_corners_and_circles(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_id box = add_still(world, 0, 0, 1, 1, 0), disc = add_still(world, 10, 0, 1, 0, 0);
@@ -98,8 +93,7 @@ static void circle_cast_meets_faces_corners_and_circles(void **state)
     thud_world_destroy(world);
 }
 
-static void box_cast_meets_corners_slopes_and_turned_boxes(void **state)
-{
+static void box_cast_meets_corners_slopes_and_turned_boxes(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_terrain slope = {.kind = THUD_TERRAIN_FLAT, .slope = 0.75};
@@ -125,8 +119,7 @@ static void box_cast_meets_corners_slopes_and_turned_boxes(void **state)
     thud_world_destroy(world);
 }
 
-static void cast_that_starts_in_a_shape_hits_at_zero_by_the_shortest_way_out(void **state)
-{
+static void cast_that_starts_in_a_shape_hits_at_zero_by_the_shortest_way_out(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_id box = add_still(world, 0, 0, 2, 1, 0);
@@ -153,8 +146,7 @@ static void cast_that_starts_in_a_shape_hits_at_zero_by_the_shortest_way_out(voi
     thud_world_destroy(world);
 }
 
-static void long_slanting_way_among_many_misses_none(void **state)
-{
+static void long_slanting_way_among_many_misses_none(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     for (int i = 0; i < 60; i++) {
@@ -174,15 +166,13 @@ static void long_slanting_way_among_many_misses_none(void **state)
     thud_world_destroy(world);
 }
 
-static bool gather(thud_shape_id shape, void *context)
-{
+static bool gather(thud_shape_id shape, void *context) {
     int *count = context;
     count[++*count] = (int)shape.index1;
     return true;
 }
 
-static void overlap_of_each_kind_finds_what_really_overlaps(void **state)
-{
+static void overlap_of_each_kind_finds_what_really_overlaps(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_id a = add_still(world, 0, 0, 1, 1, 0), b = add_still(world, 3, 0, 1, 0, 0);
@@ -200,8 +190,7 @@ static void overlap_of_each_kind_finds_what_really_overlaps(void **state)
     thud_world_destroy(world);
 }
 
-static void closest_measures_from_outside_and_from_inside(void **state)
-{
+static void closest_measures_from_outside_and_from_inside(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_id disc = add_still(world, 0, 0, 1, 0, 0), box = add_still(world, 10, 0, 2, 1, 0);
@@ -235,8 +224,7 @@ static void closest_measures_from_outside_and_from_inside(void **state)
     thud_world_destroy(world);
 }
 
-static void queries_heed_filters_sensors_and_edits_not_stepped_yet(void **state)
-{
+static void queries_heed_filters_sensors_and_edits_not_stepped_yet(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_shape_def red = thud_default_shape_def(), eye = thud_default_shape_def();
@@ -267,23 +255,21 @@ static void queries_heed_filters_sensors_and_edits_not_stepped_yet(void **state)
 
 /* ---- bad input ---- */
 
-#define REFUSED(call, code)                                                                        \
-    do {                                                                                           \
-        assert_int_equal((call), (code));                                                          \
-        assert_memory_equal(&out, &untouched, sizeof out);                                         \
-        assert_true(hit == 2 && count == 77);                                                      \
+#define REFUSED(call, code)                                \
+    do {                                                   \
+        assert_int_equal((call), (code));                  \
+        assert_memory_equal(&out, &untouched, sizeof out); \
+        assert_true(hit == 2 && count == 77);              \
     } while (0)
 
-static bool never(thud_shape_id shape, void *context)
-{
+static bool never(thud_shape_id shape, void *context) {
     (void)shape;
     (void)context;
     fail_msg("called back");
     return false;
 }
 
-static void casts_refuse_bad_input_and_leave_outputs_alone(void **state)
-{
+static void casts_refuse_bad_input_and_leave_outputs_alone(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_still(world, 0, 0, 1, 1, 0);
@@ -335,8 +321,7 @@ static void casts_refuse_bad_input_and_leave_outputs_alone(void **state)
     thud_world_destroy(world);
 }
 
-static void closest_refuses_bad_input_and_leaves_outputs_alone(void **state)
-{
+static void closest_refuses_bad_input_and_leaves_outputs_alone(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_still(world, 0, 0, 1, 1, 0);
@@ -356,8 +341,7 @@ static void closest_refuses_bad_input_and_leaves_outputs_alone(void **state)
     thud_world_destroy(world);
 }
 
-static void queries_without_memory_say_so_and_work_once_there_is_some(void **state)
-{
+static void queries_without_memory_say_so_and_work_once_there_is_some(void **state) {
     (void)state;
     thud_world_def def = weightless();
     def.allocator = hostile_memory();
@@ -385,8 +369,7 @@ static void queries_without_memory_say_so_and_work_once_there_is_some(void **sta
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ray_through_all_lists_the_nearest_first),
         cmocka_unit_test(equal_fractions_are_told_in_the_order_of_slots),

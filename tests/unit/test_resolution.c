@@ -2,17 +2,15 @@
  * platforms, sensors, conveyor belts, sliding, teams. */
 #include "resolution_support.h"
 
-static bool same_shape(thud_shape_id a, thud_shape_id b)
-{
+static bool same_shape(thud_shape_id a, thud_shape_id b) {
     return a.index1 == b.index1 && a.generation == b.generation;
 }
 
 /* ---- one-way platforms ---- */
 
 /* Stands on it: what is on top, does not rise, and was not below it a step ago. */
-static bool one_way(thud_world *world, const thud_contact *contact,
-                    thud_contact_settings *settings, void *context)
-{
+static bool one_way(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                    void *context) {
     (void)settings;
     if (!same_shape(contact->shape_a, *(const thud_shape_id *)context)) {
         return true;
@@ -21,8 +19,7 @@ static bool one_way(thud_world *world, const thud_contact *contact,
     return contact->normal.y > 0.7f && rise < 0.2f && contact->separation > rise / 60 - 0.05f;
 }
 
-static void one_way_platform_lets_through_from_below_and_holds_from_above(void **state)
-{
+static void one_way_platform_lets_through_from_below_and_holds_from_above(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         for (int kind = 0; kind < 3; kind++) {
@@ -51,8 +48,7 @@ static void one_way_platform_lets_through_from_below_and_holds_from_above(void *
 }
 
 static bool refuse(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
-                   void *context)
-{
+                   void *context) {
     (void)settings;
     assert_int_equal(state_of(world, contact->body_a).kind, THUD_STATIC);
     assert_int_equal(state_of(world, contact->body_b).kind, THUD_DYNAMIC);
@@ -60,8 +56,7 @@ static bool refuse(thud_world *world, const thud_contact *contact, thud_contact_
     return false;
 }
 
-static void veto_lets_fast_bodies_through_a_wall_at_full_speed(void **state)
-{
+static void veto_lets_fast_bodies_through_a_wall_at_full_speed(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         for (int kind = 0; kind < 3; kind++) {
@@ -89,8 +84,7 @@ static void veto_lets_fast_bodies_through_a_wall_at_full_speed(void **state)
 
 /* ---- sensors ---- */
 
-static void sensor_knows_at_every_step_who_is_in(void **state)
-{
+static void sensor_knows_at_every_step_who_is_in(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         uint64_t seed = 5;
@@ -112,8 +106,8 @@ static void sensor_knows_at_every_step_who_is_in(void **state)
             thud_shape_instance box = {.kind = THUD_AABB, .c = 1, .hx = 3, .hy = 3};
             for (int i = 0; i < 30; i++) {
                 thud_pos p = state_of(world, balls[i]).position;
-                thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = p.x, .y = p.y, .c = 1,
-                                    .hx = (double)0.4f};
+                thud_shape_instance ball = {
+                    .kind = THUD_CIRCLE, .x = p.x, .y = p.y, .c = 1, .hx = (double)0.4f};
                 overlap += thud_shapes_overlap(&box, &ball);
             }
             run(world, 1);
@@ -129,8 +123,7 @@ static void sensor_knows_at_every_step_who_is_in(void **state)
 
 /* ---- conveyor belts and friction ---- */
 
-static void box_on_a_belt_gains_speed_by_friction_up_to_the_belts(void **state)
-{
+static void box_on_a_belt_gains_speed_by_friction_up_to_the_belts(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         for (int kind = 1; kind < 3; kind++) {
@@ -153,8 +146,7 @@ static void box_on_a_belt_gains_speed_by_friction_up_to_the_belts(void **state)
     }
 }
 
-static void tracked_body_drives_over_still_ground(void **state)
-{
+static void tracked_body_drives_over_still_ground(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def tracks = surface(0.8f, 3);
@@ -165,8 +157,7 @@ static void tracked_body_drives_over_still_ground(void **state)
     thud_world_destroy(world);
 }
 
-static void sliding_box_stops_after_the_distance_of_coulomb(void **state)
-{
+static void sliding_box_stops_after_the_distance_of_coulomb(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         for (int quality = 0; quality < QUALITIES; quality++) {
@@ -188,15 +179,14 @@ static void sliding_box_stops_after_the_distance_of_coulomb(void **state)
 /* ---- teams ---- */
 
 static bool teams(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
-                  void *context)
-{
+                  void *context) {
     (void)settings;
     (void)context;
     return state_of(world, contact->body_a).user_data != state_of(world, contact->body_b).user_data;
 }
 
-static thud_body_id add_player(thud_world *world, bool by_group, int team, int kind, double x, float v)
-{
+static thud_body_id add_player(thud_world *world, bool by_group, int team, int kind, double x,
+                               float v) {
     thud_shape_def def = thud_default_shape_def();
     def.filter.group = by_group ? -team : 0;
     def.restitution = 1;
@@ -207,8 +197,7 @@ static thud_body_id add_player(thud_world *world, bool by_group, int team, int k
     return player;
 }
 
-static void team_mates_pass_through_each_other_and_opponents_collide(void **state)
-{
+static void team_mates_pass_through_each_other_and_opponents_collide(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
         for (int kind = 0; kind < 3; kind++) {
@@ -230,8 +219,7 @@ static void team_mates_pass_through_each_other_and_opponents_collide(void **stat
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_way_platform_lets_through_from_below_and_holds_from_above),
         cmocka_unit_test(veto_lets_fast_bodies_through_a_wall_at_full_speed),

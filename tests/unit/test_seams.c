@@ -1,27 +1,24 @@
-/* test_seams.c: static shapes side by side are one ground: what slides over their seams loses no speed
- * and does not hop; real edges stay. Before, circles lost 92 % of their speed over 1,000 tiles, and
- * boxes all of it. */
+/* test_seams.c: static shapes side by side are one ground: what slides over their seams loses no
+ * speed and does not hop; real edges stay. Before, circles lost 92 % of their speed over 1,000
+ * tiles, and boxes all of it. */
 #include "engine_support.h"
 
 #include "contact/internal_edges.h"
 
 enum { TILES, TURNED_TILES, LINE, LINES_AND_BOXES, GROUNDS };
 
-static thud_shape_def smooth(void)
-{
+static thud_shape_def smooth(void) {
     thud_shape_def def = thud_default_shape_def();
     def.friction = 0;
     return def;
 }
 
-static void add_tile(thud_world *world, double x, double y, float hx, float hy, bool upright)
-{
+static void add_tile(thud_world *world, double x, double y, float hx, float hy, bool upright) {
     thud_shape_def def = smooth();
     add_shape(world, add_body(world, THUD_STATIC, x, y, 0), hx, hy, upright, &def);
 }
 
-static void add_line(thud_world *world, double x, const thud_pos *points, int count)
-{
+static void add_line(thud_world *world, double x, const thud_pos *points, int count) {
     thud_shape_def def = smooth();
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = count};
     thud_body_id body = add_body(world, THUD_STATIC, x, 0, 0);
@@ -29,8 +26,7 @@ static void add_line(thud_world *world, double x, const thud_pos *points, int co
 }
 
 /* A thousand units of floor at height 0. */
-static void add_ground(thud_world *world, int ground)
-{
+static void add_ground(thud_world *world, int ground) {
     static thud_pos points[1001];
     for (int i = 0; i <= 1000; i++) {
         points[i] = (thud_pos){i, 0};
@@ -50,16 +46,14 @@ static void add_ground(thud_world *world, int ground)
     }
 }
 
-static thud_body_id add_slider(thud_world *world, int kind, double x)
-{
+static thud_body_id add_slider(thud_world *world, int kind, double x) {
     thud_shape_def def = smooth();
     thud_body_id body = add_body(world, THUD_DYNAMIC, x, kind ? 0.3 : 0.5, 0);
     add_shape(world, body, kind ? 0.4f : 0.5f, kind ? 0.3f : 0, kind == 1, &def);
     return body;
 }
 
-static void slide(int ground, int kind, double speed, const thud_detection *detection)
-{
+static void slide(int ground, int kind, double speed, const thud_detection *detection) {
     thud_world_def def = thud_default_world_def();
     def.sleeping = false;
     def.detection = detection;
@@ -84,8 +78,7 @@ static void slide(int ground, int kind, double speed, const thud_detection *dete
     thud_world_destroy(world);
 }
 
-static void sliding_over_a_thousand_seams_keeps_speed_and_height(void **state)
-{
+static void sliding_over_a_thousand_seams_keeps_speed_and_height(void **state) {
     (void)state;
     for (int ground = 0; ground < GROUNDS; ground++) {
         for (int kind = 0; kind < 3; kind++) {
@@ -97,8 +90,7 @@ static void sliding_over_a_thousand_seams_keeps_speed_and_height(void **state)
     }
 }
 
-static void falling_along_a_wall_of_tiles_is_not_caught(void **state)
-{
+static void falling_along_a_wall_of_tiles_is_not_caught(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
         thud_world_def def = thud_default_world_def();
@@ -117,8 +109,7 @@ static void falling_along_a_wall_of_tiles_is_not_caught(void **state)
 }
 
 /* One tile stands higher by a twentieth. */
-static void real_step_between_tiles_still_stops_a_box(void **state)
-{
+static void real_step_between_tiles_still_stops_a_box(void **state) {
     (void)state;
     for (int kind = 1; kind < 3; kind++) {
         thud_world *world = make_world(thud_default_world_def());
@@ -134,8 +125,7 @@ static void real_step_between_tiles_still_stops_a_box(void **state)
     }
 }
 
-static void neighbour_that_goes_uncovers_the_face_it_hid(void **state)
-{
+static void neighbour_that_goes_uncovers_the_face_it_hid(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     add_tile(world, 10, -1.5, 20, 0.5f, true);
@@ -154,8 +144,7 @@ static void neighbour_that_goes_uncovers_the_face_it_hid(void **state)
 }
 
 /* A sensor, and a tile that the slider does not meet, hide nothing from it. */
-static void neighbour_that_is_not_met_hides_nothing(void **state)
-{
+static void neighbour_that_is_not_met_hides_nothing(void **state) {
     (void)state;
     for (int filtered = 0; filtered < 2; filtered++) {
         thud_world *world = make_world(thud_default_world_def());
@@ -177,8 +166,7 @@ static void neighbour_that_is_not_met_hides_nothing(void **state)
 }
 
 /* The wall stands on the floor: the floor's face next to it is open, and bears. */
-static void box_and_ball_in_a_corner_rest_on_the_floor(void **state)
-{
+static void box_and_ball_in_a_corner_rest_on_the_floor(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
         thud_world_def def = thud_default_world_def();
@@ -198,8 +186,7 @@ static void box_and_ball_in_a_corner_rest_on_the_floor(void **state)
 }
 
 /* Floors that lie in each other, with their tops in line, or twice the same one. */
-static void floors_that_overlap_bear_all_the_same(void **state)
-{
+static void floors_that_overlap_bear_all_the_same(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
         for (int upright = 0; upright < 2; upright++) {
@@ -224,10 +211,9 @@ static void floors_that_overlap_bear_all_the_same(void **state)
     }
 }
 
-/* The line begins at the corner of the upper box and goes down steeply, then up again: neither hides the
- * corner, and nothing that lies across it sinks in. */
-static void corner_at_the_start_of_a_steep_line_is_met(void **state)
-{
+/* The line begins at the corner of the upper box and goes down steeply, then up again: neither
+ * hides the corner, and nothing that lies across it sinks in. */
+static void corner_at_the_start_of_a_steep_line_is_met(void **state) {
     (void)state;
     for (int k = 0; k < 20; k++) {
         thud_world *world = make_world(thud_default_world_def());
@@ -240,7 +226,8 @@ static void corner_at_the_start_of_a_steep_line_is_met(void **state)
         add_shape(world, box, 0.06f, 0.27f, false, &def);
         run(world, 150);
         thud_body_state s = state_of(world, box);
-        thud_shape_instance b = {THUD_OBB, s.position.x, s.position.y, cos(s.angle), sin(s.angle), 0.06, 0.27};
+        thud_shape_instance b = {THUD_OBB,     s.position.x, s.position.y, cos(s.angle),
+                                 sin(s.angle), 0.06,         0.27};
         thud_shape_instance upper = {THUD_AABB, -1, -0.1, 1, 0, 1, 0.1};
         thud_shape_instance lower = {THUD_AABB, 2, -1.2, 1, 0, 5, 0.97};
         thud_closest c;
@@ -257,8 +244,7 @@ static void corner_at_the_start_of_a_steep_line_is_met(void **state)
 }
 
 /* Tiles that form a hill: up, over the top and down, without leaving it or getting stuck. */
-static void rolling_over_a_hill_of_turned_tiles_follows_it(void **state)
-{
+static void rolling_over_a_hill_of_turned_tiles_follows_it(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     double slope = 0.05, length = 2.0;
@@ -273,8 +259,9 @@ static void rolling_over_a_hill_of_turned_tiles_follows_it(void **state)
     add_shape(world, ball, 0.3f, 0, false, &def);
     run(world, 30);
     double from = 8.5;
-    OK(thud_body_set_velocity(world, ball, (thud_vec2){(float)(from * cos(slope)),
-                                                       (float)(from * sin(slope))}, 0));
+    OK(thud_body_set_velocity(world, ball,
+                              (thud_vec2){(float)(from * cos(slope)), (float)(from * sin(slope))},
+                              0));
     thud_body_state s = state_of(world, ball);
     double energy = 0.5 * from * from + 10 * s.position.y;
     for (int i = 0; i < 400 && s.position.x < 9; i++) {
@@ -289,8 +276,7 @@ static void rolling_over_a_hill_of_turned_tiles_follows_it(void **state)
 
 /* What a tile stands at is found when something comes near it: a first step that looked at all of
  * 12,000 took 16 ms. */
-static void tiles_that_nothing_is_near_are_not_looked_at(void **state)
-{
+static void tiles_that_nothing_is_near_are_not_looked_at(void **state) {
     (void)state;
     enum { ROWS = 40, ALL = ROWS * ROWS };
     thud_world *world = make_world(thud_default_world_def());
@@ -316,8 +302,7 @@ static void tiles_that_nothing_is_near_are_not_looked_at(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sliding_over_a_thousand_seams_keeps_speed_and_height),
         cmocka_unit_test(falling_along_a_wall_of_tiles_is_not_caught),

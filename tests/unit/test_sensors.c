@@ -2,22 +2,19 @@
  * that seeing disturbs nobody. */
 #include "engine_support.h"
 
-static thud_shape_def sensor_def(void)
-{
+static thud_shape_def sensor_def(void) {
     thud_shape_def def = thud_default_shape_def();
     def.sensor = true;
     return def;
 }
 
 /* A box of half extent 1. */
-static thud_shape_id add_sensor(thud_world *world, thud_body_id body)
-{
+static thud_shape_id add_sensor(thud_world *world, thud_body_id body) {
     thud_shape_def def = sensor_def();
     return add_shape(world, body, 1, 1, true, &def);
 }
 
-static int told_of(const thud_contact_event *events, int count, thud_shape_id a, thud_shape_id b)
-{
+static int told_of(const thud_contact_event *events, int count, thud_shape_id a, thud_shape_id b) {
     int told = 0;
     for (int i = 0; i < count; i++) {
         told += memcmp(&events[i].shape_a, &a, sizeof a) == 0 &&
@@ -27,32 +24,28 @@ static int told_of(const thud_contact_event *events, int count, thud_shape_id a,
 }
 
 /* Whether the last step told that `a` sees `b`, and nothing else of sensors. */
-static void only_begins(const thud_world *world, thud_shape_id a, thud_shape_id b)
-{
+static void only_begins(const thud_world *world, thud_shape_id a, thud_shape_id b) {
     thud_events e = thud_world_events(world);
     assert_int_equal(e.sensor_begin_count, 1);
     assert_int_equal(told_of(e.sensor_begin, 1, a, b), 1);
     assert_int_equal(e.sensor_end_count, 0);
 }
 
-static void only_ends(const thud_world *world, thud_shape_id a, thud_shape_id b)
-{
+static void only_ends(const thud_world *world, thud_shape_id a, thud_shape_id b) {
     thud_events e = thud_world_events(world);
     assert_int_equal(e.sensor_end_count, 1);
     assert_int_equal(told_of(e.sensor_end, 1, a, b), 1);
     assert_int_equal(e.sensor_begin_count, 0);
 }
 
-static void no_sensor_event(const thud_world *world)
-{
+static void no_sensor_event(const thud_world *world) {
     thud_events e = thud_world_events(world);
     assert_int_equal(e.sensor_begin_count + e.sensor_end_count, 0);
 }
 
 /* ---- who sees whom ---- */
 
-static void sensor_of_each_kind_sees_each_kind_but_static_static(void **state)
-{
+static void sensor_of_each_kind_sees_each_kind_but_static_static(void **state) {
     (void)state;
     for (int i = 0; i < THUD_BODY_KIND_COUNT * THUD_BODY_KIND_COUNT; i++) {
         thud_body_kind own = (thud_body_kind)(i / THUD_BODY_KIND_COUNT);
@@ -74,8 +67,7 @@ static void sensor_of_each_kind_sees_each_kind_but_static_static(void **state)
     }
 }
 
-static void kinematic_body_that_passes_a_sensor_begins_and_ends(void **state)
-{
+static void kinematic_body_that_passes_a_sensor_begins_and_ends(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_id coin = add_sensor(world, add_body(world, THUD_STATIC, 3, 0, 0));
@@ -96,14 +88,14 @@ static void kinematic_body_that_passes_a_sensor_begins_and_ends(void **state)
     thud_world_destroy(world);
 }
 
-static void two_sensors_report_each_other_where_their_filters_meet(void **state)
-{
+static void two_sensors_report_each_other_where_their_filters_meet(void **state) {
     (void)state;
     for (int meet = 0; meet < 2; meet++) {
         thud_world *world = make_world(weightless());
         thud_shape_def def = sensor_def();
         def.filter = (thud_filter){2, meet ? 4 : 1, 0};
-        thud_shape_id a = add_shape(world, add_body(world, THUD_STATIC, 0, 0, 0), 1, 0, false, &def);
+        thud_shape_id a =
+            add_shape(world, add_body(world, THUD_STATIC, 0, 0, 0), 1, 0, false, &def);
         def.filter = (thud_filter){4, 2, 0};
         thud_body_id body = add_body(world, THUD_KINEMATIC, 1, 0, 0);
         thud_shape_id b = add_shape(world, body, 1, 0, false, &def);
@@ -122,8 +114,7 @@ static void two_sensors_report_each_other_where_their_filters_meet(void **state)
     }
 }
 
-static void sensors_report_without_contact_events(void **state)
-{
+static void sensors_report_without_contact_events(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     def.contact_events = false;
@@ -143,8 +134,7 @@ static void sensors_report_without_contact_events(void **state)
 }
 
 /* A line is a sensor as well, and is seen by those that move. */
-static void line_and_sensor_meet_on_kinematic_bodies(void **state)
-{
+static void line_and_sensor_meet_on_kinematic_bodies(void **state) {
     (void)state;
     for (int how = 0; how < 2; how++) {
         thud_world *world = make_world(weightless());
@@ -181,8 +171,7 @@ typedef struct bedroom {
 } bedroom;
 
 /* A ball asleep at the origin; as a sensor, it floats. */
-static bedroom make_bedroom(bool sensor)
-{
+static bedroom make_bedroom(bool sensor) {
     thud_world_def def = thud_default_world_def();
     thud_shape_def sensing = sensor_def();
     def.gravity = (thud_vec2){0, 0};
@@ -195,16 +184,14 @@ static bedroom make_bedroom(bool sensor)
 }
 
 /* Adds a static body with the shape that meets the sleeper's, 9 to the right of it or over it. */
-static thud_body_id add_other(const bedroom *room, bool sensor, bool over, thud_shape_id *shape)
-{
+static thud_body_id add_other(const bedroom *room, bool sensor, bool over, thud_shape_id *shape) {
     thud_shape_def sensing = sensor_def();
     thud_body_id body = add_body(room->world, THUD_STATIC, over ? 0 : 9, 0, 0);
     *shape = add_shape(room->world, body, 1, 1, true, sensor ? &sensing : NULL);
     return body;
 }
 
-static void pair_begins_and_ends_while_the_body_sleeps(void **state)
-{
+static void pair_begins_and_ends_while_the_body_sleeps(void **state) {
     (void)state;
     for (int sleeper_senses = 0; sleeper_senses < 2; sleeper_senses++) {
         for (int how = 0; how < 4; how++) {
@@ -252,8 +239,7 @@ static void pair_begins_and_ends_while_the_body_sleeps(void **state)
 }
 
 /* By a little, so that its bounds never part from the sleeper's. */
-static void sensor_that_moves_a_little_ends_and_begins_over_a_sleeper(void **state)
-{
+static void sensor_that_moves_a_little_ends_and_begins_over_a_sleeper(void **state) {
     (void)state;
     bedroom room = make_bedroom(false);
     thud_shape_id zone;
@@ -270,8 +256,7 @@ static void sensor_that_moves_a_little_ends_and_begins_over_a_sleeper(void **sta
     thud_world_destroy(room.world);
 }
 
-static void line_that_comes_to_a_sleeping_sensor_is_seen(void **state)
-{
+static void line_that_comes_to_a_sleeping_sensor_is_seen(void **state) {
     (void)state;
     for (int how = 0; how < 2; how++) {
         bedroom room = make_bedroom(how == 0);
@@ -292,8 +277,7 @@ static void line_that_comes_to_a_sleeping_sensor_is_seen(void **state)
 }
 
 /* What wakes later does not begin anew. */
-static void sleeper_that_is_seen_and_wakes_begins_once(void **state)
-{
+static void sleeper_that_is_seen_and_wakes_begins_once(void **state) {
     (void)state;
     bedroom room = make_bedroom(false);
     thud_shape_id zone;
@@ -309,8 +293,7 @@ static void sleeper_that_is_seen_and_wakes_begins_once(void **state)
 }
 
 /* A kinematic sensor that is led over a heap, or stands over it, lets it sleep. */
-static void sensor_wakes_nobody(void **state)
-{
+static void sensor_wakes_nobody(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     add_floor(world, NULL);
@@ -334,8 +317,7 @@ static void sensor_wakes_nobody(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sensor_of_each_kind_sees_each_kind_but_static_static),
         cmocka_unit_test(kinematic_body_that_passes_a_sensor_begins_and_ends),

@@ -11,40 +11,34 @@
 
 #define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-12)
 
-static thud_shape_instance circle(double x, double y, double r)
-{
+static thud_shape_instance circle(double x, double y, double r) {
     return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_shape_instance box(double x, double y, double hx, double hy)
-{
+static thud_shape_instance box(double x, double y, double hx, double hy) {
     return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
-static thud_shape_instance turned(double x, double y, double hx, double hy, double angle)
-{
+static thud_shape_instance turned(double x, double y, double hx, double hy, double angle) {
     return (thud_shape_instance){THUD_OBB, x, y, cos(angle), sin(angle), hx, hy};
 }
 
-static thud_closest closest(thud_shape_instance a, thud_shape_instance b)
-{
+static thud_closest closest(thud_shape_instance a, thud_shape_instance b) {
     thud_closest c;
     assert_int_equal(thud_shapes_closest(&a, &b, &c), THUD_OK);
     return c;
 }
 
-static double impact(thud_shape_instance a, thud_motion ma, thud_shape_instance b, double target)
-{
+static double impact(thud_shape_instance a, thud_motion ma, thud_shape_instance b, double target) {
     bool hit;
     double time;
-    assert_int_equal(
-        thud_shapes_time_of_impact(&a, ma, &b, (thud_motion){0}, target, &hit, &time), THUD_OK);
+    assert_int_equal(thud_shapes_time_of_impact(&a, ma, &b, (thud_motion){0}, target, &hit, &time),
+                     THUD_OK);
     assert_true(hit || time == 1.0);
     return hit ? time : 2.0;
 }
 
-static void sincos_up_to_a_million_radians_is_within_1e_15(void **state)
-{
+static void sincos_up_to_a_million_radians_is_within_1e_15(void **state) {
     (void)state;
     double worst = 0.0;
     for (int i = -200000; i <= 200000; i++) {
@@ -58,8 +52,7 @@ static void sincos_up_to_a_million_radians_is_within_1e_15(void **state)
     assert_true(worst < 1e-15);
 }
 
-static void sincos_of_quarter_turns_hits_the_axes(void **state)
-{
+static void sincos_of_quarter_turns_hits_the_axes(void **state) {
     (void)state;
     const double quarter = 1.57079632679489661923;
     double s, c;
@@ -78,8 +71,7 @@ static void sincos_of_quarter_turns_hits_the_axes(void **state)
     assert_true(s == 1.0);
 }
 
-static void placed_check_refuses_what_no_shape_can_be(void **state)
-{
+static void placed_check_refuses_what_no_shape_can_be(void **state) {
     (void)state;
     thud_shape_instance good = turned(1.0, 2.0, 3.0, 4.0, 0.5), bad[9];
     assert_int_equal(thud_placed_check(NULL), THUD_ERROR_NULL);
@@ -111,8 +103,7 @@ static void placed_check_refuses_what_no_shape_can_be(void **state)
     }
 }
 
-static void null_pointers_are_refused(void **state)
-{
+static void null_pointers_are_refused(void **state) {
     (void)state;
     thud_shape_instance a = circle(0, 0, 1);
     thud_closest c;
@@ -129,8 +120,7 @@ static void null_pointers_are_refused(void **state)
                      THUD_ERROR_NULL);
 }
 
-static void impact_refuses_motion_and_target_out_of_range(void **state)
-{
+static void impact_refuses_motion_and_target_out_of_range(void **state) {
     (void)state;
     thud_shape_instance a = circle(0, 0, 1), b = circle(5, 0, 1);
     thud_motion bad[] = {{NAN, 0, 0}, {0, INFINITY, 0}, {0, 0, 1e7}, {0, 0, NAN}}, still = {0};
@@ -149,11 +139,11 @@ static void impact_refuses_motion_and_target_out_of_range(void **state)
     }
 }
 
-static void overlap_of_touching_shapes_is_true(void **state)
-{
+static void overlap_of_touching_shapes_is_true(void **state) {
     (void)state;
     thud_shape_instance unit = circle(0, 0, 1), side = circle(2, 0, 1), above = box(0, 2, 1, 1);
-    thud_shape_instance square = box(0, 0, 1, 1), corner = box(2, 2, 1, 1), apart = box(2.001, 0, 1, 1);
+    thud_shape_instance square = box(0, 0, 1, 1), corner = box(2, 2, 1, 1),
+                        apart = box(2.001, 0, 1, 1);
     assert_true(thud_shapes_overlap(&unit, &side));
     assert_true(thud_shapes_overlap(&unit, &above));
     assert_true(thud_shapes_overlap(&square, &corner));
@@ -161,16 +151,14 @@ static void overlap_of_touching_shapes_is_true(void **state)
     assert_false(thud_shapes_overlap(&unit, &corner));
 }
 
-static void closest_of_circles_at_one_place_has_a_normal(void **state)
-{
+static void closest_of_circles_at_one_place_has_a_normal(void **state) {
     (void)state;
     thud_closest c = closest(circle(3, 3, 1), circle(3, 3, 2));
     NEAR(c.distance, -3.0);
     NEAR(c.nx * c.nx + c.ny * c.ny, 1.0);
 }
 
-static void closest_of_circle_inside_box_leaves_through_nearest_face(void **state)
-{
+static void closest_of_circle_inside_box_leaves_through_nearest_face(void **state) {
     (void)state;
     thud_closest c = closest(box(0, 0, 4, 2), circle(1, -1.5, 0.25));
     NEAR(c.distance, -0.75);
@@ -184,8 +172,7 @@ static void closest_of_circle_inside_box_leaves_through_nearest_face(void **stat
     NEAR(c.nx, -1.0);
 }
 
-static void closest_of_boxes_corner_to_corner_is_the_diagonal(void **state)
-{
+static void closest_of_boxes_corner_to_corner_is_the_diagonal(void **state) {
     (void)state;
     thud_closest c = closest(box(0, 0, 1, 1), box(5, 6, 1, 1));
     NEAR(c.distance, 5.0);
@@ -195,8 +182,7 @@ static void closest_of_boxes_corner_to_corner_is_the_diagonal(void **state)
     NEAR(c.by, 5.0);
 }
 
-static void closest_of_turned_box_over_face_is_its_corner(void **state)
-{
+static void closest_of_turned_box_over_face_is_its_corner(void **state) {
     (void)state;
     thud_closest c = closest(box(0, 0, 3, 1), turned(0.5, 3, 1, 1, 0.78539816339744831));
     NEAR(c.distance, 2.0 - sqrt(2.0));
@@ -205,8 +191,7 @@ static void closest_of_turned_box_over_face_is_its_corner(void **state)
     NEAR(c.ax, 0.5);
 }
 
-static void closest_of_overlapping_boxes_is_the_least_axis(void **state)
-{
+static void closest_of_overlapping_boxes_is_the_least_axis(void **state) {
     (void)state;
     thud_closest c = closest(box(0, 0, 2, 1), box(3.5, 0.5, 2, 1));
     NEAR(c.distance, -0.5);
@@ -215,8 +200,7 @@ static void closest_of_overlapping_boxes_is_the_least_axis(void **state)
     NEAR(c.bx, 1.5);
 }
 
-static void ray_at_circle_and_box_gives_fraction_and_normal(void **state)
-{
+static void ray_at_circle_and_box_gives_fraction_and_normal(void **state) {
     (void)state;
     thud_shape_instance c = circle(5, 0, 1), b = box(0, 0, 1, 2);
     double f, nx, ny;
@@ -231,8 +215,7 @@ static void ray_at_circle_and_box_gives_fraction_and_normal(void **state)
     assert_false(thud_shape_cast_ray(&b, 3, 0, 5, 0, &f, &nx, &ny));
 }
 
-static void ray_that_starts_inside_or_has_no_length_hits_nothing(void **state)
-{
+static void ray_that_starts_inside_or_has_no_length_hits_nothing(void **state) {
     (void)state;
     thud_shape_instance shapes[] = {circle(0, 0, 1), box(0, 0, 1, 1), turned(0, 0, 1, 1, 0.3)};
     double f, nx, ny;
@@ -244,8 +227,7 @@ static void ray_that_starts_inside_or_has_no_length_hits_nothing(void **state)
     }
 }
 
-static void ray_from_a_million_away_finds_a_small_circle_edge(void **state)
-{
+static void ray_from_a_million_away_finds_a_small_circle_edge(void **state) {
     (void)state;
     thud_shape_instance c = circle(0, 0, 1e-3);
     double f, nx, ny;
@@ -254,8 +236,7 @@ static void ray_from_a_million_away_finds_a_small_circle_edge(void **state)
     assert_false(thud_shape_cast_ray(&c, -1e6, 1.001e-3, 2e6, 0, &f, &nx, &ny));
 }
 
-static void impact_of_circles_is_exact(void **state)
-{
+static void impact_of_circles_is_exact(void **state) {
     (void)state;
     /* Off-centre by 1 with radii 1 + 1: they touch where the centres are sqrt(3) apart in x. */
     NEAR(impact(circle(-5, 1, 1), (thud_motion){10, 0, 0}, circle(0, 0, 1), 0.0),
@@ -265,22 +246,19 @@ static void impact_of_circles_is_exact(void **state)
     assert_true(impact(circle(-5, 0, 1), (thud_motion){2.9, 0, 0}, circle(0, 0, 1), 0.0) > 1.0);
 }
 
-static void impact_of_box_at_the_very_end_counts(void **state)
-{
+static void impact_of_box_at_the_very_end_counts(void **state) {
     (void)state;
     NEAR(impact(box(-4, 0, 1, 1), (thud_motion){2, 0, 0}, box(0, 0, 1, 1), 0.0), 1.0);
 }
 
-static void impact_of_shapes_within_target_is_at_zero(void **state)
-{
+static void impact_of_shapes_within_target_is_at_zero(void **state) {
     (void)state;
     assert_true(impact(box(0, 0, 1, 1), (thud_motion){-5, 0, 0}, box(1.5, 0, 1, 1), 0.0) == 0.0);
     assert_true(impact(circle(0, 0, 1), (thud_motion){-5, 0, 0}, circle(2.5, 0, 1), 1.0) == 0.0);
     assert_true(impact(circle(0, 0, 1), (thud_motion){-5, 0, 0}, box(2.5, 0, 1, 1), 1.0) == 0.0);
 }
 
-static void impact_of_turning_bar_is_when_its_end_comes_down(void **state)
-{
+static void impact_of_turning_bar_is_when_its_end_comes_down(void **state) {
     (void)state;
     /* A bar of half length 2 turns through half a turn above a floor 1 below its centre. */
     double time = impact(turned(0, 1, 2, 1e-6, 0.0), (thud_motion){0, 0, -3.14159265358979},
@@ -288,14 +266,12 @@ static void impact_of_turning_bar_is_when_its_end_comes_down(void **state)
     assert_true(fabs(time - 1.0 / 6.0) < 1e-5);
 }
 
-static void impact_heeds_turn_of_obb_alone(void **state)
-{
+static void impact_heeds_turn_of_obb_alone(void **state) {
     (void)state;
     assert_true(impact(box(0, 1.5, 2, 0.1), (thud_motion){0, 0, 3}, box(0, -1, 9, 1), 0.0) > 1.0);
 }
 
-static void results_far_away_are_those_at_home(void **state)
-{
+static void results_far_away_are_those_at_home(void **state) {
     (void)state;
     /* Whole numbers are exact at a million: the same bits come out. */
     thud_closest home = closest(turned(0, 0, 1, 2, 0.7), box(4, 1, 0.5, 0.25));
@@ -305,8 +281,7 @@ static void results_far_away_are_those_at_home(void **state)
     assert_true(home.nx == away.nx && home.ny == away.ny);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sincos_up_to_a_million_radians_is_within_1e_15),
         cmocka_unit_test(sincos_of_quarter_turns_hits_the_axes),

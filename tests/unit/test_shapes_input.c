@@ -12,7 +12,8 @@
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
-static const thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = 1.0, .y = 5.0, .c = 1.0, .hx = 0.5};
+static const thud_shape_instance ball = {
+    .kind = THUD_CIRCLE, .x = 1.0, .y = 5.0, .c = 1.0, .hx = 0.5};
 static const thud_motion still = {0.0, 0.0, 0.0};
 static const thud_pos hill[] = {{0.0, 0.0}, {1.0, 2.0}, {4.0, 0.0}};
 static const thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = hill, .count = 3};
@@ -85,29 +86,26 @@ typedef struct outputs {
 
 static outputs out;
 
-static void fill(void)
-{
+static void fill(void) {
     memset(&out, 0x5a, sizeof out);
 }
 
-static void assert_as_it_was(void)
-{
+static void assert_as_it_was(void) {
     unsigned char bytes[sizeof out];
     memset(bytes, 0x5a, sizeof bytes);
     assert_memory_equal(&out, bytes, sizeof bytes);
 }
 
-#define REFUSES(code, call)                                                                        \
-    do {                                                                                           \
-        fill();                                                                                    \
-        assert_int_equal(call, code);                                                              \
-        assert_as_it_was();                                                                        \
+#define REFUSES(code, call)           \
+    do {                              \
+        fill();                       \
+        assert_int_equal(call, code); \
+        assert_as_it_was();           \
     } while (0)
 
 #define NO false
 
-static void functions_of_shapes_refuse_null_pointers(void **state)
-{
+static void functions_of_shapes_refuse_null_pointers(void **state) {
     (void)state;
     const thud_shape_instance *a = &ball;
     thud_motion m = still;
@@ -138,8 +136,7 @@ static void functions_of_shapes_refuse_null_pointers(void **state)
     REFUSES(NO, thud_motion_is_bisectable(a, m, NULL, m));
 }
 
-static void functions_of_terrain_refuse_null_pointers(void **state)
-{
+static void functions_of_terrain_refuse_null_pointers(void **state) {
     (void)state;
     const thud_terrain *t = &ground;
     const thud_shape_instance *a = &ball;
@@ -166,8 +163,7 @@ static void functions_of_terrain_refuse_null_pointers(void **state)
     REFUSES(THUD_ERROR_NULL, thud_terrain_time_of_collision(t, a, m, 0.1, &out.hit, NULL));
 }
 
-static void functions_of_shapes_refuse_impossible_shapes(void **state)
-{
+static void functions_of_shapes_refuse_impossible_shapes(void **state) {
     (void)state;
     const thud_shape_instance *a = &ball;
     thud_motion m = still;
@@ -191,8 +187,7 @@ static void functions_of_shapes_refuse_impossible_shapes(void **state)
     }
 }
 
-static void functions_of_terrain_refuse_impossible_shapes(void **state)
-{
+static void functions_of_terrain_refuse_impossible_shapes(void **state) {
     (void)state;
     for (int i = 0; i < COUNT(bad_shapes); i++) {
         const thud_shape_instance *bad = &bad_shapes[i];
@@ -206,8 +201,7 @@ static void functions_of_terrain_refuse_impossible_shapes(void **state)
     }
 }
 
-static void refuse_ground(const thud_terrain *t, thud_result code)
-{
+static void refuse_ground(const thud_terrain *t, thud_result code) {
     int first = 5, last = 9;
     REFUSES(code, thud_terrain_check(t));
     REFUSES(code, thud_terrain_sample_at(t, 1.0, &out.sample));
@@ -222,8 +216,7 @@ static void refuse_ground(const thud_terrain *t, thud_result code)
     assert_true(first > last);
 }
 
-static void functions_of_terrain_refuse_empty_and_unplaced_lines(void **state)
-{
+static void functions_of_terrain_refuse_empty_and_unplaced_lines(void **state) {
     (void)state;
     for (int i = 0; i < COUNT(bad_terrains); i++) {
         refuse_ground(&bad_terrains[i], THUD_ERROR_INVALID);
@@ -233,8 +226,7 @@ static void functions_of_terrain_refuse_empty_and_unplaced_lines(void **state)
     }
 }
 
-static void terrain_check_refuses_lines_that_go_back_or_are_no_number(void **state)
-{
+static void terrain_check_refuses_lines_that_go_back_or_are_no_number(void **state) {
     (void)state;
     const thud_pos lines[][3] = {
         {{0, 0}, {2, 0}, {1, 0}},         {{0, 0}, {1, 0}, {1, 1}},
@@ -262,8 +254,7 @@ static void terrain_check_refuses_lines_that_go_back_or_are_no_number(void **sta
     }
 }
 
-static void functions_refuse_motions_out_of_range(void **state)
-{
+static void functions_refuse_motions_out_of_range(void **state) {
     (void)state;
     const thud_shape_instance *a = &ball;
     for (int i = 0; i < COUNT(bad_motions); i++) {
@@ -284,8 +275,7 @@ static void functions_refuse_motions_out_of_range(void **state)
     }
 }
 
-static void functions_refuse_margins_targets_and_tolerances_out_of_range(void **state)
-{
+static void functions_refuse_margins_targets_and_tolerances_out_of_range(void **state) {
     (void)state;
     const thud_shape_instance *a = &ball;
     thud_motion m = still;
@@ -307,8 +297,7 @@ static void functions_refuse_margins_targets_and_tolerances_out_of_range(void **
     }
 }
 
-static void rays_and_lookups_refuse_what_is_no_number(void **state)
-{
+static void rays_and_lookups_refuse_what_is_no_number(void **state) {
     (void)state;
     const double bad[] = {NAN, INFINITY, -INFINITY};
     double *f = &out.time, *nx = &out.nx, *ny = &out.ny;
@@ -334,16 +323,14 @@ static void rays_and_lookups_refuse_what_is_no_number(void **state)
     assert_int_equal(first, 5);
 }
 
-static void approach_refuses_boxes(void **state)
-{
+static void approach_refuses_boxes(void **state) {
     (void)state;
     const thud_shape_instance box = {.kind = THUD_AABB, .c = 1.0, .hx = 1.0, .hy = 1.0};
     REFUSES(THUD_ERROR_INVALID, thud_circles_approach(&ball, still, &box, still, &out.approach));
     REFUSES(THUD_ERROR_INVALID, thud_circles_approach(&box, still, &ball, still, &out.approach));
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(functions_of_shapes_refuse_null_pointers),
         cmocka_unit_test(functions_of_terrain_refuse_null_pointers),

@@ -1,8 +1,7 @@
 /* test_sleeping.c: islands fall asleep and wake as a whole. */
 #include "engine_support.h"
 
-static thud_world *stack(thud_body_id boxes[5], thud_body_id *floor)
-{
+static thud_world *stack(thud_body_id boxes[5], thud_body_id *floor) {
     thud_world *world = make_world(thud_default_world_def());
     *floor = add_floor(world, NULL);
     for (int i = 0; i < 5; i++) {
@@ -11,13 +10,11 @@ static thud_world *stack(thud_body_id boxes[5], thud_body_id *floor)
     return world;
 }
 
-static int awake_of(thud_world *world)
-{
+static int awake_of(thud_world *world) {
     return thud_world_stats(world).awake_bodies;
 }
 
-static void stack_sleeps_and_keeps_its_place(void **state)
-{
+static void stack_sleeps_and_keeps_its_place(void **state) {
     (void)state;
     thud_body_id boxes[5], floor;
     thud_world *world = stack(boxes, &floor);
@@ -30,8 +27,7 @@ static void stack_sleeps_and_keeps_its_place(void **state)
     thud_world_destroy(world);
 }
 
-static void stack_wakes_by_impact_impulse_gravity_and_loss_of_the_floor(void **state)
-{
+static void stack_wakes_by_impact_impulse_gravity_and_loss_of_the_floor(void **state) {
     (void)state;
     for (int how = 0; how < 5; how++) {
         thud_body_id boxes[5], floor;
@@ -58,8 +54,7 @@ static void stack_wakes_by_impact_impulse_gravity_and_loss_of_the_floor(void **s
     }
 }
 
-static void sleeping_and_waking_many_times_is_stable(void **state)
-{
+static void sleeping_and_waking_many_times_is_stable(void **state) {
     (void)state;
     thud_body_id boxes[5], floor;
     thud_world *world = stack(boxes, &floor);
@@ -75,8 +70,7 @@ static void sleeping_and_waking_many_times_is_stable(void **state)
     thud_world_destroy(world);
 }
 
-static void body_that_may_not_sleep_keeps_its_island_awake(void **state)
-{
+static void body_that_may_not_sleep_keeps_its_island_awake(void **state) {
     (void)state;
     thud_body_id boxes[5], floor;
     thud_world *world = stack(boxes, &floor);
@@ -93,8 +87,7 @@ static void body_that_may_not_sleep_keeps_its_island_awake(void **state)
 }
 
 /* Something static that comes while a body sleeps is found when it wakes. */
-static void woken_body_meets_what_came_meanwhile(void **state)
-{
+static void woken_body_meets_what_came_meanwhile(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     add_floor(world, NULL);
@@ -110,8 +103,7 @@ static void woken_body_meets_what_came_meanwhile(void **state)
     thud_world_destroy(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(stack_sleeps_and_keeps_its_place),
         cmocka_unit_test(stack_wakes_by_impact_impulse_gravity_and_loss_of_the_floor),

@@ -1,7 +1,7 @@
-/* test_slides.c: bodies slide over ground made of many pieces as over the same ground made of one: with
- * every quality and detection, over static tiles, over the boxes of one body, which may move itself,
- * and over lines between boxes. Boxes used to stop dead or hop there, by up to a sixth of their size,
- * wherever they were bisected or swept at high or exact, and on every raft. */
+/* test_slides.c: bodies slide over ground made of many pieces as over the same ground made of one:
+ * with every quality and detection, over static tiles, over the boxes of one body, which may move
+ * itself, and over lines between boxes. Boxes used to stop dead or hop there, by up to a sixth of
+ * their size, wherever they were bisected or swept at high or exact, and on every raft. */
 #include "engine_support.h"
 
 enum { LENGTH = 60, SETTLE = 30 };
@@ -28,16 +28,15 @@ typedef struct slide {
     const thud_detection *detection;
 } slide;
 
-static thud_shape_def surface_of(const slide *s)
-{
+static thud_shape_def surface_of(const slide *s) {
     thud_shape_def def = thud_default_shape_def();
     def.friction = s->friction;
     def.density = s->floor == HEAVY_RAFT ? 1e5f : 1.0f;
     return def;
 }
 
-static void add_piece(thud_world *world, const slide *s, thud_body_id body, double from, double length)
-{
+static void add_piece(thud_world *world, const slide *s, thud_body_id body, double from,
+                      double length) {
     thud_shape_def def = surface_of(s);
     thud_vec2 at = {(float)(from + 0.5 * length), -0.5f}, half = {(float)(0.5 * length), 0.5f};
     if (s->upright) {
@@ -47,8 +46,7 @@ static void add_piece(thud_world *world, const slide *s, thud_body_id body, doub
     }
 }
 
-static void add_line(thud_world *world, const slide *s, double from, int length)
-{
+static void add_line(thud_world *world, const slide *s, double from, int length) {
     thud_pos points[LENGTH + 1];
     for (int i = 0; i <= length; i++) {
         points[i] = (thud_pos){from + i, 0};
@@ -60,15 +58,13 @@ static void add_line(thud_world *world, const slide *s, double from, int length)
 
 /* Pieces of length 1, or one for all. */
 static void add_pieces(thud_world *world, const slide *s, thud_body_id body, bool whole, int from,
-                       int length)
-{
+                       int length) {
     for (int i = 0; i < (whole ? 1 : length); i++) {
         add_piece(world, s, body, from + i, whole ? length : 1);
     }
 }
 
-static void add_ground(thud_world *world, const slide *s, bool whole)
-{
+static void add_ground(thud_world *world, const slide *s, bool whole) {
     int step = s->floor == TILES ? 1 : s->floor == SHAPES ? 5 : 10;
     if (s->floor == LINES && whole) {
         add_line(world, s, 0, LENGTH);
@@ -93,8 +89,7 @@ static void add_ground(thud_world *world, const slide *s, bool whole)
     }
 }
 
-static thud_body_id add_mover(thud_world *world, const slide *s)
-{
+static thud_body_id add_mover(thud_world *world, const slide *s) {
     thud_shape_def def = thud_default_shape_def();
     def.friction = s->friction;
     thud_body_id body = add_body(world, THUD_DYNAMIC, 5.3, (s->mover ? 0.3 : 0.5) + 0.004, 0);
@@ -113,8 +108,7 @@ typedef struct track {
     int steps;
 } track;
 
-static track run_slide(const slide *s, bool whole)
-{
+static track run_slide(const slide *s, bool whole) {
     thud_world_def def = thud_world_def_of(s->quality);
     def.sleeping = false;
     def.detection = s->detection;
@@ -136,11 +130,11 @@ static track run_slide(const slide *s, bool whole)
     return t;
 }
 
-/* Soft contacts give way a little where others take over, which friction feels: the more so against what
- * moves itself, and where pieces lie on pieces. */
-static void limits_of(const slide *s, double *hop, double *loss)
-{
-    bool draft = s->quality == &thud_quality_draft, moves = s->floor >= STILL_RAFT && s->floor < LINES;
+/* Soft contacts give way a little where others take over, which friction feels: the more so against
+ * what moves itself, and where pieces lie on pieces. */
+static void limits_of(const slide *s, double *hop, double *loss) {
+    bool draft = s->quality == &thud_quality_draft,
+         moves = s->floor >= STILL_RAFT && s->floor < LINES;
     bool soft = draft || s->quality == &thud_quality_default;
     *hop = !soft ? 1e-4 : (draft ? 6e-4 : 1e-4) * (moves ? 3 : 1);
     *loss = !soft || s->friction == 0 ? 1e-3 : draft ? 0.02 : 0.01;
@@ -150,8 +144,7 @@ static void limits_of(const slide *s, double *hop, double *loss)
     }
 }
 
-static void compare(const slide *s)
-{
+static void compare(const slide *s) {
     track whole = run_slide(s, true), pieces = run_slide(s, false);
     double most_hop, most_loss, hop = 0, loss = 0;
     limits_of(s, &most_hop, &most_loss);
@@ -170,8 +163,7 @@ static void compare(const slide *s)
     }
 }
 
-static void compare_all(floor_kind floor)
-{
+static void compare_all(floor_kind floor) {
     const thud_detection *ways[] = {&thud_detection_overlap, &thud_detection_continuous,
                                     &thud_detection_bisect, &thud_detection_swept};
     const double speeds[] = {3.117, 9.37, 31.77, 120};
@@ -187,39 +179,33 @@ static void compare_all(floor_kind floor)
     }
 }
 
-static void static_tiles_are_slid_over_as_one_floor(void **state)
-{
+static void static_tiles_are_slid_over_as_one_floor(void **state) {
     (void)state;
     compare_all(TILES);
 }
 
-static void shapes_of_static_bodies_are_slid_over_as_one_floor(void **state)
-{
+static void shapes_of_static_bodies_are_slid_over_as_one_floor(void **state) {
     (void)state;
     compare_all(SHAPES);
 }
 
-static void boxes_of_a_kinematic_body_are_slid_over_as_one_floor(void **state)
-{
+static void boxes_of_a_kinematic_body_are_slid_over_as_one_floor(void **state) {
     (void)state;
     compare_all(STILL_RAFT);
     compare_all(MOVING_RAFT);
 }
 
-static void boxes_of_a_dynamic_body_are_slid_over_as_one_floor(void **state)
-{
+static void boxes_of_a_dynamic_body_are_slid_over_as_one_floor(void **state) {
     (void)state;
     compare_all(HEAVY_RAFT);
 }
 
-static void lines_between_boxes_are_slid_over_as_one_floor(void **state)
-{
+static void lines_between_boxes_are_slid_over_as_one_floor(void **state) {
     (void)state;
     compare_all(LINES);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(static_tiles_are_slid_over_as_one_floor),
         cmocka_unit_test(shapes_of_static_bodies_are_slid_over_as_one_floor),

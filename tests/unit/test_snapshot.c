@@ -6,8 +6,7 @@
 
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
 
-static thud_world *scene_world(const scene_info *info, const thud_world_def *def, float *scale)
-{
+static thud_world *scene_world(const scene_info *info, const thud_world_def *def, float *scale) {
     scene s;
     thud_world *world;
     int size = info->default_size > SIZE_MOST ? SIZE_MOST : info->default_size;
@@ -20,8 +19,7 @@ static thud_world *scene_world(const scene_info *info, const thud_world_def *def
 
 /* Back in the same world, in a fresh one without anything, and in one that went on elsewhere. */
 static void restored_anywhere(const scene_info *info, const thud_world_def *settings, int before,
-                              int after, const char *what)
-{
+                              int after, const char *what) {
     thud_world_def def = settings ? *settings : thud_default_world_def();
     float scale;
     thud_world *world = scene_world(info, &def, &scale), *other = scene_world(info, &def, &scale);
@@ -43,8 +41,7 @@ static void restored_anywhere(const scene_info *info, const thud_world_def *sett
     free(snapshot.bytes);
 }
 
-static void every_scene_restored_goes_the_same_way(void **state)
-{
+static void every_scene_restored_goes_the_same_way(void **state) {
     (void)state;
     for (int i = 0; i < scenes_count(); i++) {
         restored_anywhere(scenes_at(i), NULL, BEFORE, AFTER, scenes_at(i)->name);
@@ -53,8 +50,7 @@ static void every_scene_restored_goes_the_same_way(void **state)
 
 /* As unlike the scenes as can be: vast; thin, damped and belted bodies, kinematic ones and some at
  * rest; a setting that the next step will find, or not. */
-static thud_world *wild_world(thud_world_def def, int steps)
-{
+static thud_world *wild_world(thud_world_def def, int steps) {
     def.sleeping = steps % 2 == 0;
     def.gravity = (thud_vec2){1, -3};
     thud_world *world = make_world(def);
@@ -84,8 +80,7 @@ static thud_world *wild_world(thud_world_def def, int steps)
 }
 
 /* Nothing of the world that gives way is left. */
-static void unlike_worlds_restored_from_each_other_go_the_same_ways(void **state)
-{
+static void unlike_worlds_restored_from_each_other_go_the_same_ways(void **state) {
     (void)state;
     const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep};
     for (int i = 0; i < 2 * scenes_count(); i++) {
@@ -109,8 +104,7 @@ static void unlike_worlds_restored_from_each_other_go_the_same_ways(void **state
 }
 
 static bool veto(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
-                 void *context)
-{
+                 void *context) {
     (void)world;
     (void)context;
     settings->friction *= 0.5f;
@@ -118,16 +112,14 @@ static bool veto(thud_world *world, const thud_contact *contact, thud_contact_se
 }
 
 /* Edits from inside a callback wait for the next step, also across a snapshot. */
-static void push(thud_world *world, const thud_contact *contact, void *context)
-{
+static void push(thud_world *world, const thud_contact *contact, void *context) {
     (void)context;
     if (contact->shape_b.index1 % 5 == 0) {
         thud_body_apply_impulse(world, contact->body_b, (thud_vec2){0.1f, 0.5f}, contact->point);
     }
 }
 
-static void every_setting_restored_goes_the_same_way(void **state)
-{
+static void every_setting_restored_goes_the_same_way(void **state) {
     (void)state;
     static const char *const names[] = {"circle_pit", "mixed_terrain", "bullets"};
     const thud_detection *const detections[] = {&thud_detection_overlap, &thud_detection_bisect,
@@ -147,8 +139,7 @@ static void every_setting_restored_goes_the_same_way(void **state)
     }
 }
 
-static void sleeping_island_restored_sleeps_and_wakes_as_before(void **state)
-{
+static void sleeping_island_restored_sleeps_and_wakes_as_before(void **state) {
     (void)state;
     float scale;
     thud_world *world = scene_world(scenes_find("tall_stack"), NULL, &scale);
@@ -175,8 +166,7 @@ static void sleeping_island_restored_sleeps_and_wakes_as_before(void **state)
 }
 
 /* From each step on a few more, in worlds that were elsewhere a moment ago. */
-static void every_step_on_the_way_to_sleep_is_restored(void **state)
-{
+static void every_step_on_the_way_to_sleep_is_restored(void **state) {
     (void)state;
     enum { STEPS = 500, MORE = 3 };
     yard y = make_yard(NULL);
@@ -209,8 +199,7 @@ static void every_step_on_the_way_to_sleep_is_restored(void **state)
 }
 
 /* One edit of each kind. */
-static void edit(const yard *y)
-{
+static void edit(const yard *y) {
     OK(thud_shape_dig(y->world, y->ground, (thud_pos){5, 0.5}, 1.5));
     OK(thud_body_destroy(y->world, y->heap[3]));
     OK(thud_body_set_transform(y->world, y->heap[4], (thud_pos){-5, 4}, 0.3));
@@ -222,8 +211,7 @@ static void edit(const yard *y)
     add_ball(y->world, 1, 14, 0.4f);
 }
 
-static void edits_that_wait_for_the_step_are_restored(void **state)
-{
+static void edits_that_wait_for_the_step_are_restored(void **state) {
     (void)state;
     yard y = make_yard(NULL);
     saved fresh = save(y.world); /* nothing has been applied yet */
@@ -242,8 +230,7 @@ static void edits_that_wait_for_the_step_are_restored(void **state)
     free(edited.bytes);
 }
 
-static void velocity_set_just_before_is_no_gain_of_energy(void **state)
-{
+static void velocity_set_just_before_is_no_gain_of_energy(void **state) {
     (void)state;
     yard y = make_yard(NULL);
     run(y.world, 30);
@@ -256,13 +243,18 @@ static void velocity_set_just_before_is_no_gain_of_energy(void **state)
     free(snapshot.bytes);
 }
 
-static void settings_with_a_setter_are_restored(void **state)
-{
+static void settings_with_a_setter_are_restored(void **state) {
     (void)state;
-    thud_quality odd = {.name = "odd", .substeps = 7, .contact_stiffness = 0.3f,
-                        .contact_damping = 2, .detection = &thud_detection_bisect,
-                        .islands = &thud_islands_direct, .sag_limit = 0.5f, .island_limit = 1,
-                        .island_work = 1, .island_patience = 1000};
+    thud_quality odd = {.name = "odd",
+                        .substeps = 7,
+                        .contact_stiffness = 0.3f,
+                        .contact_damping = 2,
+                        .detection = &thud_detection_bisect,
+                        .islands = &thud_islands_direct,
+                        .sag_limit = 0.5f,
+                        .island_limit = 1,
+                        .island_work = 1,
+                        .island_patience = 1000};
     for (int i = 0; i < QUALITIES; i++) {
         thud_world_def def = thud_world_def_of(qualities[i]);
         def.sleeping = i != 2;
@@ -287,8 +279,7 @@ static void settings_with_a_setter_are_restored(void **state)
     }
 }
 
-static void handles_are_those_of_the_snapshot(void **state)
-{
+static void handles_are_those_of_the_snapshot(void **state) {
     (void)state;
     yard y = make_yard(NULL);
     run(y.world, 5);
@@ -325,8 +316,7 @@ static void handles_are_those_of_the_snapshot(void **state)
     free(snapshot.bytes);
 }
 
-static void lines_that_came_went_or_grew_are_restored(void **state)
-{
+static void lines_that_came_went_or_grew_are_restored(void **state) {
     (void)state;
     yard y = make_yard(NULL);
     run(y.world, 20);
@@ -356,8 +346,7 @@ static void lines_that_came_went_or_grew_are_restored(void **state)
     free(snapshot.bytes);
 }
 
-static void poses_and_time_left_over_are_restored(void **state)
-{
+static void poses_and_time_left_over_are_restored(void **state) {
     (void)state;
     yard y = make_yard(NULL);
     double alpha[2];
@@ -375,8 +364,7 @@ static void poses_and_time_left_over_are_restored(void **state)
     free(snapshot.bytes);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_scene_restored_goes_the_same_way),
         cmocka_unit_test(unlike_worlds_restored_from_each_other_go_the_same_ways),

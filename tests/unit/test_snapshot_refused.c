@@ -8,28 +8,24 @@
 
 static char told[128];
 
-static double no_clock(void *context)
-{
+static double no_clock(void *context) {
     (void)context;
     return 0;
 }
 
-static void keep(thud_result result, const char *message, void *context)
-{
+static void keep(thud_result result, const char *message, void *context) {
     (void)result;
     (void)context;
     strncpy(told, message, sizeof told - 1);
 }
 
-static thud_world_def telling(void)
-{
+static thud_world_def telling(void) {
     thud_world_def def = thud_default_world_def();
     def.log = keep;
     return def;
 }
 
-static void refused(thud_world *world, const void *bytes, size_t size, const char *word)
-{
+static void refused(thud_world *world, const void *bytes, size_t size, const char *word) {
     uint64_t before = digest_of(world);
     told[0] = 0;
     assert_int_equal(thud_world_restore(world, bytes, size), THUD_ERROR_INVALID);
@@ -46,8 +42,7 @@ typedef struct ready {
     trail next;
 } ready;
 
-static ready make_ready(const thud_world_def *def)
-{
+static ready make_ready(const thud_world_def *def) {
     ready r = {.y = make_yard(def)};
     run(r.y.world, 30);
     r.snapshot = save(r.y.world);
@@ -56,14 +51,12 @@ static ready make_ready(const thud_world_def *def)
     return r;
 }
 
-static void end(ready *r)
-{
+static void end(ready *r) {
     thud_world_destroy(r->y.world);
     free(r->snapshot.bytes);
 }
 
-static void flipped_bit_anywhere_is_refused(void **state)
-{
+static void flipped_bit_anywhere_is_refused(void **state) {
     (void)state;
     thud_world_def def = telling();
     ready r = make_ready(&def);
@@ -78,8 +71,7 @@ static void flipped_bit_anywhere_is_refused(void **state)
     end(&r);
 }
 
-static void overwritten_and_swapped_bytes_are_refused(void **state)
-{
+static void overwritten_and_swapped_bytes_are_refused(void **state) {
     (void)state;
     thud_world_def def = telling();
     ready r = make_ready(&def);
@@ -103,8 +95,7 @@ static void overwritten_and_swapped_bytes_are_refused(void **state)
     end(&r);
 }
 
-static void cut_or_lengthened_snapshot_is_refused(void **state)
-{
+static void cut_or_lengthened_snapshot_is_refused(void **state) {
     (void)state;
     thud_world_def def = telling();
     ready r = make_ready(&def);
@@ -128,8 +119,7 @@ static void cut_or_lengthened_snapshot_is_refused(void **state)
     end(&r);
 }
 
-static void snapshot_of_another_scale_or_broadphase_is_refused(void **state)
-{
+static void snapshot_of_another_scale_or_broadphase_is_refused(void **state) {
     (void)state;
     thud_world_def def = telling();
     ready r = make_ready(&def);
@@ -145,8 +135,7 @@ static void snapshot_of_another_scale_or_broadphase_is_refused(void **state)
 }
 
 /* Each of them decides what the steps to come do. */
-static void snapshot_of_a_world_of_other_settings_is_refused(void **state)
-{
+static void snapshot_of_a_world_of_other_settings_is_refused(void **state) {
     (void)state;
     enum { KINDS = 10 };
     thud_world_def def = telling();
@@ -173,8 +162,7 @@ static void snapshot_of_a_world_of_other_settings_is_refused(void **state)
 }
 
 /* Numbers of the head that somebody changed, and made the checksum right again. */
-static void forged_counts_are_refused_or_do_no_harm(void **state)
-{
+static void forged_counts_are_refused_or_do_no_harm(void **state) {
     (void)state;
     thud_world_def def = telling();
     ready r = make_ready(&def);
@@ -207,8 +195,7 @@ static void forged_counts_are_refused_or_do_no_harm(void **state)
     end(&r);
 }
 
-static void null_and_small_buffer_are_refused(void **state)
-{
+static void null_and_small_buffer_are_refused(void **state) {
     (void)state;
     thud_world_def def = telling();
     ready r = make_ready(&def);
@@ -235,8 +222,7 @@ typedef struct inside {
 } inside;
 
 static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
-                void *context)
-{
+                void *context) {
     (void)contact;
     (void)settings;
     inside *i = context;
@@ -252,8 +238,7 @@ static bool ask(thud_world *world, const thud_contact *contact, thud_contact_set
     return true;
 }
 
-static void callback_is_refused(void **state)
-{
+static void callback_is_refused(void **state) {
     (void)state;
     inside i = {.asked = 0};
     thud_world_def def = telling();
@@ -269,8 +254,7 @@ static void callback_is_refused(void **state)
 }
 
 /* A world that holds little, or one that had a line in the place where the snapshot has its own. */
-static thud_world *small_world(const thud_world_def *def, bool had_line)
-{
+static thud_world *small_world(const thud_world_def *def, bool had_line) {
     if (!had_line) {
         thud_world *world = make_world(*def);
         add_ball(world, 0, 0, 1);
@@ -284,8 +268,7 @@ static thud_world *small_world(const thud_world_def *def, bool had_line)
     return y.world;
 }
 
-static void restore_without_memory_leaves_the_world_as_it_was(void **state)
-{
+static void restore_without_memory_leaves_the_world_as_it_was(void **state) {
     (void)state;
     thud_world_def def = telling();
     ready r = make_ready(&def);
@@ -318,8 +301,7 @@ static void restore_without_memory_leaves_the_world_as_it_was(void **state)
     end(&r);
 }
 
-static void restoring_again_and_again_takes_no_more_memory(void **state)
-{
+static void restoring_again_and_again_takes_no_more_memory(void **state) {
     (void)state;
     thud_world_def def = telling();
     ready r = make_ready(&def);
@@ -339,8 +321,7 @@ static void restoring_again_and_again_takes_no_more_memory(void **state)
     end(&r);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(flipped_bit_anywhere_is_refused),
         cmocka_unit_test(overwritten_and_swapped_bytes_are_refused),

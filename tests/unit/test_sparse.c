@@ -4,8 +4,7 @@
 #include "../support/hostile_memory.h"
 #include "islands/sparse.h"
 
-static bool order(td_memory *memory, td_sparse *s)
-{
+static bool order(td_memory *memory, td_sparse *s) {
     if (!td_sparse_begin(memory, s, g.nodes)) {
         return false;
     }
@@ -16,8 +15,7 @@ static bool order(td_memory *memory, td_sparse *s)
 }
 
 /* The upper half of diagonal blocks is not to be read. */
-static void fill_sparse(td_sparse *s)
-{
+static void fill_sparse(td_sparse *s) {
     td_sparse_clear(s);
     for (int i = 0; i < g.nodes; i++) {
         for (int k = 0; k < 9; k++) {
@@ -36,8 +34,7 @@ static void fill_sparse(td_sparse *s)
 }
 
 /* The present system is solved as the dense one is. */
-static void assert_solves(td_sparse *s, uint64_t *seed)
-{
+static void assert_solves(td_sparse *s, uint64_t *seed) {
     double x[NODES_MOST][3], work[NODES_MOST][3], most = 0;
     fill_dense(seed);
     fill_sparse(s);
@@ -55,8 +52,7 @@ static void assert_solves(td_sparse *s, uint64_t *seed)
     }
 }
 
-static void assert_order_is_permutation(const td_sparse *s)
-{
+static void assert_order_is_permutation(const td_sparse *s) {
     bool taken[NODES_MOST] = {false};
     for (int i = 0; i < g.nodes; i++) {
         int place = td_sparse_place(s, i);
@@ -71,8 +67,7 @@ typedef struct fixture {
     td_sparse s;
 } fixture;
 
-static fixture begin(int nodes)
-{
+static fixture begin(int nodes) {
     memory_allowed = -1;
     fixture f = {.memory = td_memory_make(hostile_memory())};
     td_sparse_init(&f.s);
@@ -81,15 +76,13 @@ static fixture begin(int nodes)
     return f;
 }
 
-static void end(fixture *f)
-{
+static void end(fixture *f) {
     td_sparse_free(&f->memory, &f->s);
     assert_int_equal(memory_held, 0);
 }
 
 /* Work of the graph at hand, whose system was solved. */
-static int64_t work_of_graph(uint64_t *seed)
-{
+static int64_t work_of_graph(uint64_t *seed) {
     fixture f = begin(g.nodes);
     assert_true(order(&f.memory, &f.s));
     assert_order_is_permutation(&f.s);
@@ -101,8 +94,7 @@ static int64_t work_of_graph(uint64_t *seed)
 
 /* ---- tests ---- */
 
-static void sparse_single_node_is_solved(void **state)
-{
+static void sparse_single_node_is_solved(void **state) {
     (void)state;
     uint64_t seed = 1;
     make_chain(1);
@@ -111,8 +103,7 @@ static void sparse_single_node_is_solved(void **state)
 
 /* Nothing fills in: a column of a block each, but for the last. Work is 1 a diagonal, 1 an entry
  * and 1 a pair of entries. */
-static void sparse_chain_takes_three_operations_a_node(void **state)
-{
+static void sparse_chain_takes_three_operations_a_node(void **state) {
     (void)state;
     uint64_t seed = 2;
     for (int nodes = 2; nodes <= NODES_MOST; nodes += 13) {
@@ -121,8 +112,7 @@ static void sparse_chain_takes_three_operations_a_node(void **state)
     }
 }
 
-static void sparse_star_begins_at_its_points(void **state)
-{
+static void sparse_star_begins_at_its_points(void **state) {
     (void)state;
     uint64_t seed = 3;
     make_star(70);
@@ -130,16 +120,14 @@ static void sparse_star_begins_at_its_points(void **state)
 }
 
 /* Columns of two, until two nodes are left. */
-static void sparse_ring_fills_in_one_block_a_node(void **state)
-{
+static void sparse_ring_fills_in_one_block_a_node(void **state) {
     (void)state;
     uint64_t seed = 4;
     make_ring(66);
     assert_int_equal(work_of_graph(&seed), 6 * 64 + 4);
 }
 
-static void sparse_full_matrix_is_solved(void **state)
-{
+static void sparse_full_matrix_is_solved(void **state) {
     (void)state;
     uint64_t seed = 5;
     int64_t work = 0;
@@ -151,8 +139,7 @@ static void sparse_full_matrix_is_solved(void **state)
 }
 
 /* By rows, each column would have as many entries as a row of the grid. */
-static void sparse_grid_takes_less_than_row_by_row(void **state)
-{
+static void sparse_grid_takes_less_than_row_by_row(void **state) {
     (void)state;
     uint64_t seed = 6;
     enum { SIDE = 8 };
@@ -161,8 +148,7 @@ static void sparse_grid_takes_less_than_row_by_row(void **state)
     assert_true(work_of_graph(&seed) < by_rows / 2);
 }
 
-static void sparse_random_graphs_are_solved(void **state)
-{
+static void sparse_random_graphs_are_solved(void **state) {
     (void)state;
     uint64_t seed = 7;
     for (int i = 0; i < 200; i++) {
@@ -175,8 +161,7 @@ static void sparse_random_graphs_are_solved(void **state)
 }
 
 /* Numbers of one at a time, in any order. */
-static void sparse_several_systems_are_kept_at_once(void **state)
-{
+static void sparse_several_systems_are_kept_at_once(void **state) {
     (void)state;
     enum { SYSTEMS = 6 };
     static graph graphs[SYSTEMS];
@@ -205,8 +190,7 @@ static void sparse_several_systems_are_kept_at_once(void **state)
 }
 
 /* What was there before leaves nothing behind. */
-static void sparse_forgotten_systems_make_room(void **state)
-{
+static void sparse_forgotten_systems_make_room(void **state) {
     (void)state;
     uint64_t seed = 9;
     fixture f = begin(NODES_MOST);
@@ -220,8 +204,7 @@ static void sparse_forgotten_systems_make_room(void **state)
 }
 
 /* A chain of blocks that are `diagonal` times the identity, with `beside` times it between them. */
-static bool chain_is_factored(int nodes, double diagonal, double beside)
-{
+static bool chain_is_factored(int nodes, double diagonal, double beside) {
     make_chain(nodes);
     fixture f = begin(nodes);
     assert_true(order(&f.memory, &f.s));
@@ -240,8 +223,7 @@ static bool chain_is_factored(int nodes, double diagonal, double beside)
 }
 
 /* The eigenvalues of n such blocks are diagonal + 2 beside cos(k pi / (n + 1)). */
-static void sparse_matrix_that_is_not_positive_definite_is_refused(void **state)
-{
+static void sparse_matrix_that_is_not_positive_definite_is_refused(void **state) {
     (void)state;
     double limit = 2 * cos(3.14159265358979323846 / 11);
     assert_true(chain_is_factored(10, limit * (1 + 1e-9), 1));
@@ -251,8 +233,7 @@ static void sparse_matrix_that_is_not_positive_definite_is_refused(void **state)
     assert_false(chain_is_factored(1, -1, 0));
 }
 
-static void sparse_matrix_that_is_not_finite_is_refused(void **state)
-{
+static void sparse_matrix_that_is_not_finite_is_refused(void **state) {
     (void)state;
     assert_false(chain_is_factored(1, (double)NAN, 0));
     assert_false(chain_is_factored(1, (double)INFINITY, 0));
@@ -261,8 +242,7 @@ static void sparse_matrix_that_is_not_finite_is_refused(void **state)
 }
 
 /* Of each try one allocation more is had than of the one before, up to the last. */
-static void sparse_failing_memory_leaves_it_usable(void **state)
-{
+static void sparse_failing_memory_leaves_it_usable(void **state) {
     (void)state;
     uint64_t seed = 10;
     fixture f = begin(1);
@@ -284,8 +264,7 @@ static void sparse_failing_memory_leaves_it_usable(void **state)
     end(&f);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sparse_single_node_is_solved),
         cmocka_unit_test(sparse_chain_takes_three_operations_a_node),

@@ -1,14 +1,13 @@
 /* test_spin.c: how fast a body may spin, on every setting. */
 #include "engine_support.h"
 
-static const thud_detection *const detections[] = {
-    &thud_detection_overlap, &thud_detection_continuous, &thud_detection_bisect,
-    &thud_detection_swept};
+static const thud_detection *const detections[] = {&thud_detection_overlap,
+                                                   &thud_detection_continuous,
+                                                   &thud_detection_bisect, &thud_detection_swept};
 enum { DETECTIONS = 4, STEPS = 10 };
 
 static thud_body_id add_spinning(thud_world *world, thud_body_kind kind, bool box, double x,
-                                 float spin)
-{
+                                 float spin) {
     thud_body_def def = thud_default_body_def();
     thud_body_id id;
     def.kind = kind;
@@ -20,14 +19,12 @@ static thud_body_id add_spinning(thud_world *world, thud_body_kind kind, bool bo
 }
 
 /* Radians within half a turn of each other. */
-static double apart(double a, double b)
-{
+static double apart(double a, double b) {
     return fabs(remainder(a - b, 6.283185307179586));
 }
 
 static void spins_as_it_was_told(const thud_quality *quality, const thud_detection *detection,
-                                 float spin)
-{
+                                 float spin) {
     thud_world_def def = thud_world_def_of(quality);
     def.gravity = (thud_vec2){0, 0};
     def.detection = detection;
@@ -51,8 +48,7 @@ static void spins_as_it_was_told(const thud_quality *quality, const thud_detecti
     thud_world_destroy(world);
 }
 
-static void free_body_keeps_any_spin_at_every_quality_and_detection(void **state)
-{
+static void free_body_keeps_any_spin_at_every_quality_and_detection(void **state) {
     (void)state;
     const float spins[] = {1, 94, -95, 188, 200, 300, -377, 3000, 1e5f};
     for (int q = 0; q < QUALITIES; q++) {
@@ -64,8 +60,7 @@ static void free_body_keeps_any_spin_at_every_quality_and_detection(void **state
     }
 }
 
-static void spin_beyond_the_highest_is_held_there_with_its_sign(void **state)
-{
+static void spin_beyond_the_highest_is_held_there_with_its_sign(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     thud_body_id left = add_spinning(world, THUD_DYNAMIC, true, 0, 3e30f);
@@ -76,9 +71,9 @@ static void spin_beyond_the_highest_is_held_there_with_its_sign(void **state)
     thud_world_destroy(world);
 }
 
-/* Radius 5 cm at 12 m/s: 240 rad/s. Within a hundredth: at exact it lands on a skin of a millimetre. */
-static void small_ball_rolls_on_forwards_at_every_quality_and_size(void **state)
-{
+/* Radius 5 cm at 12 m/s: 240 rad/s. Within a hundredth: at exact it lands on a skin of a
+ * millimetre. */
+static void small_ball_rolls_on_forwards_at_every_quality_and_size(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
         for (float scale = 1e-3f; scale < 1e4f; scale *= 1e3f) {
@@ -106,8 +101,7 @@ static void small_ball_rolls_on_forwards_at_every_quality_and_size(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_body_keeps_any_spin_at_every_quality_and_detection),
         cmocka_unit_test(spin_beyond_the_highest_is_held_there_with_its_sign),

@@ -20,18 +20,16 @@ static const thud_terrain uniform = {
 
 static const thud_terrain flat = {.kind = THUD_TERRAIN_FLAT, .slope = 0.75};
 
-static thud_shape_instance circle(double x, double y, double r)
-{
+static thud_shape_instance circle(double x, double y, double r) {
     return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_shape_instance box(double x, double y, double hx, double hy)
-{
+static thud_shape_instance box(double x, double y, double hx, double hy) {
     return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
-static double impact(const thud_terrain *t, thud_shape_instance shape, double dx, double dy, double target)
-{
+static double impact(const thud_terrain *t, thud_shape_instance shape, double dx, double dy,
+                     double target) {
     bool hit;
     double time;
     thud_motion m = {dx, dy, 0.0};
@@ -40,13 +38,11 @@ static double impact(const thud_terrain *t, thud_shape_instance shape, double dx
     return hit ? time : 2.0;
 }
 
-static bool overlaps(const thud_terrain *t, thud_shape_instance shape)
-{
+static bool overlaps(const thud_terrain *t, thud_shape_instance shape) {
     return thud_terrain_overlap(t, &shape);
 }
 
-static void check_refuses_what_no_ground_can_be(void **state)
-{
+static void check_refuses_what_no_ground_can_be(void **state) {
     (void)state;
     const thud_pos back[] = {{0, 0}, {2, 0}, {2, 1}}, holes[] = {{0, 0}, {1, NAN}, {2, 0}};
     thud_terrain bad[] = {
@@ -72,8 +68,7 @@ static void check_refuses_what_no_ground_can_be(void **state)
     assert_int_equal(thud_terrain_check(&flat), THUD_OK);
 }
 
-static void calls_with_bad_input_are_refused(void **state)
-{
+static void calls_with_bad_input_are_refused(void **state) {
     (void)state;
     thud_shape_instance shape = circle(0, 9, 1), bad_shape = circle(NAN, 9, 1);
     thud_terrain none = {.kind = THUD_TERRAIN_UNIFORM, .spacing = 1, .count = 3};
@@ -107,8 +102,7 @@ static void calls_with_bad_input_are_refused(void **state)
                      THUD_ERROR_NULL);
 }
 
-static void sample_gives_height_normal_and_weights(void **state)
-{
+static void sample_gives_height_normal_and_weights(void **state) {
     (void)state;
     thud_terrain_sample s;
     assert_int_equal(thud_terrain_sample_at(&flat, 4, &s), THUD_OK);
@@ -127,8 +121,7 @@ static void sample_gives_height_normal_and_weights(void **state)
     assert_int_equal(s.segment, 1);
 }
 
-static void sample_at_a_vertex_is_of_the_segment_it_begins(void **state)
-{
+static void sample_at_a_vertex_is_of_the_segment_it_begins(void **state) {
     (void)state;
     thud_terrain_sample s;
     assert_int_equal(thud_terrain_sample_at(&irregular, 2, &s), THUD_OK);
@@ -137,12 +130,11 @@ static void sample_at_a_vertex_is_of_the_segment_it_begins(void **state)
     assert_true(s.segment == 2 && s.height == 0.0 && s.weight[1] == 1.0);
 }
 
-static void segments_of_an_interval_include_touched_ones(void **state)
-{
+static void segments_of_an_interval_include_touched_ones(void **state) {
     (void)state;
-    const double cases[][4] = {{0.5, 1, 0, 0},  {1, 3, 0, 1},   {2, 3, 0, 1},  {3, 6, 1, 2},
-                               {-9, 99, 0, 2},  {-5, 0, 0, 0},  {10, 11, 2, 2}, {6, 6, 1, 2},
-                               {-INFINITY, INFINITY, 0, 2}};
+    const double cases[][4] = {{0.5, 1, 0, 0}, {1, 3, 0, 1},   {2, 3, 0, 1},
+                               {3, 6, 1, 2},   {-9, 99, 0, 2}, {-5, 0, 0, 0},
+                               {10, 11, 2, 2}, {6, 6, 1, 2},   {-INFINITY, INFINITY, 0, 2}};
     int first, last;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         thud_terrain_segments(&irregular, cases[i][0], cases[i][1], &first, &last);
@@ -157,8 +149,7 @@ static void segments_of_an_interval_include_touched_ones(void **state)
     assert_true(first == 0 && last == 0);
 }
 
-static void ray_from_above_hits_the_first_segment_on_its_way(void **state)
-{
+static void ray_from_above_hits_the_first_segment_on_its_way(void **state) {
     (void)state;
     double f, nx, ny;
     assert_true(thud_terrain_cast_ray(&irregular, 9, 1, -9, 0, &f, &nx, &ny));
@@ -174,8 +165,7 @@ static void ray_from_above_hits_the_first_segment_on_its_way(void **state)
     assert_true(thud_terrain_cast_ray(&flat, 0, 1, 0, -1, NULL, NULL, NULL));
 }
 
-static void ray_that_starts_below_or_comes_from_below_hits_nothing(void **state)
-{
+static void ray_that_starts_below_or_comes_from_below_hits_nothing(void **state) {
     (void)state;
     double f, nx, ny;
     assert_false(thud_terrain_cast_ray(&irregular, 2, 1, 0, 5, &f, &nx, &ny));
@@ -189,8 +179,7 @@ static void ray_that_starts_below_or_comes_from_below_hits_nothing(void **state)
     assert_false(thud_terrain_cast_ray(&irregular, 2, 5, 0, -2.9, &f, &nx, &ny));
 }
 
-static void ray_at_a_vertex_does_not_slip_through(void **state)
-{
+static void ray_at_a_vertex_does_not_slip_through(void **state) {
     (void)state;
     double f, nx, ny;
     for (int i = -50; i <= 50; i++) {
@@ -202,16 +191,15 @@ static void ray_at_a_vertex_does_not_slip_through(void **state)
     }
 }
 
-static void overlap_sees_line_ground_and_sides(void **state)
-{
+static void overlap_sees_line_ground_and_sides(void **state) {
     (void)state;
-    assert_true(overlaps(&irregular, circle(5, 0, 1)));       /* leans on the slope */
-    assert_false(overlaps(&irregular, circle(6, 0, 1)));      /* fits into the valley's mouth */
-    assert_true(overlaps(&irregular, circle(5, -50, 1)));     /* deep below */
-    assert_true(overlaps(&irregular, box(5, -50, 100, 1)));   /* deep below and wider */
-    assert_true(overlaps(&irregular, box(2, 4, 3, 2)));       /* touches the peak */
+    assert_true(overlaps(&irregular, circle(5, 0, 1)));     /* leans on the slope */
+    assert_false(overlaps(&irregular, circle(6, 0, 1)));    /* fits into the valley's mouth */
+    assert_true(overlaps(&irregular, circle(5, -50, 1)));   /* deep below */
+    assert_true(overlaps(&irregular, box(5, -50, 100, 1))); /* deep below and wider */
+    assert_true(overlaps(&irregular, box(2, 4, 3, 2)));     /* touches the peak */
     assert_false(overlaps(&irregular, box(2, 4.001, 3, 2)));
-    assert_true(overlaps(&irregular, circle(-1, -7, 1)));     /* touches the left side */
+    assert_true(overlaps(&irregular, circle(-1, -7, 1))); /* touches the left side */
     assert_false(overlaps(&irregular, circle(-1.001, -7, 1)));
     assert_true(overlaps(&irregular, box(11, -9, 1, 1)));
     assert_false(overlaps(&irregular, box(11.001, -9, 1, 1)));
@@ -220,8 +208,7 @@ static void overlap_sees_line_ground_and_sides(void **state)
     assert_true(overlaps(&flat, box(4, -99, 1, 1)));
 }
 
-static void impact_on_ground_is_when_the_shape_comes_down(void **state)
-{
+static void impact_on_ground_is_when_the_shape_comes_down(void **state) {
     (void)state;
     NEAR(impact(&flat, circle(0, 6.25, 1), 0, -10, 0.0), 0.5);
     NEAR(impact(&irregular, box(2, 8, 0.5, 1), 0, -10, 0.0), 0.5);
@@ -235,8 +222,7 @@ static void impact_on_ground_is_when_the_shape_comes_down(void **state)
     assert_true(impact(&flat, circle(0, -3, 1), 0, 10, 0.0) == 0.0);
 }
 
-static void impact_of_a_bullet_with_a_spike_is_not_missed(void **state)
-{
+static void impact_of_a_bullet_with_a_spike_is_not_missed(void **state) {
     (void)state;
     const thud_pos points[] = {{-500, 0}, {-1e-6, 0}, {0, 3}, {1e-6, 0}, {500, 0}};
     thud_terrain spike = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 5};
@@ -246,8 +232,7 @@ static void impact_of_a_bullet_with_a_spike_is_not_missed(void **state)
     assert_true(fabs(time - 399.9 / 800) < 1e-8);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(check_refuses_what_no_ground_can_be),
         cmocka_unit_test(calls_with_bad_input_are_refused),

@@ -1,8 +1,7 @@
 /* test_terrain_bodies.c: what becomes of bodies whose ground is edited. */
 #include "terrain_support.h"
 
-static void edit_by_number(const ground *g, int which, double x)
-{
+static void edit_by_number(const ground *g, int which, double x) {
     const thud_pos bumps[] = {{x - 0.9, 0.2}, {x - 0.3, -0.1}, {x, 0.1}, {x + 0.8, 0.3}};
     switch (which % 4) {
     case 0:
@@ -20,16 +19,14 @@ static void edit_by_number(const ground *g, int which, double x)
     }
 }
 
-static void sleeps_as_it_was(const ground *g, thud_body_id body, const thud_body_state *was)
-{
+static void sleeps_as_it_was(const ground *g, thud_body_id body, const thud_body_state *was) {
     thud_body_state now = state_of(g->world, body);
     assert_false(now.awake);
     assert_true(now.position.x == was->position.x && now.position.y == was->position.y &&
                 now.angle == was->angle);
 }
 
-static void edit_wakes_what_rests_there_and_nothing_far_away(void **state)
-{
+static void edit_wakes_what_rests_there_and_nothing_far_away(void **state) {
     (void)state;
     for (int which = 0; which < 4; which++) {
         ground g = level_ground(THUD_TERRAIN_IRREGULAR, thud_default_world_def());
@@ -55,8 +52,7 @@ static void edit_wakes_what_rests_there_and_nothing_far_away(void **state)
 }
 
 /* Far from an edit a running world goes on as if there were none, bit for bit. */
-static void edit_of_bare_ground_does_not_touch_the_motion_elsewhere(void **state)
-{
+static void edit_of_bare_ground_does_not_touch_the_motion_elsewhere(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     def.sleeping = false;
@@ -80,8 +76,7 @@ static void edit_of_bare_ground_does_not_touch_the_motion_elsewhere(void **state
     thud_world_destroy(other.world);
 }
 
-static void ball_on_dug_ground_comes_to_rest_in_the_crater(void **state)
-{
+static void ball_on_dug_ground_comes_to_rest_in_the_crater(void **state) {
     (void)state;
     for (int kind = THUD_TERRAIN_UNIFORM; kind <= THUD_TERRAIN_IRREGULAR; kind++) {
         ground g = level_ground((thud_terrain_kind)kind, thud_default_world_def());
@@ -96,8 +91,7 @@ static void ball_on_dug_ground_comes_to_rest_in_the_crater(void **state)
     }
 }
 
-static void bodies_inside_raised_ground_are_pushed_out(void **state)
-{
+static void bodies_inside_raised_ground_are_pushed_out(void **state) {
     (void)state;
     for (int kind = THUD_TERRAIN_UNIFORM; kind <= THUD_TERRAIN_IRREGULAR; kind++) {
         ground g = level_ground((thud_terrain_kind)kind, thud_default_world_def());
@@ -105,8 +99,8 @@ static void bodies_inside_raised_ground_are_pushed_out(void **state)
         add_walls(&g);
         for (int i = 0; i < 12; i++) {
             double x = -5.5 + i;
-            bodies[i] = i % 2 ? add_ball(g.world, x, 0.3, 0.3f)
-                              : add_box(g.world, x, 0.3, 0.4f, 0.3f);
+            bodies[i] =
+                i % 2 ? add_ball(g.world, x, 0.3, 0.3f) : add_box(g.world, x, 0.3, 0.4f, 0.3f);
         }
         run_to_sleep(&g);
         OK(thud_shape_raise(g.world, g.shape, 0, 8, 6));
@@ -122,8 +116,7 @@ static void bodies_inside_raised_ground_are_pushed_out(void **state)
     }
 }
 
-static void raised_ground_wakes_a_body_that_did_not_touch_it(void **state)
-{
+static void raised_ground_wakes_a_body_that_did_not_touch_it(void **state) {
     (void)state;
     ground g = level_ground(THUD_TERRAIN_UNIFORM, thud_default_world_def());
     thud_body_id shelf = add_body(g.world, THUD_STATIC, 0, 1, 0);
@@ -141,8 +134,7 @@ static void raised_ground_wakes_a_body_that_did_not_touch_it(void **state)
     thud_world_destroy(g.world);
 }
 
-static void two_edits_between_steps_wake_only_their_own_places(void **state)
-{
+static void two_edits_between_steps_wake_only_their_own_places(void **state) {
     (void)state;
     ground g = level_ground(THUD_TERRAIN_IRREGULAR, thud_default_world_def());
     thud_body_id left = add_stack(&g, -20, 2), middle = add_stack(&g, 0, 2);
@@ -160,8 +152,7 @@ static void two_edits_between_steps_wake_only_their_own_places(void **state)
     thud_world_destroy(g.world);
 }
 
-static void edit_among_sensors(const thud_broadphase *broadphase)
-{
+static void edit_among_sensors(const thud_broadphase *broadphase) {
     uint64_t seed = 21;
     thud_world_def def = weightless();
     def.broadphase = broadphase;
@@ -169,8 +160,8 @@ static void edit_among_sensors(const thud_broadphase *broadphase)
     thud_shape_def sensor = thud_default_shape_def();
     sensor.sensor = true;
     for (int i = 0; i < 80; i++) {
-        thud_body_id body = add_body(g.world, THUD_DYNAMIC, random_in(&seed, -52, 52),
-                                     random_in(&seed, -3, 2), 0);
+        thud_body_id body =
+            add_body(g.world, THUD_DYNAMIC, random_in(&seed, -52, 52), random_in(&seed, -3, 2), 0);
         add_shape(g.world, body, (float)random_in(&seed, 0.05, 1.5),
                   i % 2 ? (float)random_in(&seed, 0.05, 0.5) : 0, false, &sensor);
     }
@@ -194,8 +185,7 @@ static void edit_among_sensors(const thud_broadphase *broadphase)
 }
 
 /* Sensors do not move: after any edit they have exactly the pairs that a new line would give. */
-static void pairs_after_random_edits_are_those_of_a_new_line(void **state)
-{
+static void pairs_after_random_edits_are_those_of_a_new_line(void **state) {
     (void)state;
     edit_among_sensors(&thud_broadphase_grid);
     edit_among_sensors(&thud_broadphase_sweep);
@@ -203,8 +193,7 @@ static void pairs_after_random_edits_are_those_of_a_new_line(void **state)
 }
 
 /* Whom each shape touches, by its slot, as the events tell. */
-static void count_touches(const thud_world *world, int touches[256])
-{
+static void count_touches(const thud_world *world, int touches[256]) {
     thud_events e = thud_world_events(world);
     for (int i = 0; i < e.begin_count; i++) {
         touches[e.begin[i].shape_a.index1]++;
@@ -217,8 +206,7 @@ static void count_touches(const thud_world *world, int touches[256])
 }
 
 /* Through a thousand edits in a crowd every touch has its begin and its end, and nobody is lost. */
-static void edits_under_a_crowd_lose_no_event_and_no_body(void **state)
-{
+static void edits_under_a_crowd_lose_no_event_and_no_body(void **state) {
     (void)state;
     uint64_t seed = 33;
     ground g = level_ground(THUD_TERRAIN_IRREGULAR, thud_default_world_def());
@@ -258,8 +246,7 @@ static void edits_under_a_crowd_lose_no_event_and_no_body(void **state)
     thud_world_destroy(g.world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edit_wakes_what_rests_there_and_nothing_far_away),
         cmocka_unit_test(edit_of_bare_ground_does_not_touch_the_motion_elsewhere),

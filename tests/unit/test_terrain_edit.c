@@ -1,8 +1,7 @@
 /* test_terrain_edit.c: what digging, raising and replacing make of a line. */
 #include "terrain_support.h"
 
-static void dig_in_uniform_ground_puts_vertices_on_the_arc(void **state)
-{
+static void dig_in_uniform_ground_puts_vertices_on_the_arc(void **state) {
     (void)state;
     ground g = level_ground(THUD_TERRAIN_UNIFORM, thud_default_world_def());
     OK(thud_shape_dig(g.world, g.shape, (thud_pos){0.2, 0.5}, 1.5));
@@ -17,8 +16,7 @@ static void dig_in_uniform_ground_puts_vertices_on_the_arc(void **state)
 }
 
 /* Hills with slopes below 1, on vertices at random places. */
-static ground hills(uint64_t *seed)
-{
+static ground hills(uint64_t *seed) {
     thud_pos points[120];
     double x = -30;
     for (int i = 0; i < 120; i++) {
@@ -32,8 +30,7 @@ static ground hills(uint64_t *seed)
     return g;
 }
 
-static void dig_in_irregular_ground_follows_the_circle_and_leaves_the_rest(void **state)
-{
+static void dig_in_irregular_ground_follows_the_circle_and_leaves_the_rest(void **state) {
     (void)state;
     uint64_t seed = 3;
     thud_pos room[ROOM];
@@ -60,8 +57,7 @@ static void dig_in_irregular_ground_follows_the_circle_and_leaves_the_rest(void 
     }
 }
 
-static void dig_that_meets_no_ground_changes_nothing(void **state)
-{
+static void dig_that_meets_no_ground_changes_nothing(void **state) {
     (void)state;
     thud_pos room[ROOM];
     ground g = level_ground(THUD_TERRAIN_IRREGULAR, thud_default_world_def());
@@ -83,8 +79,7 @@ static void dig_that_meets_no_ground_changes_nothing(void **state)
     thud_world_destroy(u.world);
 }
 
-static void dig_across_an_end_keeps_the_length_of_the_line(void **state)
-{
+static void dig_across_an_end_keeps_the_length_of_the_line(void **state) {
     (void)state;
     ground g = level_ground(THUD_TERRAIN_IRREGULAR, thud_default_world_def());
     OK(thud_shape_dig(g.world, g.shape, (thud_pos){-50.3, 0}, 2));
@@ -96,8 +91,7 @@ static void dig_across_an_end_keeps_the_length_of_the_line(void **state)
     thud_world_destroy(g.world);
 }
 
-static void dig_of_the_whole_line_leaves_a_line(void **state)
-{
+static void dig_of_the_whole_line_leaves_a_line(void **state) {
     (void)state;
     const thud_pos two[] = {{0, 0}, {1, 0}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = two, .count = 2};
@@ -110,8 +104,7 @@ static void dig_of_the_whole_line_leaves_a_line(void **state)
     thud_world_destroy(g.world);
 }
 
-static void thousands_of_digs_keep_a_bounded_number_of_vertices(void **state)
-{
+static void thousands_of_digs_keep_a_bounded_number_of_vertices(void **state) {
     (void)state;
     uint64_t seed = 9;
     ground g = level_ground(THUD_TERRAIN_IRREGULAR, thud_default_world_def());
@@ -127,8 +120,7 @@ static void thousands_of_digs_keep_a_bounded_number_of_vertices(void **state)
     thud_world_destroy(g.world);
 }
 
-static void raise_adds_a_smooth_mound_and_a_negative_one_a_hollow(void **state)
-{
+static void raise_adds_a_smooth_mound_and_a_negative_one_a_hollow(void **state) {
     (void)state;
     for (int kind = THUD_TERRAIN_UNIFORM; kind <= THUD_TERRAIN_IRREGULAR; kind++) {
         ground g = level_ground((thud_terrain_kind)kind, thud_default_world_def());
@@ -144,8 +136,7 @@ static void raise_adds_a_smooth_mound_and_a_negative_one_a_hollow(void **state)
     }
 }
 
-static void edits_go_by_places_in_the_world_wherever_the_body_stands(void **state)
-{
+static void edits_go_by_places_in_the_world_wherever_the_body_stands(void **state) {
     (void)state;
     const thud_pos points[] = {{-9, 0}, {-3, 0}, {3, 0}, {9, 0}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
@@ -163,8 +154,7 @@ static void edits_go_by_places_in_the_world_wherever_the_body_stands(void **stat
     thud_world_destroy(there.world);
 }
 
-static void replace_range_changes_what_is_in_it_and_may_move_the_ends(void **state)
-{
+static void replace_range_changes_what_is_in_it_and_may_move_the_ends(void **state) {
     (void)state;
     const thud_pos points[] = {{0, 0}, {1, 1}, {2, 0}, {3, 1}, {4, 0}};
     const thud_pos more[] = {{0.5, 5}, {1.5, 6}, {2.5, 7}}, beyond[] = {{7, 1}, {9, 2}};
@@ -184,8 +174,7 @@ static void replace_range_changes_what_is_in_it_and_may_move_the_ends(void **sta
     thud_world_destroy(g.world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dig_in_uniform_ground_puts_vertices_on_the_arc),
         cmocka_unit_test(dig_in_irregular_ground_follows_the_circle_and_leaves_the_rest),

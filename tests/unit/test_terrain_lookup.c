@@ -29,8 +29,7 @@ static size_t watched_bytes, page_bytes;
 static volatile sig_atomic_t pages_read;
 
 /* The first touch of a page opens it and is counted. */
-static void open_page(int signal_number, siginfo_t *info, void *context)
-{
+static void open_page(int signal_number, siginfo_t *info, void *context) {
     (void)context;
     char *at = info->si_addr, *start = (char *)watched;
     if (at < start || at >= start + watched_bytes) {
@@ -42,8 +41,7 @@ static void open_page(int signal_number, siginfo_t *info, void *context)
 }
 
 /* Vertices from x = 0 on, one to two apart, on a parabola. */
-static int make_watched(void **state)
-{
+static int make_watched(void **state) {
     (void)state;
     uint64_t seed = 7;
     page_bytes = (size_t)sysconf(_SC_PAGESIZE);
@@ -59,14 +57,12 @@ static int make_watched(void **state)
     return 0;
 }
 
-static int free_watched(void **state)
-{
+static int free_watched(void **state) {
     (void)state;
     return munmap(watched, watched_bytes);
 }
 
-static int pages_read_for(const thud_terrain *terrain, double x)
-{
+static int pages_read_for(const thud_terrain *terrain, double x) {
     struct sigaction counting = {.sa_sigaction = open_page, .sa_flags = SA_SIGINFO};
     struct sigaction segv, bus; /* which of the two comes depends on the system */
     thud_terrain_sample sample = {0};
@@ -85,8 +81,7 @@ static int pages_read_for(const thud_terrain *terrain, double x)
 }
 
 /* Halving 100,000 takes 17 comparisons; then both ends of the line and of the segment are read. */
-static void irregular_lookup_among_100000_vertices_reads_20_at_most(void **state)
-{
+static void irregular_lookup_among_100000_vertices_reads_20_at_most(void **state) {
     (void)state;
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = watched, .count = VERTICES};
     uint64_t seed = 11;
@@ -96,11 +91,12 @@ static void irregular_lookup_among_100000_vertices_reads_20_at_most(void **state
     }
 }
 
-static void uniform_lookup_reads_the_two_vertices_of_the_segment(void **state)
-{
+static void uniform_lookup_reads_the_two_vertices_of_the_segment(void **state) {
     (void)state;
-    thud_terrain line = {
-        .kind = THUD_TERRAIN_UNIFORM, .spacing = 0.5, .points = watched, .count = VERTICES};
+    thud_terrain line = {.kind = THUD_TERRAIN_UNIFORM,
+                         .spacing = 0.5,
+                         .points = watched,
+                         .count = VERTICES};
     uint64_t seed = 13;
     for (int i = 0; i < 200; i++) {
         double x = random_in(&seed, 0.0, 0.5 * (VERTICES - 1));
@@ -110,8 +106,7 @@ static void uniform_lookup_reads_the_two_vertices_of_the_segment(void **state)
 
 /* ---- texture coordinates ---- */
 
-static thud_uv texture(const thud_terrain *terrain, double x, const thud_uv *uv, int count)
-{
+static thud_uv texture(const thud_terrain *terrain, double x, const thud_uv *uv, int count) {
     thud_terrain_sample sample;
     thud_uv out;
     OK(thud_terrain_sample_at(terrain, x, &sample));
@@ -119,8 +114,7 @@ static thud_uv texture(const thud_terrain *terrain, double x, const thud_uv *uv,
     return out;
 }
 
-static void texture_is_interpolated_between_the_vertices_on_both_sides(void **state)
-{
+static void texture_is_interpolated_between_the_vertices_on_both_sides(void **state) {
     (void)state;
     const thud_uv uv[] = {{0, 1}, {0.5, 0}, {2.5, 1}, {3, 3}};
     thud_uv at = texture(&irregular, 5, uv, 4); /* three quarters of the way from 1 to 2 */
@@ -134,8 +128,7 @@ static void texture_is_interpolated_between_the_vertices_on_both_sides(void **st
     NEAR(at.v, 0.75);
 }
 
-static void texture_of_flat_ground_is_linear_in_x_everywhere(void **state)
-{
+static void texture_of_flat_ground_is_linear_in_x_everywhere(void **state) {
     (void)state;
     const thud_uv uv[] = {{0.25, 7}, {0.75, 7}};
     for (int x = -40; x <= 40; x++) {
@@ -145,8 +138,7 @@ static void texture_of_flat_ground_is_linear_in_x_everywhere(void **state)
     }
 }
 
-static void texture_with_bad_input_is_refused_and_writes_nothing(void **state)
-{
+static void texture_with_bad_input_is_refused_and_writes_nothing(void **state) {
     (void)state;
     const thud_uv uv[] = {{0, 0}, {1, NAN}, {2, 0}, {3, 0}};
     thud_terrain_sample sample, before = {.segment = -1, .weight = {1, 0}};
@@ -165,8 +157,7 @@ static void texture_with_bad_input_is_refused_and_writes_nothing(void **state)
 
 /* ---- a foot ---- */
 
-static void foot_is(const thud_terrain *terrain, double x, double width, thud_foot wanted)
-{
+static void foot_is(const thud_terrain *terrain, double x, double width, thud_foot wanted) {
     thud_foot foot;
     OK(thud_terrain_place_foot(terrain, x, width, &foot));
     NEAR(foot.height, wanted.height);
@@ -175,51 +166,44 @@ static void foot_is(const thud_terrain *terrain, double x, double width, thud_fo
     NEAR(foot.ny, wanted.ny);
 }
 
-static void foot_on_a_slope_stands_on_its_upper_end(void **state)
-{
+static void foot_on_a_slope_stands_on_its_upper_end(void **state) {
     (void)state;
     foot_is(&flat, 4, 2, (thud_foot){3.75, 5, -0.6, 0.8});
     foot_is(&irregular, 4, 1, (thud_foot){0.5, 3.5, sqrt(0.5), sqrt(0.5)});
 }
 
-static void foot_without_width_stands_on_the_sample(void **state)
-{
+static void foot_without_width_stands_on_the_sample(void **state) {
     (void)state;
     foot_is(&flat, 4, 0, (thud_foot){3, 4, -0.6, 0.8});
     foot_is(&irregular, 0, 0, (thud_foot){0, 0, -sqrt(0.5), sqrt(0.5)});
     foot_is(&irregular, 10, 0, (thud_foot){0, 10, -1 / sqrt(5), 2 / sqrt(5)});
 }
 
-static void foot_astride_a_peak_stands_on_it_and_leans_with_both_sides(void **state)
-{
+static void foot_astride_a_peak_stands_on_it_and_leans_with_both_sides(void **state) {
     (void)state;
     foot_is(&irregular, 2, 2, (thud_foot){2, 2, 0, 1});
     /* From height 1.5 at 1.5 to 0 at 4. */
     foot_is(&irregular, 2.75, 2.5, (thud_foot){2, 2, 1.5 / hypot(1.5, 2.5), 2.5 / hypot(1.5, 2.5)});
 }
 
-static void foot_across_a_valley_stands_on_the_higher_side(void **state)
-{
+static void foot_across_a_valley_stands_on_the_higher_side(void **state) {
     (void)state;
     foot_is(&irregular, 6, 4, (thud_foot){0, 4, 1 / sqrt(17), 4 / sqrt(17)});
 }
 
-static void foot_on_level_ground_stands_under_its_middle(void **state)
-{
+static void foot_on_level_ground_stands_under_its_middle(void **state) {
     (void)state;
     foot_is(&uniform, -1.2, 0.8, (thud_foot){1, -1.2, 0, 1});
 }
 
-static void foot_beyond_an_end_counts_what_is_over_the_line(void **state)
-{
+static void foot_beyond_an_end_counts_what_is_over_the_line(void **state) {
     (void)state;
     foot_is(&irregular, -0.5, 2, (thud_foot){0.5, 0.5, -sqrt(0.5), sqrt(0.5)});
     foot_is(&irregular, -1, 2, (thud_foot){0, 0, -sqrt(0.5), sqrt(0.5)});
     foot_is(&uniform, 4, 1, (thud_foot){1.5, 3.5, sqrt(0.5), sqrt(0.5)});
 }
 
-static void foot_is_never_under_the_ground_and_touches_it(void **state)
-{
+static void foot_is_never_under_the_ground_and_touches_it(void **state) {
     (void)state;
     uint64_t seed = 5;
     thud_pos points[60];
@@ -244,15 +228,14 @@ static void foot_is_never_under_the_ground_and_touches_it(void **state)
     }
 }
 
-static void foot_with_bad_input_is_refused_and_writes_nothing(void **state)
-{
+static void foot_with_bad_input_is_refused_and_writes_nothing(void **state) {
     (void)state;
     thud_terrain none = {.kind = THUD_TERRAIN_UNIFORM, .spacing = 1, .count = 3};
     thud_foot out = {1, 2, 3, 4};
     assert_int_equal(thud_terrain_place_foot(NULL, 0, 1, &out), THUD_ERROR_NULL);
     assert_int_equal(thud_terrain_place_foot(&none, 0, 1, &out), THUD_ERROR_NULL);
     assert_int_equal(thud_terrain_place_foot(&flat, 0, 1, NULL), THUD_ERROR_NULL);
-    const double bad[][2] = {{NAN, 1}, {INFINITY, 1}, {0, NAN},   {0, INFINITY},
+    const double bad[][2] = {{NAN, 1}, {INFINITY, 1}, {0, NAN}, {0, INFINITY},
                              {0, -1},  {-1, 1.9},     {11, 1.9}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         assert_int_equal(thud_terrain_place_foot(&irregular, bad[i][0], bad[i][1], &out),
@@ -261,8 +244,7 @@ static void foot_with_bad_input_is_refused_and_writes_nothing(void **state)
     assert_true(out.height == 1 && out.x == 2 && out.nx == 3 && out.ny == 4);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(irregular_lookup_among_100000_vertices_reads_20_at_most,
                                         make_watched, free_watched),

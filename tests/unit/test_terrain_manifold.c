@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-9)
-#define MARGIN     0.02
+#define MARGIN 0.02
 
 typedef struct contacts {
     int count, segments;
@@ -19,24 +19,20 @@ typedef struct contacts {
     double nx[64], ny[64];
 } contacts;
 
-static thud_shape_instance circle(double x, double y, double r)
-{
+static thud_shape_instance circle(double x, double y, double r) {
     return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_shape_instance box(double x, double y, double hx, double hy, double angle)
-{
+static thud_shape_instance box(double x, double y, double hx, double hy, double angle) {
     return (thud_shape_instance){THUD_OBB, x, y, cos(angle), sin(angle), hx, hy};
 }
 
-static thud_terrain line(const thud_pos *points, int count)
-{
+static thud_terrain line(const thud_pos *points, int count) {
     return (thud_terrain){.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = count};
 }
 
 /* What a world sees: the contacts with all segments near the shape. */
-static contacts meet(const thud_terrain *t, thud_shape_instance shape)
-{
+static contacts meet(const thud_terrain *t, thud_shape_instance shape) {
     contacts c = {0};
     double reach = shape.hx + shape.hy + MARGIN;
     int first, last;
@@ -55,8 +51,7 @@ static contacts meet(const thud_terrain *t, thud_shape_instance shape)
     return c;
 }
 
-static void circle_on_endless_slope_has_one_point_between_the_surfaces(void **state)
-{
+static void circle_on_endless_slope_has_one_point_between_the_surfaces(void **state) {
     (void)state;
     thud_terrain flat = {.kind = THUD_TERRAIN_FLAT, .slope = 0.75};
     /* Centre 0.99 over the line at the point (4, 3). */
@@ -69,8 +64,7 @@ static void circle_on_endless_slope_has_one_point_between_the_surfaces(void **st
     NEAR(c.point[0].py, -0.8 * 0.995);
 }
 
-static void shapes_beyond_the_margin_have_no_points(void **state)
-{
+static void shapes_beyond_the_margin_have_no_points(void **state) {
     (void)state;
     const thud_pos hill[] = {{-5, 0}, {0, 0}, {5, -2}};
     thud_terrain t = line(hill, 3);
@@ -81,8 +75,7 @@ static void shapes_beyond_the_margin_have_no_points(void **state)
     assert_int_equal(meet(&t, circle(-5.6, 0.9, 1)).count, 0);
 }
 
-static void circle_sliding_over_collinear_segments_meets_one_at_a_time(void **state)
-{
+static void circle_sliding_over_collinear_segments_meets_one_at_a_time(void **state) {
     (void)state;
     thud_pos points[41];
     for (int slope = -2; slope <= 2; slope++) {
@@ -101,8 +94,7 @@ static void circle_sliding_over_collinear_segments_meets_one_at_a_time(void **st
     }
 }
 
-static void box_sliding_over_collinear_segments_meets_two_corners_with_one_normal(void **state)
-{
+static void box_sliding_over_collinear_segments_meets_two_corners_with_one_normal(void **state) {
     (void)state;
     thud_pos points[41];
     for (int slope = -2; slope <= 2; slope++) {
@@ -128,8 +120,7 @@ static void box_sliding_over_collinear_segments_meets_two_corners_with_one_norma
     }
 }
 
-static void box_in_one_segment_orders_its_points_along_the_ground(void **state)
-{
+static void box_in_one_segment_orders_its_points_along_the_ground(void **state) {
     (void)state;
     thud_terrain flat = {.kind = THUD_TERRAIN_FLAT};
     contacts c = meet(&flat, box(3, 0.99, 2, 1, 0));
@@ -145,8 +136,7 @@ static void box_in_one_segment_orders_its_points_along_the_ground(void **state)
     assert_int_equal(c.point[1].id, 3);
 }
 
-static void circle_in_a_valley_touches_both_slopes(void **state)
-{
+static void circle_in_a_valley_touches_both_slopes(void **state) {
     (void)state;
     const thud_pos valley[] = {{-4, 4}, {0, 0}, {4, 4}};
     thud_terrain t = line(valley, 3);
@@ -156,8 +146,7 @@ static void circle_in_a_valley_touches_both_slopes(void **state)
     NEAR(c.nx[1], -sqrt(0.5));
 }
 
-static void corner_of_a_box_in_a_valley_touches_both_slopes_in_or_over_the_ground(void **state)
-{
+static void corner_of_a_box_in_a_valley_touches_both_slopes_in_or_over_the_ground(void **state) {
     (void)state;
     const thud_pos valley[] = {{-4, 2}, {0, 0}, {4, 2}}, cliff[] = {{-4, 0}, {0, 0}, {0.001, 4}};
     thud_terrain v = line(valley, 3), wall = line(cliff, 3);
@@ -174,8 +163,7 @@ static void corner_of_a_box_in_a_valley_touches_both_slopes_in_or_over_the_groun
     }
 }
 
-static void box_that_hit_a_thin_cliff_is_pushed_back_not_up(void **state)
-{
+static void box_that_hit_a_thin_cliff_is_pushed_back_not_up(void **state) {
     (void)state;
     const thud_pos cliff[] = {{-4, 0}, {0, 0}, {0.001, 4}, {4, 4}};
     thud_terrain t = line(cliff, 4);
@@ -187,8 +175,7 @@ static void box_that_hit_a_thin_cliff_is_pushed_back_not_up(void **state)
     }
 }
 
-static void circle_over_a_ridge_meets_its_vertex_once(void **state)
-{
+static void circle_over_a_ridge_meets_its_vertex_once(void **state) {
     (void)state;
     const thud_pos ridge[] = {{-4, -4}, {0, 0}, {4, -4}};
     thud_terrain t = line(ridge, 3);
@@ -201,8 +188,7 @@ static void circle_over_a_ridge_meets_its_vertex_once(void **state)
     }
 }
 
-static void box_across_a_gentle_ridge_is_held_by_it(void **state)
-{
+static void box_across_a_gentle_ridge_is_held_by_it(void **state) {
     (void)state;
     const thud_pos ridge[] = {{-4, -0.02}, {0, 0}, {4, -0.02}};
     thud_terrain t = line(ridge, 3);
@@ -215,8 +201,7 @@ static void box_across_a_gentle_ridge_is_held_by_it(void **state)
     assert_true(fabs(deepest + 0.01) < 1e-6);
 }
 
-static void box_on_a_sharp_ridge_takes_the_normal_of_its_face(void **state)
-{
+static void box_on_a_sharp_ridge_takes_the_normal_of_its_face(void **state) {
     (void)state;
     const thud_pos ridge[] = {{-4, -4}, {0, 0}, {4, -4}};
     thud_terrain t = line(ridge, 3);
@@ -230,8 +215,7 @@ static void box_on_a_sharp_ridge_takes_the_normal_of_its_face(void **state)
     }
 }
 
-static void box_on_a_needle_of_rock_rests_on_its_point(void **state)
-{
+static void box_on_a_needle_of_rock_rests_on_its_point(void **state) {
     (void)state;
     const thud_pos needle[] = {{-4, -9}, {-1e-4, -9}, {0, 0}, {1e-4, -9}, {4, -9}};
     thud_terrain t = line(needle, 5);
@@ -242,8 +226,7 @@ static void box_on_a_needle_of_rock_rests_on_its_point(void **state)
     NEAR(c.point[0].separation, -0.01);
 }
 
-static void deep_shapes_are_pushed_out_through_the_line(void **state)
-{
+static void deep_shapes_are_pushed_out_through_the_line(void **state) {
     (void)state;
     thud_terrain flat = {.kind = THUD_TERRAIN_FLAT};
     contacts c = meet(&flat, circle(0, -50, 1));
@@ -260,8 +243,7 @@ static void deep_shapes_are_pushed_out_through_the_line(void **state)
     NEAR(c.point[0].separation, -2.5);
 }
 
-static void circle_rolls_off_the_end_round_its_vertex(void **state)
-{
+static void circle_rolls_off_the_end_round_its_vertex(void **state) {
     (void)state;
     const thud_pos shelf[] = {{0, 0}, {5, 0}};
     thud_terrain t = line(shelf, 2);
@@ -282,8 +264,7 @@ static void circle_rolls_off_the_end_round_its_vertex(void **state)
     assert_int_equal(meet(&t, circle(-1.05, -30, 1)).count, 0);
 }
 
-static void box_over_the_end_is_held_by_vertex_and_corner(void **state)
-{
+static void box_over_the_end_is_held_by_vertex_and_corner(void **state) {
     (void)state;
     const thud_pos shelf[] = {{0, 0}, {5, 0}};
     thud_terrain t = line(shelf, 2);
@@ -305,8 +286,7 @@ static void box_over_the_end_is_held_by_vertex_and_corner(void **state)
     NEAR(c.point[0].separation, -0.01);
 }
 
-static void manifold_has_the_same_bits_every_time(void **state)
-{
+static void manifold_has_the_same_bits_every_time(void **state) {
     (void)state;
     const thud_pos hills[] = {{-4, 1}, {-1, 0}, {0, 0.5}, {4, -4}};
     thud_terrain t = line(hills, 4);
@@ -321,8 +301,7 @@ static void manifold_has_the_same_bits_every_time(void **state)
     }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(circle_on_endless_slope_has_one_point_between_the_surfaces),
         cmocka_unit_test(shapes_beyond_the_margin_have_no_points),

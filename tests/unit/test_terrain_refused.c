@@ -3,8 +3,7 @@
 
 #include "../support/hostile_memory.h"
 
-static thud_result edit_result(const ground *g, int which)
-{
+static thud_result edit_result(const ground *g, int which) {
     const thud_pos more[] = {{0.1, 1}, {0.2, 2}, {0.3, 1}};
     const double heights[] = {1, 2, 3};
     switch (which) {
@@ -19,8 +18,7 @@ static thud_result edit_result(const ground *g, int which)
     }
 }
 
-static void edit_without_memory_leaves_line_and_world_as_they_were(void **state)
-{
+static void edit_without_memory_leaves_line_and_world_as_they_were(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     def.allocator = hostile_memory();
@@ -50,15 +48,13 @@ static void edit_without_memory_leaves_line_and_world_as_they_were(void **state)
 
 static int messages;
 
-static void count_message(thud_result result, const char *message, void *context)
-{
+static void count_message(thud_result result, const char *message, void *context) {
     (void)context;
     assert_true(result != THUD_OK && message[0]);
     messages++;
 }
 
-static void edit_with_bad_input_is_refused_with_a_message(void **state)
-{
+static void edit_with_bad_input_is_refused_with_a_message(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     def.log = count_message;
@@ -137,16 +133,14 @@ static void edit_with_bad_input_is_refused_with_a_message(void **state)
 static thud_shape_id to_dig;
 
 static bool dig_inside(thud_world *world, const thud_contact *contact,
-                       thud_contact_settings *settings, void *context)
-{
+                       thud_contact_settings *settings, void *context) {
     (void)settings;
     (void)contact;
     *(thud_result *)context = thud_shape_dig(world, to_dig, (thud_pos){0, 0}, 1);
     return true;
 }
 
-static void edit_inside_a_callback_is_refused(void **state)
-{
+static void edit_inside_a_callback_is_refused(void **state) {
     (void)state;
     thud_result result = THUD_OK;
     thud_world_def def = thud_default_world_def();
@@ -161,8 +155,7 @@ static void edit_inside_a_callback_is_refused(void **state)
     thud_world_destroy(g.world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edit_without_memory_leaves_line_and_world_as_they_were),
         cmocka_unit_test(edit_with_bad_input_is_refused_with_a_message),

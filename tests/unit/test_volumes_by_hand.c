@@ -10,21 +10,19 @@
 
 #include <cmocka.h>
 
-#define NEAR(a, b)    assert_true(fabs((a) - (b)) < 1e-12)
-#define OK(call)      assert_int_equal(call, THUD_OK)
+#define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-12)
+#define OK(call) assert_int_equal(call, THUD_OK)
 #define INVALID(call) assert_int_equal(call, THUD_ERROR_INVALID)
 #define MISSING(call) assert_int_equal(call, THUD_ERROR_NULL)
 
-static const thud_shape_instance square = {.kind = THUD_AABB, .x = 3.0, .y = 4.0, .c = 1.0, .hx = 1.0,
-                                   .hy = 1.0};
+static const thud_shape_instance square = {
+    .kind = THUD_AABB, .x = 3.0, .y = 4.0, .c = 1.0, .hx = 1.0, .hy = 1.0};
 
-static thud_shape_instance turned(double hx, double hy, double angle)
-{
+static thud_shape_instance turned(double hx, double hy, double angle) {
     return (thud_shape_instance){THUD_OBB, 0.0, 0.0, cos(angle), sin(angle), hx, hy};
 }
 
-static void circle_around_square_reaches_its_corners(void **state)
-{
+static void circle_around_square_reaches_its_corners(void **state) {
     (void)state;
     thud_volume v;
     OK(thud_volume_around_shape(THUD_CIRCLE, &square, &v));
@@ -34,8 +32,7 @@ static void circle_around_square_reaches_its_corners(void **state)
     NEAR(v.hx, sqrt(2.0));
 }
 
-static void obb_around_obb_is_itself(void **state)
-{
+static void obb_around_obb_is_itself(void **state) {
     (void)state;
     thud_shape_instance box = turned(2.0, 0.5, 0.3);
     thud_volume v;
@@ -46,21 +43,18 @@ static void obb_around_obb_is_itself(void **state)
     NEAR(v.hy, 0.5);
 }
 
-static void aabb_around_turning_bar_is_widest_on_the_way(void **state)
-{
+static void aabb_around_turning_bar_is_widest_on_the_way(void **state) {
     (void)state;
     /* A bar of half length 2 from 45 degrees before to 45 degrees after level: it is widest, 2, in
      * the middle, where neither of its ends shows it. */
     thud_shape_instance bar = turned(2.0, 1e-9, -0.78539816339744831);
     thud_volume v;
-    OK(thud_volume_around_motion(THUD_AABB, &bar, (thud_motion){0.0, 0.0, 1.5707963267948966},
-                                 &v));
+    OK(thud_volume_around_motion(THUD_AABB, &bar, (thud_motion){0.0, 0.0, 1.5707963267948966}, &v));
     assert_true(fabs(v.hx - 2.0) < 1e-8);
     assert_true(fabs(v.hy - sqrt(2.0)) < 1e-8);
 }
 
-static void volumes_around_whole_turn_are_as_wide_as_the_diagonal(void **state)
-{
+static void volumes_around_whole_turn_are_as_wide_as_the_diagonal(void **state) {
     (void)state;
     thud_shape_instance box = turned(4.0, 3.0, 0.0);
     thud_volume v;
@@ -72,8 +66,7 @@ static void volumes_around_whole_turn_are_as_wide_as_the_diagonal(void **state)
     NEAR(v.hx, 5.0);
 }
 
-static void turn_of_an_aabb_is_not_heeded(void **state)
-{
+static void turn_of_an_aabb_is_not_heeded(void **state) {
     (void)state;
     thud_volume v;
     OK(thud_volume_around_motion(THUD_AABB, &square, (thud_motion){0.0, 2.0, 4.0}, &v));
@@ -81,8 +74,7 @@ static void turn_of_an_aabb_is_not_heeded(void **state)
     NEAR(v.hy, 2.0);
 }
 
-static void obb_around_diagonal_flight_lies_along_it(void **state)
-{
+static void obb_around_diagonal_flight_lies_along_it(void **state) {
     (void)state;
     thud_shape_instance ball = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5};
     thud_volume v;
@@ -93,8 +85,7 @@ static void obb_around_diagonal_flight_lies_along_it(void **state)
     NEAR(v.hy, 0.5);
 }
 
-static void obb_around_turning_bar_lies_as_the_bar_halfway(void **state)
-{
+static void obb_around_turning_bar_lies_as_the_bar_halfway(void **state) {
     (void)state;
     thud_shape_instance bar = turned(2.0, 1e-9, 0.2);
     thud_volume v;
@@ -105,8 +96,7 @@ static void obb_around_turning_bar_lies_as_the_bar_halfway(void **state)
     assert_true(fabs(v.hy - 2.0 * sin(0.2)) < 1e-8);
 }
 
-static void circle_around_flight_reaches_both_ends(void **state)
-{
+static void circle_around_flight_reaches_both_ends(void **state) {
     (void)state;
     thud_shape_instance ball = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 0.5};
     thud_volume v;
@@ -117,8 +107,7 @@ static void circle_around_flight_reaches_both_ends(void **state)
     assert_true(v.hy == 0.0);
 }
 
-static void volumes_around_one_point_have_no_size(void **state)
-{
+static void volumes_around_one_point_have_no_size(void **state) {
     (void)state;
     const thud_pos points[3] = {{5.0, -7.0}, {5.0, -7.0}, {5.0, -7.0}};
     for (int i = 0; i < 6; i++) {
@@ -134,8 +123,7 @@ static void volumes_around_one_point_have_no_size(void **state)
     }
 }
 
-static void volumes_around_points_on_a_line_lie_along_it(void **state)
-{
+static void volumes_around_points_on_a_line_lie_along_it(void **state) {
     (void)state;
     const thud_pos points[4] = {{1.0, 1.0}, {4.0, 5.0}, {7.0, 9.0}, {2.5, 3.0}};
     thud_volume v;
@@ -149,8 +137,7 @@ static void volumes_around_points_on_a_line_lie_along_it(void **state)
     NEAR(v.hx, 5.0);
 }
 
-static void circle_around_right_triangle_rests_on_its_longest_side(void **state)
-{
+static void circle_around_right_triangle_rests_on_its_longest_side(void **state) {
     (void)state;
     const thud_pos points[4] = {{0.0, 0.0}, {6.0, 0.0}, {0.0, 8.0}, {1.0, 1.0}};
     thud_volume v;
@@ -160,8 +147,7 @@ static void circle_around_right_triangle_rests_on_its_longest_side(void **state)
     NEAR(v.hx, 5.0);
 }
 
-static void circle_around_three_points_just_too_far_for_two_rests_on_all(void **state)
-{
+static void circle_around_three_points_just_too_far_for_two_rests_on_all(void **state) {
     (void)state;
     const double height = 1.0002;
     const thud_pos points[3] = {{-1.0, 0.0}, {1.0, 0.0}, {0.0, height}};
@@ -170,8 +156,7 @@ static void circle_around_three_points_just_too_far_for_two_rests_on_all(void **
     NEAR(v.hx, (1.0 + height * height) / (2.0 * height));
 }
 
-static void obb_around_many_points_on_a_ring_ends_with_the_sides_it_tries(void **state)
-{
+static void obb_around_many_points_on_a_ring_ends_with_the_sides_it_tries(void **state) {
     (void)state;
     enum { MANY = 4000 };
     static thud_pos points[MANY];
@@ -183,8 +168,7 @@ static void obb_around_many_points_on_a_ring_ends_with_the_sides_it_tries(void *
     assert_true(v.hx <= 1.0 + 1e-9 && v.hy <= 1.0 + 1e-9 && v.hx > 0.999 && v.hy > 0.999);
 }
 
-static void aabb_around_ground_covers_only_the_range(void **state)
-{
+static void aabb_around_ground_covers_only_the_range(void **state) {
     (void)state;
     const thud_pos points[4] = {{0.0, 0.0}, {1.0, 4.0}, {2.0, 0.0}, {3.0, 100.0}};
     thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
@@ -203,8 +187,7 @@ static void aabb_around_ground_covers_only_the_range(void **state)
     NEAR(v.hy, 0.0);
 }
 
-static void merge_into_an_input_is_allowed(void **state)
-{
+static void merge_into_an_input_is_allowed(void **state) {
     (void)state;
     thud_volume a = {.kind = THUD_CIRCLE, .hx = 1.0};
     thud_volume b = {.kind = THUD_CIRCLE, .x = 4.0, .hx = 2.0};
@@ -216,8 +199,7 @@ static void merge_into_an_input_is_allowed(void **state)
     NEAR(b.hx, 3.5);
 }
 
-static void merged_obbs_in_a_row_stay_as_thin_as_they_are(void **state)
-{
+static void merged_obbs_in_a_row_stay_as_thin_as_they_are(void **state) {
     (void)state;
     thud_volume a = {THUD_OBB, 0.0, 0.0, 0.6, 0.8, 2.0, 0.5}, b = a, v;
     b.x = 3.0;
@@ -239,8 +221,7 @@ static void merged_obbs_in_a_row_stay_as_thin_as_they_are(void **state)
     NEAR(v.hy, 0.5);
 }
 
-static void merged_obb_lies_along_the_larger_of_two(void **state)
-{
+static void merged_obb_lies_along_the_larger_of_two(void **state) {
     (void)state;
     thud_volume large = {THUD_OBB, 0.0, 0.0, 0.6, 0.8, 2.0, 0.5};
     thud_volume small = {THUD_OBB, -0.4, 0.7, 1.0, 0.0, 0.01, 0.01}, v;
@@ -252,8 +233,7 @@ static void merged_obb_lies_along_the_larger_of_two(void **state)
     }
 }
 
-static void merged_equal_places_stay_a_place(void **state)
-{
+static void merged_equal_places_stay_a_place(void **state) {
     (void)state;
     thud_volume a = {.kind = THUD_OBB, .c = 0.6, .s = 0.8}, v;
     for (int kind = 0; kind < 3; kind++) {
@@ -262,8 +242,7 @@ static void merged_equal_places_stay_a_place(void **state)
     }
 }
 
-static void touching_volumes_overlap_and_edges_belong_to_them(void **state)
-{
+static void touching_volumes_overlap_and_edges_belong_to_them(void **state) {
     (void)state;
     thud_volume a = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1.0, .hy = 1.0}, b = a;
     b.x = 2.0;
@@ -285,8 +264,7 @@ static void touching_volumes_overlap_and_edges_belong_to_them(void **state)
 static const thud_pos corner = {1.0, 1.0};
 
 /* Calls every function with the volume among its input; all must refuse and change nothing. */
-static void refused_by_all(const thud_volume *bad)
-{
+static void refused_by_all(const thud_volume *bad) {
     thud_volume out = square;
     bool yes = true;
     INVALID(thud_volume_check(bad));
@@ -306,8 +284,7 @@ static void refused_by_all(const thud_volume *bad)
     assert_memory_equal(&out, &square, sizeof out);
 }
 
-static void volumes_that_cannot_be_are_refused_and_change_nothing(void **state)
-{
+static void volumes_that_cannot_be_are_refused_and_change_nothing(void **state) {
     (void)state;
     thud_volume bad[8];
     for (int i = 0; i < 8; i++) {
@@ -326,8 +303,7 @@ static void volumes_that_cannot_be_are_refused_and_change_nothing(void **state)
     }
 }
 
-static void values_out_of_range_are_refused_and_change_nothing(void **state)
-{
+static void values_out_of_range_are_refused_and_change_nothing(void **state) {
     (void)state;
     thud_volume out = square;
     thud_shape_instance flat = square;
@@ -373,8 +349,7 @@ static void values_out_of_range_are_refused_and_change_nothing(void **state)
     assert_memory_equal(&out, &square, sizeof out);
 }
 
-static void null_pointers_are_refused_and_change_nothing(void **state)
-{
+static void null_pointers_are_refused_and_change_nothing(void **state) {
     (void)state;
     thud_volume out = square;
     thud_terrain ground = {.kind = THUD_TERRAIN_FLAT};
@@ -405,8 +380,7 @@ static void null_pointers_are_refused_and_change_nothing(void **state)
     assert_memory_equal(&out, &square, sizeof out);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(circle_around_square_reaches_its_corners),
         cmocka_unit_test(obb_around_obb_is_itself),

@@ -5,8 +5,7 @@
 #include "pool.h"
 #include "scenes.h"
 
-static uint64_t hash_after(const char *name, int size, int steps, thud_job_system job_system)
-{
+static uint64_t hash_after(const char *name, int size, int steps, thud_job_system job_system) {
     scene s;
     assert_true(scenes_fill(scenes_find(name), size, &s));
     thud_world_def def = thud_default_world_def();
@@ -21,8 +20,7 @@ static uint64_t hash_after(const char *name, int size, int steps, thud_job_syste
 }
 
 /* A job system that has but one thread: one call after the other. */
-static void one_after_the_other(thud_task_fn *task, void *argument, int workers, void *context)
-{
+static void one_after_the_other(thud_task_fn *task, void *argument, int workers, void *context) {
     *(int *)context += 1;
     for (int i = 0; i < workers; i++) {
         task(argument);
@@ -35,8 +33,7 @@ static const struct {
 } SCENES[] = {{"pyramid", 40, 60},    {"circle_pit", 3000, 120}, {"mixed_terrain", 2000, 120},
               {"tumbler", 1000, 100}, {"platformer", 1000, 80},  {"sizes", 1000, 80}};
 
-static void any_number_of_workers_gives_the_same_bits(void **state)
-{
+static void any_number_of_workers_gives_the_same_bits(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof SCENES / sizeof *SCENES; i++) {
         uint64_t alone =
@@ -54,8 +51,7 @@ static void any_number_of_workers_gives_the_same_bits(void **state)
     }
 }
 
-static void workers_one_after_the_other_give_the_same_bits(void **state)
-{
+static void workers_one_after_the_other_give_the_same_bits(void **state) {
     (void)state;
     int calls = 0;
     thud_job_system job_system = {one_after_the_other, &calls, 3};
@@ -64,8 +60,7 @@ static void workers_one_after_the_other_give_the_same_bits(void **state)
     assert_true(calls >= 40);
 }
 
-static void small_worlds_ask_nobody(void **state)
-{
+static void small_worlds_ask_nobody(void **state) {
     (void)state;
     int calls = 0;
     thud_job_system job_system = {one_after_the_other, &calls, 3};
@@ -73,8 +68,7 @@ static void small_worlds_ask_nobody(void **state)
     assert_int_equal(calls, 0);
 }
 
-static void absurd_crews_are_refused(void **state)
-{
+static void absurd_crews_are_refused(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     thud_world *world = NULL;
@@ -87,8 +81,7 @@ static void absurd_crews_are_refused(void **state)
     assert_null(world);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_number_of_workers_gives_the_same_bits),
         cmocka_unit_test(workers_one_after_the_other_give_the_same_bits),

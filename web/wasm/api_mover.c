@@ -110,8 +110,8 @@ void api_mover_set_state(api_mover *m) {
  * nine doubles each: shape, body, point, normal, depth; and after them 16 sensors: shapes. */
 int api_mover_move(thud_world *world, api_mover *m, double vx, double vy, double dt, int drop) {
     m->one_way.drop = drop != 0;
-    thud_result result = thud_mover_move(world, &m->mover, (thud_vec2){(float)vx, (float)vy}, dt,
-                                         &m->report);
+    thud_result result =
+        thud_mover_move(world, &m->mover, (thud_vec2){(float)vx, (float)vy}, dt, &m->report);
     if (result != THUD_OK)
         return result;
     const thud_mover *mover = &m->mover;
@@ -119,9 +119,9 @@ int api_mover_move(thud_world *world, api_mover *m, double vx, double vy, double
     api_buffer_clear(&rows);
     for (int i = 0; i < report->hit_count; i++) {
         const thud_mover_hit *hit = &report->hits[i];
-        double row[9] = {hit->shape.index1, hit->shape.generation, hit->body.index1,
-                         hit->body.generation, hit->point.x,       hit->point.y,
-                         hit->normal.x,        hit->normal.y,      hit->depth};
+        double row[9] = {hit->shape.index1,    hit->shape.generation, hit->body.index1,
+                         hit->body.generation, hit->point.x,          hit->point.y,
+                         hit->normal.x,        hit->normal.y,         hit->depth};
         api_buffer_push(&rows, row, sizeof row);
     }
     for (int i = 0; i < report->sensor_count; i++) {

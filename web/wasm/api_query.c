@@ -16,10 +16,10 @@ thud_shape_instance api_placed(int kind, double hx, double hy, double angle) {
         api_sincos(angle, &s, &c);
     }
     return (thud_shape_instance){.kind = (thud_shape_kind)kind,
-                         .c = c,
-                         .s = s,
-                         .hx = hx,
-                         .hy = kind == THUD_CIRCLE ? 0.0 : hy};
+                                 .c = c,
+                                 .s = s,
+                                 .hx = hx,
+                                 .hy = kind == THUD_CIRCLE ? 0.0 : hy};
 }
 
 /* Eight doubles of a hit: shape, point, normal, fraction, depth. */
@@ -79,9 +79,9 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
         thud_ray_hit *out = (thud_ray_hit *)hits.data;
         thud_pos at = {x, y};
         thud_result result =
-            kind < 0 ? thud_world_cast_ray_all(world, at, dx, dy, &filter, out, room, &count)
-                     : thud_world_cast_shape_all(world, at, &shape, dx, dy, &filter, out, room,
-                                                 &count);
+            kind < 0
+                ? thud_world_cast_ray_all(world, at, dx, dy, &filter, out, room, &count)
+                : thud_world_cast_shape_all(world, at, &shape, dx, dy, &filter, out, room, &count);
         if (result != THUD_OK)
             return result;
     }

@@ -54,9 +54,10 @@ int api_aabb_create(thud_world *world, uint32_t index1, uint32_t generation, dou
                     double half_width, double half_height) {
     thud_shape_def def = read_def();
     thud_shape_id id = {0};
-    thud_result result = thud_shape_create_aabb(
-        world, api_body(index1, generation), &def, (thud_vec2){(float)x, (float)y},
-        (thud_vec2){(float)half_width, (float)half_height}, &id);
+    thud_result result =
+        thud_shape_create_aabb(world, api_body(index1, generation), &def,
+                               (thud_vec2){(float)x, (float)y},
+                               (thud_vec2){(float)half_width, (float)half_height}, &id);
     return created(result, id);
 }
 
@@ -64,9 +65,10 @@ int api_obb_create(thud_world *world, uint32_t index1, uint32_t generation, doub
                    double half_width, double half_height, double angle) {
     thud_shape_def def = read_def();
     thud_shape_id id = {0};
-    thud_result result = thud_shape_create_obb(
-        world, api_body(index1, generation), &def, (thud_vec2){(float)x, (float)y},
-        (thud_vec2){(float)half_width, (float)half_height}, angle, &id);
+    thud_result result =
+        thud_shape_create_obb(world, api_body(index1, generation), &def,
+                              (thud_vec2){(float)x, (float)y},
+                              (thud_vec2){(float)half_width, (float)half_height}, angle, &id);
     return created(result, id);
 }
 

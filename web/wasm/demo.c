@@ -63,12 +63,12 @@ int api_sum_picture(void) {
     thud_shape_instance a = {
         .kind = (thud_shape_kind)api_to_int(s[0]), .hx = s[1], .hy = s[2], .c = s[3], .s = s[4]};
     thud_shape_instance b = {.kind = (thud_shape_kind)api_to_int(s[5]),
-                     .hx = s[6],
-                     .hy = s[7],
-                     .c = s[8],
-                     .s = s[9],
-                     .x = s[10],
-                     .y = s[11]};
+                             .hx = s[6],
+                             .hy = s[7],
+                             .c = s[8],
+                             .s = s[9],
+                             .x = s[10],
+                             .y = s[11]};
     if (!sum_picture_of(&a, &b, &picture))
         return THUD_ERROR_INVALID;
     s[0] = picture.overlaps;

@@ -9,15 +9,15 @@
 extern "C" {
 #endif
 
-/* A broadphase finds the pairs of shapes whose bounds overlap. All find the same pairs and hand them
- * on in the same order, so that a world does the same, bit for bit, with any of them: contacts, events,
- * what callbacks are asked, and where bodies go.
+/* A broadphase finds the pairs of shapes whose bounds overlap. All find the same pairs and hand
+ * them on in the same order, so that a world does the same, bit for bit, with any of them:
+ * contacts, events, what callbacks are asked, and where bodies go.
  *
- * But for crowds. While more than 8,192 pairs, and 64 a shape of the world, overlap of which one moved,
- * a shape that overlaps more than 32 others gets some of those pairs in later steps, and which come
- * first is the broadphase's own. Pairs that may not touch hold no places, and sensors get all that are
- * looked at. Of n shapes in one spot each pair is looked at within n / 64 steps, and has come within
- * 4 n if all of them may touch and stay there. */
+ * But for crowds. While more than 8,192 pairs, and 64 a shape of the world, overlap of which one
+ * moved, a shape that overlaps more than 32 others gets some of those pairs in later steps, and
+ * which come first is the broadphase's own. Pairs that may not touch hold no places, and sensors
+ * get all that are looked at. Of n shapes in one spot each pair is looked at within n / 64 steps,
+ * and has come within 4 n if all of them may touch and stay there. */
 typedef struct thud_broadphase thud_broadphase;
 
 /* A grid with a level for each eightfold of size: cost per shape stays flat as their number grows,
@@ -31,12 +31,13 @@ extern THUD_API const thud_broadphase thud_broadphase_all;
 
 THUD_API const char *thud_broadphase_name(const thud_broadphase *broadphase); /* "" for null */
 
-/* How moving shapes are tested: a choice for a world, and for single bodies. Of two moving bodies the
- * finer choice decides on their pair. `docs/catalogue.md` has what each costs and gets wrong. */
+/* How moving shapes are tested: a choice for a world, and for single bodies. Of two moving bodies
+ * the finer choice decides on their pair. `docs/catalogue.md` has what each costs and gets wrong.
+ */
 typedef struct thud_detection thud_detection;
 
-/* Where they stand at the start of each step, and nowhere else: the cheapest. What moves further than
- * a shape is thick may pass through it. */
+/* Where they stand at the start of each step, and nowhere else: the cheapest. What moves further
+ * than a shape is thick may pass through it. */
 extern THUD_API const thud_detection thud_detection_overlap;
 /* As above, and bodies that move further than a quarter of their size stop for the rest of the step
  * where they first meet a static shape. The default. */
@@ -47,17 +48,17 @@ extern THUD_API const thud_detection thud_detection_continuous;
  * thud_world_bisection_limit; the statistics count who broke it. */
 extern THUD_API const thud_detection thud_detection_bisect;
 /* Bodies move forward to each of their times of impact, in the order of time, get new velocities
- * there and move on. Nothing passes through anything, and what is apart does not come to overlap; but
- * a kinematic body goes its way whatever stands in it, and load may press what touches together, by
- * up to 0.0003 length scales a step, before the contacts have settled. A body that meets more than 8
- * times, 16 if elastic, in a step is held for the rest of it, which the statistics tell; in a pile
- * under impact that is up to one in ten. So is a body that leaves its expected way where there is no
- * memory to look for whom else it may meet.
+ * there and move on. Nothing passes through anything, and what is apart does not come to overlap;
+ * but a kinematic body goes its way whatever stands in it, and load may press what touches
+ * together, by up to 0.0003 length scales a step, before the contacts have settled. A body that
+ * meets more than 8 times, 16 if elastic, in a step is held for the rest of it, which the
+ * statistics tell; in a pile under impact that is up to one in ten. So is a body that leaves its
+ * expected way where there is no memory to look for whom else it may meet.
  *
- * Bisection takes the motion of a step as straight: gravity g bends it by up to g * time_step^2 / 8.
- * Swept bodies that nothing bears fly exact parabolas, and elastic ones (restitution 1) keep their
- * energy. In a world that chooses one of the two contacts rest 0.004 length scales apart, so that what
- * load presses together does not overlap. */
+ * Bisection takes the motion of a step as straight: gravity g bends it by up to g * time_step^2
+ * / 8. Swept bodies that nothing bears fly exact parabolas, and elastic ones (restitution 1) keep
+ * their energy. In a world that chooses one of the two contacts rest 0.004 length scales apart, so
+ * that what load presses together does not overlap. */
 extern THUD_API const thud_detection thud_detection_swept;
 
 THUD_API const char *thud_detection_name(const thud_detection *detection); /* "" for null */

@@ -30,7 +30,7 @@ typedef enum thud_draw_style {
     THUD_DRAW_DEPTH,                /* line from it along the normal: as long as the penetration */
     THUD_DRAW_IMPULSE,              /* ...: as far as its impulse in a step, alone, would move the
                                        lighter of the two bodies in a second */
-    THUD_DRAW_COLOUR,               /* line from centre to centre of a pair of the solver's colour 0 */
+    THUD_DRAW_COLOUR, /* line from centre to centre of a pair of the solver's colour 0 */
     THUD_DRAW_COLOUR_LAST = THUD_DRAW_COLOUR + 15, /* ... 15, and of all further ones */
     THUD_DRAW_STYLE_COUNT
 } thud_draw_style;
@@ -43,18 +43,18 @@ enum {
     THUD_DRAW_ISLANDS = 1 << 4,  /* shapes carry their island's number, see `island`; and the pairs
                                     of islands that were solved directly */
     /* The order that a plane sweep keeps: of each shape's bounds the interval along x, side by side
-     * in rows from the lower edge of the view up, first of awake shapes, then of resting ones. Where
-     * more than 12 overlap, bars lie upon each other. */
+     * in rows from the lower edge of the view up, first of awake shapes, then of resting ones.
+     * Where more than 12 overlap, bars lie upon each other. */
     THUD_DRAW_AXES = 1 << 5,
-    THUD_DRAW_PAIRS = 1 << 6,    /* of the last step's broadphase; to the ground straight down */
-    /* The swept volumes of the last step, for each shape of a body that moved further than a quarter
-     * of its smallest size: where it was, where it is, and the sides of their convex hull that join
-     * the two. Of a body that collided on its way this is the straight way. */
+    THUD_DRAW_PAIRS = 1 << 6, /* of the last step's broadphase; to the ground straight down */
+    /* The swept volumes of the last step, for each shape of a body that moved further than a
+     * quarter of its smallest size: where it was, where it is, and the sides of their convex hull
+     * that join the two. Of a body that collided on its way this is the straight way. */
     THUD_DRAW_MOTIONS = 1 << 7,
-    THUD_DRAW_STAGES = 1 << 8,   /* pairs as THUD_DRAW_PAIRS, by how far they came: fat bounds overlap,
-                                    so do the true bounds, shapes touch */
-    THUD_DRAW_COLOURS = 1 << 9,  /* touching pairs by the solver's graph colour: no two pairs of one
-                                    colour share a moving body, so that they are solved at once */
+    THUD_DRAW_STAGES = 1 << 8,  /* pairs as THUD_DRAW_PAIRS, by how far they came: fat bounds
+                                   overlap,  so do the true bounds, shapes touch */
+    THUD_DRAW_COLOURS = 1 << 9, /* touching pairs by the solver's graph colour: no two pairs of one
+                                   colour share a moving body, so that they are solved at once */
     THUD_DRAW_MANIFOLDS = 1 << 10 /* every point of every contact, its depth and its impulse */
 };
 
@@ -73,8 +73,9 @@ typedef struct thud_debug_draw {
     void (*point)(thud_vec2 p, thud_draw_style style, void *context);
 } thud_debug_draw;
 
-/* THUD_ERROR_NULL; THUD_ERROR_INVALID where origin, lower or upper is not finite or farther out than
- * a body may be; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY. Unknown flags do nothing. */
+/* THUD_ERROR_NULL; THUD_ERROR_INVALID where origin, lower or upper is not finite or farther out
+ * than a body may be; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY. Unknown flags do
+ * nothing. */
 THUD_API thud_result thud_world_draw(thud_world *world, const thud_debug_draw *draw);
 
 #ifdef __cplusplus

@@ -3,16 +3,16 @@
  * Events come in a deterministic order, and are valid until the next step.
  *
  * Of one pair of shapes, begin and end come in turn, and each begin has its end: also when a shape,
- * its body or the ground goes, moves or falls asleep. Where an edit ended a pair, the end comes with
- * the next step. A pair listed in both has ended and begun again, or begun and ended, as it was open
- * before or not. Inside a callback the events are still those of the step before.
+ * its body or the ground goes, moves or falls asleep. Where an edit ended a pair, the end comes
+ * with the next step. A pair listed in both has ended and begun again, or begun and ended, as it
+ * was open before or not. Inside a callback the events are still those of the step before.
  *
  * A sensor reports every shape of another body that it overlaps and that the filters of both let
  * meet, sensors too: of dynamic, kinematic and static bodies, awake or asleep, whose sleep it does
  * not disturb. Two static bodies alone are nothing to each other, since neither ever comes or goes:
  * thud_world_overlap_shape tells what stands where. Of two sensors each reports the other. They go
- * by where bodies stand as a step begins, after the edits: what moves in within a step is told by the
- * next one, and what has then passed through altogether is not. */
+ * by where bodies stand as a step begins, after the edits: what moves in within a step is told by
+ * the next one, and what has then passed through altogether is not. */
 #ifndef THUD_EVENTS_H
 #define THUD_EVENTS_H
 
@@ -30,8 +30,8 @@ typedef struct thud_contact_event {
 typedef struct thud_hit_event {
     thud_shape_id shape_a, shape_b;
     thud_pos point;
-    thud_vec2 normal;  /* from a to b */
-    float speed;       /* of approach */
+    thud_vec2 normal; /* from a to b */
+    float speed;      /* of approach */
 } thud_hit_event;
 
 typedef struct thud_events {
@@ -39,8 +39,7 @@ typedef struct thud_events {
     const thud_contact_event *sensor_begin, *sensor_end; /* shape_a is the sensor that reports */
     const thud_hit_event *hit;
     const thud_body_id *quarantined; /* frozen because they became non-finite */
-    int begin_count, end_count, sensor_begin_count, sensor_end_count, hit_count,
-        quarantined_count;
+    int begin_count, end_count, sensor_begin_count, sensor_end_count, hit_count, quarantined_count;
 } thud_events;
 
 THUD_API thud_events thud_world_events(const thud_world *world);

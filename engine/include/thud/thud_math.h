@@ -47,8 +47,9 @@ typedef enum thud_result {
 /* A short English sentence for a result; a static string, never null. */
 THUD_API const char *thud_result_text(thud_result result);
 
-/* Sine and cosine with the same bits from every compiler and processor, which the C library's do not
- * promise. |angle| <= 1e6 radians; the error stays below 1e-15. THUD_ERROR_NULL, THUD_ERROR_INVALID. */
+/* Sine and cosine with the same bits from every compiler and processor, which the C library's do
+ * not promise. |angle| <= 1e6 radians; the error stays below 1e-15. THUD_ERROR_NULL,
+ * THUD_ERROR_INVALID. */
 THUD_API thud_result thud_sincos(double angle, double *sine, double *cosine);
 
 #ifdef __cplusplus

@@ -42,7 +42,8 @@ typedef struct thud_mover_hit {
 
 /* Asked of whatever would stop the mover; true: it is passed through as if it were not there.
  * `velocity` is the one asked for. The world is locked meanwhile: edits wait until the move is
- * done, but what is destroyed is met no more; what cannot wait is refused with THUD_ERROR_LOCKED. */
+ * done, but what is destroyed is met no more; what cannot wait is refused with THUD_ERROR_LOCKED.
+ */
 typedef bool thud_mover_pass_fn(const thud_mover *mover, const thud_mover_hit *hit,
                                 thud_vec2 velocity, void *context);
 
@@ -57,19 +58,19 @@ THUD_API bool thud_mover_passes_one_way(const thud_mover *mover, const thud_move
                                         thud_vec2 velocity, void *context);
 
 struct thud_mover {
-    thud_shape_instance shape;       /* in the world; what thud_mover_move moves, and the caller may */
-    thud_vec2 up;            /* unit; default (0, 1); (0, 0) for a game from above: no ground */
-    double skin;             /* kept between the mover and what it meets, > 0; default 2 % of the
-                                smallest half extent */
-    double max_slope;        /* radians, [0, 1.55]; ground any steeper is a wall; default 0.9 (52
-                                degrees) */
-    double step_height;      /* >= 0; default 60 % of the half height */
-    double snap_distance;    /* how far the ground may fall away under a step, >= 0; default as
-                                step_height */
-    double push_force;       /* most force on a dynamic body in the way, >= 0; default 0: none */
-    thud_body_id body;       /* a kinematic body about the mover's centre that is to follow, so that
-                                dynamic bodies and sensors meet the mover; its velocity is set so
-                                that the next step takes it there; default null: none */
+    thud_shape_instance shape; /* in the world; what thud_mover_move moves, and the caller may */
+    thud_vec2 up;              /* unit; default (0, 1); (0, 0) for a game from above: no ground */
+    double skin;               /* kept between the mover and what it meets, > 0; default 2 % of the
+                                  smallest half extent */
+    double max_slope;          /* radians, [0, 1.55]; ground any steeper is a wall; default 0.9 (52
+                                  degrees) */
+    double step_height;        /* >= 0; default 60 % of the half height */
+    double snap_distance;      /* how far the ground may fall away under a step, >= 0; default as
+                                  step_height */
+    double push_force;         /* most force on a dynamic body in the way, >= 0; default 0: none */
+    thud_body_id body; /* a kinematic body about the mover's centre that is to follow, so that
+                          dynamic bodies and sensors meet the mover; its velocity is set so
+                          that the next step takes it there; default null: none */
     thud_query_filter filter; /* what the mover meets; default everything but sensors. Those never
                                 stop it: `sensors` has it report which it went through */
     thud_mover_pass_fn *pass; /* null: nothing is passed through */
@@ -97,8 +98,8 @@ typedef struct thud_mover_report {
     double depth;              /* of the deepest overlap left where something closed in; mostly 0 */
     int hit_count;             /* in `hits`, in the order in which they were met */
     thud_mover_hit hits[THUD_MOVER_HITS];
-    int sensor_count;          /* in `sensors`: what it went through or stands in, each once, in the
-                                  order in which they were met; none without filter.sensors */
+    int sensor_count; /* in `sensors`: what it went through or stands in, each once, in the
+                         order in which they were met; none without filter.sensors */
     thud_shape_id sensors[THUD_MOVER_SENSORS];
 } thud_mover_report;
 

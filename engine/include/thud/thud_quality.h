@@ -1,5 +1,5 @@
-/* thud_quality.h: the knob between speed and accuracy, for a world def to choose from. A program that
- * never names a quality does not link what only that one uses.
+/* thud_quality.h: the knob between speed and accuracy, for a world def to choose from. A program
+ * that never names a quality does not link what only that one uses.
  *
  * What each costs and gets wrong is measured by `./run tradeoff` and stands in docs/tradeoff.md. */
 #ifndef THUD_QUALITY_H
@@ -28,20 +28,20 @@ typedef struct thud_quality {
     float contact_damping;   /* damping ratio of overlap that is pushed apart, [0, 100] */
     const thud_detection *detection;   /* not null */
     const thud_island_solver *islands; /* null: the soft solver does all */
-    float sag_limit;         /* >= 0: an island in which a contact gives way under its load by more than
-                                this share of the smaller body's size goes to `islands`; 0: each does */
-    int island_limit;        /* 1..16384: islands of more bodies stay with the soft solver */
-    int64_t island_work;     /* >= 0: operations on 3 x 3 blocks (some 20 ns each) that all islands
-                                together may take a step: those of each matrix, one more a body and two
-                                a contact. Those for which there is no more stay with the soft solver.
-                                A column takes 6 a body at rest, a pyramid of 500 bodies 65 a body; in
-                                motion it is 20 to 100 times as much */
-    int island_patience;     /* 0..1000: steps in succession in which an island may need more than eight
-                                matrices, or twenty times as many while it hardly moves, before it is
-                                left to the soft solver for 120 steps, as it is where the direct
-                                result is no good. Each time that happens again before it was easy the
-                                pause doubles, up to 1920 steps, and where eight matrices are more than
-                                island_work it is that at once. 0: any number, each step tried anew */
+    float sag_limit;     /* >= 0: an island in which a contact gives way under its load by more than
+                            this share of the smaller body's size goes to `islands`; 0: each does */
+    int island_limit;    /* 1..16384: islands of more bodies stay with the soft solver */
+    int64_t island_work; /* >= 0: operations on 3 x 3 blocks (some 20 ns each) that all islands
+                            together may take a step: those of each matrix, one more a body and two
+                            a contact. Those for which there is no more stay with the soft solver.
+                            A column takes 6 a body at rest, a pyramid of 500 bodies 65 a body; in
+                            motion it is 20 to 100 times as much */
+    int island_patience; /* 0..1000: steps in succession in which an island may need more than eight
+                            matrices, or twenty times as many while it hardly moves, before it is
+                            left to the soft solver for 120 steps, as it is where the direct
+                            result is no good. Each time that happens again before it was easy the
+                            pause doubles, up to 1920 steps, and where eight matrices are more than
+                            island_work it is that at once. 0: any number, each step tried anew */
 } thud_quality;
 
 extern THUD_API const thud_quality thud_quality_draft;

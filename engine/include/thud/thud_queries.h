@@ -57,9 +57,9 @@ THUD_API thud_result thud_world_cast_shape(thud_world *world, thud_pos center,
                                            const thud_query_filter *filter, bool *hit,
                                            thud_ray_hit *out);
 THUD_API thud_result thud_world_cast_shape_all(thud_world *world, thud_pos center,
-                                               const thud_shape_instance *shape, double dx, double dy,
-                                               const thud_query_filter *filter, thud_ray_hit *out,
-                                               int capacity, int *count);
+                                               const thud_shape_instance *shape, double dx,
+                                               double dy, const thud_query_filter *filter,
+                                               thud_ray_hit *out, int capacity, int *count);
 
 THUD_API thud_result thud_world_cast_circle(thud_world *world, thud_pos center, double radius,
                                             double dx, double dy, const thud_query_filter *filter,
@@ -127,8 +127,8 @@ THUD_API thud_result thud_body_volume(thud_world *world, thud_body_id body, thud
 typedef struct thud_manifold {
     thud_shape_id shape_a, shape_b;
     thud_body_id body_a, body_b;
-    thud_vec2 normal;        /* from a to b */
-    int point_count;         /* 0 to 2: what is about to touch again may have none */
+    thud_vec2 normal; /* from a to b */
+    int point_count;  /* 0 to 2: what is about to touch again may have none */
     thud_pos point[2];
     float separation[2];     /* lengths; negative is penetration */
     float normal_impulse[2]; /* mass length/s, >= 0: the last substep's, times the substeps */

@@ -34,10 +34,10 @@ typedef struct thud_motion {
 
 /* The closest (or deepest) features of two shapes; (b - a) = distance * normal. */
 typedef struct thud_closest {
-    double distance;    /* negative: penetration depth along the normal */
-    double nx, ny;      /* unit normal from a to b */
-    double ax, ay;      /* the feature's point on a's surface */
-    double bx, by;      /* ... and on b's */
+    double distance; /* negative: penetration depth along the normal */
+    double nx, ny;   /* unit normal from a to b */
+    double ax, ay;   /* the feature's point on a's surface */
+    double bx, by;   /* ... and on b's */
 } thud_closest;
 
 /* Where two shapes touch, or nearly: the closest features first, and where a face lies along
@@ -69,7 +69,8 @@ THUD_API thud_result thud_shapes_closest(const thud_shape_instance *a, const thu
 /* The points at which the shapes are within `margin` (>= 0) of each other. The first is that of
  * thud_shapes_closest. Boxes of which one has a face across the normal may have a second: the place
  * furthest from the first along that face where the other box's opposite face lies over it. */
-THUD_API thud_result thud_shapes_contacts(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
+THUD_API thud_result thud_shapes_contacts(const thud_shape_instance *a,
+                                          const thud_shape_instance *b, double margin,
                                           thud_contacts *out);
 
 /* Where the ray from (ox, oy) along (dx, dy) first meets the shape. *fraction is in [0, 1] of the
@@ -94,27 +95,29 @@ THUD_API thud_result thud_circles_approach(const thud_shape_instance *a, thud_mo
                                            thud_approach *out);
 
 /* When the moving shapes began to overlap, by bisection over the motion, for shapes that are apart
- * at time 0 and overlap at time 1. At *time, in [0, 1), they are still apart, and within `tolerance`
- * of it they overlap; tolerance is in [1e-15, 1], of the motion, and each halving costs one overlap
- * test. *collided = false and *time = 1 where they are apart at the end, whatever happened in
- * between (see thud_motion_is_bisectable), or overlap at the start. */
-THUD_API thud_result thud_shapes_time_of_collision(const thud_shape_instance *a, thud_motion motion_a,
-                                                   const thud_shape_instance *b, thud_motion motion_b,
-                                                   double tolerance, bool *collided, double *time);
+ * at time 0 and overlap at time 1. At *time, in [0, 1), they are still apart, and within
+ * `tolerance` of it they overlap; tolerance is in [1e-15, 1], of the motion, and each halving costs
+ * one overlap test. *collided = false and *time = 1 where they are apart at the end, whatever
+ * happened in between (see thud_motion_is_bisectable), or overlap at the start. */
+THUD_API thud_result thud_shapes_time_of_collision(const thud_shape_instance *a,
+                                                   thud_motion motion_a,
+                                                   const thud_shape_instance *b,
+                                                   thud_motion motion_b, double tolerance,
+                                                   bool *collided, double *time);
 
 /* Whether a test at the end of the motions cannot miss that one shape went through the middle of
  * the other: they move by less, relative to each other and with what turning adds at their corners,
  * than the smaller of both is thick. Corners that only graze each other can be missed all the same.
  * False for invalid shapes. */
-bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a, const thud_shape_instance *b,
-                               thud_motion motion_b);
+bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a,
+                               const thud_shape_instance *b, thud_motion motion_b);
 
 /* ---- terrain ---- */
 
 typedef enum thud_terrain_kind {
-    THUD_TERRAIN_FLAT = 0,  /* an endless straight line: height = slope * x */
-    THUD_TERRAIN_UNIFORM,   /* heights at x0, x0 + spacing, ... */
-    THUD_TERRAIN_IRREGULAR  /* points with strictly increasing x */
+    THUD_TERRAIN_FLAT = 0, /* an endless straight line: height = slope * x */
+    THUD_TERRAIN_UNIFORM,  /* heights at x0, x0 + spacing, ... */
+    THUD_TERRAIN_IRREGULAR /* points with strictly increasing x */
 } thud_terrain_kind;
 
 /* A ground line, one-sided: solid below, with upright sides under its ends. The caller owns
@@ -133,10 +136,10 @@ typedef struct thud_terrain {
 /* Height, normal and interpolation weights at one x. */
 typedef struct thud_terrain_sample {
     double height;
-    double nx, ny;      /* unit normal, ny > 0 */
-    int segment;        /* between vertices segment and segment + 1; 0 for flat */
-    double weight[2];   /* of those two vertices; they sum to 1. A flat line counts as one with
-                           vertices at x = 0 and x = 1, and goes on beyond them: 1 - x, x */
+    double nx, ny;    /* unit normal, ny > 0 */
+    int segment;      /* between vertices segment and segment + 1; 0 for flat */
+    double weight[2]; /* of those two vertices; they sum to 1. A flat line counts as one with
+                         vertices at x = 0 and x = 1, and goes on beyond them: 1 - x, x */
 } thud_terrain_sample;
 
 THUD_API thud_result thud_terrain_check(const thud_terrain *terrain);
@@ -161,27 +164,30 @@ THUD_API bool thud_terrain_overlap(const thud_terrain *terrain, const thud_shape
  * translation that takes the shape out of the ground, and the normal its direction; the points are
  * of one of the places that then touch. Time grows with the number of segments that are as near as
  * the result, and when overlapping with that number times those under the shape's width. */
-THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_shape_instance *shape,
-                                          thud_closest *out);
+THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain,
+                                          const thud_shape_instance *shape, thud_closest *out);
 
 /* As thud_shapes_contacts with the terrain as a. Candidates for the second point are the corners of
  * a box, each with the nearest place of the ground; the ridges of the ground, each with the nearest
- * place of the shape; and the segments on which a circle stands. Of those within the margin, the one
- * furthest from thud_terrain_closest's is taken; the first point is thud_terrain_closest's, or of
- * candidates as deep (to 1e-9 of the shape's size) the one furthest from the second. Each point has
- * a normal of its own: a circle in a valley leans on both slopes. */
-THUD_API thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_shape_instance *shape,
-                                           double margin, thud_contacts *out);
+ * place of the shape; and the segments on which a circle stands. Of those within the margin, the
+ * one furthest from thud_terrain_closest's is taken; the first point is thud_terrain_closest's, or
+ * of candidates as deep (to 1e-9 of the shape's size) the one furthest from the second. Each point
+ * has a normal of its own: a circle in a valley leans on both slopes. */
+THUD_API thud_result thud_terrain_contacts(const thud_terrain *terrain,
+                                           const thud_shape_instance *shape, double margin,
+                                           thud_contacts *out);
 
 /* As thud_shapes_time_of_impact with the terrain at rest. */
 THUD_API thud_result thud_terrain_time_of_impact(const thud_terrain *terrain,
-                                                 const thud_shape_instance *shape, thud_motion motion,
-                                                 double target, bool *hit, double *time);
+                                                 const thud_shape_instance *shape,
+                                                 thud_motion motion, double target, bool *hit,
+                                                 double *time);
 
 /* As thud_shapes_time_of_collision with the terrain at rest. */
 THUD_API thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
-                                                    const thud_shape_instance *shape, thud_motion motion,
-                                                    double tolerance, bool *collided, double *time);
+                                                    const thud_shape_instance *shape,
+                                                    thud_motion motion, double tolerance,
+                                                    bool *collided, double *time);
 
 #ifdef __cplusplus
 }

@@ -20,8 +20,8 @@
  * What only the def says is not in it: the world that is restored must have the same length scale,
  * broadphase, substeps, contact_stiffness, contact_damping, push_speed, restitution_threshold,
  * hit_speed, maximum_speed, contact_events, time_budget and detection. Callbacks, log, clock, crew,
- * allocator and baseline_simd stay as that world has them; other callbacks may well do something else. The caller's own state is for the caller to copy; a thud_mover is a plain
- * struct.
+ * allocator and baseline_simd stay as that world has them; other callbacks may well do something
+ * else. The caller's own state is for the caller to copy; a thud_mover is a plain struct.
  *
  * A program that uses this links every shape kind, every detection and the island solver, since a
  * snapshot may name them; one that does not pays nothing. */
@@ -56,13 +56,13 @@ THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, 
  *
  * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID, with the reason in the
  * log, for bytes that are cut short, damaged, no snapshot, or of another version or build of thud
- * (snapshots are for the same version, word size and byte order), and for a world whose def has another
- * of the settings above; THUD_ERROR_MEMORY. In each case the world is as it was.
+ * (snapshots are for the same version, word size and byte order), and for a world whose def has
+ * another of the settings above; THUD_ERROR_MEMORY. In each case the world is as it was.
  *
  * Damage is found by a checksum over all bytes: a change within one word of 8 bytes for certain,
- * any other but for one in 2^64. Sizes and counts are checked as well, so that restoring writes only
- * where there is room; but the values of bytes that somebody forged, checksum and all, can name what is
- * not there, which the next step follows: restore only what you trust. */
+ * any other but for one in 2^64. Sizes and counts are checked as well, so that restoring writes
+ * only where there is room; but the values of bytes that somebody forged, checksum and all, can
+ * name what is not there, which the next step follows: restore only what you trust. */
 THUD_API thud_result thud_world_restore(thud_world *world, const void *buffer, size_t bytes);
 
 #ifdef __cplusplus

@@ -26,16 +26,16 @@ THUD_API thud_result thud_terrain_texture_at(const thud_terrain_sample *sample,
 
 /* Where a foot comes to stand. */
 typedef struct thud_foot {
-    double height;  /* of the highest ground under the sole, so that no part of it sinks in */
-    double x;       /* where that is; of several places the one nearest to the sole's middle */
-    double nx, ny;  /* unit normal, ny > 0, of the straight line between the ground under the sole's
-                       two ends: how the character leans */
+    double height; /* of the highest ground under the sole, so that no part of it sinks in */
+    double x;      /* where that is; of several places the one nearest to the sole's middle */
+    double nx, ny; /* unit normal, ny > 0, of the straight line between the ground under the sole's
+                      two ends: how the character leans */
 } thud_foot;
 
 /* Puts a level sole of the given width (>= 0, finite) onto the ground, with its middle at x. What
  * juts out beyond an end of the line does not count. Takes three look-ups and a pass over the
- * vertices under the sole. THUD_ERROR_INVALID when no part of the sole is over the line; *out is then as it
- * was. */
+ * vertices under the sole. THUD_ERROR_INVALID when no part of the sole is over the line; *out is
+ * then as it was. */
 THUD_API thud_result thud_terrain_place_foot(const thud_terrain *terrain, double x, double width,
                                              thud_foot *out);
 

@@ -34,14 +34,15 @@ THUD_API thud_result thud_volume_check(const thud_volume *volume);
 /* ---- fit: the volume of the wanted kind around something ---- */
 
 /* The smallest of its kind. */
-THUD_API thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_shape_instance *shape,
-                                              thud_volume *out);
+THUD_API thud_result thud_volume_around_shape(thud_shape_kind kind,
+                                              const thud_shape_instance *shape, thud_volume *out);
 
 /* Around every place of the shape in its motion, turning included. A box counts as wide everywhere
  * as it ever is on its way, for a circle as the circle around it. An OBB lies in the direction of
  * the motion or in the shape's own direction halfway, whichever makes it smaller. */
-THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_instance *shape,
-                                               thud_motion motion, thud_volume *out);
+THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind,
+                                               const thud_shape_instance *shape, thud_motion motion,
+                                               thud_volume *out);
 
 /* Around count >= 1 points, |x|, |y| <= 1e15; one point, or all on a line, will do. The smallest
  * circle, by exchanging the points that it rests on (Gaertner, Fast and robust smallest enclosing

@@ -6,9 +6,8 @@
 
 #include "thud/thud_queries.h"
 
-static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int index, td_position origin,
-                                thud_volume *out)
-{
+static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int index,
+                                td_position origin, thud_volume *out) {
     thud_shape_instance placed = td_shape_instance(w, index, origin);
     if (placed.kind != THUD_TERRAIN) {
         return thud_volume_around_shape(kind, &placed, out);
@@ -19,7 +18,8 @@ static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int i
     }
     bool uniform = line.kind == THUD_TERRAIN_UNIFORM;
     double first = uniform ? line.x0 : line.points[0].x;
-    double last = uniform ? line.x0 + (line.count - 1) * line.spacing : line.points[line.count - 1].x;
+    double last =
+        uniform ? line.x0 + (line.count - 1) * line.spacing : line.points[line.count - 1].x;
     thud_result result = thud_volume_around_terrain(kind, &line, first, last, out);
     if (result == THUD_OK) {
         out->x += placed.x;
@@ -28,9 +28,8 @@ static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int i
     return result;
 }
 
-thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kind,
-                             thud_pos origin, thud_volume *out)
-{
+thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kind, thud_pos origin,
+                             thud_volume *out) {
     TD_IN_OWN_MODE;
     int index;
     if (!w || !out) {
@@ -64,7 +63,8 @@ thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kin
     }
     result = result == THUD_OK && first ? THUD_ERROR_INVALID : result;
     if (result != THUD_OK) {
-        return td_refuse(w, result, "body volume: no such volume, no shapes, or a line without end");
+        return td_refuse(w, result,
+                         "body volume: no such volume, no shapes, or a line without end");
     }
     *out = volume;
     return THUD_OK;

@@ -5,21 +5,18 @@
 #include "state/shape.h"
 #include "api/step.h"
 
-thud_vec2 td_drawing_local(const td_drawing *d, td_position p)
-{
+thud_vec2 td_drawing_local(const td_drawing *d, td_position p) {
     return (thud_vec2){(float)((double)(p.x - d->origin.x) / d->w->to_fixed),
                        (float)((double)(p.y - d->origin.y) / d->w->to_fixed)};
 }
 
-void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_draw_style style)
-{
+void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_draw_style style) {
     if (d->draw->line) {
         d->draw->line(a, b, style, d->draw->context);
     }
 }
 
-static thud_draw_style style_of(const td_drawing *d, const td_shape *shape)
-{
+static thud_draw_style style_of(const td_drawing *d, const td_shape *shape) {
     const td_body *body = td_body_at(d->w, shape->body);
     if (shape->flags & TD_SHAPE_SENSOR) {
         return THUD_DRAW_SENSOR;
@@ -27,13 +24,12 @@ static thud_draw_style style_of(const td_drawing *d, const td_shape *shape)
     if (body->kind == THUD_STATIC) {
         return THUD_DRAW_STATIC;
     }
-    return body->awake < 0                  ? THUD_DRAW_SLEEPING
+    return body->awake < 0                ? THUD_DRAW_SLEEPING
            : body->kind == THUD_KINEMATIC ? THUD_DRAW_KINEMATIC
                                           : THUD_DRAW_DYNAMIC;
 }
 
-static void draw_terrain(const td_drawing *d, int index, thud_draw_style style)
-{
+static void draw_terrain(const td_drawing *d, int index, thud_draw_style style) {
     const td_position *center = &td_shape_proxy_at(d->w, index)->center;
     thud_terrain terrain = td_terrain_view(d->w, index);
     double x_min = (double)(d->lower.x - center->x) / d->w->to_fixed;
@@ -52,8 +48,7 @@ static void draw_terrain(const td_drawing *d, int index, thud_draw_style style)
     }
 }
 
-static void draw_shape(const td_drawing *d, int index, int island)
-{
+static void draw_shape(const td_drawing *d, int index, int island) {
     const td_shape *shape = td_shape_at(d->w, index);
     const td_shape_proxy *proxy = td_shape_proxy_at(d->w, index);
     thud_draw_style style = style_of(d, shape);
@@ -70,8 +65,7 @@ static void draw_shape(const td_drawing *d, int index, int island)
 }
 
 void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_t max_x,
-                       int64_t max_y, thud_draw_style style)
-{
+                       int64_t max_y, thud_draw_style style) {
     if (!d->draw->box) {
         return;
     }
@@ -83,8 +77,7 @@ void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_
                  d->draw->context);
 }
 
-static void draw_shapes(const td_drawing *d)
-{
+static void draw_shapes(const td_drawing *d) {
     const thud_world *w = d->w;
     unsigned flags = d->draw->flags;
     const int *islands = flags & THUD_DRAW_ISLANDS ? w->scratch.parents.data : NULL;
@@ -110,8 +103,7 @@ static void draw_shapes(const td_drawing *d)
     }
 }
 
-thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw)
-{
+thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw) {
     TD_IN_OWN_MODE;
     if (!w || !draw) {
         return td_refuse(w, THUD_ERROR_NULL, "draw: world or draw is null");
@@ -132,7 +124,7 @@ thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw)
         return td_refuse(w, THUD_ERROR_MEMORY, "draw: out of memory");
     }
     td_drawing d = {w, draw, td_place_from(w, draw->origin), td_place_from(w, draw->lower),
-                 td_place_from(w, draw->upper)};
+                    td_place_from(w, draw->upper)};
     const struct {
         unsigned flags;
         void (*run)(const td_drawing *d);

@@ -1,5 +1,5 @@
-/* draw_contacts.c: what the solver goes by, drawn: contacts and their points, graph colours, and the
- * pairs of islands that were solved directly. */
+/* draw_contacts.c: what the solver goes by, drawn: contacts and their points, graph colours, and
+ * the pairs of islands that were solved directly. */
 #include "state/body.h"
 #include "contact/contact.h"
 #include "api/debug_draw.h"
@@ -7,8 +7,7 @@
 #include "contact/manifold.h"
 
 /* The next touching contact from *i on, or null; *i moves past it. */
-static const td_contact *next_touching(const thud_world *w, int *i)
-{
+static const td_contact *next_touching(const thud_world *w, int *i) {
     while (*i < w->contacts.count) {
         const td_contact *contact = td_contact_at(w, (*i)++);
         if (contact->live && contact->state == TD_TOUCHING && contact->child != TD_NONE) {
@@ -18,33 +17,30 @@ static const td_contact *next_touching(const thud_world *w, int *i)
     return NULL;
 }
 
-static void draw_point(const td_drawing *d, thud_vec2 p, thud_draw_style style)
-{
+static void draw_point(const td_drawing *d, thud_vec2 p, thud_draw_style style) {
     if (d->draw->point) {
         d->draw->point(p, style, d->draw->context);
     }
 }
 
-static thud_vec2 along(thud_vec2 p, thud_vec2 normal, float length)
-{
+static thud_vec2 along(thud_vec2 p, thud_vec2 normal, float length) {
     return (thud_vec2){p.x + length * normal.x, p.y + length * normal.y};
 }
 
-void td_draw_contacts(const td_drawing *d)
-{
+void td_draw_contacts(const td_drawing *d) {
     const thud_world *w = d->w;
     const td_contact *contact;
     for (int i = 0; (contact = next_touching(w, &i)) != NULL;) {
-        thud_contact seen = td_contact_view(
-            w, td_block_at(w, contact->kind, contact->slot / TD_LANES), contact->slot % TD_LANES);
+        thud_contact seen =
+            td_contact_view(w, td_block_at(w, contact->kind, contact->slot / TD_LANES),
+                            contact->slot % TD_LANES);
         thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point));
         draw_point(d, p, THUD_DRAW_CONTACT);
         td_drawing_line(d, p, along(p, seen.normal, 0.3f * w->unit), THUD_DRAW_NORMAL);
     }
 }
 
-void td_draw_direct(const td_drawing *d)
-{
+void td_draw_direct(const td_drawing *d) {
     const td_contact *contact;
     for (int i = 0; (contact = next_touching(d->w, &i)) != NULL;) {
         const td_block *block = td_block_at(d->w, contact->kind, contact->slot / TD_LANES);
@@ -54,20 +50,17 @@ void td_draw_direct(const td_drawing *d)
     }
 }
 
-void td_draw_colours(const td_drawing *d)
-{
+void td_draw_colours(const td_drawing *d) {
     const td_contact *contact;
     for (int i = 0; (contact = next_touching(d->w, &i)) != NULL;) {
         if (contact->bin != TD_SLEEPING) {
             int style = THUD_DRAW_COLOUR + contact->bin % TD_COLOURS;
-            td_drawing_pair(d, contact,
-                            (thud_draw_style)td_min_int(style, THUD_DRAW_COLOUR_LAST));
+            td_drawing_pair(d, contact, (thud_draw_style)td_min_int(style, THUD_DRAW_COLOUR_LAST));
         }
     }
 }
 
-void td_draw_manifolds(const td_drawing *d)
-{
+void td_draw_manifolds(const td_drawing *d) {
     const thud_world *w = d->w;
     const td_contact *contact;
     for (int i = 0; (contact = next_touching(w, &i)) != NULL;) {

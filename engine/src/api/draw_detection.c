@@ -7,10 +7,9 @@
 
 /* ---- cells ---- */
 
-/* The cells that awake shapes lie in; of shapes side by side in one, once. Without a grid there is no
- * level with shapes. */
-void td_draw_cells(const td_drawing *d)
-{
+/* The cells that awake shapes lie in; of shapes side by side in one, once. Without a grid there is
+ * no level with shapes. */
+void td_draw_cells(const td_drawing *d) {
     const td_proxy_set *grid = &d->w->awake_shapes;
     const int *ids = grid->ids.data;
     for (int l = 0; l < TD_LEVELS; l++) {
@@ -40,13 +39,12 @@ void td_draw_cells(const td_drawing *d)
 /* ---- sorted intervals ---- */
 
 enum {
-    ROWS = 12,       /* of bars above each other; where more overlap, they lie on top of each other */
+    ROWS = 12, /* of bars above each other; where more overlap, they lie on top of each other */
     ROWS_A_VIEW = 90 /* of bars there would be from the lower edge to the upper one */
 };
 
 /* Where each row of bars is taken up to, so that bars side by side share a row. */
-static int free_row(const double *taken, double least)
-{
+static int free_row(const double *taken, double least) {
     int best = 0;
     for (int i = 0; i < ROWS; i++) {
         if (taken[i] < least) {
@@ -59,8 +57,7 @@ static int free_row(const double *taken, double least)
 
 /* The sorted row of one proxy set, above `rows` rows of another; returns the rows in use. Only the
  * plane sweep has keys. */
-static int draw_row(const td_drawing *d, const td_proxy_set *row, int rows)
-{
+static int draw_row(const td_drawing *d, const td_proxy_set *row, int rows) {
     const td_sweep_key *keys = row->keys.data;
     double taken[ROWS], furthest = -0x1p80;
     double left = (double)(d->lower.x >> TD_COARSE_SHIFT) - (double)row->reference;
@@ -74,8 +71,7 @@ static int draw_row(const td_drawing *d, const td_proxy_set *row, int rows)
         const td_shape_proxy *proxy = td_shape_proxy_at(d->w, keys[i].shape);
         double least = keys[i].least;
         double most = least + (double)td_wrap_sub(proxy->fat.max_x, proxy->fat.min_x);
-        bool overlaps = furthest >= least ||
-                        (i + 1 < row->keys.count && keys[i + 1].least <= most);
+        bool overlaps = furthest >= least || (i + 1 < row->keys.count && keys[i + 1].least <= most);
         furthest = td_max_double(furthest, most);
         if (most < left || least > right) {
             continue;
@@ -93,8 +89,7 @@ static int draw_row(const td_drawing *d, const td_proxy_set *row, int rows)
     return rows + used;
 }
 
-void td_draw_intervals(const td_drawing *d)
-{
+void td_draw_intervals(const td_drawing *d) {
     int rows = draw_row(d, &d->w->awake_shapes, 0);
     draw_row(d, &d->w->rest_shapes, rows);
 }
@@ -102,8 +97,7 @@ void td_draw_intervals(const td_drawing *d)
 /* ---- pairs ---- */
 
 /* Of a terrain, the place on the pair's segment above or below the other shape. */
-static thud_vec2 ground_beside(const td_drawing *d, const td_contact *contact, thud_vec2 other)
-{
+static thud_vec2 ground_beside(const td_drawing *d, const td_contact *contact, thud_vec2 other) {
     thud_terrain ground = td_terrain_view(d->w, contact->shape_a);
     thud_vec2 at = td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_a)->center);
     double x = (double)other.x - (double)at.x, y = ground.slope * x;
@@ -115,8 +109,7 @@ static thud_vec2 ground_beside(const td_drawing *d, const td_contact *contact, t
     return (thud_vec2){at.x + (float)x, at.y + (float)y};
 }
 
-void td_drawing_pair(const td_drawing *d, const td_contact *contact, thud_draw_style style)
-{
+void td_drawing_pair(const td_drawing *d, const td_contact *contact, thud_draw_style style) {
     thud_vec2 b = td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_b)->center);
     thud_vec2 a = td_shape_at(d->w, contact->shape_a)->kind == THUD_TERRAIN
                       ? ground_beside(d, contact, b)
@@ -125,18 +118,17 @@ void td_drawing_pair(const td_drawing *d, const td_contact *contact, thud_draw_s
 }
 
 /* The half size of a shape's true bounds. */
-static thud_pos half_bounds(const td_shape_proxy *proxy)
-{
+static thud_pos half_bounds(const td_shape_proxy *proxy) {
     double c = __builtin_fabs((double)proxy->c), s = __builtin_fabs((double)proxy->s);
     double x = (double)proxy->half_x, y = (double)proxy->half_y;
     return proxy->turns == 0.0f ? (thud_pos){x, y} : (thud_pos){c * x + s * y, s * x + c * y};
 }
 
 /* Whether a pair's true bounds overlap; those of a piece of terrain reach down without end. */
-static bool bounds_overlap(const td_drawing *d, const td_contact *contact)
-{
+static bool bounds_overlap(const td_drawing *d, const td_contact *contact) {
     const thud_world *w = d->w;
-    const td_shape_proxy *a = td_shape_proxy_at(w, contact->shape_a), *b = td_shape_proxy_at(w, contact->shape_b);
+    const td_shape_proxy *a = td_shape_proxy_at(w, contact->shape_a),
+                         *b = td_shape_proxy_at(w, contact->shape_b);
     thud_pos half = half_bounds(b);
     double x = (double)(b->center.x - a->center.x) / w->to_fixed;
     double y = (double)(b->center.y - a->center.y) / w->to_fixed;
@@ -152,35 +144,32 @@ static bool bounds_overlap(const td_drawing *d, const td_contact *contact)
     return x + half.x >= p->x && x - half.x <= q->x && y - half.y <= td_max_double(p->y, q->y);
 }
 
-static void draw_pairs(const td_drawing *d, bool stages)
-{
+static void draw_pairs(const td_drawing *d, bool stages) {
     for (int i = 0; i < d->w->contacts.count; i++) {
         const td_contact *contact = td_contact_at(d->w, i);
         if (!contact->live || contact->child == TD_NONE) {
             continue;
         }
         td_drawing_pair(d, contact,
-                        contact->open                              ? THUD_DRAW_PAIR_TOUCHING
+                        contact->open                           ? THUD_DRAW_PAIR_TOUCHING
                         : stages && !bounds_overlap(d, contact) ? THUD_DRAW_PAIR_CANDIDATE
-                                                                   : THUD_DRAW_PAIR);
+                                                                : THUD_DRAW_PAIR);
     }
 }
 
-void td_draw_pairs(const td_drawing *d)
-{
+void td_draw_pairs(const td_drawing *d) {
     draw_pairs(d, false);
 }
 
-void td_draw_stages(const td_drawing *d)
-{
+void td_draw_stages(const td_drawing *d) {
     draw_pairs(d, true);
 }
 
 /* ---- motions ---- */
 
 /* The two tangents along the motion (x, y). */
-static void join_circles(const td_drawing *d, const thud_shape_instance *start, double x, double y)
-{
+static void join_circles(const td_drawing *d, const thud_shape_instance *start, double x,
+                         double y) {
     double part = start->hx / __builtin_sqrt(x * x + y * y);
     for (int side = -1; side <= 1; side += 2) {
         double ax = start->x - side * part * y, ay = start->y + side * part * x;
@@ -189,15 +178,13 @@ static void join_circles(const td_drawing *d, const thud_shape_instance *start, 
     }
 }
 
-static double distance_squared(thud_pos p, thud_pos q)
-{
+static double distance_squared(thud_pos p, thud_pos q) {
     return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
 }
 
 /* The corner after p around the hull, counter-clockwise: none lies to the right of the way there,
  * and of those straight ahead it is the last. */
-static int next_on_hull(const thud_pos *corners, int count, int p, double rounding)
-{
+static int next_on_hull(const thud_pos *corners, int count, int p, double rounding) {
     int q = (p + 1) % count;
     for (int r = 0; r < count; r++) {
         double right = (corners[q].y - corners[p].y) * (corners[r].x - corners[p].x) -
@@ -212,8 +199,8 @@ static int next_on_hull(const thud_pos *corners, int count, int p, double roundi
 }
 
 /* The sides of the convex hull of both that lead from one to the other, by gift wrapping. */
-static void join_boxes(const td_drawing *d, const thud_shape_instance *start, const thud_shape_instance *end)
-{
+static void join_boxes(const td_drawing *d, const thud_shape_instance *start,
+                       const thud_shape_instance *end) {
     enum { CORNERS = 4, BOTH = 8 };
     thud_pos corners[BOTH], middle = {start->x, start->y};
     int first = 0;
@@ -235,8 +222,7 @@ static void join_boxes(const td_drawing *d, const thud_shape_instance *start, co
     }
 }
 
-static void draw_outline(const td_drawing *d, const thud_shape_instance *p)
-{
+static void draw_outline(const td_drawing *d, const thud_shape_instance *p) {
     thud_vec2 at = {(float)p->x, (float)p->y};
     if (p->kind == THUD_CIRCLE && d->draw->circle) {
         d->draw->circle(at, (float)p->hx, 1.0f, 0.0f, THUD_DRAW_MOTION, -1, d->draw->context);
@@ -247,8 +233,8 @@ static void draw_outline(const td_drawing *d, const thud_shape_instance *p)
 }
 
 /* False: the straight way from start to end is out of sight. */
-static bool in_view(const td_drawing *d, const thud_shape_instance *start, const thud_shape_instance *end)
-{
+static bool in_view(const td_drawing *d, const thud_shape_instance *start,
+                    const thud_shape_instance *end) {
     thud_vec2 lower = td_drawing_local(d, d->lower), upper = td_drawing_local(d, d->upper);
     double reach = td_reach(start);
     double left = start->x < end->x ? start->x : end->x, right = start->x + end->x - left;
@@ -257,8 +243,7 @@ static bool in_view(const td_drawing *d, const thud_shape_instance *start, const
            high + reach >= (double)lower.y && low - reach <= (double)upper.y;
 }
 
-void td_draw_motions(const td_drawing *d)
-{
+void td_draw_motions(const td_drawing *d) {
     const thud_world *w = d->w;
     for (int slot = 1; slot < w->body_of.count; slot++) {
         const float *delta = td_row(&w->delta, slot);
@@ -268,11 +253,11 @@ void td_draw_motions(const td_drawing *d)
             continue;
         }
         const td_pose *pose = td_pose_at(w, index);
-        td_trajectory trajectory = {
-            .place = pose->center,
-            .angle = pose->angle,
-            .since = 1.0,
-            .motion = {(double)delta[0], (double)delta[1], (double)delta[2]}};
+        td_trajectory trajectory = {.place = pose->center,
+                                    .angle = pose->angle,
+                                    .since = 1.0,
+                                    .motion = {(double)delta[0], (double)delta[1],
+                                               (double)delta[2]}};
         for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
             thud_shape_instance start = td_trajectory_shape(w, &trajectory, i, 0.0, d->origin);
             thud_shape_instance end = td_trajectory_shape(w, &trajectory, i, 1.0, d->origin);

@@ -6,8 +6,7 @@
 #include "api/query.h"
 #include "base/trig.h"
 
-thud_mover thud_default_mover(thud_shape_instance shape)
-{
+thud_mover thud_default_mover(thud_shape_instance shape) {
     bool circle = shape.kind == THUD_CIRCLE;
     double half = circle ? shape.hx : shape.hy;
     return (thud_mover){.shape = shape,
@@ -22,8 +21,7 @@ thud_mover thud_default_mover(thud_shape_instance shape)
 /* ---- the ground's own motion ---- */
 
 /* Where the point of the ground that it stood on has gone since the last move. */
-static td_way ridden(const td_move *m, const thud_body_state *ground)
-{
+static td_way ridden(const td_move *m, const thud_body_state *ground) {
     const thud_mover *mover = &m->mover;
     double c = (double)mover->ground_cosine, s = (double)mover->ground_sine;
     double dx = mover->ground_point.x - mover->ground_place.x;
@@ -42,8 +40,7 @@ static td_way ridden(const td_move *m, const thud_body_state *ground)
     return gone;
 }
 
-static void ride(td_move *m)
-{
+static void ride(td_move *m) {
     thud_body_state ground;
     if (!m->mover.on_ground) {
         return;
@@ -61,8 +58,7 @@ static void ride(td_move *m)
 }
 
 /* Notes where the ground stands, for the next ride, and how fast its point moves. */
-static void note_ground(td_move *m)
-{
+static void note_ground(td_move *m) {
     thud_mover *mover = &m->mover;
     thud_body_state ground;
     if (!mover->on_ground || !thud_body_is_valid(m->world, mover->ground_body)) {
@@ -83,8 +79,7 @@ static void note_ground(td_move *m)
 /* ---- what is in the way ---- */
 
 /* At most the impulse that takes a body up to the mover's speed at the point that it pushes. */
-static void push(td_move *m, const thud_mover_hit *hit)
-{
+static void push(td_move *m, const thud_mover_hit *hit) {
     thud_body_state body;
     td_way n = td_mover_normal(hit);
     if (!thud_body_is_valid(m->world, hit->body) ||
@@ -107,8 +102,7 @@ static void push(td_move *m, const thud_mover_hit *hit)
     }
 }
 
-static void push_all(td_move *m)
-{
+static void push_all(td_move *m) {
     for (int i = 0; i < m->report.hit_count && m->result == THUD_OK; i++) {
         bool again = false;
         for (int k = 0; k < i; k++) {
@@ -121,21 +115,18 @@ static void push_all(td_move *m)
 }
 
 /* The body is where the mover is at the end of the next step. */
-static thud_result lead_body(const td_move *m)
-{
+static thud_result lead_body(const td_move *m) {
     thud_body_state body;
     thud_result result = thud_body_get(m->world, m->mover.body, &body);
     thud_vec2 velocity = {(float)((m->mover.shape.x - body.position.x) / m->dt),
                           (float)((m->mover.shape.y - body.position.y) / m->dt)};
-    return result != THUD_OK
-               ? result
-               : thud_body_set_velocity(m->world, m->mover.body, velocity, 0.0f);
+    return result != THUD_OK ? result
+                             : thud_body_set_velocity(m->world, m->mover.body, velocity, 0.0f);
 }
 
 /* ---- the move ---- */
 
-static thud_result check_mover(const thud_world *w, const thud_mover *mover)
-{
+static thud_result check_mover(const thud_world *w, const thud_mover *mover) {
     const thud_shape_instance *s = &mover->shape;
     td_way way = {(double)mover->up.x, (double)mover->up.y};
     double up = td_dot(way, way);
@@ -162,8 +153,7 @@ static thud_result check_mover(const thud_world *w, const thud_mover *mover)
                : td_refuse(w, THUD_ERROR_INVALID, "mover: its body is not kinematic");
 }
 
-static void move(td_move *m)
-{
+static void move(td_move *m) {
     td_way up = td_up(m);
     td_way way = td_scaled((td_way){(double)m->velocity.x, (double)m->velocity.y}, m->dt);
     double rising = td_dot(way, up);
@@ -190,8 +180,7 @@ static void move(td_move *m)
 }
 
 thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity, double dt,
-                            thud_mover_report *report)
-{
+                            thud_mover_report *report) {
     TD_IN_OWN_MODE;
     if (!w || !mover) {
         return td_refuse(w, THUD_ERROR_NULL, "mover: world or mover is null");

@@ -15,40 +15,35 @@ typedef struct td_way {
 
 typedef struct td_move {
     thud_world *world;
-    thud_mover mover;         /* as it stands now; the caller's own is written last */
+    thud_mover mover; /* as it stands now; the caller's own is written last */
     thud_mover_report report;
-    thud_vec2 velocity;       /* asked for */
-    td_way left;              /* ... and what is left of it in the air */
-    bool stopped;             /* by a wall, on the ground */
-    thud_query_filter solid;  /* the mover's filter without sensors, which stop nobody */
+    thud_vec2 velocity;      /* asked for */
+    td_way left;             /* ... and what is left of it in the air */
+    bool stopped;            /* by a wall, on the ground */
+    thud_query_filter solid; /* the mover's filter without sensors, which stop nobody */
     double dt;
-    double walkable;          /* least part of a ground's normal along `up` */
-    thud_result result;       /* the first that went wrong; then nothing moves any more */
+    double walkable;    /* least part of a ground's normal along `up` */
+    thud_result result; /* the first that went wrong; then nothing moves any more */
 } td_move;
 
-static inline double td_dot(td_way a, td_way b)
-{
+static inline double td_dot(td_way a, td_way b) {
     return a.x * b.x + a.y * b.y;
 }
 
-static inline td_way td_scaled(td_way a, double by)
-{
+static inline td_way td_scaled(td_way a, double by) {
     return (td_way){a.x * by, a.y * by};
 }
 
 /* a + b * by */
-static inline td_way td_plus(td_way a, td_way b, double by)
-{
+static inline td_way td_plus(td_way a, td_way b, double by) {
     return (td_way){a.x + b.x * by, a.y + b.y * by};
 }
 
-static inline double td_size(td_way a)
-{
+static inline double td_size(td_way a) {
     return __builtin_sqrt(a.x * a.x + a.y * a.y);
 }
 
-static inline td_way td_up(const td_move *m)
-{
+static inline td_way td_up(const td_move *m) {
     return (td_way){(double)m->mover.up.x, (double)m->mover.up.y};
 }
 

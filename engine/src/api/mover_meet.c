@@ -6,14 +6,12 @@
 
 enum { MET = 16, PUSHES = 8 };
 
-td_way td_mover_normal(const thud_mover_hit *hit)
-{
+td_way td_mover_normal(const thud_mover_hit *hit) {
     td_way n = {(double)hit->normal.x, (double)hit->normal.y};
     return td_scaled(n, 1.0 / td_size(n));
 }
 
-void td_mover_note(td_move *m, const thud_mover_hit *hit)
-{
+void td_mover_note(td_move *m, const thud_mover_hit *hit) {
     thud_mover_report *report = &m->report;
     if (report->hit_count < THUD_MOVER_HITS) {
         report->hits[report->hit_count++] = *hit;
@@ -21,22 +19,20 @@ void td_mover_note(td_move *m, const thud_mover_hit *hit)
 }
 
 /* What the mover meets, nearest first; at most MET of it. */
-static int list(td_move *m, td_way way, thud_ray_hit *found)
-{
+static int list(td_move *m, td_way way, thud_ray_hit *found) {
     int count = 0;
     thud_shape_instance shape = m->mover.shape;
     thud_pos center = {shape.x, shape.y};
     shape.x = shape.y = 0.0;
     if (m->result == THUD_OK) {
-        m->result = thud_world_cast_shape_all(m->world, center, &shape, way.x, way.y,
-                                              &m->solid, found, MET, &count);
+        m->result = thud_world_cast_shape_all(m->world, center, &shape, way.x, way.y, &m->solid,
+                                              found, MET, &count);
     }
     return td_min_int(count, MET);
 }
 
 /* False for what the mover passes: its own body, and what the caller says. */
-static bool stops(td_move *m, const thud_ray_hit *found, thud_mover_hit *hit)
-{
+static bool stops(td_move *m, const thud_ray_hit *found, thud_mover_hit *hit) {
     thud_shape_state shape;
     if (!thud_shape_is_valid(m->world, found->shape)) { /* `pass` has destroyed it */
         return false;
@@ -49,12 +45,10 @@ static bool stops(td_move *m, const thud_ray_hit *found, thud_mover_hit *hit)
                             .depth = found->depth,
                             .category = shape.filter.category};
     bool own = shape.body.index1 == m->mover.body.index1 && m->mover.body.index1 != 0;
-    return !own &&
-           !(m->mover.pass && m->mover.pass(&m->mover, hit, m->velocity, m->mover.context));
+    return !own && !(m->mover.pass && m->mover.pass(&m->mover, hit, m->velocity, m->mover.context));
 }
 
-bool td_mover_meets(td_move *m, td_way way, thud_mover_hit *hit, double *fraction)
-{
+bool td_mover_meets(td_move *m, td_way way, thud_mover_hit *hit, double *fraction) {
     thud_ray_hit found[MET];
     int count = list(m, way, found);
     for (int i = 0; i < count; i++) {
@@ -69,8 +63,7 @@ bool td_mover_meets(td_move *m, td_way way, thud_mover_hit *hit, double *fractio
 }
 
 /* Each sensor once; none of its own body. */
-static void note_sensor(td_move *m, thud_shape_id sensor)
-{
+static void note_sensor(td_move *m, thud_shape_id sensor) {
     thud_mover_report *report = &m->report;
     thud_shape_state shape;
     int i = 0;
@@ -84,8 +77,7 @@ static void note_sensor(td_move *m, thud_shape_id sensor)
     }
 }
 
-void td_mover_sense(td_move *m, td_way way)
-{
+void td_mover_sense(td_move *m, td_way way) {
     thud_ray_hit found[THUD_MOVER_SENSORS];
     int count = 0;
     thud_shape_instance shape = m->mover.shape;
@@ -100,8 +92,7 @@ void td_mover_sense(td_move *m, td_way way)
     }
 }
 
-bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left)
-{
+bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left) {
     double length = td_size(way), fraction = 1.0;
     if (!(length > 0.0)) {
         return false;
@@ -126,8 +117,7 @@ bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left)
 }
 
 /* The deepest overlap with what the mover cannot push away. */
-static bool deepest(td_move *m, thud_mover_hit *hit)
-{
+static bool deepest(td_move *m, thud_mover_hit *hit) {
     thud_ray_hit found[MET];
     int count = list(m, (td_way){0.0, 0.0}, found);
     hit->depth = 0.0;
@@ -142,8 +132,7 @@ static bool deepest(td_move *m, thud_mover_hit *hit)
     return hit->depth > 0.0;
 }
 
-void td_mover_separate(td_move *m)
-{
+void td_mover_separate(td_move *m) {
     thud_mover_hit hit;
     for (int i = 0; deepest(m, &hit); i++) {
         if (i == PUSHES) {
@@ -163,8 +152,7 @@ void td_mover_separate(td_move *m)
 #define UPPER_SIDE 0.7f
 
 bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hit,
-                               thud_vec2 velocity, void *context)
-{
+                               thud_vec2 velocity, void *context) {
     const thud_one_way *one_way = context;
     thud_vec2 up = mover->up;
     return (hit->category & one_way->categories) &&
@@ -175,16 +163,14 @@ bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hi
 
 /* ---- ground ---- */
 
-double td_mover_bottom(const td_move *m)
-{
+double td_mover_bottom(const td_move *m) {
     const thud_shape_instance *s = &m->mover.shape;
     td_way up = td_up(m);
     double half = s->kind == THUD_CIRCLE ? s->hx : td_shadow(s, up.x, up.y);
     return td_dot((td_way){s->x, s->y}, up) - half;
 }
 
-bool td_mover_stands_on(td_move *m, const thud_mover_hit *hit, double bottom)
-{
+bool td_mover_stands_on(td_move *m, const thud_mover_hit *hit, double bottom) {
     td_way up = td_up(m), normal = td_mover_normal(hit);
     double rise = td_dot(normal, up);
     if (rise >= m->walkable) {

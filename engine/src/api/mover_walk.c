@@ -9,14 +9,12 @@ enum { TURNS = 4 };
 /* A way along a plane may point into it by so much of its length. */
 #define ROUNDING 1e-9
 
-static td_way across(const td_move *m, td_way way)
-{
+static td_way across(const td_move *m, td_way way) {
     td_way up = td_up(m);
     return td_plus(way, up, -td_dot(way, up));
 }
 
-static void stand_on(td_move *m, const thud_mover_hit *hit)
-{
+static void stand_on(td_move *m, const thud_mover_hit *hit) {
     m->mover.on_ground = true;
     m->mover.ground_normal = hit->normal;
     m->mover.ground_shape = hit->shape;
@@ -27,8 +25,7 @@ static void stand_on(td_move *m, const thud_mover_hit *hit)
 /* ---- on the ground ---- */
 
 /* The way across, laid along the ground with its length kept. */
-static td_way along_ground(const td_move *m, td_way way, double length)
-{
+static td_way along_ground(const td_move *m, td_way way, double length) {
     td_way normal = {(double)m->mover.ground_normal.x, (double)m->mover.ground_normal.y};
     td_way tangent = {normal.y, -normal.x};
     double side = td_dot(tangent, way) < 0.0 ? -1.0 : 1.0;
@@ -36,8 +33,7 @@ static td_way along_ground(const td_move *m, td_way way, double length)
 }
 
 /* Up, ahead and down again, if there is ground to stand on no higher than a step. */
-static bool climb(td_move *m, td_way ahead)
-{
+static bool climb(td_move *m, td_way ahead) {
     double length = td_size(ahead), least = 2.0 * m->mover.skin;
     if (!(length > 0.0)) {
         return false;
@@ -50,8 +46,8 @@ static bool climb(td_move *m, td_way ahead)
     td_mover_go(m, td_scaled(up, height), &hit, &left);
     double raised = td_mover_bottom(m) - bottom;
     td_mover_go(m, td_scaled(ahead, length < least ? least / length : 1.0), &hit, &left);
-    bool stands = td_mover_go(m, td_scaled(up, -raised), &hit, &left) &&
-                  td_mover_stands_on(m, &hit, bottom);
+    bool stands =
+        td_mover_go(m, td_scaled(up, -raised), &hit, &left) && td_mover_stands_on(m, &hit, bottom);
     td_way gone = td_plus((td_way){m->mover.shape.x, m->mover.shape.y}, from, -1.0);
     if (stands && td_dot(gone, ahead) > 0.0) {
         stand_on(m, &hit);
@@ -63,8 +59,7 @@ static bool climb(td_move *m, td_way ahead)
     return false;
 }
 
-void td_mover_walk(td_move *m, td_way way)
-{
+void td_mover_walk(td_move *m, td_way way) {
     td_way left = along_ground(m, way, td_size(way));
     for (int i = 0; i < TURNS && td_size(left) > 0.0; i++) {
         thud_mover_hit hit;
@@ -82,8 +77,7 @@ void td_mover_walk(td_move *m, td_way way)
     }
 }
 
-bool td_mover_settle(td_move *m)
-{
+bool td_mover_settle(td_move *m) {
     td_way up = td_up(m), left;
     thud_mover_hit hit, other;
     double fraction = 0.0, length = m->mover.snap_distance + m->mover.skin;
@@ -101,15 +95,13 @@ bool td_mover_settle(td_move *m)
 /* ---- in the air ---- */
 
 /* Without its part into the plane. */
-static td_way clipped(td_way way, td_way normal)
-{
+static td_way clipped(td_way way, td_way normal) {
     double into = td_dot(way, normal);
     return into < 0.0 ? td_plus(way, normal, -into) : way;
 }
 
 /* Slopes too steep to stand on are slid down, but are upright walls to what would go up them. */
-static td_way plane_of(const td_move *m, const thud_mover_hit *hit, td_way way)
-{
+static td_way plane_of(const td_move *m, const thud_mover_hit *hit, td_way way) {
     td_way up = td_up(m), normal = td_mover_normal(hit), wall = across(m, normal);
     double rise = td_dot(normal, up), size = td_size(wall);
     double before = td_dot(way, up), after = td_dot(clipped(way, normal), up);
@@ -117,8 +109,7 @@ static td_way plane_of(const td_move *m, const thud_mover_hit *hit, td_way way)
     return climbs && size > 0.0 ? td_scaled(wall, 1.0 / size) : normal;
 }
 
-void td_mover_fly(td_move *m, td_way way)
-{
+void td_mover_fly(td_move *m, td_way way) {
     td_way planes[TURNS];
     for (int i = 0; i < TURNS; i++) {
         thud_mover_hit hit;

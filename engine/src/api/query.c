@@ -6,36 +6,31 @@
 #include "api/step.h"
 #include "base/trig.h"
 
-thud_query_filter thud_default_query_filter(void)
-{
+thud_query_filter thud_default_query_filter(void) {
     return (thud_query_filter){UINT32_MAX, UINT32_MAX, false};
 }
 
-bool td_query_passes(const thud_world *w, int index, const thud_query_filter *filter)
-{
+bool td_query_passes(const thud_world *w, int index, const thud_query_filter *filter) {
     const td_shape *shape = td_shape_at(w, index);
     thud_query_filter f = filter ? *filter : thud_default_query_filter();
     return (shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) == TD_SHAPE_LIVE &&
-           !(td_body_at(w, shape->body)->flags & TD_BODY_DISABLED) && (f.sensors || !(shape->flags & TD_SHAPE_SENSOR)) &&
-           (shape->filter.category & f.mask) && (shape->filter.mask & f.category);
+           !(td_body_at(w, shape->body)->flags & TD_BODY_DISABLED) &&
+           (f.sensors || !(shape->flags & TD_SHAPE_SENSOR)) && (shape->filter.category & f.mask) &&
+           (shape->filter.mask & f.category);
 }
 
-bool td_query_in_range(const thud_world *w, double x, double y)
-{
+bool td_query_in_range(const thud_world *w, double x, double y) {
     double most = TD_PLACE_MAX * (double)w->unit;
     return x >= -most && x <= most && y >= -most && y <= most;
 }
 
-thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape)
-{
-    bool valid = thud_placed_check(shape) == THUD_OK &&
-                 td_query_in_range(w, center.x, center.y) &&
+thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape) {
+    bool valid = thud_placed_check(shape) == THUD_OK && td_query_in_range(w, center.x, center.y) &&
                  td_query_in_range(w, center.x + shape->x, center.y + shape->y);
     return valid ? THUD_OK : THUD_ERROR_INVALID;
 }
 
-thud_shape_instance td_query_instance(const thud_world *w, int index, td_position origin)
-{
+thud_shape_instance td_query_instance(const thud_world *w, int index, td_position origin) {
     thud_shape_instance shape = td_shape_instance(w, index, origin);
     double scale = 1.5 - 0.5 * (shape.c * shape.c + shape.s * shape.s); /* Newton's, for 1 / sqrt */
     shape.c *= scale;
@@ -43,8 +38,8 @@ thud_shape_instance td_query_instance(const thud_world *w, int index, td_positio
     return shape;
 }
 
-void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos *lower, thud_pos *upper)
-{
+void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos *lower,
+                     thud_pos *upper) {
     bool circle = shape->kind == THUD_CIRCLE;
     double half_x = circle ? shape->hx : td_shadow(shape, 1.0, 0.0);
     double half_y = circle ? shape->hx : td_shadow(shape, 0.0, 1.0);
@@ -53,8 +48,7 @@ void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos
     *upper = (thud_pos){x + half_x, y + half_y};
 }
 
-thud_shape_instance td_query_box(double half_x, double half_y, double angle)
-{
+thud_shape_instance td_query_box(double half_x, double half_y, double angle) {
     thud_shape_instance box = {.kind = THUD_AABB, .c = 1.0, .hx = half_x, .hy = half_y};
     if (angle != 0.0) {
         box.kind = THUD_OBB;
@@ -68,20 +62,17 @@ thud_shape_instance td_query_box(double half_x, double half_y, double angle)
 
 /* ---- candidates ---- */
 
-bool td_query_prepare(thud_world *w)
-{
+bool td_query_prepare(thud_world *w) {
     return (w->locked || td_changes_apply(w)) && td_broadphase_refresh(w);
 }
 
 /* Nothing of the world lies further out; inside, differences of places fit in 64 bits. */
-static td_position place_within(const thud_world *w, double x, double y)
-{
+static td_position place_within(const thud_world *w, double x, double y) {
     double most = (TD_PLACE_MAX + 2.0 * TD_SIZE_MAX) * (double)w->unit;
     return td_place_from(w, (thud_pos){td_clamp(x, -most, most), td_clamp(y, -most, most)});
 }
 
-static bool list_all(thud_world *w)
-{
+static bool list_all(thud_world *w) {
     if (!td_array_reserve(&w->memory, &w->scratch.hits, w->shapes.count)) {
         return false;
     }
@@ -93,8 +84,7 @@ static bool list_all(thud_world *w)
     return true;
 }
 
-bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper)
-{
+bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper) {
     td_array *hits = &w->scratch.hits;
     hits->stride = (int)sizeof(int);
     hits->count = 0;
@@ -110,8 +100,7 @@ bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper)
            find(&w->rest_shapes, &w->memory, &bounds, from, hits);
 }
 
-bool td_query_list_terrains(thud_world *w)
-{
+bool td_query_list_terrains(thud_world *w) {
     td_array *hits = &w->scratch.hits;
     if (!td_array_reserve(&w->memory, hits, hits->count + w->terrains.live)) {
         return false;

@@ -12,12 +12,13 @@ bool td_query_in_range(const thud_world *w, double x, double y);
 /* THUD_OK if a query's own shape, about `center`, is one that the world can meet. */
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape);
 
-/* As td_shape_instance, with a rotation whose length is 1 in double precision: over a long way, what
- * single precision leaves would be seen. */
+/* As td_shape_instance, with a rotation whose length is 1 in double precision: over a long way,
+ * what single precision leaves would be seen. */
 thud_shape_instance td_query_instance(const thud_world *w, int shape, td_position origin);
 
 /* The bounding box of a shape about `center`. */
-void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos *lower, thud_pos *upper);
+void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos *lower,
+                     thud_pos *upper);
 
 /* An AABB or OBB about the origin, or one that no check accepts where the angle is out of range. */
 thud_shape_instance td_query_box(double half_x, double half_y, double angle);

@@ -15,7 +15,7 @@ typedef bool meet_fn(const thud_world *w, int index, const path *way, thud_ray_h
 struct path {
     meet_fn *meets;
     thud_pos origin;
-    td_position from;            /* the same */
+    td_position from; /* the same */
     double dx, dy;
     const thud_shape_instance *shape; /* about the origin; null: a point */
     const thud_query_filter *filter;
@@ -28,14 +28,12 @@ typedef struct kept {
     int capacity, count; /* count: of all */
 } kept;
 
-static bool before(const thud_ray_hit *a, const thud_ray_hit *b)
-{
+static bool before(const thud_ray_hit *a, const thud_ray_hit *b) {
     return a->fraction < b->fraction ||
            (a->fraction == b->fraction && a->shape.index1 < b->shape.index1);
 }
 
-static void keep(kept *k, const thud_ray_hit *hit)
-{
+static void keep(kept *k, const thud_ray_hit *hit) {
     int at = td_min_int(k->count++, k->capacity);
     if (at == k->capacity && (at == 0 || !before(hit, &k->hits[--at]))) {
         return;
@@ -48,8 +46,7 @@ static void keep(kept *k, const thud_ray_hit *hit)
 
 /* ---- one shape ---- */
 
-static bool point_meets(const thud_world *w, int index, const path *way, thud_ray_hit *out)
-{
+static bool point_meets(const thud_world *w, int index, const path *way, thud_ray_hit *out) {
     thud_shape_instance shape = td_query_instance(w, index, way->from);
     double nx = 0.0, ny = 0.0;
     bool hit;
@@ -71,8 +68,7 @@ static bool point_meets(const thud_world *w, int index, const path *way, thud_ra
  * where they touch exactly, the way from one to the other has no direction. */
 #define LOOK_BACK 1e-7
 
-static thud_pos gone(const path *way, double fraction)
-{
+static thud_pos gone(const path *way, double fraction) {
     double length = __builtin_sqrt(way->dx * way->dx + way->dy * way->dy);
     double before = length > 0.0 ? fraction - LOOK_BACK * td_reach(way->shape) / length : 0.0;
     before = before > 0.0 ? before : 0.0;
@@ -81,8 +77,7 @@ static thud_pos gone(const path *way, double fraction)
 
 /* When the moving shape meets `still`, and the closest features then, from `still`. */
 static bool meets_solid(const thud_shape_instance *still, const path *way, double *fraction,
-                        thud_closest *c)
-{
+                        thud_closest *c) {
     thud_shape_instance moving = *way->shape;
     td_closest(still, &moving, c);
     if (c->distance <= 0.0) {
@@ -103,14 +98,14 @@ static bool meets_solid(const thud_shape_instance *still, const path *way, doubl
 
 /* The same for ground whose origin is at (x, y). */
 static bool meets_ground(const thud_terrain *terrain, double x, double y, const path *way,
-                         double *fraction, thud_closest *c)
-{
+                         double *fraction, thud_closest *c) {
     thud_shape_instance moving = *way->shape;
     moving.x -= x;
     moving.y -= y;
     bool hit;
-    thud_result result = thud_terrain_time_of_impact(
-        terrain, &moving, (thud_motion){way->dx, way->dy, 0.0}, 0.0, &hit, fraction);
+    thud_result result =
+        thud_terrain_time_of_impact(terrain, &moving, (thud_motion){way->dx, way->dy, 0.0}, 0.0,
+                                    &hit, fraction);
     if (result != THUD_OK || !hit) {
         return false;
     }
@@ -121,8 +116,7 @@ static bool meets_ground(const thud_terrain *terrain, double x, double y, const 
     return true;
 }
 
-static bool shape_meets(const thud_world *w, int index, const path *way, thud_ray_hit *out)
-{
+static bool shape_meets(const thud_world *w, int index, const path *way, thud_ray_hit *out) {
     thud_shape_instance shape = td_query_instance(w, index, way->from);
     thud_closest c;
     if (shape.kind == THUD_TERRAIN) {
@@ -142,8 +136,7 @@ static bool shape_meets(const thud_world *w, int index, const path *way, thud_ra
 /* ---- all that come into question ---- */
 
 /* Keeps what is met among the candidates at a fraction in (after, until]. */
-static void keep_met(const thud_world *w, const path *way, double after, double until, kept *k)
-{
+static void keep_met(const thud_world *w, const path *way, double after, double until, kept *k) {
     for (int i = 0; i < w->scratch.hits.count; i++) {
         int index = *(int *)td_at(&w->scratch.hits, i);
         thud_ray_hit hit;
@@ -157,8 +150,7 @@ static void keep_met(const thud_world *w, const path *way, double after, double 
 }
 
 /* The bounding box of a piece of the way. */
-static bool list_piece(thud_world *w, const path *way, double from, double to)
-{
+static bool list_piece(thud_world *w, const path *way, double from, double to) {
     thud_pos lower = way->origin, upper = way->origin;
     if (way->shape) {
         td_query_bounds(way->origin, way->shape, &lower, &upper);
@@ -176,8 +168,7 @@ static bool list_piece(thud_world *w, const path *way, double from, double to)
  * the piece in which it lies. `first`: the nearest hit is enough. */
 enum { FEW = 8, MANY = 32, MOST_PIECES = 256 };
 
-static bool cast(thud_world *w, const path *way, bool first, kept *k)
-{
+static bool cast(thud_world *w, const path *way, bool first, kept *k) {
     if (!td_query_prepare(w)) {
         return false;
     }
@@ -206,14 +197,12 @@ static bool cast(thud_world *w, const path *way, bool first, kept *k)
     return true;
 }
 
-static bool way_in_range(const thud_world *w, const path *way)
-{
+static bool way_in_range(const thud_world *w, const path *way) {
     return td_query_in_range(w, way->origin.x, way->origin.y) &&
            td_query_in_range(w, way->origin.x + way->dx, way->origin.y + way->dy);
 }
 
-static thud_result cast_first(thud_world *w, path *way, bool *hit, thud_ray_hit *out)
-{
+static thud_result cast_first(thud_world *w, path *way, bool *hit, thud_ray_hit *out) {
     thud_ray_hit nearest;
     kept k = {&nearest, 1, 0};
     way->from = td_place_from(w, way->origin);
@@ -229,8 +218,7 @@ static thud_result cast_first(thud_world *w, path *way, bool *hit, thud_ray_hit 
     return THUD_OK;
 }
 
-static thud_result cast_all(thud_world *w, path *way, thud_ray_hit *out, int capacity, int *count)
-{
+static thud_result cast_all(thud_world *w, path *way, thud_ray_hit *out, int capacity, int *count) {
     kept k = {out, capacity, 0};
     way->from = td_place_from(w, way->origin);
     if (!cast(w, way, false, &k)) {
@@ -244,18 +232,16 @@ static thud_result cast_all(thud_world *w, path *way, thud_ray_hit *out, int cap
 
 /* ---- what callers ask ---- */
 
-static thud_result check_ray(const thud_world *w, const path *way)
-{
+static thud_result check_ray(const thud_world *w, const path *way) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    return way_in_range(w, way) ? THUD_OK
-                                : td_refuse(w, THUD_ERROR_INVALID,
-                                            "cast ray: not finite or out of range");
+    return way_in_range(w, way)
+               ? THUD_OK
+               : td_refuse(w, THUD_ERROR_INVALID, "cast ray: not finite or out of range");
 }
 
-static thud_result check_shape(const thud_world *w, const path *way)
-{
+static thud_result check_shape(const thud_world *w, const path *way) {
     if (!w || !way->shape) {
         return td_refuse(w, THUD_ERROR_NULL, "cast: world or shape is null");
     }
@@ -265,8 +251,7 @@ static thud_result check_shape(const thud_world *w, const path *way)
     return THUD_OK;
 }
 
-static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int capacity)
-{
+static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int capacity) {
     if (capacity < 0) {
         return td_refuse(w, THUD_ERROR_INVALID, "cast: capacity is negative");
     }
@@ -275,8 +260,7 @@ static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int 
 }
 
 thud_result thud_world_cast_ray(thud_world *w, thud_pos origin, double dx, double dy,
-                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out)
-{
+                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out) {
     TD_IN_OWN_MODE;
     path way = {point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
     thud_result result = check_ray(w, &way);
@@ -285,8 +269,7 @@ thud_result thud_world_cast_ray(thud_world *w, thud_pos origin, double dx, doubl
 
 thud_result thud_world_cast_ray_all(thud_world *w, thud_pos origin, double dx, double dy,
                                     const thud_query_filter *filter, thud_ray_hit *out,
-                                    int capacity, int *count)
-{
+                                    int capacity, int *count) {
     TD_IN_OWN_MODE;
     path way = {point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
     thud_result result = check_ray(w, &way);
@@ -296,8 +279,7 @@ thud_result thud_world_cast_ray_all(thud_world *w, thud_pos origin, double dx, d
 
 thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_shape_instance *shape,
                                   double dx, double dy, const thud_query_filter *filter, bool *hit,
-                                  thud_ray_hit *out)
-{
+                                  thud_ray_hit *out) {
     TD_IN_OWN_MODE;
     path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
     thud_result result = check_shape(w, &way);
@@ -306,18 +288,17 @@ thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_sha
 
 thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_shape_instance *shape,
                                   double dx, double dy, const thud_query_filter *filter,
-                                  thud_ray_hit *out, int capacity, int *count)
-{
-    path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter,
-                .sensors = true};
+                                  thud_ray_hit *out, int capacity, int *count) {
+    path way = {shape_meets,    center,           .dx = dx,       .dy = dy,
+                .shape = shape, .filter = filter, .sensors = true};
     thud_result result = check_shape(w, &way);
     return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
 }
 
-thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center, const thud_shape_instance *shape,
-                                      double dx, double dy, const thud_query_filter *filter,
-                                      thud_ray_hit *out, int capacity, int *count)
-{
+thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center,
+                                      const thud_shape_instance *shape, double dx, double dy,
+                                      const thud_query_filter *filter, thud_ray_hit *out,
+                                      int capacity, int *count) {
     TD_IN_OWN_MODE;
     path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
     thud_result result = check_shape(w, &way);
@@ -327,24 +308,21 @@ thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center, const thud
 
 thud_result thud_world_cast_circle(thud_world *w, thud_pos center, double radius, double dx,
                                    double dy, const thud_query_filter *filter, bool *hit,
-                                   thud_ray_hit *out)
-{
+                                   thud_ray_hit *out) {
     thud_shape_instance circle = {.kind = THUD_CIRCLE, .c = 1.0, .hx = radius};
     return thud_world_cast_shape(w, center, &circle, dx, dy, filter, hit, out);
 }
 
 thud_result thud_world_cast_circle_all(thud_world *w, thud_pos center, double radius, double dx,
                                        double dy, const thud_query_filter *filter,
-                                       thud_ray_hit *out, int capacity, int *count)
-{
+                                       thud_ray_hit *out, int capacity, int *count) {
     thud_shape_instance circle = {.kind = THUD_CIRCLE, .c = 1.0, .hx = radius};
     return thud_world_cast_shape_all(w, center, &circle, dx, dy, filter, out, capacity, count);
 }
 
 thud_result thud_world_cast_box(thud_world *w, thud_pos center, double half_x, double half_y,
-                                double angle, double dx, double dy,
-                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out)
-{
+                                double angle, double dx, double dy, const thud_query_filter *filter,
+                                bool *hit, thud_ray_hit *out) {
     TD_IN_OWN_MODE;
     thud_shape_instance box = td_query_box(half_x, half_y, angle);
     return thud_world_cast_shape(w, center, &box, dx, dy, filter, hit, out);
@@ -353,8 +331,7 @@ thud_result thud_world_cast_box(thud_world *w, thud_pos center, double half_x, d
 thud_result thud_world_cast_box_all(thud_world *w, thud_pos center, double half_x, double half_y,
                                     double angle, double dx, double dy,
                                     const thud_query_filter *filter, thud_ray_hit *out,
-                                    int capacity, int *count)
-{
+                                    int capacity, int *count) {
     TD_IN_OWN_MODE;
     thud_shape_instance box = td_query_box(half_x, half_y, angle);
     return thud_world_cast_shape_all(w, center, &box, dx, dy, filter, out, capacity, count);

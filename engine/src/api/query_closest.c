@@ -7,8 +7,7 @@
 #include "terrain/terrain.h"
 
 /* From the shape to the point, which is the origin. */
-static void measure(const thud_world *w, int index, td_position origin, thud_closest *out)
-{
+static void measure(const thud_world *w, int index, td_position origin, thud_closest *out) {
     thud_shape_instance shape = td_query_instance(w, index, origin);
     thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0};
     if (shape.kind != THUD_TERRAIN) {
@@ -21,8 +20,7 @@ static void measure(const thud_world *w, int index, td_position origin, thud_clo
 
 /* Keeps the nearest of the candidates; *nearest is its slot. */
 static void keep_nearest(const thud_world *w, td_position at, const thud_query_filter *filter,
-                         int *nearest, thud_closest *best)
-{
+                         int *nearest, thud_closest *best) {
     for (int i = 0; i < w->scratch.hits.count; i++) {
         int index = *(int *)td_at(&w->scratch.hits, i);
         if (!td_query_passes(w, index, filter)) {
@@ -39,8 +37,8 @@ static void keep_nearest(const thud_world *w, td_position at, const thud_query_f
 }
 
 thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distance,
-                               const thud_query_filter *filter, bool *found, thud_closest_hit *out)
-{
+                               const thud_query_filter *filter, bool *found,
+                               thud_closest_hit *out) {
     TD_IN_OWN_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
@@ -73,11 +71,11 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
         *found = any;
     }
     if (out && any) {
-        *out = (thud_closest_hit){
-            .shape = td_shape_handle(w, nearest),
-            .point = {point.x - best.nx * best.distance, point.y - best.ny * best.distance},
-            .normal = {(float)best.nx, (float)best.ny},
-            .distance = best.distance};
+        *out = (thud_closest_hit){.shape = td_shape_handle(w, nearest),
+                                  .point = {point.x - best.nx * best.distance,
+                                            point.y - best.ny * best.distance},
+                                  .normal = {(float)best.nx, (float)best.ny},
+                                  .distance = best.distance};
     }
     return THUD_OK;
 }

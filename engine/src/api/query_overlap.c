@@ -5,8 +5,8 @@
 #include "state/handles.h"
 #include "state/shape.h"
 
-static bool overlaps(const thud_world *w, int index, td_position origin, const thud_shape_instance *exact)
-{
+static bool overlaps(const thud_world *w, int index, td_position origin,
+                     const thud_shape_instance *exact) {
     thud_shape_instance shape = td_query_instance(w, index, origin);
     if (shape.kind != THUD_TERRAIN) {
         return thud_shapes_overlap(exact, &shape);
@@ -19,8 +19,7 @@ static bool overlaps(const thud_world *w, int index, td_position origin, const t
 }
 
 static void tell(thud_world *w, td_position origin, const thud_shape_instance *exact,
-                 const thud_query_filter *filter, thud_overlap_fn *fn, void *context)
-{
+                 const thud_query_filter *filter, thud_overlap_fn *fn, void *context) {
     bool was_locked = w->locked;
     /* The callback may ask in turn: such queries list their hits elsewhere. */
     td_array hits = w->scratch.hits;
@@ -38,10 +37,10 @@ static void tell(thud_world *w, td_position origin, const thud_shape_instance *e
     w->scratch.hits = hits;
 }
 
-thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, const thud_shape_instance *shape,
+thud_result thud_world_overlap_shape(thud_world *w, thud_pos center,
+                                     const thud_shape_instance *shape,
                                      const thud_query_filter *filter, thud_overlap_fn *fn,
-                                     void *context)
-{
+                                     void *context) {
     TD_IN_OWN_MODE;
     if (!w || !fn || !shape) {
         return td_refuse(w, THUD_ERROR_NULL, "overlap: world, shape or callback is null");
@@ -61,26 +60,24 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, const thud_
 
 thud_result thud_world_overlap_circle(thud_world *w, thud_pos center, double radius,
                                       const thud_query_filter *filter, thud_overlap_fn *fn,
-                                      void *context)
-{
+                                      void *context) {
     thud_shape_instance circle = {.kind = THUD_CIRCLE, .c = 1.0, .hx = radius};
     return thud_world_overlap_shape(w, center, &circle, filter, fn, context);
 }
 
 thud_result thud_world_overlap_aabb(thud_world *w, thud_pos lower, thud_pos upper,
                                     const thud_query_filter *filter, thud_overlap_fn *fn,
-                                    void *context)
-{
+                                    void *context) {
     TD_IN_OWN_MODE;
-    thud_shape_instance box = td_query_box(0.5 * (upper.x - lower.x), 0.5 * (upper.y - lower.y), 0.0);
+    thud_shape_instance box =
+        td_query_box(0.5 * (upper.x - lower.x), 0.5 * (upper.y - lower.y), 0.0);
     thud_pos center = {lower.x + box.hx, lower.y + box.hy};
     return thud_world_overlap_shape(w, center, &box, filter, fn, context);
 }
 
 thud_result thud_world_overlap_obb(thud_world *w, thud_pos center, double half_x, double half_y,
                                    double angle, const thud_query_filter *filter,
-                                   thud_overlap_fn *fn, void *context)
-{
+                                   thud_overlap_fn *fn, void *context) {
     TD_IN_OWN_MODE;
     thud_shape_instance box = td_query_box(half_x, half_y, angle);
     box.kind = THUD_OBB;

@@ -4,8 +4,7 @@
 #include "contact/lanes.h"
 #include "base/rotation.h"
 
-thud_events thud_world_events(const thud_world *w)
-{
+thud_events thud_world_events(const thud_world *w) {
     if (!w) {
         return (thud_events){0};
     }
@@ -26,8 +25,7 @@ thud_events thud_world_events(const thud_world *w)
     };
 }
 
-const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, int *count)
-{
+const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, int *count) {
     TD_IN_OWN_MODE;
     if (count) {
         *count = 0;
@@ -72,16 +70,14 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
     return poses;
 }
 
-const char *thud_stage_name(thud_stage stage)
-{
-    static const char *const names[THUD_STAGE_COUNT] = {
-        "changes", "broadphase", "narrowphase", "contacts", "solve",
-        "finish",  "continuous", "events",      "sleep"};
+const char *thud_stage_name(thud_stage stage) {
+    static const char *const names[THUD_STAGE_COUNT] = {"changes",    "broadphase", "narrowphase",
+                                                        "contacts",   "solve",      "finish",
+                                                        "continuous", "events",     "sleep"};
     return (int)stage >= 0 && stage < THUD_STAGE_COUNT ? names[stage] : "unknown";
 }
 
-thud_stats thud_world_stats(const thud_world *w)
-{
+thud_stats thud_world_stats(const thud_world *w) {
     if (!w) {
         return (thud_stats){0};
     }
@@ -96,8 +92,7 @@ thud_stats thud_world_stats(const thud_world *w)
     return stats;
 }
 
-thud_step_error thud_world_error(const thud_world *w)
-{
+thud_step_error thud_world_error(const thud_world *w) {
     if (!w) {
         return (thud_step_error){0};
     }
@@ -111,8 +106,7 @@ thud_step_error thud_world_error(const thud_world *w)
     };
 }
 
-static void measure_penetration(const thud_world *w, thud_measure *m)
-{
+static void measure_penetration(const thud_world *w, thud_measure *m) {
     int points = 0;
     double sum = 0.0;
     for (int i = 0; i < w->contacts.count; i++) {
@@ -137,8 +131,7 @@ static void measure_penetration(const thud_world *w, thud_measure *m)
     m->penetration_mean = points ? sum / points : 0.0;
 }
 
-thud_measure thud_world_measure(const thud_world *w)
-{
+thud_measure thud_world_measure(const thud_world *w) {
     TD_IN_OWN_MODE;
     thud_measure m = {0};
     if (!w) {
@@ -154,29 +147,26 @@ thud_measure thud_world_measure(const thud_world *w)
         double x = (double)v[0], y = (double)v[1], turn = (double)v[2];
         double mass = (double)body->mass * (double)body->gravity_scale;
         thud_pos center = td_place_to(w, td_pose_at(w, i)->center);
-        m.kinetic_energy += 0.5 * (double)body->mass * (x * x + y * y) +
-                            0.5 * (double)body->inertia * turn * turn;
-        m.potential_energy -= mass * ((double)w->def.gravity.x * center.x +
-                                      (double)w->def.gravity.y * center.y);
+        m.kinetic_energy +=
+            0.5 * (double)body->mass * (x * x + y * y) + 0.5 * (double)body->inertia * turn * turn;
+        m.potential_energy -=
+            mass * ((double)w->def.gravity.x * center.x + (double)w->def.gravity.y * center.y);
     }
     return m;
 }
 
 /* FNV-1a over 64-bit words. */
-static uint64_t mix(uint64_t hash, uint64_t word)
-{
+static uint64_t mix(uint64_t hash, uint64_t word) {
     return (hash ^ word) * 0x100000001b3ull;
 }
 
-static uint64_t bits_of(float x)
-{
+static uint64_t bits_of(float x) {
     uint32_t bits;
     __builtin_memcpy(&bits, &x, sizeof bits);
     return bits;
 }
 
-uint64_t thud_world_hash(const thud_world *w)
-{
+uint64_t thud_world_hash(const thud_world *w) {
     uint64_t hash = 0xcbf29ce484222325ull;
     for (int i = 0; w && i < w->bodies.count; i++) {
         const td_body *body = td_body_at(w, i);

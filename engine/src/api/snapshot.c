@@ -7,8 +7,7 @@
 #include <string.h>
 
 /* A world is not changed by being written; what passes values has the same lines for both ways. */
-static thud_world *unconst(const thud_world *w)
-{
+static thud_world *unconst(const thud_world *w) {
     union {
         const thud_world *given;
         thud_world *same;
@@ -16,8 +15,7 @@ static thud_world *unconst(const thud_world *w)
     return pointer.same;
 }
 
-thud_result thud_world_snapshot_size(const thud_world *w, size_t *bytes)
-{
+thud_result thud_world_snapshot_size(const thud_world *w, size_t *bytes) {
     if (!w || !bytes) {
         return td_refuse(w, THUD_ERROR_NULL, "snapshot size: world or bytes is null");
     }
@@ -30,8 +28,7 @@ thud_result thud_world_snapshot_size(const thud_world *w, size_t *bytes)
 
 static const size_t SUMMED_FROM = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t);
 
-thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity, size_t *bytes)
-{
+thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity, size_t *bytes) {
     if (!w || !buffer) {
         return td_refuse(w, THUD_ERROR_NULL, "snapshot: world or buffer is null");
     }
@@ -56,8 +53,7 @@ thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capaci
 
 /* ---- restoring ---- */
 
-static bool counts_valid(const td_snapshot_head *head)
-{
+static bool counts_valid(const td_snapshot_head *head) {
     bool valid = head->detection >= 0 && head->detection < TD_RANK_COUNT && head->bins >= 0;
     int64_t most = INT32_MAX / 16; /* of td_array */
     for (int i = 0; i < 2; i++) {
@@ -65,8 +61,8 @@ static bool counts_valid(const td_snapshot_head *head)
     }
     for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
         const td_snapshot_slots *s = &head->slots[i];
-        valid = valid && s->count >= 0 && s->count <= most && s->live >= 0 &&
-                s->live <= s->count && s->free_head >= TD_NONE && s->free_head < s->count;
+        valid = valid && s->count >= 0 && s->count <= most && s->live >= 0 && s->live <= s->count &&
+                s->free_head >= TD_NONE && s->free_head < s->count;
     }
     for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
         const td_snapshot_part *p = &head->parts[i];
@@ -78,10 +74,9 @@ static bool counts_valid(const td_snapshot_head *head)
     return valid;
 }
 
-/* Whether what lies side by side is as long as what it belongs to says, and no list is longer than its
- * room. */
-static bool lengths_valid(thud_world *w, const td_snapshot_head *head)
-{
+/* Whether what lies side by side is as long as what it belongs to says, and no list is longer than
+ * its room. */
+static bool lengths_valid(thud_world *w, const td_snapshot_head *head) {
     const td_snapshot_part *parts = head->parts;
     td_part own[TD_SNAPSHOT_PARTS];
     td_snapshot_list_parts(w, head, own);
@@ -102,7 +97,7 @@ static bool lengths_valid(thud_world *w, const td_snapshot_head *head)
     }
     for (int p = 0; p < 2; p++) {
         const td_snapshot_part *rows =
-            &parts[TD_SNAPSHOT_POPULATIONS + p * TD_SNAPSHOT_POPULATION_PARTS + 1];
+            &parts[TD_SNAPSHOT_PROXY_SETS + p * TD_SNAPSHOT_PROXY_SET_PARTS + 1];
         for (int i = 0; i < 6; i++) {
             valid = valid && rows[i].used >= rows[0].count;
         }
@@ -113,16 +108,14 @@ static bool lengths_valid(thud_world *w, const td_snapshot_head *head)
     return valid;
 }
 
-static int32_t table_at(const char *table, int i)
-{
+static int32_t table_at(const char *table, int i) {
     int32_t value;
     memcpy(&value, table + (size_t)i * sizeof value, sizeof value);
     return value;
 }
 
 /* Whether the table agrees with the head. */
-static bool table_valid(const td_snapshot_head *head, const char *table)
-{
+static bool table_valid(const td_snapshot_head *head, const char *table) {
     uint64_t points = 0;
     bool valid = true;
     int at = 0;
@@ -142,8 +135,7 @@ static bool table_valid(const td_snapshot_head *head, const char *table)
 }
 
 /* Why not, or null. */
-static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_snapshot_head *head)
-{
+static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_snapshot_head *head) {
     if (bytes < sizeof *head) {
         return "restore: too short for a snapshot";
     }
@@ -178,8 +170,7 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
 }
 
 /* Points that belong to no terrain. */
-static void free_spare_lines(thud_world *w)
-{
+static void free_spare_lines(thud_world *w) {
     for (int i = 0; i < td_slots_capacity(&w->terrains); i++) {
         td_terrain_record *record = td_slot_at(&w->terrains, i);
         if (i >= w->terrains.count || record->shape == TD_NONE) {
@@ -189,8 +180,7 @@ static void free_spare_lines(thud_world *w)
 }
 
 /* Room for a world as the snapshot has it; what the world holds stays as it is. */
-static bool reserve(thud_world *w, const td_snapshot_head *head, const char *table)
-{
+static bool reserve(thud_world *w, const td_snapshot_head *head, const char *table) {
     td_slots *slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_list_slots(w, slots);
     for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
@@ -217,8 +207,7 @@ static bool reserve(thud_world *w, const td_snapshot_head *head, const char *tab
 }
 
 /* What the steps that are undone have left for later ones. */
-static void forget_scratch(thud_world *w)
-{
+static void forget_scratch(thud_world *w) {
     w->scratch.sequenced = w->paired = false;
     w->narrowed = w->scratch.begins.count = 0;
     w->scratch.blocks.count = w->scratch.runs.count = w->scratch.impacts.count = 0;
@@ -226,8 +215,7 @@ static void forget_scratch(thud_world *w)
     w->islands.local.count = 0;
 }
 
-thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes)
-{
+thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes) {
     td_snapshot_head head;
     if (!w || !buffer) {
         return td_refuse(w, THUD_ERROR_NULL, "restore: world or buffer is null");

@@ -13,7 +13,8 @@
 
 enum { TD_SNAPSHOT_VERSION = 2 }; /* rises when what the bytes mean changes */
 
-enum { /* in td_snapshot_head.slots */
+/* in td_snapshot_head.slots */
+enum {
     TD_SNAPSHOT_BODIES,
     TD_SNAPSHOT_SHAPES,
     TD_SNAPSHOT_CONTACTS,
@@ -22,16 +23,17 @@ enum { /* in td_snapshot_head.slots */
     TD_SNAPSHOT_SLOTS = TD_SNAPSHOT_POOLS + TD_FORM_COUNT
 };
 
-enum { /* in td_snapshot_head.parts */
+/* in td_snapshot_head.parts */
+enum {
     TD_SNAPSHOT_PLACES = 0, /* of bodies; then three rows by shape */
     TD_SNAPSHOT_VELOCITY = 4,
     TD_SNAPSHOT_BODY_OF = TD_SNAPSHOT_VELOCITY + 12,
     TD_SNAPSHOT_AWAKE_ROWS = 15,
     TD_SNAPSHOT_MOVED = TD_SNAPSHOT_VELOCITY + TD_SNAPSHOT_AWAKE_ROWS,
     TD_SNAPSHOT_WAITING = TD_SNAPSHOT_MOVED + 3, /* after `changed` and `deferred` */
-    TD_SNAPSHOT_POPULATIONS = TD_SNAPSHOT_WAITING + TD_PAIR_COUNT + 2 * 6,
-    TD_SNAPSHOT_POPULATION_PARTS = 13, /* a list, then rows by place, of which six all have */
-    TD_SNAPSHOT_PARTS = TD_SNAPSHOT_POPULATIONS + 2 * TD_SNAPSHOT_POPULATION_PARTS
+    TD_SNAPSHOT_PROXY_SETS = TD_SNAPSHOT_WAITING + TD_PAIR_COUNT + 2 * 6,
+    TD_SNAPSHOT_PROXY_SET_PARTS = 13, /* a list, then rows by place, of which six all have */
+    TD_SNAPSHOT_PARTS = TD_SNAPSHOT_PROXY_SETS + 2 * TD_SNAPSHOT_PROXY_SET_PARTS
 };
 
 enum { TD_SNAPSHOT_SETTINGS = 10 };
@@ -60,7 +62,7 @@ typedef struct td_snapshot_head {
     uint64_t checksum; /* of all that follows */
     uint64_t bytes;    /* of the whole */
     uint32_t version;
-    uint32_t layout;   /* of the build: sizes of records, byte order */
+    uint32_t layout; /* of the build: sizes of records, byte order */
     char broadphase[16];
     double unit;
     double settings[TD_SNAPSHOT_SETTINGS]; /* of the def, that no setter changes */
@@ -71,7 +73,7 @@ typedef struct td_snapshot_head {
     int32_t levels[2]; /* of the two proxy sets: from the first that is not empty on */
     td_snapshot_slots slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_part parts[TD_SNAPSHOT_PARTS];
-    uint64_t points;   /* of all terrains */
+    uint64_t points; /* of all terrains */
 } td_snapshot_head;
 
 /* ---- snapshot_parts.c: where a world has what ---- */

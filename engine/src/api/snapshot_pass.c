@@ -6,27 +6,51 @@
 #include <string.h>
 
 /* Values that stand in the world by themselves. */
-#define FIELD(name) {offsetof(thud_world, name), sizeof((thud_world *)0)->name}
-#define POPULATION_FIELDS(p)                                                                       \
-    FIELD(p.moved_count), FIELD(p.listed), FIELD(p.loose), FIELD(p.valid), FIELD(p.origin_x),      \
+#define FIELD(name) \
+    { offsetof(thud_world, name), sizeof((thud_world *)0)->name }
+#define PROXY_SET_FIELDS(p)                                                                   \
+    FIELD(p.moved_count), FIELD(p.listed), FIELD(p.loose), FIELD(p.valid), FIELD(p.origin_x), \
         FIELD(p.origin_y), FIELD(p.end_x), FIELD(p.end_y), FIELD(p.reference), FIELD(p.widest)
 
 static const struct {
     size_t at, bytes;
 } FIELDS[] = {
     /* What has a setter; pointers go by head.plugged and head.detection. */
-    FIELD(def.gravity), FIELD(def.time_step), FIELD(def.sleeping), FIELD(def.max_error),
-    FIELD(quality.substeps), FIELD(quality.contact_stiffness), FIELD(quality.contact_damping),
-    FIELD(quality.sag_limit), FIELD(quality.island_limit), FIELD(quality.island_work),
-    FIELD(quality.island_patience), FIELD(substeps), FIELD(skin),
+    FIELD(def.gravity),
+    FIELD(def.time_step),
+    FIELD(def.sleeping),
+    FIELD(def.max_error),
+    FIELD(quality.substeps),
+    FIELD(quality.contact_stiffness),
+    FIELD(quality.contact_damping),
+    FIELD(quality.sag_limit),
+    FIELD(quality.island_limit),
+    FIELD(quality.island_work),
+    FIELD(quality.island_patience),
+    FIELD(substeps),
+    FIELD(skin),
     FIELD(number), /* so that handles stay valid */
-    FIELD(steps), FIELD(spare_time), FIELD(rest_epoch),
-    FIELD(touching), FIELD(bouncy), FIELD(surface_speeds), FIELD(mobile_sensors), FIELD(damped),
-    FIELD(push_stale), FIELD(kinetic), FIELD(kinetic_stale), FIELD(idle_bodies),
-    FIELD(thinnest), FIELD(thinnest_stale), FIELD(drowsy_bodies), FIELD(vast),
-    POPULATION_FIELDS(awake_shapes), POPULATION_FIELDS(rest_shapes),
-    FIELD(errors), FIELD(budget), FIELD(stats),
-};
+    FIELD(steps),
+    FIELD(spare_time),
+    FIELD(rest_epoch),
+    FIELD(touching),
+    FIELD(bouncy),
+    FIELD(surface_speeds),
+    FIELD(mobile_sensors),
+    FIELD(damped),
+    FIELD(push_stale),
+    FIELD(kinetic),
+    FIELD(kinetic_stale),
+    FIELD(idle_bodies),
+    FIELD(thinnest),
+    FIELD(thinnest_stale),
+    FIELD(drowsy_bodies),
+    FIELD(vast),
+    PROXY_SET_FIELDS(awake_shapes),
+    PROXY_SET_FIELDS(rest_shapes),
+    FIELD(errors),
+    FIELD(budget),
+    FIELD(stats)};
 enum { FIELD_COUNT = sizeof FIELDS / sizeof *FIELDS };
 
 /* A body but for the address of its detection, instead of which its rank goes. */
@@ -44,26 +68,37 @@ enum {
     BIN_COUNT = TD_PAIR_TOUCH_COUNT * TD_BINS_A_KIND
 };
 
-static const thud_detection *const DETECTIONS[TD_RANK_COUNT] = {
-    &thud_detection_overlap, &thud_detection_continuous, &thud_detection_bisect,
-    &thud_detection_swept};
+static const thud_detection *const DETECTIONS[TD_RANK_COUNT] = {&thud_detection_overlap,
+                                                                &thud_detection_continuous,
+                                                                &thud_detection_bisect,
+                                                                &thud_detection_swept};
 
 /* ---- the head ---- */
 
 /* Tells builds apart whose records differ, or whose words have another order. */
-static uint32_t layout_of_build(void)
-{
-    const uint32_t sizes[] = {
-        0x01020304, sizeof(void *), sizeof(td_body), sizeof(td_shape), sizeof(td_contact),
-        sizeof(td_terrain_record), sizeof(td_pose), sizeof(td_shape_proxy), sizeof(td_deferred_edit),
-        sizeof(td_level), (uint32_t)td_form_bytes(TD_FORM_ONE),
-        (uint32_t)td_form_bytes(TD_FORM_TWO_CACHED), sizeof(td_errors), sizeof(td_budget),
-        sizeof(thud_stats), sizeof(thud_hit_event), BIN_COUNT, TD_LEVELS};
+static uint32_t layout_of_build(void) {
+    const uint32_t sizes[] = {0x01020304,
+                              sizeof(void *),
+                              sizeof(td_body),
+                              sizeof(td_shape),
+                              sizeof(td_contact),
+                              sizeof(td_terrain_record),
+                              sizeof(td_pose),
+                              sizeof(td_shape_proxy),
+                              sizeof(td_deferred_edit),
+                              sizeof(td_level),
+                              (uint32_t)td_form_bytes(TD_FORM_ONE),
+                              (uint32_t)td_form_bytes(TD_FORM_TWO_CACHED),
+                              sizeof(td_errors),
+                              sizeof(td_budget),
+                              sizeof(thud_stats),
+                              sizeof(thud_hit_event),
+                              BIN_COUNT,
+                              TD_LEVELS};
     return (uint32_t)td_snapshot_checksum(sizes, sizeof sizes);
 }
 
-static uint32_t plugged_into(const thud_world *w)
-{
+static uint32_t plugged_into(const thud_world *w) {
     uint32_t plugged = (w->pairs[TD_PAIR_CIRCLE_CIRCLE] ? TD_SNAPSHOT_CIRCLE : 0u) |
                        (w->pairs[TD_PAIR_AABB_AABB] ? TD_SNAPSHOT_AABB : 0u) |
                        (w->pairs[TD_PAIR_BOX_BOX] ? TD_SNAPSHOT_OBB : 0u) |
@@ -76,18 +111,22 @@ static uint32_t plugged_into(const thud_world *w)
 }
 
 /* What the def says for good, and the steps to come follow. */
-static void list_settings(const thud_world_def *d, double out[TD_SNAPSHOT_SETTINGS])
-{
-    const double settings[TD_SNAPSHOT_SETTINGS] = {
-        (double)d->substeps, (double)d->contact_stiffness, (double)d->contact_damping,
-        (double)d->push_speed, (double)d->restitution_threshold, (double)d->hit_speed,
-        (double)d->maximum_speed, (double)d->contact_events, d->time_budget,
-        d->detection ? (double)d->detection->rank : -1.0};
+static void list_settings(const thud_world_def *d, double out[TD_SNAPSHOT_SETTINGS]) {
+    const double settings[TD_SNAPSHOT_SETTINGS] = {(double)d->substeps,
+                                                   (double)d->contact_stiffness,
+                                                   (double)d->contact_damping,
+                                                   (double)d->push_speed,
+                                                   (double)d->restitution_threshold,
+                                                   (double)d->hit_speed,
+                                                   (double)d->maximum_speed,
+                                                   (double)d->contact_events,
+                                                   d->time_budget,
+                                                   d->detection ? (double)d->detection->rank
+                                                                : -1.0};
     memcpy(out, settings, sizeof settings);
 }
 
-static int levels_of(const td_proxy_set *p)
-{
+static int levels_of(const td_proxy_set *p) {
     int first = 0;
     while (first < TD_LEVELS && p->levels[first].count == 0) {
         first++;
@@ -95,8 +134,7 @@ static int levels_of(const td_proxy_set *p)
     return TD_LEVELS - first;
 }
 
-static uint64_t points_of(const thud_world *w)
-{
+static uint64_t points_of(const thud_world *w) {
     uint64_t points = 0;
     for (int i = 0; i < w->terrains.count; i++) {
         const td_terrain_record *record = td_slot_at(&w->terrains, i);
@@ -105,8 +143,7 @@ static uint64_t points_of(const thud_world *w)
     return points;
 }
 
-td_snapshot_head td_snapshot_head_of(thud_world *w)
-{
+td_snapshot_head td_snapshot_head_of(thud_world *w) {
     td_snapshot_head head = {.magic = TD_SNAPSHOT_MAGIC,
                              .version = TD_SNAPSHOT_VERSION,
                              .layout = layout_of_build(),
@@ -125,8 +162,7 @@ td_snapshot_head td_snapshot_head_of(thud_world *w)
     td_slots *slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_list_slots(w, slots);
     for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
-        head.slots[i] =
-            (td_snapshot_slots){slots[i]->count, slots[i]->free_head, slots[i]->live};
+        head.slots[i] = (td_snapshot_slots){slots[i]->count, slots[i]->free_head, slots[i]->live};
     }
     td_part parts[TD_SNAPSHOT_PARTS];
     td_snapshot_list_parts(w, &head, parts);
@@ -137,35 +173,7 @@ td_snapshot_head td_snapshot_head_of(thud_world *w)
     return head;
 }
 
-/* FNV's step on a 64-bit word, turned so that high bits reach low ones. */
-static uint64_t mix(uint64_t sum, uint64_t word)
-{
-    sum = (sum ^ word) * 0x100000001b3ull;
-    return sum << 29 | sum >> 35;
-}
-
-uint64_t td_snapshot_checksum(const void *bytes, size_t count)
-{
-    enum { LANES = 8 }; /* one alone would wait for its products */
-    uint64_t lane[LANES] = {1, 2, 3, 4, 5, 6, 7, 8}, words[LANES], sum = count;
-    const char *at = bytes;
-    size_t whole = count - count % sizeof words;
-    for (size_t i = 0; i < whole; i += sizeof words) {
-        memcpy(words, at + i, sizeof words);
-        for (int k = 0; k < LANES; k++) {
-            lane[k] = mix(lane[k], words[k]);
-        }
-    }
-    memset(words, 0, sizeof words);
-    memcpy(words, at + whole, count - whole);
-    for (int k = 0; k < LANES; k++) {
-        sum = mix(sum, mix(lane[k], words[k]));
-    }
-    return sum;
-}
-
-int td_snapshot_table_of(const td_snapshot_head *head)
-{
+int td_snapshot_table_of(const td_snapshot_head *head) {
     int count = head->slots[TD_SNAPSHOT_TERRAINS].count;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         count += head->slots[TD_SNAPSHOT_POOLS + form].count;
@@ -173,8 +181,7 @@ int td_snapshot_table_of(const td_snapshot_head *head)
     return count;
 }
 
-uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head)
-{
+uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
     const td_snapshot_slots *slots = head->slots;
     td_part parts[TD_SNAPSHOT_PARTS];
     td_snapshot_list_parts(w, head, parts);
@@ -190,8 +197,8 @@ uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head)
     bytes += (uint64_t)slots[TD_SNAPSHOT_TERRAINS].count * TERRAIN_BYTES;
     bytes += head->points * sizeof(thud_pos);
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        bytes += (uint64_t)slots[TD_SNAPSHOT_POOLS + form].live *
-                 td_form_bytes((td_block_form)form);
+        bytes +=
+            (uint64_t)slots[TD_SNAPSHOT_POOLS + form].live * td_form_bytes((td_block_form)form);
     }
     for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
         bytes += (uint64_t)head->parts[i].used * (uint64_t)parts[i].array->stride;
@@ -207,8 +214,7 @@ typedef struct tape {
     const char *from;
 } tape;
 
-static void pass(tape *t, void *memory, size_t bytes)
-{
+static void pass(tape *t, void *memory, size_t bytes) {
     if (bytes && t->to) {
         memcpy(t->to, memory, bytes);
         t->to += bytes;
@@ -220,8 +226,7 @@ static void pass(tape *t, void *memory, size_t bytes)
 
 /* What restoring must know before it can begin: the points of each terrain, and which blocks are
  * free. */
-static void pass_table(tape *t, thud_world *w)
-{
+static void pass_table(tape *t, thud_world *w) {
     for (int i = 0; i < w->terrains.count; i++) {
         int32_t *count = &((td_terrain_record *)td_slot_at(&w->terrains, i))->points.count;
         pass(t, count, sizeof *count);
@@ -239,8 +244,7 @@ static void pass_table(tape *t, thud_world *w)
     }
 }
 
-static void pass_bins(tape *t, thud_world *w, int count)
-{
+static void pass_bins(tape *t, thud_world *w, int count) {
     td_bin *bins = &w->bins[0][0];
     if (!t->to) {
         memset(bins, 0, sizeof w->bins);
@@ -258,16 +262,14 @@ static void pass_bins(tape *t, thud_world *w, int count)
     }
 }
 
-static void pass_levels(tape *t, td_proxy_set *p, int count)
-{
+static void pass_levels(tape *t, td_proxy_set *p, int count) {
     if (!t->to) {
         memset(p->levels, 0, sizeof p->levels);
     }
     pass(t, &p->levels[TD_LEVELS - count], (size_t)count * sizeof(td_level));
 }
 
-static void pass_body(tape *t, td_body *body)
-{
+static void pass_body(tape *t, td_body *body) {
     uint8_t rank = t->to ? (uint8_t)body->detection->rank : 0;
     pass(t, body, BODY_FRONT);
     pass(t, &rank, sizeof rank);
@@ -277,16 +279,14 @@ static void pass_body(tape *t, td_body *body)
     }
 }
 
-static void pass_slots(tape *t, td_slots *slots)
-{
+static void pass_slots(tape *t, td_slots *slots) {
     for (int i = 0; i < slots->count; i += TD_CHUNK) {
         int count = td_min_int(TD_CHUNK, slots->count - i);
         pass(t, td_slot_at(slots, i), (size_t)count * (size_t)slots->stride);
     }
 }
 
-static void pass_terrains(tape *t, td_slots *terrains)
-{
+static void pass_terrains(tape *t, td_slots *terrains) {
     for (int i = 0; i < terrains->count; i++) {
         td_terrain_record *record = td_slot_at(terrains, i);
         pass(t, record, TERRAIN_BYTES);
@@ -294,8 +294,7 @@ static void pass_terrains(tape *t, td_slots *terrains)
     }
 }
 
-static void pass_blocks(tape *t, td_slots *pool)
-{
+static void pass_blocks(tape *t, td_slots *pool) {
     for (int i = 0; i < pool->count; i++) {
         td_block *block = td_slot_at(pool, i);
         if (block->used) {
@@ -304,8 +303,7 @@ static void pass_blocks(tape *t, td_slots *pool)
     }
 }
 
-static void plug_in(thud_world *w, const td_snapshot_head *head)
-{
+static void plug_in(thud_world *w, const td_snapshot_head *head) {
     memset(w->pairs, 0, sizeof w->pairs);
     w->internal_edges = NULL;
     w->ground = NULL;
@@ -326,8 +324,7 @@ static void plug_in(thud_world *w, const td_snapshot_head *head)
 
 /* The counts of the head. What lies beyond them is as if it had never been: handles of new bodies
  * and shapes begin anew, and slots that the wide kernels pass over hold nothing that moves. */
-static void take_counts(thud_world *w, const td_snapshot_head *head)
-{
+static void take_counts(thud_world *w, const td_snapshot_head *head) {
     td_slots *slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_list_slots(w, slots);
     for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
@@ -345,8 +342,7 @@ static void take_counts(thud_world *w, const td_snapshot_head *head)
     memcpy(w->contact_count, head->contacts, sizeof head->contacts);
 }
 
-static void pass_all(tape *t, thud_world *w, const td_snapshot_head *head)
-{
+static void pass_all(tape *t, thud_world *w, const td_snapshot_head *head) {
     td_part parts[TD_SNAPSHOT_PARTS];
     td_snapshot_list_parts(w, head, parts);
     pass_table(t, w);
@@ -374,15 +370,13 @@ static void pass_all(tape *t, thud_world *w, const td_snapshot_head *head)
     }
 }
 
-void td_snapshot_write(thud_world *w, const td_snapshot_head *head, char *to)
-{
+void td_snapshot_write(thud_world *w, const td_snapshot_head *head, char *to) {
     tape t = {.to = to};
     pass_all(&t, w, head);
     assert((uint64_t)(t.to - to) == head->bytes - sizeof *head);
 }
 
-void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *from)
-{
+void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *from) {
     tape t = {.from = from};
     plug_in(w, head);
     take_counts(w, head);

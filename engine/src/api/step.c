@@ -5,8 +5,7 @@
 
 /* Events are handed over whole: what edits ended before the step, because a query had them applied,
  * and what a step met that ran out of memory, waits in `events` for the first step that is done. */
-static void publish_events(thud_world *w)
-{
+static void publish_events(thud_world *w) {
     td_event_lists published = w->events;
     w->events = w->published;
     w->published = published;
@@ -17,8 +16,7 @@ static void publish_events(thud_world *w)
 }
 
 /* Time since the last mark goes to the stage. */
-static void mark(thud_world *w, thud_stage stage, double *last)
-{
+static void mark(thud_world *w, thud_stage stage, double *last) {
     if (w->def.clock) {
         double now = w->def.clock(w->def.clock_context);
         w->stats.stage_seconds[stage] = now - *last;
@@ -27,15 +25,13 @@ static void mark(thud_world *w, thud_stage stage, double *last)
 }
 
 /* Bisection and sweeping share their stages. */
-static bool is_repeated(const thud_world *w, int rank)
-{
+static bool is_repeated(const thud_world *w, int rank) {
     return rank > 0 && w->detections[rank - 1] &&
            w->detections[rank - 1]->run[TD_AFTER_MOVING] ==
                w->detections[rank]->run[TD_AFTER_MOVING];
 }
 
-static bool reserve_detection(thud_world *w)
-{
+static bool reserve_detection(thud_world *w) {
     bool done = true;
     for (int rank = 0; rank < TD_RANK_COUNT && done; rank++) {
         const thud_detection *d = w->detections[rank];
@@ -44,8 +40,7 @@ static bool reserve_detection(thud_world *w)
     return done;
 }
 
-static void detect(thud_world *w, td_moment moment)
-{
+static void detect(thud_world *w, td_moment moment) {
     for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
         const thud_detection *d = w->detections[rank];
         if (d && d->run[moment] && !is_repeated(w, rank)) {
@@ -54,23 +49,21 @@ static void detect(thud_world *w, td_moment moment)
     }
 }
 
-static void forget_motions(thud_world *w)
-{
+static void forget_motions(thud_world *w) {
     w->stats.impacts = w->stats.held_bodies = w->stats.unbisectable = 0;
     w->stats.motion_pairs = w->stats.motion_circles = w->stats.motion_boxes = 0;
     w->stats.motion_exact = 0;
     w->stats.held_seconds = 0.0;
 }
 
-static bool find_islands(thud_world *w)
-{
+static bool find_islands(thud_world *w) {
     return !w->quality.islands || w->quality.islands->find(w);
 }
 
 /* Direct islands are solved twice, the second time at once and directly. */
-static void solve(thud_world *w)
-{
-    w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings = 0;
+static void solve(thud_world *w) {
+    w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings =
+        0;
     w->stats.island_work = 0;
     if (w->quality.islands) {
         w->quality.islands->begin(w);
@@ -81,8 +74,7 @@ static void solve(thud_world *w)
     }
 }
 
-static thud_result run_stages(thud_world *w)
-{
+static thud_result run_stages(thud_world *w) {
     double start = w->def.clock ? w->def.clock(w->def.clock_context) : 0.0, last = start;
 
     /* May run out of memory, and then leave every body as it was. */
@@ -123,8 +115,7 @@ static thud_result run_stages(thud_world *w)
     return THUD_OK;
 }
 
-thud_result thud_world_step(thud_world *w)
-{
+thud_result thud_world_step(thud_world *w) {
     TD_IN_OWN_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
@@ -133,7 +124,8 @@ thud_result thud_world_step(thud_world *w)
         return td_refuse(w, THUD_ERROR_LOCKED, "step: not inside a callback");
     }
     uint64_t allocations = w->memory.allocations;
-    w->locked = true; /* whatever of the caller's it calls: callbacks, log, clock, job system, allocator */
+    w->locked =
+        true; /* whatever of the caller's it calls: callbacks, log, clock, job system, allocator */
     thud_result result = run_stages(w);
     w->locked = false;
     w->steps += result == THUD_OK;
@@ -142,8 +134,7 @@ thud_result thud_world_step(thud_world *w)
 }
 
 thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int *steps,
-                               double *alpha)
-{
+                               double *alpha) {
     TD_IN_OWN_MODE;
     if (!w) {
         return THUD_ERROR_NULL;

@@ -21,8 +21,8 @@ void td_contacts_hit(thud_world *w);
 void td_solve(thud_world *w);
 /* finalize.c: motion becomes pose; shapes, bounds, idle times; quarantine. */
 void td_finalize(thud_world *w);
-/* Detection, as the bodies have chosen it; continuous.c: fast bodies go back to where they first met
- * a static shape; impacts.c: bodies that are bisected or swept move on from each collision. */
+/* Detection, as the bodies have chosen it; continuous.c: fast bodies go back to where they first
+ * met a static shape; impacts.c: bodies that are bisected or swept move on from each collision. */
 bool td_impacts_reserve(thud_world *w);
 void td_impacts_prepare(thud_world *w); /* before the solver: what it is to leave alone */
 void td_impacts_launch(thud_world *w);  /* after it: who flies freely */

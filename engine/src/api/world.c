@@ -12,8 +12,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-thud_world_def thud_world_def_of(const thud_quality *quality)
-{
+thud_world_def thud_world_def_of(const thud_quality *quality) {
     return (thud_world_def){
         .gravity = {0.0f, -10.0f},
         .time_step = 1.0 / 60.0,
@@ -29,13 +28,11 @@ thud_world_def thud_world_def_of(const thud_quality *quality)
     };
 }
 
-static bool between(double x, double low, double high)
-{
+static bool between(double x, double low, double high) {
     return x >= low && x <= high;
 }
 
-static const char *def_error(const thud_world_def *d)
-{
+static const char *def_error(const thud_world_def *d) {
     if (!td_finite((double)d->gravity.x) || !td_finite((double)d->gravity.y)) {
         return "world def: gravity is not finite";
     }
@@ -57,7 +54,8 @@ static const char *def_error(const thud_world_def *d)
     if (d->substeps < 0 || d->substeps > 64) {
         return "world def: substeps is not in 0..64";
     }
-    if (d->contact_stiffness != 0.0f && !between((double)d->contact_stiffness, (double)0.01f, 0.5)) {
+    if (d->contact_stiffness != 0.0f &&
+        !between((double)d->contact_stiffness, (double)0.01f, 0.5)) {
         return "world def: contact_stiffness is neither 0 nor in [0.01, 0.5]";
     }
     if (!between((double)d->contact_damping, 0.0, 100.0) ||
@@ -80,8 +78,7 @@ static const char *def_error(const thud_world_def *d)
     return NULL;
 }
 
-static bool wide_here(bool baseline)
-{
+static bool wide_here(bool baseline) {
 #if defined(TD_HAS_AVX2)
     return !baseline && __builtin_cpu_supports("avx2");
 #else
@@ -91,8 +88,7 @@ static bool wide_here(bool baseline)
 }
 
 /* The power of two nearest below, so that scaling by it is exact. */
-static double power_below(double x)
-{
+static double power_below(double x) {
     double p = 1.0;
     while (p > x) {
         p *= 0.5;
@@ -104,10 +100,11 @@ static double power_below(double x)
 }
 
 /* The arrays of a world, and what is in them. */
-#define ARRAY(name, element) {offsetof(thud_world, name), sizeof(element)}
-#define EVENTS(list)                                                                               \
-    ARRAY(list.begin, thud_contact_event), ARRAY(list.end, thud_contact_event),                    \
-        ARRAY(list.sensor_begin, thud_contact_event), ARRAY(list.sensor_end, thud_contact_event),  \
+#define ARRAY(name, element) \
+    { offsetof(thud_world, name), sizeof(element) }
+#define EVENTS(list)                                                                              \
+    ARRAY(list.begin, thud_contact_event), ARRAY(list.end, thud_contact_event),                   \
+        ARRAY(list.sensor_begin, thud_contact_event), ARRAY(list.sensor_end, thud_contact_event), \
         ARRAY(list.hit, thud_hit_event), ARRAY(list.quarantined, thud_body_id)
 
 static const struct {
@@ -165,13 +162,11 @@ static const struct {
 };
 enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 
-static td_array *array_at(thud_world *w, int i)
-{
+static td_array *array_at(thud_world *w, int i) {
     return (td_array *)((char *)w + ARRAYS[i].at);
 }
 
-static void set_strides(thud_world *w)
-{
+static void set_strides(thud_world *w) {
     static_assert(sizeof *w <= UINT16_MAX, "offsets of arrays are 16 bits");
     for (int i = 0; i < ARRAY_COUNT; i++) {
         array_at(w, i)->stride = ARRAYS[i].stride;
@@ -189,16 +184,14 @@ static void set_strides(thud_world *w)
 }
 
 /* While there is no world yet, the def's log hears why. */
-static thud_result refuse(const thud_world_def *def, thud_result result, const char *message)
-{
+static thud_result refuse(const thud_world_def *def, thud_result result, const char *message) {
     if (def->log) {
         def->log(result, message, def->log_context);
     }
     return result;
 }
 
-thud_result thud_world_create(const thud_world_def *def, thud_world **out)
-{
+thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     TD_IN_OWN_MODE;
     static const char no_memory[] = "world create: out of memory";
     static atomic_uint made;
@@ -242,8 +235,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out)
     return THUD_OK;
 }
 
-void thud_world_destroy(thud_world *w)
-{
+void thud_world_destroy(thud_world *w) {
     if (!w) {
         return;
     }
@@ -278,8 +270,7 @@ void thud_world_destroy(thud_world *w)
 
 /* ---- settings ---- */
 
-thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity)
-{
+thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -294,8 +285,7 @@ thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity)
     return THUD_OK;
 }
 
-thud_result thud_world_set_time_step(thud_world *w, double time_step)
-{
+thud_result thud_world_set_time_step(thud_world *w, double time_step) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -311,8 +301,7 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step)
     return THUD_OK;
 }
 
-thud_result thud_world_set_sleeping(thud_world *w, bool sleeping)
-{
+thud_result thud_world_set_sleeping(thud_world *w, bool sleeping) {
     if (!w) {
         return THUD_ERROR_NULL;
     }

@@ -16,14 +16,14 @@
 -msse2 -mfpmath=sse (the x87 cannot), s390x with -fexcess-precision=fast"
 #endif
 
-/* The wide files are compiled once more for AVX2; but not by gcc for Windows, which keeps vectors of
- * 32 bytes on a stack that is aligned to 16. See thud_wide_sources. */
+/* The wide files are compiled once more for AVX2; but not by gcc for Windows, which keeps vectors
+ * of 32 bytes on a stack that is aligned to 16. See thud_wide_sources. */
 #if defined(__x86_64__) && (defined(__clang__) || !defined(_WIN32))
 #define TD_HAS_AVX2
 #endif
 
-#define TD_LANES 8     /* contacts and bodies are worked on eight at a time, whatever the CPU */
-#define TD_NONE (-1)   /* "no index" in every integer link */
+#define TD_LANES 8   /* contacts and bodies are worked on eight at a time, whatever the CPU */
+#define TD_NONE (-1) /* "no index" in every integer link */
 
 #define TD_PI 3.14159265358979323846
 
@@ -53,39 +53,32 @@
 #define TD_STATIC_SIZE_MAX 32000.0 /* twice that is less than half the way around the bounds */
 #define TD_PLACE_MAX 1e9
 
-static inline int td_min_int(int a, int b)
-{
+static inline int td_min_int(int a, int b) {
     return a < b ? a : b;
 }
 
-static inline int td_max_int(int a, int b)
-{
+static inline int td_max_int(int a, int b) {
     return a > b ? a : b;
 }
 
-static inline float td_min_float(float a, float b)
-{
+static inline float td_min_float(float a, float b) {
     return a < b ? a : b;
 }
 
-static inline float td_max_float(float a, float b)
-{
+static inline float td_max_float(float a, float b) {
     return a > b ? a : b;
 }
 
-static inline double td_min_double(double a, double b)
-{
+static inline double td_min_double(double a, double b) {
     return a < b ? a : b;
 }
 
-static inline double td_max_double(double a, double b)
-{
+static inline double td_max_double(double a, double b) {
     return a > b ? a : b;
 }
 
 /* False for infinities and not-a-number, without a call to the library. */
-static inline bool td_finite(double x)
-{
+static inline bool td_finite(double x) {
     return x - x == 0.0;
 }
 

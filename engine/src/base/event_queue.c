@@ -1,27 +1,23 @@
 /* event_queue.c: see event_queue.h. */
 #include "base/event_queue.h"
 
-void td_event_queue_init(td_event_queue *a)
-{
+void td_event_queue_init(td_event_queue *a) {
     a->time.stride = (int)sizeof(double);
     a->spot.stride = a->heap.stride = (int)sizeof(int);
 }
 
-bool td_event_queue_reserve(td_memory *memory, td_event_queue *a, int count)
-{
+bool td_event_queue_reserve(td_memory *memory, td_event_queue *a, int count) {
     return td_array_reserve(memory, &a->time, count) && td_array_reserve(memory, &a->spot, count) &&
            td_array_reserve(memory, &a->heap, count);
 }
 
-void td_event_queue_free(td_memory *memory, td_event_queue *a)
-{
+void td_event_queue_free(td_memory *memory, td_event_queue *a) {
     td_array_free(memory, &a->time);
     td_array_free(memory, &a->spot);
     td_array_free(memory, &a->heap);
 }
 
-void td_event_queue_clear(td_event_queue *a, int count)
-{
+void td_event_queue_clear(td_event_queue *a, int count) {
     int *spot = a->spot.data;
     for (int i = 0; i < count; i++) {
         spot[i] = TD_NONE;
@@ -29,21 +25,18 @@ void td_event_queue_clear(td_event_queue *a, int count)
     a->heap.count = 0;
 }
 
-static bool before(const td_event_queue *a, int number, int other)
-{
+static bool before(const td_event_queue *a, int number, int other) {
     const double *time = a->time.data;
     return time[number] < time[other] || (time[number] == time[other] && number < other);
 }
 
-static void put(td_event_queue *a, int at, int number)
-{
+static void put(td_event_queue *a, int at, int number) {
     ((int *)a->heap.data)[at] = number;
     ((int *)a->spot.data)[number] = at;
 }
 
 /* From `at`, towards the front as long as it comes before what stands there. */
-static void rise(td_event_queue *a, int at, int number)
-{
+static void rise(td_event_queue *a, int at, int number) {
     const int *heap = a->heap.data;
     for (; at > 0 && before(a, number, heap[(at - 1) / 2]); at = (at - 1) / 2) {
         put(a, at, heap[(at - 1) / 2]);
@@ -51,8 +44,7 @@ static void rise(td_event_queue *a, int at, int number)
     put(a, at, number);
 }
 
-static void sink(td_event_queue *a, int at, int number)
-{
+static void sink(td_event_queue *a, int at, int number) {
     const int *heap = a->heap.data;
     for (;;) {
         int child = 2 * at + 1;
@@ -68,8 +60,7 @@ static void sink(td_event_queue *a, int at, int number)
     rise(a, at, number);
 }
 
-void td_event_queue_set(td_event_queue *a, int number, double time)
-{
+void td_event_queue_set(td_event_queue *a, int number, double time) {
     int at = *(int *)td_at(&a->spot, number);
     *(double *)td_at(&a->time, number) = time;
     if (at == TD_NONE) {
@@ -79,8 +70,7 @@ void td_event_queue_set(td_event_queue *a, int number, double time)
     }
 }
 
-void td_event_queue_strike(td_event_queue *a, int number)
-{
+void td_event_queue_strike(td_event_queue *a, int number) {
     int *spot = td_at(&a->spot, number), at = *spot;
     if (at == TD_NONE) {
         return;
@@ -92,8 +82,7 @@ void td_event_queue_strike(td_event_queue *a, int number)
     }
 }
 
-int td_event_queue_next(td_event_queue *a, double *time)
-{
+int td_event_queue_next(td_event_queue *a, double *time) {
     if (a->heap.count == 0) {
         return TD_NONE;
     }

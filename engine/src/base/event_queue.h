@@ -1,5 +1,5 @@
-/* event_queue.h: which of many things comes next: a binary heap of numbers with a time each, that may be
- * brought forward, deferred or struck out. Equal times come in the order of the numbers. */
+/* event_queue.h: which of many things comes next: a binary heap of numbers with a time each, that
+ * may be brought forward, deferred or struck out. Equal times come in the order of the numbers. */
 #ifndef TD_EVENT_QUEUE_H
 #define TD_EVENT_QUEUE_H
 

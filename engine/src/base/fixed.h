@@ -23,8 +23,7 @@ typedef struct td_bounds {
 } td_bounds;
 
 /* Rounds to nearest, halves up: the same on every machine, and the same after a shift. */
-static inline int64_t td_round64(double x)
-{
+static inline int64_t td_round64(double x) {
     double low = (double)(int64_t)x;
     if (low > x) {
         low -= 1.0;
@@ -37,8 +36,7 @@ static inline int64_t td_round64(double x)
 #define TD_ROUND_SHIFT 6755399441055744.0
 #define TD_ROUND_BITS 0x4338000000000000
 
-static inline int64_t td_round_increment(double x)
-{
+static inline int64_t td_round_increment(double x) {
     double shifted = x + TD_ROUND_SHIFT;
     int64_t bits;
     __builtin_memcpy(&bits, &shifted, sizeof bits);
@@ -46,37 +44,31 @@ static inline int64_t td_round_increment(double x)
 }
 
 /* Arithmetic that wraps, as bounds do. */
-static inline int32_t td_wrap_add(int32_t a, int32_t b)
-{
+static inline int32_t td_wrap_add(int32_t a, int32_t b) {
     return (int32_t)((uint32_t)a + (uint32_t)b);
 }
 
-static inline int32_t td_wrap_sub(int32_t a, int32_t b)
-{
+static inline int32_t td_wrap_sub(int32_t a, int32_t b) {
     return (int32_t)((uint32_t)a - (uint32_t)b);
 }
 
-static inline int32_t td_coarse(int64_t position)
-{
+static inline int32_t td_coarse(int64_t position) {
     return (int32_t)(uint32_t)(uint64_t)(position >> TD_COARSE_SHIFT);
 }
 
 /* Touching counts: the sign bits of four differences. */
-static inline bool td_bounds_overlap(const td_bounds *a, const td_bounds *b)
-{
+static inline bool td_bounds_overlap(const td_bounds *a, const td_bounds *b) {
     return (td_wrap_sub(a->max_x, b->min_x) | td_wrap_sub(b->max_x, a->min_x) |
             td_wrap_sub(a->max_y, b->min_y) | td_wrap_sub(b->max_y, a->min_y)) >= 0;
 }
 
-static inline bool td_bounds_contain(const td_bounds *outer, const td_bounds *inner)
-{
+static inline bool td_bounds_contain(const td_bounds *outer, const td_bounds *inner) {
     return (td_wrap_sub(inner->min_x, outer->min_x) | td_wrap_sub(outer->max_x, inner->max_x) |
             td_wrap_sub(inner->min_y, outer->min_y) | td_wrap_sub(outer->max_y, inner->max_y)) >= 0;
 }
 
 /* What contains both; they lie near each other. */
-static inline td_bounds td_bounds_around(const td_bounds *a, const td_bounds *b)
-{
+static inline td_bounds td_bounds_around(const td_bounds *a, const td_bounds *b) {
     return (td_bounds){td_wrap_sub(b->min_x, a->min_x) < 0 ? b->min_x : a->min_x,
                        td_wrap_sub(b->min_y, a->min_y) < 0 ? b->min_y : a->min_y,
                        td_wrap_sub(b->max_x, a->max_x) > 0 ? b->max_x : a->max_x,
@@ -85,22 +77,19 @@ static inline td_bounds td_bounds_around(const td_bounds *a, const td_bounds *b)
 
 /* Bounds about a position, with half extents in bounds quanta; one more on each side covers the
  * rounding of the position. */
-static inline td_bounds td_bounds_about(td_position center, int32_t half_x, int32_t half_y)
-{
+static inline td_bounds td_bounds_about(td_position center, int32_t half_x, int32_t half_y) {
     int32_t x = td_coarse(center.x), y = td_coarse(center.y);
-    return (td_bounds){td_wrap_sub(x, half_x), td_wrap_sub(y, half_y),
-                       td_wrap_add(x, half_x + 1), td_wrap_add(y, half_y + 1)};
+    return (td_bounds){td_wrap_sub(x, half_x), td_wrap_sub(y, half_y), td_wrap_add(x, half_x + 1),
+                       td_wrap_add(y, half_y + 1)};
 }
 
-static inline td_bounds td_bounds_grown(td_bounds b, int32_t margin)
-{
+static inline td_bounds td_bounds_grown(td_bounds b, int32_t margin) {
     return (td_bounds){td_wrap_sub(b.min_x, margin), td_wrap_sub(b.min_y, margin),
                        td_wrap_add(b.max_x, margin), td_wrap_add(b.max_y, margin)};
 }
 
 /* The bounds' coordinate `value` unwrapped, given a position near it. In bounds quanta. */
-static inline int64_t td_unwrap(int32_t value, int64_t near_position)
-{
+static inline int64_t td_unwrap(int32_t value, int64_t near_position) {
     int64_t near_coarse = near_position >> TD_COARSE_SHIFT;
     return near_coarse + td_wrap_sub(value, (int32_t)(uint32_t)(uint64_t)near_coarse);
 }

@@ -14,21 +14,18 @@
 #define RELEASE(block) free(block)
 #endif
 
-static void *library_allocate(size_t bytes, void *context)
-{
+static void *library_allocate(size_t bytes, void *context) {
     (void)context;
     return ALLOCATE(bytes);
 }
 
-static void library_release(void *block, size_t bytes, void *context)
-{
+static void library_release(void *block, size_t bytes, void *context) {
     (void)bytes;
     (void)context;
     RELEASE(block);
 }
 
-td_memory td_memory_make(thud_allocator hooks)
-{
+td_memory td_memory_make(thud_allocator hooks) {
     td_memory memory = {hooks, 0, 0};
     if (!hooks.allocate) {
         memory.hooks = (thud_allocator){library_allocate, library_release, NULL};
@@ -36,13 +33,11 @@ td_memory td_memory_make(thud_allocator hooks)
     return memory;
 }
 
-static size_t rounded(size_t bytes)
-{
+static size_t rounded(size_t bytes) {
     return (bytes + 63) & ~(size_t)63;
 }
 
-void *td_memory_get(td_memory *memory, size_t bytes)
-{
+void *td_memory_get(td_memory *memory, size_t bytes) {
     size_t size = rounded(bytes);
     void *block = memory->hooks.allocate(size, memory->hooks.context);
     if (block) {
@@ -53,16 +48,14 @@ void *td_memory_get(td_memory *memory, size_t bytes)
     return block;
 }
 
-void td_memory_put(td_memory *memory, void *block, size_t bytes)
-{
+void td_memory_put(td_memory *memory, void *block, size_t bytes) {
     if (block) {
         memory->bytes -= rounded(bytes);
         memory->hooks.release(block, rounded(bytes), memory->hooks.context);
     }
 }
 
-bool td_array_reserve(td_memory *memory, td_array *array, int capacity)
-{
+bool td_array_reserve(td_memory *memory, td_array *array, int capacity) {
     if (capacity <= array->capacity) {
         return true;
     }
@@ -88,28 +81,24 @@ bool td_array_reserve(td_memory *memory, td_array *array, int capacity)
     return true;
 }
 
-void td_array_free(td_memory *memory, td_array *array)
-{
+void td_array_free(td_memory *memory, td_array *array) {
     td_memory_put(memory, array->data, (size_t)array->capacity * (size_t)array->stride);
     array->data = NULL;
     array->count = 0;
     array->capacity = 0;
 }
 
-void td_slots_init(td_slots *slots, int stride)
-{
+void td_slots_init(td_slots *slots, int stride) {
     slots->chunks.stride = (int)sizeof(void *);
     slots->stride = stride;
     slots->free_head = TD_NONE;
 }
 
-static size_t chunk_bytes(const td_slots *slots)
-{
+static size_t chunk_bytes(const td_slots *slots) {
     return TD_CHUNK * (size_t)slots->stride;
 }
 
-bool td_slots_reserve(td_memory *memory, td_slots *slots, int more)
-{
+bool td_slots_reserve(td_memory *memory, td_slots *slots, int more) {
     while (td_slots_capacity(slots) - slots->live < more) {
         if (!td_array_reserve(memory, &slots->chunks, slots->chunks.count + 1)) {
             return false;
@@ -123,8 +112,7 @@ bool td_slots_reserve(td_memory *memory, td_slots *slots, int more)
     return true;
 }
 
-int td_slots_take(td_slots *slots)
-{
+int td_slots_take(td_slots *slots) {
     int index = slots->free_head;
     if (index != TD_NONE) {
         slots->free_head = *(int *)td_slot_at(slots, index);
@@ -135,28 +123,24 @@ int td_slots_take(td_slots *slots)
     return index;
 }
 
-void td_slots_give(td_slots *slots, int index)
-{
+void td_slots_give(td_slots *slots, int index) {
     *(int *)td_slot_at(slots, index) = slots->free_head;
     slots->free_head = index;
     slots->live--;
 }
 
-void td_slots_free(td_memory *memory, td_slots *slots)
-{
+void td_slots_free(td_memory *memory, td_slots *slots) {
     for (int i = 0; i < slots->chunks.count; i++) {
         td_memory_put(memory, ((void **)slots->chunks.data)[i], chunk_bytes(slots));
     }
     td_array_free(memory, &slots->chunks);
 }
 
-static int by_value(const void *a, const void *b)
-{
+static int by_value(const void *a, const void *b) {
     return (*(const int *)a > *(const int *)b) - (*(const int *)a < *(const int *)b);
 }
 
-void td_sort_ints(td_array *array)
-{
+void td_sort_ints(td_array *array) {
     if (array->count > 1) {
         qsort(array->data, (size_t)array->count, sizeof(int), by_value);
     }

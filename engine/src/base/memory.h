@@ -32,9 +32,9 @@ void td_array_free(td_memory *memory, td_array *array);
 
 enum { TD_CHUNK = 64 };
 
-/* Elements that are handed out one by one, the lowest freed last, and never move: they lie in chunks,
- * so that growing costs little whatever is there already. The free ones are chained through their
- * first int. */
+/* Elements that are handed out one by one, the lowest freed last, and never move: they lie in
+ * chunks, so that growing costs little whatever is there already. The free ones are chained through
+ * their first int. */
 typedef struct td_slots {
     td_array chunks; /* void *: TD_CHUNK elements each */
     int stride;      /* bytes an element */
@@ -45,36 +45,31 @@ typedef struct td_slots {
 
 void td_slots_init(td_slots *slots, int stride);
 bool td_slots_reserve(td_memory *memory, td_slots *slots, int more); /* room for `more` new ones */
-int td_slots_take(td_slots *slots);           /* after td_slots_reserve; contents as they were left */
+int td_slots_take(td_slots *slots); /* after td_slots_reserve; contents as they were left */
 void td_slots_give(td_slots *slots, int index);
 void td_slots_free(td_memory *memory, td_slots *slots);
 
-static inline void *td_at(const td_array *array, int index)
-{
+static inline void *td_at(const td_array *array, int index) {
     assert(index >= 0 && index < array->capacity);
     return (char *)array->data + (size_t)index * (size_t)array->stride;
 }
 
-static inline int td_slots_capacity(const td_slots *slots)
-{
+static inline int td_slots_capacity(const td_slots *slots) {
     return slots->chunks.count * TD_CHUNK;
 }
 
-static inline void *td_slot_of(const td_slots *slots, int index, size_t stride)
-{
+static inline void *td_slot_of(const td_slots *slots, int index, size_t stride) {
     assert(index >= 0 && index < td_slots_capacity(slots));
     char *chunk = ((void **)slots->chunks.data)[(unsigned)index / TD_CHUNK];
     return chunk + ((unsigned)index % TD_CHUNK) * stride;
 }
 
-static inline void *td_slot_at(const td_slots *slots, int index)
-{
+static inline void *td_slot_at(const td_slots *slots, int index) {
     return td_slot_of(slots, index, (size_t)slots->stride);
 }
 
 /* Appends one int to an array of ints with room reserved. */
-static inline void td_push_int(td_array *array, int value)
-{
+static inline void td_push_int(td_array *array, int value) {
     assert(array->count < array->capacity);
     ((int *)array->data)[array->count++] = value;
 }

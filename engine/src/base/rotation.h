@@ -1,8 +1,8 @@
 /* rotation.h: angles as 32-bit fractions of a turn, and their cosine and sine in single precision.
  *
  * The polynomials are the Taylor series on an eighth of a turn to either side, cut where the next
- * term is below half a unit in the last place of 1; the wide version in wide_finalize.c does the same
- * operations in the same order. */
+ * term is below half a unit in the last place of 1; the wide version in wide_finalize.c does the
+ * same operations in the same order. */
 #ifndef TD_ROTATION_H
 #define TD_ROTATION_H
 
@@ -21,8 +21,7 @@
 #define TD_COS8 (1.0f / 40320.0f)
 
 /* |radians| <= 1e6 */
-static inline uint32_t td_angle_from(double radians)
-{
+static inline uint32_t td_angle_from(double radians) {
     double turns = radians * (1.0 / (2.0 * TD_PI));
     double whole = (double)(int64_t)turns;
     double part = turns - whole;
@@ -30,22 +29,19 @@ static inline uint32_t td_angle_from(double radians)
 }
 
 /* A turn within a step, which may be many whole ones, as a difference of angles. */
-static inline uint32_t td_angle_between(float radians)
-{
+static inline uint32_t td_angle_between(float radians) {
     double quanta = (double)radians * (1.0 / TD_RADIANS_A_QUANTUM);
     double turns = (double)(int64_t)(quanta * (1.0 / TD_TURN));
     return (uint32_t)td_round_increment(quanta - turns * TD_TURN);
 }
 
 /* In (-pi, pi]. */
-static inline double td_angle_radians(uint32_t angle)
-{
+static inline double td_angle_radians(uint32_t angle) {
     double radians = (double)(int32_t)angle * TD_RADIANS_A_QUANTUM;
     return angle == 0x80000000u ? -radians : radians;
 }
 
-static inline void td_angle_turn(uint32_t angle, float *c, float *s)
-{
+static inline void td_angle_turn(uint32_t angle, float *c, float *s) {
     /* The nearest quarter turn, and what is left of it, within an eighth. */
     uint32_t quarter = (angle + 0x20000000u) >> 30;
     float x = (float)(int32_t)(angle - (quarter << 30)) * (float)TD_RADIANS_A_QUANTUM;

@@ -30,26 +30,24 @@ typedef double d2 __attribute__((vector_size(16)));
 typedef int64_t l2 __attribute__((vector_size(16)));
 typedef uint64_t v2 __attribute__((vector_size(16)));
 
-/* Kernels are made of small pieces; where size counts more than time, the compiler may share them. */
+/* Kernels are made of small pieces; where size counts more than time, the compiler may share them.
+ */
 #if defined(__OPTIMIZE_SIZE__)
 #define TD_INLINE static inline
 #else
 #define TD_INLINE static inline __attribute__((always_inline))
 #endif
 
-TD_INLINE f8 f8_all(float x)
-{
+TD_INLINE f8 f8_all(float x) {
     return (f8){x, x, x, x, x, x, x, x};
 }
 
-TD_INLINE i8 i8_all(int32_t x)
-{
+TD_INLINE i8 i8_all(int32_t x) {
     return (i8){x, x, x, x, x, x, x, x};
 }
 
 /* In a loop that waits for another thread. */
-TD_INLINE void td_pause(void)
-{
+TD_INLINE void td_pause(void) {
 #if defined(__SSE2__)
     _mm_pause();
 #endif
@@ -57,10 +55,10 @@ TD_INLINE void td_pause(void)
 
 /* ---- the floating-point mode ----
  *
- * Threads of games and of audio have denormals flushed to zero, round otherwise, or trap: bits would
- * follow. So whatever computes what a world keeps does it in one mode, every rounding to nearest,
- * denormals kept, nothing trapped, and gives the thread its own back. wasm has no other mode; where a
- * processor is none of these, the caller's must be the usual one. */
+ * Threads of games and of audio have denormals flushed to zero, round otherwise, or trap: bits
+ * would follow. So whatever computes what a world keeps does it in one mode, every rounding to
+ * nearest, denormals kept, nothing trapped, and gives the thread its own back. wasm has no other
+ * mode; where a processor is none of these, the caller's must be the usual one. */
 #if defined(__SSE2__)
 typedef unsigned td_mode;
 #define TD_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "=m"(mode)::"memory")
@@ -77,8 +75,7 @@ typedef uint64_t td_mode;
 
 #if defined(TD_MODE_OWN)
 /* Setting it waits for all that is under way, hence only where it differs. */
-static inline td_mode td_mode_take(void)
-{
+static inline td_mode td_mode_take(void) {
     td_mode mode, own = TD_MODE_OWN;
     TD_MODE_GET(mode);
     if (__builtin_expect((mode & ~(td_mode)TD_MODE_NOTES) != TD_MODE_OWN, 0)) {
@@ -87,24 +84,22 @@ static inline td_mode td_mode_take(void)
     return mode;
 }
 
-static inline void td_mode_give_back(const td_mode *mode)
-{
+static inline void td_mode_give_back(const td_mode *mode) {
     if (__builtin_expect((*mode & ~(td_mode)TD_MODE_NOTES) != TD_MODE_OWN, 0)) {
         TD_MODE_SET(*mode);
     }
 }
 
 /* The first line of a function: from here to its end in the engine's mode. */
-#define TD_IN_OWN_MODE                                                                             \
-    __attribute__((cleanup(td_mode_give_back))) const td_mode callers_mode = td_mode_take();       \
+#define TD_IN_OWN_MODE                                                                       \
+    __attribute__((cleanup(td_mode_give_back))) const td_mode callers_mode = td_mode_take(); \
     (void)callers_mode
 #else
 #define TD_IN_OWN_MODE (void)0
 #endif
 
 /* Masks are all ones or all zeros a lane, as comparisons give them. */
-TD_INLINE f8 f8_pick(i8 mask, f8 yes, f8 no)
-{
+TD_INLINE f8 f8_pick(i8 mask, f8 yes, f8 no) {
 #if defined(__AVX2__)
     return (f8)_mm256_blendv_ps((__m256)no, (__m256)yes, (__m256)mask);
 #else
@@ -112,8 +107,7 @@ TD_INLINE f8 f8_pick(i8 mask, f8 yes, f8 no)
 #endif
 }
 
-TD_INLINE i8 i8_pick(i8 mask, i8 yes, i8 no)
-{
+TD_INLINE i8 i8_pick(i8 mask, i8 yes, i8 no) {
     return (mask & yes) | (~mask & no);
 }
 
@@ -131,8 +125,7 @@ TD_INLINE f8 f8_min(f8 a, f8 b) /* b where unordered, as x86 has it */
 #endif
 }
 
-TD_INLINE f8 f8_max(f8 a, f8 b)
-{
+TD_INLINE f8 f8_max(f8 a, f8 b) {
 #if defined(__AVX2__)
     return (f8)_mm256_max_ps((__m256)a, (__m256)b);
 #else
@@ -140,13 +133,11 @@ TD_INLINE f8 f8_max(f8 a, f8 b)
 #endif
 }
 
-TD_INLINE f8 f8_clamp(f8 x, f8 low, f8 high)
-{
+TD_INLINE f8 f8_clamp(f8 x, f8 low, f8 high) {
     return f8_min(f8_max(x, low), high);
 }
 
-TD_INLINE f8 f8_abs(f8 x)
-{
+TD_INLINE f8 f8_abs(f8 x) {
     return (f8)((i8)x & i8_all(0x7fffffff));
 }
 
@@ -155,8 +146,7 @@ TD_INLINE f8 f8_flip(f8 x, i8 mask) /* -x where the mask is set */
     return (f8)((i8)x ^ (mask & i8_all((int32_t)0x80000000u)));
 }
 
-TD_INLINE f8 f8_sqrt(f8 x)
-{
+TD_INLINE f8 f8_sqrt(f8 x) {
 #if defined(__AVX2__)
     return (f8)_mm256_sqrt_ps((__m256)x);
 #elif defined(__SSE2__)
@@ -181,8 +171,7 @@ TD_INLINE f8 f8_sqrt(f8 x)
 }
 
 /* Sums of lanes i and i + 4; exact, but for the one addition. */
-TD_INLINE d4 d4_folded(f8 x)
-{
+TD_INLINE d4 d4_folded(f8 x) {
     f4 sums = __builtin_shufflevector(x, x, 0, 1, 2, 3) + __builtin_shufflevector(x, x, 4, 5, 6, 7);
 #if defined(__AVX2__)
     return (d4)_mm256_cvtps_pd((__m128)sums); /* which gcc does not find by itself */
@@ -192,8 +181,7 @@ TD_INLINE d4 d4_folded(f8 x)
 }
 
 /* Bit i is set where lane i is negative (masks are -1). */
-TD_INLINE unsigned i8_bits(i8 x)
-{
+TD_INLINE unsigned i8_bits(i8 x) {
 #if defined(__AVX2__)
     return (unsigned)_mm256_movemask_ps((__m256)x);
 #elif defined(__SSE2__)
@@ -219,8 +207,7 @@ TD_INLINE i8 i8_wrap_sub(i8 a, i8 b) /* wraps around, as bounds do */
     return (i8)((u8)a - (u8)b);
 }
 
-TD_INLINE f8 f8_load(const float *p)
-{
+TD_INLINE f8 f8_load(const float *p) {
     f8 r;
     __builtin_memcpy(&r, p, sizeof r);
     return r;
@@ -235,16 +222,18 @@ TD_INLINE i8 i8_load(const int32_t *p) /* any alignment of int32_t */
 
 /* Writes the ints at `from` whose bit is set one after the other; returns how many. May write up to
  * eight ints, whatever their number. */
-TD_INLINE int i8_pack(int32_t *to, const int32_t *from, unsigned bits)
-{
+TD_INLINE int i8_pack(int32_t *to, const int32_t *from, unsigned bits) {
 #if defined(__SSSE3__) || defined(__wasm_simd128__)
 #define TD_BYTES(i) 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3
-#define TD_PACK(a, b, c, d) {TD_BYTES(a), TD_BYTES(b), TD_BYTES(c), TD_BYTES(d)}
-    static const _Alignas(16) uint8_t order[16][16] = {
-        TD_PACK(0, 0, 0, 0), TD_PACK(0, 0, 0, 0), TD_PACK(1, 0, 0, 0), TD_PACK(0, 1, 0, 0),
-        TD_PACK(2, 0, 0, 0), TD_PACK(0, 2, 0, 0), TD_PACK(1, 2, 0, 0), TD_PACK(0, 1, 2, 0),
-        TD_PACK(3, 0, 0, 0), TD_PACK(0, 3, 0, 0), TD_PACK(1, 3, 0, 0), TD_PACK(0, 1, 3, 0),
-        TD_PACK(2, 3, 0, 0), TD_PACK(0, 2, 3, 0), TD_PACK(1, 2, 3, 0), TD_PACK(0, 1, 2, 3)};
+#define TD_PACK(a, b, c, d) \
+    { TD_BYTES(a), TD_BYTES(b), TD_BYTES(c), TD_BYTES(d) }
+    static const _Alignas(16)
+        uint8_t order[16][16] = {TD_PACK(0, 0, 0, 0), TD_PACK(0, 0, 0, 0), TD_PACK(1, 0, 0, 0),
+                                 TD_PACK(0, 1, 0, 0), TD_PACK(2, 0, 0, 0), TD_PACK(0, 2, 0, 0),
+                                 TD_PACK(1, 2, 0, 0), TD_PACK(0, 1, 2, 0), TD_PACK(3, 0, 0, 0),
+                                 TD_PACK(0, 3, 0, 0), TD_PACK(1, 3, 0, 0), TD_PACK(0, 1, 3, 0),
+                                 TD_PACK(2, 3, 0, 0), TD_PACK(0, 2, 3, 0), TD_PACK(1, 2, 3, 0),
+                                 TD_PACK(0, 1, 2, 3)};
 #undef TD_PACK
 #undef TD_BYTES
     int low = __builtin_popcount(bits & 15u);
@@ -274,8 +263,7 @@ typedef struct td_rows {
     f8 x, y, z, w;
 } td_rows;
 
-TD_INLINE f8 f8_two(const float *low, const float *high)
-{
+TD_INLINE f8 f8_two(const float *low, const float *high) {
     f4 a, b;
     __builtin_memcpy(&a, low, sizeof a);
     __builtin_memcpy(&b, high, sizeof b);
@@ -283,8 +271,7 @@ TD_INLINE f8 f8_two(const float *low, const float *high)
 }
 
 /* Turns vectors of the records (0, 4), (1, 5), (2, 6), (3, 7) into vectors of their members. */
-TD_INLINE td_rows td_turn(f8 r0, f8 r1, f8 r2, f8 r3)
-{
+TD_INLINE td_rows td_turn(f8 r0, f8 r1, f8 r2, f8 r3) {
     f8 t0 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t1 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t2 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
@@ -298,8 +285,7 @@ TD_INLINE td_rows td_turn(f8 r0, f8 r1, f8 r2, f8 r3)
 }
 
 /* `offset` counts bytes from the first record: addresses are a tenth of what a pass computes. */
-TD_INLINE td_rows td_gather(const float (*records)[4], const uint32_t *offset)
-{
+TD_INLINE td_rows td_gather(const float (*records)[4], const uint32_t *offset) {
     const char *base = (const char *)records;
     const float *r[8];
     for (int i = 0; i < 8; i++) {
@@ -309,15 +295,13 @@ TD_INLINE td_rows td_gather(const float (*records)[4], const uint32_t *offset)
 }
 
 /* Eight records that follow each other. */
-TD_INLINE td_rows td_load_rows(const float (*records)[4])
-{
+TD_INLINE td_rows td_load_rows(const float (*records)[4]) {
     return td_turn(f8_two(records[0], records[4]), f8_two(records[1], records[5]),
                    f8_two(records[2], records[6]), f8_two(records[3], records[7]));
 }
 
 /* The other way around: `out` gets the eight records. */
-TD_INLINE void td_turn_back(td_rows v, f4 out[8])
-{
+TD_INLINE void td_turn_back(td_rows v, f4 out[8]) {
     f8 t0 = __builtin_shufflevector(v.x, v.y, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t1 = __builtin_shufflevector(v.x, v.y, 2, 10, 3, 11, 6, 14, 7, 15);
     f8 t2 = __builtin_shufflevector(v.z, v.w, 0, 8, 1, 9, 4, 12, 5, 13);
@@ -332,8 +316,7 @@ TD_INLINE void td_turn_back(td_rows v, f4 out[8])
     }
 }
 
-TD_INLINE void td_scatter(float (*records)[4], const uint32_t *offset, td_rows v)
-{
+TD_INLINE void td_scatter(float (*records)[4], const uint32_t *offset, td_rows v) {
     f4 r[8];
     td_turn_back(v, r);
     for (int i = 0; i < 8; i++) {

@@ -9,8 +9,7 @@
 #define QUARTER_2 0x1.0b4611a6p-34
 #define QUARTER_3 0x1.3198a2e037073p-69
 
-void td_sincos(double angle, double *s, double *c)
-{
+void td_sincos(double angle, double *s, double *c) {
     double turns = angle * (2.0 / TD_PI);
     int quarters = (int)(turns < 0.0 ? turns - 0.5 : turns + 0.5);
     double n = (double)quarters;
@@ -19,19 +18,28 @@ void td_sincos(double angle, double *s, double *c)
     /* Taylor series on an eighth of a turn to either side, cut where the next term is below half a
      * unit in the last place of the sum. */
     double sine =
-        x + x * z * (-1.0 / 6.0 + z * (1.0 / 120.0 + z * (-1.0 / 5040.0 + z * (1.0 / 362880.0 +
-            z * (-1.0 / 39916800.0 + z * (1.0 / 6227020800.0 + z * (-1.0 / 1307674368000.0)))))));
+        x + x * z *
+                (-1.0 / 6.0 +
+                 z * (1.0 / 120.0 +
+                      z * (-1.0 / 5040.0 +
+                           z * (1.0 / 362880.0 +
+                                z * (-1.0 / 39916800.0 +
+                                     z * (1.0 / 6227020800.0 + z * (-1.0 / 1307674368000.0)))))));
     double cosine =
-        1.0 + z * (-0.5 + z * (1.0 / 24.0 + z * (-1.0 / 720.0 + z * (1.0 / 40320.0 +
-            z * (-1.0 / 3628800.0 + z * (1.0 / 479001600.0 + z * (-1.0 / 87178291200.0 +
-            z * (1.0 / 20922789888000.0))))))));
+        1.0 +
+        z * (-0.5 +
+             z * (1.0 / 24.0 +
+                  z * (-1.0 / 720.0 +
+                       z * (1.0 / 40320.0 +
+                            z * (-1.0 / 3628800.0 +
+                                 z * (1.0 / 479001600.0 + z * (-1.0 / 87178291200.0 +
+                                                               z * (1.0 / 20922789888000.0))))))));
     double u = quarters & 1 ? cosine : sine, v = quarters & 1 ? sine : cosine;
     *s = quarters & 2 ? -u : u;
     *c = (quarters + 1) & 2 ? -v : v;
 }
 
-thud_result thud_sincos(double angle, double *sine, double *cosine)
-{
+thud_result thud_sincos(double angle, double *sine, double *cosine) {
     if (!sine || !cosine) {
         return THUD_ERROR_NULL;
     }

@@ -4,8 +4,7 @@
 
 #include <string.h>
 
-static bool build(thud_world *w, td_proxy_set *row, bool quiet)
-{
+static bool build(thud_world *w, td_proxy_set *row, bool quiet) {
     (void)quiet;
     row->valid = false;
     if (!td_proxy_set_reserve(w, row)) {

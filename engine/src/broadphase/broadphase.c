@@ -1,11 +1,11 @@
 /* broadphase.c: from moved bounds to new contacts.
  *
  * A contact exists exactly while the fat bounds of its shapes overlap, so a pair is new if and only
- * if the bounds that its shapes had before did not overlap: no table of pairs is needed. (In a world
- * so wide that bounds wrap around, they may seem to have overlapped; there the contacts of the two
- * bodies are searched instead.) Bodies that
- * rest (static or asleep) have a grid of their own, sorted anew only when one comes or goes. New
- * pairs come in the order of the grids, then in that of the moved list. */
+ * if the bounds that its shapes had before did not overlap: no table of pairs is needed. (In a
+ * world so wide that bounds wrap around, they may seem to have overlapped; there the contacts of
+ * the two bodies are searched instead.) Bodies that rest (static or asleep) have a grid of their
+ * own, sorted anew only when one comes or goes. New pairs come in the order of the grids, then in
+ * that of the moved list. */
 #include "contact/contact.h"
 #include "state/kinds.h"
 #include "broadphase/pairs.h"
@@ -15,15 +15,13 @@
 
 #include <string.h>
 
-static bool is_awake(const thud_world *w, int shape)
-{
+static bool is_awake(const thud_world *w, int shape) {
     return td_body_at(w, td_shape_at(w, shape)->body)->awake > 0;
 }
 
 /* ---- the grids ---- */
 
-static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake)
-{
+static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
     td_array *list = &grid->list;
     if (grid->listed) {
         return true;
@@ -52,8 +50,7 @@ static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake)
     return true;
 }
 
-static bool refresh(thud_world *w, td_proxy_set *shapes, bool awake)
-{
+static bool refresh(thud_world *w, td_proxy_set *shapes, bool awake) {
     const thud_broadphase *kind = w->def.broadphase;
     /* Where a fifth moved, nearly everything is to be sorted anew next time as well. */
     bool quiet = awake && w->moved.count * 5 <= w->awake_shapes.list.count;
@@ -62,16 +59,14 @@ static bool refresh(thud_world *w, td_proxy_set *shapes, bool awake)
            (list_proxy_set(w, shapes, awake) && kind->build(w, shapes, quiet));
 }
 
-bool td_broadphase_refresh(thud_world *w)
-{
+bool td_broadphase_refresh(thud_world *w) {
     return refresh(w, &w->awake_shapes, true) && refresh(w, &w->rest_shapes, false);
 }
 
 /* ---- new pairs ---- */
 
 /* Stamps every shape that shape a has a contact with; returns how many there are. */
-static int stamp_partners(thud_world *w, int a)
-{
+static int stamp_partners(thud_world *w, int a) {
     uint32_t *stamps = w->scratch.stamps.data;
     if (++w->scratch.stamp == 0) { /* all of them were used: none may be taken for a new one */
         memset(stamps, 0, (size_t)w->scratch.stamps.capacity * sizeof *stamps);
@@ -90,16 +85,14 @@ static int stamp_partners(thud_world *w, int a)
 }
 
 /* Whose turn it is moves on with every step. */
-static unsigned turn_of(const thud_world *w, int a, int b)
-{
+static unsigned turn_of(const thud_world *w, int a, int b) {
     return (unsigned)a + (unsigned)b + (unsigned)w->steps;
 }
 
 /* Adds those of the hits, all of which overlap shape a, that have no contact with it: whose bounds
  * did not overlap before; or, where that tells nothing, those that are not among its contacts.
  * `skipped`: bits of turns that it is not. */
-static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned skipped)
-{
+static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned skipped) {
     const td_bounds *before = td_bounds_before(w, a);
     const uint32_t *stamps = w->scratch.stamps.data;
     int own = *td_marks_at(w, a);
@@ -145,8 +138,7 @@ typedef struct search {
 } search;
 
 /* One less than the power of two that divides `count` down to `most`. */
-static unsigned turns_for(int count, int most)
-{
+static unsigned turns_for(int count, int most) {
     unsigned turns = 1;
     while ((unsigned)count > turns * (unsigned)most) {
         turns *= 2;
@@ -156,8 +148,7 @@ static unsigned turns_for(int count, int most)
 
 /* In a crowd: of a shape's pairs, those from `first` on, drops those that may not touch, and those
  * whose turn it is not; all passed `skipped`. Returns whether any may be missing. */
-static bool take_turns(thud_world *w, int shape, int first, unsigned skipped)
-{
+static bool take_turns(thud_world *w, int shape, int first, unsigned skipped) {
     td_array *pairs = &w->scratch.pairs;
     td_pairs_filter(w, first);
     int kept = first, most = stamp_partners(w, shape) < PLACES ? PLACES : 1;
@@ -173,8 +164,7 @@ static bool take_turns(thud_world *w, int shape, int first, unsigned skipped)
     return skipped != 0;
 }
 
-static bool take_hits(void *context, int shape, const int *hits, int count)
-{
+static bool take_hits(void *context, int shape, const int *hits, int count) {
     search *s = context;
     thud_world *w = s->w;
     int first = w->scratch.pairs.count;
@@ -193,15 +183,13 @@ static bool take_hits(void *context, int shape, const int *hits, int count)
     return !s->crowded;
 }
 
-static bool query(thud_world *w, const td_proxy_set *grid, int shape)
-{
+static bool query(thud_world *w, const td_proxy_set *grid, int shape) {
     w->scratch.hits.count = 0;
     return w->def.broadphase->find[w->wide](grid, &w->memory, td_fat_at(w, shape),
-                                          td_shape_proxy_at(w, shape)->center, &w->scratch.hits);
+                                            td_shape_proxy_at(w, shape)->center, &w->scratch.hits);
 }
 
-static bool sweep(search *s)
-{
+static bool sweep(search *s) {
     thud_world *w = s->w;
     const td_proxy_set *grid = &w->awake_shapes;
     bool every = grid->moved_count * 2 > grid->ids.count;
@@ -211,22 +199,19 @@ static bool sweep(search *s)
 }
 
 /* Every pair of awake shapes of which one moved, or, in a crowd, whose turn it is. */
-static bool pair_awake(thud_world *w)
-{
+static bool pair_awake(thud_world *w) {
     search s = {.w = w};
     w->scratch.crowded.count = 0;
     return td_array_reserve(&w->memory, &w->scratch.crowded, w->awake_shapes.ids.count) &&
            (sweep(&s) || (s.crowded && sweep(&s)));
 }
 
-static bool moved(const thud_world *w, int shape)
-{
+static bool moved(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED;
 }
 
 /* A shape at rest against awake ones; where both moved the pair comes once more from the other. */
-static bool pair_resting(thud_world *w, int shape, bool with_moved)
-{
+static bool pair_resting(thud_world *w, int shape, bool with_moved) {
     if (td_shape_at(w, shape)->kind == THUD_TERRAIN) {
         return true;
     }
@@ -242,10 +227,9 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved)
     return true;
 }
 
-/* A sensor sees who sleeps where it comes to, and one that sleeps what comes to it. Where both moved,
- * the lower shape finds the pair. */
-static bool pair_sensed(thud_world *w, int shape)
-{
+/* A sensor sees who sleeps where it comes to, and one that sleeps what comes to it. Where both
+ * moved, the lower shape finds the pair. */
+static bool pair_sensed(thud_world *w, int shape) {
     bool own = td_senses(w, shape);
     if ((!own && !w->mobile_sensors) || td_shape_at(w, shape)->kind == THUD_TERRAIN) {
         return true;
@@ -259,16 +243,14 @@ static bool pair_sensed(thud_world *w, int shape)
     return done;
 }
 
-static bool pair_moved(thud_world *w, int shape)
-{
+static bool pair_moved(thud_world *w, int shape) {
     return query(w, &w->rest_shapes, shape) &&
            add_new(w, shape, w->scratch.hits.data, w->scratch.hits.count, 0);
 }
 
 /* Every pair of an awake shape and one at rest of which one moved. Where few rest, they look for
  * what moved rather than the other way around. */
-static bool pair_across(thud_world *w)
-{
+static bool pair_across(thud_world *w) {
     const td_array *rest = &w->rest_shapes.ids;
     bool few = rest->count * 8 < w->awake_shapes.moved_count;
     for (int i = 0; i < rest->count && few; i++) {
@@ -294,8 +276,7 @@ static bool pair_across(thud_world *w)
 /* ---- the stage ---- */
 
 /* Wider than half the way around the bounds. */
-static bool is_vast(const thud_world *w)
-{
+static bool is_vast(const thud_world *w) {
     const td_proxy_set *a = &w->awake_shapes, *b = &w->rest_shapes;
     int64_t low_x = INT64_MAX, low_y = INT64_MAX, high_x = INT64_MIN, high_y = INT64_MIN;
     for (int i = 0; i < 2; i++) {
@@ -307,13 +288,11 @@ static bool is_vast(const thud_world *w)
             high_y = grid->end_y > high_y ? grid->end_y : high_y;
         }
     }
-    return low_x <= high_x &&
-           (high_x - low_x > INT32_MAX / 2 || high_y - low_y > INT32_MAX / 2);
+    return low_x <= high_x && (high_x - low_x > INT32_MAX / 2 || high_y - low_y > INT32_MAX / 2);
 }
 
 /* Static shapes that came or moved may stand next to others. */
-static bool find_internal_edges(thud_world *w)
-{
+static bool find_internal_edges(thud_world *w) {
     bool any = w->internal_edges && w->awake_shapes.moved_count < w->moved.count;
     for (int i = 0; i < w->moved.count && any; i++) {
         int shape = *(int *)td_at(&w->moved, i);
@@ -325,8 +304,7 @@ static bool find_internal_edges(thud_world *w)
 }
 
 /* Shapes in a crowd have pairs that are not listed yet. */
-static void look_again(thud_world *w)
-{
+static void look_again(thud_world *w) {
     for (int i = 0; i < w->scratch.crowded.count; i++) {
         int shape = *(int *)td_at(&w->scratch.crowded, i);
         td_shape_mark_moved(w, shape);
@@ -334,8 +312,7 @@ static void look_again(thud_world *w)
     }
 }
 
-static void clear_marks(thud_world *w)
-{
+static void clear_marks(thud_world *w) {
     if (w->moved.count * 4 > w->shapes.count) {
         memset(w->marks.data, 0, (size_t)w->shapes.count);
         return;
@@ -345,8 +322,7 @@ static void clear_marks(thud_world *w)
     }
 }
 
-bool td_broadphase(thud_world *w)
-{
+bool td_broadphase(thud_world *w) {
     if (w->moved.count == 0) {
         return true;
     }
@@ -361,7 +337,8 @@ bool td_broadphase(thud_world *w)
         return false;
     }
     td_pairs_filter(w, 0);
-    if (!find_internal_edges(w) || !td_pairs_add_ground(w) || !td_pairs_sort(w) || !td_pairs_create(w)) {
+    if (!find_internal_edges(w) || !td_pairs_add_ground(w) || !td_pairs_sort(w) ||
+        !td_pairs_create(w)) {
         return false;
     }
     clear_marks(w);

@@ -8,23 +8,20 @@
 
 #include <string.h>
 
-static int32_t extent_of(const td_bounds *b)
-{
+static int32_t extent_of(const td_bounds *b) {
     return td_max_int(td_wrap_sub(b->max_x, b->min_x), td_wrap_sub(b->max_y, b->min_y));
 }
 
-static int size_of(int32_t extent)
-{
+static int size_of(int32_t extent) {
     float f = (float)td_max_int(extent, 1);
     uint32_t bits;
     memcpy(&bits, &f, sizeof bits);
     return (int)(bits >> TD_SIZE_SHIFT) - TD_SIZE_ZERO;
 }
 
-/* Levels from the last one down: each begins at the largest size that is left, and holds all down to
- * an eighth of it, so that sizes that differ little share a level. */
-static void choose_levels(const int *set, uint8_t *level_of_size)
-{
+/* Levels from the last one down: each begins at the largest size that is left, and holds all down
+ * to an eighth of it, so that sizes that differ little share a level. */
+static void choose_levels(const int *set, uint8_t *level_of_size) {
     int level = TD_LEVELS, least = TD_SIZES;
     for (int size = TD_SIZES - 1; size >= 0; size--) {
         if (set[size] && size < least && level > 0) {
@@ -36,8 +33,7 @@ static void choose_levels(const int *set, uint8_t *level_of_size)
 }
 
 /* As the wide measure, however far the proxy set reaches. */
-static void measure_far(const thud_world *w, td_grid_measures *m)
-{
+static void measure_far(const thud_world *w, td_grid_measures *m) {
     int64_t ref_x = td_shape_proxy_at(w, m->list[0])->center.x >> TD_COARSE_SHIFT;
     int64_t ref_y = td_shape_proxy_at(w, m->list[0])->center.y >> TD_COARSE_SHIFT;
     m->least_x = m->least_y = 0x1p62;
@@ -59,8 +55,7 @@ static void measure_far(const thud_world *w, td_grid_measures *m)
     }
 }
 
-static void widen(td_level *level, int64_t x, int64_t y)
-{
+static void widen(td_level *level, int64_t x, int64_t y) {
     bool first = level->count == 0;
     level->least_x = first || x < level->least_x ? x : level->least_x;
     level->least_y = first || y < level->least_y ? y : level->least_y;
@@ -69,8 +64,7 @@ static void widen(td_level *level, int64_t x, int64_t y)
 }
 
 /* Measures the proxy set, counts the levels and finds the largest shape of each. */
-static void measure(const thud_world *w, td_proxy_set *grid, td_grid_measures *m)
-{
+static void measure(const thud_world *w, td_proxy_set *grid, td_grid_measures *m) {
     uint8_t level_of_size[TD_SIZES];
     if (!TD_PICK_WIDE(w, td_grid_measure)(w->proxy.data, m)) {
         measure_far(w, m);
@@ -91,8 +85,7 @@ static void measure(const thud_world *w, td_proxy_set *grid, td_grid_measures *m
     }
 }
 
-static uint32_t power_above(int64_t n)
-{
+static uint32_t power_above(int64_t n) {
     uint32_t p = 64;
     while (p < n) {
         p *= 2;
@@ -101,8 +94,7 @@ static uint32_t power_above(int64_t n)
 }
 
 /* Chooses each level's table from its proxy set; returns the length of `starts`. */
-static int lay_out(td_proxy_set *grid, bool quiet)
-{
+static int lay_out(td_proxy_set *grid, bool quiet) {
     int first = 0, starts = 0;
     for (int l = 0; l < TD_LEVELS; l++) {
         td_level *level = &grid->levels[l];
@@ -137,8 +129,7 @@ static int lay_out(td_proxy_set *grid, bool quiet)
 /* Of scratch.order, a shape. */
 enum { MEASURES_BYTES = 2 * (int)sizeof(double) + 2 * (int)sizeof(int32_t) + 8 };
 
-static bool reserve(thud_world *w, td_proxy_set *grid, bool quiet)
-{
+static bool reserve(thud_world *w, td_proxy_set *grid, bool quiet) {
     int count = grid->list.count;
     w->scratch.order.stride = MEASURES_BYTES;
     return td_proxy_set_reserve(w, grid) &&
@@ -150,8 +141,7 @@ static bool reserve(thud_world *w, td_proxy_set *grid, bool quiet)
 }
 
 /* Counting sort of ids and cells. */
-static void sort(td_proxy_set *grid, const td_grid_measures *m, int starts_count)
-{
+static void sort(td_proxy_set *grid, const td_grid_measures *m, int starts_count) {
     int *starts = grid->starts.data, *ids = grid->ids.data, *cells = grid->cells.data;
     memset(starts, 0, (size_t)starts_count * sizeof(int));
     for (int i = 0; i < m->count; i++) {
@@ -174,8 +164,7 @@ static void sort(td_proxy_set *grid, const td_grid_measures *m, int starts_count
 }
 
 /* Notes where each shape went, for td_grid_follow. */
-static void note_spots(td_proxy_set *grid)
-{
+static void note_spots(td_proxy_set *grid) {
     int32_t *spot = grid->spot.data, *anchor_x = grid->anchor_x.data;
     int32_t *anchor_y = grid->anchor_y.data;
     const int32_t *ids = grid->ids.data, *min_x = grid->min_x.data, *min_y = grid->min_y.data;
@@ -187,8 +176,7 @@ static void note_spots(td_proxy_set *grid)
     }
 }
 
-static td_grid_measures measures_in(const td_array *scratch, const td_array *list)
-{
+static td_grid_measures measures_in(const td_array *scratch, const td_array *list) {
     size_t room = (size_t)scratch->capacity;
     double *x = scratch->data, *y = x + room;
     int32_t *extent = (int32_t *)(y + room), *cell = extent + room;
@@ -201,8 +189,7 @@ static td_grid_measures measures_in(const td_array *scratch, const td_array *lis
                               .level = (uint8_t *)(cell + room)};
 }
 
-static bool build(thud_world *w, td_proxy_set *grid, bool quiet)
-{
+static bool build(thud_world *w, td_proxy_set *grid, bool quiet) {
     grid->valid = grid->loose = false;
     grid->moved_count = 0;
     memset(grid->levels, 0, sizeof grid->levels);
@@ -230,14 +217,12 @@ static bool build(thud_world *w, td_proxy_set *grid, bool quiet)
     return true;
 }
 
-static bool near_anchor(int32_t anchor, int32_t low, int32_t high, int32_t slack)
-{
+static bool near_anchor(int32_t anchor, int32_t low, int32_t high, int32_t slack) {
     int32_t drift = td_wrap_sub(td_middle(low, high), anchor);
     return drift <= slack && drift >= -slack;
 }
 
-static const td_level *level_at(const td_proxy_set *grid, int at)
-{
+static const td_level *level_at(const td_proxy_set *grid, int at) {
     const td_level *level = grid->levels;
     while (at >= level->first + level->count) {
         level++;
@@ -245,8 +230,7 @@ static const td_level *level_at(const td_proxy_set *grid, int at)
     return level;
 }
 
-static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int count)
-{
+static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int count) {
     if (!grid->loose) {
         return false;
     }

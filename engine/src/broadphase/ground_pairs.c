@@ -1,11 +1,10 @@
-/* ground_pairs.c: new pairs of lines and what is awake, or a sensor. Each segment is a shape of its own, found by
- * its index. */
+/* ground_pairs.c: new pairs of lines and what is awake, or a sensor. Each segment is a shape of its
+ * own, found by its index. */
 #include "contact/contact.h"
 #include "broadphase/pairs.h"
 #include "state/shape.h"
 
-static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
-{
+static bool pair_terrain(thud_world *w, int terrain_shape, int shape) {
     const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
     if (td_terrain_below(w, terrain_shape, proxy->center, &proxy->fat)) {
         return true;
@@ -22,8 +21,9 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
         if (!td_terrain_reaches(w, terrain_shape, &terrain, at, td_fat_at(w, shape), i)) {
             continue;
         }
-        bool old = !(marks & (TD_MARK_WOKEN | TD_MARK_FRESH)) && !w->vast &&
-                   td_terrain_reaches(w, terrain_shape, &terrain, at, td_bounds_before(w, shape), i);
+        bool old =
+            !(marks & (TD_MARK_WOKEN | TD_MARK_FRESH)) && !w->vast &&
+            td_terrain_reaches(w, terrain_shape, &terrain, at, td_bounds_before(w, shape), i);
         if (!old && !td_pairs_add(w, terrain_shape, shape, i)) {
             return false;
         }
@@ -32,8 +32,7 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape)
 }
 
 /* With those that are awake; sleepers matter to sensors alone. */
-static bool pair_line(thud_world *w, int line, const td_array *shapes)
-{
+static bool pair_line(thud_world *w, int line, const td_array *shapes) {
     for (int i = 0; i < shapes->count; i++) {
         int shape = *(int *)td_at(shapes, i);
         bool awake = td_body_at(w, td_shape_at(w, shape)->body)->awake > 0;
@@ -44,8 +43,7 @@ static bool pair_line(thud_world *w, int line, const td_array *shapes)
     return true;
 }
 
-bool td_pairs_add_ground(thud_world *w)
-{
+bool td_pairs_add_ground(thud_world *w) {
     for (int t = 0; t < w->terrains.count; t++) {
         int line = ((const td_terrain_record *)td_slot_at(&w->terrains, t))->shape;
         bool came = line != TD_NONE && *td_marks_at(w, line) & TD_MARK_FRESH;

@@ -6,8 +6,7 @@
 
 #include <string.h>
 
-bool td_pairs_add(thud_world *w, int a, int b, int child)
-{
+bool td_pairs_add(thud_world *w, int a, int b, int child) {
     td_array *pairs = &w->scratch.pairs;
     if (!td_array_reserve(&w->memory, pairs, pairs->count + 1)) {
         return false;
@@ -17,8 +16,7 @@ bool td_pairs_add(thud_world *w, int a, int b, int child)
 }
 
 /* Records lie all over memory, hence are asked for early. */
-void td_pairs_filter(thud_world *w, int first)
-{
+void td_pairs_filter(thud_world *w, int first) {
     td_array *pairs = &w->scratch.pairs;
     td_new_pair *pair = pairs->data;
     int kept = first;
@@ -41,8 +39,7 @@ void td_pairs_filter(thud_world *w, int first)
 enum { DIGIT = 8, BUCKETS = 1 << DIGIT };
 
 /* One pass of a radix sort, by `shift` of the first or the second shape. */
-static void sort_pass(const td_new_pair *from, td_new_pair *to, int count, bool second, int shift)
-{
+static void sort_pass(const td_new_pair *from, td_new_pair *to, int count, bool second, int shift) {
     int starts[BUCKETS] = {0}, sum = 0;
     for (int i = 0; i < count; i++) {
         starts[(second ? from[i].b : from[i].a) >> shift & (BUCKETS - 1)]++;
@@ -57,8 +54,7 @@ static void sort_pass(const td_new_pair *from, td_new_pair *to, int count, bool 
     }
 }
 
-bool td_pairs_sort(thud_world *w)
-{
+bool td_pairs_sort(thud_world *w) {
     td_array *pairs = &w->scratch.pairs;
     int count = pairs->count;
     if (!td_array_reserve(&w->memory, pairs, 2 * count)) {
@@ -84,12 +80,11 @@ bool td_pairs_sort(thud_world *w)
     return true;
 }
 
-/* Two that touch keep their contact when their fat bounds part: those reach less far than a manifold
- * that is kept, or than the speculative margin about small shapes. Once the bounds meet again the
- * pair seems to be new; likewise one with a line where bounds tell nothing. Both bodies' contacts are
- * walked in turns: the shorter list decides. */
-static bool has_contact(const thud_world *w, const td_new_pair *p)
-{
+/* Two that touch keep their contact when their fat bounds part: those reach less far than a
+ * manifold that is kept, or than the speculative margin about small shapes. Once the bounds meet
+ * again the pair seems to be new; likewise one with a line where bounds tell nothing. Both bodies'
+ * contacts are walked in turns: the shorter list decides. */
+static bool has_contact(const thud_world *w, const td_new_pair *p) {
     int e = td_body_at(w, td_shape_at(w, p->a)->body)->first_contact;
     int f = td_body_at(w, td_shape_at(w, p->b)->body)->first_contact;
     if ((*td_marks_at(w, p->a) | *td_marks_at(w, p->b)) & TD_MARK_FRESH) {
@@ -107,14 +102,14 @@ static bool has_contact(const thud_world *w, const td_new_pair *p)
     return false;
 }
 
-bool td_pairs_create(thud_world *w)
-{
+bool td_pairs_create(thud_world *w) {
     td_array *pairs = &w->scratch.pairs;
     int more[TD_PAIR_COUNT] = {0};
     for (int i = 0; i < pairs->count; i++) {
         td_new_pair *pair = td_at(pairs, i);
         more[td_pair_of(w, &pair->a, &pair->b)]++;
-        if ((td_shape_at(w, pair->a)->flags & TD_SHAPE_UNSEEN) && !w->internal_edges->see(w, pair->a)) {
+        if ((td_shape_at(w, pair->a)->flags & TD_SHAPE_UNSEEN) &&
+            !w->internal_edges->see(w, pair->a)) {
             return false;
         }
     }

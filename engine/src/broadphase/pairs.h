@@ -11,7 +11,8 @@ typedef struct td_new_pair {
 /* Adds to scratch.pairs; `child` is a terrain segment or 0. False when memory is short. */
 bool td_pairs_add(thud_world *w, int a, int b, int child);
 
-/* Adds those of lines and awake shapes, or sensors, of which one moved. False when memory is short. */
+/* Adds those of lines and awake shapes, or sensors, of which one moved. False when memory is short.
+ */
 bool td_pairs_add_ground(thud_world *w); /* ground_pairs.c */
 
 /* Drops the pairs that may not touch, from the one at `first` on. */
@@ -23,14 +24,12 @@ bool td_pairs_sort(thud_world *w);
 /* Makes a contact of each that has none, or, when memory is short, of none. */
 bool td_pairs_create(thud_world *w);
 
-static inline bool td_senses(const thud_world *w, int shape)
-{
+static inline bool td_senses(const thud_world *w, int shape) {
     return td_shape_at(w, shape)->flags & TD_SHAPE_SENSOR;
 }
 
 /* The bounds that the shape had when pairs were last made. */
-static inline const td_bounds *td_bounds_before(const thud_world *w, int shape)
-{
+static inline const td_bounds *td_bounds_before(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
 }
 

@@ -1,17 +1,16 @@
 /* plane_sweep.c: the broadphase that keeps its shapes sorted by where they begin along x.
  *
- * While little moves the order hardly changes from step to step, and insertion sort, which moves each
- * shape past those that it overtook, costs little more than a look at each (D. Baraff, "Dynamic
- * Simulation of Non-penetrating Rigid Bodies", 1992). Where the order tells nothing, at the start or
- * after great changes, it is preceded by passes over every 701st, 301st ... shape, which is Shell's
- * sort with Ciura's gaps: the work stays bounded. */
+ * While little moves the order hardly changes from step to step, and insertion sort, which moves
+ * each shape past those that it overtook, costs little more than a look at each (D. Baraff,
+ * "Dynamic Simulation of Non-penetrating Rigid Bodies", 1992). Where the order tells nothing, at
+ * the start or after great changes, it is preceded by passes over every 701st, 301st ... shape,
+ * which is Shell's sort with Ciura's gaps: the work stays bounded. */
 #include "state/kinds.h"
 #include "broadphase/sorted_axis.h"
 
 #include <string.h>
 
-static bool reserve(thud_world *w, td_proxy_set *row)
-{
+static bool reserve(thud_world *w, td_proxy_set *row) {
     w->scratch.order.stride = (int)sizeof(uint8_t);
     return td_proxy_set_reserve(w, row) &&
            td_array_reserve(&w->memory, &row->keys, td_max_int(row->list.count, 1)) &&
@@ -19,8 +18,7 @@ static bool reserve(thud_world *w, td_proxy_set *row)
 }
 
 /* Shapes that are still there keep their order, new ones come last. */
-static void follow_list(thud_world *w, td_proxy_set *row)
-{
+static void follow_list(thud_world *w, td_proxy_set *row) {
     uint8_t *present = w->scratch.order.data;
     const int32_t *list = row->list.data;
     td_sweep_key *keys = row->keys.data;
@@ -43,8 +41,7 @@ static void follow_list(thud_world *w, td_proxy_set *row)
     row->keys.count = kept;
 }
 
-static void measure(const thud_world *w, td_proxy_set *row)
-{
+static void measure(const thud_world *w, td_proxy_set *row) {
     td_sweep_key *keys = row->keys.data;
     row->widest = 0.0;
     row->reference =
@@ -52,14 +49,12 @@ static void measure(const thud_world *w, td_proxy_set *row)
     for (int i = 0; i < row->keys.count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(w, keys[i].shape);
         double width = (double)td_wrap_sub(proxy->fat.max_x, proxy->fat.min_x);
-        keys[i].least =
-            (double)(td_unwrap(proxy->fat.min_x, proxy->center.x) - row->reference);
+        keys[i].least = (double)(td_unwrap(proxy->fat.min_x, proxy->center.x) - row->reference);
         row->widest = td_max_double(row->widest, width);
     }
 }
 
-static bool is_disordered(const td_sweep_key *keys, int count)
-{
+static bool is_disordered(const td_sweep_key *keys, int count) {
     int descents = 0;
     for (int i = 1; i < count; i++) {
         descents += keys[i].least < keys[i - 1].least;
@@ -68,8 +63,7 @@ static bool is_disordered(const td_sweep_key *keys, int count)
 }
 
 /* Insertion sort of every `gap`-th. */
-static void insert(td_sweep_key *keys, int count, int gap)
-{
+static void insert(td_sweep_key *keys, int count, int gap) {
     for (int i = gap; i < count; i++) {
         td_sweep_key key = keys[i];
         int to = i;
@@ -80,8 +74,7 @@ static void insert(td_sweep_key *keys, int count, int gap)
     }
 }
 
-static void sort(td_sweep_key *keys, int count)
-{
+static void sort(td_sweep_key *keys, int count) {
     static const int gaps[] = {701, 301, 132, 57, 23, 10, 4};
     if (is_disordered(keys, count)) {
         int gap = gaps[0];
@@ -98,8 +91,7 @@ static void sort(td_sweep_key *keys, int count)
     insert(keys, count, 1);
 }
 
-static bool build(thud_world *w, td_proxy_set *row, bool quiet)
-{
+static bool build(thud_world *w, td_proxy_set *row, bool quiet) {
     (void)quiet;
     row->valid = false;
     if (!reserve(w, row)) {

@@ -3,8 +3,7 @@
 
 #include "state/kinds.h"
 
-void td_sorted_axis_fill(thud_world *w, td_proxy_set *row)
-{
+void td_sorted_axis_fill(thud_world *w, td_proxy_set *row) {
     const int32_t *ids = row->ids.data;
     row->origin_x = row->origin_y = INT64_MAX;
     row->end_x = row->end_y = INT64_MIN;

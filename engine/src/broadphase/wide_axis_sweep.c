@@ -1,10 +1,10 @@
-/* wide_axis_sweep.c: finding the overlapping bounds of a proxy set in one row, eight at a time: among
- * all that follow, or, where the row is sorted, among those that begin before a shape ends. */
+/* wide_axis_sweep.c: finding the overlapping bounds of a proxy set in one row, eight at a time:
+ * among all that follow, or, where the row is sorted, among those that begin before a shape ends.
+ */
 #include "broadphase/wide_scan.h"
 
 /* Where the row is sorted: none from here on begins at or before `most`. */
-TD_INLINE int end_of(const td_proxy_set *row, int from, double most)
-{
+TD_INLINE int end_of(const td_proxy_set *row, int from, double most) {
     const td_sweep_key *keys = row->keys.data;
     int count = row->ids.count;
     while (from < count && (!keys || keys[from].least <= most)) {
@@ -14,8 +14,7 @@ TD_INLINE int end_of(const td_proxy_set *row, int from, double most)
 }
 
 /* The first that may reach `least`: half of what is left is thrown away each time. */
-TD_INLINE int begin_of(const td_proxy_set *row, double least)
-{
+TD_INLINE int begin_of(const td_proxy_set *row, double least) {
     const td_sweep_key *keys = row->keys.data;
     int low = 0, high = keys ? row->ids.count : 0;
     while (low < high) {
@@ -30,20 +29,17 @@ TD_INLINE int begin_of(const td_proxy_set *row, double least)
 }
 
 /* Coordinates at which the i-th shape begins and ends, where the row is sorted. */
-TD_INLINE double least_of(const td_proxy_set *row, int i)
-{
+TD_INLINE double least_of(const td_proxy_set *row, int i) {
     const td_sweep_key *keys = row->keys.data;
     return keys ? keys[i].least : 0.0;
 }
 
-TD_INLINE double most_of(const scan *s, int i)
-{
+TD_INLINE double most_of(const scan *s, int i) {
     return least_of(s->set, i) + (double)td_wrap_sub(s->max_x[i], s->min_x[i]);
 }
 
 /* Those before the i-th that have not moved; the others find it themselves. */
-TD_INLINE void scan_before(scan *s, int i)
-{
+TD_INLINE void scan_before(scan *s, int i) {
     int first = begin_of(s->set, least_of(s->set, i));
     if (first < i) {
         scan_span(s, first, i, HEED_UNMOVED);
@@ -51,9 +47,9 @@ TD_INLINE void scan_before(scan *s, int i)
 }
 
 td_sweep_fn TD_WIDE(td_sorted_axis_sweep);
-bool TD_WIDE(td_sorted_axis_sweep)(const td_proxy_set *row, td_memory *memory, const td_shape_proxy *proxy,
-                           bool every, td_array *hits, td_hits_fn *tell, void *context)
-{
+bool TD_WIDE(td_sorted_axis_sweep)(const td_proxy_set *row, td_memory *memory,
+                                   const td_shape_proxy *proxy, bool every, td_array *hits,
+                                   td_hits_fn *tell, void *context) {
     (void)proxy;
     scan s = begin_scan(row, memory, hits);
     for (int i = 0; i < row->ids.count; i++) {
@@ -80,9 +76,8 @@ bool TD_WIDE(td_sorted_axis_sweep)(const td_proxy_set *row, td_memory *memory, c
 }
 
 td_find_fn TD_WIDE(td_sorted_axis_find);
-bool TD_WIDE(td_sorted_axis_find)(const td_proxy_set *row, td_memory *memory, const td_bounds *bounds,
-                          td_position near_place, td_array *hits)
-{
+bool TD_WIDE(td_sorted_axis_find)(const td_proxy_set *row, td_memory *memory,
+                                  const td_bounds *bounds, td_position near_place, td_array *hits) {
     scan s = begin_scan(row, memory, hits);
     set_box(&s, bounds);
     double least = (double)(td_unwrap(bounds->min_x, near_place.x) - row->reference);

@@ -1,23 +1,19 @@
 /* wide_grid.c: where the shapes of a grid belong, eight at a time. */
 #include "broadphase/wide_scan.h"
 
-TD_INLINE i8 i8_min(i8 a, i8 b)
-{
+TD_INLINE i8 i8_min(i8 a, i8 b) {
     return i8_pick(a < b, a, b);
 }
 
-TD_INLINE i8 i8_max(i8 a, i8 b)
-{
+TD_INLINE i8 i8_max(i8 a, i8 b) {
     return i8_pick(a > b, a, b);
 }
 
-TD_INLINE i8 half_up(i8 low, i8 high)
-{
+TD_INLINE i8 half_up(i8 low, i8 high) {
     return (i8)((u8)low + ((u8)i8_wrap_sub(high, low) >> 1));
 }
 
-TD_INLINE void store_doubles(double *to, i8 x)
-{
+TD_INLINE void store_doubles(double *to, i8 x) {
     d4 low = __builtin_convertvector(__builtin_shufflevector(x, x, 0, 1, 2, 3), d4);
     d4 high = __builtin_convertvector(__builtin_shufflevector(x, x, 4, 5, 6, 7), d4);
     __builtin_memcpy(to, &low, sizeof low);
@@ -25,8 +21,7 @@ TD_INLINE void store_doubles(double *to, i8 x)
 }
 
 /* Sizes mostly agree, and are then noted at once. */
-TD_INLINE void note_sizes(i8 extent, int *set)
-{
+TD_INLINE void note_sizes(i8 extent, int *set) {
     f8 f = __builtin_convertvector(i8_max(extent, i8_all(1)), f8);
     i8 size = (i8)((u8)f >> TD_SIZE_SHIFT) - i8_all(TD_SIZE_ZERO);
     i8 other = size - i8_all(size[0]);
@@ -40,8 +35,7 @@ TD_INLINE void note_sizes(i8 extent, int *set)
 }
 
 td_grid_measure_fn TD_WIDE(td_grid_measure);
-bool TD_WIDE(td_grid_measure)(const td_shape_proxy *proxy, td_grid_measures *m)
-{
+bool TD_WIDE(td_grid_measure)(const td_shape_proxy *proxy, td_grid_measures *m) {
     const int32_t *ids = m->list;
     i8 least_x = i8_all(INT32_MAX), least_y = least_x, most_x = i8_all(INT32_MIN), most_y = most_x;
     i8 far = i8_all(0);
@@ -86,18 +80,17 @@ bool TD_WIDE(td_grid_measure)(const td_shape_proxy *proxy, td_grid_measures *m)
     return i8_bits(far) == 0;
 }
 
-static void cells_one_by_one(const td_level *levels, td_grid_measures *m)
-{
+static void cells_one_by_one(const td_level *levels, td_grid_measures *m) {
     for (int i = 0; i < m->count; i++) {
         const td_level *level = &levels[m->level[i]];
         /* Not below the origin, so that truncation rounds down. */
-        m->cell[i] = (int32_t)td_grid_cell(level, (int64_t)((m->x[i] - m->least_x) * level->inv_cell),
-                                           (int64_t)((m->y[i] - m->least_y) * level->inv_cell));
+        m->cell[i] =
+            (int32_t)td_grid_cell(level, (int64_t)((m->x[i] - m->least_x) * level->inv_cell),
+                                  (int64_t)((m->y[i] - m->least_y) * level->inv_cell));
     }
 }
 
-TD_INLINE u8 indices(const double *x, double least, double inv_cell)
-{
+TD_INLINE u8 indices(const double *x, double least, double inv_cell) {
     d4 a, b;
     __builtin_memcpy(&a, x, sizeof a);
     __builtin_memcpy(&b, x + 4, sizeof b);
@@ -107,8 +100,7 @@ TD_INLINE u8 indices(const double *x, double least, double inv_cell)
 }
 
 td_grid_cells_fn TD_WIDE(td_grid_cells);
-void TD_WIDE(td_grid_cells)(const td_level *levels, td_grid_measures *m)
-{
+void TD_WIDE(td_grid_cells)(const td_level *levels, td_grid_measures *m) {
     const td_level *level = &levels[m->level[0]];
     double most = 0x1p30 * (double)level->cell;
     if (level->count < m->count || m->most_x - m->least_x > most || m->most_y - m->least_y > most) {

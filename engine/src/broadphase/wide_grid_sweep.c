@@ -9,8 +9,7 @@ enum { FEW = 2 * TD_LANES };
 enum { MOST_ROWS = 16 };
 
 /* Cells cell .. cell + n - 1 of a level, around the end of its table. */
-TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which)
-{
+TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which) {
     const int32_t *starts = s->starts + level->starts;
     uint32_t table = level->mask + 1;
     cell &= level->mask;
@@ -27,8 +26,7 @@ TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_
     return true;
 }
 
-TD_INLINE bool scan_level(scan *s, const td_level *level, heed which)
-{
+TD_INLINE bool scan_level(scan *s, const td_level *level, heed which) {
     if (!room(s, level->count)) {
         return false;
     }
@@ -36,11 +34,10 @@ TD_INLINE bool scan_level(scan *s, const td_level *level, heed which)
     return true;
 }
 
-/* The rest of a shape's cell and the next one, and the row above; so that each pair comes once. Where
- * the table's end does not lie between them. */
+/* The rest of a shape's cell and the next one, and the row above; so that each pair comes once.
+ * Where the table's end does not lie between them. */
 TD_INLINE bool scan_forward(scan *s, const int32_t *starts, int i, uint32_t cell, uint32_t above,
-                            heed which)
-{
+                            heed which) {
     int end = starts[cell + 2], first = starts[above], last = starts[above + 3];
     if (!room(s, end - i + last - first)) {
         return false;
@@ -52,8 +49,7 @@ TD_INLINE bool scan_forward(scan *s, const int32_t *starts, int i, uint32_t cell
 
 /* The same anywhere, or the other half of the neighbourhood. */
 TD_INLINE bool scan_half(scan *s, const td_level *level, int i, uint32_t cell, bool forward,
-                         heed which)
-{
+                         heed which) {
     const int32_t *starts = s->starts + level->starts + cell;
     int from = forward ? i + 1 : starts[0], to = forward ? starts[1] : i;
     if (!room(s, to - from)) {
@@ -73,8 +69,7 @@ TD_INLINE bool scan_half(scan *s, const td_level *level, int i, uint32_t cell, b
 
 /* A level of larger shapes: three rows of three cells each, about a centre, which is given relative
  * to the origin, and not below it. */
-TD_INLINE bool scan_coarser(scan *s, const td_level *level, double x, double y, heed which)
-{
+TD_INLINE bool scan_coarser(scan *s, const td_level *level, double x, double y, heed which) {
     if (level->count <= FEW) {
         return scan_level(s, level, which);
     }
@@ -89,8 +84,8 @@ TD_INLINE bool scan_coarser(scan *s, const td_level *level, double x, double y, 
 
 /* Whether rows of a hashed level fall onto each other, so that a shape could be found twice. Those
  * of a window of three by three never do. */
-TD_INLINE bool rows_meet(const td_level *level, int64_t column, int64_t row, uint32_t n, int64_t rows)
-{
+TD_INLINE bool rows_meet(const td_level *level, int64_t column, int64_t row, uint32_t n,
+                         int64_t rows) {
     if (n <= 3 && rows <= 3) {
         return false;
     }
@@ -111,9 +106,8 @@ TD_INLINE bool rows_meet(const td_level *level, int64_t column, int64_t row, uin
 }
 
 /* Any level, by the cells that the bounds reach. */
-TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, td_position near_position,
-                           heed which)
-{
+TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
+                           td_position near_position, heed which) {
     const td_proxy_set *grid = s->set;
     if (level->count <= FEW) {
         return scan_level(s, level, which);
@@ -153,8 +147,7 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b, t
 }
 
 /* The levels that are not the shape's own. */
-TD_INLINE bool scan_others(scan *s, int own, int i, td_position near_position, bool every)
-{
+TD_INLINE bool scan_others(scan *s, int own, int i, td_position near_position, bool every) {
     const td_proxy_set *grid = s->set;
     td_bounds b = bounds_at(s, i);
     double x = (double)(td_unwrap(td_middle(b.min_x, b.max_x), near_position.x) - grid->origin_x);
@@ -174,8 +167,7 @@ TD_INLINE bool scan_others(scan *s, int own, int i, td_position near_position, b
     return true;
 }
 
-static int levels_in_use(const td_proxy_set *grid)
-{
+static int levels_in_use(const td_proxy_set *grid) {
     int used = 0;
     for (int l = 0; l < TD_LEVELS; l++) {
         used += grid->levels[l].count > 0;
@@ -184,9 +176,9 @@ static int levels_in_use(const td_proxy_set *grid)
 }
 
 td_sweep_fn TD_WIDE(td_grid_sweep);
-bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory, const td_shape_proxy *proxy,
-                            bool every, td_array *hits, td_hits_fn *tell, void *context)
-{
+bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
+                            const td_shape_proxy *proxy, bool every, td_array *hits,
+                            td_hits_fn *tell, void *context) {
     scan s = begin_scan(grid, memory, hits);
     const int32_t *cells = grid->cells.data;
     bool one_level = levels_in_use(grid) == 1;
@@ -220,8 +212,7 @@ bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory, const t
 
 td_find_fn TD_WIDE(td_grid_find);
 bool TD_WIDE(td_grid_find)(const td_proxy_set *grid, td_memory *memory, const td_bounds *bounds,
-                            td_position near_position, td_array *hits)
-{
+                           td_position near_position, td_array *hits) {
     scan s = begin_scan(grid, memory, hits);
     set_box(&s, bounds);
     /* Levels in use follow each other, the last one first. */

@@ -2,8 +2,8 @@
 #include "broadphase/wide_scan.h"
 
 td_proxy_set_fill_fn TD_WIDE(td_proxy_set_fill);
-int TD_WIDE(td_proxy_set_fill)(td_proxy_set *set, const td_shape_proxy *proxy, const uint8_t *marks)
-{
+int TD_WIDE(td_proxy_set_fill)(td_proxy_set *set, const td_shape_proxy *proxy,
+                               const uint8_t *marks) {
     int32_t *ids = set->ids.data, *moved = set->moved.data;
     int32_t *rows[4] = {set->min_x.data, set->min_y.data, set->max_x.data, set->max_y.data};
     int count = set->ids.count, moved_count = 0;

@@ -44,11 +44,13 @@ typedef struct td_point_history {
 typedef struct td_surface {
     f8 speed;  /* at which b is driven along t; read only where td_solve_context.belts */
     f8 total;  /* tangent impulse of all substeps; kept only where keep_tangents */
-    f8 energy; /* twice the pair's, when it had bounced in this step; < 0: it has not. Where bouncy */
+    f8 energy; /* twice the pair's, when it had bounced in this step; < 0: it has not. Where bouncy
+                */
 } td_surface;
 
-/* Poses for which a lane's manifold was worked out. While the pair stays near them, relative to each
- * other and in the world, the manifold is kept and only its separations follow: see wide_manifold_cache.h. */
+/* Poses for which a lane's manifold was worked out. While the pair stays near them, relative to
+ * each other and in the world, the manifold is kept and only its separations follow: see
+ * wide_manifold_cache.h. */
 typedef struct td_manifold_cache {
     f8 dx, dy;         /* from a's centre of mass to b's; on terrain: bits of b's place */
     f8 ac, as, bc, bs; /* cosine and sine of both shapes */
@@ -57,25 +59,27 @@ typedef struct td_manifold_cache {
     f8 reach;          /* greatest half extent: what a turn moves */
 } td_manifold_cache;
 
-/* Behind its points a block has a td_point_history each, a td_surface, and a td_manifold_cache where its kind
- * keeps. */
+/* Behind its points a block has a td_point_history each, a td_surface, and a td_manifold_cache
+ * where its kind keeps. */
 typedef struct td_block {
     int32_t shape_a[TD_LANES], shape_b[TD_LANES];
-    int32_t contact[TD_LANES];  /* TD_NONE: empty lane */
-    uint32_t feature[TD_LANES]; /* faces in touch; impulses carry over while they stay; 0: none yet */
-    int32_t next, prev;         /* blocks of the same bin */
-    int32_t used;               /* lanes 0 .. used - 1 are in use */
-    uint32_t touching;          /* lanes with a point, by the last narrowphase */
-    int32_t bouncy;             /* a lane has restitution */
-    int32_t armed;              /* a lane's shape may be off its body's centre of mass */
-    int32_t shared;             /* a lane has a kinematic body, which other blocks may have as well */
-    uint8_t internal_edges[TD_LANES];    /* of shape_a, where it is static */
-    uint8_t loaded[TD_LANES];   /* how often found to carry too much, see direct_islands.c; and TD_DIRECT */
+    int32_t contact[TD_LANES]; /* TD_NONE: empty lane */
+    uint32_t
+        feature[TD_LANES]; /* faces in touch; impulses carry over while they stay; 0: none yet */
+    int32_t next, prev;    /* blocks of the same bin */
+    int32_t used;          /* lanes 0 .. used - 1 are in use */
+    uint32_t touching;     /* lanes with a point, by the last narrowphase */
+    int32_t bouncy;        /* a lane has restitution */
+    int32_t armed;         /* a lane's shape may be off its body's centre of mass */
+    int32_t shared;        /* a lane has a kinematic body, which other blocks may have as well */
+    uint8_t internal_edges[TD_LANES]; /* of shape_a, where it is static */
+    uint8_t loaded[TD_LANES]; /* how often found to carry too much, see direct_islands.c; and
+                                 TD_DIRECT */
     int32_t padding[5];
     /* The solver's rows begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slots, in bytes of their records of four floats; 0:
                                           that side is static */
-    f8 nx, ny;                        /* from a to b */
+    f8 nx, ny;                         /* from a to b */
     f8 inv_inertia_a, inv_inertia_b;
     /* Friction acts along t = (ny, -nx), once for all points, whose tangents are the same line. */
     f8 friction;
@@ -91,25 +95,21 @@ enum { TD_AWAKE_BYTES = 4 * (int)sizeof(float) };
 
 enum { TD_CHUNK_BLOCKS = 24 }; /* enough work for a worker to be worth taking */
 
-static inline td_point_history *td_history_of(td_block *block, int points)
-{
+static inline td_point_history *td_history_of(td_block *block, int points) {
     return (td_point_history *)&block->point[points];
 }
 
-static inline td_surface *td_surface_at(td_block *block, int points)
-{
+static inline td_surface *td_surface_at(td_block *block, int points) {
     return (td_surface *)&td_history_of(block, points)[points];
 }
 
-static inline td_manifold_cache *td_manifold_cache_of(td_block *block, int points)
-{
+static inline td_manifold_cache *td_manifold_cache_of(td_block *block, int points) {
     return (td_manifold_cache *)(td_surface_at(block, points) + 1);
 }
 
 /* Blocks lie where their contacts began, and the passes over them are bound by memory: the solver's
  * rows of the one after the next are asked for early. */
-TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int points)
-{
+TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int points) {
     if (i + 2 < count) {
         const td_block *block = blocks[i + 2];
         const char *at = (const char *)block->a, *end = (const char *)&block->point[points];
@@ -127,13 +127,11 @@ typedef enum td_block_form {
     TD_FORM_COUNT
 } td_block_form;
 
-static inline int td_form_points(td_block_form form)
-{
+static inline int td_form_points(td_block_form form) {
     return form == TD_FORM_TWO_CACHED ? 2 : 1;
 }
 
-static inline size_t td_form_bytes(td_block_form form)
-{
+static inline size_t td_form_bytes(td_block_form form) {
     size_t points = (size_t)td_form_points(form);
     return sizeof(td_block) + points * (sizeof(td_point) + sizeof(td_point_history)) +
            sizeof(td_surface) + (form == TD_FORM_ONE ? 0 : sizeof(td_manifold_cache));
@@ -142,15 +140,15 @@ static inline size_t td_form_bytes(td_block_form form)
 /* ---- what the wide kernels are given ---- */
 
 typedef struct td_collide_context {
-    const td_shape_proxy *proxy;   /* by shape */
-    const float (*velocity)[4]; /* by awake slot: x, y, angular, inverse mass */
-    td_block **parted;         /* gets the blocks that have a lane without a point */
+    const td_shape_proxy *proxy; /* by shape */
+    const float (*velocity)[4];  /* by awake slot: x, y, angular, inverse mass */
+    td_block **parted;           /* gets the blocks that have a lane without a point */
     int *parted_count;
-    int *armed;                /* set where a block is armed */
-    float quantum;             /* length of a position quantum */
-    float margin;              /* speculative */
-    float skin;                /* at which contacts rest: what the solver takes for touching */
-    float axis_tolerance;      /* how much better b's face must be to be preferred */
+    int *armed;           /* set where a block is armed */
+    float quantum;        /* length of a position quantum */
+    float margin;         /* speculative */
+    float skin;           /* at which contacts rest: what the solver takes for touching */
+    float axis_tolerance; /* how much better b's face must be to be preferred */
 } td_collide_context;
 
 /* Passes of restitution: the first and others before all substeps, and the one after them. */
@@ -159,26 +157,26 @@ typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_b
 enum { TD_BOUNCE_PASSES = 64 }; /* before all substeps; each takes a row two links on at least */
 
 typedef struct td_solve_context {
-    float (*velocity)[4]; /* by awake slot */
-    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle */
+    float (*velocity)[4];   /* by awake slot */
+    float (*delta)[4];      /* by awake slot: motion since the start of the step: x, y, angle */
     const float (*push)[4]; /* by awake slot: velocity that gravity and forces give in a substep */
-    float inv_h;          /* substeps per second */
+    float inv_h;            /* substeps per second */
     float substeps, time_step; /* of a step */
     float push_speed;
-    float bounce_speed;         /* normal speed, <= 0: slower approaches do not bounce ... */
-    float elastic_speed;        /* ... and of restitution 1 */
-    float fall;                 /* in a step */
-    float bias_rate[2];         /* soft contact against a moving [0] and a static body [1] */
+    float bounce_speed;  /* normal speed, <= 0: slower approaches do not bounce ... */
+    float elastic_speed; /* ... and of restitution 1 */
+    float fall;          /* in a step */
+    float bias_rate[2];  /* soft contact against a moving [0] and a static body [1] */
     float mass_scale[2], impulse_scale[2];
-    bool keep_totals;           /* somebody will read td_point_history.total ... */
-    bool keep_tangents;         /* ... or td_surface.total */
-    bool surface_speeds;                 /* a lane has a surface speed */
-    bool last;                  /* substep: its relax pass tallies */
-    bool first;                 /* substep: totals start anew ... */
-    bool bounces;               /* ... where they have not in a bounce */
-    td_bounce bounce;           /* which pass */
-    atomic_bool *bounced;       /* set by it where a pair bounces */
-    struct td_tally *tally;     /* the last relax pass notes approaches there */
+    bool keep_totals;       /* somebody will read td_point_history.total ... */
+    bool keep_tangents;     /* ... or td_surface.total */
+    bool surface_speeds;    /* a lane has a surface speed */
+    bool last;              /* substep: its relax pass tallies */
+    bool first;             /* substep: totals start anew ... */
+    bool bounces;           /* ... where they have not in a bounce */
+    td_bounce bounce;       /* which pass */
+    atomic_bool *bounced;   /* set by it where a pair bounces */
+    struct td_tally *tally; /* the last relax pass notes approaches there */
 } td_solve_context;
 
 /* Fills normal, crosses, masses, base and separation of the blocks from the present poses, and
@@ -186,8 +184,8 @@ typedef struct td_solve_context {
 typedef void td_collide_fn(td_block *const *blocks, int count, const td_collide_context *context);
 typedef void td_solve_fn(td_block *const *blocks, int count, const td_solve_context *context);
 
-/* Sifts eight pairs of shapes: bits of those whose fat bounds overlap no more, and of those that may
- * touch. What is in neither is surely apart, but not for good. */
+/* Sifts eight pairs of shapes: bits of those whose fat bounds overlap no more, and of those that
+ * may touch. What is in neither is surely apart, but not for good. */
 typedef struct td_sifted {
     unsigned parted, near;
 } td_sifted;
@@ -219,8 +217,8 @@ struct thud_world;
 /* What a pair kind plugs in when its shapes are first used; see kinds.h. */
 typedef struct td_pair_ops {
     td_block_form form;
-    td_sift_fn *sift;         /* null for terrain */
-    td_collide_fn *collide;   /* null where `collide_world` is set */
+    td_sift_fn *sift;       /* null for terrain */
+    td_collide_fn *collide; /* null where `collide_world` is set */
     /* Pairs whose geometry does not lie in the per-shape records (terrain). */
     void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
                           const td_collide_context *context);

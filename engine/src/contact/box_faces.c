@@ -1,4 +1,5 @@
-/* box_faces.c: see box_faces.h. The face of the chosen axis clips the opposite face of the other box. */
+/* box_faces.c: see box_faces.h. The face of the chosen axis clips the opposite face of the other
+ * box. */
 #include "contact/box_faces.h"
 
 /* Open axes may be so much deeper than hidden ones, and the margin. Of 10^5 heaps in
@@ -8,9 +9,8 @@
 
 /* Points where the edge of `other` that looks most against the outward normal (nx, ny) of `face`'s
  * box lies over that face. */
-static int clip(const thud_shape_instance *face, const thud_shape_instance *other, double nx, double ny,
-                double margin, double *x, double *y, double *separation)
-{
+static int clip(const thud_shape_instance *face, const thud_shape_instance *other, double nx,
+                double ny, double margin, double *x, double *y, double *separation) {
     double u, v, tx = -ny, ty = nx;
     /* The other box's edge: centre, direction and half length. */
     td_to_frame(other, -nx, -ny, &u, &v);
@@ -46,9 +46,10 @@ static int clip(const thud_shape_instance *face, const thud_shape_instance *othe
     return count;
 }
 
-/* One of the axes of the two boxes, turned to look from a to b, and how far apart they are along it. */
-static double axis_of(const thud_shape_instance *a, const thud_shape_instance *b, int i, double *nx, double *ny)
-{
+/* One of the axes of the two boxes, turned to look from a to b, and how far apart they are along
+ * it. */
+static double axis_of(const thud_shape_instance *a, const thud_shape_instance *b, int i, double *nx,
+                      double *ny) {
     const thud_shape_instance *box = i < 2 ? a : b;
     double x = i % 2 ? -box->s : box->c, y = i % 2 ? box->c : box->s;
     double along = (b->x - a->x) * x + (b->y - a->y) * y;
@@ -58,13 +59,11 @@ static double axis_of(const thud_shape_instance *a, const thud_shape_instance *b
 }
 
 /* Upright ones have the same. */
-static int axes_of(const thud_shape_instance *a, const thud_shape_instance *b)
-{
+static int axes_of(const thud_shape_instance *a, const thud_shape_instance *b) {
     return a->kind == THUD_AABB && b->kind == THUD_AABB ? 2 : 4;
 }
 
-bool td_internal_edge_boxes_meet(const thud_shape_instance *a, const thud_shape_instance *b)
-{
+bool td_internal_edge_boxes_meet(const thud_shape_instance *a, const thud_shape_instance *b) {
     double nx, ny;
     for (int i = 0; i < axes_of(a, b); i++) {
         if (axis_of(a, b, i, &nx, &ny) > 0.0) {
@@ -74,9 +73,9 @@ bool td_internal_edge_boxes_meet(const thud_shape_instance *a, const thud_shape_
     return true;
 }
 
-bool td_internal_edge_boxes(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
-                   td_axis_hidden_fn *hidden, void *context, td_internal_edge_contact *out)
-{
+bool td_internal_edge_boxes(const thud_shape_instance *a, const thud_shape_instance *b,
+                            double margin, td_axis_hidden_fn *hidden, void *context,
+                            td_internal_edge_contact *out) {
     double best = -1e300, plain = -1e300;
     const thud_shape_instance *face = NULL;
     for (int i = 0; i < axes_of(a, b); i++) {
@@ -89,8 +88,8 @@ bool td_internal_edge_boxes(const thud_shape_instance *a, const thud_shape_insta
             out->ny = ny;
         }
     }
-    /* What lies much deeper along an open axis than along a hidden one overlaps what hides that, and
-     * is pushed out by it; pushed along the open axis it would be flung away. */
+    /* What lies much deeper along an open axis than along a hidden one overlaps what hides that,
+     * and is pushed out by it; pushed along the open axis it would be flung away. */
     if (!face || best > margin || best < DEEPER * plain - margin) {
         return false;
     }

@@ -17,9 +17,11 @@ bool td_internal_edge_boxes_meet(const thud_shape_instance *a, const thud_shape_
 /* Whether a normal, from a to b, is out of the question. */
 typedef bool td_axis_hidden_fn(double nx, double ny, void *context);
 
-/* The separating axis with the largest separation among those that are not hidden; false where there
- * is none, or one that would push much further than a hidden one, or no point within `margin`. */
-bool td_internal_edge_boxes(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
-                   td_axis_hidden_fn *hidden, void *context, td_internal_edge_contact *out);
+/* The separating axis with the largest separation among those that are not hidden; false where
+ * there is none, or one that would push much further than a hidden one, or no point within
+ * `margin`. */
+bool td_internal_edge_boxes(const thud_shape_instance *a, const thud_shape_instance *b,
+                            double margin, td_axis_hidden_fn *hidden, void *context,
+                            td_internal_edge_contact *out);
 
 #endif

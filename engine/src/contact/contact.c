@@ -5,20 +5,17 @@
 #include "state/handles.h"
 #include "contact/lanes.h"
 
-static td_body *body_of_shape(const thud_world *w, int shape)
-{
+static td_body *body_of_shape(const thud_world *w, int shape) {
     return td_body_at(w, td_shape_at(w, shape)->body);
 }
 
-static void swap(int *a, int *b)
-{
+static void swap(int *a, int *b) {
     int t = *a;
     *a = *b;
     *b = t;
 }
 
-td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b)
-{
+td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b) {
     const td_shape *a = td_shape_at(w, *shape_a), *b = td_shape_at(w, *shape_b);
     if ((a->flags | b->flags) & TD_SHAPE_SENSOR) {
         if (!(a->flags & TD_SHAPE_SENSOR)) {
@@ -28,8 +25,8 @@ td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b)
     }
     bool a_static = body_of_shape(w, *shape_a)->kind == THUD_STATIC;
     bool b_static = body_of_shape(w, *shape_b)->kind == THUD_STATIC;
-    bool swapped = b_static || (!a_static && (a->kind < b->kind ||
-                                              (a->kind == b->kind && *shape_a > *shape_b)));
+    bool swapped = b_static || (!a_static &&
+                                (a->kind < b->kind || (a->kind == b->kind && *shape_a > *shape_b)));
     if (swapped) {
         swap(shape_a, shape_b);
         const td_shape *t = a;
@@ -48,8 +45,7 @@ td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b)
     return a->kind == THUD_AABB && b->kind == THUD_AABB ? TD_PAIR_AABB_AABB : TD_PAIR_BOX_BOX;
 }
 
-bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b)
-{
+bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
     const td_shape *a = td_shape_at(w, shape_a), *b = td_shape_at(w, shape_b);
     const td_body *body_a = td_body_at(w, a->body), *body_b = td_body_at(w, b->body);
     /* A collision needs a body that gives way, a sensor one that may come and go. */
@@ -64,8 +60,7 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b)
     return (a->filter.mask & b->filter.category) && (b->filter.mask & a->filter.category);
 }
 
-bool td_pair_meets(const thud_world *w, int a, int b)
-{
+bool td_pair_meets(const thud_world *w, int a, int b) {
     if (!td_bounds_overlap(td_fat_at(w, a), td_fat_at(w, b))) {
         return false;
     }
@@ -74,8 +69,7 @@ bool td_pair_meets(const thud_world *w, int a, int b)
     return !w->vast || (x < most && x > -most && y < most && y > -most);
 }
 
-bool td_contacts_reserve(thud_world *w, const int more[TD_PAIR_COUNT])
-{
+bool td_contacts_reserve(thud_world *w, const int more[TD_PAIR_COUNT]) {
     int sum = 0;
     for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
         sum += more[kind];
@@ -86,8 +80,7 @@ bool td_contacts_reserve(thud_world *w, const int more[TD_PAIR_COUNT])
     return td_slots_reserve(&w->memory, &w->contacts, sum);
 }
 
-static void link_edge(thud_world *w, int contact_index, int side)
-{
+static void link_edge(thud_world *w, int contact_index, int side) {
     td_contact *contact = td_contact_at(w, contact_index);
     td_body *body = td_body_at(w, contact->body[side]);
     int edge = contact_index * 2 + side, head = body->first_contact;
@@ -99,8 +92,7 @@ static void link_edge(thud_world *w, int contact_index, int side)
     body->first_contact = edge;
 }
 
-static void unlink_edge(thud_world *w, int contact_index, int side)
-{
+static void unlink_edge(thud_world *w, int contact_index, int side) {
     const td_contact *contact = td_contact_at(w, contact_index);
     int next = contact->next[side], prev = contact->prev[side];
     if (next != TD_NONE) {
@@ -113,8 +105,7 @@ static void unlink_edge(thud_world *w, int contact_index, int side)
     }
 }
 
-void td_contact_wait(thud_world *w, int contact_index)
-{
+void td_contact_wait(thud_world *w, int contact_index) {
     td_contact *contact = td_contact_at(w, contact_index);
     td_array *waiting = &w->waiting[contact->kind];
     contact->state = TD_WAITING;
@@ -122,8 +113,7 @@ void td_contact_wait(thud_world *w, int contact_index)
     td_push_int(waiting, contact_index);
 }
 
-static void leave_waiting(thud_world *w, const td_contact *contact)
-{
+static void leave_waiting(thud_world *w, const td_contact *contact) {
     td_array *waiting = &w->waiting[contact->kind];
     int last = *(int *)td_at(waiting, waiting->count - 1);
     *(int *)td_at(waiting, contact->slot) = last;
@@ -131,33 +121,29 @@ static void leave_waiting(thud_world *w, const td_contact *contact)
     waiting->count--;
 }
 
-void td_contact_rest(thud_world *w, int contact_index)
-{
+void td_contact_rest(thud_world *w, int contact_index) {
     td_contact *contact = td_contact_at(w, contact_index);
     leave_waiting(w, contact);
     contact->state = TD_RESTING;
     contact->slot = TD_NONE;
 }
 
-void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child)
-{
+void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child) {
     int index = td_slots_take(&w->contacts);
     td_contact *contact = td_contact_at(w, index);
-    *contact = (td_contact){
-        .shape_a = shape_a,
-        .shape_b = shape_b,
-        .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body},
-        .child = child,
-        .kind = (uint8_t)kind,
-        .live = 1};
+    *contact = (td_contact){.shape_a = shape_a,
+                            .shape_b = shape_b,
+                            .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body},
+                            .child = child,
+                            .kind = (uint8_t)kind,
+                            .live = 1};
     link_edge(w, index, 0);
     link_edge(w, index, 1);
     w->contact_count[kind]++;
     td_contact_wait(w, index);
 }
 
-bool td_contact_end_reserve(thud_world *w, int more)
-{
+bool td_contact_end_reserve(thud_world *w, int more) {
     td_event_lists *e = &w->events;
     int sensed = td_min_int(more, w->contact_count[TD_PAIR_SENSOR]);
     more = td_max_int(more, 32); /* that many do now and then, and a long run asks for nothing */
@@ -167,8 +153,7 @@ bool td_contact_end_reserve(thud_world *w, int more)
 
 /* A line has a contact a segment, but callers hear of it as of one shape: a pair begins with its
  * first segment and ends with its last. */
-static bool open_elsewhere(const thud_world *w, int contact_index)
-{
+static bool open_elsewhere(const thud_world *w, int contact_index) {
     const td_contact *contact = td_contact_at(w, contact_index);
     bool ground_first = td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN;
     if (!ground_first && td_shape_at(w, contact->shape_b)->kind != THUD_TERRAIN) {
@@ -185,15 +170,13 @@ static bool open_elsewhere(const thud_world *w, int contact_index)
     return false;
 }
 
-static void push_event(thud_world *w, td_array *list, int shape_a, int shape_b)
-{
+static void push_event(thud_world *w, td_array *list, int shape_a, int shape_b) {
     *(thud_contact_event *)td_at(list, list->count++) =
         (thud_contact_event){td_shape_handle(w, shape_a), td_shape_handle(w, shape_b)};
 }
 
 /* A sensor is there to report, also where nobody wants to hear of touches. */
-static void tell(thud_world *w, td_array *touch, td_array *sensed, int contact_index)
-{
+static void tell(thud_world *w, td_array *touch, td_array *sensed, int contact_index) {
     const td_contact *contact = td_contact_at(w, contact_index);
     int a = contact->shape_a, b = contact->shape_b;
     if (open_elsewhere(w, contact_index)) {
@@ -211,27 +194,23 @@ static void tell(thud_world *w, td_array *touch, td_array *sensed, int contact_i
     }
 }
 
-void td_contact_begin(thud_world *w, int contact_index)
-{
+void td_contact_begin(thud_world *w, int contact_index) {
     td_contact_at(w, contact_index)->open = 1;
     tell(w, &w->events.begin, &w->events.sensor_begin, contact_index);
 }
 
-void td_contact_end(thud_world *w, int contact_index)
-{
+void td_contact_end(thud_world *w, int contact_index) {
     td_contact_at(w, contact_index)->open = 0;
     tell(w, &w->events.end, &w->events.sensor_end, contact_index);
 }
 
-void td_contact_part(thud_world *w, int contact_index)
-{
+void td_contact_part(thud_world *w, int contact_index) {
     td_lane_remove(w, contact_index);
     td_contact_wait(w, contact_index);
     td_contact_end(w, contact_index);
 }
 
-void td_contact_destroy(thud_world *w, int contact_index)
-{
+void td_contact_destroy(thud_world *w, int contact_index) {
     td_contact *contact = td_contact_at(w, contact_index);
     if (contact->state == TD_TOUCHING) {
         td_lane_remove(w, contact_index);
@@ -249,8 +228,7 @@ void td_contact_destroy(thud_world *w, int contact_index)
 }
 
 thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, td_position at,
-                                thud_vec2 normal, double distance)
-{
+                                thud_vec2 normal, double distance) {
     return (thud_contact){.shape_a = td_shape_handle(w, shape_a),
                           .shape_b = td_shape_handle(w, shape_b),
                           .body_a = td_body_handle(w, td_shape_at(w, shape_a)->body),

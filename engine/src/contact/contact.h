@@ -7,8 +7,8 @@
 /* The kind of a pair, and whether the two change places so that a static shape, a terrain or the
  * box of a box-circle pair comes first. */
 td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b);
-/* False for shapes of one body or a disabled one, two of which neither gives way (or, where one is a
- * sensor, neither moves), and what the filters keep apart. */
+/* False for shapes of one body or a disabled one, two of which neither gives way (or, where one is
+ * a sensor, neither moves), and what the filters keep apart. */
 bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b);
 
 /* Whether the fat bounds of two shapes, neither a terrain, overlap for real: in a vast world they
@@ -38,8 +38,7 @@ thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, t
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane);
 
 /* Steps along a body's contacts: edge = contact * 2 + side. */
-static inline int td_next_edge(const thud_world *w, int edge)
-{
+static inline int td_next_edge(const thud_world *w, int edge) {
     return td_contact_at(w, edge / 2)->next[edge & 1];
 }
 

@@ -7,8 +7,7 @@
 #include "api/step.h"
 #include "state/surface.h"
 
-thud_contact td_contact_view(const thud_world *w, td_block *block, int lane)
-{
+thud_contact td_contact_view(const thud_world *w, td_block *block, int lane) {
     const td_contact *contact = td_contact_at(w, block->contact[lane]);
     int points = td_form_points(w->pairs[contact->kind]->form);
     const td_pose *pose = td_pose_at(w, contact->body[1]);
@@ -36,14 +35,13 @@ thud_contact td_contact_view(const thud_world *w, td_block *block, int lane)
     float cn = seen.point_count ? along / (float)seen.point_count : 0.0f;
     float ct = block->tangent_cross_b[lane];
     td_position at = {pose->center.x + td_length_from(w, cn * ny - ct * nx),
-                   pose->center.y + td_length_from(w, -cn * nx - ct * ny)};
+                      pose->center.y + td_length_from(w, -cn * nx - ct * ny)};
     seen.point = td_place_to(w, at);
     return seen;
 }
 
 /* How fast a point closes, > 0, at the start of the step. */
-static float closing_of(const thud_world *w, const td_block *block, const td_point *p, int lane)
-{
+static float closing_of(const thud_world *w, const td_block *block, const td_point *p, int lane) {
     const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
     const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
     return (a[0] - b[0]) * block->nx[lane] + (a[1] - b[1]) * block->ny[lane] +
@@ -51,8 +49,7 @@ static float closing_of(const thud_world *w, const td_block *block, const td_poi
 }
 
 /* Lanes that did not bounce before may not know how fast they close in. */
-static void note_approach(const thud_world *w, td_block *block, int points, int lane)
-{
+static void note_approach(const thud_world *w, td_block *block, int points, int lane) {
     for (int k = 0; k < points; k++) {
         td_history_of(block, points)[k].approach[lane] =
             -closing_of(w, block, &block->point[k], lane);
@@ -60,8 +57,7 @@ static void note_approach(const thud_world *w, td_block *block, int points, int 
 }
 
 /* Settings are for this step: each time they start from the pair's own. */
-static void ask(thud_world *w, td_block *block, int lane)
-{
+static void ask(thud_world *w, td_block *block, int lane) {
     td_contact *contact = td_contact_at(w, block->contact[lane]);
     int points = td_form_points(w->pairs[contact->kind]->form);
     thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
@@ -77,8 +73,7 @@ static void ask(thud_world *w, td_block *block, int lane)
     }
 }
 
-void td_contacts_ask(thud_world *w)
-{
+void td_contacts_ask(thud_world *w) {
     for (int i = 0; i < w->scratch.blocks.count && w->def.prologue; i++) {
         td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
         for (int lane = 0; lane < block->used; lane++) {
@@ -88,8 +83,7 @@ void td_contacts_ask(thud_world *w)
 }
 
 /* What meets within the step, or does nothing in it, has no points here: see bounces.c. */
-void td_contacts_hit(thud_world *w)
-{
+void td_contacts_hit(thud_world *w) {
     float least = -w->def.hit_speed * w->unit;
     for (int i = 0; i < w->scratch.begins.count && w->def.contact_events; i++) {
         int index = *(int *)td_at(&w->scratch.begins, i);
@@ -115,8 +109,7 @@ void td_contacts_hit(thud_world *w)
     }
 }
 
-void td_contacts_tell(thud_world *w)
-{
+void td_contacts_tell(thud_world *w) {
     if (!w->def.epilogue) {
         return;
     }

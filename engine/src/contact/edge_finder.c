@@ -1,5 +1,5 @@
-/* edge_finder.c: which faces of static shapes have something static at them, and which faces of one body
- * something else of it. */
+/* edge_finder.c: which faces of static shapes have something static at them, and which faces of one
+ * body something else of it. */
 #include "contact/contact.h"
 #include "contact/lanes.h"
 #include "contact/edge_neighbours.h"
@@ -8,8 +8,7 @@
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
-static void set(thud_world *w, int shape, unsigned internal_edges, unsigned hidden)
-{
+static void set(thud_world *w, int shape, unsigned internal_edges, unsigned hidden) {
     td_shape *s = td_shape_at(w, shape);
     bool same = s->internal_edges == internal_edges;
     s->internal_edges = (uint8_t)internal_edges;
@@ -20,14 +19,14 @@ static void set(thud_world *w, int shape, unsigned internal_edges, unsigned hidd
         if (contact->state == TD_TOUCHING) {
             td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
             block->internal_edges[contact->slot % TD_LANES] =
-                td_internal_edges_of(td_shape_at(w, contact->shape_a), td_shape_at(w, contact->shape_b));
+                td_internal_edges_of(td_shape_at(w, contact->shape_a),
+                                     td_shape_at(w, contact->shape_b));
         }
     }
 }
 
 /* A strip outside a face, from one to two widths away, short of its ends. */
-static thud_shape_instance strip_of(const thud_shape_instance *box, int face, double width)
-{
+static thud_shape_instance strip_of(const thud_shape_instance *box, int face, double width) {
     thud_shape_instance strip = *box;
     double along = face % 2 ? box->hx : box->hy, out = (face % 2 ? box->hy : box->hx) + 1.5 * width;
     double u = face % 2 ? 0.0 : out, v = face % 2 ? out : 0.0, x, y;
@@ -41,14 +40,12 @@ static thud_shape_instance strip_of(const thud_shape_instance *box, int face, do
 }
 
 /* Both meet the same shapes, so that what one hides of the other is hidden from all. */
-static bool alike(const thud_world *w, int a, int b)
-{
+static bool alike(const thud_world *w, int a, int b) {
     const thud_filter *p = &td_shape_at(w, a)->filter, *q = &td_shape_at(w, b)->filter;
     return p->category == q->category && p->mask == q->mask && p->group == q->group;
 }
 
-static unsigned corners_of_face(int face)
-{
+static unsigned corners_of_face(int face) {
     bool upright = face % 2 == 0, far = face < 2; /* right and top lie at greater coordinates */
     return td_corner_bit(upright ? far : false, upright ? false : far) |
            td_corner_bit(upright ? far : true, upright ? true : far);
@@ -58,8 +55,8 @@ static unsigned corners_of_face(int face)
  * either face. */
 #define LEAN 0.01
 
-static bool straightens(const td_internal_edge *s, const thud_shape_instance *box, int neighbour, bool right, bool top)
-{
+static bool straightens(const td_internal_edge *s, const thud_shape_instance *box, int neighbour,
+                        bool right, bool top) {
     double u = right ? 1.0 : -1.0, v = top ? 1.0 : -1.0, x, y, nx, ny, mx, my;
     double level = 0.5 * LEAN * (box->hx < box->hy ? box->hx : box->hy);
     td_from_frame(box, u * box->hx, v * box->hy, &x, &y);
@@ -73,15 +70,16 @@ static bool straightens(const td_internal_edge *s, const thud_shape_instance *bo
 }
 
 /* Notes what of a box a neighbour stands at and hides. */
-static void note_box(const td_internal_edge *s, int shape, const thud_shape_instance *box, int neighbour)
-{
+static void note_box(const td_internal_edge *s, int shape, const thud_shape_instance *box,
+                     int neighbour) {
     const td_shape *noted = td_shape_at(s->w, shape);
     unsigned internal_edges = noted->internal_edges, hidden = noted->hidden, held = 0;
     thud_shape_instance other = td_internal_edge_place(s, neighbour);
     for (int k = 0; k < 4; k++) {
         double x, y;
         td_from_frame(box, k & 1 ? box->hx : -box->hx, k & 2 ? box->hy : -box->hy, &x, &y);
-        bool here = td_internal_edge_holds(s, neighbour, box->x + x, box->y + y, TD_FLUSH * s->unit);
+        bool here =
+            td_internal_edge_holds(s, neighbour, box->x + x, box->y + y, TD_FLUSH * s->unit);
         held |= here ? td_corner_bit(k & 1, k >> 1 & 1) : 0;
         bool straight = here && other.kind != THUD_TERRAIN && alike(s->w, shape, neighbour) &&
                         straightens(s, box, neighbour, k & 1, k >> 1 & 1);
@@ -109,8 +107,7 @@ static void note_box(const td_internal_edge *s, int shape, const thud_shape_inst
 }
 
 /* A line's end is sealed where a neighbour reaches up to it from outside. */
-static uint8_t ends_at(const td_internal_edge *s, int terrain_shape, int neighbour)
-{
+static uint8_t ends_at(const td_internal_edge *s, int terrain_shape, int neighbour) {
     thud_terrain t = td_terrain_view(s->w, terrain_shape);
     thud_shape_instance at = td_shape_instance(s->w, terrain_shape, s->origin);
     double out = TD_FLUSH * s->unit;
@@ -119,26 +116,24 @@ static uint8_t ends_at(const td_internal_edge *s, int terrain_shape, int neighbo
     }
     double right = td_terrain_x(&t, t.count - 1), left = td_terrain_x(&t, 0);
     double last = t.points[t.count - 1].y, first = t.points[0].y;
-    bool at_right = td_internal_edge_holds(s, neighbour, at.x + right + out, at.y + last - out, out);
+    bool at_right =
+        td_internal_edge_holds(s, neighbour, at.x + right + out, at.y + last - out, out);
     bool at_left = td_internal_edge_holds(s, neighbour, at.x + left - out, at.y + first - out, out);
     return (uint8_t)(at_right << TD_FACE_RIGHT | at_left << TD_FACE_LEFT);
 }
 
-static bool note_own(const td_internal_edge *s, int neighbour, void *context)
-{
+static bool note_own(const td_internal_edge *s, int neighbour, void *context) {
     (void)context;
     note_box(s, s->shape, &s->a, neighbour);
     return false;
 }
 
-static bool reserve(thud_world *w)
-{
+static bool reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.hits,
                             3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
-bool td_internal_edges_see(thud_world *w, int shape)
-{
+bool td_internal_edges_see(thud_world *w, int shape) {
     td_internal_edge s = td_internal_edge_of(w, shape, TD_NONE);
     if (!reserve(w)) {
         return false;
@@ -149,8 +144,7 @@ bool td_internal_edges_see(thud_world *w, int shape)
     return true;
 }
 
-static void forget(thud_world *w, int shape)
-{
+static void forget(thud_world *w, int shape) {
     td_shape *s = td_shape_at(w, shape);
     if (s->kind == THUD_AABB || s->kind == THUD_OBB) {
         s->flags |= TD_SHAPE_UNSEEN;
@@ -159,8 +153,7 @@ static void forget(thud_world *w, int shape)
 }
 
 /* What has contacts is seen at once. */
-static bool is_due(const td_internal_edge *s, int neighbour, void *context)
-{
+static bool is_due(const td_internal_edge *s, int neighbour, void *context) {
     const td_shape *n = td_shape_at(s->w, neighbour);
     bool due = (n->flags & TD_SHAPE_UNSEEN) && td_body_at(s->w, n->body)->first_contact != TD_NONE;
     *(int *)context = due ? neighbour : *(int *)context;
@@ -168,8 +161,7 @@ static bool is_due(const td_internal_edge *s, int neighbour, void *context)
 }
 
 /* Lines note their ends at once, since they are few. */
-static bool forget_pair(const td_internal_edge *s, int neighbour, void *context)
-{
+static bool forget_pair(const td_internal_edge *s, int neighbour, void *context) {
     int pair[] = {s->shape, neighbour};
     for (int i = 0; i < 2; i++) {
         if (td_shape_at(s->w, pair[i])->kind == THUD_TERRAIN) {
@@ -183,8 +175,7 @@ static bool forget_pair(const td_internal_edge *s, int neighbour, void *context)
 }
 
 /* Boxes are found by a terrain that came as well: all of them, since lines are few. */
-bool td_internal_edges_find(thud_world *w, int shape)
-{
+bool td_internal_edges_find(thud_world *w, int shape) {
     int due = TD_NONE;
     if (!td_is_ground(w, shape)) {
         return true;
@@ -219,8 +210,7 @@ bool td_internal_edges_find(thud_world *w, int shape)
     return true;
 }
 
-static bool look_anew(const td_internal_edge *s, int neighbour, void *context)
-{
+static bool look_anew(const td_internal_edge *s, int neighbour, void *context) {
     (void)context;
     set(s->w, neighbour, 0, 0);
     td_shape_mark_moved(s->w, neighbour);
@@ -228,8 +218,7 @@ static bool look_anew(const td_internal_edge *s, int neighbour, void *context)
 }
 
 /* The shapes that rest are still those of the last step; who came since will look for himself. */
-bool td_internal_edges_lose(thud_world *w, int body)
-{
+bool td_internal_edges_lose(thud_world *w, int body) {
     int i = td_body_at(w, body)->first_shape;
     if (td_body_at(w, body)->kind != THUD_STATIC || i == TD_NONE) {
         return true;
@@ -247,8 +236,7 @@ bool td_internal_edges_lose(thud_world *w, int body)
     return true;
 }
 
-void td_internal_edges_join(thud_world *w, int body)
-{
+void td_internal_edges_join(thud_world *w, int body) {
     const td_body *b = td_body_at(w, body);
     for (int i = b->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_internal_edge s = td_internal_edge_of(w, i, TD_NONE);

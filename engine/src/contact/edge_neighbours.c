@@ -5,13 +5,19 @@
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
-td_internal_edge td_internal_edge_between(thud_world *w, int shape, int other, const thud_shape_instance *a,
-                        const thud_shape_instance *b)
-{
+td_internal_edge td_internal_edge_between(thud_world *w, int shape, int other,
+                                          const thud_shape_instance *a,
+                                          const thud_shape_instance *b) {
     const td_shape *first = td_shape_at(w, shape);
-    td_internal_edge s = {.w = w, .shape = shape, .other = other, .origin = td_shape_proxy_at(w, shape)->center,
-                 .moves = td_body_at(w, first->body)->kind != THUD_STATIC, .c = 1.0, .a = *a, .b = *b,
-                 .unit = (double)w->unit};
+    td_internal_edge s = {.w = w,
+                          .shape = shape,
+                          .other = other,
+                          .origin = td_shape_proxy_at(w, shape)->center,
+                          .moves = td_body_at(w, first->body)->kind != THUD_STATIC,
+                          .c = 1.0,
+                          .a = *a,
+                          .b = *b,
+                          .unit = (double)w->unit};
     s.b.x -= s.a.x;
     s.b.y -= s.a.y;
     s.a.x = s.a.y = 0.0;
@@ -27,8 +33,7 @@ td_internal_edge td_internal_edge_between(thud_world *w, int shape, int other, c
     return s;
 }
 
-td_internal_edge td_internal_edge_of(thud_world *w, int shape, int other)
-{
+td_internal_edge td_internal_edge_of(thud_world *w, int shape, int other) {
     td_position origin = td_shape_proxy_at(w, shape)->center;
     thud_shape_instance a = td_shape_instance(w, shape, origin), b = a;
     if (other != TD_NONE) {
@@ -37,28 +42,26 @@ td_internal_edge td_internal_edge_of(thud_world *w, int shape, int other)
     return td_internal_edge_between(w, shape, other, &a, &b);
 }
 
-bool td_is_ground(const thud_world *w, int shape)
-{
+bool td_is_ground(const thud_world *w, int shape) {
     const td_shape *s = td_shape_at(w, shape);
     return (s->flags & (TD_SHAPE_LIVE | TD_SHAPE_HOLLOW)) == TD_SHAPE_LIVE &&
            td_body_at(w, s->body)->kind == THUD_STATIC &&
            !(td_body_at(w, s->body)->flags & TD_BODY_DISABLED);
 }
 
-thud_shape_instance td_internal_edge_own_place(const td_internal_edge *s, int neighbour)
-{
+thud_shape_instance td_internal_edge_own_place(const td_internal_edge *s, int neighbour) {
     const td_shape *n = td_shape_at(s->w, neighbour), *first = td_shape_at(s->w, s->shape);
     return (thud_shape_instance){.kind = (thud_shape_kind)n->kind,
-                         .x = (double)(n->x - first->x),
-                         .y = (double)(n->y - first->y),
-                         .c = (double)n->angle_c,
-                         .s = (double)n->angle_s,
-                         .hx = (double)n->half_x,
-                         .hy = (double)n->half_y};
+                                 .x = (double)(n->x - first->x),
+                                 .y = (double)(n->y - first->y),
+                                 .c = (double)n->angle_c,
+                                 .s = (double)n->angle_s,
+                                 .hx = (double)n->half_x,
+                                 .hy = (double)n->half_y};
 }
 
-bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, double x, double y, double slack)
-{
+bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, double x, double y,
+                            double slack) {
     thud_shape_instance n = td_internal_edge_place(s, neighbour);
     thud_shape_instance point = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
     if (n.kind == THUD_TERRAIN) {
@@ -75,17 +78,16 @@ bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, double x, 
     return td_abs(u) <= n.hx + slack && td_abs(v) <= n.hy + slack;
 }
 
-/* Whether a line ends at a place: its sealed end is no edge of its own, and leaves it to a box's corner
- * that is there. */
-static bool ends_at(const td_internal_edge *s, const thud_terrain *t, int vertex, double at, double x)
-{
+/* Whether a line ends at a place: its sealed end is no edge of its own, and leaves it to a box's
+ * corner that is there. */
+static bool ends_at(const td_internal_edge *s, const thud_terrain *t, int vertex, double at,
+                    double x) {
     bool end = t->kind != THUD_TERRAIN_FLAT && (vertex == 0 || vertex == t->count - 1);
     return end && td_abs(at - x) <= 2.0 * TD_FLUSH * s->unit;
 }
 
-bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, double y, double nx, double ny,
-                  double level)
-{
+bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, double y, double nx,
+                            double ny, double level) {
     thud_shape_instance n = td_internal_edge_place(s, neighbour);
     double past = (n.x - x) * nx + (n.y - y) * ny;
     if (n.kind == THUD_TERRAIN) {
@@ -96,8 +98,8 @@ bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, 
         bool higher = ny < 0.0;
         for (int i = first; i <= last; i++) {
             td_segment t = td_terrain_segment(&terrain, i, x - n.x - s->unit, x - n.x + s->unit);
-            higher |= !ends_at(s, &terrain, i, t.p.x, x - n.x) &&
-                      past + t.p.x * nx + t.p.y * ny > level;
+            higher |=
+                !ends_at(s, &terrain, i, t.p.x, x - n.x) && past + t.p.x * nx + t.p.y * ny > level;
             higher |= !ends_at(s, &terrain, i + 1, t.q.x, x - n.x) &&
                       past + t.q.x * nx + t.q.y * ny > level;
         }
@@ -106,14 +108,13 @@ bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, 
     return past + (n.kind == THUD_CIRCLE ? n.hx : td_shadow(&n, nx, ny)) > level;
 }
 
-static bool asks(const td_internal_edge *s, int n, td_neighbour_fn *fn, void *context)
-{
+static bool asks(const td_internal_edge *s, int n, td_neighbour_fn *fn, void *context) {
     return n != s->shape && (s->other == TD_NONE || td_pair_allowed(s->w, n, s->other)) &&
            fn(s, n, context);
 }
 
-static bool any_of_body(const td_internal_edge *s, const thud_shape_instance *where, td_neighbour_fn *fn, void *context)
-{
+static bool any_of_body(const td_internal_edge *s, const thud_shape_instance *where,
+                        td_neighbour_fn *fn, void *context) {
     double near = td_reach(where) + 2.0 * TD_FLUSH * s->unit;
     int n = td_body_at(s->w, td_shape_at(s->w, s->shape)->body)->first_shape;
     for (; n != TD_NONE; n = td_shape_at(s->w, n)->next) {
@@ -128,8 +129,8 @@ static bool any_of_body(const td_internal_edge *s, const thud_shape_instance *wh
     return false;
 }
 
-bool td_internal_edge_any(const td_internal_edge *s, const thud_shape_instance *where, td_neighbour_fn *fn, void *context)
-{
+bool td_internal_edge_any(const td_internal_edge *s, const thud_shape_instance *where,
+                          td_neighbour_fn *fn, void *context) {
     thud_world *w = s->w;
     td_array *hits = &w->scratch.hits;
     if (s->moves) {

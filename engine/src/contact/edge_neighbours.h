@@ -1,32 +1,33 @@
-/* edge_neighbours.h: a shape among its neighbours: of a static one, the other static shapes; of one that moves,
- * those of its own body. */
+/* edge_neighbours.h: a shape among its neighbours: of a static one, the other static shapes; of one
+ * that moves, those of its own body. */
 #ifndef TD_EDGE_NEIGHBOURS_H
 #define TD_EDGE_NEIGHBOURS_H
 
 #include "geometry/shape_instance.h"
 #include "state/shape.h"
 
-/* In length scales: neighbours may be so far apart or overlap so much. What lies twice as far outside
- * a face is looked at to see whether it is covered: a neighbour's face in line with it does not reach
- * there. */
+/* In length scales: neighbours may be so far apart or overlap so much. What lies twice as far
+ * outside a face is looked at to see whether it is covered: a neighbour's face in line with it does
+ * not reach there. */
 #define TD_FLUSH 1e-3
 
-/* A shape and another that it meets, or TD_NONE, relative to the centre of the first; along the axes of
- * the world where the first is static, else along those of its body. */
+/* A shape and another that it meets, or TD_NONE, relative to the centre of the first; along the
+ * axes of the world where the first is static, else along those of its body. */
 typedef struct td_internal_edge {
     thud_world *w;
     int shape, other;
     td_position origin; /* the centre, of a static shape */
     bool moves;
-    double c, s;     /* of the axes in the world */
+    double c, s; /* of the axes in the world */
     thud_shape_instance a, b;
     double unit;
 } td_internal_edge;
 
 td_internal_edge td_internal_edge_of(thud_world *w, int shape, int other);
 /* Where the two are placed as told, relative to anything. */
-td_internal_edge td_internal_edge_between(thud_world *w, int shape, int other, const thud_shape_instance *a,
-                        const thud_shape_instance *b);
+td_internal_edge td_internal_edge_between(thud_world *w, int shape, int other,
+                                          const thud_shape_instance *a,
+                                          const thud_shape_instance *b);
 
 /* A static shape that others meet. */
 bool td_is_ground(const thud_world *w, int shape);
@@ -34,20 +35,22 @@ bool td_is_ground(const thud_world *w, int shape);
 /* Another shape of the same body. */
 thud_shape_instance td_internal_edge_own_place(const td_internal_edge *s, int neighbour);
 
-static inline thud_shape_instance td_internal_edge_place(const td_internal_edge *s, int neighbour)
-{
-    return s->moves ? td_internal_edge_own_place(s, neighbour) : td_shape_instance(s->w, neighbour, s->origin);
+static inline thud_shape_instance td_internal_edge_place(const td_internal_edge *s, int neighbour) {
+    return s->moves ? td_internal_edge_own_place(s, neighbour)
+                    : td_shape_instance(s->w, neighbour, s->origin);
 }
 
 /* Whether the ground of a neighbour, `slack` thicker, holds a point. */
-bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, double x, double y, double slack);
+bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, double x, double y,
+                            double slack);
 /* Whether a neighbour goes further than `level` past a point that it holds, along (nx, ny). */
-bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, double y, double nx, double ny,
-                   double level);
+bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, double y, double nx,
+                            double ny, double level);
 
 typedef bool td_neighbour_fn(const td_internal_edge *s, int neighbour, void *context);
 
 /* Asks of each neighbour near a place that the other shape meets too, until one answers true. */
-bool td_internal_edge_any(const td_internal_edge *s, const thud_shape_instance *where, td_neighbour_fn *fn, void *context);
+bool td_internal_edge_any(const td_internal_edge *s, const thud_shape_instance *where,
+                          td_neighbour_fn *fn, void *context);
 
 #endif

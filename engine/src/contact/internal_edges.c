@@ -1,9 +1,10 @@
 /* internal_edges.c: see internal_edges.h.
  *
  * A contact is a ghost where its normal is not one of the ground as a whole: where the place of its
- * shape is covered by a neighbour, or is a corner that a neighbour goes past in the direction of the
- * normal. Circles then have no contact with that shape: the neighbour has one. Boxes may only
- * have chosen the wrong axis of several: the separating axes are searched again without hidden faces. */
+ * shape is covered by a neighbour, or is a corner that a neighbour goes past in the direction of
+ * the normal. Circles then have no contact with that shape: the neighbour has one. Boxes may only
+ * have chosen the wrong axis of several: the separating axes are searched again without hidden
+ * faces. */
 #include "contact/internal_edges.h"
 
 #include "contact/contact.h"
@@ -18,7 +19,8 @@
 #define LEVEL 1e-4
 /* A normal off by less than this, in radians, is a face's. */
 #define STRAIGHT 1e-5
-/* ... where both shapes have neighbours, and the normal is a face's of one: it is all but the other's. */
+/* ... where both shapes have neighbours, and the normal is a face's of one: it is all but the
+ * other's. */
 #define NEARLY_STRAIGHT 0.01
 /* Beyond each end of what touches, so much of the other shape's size has to be covered too. */
 #define BEYOND 0.05
@@ -31,30 +33,27 @@ typedef struct probe {
     double x, y, nx, ny;
 } probe;
 
-static bool covers(const td_internal_edge *s, int neighbour, void *context)
-{
+static bool covers(const td_internal_edge *s, int neighbour, void *context) {
     const probe *p = context;
     return td_internal_edge_holds(s, neighbour, p->x, p->y, 0.5 * TD_FLUSH * s->unit);
 }
 
-static bool hides_corner(const td_internal_edge *s, int neighbour, void *context)
-{
+static bool hides_corner(const td_internal_edge *s, int neighbour, void *context) {
     const probe *p = context;
     return td_internal_edge_holds(s, neighbour, p->x, p->y, TD_FLUSH * s->unit) &&
            td_internal_edge_rises(s, neighbour, p->x, p->y, p->nx, p->ny, LEVEL * s->unit);
 }
 
 /* Whoever covers a place is at it. */
-static bool any_at(const td_internal_edge *s, td_neighbour_fn *fn, probe *p)
-{
+static bool any_at(const td_internal_edge *s, td_neighbour_fn *fn, probe *p) {
     thud_shape_instance place = {.kind = THUD_CIRCLE, .x = p->x, .y = p->y, .c = 1.0};
     return td_internal_edge_any(s, &place, fn, p);
 }
 
-/* Whether what touches a face between two places along it, and deepest at a third, in the box's frame,
- * meets nothing open. */
-static bool face_hidden(const td_internal_edge *s, int face, double from, double to, double deepest)
-{
+/* Whether what touches a face between two places along it, and deepest at a third, in the box's
+ * frame, meets nothing open. */
+static bool face_hidden(const td_internal_edge *s, int face, double from, double to,
+                        double deepest) {
     double half = face % 2 ? s->a.hx : s->a.hy, out = face % 2 ? s->a.hy : s->a.hx;
     double beyond = BEYOND * (s->b.kind == THUD_CIRCLE || s->b.hx < s->b.hy ? s->b.hx : s->b.hy);
     out += 2.0 * TD_FLUSH * s->unit;
@@ -75,13 +74,12 @@ static bool face_hidden(const td_internal_edge *s, int face, double from, double
 
 /* Where the first box is met along a normal: at one of its faces, or at a corner. */
 typedef struct site {
-    int face;         /* or TD_NONE */
-    bool right, top;  /* of a corner */
-    unsigned bit;     /* of td_shape.hidden */
+    int face;        /* or TD_NONE */
+    bool right, top; /* of a corner */
+    unsigned bit;    /* of td_shape.hidden */
 } site;
 
-static site site_of(double c, double s, double nx, double ny, double straight)
-{
+static site site_of(double c, double s, double nx, double ny, double straight) {
     double u = c * nx + s * ny, v = c * ny - s * nx;
     site at = {.face = TD_NONE, .right = u > 0.0, .top = v > 0.0};
     if (td_abs(u) > straight && td_abs(v) > straight) {
@@ -95,8 +93,7 @@ static site site_of(double c, double s, double nx, double ny, double straight)
 }
 
 /* A normal at a corner of the first box. */
-static bool corner_hidden(const td_internal_edge *s, const site *at, double nx, double ny)
-{
+static bool corner_hidden(const td_internal_edge *s, const site *at, double nx, double ny) {
     double x, y;
     td_from_frame(&s->a, at->right ? s->a.hx : -s->a.hx, at->top ? s->a.hy : -s->a.hy, &x, &y);
     probe p = {s->a.x + x, s->a.y + y, nx, ny};
@@ -104,8 +101,7 @@ static bool corner_hidden(const td_internal_edge *s, const site *at, double nx, 
 }
 
 /* What the second box or circle takes up along a face. */
-static bool shadow_hidden(const td_internal_edge *s, int face)
-{
+static bool shadow_hidden(const td_internal_edge *s, int face) {
     double u, v, half = 0.0, deepest = 0.0;
     td_to_frame(&s->a, s->b.x - s->a.x, s->b.y - s->a.y, &u, &v);
     double middle = face % 2 ? u : v;
@@ -122,8 +118,7 @@ static bool shadow_hidden(const td_internal_edge *s, int face)
 }
 
 /* Whether the first shape cannot be met along a normal. */
-static bool is_ghost(const td_internal_edge *s, double nx, double ny, double straight)
-{
+static bool is_ghost(const td_internal_edge *s, double nx, double ny, double straight) {
     const td_shape *shape = td_shape_at(s->w, s->shape);
     site at = site_of(s->a.c, s->a.s, nx, ny, straight);
     if (!(shape->internal_edges & at.bit) || (shape->hidden & at.bit)) {
@@ -133,8 +128,7 @@ static bool is_ghost(const td_internal_edge *s, double nx, double ny, double str
 }
 
 /* Most lanes are met where nothing stands: told in single precision, without looking around. */
-static bool is_plain(const thud_world *w, const td_block *block, int lane)
-{
+static bool is_plain(const thud_world *w, const td_block *block, int lane) {
     const td_shape_proxy *a = td_shape_proxy_at(w, block->shape_a[lane]);
     float nx = block->nx[lane], ny = block->ny[lane];
     float u = a->c * nx + a->s * ny, v = a->c * ny - a->s * nx;
@@ -146,8 +140,7 @@ static bool is_plain(const thud_world *w, const td_block *block, int lane)
     return !(block->internal_edges[lane] & bits);
 }
 
-static bool looks_out(const thud_shape_instance *box, double nx, double ny)
-{
+static bool looks_out(const thud_shape_instance *box, double nx, double ny) {
     return site_of(box->c, box->s, nx, ny, STRAIGHT).face != TD_NONE;
 }
 
@@ -159,22 +152,20 @@ typedef struct sides {
     double sign[2]; /* of a normal as the side sees it */
 } sides;
 
-static sides sides_of(const td_internal_edge_pair *p)
-{
+static sides sides_of(const td_internal_edge_pair *p) {
     sides s = {.pair = p};
     for (int i = 0; i < 2; i++) {
         const td_shape *shape = td_shape_at(p->w, p->shape[i]);
         if (shape->internal_edges && shape->kind != THUD_TERRAIN) {
-            s.internal_edge[s.count] = td_internal_edge_between(p->w, p->shape[i], p->shape[!i], &p->placed[i],
-                                              &p->placed[!i]);
+            s.internal_edge[s.count] = td_internal_edge_between(p->w, p->shape[i], p->shape[!i],
+                                                                &p->placed[i], &p->placed[!i]);
             s.sign[s.count++] = i ? -1.0 : 1.0;
         }
     }
     return s;
 }
 
-static bool is_hidden(double nx, double ny, void *context)
-{
+static bool is_hidden(double nx, double ny, void *context) {
     const sides *s = context;
     const thud_shape_instance *placed = s->pair->placed;
     bool face = s->count > 1 && (looks_out(&placed[0], nx, ny) || looks_out(&placed[1], nx, ny));
@@ -183,15 +174,15 @@ static bool is_hidden(double nx, double ny, void *context)
         const td_internal_edge *internal_edge = &s->internal_edge[i];
         double x = s->sign[i] * nx, y = s->sign[i] * ny;
         if (internal_edge->moves) {
-            td_to_frame(&(thud_shape_instance){.c = internal_edge->c, .s = internal_edge->s}, x, y, &x, &y);
+            td_to_frame(&(thud_shape_instance){.c = internal_edge->c, .s = internal_edge->s}, x, y,
+                        &x, &y);
         }
         hidden = is_ghost(internal_edge, x, y, face ? NEARLY_STRAIGHT : STRAIGHT);
     }
     return hidden;
 }
 
-static bool is_ghost_of(const td_internal_edge_pair *p, double nx, double ny)
-{
+static bool is_ghost_of(const td_internal_edge_pair *p, double nx, double ny) {
     sides s = sides_of(p);
     return is_hidden(nx, ny, &s);
 }
@@ -199,8 +190,7 @@ static bool is_ghost_of(const td_internal_edge_pair *p, double nx, double ny)
 /* ---- amending a lane ---- */
 
 /* No lane has a point of its own after this. */
-static void drop(td_block *block, int points, int lane)
-{
+static void drop(td_block *block, int points, int lane) {
     for (int k = 0; k < points; k++) {
         td_point *p = &block->point[k];
         p->normal_mass[lane] = p->normal_impulse[lane] = 0.0f;
@@ -210,16 +200,16 @@ static void drop(td_block *block, int points, int lane)
     block->touching &= ~(1u << lane);
 }
 
-static float inverse_or_zero(float k)
-{
+static float inverse_or_zero(float k) {
     return k > 0.0f ? 1.0f / k : 0.0f;
 }
 
 /* As td_write_points, for one lane. */
-static void write_lane(thud_world *w, td_block *block, int kind, int lane, const td_internal_edge_contact *c)
-{
+static void write_lane(thud_world *w, td_block *block, int kind, int lane,
+                       const td_internal_edge_contact *c) {
     int points = td_form_points(w->pairs[kind]->form);
-    const td_shape_proxy *b = td_shape_proxy_at(w, block->shape_b[lane]), *a = td_shape_proxy_at(w, block->shape_a[lane]);
+    const td_shape_proxy *b = td_shape_proxy_at(w, block->shape_b[lane]),
+                         *a = td_shape_proxy_at(w, block->shape_a[lane]);
     const float *va = (const float *)w->velocity.data + block->a[lane] / sizeof(float);
     const float *vb = (const float *)w->velocity.data + block->b[lane] / sizeof(float);
     float nx = (float)c->nx, ny = (float)c->ny, mid_x = 0.0f, mid_y = 0.0f;
@@ -232,7 +222,8 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane, const
     float impulse[3] = {block->tangent_impulse[lane], block->point[0].normal_impulse[lane],
                         block->point[points - 1].normal_impulse[lane]};
     float alike = nx * block->nx[lane] + ny * block->ny[lane];
-    td_manifold_cache *kept = w->pairs[kind]->form == TD_FORM_TWO_CACHED ? td_manifold_cache_of(block, points) : NULL;
+    td_manifold_cache *kept =
+        w->pairs[kind]->form == TD_FORM_TWO_CACHED ? td_manifold_cache_of(block, points) : NULL;
     if (kept) { /* from this pose on; the manifold may be of an earlier one */
         kept->dx[lane] = apart_x, kept->dy[lane] = apart_y;
         kept->ac[lane] = a->c, kept->as[lane] = a->s;
@@ -244,7 +235,8 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane, const
     int count = points < c->count ? points : c->count;
     for (int k = 0; k < count; k++) {
         td_point *p = &block->point[k];
-        float x = dx + (float)c->x[k], y = dy + (float)c->y[k], separation = (float)c->separation[k];
+        float x = dx + (float)c->x[k], y = dy + (float)c->y[k],
+              separation = (float)c->separation[k];
         float cross = x * ny - y * nx, cross_a = fixed ? 0.0f : (ax + x) * ny - (ay + y) * nx;
         p->separation[lane] = p->base[lane] = separation - w->skin;
         p->cross_a[lane] = cross_a;
@@ -269,8 +261,7 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane, const
 }
 
 /* A box with two points where its kind has one: their middle. */
-static void join_points(td_internal_edge_contact *c)
-{
+static void join_points(td_internal_edge_contact *c) {
     c->x[0] = 0.5 * (c->x[0] + c->x[c->count - 1]);
     c->y[0] = 0.5 * (c->y[0] + c->y[c->count - 1]);
     c->separation[0] = 0.5 * (c->separation[0] + c->separation[c->count - 1]);
@@ -278,8 +269,7 @@ static void join_points(td_internal_edge_contact *c)
 }
 
 /* Whether a shape is of the ground that a contact of the same body has its ghost from. */
-static bool goes_on(const thud_world *w, const td_contact *to, const td_contact *from, int side)
-{
+static bool goes_on(const thud_world *w, const td_contact *to, const td_contact *from, int side) {
     return to->body[side] == from->body[side] ||
            (td_body_at(w, to->body[side])->kind == THUD_STATIC &&
             td_body_at(w, from->body[side])->kind == THUD_STATIC);
@@ -287,8 +277,7 @@ static bool goes_on(const thud_world *w, const td_contact *to, const td_contact 
 
 /* The neighbour that the body goes on to takes over what bore it: a contact that began without any
  * impulse would give way a little first. */
-static void hand_over(thud_world *w, td_block *block, int kind, int lane)
-{
+static void hand_over(thud_world *w, td_block *block, int kind, int lane) {
     const td_contact *from = td_contact_at(w, block->contact[lane]);
     int points = td_form_points(w->pairs[kind]->form);
     int e = td_body_at(w, from->body[1])->first_contact;
@@ -312,19 +301,19 @@ static void hand_over(thud_world *w, td_block *block, int kind, int lane)
     }
 }
 
-static bool contact_of(const td_internal_edge_pair *p, td_internal_edge_contact *contact)
-{
+static bool contact_of(const td_internal_edge_pair *p, td_internal_edge_contact *contact) {
     const thud_shape_instance *a = &p->placed[0], *b = &p->placed[1];
     sides s = sides_of(p);
     return a->kind != THUD_CIRCLE && b->kind != THUD_CIRCLE &&
-           td_internal_edge_boxes(a, b, (double)(TD_SPECULATIVE * p->w->unit), is_hidden, &s, contact);
+           td_internal_edge_boxes(a, b, (double)(TD_SPECULATIVE * p->w->unit), is_hidden, &s,
+                                  contact);
 }
 
-static void amend_lane(thud_world *w, td_block *block, int kind, int lane)
-{
+static void amend_lane(thud_world *w, td_block *block, int kind, int lane) {
     int a = block->shape_a[lane], b = block->shape_b[lane];
     td_position origin = td_shape_proxy_at(w, a)->center;
-    td_internal_edge_pair pair = {w, {a, b}, {td_shape_instance(w, a, origin), td_shape_instance(w, b, origin)}};
+    td_internal_edge_pair pair = {
+        w, {a, b}, {td_shape_instance(w, a, origin), td_shape_instance(w, b, origin)}};
     if (!is_ghost_of(&pair, (double)block->nx[lane], (double)block->ny[lane])) {
         return;
     }
@@ -344,23 +333,23 @@ static void amend_lane(thud_world *w, td_block *block, int kind, int lane)
     write_lane(w, block, kind, lane, &contact);
 }
 
-static void amend(thud_world *w, td_block *block, int kind)
-{
+static void amend(thud_world *w, td_block *block, int kind) {
     uint64_t internal_edges;
     memcpy(&internal_edges, block->internal_edges, sizeof internal_edges);
     if (!internal_edges || kind == TD_PAIR_TERRAIN_CIRCLE || kind == TD_PAIR_TERRAIN_BOX) {
         return; /* a line's sealed ends are known to its manifolds */
     }
     for (int lane = 0; lane < block->used; lane++) {
-        if (block->internal_edges[lane] && (block->touching >> lane & 1) && !is_plain(w, block, lane)) {
+        if (block->internal_edges[lane] && (block->touching >> lane & 1) &&
+            !is_plain(w, block, lane)) {
             amend_lane(w, block, kind, lane);
         }
     }
 }
 
-/* Of the blocks that move only those with shapes off their bodies' centres may have internal edges. */
-static void amend_all(thud_world *w)
-{
+/* Of the blocks that move only those with shapes off their bodies' centres may have internal edges.
+ */
+static void amend_all(thud_world *w) {
     td_block *const *blocks = w->scratch.blocks.data;
     td_block **parted = w->scratch.parted.data;
     for (int r = 0; r < w->scratch.runs.count; r++) {
@@ -377,5 +366,11 @@ static void amend_all(thud_world *w)
     }
 }
 
-const td_internal_edge_ops td_internal_edges = {td_internal_edges_find, td_internal_edges_see, td_internal_edges_lose, td_internal_edges_join,
-                               amend,         amend_all,    is_ghost_of,   contact_of};
+const td_internal_edge_ops td_internal_edges = {td_internal_edges_find,
+                                                td_internal_edges_see,
+                                                td_internal_edges_lose,
+                                                td_internal_edges_join,
+                                                amend,
+                                                amend_all,
+                                                is_ghost_of,
+                                                contact_of};

@@ -1,25 +1,26 @@
-/* internal_edges.h: static shapes that stand side by side make one ground, and so do those of one body. What
- * slides over the internal edge between two of them must not meet the face that each hides from the other: a
- * ghost. */
+/* internal_edges.h: static shapes that stand side by side make one ground, and so do those of one
+ * body. What slides over the internal edge between two of them must not meet the face that each
+ * hides from the other: a ghost. */
 #ifndef TD_INTERNAL_EDGES_H
 #define TD_INTERNAL_EDGES_H
 
 #include "contact/box_faces.h"
 #include "state/world.h"
 
-/* Faces of a box, and the bits of td_shape.internal edges: a neighbour covers a part of them; of a terrain, its
- * right and its left end. In td_shape.hidden: one that meets the same others covers the whole face. */
+/* Faces of a box, and the bits of td_shape.internal edges: a neighbour covers a part of them; of a
+ * terrain, its right and its left end. In td_shape.hidden: one that meets the same others covers
+ * the whole face. */
 enum { TD_FACE_RIGHT, TD_FACE_TOP, TD_FACE_LEFT, TD_FACE_BOTTOM, TD_FACES };
 
-/* In both, the bit of the corner on the right (1) and at the top (2), or not: at it stands something;
- * such a shape makes it a straight edge, so that no normal between its faces is the ground's. */
-static inline unsigned td_corner_bit(bool right, bool top)
-{
+/* In both, the bit of the corner on the right (1) and at the top (2), or not: at it stands
+ * something; such a shape makes it a straight edge, so that no normal between its faces is the
+ * ground's. */
+static inline unsigned td_corner_bit(bool right, bool top) {
     return 1u << (TD_FACES + right + 2 * top);
 }
 
-/* In td_shape.flags, of a static box that nothing has come near: nobody has looked yet what it stands
- * at, and every bit of td_shape.internal edges is set. */
+/* In td_shape.flags, of a static box that nothing has come near: nobody has looked yet what it
+ * stands at, and every bit of td_shape.internal edges is set. */
 enum { TD_SHAPE_UNSEEN = 4 };
 
 /* Two shapes where they stand, relative to anything. */
@@ -29,16 +30,16 @@ typedef struct td_internal_edge_pair {
     thud_shape_instance placed[2];
 } td_internal_edge_pair;
 
-/* td_block.internal edges of two shapes: all of them where the second has any, since lanes know the faces of the first alone. */
-static inline uint8_t td_internal_edges_of(const td_shape *a, const td_shape *b)
-{
+/* td_block.internal edges of two shapes: all of them where the second has any, since lanes know the
+ * faces of the first alone. */
+static inline uint8_t td_internal_edges_of(const td_shape *a, const td_shape *b) {
     return b->internal_edges ? UINT8_MAX : a->internal_edges;
 }
 
 /* Plugged into a world with the first box or line, see kinds.h. */
 typedef struct td_internal_edge_ops {
-    /* A static shape came or moved: it and its neighbours are to be looked at, at once where they have
-     * contacts. False when memory is short. */
+    /* A static shape came or moved: it and its neighbours are to be looked at, at once where they
+     * have contacts. False when memory is short. */
     bool (*find)(thud_world *w, int shape);
     /* Looks what an unseen shape stands at, before it gets a contact. Likewise. */
     bool (*see)(thud_world *w, int shape);
@@ -46,8 +47,8 @@ typedef struct td_internal_edge_ops {
     bool (*lose)(thud_world *w, int body);
     /* Looks for which shapes of a moving body stand next to each other. */
     void (*join)(thud_world *w, int body);
-    /* Takes ghosts out of the lanes of a block: a contact with a hidden face moves to one that can be
-     * met, or ends, which td_block.touching tells. */
+    /* Takes ghosts out of the lanes of a block: a contact with a hidden face moves to one that can
+     * be met, or ends, which td_block.touching tells. */
     void (*amend)(thud_world *w, td_block *block, int kind);
     /* The same for all lanes of the step; adds to scratch.parted, which has room. */
     void (*amend_all)(thud_world *w);

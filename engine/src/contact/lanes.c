@@ -9,29 +9,24 @@
 
 #include <string.h>
 
-static int points_of(const thud_world *w, int kind)
-{
+static int points_of(const thud_world *w, int kind) {
     return td_form_points(w->pairs[kind]->form);
 }
 
-static td_slots *pool_of(thud_world *w, int kind)
-{
+static td_slots *pool_of(thud_world *w, int kind) {
     return &w->pool[w->pairs[kind]->form];
 }
 
-static td_colours *colours_at(const thud_world *w, int awake)
-{
+static td_colours *colours_at(const thud_world *w, int awake) {
     return td_at(&w->colours, awake);
 }
 
 /* The awake slot of the body if the solver moves it, else 0. */
-static int moving_slot(const td_body *body)
-{
+static int moving_slot(const td_body *body) {
     return body->kind == THUD_DYNAMIC && body->awake > 0 ? body->awake : 0;
 }
 
-static void mark(thud_world *w, int awake, int bin, bool taken)
-{
+static void mark(thud_world *w, int awake, int bin, bool taken) {
     if (awake > 0 && bin != TD_SLEEPING && bin % TD_COLOURS != TD_OVERFLOW) {
         td_colours *colours = colours_at(w, awake);
         uint64_t *mask = bin < TD_COLOURS ? &colours->moving : &colours->fixed;
@@ -41,8 +36,7 @@ static void mark(thud_world *w, int awake, int bin, bool taken)
 }
 
 /* Picks the bin of a contact and takes its colour. */
-static int choose_bin(thud_world *w, const td_contact *contact)
-{
+static int choose_bin(thud_world *w, const td_contact *contact) {
     const td_body *a = td_body_at(w, contact->body[0]);
     const td_body *b = td_body_at(w, contact->body[1]);
     bool fixed = a->kind == THUD_STATIC;
@@ -61,25 +55,21 @@ static int choose_bin(thud_world *w, const td_contact *contact)
     return bin;
 }
 
-static void release_bin(thud_world *w, const td_contact *contact, int bin)
-{
+static void release_bin(thud_world *w, const td_contact *contact, int bin) {
     mark(w, moving_slot(td_body_at(w, contact->body[0])), bin, false);
     mark(w, moving_slot(td_body_at(w, contact->body[1])), bin, false);
 }
 
-static int lanes_a_block(int bin)
-{
+static int lanes_a_block(int bin) {
     return bin != TD_SLEEPING && bin % TD_COLOURS == TD_OVERFLOW ? 1 : TD_LANES;
 }
 
-static int blocks_for(int bin, int lanes)
-{
+static int blocks_for(int bin, int lanes) {
     int size = lanes_a_block(bin);
     return (lanes + size - 1) / size;
 }
 
-static int take_block(thud_world *w, int kind)
-{
+static int take_block(thud_world *w, int kind) {
     td_slots *pool = pool_of(w, kind);
     int index = td_slots_take(pool);
     td_block *block = td_slot_at(pool, index);
@@ -97,8 +87,7 @@ enum {
     OWN_END = (int)offsetof(td_block, a) / ROW
 };
 
-static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int bytes)
-{
+static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int bytes) {
     uint32_t *t = (uint32_t *)to + to_lane;
     const uint32_t *f = (const uint32_t *)from + from_lane;
     for (int row = 0; row < bytes / ROW; row++) {
@@ -111,12 +100,12 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
     to->shared |= from->shared;
     to->internal_edges[to_lane] = from->internal_edges[from_lane];
     to->loaded[to_lane] = from->loaded[from_lane];
-    to->touching = (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
+    to->touching =
+        (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
 }
 
 /* An empty lane: no contact, no mass, and both bodies the dummy. */
-static void clear_lane(td_block *block, int lane, int bytes)
-{
+static void clear_lane(td_block *block, int lane, int bytes) {
     uint32_t *t = (uint32_t *)block + lane;
     for (int row = 0; row < bytes / ROW; row++) {
         if (row < OWN_FIRST || row >= OWN_END) {
@@ -129,11 +118,9 @@ static void clear_lane(td_block *block, int lane, int bytes)
 }
 
 /* Returns the block; *lane is the new last lane of the bin. */
-static int bin_grow(thud_world *w, int kind, int index, int *lane)
-{
+static int bin_grow(thud_world *w, int kind, int index, int *lane) {
     td_bin *bin = &w->bins[kind][index];
-    bool full = bin->lanes == 0 ||
-                td_block_at(w, kind, bin->tail)->used == lanes_a_block(index);
+    bool full = bin->lanes == 0 || td_block_at(w, kind, bin->tail)->used == lanes_a_block(index);
     if (full) {
         int block = take_block(w, kind);
         td_block *new_block = td_block_at(w, kind, block);
@@ -153,8 +140,7 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane)
 }
 
 /* Takes a lane out of its bin; the last lane of the bin fills the hole. */
-static void bin_shrink(thud_world *w, int kind, int index, int slot)
-{
+static void bin_shrink(thud_world *w, int kind, int index, int slot) {
     td_bin *bin = &w->bins[kind][index];
     td_slots *pool = pool_of(w, kind);
     int bytes = pool->stride;
@@ -179,8 +165,7 @@ static void bin_shrink(thud_world *w, int kind, int index, int slot)
     }
 }
 
-static void set_slots(thud_world *w, td_block *block, int lane, const td_contact *contact)
-{
+static void set_slots(thud_world *w, td_block *block, int lane, const td_contact *contact) {
     const td_body *a = td_body_at(w, contact->body[0]);
     const td_body *b = td_body_at(w, contact->body[1]);
     block->a[lane] = (uint32_t)td_max_int(a->awake, 0) * TD_AWAKE_BYTES;
@@ -189,8 +174,7 @@ static void set_slots(thud_world *w, td_block *block, int lane, const td_contact
     block->inv_inertia_b[lane] = b->inv_inertia;
 }
 
-static void fill_lane(thud_world *w, td_block *block, int lane, int contact_index)
-{
+static void fill_lane(thud_world *w, td_block *block, int lane, int contact_index) {
     const td_contact *contact = td_contact_at(w, contact_index);
     const td_shape *a = td_shape_at(w, contact->shape_a);
     const td_shape *b = td_shape_at(w, contact->shape_b);
@@ -205,15 +189,13 @@ static void fill_lane(thud_world *w, td_block *block, int lane, int contact_inde
     block->touching |= 1u << lane;
 }
 
-static void place(thud_world *w, int contact_index, int bin)
-{
+static void place(thud_world *w, int contact_index, int bin) {
     td_contact *contact = td_contact_at(w, contact_index);
     int kind = contact->kind, lane;
     int block = bin_grow(w, kind, bin, &lane);
     if (contact->state == TD_TOUCHING) {
-        copy_lane(td_block_at(w, kind, block), lane,
-                  td_block_at(w, kind, contact->slot / TD_LANES), contact->slot % TD_LANES,
-                  pool_of(w, kind)->stride);
+        copy_lane(td_block_at(w, kind, block), lane, td_block_at(w, kind, contact->slot / TD_LANES),
+                  contact->slot % TD_LANES, pool_of(w, kind)->stride);
         bin_shrink(w, kind, contact->bin, contact->slot);
     } else {
         fill_lane(w, td_block_at(w, kind, block), lane, contact_index);
@@ -231,8 +213,7 @@ static void place(thud_world *w, int contact_index, int bin)
 }
 
 /* Blocks needed when every bin grows by `grown`, per pool. */
-static bool reserve_grown(thud_world *w, int (*grown)[TD_BINS_A_KIND])
-{
+static bool reserve_grown(thud_world *w, int (*grown)[TD_BINS_A_KIND]) {
     int more[TD_FORM_COUNT] = {0};
     for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
         for (int bin = 0; bin < TD_BINS_A_KIND && w->pairs[kind]; bin++) {
@@ -251,8 +232,7 @@ static bool reserve_grown(thud_world *w, int (*grown)[TD_BINS_A_KIND])
     return true;
 }
 
-bool td_lanes_place(thud_world *w, const int *contacts, int count, bool sleeping)
-{
+bool td_lanes_place(thud_world *w, const int *contacts, int count, bool sleeping) {
     if (count == 0) {
         return true;
     }
@@ -283,8 +263,7 @@ bool td_lanes_place(thud_world *w, const int *contacts, int count, bool sleeping
     return true;
 }
 
-bool td_lanes_reserve_sleeping(thud_world *w)
-{
+bool td_lanes_reserve_sleeping(thud_world *w) {
     int grown[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND] = {0};
     for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
         for (int bin = 0; bin < TD_SLEEPING; bin++) {
@@ -295,8 +274,7 @@ bool td_lanes_reserve_sleeping(thud_world *w)
            reserve_grown(w, grown);
 }
 
-void td_lane_remove(thud_world *w, int contact_index)
-{
+void td_lane_remove(thud_world *w, int contact_index) {
     td_contact *contact = td_contact_at(w, contact_index);
     assert(contact->state == TD_TOUCHING);
     release_bin(w, contact, contact->bin);
@@ -307,15 +285,13 @@ void td_lane_remove(thud_world *w, int contact_index)
     w->touching--;
 }
 
-void td_lane_refresh(thud_world *w, int contact_index)
-{
+void td_lane_refresh(thud_world *w, int contact_index) {
     const td_contact *contact = td_contact_at(w, contact_index);
-    set_slots(w, td_block_at(w, contact->kind, contact->slot / TD_LANES),
-              contact->slot % TD_LANES, contact);
+    set_slots(w, td_block_at(w, contact->kind, contact->slot / TD_LANES), contact->slot % TD_LANES,
+              contact);
 }
 
-void td_lane_renew(thud_world *w, int contact_index)
-{
+void td_lane_renew(thud_world *w, int contact_index) {
     const td_contact *contact = td_contact_at(w, contact_index);
     td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
     td_lane_refresh(w, contact_index);
@@ -325,8 +301,7 @@ void td_lane_renew(thud_world *w, int contact_index)
     }
 }
 
-static void list_bin(thud_world *w, int kind, int bin)
-{
+static void list_bin(thud_world *w, int kind, int bin) {
     if (!w->bins[kind][bin].lanes) {
         return;
     }
@@ -344,8 +319,7 @@ static void list_bin(thud_world *w, int kind, int bin)
 }
 
 /* Alone a worker takes whole runs. */
-static bool cut_chunks(thud_world *w)
-{
+static bool cut_chunks(thud_world *w) {
     td_array *chunks = &w->scratch.chunks;
     int size = w->def.job_system.workers > 1 ? TD_CHUNK_BLOCKS : INT32_MAX;
     int most = w->scratch.runs.count + w->scratch.blocks.count / size;
@@ -357,15 +331,16 @@ static bool cut_chunks(thud_world *w)
         const td_run *run = td_at(&w->scratch.runs, r);
         int step = td_run_is_single(run) ? run->count : td_min_int(size, run->count);
         for (int first = 0; first < run->count; first += step) {
-            *(td_chunk *)td_at(chunks, chunks->count++) = (td_chunk){
-                .run = r, .first = run->first + first, .count = td_min_int(step, run->count - first)};
+            *(td_chunk *)td_at(chunks, chunks->count++) =
+                (td_chunk){.run = r,
+                           .first = run->first + first,
+                           .count = td_min_int(step, run->count - first)};
         }
     }
     return true;
 }
 
-bool td_lanes_sequence(thud_world *w)
-{
+bool td_lanes_sequence(thud_world *w) {
     int most = 0;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         most += w->pool[form].live;

@@ -12,14 +12,13 @@ typedef struct td_run {
     int32_t kind, fixed; /* td_pair_kind; 1: side a is static */
     int32_t bin;         /* runs of the same bin have no moving body in common, but in overflow */
     int32_t first, count;
-    int32_t armed;       /* one of its blocks is */
-    int32_t shared;      /* one of its blocks is: no two workers at once */
+    int32_t armed;  /* one of its blocks is */
+    int32_t shared; /* one of its blocks is: no two workers at once */
 } td_run;
 
 /* Whether blocks of a run may name the same body: those of the overflow, and those with kinematic
  * bodies, which take no colours. */
-static inline bool td_run_is_single(const td_run *run)
-{
+static inline bool td_run_is_single(const td_run *run) {
     return run->shared || run->bin % TD_COLOURS == TD_OVERFLOW;
 }
 
@@ -29,8 +28,7 @@ typedef struct td_chunk {
     int32_t armed, parted;     /* whether one is armed; how many have a lane that touches no more */
 } td_chunk;
 
-static inline td_block *td_block_at(const thud_world *w, int kind, int index)
-{
+static inline td_block *td_block_at(const thud_world *w, int kind, int index) {
     return td_slot_at(&w->pool[w->pairs[kind]->form], index);
 }
 

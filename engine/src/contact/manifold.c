@@ -7,8 +7,7 @@
 #include "contact/lanes.h"
 #include "api/step.h"
 
-thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact)
-{
+thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
     const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
     const td_pose *pose = td_pose_at(w, contact->body[1]);
     int lane = contact->slot % TD_LANES, points = td_form_points(w->pairs[contact->kind]->form);
@@ -27,11 +26,11 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact)
         if (p->normal_mass[lane] == 0.0f) {
             continue;
         }
-        /* The crosses of the arm with normal and tangent are the arm itself, turned; both points have
-         * one tangent, and so one cross with it. */
+        /* The crosses of the arm with normal and tangent are the arm itself, turned; both points
+         * have one tangent, and so one cross with it. */
         float cn = p->cross_b[lane];
         td_position at = {pose->center.x + td_length_from(w, cn * ny - ct * nx),
-                       pose->center.y + td_length_from(w, -cn * nx - ct * ny)};
+                          pose->center.y + td_length_from(w, -cn * nx - ct * ny)};
         int n = out.point_count++;
         out.point[n] = td_place_to(w, at);
         out.separation[n] = p->separation[lane] + w->skin;
@@ -41,8 +40,7 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact)
 }
 
 thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *out, int capacity,
-                               int *count)
-{
+                               int *count) {
     TD_IN_OWN_MODE;
     int index, n = 0;
     thud_result result = td_find_body(w, id, &index);

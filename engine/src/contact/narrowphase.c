@@ -15,8 +15,7 @@
 
 enum { TEST_BLOCKS = 32 };
 
-td_collide_context td_collide_context_of(const thud_world *w)
-{
+td_collide_context td_collide_context_of(const thud_world *w) {
     return (td_collide_context){
         .proxy = w->proxy.data,
         .velocity = w->velocity.data,
@@ -29,8 +28,7 @@ td_collide_context td_collide_context_of(const thud_world *w)
 
 /* Returns whether one of the blocks is armed. `parted` has room for one more than the blocks. */
 static int collide(thud_world *w, int kind, td_block *const *blocks, int count, td_block **parted,
-                   int *parted_count)
-{
+                   int *parted_count) {
     td_collide_context context = td_collide_context_of(w);
     int armed = 0;
     context.armed = &armed;
@@ -46,15 +44,13 @@ static int collide(thud_world *w, int kind, td_block *const *blocks, int count, 
 
 /* ---- waiting pairs ---- */
 
-static bool reaches(const thud_world *w, int terrain_shape, int shape, int child)
-{
+static bool reaches(const thud_world *w, int terrain_shape, int shape, int child) {
     thud_terrain terrain = td_terrain_view(w, terrain_shape);
     const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
     return td_terrain_reaches(w, terrain_shape, &terrain, proxy->center, &proxy->fat, child);
 }
 
-static bool bounds_meet(const thud_world *w, const td_contact *contact)
-{
+static bool bounds_meet(const thud_world *w, const td_contact *contact) {
     int a = contact->shape_a, b = contact->shape_b, kind = contact->kind;
     if (kind == TD_PAIR_TERRAIN_CIRCLE || kind == TD_PAIR_TERRAIN_BOX) {
         return reaches(w, a, b, contact->child);
@@ -68,8 +64,7 @@ static bool bounds_meet(const thud_world *w, const td_contact *contact)
     return td_pair_meets(w, a, b);
 }
 
-static bool test_room(thud_world *w)
-{
+static bool test_room(thud_world *w) {
     td_array *blocks = &w->scratch.test_blocks, *list = &w->scratch.test_list;
     blocks->stride = (int)td_form_bytes(TD_FORM_TWO_CACHED);
     return td_array_reserve(&w->memory, blocks, TEST_BLOCKS) &&
@@ -77,8 +72,7 @@ static bool test_room(thud_world *w)
 }
 
 /* Runs the pair kind's own kernel on the contacts and lists those that have a point. */
-static void test_contacts(thud_world *w, int kind, const int *contacts, int count)
-{
+static void test_contacts(thud_world *w, int kind, const int *contacts, int count) {
     td_block **list = w->scratch.test_list.data;
     int blocks = (count + TD_LANES - 1) / TD_LANES;
     for (int i = 0; i < blocks; i++) {
@@ -92,8 +86,8 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
             block->contact[lane] = index;
             block->shape_a[lane] = contact->shape_a;
             block->shape_b[lane] = contact->shape_b;
-            block->internal_edges[lane] = td_internal_edges_of(
-                td_shape_at(w, contact->shape_a), td_shape_at(w, contact->shape_b));
+            block->internal_edges[lane] = td_internal_edges_of(td_shape_at(w, contact->shape_a),
+                                                               td_shape_at(w, contact->shape_b));
         }
     }
     td_block *parted[TEST_BLOCKS + 1];
@@ -116,16 +110,14 @@ typedef struct batch {
     int contacts[TEST_BLOCKS * TD_LANES];
 } batch;
 
-static void test_batch(batch *b)
-{
+static void test_batch(batch *b) {
     if (b->count) {
         test_contacts(b->w, b->kind, b->contacts, b->count);
     }
     b->count = 0;
 }
 
-static void add_to_batch(batch *b, int contact)
-{
+static void add_to_batch(batch *b, int contact) {
     b->contacts[b->count++] = contact;
     if (b->count == TEST_BLOCKS * TD_LANES) {
         test_batch(b);
@@ -133,8 +125,7 @@ static void add_to_batch(batch *b, int contact)
 }
 
 /* One by one, where the kind has no sieve, or bounds may deceive. */
-static void sift_singly(batch *b, const int *waiting, int count)
-{
+static void sift_singly(batch *b, const int *waiting, int count) {
     for (int i = 0; i < count; i++) {
         if (bounds_meet(b->w, td_contact_at(b->w, waiting[i]))) {
             add_to_batch(b, waiting[i]);
@@ -144,8 +135,7 @@ static void sift_singly(batch *b, const int *waiting, int count)
     }
 }
 
-static void sift_widely(batch *b, const int *waiting, int count)
-{
+static void sift_widely(batch *b, const int *waiting, int count) {
     thud_world *w = b->w;
     td_sift_fn *sift = w->pairs[b->kind]->sift;
     td_collide_context context = td_collide_context_of(w);
@@ -153,8 +143,7 @@ static void sift_widely(batch *b, const int *waiting, int count)
         int32_t shape_a[TD_LANES], shape_b[TD_LANES];
         int used = td_min_int(count - first, TD_LANES);
         for (int i = 0; i < TD_LANES; i++) {
-            const td_contact *contact =
-                td_contact_at(w, waiting[first + td_min_int(i, used - 1)]);
+            const td_contact *contact = td_contact_at(w, waiting[first + td_min_int(i, used - 1)]);
             shape_a[i] = contact->shape_a;
             shape_b[i] = contact->shape_b;
             if (first + i + 3 * TD_LANES < count) {
@@ -173,8 +162,7 @@ static void sift_widely(batch *b, const int *waiting, int count)
 }
 
 /* Sorts the waiting pairs of one kind into those that begin and those whose bounds parted. */
-static void test_waiting(thud_world *w, int kind)
-{
+static void test_waiting(thud_world *w, int kind) {
     batch b = {.w = w, .kind = kind};
     if (w->pairs[kind]->sift && !w->vast) {
         sift_widely(&b, w->waiting[kind].data, w->waiting[kind].count);
@@ -184,9 +172,9 @@ static void test_waiting(thud_world *w, int kind)
     test_batch(&b);
 }
 
-/* Which waiting pairs touch. What began in a step that ran out of memory stays listed: nobody heard of it. */
-static bool find_meeting(thud_world *w)
-{
+/* Which waiting pairs touch. What began in a step that ran out of memory stays listed: nobody heard
+ * of it. */
+static bool find_meeting(thud_world *w) {
     int contacts = w->contacts.live, *begins = w->scratch.begins.data, kept = 0;
     for (int i = 0; i < w->scratch.begins.count; i++) {
         const td_contact *contact = td_contact_at(w, begins[i]);
@@ -208,8 +196,7 @@ static bool find_meeting(thud_world *w)
     return true;
 }
 
-static bool begin_contacts(thud_world *w)
-{
+static bool begin_contacts(thud_world *w) {
     td_array *begins = &w->scratch.begins;
     const int *list = begins->data;
     int first = 0;
@@ -235,7 +222,8 @@ static bool begin_contacts(thud_world *w)
         td_contact_rest(w, list[i]);
     }
     bool placed = td_lanes_place(w, list, count, false);
-    for (int i = 0; i < count; i++) { /* those that wait again are the last to do so, and leave first */
+    for (int i = 0; i < count;
+         i++) { /* those that wait again are the last to do so, and leave first */
         (placed ? td_contact_begin : td_contact_wait)(w, list[i]);
     }
     return placed;
@@ -243,8 +231,7 @@ static bool begin_contacts(thud_world *w)
 
 /* ---- sensors ---- */
 
-static bool sensor_overlaps(const thud_world *w, const td_contact *contact)
-{
+static bool sensor_overlaps(const thud_world *w, const td_contact *contact) {
     int a = contact->shape_a, b = contact->shape_b;
     if (td_shape_at(w, b)->kind == THUD_TERRAIN) {
         a = contact->shape_b, b = contact->shape_a;
@@ -259,10 +246,9 @@ static bool sensor_overlaps(const thud_world *w, const td_contact *contact)
     return thud_shapes_overlap(&placed_a, &placed_b);
 }
 
-/* Sensor pairs have no lanes: they wait as long as their bounds overlap, and are tested exactly, once
- * where neither moves. One that rests gives its place to the last. */
-static bool test_sensors(thud_world *w)
-{
+/* Sensor pairs have no lanes: they wait as long as their bounds overlap, and are tested exactly,
+ * once where neither moves. One that rests gives its place to the last. */
+static bool test_sensors(thud_world *w) {
     const td_array *waiting = &w->waiting[TD_PAIR_SENSOR];
     td_array *begin = &w->events.sensor_begin;
     if (!td_array_reserve(&w->memory, begin, begin->count + 2 * waiting->count) ||
@@ -296,8 +282,7 @@ typedef struct colliding {
 } colliding;
 
 /* Every chunk lists its parted blocks where its own blocks begin. */
-static void collide_chunk(void *work, int index)
-{
+static void collide_chunk(void *work, int index) {
     thud_world *w = ((const colliding *)work)->w;
     td_chunk *chunk = td_at(&w->scratch.chunks, index);
     const td_run *run = td_at(&w->scratch.runs, chunk->run);
@@ -307,15 +292,13 @@ static void collide_chunk(void *work, int index)
                            chunk->count, parted, &chunk->parted);
 }
 
-static void collide_as_worker(void *argument)
-{
+static void collide_as_worker(void *argument) {
     colliding *c = argument;
     td_worker worker = td_worker_arrive(&c->task);
     td_worker_walk(&worker, c->w->scratch.chunks.count, collide_chunk, c);
 }
 
-static void collide_lanes(thud_world *w)
-{
+static void collide_lanes(thud_world *w) {
     colliding c = {w, td_job_begin(w)};
     td_job_run(w, &c.task, collide_as_worker, &c);
     for (int i = 0; i < w->scratch.runs.count; i++) {
@@ -333,8 +316,7 @@ static void collide_lanes(thud_world *w)
 }
 
 /* Lanes without a point left go back to waiting. */
-static bool part_contacts(thud_world *w)
-{
+static bool part_contacts(thud_world *w) {
     td_array *ends = &w->scratch.ends;
     ends->count = 0;
     for (int i = 0; i < w->scratch.parted.count; i++) {
@@ -363,8 +345,7 @@ static bool part_contacts(thud_world *w)
 }
 
 /* Bounds that parted, and what is in sensors. */
-static bool part_waiting(thud_world *w)
-{
+static bool part_waiting(thud_world *w) {
     if (w->waiting[TD_PAIR_SENSOR].count && !test_sensors(w)) {
         return false;
     }
@@ -374,8 +355,7 @@ static bool part_waiting(thud_world *w)
     return true;
 }
 
-static bool collide_all(thud_world *w)
-{
+static bool collide_all(thud_world *w) {
     if (!td_lanes_sequence(w) || !td_job_reserve(w)) {
         return false;
     }
@@ -386,8 +366,7 @@ static bool collide_all(thud_world *w)
     return true;
 }
 
-bool td_narrowphase(thud_world *w)
-{
+bool td_narrowphase(thud_world *w) {
     enum { PARTS = 5 };
     static bool (*const parts[PARTS])(thud_world *) = {find_meeting, begin_contacts, part_waiting,
                                                        collide_all, part_contacts};

@@ -2,8 +2,7 @@
  * middle of the common edge does the work of two; its arms only tell callers where it is. */
 #include "contact/wide_collide.h"
 
-static void aabb_aabb(td_block *const *blocks, int count, const td_collide_context *c)
-{
+static void aabb_aabb(td_block *const *blocks, int count, const td_collide_context *c) {
     f8 one = f8_all(1.0f), zero = f8_all(0.0f);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
@@ -24,15 +23,13 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
         f8 low_y = f8_max(-p.ahy, p.dy - p.bhy), high_y = f8_min(p.ahy, p.dy + p.bhy);
         f8 x = f8_pick(by_x, f8_flip(reach_x, p.dx < zero), half * (low_x + high_x));
         f8 y = f8_pick(by_x, half * (low_y + high_y), f8_flip(reach_y, p.dy < zero));
-        td_found found = {valid,    separation,      p.ax + x, p.ay + y,
-                          p.bx + x - p.dx, p.by + y - p.dy};
+        td_found found = {valid, separation, p.ax + x, p.ay + y, p.bx + x - p.dx, p.by + y - p.dy};
         td_write_points(block, &found, 1, NULL, c);
         td_set_touching(block, i8_bits(valid), c);
     }
 }
 
-static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_context *c)
-{
+static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     f8 sx = f8_abs(p.dx) - p.ahx - p.bhx, sy = f8_abs(p.dy) - p.ahy - p.bhy;
     return td_sift(a, b, f8_max(sx, sy), c);

@@ -16,8 +16,7 @@ typedef struct turned {
     i8 face;   /* 0..3 */
 } turned;
 
-TD_INLINE void swap_where(i8 mask, f8 *a, f8 *b)
-{
+TD_INLINE void swap_where(i8 mask, f8 *a, f8 *b) {
     f8 t = f8_pick(mask, *b, *a);
     *b = f8_pick(mask, *a, *b);
     *a = t;
@@ -25,8 +24,7 @@ TD_INLINE void swap_where(i8 mask, f8 *a, f8 *b)
 
 /* Turns the frame so that the reference face looks along +x: a quarter where the y axis was chosen,
  * then a half where the other box is on the far side. */
-TD_INLINE void turn_to_face(turned *t, i8 by_y)
-{
+TD_INLINE void turn_to_face(turned *t, i8 by_y) {
     f8 x = f8_pick(by_y, t->y, t->x), y = f8_pick(by_y, -t->x, t->y);
     f8 c = f8_pick(by_y, t->s, t->c), s = f8_pick(by_y, -t->c, t->s);
     f8 ux = f8_pick(by_y, -t->uy, t->ux), uy = f8_pick(by_y, t->ux, t->uy);
@@ -49,8 +47,7 @@ typedef struct edge {
 } edge;
 
 /* The face of the other box that looks most along -x. */
-TD_INLINE edge incident_edge(const turned *t, f8 hx, f8 hy)
-{
+TD_INLINE edge incident_edge(const turned *t, f8 hx, f8 hy) {
     f8 zero = f8_all(0.0f);
     i8 by_x = f8_abs(t->c) >= f8_abs(t->s);
     /* The box's own axes here are (c, s) and (-s, c). */
@@ -75,8 +72,7 @@ typedef struct axes {
     f8 sep_ax, sep_ay, sep_bx, sep_by;
 } axes;
 
-TD_INLINE axes axes_of(const td_pairs8 *p)
-{
+TD_INLINE axes axes_of(const td_pairs8 *p) {
     axes x = {.dax = p->ac * p->dx + p->as * p->dy,
               .day = p->ac * p->dy - p->as * p->dx,
               .dbx = p->bc * p->dx + p->bs * p->dy,
@@ -93,8 +89,7 @@ TD_INLINE axes axes_of(const td_pairs8 *p)
 
 /* New manifolds for the lanes in `fresh`, or for all; returns the lanes that touch. */
 TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fresh,
-                           const td_collide_context *context)
-{
+                           const td_collide_context *context) {
     f8 half = f8_all(0.5f), margin = f8_all(context->margin);
     td_pairs8 p = *pairs;
     axes x = axes_of(&p);
@@ -157,8 +152,7 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fr
 
 /* Notes the poses of the lanes in `fresh`. */
 TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 fresh, f8 dx, f8 dy,
-                          const td_collide_context *context)
-{
+                          const td_collide_context *context) {
     td_manifold_cache *kept = td_manifold_cache_of(block, 2);
     kept->dx = f8_pick(fresh, dx, kept->dx);
     kept->dy = f8_pick(fresh, dy, kept->dy);
@@ -170,8 +164,7 @@ TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 fresh, f8 dx, 
                  f8_max(f8_max(p->ahx, p->ahy), f8_max(p->bhx, p->bhy)), context);
 }
 
-static void box_box(td_block *const *blocks, int count, const td_collide_context *context)
-{
+static void box_box(td_block *const *blocks, int count, const td_collide_context *context) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         const td_manifold_cache *kept = td_manifold_cache_of(block, 2);
@@ -196,8 +189,7 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
     }
 }
 
-static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_context *c)
-{
+static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     axes x = axes_of(&p);
     return td_sift(a, b, f8_max(f8_max(x.sep_ax, x.sep_ay), f8_max(x.sep_bx, x.sep_by)), c);
@@ -206,5 +198,5 @@ static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_conte
 extern const td_solve_ops TD_WIDE(td_solve_two);
 
 extern const td_pair_ops TD_WIDE(td_pair_box_box);
-const td_pair_ops TD_WIDE(td_pair_box_box) = {TD_FORM_TWO_CACHED, sift, box_box, NULL, &TD_WIDE(td_solve_two),
-                                              &TD_WIDE(td_solve_two)};
+const td_pair_ops TD_WIDE(td_pair_box_box) = {
+    TD_FORM_TWO_CACHED, sift, box_box, NULL, &TD_WIDE(td_solve_two), &TD_WIDE(td_solve_two)};

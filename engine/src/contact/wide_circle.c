@@ -2,8 +2,7 @@
 #include "contact/wide_collide.h"
 
 /* Unit vector along (x, y) and its length; +y where the length vanishes. */
-TD_INLINE f8 normalise(f8 *x, f8 *y)
-{
+TD_INLINE f8 normalise(f8 *x, f8 *y) {
     f8 length = f8_sqrt(*x * *x + *y * *y);
     i8 long_enough = length > f8_all(1e-18f);
     f8 divisor = f8_pick(long_enough, length, f8_all(1.0f));
@@ -13,8 +12,7 @@ TD_INLINE f8 normalise(f8 *x, f8 *y)
 }
 
 /* A place in a square of its own for every shape. */
-TD_INLINE void scatter(int32_t shape, float *x, float *y)
-{
+TD_INLINE void scatter(int32_t shape, float *x, float *y) {
     uint32_t bits = (uint32_t)shape * 0x9e3779b1u;
     bits = (bits ^ bits >> 15) * 0x85ebca6bu;
     *x = (float)(bits & 0xffffu);
@@ -23,9 +21,9 @@ TD_INLINE void scatter(int32_t shape, float *x, float *y)
 
 /* Centres that coincide part as if they lay scattered: a crowd in one place then comes apart to all
  * sides, and not along a line, whose ends half of it would push. */
-TD_INLINE void part_coincident(const td_block *block, f8 *x, f8 *y)
-{
-    for (unsigned bits = i8_bits((*x == f8_all(0.0f)) & (*y == f8_all(0.0f))); bits; bits &= bits - 1) {
+TD_INLINE void part_coincident(const td_block *block, f8 *x, f8 *y) {
+    for (unsigned bits = i8_bits((*x == f8_all(0.0f)) & (*y == f8_all(0.0f))); bits;
+         bits &= bits - 1) {
         int lane = __builtin_ctz(bits);
         float ax, ay, bx, by;
         scatter(block->shape_a[lane], &ax, &ay);
@@ -35,8 +33,7 @@ TD_INLINE void part_coincident(const td_block *block, f8 *x, f8 *y)
     }
 }
 
-static void circle_circle(td_block *const *blocks, int count, const td_collide_context *c)
-{
+static void circle_circle(td_block *const *blocks, int count, const td_collide_context *c) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_fetch_block(blocks, i, count, 1);
@@ -50,23 +47,21 @@ static void circle_circle(td_block *const *blocks, int count, const td_collide_c
         block->nx = nx;
         block->ny = ny;
         f8 ra = p.ahx + f8_all(0.5f) * separation, rb = -(p.bhx + f8_all(0.5f) * separation);
-        td_found found = {valid,           separation,      p.ax + nx * ra, p.ay + ny * ra,
-                          p.bx + nx * rb, p.by + ny * rb};
+        td_found found = {valid,          separation,     p.ax + nx * ra,
+                          p.ay + ny * ra, p.bx + nx * rb, p.by + ny * rb};
         td_write_points(block, &found, 1, NULL, c);
         td_set_touching(block, i8_bits(valid), c);
     }
 }
 
-static td_sifted sift_circles(const int32_t *a, const int32_t *b, const td_collide_context *c)
-{
+static td_sifted sift_circles(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     return td_sift(a, b, f8_sqrt(p.dx * p.dx + p.dy * p.dy) - p.ahx - p.bhx, c);
 }
 
 /* A circle of radius r at (x, y) in the frame of a box with half extents hx, hy: normal from the
  * box, and separation. */
-TD_INLINE f8 circle_in_box_frame(f8 x, f8 y, f8 hx, f8 hy, f8 r, f8 *nx, f8 *ny)
-{
+TD_INLINE f8 circle_in_box_frame(f8 x, f8 y, f8 hx, f8 hy, f8 r, f8 *nx, f8 *ny) {
     f8 dx = x - f8_clamp(x, -hx, hx), dy = y - f8_clamp(y, -hy, hy);
     i8 inside = (dx == f8_all(0.0f)) & (dy == f8_all(0.0f));
     f8 ux = dx, uy = dy;
@@ -83,15 +78,14 @@ TD_INLINE f8 circle_in_box_frame(f8 x, f8 y, f8 hx, f8 hy, f8 r, f8 *nx, f8 *ny)
 }
 
 typedef struct met {
-    f8 dx, dy;     /* from the box to the circle */
-    f8 nx, ny;     /* from the box */
+    f8 dx, dy; /* from the box to the circle */
+    f8 nx, ny; /* from the box */
     f8 separation;
     f8 r;
 } met;
 
 /* `flip`: the circle is a and the box is b. */
-TD_INLINE met meet(const td_pairs8 *p, bool flip)
-{
+TD_INLINE met meet(const td_pairs8 *p, bool flip) {
     f8 cosine = flip ? p->bc : p->ac, sine = flip ? p->bs : p->as;
     f8 hx = flip ? p->bhx : p->ahx, hy = flip ? p->bhy : p->ahy;
     met m = {.dx = flip ? -p->dx : p->dx, .dy = flip ? -p->dy : p->dy, .r = flip ? p->ahx : p->bhx};
@@ -103,8 +97,7 @@ TD_INLINE met meet(const td_pairs8 *p, bool flip)
     return m;
 }
 
-TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool flip)
-{
+TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool flip) {
     td_pairs8 p = td_read_pairs(block, c);
     met m = meet(&p, flip);
     f8 nx = m.nx, ny = m.ny, dx = m.dx, dy = m.dy, separation = m.separation, r = m.r;
@@ -123,8 +116,7 @@ TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool
     td_set_touching(block, i8_bits(valid), c);
 }
 
-static void box_circle(td_block *const *blocks, int count, const td_collide_context *c)
-{
+static void box_circle(td_block *const *blocks, int count, const td_collide_context *c) {
     for (int i = 0; i < count; i++) {
         td_fetch_block(blocks, i, count, 1);
         td_fetch_shapes(blocks, i, count, c);
@@ -132,8 +124,7 @@ static void box_circle(td_block *const *blocks, int count, const td_collide_cont
     }
 }
 
-static void circle_box(td_block *const *blocks, int count, const td_collide_context *c)
-{
+static void circle_box(td_block *const *blocks, int count, const td_collide_context *c) {
     for (int i = 0; i < count; i++) {
         td_fetch_block(blocks, i, count, 1);
         td_fetch_shapes(blocks, i, count, c);
@@ -141,14 +132,12 @@ static void circle_box(td_block *const *blocks, int count, const td_collide_cont
     }
 }
 
-static td_sifted sift_box_circle(const int32_t *a, const int32_t *b, const td_collide_context *c)
-{
+static td_sifted sift_box_circle(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     return td_sift(a, b, meet(&p, false).separation, c);
 }
 
-static td_sifted sift_circle_box(const int32_t *a, const int32_t *b, const td_collide_context *c)
-{
+static td_sifted sift_circle_box(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     return td_sift(a, b, meet(&p, true).separation, c);
 }
@@ -158,7 +147,8 @@ extern const td_solve_ops TD_WIDE(td_solve_one), TD_WIDE(td_solve_round);
 extern const td_pair_ops TD_WIDE(td_pair_circle_circle), TD_WIDE(td_pair_box_circle),
     TD_WIDE(td_pair_circle_box);
 const td_pair_ops TD_WIDE(td_pair_circle_circle) = {
-    TD_FORM_ONE, sift_circles, circle_circle, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_round)};
+    TD_FORM_ONE, sift_circles,           circle_circle,
+    NULL,        &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_round)};
 const td_pair_ops TD_WIDE(td_pair_box_circle) = {
     TD_FORM_ONE, sift_box_circle, box_circle, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};
 const td_pair_ops TD_WIDE(td_pair_circle_box) = {

@@ -8,8 +8,7 @@
 #include <stddef.h>
 
 /* Block by block the kernels ask early for the rows of a later one. */
-TD_INLINE void td_fetch_block(td_block *const *blocks, int i, int count, int points)
-{
+TD_INLINE void td_fetch_block(td_block *const *blocks, int i, int count, int points) {
     td_fetch_early(blocks, i, count, points);
     if (i + 3 < count) {
         const char *head = (const char *)blocks[i + 3];
@@ -21,8 +20,7 @@ TD_INLINE void td_fetch_block(td_block *const *blocks, int i, int count, int poi
 
 /* ... and, where little is done with them, for the shapes of the next one. */
 TD_INLINE void td_fetch_shapes(td_block *const *blocks, int i, int count,
-                               const td_collide_context *c)
-{
+                               const td_collide_context *c) {
     for (int k = 0; k < TD_LANES && i + 1 < count; k++) {
         __builtin_prefetch(&c->proxy[blocks[i + 1]->shape_a[k]]);
         __builtin_prefetch(&c->proxy[blocks[i + 1]->shape_b[k]]);
@@ -38,8 +36,7 @@ typedef struct td_pairs8 {
 
 /* Four floats of each stance, from the member at `offset` on. */
 TD_INLINE td_rows td_gather_proxies(const td_collide_context *c, const int32_t *index,
-                                    size_t offset)
-{
+                                    size_t offset) {
     const float *r[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)((const char *)&c->proxy[index[i]] + offset);
@@ -49,9 +46,8 @@ TD_INLINE td_rows td_gather_proxies(const td_collide_context *c, const int32_t *
 
 /* Exact differences of two lanes' centres, as doubles: x, y, x, y. Shapes whose bounds overlap are
  * nearer than 2^51 quanta; what else may come out is then no contact's. */
-TD_INLINE d4 td_between(const td_shape_proxy *a0, const td_shape_proxy *b0, const td_shape_proxy *a1,
-                        const td_shape_proxy *b1)
-{
+TD_INLINE d4 td_between(const td_shape_proxy *a0, const td_shape_proxy *b0,
+                        const td_shape_proxy *a1, const td_shape_proxy *b1) {
     l4 bits = {b0->center.x - a0->center.x, b0->center.y - a0->center.y,
                b1->center.x - a1->center.x, b1->center.y - a1->center.y};
     bits += TD_ROUND_BITS;
@@ -59,15 +55,15 @@ TD_INLINE d4 td_between(const td_shape_proxy *a0, const td_shape_proxy *b0, cons
 }
 
 TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_b, int armed,
-                                   const td_collide_context *c)
-{
+                                   const td_collide_context *c) {
     td_pairs8 p;
     f4 between[4];
     for (int i = 0; i < 4; i++) {
         int j = i + 4;
-        between[i] = __builtin_convertvector(
-            td_between(&c->proxy[shape_a[i]], &c->proxy[shape_b[i]],
-                       &c->proxy[shape_a[j]], &c->proxy[shape_b[j]]), f4);
+        between[i] =
+            __builtin_convertvector(td_between(&c->proxy[shape_a[i]], &c->proxy[shape_b[i]],
+                                               &c->proxy[shape_a[j]], &c->proxy[shape_b[j]]),
+                                    f4);
     }
     f8 r01 = __builtin_shufflevector(between[0], between[1], 0, 4, 1, 5, 2, 6, 3, 7);
     f8 r23 = __builtin_shufflevector(between[2], between[3], 0, 4, 1, 5, 2, 6, 3, 7);
@@ -88,22 +84,19 @@ TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_
     return p;
 }
 
-TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c)
-{
+TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c) {
     return td_read_shapes(block->shape_a, block->shape_b, block->armed, c);
 }
 
 /* Four bounds of each shape. */
-TD_INLINE void td_read_bounds(const td_collide_context *c, const int32_t *shapes, i8 out[4])
-{
+TD_INLINE void td_read_bounds(const td_collide_context *c, const int32_t *shapes, i8 out[4]) {
     td_rows rows = td_gather_proxies(c, shapes, offsetof(td_shape_proxy, fat));
     out[0] = (i8)rows.x, out[1] = (i8)rows.y, out[2] = (i8)rows.z, out[3] = (i8)rows.w;
 }
 
 /* `separation` is no more than the exact one. */
 TD_INLINE td_sifted td_sift(const int32_t *shape_a, const int32_t *shape_b, f8 separation,
-                            const td_collide_context *c)
-{
+                            const td_collide_context *c) {
     i8 a[4], b[4];
     td_read_bounds(c, shape_a, a);
     td_read_bounds(c, shape_b, b);
@@ -112,15 +105,13 @@ TD_INLINE td_sifted td_sift(const int32_t *shape_a, const int32_t *shape_b, f8 s
     return (td_sifted){i8_bits(parted), i8_bits(~parted & (separation < f8_all(c->margin)))};
 }
 
-TD_INLINE i8 td_used_mask(const td_block *block)
-{
+TD_INLINE i8 td_used_mask(const td_block *block) {
     i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
     return lane < i8_all(block->used);
 }
 
 /* Notes which lanes touch. */
-TD_INLINE void td_set_touching(td_block *block, unsigned touching, const td_collide_context *c)
-{
+TD_INLINE void td_set_touching(td_block *block, unsigned touching, const td_collide_context *c) {
     block->touching = touching;
     c->parted[*c->parted_count] = block;
     *c->armed |= block->armed;
@@ -134,21 +125,18 @@ typedef struct td_found {
 } td_found;
 
 /* Lanes that keep their old rows; kernels that keep none pass no mask, which costs nothing. */
-TD_INLINE void td_set_row(f8 *row, const i8 *fresh, f8 value)
-{
+TD_INLINE void td_set_row(f8 *row, const i8 *fresh, f8 value) {
     *row = fresh ? f8_pick(*fresh, value, *row) : value;
 }
 
-TD_INLINE f8 td_inverse_or_zero(i8 valid, f8 k)
-{
+TD_INLINE f8 td_inverse_or_zero(i8 valid, f8 k) {
     i8 heavy = valid & (k > f8_all(0.0f));
     return f8_keep(heavy, f8_all(1.0f) / f8_pick(heavy, k, f8_all(1.0f)));
 }
 
 /* Friction acts at the middle of the points, which is the same for the bodies as at each of them:
  * they lie on one tangent line. */
-TD_INLINE td_found middle_of(const td_found *found, int points)
-{
+TD_INLINE td_found middle_of(const td_found *found, int points) {
     if (points == 1) {
         return found[0];
     }
@@ -165,9 +153,8 @@ TD_INLINE td_found middle_of(const td_found *found, int points)
 
 /* Writes the rows of the block's points, for its normal and impulses as they stand. Points that are
  * not valid have no mass and no impulse: they neither push nor remember. */
-TD_INLINE void td_write_points(td_block *block, const td_found *found, int points,
-                               const i8 *fresh, const td_collide_context *c)
-{
+TD_INLINE void td_write_points(td_block *block, const td_found *found, int points, const i8 *fresh,
+                               const td_collide_context *c) {
     f8 apart = f8_all(TD_APART);
     f8 nx = block->nx, ny = block->ny;
     f8 ia = block->inv_inertia_a, ib = block->inv_inertia_b;

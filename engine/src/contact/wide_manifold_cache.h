@@ -25,8 +25,7 @@ typedef struct td_moved {
     i8 small_turn;
 } td_moved;
 
-TD_INLINE i8 small_turn(f8 c, f8 s, f8 old_c, f8 old_s, f8 *turn)
-{
+TD_INLINE i8 small_turn(f8 c, f8 s, f8 old_c, f8 old_s, f8 *turn) {
     *turn = s * old_c - c * old_s;
     return (f8_abs(*turn) < f8_all(TD_KEEP_TURN)) & (c * old_c + s * old_s > f8_all(0.0f));
 }
@@ -34,12 +33,11 @@ TD_INLINE i8 small_turn(f8 c, f8 s, f8 old_c, f8 old_s, f8 *turn)
 /* Separations of the kept lanes for the present poses, and the lanes that may be kept. The first
  * `points` of separation are written for all lanes; only those of kept ones mean something. */
 TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
-                          const td_collide_context *c, f8 *separation)
-{
+                          const td_collide_context *c, f8 *separation) {
     const td_manifold_cache *kept = td_manifold_cache_of(block, points);
     f8 zero = f8_all(0.0f), margin = f8_all(c->margin);
-    f8 motion = f8_abs(moved->dx) + f8_abs(moved->dy) +
-                kept->reach * f8_abs(moved->turn_a - moved->turn_b);
+    f8 motion =
+        f8_abs(moved->dx) + f8_abs(moved->dy) + kept->reach * f8_abs(moved->turn_a - moved->turn_b);
     f8 along = moved->dx * block->nx + moved->dy * block->ny;
     i8 touches = zero < zero, whole = zero == zero;
     for (int k = 0; k < points; k++) {
@@ -50,14 +48,14 @@ TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
         touches |= here & (separation[k] < margin);
         whole &= here;
     }
-    f8 limit = f8_pick(whole, kept->limit, f8_min(kept->limit, f8_all(TD_KEEP_MARGINS_ONE) * margin));
+    f8 limit =
+        f8_pick(whole, kept->limit, f8_min(kept->limit, f8_all(TD_KEEP_MARGINS_ONE) * margin));
     return (motion < limit) & moved->small_turn & touches & td_used_mask(block);
 }
 
 /* Writes the separations of the kept lanes, and closing speeds where they may bounce. */
 TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *separation,
-                              const td_collide_context *c)
-{
+                              const td_collide_context *c) {
     for (int k = 0; k < points; k++) {
         td_point *point = &block->point[k];
         i8 here = keep & (point->normal_mass > f8_all(0.0f));
@@ -80,8 +78,7 @@ TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *se
 /* Notes separations and limits of the lanes in `fresh`, whose manifold has just been made; `least`
  * and `most` are the half extents of the pair. */
 TD_INLINE void td_keep_note(td_block *block, int points, i8 fresh, f8 least, f8 most,
-                            const td_collide_context *c)
-{
+                            const td_collide_context *c) {
     td_manifold_cache *kept = td_manifold_cache_of(block, points);
     /* A circle rolls on: its arm is to be made anew much sooner. */
     float margins = points == 1 ? TD_KEEP_MARGINS_ONE : TD_KEEP_MARGINS;

@@ -12,15 +12,14 @@ typedef struct terrain8 {
 } terrain8;
 
 static void one_lane(const thud_world *w, const td_block *block, int lane, float margin,
-                     terrain8 *out)
-{
+                     terrain8 *out) {
     int a = block->shape_a[lane], b = block->shape_b[lane];
     const td_contact *contact = td_contact_at(w, block->contact[lane]);
     thud_terrain terrain = td_terrain_view(w, a);
     thud_shape_instance placed = td_shape_instance(w, b, td_shape_proxy_at(w, a)->center);
     td_terrain_manifold m;
-    td_terrain_segment_manifold(&terrain, contact->child, &placed, td_shape_at(w, a)->internal_edges,
-                                (double)margin, &m);
+    td_terrain_segment_manifold(&terrain, contact->child, &placed,
+                                td_shape_at(w, a)->internal_edges, (double)margin, &m);
     out->nx[lane] = (float)m.nx;
     out->ny[lane] = (float)m.ny;
     uint32_t feature = 0;
@@ -35,8 +34,7 @@ static void one_lane(const thud_world *w, const td_block *block, int lane, float
 }
 
 /* Impulses of the lanes in `fresh` move to the point of the same id. */
-TD_INLINE void carry_impulses(td_block *block, i8 feature, i8 fresh, int points)
-{
+TD_INLINE void carry_impulses(td_block *block, i8 feature, i8 fresh, int points) {
     i8 old = i8_load((const int32_t *)block->feature), low = i8_all(0xffff), zero = i8_all(0);
     feature = i8_pick(fresh, feature, old);
     __builtin_memcpy(block->feature, &feature, sizeof feature);
@@ -55,8 +53,7 @@ TD_INLINE void carry_impulses(td_block *block, i8 feature, i8 fresh, int points)
 
 /* Where the bodies b have their centres of mass, in 2^8 position quanta and modulo 2^32: what a
  * body moves in a step is exact in the difference of two, however far away the scene stands. */
-TD_INLINE void read_places(const thud_world *w, const td_block *block, i8 *x, i8 *y)
-{
+TD_INLINE void read_places(const thud_world *w, const td_block *block, i8 *x, i8 *y) {
     int32_t px[TD_LANES], py[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
         const td_shape_proxy *s = td_shape_proxy_at(w, block->shape_b[i]);
@@ -68,8 +65,8 @@ TD_INLINE void read_places(const thud_world *w, const td_block *block, i8 *x, i8
 }
 
 /* New manifolds for the lanes in `fresh`; returns the lanes that touch. */
-TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 fresh, const td_collide_context *c, int points)
-{
+TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 fresh, const td_collide_context *c,
+                           int points) {
     f8 zero = f8_all(0.0f);
     terrain8 t = {0};
     for (unsigned bits = i8_bits(fresh & td_used_mask(block)); bits; bits &= bits - 1) {
@@ -81,16 +78,15 @@ TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 fresh, const td_co
     td_rows arm = td_gather_proxies(c, block->shape_b, offsetof(td_shape_proxy, x));
     td_found found[2];
     for (int k = 0; k < points; k++) {
-        found[k] = (td_found){t.valid[k],           t.separation[k],       zero, zero,
-                              arm.x + t.x[k],    arm.y + t.y[k]};
+        found[k] =
+            (td_found){t.valid[k], t.separation[k], zero, zero, arm.x + t.x[k], arm.y + t.y[k]};
     }
     td_write_points(block, found, points, &fresh, c);
     return t.valid[0] | t.valid[1];
 }
 
 TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
-                              const td_collide_context *c, int points)
-{
+                              const td_collide_context *c, int points) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_manifold_cache *kept = td_manifold_cache_of(block, points);
@@ -98,10 +94,9 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
         i8 x, y;
         read_places(w, block, &x, &y);
         f8 zero = f8_all(0.0f), quantum = f8_all(256.0f * c->quantum), separation[2];
-        td_moved moved = {
-            .dx = quantum * __builtin_convertvector(i8_wrap_sub(x, (i8)kept->dx), f8),
-            .dy = quantum * __builtin_convertvector(i8_wrap_sub(y, (i8)kept->dy), f8),
-            .turn_a = zero};
+        td_moved moved = {.dx = quantum * __builtin_convertvector(i8_wrap_sub(x, (i8)kept->dx), f8),
+                          .dy = quantum * __builtin_convertvector(i8_wrap_sub(y, (i8)kept->dy), f8),
+                          .turn_a = zero};
         moved.small_turn = small_turn(proxy.x, proxy.y, kept->bc, kept->bs, &moved.turn_b);
         i8 keep = td_keep_mask(block, points, &moved, c, separation), fresh = ~keep;
         unsigned touching = i8_bits(keep);
@@ -111,8 +106,8 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
             kept->dy = f8_pick(fresh, (f8)y, kept->dy);
             kept->bc = f8_pick(fresh, proxy.x, kept->bc);
             kept->bs = f8_pick(fresh, proxy.y, kept->bs);
-            td_keep_note(block, points, fresh, f8_min(proxy.z, proxy.w),
-                         f8_max(proxy.z, proxy.w), c);
+            td_keep_note(block, points, fresh, f8_min(proxy.z, proxy.w), f8_max(proxy.z, proxy.w),
+                         c);
         }
         td_keep_follow(block, points, keep, separation, c);
         td_set_touching(block, touching, c);
@@ -120,22 +115,19 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
 }
 
 static void terrain_circle(thud_world *w, td_block *const *blocks, int count,
-                           const td_collide_context *c)
-{
+                           const td_collide_context *c) {
     terrain_blocks(w, blocks, count, c, 1);
 }
 
 static void terrain_box(thud_world *w, td_block *const *blocks, int count,
-                        const td_collide_context *c)
-{
+                        const td_collide_context *c) {
     terrain_blocks(w, blocks, count, c, 2);
 }
 
 extern const td_solve_ops TD_WIDE(td_solve_one), TD_WIDE(td_solve_two);
 
 extern const td_pair_ops TD_WIDE(td_pair_terrain_circle), TD_WIDE(td_pair_terrain_box);
-const td_pair_ops TD_WIDE(td_pair_terrain_circle) = {TD_FORM_ONE_CACHED, NULL, NULL, terrain_circle,
-                                                     &TD_WIDE(td_solve_one),
-                                                     &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_terrain_box) = {TD_FORM_TWO_CACHED, NULL, NULL, terrain_box, &TD_WIDE(td_solve_two),
-                                                  &TD_WIDE(td_solve_two)};
+const td_pair_ops TD_WIDE(td_pair_terrain_circle) = {
+    TD_FORM_ONE_CACHED, NULL, NULL, terrain_circle, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_terrain_box) = {
+    TD_FORM_TWO_CACHED, NULL, NULL, terrain_box, &TD_WIDE(td_solve_two), &TD_WIDE(td_solve_two)};

@@ -3,12 +3,11 @@
 
 #include "detection/trajectory.h"
 
-/* What contacts gave a body is too little to bear it, if it is no more than this share of what gravity
- * gives in a step. */
+/* What contacts gave a body is too little to bear it, if it is no more than this share of what
+ * gravity gives in a step. */
 #define LITTLE 0.0625
 
-void td_ballistics_note(thud_world *w)
-{
+void td_ballistics_note(thud_world *w) {
     for (int slot = 1; slot < w->body_of.count; slot++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         const float *velocity = td_row(&w->velocity, slot);
@@ -19,11 +18,10 @@ void td_ballistics_note(thud_world *w)
     }
 }
 
-/* Whether the solver, beside gravity, gave the body no more than `share` of velocity, at its rim as at
- * its centre, and of motion. With steps of any number that is v1 = v0 + gain, and a motion from
+/* Whether the solver, beside gravity, gave the body no more than `share` of velocity, at its rim as
+ * at its centre, and of motion. With steps of any number that is v1 = v0 + gain, and a motion from
  * dt (v1 - gain / 2), of steps without end, to dt v1, of one. */
-static bool is_free(const thud_world *w, int slot, double share)
-{
+static bool is_free(const thud_world *w, int slot, double share) {
     const td_trajectory *f = td_trajectory_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
     const float *push = td_row(&w->push, slot);
@@ -34,15 +32,15 @@ static bool is_free(const thud_world *w, int slot, double share)
         double rounding = 0x1p-22 * n * (td_abs(f->motion[k]) + td_abs(gain));
         double most = rounding + (k < 2 ? share : share / (double)td_row(&w->reach, slot)[1]);
         double off = (double)delta[k] / w->def.time_step - (v1 - 0.25 * gain);
-        free = td_abs(v1 - f->motion[k] - gain) <= most && td_abs(off) <= 0.25 * td_abs(gain) + most;
+        free =
+            td_abs(v1 - f->motion[k] - gain) <= most && td_abs(off) <= 0.25 * td_abs(gain) + most;
     }
     return free;
 }
 
-/* The parabola that ends with the body's velocity. Who was not touched at all gets that velocity from
- * the one before, without the roundings of the substeps. */
-static void fly(thud_world *w, int slot, bool touched)
-{
+/* The parabola that ends with the body's velocity. Who was not touched at all gets that velocity
+ * from the one before, without the roundings of the substeps. */
+static void fly(thud_world *w, int slot, bool touched) {
     td_trajectory *f = td_trajectory_at(w, slot);
     double dt = w->def.time_step;
     for (int axis = 0; axis < 2; axis++) {
@@ -57,8 +55,7 @@ static void fly(thud_world *w, int slot, bool touched)
     }
 }
 
-void td_ballistics_fly(thud_world *w)
-{
+void td_ballistics_fly(thud_world *w) {
     for (int slot = 1; slot < w->body_of.count; slot++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         const td_body *body = td_body_at(w, f->body);
@@ -70,8 +67,8 @@ void td_ballistics_fly(thud_world *w)
         double x = (double)push[0], y = (double)push[1];
         double gain = w->substeps * __builtin_sqrt(x * x + y * y);
         /* A parabola steeper than the highest speed is not flown. */
-        f->free = gain <= (double)(w->def.maximum_speed * w->unit) &&
-                  is_free(w, slot, LITTLE * gain);
+        f->free =
+            gain <= (double)(w->def.maximum_speed * w->unit) && is_free(w, slot, LITTLE * gain);
         if (f->free && gain > 0.0) {
             fly(w, slot, !is_free(w, slot, 0.0));
         }

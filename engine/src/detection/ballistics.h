@@ -1,5 +1,5 @@
-/* ballistics.h: bodies that nothing touches fly exact parabolas, x + v t + g t^2 / 2, where substeps
- * would take them along a polygon. */
+/* ballistics.h: bodies that nothing touches fly exact parabolas, x + v t + g t^2 / 2, where
+ * substeps would take them along a polygon. */
 #ifndef TD_BALLISTICS_H
 #define TD_BALLISTICS_H
 
@@ -7,8 +7,8 @@
 
 /* Notes the velocities before the solver changes them. */
 void td_ballistics_note(thud_world *w);
-/* Who gained hardly anything but gravity gets the motion of its parabola, and its trajectory the fall,
- * before the motion becomes a pose. */
+/* Who gained hardly anything but gravity gets the motion of its parabola, and its trajectory the
+ * fall, before the motion becomes a pose. */
 void td_ballistics_fly(thud_world *w);
 
 #endif

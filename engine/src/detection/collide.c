@@ -12,13 +12,12 @@ typedef struct side {
     td_body *body;
     td_trajectory *trajectory; /* null where nothing moves it */
     double inv_mass, inv_inertia;
-    double x, y;         /* the point, from the centre of mass */
-    double velocity[3];  /* now */
-    double motion[3];    /* per second of the rest of the step */
+    double x, y;        /* the point, from the centre of mass */
+    double velocity[3]; /* now */
+    double motion[3];   /* per second of the rest of the step */
 } side;
 
-static side side_of(thud_world *w, int index, const td_impact_point *at, double time)
-{
+static side side_of(thud_world *w, int index, const td_impact_point *at, double time) {
     td_body *body = td_body_at(w, index);
     td_trajectory f = td_trajectory_of(w, index);
     side s = {.index = index,
@@ -42,8 +41,7 @@ static side side_of(thud_world *w, int index, const td_impact_point *at, double 
 }
 
 /* Speed of b's point against a's along (x, y). */
-static double speed_along(const side *a, const side *b, bool of_motion, double x, double y)
-{
+static double speed_along(const side *a, const side *b, bool of_motion, double x, double y) {
     const double *va = of_motion ? a->motion : a->velocity;
     const double *vb = of_motion ? b->motion : b->velocity;
     double vx = vb[0] - vb[2] * b->y - va[0] + va[2] * a->y;
@@ -52,15 +50,13 @@ static double speed_along(const side *a, const side *b, bool of_motion, double x
 }
 
 /* What is held does not move, whatever its velocity. */
-static bool gives_way(const side *s, bool of_motion)
-{
+static bool gives_way(const side *s, bool of_motion) {
     return !of_motion || (s->trajectory && !s->trajectory->held);
 }
 
 /* Speed along (tx, ty) that a unit of impulse along (x, y) gives. */
 static double softness(const side *a, const side *b, bool of_motion, double x, double y, double tx,
-                       double ty)
-{
+                       double ty) {
     double along = x * tx + y * ty;
     double turn_a = (a->x * y - a->y * x) * (a->x * ty - a->y * tx);
     double turn_b = (b->x * y - b->y * x) * (b->x * ty - b->y * tx);
@@ -69,8 +65,7 @@ static double softness(const side *a, const side *b, bool of_motion, double x, d
     return (gives_way(a, of_motion) ? soft_a : 0.0) + (gives_way(b, of_motion) ? soft_b : 0.0);
 }
 
-static void push(side *s, bool of_motion, double x, double y)
-{
+static void push(side *s, bool of_motion, double x, double y) {
     double *v = of_motion ? s->motion : s->velocity;
     if (!gives_way(s, of_motion)) {
         return;
@@ -81,30 +76,31 @@ static void push(side *s, bool of_motion, double x, double y)
 }
 
 /* How gravity speeds b up against a along (x, y): lengths a step, in a step. */
-static double fall_along(const side *a, const side *b, double x, double y)
-{
-    double fx = (b->trajectory ? b->trajectory->fall[0] : 0.0) - (a->trajectory ? a->trajectory->fall[0] : 0.0);
-    double fy = (b->trajectory ? b->trajectory->fall[1] : 0.0) - (a->trajectory ? a->trajectory->fall[1] : 0.0);
+static double fall_along(const side *a, const side *b, double x, double y) {
+    double fx = (b->trajectory ? b->trajectory->fall[0] : 0.0) -
+                (a->trajectory ? a->trajectory->fall[0] : 0.0);
+    double fy = (b->trajectory ? b->trajectory->fall[1] : 0.0) -
+                (a->trajectory ? a->trajectory->fall[1] : 0.0);
     return fx * x + fy * y;
 }
 
-static void look_at(thud_world *w, const td_toi_candidate *e, td_impact_point *at, double time)
-{
+static void look_at(thud_world *w, const td_toi_candidate *e, td_impact_point *at, double time) {
     side a = side_of(w, e->body[0], at, time), b = side_of(w, e->body[1], at, time);
     double rest = 1.0 - time;
     at->speed = -speed_along(&a, &b, true, at->nx, at->ny) * w->def.time_step;
     at->closing = (at->speed - 0.5 * fall_along(&a, &b, at->nx, at->ny) * rest) * rest;
 }
 
-bool td_impact_point_of(thud_world *w, const td_toi_candidate *e, double time, td_impact_point *at)
-{
+bool td_impact_point_of(thud_world *w, const td_toi_candidate *e, double time,
+                        td_impact_point *at) {
     td_features f;
     td_impact_point points[2];
     td_toi_candidate_features(w, e, time, &f);
     for (int k = 0; k < f.contacts.count; k++) {
         const thud_closest *c = &f.contacts.point[k];
-        points[k] = (td_impact_point){f.origin, c->nx, c->ny, 0.5 * (c->ax + c->bx),
-                                      0.5 * (c->ay + c->by), c->distance, 0.0, 0.0};
+        points[k] = (td_impact_point){
+            f.origin,    c->nx, c->ny, 0.5 * (c->ax + c->bx), 0.5 * (c->ay + c->by),
+            c->distance, 0.0,   0.0};
         look_at(w, e, &points[k], time);
     }
     if (f.contacts.count == 0) {
@@ -129,13 +125,13 @@ typedef struct outcome {
     bool bounced;
 } outcome;
 
-/* Takes the approach out of the velocities or out of the motions, after A. Chatterjee and A. Ruina, "A
- * New Algebraic Rigid-Body Collision Law Based on Impulse Space Considerations" (1998), without
- * tangential restitution: (1 + e) times the impulse that stops the approach without friction, and of the
- * one that from there stops the sliding as much as the friction cone allows. It obeys e and Coulomb's
- * law, and where friction and normal act on each other through the turn, no impact gains energy. */
-static outcome bounce(side *a, side *b, bool of_motion, const surface *u)
-{
+/* Takes the approach out of the velocities or out of the motions, after A. Chatterjee and A. Ruina,
+ * "A New Algebraic Rigid-Body Collision Law Based on Impulse Space Considerations" (1998), without
+ * tangential restitution: (1 + e) times the impulse that stops the approach without friction, and
+ * of the one that from there stops the sliding as much as the friction cone allows. It obeys e and
+ * Coulomb's law, and where friction and normal act on each other through the turn, no impact gains
+ * energy. */
+static outcome bounce(side *a, side *b, bool of_motion, const surface *u) {
     double closing = -speed_along(a, b, of_motion, u->nx, u->ny);
     double tx = u->ny, ty = -u->nx;
     double soft = softness(a, b, of_motion, u->nx, u->ny, u->nx, u->ny);
@@ -160,9 +156,9 @@ static outcome bounce(side *a, side *b, bool of_motion, const surface *u)
     return (outcome){normal, tangent, bounced};
 }
 
-/* What did not part does not fall on into each other: each bears as much as the other falls less. */
-static void bear(const thud_world *w, const side *a, const side *b, const surface *u)
-{
+/* What did not part does not fall on into each other: each bears as much as the other falls less.
+ */
+static void bear(const thud_world *w, const side *a, const side *b, const surface *u) {
     double x = u->nx, y = u->ny;
     double fall_a = a->trajectory ? a->trajectory->fall[0] * x + a->trajectory->fall[1] * y : 0.0;
     double fall_b = b->trajectory ? b->trajectory->fall[0] * x + b->trajectory->fall[1] * y : 0.0;
@@ -176,8 +172,7 @@ static void bear(const thud_world *w, const side *a, const side *b, const surfac
     }
 }
 
-static void write_back(const thud_world *w, const side *s)
-{
+static void write_back(const thud_world *w, const side *s) {
     td_trajectory *f = s->trajectory;
     if (!f || s->body->kind != THUD_DYNAMIC) {
         return;
@@ -193,21 +188,18 @@ static void write_back(const thud_world *w, const side *s)
 }
 
 /* It moves as its velocity says. */
-static bool is_free(const side *s)
-{
+static bool is_free(const side *s) {
     return !s->trajectory || s->trajectory->free || s->body->kind != THUD_DYNAMIC;
 }
 
-static void move_as_velocity(side *s)
-{
+static void move_as_velocity(side *s) {
     for (int k = 0; k < 3; k++) {
         s->motion[k] = s->velocity[k];
     }
 }
 
 /* Slower approaches do not bounce: see bounces.h. */
-static double bounce_speed(const thud_world *w, const side *a, const side *b, const surface *u)
-{
+static double bounce_speed(const thud_world *w, const side *a, const side *b, const surface *u) {
     double slow = (double)(w->def.restitution_threshold * w->unit), dt = w->def.time_step;
     bool elastic = u->restitution >= 1.0;
     if (td_detection_of(w, a->index, b->index)->rank != TD_RANK_SWEPT) {
@@ -222,10 +214,10 @@ static double bounce_speed(const thud_world *w, const side *a, const side *b, co
     return elastic ? td_min_double(rest, slow) : slow;
 }
 
-thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e, const td_impact_point *at)
-{
+thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e,
+                            const td_impact_point *at) {
     td_position place = {at->origin.x + td_round64(at->x * w->to_fixed),
-                      at->origin.y + td_round64(at->y * w->to_fixed)};
+                         at->origin.y + td_round64(at->y * w->to_fixed)};
     int a = e->shape[0], b = e->shape[1];
     td_pair_of(w, &a, &b); /* callers see them in the order of a contact */
     double sign = a == e->shape[0] ? 1.0 : -1.0;
@@ -234,8 +226,7 @@ thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e, cons
 }
 
 void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact_point *at,
-                       double time, const thud_contact_settings *settings, td_impact *impact)
-{
+                       double time, const thud_contact_settings *settings, td_impact *impact) {
     surface u = {.nx = at->nx,
                  .ny = at->ny,
                  .friction = (double)settings->friction,

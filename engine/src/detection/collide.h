@@ -25,10 +25,11 @@ typedef struct td_impact_point {
 bool td_impact_point_of(thud_world *w, const td_toi_candidate *e, double time, td_impact_point *at);
 
 /* The pair as callbacks see it, before anything is done. */
-thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e, const td_impact_point *at);
+thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e,
+                            const td_impact_point *at);
 
-/* Newtonian impact with restitution and Coulomb friction. Their trajectories, which stand at the time of
- * the impact, go on without approaching each other. */
+/* Newtonian impact with restitution and Coulomb friction. Their trajectories, which stand at the
+ * time of the impact, go on without approaching each other. */
 void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact_point *at,
                        double time, const thud_contact_settings *settings, td_impact *impact);
 

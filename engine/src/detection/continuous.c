@@ -24,28 +24,31 @@ typedef struct meeting {
 typedef struct sweep {
     thud_world *w;
     int slot, body, shape;
-    td_position start;       /* of the body's centre */
-    thud_shape_instance placed;   /* relative to start; smaller than the shape */
-    thud_shape_instance core;     /* a small circle in its middle */
+    td_position start;          /* of the body's centre */
+    thud_shape_instance placed; /* relative to start; smaller than the shape */
+    thud_shape_instance core;   /* a small circle in its middle */
     thud_motion motion;
     double shrink;
-    meeting last, next;   /* the one let through last, and the first after it so far */
-    td_bounds bounds;     /* of the whole sweep, about start */
+    meeting last, next; /* the one let through last, and the first after it so far */
+    td_bounds bounds;   /* of the whole sweep, about start */
 } sweep;
 
 /* The ground below the middle of the shape stands for where they meet. */
-static thud_closest ground_below(const thud_world *w, int terrain_shape, const thud_shape_instance *shape)
-{
+static thud_closest ground_below(const thud_world *w, int terrain_shape,
+                                 const thud_shape_instance *shape) {
     thud_terrain terrain = td_terrain_view(w, terrain_shape);
     thud_terrain_sample ground = {.height = shape->y, .ny = 1.0};
     w->ground->sample_at(&terrain, shape->x, &ground);
-    return (thud_closest){.nx = ground.nx, .ny = ground.ny, .ax = shape->x, .ay = ground.height,
-                          .bx = shape->x, .by = ground.height};
+    return (thud_closest){.nx = ground.nx,
+                          .ny = ground.ny,
+                          .ax = shape->x,
+                          .ay = ground.height,
+                          .bx = shape->x,
+                          .by = ground.height};
 }
 
 /* The pair as the prologue sees it: the shape at `time`, in its full size. */
-static thud_contact view(const sweep *s, int other, double time)
-{
+static thud_contact view(const sweep *s, int other, double time) {
     const thud_world *w = s->w;
     bool ground = td_shape_at(w, other)->kind == THUD_TERRAIN;
     td_position origin = ground ? td_shape_proxy_at(w, other)->center : s->start;
@@ -62,15 +65,14 @@ static thud_contact view(const sweep *s, int other, double time)
         td_closest(&b, &shape, &c);
     }
     td_position at = {origin.x + td_round64(0.5 * (c.ax + c.bx) * w->to_fixed),
-                   origin.y + td_round64(0.5 * (c.ay + c.by) * w->to_fixed)};
+                      origin.y + td_round64(0.5 * (c.ay + c.by) * w->to_fixed)};
     return td_contact_between(w, other, s->shape, at, (thud_vec2){(float)c.nx, (float)c.ny},
                               c.distance);
 }
 
 /* Whether the prologue lets the body through the static shape. It has been asked already about what
  * touched at the start. A callback may make bodies and queries: arrays of them may have moved. */
-static bool passes(const sweep *s, int other, double time)
-{
+static bool passes(const sweep *s, int other, double time) {
     thud_world *w = s->w;
     bool asked = false, vetoed = true;
     int e = w->def.prologue ? td_body_at(w, s->body)->first_contact : TD_NONE;
@@ -90,14 +92,12 @@ static bool passes(const sweep *s, int other, double time)
     return !td_surface_ask(w, &seen, &settings);
 }
 
-static bool is_sooner(const meeting *a, const meeting *b)
-{
+static bool is_sooner(const meeting *a, const meeting *b) {
     return a->time < b->time || (a->time == b->time && a->pair < b->pair);
 }
 
 /* `inside`: the core met it. The smaller shape meets a little later than the real one does. */
-static void meet(sweep *s, int other, bool inside, bool hit, double time)
-{
+static void meet(sweep *s, int other, bool inside, bool hit, double time) {
     const thud_motion *m = &s->motion;
     if (!inside) {
         time -= s->shrink / __builtin_sqrt(m->dx * m->dx + m->dy * m->dy);
@@ -110,13 +110,11 @@ static void meet(sweep *s, int other, bool inside, bool hit, double time)
 }
 
 /* Where even the smaller shape overlaps at the start, the core goes alone, and does not turn. */
-static thud_motion motion_of(const sweep *s, bool inside)
-{
+static thud_motion motion_of(const sweep *s, bool inside) {
     return (thud_motion){s->motion.dx, s->motion.dy, inside ? 0.0 : s->motion.turn};
 }
 
-static void against_shape(sweep *s, int other)
-{
+static void against_shape(sweep *s, int other) {
     const thud_world *w = s->w;
     const td_shape *shape = td_shape_at(w, other);
     if (td_body_at(w, shape->body)->kind != THUD_STATIC || (shape->flags & TD_SHAPE_HOLLOW) ||
@@ -134,8 +132,7 @@ static void against_shape(sweep *s, int other)
 }
 
 /* Whether the bounds of the sweep come down to any segment at all; most falling bodies' do not. */
-static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terrain)
-{
+static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terrain) {
     int first, last;
     if (td_terrain_below(s->w, other, s->start, &s->bounds)) {
         return false;
@@ -148,12 +145,10 @@ static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terra
     return first <= last;
 }
 
-static void against_terrain(sweep *s, int other)
-{
+static void against_terrain(sweep *s, int other) {
     const thud_world *w = s->w;
     if (td_body_at(w, td_shape_at(w, other)->body)->kind != THUD_STATIC ||
-        (td_shape_at(w, other)->flags & TD_SHAPE_HOLLOW) ||
-        !td_pair_allowed(w, s->shape, other)) {
+        (td_shape_at(w, other)->flags & TD_SHAPE_HOLLOW) || !td_pair_allowed(w, s->shape, other)) {
         return;
     }
     thud_terrain terrain = td_terrain_view(w, other);
@@ -176,8 +171,7 @@ static void against_terrain(sweep *s, int other)
 }
 
 /* Bounds of the whole sweep, for the grid. */
-static td_bounds swept_bounds(const sweep *s, td_position end)
-{
+static td_bounds swept_bounds(const sweep *s, td_position end) {
     const thud_world *w = s->w;
     double reach = (double)td_row(&w->reach, s->slot)[1] + (double)w->unit * (double)TD_SPECULATIVE;
     int32_t half = (int32_t)(reach * w->to_coarse) + 1;
@@ -185,8 +179,7 @@ static td_bounds swept_bounds(const sweep *s, td_position end)
     return td_bounds_around(&a, &b);
 }
 
-static void set_shape(sweep *s, int index, const float *delta, float c, float sine)
-{
+static void set_shape(sweep *s, int index, const float *delta, float c, float sine) {
     const thud_world *w = s->w;
     const td_shape *shape = td_shape_at(w, index);
     float arm_x = shape->arm_x, arm_y = shape->arm_y, hx = shape->half_x, hy = shape->half_y;
@@ -202,33 +195,35 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
         .s = shape->kind == THUD_OBB ? (double)(sine * shape->angle_c + c * shape->angle_s) : 0.0,
         .hx = (double)(hx - shrink),
         .hy = shape->kind == THUD_CIRCLE ? 0.0 : (double)(hy - shrink)};
-    s->core = (thud_shape_instance){.kind = THUD_CIRCLE, .x = s->placed.x, .y = s->placed.y, .c = 1.0,
-                            .hx = (double)(0.25f * least)};
+    s->core = (thud_shape_instance){.kind = THUD_CIRCLE,
+                                    .x = s->placed.x,
+                                    .y = s->placed.y,
+                                    .c = 1.0,
+                                    .hx = (double)(0.25f * least)};
     /* The centre of an offset shape also moves as the body turns. */
     float end_c, end_s;
     td_angle_turn(td_pose_at(w, s->body)->angle, &end_c, &end_s);
-    s->motion = (thud_motion){
-        (double)delta[0] + (double)(end_c * arm_x - end_s * arm_y) - s->placed.x,
-        (double)delta[1] + (double)(end_s * arm_x + end_c * arm_y) - s->placed.y,
-        shape->kind == THUD_OBB ? (double)delta[2] : 0.0};
+    s->motion =
+        (thud_motion){(double)delta[0] + (double)(end_c * arm_x - end_s * arm_y) - s->placed.x,
+                      (double)delta[1] + (double)(end_s * arm_x + end_c * arm_y) - s->placed.y,
+                      shape->kind == THUD_OBB ? (double)delta[2] : 0.0};
 }
 
 static void stop_at(thud_world *w, int index, td_position start, uint32_t start_angle, double time,
-                    float *delta)
-{
+                    float *delta) {
     td_pose *pose = td_pose_at(w, index);
     for (int k = 0; k < 3; k++) {
         delta[k] = (float)((double)delta[k] * time);
     }
-    pose->center = (td_position){start.x + td_length_from(w, delta[0]),
-                              start.y + td_length_from(w, delta[1])};
+    pose->center =
+        (td_position){start.x + td_length_from(w, delta[0]), start.y + td_length_from(w, delta[1])};
     pose->angle = start_angle + td_angle_between(delta[2]);
     td_angle_turn(pose->angle, &pose->c, &pose->s);
 }
 
-/* It does not fall on in the rest of the step: it would fall back for nothing from where it stands. */
-static void give_back(thud_world *w, int slot, double time)
-{
+/* It does not fall on in the rest of the step: it would fall back for nothing from where it stands.
+ */
+static void give_back(thud_world *w, int slot, double time) {
     float *velocity = td_row(&w->velocity, slot);
     const float *push = td_row(&w->push, slot);
     for (int k = 0; k < 3; k++) {
@@ -238,13 +233,13 @@ static void give_back(thud_world *w, int slot, double time)
 }
 
 /* Whether the sweep comes near anything that it might hit; scratch.ahead gets the static shapes. */
-static bool looks_around(sweep *s)
-{
+static bool looks_around(sweep *s) {
     thud_world *w = s->w;
     td_array *hits = &w->scratch.ahead;
     hits->count = 0;
     td_find_fn *find = w->def.broadphase->find[w->wide];
-    bool near_any = find(&w->rest_shapes, &w->memory, &s->bounds, s->start, hits) && hits->count > 0;
+    bool near_any =
+        find(&w->rest_shapes, &w->memory, &s->bounds, s->start, hits) && hits->count > 0;
     for (int t = 0; t < w->terrains.count && !near_any; t++) {
         const td_terrain_record *record = td_slot_at(&w->terrains, t);
         if (record->shape != TD_NONE) {
@@ -256,8 +251,7 @@ static bool looks_around(sweep *s)
 }
 
 /* The first meeting after the last one, of all shapes of the body; and puts that shape in place. */
-static void find_next(sweep *s, int first, float c, float sine)
-{
+static void find_next(sweep *s, int first, float c, float sine) {
     const thud_world *w = s->w;
     const td_array *hits = &w->scratch.ahead;
     s->next = (meeting){.time = 1.0};
@@ -283,13 +277,12 @@ static void find_next(sweep *s, int first, float c, float sine)
 
 /* The prologue is asked in the order of time, whichever order the broadphase has, up to the first
  * that stops the body. */
-static void sweep_body(thud_world *w, int slot)
-{
+static void sweep_body(thud_world *w, int slot) {
     int index = *(int *)td_at(&w->body_of, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_position start = {pose->center.x - td_length_from(w, delta[0]),
-                      pose->center.y - td_length_from(w, delta[1])};
+                         pose->center.y - td_length_from(w, delta[1])};
     sweep swept = {.w = w, .slot = slot, .body = index, .start = start, .next = {.time = -1.0}};
     swept.bounds = swept_bounds(&swept, pose->center);
     if (!looks_around(&swept)) {
@@ -313,14 +306,12 @@ static void sweep_body(thud_world *w, int slot)
 }
 
 /* A query asks for room as if every shape of the ranges that it scans were a hit. */
-static bool reserve(thud_world *w)
-{
+static bool reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.ahead,
                             3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
-static void run(thud_world *w)
-{
+static void run(thud_world *w) {
     bool anything = w->rest_shapes.ids.count > 0 || w->terrains.live > 0;
     for (int i = 0; i < w->scratch.fast.count && anything; i++) {
         int slot = *(int *)td_at(&w->scratch.fast, i);

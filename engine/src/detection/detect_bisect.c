@@ -1,13 +1,12 @@
-/* detect_bisect.c: a pair that is too near at the end of its motion is taken back to the time of its
- * collision, found by bisection. */
+/* detect_bisect.c: a pair that is too near at the end of its motion is taken back to the time of
+ * its collision, found by bisection. */
 #include "detection/detection.h"
 #include "api/step.h"
 
 /* Of the rest of the step. */
 #define TOLERANCE 0x1p-20
 
-static bool met_at(const td_approach *p, double time)
-{
+static bool met_at(const td_approach *p, double time) {
     thud_shape_instance a = td_placed_at(&p->a, &p->motion_a, time);
     thud_shape_instance b = td_placed_at(&p->b, &p->motion_b, time);
     thud_closest closest;
@@ -15,8 +14,7 @@ static bool met_at(const td_approach *p, double time)
     return closest.distance <= p->target;
 }
 
-static bool meet(const td_approach *p, double *time)
-{
+static bool meet(const td_approach *p, double *time) {
     if (p->on_ground) {
         bool collided = false;
         thud_terrain_time_of_collision(&p->ground, &p->a, p->motion_a, TOLERANCE, &collided, time);
@@ -39,5 +37,6 @@ static bool meet(const td_approach *p, double *time)
 const thud_detection thud_detection_bisect = {.name = "bisect",
                                               .rank = TD_RANK_BISECT,
                                               .reserve = td_impacts_reserve,
-                                              .run = {td_impacts_prepare, td_impacts_launch, td_impacts},
+                                              .run = {td_impacts_prepare, td_impacts_launch,
+                                                      td_impacts},
                                               .meet = meet};

@@ -2,8 +2,7 @@
 #include "detection/detection.h"
 #include "api/step.h"
 
-static bool meet(const td_approach *p, double *time)
-{
+static bool meet(const td_approach *p, double *time) {
     bool hit = false;
     if (p->on_ground) {
         thud_terrain_time_of_impact(&p->ground, &p->a, p->motion_a, p->target, &hit, time);
@@ -17,5 +16,6 @@ static bool meet(const td_approach *p, double *time)
 const thud_detection thud_detection_swept = {.name = "swept",
                                              .rank = TD_RANK_SWEPT,
                                              .reserve = td_impacts_reserve,
-                                             .run = {td_impacts_prepare, td_impacts_launch, td_impacts},
+                                             .run = {td_impacts_prepare, td_impacts_launch,
+                                                     td_impacts},
                                              .meet = meet};

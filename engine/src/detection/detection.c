@@ -4,13 +4,11 @@
 #include "state/handles.h"
 #include "state/shape.h"
 
-const char *thud_detection_name(const thud_detection *detection)
-{
+const char *thud_detection_name(const thud_detection *detection) {
     return detection ? detection->name : "";
 }
 
-thud_result thud_world_bisection_limit(thud_world *w, double *speed)
-{
+thud_result thud_world_bisection_limit(thud_world *w, double *speed) {
     if (!w || !speed) {
         return td_refuse(w, THUD_ERROR_NULL, "bisection limit: world or speed is null");
     }

@@ -6,13 +6,13 @@
 
 /* Two shapes, or a shape and the ground, on their straight ways through the rest of a step. */
 typedef struct td_approach {
-    bool on_ground;       /* a against `ground`, relative to it, and no b */
+    bool on_ground; /* a against `ground`, relative to it, and no b */
     thud_terrain ground;
     thud_shape_instance a, b;
     thud_motion motion_a, motion_b;
-    double distance; /* now, where it is small; negative: overlap */
-    double target;   /* the distance at which they count as met, less than the present one;
-                        negative where they touch already */
+    double distance;  /* now, where it is small; negative: overlap */
+    double target;    /* the distance at which they count as met, less than the present one;
+                         negative where they touch already */
     double swing;     /* so far may their arcs be from the straight ways */
     double tolerance; /* they may be so much further apart when they meet */
 } td_approach;
@@ -36,9 +36,10 @@ typedef enum td_moment {
 struct thud_detection {
     const char *name;
     int rank; /* TD_RANK_...; the higher of two moving bodies' decides on their pair */
-    bool (*reserve)(struct thud_world *w); /* room, so that `run` cannot fail; false: out of memory */
+    bool (*reserve)(
+        struct thud_world *w); /* room, so that `run` cannot fail; false: out of memory */
     void (*run[TD_MOMENT_COUNT])(struct thud_world *w); /* null: nothing */
-    td_meet_fn *meet; /* for impacts.c */
+    td_meet_fn *meet;                                   /* for impacts.c */
 };
 
 #endif

@@ -1,5 +1,6 @@
 /* ghosts.c: see ghosts.h. A ghost lasts until one shape has come past a face of the other that was
- * hidden from it: from there on another normal is theirs. What happens before is the neighbours'. */
+ * hidden from it: from there on another normal is theirs. What happens before is the neighbours'.
+ */
 #include "detection/ghosts.h"
 
 #include "contact/internal_edges.h"
@@ -11,8 +12,7 @@
 #define STRAIGHT 1e-5
 
 /* What goes past a face: of a circle, its centre. */
-static thud_shape_instance heart_of(const thud_shape_instance *shape)
-{
+static thud_shape_instance heart_of(const thud_shape_instance *shape) {
     thud_shape_instance heart = *shape;
     if (shape->kind == THUD_CIRCLE) {
         heart.hx = heart.hy = 0.0;
@@ -21,8 +21,7 @@ static thud_shape_instance heart_of(const thud_shape_instance *shape)
 }
 
 /* When the first of those faces that are between the two is passed, in [0, 1] of the approach. */
-static double time_past_face(const td_approach *p)
-{
+static double time_past_face(const td_approach *p) {
     thud_shape_instance a = heart_of(&p->a), b = heart_of(&p->b);
     double first = 2.0;
     for (int i = 0; i < 4; i++) {
@@ -30,17 +29,17 @@ static double time_past_face(const td_approach *p)
         double x = i % 2 ? -box->s : box->c, y = i % 2 ? box->c : box->s;
         double along = (b.x - a.x) * x + (b.y - a.y) * y, sign = along < 0.0 ? -1.0 : 1.0;
         if (box->kind != THUD_CIRCLE && sign * along > td_shadow(&a, x, y) + td_shadow(&b, x, y)) {
-            first = td_min_double(first, td_time_across(&a, &p->motion_a, &b, &p->motion_b, sign * x,
-                                                        sign * y, 0.0));
+            first = td_min_double(first, td_time_across(&a, &p->motion_a, &b, &p->motion_b,
+                                                        sign * x, sign * y, 0.0));
         }
     }
     return first;
 }
 
-/* The sealed end of a line is no edge: what is met there beside the ground's own normal is a ghost until
- * the shape comes over the line. */
-static bool met_at_end(const thud_world *w, const td_toi_candidate *e, const td_approach *p, double *part)
-{
+/* The sealed end of a line is no edge: what is met there beside the ground's own normal is a ghost
+ * until the shape comes over the line. */
+static bool met_at_end(const thud_world *w, const td_toi_candidate *e, const td_approach *p,
+                       double *part) {
     const thud_terrain *t = &p->ground;
     unsigned sealed = td_shape_at(w, e->shape[0])->internal_edges;
     thud_closest c;
@@ -48,14 +47,17 @@ static bool met_at_end(const thud_world *w, const td_toi_candidate *e, const td_
     for (int side = 0; side < 2; side++) {
         double out = side ? 1.0 : -1.0;
         td_segment s = td_terrain_segment(t, side ? t->count - 2 : 0, 0.0, 0.0);
-        thud_shape_instance end = {.kind = THUD_CIRCLE, .x = side ? s.q.x : s.p.x, .y = p->a.y, .c = 1.0};
+        thud_shape_instance end = {.kind = THUD_CIRCLE,
+                                   .x = side ? s.q.x : s.p.x,
+                                   .y = p->a.y,
+                                   .c = 1.0};
         if ((sealed >> (side ? TD_FACE_RIGHT : TD_FACE_LEFT) & 1) &&
             (c.ax - end.x) * out > -STRAIGHT * td_reach(&p->a) &&
             (c.nx * s.tx + c.ny * s.ty) * out > STRAIGHT) {
             thud_shape_instance heart = heart_of(&p->a);
             double beyond = (heart.x - end.x) * out - td_shadow(&heart, 1.0, 0.0);
-            *part = beyond > 0.0 ? td_time_across(&end, &(thud_motion){0}, &heart, &p->motion_a, out,
-                                                  0.0, 0.0)
+            *part = beyond > 0.0 ? td_time_across(&end, &(thud_motion){0}, &heart, &p->motion_a,
+                                                  out, 0.0, 0.0)
                                  : 2.0;
             return true;
         }
@@ -63,8 +65,7 @@ static bool met_at_end(const thud_world *w, const td_toi_candidate *e, const td_
     return false;
 }
 
-static bool met(thud_world *w, const td_toi_candidate *e, const td_approach *p, double *part)
-{
+static bool met(thud_world *w, const td_toi_candidate *e, const td_approach *p, double *part) {
     td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {p->a, p->b}};
     td_internal_edge_contact contact;
     thud_closest c;
@@ -77,8 +78,7 @@ static bool met(thud_world *w, const td_toi_candidate *e, const td_approach *p, 
     return *part < 2.0 || !w->internal_edges->contact(&pair, &contact);
 }
 
-bool td_ghost_met(thud_world *w, const td_toi_candidate *e, double time, double *again)
-{
+bool td_ghost_met(thud_world *w, const td_toi_candidate *e, double time, double *again) {
     if (!td_toi_candidate_has_seams(w, e)) {
         return false;
     }

@@ -1,4 +1,5 @@
-/* ghosts.h: pairs that meet on their way where neighbours hide them from each other: see internal_edges.h. */
+/* ghosts.h: pairs that meet on their way where neighbours hide them from each other: see
+ * internal_edges.h. */
 #ifndef TD_GHOSTS_H
 #define TD_GHOSTS_H
 

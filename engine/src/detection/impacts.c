@@ -1,11 +1,11 @@
-/* impacts.c: moves the bodies that are bisected or swept forward to each of their collisions, in the
- * order of time, and resolves it there.
+/* impacts.c: moves the bodies that are bisected or swept forward to each of their collisions, in
+ * the order of time, and resolves it there.
  *
- * Reads the motion that the solver gave to every awake body; writes poses, velocities and motions of
- * those that met something, events, and what callbacks are told. Candidates are the contacts, whose
- * bounds reach as far as the bodies were expected to move; who strays from that looks around for
- * himself. The work is bounded: a body that met others too often is held where it is for the rest of
- * the step, which the statistics tell. */
+ * Reads the motion that the solver gave to every awake body; writes poses, velocities and motions
+ * of those that met something, events, and what callbacks are told. Candidates are the contacts,
+ * whose bounds reach as far as the bodies were expected to move; who strays from that looks around
+ * for himself. The work is bounded: a body that met others too often is held where it is for the
+ * rest of the step, which the statistics tell. */
 #include "detection/ballistics.h"
 #include "state/body.h"
 #include "solver/bounces.h"
@@ -21,22 +21,22 @@
 #include "detection/unbisectable.h"
 
 /* In multiples of TD_MEET: nearer than this shapes touch; so little motion into each other is none;
- * and so much of it in a step is left to the contact solver where load has pressed them together. */
+ * and so much of it in a step is left to the contact solver where load has pressed them together.
+ */
 #define TOUCHING 0.01
 #define NOTHING 0.01
 #define PRESSED 0.2
 
 enum {
-    MOST_IMPACTS = 8,   /* of a body in a step, before it is held */
-    MOST_BOUNCES = 16,  /* ... while those that it meets are elastic */
-    MOST_GHOSTS = 16,   /* of a pair, that it may meet on its way */
-    SPARE = 256       /* room for so many candidates more than there are bodies */
+    MOST_IMPACTS = 8,  /* of a body in a step, before it is held */
+    MOST_BOUNCES = 16, /* ... while those that it meets are elastic */
+    MOST_GHOSTS = 16,  /* of a pair, that it may meet on its way */
+    SPARE = 256        /* room for so many candidates more than there are bodies */
 };
 
 /* ---- the agenda ---- */
 
-static void hold(thud_world *w, td_trajectory *f)
-{
+static void hold(thud_world *w, td_trajectory *f) {
     if (!f->held) {
         f->held = true;
         w->stats.held_bodies++;
@@ -48,43 +48,39 @@ static void hold(thud_world *w, td_trajectory *f)
     f->changed = true;
 }
 
-static double later(double a, double b)
-{
+static double later(double a, double b) {
     return a > b ? a : b;
 }
 
 /* Shapes that touch meet at once if they go on into each other. */
-static bool presses(thud_world *w, const td_toi_candidate *e, double now)
-{
+static bool presses(thud_world *w, const td_toi_candidate *e, double now) {
     td_impact_point at;
-    return td_impact_point_of(w, e, now, &at) &&
-           at.closing > NOTHING * (double)(TD_MEET * w->unit);
+    return td_impact_point_of(w, e, now, &at) && at.closing > NOTHING * (double)(TD_MEET * w->unit);
 }
 
-static bool gives_way(const thud_world *w, int body)
-{
+static bool gives_way(const thud_world *w, int body) {
     const td_body *b = td_body_at(w, body);
     return b->kind == THUD_DYNAMIC && b->awake > 0 && !td_trajectory_at(w, b->awake)->held;
 }
 
 /* In this step. */
-static bool has_met(const thud_world *w, int body)
-{
+static bool has_met(const thud_world *w, int body) {
     const td_body *b = td_body_at(w, body);
     return b->awake > 0 && td_trajectory_at(w, b->awake)->impacts > 0;
 }
 
-/* When the two meet after `now`, or are to be looked at again; false where that is not in this step. */
+/* When the two meet after `now`, or are to be looked at again; false where that is not in this
+ * step. */
 static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
-                        double now, bool *hit, double *time)
-{
+                        double now, bool *hit, double *time) {
     td_approach approach;
     double unit = (double)(TD_MEET * w->unit);
     *hit = false;
     if (now >= 1.0 || !td_toi_candidate_approach(w, e, now, 1.0, &approach)) {
         return false;
     }
-    /* Where an arc may swing further than they are apart, only as much of it as is nearly straight. */
+    /* Where an arc may swing further than they are apart, only as much of it as is nearly straight.
+     */
     double until = 1.0, apart = later(approach.distance, TOUCHING * unit);
     if (approach.swing > 0.5 * apart) {
         until = now + (1.0 - now) * __builtin_sqrt(0.5 * apart / approach.swing);
@@ -100,7 +96,8 @@ static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_det
             *time = *hit ? now : until;
             return *hit || until < 1.0;
         }
-        bool pressed = approach.distance <= 0.0 && !has_met(w, e->body[0]) && !has_met(w, e->body[1]);
+        bool pressed =
+            approach.distance <= 0.0 && !has_met(w, e->body[0]) && !has_met(w, e->body[1]);
         approach.target = approach.distance - (pressed ? PRESSED : NOTHING) * unit;
         approach.tolerance = 0.1 * NOTHING * unit;
     }
@@ -112,10 +109,10 @@ static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_det
 }
 
 /* When the two meet, if they do. */
-static bool meets(thud_world *w, const td_toi_candidate *e, double *time)
-{
+static bool meets(thud_world *w, const td_toi_candidate *e, double *time) {
     const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
-    double now = later(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
+    double now =
+        later(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
     bool fixed = !gives_way(w, e->body[0]) && !gives_way(w, e->body[1]), hit = true;
     if (e->vetoed || !detection->meet || fixed) {
         return false;
@@ -129,8 +126,7 @@ static bool meets(thud_world *w, const td_toi_candidate *e, double *time)
 }
 
 /* Puts down when the two meet. */
-static void schedule(thud_world *w, int number)
-{
+static void schedule(thud_world *w, int number) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     double time;
     if (meets(w, &e, &time)) {
@@ -141,14 +137,12 @@ static void schedule(thud_world *w, int number)
 }
 
 /* Whether a contact is one of those that are looked at here. */
-static bool counts(const thud_world *w, int contact)
-{
+static bool counts(const thud_world *w, int contact) {
     int kind = td_contact_at(w, contact)->kind;
     return kind != TD_PAIR_SENSOR && kind != TD_PAIR_TERRAIN_CIRCLE && kind != TD_PAIR_TERRAIN_BOX;
 }
 
-static void schedule_all_of(thud_world *w, const td_trajectory *f)
-{
+static void schedule_all_of(thud_world *w, const td_trajectory *f) {
     for (int e = td_body_at(w, f->body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
         if (counts(w, e / 2)) {
             schedule(w, e / 2);
@@ -166,13 +160,12 @@ static void schedule_all_of(thud_world *w, const td_trajectory *f)
 
 /* The prologue has been asked about what touched at the start of the step. */
 static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const thud_contact *seen,
-                   thud_contact_settings *settings)
-{
+                   thud_contact_settings *settings) {
     if (number < w->contacts.count && td_contact_at(w, number)->state == TD_TOUCHING) {
         const td_contact *contact = td_contact_at(w, number);
-        *settings = td_surface_get(td_block_at(w, contact->kind, contact->slot / TD_LANES),
-                                   td_form_points(w->pairs[contact->kind]->form),
-                                   contact->slot % TD_LANES);
+        *settings =
+            td_surface_get(td_block_at(w, contact->kind, contact->slot / TD_LANES),
+                           td_form_points(w->pairs[contact->kind]->form), contact->slot % TD_LANES);
         return false;
     }
     *settings = td_surface_of_pair(w, e->shape[0], e->shape[1]);
@@ -188,10 +181,9 @@ static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const t
     return veto;
 }
 
-/* Shapes that swing about their bodies' centres are stopped early, where their arcs may be near: from
- * there on less of the arc is left. This counts as having met, or they would never arrive. */
-static void look_again(thud_world *w, int number, td_trajectory *const trajectories[2])
-{
+/* Shapes that swing about their bodies' centres are stopped early, where their arcs may be near:
+ * from there on less of the arc is left. This counts as having met, or they would never arrive. */
+static void look_again(thud_world *w, int number, td_trajectory *const trajectories[2]) {
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
         if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && ++f->impacts > MOST_IMPACTS) {
@@ -204,8 +196,7 @@ static void look_again(thud_world *w, int number, td_trajectory *const trajector
 
 /* The two are at the place of their collision now. Whoever is asleep wakes in the next step, and is
  * met then. */
-static void collide(thud_world *w, int number, double time)
-{
+static void collide(thud_world *w, int number, double time) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     td_trajectory *trajectories[2] = {NULL, NULL};
     for (int side = 0; side < 2; side++) {
@@ -248,15 +239,13 @@ static void collide(thud_world *w, int number, double time)
 
 /* ---- the stage ---- */
 
-static bool takes_part(const thud_world *w, int slot)
-{
+static bool takes_part(const thud_world *w, int slot) {
     const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
     return body->kind == THUD_DYNAMIC && body->detection->meet;
 }
 
 /* From where the solver's motion began. */
-static void take_off(thud_world *w, int slot)
-{
+static void take_off(thud_world *w, int slot) {
     int index = *(int *)td_at(&w->body_of, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
@@ -264,21 +253,20 @@ static void take_off(thud_world *w, int slot)
     if (f.body != index) { /* somebody was quarantined, and it stands in his slot */
         f = (td_trajectory){.body = index};
     }
-    *td_trajectory_at(w, slot) = (td_trajectory){
-        .place = {pose->center.x - td_length_from(w, delta[0]),
-                  pose->center.y - td_length_from(w, delta[1])},
-        .angle = pose->angle - td_angle_between(delta[2]),
-        .body = index,
-        .extras = TD_NONE,
-        .strays = TD_NONE,
-        .motion = {(double)delta[0] - 0.5 * f.fall[0], (double)delta[1] - 0.5 * f.fall[1],
-                   (double)delta[2]},
-        .fall = {f.fall[0], f.fall[1]},
-        .free = f.free};
+    *td_trajectory_at(w, slot) =
+        (td_trajectory){.place = {pose->center.x - td_length_from(w, delta[0]),
+                                  pose->center.y - td_length_from(w, delta[1])},
+                        .angle = pose->angle - td_angle_between(delta[2]),
+                        .body = index,
+                        .extras = TD_NONE,
+                        .strays = TD_NONE,
+                        .motion = {(double)delta[0] - 0.5 * f.fall[0],
+                                   (double)delta[1] - 0.5 * f.fall[1], (double)delta[2]},
+                        .fall = {f.fall[0], f.fall[1]},
+                        .free = f.free};
 }
 
-static void land(thud_world *w, int slot)
-{
+static void land(thud_world *w, int slot) {
     td_trajectory *f = td_trajectory_at(w, slot);
     if (!f->changed) {
         return;
@@ -286,7 +274,7 @@ static void land(thud_world *w, int slot)
     td_pose *pose = td_pose_at(w, f->body);
     float *delta = td_row(&w->delta, slot);
     td_position start = {pose->center.x - td_length_from(w, delta[0]),
-                      pose->center.y - td_length_from(w, delta[1])};
+                         pose->center.y - td_length_from(w, delta[1])};
     uint32_t angle = pose->angle - td_angle_between(delta[2]);
     td_trajectory_advance(w, f, 1.0);
     pose->center = f->place;
@@ -299,8 +287,7 @@ static void land(thud_world *w, int slot)
 }
 
 /* Bounds for the next step reach as far as the body is going to move. */
-static void expect(thud_world *w, int slot)
-{
+static void expect(thud_world *w, int slot) {
     const float *v = td_row(&w->velocity, slot);
     float h = (float)w->def.time_step;
     int i = td_body_at(w, *(int *)td_at(&w->body_of, slot))->first_shape;
@@ -310,8 +297,7 @@ static void expect(thud_world *w, int slot)
 }
 
 /* Everything that may meet, from the start of the step. */
-static void schedule_everything(thud_world *w)
-{
+static void schedule_everything(thud_world *w) {
     w->scratch.candidates.count = w->scratch.strays.count = w->scratch.impacts.count = 0;
     td_event_queue_clear(&w->scratch.queue, w->contacts.count);
     for (int slot = 1; slot < w->body_of.count; slot++) {
@@ -320,7 +306,8 @@ static void schedule_everything(thud_world *w)
     for (int slot = 1; slot < w->body_of.count; slot++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         bool own = takes_part(w, slot), strays = td_trajectory_is_unexpected(w, f);
-        if ((own && !td_toi_candidates_on_ground(w, f)) || (strays && !td_toi_candidates_around(w, f))) {
+        if ((own && !td_toi_candidates_on_ground(w, f)) ||
+            (strays && !td_toi_candidates_around(w, f))) {
             hold(w, f);
         }
         w->stats.unbisectable += td_is_unbisectable(w, slot);
@@ -339,25 +326,25 @@ static void schedule_everything(thud_world *w)
     }
 }
 
-static void hit_events(thud_world *w)
-{
+static void hit_events(thud_world *w) {
     for (int i = 0; i < w->scratch.impacts.count && w->def.contact_events; i++) {
         const td_impact *impact = td_at(&w->scratch.impacts, i);
         if (impact->approach > w->def.hit_speed * w->unit) {
             const thud_contact *seen = &impact->seen;
-            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) = (thud_hit_event){
-                seen->shape_a, seen->shape_b, seen->point, seen->normal, impact->approach};
+            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) =
+                (thud_hit_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
+                                 impact->approach};
         }
     }
 }
 
-bool td_impacts_reserve(thud_world *w)
-{
+bool td_impacts_reserve(thud_world *w) {
     /* Every impact has a body that was not held before it. */
     int awake = w->body_of.count, most = (MOST_BOUNCES + 1) * awake;
     int extras = awake * (w->terrains.live + 1) + SPARE;
     int hits = w->scratch.begins.count; /* of contacts */
-    int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count; /* each may be found, and asked for */
+    int shapes =
+        w->awake_shapes.ids.count + w->rest_shapes.ids.count; /* each may be found, and asked for */
     return td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
            td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
@@ -367,19 +354,16 @@ bool td_impacts_reserve(thud_world *w)
            td_event_queue_reserve(&w->memory, &w->scratch.queue, w->contacts.count + extras);
 }
 
-void td_impacts_prepare(thud_world *w)
-{
+void td_impacts_prepare(thud_world *w) {
     td_ballistics_note(w);
     td_bounces_take(w);
 }
 
-void td_impacts_launch(thud_world *w)
-{
+void td_impacts_launch(thud_world *w) {
     td_ballistics_fly(w);
 }
 
-void td_impacts(thud_world *w)
-{
+void td_impacts(thud_world *w) {
     double time;
     schedule_everything(w);
     for (int n; (n = td_event_queue_next(&w->scratch.queue, &time)) != TD_NONE;) {

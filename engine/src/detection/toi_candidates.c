@@ -6,8 +6,7 @@
 #include "state/shape.h"
 
 /* Of two that stray each may find the other. */
-static bool is_listed(const thud_world *w, int shape_a, int shape_b)
-{
+static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
     int slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
     int e = slot > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
     while (e != TD_NONE) {
@@ -22,8 +21,7 @@ static bool is_listed(const thud_world *w, int shape_a, int shape_b)
 }
 
 /* False when memory is short; what strays is then held. */
-static bool add_extra(thud_world *w, int shape_a, int shape_b)
-{
+static bool add_extra(thud_world *w, int shape_a, int shape_b) {
     td_array *extras = &w->scratch.candidates;
     int number = w->contacts.count + extras->count, index = extras->count;
     if (is_listed(w, shape_a, shape_b)) {
@@ -35,7 +33,7 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b)
     }
     td_toi_candidate *e = td_at(extras, extras->count++);
     *e = (td_toi_candidate){.shape = {shape_a, shape_b},
-                        .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body}};
+                            .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body}};
     *(int *)td_at(&w->scratch.queue.spot, number) = TD_NONE;
     for (int side = 0; side < 2; side++) {
         int slot = td_body_at(w, e->body[side])->awake;
@@ -48,10 +46,9 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b)
     return true;
 }
 
-/* Bounds of one of the body's shapes on the rest of its way. While it turns, nothing of it is further
- * out than at one of both ends, but for what the turn moves its furthest corner. */
-static td_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int index)
-{
+/* Bounds of one of the body's shapes on the rest of its way. While it turns, nothing of it is
+ * further out than at one of both ends, but for what the turn moves its furthest corner. */
+static td_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int index) {
     thud_shape_instance now = td_trajectory_shape(w, f, index, f->since, f->place);
     thud_shape_instance end = td_trajectory_shape(w, f, index, 1.0, f->place);
     double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
@@ -63,22 +60,19 @@ static td_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int i
     return td_bounds_around(&a, &b);
 }
 
-static const td_bounds *bounds_at_start(const thud_world *w, int shape)
-{
+static const td_bounds *bounds_at_start(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
 }
 
 /* Some see to it that the two do not pass each other. */
-static bool is_looked_at(const thud_world *w, int shape, int other)
-{
+static bool is_looked_at(const thud_world *w, int shape, int other) {
     const td_shape *a = td_shape_at(w, shape), *b = td_shape_at(w, other);
     return !((a->flags | b->flags) & TD_SHAPE_HOLLOW) && td_pair_allowed(w, shape, other) &&
            td_detection_of(w, a->body, b->body)->meet;
 }
 
 /* In the order of shapes: each broadphase has its own. */
-static bool add_found(thud_world *w, int shape, const td_bounds *ahead)
-{
+static bool add_found(thud_world *w, int shape, const td_bounds *ahead) {
     const td_array *hits = &w->scratch.hits;
     td_sort_ints(&w->scratch.hits);
     for (int i = 0; i < hits->count; i++) {
@@ -93,8 +87,7 @@ static bool add_found(thud_world *w, int shape, const td_bounds *ahead)
 }
 
 /* Others who strayed are not where the grids believe. */
-static bool add_strays(thud_world *w, int shape, const td_bounds *ahead, bool chose)
-{
+static bool add_strays(thud_world *w, int shape, const td_bounds *ahead, bool chose) {
     const td_array *strays = &w->scratch.strays;
     for (int i = 0; i < strays->count; i++) {
         const td_stray *s = td_at(strays, i);
@@ -107,8 +100,8 @@ static bool add_strays(thud_world *w, int shape, const td_bounds *ahead, bool ch
     return true;
 }
 
-static bool note_stray(thud_world *w, td_trajectory *f, int shape, const td_bounds *ahead, bool chose)
-{
+static bool note_stray(thud_world *w, td_trajectory *f, int shape, const td_bounds *ahead,
+                       bool chose) {
     td_array *strays = &w->scratch.strays;
     int i = f->strays;
     while (i != TD_NONE && ((td_stray *)td_at(strays, i))->shape != shape) {
@@ -119,15 +112,15 @@ static bool note_stray(thud_world *w, td_trajectory *f, int shape, const td_boun
             return false;
         }
         i = strays->count++;
-        *(td_stray *)td_at(strays, i) = (td_stray){.shape = shape, .next = f->strays, .chose = chose};
+        *(td_stray *)td_at(strays, i) =
+            (td_stray){.shape = shape, .next = f->strays, .chose = chose};
         f->strays = i;
     }
     ((td_stray *)td_at(strays, i))->ahead = *ahead;
     return true;
 }
 
-bool td_toi_candidates_around(thud_world *w, td_trajectory *f)
-{
+bool td_toi_candidates_around(thud_world *w, td_trajectory *f) {
     td_find_fn *find = w->def.broadphase->find[w->wide];
     const td_body *body = td_body_at(w, f->body);
     bool chose = body->kind == THUD_DYNAMIC && body->detection->meet;
@@ -148,8 +141,7 @@ bool td_toi_candidates_around(thud_world *w, td_trajectory *f)
     return true;
 }
 
-bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *f)
-{
+bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *f) {
     for (int t = 0; t < w->terrains.count; t++) {
         const td_terrain_record *record = td_slot_at(&w->terrains, t);
         int i = record->shape == TD_NONE ? TD_NONE : td_body_at(w, f->body)->first_shape;
@@ -168,8 +160,7 @@ bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *f)
 }
 
 /* A turn may take corners out of the bounds of both ends. */
-bool td_trajectory_is_unexpected(const thud_world *w, const td_trajectory *f)
-{
+bool td_trajectory_is_unexpected(const thud_world *w, const td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
     double out = 0.125 * (double)body->rim * f->motion[2] * f->motion[2];
     int i = body->first_shape;

@@ -1,5 +1,5 @@
-/* toi_candidates.h: whom a body may meet on its way, beyond those that it has contacts with. All are
- * false when memory is short; the body is then best held where it is. */
+/* toi_candidates.h: whom a body may meet on its way, beyond those that it has contacts with. All
+ * are false when memory is short; the body is then best held where it is. */
 #ifndef TD_TOI_CANDIDATES_H
 #define TD_TOI_CANDIDATES_H
 

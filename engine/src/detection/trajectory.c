@@ -1,5 +1,5 @@
-/* trajectory.c: see trajectory.h. Tests come in the order of their cost: circles around both motions, boxes
- * around both motions, distance, and only then the time of impact. */
+/* trajectory.c: see trajectory.h. Tests come in the order of their cost: circles around both
+ * motions, boxes around both motions, distance, and only then the time of impact. */
 #include "detection/trajectory.h"
 
 #include "state/body.h"
@@ -8,40 +8,37 @@
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
-const thud_detection *td_detection_of(const thud_world *w, int body_a, int body_b)
-{
+const thud_detection *td_detection_of(const thud_world *w, int body_a, int body_b) {
     const td_body *a = td_body_at(w, body_a), *b = td_body_at(w, body_b);
     bool moves_a = a->kind == THUD_DYNAMIC, moves_b = b->kind == THUD_DYNAMIC;
     return !moves_b || (moves_a && a->detection->rank > b->detection->rank) ? a->detection
                                                                             : b->detection;
 }
 
-td_trajectory td_trajectory_of(const thud_world *w, int body)
-{
+td_trajectory td_trajectory_of(const thud_world *w, int body) {
     int slot = td_body_at(w, body)->awake;
     if (slot > 0) {
         return *td_trajectory_at(w, slot);
     }
     const td_pose *pose = td_pose_at(w, body);
-    return (td_trajectory){.place = pose->center, .angle = pose->angle, .body = body,
-                       .extras = TD_NONE};
+    return (td_trajectory){.place = pose->center,
+                           .angle = pose->angle,
+                           .body = body,
+                           .extras = TD_NONE};
 }
 
-static uint32_t angle_at(const td_trajectory *f, double time)
-{
+static uint32_t angle_at(const td_trajectory *f, double time) {
     double turn = f->motion[2] * (time - f->since);
     return f->angle + (uint32_t)(uint64_t)td_round64(turn * (1.0 / TD_RADIANS_A_QUANTUM));
 }
 
 /* How far it goes along x or y from `since` on. */
-static double way_of(const td_trajectory *f, int axis, double time)
-{
+static double way_of(const td_trajectory *f, int axis, double time) {
     double part = time - f->since;
     return (f->motion[axis] + 0.5 * f->fall[axis] * part) * part;
 }
 
-void td_trajectory_advance(const thud_world *w, td_trajectory *f, double time)
-{
+void td_trajectory_advance(const thud_world *w, td_trajectory *f, double time) {
     f->place.x += td_round64(way_of(f, 0, time) * w->to_fixed);
     f->place.y += td_round64(way_of(f, 1, time) * w->to_fixed);
     f->angle = angle_at(f, time);
@@ -50,8 +47,7 @@ void td_trajectory_advance(const thud_world *w, td_trajectory *f, double time)
     f->since = time;
 }
 
-void td_trajectory_bear(const thud_world *w, td_trajectory *f, double x, double y)
-{
+void td_trajectory_bear(const thud_world *w, td_trajectory *f, double x, double y) {
     float *velocity = td_row(&w->velocity, td_body_at(w, f->body)->awake);
     double rest = (1.0 - f->since) / w->def.time_step;
     velocity[0] = (float)((double)velocity[0] - x * rest);
@@ -60,21 +56,21 @@ void td_trajectory_bear(const thud_world *w, td_trajectory *f, double x, double 
     f->fall[1] -= y;
 }
 
-thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory *f, int index, double time,
-                            td_position origin)
-{
+thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory *f, int index,
+                                        double time, td_position origin) {
     const td_shape *shape = td_shape_at(w, index);
     float c, s;
     td_angle_turn(angle_at(f, time), &c, &s);
-    thud_shape_instance p = {
-        .kind = (thud_shape_kind)shape->kind,
-        .x = (double)(f->place.x - origin.x) / w->to_fixed + way_of(f, 0, time) +
-             (double)(c * shape->arm_x - s * shape->arm_y),
-        .y = (double)(f->place.y - origin.y) / w->to_fixed + way_of(f, 1, time) +
-             (double)(s * shape->arm_x + c * shape->arm_y),
-        .c = 1.0,
-        .hx = (double)shape->half_x,
-        .hy = (double)shape->half_y};
+    thud_shape_instance p = {.kind = (thud_shape_kind)shape->kind,
+                             .x = (double)(f->place.x - origin.x) / w->to_fixed +
+                                  way_of(f, 0, time) +
+                                  (double)(c * shape->arm_x - s * shape->arm_y),
+                             .y = (double)(f->place.y - origin.y) / w->to_fixed +
+                                  way_of(f, 1, time) +
+                                  (double)(s * shape->arm_x + c * shape->arm_y),
+                             .c = 1.0,
+                             .hx = (double)shape->half_x,
+                             .hy = (double)shape->half_y};
     if (shape->kind == THUD_OBB) {
         p.c = (double)(c * shape->angle_c - s * shape->angle_s);
         p.s = (double)(s * shape->angle_c + c * shape->angle_s);
@@ -82,40 +78,36 @@ thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory
     return p;
 }
 
-td_toi_candidate *td_extra_at(const thud_world *w, int number)
-{
+td_toi_candidate *td_extra_at(const thud_world *w, int number) {
     return td_at(&w->scratch.candidates, number - w->contacts.count);
 }
 
-td_toi_candidate td_toi_candidate_at(const thud_world *w, int number)
-{
+td_toi_candidate td_toi_candidate_at(const thud_world *w, int number) {
     if (number >= w->contacts.count) {
         return *td_extra_at(w, number);
     }
     const td_contact *c = td_contact_at(w, number);
-    return (td_toi_candidate){.shape = {c->shape_a, c->shape_b}, .body = {c->body[0], c->body[1]},
-                          .vetoed = c->vetoed};
+    return (td_toi_candidate){.shape = {c->shape_a, c->shape_b},
+                              .body = {c->body[0], c->body[1]},
+                              .vetoed = c->vetoed};
 }
 
 /* ---- tests of rising cost ---- */
 
 static bool circles_miss(const td_approach *p, double x, double y, double mx, double my, double ra,
-                         double rb)
-{
+                         double rb) {
     double reach = ra + rb + p->target + __builtin_sqrt(mx * mx + my * my);
     return x * x + y * y > reach * reach;
 }
 
 /* x from -reach to reach is where intervals of half length `reach` in all overlap. */
-static bool apart(double x, double motion, double reach)
-{
+static bool apart(double x, double motion, double reach) {
     double end = x + motion;
     return (x > reach && end > reach) || (x < -reach && end < -reach);
 }
 
 /* Half the width and height of what contains the shape, turned as it may be. */
-static void extent_of(const thud_shape_instance *p, bool turns, double *x, double *y)
-{
+static void extent_of(const thud_shape_instance *p, bool turns, double *x, double *y) {
     if (p->kind == THUD_CIRCLE) {
         *x = *y = p->hx;
     } else if (turns) {
@@ -126,8 +118,7 @@ static void extent_of(const thud_shape_instance *p, bool turns, double *x, doubl
     }
 }
 
-static bool motions_miss(thud_world *w, const td_approach *p)
-{
+static bool motions_miss(thud_world *w, const td_approach *p) {
     double x = p->b.x - p->a.x, y = p->b.y - p->a.y;
     double mx = p->motion_b.dx - p->motion_a.dx, my = p->motion_b.dy - p->motion_a.dy;
     double ax, ay, bx, by;
@@ -148,8 +139,7 @@ static bool motions_miss(thud_world *w, const td_approach *p)
 /* ---- approaches ---- */
 
 /* Whether the motion comes down to the line at all. */
-static bool above_ground(const thud_world *w, int terrain_shape, const td_approach *p)
-{
+static bool above_ground(const thud_world *w, int terrain_shape, const td_approach *p) {
     const td_terrain_record *record =
         td_slot_at(&w->terrains, td_shape_at(w, terrain_shape)->terrain);
     double end = p->a.y + p->motion_a.dy;
@@ -157,31 +147,27 @@ static bool above_ground(const thud_world *w, int terrain_shape, const td_approa
 }
 
 static thud_motion motion_between(const td_trajectory *f, const thud_shape_instance *from,
-                                  const thud_shape_instance *to, double rest)
-{
+                                  const thud_shape_instance *to, double rest) {
     return (thud_motion){to->x - from->x, to->y - from->y,
                          from->kind == THUD_OBB ? f->motion[2] * rest : 0.0};
 }
 
 /* A shape off its body's centre of mass moves on an arc, of which the chord is tested: no further
  * apart than this. */
-static double arc_error(const thud_world *w, const td_trajectory *f, int index, double rest)
-{
+static double arc_error(const thud_world *w, const td_trajectory *f, int index, double rest) {
     const td_shape *shape = td_shape_at(w, index);
     double turn = f->motion[2] * rest;
     double arm = td_abs((double)shape->arm_x) + td_abs((double)shape->arm_y);
     return 0.125 * arm * turn * turn;
 }
 
-double td_trajectories_bend(const td_trajectory *a, const td_trajectory *b, double rest)
-{
+double td_trajectories_bend(const td_trajectory *a, const td_trajectory *b, double rest) {
     double x = b->fall[0] - a->fall[0], y = b->fall[1] - a->fall[1];
     return 0.125 * __builtin_sqrt(x * x + y * y) * rest * rest;
 }
 
 void td_toi_candidate_ways(const thud_world *w, const td_toi_candidate *e, double now, double until,
-                       td_approach *p)
-{
+                           td_approach *p) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
     td_position origin = a.place;
     *p = (td_approach){.on_ground = td_shape_at(w, e->shape[0])->kind == THUD_TERRAIN};
@@ -201,20 +187,20 @@ void td_toi_candidate_ways(const thud_world *w, const td_toi_candidate *e, doubl
     p->motion_b = motion_between(&b, &p->b, &end_b, until - now);
 }
 
-bool td_toi_candidate_has_seams(const thud_world *w, const td_toi_candidate *e)
-{
-    return td_shape_at(w, e->shape[0])->internal_edges | td_shape_at(w, e->shape[1])->internal_edges;
+bool td_toi_candidate_has_seams(const thud_world *w, const td_toi_candidate *e) {
+    return td_shape_at(w, e->shape[0])->internal_edges |
+           td_shape_at(w, e->shape[1])->internal_edges;
 }
 
 /* Boxes that overlap by a hidden face are as deep as where they can be met. */
-static double distance_of(thud_world *w, const td_toi_candidate *e, const td_approach *p)
-{
+static double distance_of(thud_world *w, const td_toi_candidate *e, const td_approach *p) {
     td_internal_edge_contact contact;
     thud_closest c;
     td_closest(&p->a, &p->b, &c);
     if (c.distance < 0.0 && td_toi_candidate_has_seams(w, e)) {
         td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {p->a, p->b}};
-        if (w->internal_edges->is_ghost(&pair, c.nx, c.ny) && w->internal_edges->contact(&pair, &contact)) {
+        if (w->internal_edges->is_ghost(&pair, c.nx, c.ny) &&
+            w->internal_edges->contact(&pair, &contact)) {
             double last = contact.separation[contact.count - 1];
             return td_min_double(contact.separation[0], last);
         }
@@ -223,8 +209,7 @@ static double distance_of(thud_world *w, const td_toi_candidate *e, const td_app
 }
 
 bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double now, double until,
-                           td_approach *p)
-{
+                               td_approach *p) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
     double target = (double)(TD_MEET * w->unit) + arc_error(w, &b, e->shape[1], until - now) +
                     td_trajectories_bend(&a, &b, until - now);
@@ -255,9 +240,8 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
 }
 
 /* The contacts of a pair at a ghost go to where boxes can be met, if anywhere. */
-static void amend(thud_world *w, const td_toi_candidate *e, const thud_shape_instance *a, const thud_shape_instance *b,
-                  thud_contacts *contacts)
-{
+static void amend(thud_world *w, const td_toi_candidate *e, const thud_shape_instance *a,
+                  const thud_shape_instance *b, thud_contacts *contacts) {
     td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {*a, *b}};
     td_internal_edge_contact open = {.count = 0};
     if (!w->internal_edges->is_ghost(&pair, contacts->point[0].nx, contacts->point[0].ny)) {
@@ -266,15 +250,14 @@ static void amend(thud_world *w, const td_toi_candidate *e, const thud_shape_ins
     contacts->count = w->internal_edges->contact(&pair, &open) ? open.count : 0;
     for (int k = 0; k < contacts->count; k++) {
         double x = 0.5 * open.separation[k] * open.nx, y = 0.5 * open.separation[k] * open.ny;
-        contacts->point[k] = (thud_closest){open.separation[k], open.nx,       open.ny,
-                                            open.x[k] - x,      open.y[k] - y, open.x[k] + x,
-                                            open.y[k] + y};
+        contacts->point[k] =
+            (thud_closest){open.separation[k], open.nx,       open.ny,      open.x[k] - x,
+                           open.y[k] - y,      open.x[k] + x, open.y[k] + y};
     }
 }
 
 void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double time,
-                           td_features *out)
-{
+                               td_features *out) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
     double margin = (double)(TD_SPECULATIVE * w->unit);
     if (td_shape_at(w, e->shape[0])->kind == THUD_TERRAIN) {

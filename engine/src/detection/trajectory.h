@@ -7,10 +7,10 @@
 
 /* The way of an awake body from `since` to the end of the step: at constant speed, or falling. */
 typedef struct td_trajectory {
-    td_position place;   /* of the centre of mass, at `since` */
+    td_position place; /* of the centre of mass, at `since` */
     uint32_t angle;
     int32_t body;
-    int32_t extras;   /* edge of its first extra candidate: extra * 2 + side, or TD_NONE */
+    int32_t extras; /* edge of its first extra candidate: extra * 2 + side, or TD_NONE */
     int32_t impacts;
     double since;     /* in [0, 1] of the step */
     double motion[3]; /* in a whole step at the speed of `since`: x, y, angle */
@@ -24,9 +24,9 @@ typedef struct td_trajectory {
 
 /* A shape that may leave the bounds that it had at the start of the step. */
 typedef struct td_stray {
-    td_bounds ahead; /* of the rest of its way */
+    td_bounds ahead;     /* of the rest of its way */
     int32_t shape, next; /* of the same body */
-    bool chose;      /* its body's own detection looks for what it meets */
+    bool chose;          /* its body's own detection looks for what it meets */
 } td_stray;
 
 /* Two shapes that may meet; a terrain comes first. Numbers below w->contacts.count are contacts',
@@ -38,8 +38,7 @@ typedef struct td_toi_candidate {
 } td_toi_candidate;
 
 /* The trajectory of an awake body, by its slot. */
-static inline td_trajectory *td_trajectory_at(const thud_world *w, int slot)
-{
+static inline td_trajectory *td_trajectory_at(const thud_world *w, int slot) {
     return td_at(&w->scratch.trajectories, slot);
 }
 
@@ -50,11 +49,12 @@ const thud_detection *td_detection_of(const thud_world *w, int body_a, int body_
 td_trajectory td_trajectory_of(const thud_world *w, int body);
 /* Brings it to `time`, which is no earlier than `since`. */
 void td_trajectory_advance(const thud_world *w, td_trajectory *trajectory, double time);
-/* From `since` on something bears this part of the fall; the velocity at the end lacks it as well. */
+/* From `since` on something bears this part of the fall; the velocity at the end lacks it as well.
+ */
 void td_trajectory_bear(const thud_world *w, td_trajectory *trajectory, double x, double y);
 /* One of the body's shapes at `time`, relative to `origin`. */
-thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory *trajectory, int shape, double time,
-                            td_position origin);
+thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory *trajectory,
+                                        int shape, double time, td_position origin);
 
 /* How far a parabola may be from its chord, of one body as the other sees it. */
 double td_trajectories_bend(const td_trajectory *a, const td_trajectory *b, double rest);
@@ -64,11 +64,11 @@ td_toi_candidate td_toi_candidate_at(const thud_world *w, int number);
 
 /* How the two fly from `now` until a later time; false where they surely do not meet. */
 bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double now, double until,
-                           td_approach *approach);
+                               td_approach *approach);
 
 /* Their ways alone: places at `now`, and motions from then on. */
 void td_toi_candidate_ways(const thud_world *w, const td_toi_candidate *e, double now, double until,
-                       td_approach *approach);
+                           td_approach *approach);
 /* One of them may be hidden from the other: see internal_edges.h. */
 bool td_toi_candidate_has_seams(const thud_world *w, const td_toi_candidate *e);
 
@@ -79,6 +79,6 @@ typedef struct td_features {
 } td_features;
 
 void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double time,
-                           td_features *features);
+                               td_features *features);
 
 #endif

@@ -5,22 +5,21 @@
 #include "geometry/shape_instance.h"
 #include "state/shape.h"
 
-/* No point of the body is further out that moves as it turns: a circle about its centre does not. As in
- * thud_motion_is_bisectable, little of it is as good as none. */
-static double swinging_reach(const thud_world *w, const td_body *body, double least)
-{
+/* No point of the body is further out that moves as it turns: a circle about its centre does not.
+ * As in thud_motion_is_bisectable, little of it is as good as none. */
+static double swinging_reach(const thud_world *w, const td_body *body, double least) {
     double reach = 0.0;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *s = td_shape_at(w, i);
-        double x = (double)s->arm_x, y = (double)s->arm_y, hx = (double)s->half_x, hy = (double)s->half_y;
+        double x = (double)s->arm_x, y = (double)s->arm_y, hx = (double)s->half_x,
+               hy = (double)s->half_y;
         double own = s->kind == THUD_OBB ? __builtin_sqrt(hx * hx + hy * hy) : 0.0;
         reach = td_max_double(reach, __builtin_sqrt(x * x + y * y) + own);
     }
     return reach > (double)body->core + 0.5 * least ? reach : 0.0;
 }
 
-bool td_is_unbisectable(thud_world *w, int slot)
-{
+bool td_is_unbisectable(thud_world *w, int slot) {
     const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
     if (!w->detections[TD_RANK_BISECT] ||
         (body->kind == THUD_DYNAMIC && body->detection->rank > TD_RANK_BISECT)) {

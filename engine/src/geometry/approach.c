@@ -1,9 +1,9 @@
 /* approach.c: how two moving circles pass each other, in closed form. */
 #include "geometry/shape_instance.h"
 
-thud_result thud_circles_approach(const thud_shape_instance *a, thud_motion motion_a, const thud_shape_instance *b,
-                                  thud_motion motion_b, thud_approach *out)
-{
+thud_result thud_circles_approach(const thud_shape_instance *a, thud_motion motion_a,
+                                  const thud_shape_instance *b, thud_motion motion_b,
+                                  thud_approach *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }

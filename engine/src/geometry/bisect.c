@@ -1,10 +1,10 @@
-/* bisect.c: moving shapes at a time, and the time of collision by bisection: half of what is left is
- * thrown away with each overlap test, so that a tolerance of 2^-20 of the motion takes twenty. */
+/* bisect.c: moving shapes at a time, and the time of collision by bisection: half of what is left
+ * is thrown away with each overlap test, so that a tolerance of 2^-20 of the motion takes twenty.
+ */
 #include "terrain/terrain.h"
 #include "base/trig.h"
 
-thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_motion *m, double t)
-{
+thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_motion *m, double t) {
     thud_shape_instance p = *shape;
     p.x += m->dx * t;
     p.y += m->dy * t;
@@ -24,8 +24,7 @@ typedef struct meeting {
     thud_motion motion_a, motion_b;
 } meeting;
 
-static bool overlap_at(const meeting *m, double time)
-{
+static bool overlap_at(const meeting *m, double time) {
     thud_shape_instance a = td_placed_at(m->a, &m->motion_a, time);
     if (m->terrain) {
         return thud_terrain_overlap(m->terrain, &a);
@@ -36,8 +35,7 @@ static bool overlap_at(const meeting *m, double time)
     return closest.distance <= 0.0;
 }
 
-static void bisect(const meeting *m, double tolerance, bool *collided, double *time)
-{
+static void bisect(const meeting *m, double tolerance, bool *collided, double *time) {
     double apart = 0.0, together = 1.0;
     *collided = overlap_at(m, 1.0) && !overlap_at(m, 0.0);
     while (*collided && together - apart > tolerance) {
@@ -51,15 +49,13 @@ static void bisect(const meeting *m, double tolerance, bool *collided, double *t
     *time = *collided ? apart : 1.0;
 }
 
-static bool tolerance_valid(double tolerance)
-{
+static bool tolerance_valid(double tolerance) {
     return tolerance >= 1e-15 && tolerance <= 1.0;
 }
 
 thud_result thud_shapes_time_of_collision(const thud_shape_instance *a, thud_motion motion_a,
                                           const thud_shape_instance *b, thud_motion motion_b,
-                                          double tolerance, bool *collided, double *time)
-{
+                                          double tolerance, bool *collided, double *time) {
     if (!a || !b || !collided || !time) {
         return THUD_ERROR_NULL;
     }
@@ -72,10 +68,9 @@ thud_result thud_shapes_time_of_collision(const thud_shape_instance *a, thud_mot
     return THUD_OK;
 }
 
-thud_result thud_terrain_time_of_collision(const thud_terrain *terrain, const thud_shape_instance *shape,
-                                           thud_motion motion, double tolerance, bool *collided,
-                                           double *time)
-{
+thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
+                                           const thud_shape_instance *shape, thud_motion motion,
+                                           double tolerance, bool *collided, double *time) {
     if (!terrain || !shape || !collided || !time) {
         return THUD_ERROR_NULL;
     }
@@ -89,24 +84,22 @@ thud_result thud_terrain_time_of_collision(const thud_terrain *terrain, const th
     return THUD_OK;
 }
 
-static double thickness(const thud_shape_instance *shape)
-{
+static double thickness(const thud_shape_instance *shape) {
     double least = shape->kind == THUD_CIRCLE || shape->hx < shape->hy ? shape->hx : shape->hy;
     return 2.0 * least;
 }
 
-/* No point of it goes further by turning. Where it turns about its own middle, only what is further out
- * than both are thick, by halves, can go through the middle of another. */
-static double swing(const thud_shape_instance *shape, thud_motion m, const thud_shape_instance *other)
-{
+/* No point of it goes further by turning. Where it turns about its own middle, only what is further
+ * out than both are thick, by halves, can go through the middle of another. */
+static double swing(const thud_shape_instance *shape, thud_motion m,
+                    const thud_shape_instance *other) {
     double radius = __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
     bool far = radius > 0.5 * (thickness(shape) + thickness(other));
     return shape->kind == THUD_OBB && far ? td_abs(m.turn) * radius : 0.0;
 }
 
-bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a, const thud_shape_instance *b,
-                               thud_motion motion_b)
-{
+bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a,
+                               const thud_shape_instance *b, thud_motion motion_b) {
     if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
         !td_motion_valid(motion_a) || !td_motion_valid(motion_b)) {
         return false;

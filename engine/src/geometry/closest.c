@@ -1,8 +1,7 @@
 /* closest.c: overlap and closest features of circles and boxes, in closed form. */
 #include "geometry/shape_instance.h"
 
-thud_result thud_placed_check(const thud_shape_instance *p)
-{
+thud_result thud_placed_check(const thud_shape_instance *p) {
     if (!p) {
         return THUD_ERROR_NULL;
     }
@@ -15,8 +14,8 @@ thud_result thud_placed_check(const thud_shape_instance *p)
     return kind && place && size && (circle || turned) && upright ? THUD_OK : THUD_ERROR_INVALID;
 }
 
-static void circle_circle(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out)
-{
+static void circle_circle(const thud_shape_instance *a, const thud_shape_instance *b,
+                          thud_closest *out) {
     double dx = b->x - a->x, dy = b->y - a->y;
     double length = __builtin_sqrt(dx * dx + dy * dy);
     out->nx = length > 0.0 ? dx / length : 0.0;
@@ -28,8 +27,8 @@ static void circle_circle(const thud_shape_instance *a, const thud_shape_instanc
     out->by = b->y - out->ny * b->hx;
 }
 
-static void box_circle(const thud_shape_instance *box, const thud_shape_instance *circle, thud_closest *out)
-{
+static void box_circle(const thud_shape_instance *box, const thud_shape_instance *circle,
+                       thud_closest *out) {
     double u, v, nu, nv, distance;
     td_to_frame(box, circle->x - box->x, circle->y - box->y, &u, &v);
     double cu = td_clamp(u, -box->hx, box->hx), cv = td_clamp(v, -box->hy, box->hy);
@@ -58,8 +57,7 @@ static void box_circle(const thud_shape_instance *box, const thud_shape_instance
     out->by = circle->y - out->ny * circle->hx;
 }
 
-static void flip(thud_closest *c)
-{
+static void flip(thud_closest *c) {
     double x = c->ax, y = c->ay;
     c->ax = c->bx;
     c->ay = c->by;
@@ -71,9 +69,8 @@ static void flip(thud_closest *c)
 
 /* Separation along each of the reference box's axes. Keeps the best in *out, normal from a, and
  * reports whether it is one of these. */
-static bool try_axes(const thud_shape_instance *reference, const thud_shape_instance *a, const thud_shape_instance *b,
-                     thud_closest *out)
-{
+static bool try_axes(const thud_shape_instance *reference, const thud_shape_instance *a,
+                     const thud_shape_instance *b, thud_closest *out) {
     double dx = b->x - a->x, dy = b->y - a->y;
     bool better = false;
     for (int axis = 0; axis < 2; axis++) {
@@ -92,8 +89,8 @@ static bool try_axes(const thud_shape_instance *reference, const thud_shape_inst
 
 /* Points of overlapping boxes, the normal being that of a face of a: the deepest corner of b, moved
  * along the face to within it where b's edge is parallel to it and longer. */
-static void deepest_points(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out)
-{
+static void deepest_points(const thud_shape_instance *a, const thud_shape_instance *b,
+                           thud_closest *out) {
     double u, v, x, y;
     td_to_frame(b, -out->nx, -out->ny, &u, &v);
     td_from_frame(b, u < 0.0 ? -b->hx : b->hx, v < 0.0 ? -b->hy : b->hy, &x, &y);
@@ -107,8 +104,7 @@ static void deepest_points(const thud_shape_instance *a, const thud_shape_instan
     out->by = out->ay + out->ny * out->distance;
 }
 
-static void shift(thud_closest *c, double x, double y)
-{
+static void shift(thud_closest *c, double x, double y) {
     c->ax += x;
     c->ay += y;
     c->bx += x;
@@ -118,8 +114,7 @@ static void shift(thud_closest *c, double x, double y)
 /* Each corner of b against the solid box a; keeps the closest pair. `flipped`: b and a changed
  * places. Relative to a's centre: far from the origin, places are too coarse for a distance. */
 static void try_corners(const thud_shape_instance *a, const thud_shape_instance *b, bool flipped,
-                        thud_closest *out)
-{
+                        thud_closest *out) {
     thud_shape_instance box = *a, other = *b;
     box.x = box.y = 0.0;
     other.x = b->x - a->x;
@@ -140,14 +135,13 @@ static void try_corners(const thud_shape_instance *a, const thud_shape_instance 
 }
 
 /* How far b is beyond a along the normal. */
-static double gap_along(const thud_shape_instance *a, const thud_shape_instance *b, const thud_closest *c)
-{
+static double gap_along(const thud_shape_instance *a, const thud_shape_instance *b,
+                        const thud_closest *c) {
     return (b->x - a->x) * c->nx + (b->y - a->y) * c->ny - td_shadow(a, c->nx, c->ny) -
            td_shadow(b, c->nx, c->ny);
 }
 
-static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out)
-{
+static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out) {
     thud_closest corners = {.distance = 1e300};
     out->distance = -1e300;
     try_axes(a, a, b, out);
@@ -170,8 +164,7 @@ static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, 
     }
 }
 
-void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out)
-{
+void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out) {
     if (a->kind == THUD_CIRCLE && b->kind == THUD_CIRCLE) {
         circle_circle(a, b, out);
     } else if (b->kind == THUD_CIRCLE) {
@@ -184,8 +177,8 @@ void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud
     }
 }
 
-thud_result thud_shapes_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out)
-{
+thud_result thud_shapes_closest(const thud_shape_instance *a, const thud_shape_instance *b,
+                                thud_closest *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
@@ -196,8 +189,7 @@ thud_result thud_shapes_closest(const thud_shape_instance *a, const thud_shape_i
     return THUD_OK;
 }
 
-bool thud_shapes_overlap(const thud_shape_instance *a, const thud_shape_instance *b)
-{
+bool thud_shapes_overlap(const thud_shape_instance *a, const thud_shape_instance *b) {
     thud_closest closest;
     return thud_shapes_closest(a, b, &closest) == THUD_OK && closest.distance <= 0.0;
 }

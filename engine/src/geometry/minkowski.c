@@ -6,15 +6,14 @@
 
 /* The first axis of a box, brought to length 1 by a step of Newton's for the inverse root: what
  * thud_placed_check lets pass is off by 1e-5 at most, and then by 1e-10. */
-static thud_pos axis_of(const thud_shape_instance *box)
-{
+static thud_pos axis_of(const thud_shape_instance *box) {
     double scale = 1.5 - 0.5 * (box->c * box->c + box->s * box->s);
     return (thud_pos){box->c * scale, box->s * scale};
 }
 
 /* The sum of the segments from -half to half along each axis, in the order of their angles. */
-static void set_segments(thud_minkowski *sum, int count, const thud_pos *axes, const double *halves)
-{
+static void set_segments(thud_minkowski *sum, int count, const thud_pos *axes,
+                         const double *halves) {
     double x = 0.0, y = 0.0;
     sum->count = 2 * count;
     sum->radius = 0.0;
@@ -37,8 +36,7 @@ static void set_segments(thud_minkowski *sum, int count, const thud_pos *axes, c
 }
 
 /* The same of a box, with its first axis along e, written out for rays. */
-static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy)
-{
+static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy) {
     double ux = hx * e.x, uy = hx * e.y, vx = -hy * e.y, vy = hy * e.x;
     sum->count = 4;
     sum->radius = 0.0;
@@ -52,8 +50,8 @@ static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy)
     sum->offsets[1] = hx;
 }
 
-static void set_boxes(thud_minkowski *sum, const thud_shape_instance *a, const thud_shape_instance *b)
-{
+static void set_boxes(thud_minkowski *sum, const thud_shape_instance *a,
+                      const thud_shape_instance *b) {
     if (a->kind == THUD_AABB && b->kind == THUD_AABB) {
         set_box(sum, (thud_pos){1.0, 0.0}, a->hx + b->hx, a->hy + b->hy);
         return;
@@ -79,8 +77,7 @@ static void set_boxes(thud_minkowski *sum, const thud_shape_instance *a, const t
     }
 }
 
-void td_minkowski_of(const thud_shape_instance *shape, thud_minkowski *sum)
-{
+void td_minkowski_of(const thud_shape_instance *shape, thud_minkowski *sum) {
     if (shape->kind == THUD_CIRCLE) {
         sum->count = 1;
         sum->vertices[0] = (thud_pos){0.0, 0.0};
@@ -90,8 +87,8 @@ void td_minkowski_of(const thud_shape_instance *shape, thud_minkowski *sum)
     }
 }
 
-void td_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b, thud_minkowski *sum)
-{
+void td_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,
+                      thud_minkowski *sum) {
     if (b->kind == THUD_CIRCLE) {
         td_minkowski_of(a, sum);
         sum->radius += b->hx;
@@ -103,15 +100,13 @@ void td_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b
     }
 }
 
-static double along(thud_pos v, double x, double y)
-{
+static double along(thud_pos v, double x, double y) {
     return v.x * x + v.y * y;
 }
 
 /* Whether the point, seen along the face that is turned to it, is within its ends: -1 before the
  * first vertex, 1 behind the second, otherwise 0. */
-static int beside(const thud_minkowski *sum, int face, double x, double y)
-{
+static int beside(const thud_minkowski *sum, int face, double x, double y) {
     thud_pos normal = sum->normals[face], from = sum->vertices[face], to = sum->vertices[face + 1];
     thud_pos tangent = {-normal.y, normal.x};
     double at = along(normal, x, y) < 0.0 ? -along(tangent, x, y) : along(tangent, x, y);
@@ -120,8 +115,7 @@ static int beside(const thud_minkowski *sum, int face, double x, double y)
 
 /* The face that the point is furthest out of; TD_NONE if there are none. A point that is straight
  * in front of a face is furthest out of that. */
-static int outermost(const thud_minkowski *sum, double x, double y, double *out)
-{
+static int outermost(const thud_minkowski *sum, double x, double y, double *out) {
     int face = TD_NONE;
     *out = -1e300;
     for (int i = 0; i < sum->count / 2; i++) {
@@ -134,8 +128,7 @@ static int outermost(const thud_minkowski *sum, double x, double y, double *out)
     return face;
 }
 
-static int nearest_vertex(const thud_minkowski *sum, double x, double y)
-{
+static int nearest_vertex(const thud_minkowski *sum, double x, double y) {
     double best = 1e300;
     int nearest = 0;
     for (int i = 0; i < sum->count; i++) {
@@ -150,8 +143,7 @@ static int nearest_vertex(const thud_minkowski *sum, double x, double y)
 }
 
 /* The distance from a vertex. */
-static double from_vertex(thud_pos vertex, double x, double y, double *nx, double *ny)
-{
+static double from_vertex(thud_pos vertex, double x, double y, double *nx, double *ny) {
     double dx = x - vertex.x, dy = y - vertex.y, length = __builtin_sqrt(dx * dx + dy * dy);
     *nx = length > 0.0 ? dx / length : 0.0;
     *ny = length > 0.0 ? dy / length : 1.0;
@@ -159,8 +151,7 @@ static double from_vertex(thud_pos vertex, double x, double y, double *nx, doubl
 }
 
 /* How far the point is beyond the polygon along (nx, ny). */
-static double gap_along(const thud_minkowski *sum, double nx, double ny, double x, double y)
-{
+static double gap_along(const thud_minkowski *sum, double nx, double ny, double x, double y) {
     double gap = 1e300;
     for (int i = 0; i < sum->count; i++) {
         double here = nx * (x - sum->vertices[i].x) + ny * (y - sum->vertices[i].y);
@@ -169,8 +160,8 @@ static double gap_along(const thud_minkowski *sum, double nx, double ny, double 
     return gap;
 }
 
-double td_minkowski_distance(const thud_minkowski *sum, double x, double y, double *nx, double *ny)
-{
+double td_minkowski_distance(const thud_minkowski *sum, double x, double y, double *nx,
+                             double *ny) {
     double out;
     int face = outermost(sum, x, y, &out);
     if (face == TD_NONE || (out > 0.0 && beside(sum, face, x, y) != 0)) {
@@ -188,8 +179,7 @@ double td_minkowski_distance(const thud_minkowski *sum, double x, double y, doub
     return out - sum->radius;
 }
 
-bool td_minkowski_contains(const thud_minkowski *sum, double x, double y)
-{
+bool td_minkowski_contains(const thud_minkowski *sum, double x, double y) {
     double nx, ny;
     if (sum->count == 1) {
         return x * x + y * y <= sum->radius * sum->radius;
@@ -200,8 +190,7 @@ bool td_minkowski_contains(const thud_minkowski *sum, double x, double y)
 
 /* Where the point enters the circle about a vertex. */
 static bool enter_circle(thud_pos centre, double radius, double x, double y, double dx, double dy,
-                         double *fraction, double *nx, double *ny)
-{
+                         double *fraction, double *nx, double *ny) {
     double ox = x - centre.x, oy = y - centre.y, length = __builtin_sqrt(dx * dx + dy * dy);
     if (!(length > 0.0) || ox * ox + oy * oy < radius * radius) {
         return false;
@@ -228,8 +217,7 @@ static bool enter_circle(thud_pos centre, double radius, double x, double y, dou
  * three-dimensional clipping, 1978). The grown polygon has sharp corners: where the point starts in
  * one or comes in at one, beside the face, only the circle about the vertex is there to be hit. */
 bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx, double dy,
-                        double *fraction, double *nx, double *ny)
-{
+                        double *fraction, double *nx, double *ny) {
     if (sum->count == 1) {
         return enter_circle(sum->vertices[0], sum->radius, x, y, dx, dy, fraction, nx, ny);
     }
@@ -264,8 +252,7 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
      * must not turn it away for a rounding. */
     for (int i = 0; i < faces; i++) {
         double there = at[i] + enter * rate[i];
-        if (i != face &&
-            (rate[i] < 0.0 ? -there : there) > sum->offsets[i] + sum->radius) {
+        if (i != face && (rate[i] < 0.0 ? -there : there) > sum->offsets[i] + sum->radius) {
             return false;
         }
     }
@@ -289,20 +276,18 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
 
 #define MAX_PLACE 1e16
 
-static bool in_range(double x, double y)
-{
+static bool in_range(double x, double y) {
     return td_abs(x) <= MAX_PLACE && td_abs(y) <= MAX_PLACE;
 }
 
 /* Enough to read the sum without going astray. */
-static bool readable(const thud_minkowski *sum)
-{
+static bool readable(const thud_minkowski *sum) {
     return (sum->count == 1 || sum->count == 4 || sum->count == 8) && sum->radius >= 0.0 &&
            sum->radius <= MAX_PLACE;
 }
 
-thud_result thud_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b, thud_minkowski *sum)
-{
+thud_result thud_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,
+                               thud_minkowski *sum) {
     if (!a || !b || !sum) {
         return THUD_ERROR_NULL;
     }
@@ -314,8 +299,7 @@ thud_result thud_minkowski_sum(const thud_shape_instance *a, const thud_shape_in
     return THUD_OK;
 }
 
-thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y, bool *inside)
-{
+thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y, bool *inside) {
     if (!sum || !inside) {
         return THUD_ERROR_NULL;
     }
@@ -326,9 +310,8 @@ thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double 
     return THUD_OK;
 }
 
-thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y,
-                                    double *distance, double *nx, double *ny)
-{
+thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y, double *distance,
+                                    double *nx, double *ny) {
     if (!sum || !distance || !nx || !ny) {
         return THUD_ERROR_NULL;
     }
@@ -339,9 +322,8 @@ thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double 
     return THUD_OK;
 }
 
-thud_result thud_minkowski_cast(const thud_minkowski *sum, double x, double y, double dx,
-                                double dy, bool *hit, double *fraction, double *nx, double *ny)
-{
+thud_result thud_minkowski_cast(const thud_minkowski *sum, double x, double y, double dx, double dy,
+                                bool *hit, double *fraction, double *nx, double *ny) {
     if (!sum || !hit || !fraction || !nx || !ny) {
         return THUD_ERROR_NULL;
     }

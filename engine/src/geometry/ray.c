@@ -1,9 +1,8 @@
 /* ray.c: rays against circles and boxes, each being its own Minkowski sum with the ray's point. */
 #include "geometry/minkowski.h"
 
-bool thud_shape_cast_ray(const thud_shape_instance *shape, double ox, double oy, double dx, double dy,
-                         double *fraction, double *nx, double *ny)
-{
+bool thud_shape_cast_ray(const thud_shape_instance *shape, double ox, double oy, double dx,
+                         double dy, double *fraction, double *nx, double *ny) {
     thud_minkowski sum;
     double f, u, v;
     if (thud_placed_check(shape) != THUD_OK || !td_finite(ox + oy + dx + dy)) {

@@ -10,8 +10,8 @@
 
 /* The outward normal of the box's face that looks most along a direction, and by how much that
  * fails to be the direction, as a tangent. */
-static double face_along(const thud_shape_instance *box, double x, double y, double *nx, double *ny)
-{
+static double face_along(const thud_shape_instance *box, double x, double y, double *nx,
+                         double *ny) {
     double u, v;
     td_to_frame(box, x, y, &u, &v);
     bool by_u = td_abs(u) > td_abs(v);
@@ -25,14 +25,12 @@ typedef struct spot {
     double along, above;
 } spot;
 
-static spot spot_of(const thud_closest *c, double x, double y)
-{
+static spot spot_of(const thud_closest *c, double x, double y) {
     return (spot){x * -c->ny + y * c->nx, x * c->nx + y * c->ny};
 }
 
 /* The ends of the box's face that looks most against the normal, relative to its centre. */
-static void face_against(const thud_shape_instance *box, const thud_closest *c, spot end[2])
-{
+static void face_against(const thud_shape_instance *box, const thud_closest *c, spot end[2]) {
     double u, v, x, y;
     td_to_frame(box, -c->nx, -c->ny, &u, &v);
     bool by_u = td_abs(u) > td_abs(v);
@@ -45,8 +43,7 @@ static void face_against(const thud_shape_instance *box, const thud_closest *c, 
     }
 }
 
-static spot part_way(spot p, spot q, double along)
-{
+static spot part_way(spot p, spot q, double along) {
     double part = q.along != p.along ? (along - p.along) / (q.along - p.along) : 0.0;
     return (spot){along, p.above + td_clamp(part, 0.0, 1.0) * (q.above - p.above)};
 }
@@ -54,8 +51,8 @@ static spot part_way(spot p, spot q, double along)
 /* The piece of the other box's opposite face that is over the face of `box` in the normal; then the
  * end of it that is further from the closest features. Both boxes and `c` are relative to where c
  * is on the surface of `box`, from which the normal points. */
-static spot far_end(const thud_shape_instance *box, const thud_shape_instance *other, const thud_closest *c)
-{
+static spot far_end(const thud_shape_instance *box, const thud_shape_instance *other,
+                    const thud_closest *c) {
     spot end[2], center = spot_of(c, other->x, other->y), self = spot_of(c, box->x, box->y);
     double half = td_shadow(box, -c->ny, c->nx);
     double low = self.along - half, high = self.along + half;
@@ -71,15 +68,13 @@ static spot far_end(const thud_shape_instance *box, const thud_shape_instance *o
     return clipped[td_abs(clipped[1].along) > td_abs(clipped[0].along)];
 }
 
-static void reverse(thud_closest *c)
-{
+static void reverse(thud_closest *c) {
     *c = (thud_closest){c->distance, -c->nx, -c->ny, c->bx, c->by, c->ax, c->ay};
 }
 
 /* Adds the second point of two boxes to the first, if there is one. */
 static void add_far_end(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
-                        thud_contacts *out)
-{
+                        thud_contacts *out) {
     thud_closest c = out->point[0];
     double ax, ay, bx, by;
     double off_a = face_along(a, c.nx, c.ny, &ax, &ay);
@@ -114,9 +109,8 @@ static void add_far_end(const thud_shape_instance *a, const thud_shape_instance 
     out->point[out->count++] = c;
 }
 
-thud_result thud_shapes_contacts(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
-                                 thud_contacts *out)
-{
+thud_result thud_shapes_contacts(const thud_shape_instance *a, const thud_shape_instance *b,
+                                 double margin, thud_contacts *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }

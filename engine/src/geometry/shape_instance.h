@@ -5,32 +5,29 @@
 #include "base/base.h"
 #include "thud/thud_shapes.h"
 
-static inline double td_abs(double x)
-{
+static inline double td_abs(double x) {
     return x < 0.0 ? -x : x;
 }
 
-static inline double td_clamp(double x, double low, double high)
-{
+static inline double td_clamp(double x, double low, double high) {
     return x < low ? low : x > high ? high : x;
 }
 
 /* A world vector in the shape's frame, and back. */
-static inline void td_to_frame(const thud_shape_instance *f, double x, double y, double *u, double *v)
-{
+static inline void td_to_frame(const thud_shape_instance *f, double x, double y, double *u,
+                               double *v) {
     *u = f->c * x + f->s * y;
     *v = f->c * y - f->s * x;
 }
 
-static inline void td_from_frame(const thud_shape_instance *f, double u, double v, double *x, double *y)
-{
+static inline void td_from_frame(const thud_shape_instance *f, double u, double v, double *x,
+                                 double *y) {
     *x = f->c * u - f->s * v;
     *y = f->s * u + f->c * v;
 }
 
 /* Corner 0..3 counter-clockwise from the lower left, in the world. */
-static inline void td_corner(const thud_shape_instance *box, int i, double *x, double *y)
-{
+static inline void td_corner(const thud_shape_instance *box, int i, double *x, double *y) {
     double u = i == 1 || i == 2 ? box->hx : -box->hx, v = i >= 2 ? box->hy : -box->hy;
     td_from_frame(box, u, v, x, y);
     *x += box->x;
@@ -38,51 +35,51 @@ static inline void td_corner(const thud_shape_instance *box, int i, double *x, d
 }
 
 /* No point of the shape is further than this from its centre. A circle's hy is not read. */
-static inline double td_reach(const thud_shape_instance *shape)
-{
+static inline double td_reach(const thud_shape_instance *shape) {
     return shape->kind == THUD_CIRCLE ? shape->hx : shape->hx + shape->hy;
 }
 
 /* Half extent of a box's shadow on the direction (x, y), which has length 1. */
-static inline double td_shadow(const thud_shape_instance *box, double x, double y)
-{
+static inline double td_shadow(const thud_shape_instance *box, double x, double y) {
     double u, v;
     td_to_frame(box, x, y, &u, &v);
     return td_abs(u) * box->hx + td_abs(v) * box->hy;
 }
 
 /* Half the width of the shape's bounding box. */
-static inline double td_half_width(const thud_shape_instance *shape)
-{
+static inline double td_half_width(const thud_shape_instance *shape) {
     return shape->kind == THUD_CIRCLE ? shape->hx : td_shadow(shape, 1.0, 0.0);
 }
 
-static inline bool td_motion_valid(thud_motion m)
-{
+static inline bool td_motion_valid(thud_motion m) {
     return td_finite(m.dx + m.dy + m.turn) && td_abs(m.turn) <= 1e6;
 }
 
 /* bisect.c: the shape at a time of its motion. */
-thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_motion *motion, double time);
+thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_motion *motion,
+                                 double time);
 
 /* closest.c: as thud_shapes_closest, for shapes known to be valid; boxes may be flat (hy = 0). */
 void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out);
 
 /* toi.c: as thud_shapes_time_of_impact, likewise. */
-void td_time_of_impact(const thud_shape_instance *a, thud_motion motion_a, const thud_shape_instance *b,
-                       thud_motion motion_b, double target, bool *hit, double *time);
+void td_time_of_impact(const thud_shape_instance *a, thud_motion motion_a,
+                       const thud_shape_instance *b, thud_motion motion_b, double target, bool *hit,
+                       double *time);
 /* For how long nothing can come across a direction, in which the two are apart by more than the
  * target; more than 1 where that is longer than the motions. */
-typedef double td_jump_fn(const thud_shape_instance *a, const thud_motion *motion_a, const thud_shape_instance *b,
-                          const thud_motion *motion_b, double nx, double ny, double target);
+typedef double td_jump_fn(const thud_shape_instance *a, const thud_motion *motion_a,
+                          const thud_shape_instance *b, const thud_motion *motion_b, double nx,
+                          double ny, double target);
 td_jump_fn td_time_across;
-/* The same, but longer where a turning box's face goes on keeping them apart: pays for what slides on. */
+/* The same, but longer where a turning box's face goes on keeping them apart: pays for what slides
+ * on. */
 td_jump_fn td_time_across_faces;
 
 /* As td_time_of_impact with a target that may be negative, where they overlap, and of which turning
  * shapes may stop `tolerance` short, which saves jumps. */
-void td_time_of_near_impact(const thud_shape_instance *a, thud_motion motion_a, const thud_shape_instance *b,
-                            thud_motion motion_b, double target, double tolerance,
-                            td_jump_fn *jump, bool *hit, double *time);
+void td_time_of_near_impact(const thud_shape_instance *a, thud_motion motion_a,
+                            const thud_shape_instance *b, thud_motion motion_b, double target,
+                            double tolerance, td_jump_fn *jump, bool *hit, double *time);
 
 #endif

@@ -2,17 +2,17 @@
  * in closed form. Turning ones meet by conservative advancement (Mirtich 1996): in the direction of
  * the present closest features the shapes cannot meet before the first corner has come across, so
  * time may safely jump to there. A turning corner's way is bounded by its Taylor polynomial, with
- * the second derivative at its largest: near the impact each jump squares what is left. A turning box's
- * own faces are tried as well: what touches a long one stays apart from it for longer. */
+ * the second derivative at its largest: near the impact each jump squares what is left. A turning
+ * box's own faces are tried as well: what touches a long one stays apart from it for longer. */
 #include "geometry/minkowski.h"
 
 /* Shapes that turn close by each other for long need many; most need less than ten. */
 enum { MAX_JUMPS = 1000 };
 
 /* In closed form: the second centre is a point that enters the sum of both shapes. */
-static void translating(const thud_shape_instance *a, const thud_motion *ma, const thud_shape_instance *b,
-                        const thud_motion *mb, double target, bool *hit, double *time)
-{
+static void translating(const thud_shape_instance *a, const thud_motion *ma,
+                        const thud_shape_instance *b, const thud_motion *mb, double target,
+                        bool *hit, double *time) {
     double x = b->x - a->x, y = b->y - a->y, nx, ny;
     thud_minkowski sum;
     td_minkowski_sum(a, b, &sum);
@@ -25,8 +25,7 @@ static void translating(const thud_shape_instance *a, const thud_motion *ma, con
     }
 }
 
-static bool turns(const thud_shape_instance *shape, const thud_motion *m)
-{
+static bool turns(const thud_shape_instance *shape, const thud_motion *m) {
     return shape->kind == THUD_OBB && m->turn != 0.0;
 }
 
@@ -37,8 +36,8 @@ typedef struct corner {
 } corner;
 
 /* The corners of a shape that turns by `turn`, or of another the one that is furthest. */
-static int corners_along(const thud_shape_instance *shape, double turn, double nx, double ny, corner out[4])
-{
+static int corners_along(const thud_shape_instance *shape, double turn, double nx, double ny,
+                         corner out[4]) {
     if (shape->kind == THUD_CIRCLE) {
         out[0] = (corner){shape->hx, 0.0};
         return 1;
@@ -58,8 +57,7 @@ static int corners_along(const thud_shape_instance *shape, double turn, double n
 }
 
 /* The root of gap = speed t + bend t^2, for a positive gap; without one, more than any motion. */
-static double time_to_close(double gap, double speed, double bend)
-{
+static double time_to_close(double gap, double speed, double bend) {
     double root = __builtin_sqrt(speed * speed + 4.0 * bend * gap);
     if (speed > 0.0) {
         return 2.0 * gap / (speed + root);
@@ -67,16 +65,15 @@ static double time_to_close(double gap, double speed, double bend)
     return bend > 0.0 ? (root - speed) / (2.0 * bend) : 2.0;
 }
 
-static double radius_of(const thud_shape_instance *box)
-{
+static double radius_of(const thud_shape_instance *box) {
     return __builtin_sqrt(box->hx * box->hx + box->hy * box->hy);
 }
 
-/* Not before the circles about turning shapes, nor before the first corner. The second derivative of a
- * corner's way is at most turn^2 times the circle's radius. */
-double td_time_across(const thud_shape_instance *a, const thud_motion *ma, const thud_shape_instance *b,
-                      const thud_motion *mb, double nx, double ny, double target)
-{
+/* Not before the circles about turning shapes, nor before the first corner. The second derivative
+ * of a corner's way is at most turn^2 times the circle's radius. */
+double td_time_across(const thud_shape_instance *a, const thud_motion *ma,
+                      const thud_shape_instance *b, const thud_motion *mb, double nx, double ny,
+                      double target) {
     corner of_a[4], of_b[4];
     double turn_a = turns(a, ma) ? ma->turn : 0.0, turn_b = turns(b, mb) ? mb->turn : 0.0;
     int count_a = corners_along(a, turn_a, nx, ny, of_a);
@@ -97,18 +94,21 @@ double td_time_across(const thud_shape_instance *a, const thud_motion *ma, const
     return circles > 0.0 ? td_max_double(corners, time_to_close(circles, closing, 0.0)) : corners;
 }
 
-/* The same of that face of a box from which the other shape is furthest, and which turns with the box:
- * it is not crossed by its own far corner. In the box's frame a corner of the other is at R(-turn t)
- * (from + way t) + R((other turn - turn) t) corner, which bounds the second derivative. */
-static double time_across_face(const thud_shape_instance *box, const thud_motion *m, const thud_shape_instance *other,
-                               const thud_motion *mo, double target)
-{
+/* The same of that face of a box from which the other shape is furthest, and which turns with the
+ * box: it is not crossed by its own far corner. In the box's frame a corner of the other is at
+ * R(-turn t) (from + way t) + R((other turn - turn) t) corner, which bounds the second derivative.
+ */
+static double time_across_face(const thud_shape_instance *box, const thud_motion *m,
+                               const thud_shape_instance *other, const thud_motion *mo,
+                               double target) {
     double x = other->x - box->x, y = other->y - box->y, vx = mo->dx - m->dx, vy = mo->dy - m->dy;
-    double twist = (other->kind == THUD_OBB ? mo->turn : 0.0) - m->turn, apart = 0.0, nx = 0.0, ny = 0.0;
+    double twist = (other->kind == THUD_OBB ? mo->turn : 0.0) - m->turn, apart = 0.0, nx = 0.0,
+           ny = 0.0;
     corner corners[4];
     for (int i = 0; i < 2; i++) {
         double ax = i ? -box->s : box->c, ay = i ? box->c : box->s, along = x * ax + y * ay;
-        double sign = along < 0.0 ? -1.0 : 1.0, far = sign * along - (i ? box->hy : box->hx) - target;
+        double sign = along < 0.0 ? -1.0 : 1.0,
+               far = sign * along - (i ? box->hy : box->hx) - target;
         corners_along(other, 0.0, ax, ay, corners);
         if (far - corners[0].along > apart) {
             apart = far - corners[0].along, nx = sign * ax, ny = sign * ay;
@@ -131,9 +131,9 @@ static double time_across_face(const thud_shape_instance *box, const thud_motion
     return time;
 }
 
-double td_time_across_faces(const thud_shape_instance *a, const thud_motion *ma, const thud_shape_instance *b,
-                            const thud_motion *mb, double nx, double ny, double target)
-{
+double td_time_across_faces(const thud_shape_instance *a, const thud_motion *ma,
+                            const thud_shape_instance *b, const thud_motion *mb, double nx,
+                            double ny, double target) {
     double time = td_time_across(a, ma, b, mb, nx, ny, target);
     if (turns(a, ma)) {
         time = td_max_double(time, time_across_face(a, ma, b, mb, target));
@@ -146,17 +146,15 @@ double td_time_across_faces(const thud_shape_instance *a, const thud_motion *ma,
 
 /* The distance at which shapes count as met: far below what anyone sees, above the rounding of
  * their places. */
-static double tolerance_of(const thud_shape_instance *a, const thud_motion *ma, const thud_shape_instance *b,
-                           const thud_motion *mb)
-{
+static double tolerance_of(const thud_shape_instance *a, const thud_motion *ma,
+                           const thud_shape_instance *b, const thud_motion *mb) {
     double way = td_abs(ma->dx) + td_abs(ma->dy) + td_abs(mb->dx) + td_abs(mb->dy);
     return 1e-10 * (td_reach(a) + td_reach(b)) + 1e-15 * (td_abs(b->x) + td_abs(b->y) + way);
 }
 
-void td_time_of_near_impact(const thud_shape_instance *a, thud_motion ma, const thud_shape_instance *b,
-                            thud_motion mb, double target, double tolerance, td_jump_fn *jump,
-                            bool *hit, double *time)
-{
+void td_time_of_near_impact(const thud_shape_instance *a, thud_motion ma,
+                            const thud_shape_instance *b, thud_motion mb, double target,
+                            double tolerance, td_jump_fn *jump, bool *hit, double *time) {
     if (!turns(a, &ma) && !turns(b, &mb) && target >= 0.0) {
         translating(a, &ma, b, &mb, target, hit, time);
         return;
@@ -187,21 +185,20 @@ void td_time_of_near_impact(const thud_shape_instance *a, thud_motion ma, const 
     *time = t;
 }
 
-void td_time_of_impact(const thud_shape_instance *a, thud_motion ma, const thud_shape_instance *b, thud_motion mb,
-                       double target, bool *hit, double *time)
-{
+void td_time_of_impact(const thud_shape_instance *a, thud_motion ma, const thud_shape_instance *b,
+                       thud_motion mb, double target, bool *hit, double *time) {
     td_time_of_near_impact(a, ma, b, mb, target, 0.0, td_time_across, hit, time);
 }
 
 thud_result thud_shapes_time_of_impact(const thud_shape_instance *a, thud_motion motion_a,
-                                       const thud_shape_instance *b, thud_motion motion_b, double target,
-                                       bool *hit, double *time)
-{
+                                       const thud_shape_instance *b, thud_motion motion_b,
+                                       double target, bool *hit, double *time) {
     if (!a || !b || !hit || !time) {
         return THUD_ERROR_NULL;
     }
     if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
-        !td_motion_valid(motion_a) || !td_motion_valid(motion_b) || !(target >= 0.0 && target <= 1e15)) {
+        !td_motion_valid(motion_a) || !td_motion_valid(motion_b) ||
+        !(target >= 0.0 && target <= 1e15)) {
         return THUD_ERROR_INVALID;
     }
     td_time_of_impact(a, motion_a, b, motion_b, target, hit, time);

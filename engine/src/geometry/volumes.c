@@ -3,29 +3,26 @@
 
 #define MAX_VOLUME 1e16
 /* The roundings of a fit and of a later test come to no more than this part of place and size. */
-#define ROUNDING   2e-15
+#define ROUNDING 2e-15
 
-bool td_volume_kind_valid(thud_shape_kind kind)
-{
+bool td_volume_kind_valid(thud_shape_kind kind) {
     return kind == THUD_CIRCLE || kind == THUD_AABB || kind == THUD_OBB;
 }
 
-thud_result thud_volume_check(const thud_volume *v)
-{
+thud_result thud_volume_check(const thud_volume *v) {
     if (!v) {
         return THUD_ERROR_NULL;
     }
     bool circle = v->kind == THUD_CIRCLE;
     bool place = td_abs(v->x) <= MAX_VOLUME && td_abs(v->y) <= MAX_VOLUME;
-    bool size = v->hx >= 0.0 && v->hx <= MAX_VOLUME &&
-                (circle || (v->hy >= 0.0 && v->hy <= MAX_VOLUME));
+    bool size =
+        v->hx >= 0.0 && v->hx <= MAX_VOLUME && (circle || (v->hy >= 0.0 && v->hy <= MAX_VOLUME));
     bool turned = v->kind == THUD_OBB ? td_abs(v->c * v->c + v->s * v->s - 1.0) < 1e-5
                                       : circle || (v->c == 1.0 && v->s == 0.0);
     return td_volume_kind_valid(v->kind) && place && size && turned ? THUD_OK : THUD_ERROR_INVALID;
 }
 
-thud_result td_volume_store(thud_shape_kind kind, thud_volume v, thud_volume *out)
-{
+thud_result td_volume_store(thud_shape_kind kind, thud_volume v, thud_volume *out) {
     v.kind = kind;
     double grow = ROUNDING * (td_abs(v.x) + td_abs(v.y) + v.hx + v.hy);
     v.hx += grow;
@@ -37,8 +34,7 @@ thud_result td_volume_store(thud_shape_kind kind, thud_volume v, thud_volume *ou
     return result;
 }
 
-thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_span span)
-{
+thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_span span) {
     thud_volume box = {.kind = THUD_OBB, .c = c, .s = s};
     td_from_frame(&box, 0.5 * (span.u_min + span.u_max), 0.5 * (span.v_min + span.v_max), &box.x,
                   &box.y);
@@ -49,8 +45,7 @@ thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_span span)
     return box;
 }
 
-void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double s, td_span span)
-{
+void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double s, td_span span) {
     thud_volume box = td_volume_of_span(origin, c, s, span);
     if (box.hx * box.hy < best->hx * best->hy) {
         *best = box;
@@ -58,14 +53,12 @@ void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double
 }
 
 /* Half of what the shape takes up along (x, y), of length 1. */
-static double half_along(const thud_shape_instance *shape, double x, double y)
-{
+static double half_along(const thud_shape_instance *shape, double x, double y) {
     return shape->kind == THUD_CIRCLE ? shape->hx : td_shadow(shape, x, y);
 }
 
 /* Of the smallest circle about the shape's centre. */
-static double radius_around(const thud_shape_instance *shape)
-{
+static double radius_around(const thud_shape_instance *shape) {
     double x = shape->hx, y = 0.0;
     if (shape->kind != THUD_CIRCLE) {
         td_from_frame(shape, shape->hx, shape->hy, &x, &y);
@@ -77,23 +70,21 @@ static double radius_around(const thud_shape_instance *shape)
 
 /* How far out along the first coordinate a corner gets that turns from p to q about the origin: it
  * is furthest at one of the two, but where it crosses the axis, there by its whole radius. */
-static double furthest(thud_pos p, thud_pos q, bool half_turn)
-{
+static double furthest(thud_pos p, thud_pos q, bool half_turn) {
     double x = td_max_double(td_abs(p.x), td_abs(q.x));
     return half_turn || p.y * q.y <= 0.0 ? __builtin_sqrt(p.x * p.x + p.y * p.y) : x;
 }
 
 /* Corner 0 or 1, seen from the centre; the other two are opposite. */
-static thud_pos corner_along(const thud_shape_instance *box, int i, double c, double s)
-{
+static thud_pos corner_along(const thud_shape_instance *box, int i, double c, double s) {
     double x, y;
     td_from_frame(box, box->hx, i ? -box->hy : box->hy, &x, &y);
     return (thud_pos){c * x + s * y, c * y - s * x};
 }
 
 /* What a motion takes up along (c, s), seen from the middle of the centre's way. */
-static td_span span_of_motion(const thud_shape_instance *start, const thud_motion *m, double c, double s)
-{
+static td_span span_of_motion(const thud_shape_instance *start, const thud_motion *m, double c,
+                              double s) {
     double u = start->kind == THUD_CIRCLE ? start->hx : 0.0, v = u;
     thud_shape_instance end = td_placed_at(start, m, 1.0);
     bool half_turn = start->kind == THUD_OBB && td_abs(m->turn) >= TD_PI;
@@ -108,8 +99,7 @@ static td_span span_of_motion(const thud_shape_instance *start, const thud_motio
 }
 
 thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_instance *shape,
-                                      thud_motion motion, thud_volume *out)
-{
+                                      thud_motion motion, thud_volume *out) {
     if (!shape || !out) {
         return THUD_ERROR_NULL;
     }
@@ -120,7 +110,9 @@ thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_ins
     thud_pos middle = {shape->x + 0.5 * motion.dx, shape->y + 0.5 * motion.dy};
     if (kind == THUD_CIRCLE) {
         double way = __builtin_sqrt(motion.dx * motion.dx + motion.dy * motion.dy);
-        thud_volume circle = {.x = middle.x, .y = middle.y, .c = 1.0,
+        thud_volume circle = {.x = middle.x,
+                              .y = middle.y,
+                              .c = 1.0,
                               .hx = radius_around(shape) + 0.5 * way};
         return td_volume_store(kind, circle, out);
     }
@@ -140,16 +132,14 @@ thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_ins
 }
 
 thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_shape_instance *shape,
-                                     thud_volume *out)
-{
+                                     thud_volume *out) {
     return thud_volume_around_motion(kind, shape, (thud_motion){0}, out);
 }
 
 /* ---- two volumes ---- */
 
 /* Around both, along (c, s), seen from a's centre. */
-static td_span span_of_both(const thud_volume *a, const thud_volume *b, double c, double s)
-{
+static td_span span_of_both(const thud_volume *a, const thud_volume *b, double c, double s) {
     double au = half_along(a, c, s), av = half_along(a, -s, c);
     double bu = half_along(b, c, s), bv = half_along(b, -s, c);
     double x = b->x - a->x, y = b->y - a->y, u = c * x + s * y, v = c * y - s * x;
@@ -157,8 +147,7 @@ static td_span span_of_both(const thud_volume *a, const thud_volume *b, double c
                      v - bv < -av ? v - bv : -av, td_max_double(v + bv, av)};
 }
 
-static thud_volume circle_around_both(const thud_volume *a, const thud_volume *b)
-{
+static thud_volume circle_around_both(const thud_volume *a, const thud_volume *b) {
     double x = b->x - a->x, y = b->y - a->y, distance = __builtin_sqrt(x * x + y * y);
     double ra = radius_around(a), rb = radius_around(b);
     thud_volume circle = {.x = a->x, .y = a->y, .c = 1.0, .hx = ra};
@@ -175,8 +164,7 @@ static thud_volume circle_around_both(const thud_volume *a, const thud_volume *b
 }
 
 thud_result thud_volume_merge(thud_shape_kind kind, const thud_volume *a, const thud_volume *b,
-                              thud_volume *out)
-{
+                              thud_volume *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
@@ -189,10 +177,11 @@ thud_result thud_volume_merge(thud_shape_kind kind, const thud_volume *a, const 
     }
     thud_pos from = {a->x, a->y};
     thud_volume box = td_volume_of_span(from, 1.0, 0.0, span_of_both(a, b, 1.0, 0.0));
-    const thud_pos directions[] = {
-        a->kind == THUD_OBB ? td_volume_direction(a->c, a->s) : (thud_pos){1.0, 0.0},
-        b->kind == THUD_OBB ? td_volume_direction(b->c, b->s) : (thud_pos){1.0, 0.0},
-        td_volume_direction(b->x - a->x, b->y - a->y)};
+    const thud_pos directions[] = {a->kind == THUD_OBB ? td_volume_direction(a->c, a->s)
+                                                       : (thud_pos){1.0, 0.0},
+                                   b->kind == THUD_OBB ? td_volume_direction(b->c, b->s)
+                                                       : (thud_pos){1.0, 0.0},
+                                   td_volume_direction(b->x - a->x, b->y - a->y)};
     for (int i = 0; i < 3 && kind == THUD_OBB; i++) {
         double c = directions[i].x, s = directions[i].y;
         td_volume_keep_smaller(&box, from, c, s, span_of_both(a, b, c, s));

@@ -11,8 +11,7 @@ typedef struct td_span {
 } td_span;
 
 /* The direction of (x, y), of length 1; (1, 0) if that is too short to have one. */
-static inline thud_pos td_volume_direction(double x, double y)
-{
+static inline thud_pos td_volume_direction(double x, double y) {
     double length = __builtin_sqrt(x * x + y * y);
     return length > 1e-150 ? (thud_pos){x / length, y / length} : (thud_pos){1.0, 0.0};
 }

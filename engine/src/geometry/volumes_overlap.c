@@ -4,28 +4,24 @@
 #include "geometry/shape_instance.h"
 #include "thud/thud_volumes.h"
 
-static bool circle_circle(const thud_volume *a, const thud_volume *b)
-{
+static bool circle_circle(const thud_volume *a, const thud_volume *b) {
     double x = b->x - a->x, y = b->y - a->y, r = a->hx + b->hx;
     return x * x + y * y <= r * r;
 }
 
 /* The circle's centre being at (u, v) in the frame of the box. */
-static bool circle_box(const thud_volume *circle, const thud_volume *box, double u, double v)
-{
+static bool circle_box(const thud_volume *circle, const thud_volume *box, double u, double v) {
     double out_u = td_abs(u) - box->hx, out_v = td_abs(v) - box->hy;
     out_u = out_u > 0.0 ? out_u : 0.0;
     out_v = out_v > 0.0 ? out_v : 0.0;
     return out_u * out_u + out_v * out_v <= circle->hx * circle->hx;
 }
 
-static bool aabb_aabb(const thud_volume *a, const thud_volume *b)
-{
+static bool aabb_aabb(const thud_volume *a, const thud_volume *b) {
     return td_abs(b->x - a->x) <= a->hx + b->hx && td_abs(b->y - a->y) <= a->hy + b->hy;
 }
 
-static bool box_box(const thud_volume *a, const thud_volume *b)
-{
+static bool box_box(const thud_volume *a, const thud_volume *b) {
     double x = b->x - a->x, y = b->y - a->y, u, v;
     double c = td_abs(a->c * b->c + a->s * b->s), s = td_abs(a->c * b->s - a->s * b->c);
     td_to_frame(a, x, y, &u, &v);
@@ -37,8 +33,7 @@ static bool box_box(const thud_volume *a, const thud_volume *b)
 }
 
 /* In the order of the kinds, so that the first is a circle if any is. */
-static bool overlap(const thud_volume *a, const thud_volume *b)
-{
+static bool overlap(const thud_volume *a, const thud_volume *b) {
     double x = a->x - b->x, y = a->y - b->y, u, v;
     if (b->kind == THUD_CIRCLE) {
         return circle_circle(a, b);
@@ -53,8 +48,7 @@ static bool overlap(const thud_volume *a, const thud_volume *b)
     return b->kind == THUD_AABB ? aabb_aabb(a, b) : box_box(a, b);
 }
 
-thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, bool *out)
-{
+thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, bool *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
@@ -66,8 +60,7 @@ thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, boo
 }
 
 /* The furthest point of the inner one is a corner, or behind the centre of a circle. */
-static bool in_circle(const thud_volume *circle, const thud_volume *inner)
-{
+static bool in_circle(const thud_volume *circle, const thud_volume *inner) {
     double x = inner->x - circle->x, y = inner->y - circle->y;
     double room = circle->hx;
     if (inner->kind == THUD_CIRCLE) {
@@ -81,8 +74,7 @@ static bool in_circle(const thud_volume *circle, const thud_volume *inner)
     return u * u + v * v <= room * room;
 }
 
-static bool in_box(const thud_volume *box, const thud_volume *inner)
-{
+static bool in_box(const thud_volume *box, const thud_volume *inner) {
     double u, v, hu = inner->hx, hv = inner->hx;
     td_to_frame(box, inner->x - box->x, inner->y - box->y, &u, &v);
     if (inner->kind != THUD_CIRCLE) {
@@ -92,8 +84,7 @@ static bool in_box(const thud_volume *box, const thud_volume *inner)
     return td_abs(u) + hu <= box->hx && td_abs(v) + hv <= box->hy;
 }
 
-thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *inner, bool *inside)
-{
+thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *inner, bool *inside) {
     if (!outer || !inner || !inside) {
         return THUD_ERROR_NULL;
     }
@@ -105,8 +96,7 @@ thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *in
 }
 
 thud_result thud_volume_contains_point(const thud_volume *volume, double x, double y,
-                                       bool *inside)
-{
+                                       bool *inside) {
     const thud_volume point = {.kind = THUD_CIRCLE, .x = x, .y = y};
     return thud_volume_contains(volume, &point, inside);
 }

@@ -14,26 +14,22 @@ typedef struct point_set {
     thud_pos origin;             /* the first point; all are worked on as seen from there */
 } point_set;
 
-static thud_pos place_of(const point_set *set, int i)
-{
+static thud_pos place_of(const point_set *set, int i) {
     if (!set->terrain) {
         return set->points[i];
     }
     int vertex = set->first + i - 2;
     return i < 2 ? set->ends[i]
-                 : (thud_pos){td_terrain_x(set->terrain, vertex),
-                              set->terrain->points[vertex].y};
+                 : (thud_pos){td_terrain_x(set->terrain, vertex), set->terrain->points[vertex].y};
 }
 
-static thud_pos point_of(const point_set *set, int i)
-{
+static thud_pos point_of(const point_set *set, int i) {
     thud_pos place = place_of(set, i);
     return (thud_pos){place.x - set->origin.x, place.y - set->origin.y};
 }
 
 /* What the points take up along (c, s). */
-static td_span span_of(const point_set *set, double c, double s)
-{
+static td_span span_of(const point_set *set, double c, double s) {
     td_span span = {0.0, 0.0, 0.0, 0.0};
     for (int i = 1; i < set->count; i++) {
         thud_pos p = point_of(set, i);
@@ -55,20 +51,17 @@ typedef struct disc {
     double square; /* of the radius */
 } disc;
 
-static double square_between(thud_pos p, thud_pos q)
-{
+static double square_between(thud_pos p, thud_pos q) {
     return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
 }
 
-static disc disc_of_two(thud_pos p, thud_pos q)
-{
+static disc disc_of_two(thud_pos p, thud_pos q) {
     thud_pos centre = {p.x + 0.5 * (q.x - p.x), p.y + 0.5 * (q.y - p.y)};
     return (disc){centre, {p, q}, 2, 0.25 * square_between(p, q)};
 }
 
 /* Through three points; without a radius if they are on a line. */
-static disc disc_of_three(thud_pos p, thud_pos q, thud_pos r)
-{
+static disc disc_of_three(thud_pos p, thud_pos q, thud_pos r) {
     double qx = q.x - p.x, qy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
     double twice_area = qx * ry - qy * rx, qq = qx * qx + qy * qy, rr = rx * rx + ry * ry;
     double x = (ry * qq - qy * rr) / (2.0 * twice_area);
@@ -77,14 +70,12 @@ static disc disc_of_three(thud_pos p, thud_pos q, thud_pos r)
 }
 
 /* Points that it rests on are off by a rounding. */
-static bool holds(const disc *d, thud_pos p)
-{
+static bool holds(const disc *d, thud_pos p) {
     return square_between(d->centre, p) <= d->square * (1.0 + 1e-12);
 }
 
 /* The smaller of *best and a candidate that holds what `old` rests on. */
-static void keep_smaller(disc *best, disc candidate, const disc *old)
-{
+static void keep_smaller(disc *best, disc candidate, const disc *old) {
     bool all = candidate.square < best->square;
     for (int i = 0; i < old->count && all; i++) {
         all = holds(&candidate, old->rests[i]);
@@ -94,8 +85,7 @@ static void keep_smaller(disc *best, disc candidate, const disc *old)
 
 /* Rests the circle on a point outside of it and on some of those that it rested on, and so makes it
  * larger. False if no such circle holds them all, for a rounding. */
-static bool exchange(disc *d, thud_pos p)
-{
+static bool exchange(disc *d, thud_pos p) {
     disc best = {.square = 1e300};
     for (int i = 0; i < d->count; i++) {
         keep_smaller(&best, disc_of_two(p, d->rests[i]), d);
@@ -107,8 +97,7 @@ static bool exchange(disc *d, thud_pos p)
     return best.count > 0;
 }
 
-static thud_pos furthest_from(const point_set *set, thud_pos centre)
-{
+static thud_pos furthest_from(const point_set *set, thud_pos centre) {
     thud_pos furthest = point_of(set, 0);
     for (int i = 1; i < set->count; i++) {
         thud_pos p = point_of(set, i);
@@ -118,8 +107,7 @@ static thud_pos furthest_from(const point_set *set, thud_pos centre)
 }
 
 /* Its radius is measured last, so that it holds all points even where the exchanges end early. */
-static thud_volume circle_around(const point_set *set)
-{
+static thud_volume circle_around(const point_set *set) {
     disc d = {point_of(set, 0), {point_of(set, 0)}, 1, 0.0};
     thud_pos outermost = furthest_from(set, d.centre);
     for (int i = 0; i < MAX_EXCHANGES && !holds(&d, outermost) && exchange(&d, outermost); i++) {
@@ -135,8 +123,7 @@ static thud_volume circle_around(const point_set *set)
 
 /* The hull's next corner after p, counter-clockwise: no point lies to the right of the way there,
  * and none further along it (Jarvis, On the identification of the convex hull, 1973). */
-static thud_pos next_corner(const point_set *set, thud_pos p)
-{
+static thud_pos next_corner(const point_set *set, thud_pos p) {
     thud_pos next = p;
     for (int i = 0; i < set->count; i++) {
         thud_pos q = point_of(set, i);
@@ -147,8 +134,7 @@ static thud_pos next_corner(const point_set *set, thud_pos p)
     return next;
 }
 
-static thud_volume obb_around(const point_set *set)
-{
+static thud_volume obb_around(const point_set *set) {
     thud_pos start = point_of(set, 0);
     for (int i = 1; i < set->count; i++) {
         thud_pos p = point_of(set, i);
@@ -171,8 +157,7 @@ static thud_volume obb_around(const point_set *set)
 
 /* ---- what a caller may ask ---- */
 
-static thud_result around(thud_shape_kind kind, point_set *set, thud_volume *out)
-{
+static thud_result around(thud_shape_kind kind, point_set *set, thud_volume *out) {
     set->origin = place_of(set, 0);
     for (int i = 0; i < set->count; i++) {
         thud_pos p = place_of(set, i);
@@ -195,8 +180,7 @@ static thud_result around(thud_shape_kind kind, point_set *set, thud_volume *out
 }
 
 thud_result thud_volume_around_points(thud_shape_kind kind, const thud_pos *points, int count,
-                                      thud_volume *out)
-{
+                                      thud_volume *out) {
     if (!points || !out) {
         return THUD_ERROR_NULL;
     }
@@ -208,8 +192,7 @@ thud_result thud_volume_around_points(thud_shape_kind kind, const thud_pos *poin
 }
 
 thud_result thud_volume_around_terrain(thud_shape_kind kind, const thud_terrain *terrain,
-                                       double x_min, double x_max, thud_volume *out)
-{
+                                       double x_min, double x_max, thud_volume *out) {
     thud_result readable = td_terrain_readable(terrain);
     if (readable != THUD_OK || !out) {
         return readable != THUD_OK ? readable : THUD_ERROR_NULL;

@@ -1,20 +1,17 @@
 /* direct.c: see direct.h. */
 #include "islands/direct.h"
 
-static double dot(const double *a, const double *b)
-{
+static double dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* ---- rows ---- */
 
-static double inverse_share(const double *j, const td_direct_body *b)
-{
+static double inverse_share(const double *j, const td_direct_body *b) {
     return (j[0] * j[0] + j[1] * j[1]) * b->inverse_mass + j[2] * j[2] * b->inverse_inertia;
 }
 
-static void weigh(td_direct *d)
-{
+static void weigh(td_direct *d) {
     for (int i = 0; i < d->contact_count; i++) {
         td_direct_contact *c = &d->contacts[i];
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
@@ -28,13 +25,11 @@ static void weigh(td_direct *d)
 }
 
 static double speed_of(const td_direct_contact *c, const td_direct_row *r, const double *va,
-                       const double *vb)
-{
+                       const double *vb) {
     return (c->a == TD_NONE ? 0.0 : dot(r->a, va)) + (c->b == TD_NONE ? 0.0 : dot(r->b, vb));
 }
 
-void td_direct_measure(td_direct *d)
-{
+void td_direct_measure(td_direct *d) {
     for (int i = 0; i < d->contact_count; i++) {
         td_direct_contact *c = &d->contacts[i];
         const double *va = c->a == TD_NONE ? NULL : d->bodies[c->a].velocity;
@@ -45,8 +40,7 @@ void td_direct_measure(td_direct *d)
     }
 }
 
-void td_direct_bound(td_direct *d)
-{
+void td_direct_bound(td_direct *d) {
     for (int i = 0; i < d->contact_count; i++) {
         td_direct_contact *c = &d->contacts[i];
         double load = 0.0;
@@ -57,8 +51,7 @@ void td_direct_bound(td_direct *d)
     }
 }
 
-double td_direct_miss(const td_direct *d)
-{
+double td_direct_miss(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
@@ -71,13 +64,11 @@ double td_direct_miss(const td_direct *d)
 
 /* ---- a Newton step ---- */
 
-static double inertia_of(const td_direct_body *b)
-{
+static double inertia_of(const td_direct_body *b) {
     return b->inverse_inertia > 0.0 ? 1.0 / b->inverse_inertia : 1.0;
 }
 
-static void add_product(td_block3 *block, double weight, const double *i, const double *k)
-{
+static void add_product(td_block3 *block, double weight, const double *i, const double *k) {
     for (int p = 0; p < 3; p++) {
         double wi = weight * i[p];
         block->at[3 * p] += wi * k[0];
@@ -86,8 +77,7 @@ static void add_product(td_block3 *block, double weight, const double *i, const 
     }
 }
 
-static void add_row(td_direct *d, const td_direct_contact *c, const td_direct_row *r)
-{
+static void add_row(td_direct *d, const td_direct_contact *c, const td_direct_row *r) {
     if (c->a != TD_NONE) {
         add_product(td_sparse_diagonal(d->matrix, c->a), r->weight, r->a, r->a);
     }
@@ -100,8 +90,7 @@ static void add_row(td_direct *d, const td_direct_contact *c, const td_direct_ro
     }
 }
 
-bool td_direct_factor(td_direct *d)
-{
+bool td_direct_factor(td_direct *d) {
     td_sparse_clear(d->matrix);
     for (int i = 0; i < d->body_count; i++) {
         double *at = td_sparse_diagonal(d->matrix, i)->at;
@@ -120,8 +109,7 @@ bool td_direct_factor(td_direct *d)
     return td_sparse_factor(d->matrix);
 }
 
-void td_direct_step(td_direct *d)
-{
+void td_direct_step(td_direct *d) {
     for (int i = 0; i < d->body_count; i++) {
         const td_direct_body *b = &d->bodies[i];
         d->step[i][0] = (b->free[0] - b->velocity[0]) / b->inverse_mass;
@@ -154,8 +142,7 @@ void td_direct_step(td_direct *d)
 
 enum { LEAST_STEPS = 8 }; /* with fewer the interior point need not begin */
 
-double td_direct_solve(td_direct *d, double tolerance)
-{
+double td_direct_solve(td_direct *d, double tolerance) {
     weigh(d);
     td_direct_bound(d);
     d->factored = false;

@@ -14,14 +14,14 @@
 #include "islands/sparse.h"
 
 enum {
-    TD_DIRECT_ROWS = 3,  /* of a contact: two points and the tangent ... */
+    TD_DIRECT_ROWS = 3, /* of a contact: two points and the tangent ... */
     TD_DIRECT_TANGENT = 2
 };
 
 typedef struct td_direct_body {
     double inverse_mass, inverse_inertia; /* inertia 0: does not turn */
-    double free[3];     /* velocity without contacts: x, y, turn */
-    double velocity[3]; /* in: a guess; out: the solution */
+    double free[3];                       /* velocity without contacts: x, y, turn */
+    double velocity[3];                   /* in: a guess; out: the solution */
 } td_direct_body;
 
 typedef struct td_direct_row {
@@ -33,10 +33,10 @@ typedef struct td_direct_row {
     bool active;       /* stands in the matrix, with `weight` */
     double mass;       /* that it feels */
     double weight;
-    double base, most; /* of a tangent: |impulse| <= most */
-    double speed;      /* J v + known */
-    double force;      /* impulse that goes to the right side */
-    double change;     /* of the speed by a Newton step */
+    double base, most;        /* of a tangent: |impulse| <= most */
+    double speed;             /* J v + known */
+    double force;             /* impulse that goes to the right side */
+    double change;            /* of the speed by a Newton step */
     double slack[2], push[3]; /* interior point: slacks; steps of the impulse and the slacks */
 } td_direct_row;
 
@@ -60,16 +60,17 @@ typedef struct td_direct {
     bool factored;     /* the matrix of the active rows stands */
 } td_direct;
 
-/* Puts the solution into velocities and impulses. Returns the greatest speed by which a contact misses
- * what it wants, which is at most `tolerance` where all went well; infinite where numbers failed. */
+/* Puts the solution into velocities and impulses. Returns the greatest speed by which a contact
+ * misses what it wants, which is at most `tolerance` where all went well; infinite where numbers
+ * failed. */
 double td_direct_solve(td_direct *d, double tolerance);
 
 /* ---- the two methods ---- */
 
 /* True where the active rows were found in a few steps. */
 bool td_direct_active(td_direct *d, double tolerance);
-/* The same rows once more, for other free velocities and wanted speeds that leave them as they are, and
- * impulses that are nearly right: without another matrix. False where that will not do. */
+/* The same rows once more, for other free velocities and wanted speeds that leave them as they are,
+ * and impulses that are nearly right: without another matrix. False where that will not do. */
 bool td_direct_again(td_direct *d, double tolerance);
 /* False where numbers failed, or steps ran out. */
 bool td_direct_interior(td_direct *d, double tolerance);
@@ -79,7 +80,8 @@ bool td_direct_interior(td_direct *d, double tolerance);
 void td_direct_measure(td_direct *d); /* speeds of all rows */
 /* The matrix of masses and active rows, factored; false where numbers failed. */
 bool td_direct_factor(td_direct *d);
-/* Solves for what masses and the rows' forces leave unbalanced: the bodies' step, the rows' change. */
+/* Solves for what masses and the rows' forces leave unbalanced: the bodies' step, the rows' change.
+ */
 void td_direct_step(td_direct *d);
 /* The greatest speed by which a contact misses what it wants. */
 double td_direct_miss(const td_direct *d);

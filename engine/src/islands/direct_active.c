@@ -1,14 +1,14 @@
 /* direct_active.c: which contacts push is guessed from the step before, and mended.
  *
- * Active rows become penalties of weight D with a multiplier y, the impulse as known so far: a normal
- * gives max(0, y - D (J v - wanted)), a tangent y - D (J v - wanted) cut off at its bounds (the
- * augmented Lagrangian of Hestenes, 1969, and Powell, 1969, for inequalities after Rockafellar, 1973).
- * Where no row changes its mind in a whole Newton step, that minimises the function of v. Then y takes
- * the impulses, and it goes on until nothing is missed. */
+ * Active rows become penalties of weight D with a multiplier y, the impulse as known so far: a
+ * normal gives max(0, y - D (J v - wanted)), a tangent y - D (J v - wanted) cut off at its bounds
+ * (the augmented Lagrangian of Hestenes, 1969, and Powell, 1969, for inequalities after
+ * Rockafellar, 1973). Where no row changes its mind in a whole Newton step, that minimises the
+ * function of v. Then y takes the impulses, and it goes on until nothing is missed. */
 #include "islands/direct.h"
 
-/* The penalty of a contact is the mass that it feels times so much, or the load it carries where that
- * is more; and never more than the second, or rounding ends it. */
+/* The penalty of a contact is the mass that it feels times so much, or the load it carries where
+ * that is more; and never more than the second, or rounding ends it. */
 #define STIFFNESS 1e5
 #define STIFFNESS_MOST 1e9
 
@@ -17,21 +17,18 @@
 
 enum { PATIENCE = 6 }; /* factorisations */
 
-static double size_of(double x)
-{
+static double size_of(double x) {
     return x < 0.0 ? -x : x;
 }
 
-static double clamped(double x, double most)
-{
+static double clamped(double x, double most) {
     return x > most ? most : x < -most ? -most : x;
 }
 
-/* In a heap at rest many contacts carry nothing, or just so much that they stick, and rounding would
- * have them change their minds for ever: `doubt` is the speed, and times its mass the impulse, that a
- * row does not change its mind for. */
-static void answer(td_direct_row *r, bool tangent, double doubt)
-{
+/* In a heap at rest many contacts carry nothing, or just so much that they stick, and rounding
+ * would have them change their minds for ever: `doubt` is the speed, and times its mass the
+ * impulse, that a row does not change its mind for. */
+static void answer(td_direct_row *r, bool tangent, double doubt) {
     double impulse = r->base - r->weight * (r->speed - r->wanted), little = doubt * r->mass;
     if (tangent) {
         /* From one bound to the other it sticks in between. */
@@ -46,8 +43,7 @@ static void answer(td_direct_row *r, bool tangent, double doubt)
     r->force = r->active ? impulse : r->impulse;
 }
 
-static void set_weight(const td_direct *d, td_direct_contact *c)
-{
+static void set_weight(const td_direct *d, td_direct_contact *c) {
     double load = 0.0;
     for (int k = 0; k < TD_DIRECT_TANGENT && d->unit_speed > 0.0; k++) {
         load += c->row[k].used ? c->row[k].impulse / d->unit_speed : 0.0;
@@ -60,8 +56,7 @@ static void set_weight(const td_direct *d, td_direct_contact *c)
 }
 
 /* Nothing is known from a step before. */
-static bool is_new(const td_direct *d)
-{
+static bool is_new(const td_direct *d) {
     for (int i = 0; i < d->contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             if (d->contacts[i].row[k].impulse > 0.0) {
@@ -74,8 +69,7 @@ static bool is_new(const td_direct *d)
 
 /* What pushed before does so again, and so does what is about to meet; in a new island all that
  * touches and does not part. */
-static void guess(td_direct *d, double doubt)
-{
+static void guess(td_direct *d, double doubt) {
     double parting = is_new(d) ? doubt : -doubt;
     td_direct_measure(d);
     for (int i = 0; i < d->contact_count; i++) {
@@ -89,16 +83,14 @@ static void guess(td_direct *d, double doubt)
 }
 
 /* Friction that has slid all the way to its bound slides on where that has grown a little since. */
-static bool slides_on(const td_direct_row *r, double doubt)
-{
+static bool slides_on(const td_direct_row *r, double doubt) {
     double slip = r->impulse < 0.0 ? r->speed - r->wanted : r->wanted - r->speed;
     return slip > doubt && size_of(r->impulse) > 0.9 * r->most;
 }
 
-/* The multipliers take the impulses. Friction that had reached a bound, which has grown by much since,
- * sticks for now. */
-static void take_multipliers(td_direct *d, double doubt)
-{
+/* The multipliers take the impulses. Friction that had reached a bound, which has grown by much
+ * since, sticks for now. */
+static void take_multipliers(td_direct *d, double doubt) {
     for (int i = 0; i < d->contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->contacts[i].row[k];
@@ -116,8 +108,7 @@ static void take_multipliers(td_direct *d, double doubt)
 }
 
 /* A whole Newton step, of the matrix as factored; *settled where no row changed its mind. */
-static bool leap(td_direct *d, double doubt, bool *settled)
-{
+static bool leap(td_direct *d, double doubt, bool *settled) {
     td_direct_step(d);
     double sum = 0.0;
     for (int i = 0; i < d->body_count; i++) {
@@ -141,9 +132,9 @@ static bool leap(td_direct *d, double doubt, bool *settled)
     return td_finite(sum);
 }
 
-/* The speed at which something slides whose friction was held back by a bound that has grown since. */
-static double slip(const td_direct *d)
-{
+/* The speed at which something slides whose friction was held back by a bound that has grown since.
+ */
+static double slip(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->contact_count; i++) {
         const td_direct_contact *c = &d->contacts[i];
@@ -159,10 +150,10 @@ static double slip(const td_direct *d)
     return worst;
 }
 
-/* The greatest speed at which something parts that is still pushed: impulses kept from a hit in the step
- * before are far too great for this one, and a penalty alone would let them push for another step. */
-static double overshoot(const td_direct *d)
-{
+/* The greatest speed at which something parts that is still pushed: impulses kept from a hit in the
+ * step before are far too great for this one, and a penalty alone would let them push for another
+ * step. */
+static double overshoot(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
@@ -176,13 +167,11 @@ static double overshoot(const td_direct *d)
 }
 
 /* The greatest speed by which anything is not as it should be. */
-static double off(const td_direct *d)
-{
+static double off(const td_direct *d) {
     return td_max_double(td_direct_miss(d), td_max_double(overshoot(d), slip(d)));
 }
 
-bool td_direct_active(td_direct *d, double tolerance)
-{
+bool td_direct_active(td_direct *d, double tolerance) {
     int most = td_min_int(d->factorings + PATIENCE, d->patience);
     guess(d, DOUBT * tolerance);
     take_multipliers(d, DOUBT * tolerance);
@@ -203,8 +192,7 @@ bool td_direct_active(td_direct *d, double tolerance)
     }
 }
 
-bool td_direct_again(td_direct *d, double tolerance)
-{
+bool td_direct_again(td_direct *d, double tolerance) {
     if (!d->factored) {
         return false;
     }

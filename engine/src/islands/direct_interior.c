@@ -1,11 +1,11 @@
 /* direct_interior.c: the contacts' complementarity approached from inside.
  *
- * Mehrotra's predictor-corrector ("On the implementation of a primal-dual interior point method", 1992)
- * for the quadratic problem of direct.h. A normal has a slack s = J v - wanted and an impulse l, both
- * > 0, whose product goes to zero. A tangent's impulse y lies between its bounds; the distances to
- * them, most + y and most - y, have slacks whose difference is the sliding speed, and their products go
- * to zero likewise. Products are measured in the mass that a row feels, so that heavy and light
- * contacts converge alike. */
+ * Mehrotra's predictor-corrector ("On the implementation of a primal-dual interior point method",
+ * 1992) for the quadratic problem of direct.h. A normal has a slack s = J v - wanted and an impulse
+ * l, both > 0, whose product goes to zero. A tangent's impulse y lies between its bounds; the
+ * distances to them, most + y and most - y, have slacks whose difference is the sliding speed, and
+ * their products go to zero likewise. Products are measured in the mass that a row feels, so that
+ * heavy and light contacts converge alike. */
 #include "islands/direct.h"
 
 /* A step goes so much of the way to where the first number would be zero. */
@@ -18,20 +18,17 @@ enum { STEPS = 40 };
 /* Impulses at least so strong, against what gravity gives the row's mass, are worth a tangent. */
 #define FRICTION_LEAST 1e-9
 
-static bool slides_free(const td_direct *d, const td_direct_row *r)
-{
+static bool slides_free(const td_direct *d, const td_direct_row *r) {
     return !(r->most > FRICTION_LEAST * r->mass * d->unit_speed);
 }
 
 /* Distance of a tangent's impulse from its lower and upper bound. */
-static double room(const td_direct_row *r, int which)
-{
+static double room(const td_direct_row *r, int which) {
     return which ? r->most - r->impulse : r->most + r->impulse;
 }
 
 /* What a state needs to begin with: everything well inside. */
-static void start(td_direct *d)
-{
+static void start(td_direct *d) {
     double sum = 0.0;
     int rows = 0;
     for (int i = 0; i < d->body_count; i++) {
@@ -70,8 +67,7 @@ static void start(td_direct *d)
 }
 
 /* Mean product per mass, after a part of the step. */
-static double gap(const td_direct *d, double part)
-{
+static double gap(const td_direct *d, double part) {
     double sum = 0.0;
     int products = 0;
     for (int i = 0; i < d->contact_count; i++) {
@@ -96,8 +92,7 @@ static double gap(const td_direct *d, double part)
 
 /* Sets what the row gives to matrix and right side. The products aim at `aim` per mass; with `mend`
  * they heed what the steps of the predictor, in `push`, did to them. */
-static void prepare_row(td_direct_row *r, bool tangent, double aim, double mend)
-{
+static void prepare_row(td_direct_row *r, bool tangent, double aim, double mend) {
     double over = r->speed - r->wanted;
     if (!tangent) {
         double lack = over - r->slack[0];
@@ -115,8 +110,7 @@ static void prepare_row(td_direct_row *r, bool tangent, double aim, double mend)
 }
 
 /* The row's own steps, from the change of its speed. */
-static void follow_row(td_direct_row *r, bool tangent, double aim, double mend)
-{
+static void follow_row(td_direct_row *r, bool tangent, double aim, double mend) {
     double over = r->speed - r->wanted, old = r->push[0];
     r->push[0] = r->force - r->impulse - r->weight * r->change;
     if (!tangent) {
@@ -130,14 +124,12 @@ static void follow_row(td_direct_row *r, bool tangent, double aim, double mend)
     r->push[2] = (second + r->slack[1] * r->push[0]) / high;
 }
 
-static double cut(double part, double value, double change)
-{
+static double cut(double part, double value, double change) {
     return value + part * change < 0.0 ? -value / change : part;
 }
 
 /* So many steps, or parts of one, may be taken until something is negative; at most `most`. */
-static double reach(const td_direct *d, double most)
-{
+static double reach(const td_direct *d, double most) {
     double part = most;
     for (int i = 0; i < d->contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
@@ -159,8 +151,7 @@ static double reach(const td_direct *d, double most)
 }
 
 static void for_rows(td_direct *d, void (*each)(td_direct_row *, bool, double, double), double aim,
-                     double mend)
-{
+                     double mend) {
     for (int i = 0; i < d->contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->contacts[i].row[k];
@@ -172,8 +163,7 @@ static void for_rows(td_direct *d, void (*each)(td_direct_row *, bool, double, d
 }
 
 /* Forward by a part of the step; false where numbers failed. */
-static bool advance(td_direct *d, double part)
-{
+static bool advance(td_direct *d, double part) {
     double sum = 0.0;
     for (int i = 0; i < d->body_count; i++) {
         for (int k = 0; k < 3; k++) {
@@ -196,8 +186,7 @@ static bool advance(td_direct *d, double part)
 }
 
 /* The greatest speed that a slack is off by: zero once a whole step was taken. */
-static double lack(const td_direct *d)
-{
+static double lack(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
@@ -210,8 +199,7 @@ static double lack(const td_direct *d)
 }
 
 /* What is nearer to opening than to pushing does not push. */
-static void decide(td_direct *d)
-{
+static void decide(td_direct *d) {
     for (int i = 0; i < d->contact_count; i++) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             td_direct_row *r = &d->contacts[i].row[k];
@@ -220,8 +208,7 @@ static void decide(td_direct *d)
     }
 }
 
-bool td_direct_interior(td_direct *d, double tolerance)
-{
+bool td_direct_interior(td_direct *d, double tolerance) {
     double close = CLOSE * tolerance * CLOSE * tolerance;
     start(d);
     for (int n = 0; n < STEPS && d->factorings < d->patience; n++) {
@@ -231,7 +218,8 @@ bool td_direct_interior(td_direct *d, double tolerance)
         }
         td_direct_step(d);
         for_rows(d, follow_row, 0.0, 0.0);
-        double now = gap(d, 0.0), after = gap(d, reach(d, 1.0)), share = now > 0.0 ? after / now : 0.0;
+        double now = gap(d, 0.0), after = gap(d, reach(d, 1.0)),
+               share = now > 0.0 ? after / now : 0.0;
         double aim = share * share * share * now;
         for_rows(d, prepare_row, aim, 1.0);
         td_direct_step(d);

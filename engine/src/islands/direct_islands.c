@@ -1,11 +1,11 @@
 /* direct_islands.c: finds the islands that are to be solved at once.
  *
  * An island is what touching contacts between dynamic bodies connect. It is hard when a body of it
- * is: for TD_DIRECT_STEPS after a contact of it was last found to give way too much. That is looked for
- * in an eighth of the blocks a step, and must be found twice in succession, and where the two bodies are
- * calm: an impact is as heavy but passes, and of a heap in motion the soft solver makes as much for less.
- * Of a heavy body on a light one, which sinks in at once, the first time and half will do. Where the
- * limit is 0 every island is hard. */
+ * is: for TD_DIRECT_STEPS after a contact of it was last found to give way too much. That is looked
+ * for in an eighth of the blocks a step, and must be found twice in succession, and where the two
+ * bodies are calm: an impact is as heavy but passes, and of a heap in motion the soft solver makes
+ * as much for less. Of a heavy body on a light one, which sinks in at once, the first time and half
+ * will do. Where the limit is 0 every island is hard. */
 #include "islands/direct_islands.h"
 
 #include "contact/contact.h"
@@ -13,8 +13,7 @@
 
 #include <string.h>
 
-void td_islands_init(td_islands *s)
-{
+void td_islands_init(td_islands *s) {
     s->island.stride = (int)sizeof(td_island);
     s->slots.stride = s->contacts.stride = s->local.stride = (int)sizeof(int);
     s->before.stride = (int)sizeof(float[4]);
@@ -25,11 +24,10 @@ void td_islands_init(td_islands *s)
     td_sparse_init(&s->matrix);
 }
 
-void td_islands_free(td_memory *memory, td_islands *s)
-{
-    td_array *const arrays[] = {&s->island,   &s->slots, &s->contacts, &s->local, &s->before,
-                                &s->impulses, &s->rows,  &s->bodies,   &s->step,  &s->work,
-                                &s->moved};
+void td_islands_free(td_memory *memory, td_islands *s) {
+    td_array *const arrays[] = {&s->island, &s->slots,    &s->contacts, &s->local,
+                                &s->before, &s->impulses, &s->rows,     &s->bodies,
+                                &s->step,   &s->work,     &s->moved};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         td_array_free(memory, arrays[i]);
     }
@@ -37,14 +35,12 @@ void td_islands_free(td_memory *memory, td_islands *s)
 }
 
 /* Room from the start for what is usual, so that a world settles into what it has. */
-static bool roomy(thud_world *w, td_array *array, int count)
-{
+static bool roomy(thud_world *w, td_array *array, int count) {
     return td_array_reserve(&w->memory, array, td_max_int(count, 64));
 }
 
 /* ... and for all bodies and contacts that there are, where that takes little. */
-static bool room_for_all(thud_world *w)
-{
+static bool room_for_all(thud_world *w) {
     td_islands *s = &w->islands;
     int bodies = w->body_of.count, contacts = w->touching;
     return roomy(w, &s->local, bodies) && roomy(w, &s->island, bodies) &&
@@ -55,26 +51,25 @@ static bool room_for_all(thud_world *w)
 
 /* ---- which ---- */
 
-enum { /* in `local` */
+/* in `local` */
+enum {
     TOO_MANY = -1, /* its island has more bodies than the limit */
     ALONE = -2,    /* nothing touches it */
-    COOLING = -3     /* its island is left alone for now */
+    COOLING = -3   /* its island is left alone for now */
 };
 
-static int *local_at(const thud_world *w, int slot)
-{
+static int *local_at(const thud_world *w, int slot) {
     return td_at(&w->islands.local, slot);
 }
 
-static bool is_seed(const thud_world *w, int slot)
-{
+static bool is_seed(const thud_world *w, int slot) {
     int direct_steps = *(uint8_t *)td_at(&w->direct_steps, slot);
-    return direct_steps <= TD_DIRECT_COOLDOWN && (direct_steps > 0 || w->quality.sag_limit == 0.0f) &&
-           *local_at(w, slot) == 0 && td_row(&w->velocity, slot)[3] > 0.0f;
+    return direct_steps <= TD_DIRECT_COOLDOWN &&
+           (direct_steps > 0 || w->quality.sag_limit == 0.0f) && *local_at(w, slot) == 0 &&
+           td_row(&w->velocity, slot)[3] > 0.0f;
 }
 
-static bool any_direct(const thud_world *w)
-{
+static bool any_direct(const thud_world *w) {
     const uint8_t *direct_steps = w->direct_steps.data;
     uint8_t any = 0;
     for (int slot = 1; slot < w->body_of.count; slot++) {
@@ -85,15 +80,15 @@ static bool any_direct(const thud_world *w)
 
 enum { MOST_TIMES = 5 }; /* left alone for half a minute then, at 60 steps a second */
 
-static void cool_down(thud_world *w, int slot, int times)
-{
+static void cool_down(thud_world *w, int slot, int times) {
     *(uint8_t *)td_at(&w->direct_steps, slot) = TD_DIRECT_COOLDOWN + TD_COOLDOWN_STEPS;
-    *(uint16_t *)td_at(&w->slow_steps, slot) = (uint16_t)(td_min_int(times, MOST_TIMES) * TD_SLOW_ONCE);
+    *(uint16_t *)td_at(&w->slow_steps, slot) =
+        (uint16_t)(td_min_int(times, MOST_TIMES) * TD_SLOW_ONCE);
 }
 
-/* A step less to be left alone, or hard; of a body that was left n times in one of 2^(n - 1) steps. */
-static int direct_after_step(const thud_world *w, int slot)
-{
+/* A step less to be left alone, or hard; of a body that was left n times in one of 2^(n - 1) steps.
+ */
+static int direct_after_step(const thud_world *w, int slot) {
     int direct_steps = *(uint8_t *)td_at(&w->direct_steps, slot);
     uint64_t halvings = TD_SLOW_LEFT(*(uint16_t *)td_at(&w->slow_steps, slot));
     bool counts = halvings == 0 || w->steps % (1ull << (halvings - 1)) == 0;
@@ -101,8 +96,7 @@ static int direct_after_step(const thud_world *w, int slot)
     return left == TD_DIRECT_COOLDOWN ? 0 : left;
 }
 
-void td_islands_leave(thud_world *w, const td_island *island, bool for_long)
-{
+void td_islands_leave(thud_world *w, const td_island *island, bool for_long) {
     for (int i = 0; i < island->bodies; i++) {
         int slot = *(int *)td_at(&w->islands.slots, island->first_body + i);
         int times = TD_SLOW_LEFT(*(uint16_t *)td_at(&w->slow_steps, slot)) + 1;
@@ -110,8 +104,7 @@ void td_islands_leave(thud_world *w, const td_island *island, bool for_long)
     }
 }
 
-void td_islands_settle(thud_world *w)
-{
+void td_islands_settle(thud_world *w) {
     uint8_t *direct_steps = w->direct_steps.data;
     for (int slot = 1; slot < w->islands.local.count; slot++) {
         direct_steps[slot] = (uint8_t)direct_after_step(w, slot);
@@ -123,23 +116,20 @@ void td_islands_settle(thud_world *w)
     }
 }
 
-static void add_body(thud_world *w, td_island *island, int slot)
-{
+static void add_body(thud_world *w, td_island *island, int slot) {
     td_push_int(&w->islands.slots, slot);
     *local_at(w, slot) = ++island->bodies;
 }
 
 /* The awake slot of a dynamic body on the other side, or 0. */
-static int neighbour(const thud_world *w, const td_contact *contact, int side)
-{
+static int neighbour(const thud_world *w, const td_contact *contact, int side) {
     const td_body *other = td_body_at(w, contact->body[1 - side]);
     return other->kind == THUD_DYNAMIC && other->awake > 0 ? other->awake : 0;
 }
 
 /* Adds the contacts of a body, and whom they bring; each contact once, by its first side that is a
  * body of an island. False: the island has too many bodies. */
-static bool spread(thud_world *w, td_island *island, int slot)
-{
+static bool spread(thud_world *w, td_island *island, int slot) {
     int body = *(int *)td_at(&w->body_of, slot);
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_contact *contact = td_contact_at(w, e / 2);
@@ -162,21 +152,18 @@ static bool spread(thud_world *w, td_island *island, int slot)
     return true;
 }
 
-float td_calm_speed(const thud_world *w)
-{
+float td_calm_speed(const thud_world *w) {
     float x = w->def.gravity.x, y = w->def.gravity.y;
     return td_max_float(4.0f * __builtin_sqrtf(x * x + y * y) * (float)w->def.time_step,
                         4.0f * TD_SLEEP_SPEED * w->unit);
 }
 
-int64_t td_island_cost(const td_island *island)
-{
+int64_t td_island_cost(const td_island *island) {
     return island->system.work + island->bodies + 2 * (int64_t)island->contacts;
 }
 
 /* One newcomer does not rouse a whole heap that was left alone. */
-static bool cools_down(const thud_world *w, const td_island *island)
-{
+static bool cools_down(const thud_world *w, const td_island *island) {
     int cooling = 0;
     for (int i = 0; i < island->bodies; i++) {
         int slot = *(int *)td_at(&w->islands.slots, island->first_body + i);
@@ -186,8 +173,7 @@ static bool cools_down(const thud_world *w, const td_island *island)
 }
 
 /* Lists the island of a body, unless it has no contacts, or too many bodies, or is left alone. */
-static void follow(thud_world *w, int seed)
-{
+static void follow(thud_world *w, int seed) {
     td_islands *s = &w->islands;
     td_island island = {.first_body = s->slots.count, .first_contact = s->contacts.count};
     bool whole = true;
@@ -210,8 +196,7 @@ static void follow(thud_world *w, int seed)
 
 /* ---- room ---- */
 
-static bool order(thud_world *w, td_island *island)
-{
+static bool order(thud_world *w, td_island *island) {
     td_islands *s = &w->islands;
     if (!td_sparse_begin(&w->memory, &s->matrix, island->bodies)) {
         return false;
@@ -231,8 +216,7 @@ static bool order(thud_world *w, td_island *island)
            roomy(w, &s->moved, island->bodies) && roomy(w, &s->work, island->bodies);
 }
 
-bool td_islands_find(thud_world *w)
-{
+bool td_islands_find(thud_world *w) {
     td_islands *s = &w->islands;
     int slots = w->body_of.count;
     s->island.count = s->slots.count = s->contacts.count = 0;
@@ -268,8 +252,7 @@ enum {
     OFTEN = 2
 };
 
-static void mark_direct(thud_world *w, uint32_t record)
-{
+static void mark_direct(thud_world *w, uint32_t record) {
     int slot = (int)(record / TD_AWAKE_BYTES);
     uint8_t *direct_steps = td_at(&w->direct_steps, slot);
     if (td_row(&w->velocity, slot)[3] > 0.0f && *direct_steps <= TD_DIRECT_COOLDOWN) {
@@ -277,9 +260,9 @@ static void mark_direct(thud_world *w, uint32_t record)
     }
 }
 
-/* A spring of frequency f gives way by (impulse / mass / h) / (2 pi f)^2 under an impulse a substep. */
-float td_islands_most(const thud_world *w, float size)
-{
+/* A spring of frequency f gives way by (impulse / mass / h) / (2 pi f)^2 under an impulse a
+ * substep. */
+float td_islands_most(const thud_world *w, float size) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
     float sag = w->quality.sag_limit * size * (own * own);
     float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* a substep */
@@ -289,20 +272,17 @@ float td_islands_most(const thud_world *w, float size)
     return sag * omega * omega / (steps * (float)w->def.time_step);
 }
 
-static float size_of(const thud_world *w, int slot)
-{
+static float size_of(const thud_world *w, int slot) {
     return slot ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
 }
 
-static bool is_calm(const thud_world *w, int a, int b)
-{
+static bool is_calm(const thud_world *w, int a, int b) {
     const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
     float x = u[0] - v[0], y = u[1] - v[1], most = td_calm_speed(w);
     return x * x + y * y < most * most;
 }
 
-static void watch_block(thud_world *w, td_block *block, int points)
-{
+static void watch_block(thud_world *w, td_block *block, int points) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
     for (int lane = 0; lane < block->used; lane++) {
         float impulse = 0.0f, depth = 0.0f;
@@ -312,8 +292,10 @@ static void watch_block(thud_world *w, td_block *block, int points)
         }
         int a = (int)(block->a[lane] / TD_AWAKE_BYTES), b = (int)(block->b[lane] / TD_AWAKE_BYTES);
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
-        float light = td_max_float(inverse_a, inverse_b), other = td_min_float(inverse_a, inverse_b);
-        float load = impulse * light, most = td_islands_most(w, td_min_float(size_of(w, a), size_of(w, b)));
+        float light = td_max_float(inverse_a, inverse_b),
+              other = td_min_float(inverse_a, inverse_b);
+        float load = impulse * light,
+              most = td_islands_most(w, td_min_float(size_of(w, a), size_of(w, b)));
         bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
         int direct = block->loaded[lane] & TD_DIRECT, before = block->loaded[lane] - direct;
         bool gives_way = (load > most && is_calm(w, a, b)) || depth > deep;
@@ -326,8 +308,7 @@ static void watch_block(thud_world *w, td_block *block, int points)
     }
 }
 
-void td_islands_watch(thud_world *w)
-{
+void td_islands_watch(thud_world *w) {
     if (w->quality.sag_limit == 0.0f) {
         return;
     }

@@ -13,10 +13,9 @@
 
 enum { TANGENT = TD_DIRECT_TANGENT, PATIENCE = 200 };
 
-/* The soft solver begins without the direct one's impulses, which would be too much for it to take back:
- * a light body between heavy ones would leave at any speed. */
-void td_island_note(thud_world *w)
-{
+/* The soft solver begins without the direct one's impulses, which would be too much for it to take
+ * back: a light body between heavy ones would leave at any speed. */
+void td_island_note(thud_world *w) {
     td_islands *s = &w->islands;
     for (int i = 0; i < s->slots.count; i++) {
         memcpy(td_at(&s->before, i), td_row(&w->velocity, *(int *)td_at(&s->slots, i)),
@@ -42,8 +41,7 @@ void td_island_note(thud_world *w)
 /* ---- the problem ---- */
 
 /* Mean velocity of a step without contacts, whose end is as the substeps would have it. */
-static void take_body(td_island_work *work, int i)
-{
+static void take_body(td_island_work *work, int i) {
     thud_world *w = work->w;
     int slot = work->slots[i];
     const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
@@ -64,10 +62,9 @@ static void take_body(td_island_work *work, int i)
     }
 }
 
-/* The body's number in the island; TD_NONE where the solver does not move it. Its velocity then goes
- * to `known`. */
-static int side_of(const thud_world *w, uint32_t record, double known[3])
-{
+/* The body's number in the island; TD_NONE where the solver does not move it. Its velocity then
+ * goes to `known`. */
+static int side_of(const thud_world *w, uint32_t record, double known[3]) {
     int slot = (int)(record / TD_AWAKE_BYTES);
     const float *v = td_row(&w->velocity, slot);
     for (int k = 0; k < 3; k++) {
@@ -76,14 +73,13 @@ static int side_of(const thud_world *w, uint32_t record, double known[3])
     return v[3] > 0.0f ? *(const int *)td_at(&w->islands.local, slot) - 1 : TD_NONE;
 }
 
-static double by_known(const double *j, const double *v)
-{
+static double by_known(const double *j, const double *v) {
     return j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
 }
 
-/* Apart: not to meet before the end. Within the skin: not to come nearer. Overlapping: apart again. */
-static double wanted_of(const thud_world *w, double gap, double blur)
-{
+/* Apart: not to meet before the end. Within the skin: not to come nearer. Overlapping: apart again.
+ */
+static double wanted_of(const thud_world *w, double gap, double blur) {
     double most = (double)(w->def.push_speed * w->unit), time = w->def.time_step;
     if (gap > blur) {
         return -gap / time;
@@ -93,32 +89,28 @@ static double wanted_of(const thud_world *w, double gap, double blur)
 }
 
 /* Whether the soft solver has had the point bounce in this step. */
-static bool bounces(const thud_world *w, const td_contact *contact, td_block *block, int lane)
-{
+static bool bounces(const thud_world *w, const td_contact *contact, td_block *block, int lane) {
     return block->restitution[lane] > 0.0f &&
            td_surface_at(block, td_island_points(w, contact))->energy[lane] >= 0.0f;
 }
 
 static void take_row(td_direct_contact *c, td_direct_row *r, double x, double y, double cross_a,
-                     double cross_b, double known[2][3])
-{
+                     double cross_b, double known[2][3]) {
     *r = (td_direct_row){.a = {-x, -y, -cross_a}, .b = {x, y, cross_b}, .used = true};
     r->known = (c->a == TD_NONE ? by_known(r->a, known[0]) : 0.0) +
                (c->b == TD_NONE ? by_known(r->b, known[1]) : 0.0);
 }
 
-/* Floats tell gaps no better than this. Contacts that carry too little to be sure of would come and go
- * with the noise, and a heap at rest has many such. */
-static double blur_of(const thud_world *w, const td_direct_row *r)
-{
+/* Floats tell gaps no better than this. Contacts that carry too little to be sure of would come and
+ * go with the noise, and a heap at rest has many such. */
+static double blur_of(const thud_world *w, const td_direct_row *r) {
     double arm_a = r->a[2] < 0.0 ? -r->a[2] : r->a[2], arm_b = r->b[2] < 0.0 ? -r->b[2] : r->b[2];
     double blur = BLUR * (arm_a + arm_b), most = BLUR_MOST * (double)w->unit;
     return (blur < most ? blur : most) + BLUR_LEAST * (double)w->unit;
 }
 
 /* Bodies that do not turn feel no arms. */
-static void take_contact(td_island_work *work, int i)
-{
+static void take_contact(td_island_work *work, int i) {
     thud_world *w = work->w;
     const td_contact *contact = td_contact_at(w, work->contacts[i]);
     td_block *block = td_island_block(w, contact);
@@ -148,31 +140,28 @@ static void take_contact(td_island_work *work, int i)
         work->bounces |= bounces(w, contact, block, lane);
         work->pushed = td_max_double(work->pushed, c->row[k].wanted);
     }
-    /* Arms end in the middle of the gap. Where that is open, as it is about a skin, a disc would roll
-     * as if it were greater: beside what does not move, friction acts at the surface. */
+    /* Arms end in the middle of the gap. Where that is open, as it is about a skin, a disc would
+     * roll as if it were greater: beside what does not move, friction acts at the surface. */
     double gap = (double)(block->point[0].base[lane] + w->skin);
     double outside = c->a == TD_NONE && gap > 0.0 ? 0.5 * gap : 0.0;
     td_direct_row *tangent = &c->row[TANGENT];
     take_row(c, tangent, y, -x, turns_a * (double)block->tangent_cross_a[lane],
              turns_b * ((double)block->tangent_cross_b[lane] - outside), known);
     tangent->impulse = 0.5 * (double)impulses[TANGENT];
-    tangent->wanted =
-        (double)td_surface_at(block, td_island_points(w, contact))->speed[lane] *
-        (w->surface_speeds > 0);
+    tangent->wanted = (double)td_surface_at(block, td_island_points(w, contact))->speed[lane] *
+                      (w->surface_speeds > 0);
     tangent->used = block->tangent_mass[lane] > 0.0f && c->friction > 0.0;
 }
 
-/* Matrices that the island may take of what the quality allows for the step; a time budget that lowers
- * the substeps lowers that as well. */
-int td_island_patience(const thud_world *w, const td_island *island)
-{
+/* Matrices that the island may take of what the quality allows for the step; a time budget that
+ * lowers the substeps lowers that as well. */
+int td_island_patience(const thud_world *w, const td_island *island) {
     int64_t work = w->quality.island_work / w->quality.substeps * w->substeps;
     int64_t most = (work - w->stats.island_work) / td_island_cost(island);
     return most < 0 ? 0 : most < PATIENCE ? (int)most : PATIENCE;
 }
 
-static td_direct problem_of(thud_world *w, const td_island *island)
-{
+static td_direct problem_of(thud_world *w, const td_island *island) {
     td_islands *s = &w->islands;
     s->matrix.now = island->system;
     double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
@@ -187,8 +176,7 @@ static td_direct problem_of(thud_world *w, const td_island *island)
                        .unit_speed = w->def.time_step * __builtin_sqrt(x * x + y * y)};
 }
 
-td_island_work td_island_take(thud_world *w, const td_island *island)
-{
+td_island_work td_island_take(thud_world *w, const td_island *island) {
     td_islands *s = &w->islands;
     td_island_work work = {.w = w,
                            .island = island,

@@ -1,12 +1,12 @@
 /* island_solve.c: solves direct islands directly, between the soft solver's start and its end.
  *
  * The soft solver has done them as well: where the direct result is no better, because its numbers
- * failed or it ran out of patience, the soft one stands. Otherwise velocities, motions and impulses of
- * the island are written over. Two problems a step: the first is for the mean velocity, which brings
- * the bodies to where nothing overlaps, and is exact to second order; the second for the velocities to
- * go on with. Where nothing hits or is pushed apart the second one's solution follows from the first.
- * A bounce is left to the soft solver: several at once, each with its share of the speed back, would
- * gain energy. */
+ * failed or it ran out of patience, the soft one stands. Otherwise velocities, motions and impulses
+ * of the island are written over. Two problems a step: the first is for the mean velocity, which
+ * brings the bodies to where nothing overlaps, and is exact to second order; the second for the
+ * velocities to go on with. Where nothing hits or is pushed apart the second one's solution follows
+ * from the first. A bounce is left to the soft solver: several at once, each with its share of the
+ * speed back, would gain energy. */
 #include "islands/island_solve.h"
 
 #include "solver/error.h"
@@ -30,8 +30,7 @@ enum { TANGENT = TD_DIRECT_TANGENT };
 
 /* ---- the result ---- */
 
-static void limit(const thud_world *w, double velocity[3])
-{
+static void limit(const thud_world *w, double velocity[3]) {
     double most = (double)(w->def.maximum_speed * w->unit);
     for (int k = 0; k < 3; k++) {
         double m = k < 2 ? most : (double)TD_SPIN_MOST;
@@ -40,8 +39,8 @@ static void limit(const thud_world *w, double velocity[3])
 }
 
 /* How far apart the contact's point is after the motion. */
-static double gap_after(const td_island_work *work, const td_direct_contact *c, int k, double before)
-{
+static double gap_after(const td_island_work *work, const td_direct_contact *c, int k,
+                        double before) {
     const td_direct_row *r = &c->row[k];
     double gap = before + work->time * r->known;
     for (int j = 0; j < 3; j++) {
@@ -52,8 +51,7 @@ static double gap_after(const td_island_work *work, const td_direct_contact *c, 
 }
 
 /* What the contact wants of the velocities to go on with. */
-static void want_velocity(td_island_work *work, int i)
-{
+static void want_velocity(td_island_work *work, int i) {
     thud_world *w = work->w;
     const td_contact *contact = td_contact_at(w, work->contacts[i]);
     td_direct_contact *c = &work->problem.contacts[i];
@@ -70,8 +68,7 @@ static void want_velocity(td_island_work *work, int i)
 }
 
 /* The greatest speed into each other that the soft solver has left where things touch. */
-static double soft_miss(const td_island_work *work)
-{
+static double soft_miss(const td_island_work *work) {
     const thud_world *w = work->w;
     double worst = 0.0;
     for (int i = 0; i < work->island->contacts; i++) {
@@ -98,16 +95,14 @@ static double soft_miss(const td_island_work *work)
     return worst;
 }
 
-static double speed_of(const double velocity[3])
-{
+static double speed_of(const double velocity[3]) {
     return __builtin_sqrt(velocity[0] * velocity[0] + velocity[1] * velocity[1]);
 }
 
-/* Contacts are taken as they are at the start of the step; arms that swing far by its end, and most of
- * all a body that spins, are a matter for substeps. So is what is wedged in where it cannot be pushed
- * apart: it would leave sideways, at any speed. */
-static bool goes_too_far(const td_island_work *work)
-{
+/* Contacts are taken as they are at the start of the step; arms that swing far by its end, and most
+ * of all a body that spins, are a matter for substeps. So is what is wedged in where it cannot be
+ * pushed apart: it would leave sideways, at any speed. */
+static bool goes_too_far(const td_island_work *work) {
     double fastest = 0.0, furthest = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
         double turn = work->moved[i][2];
@@ -122,10 +117,9 @@ static bool goes_too_far(const td_island_work *work)
     return furthest > SPEED_MOST * work->time * (fastest + pushed);
 }
 
-/* Nor does a wedge press harder than all that is there could, with some leverage: the soft solver would
- * begin with those impulses should the wedge open. */
-static bool presses_too_hard(const td_island_work *work)
-{
+/* Nor does a wedge press harder than all that is there could, with some leverage: the soft solver
+ * would begin with those impulses should the wedge open. */
+static bool presses_too_hard(const td_island_work *work) {
     const td_direct *d = &work->problem;
     double fastest = d->unit_speed + work->pushed * work->island->bodies, mass = 0.0;
     double greatest = 0.0;
@@ -143,8 +137,7 @@ static bool presses_too_hard(const td_island_work *work)
 }
 
 /* From the mean velocity of the step to the one at its end: what went on evenly goes on so. */
-static void carry_on(td_island_work *work)
-{
+static void carry_on(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &d->bodies[i];
@@ -166,11 +159,10 @@ static void carry_on(td_island_work *work)
 }
 
 /* False: the soft solver's result is as good. */
-static bool work_out(td_island_work *work)
-{
+static bool work_out(td_island_work *work) {
     td_direct *d = &work->problem;
-    double tolerance = td_max_double(TOLERANCE * d->unit_speed,
-                                     TOLERANCE_LEAST * (double)work->w->unit);
+    double tolerance =
+        td_max_double(TOLERANCE * d->unit_speed, TOLERANCE_LEAST * (double)work->w->unit);
     double missing = td_direct_solve(d, tolerance);
     for (int i = 0; i < work->island->bodies; i++) {
         limit(work->w, d->bodies[i].velocity);
@@ -180,7 +172,8 @@ static bool work_out(td_island_work *work)
     }
     if (td_finite(missing)) {
         carry_on(work);
-        double then = td_direct_again(d, tolerance) ? td_direct_miss(d) : td_direct_solve(d, tolerance);
+        double then =
+            td_direct_again(d, tolerance) ? td_direct_miss(d) : td_direct_solve(d, tolerance);
         missing = td_max_double(missing, then);
         for (int i = 0; i < work->island->bodies; i++) {
             limit(work->w, d->bodies[i].velocity);
@@ -194,8 +187,7 @@ static bool work_out(td_island_work *work)
     return missing <= tolerance || (td_finite(missing) && missing < soft_miss(work));
 }
 
-static void write_contact(const td_island_work *work, int i)
-{
+static void write_contact(const td_island_work *work, int i) {
     thud_world *w = work->w;
     const td_contact *contact = td_contact_at(w, work->contacts[i]);
     const td_direct_contact *c = &work->problem.contacts[i];
@@ -218,8 +210,7 @@ static void write_contact(const td_island_work *work, int i)
 }
 
 /* Whether a contact still carries so much that the island is to stay. */
-static bool is_loaded(const td_island_work *work, const td_direct_contact *c)
-{
+static bool is_loaded(const td_island_work *work, const td_direct_contact *c) {
     thud_world *w = work->w;
     double impulse = 0.0, inverse = 0.0;
     float size = 3e38f;
@@ -236,8 +227,7 @@ static bool is_loaded(const td_island_work *work, const td_direct_contact *c)
     return impulse / w->substeps * inverse > TD_DIRECT_LEAVE * (double)td_islands_most(w, size);
 }
 
-static bool is_calm(const td_island_work *work)
-{
+static bool is_calm(const td_island_work *work) {
     float fastest = 0.0f, most = td_calm_speed(work->w);
     for (int i = 0; i < work->island->bodies; i++) {
         const float *v = td_row(&work->w->velocity, work->slots[i]);
@@ -246,10 +236,9 @@ static bool is_calm(const td_island_work *work)
     return fastest <= most * most;
 }
 
-/* An island that takes many matrices step after step moves, and would do so for long; one that is calm
- * may be just being pushed apart, and gets more time. */
-static bool is_slow(const td_island_work *work)
-{
+/* An island that takes many matrices step after step moves, and would do so for long; one that is
+ * calm may be just being pushed apart, and gets more time. */
+static bool is_slow(const td_island_work *work) {
     int patience = work->w->quality.island_patience * (is_calm(work) ? CALM_PATIENCE : 1);
     bool easy = work->problem.factorings <= EASY;
     int most = 0;
@@ -262,8 +251,7 @@ static bool is_slow(const td_island_work *work)
     return patience > 0 && most > td_min_int(patience, TD_SLOW_STEPS);
 }
 
-static void write(const td_island_work *work)
-{
+static void write(const td_island_work *work) {
     thud_world *w = work->w;
     bool loaded = false;
     for (int i = 0; i < work->island->contacts; i++) {
@@ -283,15 +271,13 @@ static void write(const td_island_work *work)
 }
 
 /* What is too dear for a whole step's work, be it a few matrices, is so for long. */
-static void leave(thud_world *w, const td_island *island)
-{
+static void leave(thud_world *w, const td_island *island) {
     if (w->quality.island_patience > 0) {
         td_islands_leave(w, island, EASY * td_island_cost(island) > w->quality.island_work);
     }
 }
 
-static void solve_island(thud_world *w, const td_island *island)
-{
+static void solve_island(thud_world *w, const td_island *island) {
     bool bounces = false;
     w->stats.direct_islands++;
     w->stats.direct_bodies += island->bodies;
@@ -309,14 +295,12 @@ static void solve_island(thud_world *w, const td_island *island)
     }
 }
 
-static void begin(thud_world *w)
-{
+static void begin(thud_world *w) {
     td_islands_settle(w);
     td_island_note(w);
 }
 
-static void end(thud_world *w)
-{
+static void end(thud_world *w) {
     for (int i = 0; i < w->islands.island.count; i++) {
         solve_island(w, td_at(&w->islands.island, i));
     }

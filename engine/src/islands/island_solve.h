@@ -11,9 +11,9 @@ typedef struct td_island_work {
     td_direct problem;
     const int *slots, *contacts;
     double (*moved)[3];
-    double time;     /* of a step */
-    bool bounces;    /* something closes in so fast that it is going to bounce */
-    double pushed;   /* greatest speed at which something is pushed apart */
+    double time;   /* of a step */
+    bool bounces;  /* something closes in so fast that it is going to bounce */
+    double pushed; /* greatest speed at which something is pushed apart */
 } td_island_work;
 
 /* island_rows.c: notes velocities and impulses, before the soft solver changes them. */
@@ -23,13 +23,11 @@ int td_island_patience(const thud_world *w, const td_island *island);
 /* The problem as it was then. */
 td_island_work td_island_take(thud_world *w, const td_island *island);
 
-static inline td_block *td_island_block(const thud_world *w, const td_contact *contact)
-{
+static inline td_block *td_island_block(const thud_world *w, const td_contact *contact) {
     return td_block_at(w, contact->kind, contact->slot / TD_LANES);
 }
 
-static inline int td_island_points(const thud_world *w, const td_contact *contact)
-{
+static inline int td_island_points(const thud_world *w, const td_contact *contact) {
     return td_form_points(w->pairs[contact->kind]->form);
 }
 

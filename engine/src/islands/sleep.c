@@ -12,26 +12,23 @@
 
 #include <string.h>
 
-static int other_body(const thud_world *w, int edge)
-{
+static int other_body(const thud_world *w, int edge) {
     return td_contact_at(w, edge / 2)->body[1 - (edge & 1)];
 }
 
-static bool may_wake(const td_body *body)
-{
+static bool may_wake(const td_body *body) {
     return body->kind == THUD_DYNAMIC && body->awake < 0 &&
-           !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) && !(body->changes & TD_CHANGE_ENTER);
+           !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
+           !(body->changes & TD_CHANGE_ENTER);
 }
 
-static bool lists_room(thud_world *w)
-{
+static bool lists_room(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.bodies, w->bodies.count) &&
            td_array_reserve(&w->memory, &w->scratch.contacts, w->contacts.count);
 }
 
 /* Shapes of a body that slept while others came to rest near it look for them. */
-static void look_around(thud_world *w, int index)
-{
+static void look_around(thud_world *w, int index) {
     const td_body *body = td_body_at(w, index);
     if (body->rest_epoch == w->rest_epoch) {
         return;
@@ -42,8 +39,7 @@ static void look_around(thud_world *w, int index)
     }
 }
 
-bool td_wake(thud_world *w, int index)
-{
+bool td_wake(thud_world *w, int index) {
     td_array *bodies = &w->scratch.bodies, *contacts = &w->scratch.contacts;
     if (!may_wake(td_body_at(w, index))) {
         td_body *body = td_body_at(w, index);
@@ -99,8 +95,7 @@ bool td_wake(thud_world *w, int index)
 
 /* ---- falling asleep ---- */
 
-static int find_root(int *parents, int i)
-{
+static int find_root(int *parents, int i) {
     while (parents[i] != i) {
         parents[i] = parents[parents[i]];
         i = parents[i];
@@ -108,8 +103,7 @@ static int find_root(int *parents, int i)
     return i;
 }
 
-static void join(int *parents, int a, int b)
-{
+static void join(int *parents, int a, int b) {
     a = find_root(parents, a);
     b = find_root(parents, b);
     /* The lower slot leads, so that roots do not depend on the order of contacts. */
@@ -120,20 +114,17 @@ static void join(int *parents, int a, int b)
     }
 }
 
-static bool is_dynamic(const thud_world *w, int slot)
-{
+static bool is_dynamic(const thud_world *w, int slot) {
     return td_body_at(w, *(int *)td_at(&w->body_of, slot))->kind == THUD_DYNAMIC;
 }
 
-static bool moves(const thud_world *w, int slot)
-{
+static bool moves(const thud_world *w, int slot) {
     const float *v = td_row(&w->velocity, slot);
     return v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
 }
 
 /* A lane ties two dynamic bodies together; a moving kinematic body keeps its neighbour awake. */
-static void tie(thud_world *w, int *parents, int a, int b)
-{
+static void tie(thud_world *w, int *parents, int a, int b) {
     if (a == 0 || b == 0) {
         return;
     }
@@ -145,8 +136,7 @@ static void tie(thud_world *w, int *parents, int a, int b)
     }
 }
 
-bool td_islands_label(thud_world *w)
-{
+bool td_islands_label(thud_world *w) {
     td_array *parents = &w->scratch.parents;
     if (!td_array_reserve(&w->memory, parents, w->body_of.count)) {
         return false;
@@ -171,8 +161,7 @@ bool td_islands_label(thud_world *w)
 }
 
 /* Puts the bodies listed to sleep; false, and nothing has changed, when memory is short. */
-static bool put_to_sleep(thud_world *w)
-{
+static bool put_to_sleep(thud_world *w) {
     td_array *bodies = &w->scratch.bodies, *contacts = &w->scratch.contacts;
     contacts->count = 0;
     for (int i = 0; i < bodies->count; i++) {
@@ -217,14 +206,13 @@ static bool put_to_sleep(thud_world *w)
     return true;
 }
 
-static bool is_due(const thud_world *w, int bodies)
-{
+static bool is_due(const thud_world *w, int bodies) {
     return w->def.sleeping && bodies > 0 && w->steps % 8 == 0;
 }
 
-bool td_sleep_reserve(thud_world *w)
-{
-    /* A body that enters or wakes has not been counted: a long step by itself may be enough for it. */
+bool td_sleep_reserve(thud_world *w) {
+    /* A body that enters or wakes has not been counted: a long step by itself may be enough for it.
+     */
     bool long_step = (float)w->def.time_step >= TD_SLEEP_TIME;
     /* Room for sleeping lanes may move the blocks, so they are listed again. */
     return !is_due(w, long_step ? w->body_of.count : w->drowsy_bodies) ||
@@ -232,8 +220,7 @@ bool td_sleep_reserve(thud_world *w)
             td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count));
 }
 
-void td_sleep(thud_world *w)
-{
+void td_sleep(thud_world *w) {
     if (!is_due(w, w->idle_bodies) || !td_islands_label(w)) {
         return;
     }

@@ -3,47 +3,39 @@
 
 #include <string.h>
 
-static int *ints(const td_array *array)
-{
+static int *ints(const td_array *array) {
     return array->data;
 }
 
 /* Of the present system. */
-static int *places(const td_sparse *s)
-{
+static int *places(const td_sparse *s) {
     return ints(&s->place) + s->now.place;
 }
 
-static int *nodes(const td_sparse *s)
-{
+static int *nodes(const td_sparse *s) {
     return ints(&s->node) + s->now.place;
 }
 
-static int *columns(const td_sparse *s)
-{
+static int *columns(const td_sparse *s) {
     return ints(&s->column) + s->now.place;
 }
 
-static int *rows(const td_sparse *s)
-{
+static int *rows(const td_sparse *s) {
     return ints(&s->row) + s->now.row;
 }
 
-static uint64_t *ties_of(const td_sparse *s, int node)
-{
+static uint64_t *ties_of(const td_sparse *s, int node) {
     return (uint64_t *)s->ties.data + (size_t)node * (size_t)s->words;
 }
 
 /* Room from the start for what is usual. */
-static bool roomy(td_memory *memory, td_array *array, int count)
-{
+static bool roomy(td_memory *memory, td_array *array, int count) {
     return td_array_reserve(memory, array, td_max_int(count, 128));
 }
 
-void td_sparse_init(td_sparse *s)
-{
+void td_sparse_init(td_sparse *s) {
     td_array *const lists[] = {&s->degree, &s->next, &s->prev, &s->head, &s->place, &s->node,
-                               &s->column, &s->row, &s->map, &s->walk, &s->chain};
+                               &s->column, &s->row,  &s->map,  &s->walk, &s->chain};
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
         lists[i]->stride = (int)sizeof(int);
     }
@@ -51,31 +43,27 @@ void td_sparse_init(td_sparse *s)
     s->diagonal.stride = s->entry.stride = (int)sizeof(td_block3);
 }
 
-void td_sparse_free(td_memory *memory, td_sparse *s)
-{
-    td_array *const arrays[] = {&s->ties,   &s->degree, &s->next,     &s->prev,  &s->head,
-                                &s->place,  &s->node,   &s->column,   &s->row,   &s->diagonal,
-                                &s->entry,  &s->map,    &s->walk,     &s->chain};
+void td_sparse_free(td_memory *memory, td_sparse *s) {
+    td_array *const arrays[] = {&s->ties,  &s->degree, &s->next,   &s->prev, &s->head,
+                                &s->place, &s->node,   &s->column, &s->row,  &s->diagonal,
+                                &s->entry, &s->map,    &s->walk,   &s->chain};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         td_array_free(memory, arrays[i]);
     }
 }
 
 /* A column more than nodes in each system, which has a node at least. */
-bool td_sparse_reserve(td_memory *memory, td_sparse *s, int nodes)
-{
+bool td_sparse_reserve(td_memory *memory, td_sparse *s, int nodes) {
     return roomy(memory, &s->place, 2 * nodes) && roomy(memory, &s->node, 2 * nodes) &&
            roomy(memory, &s->column, 2 * nodes);
 }
 
-void td_sparse_forget(td_sparse *s)
-{
+void td_sparse_forget(td_sparse *s) {
     s->now = (td_system){0};
     s->row.count = 0;
 }
 
-bool td_sparse_begin(td_memory *memory, td_sparse *s, int size)
-{
+bool td_sparse_begin(td_memory *memory, td_sparse *s, int size) {
     td_array *const lists[] = {&s->degree, &s->next, &s->prev,  &s->head,
                                &s->map,    &s->walk, &s->chain, &s->diagonal};
     int place = s->now.size ? s->now.place + s->now.size + 1 : 0;
@@ -94,8 +82,7 @@ bool td_sparse_begin(td_memory *memory, td_sparse *s, int size)
     return true;
 }
 
-void td_sparse_tie(td_sparse *s, int a, int b)
-{
+void td_sparse_tie(td_sparse *s, int a, int b) {
     assert(a != b);
     ties_of(s, a)[b / 64] |= 1ull << (b % 64);
     ties_of(s, b)[a / 64] |= 1ull << (a % 64);
@@ -103,8 +90,7 @@ void td_sparse_tie(td_sparse *s, int a, int b)
 
 /* ---- order ---- */
 
-static void list(td_sparse *s, int node)
-{
+static void list(td_sparse *s, int node) {
     int degree = ints(&s->degree)[node], first = ints(&s->head)[degree];
     ints(&s->next)[node] = first;
     ints(&s->prev)[node] = TD_NONE;
@@ -114,8 +100,7 @@ static void list(td_sparse *s, int node)
     ints(&s->head)[degree] = node;
 }
 
-static void unlist(td_sparse *s, int node)
-{
+static void unlist(td_sparse *s, int node) {
     int next = ints(&s->next)[node], prev = ints(&s->prev)[node];
     if (next != TD_NONE) {
         ints(&s->prev)[next] = prev;
@@ -127,8 +112,7 @@ static void unlist(td_sparse *s, int node)
     }
 }
 
-static void count_degree(td_sparse *s, int node)
-{
+static void count_degree(td_sparse *s, int node) {
     int degree = 0;
     for (int i = 0; i < s->words; i++) {
         degree += __builtin_popcountll(ties_of(s, node)[i]);
@@ -137,8 +121,7 @@ static void count_degree(td_sparse *s, int node)
 }
 
 /* Appends the node's neighbours to the rows of its column; they become each other's. */
-static bool eliminate(td_memory *memory, td_sparse *s, int node)
-{
+static bool eliminate(td_memory *memory, td_sparse *s, int node) {
     int first = s->row.count, degree = ints(&s->degree)[node];
     if (!roomy(memory, &s->row, first + degree)) {
         return false;
@@ -165,8 +148,7 @@ static bool eliminate(td_memory *memory, td_sparse *s, int node)
 }
 
 /* The rows of a column are nodes yet: they become places, rising. */
-static void settle_column(td_sparse *s, int first, int end)
-{
+static void settle_column(td_sparse *s, int first, int end) {
     int *row = rows(s);
     for (int i = first; i < end; i++) {
         int place = places(s)[row[i]], k = i;
@@ -177,8 +159,7 @@ static void settle_column(td_sparse *s, int first, int end)
     }
 }
 
-bool td_sparse_order(td_memory *memory, td_sparse *s)
-{
+bool td_sparse_order(td_memory *memory, td_sparse *s) {
     int size = s->now.size;
     for (int degree = 0; degree <= size; degree++) {
         ints(&s->head)[degree] = TD_NONE;
@@ -211,8 +192,7 @@ bool td_sparse_order(td_memory *memory, td_sparse *s)
     return roomy(memory, &s->entry, columns(s)[size]);
 }
 
-int td_sparse_find(const td_sparse *s, int a, int b)
-{
+int td_sparse_find(const td_sparse *s, int a, int b) {
     int pa = places(s)[a], pb = places(s)[b];
     int low = columns(s)[td_min_int(pa, pb)], row = td_max_int(pa, pb);
     int high = columns(s)[td_min_int(pa, pb) + 1] - 1;
@@ -230,8 +210,7 @@ int td_sparse_find(const td_sparse *s, int a, int b)
 
 /* ---- numbers ---- */
 
-void td_sparse_clear(td_sparse *s)
-{
+void td_sparse_clear(td_sparse *s) {
     size_t entries = (size_t)columns(s)[s->now.size];
     memset(s->diagonal.data, 0, (size_t)s->now.size * sizeof(td_block3));
     if (entries) {
@@ -240,8 +219,7 @@ void td_sparse_clear(td_sparse *s)
 }
 
 /* c -= a b' */
-static void subtract_product(double *c, const double *a, const double *b)
-{
+static void subtract_product(double *c, const double *a, const double *b) {
     for (int i = 0; i < 9; i += 3) {
         for (int k = 0; k < 3; k++) {
             c[i + k] -= a[i] * b[3 * k] + a[i + 1] * b[3 * k + 1] + a[i + 2] * b[3 * k + 2];
@@ -249,10 +227,9 @@ static void subtract_product(double *c, const double *a, const double *b)
     }
 }
 
-/* Cholesky's of a single block; the upper half is left alone. A pivot that cancellation has used up,
- * down to rounding, is none. */
-static bool factor_block(double *a)
-{
+/* Cholesky's of a single block; the upper half is left alone. A pivot that cancellation has used
+ * up, down to rounding, is none. */
+static bool factor_block(double *a) {
     double p0 = a[0];
     if (!(p0 > 0.0)) {
         return false;
@@ -275,8 +252,7 @@ static bool factor_block(double *a)
 }
 
 /* a becomes a l'^-1, for the factor of a diagonal block. */
-static void divide_by_factor(double *a, const double *l)
-{
+static void divide_by_factor(double *a, const double *l) {
     double i0 = 1.0 / l[0], i4 = 1.0 / l[4], i8 = 1.0 / l[8];
     for (int i = 0; i < 9; i += 3) {
         a[i] *= i0;
@@ -287,8 +263,7 @@ static void divide_by_factor(double *a, const double *l)
 
 /* The columns that reach a row are chained: chain[row] is the first, next[column] the one after it;
  * walk[column] is the entry that it has in that row. */
-static void chain_up(td_sparse *s, int column)
-{
+static void chain_up(td_sparse *s, int column) {
     if (ints(&s->walk)[column] < columns(s)[column + 1]) {
         int row = rows(s)[ints(&s->walk)[column]];
         ints(&s->next)[column] = ints(&s->chain)[row];
@@ -296,8 +271,7 @@ static void chain_up(td_sparse *s, int column)
     }
 }
 
-bool td_sparse_factor(td_sparse *s)
-{
+bool td_sparse_factor(td_sparse *s) {
     const int *row = rows(s);
     td_block3 *diagonal = s->diagonal.data, *entry = s->entry.data;
     for (int place = 0; place < s->now.size; place++) {
@@ -330,8 +304,7 @@ bool td_sparse_factor(td_sparse *s)
     return true;
 }
 
-void td_sparse_solve(const td_sparse *s, double (*x)[3], double (*y)[3])
-{
+void td_sparse_solve(const td_sparse *s, double (*x)[3], double (*y)[3]) {
     const int *row = rows(s), *column = columns(s), *node = nodes(s);
     const td_block3 *diagonal = s->diagonal.data, *entry = s->entry.data;
     for (int p = 0; p < s->now.size; p++) {
@@ -345,7 +318,8 @@ void td_sparse_solve(const td_sparse *s, double (*x)[3], double (*y)[3])
         for (int i = column[p]; i < column[p + 1]; i++) {
             const double *e = entry[i].at;
             for (int k = 0; k < 3; k++) {
-                y[row[i]][k] -= e[3 * k] * y[p][0] + e[3 * k + 1] * y[p][1] + e[3 * k + 2] * y[p][2];
+                y[row[i]][k] -=
+                    e[3 * k] * y[p][0] + e[3 * k + 1] * y[p][1] + e[3 * k + 2] * y[p][2];
             }
         }
     }

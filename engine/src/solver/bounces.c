@@ -1,22 +1,22 @@
-/* bounces.c: see bounces.h. The solver would stop what closes in at a distance, and push apart what has
- * just bounced: both change its energy. It keeps what rests on each other. */
+/* bounces.c: see bounces.h. The solver would stop what closes in at a distance, and push apart what
+ * has just bounced: both change its energy. It keeps what rests on each other. */
 #include "solver/bounces.h"
 
 #include "detection/trajectory.h"
 #include "contact/lanes.h"
 #include "state/surface.h"
 
-/* As TD_BOUNCE_REST, of pairs in flight: the solver gets them if they meet more slowly. As little as can
- * be, since its touch breaks their trajectory. */
+/* As TD_BOUNCE_REST, of pairs in flight: the solver gets them if they meet more slowly. As little
+ * as can be, since its touch breaks their trajectory. */
 #define TOUCH 0.015625
 /* Share of a weight; less is but what roundings leave. */
 #define LOAD 0.01f
-/* In multiples of TD_MEET: what touches may be pressed together by nearly as much, see impacts.c. */
+/* In multiples of TD_MEET: what touches may be pressed together by nearly as much, see impacts.c.
+ */
 #define PRESSED 0.25f
 
 /* One side's gravity along the normal, and how strong it is; lengths/s^2. */
-static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *most)
-{
+static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *most) {
     int slot = (int)(side / TD_AWAKE_BYTES);
     const td_body *body = slot ? td_body_at(w, *(int *)td_at(&w->body_of, slot)) : NULL;
     if (!body || body->kind != THUD_DYNAMIC) {
@@ -28,8 +28,7 @@ static double gravity_of(const thud_world *w, uint32_t side, double nx, double n
     return x * nx + y * ny;
 }
 
-static td_trajectory *trajectory_of(const thud_world *w, uint32_t side)
-{
+static td_trajectory *trajectory_of(const thud_world *w, uint32_t side) {
     int slot = (int)(side / TD_AWAKE_BYTES);
     return slot ? td_trajectory_at(w, slot) : NULL;
 }
@@ -40,8 +39,7 @@ typedef struct lane {
     bool loaded; /* in the step before it bore more than a share of a weight */
 } lane;
 
-static lane lane_of(const thud_world *w, td_block *block, int index)
-{
+static lane lane_of(const thud_world *w, td_block *block, int index) {
     int kind = td_contact_at(w, block->contact[index])->kind;
     lane l = {block, index, td_form_points(w->pairs[kind]->form), false};
     float x = w->def.gravity.x, y = w->def.gravity.y;
@@ -53,15 +51,13 @@ static lane lane_of(const thud_world *w, td_block *block, int index)
     return l;
 }
 
-static bool is_borne(const thud_world *w, const lane *l)
-{
+static bool is_borne(const thud_world *w, const lane *l) {
     const td_trajectory *a = trajectory_of(w, l->block->a[l->index]);
     const td_trajectory *b = trajectory_of(w, l->block->b[l->index]);
     return (a && a->borne) || (b && b->borne);
 }
 
-static void note_borne(const thud_world *w, td_block *block)
-{
+static void note_borne(const thud_world *w, td_block *block) {
     for (int k = 0; k < block->used; k++) {
         if (lane_of(w, block, k).loaded) {
             td_trajectory *a = trajectory_of(w, block->a[k]), *b = trajectory_of(w, block->b[k]);
@@ -75,10 +71,9 @@ static void note_borne(const thud_world *w, td_block *block)
     }
 }
 
-/* Restitution below 1: what is well apart and closes fast. Where it touches already, the solver is the
- * one that takes a heap apart. */
-static bool bounces_lossily(const thud_world *w, const lane *l)
-{
+/* Restitution below 1: what is well apart and closes fast. Where it touches already, the solver is
+ * the one that takes a heap apart. */
+static bool bounces_lossily(const thud_world *w, const lane *l) {
     float slow = w->def.restitution_threshold * w->unit;
     bool apart = true, closes = false;
     for (int k = 0; k < l->points; k++) {
@@ -90,10 +85,10 @@ static bool bounces_lossily(const thud_world *w, const lane *l)
     return apart && closes;
 }
 
-/* Elastic: what will meet faster than bodies at rest do, and what has; closing^2 + 2 * gravity * height
- * is the square of that speed. A pair that the solver bears stands a skin above where it meets. */
-static bool bounces_elastically(const thud_world *w, const lane *l)
-{
+/* Elastic: what will meet faster than bodies at rest do, and what has; closing^2 + 2 * gravity *
+ * height is the square of that speed. A pair that the solver bears stands a skin above where it
+ * meets. */
+static bool bounces_elastically(const thud_world *w, const lane *l) {
     double nx = (double)l->block->nx[l->index], ny = (double)l->block->ny[l->index], most = 0.0;
     double pull = gravity_of(w, l->block->a[l->index], nx, ny, &most);
     pull = td_max_double(pull - gravity_of(w, l->block->b[l->index], nx, ny, &most), 0.0);
@@ -114,8 +109,7 @@ static bool bounces_elastically(const thud_world *w, const lane *l)
 }
 
 /* What touches without load is not pushed apart to the distance at which contacts rest. */
-static void stay(const thud_world *w, const lane *l)
-{
+static void stay(const thud_world *w, const lane *l) {
     for (int k = 0; k < l->points; k++) {
         td_point *p = &l->block->point[k];
         float distance = p->base[l->index] + w->skin;
@@ -125,8 +119,7 @@ static void stay(const thud_world *w, const lane *l)
     }
 }
 
-static void take(thud_world *w, td_block *block, int index)
-{
+static void take(thud_world *w, td_block *block, int index) {
     const td_contact *contact = td_contact_at(w, block->contact[index]);
     const thud_detection *detection = td_detection_of(w, contact->body[0], contact->body[1]);
     if (!detection->meet) {
@@ -141,8 +134,7 @@ static void take(thud_world *w, td_block *block, int index)
     }
 }
 
-void td_bounces_take(thud_world *w)
-{
+void td_bounces_take(thud_world *w) {
     if (w->bouncy == 0 || w->skin == 0.0f) {
         return;
     }

@@ -4,9 +4,9 @@
 
 #include "state/world.h"
 
-/* Elastic pairs lose nothing however slowly they meet, up to where they are better taken for at rest. In
- * multiples of the speed that gravity gives in a step: in free trajectory, below this a pair would meet some
- * eight times within the step; ... */
+/* Elastic pairs lose nothing however slowly they meet, up to where they are better taken for at
+ * rest. In multiples of the speed that gravity gives in a step: in free trajectory, below this a
+ * pair would meet some eight times within the step; ... */
 #define TD_BOUNCE_REST 0.125
 /* ... what contacts bear trembles a little, and does not begin to bounce by itself. */
 #define TD_BOUNCE_BORNE 4.0

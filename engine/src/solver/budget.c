@@ -1,6 +1,6 @@
-/* budget.c: see budget.h. Substeps are halved where the median of some steps is over the budget, and
- * doubled again, up to the quality's, where that would leave a good part of it. Which is a matter of
- * the clock, and therefore not deterministic. */
+/* budget.c: see budget.h. Substeps are halved where the median of some steps is over the budget,
+ * and doubled again, up to the quality's, where that would leave a good part of it. Which is a
+ * matter of the clock, and therefore not deterministic. */
 #include "solver/budget.h"
 
 #include "solver/quality.h"
@@ -9,8 +9,7 @@
  * they do not fall again at the next breath. */
 #define RISE_SHARE 0.8
 
-static double median_of(const double *times)
-{
+static double median_of(const double *times) {
     double sorted[TD_BUDGET_STEPS];
     for (int i = 0; i < TD_BUDGET_STEPS; i++) {
         int k = i;
@@ -22,8 +21,7 @@ static double median_of(const double *times)
     return sorted[TD_BUDGET_STEPS / 2];
 }
 
-void td_budget_keep(thud_world *w)
-{
+void td_budget_keep(thud_world *w) {
     td_budget *b = &w->budget;
     if (w->def.time_budget == 0.0) {
         return;

@@ -4,18 +4,16 @@
 #include "state/kinds.h"
 #include "contact/lanes.h"
 
-/* What wakes, falls asleep or is edited makes the energy of the last step stale; and so may detection
- * that resolves collisions after its finish. */
-void td_error_begin(thud_world *w)
-{
+/* What wakes, falls asleep or is edited makes the energy of the last step stale; and so may
+ * detection that resolves collisions after its finish. */
+void td_error_begin(thud_world *w) {
     if (w->kinetic_stale || w->detections[TD_RANK_BISECT] || w->detections[TD_RANK_SWEPT]) {
         w->kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
     }
     w->errors = (td_errors){.energy_change = -w->kinetic};
 }
 
-void td_error_add(thud_world *w, const td_tally *found)
-{
+void td_error_add(thud_world *w, const td_tally *found) {
     td_errors *e = &w->errors;
     for (int i = 0; i < TD_LANES; i++) {
         e->points += found->points[i];
@@ -26,22 +24,19 @@ void td_error_add(thud_world *w, const td_tally *found)
     e->depth += found->depth[0] + found->depth[1] + found->depth[2] + found->depth[3];
 }
 
-float td_error_overlap(const thud_world *w)
-{
+float td_error_overlap(const thud_world *w) {
     return w->def.max_error > 0.0 ? (float)w->def.max_error : TD_SLOP * w->unit;
 }
 
 /* Normal velocity of a point; negative where it closes. */
-static float speed_of(const thud_world *w, const td_block *block, const td_point *p, int lane)
-{
+static float speed_of(const thud_world *w, const td_block *block, const td_point *p, int lane) {
     const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
     const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
     return (b[0] - a[0]) * block->nx[lane] + (b[1] - a[1]) * block->ny[lane] +
            b[2] * p->cross_b[lane] - a[2] * p->cross_a[lane];
 }
 
-static void count_block(thud_world *w, const td_block *block, int points)
-{
+static void count_block(thud_world *w, const td_block *block, int points) {
     td_errors *e = &w->errors;
     float inv_h = (float)(w->substeps / w->def.time_step);
     for (int lane = 0; lane < block->used; lane++) {
@@ -62,8 +57,7 @@ static void count_block(thud_world *w, const td_block *block, int points)
     }
 }
 
-void td_error_recount(thud_world *w)
-{
+void td_error_recount(thud_world *w) {
     w->errors = (td_errors){.energy_change = w->errors.energy_change};
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = td_at(&w->scratch.runs, i);

@@ -4,14 +4,15 @@
 
 #include "state/world.h"
 
-/* Before the solver: nothing has been found yet, and energy counts from the velocities as they are. */
+/* Before the solver: nothing has been found yet, and energy counts from the velocities as they are.
+ */
 void td_error_begin(thud_world *w);
 
 /* Adds what a worker found of the contact points that it solved. */
 void td_error_add(thud_world *w, const td_tally *found);
 
-/* Counts all points anew, from separations and velocities as they stand: for a stage that solves some
- * of them again. That is a pass over all contacts by itself. */
+/* Counts all points anew, from separations and velocities as they stand: for a stage that solves
+ * some of them again. That is a pass over all contacts by itself. */
 void td_error_recount(thud_world *w);
 
 /* Penetration from which on a point is an overlap. */

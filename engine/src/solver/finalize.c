@@ -1,6 +1,7 @@
-/* finalize.c: motion becomes pose. Reads velocity and delta of every awake body; writes poses, shape
- * places, fat bounds, idle times, the moved list and the list of fast bodies. A body that is not
- * finite is frozen where it was and reported: its contacts end, nobody else hears of its values. */
+/* finalize.c: motion becomes pose. Reads velocity and delta of every awake body; writes poses,
+ * shape places, fat bounds, idle times, the moved list and the list of fast bodies. A body that is
+ * not finite is frozen where it was and reported: its contacts end, nobody else hears of its
+ * values. */
 #include "state/awake.h"
 #include "state/body.h"
 #include "contact/contact.h"
@@ -11,22 +12,19 @@
 
 #include <string.h>
 
-static bool row_finite(const float *row)
-{
+static bool row_finite(const float *row) {
     return td_finite((double)row[0] + (double)row[1] + (double)row[2]);
 }
 
 /* The body in slot `from` is in slot `to` now. */
-static void follow_slot(td_array *slots, int from, int to)
-{
+static void follow_slot(td_array *slots, int from, int to) {
     int *list = slots->data;
     for (int i = 0; i < slots->count; i++) {
         list[i] = list[i] == from ? to : list[i];
     }
 }
 
-static void quarantine(thud_world *w, int index)
-{
+static void quarantine(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     int slot = body->awake;
     memset(td_row(&w->velocity, body->awake), 0, sizeof(float[4]));
@@ -50,8 +48,7 @@ static void quarantine(thud_world *w, int index)
     td_refuse(w, THUD_ERROR_INVALID, "a body became non-finite and is quarantined");
 }
 
-static void move(thud_world *w, int index, const float *delta)
-{
+static void move(thud_world *w, int index, const float *delta) {
     td_pose *pose = td_pose_at(w, index);
     pose->center.x += td_length_from(w, delta[0]);
     pose->center.y += td_length_from(w, delta[1]);
@@ -61,14 +58,12 @@ static void move(thud_world *w, int index, const float *delta)
     }
 }
 
-bool td_finalize_reserve(thud_world *w)
-{
+bool td_finalize_reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.fast, w->body_of.count) &&
            td_array_reserve(&w->memory, &w->scratch.odd, w->body_of.count);
 }
 
-void td_finalize(thud_world *w)
-{
+void td_finalize(thud_world *w) {
     w->idle_bodies = w->drowsy_bodies = 0;
     w->scratch.fast.count = w->scratch.odd.count = 0;
     TD_PICK_WIDE(w, td_finalize_bodies)(w);

@@ -4,8 +4,8 @@
 
 #include "contact/block.h"
 
-/* rad/s: the fastest spin. Nothing needs it but that values stay finite: circles do not care how far
- * they turn in a step, and free boxes turn by all of it. See thud_body_def. */
+/* rad/s: the fastest spin. Nothing needs it but that values stay finite: circles do not care how
+ * far they turn in a step, and free boxes turn by all of it. See thud_body_def. */
 #define TD_SPIN_MOST 1.0e8f
 
 typedef struct td_motion_context {
@@ -24,8 +24,8 @@ typedef void td_integrate_velocity_fn(const td_motion_context *context, bool fir
 typedef void td_integrate_position_fn(const td_motion_context *context);
 struct thud_world;
 
-/* wide_finalize.c: the end of the step; fills scratch.odd, scratch.fast and the moved list, and sums up
- * energies. */
+/* wide_finalize.c: the end of the step; fills scratch.odd, scratch.fast and the moved list, and
+ * sums up energies. */
 typedef void td_finalize_bodies_fn(struct thud_world *world);
 
 /* Kinetic energy of all awake bodies, to the bit as the finish sums it up. */

@@ -5,13 +5,11 @@
 #include "state/handles.h"
 #include "contact/lanes.h"
 
-static bool between(float x, float low, float high)
-{
+static bool between(float x, float low, float high) {
     return x >= low && x <= high;
 }
 
-const char *td_quality_error(const thud_quality *q)
-{
+const char *td_quality_error(const thud_quality *q) {
     if (q->substeps < 1 || q->substeps > 64) {
         return "quality: substeps is not in 1..64";
     }
@@ -21,15 +19,14 @@ const char *td_quality_error(const thud_quality *q)
     if (!q->detection) {
         return "quality: detection is null";
     }
-    if (!(q->sag_limit >= 0.0f) || q->island_limit < 1 || q->island_limit > TD_ISLAND_MOST || q->island_work < 0 ||
-        q->island_patience < 0 || q->island_patience > 1000) {
+    if (!(q->sag_limit >= 0.0f) || q->island_limit < 1 || q->island_limit > TD_ISLAND_MOST ||
+        q->island_work < 0 || q->island_patience < 0 || q->island_patience > 1000) {
         return "quality: a limit of islands is out of range";
     }
     return NULL;
 }
 
-const char *td_max_error_error(double max_error, const thud_quality *quality)
-{
+const char *td_max_error_error(double max_error, const thud_quality *quality) {
     if (!(max_error >= 0.0 && max_error <= 1e9)) {
         return "max_error is not in [0, 1e9]";
     }
@@ -38,8 +35,7 @@ const char *td_max_error_error(double max_error, const thud_quality *quality)
 }
 
 /* Bodies that chose nothing themselves follow the world. */
-static void detect_by(thud_world *w, const thud_detection *detection)
-{
+static void detect_by(thud_world *w, const thud_detection *detection) {
     /* What is solved directly is not pressed together, and has no need of a thick skin. */
     bool direct = w->quality.islands && w->quality.sag_limit == 0.0f;
     float skin = detection->rank < TD_RANK_BISECT ? 0.0f : (direct ? TD_MEET : TD_SKIN) * w->unit;
@@ -60,8 +56,7 @@ static void detect_by(thud_world *w, const thud_detection *detection)
 }
 
 /* Impulses are those of one substep, and carry over into substeps of another length. */
-static void scale_impulses(thud_world *w, float scale)
-{
+static void scale_impulses(thud_world *w, float scale) {
     for (int i = 0; i < w->contacts.count; i++) {
         const td_contact *contact = td_contact_at(w, i);
         if (!contact->live || contact->state != TD_TOUCHING) {
@@ -76,13 +71,11 @@ static void scale_impulses(thud_world *w, float scale)
     }
 }
 
-int td_substeps_asked(const thud_world *w)
-{
+int td_substeps_asked(const thud_world *w) {
     return w->def.substeps ? w->def.substeps : w->quality.substeps;
 }
 
-void td_substeps_set(thud_world *w, int substeps)
-{
+void td_substeps_set(thud_world *w, int substeps) {
     if (substeps != w->substeps) {
         scale_impulses(w, (float)w->substeps / (float)substeps);
         w->substeps = substeps;
@@ -90,8 +83,7 @@ void td_substeps_set(thud_world *w, int substeps)
     }
 }
 
-void td_quality_take(thud_world *w, const thud_quality *quality)
-{
+void td_quality_take(thud_world *w, const thud_quality *quality) {
     w->quality = *quality;
     if (w->def.contact_stiffness != 0.0f) {
         w->quality.contact_stiffness = w->def.contact_stiffness;
@@ -106,8 +98,7 @@ void td_quality_take(thud_world *w, const thud_quality *quality)
     detect_by(w, w->quality.detection);
 }
 
-thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality)
-{
+thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality) {
     TD_IN_OWN_MODE;
     if (!w || !quality) {
         return td_refuse(w, THUD_ERROR_NULL, "set quality: world or quality is null");
@@ -125,8 +116,7 @@ thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality)
     return THUD_OK;
 }
 
-thud_result thud_world_set_max_error(thud_world *w, double max_error)
-{
+thud_result thud_world_set_max_error(thud_world *w, double max_error) {
     if (!w) {
         return THUD_ERROR_NULL;
     }

@@ -19,7 +19,6 @@ const thud_quality thud_quality_default = {
     .island_patience = 5,
 };
 
-thud_world_def thud_default_world_def(void)
-{
+thud_world_def thud_default_world_def(void) {
     return thud_world_def_of(&thud_quality_default);
 }

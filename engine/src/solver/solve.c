@@ -15,8 +15,7 @@
 #define ELASTIC_REST 4.0f
 
 /* Soft constraint of Catto's "Soft Constraints" (2011) for frequency `hertz` and damping ratio. */
-static void soften(td_solve_context *c, int which, float hertz, float damping, float h)
-{
+static void soften(td_solve_context *c, int which, float hertz, float damping, float h) {
     float omega = 2.0f * (float)TD_PI * hertz;
     float a1 = 2.0f * damping + h * omega;
     float a2 = h * omega * a1;
@@ -26,8 +25,7 @@ static void soften(td_solve_context *c, int which, float hertz, float damping, f
     c->impulse_scale[which] = a3;
 }
 
-static td_solve_context solve_context(const thud_world *w, float h)
-{
+static td_solve_context solve_context(const thud_world *w, float h) {
     float x = w->def.gravity.x, y = w->def.gravity.y, time = (float)w->def.time_step;
     float gained = __builtin_sqrtf(x * x + y * y) * time;
     td_solve_context c = {
@@ -54,14 +52,12 @@ static td_solve_context solve_context(const thud_world *w, float h)
 }
 
 /* What overflows is no number from here on, which no limit of speed can hide: see finalize.c. */
-static float told_apart(float push)
-{
+static float told_apart(float push) {
     return push + (push - push);
 }
 
 /* Velocity gained a substep from gravity and forces; forces act through one step only. */
-static void refresh_push(thud_world *w, float h)
-{
+static void refresh_push(thud_world *w, float h) {
     if (!w->push_stale) {
         return;
     }
@@ -101,9 +97,8 @@ typedef struct solving {
 } solving;
 
 /* What the pass left is tallied while it is near at hand. */
-static void solve_and_tally(const solving *s, td_solve_fn *solve, td_block *const *blocks, int count,
-                            int points)
-{
+static void solve_and_tally(const solving *s, td_solve_fn *solve, td_block *const *blocks,
+                            int count, int points) {
     td_tally_fn *tally = &TD_PICK_WIDE(s->w, td_tally_points);
     for (int i = 0; i < count; i += TD_CHUNK_BLOCKS) {
         int part = td_min_int(count - i, TD_CHUNK_BLOCKS);
@@ -112,8 +107,7 @@ static void solve_and_tally(const solving *s, td_solve_fn *solve, td_block *cons
     }
 }
 
-static void solve_chunk(void *work, int index)
-{
+static void solve_chunk(void *work, int index) {
     const solving *s = work;
     const thud_world *w = s->w;
     const td_chunk *chunk = td_at(&w->scratch.chunks, s->first_chunk + index);
@@ -123,7 +117,7 @@ static void solve_chunk(void *work, int index)
     td_block *const *blocks = (td_block **)w->scratch.blocks.data + chunk->first;
     td_solve_fn *const *fns = s->which == WARM_START ? ops->warm_start
                               : s->which == SOLVE    ? ops->solve
-                                                       : ops->relax;
+                                                     : ops->relax;
     if (s->which == BOUNCE) {
         ops->bounce(blocks, chunk->count, &s->contacts);
     } else if (s->which == RELAX && s->contacts.last) {
@@ -133,15 +127,13 @@ static void solve_chunk(void *work, int index)
     }
 }
 
-static const td_run *run_of_chunk(const thud_world *w, int chunk)
-{
+static const td_run *run_of_chunk(const thud_world *w, int chunk) {
     return td_at(&w->scratch.runs, ((const td_chunk *)td_at(&w->scratch.chunks, chunk))->run);
 }
 
-/* Chunks of one bin have no moving body in common and make a phase; a run that may share bodies with
- * others is one chunk, and a phase by itself. */
-static int phase_end(const thud_world *w, int first)
-{
+/* Chunks of one bin have no moving body in common and make a phase; a run that may share bodies
+ * with others is one chunk, and a phase by itself. */
+static int phase_end(const thud_world *w, int first) {
     const td_run *run = run_of_chunk(w, first);
     int end = first + 1;
     while (end < w->scratch.chunks.count && !td_run_is_single(run) &&
@@ -151,8 +143,7 @@ static int phase_end(const thud_world *w, int first)
     return end;
 }
 
-static void walk(solving *s, pass which)
-{
+static void walk(solving *s, pass which) {
     s->which = which;
     for (int first = 0; first < s->w->scratch.chunks.count;) {
         int end = phase_end(s->w, first);
@@ -165,14 +156,12 @@ static void walk(solving *s, pass which)
 /* Awake slots that a worker takes at once; alone it takes all. */
 enum { BODIES = 512 };
 
-static int bodies_at_once(const solving *s)
-{
+static int bodies_at_once(const solving *s) {
     return s->worker.phase ? BODIES : s->motion.count;
 }
 
 /* The motion context of some of the bodies. */
-static td_motion_context part_of(const solving *s, int chunk)
-{
+static td_motion_context part_of(const solving *s, int chunk) {
     const td_motion_context *m = &s->motion;
     td_motion_context part = *m;
     int most = bodies_at_once(s), first = chunk * most;
@@ -185,31 +174,27 @@ static td_motion_context part_of(const solving *s, int chunk)
     return part;
 }
 
-static void first_velocities(void *work, int chunk)
-{
+static void first_velocities(void *work, int chunk) {
     const solving *s = work;
     td_motion_context part = part_of(s, chunk);
     memset(part.delta, 0, (size_t)part.count * sizeof *part.delta);
     TD_PICK_WIDE(s->w, td_integrate_velocity)(&part, true);
 }
 
-static void velocities(void *work, int chunk)
-{
+static void velocities(void *work, int chunk) {
     const solving *s = work;
     td_motion_context part = part_of(s, chunk);
     TD_PICK_WIDE(s->w, td_integrate_velocity)(&part, false);
 }
 
-static void positions(void *work, int chunk)
-{
+static void positions(void *work, int chunk) {
     const solving *s = work;
     td_motion_context part = part_of(s, chunk);
     TD_PICK_WIDE(s->w, td_integrate_position)(&part);
 }
 
 /* Until nobody closes in fast any more; whether anybody did. */
-static bool bounce(solving *s)
-{
+static bool bounce(solving *s) {
     int passes = 0;
     bool any = s->contacts.bounces;
     while (any && passes < TD_BOUNCE_PASSES) {
@@ -222,8 +207,7 @@ static bool bounce(solving *s)
 }
 
 /* One worker's way through all substeps. */
-static void substeps(void *argument)
-{
+static void substeps(void *argument) {
     solving own = *(const solving *)argument, *s = &own;
     s->worker = td_worker_arrive(s->task);
     int bodies = (s->motion.count + bodies_at_once(s) - 1) / bodies_at_once(s);
@@ -247,8 +231,7 @@ static void substeps(void *argument)
     }
 }
 
-void td_solve(thud_world *w)
-{
+void td_solve(thud_world *w) {
     td_tally tallies[THUD_WORKERS_MAX];
     atomic_bool bounced[TD_BOUNCE_PASSES] = {false};
     float h = (float)(w->def.time_step / w->substeps);

@@ -1,8 +1,8 @@
 /* tally.h: the errors of contact points, as the last relax pass leaves them.
  *
- * Sums are of whole numbers, so that the order in which workers add up does not matter. A point that
- * is not there lies TD_APART apart, and so shows in no figure but the count, which looks at its
- * mass. */
+ * Sums are of whole numbers, so that the order in which workers add up does not matter. A point
+ * that is not there lies TD_APART apart, and so shows in no figure but the count, which looks at
+ * its mass. */
 #ifndef TD_TALLY_H
 #define TD_TALLY_H
 
@@ -10,9 +10,9 @@
 
 /* What a worker found, lane by lane; a td_tally of zeros has found nothing. */
 typedef struct td_tally {
-    d4 depth;         /* sum of penetrations, whole position quanta */
-    f8 least;         /* separation, <= 0 */
-    f8 slowest;       /* normal speed before the last correction, <= 0: approach */
+    d4 depth;            /* sum of penetrations, whole position quanta */
+    f8 least;            /* separation, <= 0 */
+    f8 slowest;          /* normal speed before the last correction, <= 0: approach */
     i8 points, overlaps; /* overlaps: points deeper than td_tally_context.overlap */
 } td_tally;
 

@@ -1,39 +1,37 @@
 /* wide_bounce.h: restitution, over blocks of one or two points.
  *
- * Before all substeps points that close in fast, and are going to meet in this step, part at once: each
- * pair by itself, so that none gains energy; and again, while what they did has others close in, so
- * that a row hands on what hits it. The solver then finds nothing to stop. Where it has stopped
- * something all the same, as what stands on ground that does not bounce, a last pass after it gives the
- * pair its speed back, with no more than the energy that it had. */
+ * Before all substeps points that close in fast, and are going to meet in this step, part at once:
+ * each pair by itself, so that none gains energy; and again, while what they did has others close
+ * in, so that a row hands on what hits it. The solver then finds nothing to stop. Where it has
+ * stopped something all the same, as what stands on ground that does not bounce, a last pass after
+ * it gives the pair its speed back, with no more than the energy that it had. */
 #ifndef TD_WIDE_BOUNCE_H
 #define TD_WIDE_BOUNCE_H
 
 #include "solver/wide_solve.h"
 
-TD_INLINE f8 over(f8 x, f8 inverse)
-{
+TD_INLINE f8 over(f8 x, f8 inverse) {
     return f8_keep(inverse > f8_all(0.0f), x / inverse);
 }
 
 /* Twice the kinetic energy of what can be moved of a pair. */
-TD_INLINE f8 energy_of(const td_block *block, const sides *v)
-{
+TD_INLINE f8 energy_of(const td_block *block, const sides *v) {
     return over(v->a.x * v->a.x + v->a.y * v->a.y, v->a.w) +
            over(v->b.x * v->b.x + v->b.y * v->b.y, v->b.w) +
-           over(v->a.z * v->a.z, block->inv_inertia_a) + over(v->b.z * v->b.z, block->inv_inertia_b);
+           over(v->a.z * v->a.z, block->inv_inertia_a) +
+           over(v->b.z * v->b.z, block->inv_inertia_b);
 }
 
 /* Velocities without what the substeps have let fall. */
-TD_INLINE td_rows unfallen(td_rows v, td_rows push, f8 substeps)
-{
-    return (td_rows){v.x - substeps * push.x, v.y - substeps * push.y, v.z - substeps * push.z, v.w};
+TD_INLINE td_rows unfallen(td_rows v, td_rows push, f8 substeps) {
+    return (td_rows){v.x - substeps * push.x, v.y - substeps * push.y, v.z - substeps * push.z,
+                     v.w};
 }
 
-/* Impulses that take what the points lack that are hit. Of two both act at once, if both push; or else
- * the one after which the other lacks nothing. */
+/* Impulses that take what the points lack that are hit. Of two both act at once, if both push; or
+ * else the one after which the other lacks nothing. */
 TD_INLINE void take_lacks(const td_block *block, const sides *v, int points, const i8 *hit,
-                          const f8 *lacks, f8 *normal)
-{
+                          const f8 *lacks, f8 *normal) {
     f8 m = block->point[0].normal_mass;
     normal[0] = f8_keep(hit[0], -m * lacks[0]);
     if (points == 2) {
@@ -51,15 +49,15 @@ TD_INLINE void take_lacks(const td_block *block, const sides *v, int points, con
 
 /* Friction, by the normal impulses of the bounce. */
 TD_INLINE f8 rub_off(const td_solve_context *c, td_block *block, int points, const sides *v,
-                     const f8 *normal)
-{
+                     const f8 *normal) {
     f8 limit = block->friction * (points == 2 ? normal[0] + normal[1] : normal[0]);
     f8 slide = centres_along(v, false, block->ny, -block->nx);
     slide = at_arms(slide, v, false, block->tangent_cross_a, block->tangent_cross_b);
     for (int k = 0; k < points; k++) {
         const td_point *p = &block->point[k];
         slide += coupling(block, false, p->cross_a, p->cross_b, block->tangent_cross_a,
-                          block->tangent_cross_b) * normal[k];
+                          block->tangent_cross_b) *
+                 normal[k];
     }
     if (c->surface_speeds) {
         slide -= td_surface_at(block, points)->speed;
@@ -69,8 +67,7 @@ TD_INLINE f8 rub_off(const td_solve_context *c, td_block *block, int points, con
 
 /* Static sides are read as the dummy, which is at rest and has no mass. */
 TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                             int points)
-{
+                             int points) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), half = f8_all(0.5f);
     bool last = c->bounce == TD_BOUNCE_LAST, any = false;
     for (int i = 0; i < count; i++) {
@@ -102,8 +99,8 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
                 wanted[k] = -e * history[k].approach;
                 hit[k] = bounced & (speed[k] < wanted[k]);
             } else {
-                /* Substeps let fall, then move: by half of one's fall speeds are behind where bodies
-                 * are, and an impact would lose as much. */
+                /* Substeps let fall, then move: by half of one's fall speeds are behind where
+                 * bodies are, and an impact would lose as much. */
                 f8 behind = half * at_point(falling, &g, false, ARMS_ALL, p);
                 wanted[k] = -share * (speed[k] + behind) - behind;
                 hit[k] = (speed[k] < slow) & (e > zero) &

@@ -1,7 +1,7 @@
-/* wide_finalize.c: the end of the step for bodies with one plain shape, eight at a time: pose, shape,
- * idle time, and whether the shape left its fat bounds. Bodies that need more thought (several
- * shapes, values that are not finite, motion beyond what the short ways can express) are listed in
- * scratch.odd, for finalize.c to do one by one. */
+/* wide_finalize.c: the end of the step for bodies with one plain shape, eight at a time: pose,
+ * shape, idle time, and whether the shape left its fat bounds. Bodies that need more thought
+ * (several shapes, values that are not finite, motion beyond what the short ways can express) are
+ * listed in scratch.odd, for finalize.c to do one by one. */
 #include "solver/motion.h"
 #include "base/rotation.h"
 #include "solver/wide_energy.h"
@@ -10,8 +10,7 @@
 #include <stddef.h>
 
 /* As td_angle_turn, the same operations in the same order. */
-TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s)
-{
+TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s) {
     u8 quarter = (angle + 0x20000000u) >> 30;
     f8 x = __builtin_convertvector((i8)(angle - (quarter << 30)), f8) *
            f8_all((float)TD_RADIANS_A_QUANTUM);
@@ -24,8 +23,7 @@ TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s)
 }
 
 /* Angle quanta in |radians| < pi / 2. */
-TD_INLINE u8 quanta_of(f8 radians)
-{
+TD_INLINE u8 quanta_of(f8 radians) {
     d4 low = __builtin_convertvector(__builtin_shufflevector(radians, radians, 0, 1, 2, 3), d4);
     d4 high = __builtin_convertvector(__builtin_shufflevector(radians, radians, 4, 5, 6, 7), d4);
     low = low * (1.0 / TD_RADIANS_A_QUANTUM) + TD_ROUND_SHIFT;
@@ -34,25 +32,21 @@ TD_INLINE u8 quanta_of(f8 radians)
     return (u8)__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-static void list_lanes(td_array *list, const int32_t *values, unsigned bits)
-{
+static void list_lanes(td_array *list, const int32_t *values, unsigned bits) {
     for (; bits; bits &= bits - 1) {
         td_push_int(list, values[__builtin_ctz(bits)]);
     }
 }
 
 /* Adds to the time at rest, or starts it over. Kinematic bodies never rest while they move. */
-TD_INLINE void count_idle(thud_world *w, int slot, const td_rows *v, f8 rim, i8 here)
-{
+TD_INLINE void count_idle(thud_world *w, int slot, const td_rows *v, f8 rim, i8 here) {
     f8 still = f8_all(TD_SLEEP_SPEED * w->unit), dt = f8_all((float)w->def.time_step);
     float *at = td_row(&w->idle, slot);
     i8 rests = (v->x * v->x + v->y * v->y < still * still) & (f8_abs(v->z) * rim < still);
     f8 idle = f8_keep(rests, f8_load(at) + dt);
     __builtin_memcpy(at, &idle, sizeof idle);
-    w->idle_bodies +=
-        __builtin_popcount(i8_bits(here & (idle >= f8_all(TD_SLEEP_TIME))));
-    w->drowsy_bodies +=
-        __builtin_popcount(i8_bits(here & (idle + dt >= f8_all(TD_SLEEP_TIME))));
+    w->idle_bodies += __builtin_popcount(i8_bits(here & (idle >= f8_all(TD_SLEEP_TIME))));
+    w->drowsy_bodies += __builtin_popcount(i8_bits(here & (idle + dt >= f8_all(TD_SLEEP_TIME))));
 }
 
 /* Tight bounds of eight shapes against their fat ones. */
@@ -60,14 +54,12 @@ typedef struct bounds8 {
     i8 min_x, min_y, max_x, max_y;
 } bounds8;
 
-TD_INLINE i8 wrap_add(i8 a, i8 b)
-{
+TD_INLINE i8 wrap_add(i8 a, i8 b) {
     return (i8)((u8)a + (u8)b);
 }
 
 /* `shape` holds c, s and half extents; what does not turn has c = 1 and s = 0. */
-TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse)
-{
+TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse) {
     f8 ca = f8_abs(shape->x), sa = f8_abs(shape->y);
     f8 hx = ca * shape->z + sa * shape->w, hy = sa * shape->z + ca * shape->w;
     i8 half_x = __builtin_convertvector(hx * to_coarse, i8) + i8_all(2);
@@ -77,8 +69,7 @@ TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse)
 }
 
 /* A shape that left its fat bounds goes onto the moved list and gets new ones. */
-TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat)
-{
+TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat) {
     td_bounds *bounds = td_fat_at(w, shape);
     uint8_t *marks = td_marks_at(w, shape);
     if (!(*marks & TD_MARK_MOVED)) {
@@ -90,8 +81,7 @@ TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat)
 }
 
 /* Four floats of each record, whatever they stand for. */
-TD_INLINE td_rows load_eight(const void *const records[TD_LANES], size_t offset)
-{
+TD_INLINE td_rows load_eight(const void *const records[TD_LANES], size_t offset) {
     const float *r[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)(const void *)((const char *)records[i] + offset);
@@ -99,8 +89,7 @@ TD_INLINE td_rows load_eight(const void *const records[TD_LANES], size_t offset)
     return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
 }
 
-TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows v)
-{
+TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows v) {
     f4 r[TD_LANES];
     td_turn_back(v, r);
     for (int i = 0; i < TD_LANES; i++) {
@@ -110,8 +99,7 @@ TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows
 
 /* Adds the motion of eight bodies to their places; returns those in bounds quanta, x and y. */
 TD_INLINE td_rows move_eight(const thud_world *w, int first, void *const poses[TD_LANES],
-                             void *const proxies[TD_LANES])
-{
+                             void *const proxies[TD_LANES]) {
     f4 coarse[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
         const float *delta = td_row(&w->delta, first + i);
@@ -131,10 +119,9 @@ TD_INLINE td_rows move_eight(const thud_world *w, int first, void *const poses[T
     return td_turn(r[0], r[1], r[2], r[3]);
 }
 
-/* Poses and shapes of the lanes in `bits`, whose slots begin at `first`. The other lanes do the same
- * to records that nobody reads. */
-TD_INLINE void place_lanes(thud_world *w, int first, f8 turn, unsigned bits)
-{
+/* Poses and shapes of the lanes in `bits`, whose slots begin at `first`. The other lanes do the
+ * same to records that nobody reads. */
+TD_INLINE void place_lanes(thud_world *w, int first, f8 turn, unsigned bits) {
     const int32_t *bodies = (const int32_t *)w->body_of.data + first;
     const int32_t *lone = (const int32_t *)w->lone.data + first;
     td_pose spare_pose = {0};
@@ -170,7 +157,8 @@ TD_INLINE void place_lanes(thud_world *w, int first, f8 turn, unsigned bits)
         td_turn_back((td_rows){(f8)i8_wrap_sub(tight.min_x, margin),
                                (f8)i8_wrap_sub(tight.min_y, margin),
                                (f8)wrap_add(tight.max_x, margin),
-                               (f8)wrap_add(tight.max_y, margin)}, grown);
+                               (f8)wrap_add(tight.max_y, margin)},
+                     grown);
         w->awake_shapes.valid = false;
         for (; left; left &= left - 1) {
             int i = __builtin_ctz(left);
@@ -180,8 +168,7 @@ TD_INLINE void place_lanes(thud_world *w, int first, f8 turn, unsigned bits)
 }
 
 td_finalize_bodies_fn TD_WIDE(td_finalize_bodies);
-void TD_WIDE(td_finalize_bodies)(thud_world *w)
-{
+void TD_WIDE(td_finalize_bodies)(thud_world *w) {
     const float(*velocity)[4] = w->velocity.data, (*delta)[4] = w->delta.data;
     const float *mass = w->mass.data, *inertia = w->inertia.data, *weight = w->weight.data;
     i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -225,8 +212,7 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w)
 }
 
 td_kinetic_energy_fn TD_WIDE(td_kinetic_energy);
-double TD_WIDE(td_kinetic_energy)(const thud_world *w)
-{
+double TD_WIDE(td_kinetic_energy)(const thud_world *w) {
     const float(*velocity)[4] = w->velocity.data;
     const float *mass = w->mass.data, *inertia = w->inertia.data;
     i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};

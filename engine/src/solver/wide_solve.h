@@ -15,8 +15,7 @@ typedef struct sides {
     td_rows a, b;
 } sides;
 
-TD_INLINE sides read_sides(const float (*records)[4], const td_block *block, bool fixed)
-{
+TD_INLINE sides read_sides(const float (*records)[4], const td_block *block, bool fixed) {
     f8 zero = f8_all(0.0f);
     sides v = {{zero, zero, zero, zero}, td_gather(records, block->b)};
     if (!fixed) {
@@ -37,10 +36,10 @@ typedef enum td_arms {
     ARMS_NONE     /* nothing turns */
 } td_arms;
 
-/* Gives both sides the impulses and writes them back. `friction`: whether there is a tangential one. */
+/* Gives both sides the impulses and writes them back. `friction`: whether there is a tangential
+ * one. */
 TD_INLINE void push(const td_solve_context *c, const td_block *block, int points, td_arms arms,
-                    bool fixed, bool friction, sides v, impulses p)
-{
+                    bool fixed, bool friction, sides v, impulses p) {
     const td_point *point = block->point;
     f8 nx = block->nx, ny = block->ny, normal = p.normal[0];
     f8 moment_a = f8_all(0.0f), moment_b = moment_a;
@@ -83,41 +82,35 @@ TD_INLINE void push(const td_solve_context *c, const td_block *block, int points
 }
 
 /* Relative velocity of two points along a direction, from that of the centres along it. */
-TD_INLINE f8 at_arms(f8 centres, const sides *v, bool fixed, f8 cross_a, f8 cross_b)
-{
+TD_INLINE f8 at_arms(f8 centres, const sides *v, bool fixed, f8 cross_a, f8 cross_b) {
     f8 speed = centres + v->b.z * cross_b;
     return fixed ? speed : speed - v->a.z * cross_a;
 }
 
-TD_INLINE f8 at_point(f8 centres, const sides *v, bool fixed, td_arms arms, const td_point *p)
-{
+TD_INLINE f8 at_point(f8 centres, const sides *v, bool fixed, td_arms arms, const td_point *p) {
     return arms == ARMS_ALL ? at_arms(centres, v, fixed, p->cross_a, p->cross_b) : centres;
 }
 
-TD_INLINE f8 centres_along(const sides *v, bool fixed, f8 x, f8 y)
-{
+TD_INLINE f8 centres_along(const sides *v, bool fixed, f8 x, f8 y) {
     return fixed ? v->b.x * x + v->b.y * y : (v->b.x - v->a.x) * x + (v->b.y - v->a.y) * y;
 }
 
 /* Normal speed that a unit of impulse along the first row brings to the point of another one, whose
  * crosses are given. */
-TD_INLINE f8 coupling(const td_block *block, bool fixed, f8 from_a, f8 from_b, f8 to_a, f8 to_b)
-{
+TD_INLINE f8 coupling(const td_block *block, bool fixed, f8 from_a, f8 from_b, f8 to_a, f8 to_b) {
     f8 k = block->inv_inertia_b * from_b * to_b;
     return fixed ? k : k + block->inv_inertia_a * from_a * to_a;
 }
 
 /* ... of the first point to the second, along the same normal. */
-TD_INLINE f8 by_first(const td_block *block, const sides *v, bool fixed)
-{
+TD_INLINE f8 by_first(const td_block *block, const sides *v, bool fixed) {
     const td_point *p = &block->point[0], *q = &block->point[1];
     f8 mass = fixed ? v->b.w : v->a.w + v->b.w;
     return mass + coupling(block, fixed, p->cross_a, p->cross_b, q->cross_a, q->cross_b);
 }
 
 TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                                 int points, td_arms arms, bool fixed)
-{
+                                 int points, td_arms arms, bool fixed) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         impulses p = {.tangent = block->tangent_impulse};
@@ -132,8 +125,7 @@ TD_INLINE void warm_start_blocks(td_block *const *blocks, int count, const td_so
  * ones after it is added through the couplings. That is Gauss-Seidel with a shorter chain of
  * operations that wait for each other. */
 TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                            int points, td_arms arms, bool fixed)
-{
+                            int points, td_arms arms, bool fixed) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), inv_h = f8_all(c->inv_h);
     f8 bias_rate = f8_all(c->bias_rate[fixed]), most = f8_all(-c->push_speed);
     f8 mass_scale = f8_all(c->mass_scale[fixed]), impulse_scale = f8_all(c->impulse_scale[fixed]);
@@ -145,10 +137,11 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
         impulses change = {{zero, zero}, zero};
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
-            /* Apart: reach zero at the end of the substep at the earliest. Overlapping: a spring. */
+            /* Apart: reach zero at the end of the substep at the earliest. Overlapping: a spring.
+             */
             i8 apart = p->separation > zero;
-            f8 bias = f8_pick(apart, p->separation * inv_h,
-                              f8_max(p->separation * bias_rate, most));
+            f8 bias =
+                f8_pick(apart, p->separation * inv_h, f8_max(p->separation * bias_rate, most));
             f8 scale = p->normal_mass * f8_pick(apart, one, mass_scale);
             f8 keep = f8_keep(~apart, impulse_scale);
             f8 speed = at_point(closing, &v, fixed, arms, p) + bias;
@@ -166,8 +159,7 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
 
 /* Friction, by the normal impulses as they stand; returns the change of its impulse. */
 TD_INLINE f8 rub(const td_solve_context *c, td_block *block, int points, td_arms arms, bool fixed,
-                 const sides *v)
-{
+                 const sides *v) {
     f8 limit = block->point[0].normal_impulse;
     if (points == 2) {
         limit += block->point[1].normal_impulse;
@@ -188,8 +180,7 @@ TD_INLINE f8 rub(const td_solve_context *c, td_block *block, int points, td_arms
 
 /* The last one also notes the fastest approach that it finds. */
 TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_context *c,
-                            int points, td_arms arms, bool fixed)
-{
+                            int points, td_arms arms, bool fixed) {
     f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h), slowest = zero;
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
@@ -211,11 +202,11 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
             /* How far the point opened since the start of the step, rotation linearised. */
             f8 separation = p->base + at_point(opened, &d, fixed, arms, p);
             p->separation = separation;
-            f8 speed = at_point(closing, &v, fixed, arms, p) +
-                       f8_max(separation, zero) * inv_h;
+            f8 speed = at_point(closing, &v, fixed, arms, p) + f8_max(separation, zero) * inv_h;
             if (arms == ARMS_ALL) {
                 speed += coupling(block, fixed, block->tangent_cross_a, block->tangent_cross_b,
-                                  p->cross_a, p->cross_b) * change.tangent;
+                                  p->cross_a, p->cross_b) *
+                         change.tangent;
             }
             if (k) {
                 speed += by_first(block, &v, fixed) * change.normal[0];
@@ -238,10 +229,9 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
 }
 
 /* Makes a function `name` of one of the passes above; the rest says for which blocks. */
-#define TD_PASS(name, pass, ...)                                                                   \
-    static void name(td_block *const *blocks, int count, const td_solve_context *c)                \
-    {                                                                                              \
-        pass(blocks, count, c, __VA_ARGS__);                                                       \
+#define TD_PASS(name, pass, ...)                                                      \
+    static void name(td_block *const *blocks, int count, const td_solve_context *c) { \
+        pass(blocks, count, c, __VA_ARGS__);                                          \
     }
 
 #endif

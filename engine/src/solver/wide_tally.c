@@ -2,15 +2,13 @@
 #include "solver/tally.h"
 
 /* Sums of floats stay within a few blocks; from there on it is whole quanta. */
-TD_INLINE d4 quanta_of(f8 length, double to_fixed)
-{
+TD_INLINE d4 quanta_of(f8 length, double to_fixed) {
     return (d4_folded(length) * to_fixed + TD_ROUND_SHIFT) - TD_ROUND_SHIFT;
 }
 
 /* In this order of operands what is not a number is left out. */
 TD_INLINE void tally(td_tally *to, td_block *const *blocks, int count, int points,
-                     const td_tally_context *c)
-{
+                     const td_tally_context *c) {
     f8 zero = f8_all(0.0f), touch = f8_all(-c->skin), limit = f8_all(-c->skin - c->overlap);
     f8 least = touch, sum = zero;
     i8 here = i8_all(0), overlaps = i8_all(0);
@@ -32,8 +30,7 @@ TD_INLINE void tally(td_tally *to, td_block *const *blocks, int count, int point
 
 td_tally_fn TD_WIDE(td_tally_points);
 void TD_WIDE(td_tally_points)(td_tally *to, td_block *const *blocks, int count, int points,
-                              const td_tally_context *context)
-{
+                              const td_tally_context *context) {
     if (points == 2) {
         tally(to, blocks, count, 2, context);
     } else {

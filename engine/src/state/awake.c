@@ -6,13 +6,12 @@
 #include <string.h>
 
 /* The arrays that a body has a place in. */
-#define BY_SLOT(w)                                                                                 \
-    &(w)->velocity, &(w)->delta, &(w)->start, &(w)->push, &(w)->damping, &(w)->idle, &(w)->reach,  \
-        &(w)->mass, &(w)->inertia, &(w)->weight, &(w)->body_of, &(w)->lone, &(w)->colours,       \
+#define BY_SLOT(w)                                                                                \
+    &(w)->velocity, &(w)->delta, &(w)->start, &(w)->push, &(w)->damping, &(w)->idle, &(w)->reach, \
+        &(w)->mass, &(w)->inertia, &(w)->weight, &(w)->body_of, &(w)->lone, &(w)->colours,        \
         &(w)->direct_steps, &(w)->slow_steps
 
-bool td_awake_reserve(thud_world *w, int more)
-{
+bool td_awake_reserve(thud_world *w, int more) {
     /* The wide kernels work on whole eights, so a last partial one must exist in memory. */
     int capacity = w->bodies.live + more + 1 + TD_LANES;
     td_array *arrays[] = {BY_SLOT(w)};
@@ -27,8 +26,7 @@ bool td_awake_reserve(thud_world *w, int more)
     return true;
 }
 
-void td_awake_refresh(thud_world *w, int index)
-{
+void td_awake_refresh(thud_world *w, int index) {
     const td_body *body = td_body_at(w, index);
     if (body->awake < 0) {
         return;
@@ -53,8 +51,7 @@ void td_awake_refresh(thud_world *w, int index)
     w->push_stale = w->kinetic_stale = true;
 }
 
-void td_awake_add(thud_world *w, int index)
-{
+void td_awake_add(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     int slot = w->body_of.count;
     td_push_int(&w->body_of, index);
@@ -70,8 +67,7 @@ void td_awake_add(thud_world *w, int index)
     td_awake_refresh(w, index);
 }
 
-static void move_slot(thud_world *w, int from, int to)
-{
+static void move_slot(thud_world *w, int from, int to) {
     td_array *arrays[] = {BY_SLOT(w)};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         memcpy(td_at(arrays[i], to), td_at(arrays[i], from), (size_t)arrays[i]->stride);
@@ -87,8 +83,7 @@ static void move_slot(thud_world *w, int from, int to)
     }
 }
 
-void td_awake_remove(thud_world *w, int index)
-{
+void td_awake_remove(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     int slot = body->awake, last = w->body_of.count - 1;
     const float *damping = td_row(&w->damping, slot);

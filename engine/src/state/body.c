@@ -8,19 +8,16 @@
 
 #include <string.h>
 
-thud_body_def thud_default_body_def(void)
-{
+thud_body_def thud_default_body_def(void) {
     return (thud_body_def){.gravity_scale = 1.0f, .may_sleep = true};
 }
 
-static bool place_valid(const thud_world *w, thud_pos p)
-{
+static bool place_valid(const thud_world *w, thud_pos p) {
     double most = TD_PLACE_MAX * (double)w->unit;
     return p.x >= -most && p.x <= most && p.y >= -most && p.y <= most;
 }
 
-static const char *def_error(const thud_world *w, const thud_body_def *def)
-{
+static const char *def_error(const thud_world *w, const thud_body_def *def) {
     if ((int)def->kind < 0 || def->kind >= THUD_BODY_KIND_COUNT) {
         return "body def: kind is none of static, kinematic, dynamic";
     }
@@ -34,8 +31,8 @@ static const char *def_error(const thud_world *w, const thud_body_def *def)
         !td_finite((double)def->angular_velocity)) {
         return "body def: velocity is not finite";
     }
-    if (def->kind == THUD_STATIC && !(def->velocity.x == 0.0f && def->velocity.y == 0.0f &&
-                                      def->angular_velocity == 0.0f)) {
+    if (def->kind == THUD_STATIC &&
+        !(def->velocity.x == 0.0f && def->velocity.y == 0.0f && def->angular_velocity == 0.0f)) {
         return "body def: a static body has no velocity; what moves at one is kinematic";
     }
     if (!td_finite((double)def->gravity_scale)) {
@@ -48,8 +45,7 @@ static const char *def_error(const thud_world *w, const thud_body_def *def)
     return NULL;
 }
 
-void td_wake_all(thud_world *w)
-{
+void td_wake_all(thud_world *w) {
     for (int i = 0; i < w->bodies.count; i++) {
         if (td_body_at(w, i)->flags & TD_BODY_LIVE) {
             td_body_mark(w, i, TD_CHANGE_WAKE);
@@ -58,8 +54,7 @@ void td_wake_all(thud_world *w)
     w->push_stale = true;
 }
 
-thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_id *out)
-{
+thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_id *out) {
     TD_IN_OWN_MODE;
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "body create: world or def is null");
@@ -104,8 +99,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
     return THUD_OK;
 }
 
-void td_body_mark(thud_world *w, int index, td_change_kind change)
-{
+void td_body_mark(thud_world *w, int index, td_change_kind change) {
     td_body *body = td_body_at(w, index);
     if (!body->changes) {
         td_push_int(&w->changed, index);
@@ -114,8 +108,7 @@ void td_body_mark(thud_world *w, int index, td_change_kind change)
     w->kinetic_stale = true; /* its velocity may have been edited */
 }
 
-thud_result thud_body_destroy(thud_world *w, thud_body_id id)
-{
+thud_result thud_body_destroy(thud_world *w, thud_body_id id) {
     int index;
     thud_result result = td_find_body(w, id, &index);
     if (result == THUD_OK) {
@@ -129,8 +122,7 @@ thud_result thud_body_destroy(thud_world *w, thud_body_id id)
     return result;
 }
 
-bool thud_body_is_valid(const thud_world *w, thud_body_id id)
-{
+bool thud_body_is_valid(const thud_world *w, thud_body_id id) {
     return w && id.index1 > 0 && id.index1 <= (uint32_t)w->bodies.count &&
            (td_body_at(w, (int)id.index1 - 1)->flags & TD_BODY_LIVE) &&
            td_tag(w, td_body_at(w, (int)id.index1 - 1)->generation) == id.generation;
@@ -139,8 +131,7 @@ bool thud_body_is_valid(const thud_world *w, thud_body_id id)
 /* ---- mass ---- */
 
 /* Area, and second moment of area about the shape's own centre. */
-static void area_of(const td_shape *shape, double *area, double *moment)
-{
+static void area_of(const td_shape *shape, double *area, double *moment) {
     double x = (double)shape->half_x, y = (double)shape->half_y;
     if (shape->kind == THUD_CIRCLE) {
         *area = TD_PI * x * x;
@@ -153,16 +144,14 @@ static void area_of(const td_shape *shape, double *area, double *moment)
     }
 }
 
-static float reach_of(const td_shape *shape)
-{
+static float reach_of(const td_shape *shape) {
     return shape->kind == THUD_CIRCLE
                ? shape->half_x
                : __builtin_sqrtf(shape->half_x * shape->half_x + shape->half_y * shape->half_y);
 }
 
 /* Moves the centre of mass to (x, y) of the body's frame while the origin stays where it is. */
-static void set_center(thud_world *w, int index, double x, double y)
-{
+static void set_center(thud_world *w, int index, double x, double y) {
     td_body *body = td_body_at(w, index);
     td_pose *pose = td_pose_at(w, index);
     td_position origin = td_body_origin(w, index);
@@ -173,8 +162,7 @@ static void set_center(thud_world *w, int index, double x, double y)
     pose->center = (td_position){2 * origin.x - offset.x, 2 * origin.y - offset.y};
 }
 
-void td_body_weigh(thud_world *w, int index)
-{
+void td_body_weigh(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
     bool dynamic = body->kind == THUD_DYNAMIC;
@@ -213,8 +201,8 @@ void td_body_weigh(thud_world *w, int index)
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
         float x = shape->x - body->center_x, y = shape->y - body->center_y;
-        float least = shape->kind == THUD_CIRCLE ? shape->half_x
-                                                 : td_min_float(shape->half_x, shape->half_y);
+        float least =
+            shape->kind == THUD_CIRCLE ? shape->half_x : td_min_float(shape->half_x, shape->half_y);
         body->core = td_min_float(body->core, least);
         body->rim = td_max_float(body->rim, __builtin_sqrtf(x * x + y * y) + reach_of(shape));
     }
@@ -222,17 +210,16 @@ void td_body_weigh(thud_world *w, int index)
 
 /* ---- reading ---- */
 
-td_position td_body_origin(const thud_world *w, int index)
-{
+td_position td_body_origin(const thud_world *w, int index) {
     const td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
     float x = pose->c * body->center_x - pose->s * body->center_y;
     float y = pose->s * body->center_x + pose->c * body->center_y;
-    return (td_position){pose->center.x - td_length_from(w, x), pose->center.y - td_length_from(w, y)};
+    return (td_position){pose->center.x - td_length_from(w, x),
+                         pose->center.y - td_length_from(w, y)};
 }
 
-thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state *out)
-{
+thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state *out) {
     int index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK || !out) {
@@ -266,8 +253,7 @@ thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state 
 }
 
 thud_result thud_body_shapes(const thud_world *w, thud_body_id id, thud_shape_id *out, int capacity,
-                             int *count)
-{
+                             int *count) {
     int index, n = 0;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -291,8 +277,7 @@ thud_result thud_body_shapes(const thud_world *w, thud_body_id id, thud_shape_id
     return THUD_OK;
 }
 
-thud_result thud_body_set_user_data(thud_world *w, thud_body_id id, uint64_t user_data)
-{
+thud_result thud_body_set_user_data(thud_world *w, thud_body_id id, uint64_t user_data) {
     int index;
     thud_result result = td_find_body(w, id, &index);
     if (result == THUD_OK) {

@@ -19,26 +19,22 @@ td_position td_body_origin(const thud_world *w, int body);
 /* Puts the body's shapes where its pose says; their bounds move when they leave the fat ones. */
 void td_body_place_shapes(thud_world *w, int body);
 
-static inline td_position td_place_from(const thud_world *w, thud_pos p)
-{
+static inline td_position td_place_from(const thud_world *w, thud_pos p) {
     return (td_position){td_round64(p.x * w->to_fixed), td_round64(p.y * w->to_fixed)};
 }
 
-static inline thud_pos td_place_to(const thud_world *w, td_position p)
-{
+static inline thud_pos td_place_to(const thud_world *w, td_position p) {
     return (thud_pos){(double)p.x / w->to_fixed, (double)p.y / w->to_fixed};
 }
 
 /* A relative length in position quanta. */
-static inline int64_t td_length_from(const thud_world *w, float length)
-{
+static inline int64_t td_length_from(const thud_world *w, float length) {
     double quanta = (double)length * w->to_fixed;
     return quanta < 0x1p51 && quanta > -0x1p51 ? td_round_increment(quanta) : (int64_t)quanta;
 }
 
 /* The velocity as it is now, awake or not. */
-static inline float *td_body_velocity(const thud_world *w, const td_body *body)
-{
+static inline float *td_body_velocity(const thud_world *w, const td_body *body) {
     return body->awake > 0 ? td_row(&w->velocity, body->awake) : (float *)body->velocity;
 }
 

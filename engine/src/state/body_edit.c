@@ -5,8 +5,7 @@
 #include "state/handles.h"
 #include "base/rotation.h"
 
-static void transform(thud_world *w, int index, const double v[4])
-{
+static void transform(thud_world *w, int index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     td_pose *pose = td_pose_at(w, index);
     pose->angle = td_angle_from(v[2]);
@@ -18,8 +17,7 @@ static void transform(thud_world *w, int index, const double v[4])
     td_body_mark(w, index, TD_CHANGE_PLACE);
 }
 
-static void set_velocity(thud_world *w, int index, const double v[4])
-{
+static void set_velocity(thud_world *w, int index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     float *velocity = td_body_velocity(w, body);
     velocity[0] = (float)v[0];
@@ -28,8 +26,7 @@ static void set_velocity(thud_world *w, int index, const double v[4])
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-static void impulse(thud_world *w, int index, const double v[4])
-{
+static void impulse(thud_world *w, int index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
     float *velocity = td_body_velocity(w, body);
@@ -42,8 +39,7 @@ static void impulse(thud_world *w, int index, const double v[4])
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-static void force(thud_world *w, int index, const double v[4])
-{
+static void force(thud_world *w, int index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     body->force[0] += (float)v[0];
     body->force[1] += (float)v[1];
@@ -52,13 +48,11 @@ static void force(thud_world *w, int index, const double v[4])
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-static void set_awake(thud_world *w, int index, const double v[4])
-{
+static void set_awake(thud_world *w, int index, const double v[4]) {
     td_body_mark(w, index, v[0] != 0.0 ? TD_CHANGE_WAKE : TD_CHANGE_SLEEP);
 }
 
-static void set_enabled(thud_world *w, int index, const double v[4])
-{
+static void set_enabled(thud_world *w, int index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     uint8_t flags = (uint8_t)(body->flags & ~TD_BODY_DISABLED);
     flags |= v[0] != 0.0 ? 0 : TD_BODY_DISABLED;
@@ -68,25 +62,23 @@ static void set_enabled(thud_world *w, int index, const double v[4])
     }
 }
 
-static void add_shape(thud_world *w, int index, const double v[4])
-{
+static void add_shape(thud_world *w, int index, const double v[4]) {
     td_shape_at(w, (int)v[0])->flags &= (uint8_t)~TD_SHAPE_WAITS;
     if (td_body_at(w, index)->kind != THUD_STATIC) {
         td_body_weigh(w, index);
     }
 }
 
-static void act(thud_world *w, int index, td_deferred_kind what, const double v[4])
-{
-    static void (*const acts[])(thud_world *, int, const double[4]) = {
-        transform, set_velocity, impulse, force, set_awake, set_enabled, add_shape};
+static void act(thud_world *w, int index, td_deferred_kind what, const double v[4]) {
+    static void (*const acts[])(thud_world *, int,
+                                const double[4]) = {transform, set_velocity, impulse,  force,
+                                                    set_awake, set_enabled,  add_shape};
     if (what == TD_PUT_SHAPE || !(td_body_at(w, index)->flags & TD_BODY_QUARANTINED)) {
         acts[what](w, index, v);
     }
 }
 
-void td_deferred_apply(thud_world *w)
-{
+void td_deferred_apply(thud_world *w) {
     for (int i = 0; i < w->deferred.count; i++) {
         const td_deferred_edit *edit = td_at(&w->deferred, i);
         const td_body *body = td_body_at(w, edit->body);
@@ -97,22 +89,19 @@ void td_deferred_apply(thud_world *w)
     w->deferred.count = 0;
 }
 
-bool td_deferred_reserve(thud_world *w)
-{
+bool td_deferred_reserve(thud_world *w) {
     return !w->locked || td_array_reserve(&w->memory, &w->deferred, w->deferred.count + 1);
 }
 
-void td_deferred_add(thud_world *w, int index, td_deferred_kind what, const double v[4])
-{
+void td_deferred_add(thud_world *w, int index, td_deferred_kind what, const double v[4]) {
     *(td_deferred_edit *)td_at(&w->deferred, w->deferred.count++) =
         (td_deferred_edit){.body = index,
-                     .generation = td_body_at(w, index)->generation,
-                     .what = (int32_t)what,
-                     .value = {v[0], v[1], v[2], v[3]}};
+                           .generation = td_body_at(w, index)->generation,
+                           .what = (int32_t)what,
+                           .value = {v[0], v[1], v[2], v[3]}};
 }
 
-bool td_deferred_turns(const thud_world *w, int index)
-{
+bool td_deferred_turns(const thud_world *w, int index) {
     bool turns = false, kinematic = td_body_at(w, index)->kind == THUD_KINEMATIC;
     for (int i = 0; i < w->deferred.count; i++) {
         const td_deferred_edit *edit = td_at(&w->deferred, i);
@@ -122,8 +111,7 @@ bool td_deferred_turns(const thud_world *w, int index)
     return turns;
 }
 
-static thud_result edit(thud_world *w, int index, td_deferred_kind what, const double v[4])
-{
+static thud_result edit(thud_world *w, int index, td_deferred_kind what, const double v[4]) {
     if (!w->locked) {
         act(w, index, what, v);
         return THUD_OK;
@@ -135,14 +123,13 @@ static thud_result edit(thud_world *w, int index, td_deferred_kind what, const d
     return THUD_OK;
 }
 
-static thud_result check_dynamic(const thud_world *w, int index, const char *message)
-{
+static thud_result check_dynamic(const thud_world *w, int index, const char *message) {
     return td_body_at(w, index)->kind == THUD_DYNAMIC ? THUD_OK
                                                       : td_refuse(w, THUD_ERROR_INVALID, message);
 }
 
-thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos position, double angle)
-{
+thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos position,
+                                    double angle) {
     TD_IN_OWN_MODE;
     int index;
     thud_result result = td_find_body(w, id, &index);
@@ -168,8 +155,7 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
 }
 
 thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 velocity,
-                                   float angular_velocity)
-{
+                                   float angular_velocity) {
     TD_IN_OWN_MODE;
     int index;
     thud_result result = td_find_body(w, id, &index);
@@ -191,8 +177,8 @@ thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 vel
                 (double[4]){(double)velocity.x, (double)velocity.y, (double)angular_velocity, 0.0});
 }
 
-thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 value, thud_pos point)
-{
+thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 value,
+                                    thud_pos point) {
     TD_IN_OWN_MODE;
     int index;
     thud_result result = td_find_body(w, id, &index);
@@ -211,8 +197,7 @@ thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 va
                       (double[4]){(double)value.x, (double)value.y, point.x, point.y});
 }
 
-thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque)
-{
+thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque) {
     TD_IN_OWN_MODE;
     int index;
     thud_result result = td_find_body(w, id, &index);
@@ -229,8 +214,7 @@ thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 valu
                       (double[4]){(double)value.x, (double)value.y, (double)torque, 0.0});
 }
 
-thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake)
-{
+thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake) {
     int index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -241,11 +225,9 @@ thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake)
                              : edit(w, index, TD_PUT_AWAKE, (double[4]){awake ? 1.0 : 0.0});
 }
 
-thud_result thud_body_set_enabled(thud_world *w, thud_body_id id, bool enabled)
-{
+thud_result thud_body_set_enabled(thud_world *w, thud_body_id id, bool enabled) {
     int index;
     thud_result result = td_find_body(w, id, &index);
-    return result != THUD_OK
-               ? result
-               : edit(w, index, TD_PUT_ENABLED, (double[4]){enabled ? 1.0 : 0.0});
+    return result != THUD_OK ? result
+                             : edit(w, index, TD_PUT_ENABLED, (double[4]){enabled ? 1.0 : 0.0});
 }

@@ -10,16 +10,14 @@
 
 #include <string.h>
 
-static int other_body(const thud_world *w, int edge)
-{
+static int other_body(const thud_world *w, int edge) {
     const td_contact *contact = td_contact_at(w, edge / 2);
     return contact->body[1 - (edge & 1)];
 }
 
 /* Wakes every sleeping body that touches this one; what is in a sensor sleeps on, and is looked at
  * again. */
-static bool wake_touching(thud_world *w, int body)
-{
+static bool wake_touching(thud_world *w, int body) {
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_contact *contact = td_contact_at(w, e / 2);
         if (contact->kind == TD_PAIR_SENSOR) {
@@ -34,8 +32,7 @@ static bool wake_touching(thud_world *w, int body)
 }
 
 /* Room for the end events of all its contacts. */
-static bool reserve_ends(thud_world *w, int body)
-{
+static bool reserve_ends(thud_world *w, int body) {
     int count = 0;
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
         count++;
@@ -44,8 +41,7 @@ static bool reserve_ends(thud_world *w, int body)
 }
 
 /* All contacts of the body, or of one of its shapes. */
-static void destroy_contacts(thud_world *w, int body, int shape)
-{
+static void destroy_contacts(thud_world *w, int body, int shape) {
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE;) {
         int next = td_next_edge(w, e);
         const td_contact *contact = td_contact_at(w, e / 2);
@@ -56,8 +52,7 @@ static void destroy_contacts(thud_world *w, int body, int shape)
     }
 }
 
-static void free_shape(thud_world *w, int index)
-{
+static void free_shape(thud_world *w, int index) {
     td_shape *shape = td_shape_at(w, index);
     if (shape->terrain != TD_NONE) {
         td_terrain_record *record = td_slot_at(&w->terrains, shape->terrain);
@@ -66,16 +61,15 @@ static void free_shape(thud_world *w, int index)
         td_slots_give(&w->terrains, shape->terrain);
     }
     w->thinnest_stale = true;
-    w->mobile_sensors -= (shape->flags & TD_SHAPE_SENSOR) &&
-                         td_body_at(w, shape->body)->kind == THUD_DYNAMIC;
+    w->mobile_sensors -=
+        (shape->flags & TD_SHAPE_SENSOR) && td_body_at(w, shape->body)->kind == THUD_DYNAMIC;
     shape->flags = 0;
     *td_marks_at(w, index) = 0;
     shape->generation++;
     td_slots_give(&w->shapes, index);
 }
 
-static void leave(thud_world *w, int index)
-{
+static void leave(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     destroy_contacts(w, index, TD_NONE);
     if (body->awake > 0) {
@@ -93,8 +87,7 @@ static void leave(thud_world *w, int index)
 }
 
 /* Destroyed shapes go, new ones get their place. */
-static void update_shapes(thud_world *w, int index)
-{
+static void update_shapes(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     for (int *link = &body->first_shape; *link != TD_NONE;) {
         int i = *link;
@@ -123,8 +116,7 @@ static void update_shapes(thud_world *w, int index)
 }
 
 /* A line that moved or changed has no pair in common with what it was. */
-static void renew_terrain(thud_world *w, int index)
-{
+static void renew_terrain(thud_world *w, int index) {
     for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (td_shape_at(w, i)->kind == THUD_TERRAIN) {
             destroy_contacts(w, index, i);
@@ -133,10 +125,9 @@ static void renew_terrain(thud_world *w, int index)
     }
 }
 
-/* Its shapes stay where the broadphase has them: nothing may pair with those of a disabled body, and all
- * pairs of an enabled one are new. */
-static void change_enabled(thud_world *w, int index)
-{
+/* Its shapes stay where the broadphase has them: nothing may pair with those of a disabled body,
+ * and all pairs of an enabled one are new. */
+static void change_enabled(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     bool enabled = !(body->flags & TD_BODY_DISABLED);
     destroy_contacts(w, index, TD_NONE);
@@ -154,8 +145,7 @@ static void change_enabled(thud_world *w, int index)
 }
 
 /* Contacts with segments that an edit of a line took away. */
-static void destroy_gone(thud_world *w, int index)
-{
+static void destroy_gone(thud_world *w, int index) {
     for (int e = td_body_at(w, index)->first_contact; e != TD_NONE;) {
         int next = td_next_edge(w, e);
         if (td_contact_at(w, e / 2)->child == TD_NONE) {
@@ -166,8 +156,7 @@ static void destroy_gone(thud_world *w, int index)
 }
 
 /* What moves on from collision to collision is looked for as far as it goes in this step. */
-static void expect(thud_world *w, int index)
-{
+static void expect(thud_world *w, int index) {
     const td_body *body = td_body_at(w, index);
     if (body->awake < 0 || !body->detection->meet) {
         return;
@@ -179,12 +168,12 @@ static void expect(thud_world *w, int index)
     }
 }
 
-static bool apply(thud_world *w, int index)
-{
+static bool apply(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     int changes = body->changes;
     int edits = TD_CHANGE_LEAVE | TD_CHANGE_SHAPES | TD_CHANGE_PLACE | TD_CHANGE_ENABLE;
-    if (!reserve_ends(w, index) || ((changes & edits) && w->internal_edges && !w->internal_edges->lose(w, index)) ||
+    if (!reserve_ends(w, index) ||
+        ((changes & edits) && w->internal_edges && !w->internal_edges->lose(w, index)) ||
         ((changes & edits || body->kind == THUD_KINEMATIC) && !wake_touching(w, index)) ||
         (changes != TD_CHANGE_SLEEP && !(changes & TD_CHANGE_LEAVE) && !td_wake(w, index))) {
         return false;
@@ -205,7 +194,8 @@ static bool apply(thud_world *w, int index)
         return true;
     }
     if (changes & TD_CHANGE_ENTER) {
-        /* Not before: a step that a callback interrupts has no room for another kind of detection. */
+        /* Not before: a step that a callback interrupts has no room for another kind of detection.
+         */
         w->detections[body->detection->rank] = body->detection;
     }
     if (changes & TD_CHANGE_WAKE) {
@@ -232,8 +222,7 @@ static bool apply(thud_world *w, int index)
 }
 
 /* Shapes that left take their place on the moved list with them. */
-static void clean_moved(thud_world *w)
-{
+static void clean_moved(thud_world *w) {
     int *moved = w->moved.data, count = 0;
     for (int i = 0; i < w->moved.count; i++) {
         if (*td_marks_at(w, moved[i]) & TD_MARK_MOVED) {
@@ -243,8 +232,7 @@ static void clean_moved(thud_world *w)
     w->moved.count = count;
 }
 
-bool td_changes_apply(thud_world *w)
-{
+bool td_changes_apply(thud_world *w) {
     td_deferred_apply(w);
     if (w->changed.count == 0) {
         return true;

@@ -1,8 +1,7 @@
 /* handles.c: see handles.h. */
 #include "state/handles.h"
 
-const char *thud_result_text(thud_result result)
-{
+const char *thud_result_text(thud_result result) {
     switch (result) {
     case THUD_OK:
         return "no error";
@@ -20,16 +19,14 @@ const char *thud_result_text(thud_result result)
     return "unknown result";
 }
 
-thud_result td_refuse(const thud_world *w, thud_result result, const char *message)
-{
+thud_result td_refuse(const thud_world *w, thud_result result, const char *message) {
     if (w && w->def.log) {
         w->def.log(result, message, w->def.log_context);
     }
     return result;
 }
 
-thud_result td_find_body(const thud_world *w, thud_body_id id, int *index)
-{
+thud_result td_find_body(const thud_world *w, thud_body_id id, int *index) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -44,8 +41,7 @@ thud_result td_find_body(const thud_world *w, thud_body_id id, int *index)
     return THUD_OK;
 }
 
-thud_result td_find_shape(const thud_world *w, thud_shape_id id, int *index)
-{
+thud_result td_find_shape(const thud_world *w, thud_shape_id id, int *index) {
     if (!w) {
         return THUD_ERROR_NULL;
     }

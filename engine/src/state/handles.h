@@ -11,21 +11,18 @@ thud_result td_refuse(const thud_world *w, thud_result result, const char *messa
 thud_result td_find_body(const thud_world *w, thud_body_id id, int *index);
 thud_result td_find_shape(const thud_world *w, thud_shape_id id, int *index);
 
-/* The world's number in the generation keeps another world's handles out. Multiples of 2^32 over the
- * golden ratio stay as far from each other as so many can: of n worlds none is nearer than 2^32 / 2.24 n
- * generations to another. */
-static inline uint32_t td_tag(const thud_world *w, uint32_t generation)
-{
+/* The world's number in the generation keeps another world's handles out. Multiples of 2^32 over
+ * the golden ratio stay as far from each other as so many can: of n worlds none is nearer than 2^32
+ * / 2.24 n generations to another. */
+static inline uint32_t td_tag(const thud_world *w, uint32_t generation) {
     return generation + w->number * 0x9e3779b9u;
 }
 
-static inline thud_body_id td_body_handle(const thud_world *w, int index)
-{
+static inline thud_body_id td_body_handle(const thud_world *w, int index) {
     return (thud_body_id){(uint32_t)index + 1, td_tag(w, td_body_at(w, index)->generation)};
 }
 
-static inline thud_shape_id td_shape_handle(const thud_world *w, int index)
-{
+static inline thud_shape_id td_shape_handle(const thud_world *w, int index) {
     return (thud_shape_id){(uint32_t)index + 1, td_tag(w, td_shape_at(w, index)->generation)};
 }
 

@@ -6,8 +6,7 @@
 /* Fewer blocks than this are done before another thread has woken. */
 enum { WORTH_SHARING = 64 };
 
-void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work)
-{
+void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
     atomic_int *phase = worker->phase;
     if (!phase) {
         for (int i = 0; i < chunks; i++) {
@@ -32,21 +31,18 @@ void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work)
 
 /* Most has the solver: two passes over bodies and two over each bin a substep, the warm start, and
  * those of restitution. */
-static int counter_count(const thud_world *w)
-{
+static int counter_count(const thud_world *w) {
     int bounces = w->bouncy > 0 || w->def.prologue ? TD_BOUNCE_PASSES + 1 : 0;
     int phases = 2 * w->substeps + (2 * w->substeps + 1 + bounces) * w->scratch.chunks.count;
     return phases * (1 + w->def.job_system.workers);
 }
 
-bool td_job_reserve(thud_world *w)
-{
+bool td_job_reserve(thud_world *w) {
     return w->def.job_system.workers < 2 ||
            td_array_reserve(&w->memory, &w->scratch.counters, counter_count(w));
 }
 
-td_job td_job_begin(thud_world *w)
-{
+td_job td_job_begin(thud_world *w) {
     if (w->def.job_system.workers < 2 || w->scratch.blocks.count < WORTH_SHARING) {
         return (td_job){.workers = 1};
     }
@@ -60,15 +56,13 @@ typedef struct shared_work {
     void *argument;
 } shared_work;
 
-static void run_in_own_mode(void *work)
-{
+static void run_in_own_mode(void *work) {
     TD_IN_OWN_MODE;
     const shared_work *shared = work;
     shared->run(shared->argument);
 }
 
-void td_job_run(const thud_world *w, const td_job *task, thud_task_fn *run, void *argument)
-{
+void td_job_run(const thud_world *w, const td_job *task, thud_task_fn *run, void *argument) {
     const thud_job_system *job_system = &w->def.job_system;
     if (task->counters) {
         shared_work shared = {run, argument};

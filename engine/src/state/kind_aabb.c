@@ -2,8 +2,7 @@
 #include "state/kinds.h"
 #include "contact/internal_edges.h"
 
-void td_kind_aabb(thud_world *w)
-{
+void td_kind_aabb(thud_world *w) {
     w->pairs[TD_PAIR_AABB_AABB] = &TD_PICK_WIDE(w, td_pair_aabb_aabb);
     w->pairs[TD_PAIR_BOX_CIRCLE] = &TD_PICK_WIDE(w, td_pair_box_circle);
     w->pairs[TD_PAIR_CIRCLE_BOX] = &TD_PICK_WIDE(w, td_pair_circle_box);

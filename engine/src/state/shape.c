@@ -9,14 +9,13 @@
 #include <math.h>
 #include <string.h>
 
-thud_shape_def thud_default_shape_def(void)
-{
-    return (thud_shape_def){
-        .density = 1.0f, .friction = 0.6f, .filter = {.category = 1, .mask = UINT32_MAX}};
+thud_shape_def thud_default_shape_def(void) {
+    return (thud_shape_def){.density = 1.0f,
+                            .friction = 0.6f,
+                            .filter = {.category = 1, .mask = UINT32_MAX}};
 }
 
-static const char *def_error(const thud_world *w, const thud_shape_def *def)
-{
+static const char *def_error(const thud_world *w, const thud_shape_def *def) {
     float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
     if (!(def->density >= 0.0f && def->density <= 1e12f)) {
         return "shape def: density is not in [0, 1e12]";
@@ -33,21 +32,18 @@ static const char *def_error(const thud_world *w, const thud_shape_def *def)
     return NULL;
 }
 
-static bool size_valid(const thud_world *w, int body, float size)
-{
+static bool size_valid(const thud_world *w, int body, float size) {
     double s = (double)size / (double)w->unit;
     bool rests = td_body_at(w, body)->kind == THUD_STATIC;
     return s >= TD_SIZE_MIN && s <= (rests ? TD_STATIC_SIZE_MAX : TD_SIZE_MAX);
 }
 
-static bool offset_valid(const thud_world *w, thud_vec2 offset)
-{
+static bool offset_valid(const thud_world *w, thud_vec2 offset) {
     float most = (float)TD_SIZE_MAX * w->unit;
     return offset.x >= -most && offset.x <= most && offset.y >= -most && offset.y <= most;
 }
 
-static bool reserve(thud_world *w)
-{
+static bool reserve(thud_world *w) {
     td_array *arrays[] = {&w->proxy, &w->was, &w->marks, &w->moved};
     if (!td_slots_reserve(&w->memory, &w->shapes, 1) || !td_deferred_reserve(w)) {
         return false;
@@ -61,8 +57,7 @@ static bool reserve(thud_world *w)
 }
 
 /* The checks that all kinds share. On success *body is the slot, and memory is there. */
-static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *def, int *body)
-{
+static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *def, int *body) {
     thud_result result = td_find_body(w, id, body);
     if (result != THUD_OK) {
         return result;
@@ -78,8 +73,7 @@ static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *d
 }
 
 static thud_result finish(thud_world *w, int body_index, const thud_shape_def *def, td_shape made,
-                          thud_shape_id *out)
-{
+                          thud_shape_id *out) {
     int index = td_slots_take(&w->shapes);
     td_shape *shape = td_shape_at(w, index);
     td_body *body = td_body_at(w, body_index);
@@ -122,8 +116,7 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
 }
 
 thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_shape_def *def,
-                                     thud_vec2 offset, float radius, thud_shape_id *out)
-{
+                                     thud_vec2 offset, float radius, thud_shape_id *out) {
     TD_IN_OWN_MODE;
     int body;
     thud_result result = begin(w, id, def, &body);
@@ -135,22 +128,24 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
     }
     td_kind_circle(w);
     return finish(w, body, def,
-                  (td_shape){.kind = THUD_CIRCLE, .x = offset.x, .y = offset.y, .angle_c = 1.0f,
-                             .half_x = radius, .half_y = 0.0f},
+                  (td_shape){.kind = THUD_CIRCLE,
+                             .x = offset.x,
+                             .y = offset.y,
+                             .angle_c = 1.0f,
+                             .half_x = radius,
+                             .half_y = 0.0f},
                   out);
 }
 
 thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_shape_def *def,
-                                   thud_vec2 offset, thud_vec2 half, thud_shape_id *out)
-{
+                                   thud_vec2 offset, thud_vec2 half, thud_shape_id *out) {
     TD_IN_OWN_MODE;
     int body;
     thud_result result = begin(w, id, def, &body);
     if (result != THUD_OK) {
         return result;
     }
-    if (!offset_valid(w, offset) || !size_valid(w, body, half.x) ||
-        !size_valid(w, body, half.y)) {
+    if (!offset_valid(w, offset) || !size_valid(w, body, half.x) || !size_valid(w, body, half.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: offset or half extents are out of range");
     }
     if (td_pose_at(w, body)->angle != 0 || td_deferred_turns(w, body)) {
@@ -162,39 +157,44 @@ thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_sh
     }
     td_kind_aabb(w);
     return finish(w, body, def,
-                  (td_shape){.kind = THUD_AABB, .x = offset.x, .y = offset.y, .angle_c = 1.0f,
-                             .half_x = half.x, .half_y = half.y},
+                  (td_shape){.kind = THUD_AABB,
+                             .x = offset.x,
+                             .y = offset.y,
+                             .angle_c = 1.0f,
+                             .half_x = half.x,
+                             .half_y = half.y},
                   out);
 }
 
 thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                   thud_vec2 offset, thud_vec2 half, double angle,
-                                  thud_shape_id *out)
-{
+                                  thud_shape_id *out) {
     TD_IN_OWN_MODE;
     int body;
     thud_result result = begin(w, id, def, &body);
     if (result != THUD_OK) {
         return result;
     }
-    if (!offset_valid(w, offset) || !size_valid(w, body, half.x) ||
-        !size_valid(w, body, half.y)) {
+    if (!offset_valid(w, offset) || !size_valid(w, body, half.x) || !size_valid(w, body, half.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "OBB: offset or half extents are out of range");
     }
     if (!(angle >= -1e6 && angle <= 1e6)) {
         return td_refuse(w, THUD_ERROR_INVALID, "OBB: angle is not finite or beyond 1e6");
     }
     td_kind_obb(w);
-    td_shape made = {.kind = THUD_OBB, .x = offset.x, .y = offset.y, .angle = td_angle_from(angle),
-                     .half_x = half.x, .half_y = half.y};
+    td_shape made = {.kind = THUD_OBB,
+                     .x = offset.x,
+                     .y = offset.y,
+                     .angle = td_angle_from(angle),
+                     .half_x = half.x,
+                     .half_y = half.y};
     td_angle_turn(made.angle, &made.angle_c, &made.angle_s);
     return finish(w, body, def, made, out);
 }
 
 /* ---- terrain ---- */
 
-static bool copy_points(thud_world *w, td_terrain_record *record, const thud_terrain *terrain)
-{
+static bool copy_points(thud_world *w, td_terrain_record *record, const thud_terrain *terrain) {
     record->highest = -INFINITY;
     if (terrain->kind == THUD_TERRAIN_FLAT) {
         record->highest = terrain->slope == 0.0 ? 0.0 : INFINITY;
@@ -215,8 +215,7 @@ static bool copy_points(thud_world *w, td_terrain_record *record, const thud_ter
 }
 
 thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud_shape_def *def,
-                                      const thud_terrain *terrain, thud_shape_id *out)
-{
+                                      const thud_terrain *terrain, thud_shape_id *out) {
     TD_IN_OWN_MODE;
     int body;
     thud_result result = begin(w, id, def, &body);
@@ -237,8 +236,11 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     if (!td_slots_reserve(&w->memory, &w->terrains, 1)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "terrain: out of memory");
     }
-    td_terrain_record made = {.kind = terrain->kind, .slope = terrain->slope, .x0 = terrain->x0,
-                              .spacing = terrain->spacing, .points.stride = sizeof(thud_pos)};
+    td_terrain_record made = {.kind = terrain->kind,
+                              .slope = terrain->slope,
+                              .x0 = terrain->x0,
+                              .spacing = terrain->spacing,
+                              .points.stride = sizeof(thud_pos)};
     if (!copy_points(w, &made, terrain)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "terrain: out of memory");
     }
@@ -246,19 +248,17 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     int index = td_slots_take(&w->terrains);
     td_terrain_record *record = td_slot_at(&w->terrains, index);
     *record = made;
-    return finish(w, body, def,
-                  (td_shape){.kind = THUD_TERRAIN, .terrain = index, .angle_c = 1.0f}, out);
+    return finish(w, body, def, (td_shape){.kind = THUD_TERRAIN, .terrain = index, .angle_c = 1.0f},
+                  out);
 }
 
-thud_terrain td_terrain_view(const thud_world *w, int shape)
-{
+thud_terrain td_terrain_view(const thud_world *w, int shape) {
     const td_terrain_record *record = td_slot_at(&w->terrains, td_shape_at(w, shape)->terrain);
-    return (thud_terrain){record->kind, record->slope, record->x0, record->spacing,
-                          record->points.data, record->points.count};
+    return (thud_terrain){record->kind,    record->slope,       record->x0,
+                          record->spacing, record->points.data, record->points.count};
 }
 
-thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out)
-{
+thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out) {
     int index;
     thud_result result = td_find_shape(w, id, &index);
     if (result != THUD_OK) {
@@ -275,8 +275,7 @@ thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terra
 
 /* ---- the rest of a shape's life ---- */
 
-thud_result thud_shape_destroy(thud_world *w, thud_shape_id id)
-{
+thud_result thud_shape_destroy(thud_world *w, thud_shape_id id) {
     int index;
     thud_result result = td_find_shape(w, id, &index);
     if (result == THUD_OK) {
@@ -287,15 +286,13 @@ thud_result thud_shape_destroy(thud_world *w, thud_shape_id id)
     return result;
 }
 
-bool thud_shape_is_valid(const thud_world *w, thud_shape_id id)
-{
+bool thud_shape_is_valid(const thud_world *w, thud_shape_id id) {
     return w && id.index1 > 0 && id.index1 <= (uint32_t)w->shapes.count &&
            (td_shape_at(w, (int)id.index1 - 1)->flags & TD_SHAPE_LIVE) &&
            td_tag(w, td_shape_at(w, (int)id.index1 - 1)->generation) == id.generation;
 }
 
-thud_result thud_shape_get(const thud_world *w, thud_shape_id id, thud_shape_state *out)
-{
+thud_result thud_shape_get(const thud_world *w, thud_shape_id id, thud_shape_state *out) {
     int index;
     thud_result result = td_find_shape(w, id, &index);
     if (result == THUD_OK && out) {

@@ -15,11 +15,10 @@ void td_shape_place(thud_world *w, int shape);
 void td_shape_expect(thud_world *w, int shape, float dx, float dy);
 
 /* Bounds of a shape placed relative to `origin`, and `slack` more on each side. */
-td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *placed, td_position origin,
-                           double slack);
+td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *placed,
+                           td_position origin, double slack);
 
-static inline float td_thickness(const td_shape *shape)
-{
+static inline float td_thickness(const td_shape *shape) {
     return 2.0f * (shape->kind == THUD_CIRCLE ? shape->half_x
                                               : td_min_float(shape->half_x, shape->half_y));
 }

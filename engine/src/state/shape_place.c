@@ -4,15 +4,13 @@
 
 #include "geometry/shape_instance.h"
 
-static int32_t margin_of(const thud_world *w, float half_x, float half_y)
-{
+static int32_t margin_of(const thud_world *w, float half_x, float half_y) {
     float extent = td_max_float(half_x, half_y);
     float more = td_min_float(TD_MARGIN_MORE * w->unit, extent * 0.125f);
     return (int32_t)((double)(TD_MARGIN * w->unit + more) * w->to_coarse) + 1;
 }
 
-void td_shape_settle(thud_world *w, int index)
-{
+void td_shape_settle(thud_world *w, int index) {
     td_shape *shape = td_shape_at(w, index);
     const td_body *body = td_body_at(w, shape->body);
     td_shape_proxy *proxy = td_shape_proxy_at(w, index);
@@ -26,8 +24,7 @@ void td_shape_settle(thud_world *w, int index)
     proxy->margin = margin_of(w, proxy->half_x, proxy->half_y);
 }
 
-float td_thinnest(thud_world *w)
-{
+float td_thinnest(thud_world *w) {
     if (w->thinnest_stale) {
         w->thinnest_stale = false;
         w->thinnest = __builtin_inff();
@@ -41,8 +38,7 @@ float td_thinnest(thud_world *w)
     return w->thinnest;
 }
 
-void td_shape_mark_moved(thud_world *w, int index)
-{
+void td_shape_mark_moved(thud_world *w, int index) {
     uint8_t *marks = td_marks_at(w, index);
     if (!(*marks & TD_MARK_MOVED)) {
         *(td_bounds *)td_at(&w->was, index) = *td_fat_at(w, index);
@@ -54,13 +50,11 @@ void td_shape_mark_moved(thud_world *w, int index)
 
 /* A half extent along an axis in bounds quanta, never too small: single precision may be off by
  * half a quantum, and beyond 512 L by less than the margin. wide_finalize.c has the same. */
-static int32_t coarse_extent(const thud_world *w, float length)
-{
+static int32_t coarse_extent(const thud_world *w, float length) {
     return (int32_t)(length * (float)w->to_coarse) + 2;
 }
 
-static void bound(thud_world *w, int index, td_shape_proxy *proxy)
-{
+static void bound(thud_world *w, int index, td_shape_proxy *proxy) {
     float hx = proxy->half_x, hy = proxy->half_y;
     if (proxy->turns != 0.0f) {
         float c = proxy->c < 0.0f ? -proxy->c : proxy->c;
@@ -76,12 +70,12 @@ static void bound(thud_world *w, int index, td_shape_proxy *proxy)
     }
 }
 
-td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *p, td_position origin, double slack)
-{
+td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *p, td_position origin,
+                           double slack) {
     double x = p->kind == THUD_CIRCLE ? p->hx : td_shadow(p, 1.0, 0.0);
     double y = p->kind == THUD_CIRCLE ? p->hx : td_shadow(p, 0.0, 1.0);
     td_position center = {origin.x + td_round64(p->x * w->to_fixed),
-                       origin.y + td_round64(p->y * w->to_fixed)};
+                          origin.y + td_round64(p->y * w->to_fixed)};
     return td_bounds_about(center, (int32_t)((x + slack) * w->to_coarse) + 2,
                            (int32_t)((y + slack) * w->to_coarse) + 2);
 }
@@ -89,8 +83,7 @@ td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *p, td
 /* Motion beyond this is not looked for so early: bounds wrap around. */
 #define FURTHEST 16384.0f
 
-void td_shape_expect(thud_world *w, int index, float dx, float dy)
-{
+void td_shape_expect(thud_world *w, int index, float dx, float dy) {
     td_shape_proxy *proxy = td_shape_proxy_at(w, index);
     float most = FURTHEST * w->unit;
     thud_shape_instance now = td_shape_instance(w, index, proxy->center), then = now;
@@ -104,8 +97,7 @@ void td_shape_expect(thud_world *w, int index, float dx, float dy)
     }
 }
 
-void td_shape_place(thud_world *w, int index)
-{
+void td_shape_place(thud_world *w, int index) {
     const td_shape *shape = td_shape_at(w, index);
     const td_pose *pose = td_pose_at(w, shape->body);
     td_shape_proxy *proxy = td_shape_proxy_at(w, index);
@@ -129,8 +121,7 @@ void td_shape_place(thud_world *w, int index)
     }
 }
 
-void td_body_place_shapes(thud_world *w, int body)
-{
+void td_body_place_shapes(thud_world *w, int body) {
     for (int i = td_body_at(w, body)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (!(td_shape_at(w, i)->flags & TD_SHAPE_WAITS)) {
             td_shape_place(w, i);
@@ -138,17 +129,16 @@ void td_body_place_shapes(thud_world *w, int body)
     }
 }
 
-thud_shape_instance td_shape_instance(const thud_world *w, int index, td_position origin)
-{
+thud_shape_instance td_shape_instance(const thud_world *w, int index, td_position origin) {
     const td_shape *shape = td_shape_at(w, index);
     const td_shape_proxy *proxy = td_shape_proxy_at(w, index);
     return (thud_shape_instance){.kind = (thud_shape_kind)shape->kind,
-                         .x = (double)(proxy->center.x - origin.x) / w->to_fixed,
-                         .y = (double)(proxy->center.y - origin.y) / w->to_fixed,
-                         .c = (double)proxy->c,
-                         .s = (double)proxy->s,
-                         .hx = (double)shape->half_x,
-                         .hy = (double)shape->half_y};
+                                 .x = (double)(proxy->center.x - origin.x) / w->to_fixed,
+                                 .y = (double)(proxy->center.y - origin.y) / w->to_fixed,
+                                 .c = (double)proxy->c,
+                                 .s = (double)proxy->s,
+                                 .hx = (double)shape->half_x,
+                                 .hy = (double)shape->half_y};
 }
 
 /* ---- terrain segments under bounds ---- */
@@ -156,8 +146,7 @@ thud_shape_instance td_shape_instance(const thud_world *w, int index, td_positio
 /* Bounds relative to the terrain's origin, in the caller's unit; a quantum wider, so that rounding
  * loses nothing. */
 static void local_bounds(const thud_world *w, int terrain_shape, td_position at, const td_bounds *b,
-                         double *min_x, double *max_x, double *min_y)
-{
+                         double *min_x, double *max_x, double *min_y) {
     const td_position *origin = &td_shape_proxy_at(w, terrain_shape)->center;
     int64_t x = origin->x >> TD_COARSE_SHIFT, y = origin->y >> TD_COARSE_SHIFT;
     *min_x = (double)(td_unwrap(b->min_x, at.x) - x - 1) / w->to_coarse;
@@ -166,8 +155,7 @@ static void local_bounds(const thud_world *w, int terrain_shape, td_position at,
 }
 
 bool td_terrain_below(const thud_world *w, int terrain_shape, td_position near_place,
-                      const td_bounds *bounds)
-{
+                      const td_bounds *bounds) {
     const td_terrain_record *record =
         td_slot_at(&w->terrains, td_shape_at(w, terrain_shape)->terrain);
     int64_t origin = td_shape_proxy_at(w, terrain_shape)->center.y >> TD_COARSE_SHIFT;
@@ -176,16 +164,15 @@ bool td_terrain_below(const thud_world *w, int terrain_shape, td_position near_p
 }
 
 void td_terrain_segments_of(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
-                            td_position near_place, const td_bounds *bounds, int *first, int *last)
-{
+                            td_position near_place, const td_bounds *bounds, int *first,
+                            int *last) {
     double min_x, max_x, min_y;
     local_bounds(w, terrain_shape, near_place, bounds, &min_x, &max_x, &min_y);
     thud_terrain_segments(terrain, min_x, max_x, first, last);
 }
 
 bool td_terrain_reaches(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
-                        td_position near_place, const td_bounds *bounds, int segment)
-{
+                        td_position near_place, const td_bounds *bounds, int segment) {
     double min_x, max_x, min_y;
     local_bounds(w, terrain_shape, near_place, bounds, &min_x, &max_x, &min_y);
     if (terrain->kind == THUD_TERRAIN_FLAT) {

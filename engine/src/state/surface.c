@@ -3,24 +3,21 @@
 
 #include "state/handles.h"
 
-thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b)
-{
+thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b) {
     const td_shape *a = td_shape_at(w, shape_a), *b = td_shape_at(w, shape_b);
     return (thud_contact_settings){.friction = __builtin_sqrtf(a->friction * b->friction),
                                    .restitution = td_max_float(a->restitution, b->restitution),
                                    .surface_speed = a->surface_speed + b->surface_speed};
 }
 
-static bool valid(const thud_world *w, const thud_contact_settings *s)
-{
+static bool valid(const thud_world *w, const thud_contact_settings *s) {
     float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
     return s->friction >= 0.0f && s->friction <= THUD_FRICTION_MAX && s->restitution >= 0.0f &&
            s->restitution <= THUD_BOUNCE_MAX && s->surface_speed >= -fastest &&
            s->surface_speed <= fastest;
 }
 
-bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settings *settings)
-{
+bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settings *settings) {
     thud_contact_settings wanted = *settings;
     bool yes = w->def.prologue(w, seen, &wanted, w->def.callback_context);
     if (valid(w, &wanted)) {
@@ -33,8 +30,7 @@ bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settin
 }
 
 void td_surface_set(thud_world *w, td_block *block, int points, int lane,
-                    const thud_contact_settings *s)
-{
+                    const thud_contact_settings *s) {
     td_surface *surface = td_surface_at(block, points);
     w->bouncy += (s->restitution > 0.0f) - (block->restitution[lane] > 0.0f);
     w->surface_speeds += (s->surface_speed != 0.0f) - (surface->speed[lane] != 0.0f);
@@ -47,8 +43,7 @@ void td_surface_set(thud_world *w, td_block *block, int points, int lane,
     }
 }
 
-void td_surface_mute(td_block *block, int points, int lane)
-{
+void td_surface_mute(td_block *block, int points, int lane) {
     for (int k = 0; k < points; k++) {
         td_point *p = &block->point[k];
         p->normal_mass[lane] = p->normal_impulse[lane] = 0.0f;
@@ -57,8 +52,7 @@ void td_surface_mute(td_block *block, int points, int lane)
     block->tangent_mass[lane] = block->tangent_impulse[lane] = 0.0f;
 }
 
-thud_contact_settings td_surface_get(td_block *block, int points, int lane)
-{
+thud_contact_settings td_surface_get(td_block *block, int points, int lane) {
     return (thud_contact_settings){.friction = block->friction[lane],
                                    .restitution = block->restitution[lane],
                                    .surface_speed = td_surface_at(block, points)->speed[lane]};

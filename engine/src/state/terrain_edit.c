@@ -27,8 +27,7 @@ typedef struct splice {
 /* The number of a segment after the splice, TD_NONE if it is gone. The segment up to the first
  * vertex that stays on the right goes with that vertex; one before it keeps its number as long as
  * there is such a segment. */
-static int renumbered(const splice *s, int segment)
-{
+static int renumbered(const splice *s, int segment) {
     if (segment < s->first - 1) {
         return segment;
     }
@@ -38,15 +37,13 @@ static int renumbered(const splice *s, int segment)
     return segment < s->first + s->count - 1 ? segment : TD_NONE;
 }
 
-static bool joins(const td_contact *contact, int shape)
-{
+static bool joins(const td_contact *contact, int shape) {
     return contact->shape_a == shape || contact->shape_b == shape;
 }
 
 /* Wakes a body for its shape's sake, in the next step, which works out anew how and where the shape
  * touches the terrain. */
-static void disturb(thud_world *w, int terrain_shape, int shape)
-{
+static void disturb(thud_world *w, int terrain_shape, int shape) {
     int body = td_shape_at(w, shape)->body;
     td_body_mark(w, body, TD_CHANGE_WAKE);
     td_shape_mark_moved(w, shape);
@@ -60,8 +57,7 @@ static void disturb(thud_world *w, int terrain_shape, int shape)
 }
 
 /* Contacts with the line as it was. */
-static void disturb_contacts(thud_world *w, int terrain_shape, const splice *s)
-{
+static void disturb_contacts(thud_world *w, int terrain_shape, const splice *s) {
     int e = td_body_at(w, td_shape_at(w, terrain_shape)->body)->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         td_contact *contact = td_contact_at(w, e / 2);
@@ -83,8 +79,7 @@ typedef struct columns {
 
 /* Of the segments that the splice made, and a quantum more on either side. */
 static columns columns_of(const thud_world *w, int terrain_shape, const thud_terrain *line,
-                          const splice *s)
-{
+                          const splice *s) {
     int64_t origin = td_shape_proxy_at(w, terrain_shape)->center.x >> TD_COARSE_SHIFT;
     double left = td_terrain_x(line, td_max_int(s->first - 1, 0));
     double right = td_terrain_x(line, td_min_int(s->first + s->count, line->count - 1));
@@ -92,15 +87,13 @@ static columns columns_of(const thud_world *w, int terrain_shape, const thud_ter
                      origin + td_round64(right * w->to_coarse) + 2};
 }
 
-static bool stands_in(const columns *c, const td_shape_proxy *proxy)
-{
+static bool stands_in(const columns *c, const td_shape_proxy *proxy) {
     return td_unwrap(proxy->fat.max_x, proxy->center.x) >= c->left &&
            td_unwrap(proxy->fat.min_x, proxy->center.x) <= c->right;
 }
 
 static bool reaches_new(const thud_world *w, int terrain_shape, const thud_terrain *line,
-                        const splice *s, const td_shape_proxy *proxy)
-{
+                        const splice *s, const td_shape_proxy *proxy) {
     int segment, last;
     td_terrain_segments_of(w, terrain_shape, line, proxy->center, &proxy->fat, &segment, &last);
     segment = td_max_int(segment, s->first - 1);
@@ -114,8 +107,7 @@ static bool reaches_new(const thud_world *w, int terrain_shape, const thud_terra
 
 /* Shapes that the new line reaches, but for those that have no place yet: they will look at all of
  * it anyway. */
-static void disturb_reached(thud_world *w, int terrain_shape, const splice *s)
-{
+static void disturb_reached(thud_world *w, int terrain_shape, const splice *s) {
     thud_terrain line = td_terrain_view(w, terrain_shape);
     columns changed = columns_of(w, terrain_shape, &line, s);
     for (int i = 0; i < w->shapes.count; i++) {
@@ -133,8 +125,7 @@ static void disturb_reached(thud_world *w, int terrain_shape, const splice *s)
 /* ---- the line ---- */
 
 /* What is the same at both ends stays out of it. */
-static splice trimmed(const td_terrain_record *record, splice s)
-{
+static splice trimmed(const td_terrain_record *record, splice s) {
     const thud_pos *old = (const thud_pos *)record->points.data + s.first;
     while (s.removed && s.count && old->x == s.points->x && old->y == s.points->y) {
         old++;
@@ -152,8 +143,7 @@ static splice trimmed(const td_terrain_record *record, splice s)
 }
 
 /* The new vertices are a line by themselves, between the neighbours that they get. */
-static bool splice_valid(const td_terrain_record *record, const splice *s)
-{
+static bool splice_valid(const td_terrain_record *record, const splice *s) {
     const thud_pos *old = record->points.data;
     int total = record->points.count;
     const thud_pos *left = s->first > 0 ? &old[s->first - 1] : NULL;
@@ -170,8 +160,7 @@ static bool splice_valid(const td_terrain_record *record, const splice *s)
 }
 
 static thud_result apply(thud_world *w, int terrain_shape, splice s, const char *wrong,
-                         const char *no_memory)
-{
+                         const char *no_memory) {
     td_terrain_record *record = td_slot_at(&w->terrains, td_shape_at(w, terrain_shape)->terrain);
     s = trimmed(record, s);
     if (s.removed == 0 && s.count == 0) {
@@ -201,8 +190,7 @@ static thud_result apply(thud_world *w, int terrain_shape, splice s, const char 
 /* ---- the calls ---- */
 
 /* The slot of a terrain shape that may be edited now. */
-static thud_result find_terrain(thud_world *w, thud_shape_id id, int *shape)
-{
+static thud_result find_terrain(thud_world *w, thud_shape_id id, int *shape) {
     thud_result result = td_find_shape(w, id, shape);
     if (result != THUD_OK) {
         return result;
@@ -216,8 +204,7 @@ static thud_result find_terrain(thud_world *w, thud_shape_id id, int *shape)
 }
 
 thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
-                                   const double *heights, int count)
-{
+                                   const double *heights, int count) {
     TD_IN_OWN_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
@@ -238,16 +225,15 @@ thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
     for (int i = 0; i < count; i++) {
         *(thud_pos *)td_at(&points, i) = (thud_pos){line.points[first + i].x, heights[i]};
     }
-    result = apply(w, shape, (splice){first, count, count, points.data},
-                   "set heights: a height is not finite or out of range",
-                   "set heights: out of memory");
+    result =
+        apply(w, shape, (splice){first, count, count, points.data},
+              "set heights: a height is not finite or out of range", "set heights: out of memory");
     td_array_free(&w->memory, &points);
     return result;
 }
 
 thud_result thud_shape_replace_range(thud_world *w, thud_shape_id id, double x0, double x1,
-                                     const thud_pos *points, int count)
-{
+                                     const thud_pos *points, int count) {
     TD_IN_OWN_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
@@ -276,8 +262,7 @@ thud_result thud_shape_replace_range(thud_world *w, thud_shape_id id, double x0,
 
 /* Digs or raises; `tool` is in the world's coordinates. */
 static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const char *wrong,
-                           const char *no_memory)
-{
+                           const char *no_memory) {
     TD_IN_OWN_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
@@ -307,16 +292,14 @@ static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const 
     return result;
 }
 
-thud_result thud_shape_dig(thud_world *w, thud_shape_id id, thud_pos center, double radius)
-{
+thud_result thud_shape_dig(thud_world *w, thud_shape_id id, thud_pos center, double radius) {
     return reshape(w, id, (td_tool){true, center.x, center.y, radius, 0.0},
                    "dig: the ground is flat, or the circle is not finite or out of range",
                    "dig: out of memory");
 }
 
 thud_result thud_shape_raise(thud_world *w, thud_shape_id id, double x, double radius,
-                             double height)
-{
+                             double height) {
     return reshape(w, id, (td_tool){false, x, 0.0, radius, height},
                    "raise: the ground is flat, or the mound is not finite or out of range",
                    "raise: out of memory");

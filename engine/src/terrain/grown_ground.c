@@ -2,8 +2,7 @@
  * neighbouring pieces end and begin in the same bits. */
 #include "terrain/grown_ground.h"
 
-td_grown td_grown_by(const thud_terrain *t, const thud_shape_instance *s, thud_pos offset)
-{
+td_grown td_grown_by(const thud_terrain *t, const thud_shape_instance *s, thud_pos offset) {
     td_grown k = {.terrain = t, .shape = s, .offset = offset};
     if (s->kind == THUD_CIRCLE) {
         k.radius = s->hx;
@@ -20,8 +19,7 @@ td_grown td_grown_by(const thud_terrain *t, const thud_shape_instance *s, thud_p
     return k;
 }
 
-td_grown td_grown_mirrored(const td_grown *k)
-{
+td_grown td_grown_mirrored(const td_grown *k) {
     td_grown m = *k;
     m.mirrored = !k->mirrored;
     for (int i = 0; i < 3; i++) {
@@ -30,15 +28,13 @@ td_grown td_grown_mirrored(const td_grown *k)
     return m;
 }
 
-thud_pos td_grown_vertex(const td_grown *k, int i)
-{
+thud_pos td_grown_vertex(const td_grown *k, int i) {
     i = k->mirrored ? k->terrain->count - 1 - i : i;
     double x = td_terrain_x(k->terrain, i) - k->shape->x - k->offset.x;
     return (thud_pos){k->mirrored ? -x : x, k->terrain->points[i].y - k->shape->y - k->offset.y};
 }
 
-void td_grown_vertices(const td_grown *k, double x_min, double x_max, int *first, int *last)
-{
+void td_grown_vertices(const td_grown *k, double x_min, double x_max, int *first, int *last) {
     double left = x_min + k->under[0].x, right = x_max + k->under[2].x;
     double from = k->mirrored ? -right : left, to = k->mirrored ? -left : right;
     double x = k->shape->x + k->offset.x;
@@ -50,8 +46,7 @@ void td_grown_vertices(const td_grown *k, double x_min, double x_max, int *first
 }
 
 /* The segment from p to q. */
-static td_piece shifted(const td_grown *k, thud_pos p, thud_pos q)
-{
+static td_piece shifted(const td_grown *k, thud_pos p, thud_pos q) {
     double dx = q.x - p.x, dy = q.y - p.y;
     thud_pos low = k->under[0];
     for (int i = 1; i < 3; i++) {
@@ -63,19 +58,17 @@ static td_piece shifted(const td_grown *k, thud_pos p, thud_pos q)
         double length = __builtin_sqrt(dx * dx + dy * dy);
         low = (thud_pos){dy / length * k->radius, -dx / length * k->radius};
     }
-    return (td_piece){
-        .p = {p.x - low.x, p.y - low.y}, .q = {q.x - low.x, q.y - low.y}, .touch = low};
+    return (
+        td_piece){.p = {p.x - low.x, p.y - low.y}, .q = {q.x - low.x, q.y - low.y}, .touch = low};
 }
 
-td_piece td_grown_line(const td_grown *k)
-{
+td_piece td_grown_line(const td_grown *k) {
     double slope = k->terrain->slope;
     double above = slope * (k->shape->x + k->offset.x) - (k->shape->y + k->offset.y);
     return shifted(k, (thud_pos){0.0, above}, (thud_pos){1.0, above + slope});
 }
 
-bool td_grown_piece(const td_grown *k, int index, int part, td_piece *out)
-{
+bool td_grown_piece(const td_grown *k, int index, int part, td_piece *out) {
     thud_pos v = td_grown_vertex(k, index);
     if (part == 2) {
         if (index == k->terrain->count - 1) {
@@ -100,8 +93,7 @@ bool td_grown_piece(const td_grown *k, int index, int part, td_piece *out)
     return out->p.x < out->q.x;
 }
 
-double td_piece_height(const td_piece *e, double x)
-{
+double td_piece_height(const td_piece *e, double x) {
     if (e->round) {
         double dx = td_abs(x - e->touch.x);
         double square = (e->radius - dx) * (e->radius + dx);
@@ -113,15 +105,13 @@ double td_piece_height(const td_piece *e, double x)
     return e->q.y + (x - e->q.x) * ((e->q.y - e->p.y) / (e->q.x - e->p.x));
 }
 
-double td_piece_steepness(const td_piece *e, double x)
-{
+double td_piece_steepness(const td_piece *e, double x) {
     double rise = e->round ? x - e->touch.x : e->q.y - e->p.y;
     double run = e->round ? td_piece_height(e, x) - e->touch.y : e->q.x - e->p.x;
     return run > 0.0 ? td_abs(rise / run) : 1e300;
 }
 
-thud_pos td_piece_normal(const td_piece *e, thud_pos at)
-{
+thud_pos td_piece_normal(const td_piece *e, thud_pos at) {
     thud_pos n = {at.x - e->touch.x, at.y - e->touch.y};
     if (!e->round) {
         n = (thud_pos){e->p.y - e->q.y, e->q.x - e->p.x};
@@ -131,15 +121,13 @@ thud_pos td_piece_normal(const td_piece *e, thud_pos at)
 }
 
 /* May the piece lie over x? Tells most of them apart before they are worked out. */
-static bool may_cover(const td_grown *k, int index, int part, double x)
-{
+static bool may_cover(const td_grown *k, int index, int part, double x) {
     int end = part == 2 && index < k->terrain->count - 1 ? index + 1 : index;
     return x >= td_grown_vertex(k, index).x - k->under[2].x &&
            x <= td_grown_vertex(k, end).x - k->under[0].x;
 }
 
-bool td_grown_highest(const td_grown *k, double x, double enough, td_piece *out, double *height)
-{
+bool td_grown_highest(const td_grown *k, double x, double enough, td_piece *out, double *height) {
     bool found = false;
     int first, last;
     if (k->terrain->kind == THUD_TERRAIN_FLAT) {

@@ -31,7 +31,8 @@ typedef struct td_piece {
     double radius;
 } td_piece;
 
-td_grown td_grown_by(const thud_terrain *terrain, const thud_shape_instance *shape, thud_pos offset);
+td_grown td_grown_by(const thud_terrain *terrain, const thud_shape_instance *shape,
+                     thud_pos offset);
 td_grown td_grown_mirrored(const td_grown *grown);
 
 /* Where the ground's vertex stands. */

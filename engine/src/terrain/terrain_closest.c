@@ -15,8 +15,7 @@ enum { MAX_HALVINGS = 64 };
 /* Offers a result with the centre at `distance` along the normal from the place z of the outline;
  * *best keeps the nearest. */
 static void offer(const td_grown *k, const td_piece *e, thud_closest found, thud_pos z,
-                  thud_closest *best)
-{
+                  thud_closest *best) {
     if (td_abs(found.distance) >= td_abs(best->distance)) {
         return;
     }
@@ -30,8 +29,7 @@ static void offer(const td_grown *k, const td_piece *e, thud_closest found, thud
 }
 
 static void offer_point(const td_grown *k, const td_piece *e, thud_pos z, bool inside,
-                        thud_closest *best)
-{
+                        thud_closest *best) {
     double length = __builtin_sqrt(z.x * z.x + z.y * z.y), sign = inside ? 1.0 : -1.0;
     thud_pos n = {sign * z.x / length, sign * z.y / length};
     if (length <= 1e-15 * (td_abs(e->touch.x) + td_abs(e->touch.y))) {
@@ -42,8 +40,7 @@ static void offer_point(const td_grown *k, const td_piece *e, thud_pos z, bool i
 
 /* Where the normal of the piece goes through the centre, if that is between x = from and x = to. */
 static void offer_foot(const td_grown *k, const td_piece *e, double from, double to,
-                       thud_closest *best)
-{
+                       thud_closest *best) {
     thud_pos n = td_piece_normal(e, (thud_pos){0.0, 0.0});
     double distance = -(e->p.x * n.x + e->p.y * n.y);
     if (e->round) {
@@ -56,8 +53,7 @@ static void offer_foot(const td_grown *k, const td_piece *e, double from, double
 }
 
 /* The upright side under the right end. */
-static void offer_side(const td_grown *k, thud_closest *best)
-{
+static void offer_side(const td_grown *k, thud_closest *best) {
     thud_pos last = td_grown_vertex(k, k->terrain->count - 1);
     double x = last.x - k->under[0].x, top;
     td_piece e;
@@ -71,8 +67,7 @@ static void offer_side(const td_grown *k, thud_closest *best)
 
 /* ---- from above and beside ---- */
 
-static void offer_vertex(const td_grown *k, int i, thud_closest *best)
-{
+static void offer_vertex(const td_grown *k, int i, thud_closest *best) {
     for (int part = 0; part < TD_PIECES; part++) {
         td_piece e;
         if (td_grown_piece(k, i, part, &e)) {
@@ -84,8 +79,7 @@ static void offer_vertex(const td_grown *k, int i, thud_closest *best)
 }
 
 /* `flipped` has left and right changed. */
-static void from_outside(const td_grown *k, const td_grown *flipped, thud_closest *best)
-{
+static void from_outside(const td_grown *k, const td_grown *flipped, thud_closest *best) {
     int first, last;
     td_grown_vertices(k, 0.0, 0.0, &first, &last);
     for (int i = first; i <= last; i++) {
@@ -108,8 +102,7 @@ static void from_outside(const td_grown *k, const td_grown *flipped, thud_closes
 
 /* ---- from below ---- */
 
-static double rise(const td_piece *other, const td_piece *top, double x)
-{
+static double rise(const td_piece *other, const td_piece *top, double x) {
     return td_piece_height(other, x) - td_piece_height(top, x);
 }
 
@@ -117,8 +110,7 @@ static double rise(const td_piece *other, const td_piece *top, double x)
  * difference changes its sign once: it is linear, or convex and not positive at the start, or, for
  * a round piece over a straight one, concave up to where both are parallel. */
 static bool overtakes(const td_piece *other, const td_piece *top, double x, double stop,
-                      double tolerance, double *at)
-{
+                      double tolerance, double *at) {
     double low = x > other->p.x ? x : other->p.x;
     double high = stop < other->q.x ? stop : other->q.x;
     if (low >= high) {
@@ -154,8 +146,7 @@ static bool overtakes(const td_piece *other, const td_piece *top, double x, doub
  * the flatter one is the more exact, since x is rounded; the ground is touched by the one that the
  * way there leaves. */
 static void offer_joint(const td_grown *k, const td_piece *top, const td_piece *next, double x,
-                        thud_closest *best)
-{
+                        thud_closest *best) {
     bool flatter = td_piece_steepness(next, x) < td_piece_steepness(top, x);
     thud_pos z = {x, td_piece_height(flatter ? next : top, x)};
     thud_pos n = td_piece_normal(top, z), m = td_piece_normal(next, z);
@@ -164,8 +155,7 @@ static void offer_joint(const td_grown *k, const td_piece *top, const td_piece *
 }
 
 /* Along the outline to the right, from the height over x of the piece `top`. */
-static void walk(const td_grown *k, td_piece top, double x, double tolerance, thud_closest *best)
-{
+static void walk(const td_grown *k, td_piece top, double x, double tolerance, thud_closest *best) {
     double end = td_grown_vertex(k, k->terrain->count - 1).x - k->under[0].x, height;
     while (x < end && x < -best->distance) {
         td_piece next = top;
@@ -194,8 +184,7 @@ static void walk(const td_grown *k, td_piece top, double x, double tolerance, th
     }
 }
 
-static void on_endless_line(const td_grown *k, thud_closest *out)
-{
+static void on_endless_line(const td_grown *k, thud_closest *out) {
     double slope = k->terrain->slope, length = __builtin_sqrt(1.0 + slope * slope);
     td_piece e = td_grown_line(k);
     out->nx = -slope / length;
@@ -206,8 +195,7 @@ static void on_endless_line(const td_grown *k, thud_closest *out)
 }
 
 void td_terrain_closest(const thud_terrain *t, const thud_shape_instance *shape, thud_pos offset,
-                        thud_closest *out)
-{
+                        thud_closest *out) {
     td_grown k = td_grown_by(t, shape, offset), flipped = td_grown_mirrored(&k);
     td_piece top;
     double height;
@@ -230,8 +218,7 @@ void td_terrain_closest(const thud_terrain *t, const thud_shape_instance *shape,
 }
 
 thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_shape_instance *shape,
-                                 thud_closest *out)
-{
+                                 thud_closest *out) {
     if (!terrain || !shape || !out) {
         return THUD_ERROR_NULL;
     }

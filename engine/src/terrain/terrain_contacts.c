@@ -22,8 +22,7 @@ typedef struct search {
     thud_closest best;
 } search;
 
-static void offer(search *k, const thud_closest *c)
-{
+static void offer(search *k, const thud_closest *c) {
     double dx = c->ax - k->from.ax, dy = c->ay - k->from.ay;
     double apart = __builtin_sqrt(dx * dx + dy * dy);
     if (c->distance <= k->margin && apart > k->apart) {
@@ -34,9 +33,9 @@ static void offer(search *k, const thud_closest *c)
 }
 
 /* The corners of a box, each with the place of the ground that is nearest to it. */
-static void offer_corners(search *k)
-{
-    thud_shape_instance box = *k->shape, point = {.kind = THUD_CIRCLE, .x = box.x, .y = box.y, .c = 1.0};
+static void offer_corners(search *k) {
+    thud_shape_instance box = *k->shape,
+                        point = {.kind = THUD_CIRCLE, .x = box.x, .y = box.y, .c = 1.0};
     box.x = box.y = 0.0;
     for (int i = 0; i < 4; i++) {
         thud_pos corner;
@@ -51,16 +50,14 @@ static void offer_corners(search *k)
     }
 }
 
-static thud_pos vertex_of(const search *k, int i)
-{
+static thud_pos vertex_of(const search *k, int i) {
     return (thud_pos){td_terrain_x(k->terrain, i) - k->shape->x,
                       k->terrain->points[i].y - k->shape->y};
 }
 
 /* A vertex that sticks out of the ground, with the place of the shape that is nearest to it, if the
  * shape may stand on it from that direction: between the normals of the ground before and after. */
-static void offer_ridge(search *k, int i)
-{
+static void offer_ridge(search *k, int i) {
     const thud_terrain *t = k->terrain;
     td_segment before = {.ty = 1.0}, after = {.ty = -1.0}; /* upright at the ends */
     if (i > 0) {
@@ -73,7 +70,8 @@ static void offer_ridge(search *k, int i)
         return;
     }
     thud_pos v = vertex_of(k, i);
-    thud_shape_instance shape = *k->shape, point = {.kind = THUD_CIRCLE, .x = v.x, .y = v.y, .c = 1.0};
+    thud_shape_instance shape = *k->shape,
+                        point = {.kind = THUD_CIRCLE, .x = v.x, .y = v.y, .c = 1.0};
     thud_closest c;
     shape.x = shape.y = 0.0;
     td_closest(&point, &shape, &c);
@@ -84,8 +82,7 @@ static void offer_ridge(search *k, int i)
 }
 
 /* A segment with a circle's centre straight over it. */
-static void offer_segment(search *k, int i)
-{
+static void offer_segment(search *k, int i) {
     td_segment s = td_terrain_segment(k->terrain, i, 0.0, 0.0);
     s.p = vertex_of(k, i);
     double along = td_along(s.tx, s.ty, s.p, 0.0, 0.0), above = td_above(&s, 0.0, 0.0);
@@ -98,8 +95,7 @@ static void offer_segment(search *k, int i)
 }
 
 /* `centre_out`: the circle's centre is not in the ground, so that it may stand on segments. */
-static bool find(search *k, bool centre_out)
-{
+static bool find(search *k, bool centre_out) {
     bool circle = k->shape->kind == THUD_CIRCLE;
     double reach = td_half_width(k->shape) + k->margin;
     int first, last;
@@ -120,8 +116,7 @@ static bool find(search *k, bool centre_out)
 }
 
 static void find_points(const thud_terrain *t, const thud_shape_instance *shape, double margin,
-                        thud_contacts *out)
-{
+                        thud_contacts *out) {
     thud_closest *first = &out->point[0], *second = &out->point[1];
     double same = SAME * td_reach(shape);
     bool centre_out = first->distance >= -shape->hx;
@@ -142,8 +137,7 @@ static void find_points(const thud_terrain *t, const thud_shape_instance *shape,
 }
 
 thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_shape_instance *shape,
-                                  double margin, thud_contacts *out)
-{
+                                  double margin, thud_contacts *out) {
     if (!terrain || !shape || !out) {
         return THUD_ERROR_NULL;
     }

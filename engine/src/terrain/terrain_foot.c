@@ -4,8 +4,7 @@
 #include "thud/thud_terrain.h"
 
 /* The highest place so far, of several the one nearest to the middle. */
-static void try_place(thud_foot *foot, double middle, double x, double height)
-{
+static void try_place(thud_foot *foot, double middle, double x, double height) {
     if (height > foot->height ||
         (height == foot->height && td_abs(x - middle) < td_abs(foot->x - middle))) {
         foot->height = height;
@@ -13,8 +12,7 @@ static void try_place(thud_foot *foot, double middle, double x, double height)
     }
 }
 
-thud_result thud_terrain_place_foot(const thud_terrain *t, double x, double width, thud_foot *out)
-{
+thud_result thud_terrain_place_foot(const thud_terrain *t, double x, double width, thud_foot *out) {
     thud_result readable = td_terrain_readable(t);
     if (readable != THUD_OK || !out) {
         return readable != THUD_OK ? readable : THUD_ERROR_NULL;

@@ -25,14 +25,17 @@ typedef struct place {
     double margin;
 } place;
 
-static place place_of(const thud_terrain *t, int segment, const thud_shape_instance *shape, unsigned sealed,
-                      double margin)
-{
+static place place_of(const thud_terrain *t, int segment, const thud_shape_instance *shape,
+                      unsigned sealed, double margin) {
     bool left = !(sealed & TD_SEALED_LEFT), right = !(sealed & TD_SEALED_RIGHT);
     double reach = 2.0 * td_reach(shape) + 1.0;
     bool endless = t->kind == THUD_TERRAIN_FLAT;
-    return (place){.terrain = t, .shape = shape, .segment = segment, .endless = endless,
-                   .open_left = left, .open_right = right,
+    return (place){.terrain = t,
+                   .shape = shape,
+                   .segment = segment,
+                   .endless = endless,
+                   .open_left = left,
+                   .open_right = right,
                    .first = !endless && segment == 0 && left,
                    .last = !endless && segment == t->count - 2 && right,
                    .s = td_terrain_segment(t, segment, shape->x - reach, shape->x + reach),
@@ -46,13 +49,11 @@ typedef struct vertex {
 } vertex;
 
 /* The sine of the angle by which the ground turns down: positive on a ridge. */
-static double ridge_of(const vertex *v)
-{
+static double ridge_of(const vertex *v) {
     return v->before_y * v->after_x - v->before_x * v->after_y;
 }
 
-static vertex vertex_of(const place *k, bool right)
-{
+static vertex vertex_of(const place *k, bool right) {
     const td_segment *s = &k->s;
     if (right) { /* asked for the last segment alone: the ground goes straight down after it */
         return (vertex){s->q, s->tx, s->ty, 0.0, -1.0};
@@ -67,8 +68,7 @@ static vertex vertex_of(const place *k, bool right)
     return (vertex){s->p, before.tx, before.ty, s->tx, s->ty};
 }
 
-static double distance_to(const td_segment *s, double x, double y)
-{
+static double distance_to(const td_segment *s, double x, double y) {
     double along = td_clamp(td_along(s->tx, s->ty, s->p, x, y), 0.0, s->length);
     double dx = x - (s->p.x + along * s->tx), dy = y - (s->p.y + along * s->ty);
     return __builtin_sqrt(dx * dx + dy * dy);
@@ -76,8 +76,7 @@ static double distance_to(const td_segment *s, double x, double y)
 
 /* The segment or side through which a point is nearest to the surface; NOWHERE above the ground.
  * Only what the shape's bounds touch is searched: nobody asks about the rest. */
-static int owner_of(const place *k, double x, double y)
-{
+static int owner_of(const place *k, double x, double y) {
     const thud_terrain *t = k->terrain;
     if (k->endless) {
         return td_above(&k->s, x, y) < 0.0 ? 0 : NOWHERE;
@@ -119,17 +118,15 @@ static int owner_of(const place *k, double x, double y)
 
 /* Does a point above the ground project onto the segment? A foot on a vertex that it shares with
  * the segment before is its own, one on a vertex shared with the next is not. */
-static bool foot_within(const place *k, double x, double y)
-{
+static bool foot_within(const place *k, double x, double y) {
     const td_segment *s = &k->s;
-    return k->endless || (td_along(s->tx, s->ty, s->p, x, y) >= 0.0 &&
-                          td_along(s->tx, s->ty, s->q, x, y) < 0.0);
+    return k->endless ||
+           (td_along(s->tx, s->ty, s->p, x, y) >= 0.0 && td_along(s->tx, s->ty, s->q, x, y) < 0.0);
 }
 
 /* ---- circle ---- */
 
-static void offer(td_terrain_manifold *out, const place *k, double nx, double ny, double distance)
-{
+static void offer(td_terrain_manifold *out, const place *k, double nx, double ny, double distance) {
     double separation = distance - k->shape->hx, reach = -(k->shape->hx + 0.5 * separation);
     if (separation <= k->margin && (!out->count || separation < out->point[0].separation)) {
         *out = (td_terrain_manifold){nx, ny, 1, {{nx * reach, ny * reach, separation, 0}}};
@@ -137,8 +134,7 @@ static void offer(td_terrain_manifold *out, const place *k, double nx, double ny
 }
 
 /* The wedge over a vertex: past the end of what is before, short of the start of what is after. */
-static void offer_vertex(td_terrain_manifold *out, const place *k, bool right)
-{
+static void offer_vertex(td_terrain_manifold *out, const place *k, bool right) {
     double x = k->shape->x, y = k->shape->y;
     vertex v = vertex_of(k, right);
     double dx = x - v.at.x, dy = y - v.at.y, distance = __builtin_sqrt(dx * dx + dy * dy);
@@ -149,8 +145,7 @@ static void offer_vertex(td_terrain_manifold *out, const place *k, bool right)
     }
 }
 
-static void circle(const place *k, td_terrain_manifold *out)
-{
+static void circle(const place *k, td_terrain_manifold *out) {
     const td_segment *s = &k->s;
     double x = k->shape->x, y = k->shape->y, above = td_above(s, x, y);
     int owner = owner_of(k, x, y);
@@ -179,8 +174,7 @@ static void circle(const place *k, td_terrain_manifold *out)
 /* Adds a point where the box's surface is `separation` along the normal from (x, y) of the
  * ground's surface; of more than two the deepest stay, in their order along the ground. */
 static void add(td_terrain_manifold *out, const place *k, double x, double y, double separation,
-                uint32_t id)
-{
+                uint32_t id) {
     td_terrain_point point = {x - k->shape->x + 0.5 * separation * out->nx,
                               y - k->shape->y + 0.5 * separation * out->ny, separation, id};
     if (out->count < 2) {
@@ -203,8 +197,7 @@ static void add(td_terrain_manifold *out, const place *k, double x, double y, do
 /* A corner in the ground next to a valley is in the way of both its slopes. It is the neighbour's
  * if it would be in reach of this segment too, once it is out of its owner's; the foot may be as
  * far past the valley as a corner in a valley of 75 degrees to either side can be. */
-static bool in_valley(const place *k, int owner, double x, double y)
-{
+static bool in_valley(const place *k, int owner, double x, double y) {
     if (k->endless || owner < 0 || owner > k->terrain->count - 2 ||
         (owner != k->segment - 1 && owner != k->segment + 1)) {
         return false;
@@ -221,8 +214,7 @@ static bool in_valley(const place *k, int owner, double x, double y)
 }
 
 /* Corners that meet the segment itself. */
-static void corners_on_segment(const place *k, td_terrain_manifold *out)
-{
+static void corners_on_segment(const place *k, td_terrain_manifold *out) {
     const td_segment *s = &k->s;
     out->nx = -s->ty;
     out->ny = s->tx;
@@ -242,8 +234,7 @@ static void corners_on_segment(const place *k, td_terrain_manifold *out)
 }
 
 /* Corners that meet the upright side under an end of the line. */
-static void corners_on_side(const place *k, int side, td_terrain_manifold *out)
-{
+static void corners_on_side(const place *k, int side, td_terrain_manifold *out) {
     thud_pos end = side == LEFT_SIDE ? k->s.p : k->s.q;
     out->nx = side == LEFT_SIDE ? -1.0 : 1.0;
     out->ny = 0.0;
@@ -266,8 +257,7 @@ typedef struct faces {
     double nx[4], ny[4], separation[4];
 } faces;
 
-static faces faces_around(const thud_shape_instance *box, thud_pos v)
-{
+static faces faces_around(const thud_shape_instance *box, thud_pos v) {
     faces f;
     double u, w;
     td_to_frame(box, v.x - box->x, v.y - box->y, &u, &w);
@@ -280,8 +270,7 @@ static faces faces_around(const thud_shape_instance *box, thud_pos v)
 }
 
 /* How far the box must move against the normal until the vertex is at its surface. */
-static double separation_along(const faces *f, double nx, double ny)
-{
+static double separation_along(const faces *f, double nx, double ny) {
     double best = -1e300;
     for (int i = 0; i < 4; i++) {
         double facing = -(f->nx[i] * nx + f->ny[i] * ny);
@@ -294,10 +283,8 @@ static double separation_along(const faces *f, double nx, double ny)
 
 /* A ridge in a face of the box. Without corners on the segment, the face of least penetration that
  * looks into the ground gives the normal, held within the wedge of the ridge. */
-static void add_vertex(const place *k, bool right, td_terrain_manifold *out)
-{
-    if (td_abs((right ? k->s.q.x : k->s.p.x) - k->shape->x) >
-        td_half_width(k->shape) + k->margin) {
+static void add_vertex(const place *k, bool right, td_terrain_manifold *out) {
+    if (td_abs((right ? k->s.q.x : k->s.p.x) - k->shape->x) > td_half_width(k->shape) + k->margin) {
         return;
     }
     vertex v = vertex_of(k, right);
@@ -343,8 +330,7 @@ static void add_vertex(const place *k, bool right, td_terrain_manifold *out)
 
 /* A plank run through by a hill has neither corner in the ground nor ridge in itself, but then its
  * centre is in the ground: out through the line. */
-static void add_centre(const place *k, td_terrain_manifold *out)
-{
+static void add_centre(const place *k, td_terrain_manifold *out) {
     double x = k->shape->x, y = k->shape->y, above = td_above(&k->s, x, y);
     if (above < 0.0 && owner_of(k, x, y) == k->segment) {
         double nx = -k->s.ty, ny = k->s.tx;
@@ -354,14 +340,12 @@ static void add_centre(const place *k, td_terrain_manifold *out)
     }
 }
 
-static double deepest(const td_terrain_manifold *m)
-{
+static double deepest(const td_terrain_manifold *m) {
     double depth = m->count > 0 ? m->point[0].separation : 1e300;
     return m->count > 1 && m->point[1].separation < depth ? m->point[1].separation : depth;
 }
 
-static void box(const place *k, td_terrain_manifold *out)
-{
+static void box(const place *k, td_terrain_manifold *out) {
     corners_on_segment(k, out);
     for (int end = 0; end < 2; end++) {
         if (end ? k->last : k->first) {
@@ -383,9 +367,9 @@ static void box(const place *k, td_terrain_manifold *out)
     }
 }
 
-void td_terrain_segment_manifold(const thud_terrain *terrain, int segment, const thud_shape_instance *shape,
-                                 unsigned sealed, double margin, td_terrain_manifold *out)
-{
+void td_terrain_segment_manifold(const thud_terrain *terrain, int segment,
+                                 const thud_shape_instance *shape, unsigned sealed, double margin,
+                                 td_terrain_manifold *out) {
     place k = place_of(terrain, segment, shape, sealed, margin);
     *out = (td_terrain_manifold){.ny = 1.0};
     if (shape->kind == THUD_CIRCLE) {

@@ -24,7 +24,8 @@ enum { TD_SEALED_RIGHT = 1, TD_SEALED_LEFT = 4 };
 /* `shape->x, y` are relative to the terrain's origin. Points further than `margin` are left out.
  * Summed over the segments that the shape's bounds touch, nothing is reported twice, and a shape
  * that slides over collinear segments meets the segments' normal alone. */
-void td_terrain_segment_manifold(const thud_terrain *terrain, int segment, const thud_shape_instance *shape,
-                                 unsigned sealed, double margin, td_terrain_manifold *out);
+void td_terrain_segment_manifold(const thud_terrain *terrain, int segment,
+                                 const thud_shape_instance *shape, unsigned sealed, double margin,
+                                 td_terrain_manifold *out);
 
 #endif

@@ -14,15 +14,13 @@ typedef struct stop {
     double fraction, height;
 } stop;
 
-static stop stop_over_vertex(const ray *r, int vertex)
-{
+static stop stop_over_vertex(const ray *r, int vertex) {
     double fraction = (td_terrain_x(r->terrain, vertex) - r->ox) / r->dx;
     return (stop){fraction, r->oy + fraction * r->dy - r->terrain->points[vertex].y};
 }
 
 /* The ray's own start or end; false where there is no line. */
-static bool stop_at(const ray *r, double fraction, stop *out)
-{
+static bool stop_at(const ray *r, double fraction, stop *out) {
     thud_terrain_sample sample;
     if (thud_terrain_sample_at(r->terrain, r->ox + fraction * r->dx, &sample) != THUD_OK) {
         return false;
@@ -32,8 +30,7 @@ static bool stop_at(const ray *r, double fraction, stop *out)
 }
 
 /* Does the ray come down through the line between two stops? */
-static bool comes_down(stop a, stop b, double *fraction)
-{
+static bool comes_down(stop a, stop b, double *fraction) {
     if (!(a.height >= 0.0 && b.height <= 0.0 && a.height > b.height)) {
         return false;
     }
@@ -42,8 +39,7 @@ static bool comes_down(stop a, stop b, double *fraction)
     return true;
 }
 
-static bool follow(const ray *r, int first, int last, double *fraction, int *segment)
-{
+static bool follow(const ray *r, int first, int last, double *fraction, int *segment) {
     bool rightward = r->dx > 0.0;
     int step = rightward ? 1 : -1, i = rightward ? first : last, behind = rightward ? last : first;
     stop a, b;
@@ -73,8 +69,7 @@ static bool follow(const ray *r, int first, int last, double *fraction, int *seg
 }
 
 bool thud_terrain_cast_ray(const thud_terrain *terrain, double ox, double oy, double dx, double dy,
-                           double *fraction, double *nx, double *ny)
-{
+                           double *fraction, double *nx, double *ny) {
     if (td_terrain_readable(terrain) != THUD_OK || !td_finite(ox + oy + dx + dy)) {
         return false;
     }

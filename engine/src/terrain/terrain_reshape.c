@@ -10,8 +10,7 @@ enum { PIECES = 16 };
 /* Vertices nearer to each other than this share of the radius become one. */
 #define NEAREST (1.0 / 64.0)
 
-void td_tool_vertices(const thud_terrain *t, const td_tool *tool, int *first, int *count)
-{
+void td_tool_vertices(const thud_terrain *t, const td_tool *tool, int *first, int *count) {
     int begin = td_terrain_vertices_left_of(t, tool->x - tool->radius);
     if (begin < t->count && td_terrain_x(t, begin) == tool->x - tool->radius) {
         begin++;
@@ -21,36 +20,31 @@ void td_tool_vertices(const thud_terrain *t, const td_tool *tool, int *first, in
     *count = end > begin ? end - begin : 0;
 }
 
-int td_tool_room(int count)
-{
+int td_tool_room(int count) {
     /* Every vertex and every sample, and a rim before each. */
     return 2 * (count + PIECES + 1);
 }
 
 /* By how much the tool would move ground of that height; a circle does so only downwards. */
-static double shift_at(const td_tool *tool, double x, double ground)
-{
+static double shift_at(const td_tool *tool, double x, double ground) {
     double u = (x - tool->x) / tool->radius, inside = td_max_double(1.0 - u * u, 0.0);
     /* A mound's slope vanishes at its foot and on its top. */
     return tool->digs ? tool->y - tool->radius * __builtin_sqrt(inside) - ground
                       : tool->rise * inside * inside;
 }
 
-static bool moves(const td_tool *tool, double shift)
-{
+static bool moves(const td_tool *tool, double shift) {
     return tool->digs ? shift < 0.0 : shift != 0.0;
 }
 
 /* Places along the tool's lower half circle, from its left end to its right one. */
-static double sample_x(const td_tool *tool, int i)
-{
+static double sample_x(const td_tool *tool, int i) {
     double s, c;
     td_sincos(TD_PI * i / PIECES, &s, &c);
     return tool->x - tool->radius * c;
 }
 
-static double ground_at(const thud_terrain *t, int right, double x)
-{
+static double ground_at(const thud_terrain *t, int right, double x) {
     thud_pos p = t->points[right - 1], q = t->points[right];
     return p.y + (q.y - p.y) * ((x - p.x) / (q.x - p.x));
 }
@@ -64,14 +58,12 @@ typedef struct pen {
     double stop; /* the end of the line */
 } pen;
 
-static bool too_near(const pen *p, thud_pos a, thud_pos b)
-{
+static bool too_near(const pen *p, thud_pos a, thud_pos b) {
     double dx = b.x - a.x, dy = b.y - a.y;
     return dx * dx + dy * dy < p->nearest * p->nearest || dx < 1e-6 * p->nearest;
 }
 
-static void draw_to(pen *p, double x, double y)
-{
+static void draw_to(pen *p, double x, double y) {
     const thud_pos *last = p->count ? &p->out[p->count - 1] : p->before;
     if (last && too_near(p, *last, (thud_pos){x, y})) {
         if (x < p->stop || x <= last->x) {
@@ -84,8 +76,7 @@ static void draw_to(pen *p, double x, double y)
 
 /* Walks along vertices and samples, and draws what moved, what is a vertex, and the rims between
  * moved ground and ground that stays. */
-static void draw_irregular(pen *p, const thud_terrain *t, const td_tool *tool, int first, int end)
-{
+static void draw_irregular(pen *p, const thud_terrain *t, const td_tool *tool, int first, int end) {
     double before_x = 0.0, before_ground = 0.0, before_shift = 0.0;
     bool begun = false;
     for (int v = first, k = 0; v < end || k <= PIECES;) {
@@ -118,8 +109,8 @@ static void draw_irregular(pen *p, const thud_terrain *t, const td_tool *tool, i
     }
 }
 
-int td_tool_reshape(const thud_terrain *t, const td_tool *tool, int first, int count, thud_pos *out)
-{
+int td_tool_reshape(const thud_terrain *t, const td_tool *tool, int first, int count,
+                    thud_pos *out) {
     if (t->kind == THUD_TERRAIN_UNIFORM) {
         for (int i = 0; i < count; i++) {
             double x = td_terrain_x(t, first + i), y = t->points[first + i].y;

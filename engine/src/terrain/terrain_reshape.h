@@ -1,15 +1,17 @@
-/* terrain_reshape.h: the vertices that a part of a ground line gets where it is dug out or raised. */
+/* terrain_reshape.h: the vertices that a part of a ground line gets where it is dug out or raised.
+ */
 #ifndef TD_TERRAIN_RESHAPE_H
 #define TD_TERRAIN_RESHAPE_H
 
 #include "thud/thud_shapes.h"
 
-/* A circle that takes away the ground in it and above it, or a mound. Coordinates are the line's. */
+/* A circle that takes away the ground in it and above it, or a mound. Coordinates are the line's.
+ */
 typedef struct td_tool {
     bool digs;
-    double x, y;   /* centre; a mound has no y */
+    double x, y; /* centre; a mound has no y */
     double radius;
-    double rise;   /* of a mound in its middle */
+    double rise; /* of a mound in its middle */
 } td_tool;
 
 /* The vertices strictly within the tool's width; of a line that is not flat. */

@@ -3,8 +3,7 @@
  * The ground is what lies on and below the line, between two upright sides under its ends. */
 #include "terrain/grown_ground.h"
 
-bool thud_terrain_overlap(const thud_terrain *t, const thud_shape_instance *shape)
-{
+bool thud_terrain_overlap(const thud_terrain *t, const thud_shape_instance *shape) {
     if (td_terrain_readable(t) != THUD_OK || thud_placed_check(shape) != THUD_OK) {
         return false;
     }
@@ -16,11 +15,14 @@ bool thud_terrain_overlap(const thud_terrain *t, const thud_shape_instance *shap
 
 /* The motion against a straight piece of the ground's outline, seen as a box without thickness. */
 static void meet(const thud_shape_instance *shape, thud_motion motion, thud_pos p, thud_pos q,
-                 double target, bool *hit, double *time)
-{
+                 double target, bool *hit, double *time) {
     double dx = q.x - p.x, dy = q.y - p.y, length = __builtin_sqrt(dx * dx + dy * dy);
-    thud_shape_instance box = {.kind = THUD_OBB, .x = p.x + 0.5 * dx, .y = p.y + 0.5 * dy,
-                       .c = dx / length, .s = dy / length, .hx = 0.5 * length};
+    thud_shape_instance box = {.kind = THUD_OBB,
+                               .x = p.x + 0.5 * dx,
+                               .y = p.y + 0.5 * dy,
+                               .c = dx / length,
+                               .s = dy / length,
+                               .hx = 0.5 * length};
     bool hit_here;
     double time_here;
     td_time_of_impact(shape, motion, &box, (thud_motion){0}, target, &hit_here, &time_here);
@@ -31,8 +33,8 @@ static void meet(const thud_shape_instance *shape, thud_motion motion, thud_pos 
 }
 
 thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_shape_instance *shape,
-                                        thud_motion motion, double target, bool *hit, double *time)
-{
+                                        thud_motion motion, double target, bool *hit,
+                                        double *time) {
     if (!t || !shape || !hit || !time) {
         return THUD_ERROR_NULL;
     }

@@ -2,8 +2,7 @@
 #include "circles.c"
 
 /* A box of half height 0.5 falls on a box whose top is at 0. */
-EXPORT("box_height") double box_height(int steps)
-{
+EXPORT("box_height") double box_height(int steps) {
     thud_world *world = open_world();
     thud_shape_def shape = thud_default_shape_def();
     thud_body_id ground = add_body(world, THUD_STATIC, -1), box = add_body(world, THUD_DYNAMIC, 3);

@@ -1,5 +1,5 @@
-/* circles.c: a program that uses circles only, at draft, unless QUALITY is another one; for the size of
- * what is linked. */
+/* circles.c: a program that uses circles only, at draft, unless QUALITY is another one; for the
+ * size of what is linked. */
 #include <thud/thud.h>
 
 #if defined(__wasm__)
@@ -12,16 +12,14 @@
 #define QUALITY thud_quality_draft
 #endif
 
-static thud_world *open_world(void)
-{
+static thud_world *open_world(void) {
     thud_world_def def = thud_world_def_of(&QUALITY);
     thud_world *world = NULL;
     thud_world_create(&def, &world);
     return world;
 }
 
-static thud_body_id add_body(thud_world *world, thud_body_kind kind, double y)
-{
+static thud_body_id add_body(thud_world *world, thud_body_kind kind, double y) {
     thud_body_def def = thud_default_body_def();
     thud_body_id id;
     def.kind = kind;
@@ -31,8 +29,7 @@ static thud_body_id add_body(thud_world *world, thud_body_kind kind, double y)
 }
 
 /* Steps the world and ends it; the height of the body. */
-static double height_after(thud_world *world, thud_body_id body, int steps)
-{
+static double height_after(thud_world *world, thud_body_id body, int steps) {
     for (int i = 0; i < steps; i++) {
         thud_world_step(world);
     }
@@ -43,8 +40,7 @@ static double height_after(thud_world *world, thud_body_id body, int steps)
 }
 
 /* A ball of radius 0.5 falls on one of radius 100 whose top is at 0. */
-EXPORT("circle_height") double circle_height(int steps)
-{
+EXPORT("circle_height") double circle_height(int steps) {
     thud_world *world = open_world();
     thud_shape_def shape = thud_default_shape_def();
     thud_body_id ground = add_body(world, THUD_STATIC, -100);

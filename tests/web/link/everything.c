@@ -2,8 +2,7 @@
 #define QUALITY thud_quality_default
 #include "boxes.c"
 
-EXPORT("oriented_height") double oriented_height(int steps)
-{
+EXPORT("oriented_height") double oriented_height(int steps) {
     thud_world *world = open_world();
     thud_shape_def shape = thud_default_shape_def();
     thud_body_id ground = add_body(world, THUD_STATIC, 0), box = add_body(world, THUD_DYNAMIC, 3);
@@ -14,8 +13,7 @@ EXPORT("oriented_height") double oriented_height(int steps)
 }
 
 /* How far down a ray from height 10 meets the ground, which is 1 thick; and draws what it sees. */
-EXPORT("ray_fraction") double ray_fraction(void)
-{
+EXPORT("ray_fraction") double ray_fraction(void) {
     thud_world *world = open_world();
     thud_shape_def shape = thud_default_shape_def();
     thud_body_id ground = add_body(world, THUD_STATIC, -1);
