@@ -30,7 +30,7 @@ static void make_random(problem *p, mix m, uint64_t *seed) {
     }
     for (int i = 0; i < contacts; i++) {
         if (i % 3 == 2) {
-            p->contacts[p->d.contact_count++] = p->contacts[(int)random_in(seed, 0, i)];
+            p->contacts[p->d.constraint_count++] = p->contacts[(int)random_in(seed, 0, i)];
             continue;
         }
         int b = (int)random_in(seed, 0, bodies), a = (int)random_in(seed, -1, bodies);
@@ -38,9 +38,10 @@ static void make_random(problem *p, mix m, uint64_t *seed) {
         for (int k = 0; k < 4; k++) {
             arms[k / 2][k % 2] = random_in(seed, -1, 1);
         }
-        td_direct_contact *c = add_contact(p, a == b ? GROUND : a, b, cos(angle), sin(angle), arms,
-                                           1 + (int)random_in(seed, 0, m.points),
-                                           random_in(seed, 0.2, 1), random_in(seed, 0, m.friction));
+        td_direct_constraint *c =
+            add_contact(p, a == b ? GROUND : a, b, cos(angle), sin(angle), arms,
+                        1 + (int)random_in(seed, 0, m.points), random_in(seed, 0.2, 1),
+                        random_in(seed, 0, m.friction));
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             r->a[2] *= c->a != GROUND && p->bodies[c->a].inverse_inertia > 0;
@@ -56,14 +57,14 @@ static void make_random(problem *p, mix m, uint64_t *seed) {
 enum { ROWS_MOST = 8 };
 
 typedef struct normals {
-    const td_direct_contact *contact[ROWS_MOST];
+    const td_direct_constraint *contact[ROWS_MOST];
     const td_direct_row *row[ROWS_MOST];
     int count;
 } normals;
 
 static normals normals_of(const problem *p) {
     normals n = {.count = 0};
-    for (int i = 0; i < p->d.contact_count; i++) {
+    for (int i = 0; i < p->d.constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             if (p->contacts[i].row[k].used && n.count < ROWS_MOST) {
                 n.contact[n.count] = &p->contacts[i];
@@ -240,7 +241,7 @@ static void direct_interior_point_heeds_bounds_of_friction(void **state) {
     for (int i = 0; i < 600; i++) {
         problem p;
         make_random(&p, many(i % 6, 1), &seed);
-        for (int n = 0; n < p.d.contact_count; n++) {
+        for (int n = 0; n < p.d.constraint_count; n++) {
             p.contacts[n].row[0].impulse = pow(10, random_in(&seed, -3, 3));
         }
         weigh(&p);
@@ -331,8 +332,8 @@ static void direct_solver_tells_what_is_missing(void **state) {
         double miss = td_direct_solve(&p.d, TOLERANCE), worst = 0;
         assert_true(miss >= 0);
         if (miss <= TOLERANCE) {
-            for (int n = 0; n < p.d.contact_count; n++) {
-                const td_direct_contact *c = &p.contacts[n];
+            for (int n = 0; n < p.d.constraint_count; n++) {
+                const td_direct_constraint *c = &p.contacts[n];
                 for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
                     assert_true(!c->row[k].used || c->row[k].impulse >= 0);
                     worst = fmax(worst, c->row[k].used * (c->row[k].wanted - row_speed(&p, c, k)));

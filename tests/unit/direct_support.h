@@ -13,7 +13,7 @@ typedef struct problem {
     td_sparse matrix;
     td_direct d;
     td_direct_body bodies[BODIES_MOST];
-    td_direct_contact contacts[CONTACTS_MOST];
+    td_direct_constraint contacts[CONTACTS_MOST];
     double step[BODIES_MOST][3], work[BODIES_MOST][3];
 } problem;
 
@@ -25,7 +25,7 @@ static inline void begin_problem(problem *p) {
     *p = (problem){.memory = td_memory_make((thud_allocator){0})};
     td_sparse_init(&p->matrix);
     p->d = (td_direct){.bodies = p->bodies,
-                       .contacts = p->contacts,
+                       .constraints = p->contacts,
                        .matrix = &p->matrix,
                        .step = p->step,
                        .work = p->work,
@@ -55,11 +55,11 @@ static inline void put_row(td_direct_row *r, double x, double y, const double ar
 
 /* With `points` 1 or 2 of them, from a to b along (x, y), and the arms to the first; the second one
  * lies further by `width` across the normal. */
-static inline td_direct_contact *add_contact(problem *p, int a, int b, double x, double y,
-                                             const double arms[2][2], int points, double width,
-                                             double friction) {
-    td_direct_contact *c = &p->contacts[p->d.contact_count++];
-    *c = (td_direct_contact){.a = a, .b = b, .friction = friction};
+static inline td_direct_constraint *add_contact(problem *p, int a, int b, double x, double y,
+                                                const double arms[2][2], int points, double width,
+                                                double friction) {
+    td_direct_constraint *c = &p->contacts[p->d.constraint_count++];
+    *c = (td_direct_constraint){.a = a, .b = b, .friction = friction};
     for (int k = 0; k < points; k++) {
         double s = k * width;
         double arm_a[2] = {arms[0][0] + s * y, arms[0][1] - s * x};
@@ -70,12 +70,13 @@ static inline td_direct_contact *add_contact(problem *p, int a, int b, double x,
     double arm_a[2] = {arms[0][0] + middle * y, arms[0][1] - middle * x};
     double arm_b[2] = {arms[1][0] + middle * y, arms[1][1] - middle * x};
     put_row(&c->row[TD_DIRECT_TANGENT], y, -x, arm_a, arm_b);
+    c->row[TD_DIRECT_TANGENT].kind = TD_ROW_FRICTION;
     c->row[TD_DIRECT_TANGENT].used = friction > 0;
     return c;
 }
 
 /* Boxes of edge 1, of which b stands on a. */
-static inline td_direct_contact *stack(problem *p, int a, int b, double friction) {
+static inline td_direct_constraint *stack(problem *p, int a, int b, double friction) {
     const double arms[2][2] = {{-0.5, 0.5}, {-0.5, -0.5}};
     return add_contact(p, a, b, 0, 1, arms, 2, 1, friction);
 }
@@ -86,8 +87,8 @@ static inline void order_problem(problem *p) {
     td_sparse_forget(&p->matrix);
     assert_true(td_sparse_begin(&p->memory, &p->matrix, p->d.body_count));
     for (int pass = 0; pass < 2; pass++) {
-        for (int i = 0; i < p->d.contact_count; i++) {
-            td_direct_contact *c = &p->contacts[i];
+        for (int i = 0; i < p->d.constraint_count; i++) {
+            td_direct_constraint *c = &p->contacts[i];
             if (c->a == GROUND || c->b == GROUND) {
                 continue;
             }
@@ -104,7 +105,7 @@ static inline void order_problem(problem *p) {
 
 /* Impulses of the step before, for an active set to begin with. */
 static inline void forget_impulses(problem *p) {
-    for (int i = 0; i < p->d.contact_count; i++) {
+    for (int i = 0; i < p->d.constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             p->contacts[i].row[k].impulse = 0;
         }
@@ -112,7 +113,7 @@ static inline void forget_impulses(problem *p) {
     p->d.factorings = 0;
 }
 
-static inline double row_speed(const problem *p, const td_direct_contact *c, int k) {
+static inline double row_speed(const problem *p, const td_direct_constraint *c, int k) {
     const td_direct_row *r = &c->row[k];
     double speed = r->known;
     for (int j = 0; j < 3; j++) {
@@ -122,7 +123,7 @@ static inline double row_speed(const problem *p, const td_direct_contact *c, int
     return speed;
 }
 
-static inline double load_of(const td_direct_contact *c) {
+static inline double load_of(const td_direct_constraint *c) {
     return c->row[0].used * c->row[0].impulse + c->row[1].used * c->row[1].impulse;
 }
 
@@ -139,8 +140,8 @@ static inline void assert_balanced(const problem *p, double tolerance) {
             }
             double off = (b->velocity[j] - b->free[j]) / inverse, doubt = 0;
             double most = (fabs(b->velocity[j]) + fabs(b->free[j])) / inverse;
-            for (int n = 0; n < p->d.contact_count; n++) {
-                const td_direct_contact *c = &p->contacts[n];
+            for (int n = 0; n < p->d.constraint_count; n++) {
+                const td_direct_constraint *c = &p->contacts[n];
                 for (int k = 0; k < TD_DIRECT_ROWS; k++) {
                     const td_direct_row *r = &c->row[k];
                     double side = c->a == i ? r->a[j] : c->b == i ? r->b[j] : 0;
@@ -157,8 +158,8 @@ static inline void assert_balanced(const problem *p, double tolerance) {
 /* The conditions of Karush, Kuhn and Tucker, at the bounds of friction that the solver went by. */
 static inline void assert_solved(const problem *p, double tolerance) {
     assert_balanced(p, tolerance);
-    for (int i = 0; i < p->d.contact_count; i++) {
-        const td_direct_contact *c = &p->contacts[i];
+    for (int i = 0; i < p->d.constraint_count; i++) {
+        const td_direct_constraint *c = &p->contacts[i];
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             const td_direct_row *r = &c->row[k];
             double over = row_speed(p, c, k) - r->wanted;
@@ -180,8 +181,8 @@ static inline void assert_solved(const problem *p, double tolerance) {
 
 /* Friction within its cone of the impulses that came out, but for two parts in a hundred. */
 static inline void assert_within_cones(const problem *p, double tolerance) {
-    for (int i = 0; i < p->d.contact_count; i++) {
-        const td_direct_contact *c = &p->contacts[i];
+    for (int i = 0; i < p->d.constraint_count; i++) {
+        const td_direct_constraint *c = &p->contacts[i];
         const td_direct_row *t = &c->row[TD_DIRECT_TANGENT];
         if (t->used) {
             near_to(fmax(fabs(t->impulse) - 1.02 * c->friction * load_of(c), 0), 0,

@@ -286,7 +286,7 @@ static void direct_pushed_row_takes_one_matrix_a_step(void **state) {
     for (int i = 0; i < 5; i++) {
         add_mass(&p, 1, 1.0 / 6);
         stack(&p, GROUND, i, 0.6);
-        td_direct_contact *c = add_contact(&p, i - 1, i, 1, 0, arms, 2, 1, 0.6);
+        td_direct_constraint *c = add_contact(&p, i - 1, i, 1, 0, arms, 2, 1, 0.6);
         c->row[0].known = c->row[1].known = i == 0 ? -1 : 0;
         p.bodies[i].velocity[0] = p.bodies[i].free[0] = 1;
     }

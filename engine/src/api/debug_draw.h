@@ -20,7 +20,7 @@ void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_
 void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_draw_style style);
 
 /* A line from shape to shape of a pair; from a terrain straight up or down. draw_detection.c */
-void td_drawing_pair(const td_drawing *d, const td_contact *contact, thud_draw_style style);
+void td_drawing_pair(const td_drawing *d, const td_constraint *constraint, thud_draw_style style);
 
 /* draw_detection.c: what detection goes by. The broadphase must hold the present bounds. */
 void td_draw_cells(const td_drawing *d);

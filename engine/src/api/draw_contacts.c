@@ -3,18 +3,26 @@
 #include "state/body.h"
 #include "contact/contact.h"
 #include "api/debug_draw.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "contact/manifold.h"
 
-/* The next touching contact from *i on, or null; *i moves past it. */
-static const td_contact *next_touching(const thud_world *w, int *i) {
+/* The next constraint that acts from *i on, or null; *i moves past it. */
+static const td_constraint *next_acting(const thud_world *w, int *i) {
     while (*i < w->contacts.count) {
-        const td_contact *contact = td_contact_at(w, (*i)++);
-        if (contact->live && contact->state == TD_TOUCHING && contact->child != TD_NONE) {
-            return contact;
+        const td_constraint *constraint = td_constraint_at(w, (*i)++);
+        if (constraint->live && constraint->state == TD_TOUCHING && constraint->child != TD_NONE) {
+            return constraint;
         }
     }
     return NULL;
+}
+
+static const td_contact *next_touching(const thud_world *w, int *i) {
+    const td_constraint *constraint;
+    do {
+        constraint = next_acting(w, i);
+    } while (constraint && !td_is_contact(constraint));
+    return constraint;
 }
 
 static void draw_point(const td_drawing *d, thud_vec2 p, thud_draw_style style) {
@@ -41,21 +49,21 @@ void td_draw_contacts(const td_drawing *d) {
 }
 
 void td_draw_direct(const td_drawing *d) {
-    const td_contact *contact;
-    for (int i = 0; (contact = next_touching(d->w, &i)) != NULL;) {
-        const td_block *block = td_block_at(d->w, contact->kind, contact->slot / TD_LANES);
-        if (block->loaded[contact->slot % TD_LANES] & TD_DIRECT) {
-            td_drawing_pair(d, contact, THUD_DRAW_DIRECT);
+    const td_constraint *c;
+    for (int i = 0; (c = next_acting(d->w, &i)) != NULL;) {
+        const td_block *block = td_block_at(d->w, c->kind, c->slot / TD_LANES);
+        if (block->loaded[c->slot % TD_LANES] & TD_DIRECT) {
+            td_drawing_pair(d, c, THUD_DRAW_DIRECT);
         }
     }
 }
 
 void td_draw_colours(const td_drawing *d) {
-    const td_contact *contact;
-    for (int i = 0; (contact = next_touching(d->w, &i)) != NULL;) {
-        if (contact->bin != TD_SLEEPING) {
-            int style = THUD_DRAW_COLOUR + contact->bin % TD_COLOURS;
-            td_drawing_pair(d, contact, (thud_draw_style)td_min_int(style, THUD_DRAW_COLOUR_LAST));
+    const td_constraint *c;
+    for (int i = 0; (c = next_acting(d->w, &i)) != NULL;) {
+        if (c->bin != TD_SLEEPING) {
+            int style = THUD_DRAW_COLOUR + c->bin % TD_COLOURS;
+            td_drawing_pair(d, c, (thud_draw_style)td_min_int(style, THUD_DRAW_COLOUR_LAST));
         }
     }
 }

@@ -109,7 +109,12 @@ static thud_vec2 ground_beside(const td_drawing *d, const td_contact *contact, t
     return (thud_vec2){at.x + (float)x, at.y + (float)y};
 }
 
-void td_drawing_pair(const td_drawing *d, const td_contact *contact, thud_draw_style style) {
+void td_drawing_pair(const td_drawing *d, const td_constraint *contact, thud_draw_style style) {
+    if (!td_is_contact(contact)) {
+        td_drawing_line(d, td_drawing_local(d, td_pose_at(d->w, contact->body[0])->center),
+                        td_drawing_local(d, td_pose_at(d->w, contact->body[1])->center), style);
+        return;
+    }
     thud_vec2 b = td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_b)->center);
     thud_vec2 a = td_shape_at(d->w, contact->shape_a)->kind == THUD_TERRAIN
                       ? ground_beside(d, contact, b)
@@ -146,8 +151,8 @@ static bool bounds_overlap(const td_drawing *d, const td_contact *contact) {
 
 static void draw_pairs(const td_drawing *d, bool stages) {
     for (int i = 0; i < d->w->contacts.count; i++) {
-        const td_contact *contact = td_contact_at(d->w, i);
-        if (!contact->live || contact->child == TD_NONE) {
+        const td_constraint *contact = td_constraint_at(d->w, i);
+        if (!td_is_contact(contact) || !contact->live || contact->child == TD_NONE) {
             continue;
         }
         td_drawing_pair(d, contact,

@@ -1,7 +1,7 @@
 /* report.c: what a world tells of itself: events, poses, statistics, measures, its hash. */
 #include "state/body.h"
 #include "state/handles.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "base/rotation.h"
 
 thud_events thud_world_events(const thud_world *w) {
@@ -110,8 +110,8 @@ static void measure_penetration(const thud_world *w, thud_measure *m) {
     int points = 0;
     double sum = 0.0;
     for (int i = 0; i < w->contacts.count; i++) {
-        const td_contact *contact = td_contact_at(w, i);
-        if (!contact->live || contact->state != TD_TOUCHING) {
+        const td_constraint *contact = td_constraint_at(w, i);
+        if (!td_is_contact(contact) || !contact->live || contact->state != TD_TOUCHING) {
             continue;
         }
         const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);

@@ -68,7 +68,7 @@ static bool counts_valid(const td_snapshot_head *head) {
         const td_snapshot_part *p = &head->parts[i];
         valid = valid && p->count >= 0 && p->count <= most && p->used >= 0 && p->used <= most;
     }
-    for (int i = 0; i < TD_PAIR_COUNT; i++) {
+    for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
         valid = valid && head->contacts[i] >= 0 && head->contacts[i] <= most;
     }
     return valid;
@@ -92,7 +92,7 @@ static bool lengths_valid(thud_world *w, const td_snapshot_head *head) {
         const td_snapshot_part *row = &parts[TD_SNAPSHOT_VELOCITY + i];
         valid = valid && row->used >= parts[TD_SNAPSHOT_BODY_OF].count;
     }
-    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         valid = valid && parts[TD_SNAPSHOT_WAITING + kind].count <= head->contacts[kind];
     }
     for (int p = 0; p < 2; p++) {
@@ -161,6 +161,9 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
     }
     if (memcmp(head->settings, own.settings, sizeof own.settings) != 0) {
         return "restore: the snapshot is of a world whose def has other settings";
+    }
+    if (head->plugged & ~own.plugged & TD_SNAPSHOT_ALL_JOINTS) {
+        return "restore: the snapshot has joints of a kind that this world never had";
     }
     if (!counts_valid(head) || !lengths_valid(w, head) || td_snapshot_bytes_of(w, head) != bytes ||
         !table_valid(head, from + sizeof *head)) {

@@ -31,7 +31,7 @@ enum {
     TD_SNAPSHOT_AWAKE_ROWS = 15,
     TD_SNAPSHOT_MOVED = TD_SNAPSHOT_VELOCITY + TD_SNAPSHOT_AWAKE_ROWS,
     TD_SNAPSHOT_WAITING = TD_SNAPSHOT_MOVED + 3, /* after `changed` and `deferred` */
-    TD_SNAPSHOT_PROXY_SETS = TD_SNAPSHOT_WAITING + TD_PAIR_COUNT + 2 * 6,
+    TD_SNAPSHOT_PROXY_SETS = TD_SNAPSHOT_WAITING + TD_CONSTRAINT_KINDS + 2 * 6,
     TD_SNAPSHOT_PROXY_SET_PARTS = 13, /* a list, then rows by place, of which six all have */
     TD_SNAPSHOT_PARTS = TD_SNAPSHOT_PROXY_SETS + 2 * TD_SNAPSHOT_PROXY_SET_PARTS
 };
@@ -45,7 +45,9 @@ enum {
     TD_SNAPSHOT_OBB = 4,
     TD_SNAPSHOT_TERRAIN = 8,
     TD_SNAPSHOT_ISLANDS = 16,
-    TD_SNAPSHOT_DETECTIONS = 32 /* ... shifted by its rank */
+    TD_SNAPSHOT_DETECTIONS = 32, /* ... shifted by its rank */
+    TD_SNAPSHOT_JOINTS = 4096, /* ... shifted by the kind, from the first that is no pair kind on */
+    TD_SNAPSHOT_ALL_JOINTS = (1 << (TD_CONSTRAINT_KINDS - TD_PAIR_COUNT)) * 4096 - 4096
 };
 
 typedef struct td_snapshot_slots {
@@ -69,7 +71,7 @@ typedef struct td_snapshot_head {
     uint32_t plugged;
     int32_t detection; /* rank of the quality's */
     int32_t bins;      /* that are not empty */
-    int32_t contacts[TD_PAIR_COUNT];
+    int32_t contacts[TD_CONSTRAINT_KINDS];
     int32_t levels[2]; /* of the two proxy sets: from the first that is not empty on */
     td_snapshot_slots slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_part parts[TD_SNAPSHOT_PARTS];

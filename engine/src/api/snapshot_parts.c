@@ -73,7 +73,7 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     add_list(&l, &w->moved, shapes);
     add_list(&l, &w->changed, bodies);
     add_list(&l, &w->deferred, 0);
-    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         add_list(&l, &w->waiting[kind], head->contacts[kind]); /* any of them may come to wait */
     }
     add_events(&l, &w->events);

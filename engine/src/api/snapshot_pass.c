@@ -65,7 +65,7 @@ enum { TERRAIN_BYTES = offsetof(td_terrain_record, points) };
 
 enum {
     BIN_BYTES = sizeof(int32_t) + sizeof(td_bin),
-    BIN_COUNT = TD_PAIR_TOUCH_COUNT * TD_BINS_A_KIND
+    BIN_COUNT = TD_CONSTRAINT_KINDS * TD_BINS_A_KIND
 };
 
 static const thud_detection *const DETECTIONS[TD_RANK_COUNT] = {&thud_detection_overlap,
@@ -89,6 +89,7 @@ static uint32_t layout_of_build(void) {
                               sizeof(td_level),
                               (uint32_t)td_form_bytes(TD_FORM_ONE),
                               (uint32_t)td_form_bytes(TD_FORM_TWO_CACHED),
+                              (uint32_t)td_form_bytes(TD_FORM_JOINT),
                               sizeof(td_errors),
                               sizeof(td_budget),
                               sizeof(thud_stats),
@@ -106,6 +107,9 @@ static uint32_t plugged_into(const thud_world *w) {
                        (w->quality.islands ? TD_SNAPSHOT_ISLANDS : 0u);
     for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
         plugged |= w->detections[rank] ? (uint32_t)TD_SNAPSHOT_DETECTIONS << rank : 0u;
+    }
+    for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
+        plugged |= w->pairs[kind] ? (uint32_t)TD_SNAPSHOT_JOINTS << (kind - TD_PAIR_COUNT) : 0u;
     }
     return plugged;
 }
@@ -304,7 +308,7 @@ static void pass_blocks(tape *t, td_slots *pool) {
 }
 
 static void plug_in(thud_world *w, const td_snapshot_head *head) {
-    memset(w->pairs, 0, sizeof w->pairs);
+    memset(w->pairs, 0, TD_PAIR_COUNT * sizeof *w->pairs); /* joints are there: snapshot.c */
     w->internal_edges = NULL;
     w->ground = NULL;
     static void (*const kinds[])(thud_world *) = {td_kind_circle, td_kind_aabb, td_kind_obb,

@@ -5,7 +5,7 @@
 #include "state/body.h"
 #include "detection/collide.h"
 #include "state/handles.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "solver/quality.h"
 #include "api/step.h"
 
@@ -171,7 +171,7 @@ static void set_strides(thud_world *w) {
     for (int i = 0; i < ARRAY_COUNT; i++) {
         array_at(w, i)->stride = ARRAYS[i].stride;
     }
-    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         w->waiting[kind].stride = (int)sizeof(int);
     }
     td_slots_init(&w->bodies, (int)sizeof(td_body));
@@ -257,7 +257,7 @@ void thud_world_destroy(thud_world *w) {
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         td_slots_free(&w->memory, &w->pool[form]);
     }
-    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         td_array_free(&w->memory, &w->waiting[kind]);
     }
     td_islands_free(&w->memory, &w->islands);

@@ -12,7 +12,7 @@
 #ifndef TD_GRID_H
 #define TD_GRID_H
 
-#include "contact/block.h"
+#include "constraint/block.h"
 
 enum { TD_LEVELS = 16 };
 

@@ -91,7 +91,7 @@ static bool has_contact(const thud_world *w, const td_new_pair *p) {
         return false;
     }
     while (e != TD_NONE && f != TD_NONE) {
-        const td_contact *c = td_contact_at(w, e / 2);
+        const td_constraint *c = td_constraint_at(w, e / 2);
         if (c->shape_a == p->a && c->shape_b == p->b && c->child == p->child) {
             return true;
         }
@@ -104,7 +104,7 @@ static bool has_contact(const thud_world *w, const td_new_pair *p) {
 
 bool td_pairs_create(thud_world *w) {
     td_array *pairs = &w->scratch.pairs;
-    int more[TD_PAIR_COUNT] = {0};
+    int more[TD_CONSTRAINT_KINDS] = {0};
     for (int i = 0; i < pairs->count; i++) {
         td_new_pair *pair = td_at(pairs, i);
         more[td_pair_of(w, &pair->a, &pair->b)]++;
@@ -113,7 +113,7 @@ bool td_pairs_create(thud_world *w) {
             return false;
         }
     }
-    if (!td_contacts_reserve(w, more)) {
+    if (!td_constraints_reserve(w, more)) {
         return false;
     }
     for (int i = 0; i < pairs->count; i++) {

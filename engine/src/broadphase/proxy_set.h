@@ -3,7 +3,7 @@
 #ifndef TD_PROXY_SET_H
 #define TD_PROXY_SET_H
 
-#include "contact/block.h"
+#include "constraint/block.h"
 #include "broadphase/grid.h"
 #include "base/memory.h"
 

@@ -3,7 +3,7 @@
 
 #include "state/body.h"
 #include "state/handles.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 
 static td_body *body_of_shape(const thud_world *w, int shape) {
     return td_body_at(w, td_shape_at(w, shape)->body);
@@ -69,78 +69,13 @@ bool td_pair_meets(const thud_world *w, int a, int b) {
     return !w->vast || (x < most && x > -most && y < most && y > -most);
 }
 
-bool td_contacts_reserve(thud_world *w, const int more[TD_PAIR_COUNT]) {
-    int sum = 0;
-    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
-        sum += more[kind];
-        if (!td_array_reserve(&w->memory, &w->waiting[kind], w->contact_count[kind] + more[kind])) {
-            return false;
-        }
-    }
-    return td_slots_reserve(&w->memory, &w->contacts, sum);
-}
-
-static void link_edge(thud_world *w, int contact_index, int side) {
-    td_contact *contact = td_contact_at(w, contact_index);
-    td_body *body = td_body_at(w, contact->body[side]);
-    int edge = contact_index * 2 + side, head = body->first_contact;
-    contact->next[side] = head;
-    contact->prev[side] = TD_NONE;
-    if (head != TD_NONE) {
-        td_contact_at(w, head / 2)->prev[head & 1] = edge;
-    }
-    body->first_contact = edge;
-}
-
-static void unlink_edge(thud_world *w, int contact_index, int side) {
-    const td_contact *contact = td_contact_at(w, contact_index);
-    int next = contact->next[side], prev = contact->prev[side];
-    if (next != TD_NONE) {
-        td_contact_at(w, next / 2)->prev[next & 1] = prev;
-    }
-    if (prev != TD_NONE) {
-        td_contact_at(w, prev / 2)->next[prev & 1] = next;
-    } else {
-        td_body_at(w, contact->body[side])->first_contact = next;
-    }
-}
-
-void td_contact_wait(thud_world *w, int contact_index) {
-    td_contact *contact = td_contact_at(w, contact_index);
-    td_array *waiting = &w->waiting[contact->kind];
-    contact->state = TD_WAITING;
-    contact->slot = waiting->count;
-    td_push_int(waiting, contact_index);
-}
-
-static void leave_waiting(thud_world *w, const td_contact *contact) {
-    td_array *waiting = &w->waiting[contact->kind];
-    int last = *(int *)td_at(waiting, waiting->count - 1);
-    *(int *)td_at(waiting, contact->slot) = last;
-    td_contact_at(w, last)->slot = contact->slot;
-    waiting->count--;
-}
-
-void td_contact_rest(thud_world *w, int contact_index) {
-    td_contact *contact = td_contact_at(w, contact_index);
-    leave_waiting(w, contact);
-    contact->state = TD_RESTING;
-    contact->slot = TD_NONE;
-}
-
 void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child) {
-    int index = td_slots_take(&w->contacts);
+    int index =
+        td_constraint_create(w, kind, td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body);
     td_contact *contact = td_contact_at(w, index);
-    *contact = (td_contact){.shape_a = shape_a,
-                            .shape_b = shape_b,
-                            .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body},
-                            .child = child,
-                            .kind = (uint8_t)kind,
-                            .live = 1};
-    link_edge(w, index, 0);
-    link_edge(w, index, 1);
-    w->contact_count[kind]++;
-    td_contact_wait(w, index);
+    contact->shape_a = shape_a;
+    contact->shape_b = shape_b;
+    contact->child = child;
 }
 
 bool td_contact_end_reserve(thud_world *w, int more) {
@@ -161,7 +96,7 @@ static bool open_elsewhere(const thud_world *w, int contact_index) {
     }
     int e = td_body_at(w, contact->body[ground_first])->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_contact *other = td_contact_at(w, e / 2);
+        const td_constraint *other = td_constraint_at(w, e / 2);
         if (other != contact && other->open && other->shape_a == contact->shape_a &&
             other->shape_b == contact->shape_b) {
             return true;
@@ -206,25 +141,15 @@ void td_contact_end(thud_world *w, int contact_index) {
 
 void td_contact_part(thud_world *w, int contact_index) {
     td_lane_remove(w, contact_index);
-    td_contact_wait(w, contact_index);
+    td_constraint_wait(w, contact_index);
     td_contact_end(w, contact_index);
 }
 
-void td_contact_destroy(thud_world *w, int contact_index) {
-    td_contact *contact = td_contact_at(w, contact_index);
-    if (contact->state == TD_TOUCHING) {
-        td_lane_remove(w, contact_index);
-    } else if (contact->state == TD_WAITING) {
-        leave_waiting(w, contact);
+void td_contact_destroy(thud_world *w, int index) {
+    if (td_contact_at(w, index)->open) {
+        td_contact_end(w, index);
     }
-    if (contact->open) {
-        td_contact_end(w, contact_index);
-    }
-    unlink_edge(w, contact_index, 0);
-    unlink_edge(w, contact_index, 1);
-    w->contact_count[contact->kind]--;
-    contact->live = 0;
-    td_slots_give(&w->contacts, contact_index);
+    td_constraint_destroy(w, index);
 }
 
 thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, td_position at,

@@ -2,7 +2,7 @@
 #ifndef TD_CONTACT_H
 #define TD_CONTACT_H
 
-#include "state/world.h"
+#include "constraint/constraint.h"
 
 /* The kind of a pair, and whether the two change places so that a static shape, a terrain or the
  * box of a box-circle pair comes first. */
@@ -15,8 +15,6 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b);
  * may wrap around and only seem to. */
 bool td_pair_meets(const thud_world *w, int shape_a, int shape_b);
 
-/* Room for `more` contacts of each kind listed. */
-bool td_contacts_reserve(thud_world *w, const int more[TD_PAIR_COUNT]);
 void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child);
 /* It touches, or overlaps a sensor. Room for the begin event is reserved in world.events. */
 void td_contact_begin(thud_world *w, int contact);
@@ -27,19 +25,10 @@ bool td_contact_end_reserve(thud_world *w, int more);
 /* A touching contact touches no more: its lane goes, its end event comes. */
 void td_contact_part(thud_world *w, int contact);
 
-/* Between waiting and resting, as the bodies sleep and wake. */
-void td_contact_rest(thud_world *w, int contact);
-void td_contact_wait(thud_world *w, int contact);
-
 /* Two shapes that have no lane as callers see them: `at` is between where they are nearest. */
 thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, td_position at,
                                 thud_vec2 normal, double distance);
 /* A lane as callers see it. contact_callbacks.c */
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane);
-
-/* Steps along a body's contacts: edge = contact * 2 + side. */
-static inline int td_next_edge(const thud_world *w, int edge) {
-    return td_contact_at(w, edge / 2)->next[edge & 1];
-}
 
 #endif

@@ -3,7 +3,7 @@
 #include "detection/collide.h"
 #include "contact/contact.h"
 #include "state/handles.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "api/step.h"
 #include "state/surface.h"
 
@@ -73,9 +73,16 @@ static void ask(thud_world *w, td_block *block, int lane) {
     }
 }
 
+static bool holds_contacts(const thud_world *w, const td_block *block) {
+    return block->used > 0 && td_is_contact(td_constraint_at(w, block->contact[0]));
+}
+
 void td_contacts_ask(thud_world *w) {
     for (int i = 0; i < w->scratch.blocks.count && w->def.prologue; i++) {
         td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        if (!holds_contacts(w, block)) {
+            continue;
+        }
         for (int lane = 0; lane < block->used; lane++) {
             ask(w, block, lane);
         }
@@ -115,6 +122,9 @@ void td_contacts_tell(thud_world *w) {
     }
     for (int i = 0; i < w->scratch.blocks.count; i++) {
         td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        if (!holds_contacts(w, block)) {
+            continue;
+        }
         for (int lane = 0; lane < block->used; lane++) {
             thud_contact seen = td_contact_view(w, block, lane);
             if (seen.point_count) {

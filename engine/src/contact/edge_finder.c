@@ -1,7 +1,7 @@
 /* edge_finder.c: which faces of static shapes have something static at them, and which faces of one
  * body something else of it. */
 #include "contact/contact.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "contact/edge_neighbours.h"
 #include "contact/box_faces.h"
 #include "contact/internal_edges.h"
@@ -15,8 +15,8 @@ static void set(thud_world *w, int shape, unsigned internal_edges, unsigned hidd
     s->hidden = (uint8_t)hidden;
     int e = same ? TD_NONE : td_body_at(w, s->body)->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_contact *contact = td_contact_at(w, e / 2);
-        if (contact->state == TD_TOUCHING) {
+        const td_constraint *contact = td_constraint_at(w, e / 2);
+        if (td_is_contact(contact) && contact->state == TD_TOUCHING) {
             td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
             block->internal_edges[contact->slot % TD_LANES] =
                 td_internal_edges_of(td_shape_at(w, contact->shape_a),

@@ -8,7 +8,7 @@
 #include "contact/internal_edges.h"
 
 #include "contact/contact.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "contact/edge_neighbours.h"
 #include "contact/box_faces.h"
 #include "state/shape.h"
@@ -282,7 +282,7 @@ static void hand_over(thud_world *w, td_block *block, int kind, int lane) {
     int points = td_form_points(w->pairs[kind]->form);
     int e = td_body_at(w, from->body[1])->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_contact *to = td_contact_at(w, e / 2);
+        const td_constraint *to = td_constraint_at(w, e / 2);
         bool alike_sides = (to->shape_b == from->shape_b && goes_on(w, to, from, 0)) ||
                            (to->shape_a == from->shape_a && goes_on(w, to, from, 1));
         if (to == from || to->kind != kind || to->state != TD_TOUCHING || !alike_sides) {

@@ -4,7 +4,7 @@
 #include "state/body.h"
 #include "contact/contact.h"
 #include "state/handles.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "api/step.h"
 
 thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
@@ -60,8 +60,8 @@ thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *ou
         return td_refuse(w, THUD_ERROR_MEMORY, "body contacts: out of memory");
     }
     for (int e = td_body_at(w, index)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_contact *contact = td_contact_at(w, e / 2);
-        if (contact->state != TD_TOUCHING || contact->child == TD_NONE) {
+        const td_constraint *contact = td_constraint_at(w, e / 2);
+        if (!td_is_contact(contact) || contact->state != TD_TOUCHING || contact->child == TD_NONE) {
             continue;
         }
         if (n < capacity) {

@@ -6,7 +6,7 @@
 #include "contact/contact.h"
 #include "state/jobs.h"
 #include "state/handles.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "api/step.h"
@@ -219,12 +219,12 @@ static bool begin_contacts(thud_world *w) {
         return false;
     }
     for (int i = 0; i < count; i++) {
-        td_contact_rest(w, list[i]);
+        td_constraint_rest(w, list[i]);
     }
     bool placed = td_lanes_place(w, list, count, false);
     for (int i = 0; i < count;
          i++) { /* those that wait again are the last to do so, and leave first */
-        (placed ? td_contact_begin : td_contact_wait)(w, list[i]);
+        (placed ? td_contact_begin : td_constraint_wait)(w, list[i]);
     }
     return placed;
 }
@@ -267,7 +267,7 @@ static bool test_sensors(thud_world *w) {
             (overlaps ? td_contact_begin : td_contact_end)(w, index);
         }
         if (rests) {
-            td_contact_rest(w, index);
+            td_constraint_rest(w, index);
         }
         i += !rests;
     }

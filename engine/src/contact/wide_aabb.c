@@ -38,5 +38,8 @@ static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_conte
 extern const td_solve_ops TD_WIDE(td_solve_flat);
 
 extern const td_pair_ops TD_WIDE(td_pair_aabb_aabb);
-const td_pair_ops TD_WIDE(td_pair_aabb_aabb) = {
-    TD_FORM_ONE, sift, aabb_aabb, NULL, &TD_WIDE(td_solve_flat), &TD_WIDE(td_solve_flat)};
+const td_pair_ops TD_WIDE(td_pair_aabb_aabb) = {.form = TD_FORM_ONE,
+                                                .sift = sift,
+                                                .collide = aabb_aabb,
+                                                .solve = &TD_WIDE(td_solve_flat),
+                                                .solve_unarmed = &TD_WIDE(td_solve_flat)};

@@ -198,5 +198,8 @@ static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_conte
 extern const td_solve_ops TD_WIDE(td_solve_two);
 
 extern const td_pair_ops TD_WIDE(td_pair_box_box);
-const td_pair_ops TD_WIDE(td_pair_box_box) = {
-    TD_FORM_TWO_CACHED, sift, box_box, NULL, &TD_WIDE(td_solve_two), &TD_WIDE(td_solve_two)};
+const td_pair_ops TD_WIDE(td_pair_box_box) = {.form = TD_FORM_TWO_CACHED,
+                                              .sift = sift,
+                                              .collide = box_box,
+                                              .solve = &TD_WIDE(td_solve_two),
+                                              .solve_unarmed = &TD_WIDE(td_solve_two)};

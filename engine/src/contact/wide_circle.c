@@ -146,10 +146,18 @@ extern const td_solve_ops TD_WIDE(td_solve_one), TD_WIDE(td_solve_round);
 
 extern const td_pair_ops TD_WIDE(td_pair_circle_circle), TD_WIDE(td_pair_box_circle),
     TD_WIDE(td_pair_circle_box);
-const td_pair_ops TD_WIDE(td_pair_circle_circle) = {
-    TD_FORM_ONE, sift_circles,           circle_circle,
-    NULL,        &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_round)};
-const td_pair_ops TD_WIDE(td_pair_box_circle) = {
-    TD_FORM_ONE, sift_box_circle, box_circle, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_circle_box) = {
-    TD_FORM_ONE, sift_circle_box, circle_box, NULL, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_circle_circle) = {.form = TD_FORM_ONE,
+                                                    .sift = sift_circles,
+                                                    .collide = circle_circle,
+                                                    .solve = &TD_WIDE(td_solve_one),
+                                                    .solve_unarmed = &TD_WIDE(td_solve_round)};
+const td_pair_ops TD_WIDE(td_pair_box_circle) = {.form = TD_FORM_ONE,
+                                                 .sift = sift_box_circle,
+                                                 .collide = box_circle,
+                                                 .solve = &TD_WIDE(td_solve_one),
+                                                 .solve_unarmed = &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_circle_box) = {.form = TD_FORM_ONE,
+                                                 .sift = sift_circle_box,
+                                                 .collide = circle_box,
+                                                 .solve = &TD_WIDE(td_solve_one),
+                                                 .solve_unarmed = &TD_WIDE(td_solve_one)};

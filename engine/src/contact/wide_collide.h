@@ -3,7 +3,7 @@
 #ifndef TD_WIDE_COLLIDE_H
 #define TD_WIDE_COLLIDE_H
 
-#include "contact/block.h"
+#include "constraint/block.h"
 
 #include <stddef.h>
 

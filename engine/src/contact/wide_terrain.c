@@ -127,7 +127,11 @@ static void terrain_box(thud_world *w, td_block *const *blocks, int count,
 extern const td_solve_ops TD_WIDE(td_solve_one), TD_WIDE(td_solve_two);
 
 extern const td_pair_ops TD_WIDE(td_pair_terrain_circle), TD_WIDE(td_pair_terrain_box);
-const td_pair_ops TD_WIDE(td_pair_terrain_circle) = {
-    TD_FORM_ONE_CACHED, NULL, NULL, terrain_circle, &TD_WIDE(td_solve_one), &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_terrain_box) = {
-    TD_FORM_TWO_CACHED, NULL, NULL, terrain_box, &TD_WIDE(td_solve_two), &TD_WIDE(td_solve_two)};
+const td_pair_ops TD_WIDE(td_pair_terrain_circle) = {.form = TD_FORM_ONE_CACHED,
+                                                     .collide_world = terrain_circle,
+                                                     .solve = &TD_WIDE(td_solve_one),
+                                                     .solve_unarmed = &TD_WIDE(td_solve_one)};
+const td_pair_ops TD_WIDE(td_pair_terrain_box) = {.form = TD_FORM_TWO_CACHED,
+                                                  .collide_world = terrain_box,
+                                                  .solve = &TD_WIDE(td_solve_two),
+                                                  .solve_unarmed = &TD_WIDE(td_solve_two)};

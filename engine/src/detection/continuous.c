@@ -77,7 +77,7 @@ static bool passes(const sweep *s, int other, double time) {
     bool asked = false, vetoed = true;
     int e = w->def.prologue ? td_body_at(w, s->body)->first_contact : TD_NONE;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_contact *contact = td_contact_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, e / 2);
         if (contact->state == TD_TOUCHING && contact->shape_a == other &&
             contact->shape_b == s->shape) {
             asked = true;

@@ -13,7 +13,7 @@
 #include "contact/contact.h"
 #include "detection/toi_candidates.h"
 #include "detection/ghosts.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "base/rotation.h"
 #include "state/shape.h"
 #include "api/step.h"
@@ -138,8 +138,8 @@ static void schedule(thud_world *w, int number) {
 
 /* Whether a contact is one of those that are looked at here. */
 static bool counts(const thud_world *w, int contact) {
-    int kind = td_contact_at(w, contact)->kind;
-    return kind != TD_PAIR_SENSOR && kind != TD_PAIR_TERRAIN_CIRCLE && kind != TD_PAIR_TERRAIN_BOX;
+    int kind = td_constraint_at(w, contact)->kind;
+    return kind < TD_PAIR_SENSOR && kind != TD_PAIR_TERRAIN_CIRCLE && kind != TD_PAIR_TERRAIN_BOX;
 }
 
 static void schedule_all_of(thud_world *w, const td_trajectory *f) {
@@ -313,7 +313,7 @@ static void schedule_everything(thud_world *w) {
         w->stats.unbisectable += td_is_unbisectable(w, slot);
     }
     for (int i = 0; i < w->contacts.count; i++) {
-        td_contact *contact = td_contact_at(w, i);
+        td_constraint *contact = td_constraint_at(w, i);
         if (contact->live) {
             contact->vetoed &= contact->state == TD_TOUCHING;
             if (counts(w, i)) {

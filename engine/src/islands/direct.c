@@ -12,8 +12,8 @@ static double inverse_share(const double *j, const td_direct_body *b) {
 }
 
 static void weigh(td_direct *d) {
-    for (int i = 0; i < d->contact_count; i++) {
-        td_direct_contact *c = &d->contacts[i];
+    for (int i = 0; i < d->constraint_count; i++) {
+        td_direct_constraint *c = &d->constraints[i];
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             double inverse = (c->a == TD_NONE ? 0.0 : inverse_share(r->a, &d->bodies[c->a])) +
@@ -24,14 +24,14 @@ static void weigh(td_direct *d) {
     }
 }
 
-static double speed_of(const td_direct_contact *c, const td_direct_row *r, const double *va,
+static double speed_of(const td_direct_constraint *c, const td_direct_row *r, const double *va,
                        const double *vb) {
     return (c->a == TD_NONE ? 0.0 : dot(r->a, va)) + (c->b == TD_NONE ? 0.0 : dot(r->b, vb));
 }
 
 void td_direct_measure(td_direct *d) {
-    for (int i = 0; i < d->contact_count; i++) {
-        td_direct_contact *c = &d->contacts[i];
+    for (int i = 0; i < d->constraint_count; i++) {
+        td_direct_constraint *c = &d->constraints[i];
         const double *va = c->a == TD_NONE ? NULL : d->bodies[c->a].velocity;
         const double *vb = c->b == TD_NONE ? NULL : d->bodies[c->b].velocity;
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
@@ -40,23 +40,30 @@ void td_direct_measure(td_direct *d) {
     }
 }
 
+double td_direct_load(const td_direct_constraint *c) {
+    double load = 0.0;
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+        load += c->row[k].used && c->row[k].kind == TD_ROW_PUSH ? c->row[k].impulse : 0.0;
+    }
+    return load;
+}
+
 void td_direct_bound(td_direct *d) {
-    for (int i = 0; i < d->contact_count; i++) {
-        td_direct_contact *c = &d->contacts[i];
-        double load = 0.0;
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            load += c->row[k].used ? c->row[k].impulse : 0.0;
-        }
-        c->row[TD_DIRECT_TANGENT].most = c->friction * load;
+    for (int i = 0; i < d->constraint_count; i++) {
+        td_direct_constraint *c = &d->constraints[i];
+        c->row[TD_DIRECT_TANGENT].most = c->friction * td_direct_load(c);
     }
 }
 
 double td_direct_miss(const td_direct *d) {
     double worst = 0.0;
-    for (int i = 0; i < d->contact_count; i++) {
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            const td_direct_row *r = &d->contacts[i].row[k];
-            worst = r->used ? td_max_double(worst, r->wanted - r->speed) : worst;
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            double lack = r->wanted - r->speed;
+            if (r->used && r->kind != TD_ROW_FRICTION) {
+                worst = td_max_double(worst, r->kind == TD_ROW_EQUAL && lack < 0.0 ? -lack : lack);
+            }
         }
     }
     return worst;
@@ -77,7 +84,7 @@ static void add_product(td_block3 *block, double weight, const double *i, const 
     }
 }
 
-static void add_row(td_direct *d, const td_direct_contact *c, const td_direct_row *r) {
+static void add_row(td_direct *d, const td_direct_constraint *c, const td_direct_row *r) {
     if (c->a != TD_NONE) {
         add_product(td_sparse_diagonal(d->matrix, c->a), r->weight, r->a, r->a);
     }
@@ -97,8 +104,8 @@ bool td_direct_factor(td_direct *d) {
         at[0] = at[4] = 1.0 / d->bodies[i].inverse_mass;
         at[8] = inertia_of(&d->bodies[i]);
     }
-    for (int i = 0; i < d->contact_count; i++) {
-        const td_direct_contact *c = &d->contacts[i];
+    for (int i = 0; i < d->constraint_count; i++) {
+        const td_direct_constraint *c = &d->constraints[i];
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             if (c->row[k].used && c->row[k].active) {
                 add_row(d, c, &c->row[k]);
@@ -116,8 +123,8 @@ void td_direct_step(td_direct *d) {
         d->step[i][1] = (b->free[1] - b->velocity[1]) / b->inverse_mass;
         d->step[i][2] = (b->free[2] - b->velocity[2]) * inertia_of(b);
     }
-    for (int i = 0; i < d->contact_count; i++) {
-        const td_direct_contact *c = &d->contacts[i];
+    for (int i = 0; i < d->constraint_count; i++) {
+        const td_direct_constraint *c = &d->constraints[i];
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &c->row[k];
             for (int j = 0; j < 3 && r->used && c->a != TD_NONE; j++) {
@@ -129,8 +136,8 @@ void td_direct_step(td_direct *d) {
         }
     }
     td_sparse_solve(d->matrix, d->step, d->work);
-    for (int i = 0; i < d->contact_count; i++) {
-        td_direct_contact *c = &d->contacts[i];
+    for (int i = 0; i < d->constraint_count; i++) {
+        td_direct_constraint *c = &d->constraints[i];
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             c->row[k].change = speed_of(c, &c->row[k], c->a == TD_NONE ? NULL : d->step[c->a],
                                         c->b == TD_NONE ? NULL : d->step[c->b]);

@@ -1,8 +1,9 @@
-/* direct.h: velocities of an island of bodies, with all its contacts at once.
+/* direct.h: velocities of an island of bodies, with all its constraints at once.
  *
- * Of all velocities v that keep every contact's speed along its normal at least as `wanted`, those
+ * A constraint brings one to three rows. Of all velocities v that keep the speed along every row
+ * that pushes at least as `wanted`, and along every row that is an equality exactly so, those
  * nearest to the free ones v*, in the norm of the masses, are what rigid bodies do:
- *     minimise (v - v*)' M (v - v*) / 2   subject to   J v >= wanted.
+ *     minimise (v - v*)' M (v - v*) / 2   subject to   J v >= wanted, or =.
  * Friction is a force along the tangent of at most `most`, which is frozen while velocities are
  * sought and follows the normal impulses then. Two methods, both in Newton steps with one sparse
  * factorisation each: an active set (direct_active.c), which takes one or two where hardly anything
@@ -18,6 +19,12 @@ enum {
     TD_DIRECT_TANGENT = 2
 };
 
+typedef enum td_row_kind {
+    TD_ROW_PUSH,     /* impulse >= 0, speed >= wanted, and one of both with equality */
+    TD_ROW_FRICTION, /* |impulse| <= most, and less only where speed = wanted */
+    TD_ROW_EQUAL     /* speed = wanted, whatever impulse that takes */
+} td_row_kind;
+
 typedef struct td_direct_body {
     double inverse_mass, inverse_inertia; /* inertia 0: does not turn */
     double free[3];                       /* velocity without contacts: x, y, turn */
@@ -25,10 +32,11 @@ typedef struct td_direct_body {
 } td_direct_body;
 
 typedef struct td_direct_row {
+    td_row_kind kind;
     double a[3], b[3]; /* J: of either side */
     double wanted;     /* speed along the row; of a tangent: at which friction would have it */
     double known;      /* speed that sides without a variable give it */
-    double impulse;    /* in: as known; out: the solution's. Normal: >= 0 */
+    double impulse;    /* in: as known; out: the solution's */
     bool used;         /* there is such a row */
     bool active;       /* stands in the matrix, with `weight` */
     double mass;       /* that it feels */
@@ -40,20 +48,20 @@ typedef struct td_direct_row {
     double slack[2], push[3]; /* interior point: slacks; steps of the impulse and the slacks */
 } td_direct_row;
 
-typedef struct td_direct_contact {
-    int a, b;     /* bodies; TD_NONE: that side is no variable */
-    int entry;    /* of the matrix, where both are */
-    bool b_later; /* it has b's rows */
-    double friction;
+typedef struct td_direct_constraint {
+    int a, b;        /* bodies; TD_NONE: that side is no variable */
+    int entry;       /* of the matrix, where both are */
+    bool b_later;    /* it has b's rows */
+    double friction; /* of the friction row, if there is one: times all that pushes */
     td_direct_row row[TD_DIRECT_ROWS];
-} td_direct_contact;
+} td_direct_constraint;
 
 typedef struct td_direct {
     td_direct_body *bodies;
-    td_direct_contact *contacts;
+    td_direct_constraint *constraints;
     td_sparse *matrix;             /* ordered, of the bodies */
     double (*step)[3], (*work)[3]; /* room for as many as bodies */
-    int body_count, contact_count;
+    int body_count, constraint_count;
     double unit_speed; /* what a body gains by gravity in a step */
     int factorings;    /* so far ... */
     int patience;      /* ... and at most */
@@ -83,8 +91,10 @@ bool td_direct_factor(td_direct *d);
 /* Solves for what masses and the rows' forces leave unbalanced: the bodies' step, the rows' change.
  */
 void td_direct_step(td_direct *d);
-/* The greatest speed by which a contact misses what it wants. */
+/* The greatest speed by which a row misses what it wants. */
 double td_direct_miss(const td_direct *d);
+/* The sum of what a constraint's rows push. */
+double td_direct_load(const td_direct_constraint *c);
 /* Bounds of friction for the impulses along the normals. */
 void td_direct_bound(td_direct *d);
 

@@ -1,4 +1,4 @@
-/* direct_active.c: which contacts push is guessed from the step before, and mended.
+/* direct_active.c: which rows push is guessed from the step before, and mended.
  *
  * Active rows become penalties of weight D with a multiplier y, the impulse as known so far: a
  * normal gives max(0, y - D (J v - wanted)), a tangent y - D (J v - wanted) cut off at its bounds
@@ -28,9 +28,11 @@ static double clamped(double x, double most) {
 /* In a heap at rest many contacts carry nothing, or just so much that they stick, and rounding
  * would have them change their minds for ever: `doubt` is the speed, and times its mass the
  * impulse, that a row does not change its mind for. */
-static void answer(td_direct_row *r, bool tangent, double doubt) {
+static void answer(td_direct_row *r, double doubt) {
     double impulse = r->base - r->weight * (r->speed - r->wanted), little = doubt * r->mass;
-    if (tangent) {
+    if (r->kind == TD_ROW_EQUAL) {
+        r->impulse = impulse; /* it always is active */
+    } else if (r->kind == TD_ROW_FRICTION) {
         /* From one bound to the other it sticks in between. */
         double against = r->impulse < 0.0 ? -impulse : impulse;
         r->active = r->active ? size_of(impulse) < r->most + little : against < r->most - little;
@@ -43,10 +45,13 @@ static void answer(td_direct_row *r, bool tangent, double doubt) {
     r->force = r->active ? impulse : r->impulse;
 }
 
-static void set_weight(const td_direct *d, td_direct_contact *c) {
+static void set_weight(const td_direct *d, td_direct_constraint *c) {
     double load = 0.0;
-    for (int k = 0; k < TD_DIRECT_TANGENT && d->unit_speed > 0.0; k++) {
-        load += c->row[k].used ? c->row[k].impulse / d->unit_speed : 0.0;
+    for (int k = 0; k < TD_DIRECT_ROWS && d->unit_speed > 0.0; k++) {
+        const td_direct_row *r = &c->row[k];
+        if (r->used && r->kind != TD_ROW_FRICTION) {
+            load += (r->kind == TD_ROW_EQUAL ? size_of(r->impulse) : r->impulse) / d->unit_speed;
+        }
     }
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
@@ -57,9 +62,10 @@ static void set_weight(const td_direct *d, td_direct_contact *c) {
 
 /* Nothing is known from a step before. */
 static bool is_new(const td_direct *d) {
-    for (int i = 0; i < d->contact_count; i++) {
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            if (d->contacts[i].row[k].impulse > 0.0) {
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            if (r->kind == TD_ROW_PUSH && r->impulse > 0.0) {
                 return false;
             }
         }
@@ -72,12 +78,16 @@ static bool is_new(const td_direct *d) {
 static void guess(td_direct *d, double doubt) {
     double parting = is_new(d) ? doubt : -doubt;
     td_direct_measure(d);
-    for (int i = 0; i < d->contact_count; i++) {
-        td_direct_contact *c = &d->contacts[i];
+    for (int i = 0; i < d->constraint_count; i++) {
+        td_direct_constraint *c = &d->constraints[i];
         set_weight(d, c);
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
-            r->active = r->impulse > 0.0 || r->speed < r->wanted + parting;
+            if (r->kind == TD_ROW_PUSH) {
+                r->active = r->impulse > 0.0 || r->speed < r->wanted + parting;
+            } else if (r->kind == TD_ROW_EQUAL) {
+                r->active = true;
+            }
         }
     }
 }
@@ -91,13 +101,13 @@ static bool slides_on(const td_direct_row *r, double doubt) {
 /* The multipliers take the impulses. Friction that had reached a bound, which has grown by much
  * since, sticks for now. */
 static void take_multipliers(td_direct *d, double doubt) {
-    for (int i = 0; i < d->contact_count; i++) {
+    for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->contacts[i].row[k];
-            if (k == TD_DIRECT_TANGENT && slides_on(r, doubt)) {
+            td_direct_row *r = &d->constraints[i].row[k];
+            if (r->kind == TD_ROW_FRICTION && slides_on(r, doubt)) {
                 r->active = false;
                 r->impulse = r->impulse < 0.0 ? -r->most : r->most;
-            } else if (k == TD_DIRECT_TANGENT) {
+            } else if (r->kind == TD_ROW_FRICTION) {
                 r->active = size_of(r->impulse) < 0.999 * r->most;
                 r->impulse = clamped(r->impulse, r->most);
             }
@@ -118,13 +128,13 @@ static bool leap(td_direct *d, double doubt, bool *settled) {
         }
     }
     *settled = true;
-    for (int i = 0; i < d->contact_count; i++) {
+    for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->contacts[i].row[k];
+            td_direct_row *r = &d->constraints[i].row[k];
             if (r->used) {
                 bool before = r->active;
                 r->speed += r->change;
-                answer(r, k == TD_DIRECT_TANGENT, doubt);
+                answer(r, doubt);
                 *settled &= r->active == before;
             }
         }
@@ -136,14 +146,11 @@ static bool leap(td_direct *d, double doubt, bool *settled) {
  */
 static double slip(const td_direct *d) {
     double worst = 0.0;
-    for (int i = 0; i < d->contact_count; i++) {
-        const td_direct_contact *c = &d->contacts[i];
+    for (int i = 0; i < d->constraint_count; i++) {
+        const td_direct_constraint *c = &d->constraints[i];
         const td_direct_row *r = &c->row[TD_DIRECT_TANGENT];
-        double load = 0.0;
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            load += c->row[k].used ? c->row[k].impulse : 0.0;
-        }
-        if (r->used && !r->active && c->friction * load > r->most * 1.02) {
+        if (r->used && r->kind == TD_ROW_FRICTION && !r->active &&
+            c->friction * td_direct_load(c) > r->most * 1.02) {
             worst = td_max_double(worst, size_of(r->speed - r->wanted));
         }
     }
@@ -155,10 +162,10 @@ static double slip(const td_direct *d) {
  * step. */
 static double overshoot(const td_direct *d) {
     double worst = 0.0;
-    for (int i = 0; i < d->contact_count; i++) {
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            const td_direct_row *r = &d->contacts[i].row[k];
-            if (r->used && r->impulse > 0.0) {
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            if (r->used && r->kind == TD_ROW_PUSH && r->impulse > 0.0) {
                 worst = td_max_double(worst, r->speed - r->wanted);
             }
         }
@@ -196,9 +203,9 @@ bool td_direct_again(td_direct *d, double tolerance) {
     if (!d->factored) {
         return false;
     }
-    for (int i = 0; i < d->contact_count; i++) {
+    for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->contacts[i].row[k];
+            td_direct_row *r = &d->constraints[i].row[k];
             r->base = r->impulse;
             r->force = r->active ? r->base - r->weight * (r->speed - r->wanted) : r->base;
         }
@@ -207,9 +214,9 @@ bool td_direct_again(td_direct *d, double tolerance) {
     bool done = leap(d, DOUBT * tolerance, &settled) && settled && off(d) <= tolerance;
     /* Rows that have changed their mind have impulses of penalties, which mean nothing yet; nothing
      * is to be bounded by them. */
-    for (int i = 0; i < d->contact_count && !done; i++) {
+    for (int i = 0; i < d->constraint_count && !done; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            d->contacts[i].row[k].impulse = d->contacts[i].row[k].base;
+            d->constraints[i].row[k].impulse = d->constraints[i].row[k].base;
         }
     }
     return done;

@@ -1,17 +1,23 @@
-/* direct_interior.c: the contacts' complementarity approached from inside.
+/* direct_interior.c: the rows' complementarity approached from inside.
  *
  * Mehrotra's predictor-corrector ("On the implementation of a primal-dual interior point method",
  * 1992) for the quadratic problem of direct.h. A normal has a slack s = J v - wanted and an impulse
  * l, both > 0, whose product goes to zero. A tangent's impulse y lies between its bounds; the
  * distances to them, most + y and most - y, have slacks whose difference is the sliding speed, and
  * their products go to zero likewise. Products are measured in the mass that a row feels, so that
- * heavy and light contacts converge alike. */
+ * heavy and light contacts converge alike.
+ *
+ * An equality has neither slack nor bound: it is a stiff penalty whose multiplier takes its impulse
+ * with each step, which leaves no more of what it misses than the penalty's share. */
 #include "islands/direct.h"
 
 /* A step goes so much of the way to where the first number would be zero. */
 #define NEARLY 0.98
 /* So much of the tolerance may the square root of a product per mass be. */
 #define CLOSE 0.1
+
+/* The penalty of an equality, in multiples of the mass that it feels. */
+#define STIFFNESS 1e5
 
 enum { STEPS = 40 };
 
@@ -37,22 +43,28 @@ static void start(td_direct *d) {
         }
     }
     td_direct_measure(d);
-    for (int i = 0; i < d->contact_count; i++) {
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            const td_direct_row *r = &d->contacts[i].row[k];
-            double lack = r->used && r->speed < r->wanted ? r->wanted - r->speed : 0.0;
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            if (r->kind == TD_ROW_FRICTION) {
+                continue;
+            }
+            bool misses = r->speed < r->wanted || r->kind == TD_ROW_EQUAL;
+            double lack = r->used && misses ? r->wanted - r->speed : 0.0;
             sum += lack * lack;
             rows += r->used;
         }
     }
     double typical = td_max_double(d->unit_speed, rows ? __builtin_sqrt(sum / rows) : 0.0);
     typical = td_max_double(typical, 1e-9);
-    for (int i = 0; i < d->contact_count; i++) {
-        td_direct_contact *c = &d->contacts[i];
+    for (int i = 0; i < d->constraint_count; i++) {
+        td_direct_constraint *c = &d->constraints[i];
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             double over = r->speed - r->wanted;
-            if (k < TD_DIRECT_TANGENT) {
+            if (r->kind == TD_ROW_EQUAL) {
+                r->slack[0] = r->slack[1] = r->push[1] = r->push[2] = r->impulse = 0.0;
+            } else if (r->kind == TD_ROW_PUSH) {
                 r->slack[0] = td_max_double(over, typical);
                 r->impulse = r->mass * typical;
             } else {
@@ -60,7 +72,7 @@ static void start(td_direct *d) {
                 r->slack[1] = td_max_double(-over, 0.0) + typical;
                 r->impulse = 0.0;
             }
-            r->active = r->used && (k < TD_DIRECT_TANGENT || !slides_free(d, r));
+            r->active = r->used && (r->kind != TD_ROW_FRICTION || !slides_free(d, r));
             r->force = 0.0;
         }
     }
@@ -70,14 +82,14 @@ static void start(td_direct *d) {
 static double gap(const td_direct *d, double part) {
     double sum = 0.0;
     int products = 0;
-    for (int i = 0; i < d->contact_count; i++) {
+    for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            const td_direct_row *r = &d->contacts[i].row[k];
-            if (!r->active) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            if (!r->active || r->kind == TD_ROW_EQUAL) {
                 continue;
             }
             double impulse = part * r->push[0], first = r->slack[0] + part * r->push[1];
-            if (k < TD_DIRECT_TANGENT) {
+            if (r->kind == TD_ROW_PUSH) {
                 sum += first * (r->impulse + impulse) / r->mass;
                 products++;
             } else {
@@ -92,9 +104,14 @@ static double gap(const td_direct *d, double part) {
 
 /* Sets what the row gives to matrix and right side. The products aim at `aim` per mass; with `mend`
  * they heed what the steps of the predictor, in `push`, did to them. */
-static void prepare_row(td_direct_row *r, bool tangent, double aim, double mend) {
+static void prepare_row(td_direct_row *r, double aim, double mend) {
     double over = r->speed - r->wanted;
-    if (!tangent) {
+    if (r->kind == TD_ROW_EQUAL) {
+        r->weight = STIFFNESS * r->mass;
+        r->force = r->impulse - r->weight * over;
+        return;
+    }
+    if (r->kind == TD_ROW_PUSH) {
         double lack = over - r->slack[0];
         double product = aim * r->mass - r->slack[0] * r->impulse - mend * r->push[0] * r->push[1];
         r->weight = r->impulse / r->slack[0];
@@ -110,10 +127,13 @@ static void prepare_row(td_direct_row *r, bool tangent, double aim, double mend)
 }
 
 /* The row's own steps, from the change of its speed. */
-static void follow_row(td_direct_row *r, bool tangent, double aim, double mend) {
+static void follow_row(td_direct_row *r, double aim, double mend) {
     double over = r->speed - r->wanted, old = r->push[0];
     r->push[0] = r->force - r->impulse - r->weight * r->change;
-    if (!tangent) {
+    if (r->kind == TD_ROW_EQUAL) {
+        return;
+    }
+    if (r->kind == TD_ROW_PUSH) {
         r->push[1] = r->change + over - r->slack[0];
         return;
     }
@@ -131,14 +151,14 @@ static double cut(double part, double value, double change) {
 /* So many steps, or parts of one, may be taken until something is negative; at most `most`. */
 static double reach(const td_direct *d, double most) {
     double part = most;
-    for (int i = 0; i < d->contact_count; i++) {
+    for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            const td_direct_row *r = &d->contacts[i].row[k];
-            if (!r->active) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            if (!r->active || r->kind == TD_ROW_EQUAL) {
                 continue;
             }
             part = cut(part, r->slack[0], r->push[1]);
-            if (k < TD_DIRECT_TANGENT) {
+            if (r->kind == TD_ROW_PUSH) {
                 part = cut(part, r->impulse, r->push[0]);
             } else {
                 part = cut(part, r->slack[1], r->push[2]);
@@ -150,13 +170,13 @@ static double reach(const td_direct *d, double most) {
     return part;
 }
 
-static void for_rows(td_direct *d, void (*each)(td_direct_row *, bool, double, double), double aim,
+static void for_rows(td_direct *d, void (*each)(td_direct_row *, double, double), double aim,
                      double mend) {
-    for (int i = 0; i < d->contact_count; i++) {
+    for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->contacts[i].row[k];
+            td_direct_row *r = &d->constraints[i].row[k];
             if (r->active) {
-                each(r, k == TD_DIRECT_TANGENT, aim, mend);
+                each(r, aim, mend);
             }
         }
     }
@@ -171,9 +191,9 @@ static bool advance(td_direct *d, double part) {
             sum += d->bodies[i].velocity[k];
         }
     }
-    for (int i = 0; i < d->contact_count; i++) {
+    for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->contacts[i].row[k];
+            td_direct_row *r = &d->constraints[i].row[k];
             if (r->active) {
                 r->impulse += part * r->push[0];
                 r->slack[0] += part * r->push[1];
@@ -188,9 +208,12 @@ static bool advance(td_direct *d, double part) {
 /* The greatest speed that a slack is off by: zero once a whole step was taken. */
 static double lack(const td_direct *d) {
     double worst = 0.0;
-    for (int i = 0; i < d->contact_count; i++) {
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            const td_direct_row *r = &d->contacts[i].row[k];
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            if (r->kind == TD_ROW_FRICTION) {
+                continue;
+            }
             double off = r->used ? r->slack[0] - (r->speed - r->wanted) : 0.0;
             worst = td_max_double(worst, off < 0.0 ? -off : off);
         }
@@ -200,9 +223,12 @@ static double lack(const td_direct *d) {
 
 /* What is nearer to opening than to pushing does not push. */
 static void decide(td_direct *d) {
-    for (int i = 0; i < d->contact_count; i++) {
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            td_direct_row *r = &d->contacts[i].row[k];
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->constraints[i].row[k];
+            if (r->kind != TD_ROW_PUSH) {
+                continue;
+            }
             r->impulse = r->used && r->impulse > r->mass * r->slack[0] ? r->impulse : 0.0;
         }
     }

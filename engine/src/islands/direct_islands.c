@@ -8,8 +8,8 @@
  * will do. Where the limit is 0 every island is hard. */
 #include "islands/direct_islands.h"
 
-#include "contact/contact.h"
-#include "contact/lanes.h"
+#include "constraint/constraint.h"
+#include "islands/row_ops.h"
 
 #include <string.h>
 
@@ -18,7 +18,7 @@ void td_islands_init(td_islands *s) {
     s->slots.stride = s->contacts.stride = s->local.stride = (int)sizeof(int);
     s->before.stride = (int)sizeof(float[4]);
     s->impulses.stride = (int)sizeof(float[3]);
-    s->rows.stride = (int)sizeof(td_direct_contact);
+    s->rows.stride = (int)sizeof(td_direct_constraint);
     s->bodies.stride = (int)sizeof(td_direct_body);
     s->step.stride = s->work.stride = s->moved.stride = (int)sizeof(double[3]);
     td_sparse_init(&s->matrix);
@@ -122,8 +122,8 @@ static void add_body(thud_world *w, td_island *island, int slot) {
 }
 
 /* The awake slot of a dynamic body on the other side, or 0. */
-static int neighbour(const thud_world *w, const td_contact *contact, int side) {
-    const td_body *other = td_body_at(w, contact->body[1 - side]);
+static int neighbour(const thud_world *w, const td_constraint *constraint, int side) {
+    const td_body *other = td_body_at(w, constraint->body[1 - side]);
     return other->kind == THUD_DYNAMIC && other->awake > 0 ? other->awake : 0;
 }
 
@@ -132,11 +132,11 @@ static int neighbour(const thud_world *w, const td_contact *contact, int side) {
 static bool spread(thud_world *w, td_island *island, int slot) {
     int body = *(int *)td_at(&w->body_of, slot);
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_contact *contact = td_contact_at(w, e / 2);
-        if (contact->state != TD_TOUCHING) {
+        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        if (constraint->state != TD_TOUCHING) {
             continue;
         }
-        int other = neighbour(w, contact, e & 1);
+        int other = neighbour(w, constraint, e & 1);
         bool is_new = other && *local_at(w, other) == 0;
         if (other && (*local_at(w, other) == TOO_MANY ||
                       (is_new && island->bodies == w->quality.island_limit))) {
@@ -202,9 +202,9 @@ static bool order(thud_world *w, td_island *island) {
         return false;
     }
     for (int i = 0; i < island->contacts; i++) {
-        const td_contact *contact =
-            td_contact_at(w, *(int *)td_at(&s->contacts, island->first_contact + i));
-        int a = neighbour(w, contact, 1), b = neighbour(w, contact, 0);
+        const td_constraint *constraint =
+            td_constraint_at(w, *(int *)td_at(&s->contacts, island->first_contact + i));
+        int a = neighbour(w, constraint, 1), b = neighbour(w, constraint, 0);
         if (a && b) {
             td_sparse_tie(&s->matrix, *local_at(w, a) - 1, *local_at(w, b) - 1);
         }
@@ -282,23 +282,20 @@ static bool is_calm(const thud_world *w, int a, int b) {
     return x * x + y * y < most * most;
 }
 
-static void watch_block(thud_world *w, td_block *block, int points) {
+static void watch_block(thud_world *w, td_block *block, const td_row_ops *ops) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
+    td_lane_load loads[TD_LANES];
+    ops->load(w, block, loads);
     for (int lane = 0; lane < block->used; lane++) {
-        float impulse = 0.0f, depth = 0.0f;
-        for (int k = 0; k < points; k++) {
-            impulse += block->point[k].normal_impulse[lane];
-            depth = td_max_float(depth, -(block->point[k].separation[lane] + w->skin));
-        }
         int a = (int)(block->a[lane] / TD_AWAKE_BYTES), b = (int)(block->b[lane] / TD_AWAKE_BYTES);
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
-        float load = impulse * light,
+        float load = loads[lane].impulse * light,
               most = td_islands_most(w, td_min_float(size_of(w, a), size_of(w, b)));
         bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
         int direct = block->loaded[lane] & TD_DIRECT, before = block->loaded[lane] - direct;
-        bool gives_way = (load > most && is_calm(w, a, b)) || depth > deep;
+        bool gives_way = (load > most && is_calm(w, a, b)) || loads[lane].depth > deep;
         int seen = gives_way ? td_min_int(before + 1, OFTEN) : 0;
         if (sinks || seen >= OFTEN) {
             mark_direct(w, block->a[lane]);
@@ -316,8 +313,8 @@ void td_islands_watch(thud_world *w) {
     for (int i = (int)(w->steps % (uint64_t)stride); i < w->scratch.blocks.count; i += stride) {
         td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
         if (block->used) {
-            int kind = td_contact_at(w, block->contact[0])->kind;
-            watch_block(w, block, td_form_points(w->pairs[kind]->form));
+            int kind = td_constraint_at(w, block->contact[0])->kind;
+            watch_block(w, block, td_row_ops_of(w, kind));
         }
     }
 }

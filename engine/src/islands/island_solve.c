@@ -26,8 +26,6 @@
 #define TOLERANCE 1e-3
 #define TOLERANCE_LEAST 1e-6
 
-enum { TANGENT = TD_DIRECT_TANGENT };
-
 /* ---- the result ---- */
 
 static void limit(const thud_world *w, double velocity[3]) {
@@ -38,8 +36,8 @@ static void limit(const thud_world *w, double velocity[3]) {
     }
 }
 
-/* How far apart the contact's point is after the motion. */
-static double gap_after(const td_island_work *work, const td_direct_contact *c, int k,
+/* How far a row's gap is open after the motion. */
+static double gap_after(const td_island_work *work, const td_direct_constraint *c, int k,
                         double before) {
     const td_direct_row *r = &c->row[k];
     double gap = before + work->time * r->known;
@@ -50,46 +48,60 @@ static double gap_after(const td_island_work *work, const td_direct_contact *c, 
     return gap;
 }
 
-/* What the contact wants of the velocities to go on with. */
+/* A constraint of the island at hand, where it lies and what its kind knows. */
+typedef struct place {
+    td_block *block;
+    int lane;
+    const td_row_ops *ops;
+} place;
+
+static place place_of(const td_island_work *work, int i) {
+    const td_constraint *constraint = td_constraint_at(work->w, work->constraints[i]);
+    return (place){td_island_block(work->w, constraint), constraint->slot % TD_LANES,
+                   td_row_ops_of(work->w, constraint->kind)};
+}
+
+/* What the constraint wants of the velocities to go on with. */
 static void want_velocity(td_island_work *work, int i) {
-    thud_world *w = work->w;
-    const td_contact *contact = td_contact_at(w, work->contacts[i]);
-    td_direct_contact *c = &work->problem.contacts[i];
-    td_block *block = td_island_block(w, contact);
-    int lane = contact->slot % TD_LANES, points = td_island_points(w, contact);
-    for (int k = 0; k < points; k++) {
+    td_direct_constraint *c = &work->problem.constraints[i];
+    place p = place_of(work, i);
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
-        if (!r->used) {
+        if (!r->used || r->kind == TD_ROW_FRICTION) {
             continue;
         }
-        double gap = gap_after(work, c, k, (double)block->point[k].base[lane]);
-        r->wanted = gap > 0.0 ? -gap / work->time : 0.0;
+        double gap = gap_after(work, c, k, p.ops->gap(p.block, p.lane, k));
+        r->wanted = gap > 0.0 && r->kind == TD_ROW_PUSH ? -gap / work->time : 0.0;
     }
 }
 
-/* The greatest speed into each other that the soft solver has left where things touch. */
-static double soft_miss(const td_island_work *work) {
+/* The speed along a row as the soft solver has left it. */
+static double soft_speed(const td_island_work *work, const td_direct_constraint *c,
+                         const td_direct_row *r) {
     const thud_world *w = work->w;
+    double speed = r->known;
+    for (int j = 0; j < 3; j++) {
+        speed +=
+            c->a == TD_NONE ? 0.0 : r->a[j] * (double)td_row(&w->velocity, work->slots[c->a])[j];
+        speed +=
+            c->b == TD_NONE ? 0.0 : r->b[j] * (double)td_row(&w->velocity, work->slots[c->b])[j];
+    }
+    return speed;
+}
+
+/* The greatest speed by which the soft solver has missed what holds. */
+static double soft_miss(const td_island_work *work) {
     double worst = 0.0;
     for (int i = 0; i < work->island->contacts; i++) {
-        const td_direct_contact *c = &work->problem.contacts[i];
-        const td_contact *contact = td_contact_at(w, work->contacts[i]);
-        const td_block *block = td_island_block(w, contact);
-        for (int k = 0; k < td_island_points(w, contact); k++) {
+        const td_direct_constraint *c = &work->problem.constraints[i];
+        place p = place_of(work, i);
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &c->row[k];
-            if (!r->used || block->point[k].separation[contact->slot % TD_LANES] > 0.0f) {
+            if (!r->used || r->kind == TD_ROW_FRICTION || !p.ops->holds(p.block, p.lane, k)) {
                 continue;
             }
-            double speed = r->known;
-            for (int j = 0; j < 3; j++) {
-                speed += c->a == TD_NONE
-                             ? 0.0
-                             : r->a[j] * (double)td_row(&w->velocity, work->slots[c->a])[j];
-                speed += c->b == TD_NONE
-                             ? 0.0
-                             : r->b[j] * (double)td_row(&w->velocity, work->slots[c->b])[j];
-            }
-            worst = td_max_double(worst, -speed);
+            double speed = soft_speed(work, c, r);
+            worst = td_max_double(worst, r->kind == TD_ROW_EQUAL ? td_abs(speed) : -speed);
         }
     }
     return worst;
@@ -128,9 +140,10 @@ static bool presses_too_hard(const td_island_work *work) {
         mass += 1.0 / d->bodies[i].inverse_mass;
     }
     for (int i = 0; i < work->island->contacts; i++) {
-        for (int k = 0; k < TANGENT; k++) {
-            const td_direct_row *r = &d->contacts[i].row[k];
-            greatest = td_max_double(greatest, r->used ? r->impulse : 0.0);
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            bool pushes = r->used && r->kind == TD_ROW_PUSH;
+            greatest = td_max_double(greatest, pushes ? r->impulse : 0.0);
         }
     }
     return greatest > LEVERAGE_MOST * mass * fastest;
@@ -148,7 +161,7 @@ static void carry_on(td_island_work *work) {
         }
     }
     for (int i = 0; i < work->island->contacts; i++) {
-        td_direct_contact *c = &d->contacts[i];
+        td_direct_constraint *c = &d->constraints[i];
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             c->row[k].impulse *= 2.0;
         }
@@ -187,35 +200,26 @@ static bool work_out(td_island_work *work) {
     return missing <= tolerance || (td_finite(missing) && missing < soft_miss(work));
 }
 
-static void write_contact(const td_island_work *work, int i) {
-    thud_world *w = work->w;
-    const td_contact *contact = td_contact_at(w, work->contacts[i]);
-    const td_direct_contact *c = &work->problem.contacts[i];
-    td_block *block = td_island_block(w, contact);
-    int lane = contact->slot % TD_LANES, points = td_island_points(w, contact);
-    float part = 1.0f / (float)w->substeps;
-    for (int k = 0; k < points; k++) {
-        if (c->row[k].used) {
-            td_point *p = &block->point[k];
-            float impulse = (float)c->row[k].impulse;
-            p->normal_impulse[lane] = part * impulse;
-            p->separation[lane] = (float)gap_after(work, c, k, (double)p->base[lane]);
-            td_history_of(block, points)[k].total[lane] = impulse;
+static void write_constraint(const td_island_work *work, int i) {
+    const td_direct_constraint *c = &work->problem.constraints[i];
+    place p = place_of(work, i);
+    double gaps[TD_DIRECT_ROWS] = {0};
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+        if (c->row[k].used && c->row[k].kind != TD_ROW_FRICTION) {
+            gaps[k] = gap_after(work, c, k, p.ops->gap(p.block, p.lane, k));
         }
     }
-    float tangent = c->row[TANGENT].used ? (float)c->row[TANGENT].impulse : 0.0f;
-    block->tangent_impulse[lane] = part * tangent;
-    block->loaded[lane] |= TD_DIRECT;
-    td_surface_at(block, points)->total[lane] = tangent;
+    p.ops->put(work->w, p.block, p.lane, c, gaps);
+    p.block->loaded[p.lane] |= TD_DIRECT;
 }
 
-/* Whether a contact still carries so much that the island is to stay. */
-static bool is_loaded(const td_island_work *work, const td_direct_contact *c) {
+/* Whether a constraint still carries so much that the island is to stay. */
+static bool is_loaded(const td_island_work *work, const td_direct_constraint *c) {
     thud_world *w = work->w;
-    double impulse = 0.0, inverse = 0.0;
+    double impulse = td_direct_load(c), inverse = 0.0;
     float size = 3e38f;
-    for (int k = 0; k < TANGENT; k++) {
-        impulse += c->row[k].used ? c->row[k].impulse : 0.0;
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+        impulse += c->row[k].kind == TD_ROW_EQUAL ? td_abs(c->row[k].impulse) : 0.0;
     }
     const int sides[2] = {c->a, c->b};
     for (int side = 0; side < 2; side++) {
@@ -255,8 +259,8 @@ static void write(const td_island_work *work) {
     thud_world *w = work->w;
     bool loaded = false;
     for (int i = 0; i < work->island->contacts; i++) {
-        write_contact(work, i);
-        loaded |= is_loaded(work, &work->problem.contacts[i]);
+        write_constraint(work, i);
+        loaded |= is_loaded(work, &work->problem.constraints[i]);
     }
     for (int i = 0; i < work->island->bodies; i++) {
         float *velocity = td_row(&w->velocity, work->slots[i]);

@@ -2,14 +2,14 @@
 #ifndef TD_ISLAND_DIRECT_H
 #define TD_ISLAND_DIRECT_H
 
-#include "contact/lanes.h"
+#include "islands/row_ops.h"
 
 /* The island at hand. */
 typedef struct td_island_work {
     thud_world *w;
     const td_island *island;
     td_direct problem;
-    const int *slots, *contacts;
+    const int *slots, *constraints;
     double (*moved)[3];
     double time;   /* of a step */
     bool bounces;  /* something closes in so fast that it is going to bounce */
@@ -23,12 +23,8 @@ int td_island_patience(const thud_world *w, const td_island *island);
 /* The problem as it was then. */
 td_island_work td_island_take(thud_world *w, const td_island *island);
 
-static inline td_block *td_island_block(const thud_world *w, const td_contact *contact) {
-    return td_block_at(w, contact->kind, contact->slot / TD_LANES);
-}
-
-static inline int td_island_points(const thud_world *w, const td_contact *contact) {
-    return td_form_points(w->pairs[contact->kind]->form);
+static inline td_block *td_island_block(const thud_world *w, const td_constraint *constraint) {
+    return td_block_at(w, constraint->kind, constraint->slot / TD_LANES);
 }
 
 #endif

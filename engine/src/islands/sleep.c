@@ -1,19 +1,19 @@
 /* sleep.c: islands fall asleep and wake as a whole.
  *
- * An island is what touching contacts between dynamic bodies connect. Islands are only worked out
- * when a body has been at rest for long enough, and then at most every eighth step: a world in
+ * An island is what constraints that act between dynamic bodies connect. Islands are only worked
+ * out when a body has been at rest for long enough, and then at most every eighth step: a world in
  * which nothing rests pays nothing. The lanes of a sleeping island are asleep, with their impulses,
  * in bins that no stage visits. */
 #include "state/awake.h"
-#include "contact/contact.h"
-#include "contact/lanes.h"
+#include "constraint/constraint.h"
+#include "constraint/lanes.h"
 #include "state/shape.h"
 #include "api/step.h"
 
 #include <string.h>
 
 static int other_body(const thud_world *w, int edge) {
-    return td_contact_at(w, edge / 2)->body[1 - (edge & 1)];
+    return td_constraint_at(w, edge / 2)->body[1 - (edge & 1)];
 }
 
 static bool may_wake(const td_body *body) {
@@ -40,7 +40,7 @@ static void look_around(thud_world *w, int index) {
 }
 
 bool td_wake(thud_world *w, int index) {
-    td_array *bodies = &w->scratch.bodies, *contacts = &w->scratch.contacts;
+    td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.contacts;
     if (!may_wake(td_body_at(w, index))) {
         td_body *body = td_body_at(w, index);
         if (body->awake > 0) {
@@ -51,18 +51,19 @@ bool td_wake(thud_world *w, int index) {
     if (!lists_room(w)) {
         return false;
     }
-    bodies->count = contacts->count = 0;
+    bodies->count = constraints->count = 0;
     td_awake_add(w, index);
     td_push_int(bodies, index);
     for (int i = 0; i < bodies->count; i++) {
         int body = *(int *)td_at(bodies, i);
         for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-            td_contact *contact = td_contact_at(w, e / 2);
-            if (contact->state != TD_TOUCHING || contact->bin != TD_SLEEPING || contact->listed) {
+            td_constraint *constraint = td_constraint_at(w, e / 2);
+            if (constraint->state != TD_TOUCHING || constraint->bin != TD_SLEEPING ||
+                constraint->listed) {
                 continue;
             }
-            contact->listed = 1;
-            td_push_int(contacts, e / 2);
+            constraint->listed = 1;
+            td_push_int(constraints, e / 2);
             int other = other_body(w, e);
             if (may_wake(td_body_at(w, other))) {
                 td_awake_add(w, other);
@@ -70,10 +71,10 @@ bool td_wake(thud_world *w, int index) {
             }
         }
     }
-    for (int i = 0; i < contacts->count; i++) {
-        td_contact_at(w, *(int *)td_at(contacts, i))->listed = 0;
+    for (int i = 0; i < constraints->count; i++) {
+        td_constraint_at(w, *(int *)td_at(constraints, i))->listed = 0;
     }
-    if (!td_lanes_place(w, contacts->data, contacts->count, false)) {
+    if (!td_lanes_place(w, constraints->data, constraints->count, false)) {
         for (int i = bodies->count - 1; i >= 0; i--) {
             td_awake_remove(w, *(int *)td_at(bodies, i));
         }
@@ -82,8 +83,8 @@ bool td_wake(thud_world *w, int index) {
     for (int i = 0; i < bodies->count; i++) {
         int body = *(int *)td_at(bodies, i);
         for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-            if (td_contact_at(w, e / 2)->state == TD_RESTING) {
-                td_contact_wait(w, e / 2);
+            if (td_constraint_at(w, e / 2)->state == TD_RESTING) {
+                td_constraint_wait(w, e / 2);
             }
         }
         look_around(w, body);
@@ -146,10 +147,11 @@ bool td_islands_label(thud_world *w) {
         parent[i] = i;
     }
     for (int i = 0; i < w->contacts.count; i++) {
-        const td_contact *contact = td_contact_at(w, i);
-        if (contact->state == TD_TOUCHING && contact->bin != TD_SLEEPING && contact->live) {
-            const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-            int lane = contact->slot % TD_LANES;
+        const td_constraint *constraint = td_constraint_at(w, i);
+        if (constraint->state == TD_TOUCHING && constraint->bin != TD_SLEEPING &&
+            constraint->live) {
+            const td_block *block = td_block_at(w, constraint->kind, constraint->slot / TD_LANES);
+            int lane = constraint->slot % TD_LANES;
             tie(w, parent, (int)(block->a[lane] / TD_AWAKE_BYTES),
                 (int)(block->b[lane] / TD_AWAKE_BYTES));
         }
@@ -162,22 +164,22 @@ bool td_islands_label(thud_world *w) {
 
 /* Puts the bodies listed to sleep; false, and nothing has changed, when memory is short. */
 static bool put_to_sleep(thud_world *w) {
-    td_array *bodies = &w->scratch.bodies, *contacts = &w->scratch.contacts;
-    contacts->count = 0;
+    td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.contacts;
+    constraints->count = 0;
     for (int i = 0; i < bodies->count; i++) {
         int e = td_body_at(w, *(int *)td_at(bodies, i))->first_contact;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
-            td_contact *contact = td_contact_at(w, e / 2);
-            if (contact->state == TD_TOUCHING && !contact->listed) {
-                contact->listed = 1;
-                td_push_int(contacts, e / 2);
+            td_constraint *constraint = td_constraint_at(w, e / 2);
+            if (constraint->state == TD_TOUCHING && !constraint->listed) {
+                constraint->listed = 1;
+                td_push_int(constraints, e / 2);
             }
         }
     }
-    for (int i = 0; i < contacts->count; i++) {
-        td_contact_at(w, *(int *)td_at(contacts, i))->listed = 0;
+    for (int i = 0; i < constraints->count; i++) {
+        td_constraint_at(w, *(int *)td_at(constraints, i))->listed = 0;
     }
-    if (!td_lanes_place(w, contacts->data, contacts->count, true)) {
+    if (!td_lanes_place(w, constraints->data, constraints->count, true)) {
         return false;
     }
     for (int i = 0; i < bodies->count; i++) {
@@ -190,8 +192,8 @@ static bool put_to_sleep(thud_world *w) {
         td_body *body = td_body_at(w, *(int *)td_at(bodies, i));
         for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
             const td_body *other = td_body_at(w, other_body(w, e));
-            if (td_contact_at(w, e / 2)->state == TD_WAITING && other->awake < 0) {
-                td_contact_rest(w, e / 2);
+            if (td_constraint_at(w, e / 2)->state == TD_WAITING && other->awake < 0) {
+                td_constraint_rest(w, e / 2);
             }
         }
     }

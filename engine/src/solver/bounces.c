@@ -3,7 +3,7 @@
 #include "solver/bounces.h"
 
 #include "detection/trajectory.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "state/surface.h"
 
 /* As TD_BOUNCE_REST, of pairs in flight: the solver gets them if they meet more slowly. As little
@@ -40,7 +40,7 @@ typedef struct lane {
 } lane;
 
 static lane lane_of(const thud_world *w, td_block *block, int index) {
-    int kind = td_contact_at(w, block->contact[index])->kind;
+    int kind = td_constraint_at(w, block->contact[index])->kind;
     lane l = {block, index, td_form_points(w->pairs[kind]->form), false};
     float x = w->def.gravity.x, y = w->def.gravity.y;
     float least = LOAD * __builtin_sqrtf(x * x + y * y) * (float)(w->def.time_step / w->substeps);

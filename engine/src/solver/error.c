@@ -2,7 +2,7 @@
 #include "solver/error.h"
 
 #include "state/kinds.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 
 /* What wakes, falls asleep or is edited makes the energy of the last step stale; and so may
  * detection that resolves collisions after its finish. */
@@ -57,13 +57,26 @@ static void count_block(thud_world *w, const td_block *block, int points) {
     }
 }
 
+/* A joint overlaps nothing. It misses what it wants by the speed along its row, either way. */
+static void count_speeds(thud_world *w, const td_block *block) {
+    for (int lane = 0; lane < block->used; lane++) {
+        float speed = speed_of(w, block, &block->point[0], lane);
+        w->errors.residual = td_max_float(w->errors.residual, speed < 0.0f ? -speed : speed);
+    }
+}
+
 void td_error_recount(thud_world *w) {
     w->errors = (td_errors){.energy_change = w->errors.energy_change};
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = td_at(&w->scratch.runs, i);
         int points = td_form_points(w->pairs[run->kind]->form);
         for (int k = 0; k < run->count; k++) {
-            count_block(w, *(td_block **)td_at(&w->scratch.blocks, run->first + k), points);
+            td_block *block = *(td_block **)td_at(&w->scratch.blocks, run->first + k);
+            if (run->kind < TD_PAIR_COUNT) {
+                count_block(w, block, points);
+            } else {
+                count_speeds(w, block);
+            }
         }
     }
 }

@@ -30,6 +30,11 @@ static void quarantine(thud_world *w, int index) {
     memset(td_row(&w->velocity, body->awake), 0, sizeof(float[4]));
     for (int e = body->first_contact; e != TD_NONE;) {
         int next = td_next_edge(w, e);
+        if (!td_is_contact(td_constraint_at(w, e / 2))) {
+            td_constraint_destroy(w, e / 2);
+            e = next;
+            continue;
+        }
         if (!td_contact_end_reserve(w, 1)) {
             td_contact_at(w, e / 2)->open = 0; /* goes unheard rather than stays */
         }

@@ -2,7 +2,7 @@
 #ifndef TD_MOTION_H
 #define TD_MOTION_H
 
-#include "contact/block.h"
+#include "constraint/block.h"
 
 /* rad/s: the fastest spin. Nothing needs it but that values stay finite: circles do not care how
  * far they turn in a step, and free boxes turn by all of it. See thud_body_def. */

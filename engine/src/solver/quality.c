@@ -3,7 +3,7 @@
 
 #include "state/body.h"
 #include "state/handles.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 
 static bool between(float x, float low, float high) {
     return x >= low && x <= high;
@@ -47,8 +47,8 @@ static void detect_by(thud_world *w, const thud_detection *detection) {
         }
     }
     for (int i = 0; i < w->contacts.count && skin != w->skin; i++) {
-        const td_contact *contact = td_contact_at(w, i);
-        if (contact->live && contact->state == TD_TOUCHING) {
+        const td_constraint *constraint = td_constraint_at(w, i);
+        if (constraint->live && constraint->state == TD_TOUCHING) {
             td_lane_renew(w, i);
         }
     }
@@ -58,14 +58,14 @@ static void detect_by(thud_world *w, const thud_detection *detection) {
 /* Impulses are those of one substep, and carry over into substeps of another length. */
 static void scale_impulses(thud_world *w, float scale) {
     for (int i = 0; i < w->contacts.count; i++) {
-        const td_contact *contact = td_contact_at(w, i);
-        if (!contact->live || contact->state != TD_TOUCHING) {
+        const td_constraint *constraint = td_constraint_at(w, i);
+        if (!constraint->live || constraint->state != TD_TOUCHING) {
             continue;
         }
-        td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-        int lane = contact->slot % TD_LANES;
+        td_block *block = td_block_at(w, constraint->kind, constraint->slot / TD_LANES);
+        int lane = constraint->slot % TD_LANES;
         block->tangent_impulse[lane] *= scale;
-        for (int k = 0; k < td_form_points(w->pairs[contact->kind]->form); k++) {
+        for (int k = 0; k < td_form_points(w->pairs[constraint->kind]->form); k++) {
             block->point[k].normal_impulse[lane] *= scale;
         }
     }

@@ -5,7 +5,7 @@
 #include "state/jobs.h"
 #include "solver/error.h"
 #include "state/kinds.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "api/step.h"
 
 #include <string.h>
@@ -120,7 +120,7 @@ static void solve_chunk(void *work, int index) {
                                                      : ops->relax;
     if (s->which == BOUNCE) {
         ops->bounce(blocks, chunk->count, &s->contacts);
-    } else if (s->which == RELAX && s->contacts.last) {
+    } else if (s->which == RELAX && s->contacts.last && run->kind < TD_PAIR_COUNT) {
         solve_and_tally(s, fns[run->fixed], blocks, chunk->count, td_form_points(pair->form));
     } else {
         fns[run->fixed](blocks, chunk->count, &s->contacts);

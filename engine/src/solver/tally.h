@@ -6,7 +6,7 @@
 #ifndef TD_TALLY_H
 #define TD_TALLY_H
 
-#include "contact/block.h"
+#include "constraint/block.h"
 
 /* What a worker found, lane by lane; a td_tally of zeros has found nothing. */
 typedef struct td_tally {

@@ -1,7 +1,7 @@
 /* awake.c: see awake.h. The last body fills the hole that a leaving one makes. */
 #include "state/awake.h"
 
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 
 #include <string.h>
 
@@ -75,11 +75,11 @@ static void move_slot(thud_world *w, int from, int to) {
     td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, to));
     body->awake = to;
     for (int edge = body->first_contact; edge != TD_NONE;) {
-        const td_contact *contact = td_contact_at(w, edge / 2);
-        if (contact->state == TD_TOUCHING) {
+        const td_constraint *constraint = td_constraint_at(w, edge / 2);
+        if (constraint->state == TD_TOUCHING) {
             td_lane_refresh(w, edge / 2);
         }
-        edge = contact->next[edge & 1];
+        edge = constraint->next[edge & 1];
     }
 }
 

@@ -3,7 +3,7 @@
 #include "state/awake.h"
 #include "state/body.h"
 #include "contact/contact.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "api/step.h"
@@ -11,20 +11,20 @@
 #include <string.h>
 
 static int other_body(const thud_world *w, int edge) {
-    const td_contact *contact = td_contact_at(w, edge / 2);
-    return contact->body[1 - (edge & 1)];
+    return td_constraint_at(w, edge / 2)->body[1 - (edge & 1)];
 }
 
-/* Wakes every sleeping body that touches this one; what is in a sensor sleeps on, and is looked at
- * again. */
+/* Wakes every sleeping body that touches this one or is otherwise tied to it; what is in a sensor
+ * sleeps on, and is looked at again. */
 static bool wake_touching(thud_world *w, int body) {
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_contact *contact = td_contact_at(w, e / 2);
-        if (contact->kind == TD_PAIR_SENSOR) {
-            if (contact->state == TD_RESTING) {
-                td_contact_wait(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        if (constraint->kind == TD_PAIR_SENSOR) {
+            if (constraint->state == TD_RESTING) {
+                td_constraint_wait(w, e / 2);
             }
-        } else if (contact->open && !td_wake(w, other_body(w, e))) {
+        } else if ((constraint->open || !td_is_contact(constraint)) &&
+                   !td_wake(w, other_body(w, e))) {
             return false;
         }
     }
@@ -44,11 +44,29 @@ static bool reserve_ends(thud_world *w, int body) {
 static void destroy_contacts(thud_world *w, int body, int shape) {
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE;) {
         int next = td_next_edge(w, e);
-        const td_contact *contact = td_contact_at(w, e / 2);
-        if (shape == TD_NONE || contact->shape_a == shape || contact->shape_b == shape) {
+        const td_constraint *c = td_constraint_at(w, e / 2);
+        if (td_is_contact(c) && (shape == TD_NONE || c->shape_a == shape || c->shape_b == shape)) {
             td_contact_destroy(w, e / 2);
         }
         e = next;
+    }
+}
+
+/* What else ties the body to others goes with it, ... */
+static void destroy_others(thud_world *w, int body) {
+    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE;
+         e = td_body_at(w, body)->first_contact) {
+        td_constraint_destroy(w, e / 2);
+    }
+}
+
+/* ... or waits while the body is disabled. */
+static void suspend_others(thud_world *w, int body) {
+    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        if (td_constraint_at(w, e / 2)->state == TD_TOUCHING) {
+            td_lane_remove(w, e / 2);
+            td_constraint_wait(w, e / 2);
+        }
     }
 }
 
@@ -72,6 +90,7 @@ static void free_shape(thud_world *w, int index) {
 static void leave(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     destroy_contacts(w, index, TD_NONE);
+    destroy_others(w, index);
     if (body->awake > 0) {
         td_awake_remove(w, index);
     }
@@ -109,7 +128,7 @@ static void update_shapes(thud_world *w, int index) {
     }
     td_awake_refresh(w, index);
     for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (td_contact_at(w, e / 2)->state == TD_TOUCHING) {
+        if (td_constraint_at(w, e / 2)->state == TD_TOUCHING) {
             td_lane_renew(w, e / 2);
         }
     }
@@ -131,6 +150,7 @@ static void change_enabled(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     bool enabled = !(body->flags & TD_BODY_DISABLED);
     destroy_contacts(w, index, TD_NONE);
+    suspend_others(w, index);
     if (!enabled && body->awake > 0) {
         td_awake_remove(w, index);
     } else if (enabled && body->awake < 0 && body->kind != THUD_STATIC) {
@@ -148,7 +168,7 @@ static void change_enabled(thud_world *w, int index) {
 static void destroy_gone(thud_world *w, int index) {
     for (int e = td_body_at(w, index)->first_contact; e != TD_NONE;) {
         int next = td_next_edge(w, e);
-        if (td_contact_at(w, e / 2)->child == TD_NONE) {
+        if (td_constraint_at(w, e / 2)->child == TD_NONE) {
             td_contact_destroy(w, e / 2);
         }
         e = next;
@@ -235,7 +255,7 @@ static void clean_moved(thud_world *w) {
 bool td_changes_apply(thud_world *w) {
     td_deferred_apply(w);
     if (w->changed.count == 0) {
-        return true;
+        return td_constraints_engage(w);
     }
     w->paired = false;
     w->narrowed = 0;
@@ -249,5 +269,5 @@ bool td_changes_apply(thud_world *w) {
     }
     w->changed.count -= done;
     clean_moved(w);
-    return whole;
+    return whole && td_constraints_engage(w);
 }

@@ -8,7 +8,7 @@
 #include "state/body.h"
 #include "contact/contact.h"
 #include "state/handles.h"
-#include "contact/lanes.h"
+#include "constraint/lanes.h"
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
@@ -49,7 +49,7 @@ static void disturb(thud_world *w, int terrain_shape, int shape) {
     td_shape_mark_moved(w, shape);
     *td_marks_at(w, shape) |= TD_MARK_WOKEN;
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_contact *contact = td_contact_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, e / 2);
         if (contact->state == TD_TOUCHING && joins(contact, terrain_shape)) {
             td_lane_renew(w, e / 2);
         }
@@ -60,7 +60,7 @@ static void disturb(thud_world *w, int terrain_shape, int shape) {
 static void disturb_contacts(thud_world *w, int terrain_shape, const splice *s) {
     int e = td_body_at(w, td_shape_at(w, terrain_shape)->body)->first_contact;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        td_contact *contact = td_contact_at(w, e / 2);
+        td_constraint *contact = td_constraint_at(w, e / 2);
         if (!joins(contact, terrain_shape) || contact->child == TD_NONE) {
             continue;
         }

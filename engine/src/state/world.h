@@ -7,7 +7,7 @@
 #define TD_WORLD_H
 
 #include "base/event_queue.h"
-#include "contact/block.h"
+#include "constraint/block.h"
 #include "detection/detection.h"
 #include "islands/direct_islands.h"
 #include "base/memory.h"
@@ -100,17 +100,18 @@ typedef struct td_terrain_record {
     td_array points; /* thud_pos */
 } td_terrain_record;
 
-/* td_contact.state */
+/* td_constraint.state */
 enum {
     TD_WAITING = 0, /* bounds overlap, shapes do not touch: index in its kind's waiting list */
     TD_TOUCHING,    /* slot is block * 8 + lane */
     TD_RESTING      /* waiting, but nobody is awake: in no list */
 };
 
-typedef struct td_contact {
+/* An edge of the graph of constraints: constraint.h. */
+typedef struct td_constraint {
     int32_t next_free;
-    int32_t shape_a, shape_b;
-    int32_t body[2]; /* of shape_a and shape_b */
+    int32_t shape_a, shape_b; /* of a contact; else TD_NONE */
+    int32_t body[2];          /* of a contact those of shape_a and shape_b */
     int32_t
         child; /* terrain segment; TD_NONE: an edit took it away, and the next step the contact */
     int32_t slot;
@@ -121,7 +122,10 @@ typedef struct td_contact {
     uint8_t listed; /* while a list of contacts is being made */
     uint8_t live;
     uint8_t vetoed; /* by the prologue of this step */
-} td_contact;
+} td_constraint;
+
+/* A constraint whose kind is a pair kind. */
+typedef td_constraint td_contact;
 
 typedef struct td_bin {
     int32_t head, tail, lanes;
@@ -176,17 +180,17 @@ struct thud_world {
     /* Configuration: not part of a snapshot. */
     thud_world_def def;
     td_memory memory;
-    uint32_t number;                                   /* mixed into generations */
-    const td_pair_ops *pairs[TD_PAIR_TOUCH_COUNT];     /* plugged in by kinds.h */
-    const struct td_internal_edge_ops *internal_edges; /* likewise; null: nothing has faces */
-    const struct td_ground_ops *ground;                /* likewise; null: there are no lines */
-    bool wide;                                         /* AVX2 kernels may run */
-    bool locked;                                       /* in a step, or inside a callback */
-    float unit;                                        /* L in the caller's unit */
-    float quantum;                                     /* caller's unit a position quantum */
-    double to_fixed;                                   /* position quanta a caller's unit */
-    double to_coarse;                                  /* bounds quanta a caller's unit */
-    thud_quality quality;                              /* with what the def itself named */
+    uint32_t number;                                     /* mixed into generations */
+    const td_constraint_ops *pairs[TD_CONSTRAINT_KINDS]; /* plugged in by kinds.h */
+    const struct td_internal_edge_ops *internal_edges;   /* likewise; null: nothing has faces */
+    const struct td_ground_ops *ground;                  /* likewise; null: there are no lines */
+    bool wide;                                           /* AVX2 kernels may run */
+    bool locked;                                         /* in a step, or inside a callback */
+    float unit;                                          /* L in the caller's unit */
+    float quantum;                                       /* caller's unit a position quantum */
+    double to_fixed;                                     /* position quanta a caller's unit */
+    double to_coarse;                                    /* bounds quanta a caller's unit */
+    thud_quality quality;                                /* with what the def itself named */
     int substeps;
     const thud_detection *detections[TD_RANK_COUNT]; /* those that the world or a body ever chose */
     float skin;                                      /* at which contacts rest */
@@ -215,17 +219,17 @@ struct thud_world {
     td_array lone;                         /* int, by awake slot: the only shape of the
                                               body, if it is plain; else TD_NONE */
     td_array colours;                      /* td_colours, by awake slot */
-    td_array waiting[TD_PAIR_COUNT];       /* int: contacts */
+    td_array waiting[TD_CONSTRAINT_KINDS]; /* int: contacts */
     td_array moved;                        /* int: shapes */
     td_array changed;                      /* int: bodies */
     td_array deferred;                     /* td_deferred_edit */
     td_slots pool[TD_FORM_COUNT];          /* td_block of each form */
-    td_bin bins[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND];
+    td_bin bins[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND];
     int touching;       /* lanes in use, asleep ones too */
     int bouncy;         /* ... of which have restitution */
     int surface_speeds; /* ... of which have a surface speed */
     int mobile_sensors; /* shapes: sensors of dynamic bodies */
-    int contact_count[TD_PAIR_COUNT];
+    int contact_count[TD_CONSTRAINT_KINDS];
     int damped;         /* awake bodies with damping */
     bool push_stale;    /* `push` must be made anew */
     double kinetic;     /* energy of the awake bodies, ... */
@@ -291,7 +295,16 @@ static inline td_shape *td_shape_at(const thud_world *w, int i) {
     return td_slot_of(&w->shapes, i, sizeof(td_shape));
 }
 
+static inline td_constraint *td_constraint_at(const thud_world *w, int i) {
+    return td_slot_of(&w->contacts, i, sizeof(td_constraint));
+}
+
+static inline bool td_is_contact(const td_constraint *constraint) {
+    return constraint->kind < TD_PAIR_COUNT;
+}
+
 static inline td_contact *td_contact_at(const thud_world *w, int i) {
+    assert(td_is_contact(td_constraint_at(w, i)));
     return td_slot_of(&w->contacts, i, sizeof(td_contact));
 }
 

@@ -1,6 +1,6 @@
-/* lanes.h: where touching contacts live: lanes of blocks, blocks in bins.
+/* lanes.h: where constraints that act live: lanes of blocks, blocks in bins.
  *
- * Bins stay dense: a lane that leaves is filled by the bin's last one. Which lane a contact has
+ * Bins stay dense: a lane that leaves is filled by the bin's last one. Which lane a constraint has
  * follows from the history of the world alone, never from addresses. */
 #ifndef TD_LANES_H
 #define TD_LANES_H
@@ -9,7 +9,7 @@
 
 /* A run of blocks of one bin, in the order of solving. */
 typedef struct td_run {
-    int32_t kind, fixed; /* td_pair_kind; 1: side a is static */
+    int32_t kind, fixed; /* of constraints; 1: side a is static */
     int32_t bin;         /* runs of the same bin have no moving body in common, but in overflow */
     int32_t first, count;
     int32_t armed;  /* one of its blocks is */
@@ -32,21 +32,29 @@ static inline td_block *td_block_at(const thud_world *w, int kind, int index) {
     return td_slot_at(&w->pool[w->pairs[kind]->form], index);
 }
 
-/* Gives each of the contacts a lane: by graph colour, or in its kind's asleep bin. A contact that
- * has a lane already takes its impulses along. False when memory is short, and nothing has
+/* Those of contacts: contact/contact_lanes.c. */
+extern const td_lane_ops td_contact_lanes;
+
+static inline const td_lane_ops *td_lane_ops_of(const thud_world *w, int kind) {
+    const td_lane_ops *own = w->pairs[kind]->lanes;
+    return own ? own : &td_contact_lanes;
+}
+
+/* Gives each of the constraints a lane: by graph colour, or in its kind's asleep bin. A contact
+ * that has a lane already takes its impulses along. False when memory is short, and nothing has
  * changed. */
-bool td_lanes_place(thud_world *w, const int *contacts, int count, bool sleeping);
+bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleeping);
 /* Room for sleeping lanes every lane. */
 bool td_lanes_reserve_sleeping(thud_world *w);
-void td_lane_remove(thud_world *w, int contact);
+void td_lane_remove(thud_world *w, int constraint);
 
 /* Lists the blocks in the order of solving: colours with moving bodies first and static ones last,
  * so that the ground has the last word. */
 bool td_lanes_sequence(thud_world *w);
 
 /* The awake slot of one of its bodies changed. */
-void td_lane_refresh(thud_world *w, int contact);
+void td_lane_refresh(thud_world *w, int constraint);
 /* As above, and its manifold and masses are worked out anew in the next narrowphase. */
-void td_lane_renew(thud_world *w, int contact);
+void td_lane_renew(thud_world *w, int constraint);
 
 #endif

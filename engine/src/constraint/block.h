@@ -1,9 +1,9 @@
-/* block.h: eight contacts side by side, the unit of narrowphase and solver.
+/* block.h: eight constraints side by side, the unit of narrowphase and solver.
  *
- * A contact that touches holds one lane of a block for as long as it touches. Blocks of one bin
- * (pair kind, static or not, graph colour) never name a moving body twice, so that eight lanes are
- * solved at once. Slot 0 of the awake bodies is a dummy at rest: static sides and empty lanes point
- * to it, and have zero mass. */
+ * A constraint that acts, as a contact does that touches, holds one lane of a block for as long as
+ * it acts. Blocks of one bin (kind, static or not, graph colour) never name a moving body twice, so
+ * that eight lanes are solved at once. Slot 0 of the awake bodies is a dummy at rest: static sides
+ * and empty lanes point to it, and have zero mass. */
 #ifndef TD_BLOCK_H
 #define TD_BLOCK_H
 
@@ -107,6 +107,17 @@ static inline td_manifold_cache *td_manifold_cache_of(td_block *block, int point
     return (td_manifold_cache *)(td_surface_at(block, points) + 1);
 }
 
+/* What a joint keeps in its lane: where it holds its bodies, from their origins and in their
+ * frames, and how far apart it holds those places. */
+typedef struct td_joint {
+    f8 anchor_ax, anchor_ay, anchor_bx, anchor_by;
+    f8 length;
+} td_joint;
+
+static inline td_joint *td_joint_of(td_block *block) {
+    return (td_joint *)(td_surface_at(block, 1) + 1);
+}
+
 /* Blocks lie where their contacts began, and the passes over them are bound by memory: the solver's
  * rows of the one after the next are asked for early. */
 TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int points) {
@@ -124,6 +135,7 @@ typedef enum td_block_form {
     TD_FORM_ONE,
     TD_FORM_ONE_CACHED,
     TD_FORM_TWO_CACHED,
+    TD_FORM_JOINT, /* one row, and what a joint knows of its bodies */
     TD_FORM_COUNT
 } td_block_form;
 
@@ -134,7 +146,10 @@ static inline int td_form_points(td_block_form form) {
 static inline size_t td_form_bytes(td_block_form form) {
     size_t points = (size_t)td_form_points(form);
     return sizeof(td_block) + points * (sizeof(td_point) + sizeof(td_point_history)) +
-           sizeof(td_surface) + (form == TD_FORM_ONE ? 0 : sizeof(td_manifold_cache));
+           sizeof(td_surface) +
+           (form == TD_FORM_ONE     ? 0
+            : form == TD_FORM_JOINT ? sizeof(td_joint)
+                                    : sizeof(td_manifold_cache));
 }
 
 /* ---- what the wide kernels are given ---- */
@@ -212,19 +227,39 @@ typedef enum td_pair_kind {
     TD_PAIR_COUNT
 } td_pair_kind;
 
+/* Kinds of constraints: first the pair kinds, which are those of contacts. */
+enum { TD_CONSTRAINT_ROD = TD_PAIR_COUNT, TD_CONSTRAINT_KINDS };
+
 struct thud_world;
 
-/* What a pair kind plugs in when its shapes are first used; see kinds.h. */
-typedef struct td_pair_ops {
+/* What happens to the lanes of a kind beside the passes of the solver. The bodies' awake slots and
+ * inverse inertias in a lane are set for all kinds alike. */
+typedef struct td_lane_ops {
+    /* The lane, which is all zeros, becomes the constraint's ... */
+    void (*fill)(struct thud_world *world, td_block *block, int lane, int constraint);
+    /* ... and here is no longer. */
+    void (*clear)(struct thud_world *world, td_block *block, int lane, int constraint);
+    /* Masses or shapes of its bodies have changed. */
+    void (*renew)(struct thud_world *world, td_block *block, int lane, int constraint);
+    /* What the direct solver asks; null for contacts, whose rows it knows itself, so that a program
+     * without it does not link them: islands/row_ops.h. */
+    const struct td_row_ops *rows;
+} td_lane_ops;
+
+/* The operations of a kind of constraint. Pair kinds plug theirs in when their shapes are first
+ * used, see kinds.h, and others when the first constraint of theirs is made. */
+typedef struct td_constraint_ops {
     td_block_form form;
-    td_sift_fn *sift;       /* null for terrain */
-    td_collide_fn *collide; /* null where `collide_world` is set */
+    const td_lane_ops *lanes; /* null: those of contacts, td_contact_lanes */
+    td_sift_fn *sift;         /* null for terrain */
+    td_collide_fn *collide;   /* null where `collide_world` is set */
     /* Pairs whose geometry does not lie in the per-shape records (terrain). */
     void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
                           const td_collide_context *context);
     const td_solve_ops *solve;
     const td_solve_ops *solve_unarmed; /* for runs of blocks of which none is armed */
-} td_pair_ops;
+} td_constraint_ops;
+typedef td_constraint_ops td_pair_ops;
 
 /* Exported names of a wide file carry the instruction set it was compiled for. */
 #define TD_JOIN_(a, b) a##_##b

@@ -2,16 +2,9 @@
  *
  * Colours are the lowest free one of both bodies; static and kinematic bodies take none, since the
  * solver never changes them. */
-#include "contact/lanes.h"
-
-#include "contact/internal_edges.h"
-#include "state/surface.h"
+#include "constraint/lanes.h"
 
 #include <string.h>
-
-static int points_of(const thud_world *w, int kind) {
-    return td_form_points(w->pairs[kind]->form);
-}
 
 static td_slots *pool_of(thud_world *w, int kind) {
     return &w->pool[w->pairs[kind]->form];
@@ -36,9 +29,9 @@ static void mark(thud_world *w, int awake, int bin, bool taken) {
 }
 
 /* Picks the bin of a contact and takes its colour. */
-static int choose_bin(thud_world *w, const td_contact *contact) {
-    const td_body *a = td_body_at(w, contact->body[0]);
-    const td_body *b = td_body_at(w, contact->body[1]);
+static int choose_bin(thud_world *w, const td_constraint *constraint) {
+    const td_body *a = td_body_at(w, constraint->body[0]);
+    const td_body *b = td_body_at(w, constraint->body[1]);
     bool fixed = a->kind == THUD_STATIC;
     int slot_a = moving_slot(a), slot_b = moving_slot(b);
     uint64_t taken = 1ull << TD_OVERFLOW;
@@ -55,9 +48,9 @@ static int choose_bin(thud_world *w, const td_contact *contact) {
     return bin;
 }
 
-static void release_bin(thud_world *w, const td_contact *contact, int bin) {
-    mark(w, moving_slot(td_body_at(w, contact->body[0])), bin, false);
-    mark(w, moving_slot(td_body_at(w, contact->body[1])), bin, false);
+static void release_bin(thud_world *w, const td_constraint *constraint, int bin) {
+    mark(w, moving_slot(td_body_at(w, constraint->body[0])), bin, false);
+    mark(w, moving_slot(td_body_at(w, constraint->body[1])), bin, false);
 }
 
 static int lanes_a_block(int bin) {
@@ -149,7 +142,7 @@ static void bin_shrink(thud_world *w, int kind, int index, int slot) {
     if (slot != bin->tail * TD_LANES + last) {
         td_block *hole = td_block_at(w, kind, slot / TD_LANES);
         copy_lane(hole, slot % TD_LANES, tail, last, bytes);
-        td_contact_at(w, hole->contact[slot % TD_LANES])->slot = slot;
+        td_constraint_at(w, hole->contact[slot % TD_LANES])->slot = slot;
     }
     clear_lane(tail, last, bytes);
     tail->used--;
@@ -165,57 +158,46 @@ static void bin_shrink(thud_world *w, int kind, int index, int slot) {
     }
 }
 
-static void set_slots(thud_world *w, td_block *block, int lane, const td_contact *contact) {
-    const td_body *a = td_body_at(w, contact->body[0]);
-    const td_body *b = td_body_at(w, contact->body[1]);
+static void set_slots(thud_world *w, td_block *block, int lane, const td_constraint *constraint) {
+    const td_body *a = td_body_at(w, constraint->body[0]);
+    const td_body *b = td_body_at(w, constraint->body[1]);
     block->a[lane] = (uint32_t)td_max_int(a->awake, 0) * TD_AWAKE_BYTES;
     block->b[lane] = (uint32_t)td_max_int(b->awake, 0) * TD_AWAKE_BYTES;
     block->inv_inertia_a[lane] = a->inv_inertia;
     block->inv_inertia_b[lane] = b->inv_inertia;
 }
 
-static void fill_lane(thud_world *w, td_block *block, int lane, int contact_index) {
-    const td_contact *contact = td_contact_at(w, contact_index);
-    const td_shape *a = td_shape_at(w, contact->shape_a);
-    const td_shape *b = td_shape_at(w, contact->shape_b);
-    block->shape_a[lane] = contact->shape_a;
-    block->shape_b[lane] = contact->shape_b;
-    block->contact[lane] = contact_index;
-    thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
-    td_surface_set(w, block, points_of(w, contact->kind), lane, &own);
-    block->armed |= !(a->plain && b->plain) || b->internal_edges ||
-                    (a->internal_edges && td_body_at(w, a->body)->kind != THUD_STATIC);
-    block->internal_edges[lane] = td_internal_edges_of(a, b);
-    block->touching |= 1u << lane;
-}
-
-static void place(thud_world *w, int contact_index, int bin) {
-    td_contact *contact = td_contact_at(w, contact_index);
-    int kind = contact->kind, lane;
+static void place(thud_world *w, int index, int bin) {
+    td_constraint *constraint = td_constraint_at(w, index);
+    int kind = constraint->kind, lane;
     int block = bin_grow(w, kind, bin, &lane);
-    if (contact->state == TD_TOUCHING) {
-        copy_lane(td_block_at(w, kind, block), lane, td_block_at(w, kind, contact->slot / TD_LANES),
-                  contact->slot % TD_LANES, pool_of(w, kind)->stride);
-        bin_shrink(w, kind, contact->bin, contact->slot);
+    if (constraint->state == TD_TOUCHING) {
+        copy_lane(td_block_at(w, kind, block), lane,
+                  td_block_at(w, kind, constraint->slot / TD_LANES), constraint->slot % TD_LANES,
+                  pool_of(w, kind)->stride);
+        bin_shrink(w, kind, constraint->bin, constraint->slot);
     } else {
-        fill_lane(w, td_block_at(w, kind, block), lane, contact_index);
+        td_block *own = td_block_at(w, kind, block);
+        own->contact[lane] = index;
+        own->touching |= 1u << lane;
+        td_lane_ops_of(w, kind)->fill(w, own, lane, index);
         w->touching++;
     }
-    set_slots(w, td_block_at(w, kind, block), lane, contact);
-    if (td_body_at(w, contact->body[0])->kind == THUD_KINEMATIC ||
-        td_body_at(w, contact->body[1])->kind == THUD_KINEMATIC) {
+    set_slots(w, td_block_at(w, kind, block), lane, constraint);
+    if (td_body_at(w, constraint->body[0])->kind == THUD_KINEMATIC ||
+        td_body_at(w, constraint->body[1])->kind == THUD_KINEMATIC) {
         td_block_at(w, kind, block)->shared = 1;
         w->scratch.sequenced = false;
     }
-    contact->state = TD_TOUCHING;
-    contact->bin = (uint16_t)bin;
-    contact->slot = block * TD_LANES + lane;
+    constraint->state = TD_TOUCHING;
+    constraint->bin = (uint16_t)bin;
+    constraint->slot = block * TD_LANES + lane;
 }
 
 /* Blocks needed when every bin grows by `grown`, per pool. */
 static bool reserve_grown(thud_world *w, int (*grown)[TD_BINS_A_KIND]) {
     int more[TD_FORM_COUNT] = {0};
-    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         for (int bin = 0; bin < TD_BINS_A_KIND && w->pairs[kind]; bin++) {
             if (grown[kind][bin]) {
                 int lanes = w->bins[kind][bin].lanes;
@@ -232,40 +214,40 @@ static bool reserve_grown(thud_world *w, int (*grown)[TD_BINS_A_KIND]) {
     return true;
 }
 
-bool td_lanes_place(thud_world *w, const int *contacts, int count, bool sleeping) {
+bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleeping) {
     if (count == 0) {
         return true;
     }
-    int grown[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND] = {0};
+    int grown[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND] = {0};
     if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count)) {
         return false;
     }
     int *bins = w->scratch.lane_bins.data;
     for (int i = 0; i < count; i++) {
-        const td_contact *contact = td_contact_at(w, contacts[i]);
-        int bin = sleeping ? TD_SLEEPING : choose_bin(w, contact);
+        const td_constraint *constraint = td_constraint_at(w, constraints[i]);
+        int bin = sleeping ? TD_SLEEPING : choose_bin(w, constraint);
         bins[i] = bin;
-        grown[contact->kind][bin]++;
+        grown[constraint->kind][bin]++;
     }
     if (!reserve_grown(w, grown)) {
         for (int i = 0; i < count; i++) {
-            release_bin(w, td_contact_at(w, contacts[i]), bins[i]);
+            release_bin(w, td_constraint_at(w, constraints[i]), bins[i]);
         }
         return false;
     }
     for (int i = 0; i < count; i++) {
-        const td_contact *contact = td_contact_at(w, contacts[i]);
+        const td_constraint *constraint = td_constraint_at(w, constraints[i]);
         if (sleeping) {
-            release_bin(w, contact, contact->bin);
+            release_bin(w, constraint, constraint->bin);
         }
-        place(w, contacts[i], bins[i]);
+        place(w, constraints[i], bins[i]);
     }
     return true;
 }
 
 bool td_lanes_reserve_sleeping(thud_world *w) {
-    int grown[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND] = {0};
-    for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
+    int grown[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND] = {0};
+    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         for (int bin = 0; bin < TD_SLEEPING; bin++) {
             grown[kind][TD_SLEEPING] += w->bins[kind][bin].lanes;
         }
@@ -274,31 +256,28 @@ bool td_lanes_reserve_sleeping(thud_world *w) {
            reserve_grown(w, grown);
 }
 
-void td_lane_remove(thud_world *w, int contact_index) {
-    td_contact *contact = td_contact_at(w, contact_index);
-    assert(contact->state == TD_TOUCHING);
-    release_bin(w, contact, contact->bin);
-    td_surface_set(w, td_block_at(w, contact->kind, contact->slot / TD_LANES),
-                   points_of(w, contact->kind), contact->slot % TD_LANES,
-                   &(thud_contact_settings){0.0f, 0.0f, 0.0f});
-    bin_shrink(w, contact->kind, contact->bin, contact->slot);
+void td_lane_remove(thud_world *w, int index) {
+    td_constraint *constraint = td_constraint_at(w, index);
+    assert(constraint->state == TD_TOUCHING);
+    release_bin(w, constraint, constraint->bin);
+    td_lane_ops_of(w, constraint->kind)
+        ->clear(w, td_block_at(w, constraint->kind, constraint->slot / TD_LANES),
+                constraint->slot % TD_LANES, index);
+    bin_shrink(w, constraint->kind, constraint->bin, constraint->slot);
     w->touching--;
 }
 
-void td_lane_refresh(thud_world *w, int contact_index) {
-    const td_contact *contact = td_contact_at(w, contact_index);
-    set_slots(w, td_block_at(w, contact->kind, contact->slot / TD_LANES), contact->slot % TD_LANES,
-              contact);
+void td_lane_refresh(thud_world *w, int index) {
+    const td_constraint *constraint = td_constraint_at(w, index);
+    set_slots(w, td_block_at(w, constraint->kind, constraint->slot / TD_LANES),
+              constraint->slot % TD_LANES, constraint);
 }
 
-void td_lane_renew(thud_world *w, int contact_index) {
-    const td_contact *contact = td_contact_at(w, contact_index);
-    td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-    td_lane_refresh(w, contact_index);
-    block->armed = 1; /* its shapes may have got another centre of mass */
-    for (int k = 0; k < points_of(w, contact->kind); k++) {
-        block->point[k].normal_mass[contact->slot % TD_LANES] = 0.0f;
-    }
+void td_lane_renew(thud_world *w, int index) {
+    const td_constraint *constraint = td_constraint_at(w, index);
+    td_block *block = td_block_at(w, constraint->kind, constraint->slot / TD_LANES);
+    td_lane_refresh(w, index);
+    td_lane_ops_of(w, constraint->kind)->renew(w, block, constraint->slot % TD_LANES, index);
 }
 
 static void list_bin(thud_world *w, int kind, int bin) {
@@ -350,7 +329,7 @@ bool td_lanes_sequence(thud_world *w) {
     }
     if (!td_array_reserve(&w->memory, &w->scratch.blocks, most) ||
         !td_array_reserve(&w->memory, &w->scratch.parted, 2 * most + 1) ||
-        !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_PAIR_TOUCH_COUNT)) {
+        !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_CONSTRAINT_KINDS)) {
         return false;
     }
     w->scratch.blocks.count = 0;
@@ -358,8 +337,9 @@ bool td_lanes_sequence(thud_world *w) {
     w->stats.colours = 0;
     for (int bin = 0; bin < 2 * TD_COLOURS; bin++) {
         int before = w->scratch.blocks.count;
-        for (int kind = 0; kind < TD_PAIR_TOUCH_COUNT; kind++) {
-            list_bin(w, kind, bin);
+        /* Contacts last: what they keep apart shall not be pulled together again. */
+        for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
+            list_bin(w, (TD_PAIR_COUNT + i) % TD_CONSTRAINT_KINDS, bin);
         }
         w->stats.colours += w->scratch.blocks.count > before;
     }

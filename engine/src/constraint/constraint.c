@@ -1,0 +1,132 @@
+/* constraint.c: see constraint.h. */
+#include "constraint/constraint.h"
+
+#include "api/step.h"
+#include "constraint/lanes.h"
+
+bool td_constraints_reserve(thud_world *w, const int more[TD_CONSTRAINT_KINDS]) {
+    int sum = 0;
+    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
+        sum += more[kind];
+        if (!td_array_reserve(&w->memory, &w->waiting[kind], w->contact_count[kind] + more[kind])) {
+            return false;
+        }
+    }
+    return td_slots_reserve(&w->memory, &w->contacts, sum);
+}
+
+static void link_edge(thud_world *w, int index, int side) {
+    td_constraint *constraint = td_constraint_at(w, index);
+    td_body *body = td_body_at(w, constraint->body[side]);
+    int edge = index * 2 + side, head = body->first_contact;
+    constraint->next[side] = head;
+    constraint->prev[side] = TD_NONE;
+    if (head != TD_NONE) {
+        td_constraint_at(w, head / 2)->prev[head & 1] = edge;
+    }
+    body->first_contact = edge;
+}
+
+static void unlink_edge(thud_world *w, int index, int side) {
+    const td_constraint *constraint = td_constraint_at(w, index);
+    int next = constraint->next[side], prev = constraint->prev[side];
+    if (next != TD_NONE) {
+        td_constraint_at(w, next / 2)->prev[next & 1] = prev;
+    }
+    if (prev != TD_NONE) {
+        td_constraint_at(w, prev / 2)->next[prev & 1] = next;
+    } else {
+        td_body_at(w, constraint->body[side])->first_contact = next;
+    }
+}
+
+void td_constraint_wait(thud_world *w, int index) {
+    td_constraint *constraint = td_constraint_at(w, index);
+    td_array *waiting = &w->waiting[constraint->kind];
+    constraint->state = TD_WAITING;
+    constraint->slot = waiting->count;
+    td_push_int(waiting, index);
+}
+
+static void leave_waiting(thud_world *w, const td_constraint *constraint) {
+    td_array *waiting = &w->waiting[constraint->kind];
+    int last = *(int *)td_at(waiting, waiting->count - 1);
+    *(int *)td_at(waiting, constraint->slot) = last;
+    td_constraint_at(w, last)->slot = constraint->slot;
+    waiting->count--;
+}
+
+void td_constraint_rest(thud_world *w, int index) {
+    td_constraint *constraint = td_constraint_at(w, index);
+    leave_waiting(w, constraint);
+    constraint->state = TD_RESTING;
+    constraint->slot = TD_NONE;
+}
+
+int td_constraint_create(thud_world *w, int kind, int body_a, int body_b) {
+    int index = td_slots_take(&w->contacts);
+    td_constraint *constraint = td_constraint_at(w, index);
+    *constraint = (td_constraint){.shape_a = TD_NONE,
+                                  .shape_b = TD_NONE,
+                                  .body = {body_a, body_b},
+                                  .kind = (uint8_t)kind,
+                                  .live = 1};
+    link_edge(w, index, 0);
+    link_edge(w, index, 1);
+    w->contact_count[kind]++;
+    td_constraint_wait(w, index);
+    return index;
+}
+
+void td_constraint_destroy(thud_world *w, int index) {
+    td_constraint *constraint = td_constraint_at(w, index);
+    if (constraint->state == TD_TOUCHING) {
+        td_lane_remove(w, index);
+    } else if (constraint->state == TD_WAITING) {
+        leave_waiting(w, constraint);
+    }
+    unlink_edge(w, index, 0);
+    unlink_edge(w, index, 1);
+    w->contact_count[constraint->kind]--;
+    constraint->live = 0;
+    td_slots_give(&w->contacts, index);
+}
+
+/* ---- taking effect ---- */
+
+static bool is_there(const td_body *body) {
+    return !(body->flags & (TD_BODY_DISABLED | TD_BODY_QUARANTINED)) &&
+           !(body->changes & TD_CHANGE_ENTER);
+}
+
+/* A sleeping body wakes, since something new holds it. */
+static bool engage(thud_world *w, int index) {
+    for (int side = 0; side < 2; side++) {
+        int body = td_constraint_at(w, index)->body[side];
+        if (td_body_sleeps(w, body) && !td_wake(w, body)) {
+            return false;
+        }
+    }
+    td_constraint_rest(w, index);
+    if (!td_lanes_place(w, &index, 1, false)) {
+        td_constraint_wait(w, index);
+        return false;
+    }
+    return true;
+}
+
+bool td_constraints_engage(thud_world *w) {
+    for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
+        for (int i = 0; i < w->waiting[kind].count;) {
+            int index = *(int *)td_at(&w->waiting[kind], i);
+            const td_constraint *constraint = td_constraint_at(w, index);
+            if (!is_there(td_body_at(w, constraint->body[0])) ||
+                !is_there(td_body_at(w, constraint->body[1]))) {
+                i++; /* it goes on waiting */
+            } else if (!engage(w, index)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}

@@ -1,0 +1,37 @@
+/* contact_lanes.c: what contacts keep in their lanes. */
+#include "constraint/lanes.h"
+#include "contact/internal_edges.h"
+#include "state/surface.h"
+
+static int points_of(const thud_world *w, const td_contact *contact) {
+    return td_form_points(w->pairs[contact->kind]->form);
+}
+
+static void fill(thud_world *w, td_block *block, int lane, int index) {
+    const td_contact *contact = td_contact_at(w, index);
+    const td_shape *a = td_shape_at(w, contact->shape_a);
+    const td_shape *b = td_shape_at(w, contact->shape_b);
+    block->shape_a[lane] = contact->shape_a;
+    block->shape_b[lane] = contact->shape_b;
+    thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
+    td_surface_set(w, block, points_of(w, contact), lane, &own);
+    block->armed |= !(a->plain && b->plain) || b->internal_edges ||
+                    (a->internal_edges && td_body_at(w, a->body)->kind != THUD_STATIC);
+    block->internal_edges[lane] = td_internal_edges_of(a, b);
+}
+
+/* The world counts lanes that bounce or carry along. */
+static void clear(thud_world *w, td_block *block, int lane, int index) {
+    td_surface_set(w, block, points_of(w, td_contact_at(w, index)), lane,
+                   &(thud_contact_settings){0.0f, 0.0f, 0.0f});
+}
+
+/* Its manifold is worked out anew. */
+static void renew(thud_world *w, td_block *block, int lane, int index) {
+    block->armed = 1; /* its shapes may have got another centre of mass */
+    for (int k = 0; k < points_of(w, td_contact_at(w, index)); k++) {
+        block->point[k].normal_mass[lane] = 0.0f;
+    }
+}
+
+const td_lane_ops td_contact_lanes = {.fill = fill, .clear = clear, .renew = renew};

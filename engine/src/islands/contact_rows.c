@@ -1,0 +1,119 @@
+/* contact_rows.c: the rows of a contact: its points push, and its tangent rubs. */
+#include "islands/row_ops.h"
+
+/* Part of the overlap that goes in a step. */
+#define PUSH_SHARE 0.2
+/* Smaller gaps are none: in multiples of the arms, and of the length scale. Ground that goes on for
+ * thousands of those would else hold bodies up where it is far from its middle. */
+#define BLUR 1e-6
+#define BLUR_LEAST 1e-7
+#define BLUR_MOST 1e-4
+
+enum { TANGENT = TD_DIRECT_TANGENT };
+
+static int points_of(const thud_world *w, const td_block *block, int lane) {
+    return td_form_points(w->pairs[td_contact_at(w, block->contact[lane])->kind]->form);
+}
+
+static void note(const thud_world *w, td_block *block, int lane, float kept, float *impulses) {
+    float steps = (float)w->substeps;
+    for (int k = 0; k < points_of(w, block, lane); k++) {
+        impulses[k] = steps * block->point[k].normal_impulse[lane];
+        block->point[k].normal_impulse[lane] *= kept;
+    }
+    impulses[TANGENT] = steps * block->tangent_impulse[lane];
+    block->tangent_impulse[lane] *= kept;
+}
+
+/* Apart: not to meet before the end. Within the skin: not to come nearer. Overlapping: apart again.
+ */
+static double wanted_of(const thud_world *w, double gap, double blur) {
+    double most = (double)(w->def.push_speed * w->unit), time = w->def.time_step;
+    if (gap > blur) {
+        return -gap / time;
+    }
+    double depth = -(gap + (double)w->skin), pushed = PUSH_SHARE * depth / time;
+    return depth < blur ? 0.0 : pushed < most ? pushed : most;
+}
+
+/* Floats tell gaps no better than this. Contacts that carry too little to be sure of would come and
+ * go with the noise, and a heap at rest has many such. */
+static double blur_of(const thud_world *w, const td_direct_row *r) {
+    double arm_a = r->a[2] < 0.0 ? -r->a[2] : r->a[2], arm_b = r->b[2] < 0.0 ? -r->b[2] : r->b[2];
+    double blur = BLUR * (arm_a + arm_b), most = BLUR_MOST * (double)w->unit;
+    return (blur < most ? blur : most) + BLUR_LEAST * (double)w->unit;
+}
+
+/* Bodies that do not turn feel no arms. */
+static bool take(const thud_world *w, td_block *block, int lane, const float *impulses,
+                 td_direct_constraint *c) {
+    int points = points_of(w, block, lane);
+    double x = (double)block->nx[lane], y = (double)block->ny[lane];
+    double turns_a = c->a == TD_NONE || block->inv_inertia_a[lane] > 0.0f;
+    double turns_b = c->b == TD_NONE || block->inv_inertia_b[lane] > 0.0f;
+    bool bounces = false;
+    c->friction = (double)block->friction[lane];
+    for (int k = 0; k < points; k++) {
+        const td_point *p = &block->point[k];
+        if (p->normal_mass[lane] == 0.0f) {
+            continue;
+        }
+        td_row_set(&c->row[k], TD_ROW_PUSH, x, y, turns_a * (double)p->cross_a[lane],
+                   turns_b * (double)p->cross_b[lane]);
+        c->row[k].impulse = 0.5 * (double)impulses[k];
+        c->row[k].wanted = wanted_of(w, (double)p->base[lane], blur_of(w, &c->row[k]));
+        bounces |=
+            block->restitution[lane] > 0.0f && td_surface_at(block, points)->energy[lane] >= 0.0f;
+    }
+    /* Arms end in the middle of the gap. Where that is open, as it is about a skin, a disc would
+     * roll as if it were greater: beside what does not move, friction acts at the surface. */
+    double gap = (double)(block->point[0].base[lane] + w->skin);
+    double outside = c->a == TD_NONE && gap > 0.0 ? 0.5 * gap : 0.0;
+    td_direct_row *tangent = &c->row[TANGENT];
+    td_row_set(tangent, TD_ROW_FRICTION, y, -x, turns_a * (double)block->tangent_cross_a[lane],
+               turns_b * ((double)block->tangent_cross_b[lane] - outside));
+    tangent->impulse = 0.5 * (double)impulses[TANGENT];
+    tangent->wanted = (double)td_surface_at(block, points)->speed[lane] * (w->surface_speeds > 0);
+    tangent->used = block->tangent_mass[lane] > 0.0f && c->friction > 0.0;
+    return bounces;
+}
+
+static bool holds(const td_block *block, int lane, int row) {
+    return !(block->point[row].separation[lane] > 0.0f);
+}
+
+static double gap(const td_block *block, int lane, int row) {
+    return (double)block->point[row].base[lane];
+}
+
+static void put(const thud_world *w, td_block *block, int lane, const td_direct_constraint *c,
+                const double *gaps) {
+    int points = points_of(w, block, lane);
+    float part = 1.0f / (float)w->substeps;
+    for (int k = 0; k < points; k++) {
+        if (c->row[k].used) {
+            td_point *p = &block->point[k];
+            float impulse = (float)c->row[k].impulse;
+            p->normal_impulse[lane] = part * impulse;
+            p->separation[lane] = (float)gaps[k];
+            td_history_of(block, points)[k].total[lane] = impulse;
+        }
+    }
+    float tangent = c->row[TANGENT].used ? (float)c->row[TANGENT].impulse : 0.0f;
+    block->tangent_impulse[lane] = part * tangent;
+    td_surface_at(block, points)->total[lane] = tangent;
+}
+
+static void load(const thud_world *w, const td_block *block, td_lane_load *loads) {
+    int points = points_of(w, block, 0);
+    for (int lane = 0; lane < block->used; lane++) {
+        loads[lane] = (td_lane_load){0.0f, 0.0f};
+        for (int k = 0; k < points; k++) {
+            const td_point *p = &block->point[k];
+            loads[lane].impulse += p->normal_impulse[lane];
+            loads[lane].depth = td_max_float(loads[lane].depth, -(p->separation[lane] + w->skin));
+        }
+    }
+}
+
+const td_row_ops td_contact_row_ops = {note, take, holds, gap, put, load};
