@@ -18,6 +18,7 @@ enum {
     TD_SNAPSHOT_BODIES,
     TD_SNAPSHOT_SHAPES,
     TD_SNAPSHOT_CONTACTS,
+    TD_SNAPSHOT_JOINTS,
     TD_SNAPSHOT_TERRAINS,
     TD_SNAPSHOT_POOLS,
     TD_SNAPSHOT_SLOTS = TD_SNAPSHOT_POOLS + TD_FORM_COUNT
@@ -46,7 +47,8 @@ enum {
     TD_SNAPSHOT_TERRAIN = 8,
     TD_SNAPSHOT_ISLANDS = 16,
     TD_SNAPSHOT_DETECTIONS = 32, /* ... shifted by its rank */
-    TD_SNAPSHOT_JOINTS = 4096, /* ... shifted by the kind, from the first that is no pair kind on */
+    TD_SNAPSHOT_JOINT_KINDS =
+        4096, /* ... shifted by the kind, from the first that is no pair kind on */
     TD_SNAPSHOT_ALL_JOINTS = (1 << (TD_CONSTRAINT_KINDS - TD_PAIR_COUNT)) * 4096 - 4096
 };
 

@@ -87,6 +87,7 @@ void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]) {
     slots[TD_SNAPSHOT_BODIES] = &w->bodies;
     slots[TD_SNAPSHOT_SHAPES] = &w->shapes;
     slots[TD_SNAPSHOT_CONTACTS] = &w->contacts;
+    slots[TD_SNAPSHOT_JOINTS] = &w->joints;
     slots[TD_SNAPSHOT_TERRAINS] = &w->terrains;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         slots[TD_SNAPSHOT_POOLS + form] = &w->pool[form];

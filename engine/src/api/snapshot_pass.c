@@ -89,7 +89,7 @@ static uint32_t layout_of_build(void) {
                               sizeof(td_level),
                               (uint32_t)td_form_bytes(TD_FORM_ONE),
                               (uint32_t)td_form_bytes(TD_FORM_TWO_CACHED),
-                              (uint32_t)td_form_bytes(TD_FORM_JOINT),
+                              sizeof(td_joint),
                               sizeof(td_errors),
                               sizeof(td_budget),
                               sizeof(thud_stats),
@@ -109,7 +109,8 @@ static uint32_t plugged_into(const thud_world *w) {
         plugged |= w->detections[rank] ? (uint32_t)TD_SNAPSHOT_DETECTIONS << rank : 0u;
     }
     for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
-        plugged |= w->pairs[kind] ? (uint32_t)TD_SNAPSHOT_JOINTS << (kind - TD_PAIR_COUNT) : 0u;
+        plugged |=
+            w->pairs[kind] ? (uint32_t)TD_SNAPSHOT_JOINT_KINDS << (kind - TD_PAIR_COUNT) : 0u;
     }
     return plugged;
 }
@@ -198,6 +199,7 @@ uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
     bytes += (uint64_t)slots[TD_SNAPSHOT_BODIES].count * BODY_BYTES;
     bytes += (uint64_t)slots[TD_SNAPSHOT_SHAPES].count * sizeof(td_shape);
     bytes += (uint64_t)slots[TD_SNAPSHOT_CONTACTS].count * sizeof(td_contact);
+    bytes += (uint64_t)slots[TD_SNAPSHOT_JOINTS].count * sizeof(td_joint);
     bytes += (uint64_t)slots[TD_SNAPSHOT_TERRAINS].count * TERRAIN_BYTES;
     bytes += head->points * sizeof(thud_pos);
     for (int form = 0; form < TD_FORM_COUNT; form++) {
@@ -361,6 +363,7 @@ static void pass_all(tape *t, thud_world *w, const td_snapshot_head *head) {
     }
     pass_slots(t, &w->shapes);
     pass_slots(t, &w->contacts);
+    pass_slots(t, &w->joints);
     pass_terrains(t, &w->terrains);
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         pass_blocks(t, &w->pool[form]);

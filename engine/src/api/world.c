@@ -177,6 +177,7 @@ static void set_strides(thud_world *w) {
     td_slots_init(&w->bodies, (int)sizeof(td_body));
     td_slots_init(&w->shapes, (int)sizeof(td_shape));
     td_slots_init(&w->contacts, (int)sizeof(td_contact));
+    td_slots_init(&w->joints, (int)sizeof(td_joint));
     td_slots_init(&w->terrains, (int)sizeof(td_terrain_record));
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         td_slots_init(&w->pool[form], (int)td_form_bytes((td_block_form)form));
@@ -250,7 +251,7 @@ void thud_world_destroy(thud_world *w) {
         td_array_free(&w->memory, array_at(w, i));
     }
     td_array_free(&w->memory, &w->scratch.test_blocks); /* as wide as a block, see narrowphase.c */
-    td_slots *slots[] = {&w->bodies, &w->shapes, &w->contacts, &w->terrains};
+    td_slots *slots[] = {&w->bodies, &w->shapes, &w->contacts, &w->joints, &w->terrains};
     for (size_t i = 0; i < sizeof slots / sizeof *slots; i++) {
         td_slots_free(&w->memory, slots[i]);
     }

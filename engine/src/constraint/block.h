@@ -107,17 +107,6 @@ static inline td_manifold_cache *td_manifold_cache_of(td_block *block, int point
     return (td_manifold_cache *)(td_surface_at(block, points) + 1);
 }
 
-/* What a joint keeps in its lane: where it holds its bodies, from their origins and in their
- * frames, and how far apart it holds those places. */
-typedef struct td_joint {
-    f8 anchor_ax, anchor_ay, anchor_bx, anchor_by;
-    f8 length;
-} td_joint;
-
-static inline td_joint *td_joint_of(td_block *block) {
-    return (td_joint *)(td_surface_at(block, 1) + 1);
-}
-
 /* Blocks lie where their contacts began, and the passes over them are bound by memory: the solver's
  * rows of the one after the next are asked for early. */
 TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int points) {
@@ -135,7 +124,6 @@ typedef enum td_block_form {
     TD_FORM_ONE,
     TD_FORM_ONE_CACHED,
     TD_FORM_TWO_CACHED,
-    TD_FORM_JOINT, /* one row, and what a joint knows of its bodies */
     TD_FORM_COUNT
 } td_block_form;
 
@@ -146,10 +134,7 @@ static inline int td_form_points(td_block_form form) {
 static inline size_t td_form_bytes(td_block_form form) {
     size_t points = (size_t)td_form_points(form);
     return sizeof(td_block) + points * (sizeof(td_point) + sizeof(td_point_history)) +
-           sizeof(td_surface) +
-           (form == TD_FORM_ONE     ? 0
-            : form == TD_FORM_JOINT ? sizeof(td_joint)
-                                    : sizeof(td_manifold_cache));
+           sizeof(td_surface) + (form == TD_FORM_ONE ? 0 : sizeof(td_manifold_cache));
 }
 
 /* ---- what the wide kernels are given ---- */

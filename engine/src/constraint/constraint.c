@@ -69,6 +69,7 @@ int td_constraint_create(thud_world *w, int kind, int body_a, int body_b) {
     *constraint = (td_constraint){.shape_a = TD_NONE,
                                   .shape_b = TD_NONE,
                                   .body = {body_a, body_b},
+                                  .joint = TD_NONE,
                                   .kind = (uint8_t)kind,
                                   .live = 1};
     link_edge(w, index, 0);
@@ -88,6 +89,9 @@ void td_constraint_destroy(thud_world *w, int index) {
     unlink_edge(w, index, 0);
     unlink_edge(w, index, 1);
     w->contact_count[constraint->kind]--;
+    if (!td_is_contact(constraint)) {
+        td_slots_give(&w->joints, constraint->joint);
+    }
     constraint->live = 0;
     td_slots_give(&w->contacts, index);
 }

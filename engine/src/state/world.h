@@ -112,10 +112,13 @@ typedef struct td_constraint {
     int32_t next_free;
     int32_t shape_a, shape_b; /* of a contact; else TD_NONE */
     int32_t body[2];          /* of a contact those of shape_a and shape_b */
-    int32_t
-        child; /* terrain segment; TD_NONE: an edit took it away, and the next step the contact */
+    union {
+        int32_t child; /* of a contact: terrain segment; TD_NONE: an edit took that away, and the
+                          next step takes the contact */
+        int32_t joint; /* of another kind: index of its td_joint */
+    };
     int32_t slot;
-    int32_t next[2], prev[2]; /* edges in the bodies' contact lists */
+    int32_t next[2], prev[2]; /* edges in the bodies' lists */
     uint16_t bin;
     uint8_t kind, state;
     uint8_t open;   /* touches, or overlaps a sensor: has begun and not ended */
@@ -123,6 +126,13 @@ typedef struct td_constraint {
     uint8_t live;
     uint8_t vetoed; /* by the prologue of this step */
 } td_constraint;
+
+/* What a constraint that is no contact holds: see rod.h. */
+typedef struct td_joint {
+    int32_t next_free;
+    float anchor[2][2]; /* on either body, from its origin and in its frame */
+    float length;
+} td_joint;
 
 /* A constraint whose kind is a pair kind. */
 typedef td_constraint td_contact;
@@ -199,7 +209,7 @@ struct thud_world {
     uint64_t steps;
     double spare_time;   /* of thud_world_advance */
     uint32_t rest_epoch; /* rises whenever a resting shape enters or moves */
-    td_slots bodies, shapes, contacts, terrains;
+    td_slots bodies, shapes, contacts, joints, terrains;
     td_array pose;                         /* td_pose, by body */
     td_array proxy;                        /* td_shape_proxy, by shape */
     td_array was;                          /* td_bounds, by shape */

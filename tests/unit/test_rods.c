@@ -1,0 +1,386 @@
+/* test_rods.c: the graph of constraints with one sort that is no contact: rods are solved soft and
+ * directly, coloured, put to sleep, disabled, destroyed, drawn and restored as contacts are. */
+#include "island_support.h"
+
+#include "constraint/rod.h"
+#include "pool.h"
+#include "snapshot_support.h"
+
+static int tie(thud_world *world, thud_body_id a, thud_body_id b, thud_vec2 at_a, thud_vec2 at_b,
+               float length) {
+    td_rod_def def = {a, b, at_a, at_b, length};
+    int rod = -1;
+    OK(td_rod_create(world, &def, &rod));
+    return rod;
+}
+
+static const thud_vec2 middle = {0, 0};
+
+static thud_world *world_at(const thud_quality *quality) {
+    thud_world_def def = def_of(quality);
+    def.sleeping = false;
+    return make_world(def);
+}
+
+static double stretch_after(thud_world *world, const int *rods, int count, int steps) {
+    double worst = 0;
+    for (int i = 0; i < steps; i++) {
+        run(world, 1);
+        for (int k = 0; k < count; k++) {
+            worst = fmax(worst, fabs(td_rod_stretch(world, rods[k])));
+        }
+    }
+    return worst;
+}
+
+/* ---- solved ---- */
+
+static double swing(const thud_quality *quality, double *least) {
+    thud_world *world = world_at(quality);
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 10, 0);
+    thud_body_id bob = add_body(world, THUD_DYNAMIC, 2, 10, 0);
+    add_shape(world, bob, 0.2f, 0, false, NULL);
+    int rod = tie(world, hook, bob, middle, middle, 2);
+    double worst = 0;
+    *least = 10;
+    for (int i = 0; i < 300; i++) {
+        worst = fmax(worst, stretch_after(world, &rod, 1, 1));
+        *least = fmin(*least, state_of(world, bob).position.y);
+    }
+    thud_world_destroy(world);
+    return worst;
+}
+
+static void pendulum_keeps_its_length_and_passes_its_lowest_place(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        double least, worst = swing(qualities[i], &least);
+        assert_true(worst < 0.02); /* 1 % of the length */
+        near_to(least, 8, 0.02);
+    }
+}
+
+/* A rod that holds a thousand times its own neighbours' mass sags where it is solved softly, and
+ * not where its island is solved at once. */
+static double chain(const thud_quality *quality, int *direct) {
+    enum { LINKS = 10 };
+    thud_world *world = world_at(quality);
+    thud_body_id last = add_body(world, THUD_STATIC, 0, 0, 0);
+    int rods[LINKS + 1];
+    for (int i = 0; i < LINKS; i++) {
+        thud_body_id next = add_body(world, THUD_DYNAMIC, 0, -1.0 - i, 0);
+        add_shape(world, next, 0.1f, 0, false, NULL);
+        rods[i] = tie(world, last, next, middle, middle, 1);
+        last = next;
+    }
+    thud_shape_def heavy = thud_default_shape_def();
+    heavy.density = 1000;
+    thud_body_id weight = add_body(world, THUD_DYNAMIC, 0, -1.0 - LINKS, 0);
+    add_shape(world, weight, 0.1f, 0, false, &heavy);
+    rods[LINKS] = tie(world, last, weight, middle, middle, 1);
+    stretch_after(world, rods, LINKS + 1, 240);
+    double worst = stretch_after(world, rods, LINKS + 1, 60);
+    *direct = thud_world_stats(world).direct_bodies;
+    thud_world_destroy(world);
+    return worst;
+}
+
+static void chain_with_a_weight_a_thousand_times_heavier_is_held_directly(void **state) {
+    (void)state;
+    int direct;
+    double soft = chain(&thud_quality_draft, &direct);
+    assert_int_equal(direct, 0);
+    assert_true(soft > 0.05);
+    assert_true(chain(&thud_quality_default, &direct) < 1e-4);
+    assert_int_equal(direct, 11);
+    assert_true(chain(&thud_quality_exact, &direct) < 1e-4);
+    assert_int_equal(direct, 11);
+}
+
+/* What hangs off a lever turns the lever: the row's arms count. */
+static void rod_at_the_end_of_a_plank_turns_it(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world *world = world_at(qualities[i]);
+        thud_body_id hook = add_body(world, THUD_STATIC, -1, 3, 0);
+        thud_body_id plank = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+        add_shape(world, plank, 1, 0.1f, false, NULL);
+        int rod = tie(world, plank, hook, (thud_vec2){-1, 0}, middle, 3);
+        run(world, 10);
+        assert_true(state_of(world, plank).angle < -0.05);
+        assert_true(fabs(td_rod_stretch(world, rod)) < 0.02);
+        thud_world_destroy(world);
+    }
+}
+
+static void rods_and_contacts_share_an_island_in_the_direct_solver(void **state) {
+    (void)state;
+    thud_world *world = world_of(&thud_quality_exact);
+    thud_body_id ids[3];
+    add_column(world, 0, 3, ids);
+    thud_body_id beside = add_box(world, 3, 0.5, 0.5f, 0.5f);
+    int rod = tie(world, ids[0], beside, middle, middle, 3);
+    run(world, 120);
+    thud_stats stats = thud_world_stats(world);
+    assert_int_equal(stats.direct_islands, 1);
+    assert_int_equal(stats.direct_bodies, 4);
+    assert_true(fabs(td_rod_stretch(world, rod)) < 1e-5);
+    thud_world_destroy(world);
+}
+
+/* ---- the graph ---- */
+
+enum { ACROSS = 12, UP = 5 };
+
+/* A net of circles that hangs from its upper edge and falls onto boxes. */
+static thud_world *net(thud_world_def def) {
+    thud_world *world = make_world(def);
+    thud_body_id knots[UP][ACROSS];
+    add_floor(world, NULL);
+    for (int y = 0; y < UP; y++) {
+        for (int x = 0; x < ACROSS; x++) {
+            bool hangs = y == 0 && (x == 0 || x == ACROSS - 1);
+            knots[y][x] = add_body(world, hangs ? THUD_STATIC : THUD_DYNAMIC, x, 8 - y, 0);
+            add_shape(world, knots[y][x], 0.3f, 0, false, NULL);
+            if (x > 0) {
+                tie(world, knots[y][x], knots[y][x - 1], middle, middle, 1);
+            }
+            if (y > 0) {
+                tie(world, knots[y][x], knots[y - 1][x], middle, middle, 1);
+            }
+        }
+    }
+    for (int i = 0; i < 5; i++) {
+        add_box(world, 3 + i, 0.5, 0.5f, 0.5f);
+    }
+    return world;
+}
+
+static uint64_t net_after(thud_world_def def, int steps) {
+    thud_world *world = net(def);
+    run(world, steps);
+    uint64_t hash = thud_world_hash(world);
+    thud_world_destroy(world);
+    return hash;
+}
+
+static void net_ends_in_the_same_bits_with_any_workers_and_width(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world_def def = def_of(qualities[i]);
+        uint64_t alone = net_after(def, 90);
+        def.baseline_simd = true;
+        assert_true(net_after(def, 90) == alone);
+        for (int workers = 2; workers <= 4; workers += 2) {
+            pool *p = pool_create(workers);
+            def.job_system = pool_job_system(p);
+            assert_true(net_after(def, 90) == alone);
+            pool_destroy(p);
+        }
+    }
+}
+
+/* Eight lanes are solved at once, so that none of them may share a body with another. */
+static void rods_of_one_block_share_no_moving_body(void **state) {
+    (void)state;
+    thud_world *world = net(thud_default_world_def());
+    run(world, 30);
+    int rods = 0;
+    for (int i = 0; i < world->scratch.blocks.count; i++) {
+        const td_block *block = *(td_block **)td_at(&world->scratch.blocks, i);
+        for (int lane = 0; lane < block->used; lane++) {
+            rods += !td_is_contact(td_constraint_at(world, block->contact[lane]));
+            for (int other = 0; other < lane; other++) {
+                const uint32_t own[2] = {block->a[lane], block->b[lane]};
+                for (int side = 0; side < 2; side++) {
+                    assert_true(own[side] == 0 ||
+                                (own[side] != block->a[other] && own[side] != block->b[other]));
+                }
+            }
+        }
+    }
+    assert_int_equal(rods, UP * (ACROSS - 1) + (UP - 1) * ACROSS);
+    thud_world_destroy(world);
+}
+
+static bool sleeps(thud_world *world, thud_body_id id) {
+    return !state_of(world, id).awake;
+}
+
+static void bodies_that_a_rod_ties_fall_asleep_and_wake_together(void **state) {
+    (void)state;
+    thud_world *world = make_world(def_of(&thud_quality_default));
+    add_floor(world, NULL);
+    thud_body_id a = add_box(world, -2, 0.5, 0.5f, 0.5f), b = add_box(world, 2, 0.5, 0.5f, 0.5f);
+    int rod = tie(world, a, b, middle, middle, 4);
+    run(world, 120);
+    assert_true(sleeps(world, a) && sleeps(world, b));
+    OK(thud_body_set_velocity(world, a, (thud_vec2){-3, 0}, 0));
+    run(world, 2);
+    assert_true(!sleeps(world, a) && !sleeps(world, b));
+    run(world, 20);
+    assert_true(state_of(world, b).position.x < 1.9);
+    assert_true(fabs(td_rod_stretch(world, rod)) < 0.02);
+    thud_world_destroy(world);
+}
+
+static void rod_to_a_disabled_body_lets_go_until_it_is_enabled(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_default);
+    thud_body_id hook = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
+    thud_body_id nail = add_body(world, THUD_STATIC, 0, 1, 0);
+    add_shape(world, hook, 0.1f, 0, false, NULL);
+    add_shape(world, bob, 0.1f, 0, false, NULL);
+    tie(world, nail, hook, middle, middle, 1);
+    int rod = tie(world, hook, bob, middle, middle, 1);
+    run(world, 30);
+    near_to(state_of(world, bob).position.y, -1, 0.02);
+    OK(thud_body_set_enabled(world, hook, false));
+    run(world, 6);
+    assert_true(state_of(world, bob).position.y < -1.03);
+    OK(thud_body_set_enabled(world, hook, true));
+    run(world, 120);
+    assert_true(fabs(td_rod_stretch(world, rod)) < 0.02);
+    near_to(state_of(world, hook).position.y, 0, 0.05);
+    thud_world_destroy(world);
+}
+
+static void body_that_is_destroyed_takes_its_rods_away(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_default);
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
+    add_shape(world, bob, 0.1f, 0, false, NULL);
+    int rod = tie(world, hook, bob, middle, middle, 1);
+    run(world, 10);
+    OK(thud_body_destroy(world, hook));
+    run(world, 30);
+    assert_true(state_of(world, bob).position.y < -2);
+    assert_int_equal(td_rod_destroy(world, rod), THUD_ERROR_STALE);
+    assert_int_equal(world->joints.live, 0);
+    thud_world_destroy(world);
+}
+
+static void rod_that_is_destroyed_lets_go_of_sleepers(void **state) {
+    (void)state;
+    thud_world *world = make_world(def_of(&thud_quality_default));
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
+    add_shape(world, bob, 0.1f, 0, false, NULL);
+    int rod = tie(world, hook, bob, middle, middle, 1);
+    run(world, 120);
+    assert_true(sleeps(world, bob));
+    OK(td_rod_destroy(world, rod));
+    run(world, 30);
+    assert_true(state_of(world, bob).position.y < -2);
+    thud_world_destroy(world);
+}
+
+/* ---- told of ---- */
+
+static void restored_net_goes_on_to_the_same_bits(void **state) {
+    (void)state;
+    thud_world *world = net(thud_default_world_def());
+    run(world, 60);
+    saved then = save(world);
+    run(world, 60);
+    uint64_t first = digest_of(world);
+    back_to(world, then);
+    run(world, 60);
+    assert_true(digest_of(world) == first);
+    thud_world *other = net(thud_default_world_def());
+    back_to(other, then);
+    run(other, 60);
+    assert_true(digest_of(other) == first);
+    thud_world *without = make_world(thud_default_world_def());
+    assert_int_equal(thud_world_restore(without, then.bytes, then.size), THUD_ERROR_INVALID);
+    free(then.bytes);
+    thud_world_destroy(without);
+    thud_world_destroy(other);
+    thud_world_destroy(world);
+}
+
+static void count_lines(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+    (void)a, (void)b, (void)style;
+    ++*(int *)context;
+}
+
+static void colours_of_rods_are_drawn(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_default);
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
+    add_shape(world, bob, 0.1f, 0, false, NULL);
+    tie(world, hook, bob, middle, middle, 1);
+    run(world, 1);
+    int lines = 0;
+    thud_debug_draw draw = {.line = count_lines,
+                            .context = &lines,
+                            .flags = THUD_DRAW_COLOURS,
+                            .lower = {-5, -5},
+                            .upper = {5, 5}};
+    OK(thud_world_draw(world, &draw));
+    assert_int_equal(lines, 1);
+    draw.flags = THUD_DRAW_CONTACTS | THUD_DRAW_PAIRS | THUD_DRAW_STAGES | THUD_DRAW_MANIFOLDS;
+    OK(thud_world_draw(world, &draw));
+    assert_int_equal(lines, 1);
+    assert_true(thud_world_measure(world).penetration_max == 0);
+    thud_world_destroy(world);
+}
+
+/* A rod overlaps nothing; what it misses is a speed. */
+static void error_report_has_the_speed_that_a_rod_misses(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_draft);
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
+    add_shape(world, bob, 0.1f, 0, false, NULL);
+    tie(world, hook, bob, middle, middle, 0.5f);
+    run(world, 1);
+    thud_step_error error = thud_world_error(world);
+    assert_true(error.residual > 1e-3);
+    assert_true(error.penetration_max == 0 && error.overlaps == 0);
+    thud_world_destroy(world);
+}
+
+static void wrong_rods_are_refused(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_default);
+    thud_body_id a = add_body(world, THUD_STATIC, 0, 0, 0),
+                 b = add_body(world, THUD_STATIC, 1, 0, 0);
+    thud_body_id c = add_body(world, THUD_DYNAMIC, 2, 0, 0);
+    const td_rod_def wrong[] = {{a, b, middle, middle, 1},
+                                {c, c, middle, middle, 1},
+                                {a, c, middle, middle, 0},
+                                {a, c, middle, middle, NAN},
+                                {a, c, {INFINITY, 0}, middle, 1}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_int_equal(td_rod_create(world, &wrong[i], NULL), THUD_ERROR_INVALID);
+    }
+    assert_int_equal(td_rod_create(world, NULL, NULL), THUD_ERROR_NULL);
+    td_rod_def stale = {c, (thud_body_id){77, 1}, middle, middle, 1};
+    assert_int_equal(td_rod_create(world, &stale, NULL), THUD_ERROR_STALE);
+    assert_int_equal(world->contacts.live, 0);
+    thud_world_destroy(world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pendulum_keeps_its_length_and_passes_its_lowest_place),
+        cmocka_unit_test(chain_with_a_weight_a_thousand_times_heavier_is_held_directly),
+        cmocka_unit_test(rod_at_the_end_of_a_plank_turns_it),
+        cmocka_unit_test(rods_and_contacts_share_an_island_in_the_direct_solver),
+        cmocka_unit_test(net_ends_in_the_same_bits_with_any_workers_and_width),
+        cmocka_unit_test(rods_of_one_block_share_no_moving_body),
+        cmocka_unit_test(bodies_that_a_rod_ties_fall_asleep_and_wake_together),
+        cmocka_unit_test(rod_to_a_disabled_body_lets_go_until_it_is_enabled),
+        cmocka_unit_test(body_that_is_destroyed_takes_its_rods_away),
+        cmocka_unit_test(rod_that_is_destroyed_lets_go_of_sleepers),
+        cmocka_unit_test(restored_net_goes_on_to_the_same_bits),
+        cmocka_unit_test(colours_of_rods_are_drawn),
+        cmocka_unit_test(error_report_has_the_speed_that_a_rod_misses),
+        cmocka_unit_test(wrong_rods_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
