@@ -194,11 +194,35 @@ static void place(thud_world *w, int index, int bin) {
     constraint->slot = block * TD_LANES + lane;
 }
 
+/* The kinds that the world has, in the order of solving. Contacts come last: what they keep apart
+ * shall not be pulled together again. */
+static int kinds_of(const thud_world *w, int kinds[TD_CONSTRAINT_KINDS]) {
+    int count = 0;
+    for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
+        int kind = (TD_PAIR_COUNT + i) % TD_CONSTRAINT_KINDS;
+        if (w->pairs[kind]) {
+            kinds[count++] = kind;
+        }
+    }
+    return count;
+}
+
+/* Lanes by which each bin is to grow; of kinds that the world has not, they mean nothing. */
+typedef int lane_counts[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND];
+
+static void count_none(const thud_world *w, lane_counts grown) {
+    int kinds[TD_CONSTRAINT_KINDS], count = kinds_of(w, kinds);
+    for (int i = 0; i < count; i++) {
+        memset(grown[kinds[i]], 0, sizeof grown[kinds[i]]);
+    }
+}
+
 /* Blocks needed when every bin grows by `grown`, per pool. */
-static bool reserve_grown(thud_world *w, int (*grown)[TD_BINS_A_KIND]) {
-    int more[TD_FORM_COUNT] = {0};
-    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
-        for (int bin = 0; bin < TD_BINS_A_KIND && w->pairs[kind]; bin++) {
+static bool reserve_grown(thud_world *w, lane_counts grown) {
+    int kinds[TD_CONSTRAINT_KINDS], count = kinds_of(w, kinds), more[TD_FORM_COUNT] = {0};
+    for (int i = 0; i < count; i++) {
+        int kind = kinds[i];
+        for (int bin = 0; bin < TD_BINS_A_KIND; bin++) {
             if (grown[kind][bin]) {
                 int lanes = w->bins[kind][bin].lanes;
                 more[w->pairs[kind]->form] +=
@@ -218,11 +242,12 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleep
     if (count == 0) {
         return true;
     }
-    int grown[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND] = {0};
+    lane_counts grown;
     if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count)) {
         return false;
     }
     int *bins = w->scratch.lane_bins.data;
+    count_none(w, grown);
     for (int i = 0; i < count; i++) {
         const td_constraint *constraint = td_constraint_at(w, constraints[i]);
         int bin = sleeping ? TD_SLEEPING : choose_bin(w, constraint);
@@ -246,10 +271,12 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleep
 }
 
 bool td_lanes_reserve_sleeping(thud_world *w) {
-    int grown[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND] = {0};
-    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
+    int kinds[TD_CONSTRAINT_KINDS], count = kinds_of(w, kinds);
+    lane_counts grown;
+    count_none(w, grown);
+    for (int i = 0; i < count; i++) {
         for (int bin = 0; bin < TD_SLEEPING; bin++) {
-            grown[kind][TD_SLEEPING] += w->bins[kind][bin].lanes;
+            grown[kinds[i]][TD_SLEEPING] += w->bins[kinds[i]][bin].lanes;
         }
     }
     return td_array_reserve(&w->memory, &w->scratch.lane_bins, w->touching) &&
@@ -320,7 +347,7 @@ static bool cut_chunks(thud_world *w) {
 }
 
 bool td_lanes_sequence(thud_world *w) {
-    int most = 0;
+    int most = 0, kinds[TD_CONSTRAINT_KINDS], count = kinds_of(w, kinds);
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         most += w->pool[form].live;
     }
@@ -337,9 +364,8 @@ bool td_lanes_sequence(thud_world *w) {
     w->stats.colours = 0;
     for (int bin = 0; bin < 2 * TD_COLOURS; bin++) {
         int before = w->scratch.blocks.count;
-        /* Contacts last: what they keep apart shall not be pulled together again. */
-        for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
-            list_bin(w, (TD_PAIR_COUNT + i) % TD_CONSTRAINT_KINDS, bin);
+        for (int i = 0; i < count; i++) {
+            list_bin(w, kinds[i], bin);
         }
         w->stats.colours += w->scratch.blocks.count > before;
     }
