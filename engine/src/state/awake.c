@@ -5,18 +5,25 @@
 
 #include <string.h>
 
-/* The arrays that a body has a place in. */
-#define BY_SLOT(w)                                                                                \
-    &(w)->velocity, &(w)->delta, &(w)->start, &(w)->push, &(w)->damping, &(w)->idle, &(w)->reach, \
-        &(w)->mass, &(w)->inertia, &(w)->weight, &(w)->body_of, &(w)->lone, &(w)->colours,        \
-        &(w)->direct_steps, &(w)->slow_steps
+void td_awake_init(thud_world *w) {
+#define STRIDE(name, element, kept) w->name.stride = (int)sizeof(element);
+    TD_AWAKE_ARRAYS(STRIDE)
+}
+
+void td_awake_free(thud_world *w) {
+    for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
+        td_array_free(&w->memory, &w->awake[i]);
+    }
+}
+
+int td_awake_capacity(int bodies) {
+    return 1 + bodies + TD_LANES;
+}
 
 bool td_awake_reserve(thud_world *w, int more) {
-    /* The wide kernels work on whole eights, so a last partial one must exist in memory. */
-    int capacity = w->bodies.live + more + 1 + TD_LANES;
-    td_array *arrays[] = {BY_SLOT(w)};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        if (!td_array_reserve(&w->memory, arrays[i], capacity)) {
+    int capacity = td_awake_capacity(w->bodies.live + more);
+    for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
+        if (!td_array_reserve(&w->memory, &w->awake[i], capacity)) {
             return false;
         }
     }
@@ -68,9 +75,9 @@ void td_awake_add(thud_world *w, int index) {
 }
 
 static void move_slot(thud_world *w, int from, int to) {
-    td_array *arrays[] = {BY_SLOT(w)};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        memcpy(td_at(arrays[i], to), td_at(arrays[i], from), (size_t)arrays[i]->stride);
+    for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
+        const td_array *array = &w->awake[i];
+        memcpy(td_at(array, to), td_at(array, from), (size_t)array->stride);
     }
     td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, to));
     body->awake = to;

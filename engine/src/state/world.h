@@ -13,6 +13,7 @@
 #include "base/memory.h"
 #include "broadphase/proxy_set.h"
 #include "solver/tally.h"
+#include "state/awake_arrays.h"
 
 enum {
     TD_COLOURS = 64, /* the last one is overflow: one lane a block */
@@ -52,7 +53,7 @@ typedef struct td_body {
     float core, rim;          /* smallest half extent; farthest reach from the centre of mass */
     float gravity_scale, linear_damping, angular_damping;
     uint32_t rest_epoch;  /* world's, when it fell asleep */
-    uint8_t direct_steps; /* while there is no awake slot: see thud_world.hard */
+    uint8_t direct_steps; /* while there is no awake slot: see awake_arrays.h */
     const thud_detection *detection;
     uint64_t user_data;
 } td_body;
@@ -131,12 +132,13 @@ typedef struct td_colours {
     uint64_t moving, fixed; /* taken by this body's contacts with moving and static bodies */
 } td_colours;
 
-/* What happened, in the order it did; see thud_events. */
+/* What happened, in the order it did; see thud_events. Arrays and nothing else. */
 typedef struct td_event_lists {
     td_array begin, end, sensor_begin, sensor_end; /* thud_contact_event */
     td_array hit;                                  /* thud_hit_event */
     td_array quarantined;                          /* thud_body_id */
 } td_event_lists;
+enum { TD_EVENT_LIST_COUNT = sizeof(td_event_lists) / sizeof(td_array) };
 
 typedef enum td_change_kind {
     TD_CHANGE_ENTER = 1,  /* created: takes its awake slot and enters the broadphase */
@@ -196,30 +198,21 @@ struct thud_world {
     double spare_time;   /* of thud_world_advance */
     uint32_t rest_epoch; /* rises whenever a resting shape enters or moves */
     td_slots bodies, shapes, contacts, terrains;
-    td_array pose;                         /* td_pose, by body */
-    td_array proxy;                        /* td_shape_proxy, by shape */
-    td_array was;                          /* td_bounds, by shape */
-    td_array marks;                        /* uint8_t, by shape */
-    td_array velocity, delta, start, push; /* float[4], by awake slot; push: velocity
-                                              gained a substep */
-    td_array damping;                      /* float[2], by awake slot */
-    td_array idle;                         /* float, by awake slot: time at rest */
-    td_array direct_steps;                 /* uint8_t, by awake slot: steps for which
-                                      its island still counts as hard */
-    td_array slow_steps;                   /* uint16_t, by awake slot: steps that took
-                                          its island's solver long */
-    td_array reach;                        /* float[2], by awake slot: core, rim */
-    td_array mass, inertia, weight;        /* float, by awake slot; weight: mass by
-                                              gravity scale */
-    td_array body_of;                      /* int, by awake slot */
-    td_array lone;                         /* int, by awake slot: the only shape of the
-                                              body, if it is plain; else TD_NONE */
-    td_array colours;                      /* td_colours, by awake slot */
-    td_array waiting[TD_PAIR_COUNT];       /* int: contacts */
-    td_array moved;                        /* int: shapes */
-    td_array changed;                      /* int: bodies */
-    td_array deferred;                     /* td_deferred_edit */
-    td_slots pool[TD_FORM_COUNT];          /* td_block of each form */
+    td_array pose;  /* td_pose, by body */
+    td_array proxy; /* td_shape_proxy, by shape */
+    td_array was;   /* td_bounds, by shape */
+    td_array marks; /* uint8_t, by shape */
+    union {         /* by awake slot: by number, and by name */
+        td_array awake[TD_AWAKE_ARRAY_COUNT];
+        struct {
+            TD_AWAKE_ARRAYS(TD_AWAKE_FIELD)
+        };
+    };
+    td_array waiting[TD_PAIR_COUNT]; /* int: contacts */
+    td_array moved;                  /* int: shapes */
+    td_array changed;                /* int: bodies */
+    td_array deferred;               /* td_deferred_edit */
+    td_slots pool[TD_FORM_COUNT];    /* td_block of each form */
     td_bin bins[TD_PAIR_TOUCH_COUNT][TD_BINS_A_KIND];
     int touching;       /* lanes in use, asleep ones too */
     int bouncy;         /* ... of which have restitution */
