@@ -42,4 +42,9 @@ static inline int td_next_edge(const thud_world *w, int edge) {
     return td_contact_at(w, edge / 2)->next[edge & 1];
 }
 
+/* The body on the other side of an edge. */
+static inline int td_other_body(const thud_world *w, int edge) {
+    return td_contact_at(w, edge / 2)->body[1 - (edge & 1)];
+}
+
 #endif

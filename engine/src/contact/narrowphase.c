@@ -10,12 +10,13 @@
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "api/step.h"
+#include "islands/wake.h"
 
 #include <string.h>
 
 enum { TEST_BLOCKS = 32 };
 
-td_collide_context td_collide_context_of(const thud_world *w) {
+static td_collide_context context_of(const thud_world *w) {
     return (td_collide_context){
         .proxy = w->proxy.data,
         .velocity = w->velocity.data,
@@ -29,7 +30,7 @@ td_collide_context td_collide_context_of(const thud_world *w) {
 /* Returns whether one of the blocks is armed. `parted` has room for one more than the blocks. */
 static int collide(thud_world *w, int kind, td_block *const *blocks, int count, td_block **parted,
                    int *parted_count) {
-    td_collide_context context = td_collide_context_of(w);
+    td_collide_context context = context_of(w);
     int armed = 0;
     context.armed = &armed;
     context.parted = parted;
@@ -138,7 +139,7 @@ static void sift_singly(batch *b, const int *waiting, int count) {
 static void sift_widely(batch *b, const int *waiting, int count) {
     thud_world *w = b->w;
     td_sift_fn *sift = w->pairs[b->kind]->sift;
-    td_collide_context context = td_collide_context_of(w);
+    td_collide_context context = context_of(w);
     for (int first = 0; first < count; first += TD_LANES) {
         int32_t shape_a[TD_LANES], shape_b[TD_LANES];
         int used = td_min_int(count - first, TD_LANES);

@@ -12,7 +12,6 @@
 #include "geometry/shape_instance.h"
 #include "base/rotation.h"
 #include "state/shape.h"
-#include "api/step.h"
 #include "state/surface.h"
 
 /* One of the body's shapes meets a static one. */
@@ -322,7 +321,9 @@ static void run(thud_world *w) {
     }
 }
 
+const td_detection_stage td_stage_continuous = {.reserve = reserve,
+                                                .run = {[TD_AFTER_MOVING] = run}};
+
 const thud_detection thud_detection_continuous = {.name = "continuous",
                                                   .rank = TD_RANK_CONTINUOUS,
-                                                  .reserve = reserve,
-                                                  .run = {[TD_AFTER_MOVING] = run}};
+                                                  .stage = &td_stage_continuous};

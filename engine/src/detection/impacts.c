@@ -16,7 +16,7 @@
 #include "contact/lanes.h"
 #include "base/rotation.h"
 #include "state/shape.h"
-#include "api/step.h"
+#include "detection/detection.h"
 #include "state/surface.h"
 #include "detection/unbisectable.h"
 
@@ -338,7 +338,7 @@ static void hit_events(thud_world *w) {
     }
 }
 
-bool td_impacts_reserve(thud_world *w) {
+static bool reserve(thud_world *w) {
     /* Every impact has a body that was not held before it. */
     int awake = w->body_of.count, most = (MOST_BOUNCES + 1) * awake;
     int extras = awake * (w->terrains.live + 1) + SPARE;
@@ -354,16 +354,18 @@ bool td_impacts_reserve(thud_world *w) {
            td_event_queue_reserve(&w->memory, &w->scratch.queue, w->contacts.count + extras);
 }
 
-void td_impacts_prepare(thud_world *w) {
+/* Before the solver: what it is to leave alone. */
+static void prepare(thud_world *w) {
     td_ballistics_note(w);
     td_bounces_take(w);
 }
 
-void td_impacts_launch(thud_world *w) {
+/* After the solver: who flies freely. */
+static void launch(thud_world *w) {
     td_ballistics_fly(w);
 }
 
-void td_impacts(thud_world *w) {
+static void run(thud_world *w) {
     double time;
     schedule_everything(w);
     for (int n; (n = td_event_queue_next(&w->scratch.queue, &time)) != TD_NONE;) {
@@ -377,3 +379,5 @@ void td_impacts(thud_world *w) {
     }
     hit_events(w);
 }
+
+const td_detection_stage td_stage_impacts = {.reserve = reserve, .run = {prepare, launch, run}};

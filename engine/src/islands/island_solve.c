@@ -11,7 +11,6 @@
 
 #include "solver/error.h"
 #include "solver/motion.h"
-#include "api/step.h"
 
 /* Matrices that are few. */
 #define EASY 8

@@ -7,13 +7,9 @@
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "api/step.h"
+#include "islands/wake.h"
 
 #include <string.h>
-
-static int other_body(const thud_world *w, int edge) {
-    const td_contact *contact = td_contact_at(w, edge / 2);
-    return contact->body[1 - (edge & 1)];
-}
 
 /* Wakes every sleeping body that touches this one; what is in a sensor sleeps on, and is looked at
  * again. */
@@ -24,7 +20,7 @@ static bool wake_touching(thud_world *w, int body) {
             if (contact->state == TD_RESTING) {
                 td_contact_wait(w, e / 2);
             }
-        } else if (contact->open && !td_wake(w, other_body(w, e))) {
+        } else if (contact->open && !td_wake(w, td_other_body(w, e))) {
             return false;
         }
     }

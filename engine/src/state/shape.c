@@ -252,12 +252,6 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
                   out);
 }
 
-thud_terrain td_terrain_view(const thud_world *w, int shape) {
-    const td_terrain_record *record = td_slot_at(&w->terrains, td_shape_at(w, shape)->terrain);
-    return (thud_terrain){record->kind,    record->slope,       record->x0,
-                          record->spacing, record->points.data, record->points.count};
-}
-
 thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out) {
     int index;
     thud_result result = td_find_shape(w, id, &index);

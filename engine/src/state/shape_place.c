@@ -1,4 +1,5 @@
-/* shape_place.c: where shapes stand, from their body's pose, and the bounds that follow. */
+/* shape_place.c: where shapes and terrain stand, from their body's pose, and the bounds that
+ * follow. */
 #include "state/body.h"
 #include "state/shape.h"
 
@@ -141,7 +142,13 @@ thud_shape_instance td_shape_instance(const thud_world *w, int index, td_positio
                                  .hy = (double)shape->half_y};
 }
 
-/* ---- terrain segments under bounds ---- */
+/* ---- terrain ---- */
+
+thud_terrain td_terrain_view(const thud_world *w, int shape) {
+    const td_terrain_record *record = td_slot_at(&w->terrains, td_shape_at(w, shape)->terrain);
+    return (thud_terrain){record->kind,    record->slope,       record->x0,
+                          record->spacing, record->points.data, record->points.count};
+}
 
 /* Bounds relative to the terrain's origin, in the caller's unit; a quantum wider, so that rounding
  * loses nothing. */
