@@ -227,7 +227,7 @@ void td_draw_motions(const td_drawing *d) {
     for (int slot = 1; slot < w->body_of.count; slot++) {
         const float *delta = td_row(&w->delta, slot);
         float fast = 0.5f * td_row(&w->reach, slot)[0]; /* as in finalize.c */
-        int index = *(int *)td_at(&w->body_of, slot);
+        int index = td_body_of(w, slot);
         if (delta[0] * delta[0] + delta[1] * delta[1] <= fast * fast) {
             continue;
         }

@@ -171,7 +171,7 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
 /* Points that belong to no terrain. */
 static void free_spare_lines(thud_world *w) {
     for (int i = 0; i < td_slots_capacity(&w->terrains); i++) {
-        td_terrain_record *record = td_slot_at(&w->terrains, i);
+        td_terrain_record *record = td_terrain_record_at(w, i);
         if (i >= w->terrains.count || record->shape == TD_NONE) {
             td_array_free(&w->memory, &record->points);
         }
@@ -196,7 +196,7 @@ static bool reserve(thud_world *w, const td_snapshot_head *head, const char *tab
         }
     }
     for (int i = 0; i < head->slots[TD_SNAPSHOT_TERRAINS].count; i++) {
-        td_terrain_record *record = td_slot_at(&w->terrains, i);
+        td_terrain_record *record = td_terrain_record_at(w, i);
         record->points.stride = (int)sizeof(thud_pos);
         if (!td_array_reserve(&w->memory, &record->points, table_at(table, i))) {
             return false;

@@ -138,7 +138,7 @@ static int levels_of(const td_proxy_set *p) {
 static uint64_t points_of(const thud_world *w) {
     uint64_t points = 0;
     for (int i = 0; i < w->terrains.count; i++) {
-        const td_terrain_record *record = td_slot_at(&w->terrains, i);
+        const td_terrain_record *record = td_terrain_record_at(w, i);
         points += (uint64_t)record->points.count;
     }
     return points;
@@ -229,7 +229,7 @@ static void pass(tape *t, void *memory, size_t bytes) {
  * free. */
 static void pass_table(tape *t, thud_world *w) {
     for (int i = 0; i < w->terrains.count; i++) {
-        int32_t *count = &((td_terrain_record *)td_slot_at(&w->terrains, i))->points.count;
+        int32_t *count = &td_terrain_record_at(w, i)->points.count;
         pass(t, count, sizeof *count);
     }
     for (int form = 0; form < TD_FORM_COUNT; form++) {

@@ -230,7 +230,7 @@ void thud_world_destroy(thud_world *w) {
         return;
     }
     for (int i = 0; i < w->terrains.count; i++) {
-        td_array_free(&w->memory, &((td_terrain_record *)td_slot_at(&w->terrains, i))->points);
+        td_array_free(&w->memory, &td_terrain_record_at(w, i)->points);
     }
     for (int i = 0; i < ARRAY_COUNT; i++) {
         td_array_free(&w->memory, array_at(w, i));

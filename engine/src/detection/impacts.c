@@ -149,7 +149,7 @@ static void schedule_all_of(thud_world *w, const td_trajectory *f) {
         }
     }
     for (int e = f->extras; e != TD_NONE;) {
-        const td_toi_candidate *extra = td_at(&w->scratch.candidates, e / 2);
+        const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
         int next = extra->next[e & 1];
         schedule(w, w->contacts.count + e / 2);
         e = next;
@@ -219,7 +219,7 @@ static void collide(thud_world *w, int number, double time) {
     bool sleeper = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]);
     if (!sleeper) {
         td_impact_resolve(w, &e, &at, time, &settings, &impact);
-        *(td_impact *)td_at(&w->scratch.impacts, w->scratch.impacts.count++) = impact;
+        TD_PUSH(td_impact, &w->scratch.impacts) = impact;
     }
     int most = settings.restitution < 1.0f ? MOST_IMPACTS : MOST_BOUNCES;
     for (int side = 0; side < 2; side++) {
@@ -240,13 +240,13 @@ static void collide(thud_world *w, int number, double time) {
 /* ---- the stage ---- */
 
 static bool takes_part(const thud_world *w, int slot) {
-    const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
+    const td_body *body = td_body_at(w, td_body_of(w, slot));
     return body->kind == THUD_DYNAMIC && body->detection->meet;
 }
 
 /* From where the solver's motion began. */
 static void take_off(thud_world *w, int slot) {
-    int index = *(int *)td_at(&w->body_of, slot);
+    int index = td_body_of(w, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_trajectory f = *td_trajectory_at(w, slot);
@@ -290,7 +290,7 @@ static void land(thud_world *w, int slot) {
 static void expect(thud_world *w, int slot) {
     const float *v = td_row(&w->velocity, slot);
     float h = (float)w->def.time_step;
-    int i = td_body_at(w, *(int *)td_at(&w->body_of, slot))->first_shape;
+    int i = td_body_at(w, td_body_of(w, slot))->first_shape;
     for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_shape_expect(w, i, v[0] * h, v[1] * h);
     }
@@ -328,10 +328,10 @@ static void schedule_everything(thud_world *w) {
 
 static void hit_events(thud_world *w) {
     for (int i = 0; i < w->scratch.impacts.count && w->def.contact_events; i++) {
-        const td_impact *impact = td_at(&w->scratch.impacts, i);
+        const td_impact *impact = TD_AT(td_impact, &w->scratch.impacts, i);
         if (impact->approach > w->def.hit_speed * w->unit) {
             const thud_contact *seen = &impact->seen;
-            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) =
+            TD_PUSH(thud_hit_event, &w->events.hit) =
                 (thud_hit_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
                                  impact->approach};
         }

@@ -51,7 +51,7 @@ static void destroy_contacts(thud_world *w, int body, int shape) {
 static void free_shape(thud_world *w, int index) {
     td_shape *shape = td_shape_at(w, index);
     if (shape->terrain != TD_NONE) {
-        td_terrain_record *record = td_slot_at(&w->terrains, shape->terrain);
+        td_terrain_record *record = td_terrain_record_at(w, shape->terrain);
         td_array_free(&w->memory, &record->points);
         record->shape = TD_NONE;
         td_slots_give(&w->terrains, shape->terrain);

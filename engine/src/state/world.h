@@ -106,6 +106,10 @@ static inline td_contact *td_contact_at(const thud_world *w, int i) {
     return td_slot_of(&w->contacts, i, sizeof(td_contact));
 }
 
+static inline td_terrain_record *td_terrain_record_at(const thud_world *w, int i) {
+    return td_slot_of(&w->terrains, i, sizeof(td_terrain_record));
+}
+
 static inline td_pose *td_pose_at(const thud_world *w, int body) {
     assert(body >= 0 && body < w->pose.capacity);
     return (td_pose *)w->pose.data + body;
@@ -125,6 +129,29 @@ static inline uint8_t *td_marks_at(const thud_world *w, int shape) {
     return (uint8_t *)w->marks.data + shape;
 }
 
+static inline td_bounds *td_was_at(const thud_world *w, int shape) {
+    return TD_AT(td_bounds, &w->was, shape);
+}
+
+/* ---- by awake slot ---- */
+
+static inline int td_body_of(const thud_world *w, int slot) {
+    return td_int_at(&w->body_of, slot);
+}
+
+static inline uint8_t *td_direct_steps_at(const thud_world *w, int slot) {
+    return TD_AT(uint8_t, &w->direct_steps, slot);
+}
+
+static inline uint16_t *td_slow_steps_at(const thud_world *w, int slot) {
+    return TD_AT(uint16_t, &w->slow_steps, slot);
+}
+
+static inline td_colours *td_colours_at(const thud_world *w, int slot) {
+    return TD_AT(td_colours, &w->colours, slot);
+}
+
+/* A row of one, two or four floats. */
 static inline float *td_row(const td_array *rows, int i) {
     return td_at(rows, i);
 }
