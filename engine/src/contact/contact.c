@@ -115,8 +115,8 @@ void td_contact_wait(thud_world *w, int contact_index) {
 
 static void leave_waiting(thud_world *w, const td_contact *contact) {
     td_array *waiting = &w->waiting[contact->kind];
-    int last = *(int *)td_at(waiting, waiting->count - 1);
-    *(int *)td_at(waiting, contact->slot) = last;
+    int last = td_int_at(waiting, waiting->count - 1);
+    td_int_set(waiting, contact->slot, last);
     td_contact_at(w, last)->slot = contact->slot;
     waiting->count--;
 }
@@ -171,7 +171,7 @@ static bool open_elsewhere(const thud_world *w, int contact_index) {
 }
 
 static void push_event(thud_world *w, td_array *list, int shape_a, int shape_b) {
-    *(thud_contact_event *)td_at(list, list->count++) =
+    TD_PUSH(thud_contact_event, list) =
         (thud_contact_event){td_shape_handle(w, shape_a), td_shape_handle(w, shape_b)};
 }
 

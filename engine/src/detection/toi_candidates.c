@@ -31,7 +31,7 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b) {
         !td_event_queue_reserve(&w->memory, &w->scratch.queue, number + 1)) {
         return false;
     }
-    td_toi_candidate *e = TD_AT(td_toi_candidate, extras, extras->count++);
+    td_toi_candidate *e = &TD_PUSH(td_toi_candidate, extras);
     *e = (td_toi_candidate){.shape = {shape_a, shape_b},
                             .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body}};
     td_int_set(&w->scratch.queue.spot, number, TD_NONE);
@@ -61,7 +61,7 @@ static td_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int i
 }
 
 static const td_bounds *bounds_at_start(const thud_world *w, int shape) {
-    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
+    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
 }
 
 /* Some see to it that the two do not pass each other. */

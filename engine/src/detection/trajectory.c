@@ -79,7 +79,7 @@ thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory
 }
 
 td_toi_candidate *td_extra_at(const thud_world *w, int number) {
-    return td_at(&w->scratch.candidates, number - w->contacts.count);
+    return TD_AT(td_toi_candidate, &w->scratch.candidates, number - w->contacts.count);
 }
 
 td_toi_candidate td_toi_candidate_at(const thud_world *w, int number) {

@@ -18,14 +18,14 @@ enum { TANGENT = TD_DIRECT_TANGENT, PATIENCE = 200 };
 void td_island_note(thud_world *w) {
     td_islands *s = &w->islands;
     for (int i = 0; i < s->slots.count; i++) {
-        memcpy(td_at(&s->before, i), td_row(&w->velocity, *(int *)td_at(&s->slots, i)),
+        memcpy(td_row(&s->before, i), td_row(&w->velocity, td_int_at(&s->slots, i)),
                sizeof(float[4]));
     }
     float steps = (float)w->substeps;
     for (int i = 0; i < s->contacts.count; i++) {
-        const td_contact *contact = td_contact_at(w, *(int *)td_at(&s->contacts, i));
+        const td_contact *contact = td_contact_at(w, td_int_at(&s->contacts, i));
         td_block *block = td_island_block(w, contact);
-        float *impulses = td_at(&s->impulses, i);
+        float *impulses = td_row(&s->impulses, i);
         int lane = contact->slot % TD_LANES;
         float kept = block->loaded[lane] & TD_DIRECT ? 0.0f : 1.0f;
         for (int k = 0; k < td_island_points(w, contact); k++) {
@@ -44,8 +44,8 @@ void td_island_note(thud_world *w) {
 static void take_body(td_island_work *work, int i) {
     thud_world *w = work->w;
     int slot = work->slots[i];
-    const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
-    const float *before = td_at(&w->islands.before, work->island->first_body + i);
+    const td_body *body = td_body_at(w, td_body_of(w, slot));
+    const float *before = td_row(&w->islands.before, work->island->first_body + i);
     const float *push = td_row(&w->push, slot);
     double h = work->time / w->substeps;
     double linear = 1.0 / (1.0 + h * (double)body->linear_damping);
@@ -70,7 +70,7 @@ static int side_of(const thud_world *w, uint32_t record, double known[3]) {
     for (int k = 0; k < 3; k++) {
         known[k] = (double)v[k];
     }
-    return v[3] > 0.0f ? *(const int *)td_at(&w->islands.local, slot) - 1 : TD_NONE;
+    return v[3] > 0.0f ? td_int_at(&w->islands.local, slot) - 1 : TD_NONE;
 }
 
 static double by_known(const double *j, const double *v) {
@@ -114,7 +114,7 @@ static void take_contact(td_island_work *work, int i) {
     thud_world *w = work->w;
     const td_contact *contact = td_contact_at(w, work->contacts[i]);
     td_block *block = td_island_block(w, contact);
-    const float *impulses = td_at(&w->islands.impulses, work->island->first_contact + i);
+    const float *impulses = td_row(&w->islands.impulses, work->island->first_contact + i);
     int lane = contact->slot % TD_LANES;
     td_direct_contact *c = &work->problem.contacts[i];
     double known[2][3], x = (double)block->nx[lane], y = (double)block->ny[lane];

@@ -23,7 +23,7 @@ static void join(int *parents, int a, int b) {
 }
 
 static bool is_dynamic(const thud_world *w, int slot) {
-    return td_body_at(w, *(int *)td_at(&w->body_of, slot))->kind == THUD_DYNAMIC;
+    return td_body_at(w, td_body_of(w, slot))->kind == THUD_DYNAMIC;
 }
 
 static bool moves(const thud_world *w, int slot) {

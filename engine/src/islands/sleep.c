@@ -17,7 +17,7 @@ static bool put_to_sleep(thud_world *w) {
     td_array *bodies = &w->scratch.bodies, *contacts = &w->scratch.contacts;
     contacts->count = 0;
     for (int i = 0; i < bodies->count; i++) {
-        int e = td_body_at(w, *(int *)td_at(bodies, i))->first_contact;
+        int e = td_body_at(w, td_int_at(bodies, i))->first_contact;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
             td_contact *contact = td_contact_at(w, e / 2);
             if (contact->state == TD_TOUCHING && !contact->listed) {
@@ -27,19 +27,19 @@ static bool put_to_sleep(thud_world *w) {
         }
     }
     for (int i = 0; i < contacts->count; i++) {
-        td_contact_at(w, *(int *)td_at(contacts, i))->listed = 0;
+        td_contact_at(w, td_int_at(contacts, i))->listed = 0;
     }
     if (!td_lanes_place(w, contacts->data, contacts->count, true)) {
         return false;
     }
     for (int i = 0; i < bodies->count; i++) {
-        int index = *(int *)td_at(bodies, i);
+        int index = td_int_at(bodies, i);
         td_body *body = td_body_at(w, index);
         td_awake_remove(w, index);
         memset(body->velocity, 0, sizeof body->velocity);
     }
     for (int i = 0; i < bodies->count; i++) {
-        td_body *body = td_body_at(w, *(int *)td_at(bodies, i));
+        td_body *body = td_body_at(w, td_int_at(bodies, i));
         for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
             const td_body *other = td_body_at(w, td_other_body(w, e));
             if (td_contact_at(w, e / 2)->state == TD_WAITING && other->awake < 0) {
@@ -50,7 +50,7 @@ static bool put_to_sleep(thud_world *w) {
     w->rest_epoch++;
     for (int i = 0; i < bodies->count; i++) {
         /* In a crowd, pairs may be missing: who wakes looks around. */
-        td_body_at(w, *(int *)td_at(bodies, i))->rest_epoch =
+        td_body_at(w, td_int_at(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }
     td_proxy_set_forget(&w->awake_shapes);
@@ -79,7 +79,7 @@ void td_sleep(thud_world *w) {
     const int *root = w->scratch.parents.data;
     /* The least idle time of an island, kept at its root's slot; a restless body keeps it up. */
     for (int i = 1; i < w->body_of.count; i++) {
-        const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, i));
+        const td_body *body = td_body_at(w, td_body_of(w, i));
         float *least = td_row(&w->idle, root[i]);
         float own = body->flags & TD_BODY_RESTLESS || body->kind != THUD_DYNAMIC
                         ? 0.0f
@@ -89,7 +89,7 @@ void td_sleep(thud_world *w) {
     w->scratch.bodies.count = 0;
     for (int i = 1; i < w->body_of.count; i++) {
         if (*td_row(&w->idle, root[i]) >= TD_SLEEP_TIME) {
-            td_push_int(&w->scratch.bodies, *(int *)td_at(&w->body_of, i));
+            td_push_int(&w->scratch.bodies, td_body_of(w, i));
         }
     }
     if (w->scratch.bodies.count) {

@@ -45,7 +45,7 @@ bool td_wake(thud_world *w, int index) {
     td_awake_add(w, index);
     td_push_int(bodies, index);
     for (int i = 0; i < bodies->count; i++) {
-        int body = *(int *)td_at(bodies, i);
+        int body = td_int_at(bodies, i);
         for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
             td_contact *contact = td_contact_at(w, e / 2);
             if (contact->state != TD_TOUCHING || contact->bin != TD_SLEEPING || contact->listed) {
@@ -61,16 +61,16 @@ bool td_wake(thud_world *w, int index) {
         }
     }
     for (int i = 0; i < contacts->count; i++) {
-        td_contact_at(w, *(int *)td_at(contacts, i))->listed = 0;
+        td_contact_at(w, td_int_at(contacts, i))->listed = 0;
     }
     if (!td_lanes_place(w, contacts->data, contacts->count, false)) {
         for (int i = bodies->count - 1; i >= 0; i--) {
-            td_awake_remove(w, *(int *)td_at(bodies, i));
+            td_awake_remove(w, td_int_at(bodies, i));
         }
         return false;
     }
     for (int i = 0; i < bodies->count; i++) {
-        int body = *(int *)td_at(bodies, i);
+        int body = td_int_at(bodies, i);
         for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
             if (td_contact_at(w, e / 2)->state == TD_RESTING) {
                 td_contact_wait(w, e / 2);
