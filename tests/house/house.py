@@ -1,7 +1,9 @@
-"""The rules of the house, checked on a source tree: house.py ROOT [FLOORS].
+"""The rules of the house, checked on a source tree: house.py ROOT.
 
-  floors      a file of engine/src includes nothing from a higher floor, and a stage no other stage
-  listed      every file of engine/src has its one line in floors.txt, every line has its files
+  order       a file of engine/src includes only what stands above it in the list of
+              engine/CMakeLists.txt, and a stage no other stage; calls.py has the same of calls
+  listed      every file of engine/src has its one line in that list, every line has its file
+  folders     no folder of engine/src has more than 25 files, and the README names each
   cycles      no file includes itself, however far round
   public      a public header includes only public headers and the C library's
   outside     demo/ and web/ speak to the engine through its public headers alone
@@ -15,12 +17,16 @@
 Prints one line per breach and exits with 1 if there is any.
 """
 
-import fnmatch
 import re
 import sys
+from collections import Counter
 from pathlib import Path
 
+from listing import LIST_FILE, read_listing
+
 LONGEST = 400
+FULLEST = 25
+SOURCES = "engine/src"
 WEB_TREES = ("web", "tests/web")
 WEB_TEXTS = (".c", ".css", ".h", ".html", ".js", ".json", ".md", ".mjs", ".sh", ".ts")
 LOCK_FILE = "web/package-lock.json"
@@ -67,16 +73,6 @@ def web_texts(root):
             and path.is_file()]
 
 
-def read_floors(path):
-    """(floor, is stage, pattern) per line of the table."""
-    floors = []
-    for line in read(path).splitlines():
-        words = line.split("#")[0].split()
-        if words:
-            floors.append((int(words[0]), "stage" in words[1:-1], words[-1]))
-    return floors
-
-
 def resolve(root, includer, name):
     """The project's file that an include means, or None for one from elsewhere."""
     places = [root / "engine/include", root / "engine/src", *sorted((root / "demo").glob("*/"))]
@@ -100,43 +96,51 @@ def in_directory(file, directory):
     return file is not None and file.is_relative_to(directory)
 
 
-def check_listed(root, floors):
-    names = sorted(path.relative_to(root / "engine/src").as_posix()
-                   for path in (root / "engine/src").rglob("*") if path.is_file())
+def source_names(root):
+    """Every file of engine/src, relative to it."""
+    return sorted(path.relative_to(root / SOURCES).as_posix()
+                  for path in (root / SOURCES).rglob("*") if path.is_file())
+
+
+def check_listed(root, listing):
+    names = source_names(root)
+    lines = Counter(name for name, _ in listing)
     for name in names:
-        lines = [pattern for _, _, pattern in floors if fnmatch.fnmatchcase(name, pattern)]
-        if len(lines) != 1:
-            yield f"listed: engine/src/{name} matches {len(lines)} lines of floors.txt, not 1"
-    for _, _, pattern in floors:
-        if not fnmatch.filter(names, pattern):
-            yield f"listed: no file of engine/src matches the line {pattern} of floors.txt"
+        if lines[name] != 1:
+            yield f"listed: {SOURCES}/{name} has {lines[name]} lines in {LIST_FILE}, not 1"
+    for name in sorted(set(lines) - set(names)):
+        yield f"listed: {LIST_FILE} names src/{name}, which is not there"
 
 
-def path_in(file, folder="engine/src"):
-    return file.relative_to(folder).as_posix()
+def check_folders(root):
+    folders = Counter(Path(name).parent.as_posix() for name in source_names(root))
+    readme = root / "README.md"
+    text = read(readme) if readme.is_file() else ""
+    for folder, count in sorted(folders.items()):
+        if count > FULLEST:
+            yield f"folders: {SOURCES}/{folder} has {count} files, more than {FULLEST}"
+        if not re.search(rf"^  {re.escape(folder)}/ ", text, re.MULTILINE):
+            yield f"folders: README.md has no line for {SOURCES}/{folder}"
 
 
-def check_floors(graph, floors):
-    def place(file):
-        return next(((floor, stage) for floor, stage, pattern in floors
-                     if fnmatch.fnmatchcase(path_in(file), pattern)), None)
-
+def check_order(graph, listing):
+    place = {Path(SOURCES, name): i for i, (name, _) in enumerate(listing)}
+    stages = {Path(SOURCES, name).with_suffix("") for name, stage in listing if stage}
     for file, includes in graph.items():
-        if not in_directory(file, "engine/src"):
+        if not in_directory(file, SOURCES):
             continue
-        here = place(file)
         for name, target in includes:
             if name[0] not in '<"':
-                yield f"floors: {file} includes the macro {name}, which no reader can follow"
+                yield f"order: {file} includes the macro {name}, which no reader can follow"
             elif name[0] == '"' and target is None:
-                yield f"floors: {file} includes {name}, which is not in the tree"
-            there = place(target) if in_directory(target, "engine/src") else None
-            if here is None or there is None:
+                yield f"order: {file} includes {name}, which is not in the tree"
+            if file not in place or target not in place:
                 continue
-            if there[0] > here[0]:
-                yield f"floors: {file} (floor {here[0]}) includes {target} (floor {there[0]})"
-            if here[1] and there[1] and file.stem != target.stem:
-                yield f"floors: the stage {file} includes the stage {target}"
+            here, there = file.with_suffix(""), target.with_suffix("")
+            if place[target] > place[file]:
+                yield f"order: {file} includes {target}, which stands below it in the list"
+            if here != there and here in stages and there in stages:
+                yield f"order: the stage {file} includes the stage {target}"
 
 
 def check_cycles(graph):
@@ -219,22 +223,22 @@ def check_elsewhere(root):
             yield f"elsewhere: {file} has {found.group()}"
 
 
-def breaches(root, floors_path):
+def breaches(root):
     root = root.resolve()
-    floors = read_floors(floors_path)
+    listing = read_listing(read(root / LIST_FILE))
     files = c_files(root)
     graph = include_graph(root, files)
-    return [*check_listed(root, floors), *check_floors(graph, floors), *check_cycles(graph),
-            *check_public(graph), *check_intrinsics(root, files), *check_length(root, files),
-            *check_sources(root, files), *check_lock(root), *check_elsewhere(root)]
+    return [*check_listed(root, listing), *check_folders(root), *check_order(graph, listing),
+            *check_cycles(graph), *check_public(graph), *check_intrinsics(root, files),
+            *check_length(root, files), *check_sources(root, files), *check_lock(root),
+            *check_elsewhere(root)]
 
 
 def main(arguments):
-    if len(arguments) not in (1, 2) or arguments[0] in ("-h", "--help"):
+    if len(arguments) != 1 or arguments[0] in ("-h", "--help"):
         print(__doc__)
         return 0 if arguments and arguments[0] in ("-h", "--help") else 2
-    floors = Path(arguments[1]) if len(arguments) == 2 else Path(__file__).parent / "floors.txt"
-    found = breaches(Path(arguments[0]), floors)
+    found = breaches(Path(arguments[0]))
     for line in found:
         print(line)
     print(f"{len(found)} breaches of the rules of the house")

@@ -6,22 +6,40 @@ from pathlib import Path
 
 import house
 
-FLOORS = "0 base.h\n0 base/simd.h\n1 ray.*\n2 world.h\n3 step.h\n3 stage solve.*\n3 stage sleep.*\n4 step.c\n"
+LISTING = """set(THUD_SOURCES
+    # numbers
+    src/base/base.h
+    src/base/simd.h
+
+    src/solver/ray.h
+    src/solver/ray.c
+    src/state/world.h
+    src/api/step.h
+    src/solver/solve.h
+    src/solver/solve.c # stage
+    src/api/sleep.h
+    src/api/sleep.c # stage
+    src/api/step.c
+)
+"""
+README = "engine/src/\n" + "".join(f"  {folder}/  files\n"
+                                   for folder in ("base", "solver", "state", "api"))
 HEALTHY = {
-    "engine/CMakeLists.txt": "add_library(thud STATIC\n  src/ray.c src/solve.c src/sleep.c src/step.c)\n",
+    "README.md": README,
+    "engine/CMakeLists.txt": LISTING,
     "engine/include/thud/thud.h": '#include "thud_math.h"\n',
     "engine/include/thud/thud_math.h": "#include <stdint.h>\n",
-    "engine/src/base.h": '#include "thud/thud_math.h"\n',
+    "engine/src/base/base.h": '#include "thud/thud_math.h"\n',
     "engine/src/base/simd.h": "#include <immintrin.h>\n",
-    "engine/src/ray.h": '#include "base.h"\n',
-    "engine/src/ray.c": '#include "ray.h"\n#include <math.h>\n',
-    "engine/src/world.h": '#include "ray.h"\n',
-    "engine/src/step.h": '#include "world.h"\n',
-    "engine/src/solve.h": '#include "step.h"\n',
-    "engine/src/solve.c": '#include "solve.h"\n/* as _mm_add_ps( would do */\n',
-    "engine/src/sleep.h": '#include "step.h"\n',
-    "engine/src/sleep.c": '#include "sleep.h"\n',
-    "engine/src/step.c": '#include "sleep.h"\n#include "solve.h"\n',
+    "engine/src/solver/ray.h": '#include "base/base.h"\n',
+    "engine/src/solver/ray.c": '#include "solver/ray.h"\n#include <math.h>\n',
+    "engine/src/state/world.h": '#include "solver/ray.h"\n',
+    "engine/src/api/step.h": '#include "state/world.h"\n',
+    "engine/src/solver/solve.h": '#include "api/step.h"\n',
+    "engine/src/solver/solve.c": '#include "solver/solve.h"\n/* as _mm_add_ps( would do */\n',
+    "engine/src/api/sleep.h": '#include "api/step.h"\n',
+    "engine/src/api/sleep.c": '#include "api/sleep.h"\n',
+    "engine/src/api/step.c": '#include "api/sleep.h"\n#include "solver/solve.h"\n',
     "demo/run/CMakeLists.txt": "add_executable(thud-run main.c) # not old.c\n",
     "demo/run/main.c": "#include <thud/thud.h>\n",
     "web/package-lock.json": '{ "version": "1.0.0" }\n' * 500,
@@ -33,77 +51,92 @@ HOST = "https:" + "//example.org"
 
 
 class HouseTest(unittest.TestCase):
-    def breaches(self, changes=None, floors=FLOORS):
+    def breaches(self, changes=None):
         with tempfile.TemporaryDirectory() as directory:
-            root = Path(directory) / "tree"
+            root = Path(directory)
             for name, text in {**HEALTHY, **(changes or {})}.items():
                 path = root / name
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text, encoding="utf-8")
-            table = Path(directory) / "floors.txt"
-            table.write_text(floors, encoding="utf-8")
-            return house.breaches(root, table)
+            return house.breaches(root)
 
-    def assert_noticed(self, start, changes=None, floors=FLOORS):
-        found = self.breaches(changes, floors)
+    def assert_noticed(self, start, changes):
+        found = self.breaches(changes)
         self.assertEqual(len(found), 1, found)
         self.assertTrue(found[0].startswith(start), found)
 
     def test_healthy_tree_has_no_breach(self):
         self.assertEqual(self.breaches(), [])
 
-    def test_include_of_a_higher_floor_is_noticed(self):
-        self.assert_noticed("floors: engine/src/ray.c (floor 1) includes engine/src/world.h",
-                            {"engine/src/ray.c": '#include "world.h"\n'})
+    def test_include_of_what_stands_below_is_noticed(self):
+        self.assert_noticed(
+            "order: engine/src/solver/ray.c includes engine/src/state/world.h, which stands below",
+            {"engine/src/solver/ray.c": '#include "state/world.h"\n'})
 
     def test_stage_that_includes_a_stage_is_noticed(self):
-        self.assert_noticed("floors: the stage engine/src/solve.c",
-                            {"engine/src/solve.c": '#include "sleep.h"\n'})
+        self.assert_noticed("order: the stage engine/src/api/sleep.c",
+                            {"engine/src/api/sleep.c": '#include "solver/solve.h"\n'})
 
     def test_include_of_nothing_is_noticed(self):
-        self.assert_noticed("floors: engine/src/ray.c includes \"gone.h\"",
-                            {"engine/src/ray.c": '#include "gone.h"\n'})
+        self.assert_noticed("order: engine/src/solver/ray.c includes \"gone.h\"",
+                            {"engine/src/solver/ray.c": '#include "gone.h"\n'})
 
     def test_include_by_macro_is_noticed(self):
-        self.assert_noticed("floors: engine/src/ray.c includes the macro WHICH",
-                            {"engine/src/ray.c": "#include WHICH\n"})
+        self.assert_noticed("order: engine/src/solver/ray.c includes the macro WHICH",
+                            {"engine/src/solver/ray.c": "#include WHICH\n"})
 
     def test_cycle_is_noticed(self):
         self.assert_noticed("cycles: ", {
             "engine/include/thud/thud_math.h": '#include "thud.h"\n'})
 
-    def test_file_on_no_floor_is_noticed(self):
-        self.assert_noticed("listed: engine/src/stray.h", {"engine/src/stray.h": ""})
+    def test_file_outside_the_list_is_noticed(self):
+        self.assert_noticed("listed: engine/src/base/stray.h has 0 lines",
+                            {"engine/src/base/stray.h": ""})
 
     def test_line_without_file_is_noticed(self):
-        self.assert_noticed("listed: no file", floors=FLOORS + "4 query.c\n")
+        self.assert_noticed("listed: engine/CMakeLists.txt names src/api/query.h", {
+            "engine/CMakeLists.txt": LISTING.replace(")", "    src/api/query.h\n)")})
 
-    def test_file_on_two_floors_is_noticed(self):
-        self.assert_noticed("listed: engine/src/base.h", floors=FLOORS + "1 base.*\n")
+    def test_file_with_two_lines_is_noticed(self):
+        self.assert_noticed("listed: engine/src/base/base.h has 2 lines", {
+            "engine/CMakeLists.txt": LISTING.replace("    # numbers\n", "    src/base/base.h\n")})
+
+    def test_25_files_of_a_folder_pass_and_26_are_noticed(self):
+        def more(count):
+            names = [f"src/state/more{i}.h" for i in range(count)]
+            lines = "".join(f"    {name}\n" for name in names)
+            return {**{"engine/" + name: "" for name in names},
+                    "engine/CMakeLists.txt": LISTING.replace(")", lines + ")")}
+        self.assertEqual(self.breaches(more(24)), [])
+        self.assert_noticed("folders: engine/src/state has 26 files", more(25))
+
+    def test_folder_without_a_line_in_the_readme_is_noticed(self):
+        self.assert_noticed("folders: README.md has no line for engine/src/state", {
+            "README.md": README.replace("state", "estate")})
 
     def test_public_header_that_includes_src_is_noticed(self):
         self.assert_noticed("public: engine/include/thud/thud.h", {
-            "engine/include/thud/thud.h": '#include "../../src/world.h"\n'})
+            "engine/include/thud/thud.h": '#include "../../src/state/world.h"\n'})
 
     def test_demo_that_includes_src_is_noticed(self):
         self.assert_noticed("outside: demo/run/main.c", {
-            "demo/run/main.c": '#include "../../engine/src/world.h"\n'})
+            "demo/run/main.c": '#include "../../engine/src/state/world.h"\n'})
 
     def test_intrinsic_header_is_noticed(self):
-        self.assert_noticed("intrinsics: engine/src/ray.c has arm_neon.h",
-                            {"engine/src/ray.c": "#include <arm_neon.h>\n"})
+        self.assert_noticed("intrinsics: engine/src/solver/ray.c has arm_neon.h",
+                            {"engine/src/solver/ray.c": "#include <arm_neon.h>\n"})
 
     def test_intrinsic_call_is_noticed(self):
         for call in ("_mm_add_ps(a, b)", "_mm256_sqrt_ps (a)", "vaddq_f32(a, b)",
                      "vld1q_f32(p)", "wasm_f32x4_add(a, b)", "__builtin_ia32_minps(a, b)"):
             with self.subTest(call):
-                self.assert_noticed("intrinsics: engine/src/ray.c",
-                                    {"engine/src/ray.c": f"int x = {call};\n"})
+                self.assert_noticed("intrinsics: engine/src/solver/ray.c",
+                                    {"engine/src/solver/ray.c": f"int x = {call};\n"})
 
     def test_400_lines_pass_and_401_are_noticed(self):
-        self.assertEqual(self.breaches({"engine/src/ray.c": "\n" * 400}), [])
-        self.assert_noticed("length: engine/src/ray.c has 401", {
-            "engine/src/ray.c": "\n" * 401})
+        self.assertEqual(self.breaches({"engine/src/solver/ray.c": "\n" * 400}), [])
+        self.assert_noticed("length: engine/src/solver/ray.c has 401", {
+            "engine/src/solver/ray.c": "\n" * 401})
 
     def test_long_text_of_the_page_is_noticed(self):
         self.assert_noticed("length: web/src/main.ts has 401", {"web/src/main.ts": "\n" * 401})

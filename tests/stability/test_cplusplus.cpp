@@ -7,6 +7,7 @@
 #include <thud/thud_ids.h>
 #include <thud/thud_jobs.h>
 #include <thud/thud_math.h>
+#include <thud/thud_memory.h>
 #include <thud/thud_minkowski.h>
 #include <thud/thud_mover.h>
 #include <thud/thud_quality.h>

@@ -20,6 +20,7 @@
 #include "thud_ids.h"
 #include "thud_jobs.h"
 #include "thud_math.h"
+#include "thud_memory.h"
 #include "thud_quality.h"
 #include "thud_queries.h"
 #include "thud_shapes.h"
@@ -30,12 +31,6 @@ extern "C" {
 #endif
 
 /* ---- world ---- */
-
-typedef struct thud_allocator {
-    void *(*allocate)(size_t bytes, void *context); /* 64-byte aligned, or null */
-    void (*release)(void *block, size_t bytes, void *context);
-    void *context;
-} thud_allocator; /* all zero: the C library's; one function without the other is refused */
 
 /* Hears why a call was refused; with THUD_OK, that one was done which is hardly meant. No hook of a
  * world (allocator, log, clock, crew) calls any of its functions. */

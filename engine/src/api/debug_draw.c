@@ -4,17 +4,7 @@
 #include "state/handles.h"
 #include "state/shape.h"
 #include "api/step.h"
-
-thud_vec2 td_drawing_local(const td_drawing *d, td_position p) {
-    return (thud_vec2){(float)((double)(p.x - d->origin.x) / d->w->to_fixed),
-                       (float)((double)(p.y - d->origin.y) / d->w->to_fixed)};
-}
-
-void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_draw_style style) {
-    if (d->draw->line) {
-        d->draw->line(a, b, style, d->draw->context);
-    }
-}
+#include "islands/label.h"
 
 static thud_draw_style style_of(const td_drawing *d, const td_shape *shape) {
     const td_body *body = td_body_at(d->w, shape->body);
@@ -62,19 +52,6 @@ static void draw_shape(const td_drawing *d, int index, int island) {
         d->draw->box(at, (thud_vec2){shape->half_x, shape->half_y}, proxy->c, proxy->s, style,
                      island, d->draw->context);
     }
-}
-
-void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_t max_x,
-                       int64_t max_y, thud_draw_style style) {
-    if (!d->draw->box) {
-        return;
-    }
-    int64_t quantum = 1 << TD_COARSE_SHIFT;
-    thud_vec2 a = td_drawing_local(d, (td_position){min_x * quantum, min_y * quantum});
-    thud_vec2 b = td_drawing_local(d, (td_position){max_x * quantum, max_y * quantum});
-    d->draw->box((thud_vec2){0.5f * (a.x + b.x), 0.5f * (a.y + b.y)},
-                 (thud_vec2){0.5f * (b.x - a.x), 0.5f * (b.y - a.y)}, 1.0f, 0.0f, style, -1,
-                 d->draw->context);
 }
 
 static void draw_shapes(const td_drawing *d) {

@@ -10,6 +10,7 @@ typedef struct td_drawing {
     td_position origin, lower, upper;
 } td_drawing;
 
+/* drawing.c */
 /* A position as callbacks get it: relative to the drawing's origin. */
 thud_vec2 td_drawing_local(const td_drawing *d, td_position p);
 
@@ -19,7 +20,8 @@ void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_
 /* A line, where there is somebody to draw it. */
 void td_drawing_line(const td_drawing *d, thud_vec2 a, thud_vec2 b, thud_draw_style style);
 
-/* A line from shape to shape of a pair; from a terrain straight up or down. draw_detection.c */
+/* A line from shape to shape of a pair, or between the bodies of another constraint; from a terrain
+ * straight up or down. */
 void td_drawing_pair(const td_drawing *d, const td_constraint *constraint, thud_draw_style style);
 
 /* draw_detection.c: what detection goes by. The broadphase must hold the present bounds. */

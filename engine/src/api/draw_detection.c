@@ -96,32 +96,6 @@ void td_draw_intervals(const td_drawing *d) {
 
 /* ---- pairs ---- */
 
-/* Of a terrain, the place on the pair's segment above or below the other shape. */
-static thud_vec2 ground_beside(const td_drawing *d, const td_contact *contact, thud_vec2 other) {
-    thud_terrain ground = td_terrain_view(d->w, contact->shape_a);
-    thud_vec2 at = td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_a)->center);
-    double x = (double)other.x - (double)at.x, y = ground.slope * x;
-    if (ground.kind != THUD_TERRAIN_FLAT) {
-        const thud_pos *p = &ground.points[contact->child], *q = p + 1;
-        x = x < p->x ? p->x : x > q->x ? q->x : x;
-        y = p->y + (x - p->x) / (q->x - p->x) * (q->y - p->y);
-    }
-    return (thud_vec2){at.x + (float)x, at.y + (float)y};
-}
-
-void td_drawing_pair(const td_drawing *d, const td_constraint *contact, thud_draw_style style) {
-    if (!td_is_contact(contact)) {
-        td_drawing_line(d, td_drawing_local(d, td_pose_at(d->w, contact->body[0])->center),
-                        td_drawing_local(d, td_pose_at(d->w, contact->body[1])->center), style);
-        return;
-    }
-    thud_vec2 b = td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_b)->center);
-    thud_vec2 a = td_shape_at(d->w, contact->shape_a)->kind == THUD_TERRAIN
-                      ? ground_beside(d, contact, b)
-                      : td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_a)->center);
-    td_drawing_line(d, a, b, style);
-}
-
 /* The half size of a shape's true bounds. */
 static thud_pos half_bounds(const td_shape_proxy *proxy) {
     double c = __builtin_fabs((double)proxy->c), s = __builtin_fabs((double)proxy->s);
@@ -253,7 +227,7 @@ void td_draw_motions(const td_drawing *d) {
     for (int slot = 1; slot < w->body_of.count; slot++) {
         const float *delta = td_row(&w->delta, slot);
         float fast = 0.5f * td_row(&w->reach, slot)[0]; /* as in finalize.c */
-        int index = *(int *)td_at(&w->body_of, slot);
+        int index = td_body_of(w, slot);
         if (delta[0] * delta[0] + delta[1] * delta[1] <= fast * fast) {
             continue;
         }

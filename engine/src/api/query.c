@@ -106,7 +106,7 @@ bool td_query_list_terrains(thud_world *w) {
         return false;
     }
     for (int i = 0; i < w->terrains.count; i++) {
-        const td_terrain_record *record = td_slot_at(&w->terrains, i);
+        const td_terrain_record *record = td_terrain_record_at(w, i);
         if (record->shape != TD_NONE) {
             td_push_int(hits, record->shape);
         }

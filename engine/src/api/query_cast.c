@@ -138,7 +138,7 @@ static bool shape_meets(const thud_world *w, int index, const path *way, thud_ra
 /* Keeps what is met among the candidates at a fraction in (after, until]. */
 static void keep_met(const thud_world *w, const path *way, double after, double until, kept *k) {
     for (int i = 0; i < w->scratch.hits.count; i++) {
-        int index = *(int *)td_at(&w->scratch.hits, i);
+        int index = td_int_at(&w->scratch.hits, i);
         thud_ray_hit hit;
         if (td_query_passes(w, index, way->filter) &&
             (!way->sensors || td_shape_at(w, index)->flags & TD_SHAPE_SENSOR) &&

@@ -22,7 +22,7 @@ static void measure(const thud_world *w, int index, td_position origin, thud_clo
 static void keep_nearest(const thud_world *w, td_position at, const thud_query_filter *filter,
                          int *nearest, thud_closest *best) {
     for (int i = 0; i < w->scratch.hits.count; i++) {
-        int index = *(int *)td_at(&w->scratch.hits, i);
+        int index = td_int_at(&w->scratch.hits, i);
         if (!td_query_passes(w, index, filter)) {
             continue;
         }

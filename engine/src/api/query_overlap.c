@@ -26,7 +26,7 @@ static void tell(thud_world *w, td_position origin, const thud_shape_instance *e
     w->scratch.hits = (td_array){.stride = hits.stride};
     w->locked = true;
     for (int i = 0; i < hits.count; i++) {
-        int index = *(int *)td_at(&hits, i);
+        int index = td_int_at(&hits, i);
         if (td_query_passes(w, index, filter) && overlaps(w, index, origin, exact) &&
             !fn(td_shape_handle(w, index), context)) {
             break;

@@ -80,26 +80,25 @@ static bool lengths_valid(thud_world *w, const td_snapshot_head *head) {
     const td_snapshot_part *parts = head->parts;
     td_part own[TD_SNAPSHOT_PARTS];
     td_snapshot_list_parts(w, head, own);
-    bool valid = parts[TD_SNAPSHOT_BODY_OF].count > 0 &&
-                 parts[TD_SNAPSHOT_BODY_OF].count <= head->slots[TD_SNAPSHOT_BODIES].live + 1 &&
-                 parts[TD_SNAPSHOT_PLACES].used == head->slots[TD_SNAPSHOT_BODIES].count &&
+    int slots = parts[TD_SNAPSHOT_AWAKE + TD_AWAKE_body_of].count;
+    bool valid = slots > 0 && slots <= head->slots[TD_SNAPSHOT_BODIES].live + 1 &&
+                 parts[TD_SNAPSHOT_POSE].used == head->slots[TD_SNAPSHOT_BODIES].count &&
                  parts[TD_SNAPSHOT_MOVED].count <= head->slots[TD_SNAPSHOT_SHAPES].count &&
-                 parts[TD_SNAPSHOT_MOVED + 1].count <= head->slots[TD_SNAPSHOT_BODIES].count;
-    for (int i = 1; i < TD_SNAPSHOT_VELOCITY; i++) {
+                 parts[TD_SNAPSHOT_CHANGED].count <= head->slots[TD_SNAPSHOT_BODIES].count;
+    for (int i = TD_SNAPSHOT_PROXY; i <= TD_SNAPSHOT_MARKS; i++) {
         valid = valid && parts[i].used == head->slots[TD_SNAPSHOT_SHAPES].count;
     }
-    for (int i = 0; i < TD_SNAPSHOT_AWAKE_ROWS; i++) {
-        const td_snapshot_part *row = &parts[TD_SNAPSHOT_VELOCITY + i];
-        valid = valid && row->used >= parts[TD_SNAPSHOT_BODY_OF].count;
-    }
+#define LONG_ENOUGH(name, element, kept) \
+    valid = valid && parts[TD_SNAPSHOT_AWAKE + TD_AWAKE_##name].used >= (kept)*slots;
+    TD_AWAKE_ARRAYS(LONG_ENOUGH)
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         valid = valid && parts[TD_SNAPSHOT_WAITING + kind].count <= head->contacts[kind];
     }
     for (int p = 0; p < 2; p++) {
-        const td_snapshot_part *rows =
-            &parts[TD_SNAPSHOT_PROXY_SETS + p * TD_SNAPSHOT_PROXY_SET_PARTS + 1];
-        for (int i = 0; i < 6; i++) {
-            valid = valid && rows[i].used >= rows[0].count;
+        const td_snapshot_part *set =
+            &parts[TD_SNAPSHOT_PROXY_SETS + p * TD_SNAPSHOT_PROXY_SET_PARTS];
+        for (int i = TD_SNAPSHOT_IDS; i <= TD_SNAPSHOT_PLACES_MOVED; i++) {
+            valid = valid && set[i].used >= set[TD_SNAPSHOT_IDS].count;
         }
     }
     for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
@@ -159,7 +158,7 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
     if (memcmp(head->broadphase, own.broadphase, sizeof own.broadphase) != 0) {
         return "restore: the snapshot is of a world with another broadphase";
     }
-    if (memcmp(head->settings, own.settings, sizeof own.settings) != 0) {
+    if (memcmp(&head->settings, &own.settings, sizeof own.settings) != 0) {
         return "restore: the snapshot is of a world whose def has other settings";
     }
     if (head->plugged & ~own.plugged & TD_SNAPSHOT_ALL_JOINTS) {
@@ -175,7 +174,7 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
 /* Points that belong to no terrain. */
 static void free_spare_lines(thud_world *w) {
     for (int i = 0; i < td_slots_capacity(&w->terrains); i++) {
-        td_terrain_record *record = td_slot_at(&w->terrains, i);
+        td_terrain_record *record = td_terrain_record_at(w, i);
         if (i >= w->terrains.count || record->shape == TD_NONE) {
             td_array_free(&w->memory, &record->points);
         }
@@ -200,7 +199,7 @@ static bool reserve(thud_world *w, const td_snapshot_head *head, const char *tab
         }
     }
     for (int i = 0; i < head->slots[TD_SNAPSHOT_TERRAINS].count; i++) {
-        td_terrain_record *record = td_slot_at(&w->terrains, i);
+        td_terrain_record *record = td_terrain_record_at(w, i);
         record->points.stride = (int)sizeof(thud_pos);
         if (!td_array_reserve(&w->memory, &record->points, table_at(table, i))) {
             return false;

@@ -11,7 +11,7 @@
 
 #define TD_SNAPSHOT_MAGIC "thudsnap"
 
-enum { TD_SNAPSHOT_VERSION = 2 }; /* rises when what the bytes mean changes */
+enum { TD_SNAPSHOT_VERSION = 3 }; /* rises when what the bytes mean changes */
 
 /* in td_snapshot_head.slots */
 enum {
@@ -24,20 +24,48 @@ enum {
     TD_SNAPSHOT_SLOTS = TD_SNAPSHOT_POOLS + TD_FORM_COUNT
 };
 
+/* of a proxy set */
+enum {
+    TD_SNAPSHOT_LIST,
+    TD_SNAPSHOT_IDS, /* from here to `moved` rows by place, which all broadphases have */
+    TD_SNAPSHOT_MIN_X,
+    TD_SNAPSHOT_MIN_Y,
+    TD_SNAPSHOT_MAX_X,
+    TD_SNAPSHOT_MAX_Y,
+    TD_SNAPSHOT_PLACES_MOVED,
+    TD_SNAPSHOT_CELLS,
+    TD_SNAPSHOT_STARTS,
+    TD_SNAPSHOT_SPOT,
+    TD_SNAPSHOT_ANCHOR_X,
+    TD_SNAPSHOT_ANCHOR_Y,
+    TD_SNAPSHOT_KEYS,
+    TD_SNAPSHOT_PROXY_SET_PARTS
+};
+
 /* in td_snapshot_head.parts */
 enum {
-    TD_SNAPSHOT_PLACES = 0, /* of bodies; then three rows by shape */
-    TD_SNAPSHOT_VELOCITY = 4,
-    TD_SNAPSHOT_BODY_OF = TD_SNAPSHOT_VELOCITY + 12,
-    TD_SNAPSHOT_AWAKE_ROWS = 15,
-    TD_SNAPSHOT_MOVED = TD_SNAPSHOT_VELOCITY + TD_SNAPSHOT_AWAKE_ROWS,
-    TD_SNAPSHOT_WAITING = TD_SNAPSHOT_MOVED + 3, /* after `changed` and `deferred` */
-    TD_SNAPSHOT_PROXY_SETS = TD_SNAPSHOT_WAITING + TD_CONSTRAINT_KINDS + 2 * 6,
-    TD_SNAPSHOT_PROXY_SET_PARTS = 13, /* a list, then rows by place, of which six all have */
+    TD_SNAPSHOT_POSE,
+    TD_SNAPSHOT_PROXY,
+    TD_SNAPSHOT_WAS,
+    TD_SNAPSHOT_MARKS,
+    TD_SNAPSHOT_AWAKE, /* thud_world.awake, by its numbers */
+    TD_SNAPSHOT_MOVED = TD_SNAPSHOT_AWAKE + TD_AWAKE_ARRAY_COUNT,
+    TD_SNAPSHOT_CHANGED,
+    TD_SNAPSHOT_DEFERRED,
+    TD_SNAPSHOT_WAITING, /* by kind of constraint */
+    TD_SNAPSHOT_EVENTS = TD_SNAPSHOT_WAITING + TD_CONSTRAINT_KINDS,
+    TD_SNAPSHOT_PUBLISHED = TD_SNAPSHOT_EVENTS + TD_EVENT_LIST_COUNT,
+    TD_SNAPSHOT_PROXY_SETS = TD_SNAPSHOT_PUBLISHED + TD_EVENT_LIST_COUNT,
     TD_SNAPSHOT_PARTS = TD_SNAPSHOT_PROXY_SETS + 2 * TD_SNAPSHOT_PROXY_SET_PARTS
 };
 
-enum { TD_SNAPSHOT_SETTINGS = 10 };
+/* What the def says for good, and the steps to come follow. Doubles and nothing else, so that equal
+ * settings are equal bytes. */
+typedef struct td_snapshot_settings {
+    double substeps, contact_stiffness, contact_damping, push_speed, restitution_threshold;
+    double hit_speed, maximum_speed, contact_events, time_budget;
+    double detection; /* rank of the world's own; -1: the quality's */
+} td_snapshot_settings;
 
 /* What is plugged in, as bits. */
 enum {
@@ -46,9 +74,8 @@ enum {
     TD_SNAPSHOT_OBB = 4,
     TD_SNAPSHOT_TERRAIN = 8,
     TD_SNAPSHOT_ISLANDS = 16,
-    TD_SNAPSHOT_DETECTIONS = 32, /* ... shifted by its rank */
-    TD_SNAPSHOT_JOINT_KINDS =
-        4096, /* ... shifted by the kind, from the first that is no pair kind on */
+    TD_SNAPSHOT_DETECTIONS = 32,    /* shifted to the left by the detection's rank */
+    TD_SNAPSHOT_JOINT_KINDS = 4096, /* ... by the kind, less the number of pair kinds */
     TD_SNAPSHOT_ALL_JOINTS = (1 << (TD_CONSTRAINT_KINDS - TD_PAIR_COUNT)) * 4096 - 4096
 };
 
@@ -69,7 +96,7 @@ typedef struct td_snapshot_head {
     uint32_t layout; /* of the build: sizes of records, byte order */
     char broadphase[16];
     double unit;
-    double settings[TD_SNAPSHOT_SETTINGS]; /* of the def, that no setter changes */
+    td_snapshot_settings settings;
     uint32_t plugged;
     int32_t detection; /* rank of the quality's */
     int32_t bins;      /* that are not empty */
@@ -85,7 +112,7 @@ typedef struct td_snapshot_head {
 /* An array of the world, and how much of it is state. */
 typedef struct td_part {
     td_array *array;
-    int used; /* elements now */
+    int used; /* elements now that are state */
     int room; /* elements that the stages take for granted, in a world as the head tells */
 } td_part;
 
@@ -109,7 +136,7 @@ int td_snapshot_table_of(const td_snapshot_head *head); /* how many entries it h
 
 /* All values after the head, which is that of the world. Changes nothing. */
 void td_snapshot_write(thud_world *w, const td_snapshot_head *head, char *to);
-/* ... into a world that has room for them, from bytes that are what the head tells. */
+/* Takes the values into a world that has room for them, from bytes that are what the head tells. */
 void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *from);
 
 #endif

@@ -1,19 +1,15 @@
 /* snapshot_parts.c: the arrays of a world that are state, and how much of each. */
 #include "api/snapshot.h"
 
-typedef struct lister {
-    td_part *parts;
-    int count;
-} lister;
+#include "state/awake.h"
 
-static void add(lister *l, td_array *array, int used, int room) {
-    l->parts[l->count++] =
-        (td_part){.array = array, .used = td_min_int(used, array->capacity), .room = room};
+static td_part part_of(td_array *array, int used, int room) {
+    return (td_part){.array = array, .used = td_min_int(used, array->capacity), .room = room};
 }
 
-/* As long as it says. */
-static void add_list(lister *l, td_array *array, int room) {
-    add(l, array, array->count, room);
+/* An array that is state as far as its own count goes. */
+static td_part list_of(td_array *array, int room) {
+    return part_of(array, array->count, room);
 }
 
 /* The wide kernels read whole eights. */
@@ -21,20 +17,21 @@ static int eights(int count) {
     return (count + TD_LANES - 1) / TD_LANES * TD_LANES;
 }
 
-static void add_awake(lister *l, thud_world *w, int live) {
-    td_array *rows[] = {&w->velocity, &w->delta,        &w->start,      &w->push,  &w->damping,
-                        &w->idle,     &w->direct_steps, &w->slow_steps, &w->reach, &w->mass,
-                        &w->inertia,  &w->weight,       &w->body_of,    &w->lone,  &w->colours};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        add(l, rows[i], eights(w->body_of.count), live + 1 + TD_LANES);
+/* What is rebuilt gets room, but no place in the bytes. */
+static void list_awake(thud_world *w, int live, td_part *parts) {
+#define KEPT(name, element, kept) kept,
+    static const int kept[] = {TD_AWAKE_ARRAYS(KEPT)};
+    for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
+        parts[i] =
+            part_of(&w->awake[i], kept[i] * eights(w->body_of.count), td_awake_capacity(live));
     }
 }
 
-static void add_events(lister *l, td_event_lists *e) {
-    td_array *lists[] = {&e->begin,      &e->end, &e->sensor_begin,
-                         &e->sensor_end, &e->hit, &e->quarantined};
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
-        add_list(l, lists[i], 0);
+static void list_events(td_event_lists *e, td_part *parts) {
+    td_array *lists[TD_EVENT_LIST_COUNT] = {&e->begin,      &e->end, &e->sensor_begin,
+                                            &e->sensor_end, &e->hit, &e->quarantined};
+    for (int i = 0; i < TD_EVENT_LIST_COUNT; i++) {
+        parts[i] = list_of(lists[i], 0);
     }
 }
 
@@ -47,40 +44,43 @@ static int starts_of(const td_proxy_set *p) {
     return sum < INT32_MAX ? (int)sum : INT32_MAX;
 }
 
-static void add_proxy_set(lister *l, const thud_world *w, td_proxy_set *p) {
-    td_array *rows[] = {&p->ids, &p->min_x, &p->min_y, &p->max_x, &p->max_y, &p->moved, &p->cells};
-    int count = p->ids.count, padded = count ? count + TD_LANES : 0;
-    add_list(l, &p->list, 0);
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        add(l, rows[i], padded, 0);
-    }
-    add(l, &p->starts, count ? starts_of(p) : 0, 0);
-    add(l, &p->spot, p->loose ? w->shapes.count : 0, 0);
-    add(l, &p->anchor_x, p->loose ? count : 0, 0);
-    add(l, &p->anchor_y, p->loose ? count : 0, 0);
-    add_list(l, &p->keys, 0);
+static void list_proxy_set(const thud_world *w, td_proxy_set *p, td_part *parts) {
+    int count = p->ids.count, padded = count ? count + TD_LANES : 0, loose = p->loose ? count : 0;
+    parts[TD_SNAPSHOT_LIST] = list_of(&p->list, 0);
+    parts[TD_SNAPSHOT_IDS] = part_of(&p->ids, padded, 0);
+    parts[TD_SNAPSHOT_MIN_X] = part_of(&p->min_x, padded, 0);
+    parts[TD_SNAPSHOT_MIN_Y] = part_of(&p->min_y, padded, 0);
+    parts[TD_SNAPSHOT_MAX_X] = part_of(&p->max_x, padded, 0);
+    parts[TD_SNAPSHOT_MAX_Y] = part_of(&p->max_y, padded, 0);
+    parts[TD_SNAPSHOT_PLACES_MOVED] = part_of(&p->moved, padded, 0);
+    parts[TD_SNAPSHOT_CELLS] = part_of(&p->cells, padded, 0);
+    parts[TD_SNAPSHOT_STARTS] = part_of(&p->starts, count ? starts_of(p) : 0, 0);
+    parts[TD_SNAPSHOT_SPOT] = part_of(&p->spot, p->loose ? w->shapes.count : 0, 0);
+    parts[TD_SNAPSHOT_ANCHOR_X] = part_of(&p->anchor_x, loose, 0);
+    parts[TD_SNAPSHOT_ANCHOR_Y] = part_of(&p->anchor_y, loose, 0);
+    parts[TD_SNAPSHOT_KEYS] = list_of(&p->keys, 0);
 }
 
 void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
                             td_part parts[TD_SNAPSHOT_PARTS]) {
-    lister l = {parts, 0};
     int bodies = td_slots_capacity(&w->bodies), shapes = td_slots_capacity(&w->shapes);
-    add(&l, &w->pose, w->bodies.count, bodies);
-    add(&l, &w->proxy, w->shapes.count, shapes);
-    add(&l, &w->was, w->shapes.count, shapes);
-    add(&l, &w->marks, w->shapes.count, shapes);
-    add_awake(&l, w, head->slots[TD_SNAPSHOT_BODIES].live);
-    add_list(&l, &w->moved, shapes);
-    add_list(&l, &w->changed, bodies);
-    add_list(&l, &w->deferred, 0);
+    parts[TD_SNAPSHOT_POSE] = part_of(&w->pose, w->bodies.count, bodies);
+    parts[TD_SNAPSHOT_PROXY] = part_of(&w->proxy, w->shapes.count, shapes);
+    parts[TD_SNAPSHOT_WAS] = part_of(&w->was, w->shapes.count, shapes);
+    parts[TD_SNAPSHOT_MARKS] = part_of(&w->marks, w->shapes.count, shapes);
+    list_awake(w, head->slots[TD_SNAPSHOT_BODIES].live, parts + TD_SNAPSHOT_AWAKE);
+    parts[TD_SNAPSHOT_MOVED] = list_of(&w->moved, shapes);
+    parts[TD_SNAPSHOT_CHANGED] = list_of(&w->changed, bodies);
+    parts[TD_SNAPSHOT_DEFERRED] = list_of(&w->deferred, 0);
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
-        add_list(&l, &w->waiting[kind], head->contacts[kind]); /* any of them may come to wait */
+        /* Any contact of the kind may come to wait. */
+        parts[TD_SNAPSHOT_WAITING + kind] = list_of(&w->waiting[kind], head->contacts[kind]);
     }
-    add_events(&l, &w->events);
-    add_events(&l, &w->published);
-    add_proxy_set(&l, w, &w->awake_shapes);
-    add_proxy_set(&l, w, &w->rest_shapes);
-    assert(l.count == TD_SNAPSHOT_PARTS);
+    list_events(&w->events, parts + TD_SNAPSHOT_EVENTS);
+    list_events(&w->published, parts + TD_SNAPSHOT_PUBLISHED);
+    list_proxy_set(w, &w->awake_shapes, parts + TD_SNAPSHOT_PROXY_SETS);
+    list_proxy_set(w, &w->rest_shapes,
+                   parts + TD_SNAPSHOT_PROXY_SETS + TD_SNAPSHOT_PROXY_SET_PARTS);
 }
 
 void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]) {

@@ -77,7 +77,9 @@ static const thud_detection *const DETECTIONS[TD_RANK_COUNT] = {&thud_detection_
 
 /* Tells builds apart whose records differ, or whose words have another order. */
 static uint32_t layout_of_build(void) {
+#define ELEMENT_BYTES(name, element, kept) sizeof(element),
     const uint32_t sizes[] = {0x01020304,
+                              TD_AWAKE_ARRAYS(ELEMENT_BYTES) sizeof(td_snapshot_head),
                               sizeof(void *),
                               sizeof(td_body),
                               sizeof(td_shape),
@@ -115,20 +117,19 @@ static uint32_t plugged_into(const thud_world *w) {
     return plugged;
 }
 
-/* What the def says for good, and the steps to come follow. */
-static void list_settings(const thud_world_def *d, double out[TD_SNAPSHOT_SETTINGS]) {
-    const double settings[TD_SNAPSHOT_SETTINGS] = {(double)d->substeps,
-                                                   (double)d->contact_stiffness,
-                                                   (double)d->contact_damping,
-                                                   (double)d->push_speed,
-                                                   (double)d->restitution_threshold,
-                                                   (double)d->hit_speed,
-                                                   (double)d->maximum_speed,
-                                                   (double)d->contact_events,
-                                                   d->time_budget,
-                                                   d->detection ? (double)d->detection->rank
-                                                                : -1.0};
-    memcpy(out, settings, sizeof settings);
+static td_snapshot_settings settings_of(const thud_world_def *d) {
+    return (td_snapshot_settings){
+        .substeps = (double)d->substeps,
+        .contact_stiffness = (double)d->contact_stiffness,
+        .contact_damping = (double)d->contact_damping,
+        .push_speed = (double)d->push_speed,
+        .restitution_threshold = (double)d->restitution_threshold,
+        .hit_speed = (double)d->hit_speed,
+        .maximum_speed = (double)d->maximum_speed,
+        .contact_events = (double)d->contact_events,
+        .time_budget = d->time_budget,
+        .detection = d->detection ? (double)d->detection->rank : -1.0,
+    };
 }
 
 static int levels_of(const td_proxy_set *p) {
@@ -142,7 +143,7 @@ static int levels_of(const td_proxy_set *p) {
 static uint64_t points_of(const thud_world *w) {
     uint64_t points = 0;
     for (int i = 0; i < w->terrains.count; i++) {
-        const td_terrain_record *record = td_slot_at(&w->terrains, i);
+        const td_terrain_record *record = td_terrain_record_at(w, i);
         points += (uint64_t)record->points.count;
     }
     return points;
@@ -153,12 +154,12 @@ td_snapshot_head td_snapshot_head_of(thud_world *w) {
                              .version = TD_SNAPSHOT_VERSION,
                              .layout = layout_of_build(),
                              .unit = (double)w->unit,
+                             .settings = settings_of(&w->def),
                              .plugged = plugged_into(w),
                              .detection = w->quality.detection->rank,
                              .levels = {levels_of(&w->awake_shapes), levels_of(&w->rest_shapes)},
                              .points = points_of(w)};
     strncpy(head.broadphase, w->def.broadphase->name, sizeof head.broadphase - 1);
-    list_settings(&w->def, head.settings);
     memcpy(head.contacts, w->contact_count, sizeof head.contacts);
     const td_bin *bins = &w->bins[0][0];
     for (int i = 0; i < BIN_COUNT; i++) {
@@ -234,7 +235,7 @@ static void pass(tape *t, void *memory, size_t bytes) {
  * free. */
 static void pass_table(tape *t, thud_world *w) {
     for (int i = 0; i < w->terrains.count; i++) {
-        int32_t *count = &((td_terrain_record *)td_slot_at(&w->terrains, i))->points.count;
+        int32_t *count = &td_terrain_record_at(w, i)->points.count;
         pass(t, count, sizeof *count);
     }
     for (int form = 0; form < TD_FORM_COUNT; form++) {
@@ -342,7 +343,8 @@ static void take_counts(thud_world *w, const td_snapshot_head *head) {
         slots[i]->free_head = to->free_head;
         slots[i]->live = to->live;
     }
-    for (int slot = head->parts[TD_SNAPSHOT_VELOCITY].used; slot < w->body_of.count; slot++) {
+    for (int slot = head->parts[TD_SNAPSHOT_AWAKE + TD_AWAKE_velocity].used;
+         slot < w->body_of.count; slot++) {
         memset(td_row(&w->velocity, slot), 0, sizeof(float[4]));
     }
     memcpy(w->contact_count, head->contacts, sizeof head->contacts);

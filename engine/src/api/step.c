@@ -24,27 +24,32 @@ static void mark(thud_world *w, thud_stage stage, double *last) {
     }
 }
 
-/* Bisection and sweeping share their stages. */
-static bool is_repeated(const thud_world *w, int rank) {
-    return rank > 0 && w->detections[rank - 1] &&
-           w->detections[rank - 1]->run[TD_AFTER_MOVING] ==
-               w->detections[rank]->run[TD_AFTER_MOVING];
+/* The stage of the detection of a rank, for the lowest rank that has it; else null: each stage runs
+ * once, whichever detections share it. */
+static const td_detection_stage *stage_of(const thud_world *w, int rank) {
+    const td_detection_stage *stage = w->detections[rank] ? w->detections[rank]->stage : NULL;
+    for (int lower = 0; lower < rank && stage; lower++) {
+        if (w->detections[lower] && w->detections[lower]->stage == stage) {
+            return NULL;
+        }
+    }
+    return stage;
 }
 
 static bool reserve_detection(thud_world *w) {
     bool done = true;
     for (int rank = 0; rank < TD_RANK_COUNT && done; rank++) {
-        const thud_detection *d = w->detections[rank];
-        done = !d || !d->reserve || is_repeated(w, rank) || d->reserve(w);
+        const td_detection_stage *stage = stage_of(w, rank);
+        done = !stage || stage->reserve(w);
     }
     return done;
 }
 
 static void detect(thud_world *w, td_moment moment) {
     for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
-        const thud_detection *d = w->detections[rank];
-        if (d && d->run[moment] && !is_repeated(w, rank)) {
-            d->run[moment](w);
+        const td_detection_stage *stage = stage_of(w, rank);
+        if (stage && stage->run[moment]) {
+            stage->run[moment](w);
         }
     }
 }

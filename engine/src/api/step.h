@@ -1,7 +1,8 @@
 /* step.h: the stages of a step, in the order in which step.c runs them. They meet in the world's
- * state alone and never call each other. A stage that returns false is out of memory: nothing has
- * moved then and no event is told, and the step that is tried again goes on there, so that it ends
- * as it would have. After td_narrowphase only reservations can fail. */
+ * state alone and never call each other, detection's among them: see td_detection_stage. A stage
+ * that returns false is out of memory: nothing has moved then and no event is told, and the step
+ * that is tried again goes on there, so that it ends as it would have. After td_narrowphase only
+ * reservations can fail. */
 #ifndef TD_STEP_H
 #define TD_STEP_H
 
@@ -21,12 +22,6 @@ void td_contacts_hit(thud_world *w);
 void td_solve(thud_world *w);
 /* finalize.c: motion becomes pose; shapes, bounds, idle times; quarantine. */
 void td_finalize(thud_world *w);
-/* Detection, as the bodies have chosen it; continuous.c: fast bodies go back to where they first
- * met a static shape; impacts.c: bodies that are bisected or swept move on from each collision. */
-bool td_impacts_reserve(thud_world *w);
-void td_impacts_prepare(thud_world *w); /* before the solver: what it is to leave alone */
-void td_impacts_launch(thud_world *w);  /* after it: who flies freely */
-void td_impacts(thud_world *w);
 /* contact_callbacks.c: tells the epilogue. */
 void td_contacts_tell(thud_world *w);
 /* sleep.c: islands at rest fall asleep. */
@@ -35,14 +30,5 @@ void td_sleep(thud_world *w);
 /* Room for what the stages after the narrowphase note down, so that they cannot fail. */
 bool td_finalize_reserve(thud_world *w);
 bool td_sleep_reserve(thud_world *w);
-
-/* sleep.c: wakes the body's whole island; false when memory is short. */
-bool td_wake(thud_world *w, int body);
-
-/* sleep.c: scratch.parents gets the island of each awake slot, named by its lowest slot. */
-bool td_islands_label(thud_world *w);
-
-/* narrowphase.c: the context of the kernels for the present state. */
-td_collide_context td_collide_context_of(const thud_world *w);
 
 #endif

@@ -99,7 +99,7 @@ static double power_below(double x) {
     return p;
 }
 
-/* The arrays of a world, and what is in them. */
+/* The arrays of a world, and what is in them; those by awake slot stand in awake_arrays.h. */
 #define ARRAY(name, element) \
     { offsetof(thud_world, name), sizeof(element) }
 #define EVENTS(list)                                                                              \
@@ -114,21 +114,6 @@ static const struct {
     ARRAY(proxy, td_shape_proxy),
     ARRAY(was, td_bounds),
     ARRAY(marks, uint8_t),
-    ARRAY(velocity, float[4]),
-    ARRAY(delta, float[4]),
-    ARRAY(start, float[4]),
-    ARRAY(push, float[4]),
-    ARRAY(damping, float[2]),
-    ARRAY(idle, float),
-    ARRAY(direct_steps, uint8_t),
-    ARRAY(slow_steps, uint16_t),
-    ARRAY(reach, float[2]),
-    ARRAY(mass, float),
-    ARRAY(inertia, float),
-    ARRAY(weight, float),
-    ARRAY(body_of, int),
-    ARRAY(lone, int),
-    ARRAY(colours, td_colours),
     ARRAY(moved, int),
     ARRAY(changed, int),
     ARRAY(deferred, td_deferred_edit),
@@ -171,6 +156,7 @@ static void set_strides(thud_world *w) {
     for (int i = 0; i < ARRAY_COUNT; i++) {
         array_at(w, i)->stride = ARRAYS[i].stride;
     }
+    td_awake_init(w);
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         w->waiting[kind].stride = (int)sizeof(int);
     }
@@ -245,11 +231,12 @@ void thud_world_destroy(thud_world *w) {
         return;
     }
     for (int i = 0; i < w->terrains.count; i++) {
-        td_array_free(&w->memory, &((td_terrain_record *)td_slot_at(&w->terrains, i))->points);
+        td_array_free(&w->memory, &td_terrain_record_at(w, i)->points);
     }
     for (int i = 0; i < ARRAY_COUNT; i++) {
         td_array_free(&w->memory, array_at(w, i));
     }
+    td_awake_free(w);
     td_array_free(&w->memory, &w->scratch.test_blocks); /* as wide as a block, see narrowphase.c */
     td_slots *slots[] = {&w->bodies, &w->shapes, &w->contacts, &w->joints, &w->terrains};
     for (size_t i = 0; i < sizeof slots / sizeof *slots; i++) {

@@ -61,8 +61,8 @@ static void sink(td_event_queue *a, int at, int number) {
 }
 
 void td_event_queue_set(td_event_queue *a, int number, double time) {
-    int at = *(int *)td_at(&a->spot, number);
-    *(double *)td_at(&a->time, number) = time;
+    int at = td_int_at(&a->spot, number);
+    *TD_AT(double, &a->time, number) = time;
     if (at == TD_NONE) {
         rise(a, a->heap.count++, number);
     } else {
@@ -71,12 +71,12 @@ void td_event_queue_set(td_event_queue *a, int number, double time) {
 }
 
 void td_event_queue_strike(td_event_queue *a, int number) {
-    int *spot = td_at(&a->spot, number), at = *spot;
+    int *spot = TD_AT(int, &a->spot, number), at = *spot;
     if (at == TD_NONE) {
         return;
     }
     *spot = TD_NONE;
-    int last = *(int *)td_at(&a->heap, --a->heap.count);
+    int last = td_int_at(&a->heap, --a->heap.count);
     if (last != number) {
         sink(a, at, last);
     }
@@ -87,7 +87,7 @@ int td_event_queue_next(td_event_queue *a, double *time) {
         return TD_NONE;
     }
     int number = *(int *)a->heap.data;
-    *time = *(double *)td_at(&a->time, number);
+    *time = *TD_AT(double, &a->time, number);
     td_event_queue_strike(a, number);
     return number;
 }

@@ -6,7 +6,7 @@
 #define TD_MEMORY_H
 
 #include "base/base.h"
-#include "thud/thud.h"
+#include "thud/thud_memory.h"
 
 typedef struct td_memory {
     thud_allocator hooks;
@@ -68,10 +68,33 @@ static inline void *td_slot_at(const td_slots *slots, int index) {
     return td_slot_of(slots, index, (size_t)slots->stride);
 }
 
+/* An element of an array of a type; what has elements of another size is noticed where assertions
+ * are on. */
+#define TD_AT(type, array, index) ((type *)td_element_at((array), (index), sizeof(type)))
+
+static inline void *td_element_at(const td_array *array, int index, size_t bytes) {
+    assert(index >= 0 && index < array->capacity && (size_t)array->stride == bytes);
+    return (char *)array->data + (size_t)index * bytes;
+}
+
+/* The element behind the last one of an array with room reserved, which then counts. */
+#define TD_PUSH(type, array) (*(type *)td_append((array), sizeof(type)))
+
+static inline void *td_append(td_array *array, size_t bytes) {
+    return td_element_at(array, array->count++, bytes);
+}
+
+static inline int td_int_at(const td_array *array, int index) {
+    return *TD_AT(int, array, index);
+}
+
+static inline void td_int_set(td_array *array, int index, int value) {
+    *TD_AT(int, array, index) = value;
+}
+
 /* Appends one int to an array of ints with room reserved. */
 static inline void td_push_int(td_array *array, int value) {
-    assert(array->count < array->capacity);
-    ((int *)array->data)[array->count++] = value;
+    TD_PUSH(int, array) = value;
 }
 
 /* Into rising order, whichever one they were found in. */

@@ -154,10 +154,10 @@ static bool take_turns(thud_world *w, int shape, int first, unsigned skipped) {
     int kept = first, most = stamp_partners(w, shape) < PLACES ? PLACES : 1;
     skipped += (skipped + 1) * turns_for(pairs->count - first, most);
     for (int i = first; i < pairs->count; i++) {
-        const td_new_pair *pair = td_at(pairs, i);
+        const td_new_pair *pair = TD_AT(td_new_pair, pairs, i);
         bool sensor = td_senses(w, pair->a) || td_senses(w, pair->b);
         if (sensor || !(turn_of(w, pair->a, pair->b) & skipped)) {
-            *(td_new_pair *)td_at(pairs, kept++) = *pair;
+            *TD_AT(td_new_pair, pairs, kept++) = *pair;
         }
     }
     pairs->count = kept;
@@ -219,7 +219,7 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved) {
         return false;
     }
     for (int k = 0; k < w->scratch.hits.count; k++) {
-        const int *other = td_at(&w->scratch.hits, k);
+        const int *other = TD_AT(int, &w->scratch.hits, k);
         if (moved(w, *other) == with_moved && !add_new(w, shape, other, 1, 0)) {
             return false;
         }
@@ -236,7 +236,7 @@ static bool pair_sensed(thud_world *w, int shape) {
     }
     bool done = query(w, &w->rest_shapes, shape);
     for (int k = 0; k < w->scratch.hits.count && done; k++) {
-        const int *other = td_at(&w->scratch.hits, k);
+        const int *other = TD_AT(int, &w->scratch.hits, k);
         bool finds = (own || td_senses(w, *other)) && !(moved(w, *other) && *other < shape);
         done = !finds || add_new(w, shape, other, 1, 0);
     }
@@ -254,7 +254,7 @@ static bool pair_across(thud_world *w) {
     const td_array *rest = &w->rest_shapes.ids;
     bool few = rest->count * 8 < w->awake_shapes.moved_count;
     for (int i = 0; i < rest->count && few; i++) {
-        if (!pair_resting(w, *(int *)td_at(rest, i), true)) {
+        if (!pair_resting(w, td_int_at(rest, i), true)) {
             return false;
         }
     }
@@ -263,7 +263,7 @@ static bool pair_across(thud_world *w) {
         return true;
     }
     for (int i = 0; i < w->moved.count; i++) {
-        int shape = *(int *)td_at(&w->moved, i);
+        int shape = td_int_at(&w->moved, i);
         bool done = is_awake(w, shape) ? few || rest->count == 0 || pair_moved(w, shape)
                                        : pair_resting(w, shape, false) && pair_sensed(w, shape);
         if (!done) {
@@ -295,7 +295,7 @@ static bool is_vast(const thud_world *w) {
 static bool find_internal_edges(thud_world *w) {
     bool any = w->internal_edges && w->awake_shapes.moved_count < w->moved.count;
     for (int i = 0; i < w->moved.count && any; i++) {
-        int shape = *(int *)td_at(&w->moved, i);
+        int shape = td_int_at(&w->moved, i);
         if (!is_awake(w, shape) && !w->internal_edges->find(w, shape)) {
             return false;
         }
@@ -306,7 +306,7 @@ static bool find_internal_edges(thud_world *w) {
 /* Shapes in a crowd have pairs that are not listed yet. */
 static void look_again(thud_world *w) {
     for (int i = 0; i < w->scratch.crowded.count; i++) {
-        int shape = *(int *)td_at(&w->scratch.crowded, i);
+        int shape = td_int_at(&w->scratch.crowded, i);
         td_shape_mark_moved(w, shape);
         *td_marks_at(w, shape) |= TD_MARK_WOKEN;
     }
@@ -318,7 +318,7 @@ static void clear_marks(thud_world *w) {
         return;
     }
     for (int i = 0; i < w->moved.count; i++) {
-        *td_marks_at(w, *(int *)td_at(&w->moved, i)) = 0;
+        *td_marks_at(w, td_int_at(&w->moved, i)) = 0;
     }
 }
 

@@ -34,7 +34,7 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape) {
 /* With those that are awake; sleepers matter to sensors alone. */
 static bool pair_line(thud_world *w, int line, const td_array *shapes) {
     for (int i = 0; i < shapes->count; i++) {
-        int shape = *(int *)td_at(shapes, i);
+        int shape = td_int_at(shapes, i);
         bool awake = td_body_at(w, td_shape_at(w, shape)->body)->awake > 0;
         if ((awake || td_senses(w, line) || td_senses(w, shape)) && !pair_terrain(w, line, shape)) {
             return false;
@@ -45,7 +45,7 @@ static bool pair_line(thud_world *w, int line, const td_array *shapes) {
 
 bool td_pairs_add_ground(thud_world *w) {
     for (int t = 0; t < w->terrains.count; t++) {
-        int line = ((const td_terrain_record *)td_slot_at(&w->terrains, t))->shape;
+        int line = td_terrain_record_at(w, t)->shape;
         bool came = line != TD_NONE && *td_marks_at(w, line) & TD_MARK_FRESH;
         if (line != TD_NONE && !(came ? pair_line(w, line, &w->awake_shapes.ids) &&
                                             pair_line(w, line, &w->rest_shapes.ids)

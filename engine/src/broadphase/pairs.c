@@ -11,7 +11,7 @@ bool td_pairs_add(thud_world *w, int a, int b, int child) {
     if (!td_array_reserve(&w->memory, pairs, pairs->count + 1)) {
         return false;
     }
-    *(td_new_pair *)td_at(pairs, pairs->count++) = (td_new_pair){a, b, child};
+    TD_PUSH(td_new_pair, pairs) = (td_new_pair){a, b, child};
     return true;
 }
 
@@ -106,7 +106,7 @@ bool td_pairs_create(thud_world *w) {
     td_array *pairs = &w->scratch.pairs;
     int more[TD_CONSTRAINT_KINDS] = {0};
     for (int i = 0; i < pairs->count; i++) {
-        td_new_pair *pair = td_at(pairs, i);
+        td_new_pair *pair = TD_AT(td_new_pair, pairs, i);
         more[td_pair_of(w, &pair->a, &pair->b)]++;
         if ((td_shape_at(w, pair->a)->flags & TD_SHAPE_UNSEEN) &&
             !w->internal_edges->see(w, pair->a)) {
@@ -117,7 +117,7 @@ bool td_pairs_create(thud_world *w) {
         return false;
     }
     for (int i = 0; i < pairs->count; i++) {
-        td_new_pair *pair = td_at(pairs, i);
+        td_new_pair *pair = TD_AT(td_new_pair, pairs, i);
         td_pair_kind kind = td_pair_of(w, &pair->a, &pair->b);
         if (!has_contact(w, pair)) {
             td_contact_create(w, kind, pair->a, pair->b, pair->child);

@@ -30,7 +30,7 @@ static inline bool td_senses(const thud_world *w, int shape) {
 
 /* The bounds that the shape had when pairs were last made. */
 static inline const td_bounds *td_bounds_before(const thud_world *w, int shape) {
-    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
+    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
 }
 
 #endif

@@ -1,7 +1,6 @@
 /* constraint.c: see constraint.h. */
 #include "constraint/constraint.h"
 
-#include "api/step.h"
 #include "constraint/lanes.h"
 
 bool td_constraints_reserve(thud_world *w, const int more[TD_CONSTRAINT_KINDS]) {
@@ -50,8 +49,8 @@ void td_constraint_wait(thud_world *w, int index) {
 
 static void leave_waiting(thud_world *w, const td_constraint *constraint) {
     td_array *waiting = &w->waiting[constraint->kind];
-    int last = *(int *)td_at(waiting, waiting->count - 1);
-    *(int *)td_at(waiting, constraint->slot) = last;
+    int last = td_int_at(waiting, waiting->count - 1);
+    td_int_set(waiting, constraint->slot, last);
     td_constraint_at(w, last)->slot = constraint->slot;
     waiting->count--;
 }
@@ -94,43 +93,4 @@ void td_constraint_destroy(thud_world *w, int index) {
     }
     constraint->live = 0;
     td_slots_give(&w->contacts, index);
-}
-
-/* ---- taking effect ---- */
-
-static bool is_there(const td_body *body) {
-    return !(body->flags & (TD_BODY_DISABLED | TD_BODY_QUARANTINED)) &&
-           !(body->changes & TD_CHANGE_ENTER);
-}
-
-/* A sleeping body wakes, since something new holds it. */
-static bool engage(thud_world *w, int index) {
-    for (int side = 0; side < 2; side++) {
-        int body = td_constraint_at(w, index)->body[side];
-        if (td_body_sleeps(w, body) && !td_wake(w, body)) {
-            return false;
-        }
-    }
-    td_constraint_rest(w, index);
-    if (!td_lanes_place(w, &index, 1, false)) {
-        td_constraint_wait(w, index);
-        return false;
-    }
-    return true;
-}
-
-bool td_constraints_engage(thud_world *w) {
-    for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
-        for (int i = 0; i < w->waiting[kind].count;) {
-            int index = *(int *)td_at(&w->waiting[kind], i);
-            const td_constraint *constraint = td_constraint_at(w, index);
-            if (!is_there(td_body_at(w, constraint->body[0])) ||
-                !is_there(td_body_at(w, constraint->body[1]))) {
-                i++; /* it goes on waiting */
-            } else if (!engage(w, index)) {
-                return false;
-            }
-        }
-    }
-    return true;
 }

@@ -22,13 +22,14 @@ void td_constraint_destroy(thud_world *w, int constraint);
 void td_constraint_rest(thud_world *w, int constraint);
 void td_constraint_wait(thud_world *w, int constraint);
 
-/* Gives lanes to the waiting constraints that are no contacts, where their bodies are in the world
- * and enabled. False when memory is short: the rest goes on waiting. */
-bool td_constraints_engage(thud_world *w);
-
 /* Steps along a body's constraints: edge = constraint * 2 + side. */
 static inline int td_next_edge(const thud_world *w, int edge) {
     return td_constraint_at(w, edge / 2)->next[edge & 1];
+}
+
+/* The body on the other side of an edge. */
+static inline int td_other_body(const thud_world *w, int edge) {
+    return td_constraint_at(w, edge / 2)->body[1 - (edge & 1)];
 }
 
 #endif

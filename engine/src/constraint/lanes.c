@@ -10,10 +10,6 @@ static td_slots *pool_of(thud_world *w, int kind) {
     return &w->pool[w->pairs[kind]->form];
 }
 
-static td_colours *colours_at(const thud_world *w, int awake) {
-    return td_at(&w->colours, awake);
-}
-
 /* The awake slot of the body if the solver moves it, else 0. */
 static int moving_slot(const td_body *body) {
     return body->kind == THUD_DYNAMIC && body->awake > 0 ? body->awake : 0;
@@ -21,7 +17,7 @@ static int moving_slot(const td_body *body) {
 
 static void mark(thud_world *w, int awake, int bin, bool taken) {
     if (awake > 0 && bin != TD_SLEEPING && bin % TD_COLOURS != TD_OVERFLOW) {
-        td_colours *colours = colours_at(w, awake);
+        td_colours *colours = td_colours_at(w, awake);
         uint64_t *mask = bin < TD_COLOURS ? &colours->moving : &colours->fixed;
         uint64_t bit = 1ull << (bin % TD_COLOURS);
         *mask = taken ? *mask | bit : *mask & ~bit;
@@ -36,10 +32,10 @@ static int choose_bin(thud_world *w, const td_constraint *constraint) {
     int slot_a = moving_slot(a), slot_b = moving_slot(b);
     uint64_t taken = 1ull << TD_OVERFLOW;
     if (slot_a) {
-        taken |= colours_at(w, slot_a)->moving;
+        taken |= td_colours_at(w, slot_a)->moving;
     }
     if (slot_b) {
-        taken |= fixed ? colours_at(w, slot_b)->fixed : colours_at(w, slot_b)->moving;
+        taken |= fixed ? td_colours_at(w, slot_b)->fixed : td_colours_at(w, slot_b)->moving;
     }
     int colour = ~taken ? __builtin_ctzll(~taken) : TD_OVERFLOW;
     int bin = colour + (fixed ? TD_COLOURS : 0);
@@ -312,11 +308,11 @@ static void list_bin(thud_world *w, int kind, int bin) {
         return;
     }
     td_array *runs = &w->scratch.runs, *blocks = &w->scratch.blocks;
-    td_run *run = td_at(runs, runs->count++);
+    td_run *run = &TD_PUSH(td_run, runs);
     *run = (td_run){.kind = kind, .fixed = bin >= TD_COLOURS, .bin = bin, .first = blocks->count};
     for (int i = w->bins[kind][bin].head; i != TD_NONE;) {
         td_block *block = td_block_at(w, kind, i);
-        *(td_block **)td_at(blocks, blocks->count++) = block;
+        TD_PUSH(td_block *, blocks) = block;
         run->count++;
         run->armed |= block->armed;
         run->shared |= block->shared;
@@ -334,13 +330,12 @@ static bool cut_chunks(thud_world *w) {
     }
     chunks->count = 0;
     for (int r = 0; r < w->scratch.runs.count; r++) {
-        const td_run *run = td_at(&w->scratch.runs, r);
+        const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
         int step = td_run_is_single(run) ? run->count : td_min_int(size, run->count);
         for (int first = 0; first < run->count; first += step) {
-            *(td_chunk *)td_at(chunks, chunks->count++) =
-                (td_chunk){.run = r,
-                           .first = run->first + first,
-                           .count = td_min_int(step, run->count - first)};
+            TD_PUSH(td_chunk, chunks) = (td_chunk){.run = r,
+                                                   .first = run->first + first,
+                                                   .count = td_min_int(step, run->count - first)};
         }
     }
     return true;

@@ -106,7 +106,7 @@ static bool open_elsewhere(const thud_world *w, int contact_index) {
 }
 
 static void push_event(thud_world *w, td_array *list, int shape_a, int shape_b) {
-    *(thud_contact_event *)td_at(list, list->count++) =
+    TD_PUSH(thud_contact_event, list) =
         (thud_contact_event){td_shape_handle(w, shape_a), td_shape_handle(w, shape_b)};
 }
 

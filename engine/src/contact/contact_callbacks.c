@@ -79,7 +79,7 @@ static bool holds_contacts(const thud_world *w, const td_block *block) {
 
 void td_contacts_ask(thud_world *w) {
     for (int i = 0; i < w->scratch.blocks.count && w->def.prologue; i++) {
-        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
         if (!holds_contacts(w, block)) {
             continue;
         }
@@ -93,7 +93,7 @@ void td_contacts_ask(thud_world *w) {
 void td_contacts_hit(thud_world *w) {
     float least = -w->def.hit_speed * w->unit;
     for (int i = 0; i < w->scratch.begins.count && w->def.contact_events; i++) {
-        int index = *(int *)td_at(&w->scratch.begins, i);
+        int index = td_int_at(&w->scratch.begins, i);
         const td_contact *contact = td_contact_at(w, index);
         if (contact->state != TD_TOUCHING) {
             continue;
@@ -110,7 +110,7 @@ void td_contacts_hit(thud_world *w) {
         }
         thud_contact seen = td_contact_view(w, block, lane);
         if (seen.point_count > 0) {
-            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) =
+            TD_PUSH(thud_hit_event, &w->events.hit) =
                 (thud_hit_event){seen.shape_a, seen.shape_b, seen.point, seen.normal, -approach};
         }
     }
@@ -121,7 +121,7 @@ void td_contacts_tell(thud_world *w) {
         return;
     }
     for (int i = 0; i < w->scratch.blocks.count; i++) {
-        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
         if (!holds_contacts(w, block)) {
             continue;
         }
@@ -133,7 +133,7 @@ void td_contacts_tell(thud_world *w) {
         }
     }
     for (int i = 0; i < w->scratch.impacts.count; i++) {
-        const td_impact *impact = td_at(&w->scratch.impacts, i);
+        const td_impact *impact = TD_AT(td_impact, &w->scratch.impacts, i);
         w->def.epilogue(w, &impact->seen, w->def.callback_context);
     }
 }

@@ -183,7 +183,7 @@ bool td_internal_edges_find(thud_world *w, int shape) {
     td_internal_edge s = td_internal_edge_of(w, shape, TD_NONE);
     if (s.a.kind == THUD_TERRAIN) {
         for (int i = 0; i < w->rest_shapes.ids.count; i++) {
-            int n = *(int *)td_at(&w->rest_shapes.ids, i);
+            int n = td_int_at(&w->rest_shapes.ids, i);
             if (!td_is_ground(w, n)) {
                 continue;
             }

@@ -143,13 +143,13 @@ bool td_internal_edge_any(const td_internal_edge *s, const thud_shape_instance *
         return false;
     }
     for (int i = 0; i < hits->count; i++) {
-        int n = *(int *)td_at(hits, i);
+        int n = td_int_at(hits, i);
         if (td_is_ground(w, n) && asks(s, n, fn, context)) {
             return true;
         }
     }
     for (int t = 0; t < w->terrains.count; t++) {
-        const td_terrain_record *record = td_slot_at(&w->terrains, t);
+        const td_terrain_record *record = td_terrain_record_at(w, t);
         int n = record->shape;
         if (n != TD_NONE && td_is_ground(w, n) && asks(s, n, fn, context)) {
             return true;

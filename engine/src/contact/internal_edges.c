@@ -353,7 +353,7 @@ static void amend_all(thud_world *w) {
     td_block *const *blocks = w->scratch.blocks.data;
     td_block **parted = w->scratch.parted.data;
     for (int r = 0; r < w->scratch.runs.count; r++) {
-        const td_run *run = td_at(&w->scratch.runs, r);
+        const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
         int count = run->fixed || run->armed ? run->count : 0;
         for (int i = run->first; i < run->first + count; i++) {
             td_block *block = blocks[i];

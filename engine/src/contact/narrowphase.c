@@ -10,12 +10,13 @@
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "api/step.h"
+#include "islands/wake.h"
 
 #include <string.h>
 
 enum { TEST_BLOCKS = 32 };
 
-td_collide_context td_collide_context_of(const thud_world *w) {
+static td_collide_context context_of(const thud_world *w) {
     return (td_collide_context){
         .proxy = w->proxy.data,
         .velocity = w->velocity.data,
@@ -29,7 +30,7 @@ td_collide_context td_collide_context_of(const thud_world *w) {
 /* Returns whether one of the blocks is armed. `parted` has room for one more than the blocks. */
 static int collide(thud_world *w, int kind, td_block *const *blocks, int count, td_block **parted,
                    int *parted_count) {
-    td_collide_context context = td_collide_context_of(w);
+    td_collide_context context = context_of(w);
     int armed = 0;
     context.armed = &armed;
     context.parted = parted;
@@ -138,7 +139,7 @@ static void sift_singly(batch *b, const int *waiting, int count) {
 static void sift_widely(batch *b, const int *waiting, int count) {
     thud_world *w = b->w;
     td_sift_fn *sift = w->pairs[b->kind]->sift;
-    td_collide_context context = td_collide_context_of(w);
+    td_collide_context context = context_of(w);
     for (int first = 0; first < count; first += TD_LANES) {
         int32_t shape_a[TD_LANES], shape_b[TD_LANES];
         int used = td_min_int(count - first, TD_LANES);
@@ -256,7 +257,7 @@ static bool test_sensors(thud_world *w) {
         return false;
     }
     for (int i = 0; i < waiting->count;) {
-        int index = *(int *)td_at(waiting, i);
+        int index = td_int_at(waiting, i);
         const td_contact *contact = td_contact_at(w, index);
         bool met = bounds_meet(w, contact), overlaps = met && sensor_overlaps(w, contact);
         bool rests = met && td_body_at(w, contact->body[0])->awake < 0 &&
@@ -284,8 +285,8 @@ typedef struct colliding {
 /* Every chunk lists its parted blocks where its own blocks begin. */
 static void collide_chunk(void *work, int index) {
     thud_world *w = ((const colliding *)work)->w;
-    td_chunk *chunk = td_at(&w->scratch.chunks, index);
-    const td_run *run = td_at(&w->scratch.runs, chunk->run);
+    td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, index);
+    const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
     td_block **parted = (td_block **)w->scratch.parted.data + chunk->first + index;
     chunk->parted = 0;
     chunk->armed = collide(w, run->kind, (td_block **)w->scratch.blocks.data + chunk->first,
@@ -302,13 +303,13 @@ static void collide_lanes(thud_world *w) {
     colliding c = {w, td_job_begin(w)};
     td_job_run(w, &c.task, collide_as_worker, &c);
     for (int i = 0; i < w->scratch.runs.count; i++) {
-        ((td_run *)td_at(&w->scratch.runs, i))->armed = 0;
+        TD_AT(td_run, &w->scratch.runs, i)->armed = 0;
     }
     td_block **parted = w->scratch.parted.data;
     w->scratch.parted.count = 0;
     for (int i = 0; i < w->scratch.chunks.count; i++) {
-        const td_chunk *chunk = td_at(&w->scratch.chunks, i);
-        ((td_run *)td_at(&w->scratch.runs, chunk->run))->armed |= chunk->armed;
+        const td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, i);
+        TD_AT(td_run, &w->scratch.runs, chunk->run)->armed |= chunk->armed;
         for (int k = 0; k < chunk->parted; k++) {
             parted[w->scratch.parted.count++] = parted[chunk->first + i + k];
         }
@@ -320,7 +321,7 @@ static bool part_contacts(thud_world *w) {
     td_array *ends = &w->scratch.ends;
     ends->count = 0;
     for (int i = 0; i < w->scratch.parted.count; i++) {
-        const td_block *block = *(td_block **)td_at(&w->scratch.parted, i);
+        const td_block *block = *TD_AT(td_block *, &w->scratch.parted, i);
         unsigned parted = ((1u << block->used) - 1u) & ~block->touching;
         for (; parted; parted &= parted - 1) {
             td_push_int(ends, block->contact[__builtin_ctz(parted)]);
@@ -333,7 +334,7 @@ static bool part_contacts(thud_world *w) {
         return false;
     }
     for (int i = 0; i < ends->count; i++) {
-        int contact = *(int *)td_at(ends, i);
+        int contact = td_int_at(ends, i);
         td_contact_part(w, contact);
         /* After a teleport the bounds may be apart as well; then the pair ends at once, as the
          * broadphase believes that it has. */
@@ -350,7 +351,7 @@ static bool part_waiting(thud_world *w) {
         return false;
     }
     for (int i = 0; i < w->scratch.ends.count; i++) {
-        td_contact_destroy(w, *(int *)td_at(&w->scratch.ends, i));
+        td_contact_destroy(w, td_int_at(&w->scratch.ends, i));
     }
     return true;
 }

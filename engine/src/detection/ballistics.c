@@ -11,7 +11,7 @@ void td_ballistics_note(thud_world *w) {
     for (int slot = 1; slot < w->body_of.count; slot++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         const float *velocity = td_row(&w->velocity, slot);
-        *f = (td_trajectory){.body = *(int *)td_at(&w->body_of, slot)};
+        *f = (td_trajectory){.body = td_body_of(w, slot)};
         for (int k = 0; k < 3; k++) {
             f->motion[k] = (double)velocity[k];
         }

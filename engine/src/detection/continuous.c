@@ -12,7 +12,6 @@
 #include "geometry/shape_instance.h"
 #include "base/rotation.h"
 #include "state/shape.h"
-#include "api/step.h"
 #include "state/surface.h"
 
 /* One of the body's shapes meets a static one. */
@@ -241,7 +240,7 @@ static bool looks_around(sweep *s) {
     bool near_any =
         find(&w->rest_shapes, &w->memory, &s->bounds, s->start, hits) && hits->count > 0;
     for (int t = 0; t < w->terrains.count && !near_any; t++) {
-        const td_terrain_record *record = td_slot_at(&w->terrains, t);
+        const td_terrain_record *record = td_terrain_record_at(w, t);
         if (record->shape != TD_NONE) {
             thud_terrain terrain = td_terrain_view(w, record->shape);
             near_any = reaches_terrain(s, record->shape, &terrain);
@@ -261,10 +260,10 @@ static void find_next(sweep *s, int first, float c, float sine) {
         }
         set_shape(s, i, td_row(&w->delta, s->slot), c, sine);
         for (int k = 0; k < hits->count; k++) {
-            against_shape(s, *(int *)td_at(hits, k));
+            against_shape(s, td_int_at(hits, k));
         }
         for (int t = 0; t < w->terrains.count; t++) {
-            const td_terrain_record *record = td_slot_at(&w->terrains, t);
+            const td_terrain_record *record = td_terrain_record_at(w, t);
             if (record->shape != TD_NONE) {
                 against_terrain(s, record->shape);
             }
@@ -278,7 +277,7 @@ static void find_next(sweep *s, int first, float c, float sine) {
 /* The prologue is asked in the order of time, whichever order the broadphase has, up to the first
  * that stops the body. */
 static void sweep_body(thud_world *w, int slot) {
-    int index = *(int *)td_at(&w->body_of, slot);
+    int index = td_body_of(w, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_position start = {pose->center.x - td_length_from(w, delta[0]),
@@ -314,15 +313,17 @@ static bool reserve(thud_world *w) {
 static void run(thud_world *w) {
     bool anything = w->rest_shapes.ids.count > 0 || w->terrains.live > 0;
     for (int i = 0; i < w->scratch.fast.count && anything; i++) {
-        int slot = *(int *)td_at(&w->scratch.fast, i);
-        const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
+        int slot = td_int_at(&w->scratch.fast, i);
+        const td_body *body = td_body_at(w, td_body_of(w, slot));
         if (body->detection->rank == TD_RANK_CONTINUOUS) {
             sweep_body(w, slot);
         }
     }
 }
 
+const td_detection_stage td_stage_continuous = {.reserve = reserve,
+                                                .run = {[TD_AFTER_MOVING] = run}};
+
 const thud_detection thud_detection_continuous = {.name = "continuous",
                                                   .rank = TD_RANK_CONTINUOUS,
-                                                  .reserve = reserve,
-                                                  .run = {[TD_AFTER_MOVING] = run}};
+                                                  .stage = &td_stage_continuous};

@@ -1,7 +1,6 @@
 /* detect_bisect.c: a pair that is too near at the end of its motion is taken back to the time of
  * its collision, found by bisection. */
 #include "detection/detection.h"
-#include "api/step.h"
 
 /* Of the rest of the step. */
 #define TOLERANCE 0x1p-20
@@ -36,7 +35,5 @@ static bool meet(const td_approach *p, double *time) {
 
 const thud_detection thud_detection_bisect = {.name = "bisect",
                                               .rank = TD_RANK_BISECT,
-                                              .reserve = td_impacts_reserve,
-                                              .run = {td_impacts_prepare, td_impacts_launch,
-                                                      td_impacts},
+                                              .stage = &td_stage_impacts,
                                               .meet = meet};

@@ -1,6 +1,5 @@
 /* detect_swept.c: a pair is stopped at the first time of impact along its motion. */
 #include "detection/detection.h"
-#include "api/step.h"
 
 static bool meet(const td_approach *p, double *time) {
     bool hit = false;
@@ -15,7 +14,5 @@ static bool meet(const td_approach *p, double *time) {
 
 const thud_detection thud_detection_swept = {.name = "swept",
                                              .rank = TD_RANK_SWEPT,
-                                             .reserve = td_impacts_reserve,
-                                             .run = {td_impacts_prepare, td_impacts_launch,
-                                                     td_impacts},
+                                             .stage = &td_stage_impacts,
                                              .meet = meet};

@@ -3,6 +3,7 @@
 #define TD_DETECTION_H
 
 #include "geometry/shape_instance.h"
+#include "thud/thud_detection.h"
 
 /* Two shapes, or a shape and the ground, on their straight ways through the rest of a step. */
 typedef struct td_approach {
@@ -33,13 +34,23 @@ typedef enum td_moment {
     TD_MOMENT_COUNT
 } td_moment;
 
+/* What a step runs for detection, once for all the kinds that share it. */
+typedef struct td_detection_stage {
+    /* Room, so that `run` cannot fail; false: out of memory. */
+    bool (*reserve)(struct thud_world *w);
+    void (*run[TD_MOMENT_COUNT])(struct thud_world *w); /* null: nothing */
+} td_detection_stage;
+
+/* continuous.c: fast bodies go back to where they first met a static shape. */
+extern const td_detection_stage td_stage_continuous;
+/* impacts.c: bodies that are bisected or swept move on from each collision. */
+extern const td_detection_stage td_stage_impacts;
+
 struct thud_detection {
     const char *name;
     int rank; /* TD_RANK_...; the higher of two moving bodies' decides on their pair */
-    bool (*reserve)(
-        struct thud_world *w); /* room, so that `run` cannot fail; false: out of memory */
-    void (*run[TD_MOMENT_COUNT])(struct thud_world *w); /* null: nothing */
-    td_meet_fn *meet;                                   /* for impacts.c */
+    const td_detection_stage *stage; /* null: the contacts of the narrowphase are all there is */
+    td_meet_fn *meet;                /* for td_stage_impacts */
 };
 
 #endif

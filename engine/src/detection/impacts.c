@@ -16,7 +16,7 @@
 #include "constraint/lanes.h"
 #include "base/rotation.h"
 #include "state/shape.h"
-#include "api/step.h"
+#include "detection/detection.h"
 #include "state/surface.h"
 #include "detection/unbisectable.h"
 
@@ -149,7 +149,7 @@ static void schedule_all_of(thud_world *w, const td_trajectory *f) {
         }
     }
     for (int e = f->extras; e != TD_NONE;) {
-        const td_toi_candidate *extra = td_at(&w->scratch.candidates, e / 2);
+        const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
         int next = extra->next[e & 1];
         schedule(w, w->contacts.count + e / 2);
         e = next;
@@ -219,7 +219,7 @@ static void collide(thud_world *w, int number, double time) {
     bool sleeper = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]);
     if (!sleeper) {
         td_impact_resolve(w, &e, &at, time, &settings, &impact);
-        *(td_impact *)td_at(&w->scratch.impacts, w->scratch.impacts.count++) = impact;
+        TD_PUSH(td_impact, &w->scratch.impacts) = impact;
     }
     int most = settings.restitution < 1.0f ? MOST_IMPACTS : MOST_BOUNCES;
     for (int side = 0; side < 2; side++) {
@@ -240,13 +240,13 @@ static void collide(thud_world *w, int number, double time) {
 /* ---- the stage ---- */
 
 static bool takes_part(const thud_world *w, int slot) {
-    const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
+    const td_body *body = td_body_at(w, td_body_of(w, slot));
     return body->kind == THUD_DYNAMIC && body->detection->meet;
 }
 
 /* From where the solver's motion began. */
 static void take_off(thud_world *w, int slot) {
-    int index = *(int *)td_at(&w->body_of, slot);
+    int index = td_body_of(w, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_trajectory f = *td_trajectory_at(w, slot);
@@ -290,7 +290,7 @@ static void land(thud_world *w, int slot) {
 static void expect(thud_world *w, int slot) {
     const float *v = td_row(&w->velocity, slot);
     float h = (float)w->def.time_step;
-    int i = td_body_at(w, *(int *)td_at(&w->body_of, slot))->first_shape;
+    int i = td_body_at(w, td_body_of(w, slot))->first_shape;
     for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_shape_expect(w, i, v[0] * h, v[1] * h);
     }
@@ -328,17 +328,17 @@ static void schedule_everything(thud_world *w) {
 
 static void hit_events(thud_world *w) {
     for (int i = 0; i < w->scratch.impacts.count && w->def.contact_events; i++) {
-        const td_impact *impact = td_at(&w->scratch.impacts, i);
+        const td_impact *impact = TD_AT(td_impact, &w->scratch.impacts, i);
         if (impact->approach > w->def.hit_speed * w->unit) {
             const thud_contact *seen = &impact->seen;
-            *(thud_hit_event *)td_at(&w->events.hit, w->events.hit.count++) =
+            TD_PUSH(thud_hit_event, &w->events.hit) =
                 (thud_hit_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
                                  impact->approach};
         }
     }
 }
 
-bool td_impacts_reserve(thud_world *w) {
+static bool reserve(thud_world *w) {
     /* Every impact has a body that was not held before it. */
     int awake = w->body_of.count, most = (MOST_BOUNCES + 1) * awake;
     int extras = awake * (w->terrains.live + 1) + SPARE;
@@ -354,16 +354,18 @@ bool td_impacts_reserve(thud_world *w) {
            td_event_queue_reserve(&w->memory, &w->scratch.queue, w->contacts.count + extras);
 }
 
-void td_impacts_prepare(thud_world *w) {
+/* Before the solver: what it is to leave alone. */
+static void prepare(thud_world *w) {
     td_ballistics_note(w);
     td_bounces_take(w);
 }
 
-void td_impacts_launch(thud_world *w) {
+/* After the solver: who flies freely. */
+static void launch(thud_world *w) {
     td_ballistics_fly(w);
 }
 
-void td_impacts(thud_world *w) {
+static void run(thud_world *w) {
     double time;
     schedule_everything(w);
     for (int n; (n = td_event_queue_next(&w->scratch.queue, &time)) != TD_NONE;) {
@@ -377,3 +379,5 @@ void td_impacts(thud_world *w) {
     }
     hit_events(w);
 }
+
+const td_detection_stage td_stage_impacts = {.reserve = reserve, .run = {prepare, launch, run}};

@@ -10,7 +10,7 @@ static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
     int slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
     int e = slot > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
     while (e != TD_NONE) {
-        const td_toi_candidate *extra = td_at(&w->scratch.candidates, e / 2);
+        const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
         if ((extra->shape[0] == shape_a && extra->shape[1] == shape_b) ||
             (extra->shape[0] == shape_b && extra->shape[1] == shape_a)) {
             break;
@@ -31,10 +31,10 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b) {
         !td_event_queue_reserve(&w->memory, &w->scratch.queue, number + 1)) {
         return false;
     }
-    td_toi_candidate *e = td_at(extras, extras->count++);
+    td_toi_candidate *e = &TD_PUSH(td_toi_candidate, extras);
     *e = (td_toi_candidate){.shape = {shape_a, shape_b},
                             .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body}};
-    *(int *)td_at(&w->scratch.queue.spot, number) = TD_NONE;
+    td_int_set(&w->scratch.queue.spot, number, TD_NONE);
     for (int side = 0; side < 2; side++) {
         int slot = td_body_at(w, e->body[side])->awake;
         if (slot > 0) {
@@ -61,7 +61,7 @@ static td_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int i
 }
 
 static const td_bounds *bounds_at_start(const thud_world *w, int shape) {
-    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
+    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
 }
 
 /* Some see to it that the two do not pass each other. */
@@ -76,7 +76,7 @@ static bool add_found(thud_world *w, int shape, const td_bounds *ahead) {
     const td_array *hits = &w->scratch.hits;
     td_sort_ints(&w->scratch.hits);
     for (int i = 0; i < hits->count; i++) {
-        int other = *(int *)td_at(hits, i);
+        int other = td_int_at(hits, i);
         if (!td_bounds_overlap(bounds_at_start(w, shape), bounds_at_start(w, other)) &&
             td_bounds_overlap(ahead, bounds_at_start(w, other)) && is_looked_at(w, shape, other) &&
             !add_extra(w, shape, other)) {
@@ -90,7 +90,7 @@ static bool add_found(thud_world *w, int shape, const td_bounds *ahead) {
 static bool add_strays(thud_world *w, int shape, const td_bounds *ahead, bool chose) {
     const td_array *strays = &w->scratch.strays;
     for (int i = 0; i < strays->count; i++) {
-        const td_stray *s = td_at(strays, i);
+        const td_stray *s = TD_AT(td_stray, strays, i);
         if ((chose || s->chose) && td_bounds_overlap(ahead, &s->ahead) &&
             !td_bounds_overlap(bounds_at_start(w, shape), bounds_at_start(w, s->shape)) &&
             is_looked_at(w, shape, s->shape) && !add_extra(w, shape, s->shape)) {
@@ -104,19 +104,18 @@ static bool note_stray(thud_world *w, td_trajectory *f, int shape, const td_boun
                        bool chose) {
     td_array *strays = &w->scratch.strays;
     int i = f->strays;
-    while (i != TD_NONE && ((td_stray *)td_at(strays, i))->shape != shape) {
-        i = ((td_stray *)td_at(strays, i))->next;
+    while (i != TD_NONE && TD_AT(td_stray, strays, i)->shape != shape) {
+        i = TD_AT(td_stray, strays, i)->next;
     }
     if (i == TD_NONE) {
         if (!td_array_reserve(&w->memory, strays, strays->count + 1)) {
             return false;
         }
         i = strays->count++;
-        *(td_stray *)td_at(strays, i) =
-            (td_stray){.shape = shape, .next = f->strays, .chose = chose};
+        *TD_AT(td_stray, strays, i) = (td_stray){.shape = shape, .next = f->strays, .chose = chose};
         f->strays = i;
     }
-    ((td_stray *)td_at(strays, i))->ahead = *ahead;
+    TD_AT(td_stray, strays, i)->ahead = *ahead;
     return true;
 }
 
@@ -143,7 +142,7 @@ bool td_toi_candidates_around(thud_world *w, td_trajectory *f) {
 
 bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *f) {
     for (int t = 0; t < w->terrains.count; t++) {
-        const td_terrain_record *record = td_slot_at(&w->terrains, t);
+        const td_terrain_record *record = td_terrain_record_at(w, t);
         int i = record->shape == TD_NONE ? TD_NONE : td_body_at(w, f->body)->first_shape;
         for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
             td_bounds ahead = bounds_ahead(w, f, i);

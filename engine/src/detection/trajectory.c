@@ -79,7 +79,7 @@ thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory
 }
 
 td_toi_candidate *td_extra_at(const thud_world *w, int number) {
-    return td_at(&w->scratch.candidates, number - w->contacts.count);
+    return TD_AT(td_toi_candidate, &w->scratch.candidates, number - w->contacts.count);
 }
 
 td_toi_candidate td_toi_candidate_at(const thud_world *w, int number) {
@@ -141,7 +141,7 @@ static bool motions_miss(thud_world *w, const td_approach *p) {
 /* Whether the motion comes down to the line at all. */
 static bool above_ground(const thud_world *w, int terrain_shape, const td_approach *p) {
     const td_terrain_record *record =
-        td_slot_at(&w->terrains, td_shape_at(w, terrain_shape)->terrain);
+        td_terrain_record_at(w, td_shape_at(w, terrain_shape)->terrain);
     double end = p->a.y + p->motion_a.dy;
     return (end < p->a.y ? end : p->a.y) - td_reach(&p->a) - p->target > record->highest;
 }

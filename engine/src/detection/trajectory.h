@@ -39,7 +39,7 @@ typedef struct td_toi_candidate {
 
 /* The trajectory of an awake body, by its slot. */
 static inline td_trajectory *td_trajectory_at(const thud_world *w, int slot) {
-    return td_at(&w->scratch.trajectories, slot);
+    return TD_AT(td_trajectory, &w->scratch.trajectories, slot);
 }
 
 /* What finds out when the two meet. */

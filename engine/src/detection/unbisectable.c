@@ -20,7 +20,7 @@ static double swinging_reach(const thud_world *w, const td_body *body, double le
 }
 
 bool td_is_unbisectable(thud_world *w, int slot) {
-    const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
+    const td_body *body = td_body_at(w, td_body_of(w, slot));
     if (!w->detections[TD_RANK_BISECT] ||
         (body->kind == THUD_DYNAMIC && body->detection->rank > TD_RANK_BISECT)) {
         return false;

@@ -1,56 +1,34 @@
-/* bisect.c: moving shapes at a time, and the time of collision by bisection: half of what is left
- * is thrown away with each overlap test, so that a tolerance of 2^-20 of the motion takes twenty.
- */
-#include "terrain/terrain.h"
-#include "base/trig.h"
+/* bisect.c: the time of collision by bisection: half of what is left is thrown away with each
+ * overlap test, so that a tolerance of 2^-20 of the motion takes twenty. */
+#include "geometry/bisect.h"
 
-thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_motion *m, double t) {
-    thud_shape_instance p = *shape;
-    p.x += m->dx * t;
-    p.y += m->dy * t;
-    if (p.kind == THUD_OBB && m->turn != 0.0) {
-        double s, c;
-        td_sincos(m->turn * t, &s, &c);
-        p.c = shape->c * c - shape->s * s;
-        p.s = shape->s * c + shape->c * s;
-    }
-    return p;
-}
-
-/* What may meet: two shapes, or a shape and the ground. */
-typedef struct meeting {
-    const thud_terrain *terrain; /* or null: b is a shape */
-    const thud_shape_instance *a, *b;
-    thud_motion motion_a, motion_b;
-} meeting;
-
-static bool overlap_at(const meeting *m, double time) {
-    thud_shape_instance a = td_placed_at(m->a, &m->motion_a, time);
-    if (m->terrain) {
-        return thud_terrain_overlap(m->terrain, &a);
-    }
-    thud_shape_instance b = td_placed_at(m->b, &m->motion_b, time);
-    thud_closest closest;
-    td_closest(&a, &b, &closest);
-    return closest.distance <= 0.0;
-}
-
-static void bisect(const meeting *m, double tolerance, bool *collided, double *time) {
+bool td_bisect(td_overlap_at_fn *overlap_at, const void *meeting, double tolerance, double *time) {
     double apart = 0.0, together = 1.0;
-    *collided = overlap_at(m, 1.0) && !overlap_at(m, 0.0);
-    while (*collided && together - apart > tolerance) {
+    bool collided = overlap_at(meeting, 1.0) && !overlap_at(meeting, 0.0);
+    while (collided && together - apart > tolerance) {
         double middle = 0.5 * (apart + together);
-        if (overlap_at(m, middle)) {
+        if (overlap_at(meeting, middle)) {
             together = middle;
         } else {
             apart = middle;
         }
     }
-    *time = *collided ? apart : 1.0;
+    *time = collided ? apart : 1.0;
+    return collided;
 }
 
-static bool tolerance_valid(double tolerance) {
-    return tolerance >= 1e-15 && tolerance <= 1.0;
+typedef struct shapes {
+    const thud_shape_instance *a, *b;
+    thud_motion motion_a, motion_b;
+} shapes;
+
+static bool overlap_at(const void *meeting, double time) {
+    const shapes *m = meeting;
+    thud_shape_instance a = td_placed_at(m->a, &m->motion_a, time);
+    thud_shape_instance b = td_placed_at(m->b, &m->motion_b, time);
+    thud_closest closest;
+    td_closest(&a, &b, &closest);
+    return closest.distance <= 0.0;
 }
 
 thud_result thud_shapes_time_of_collision(const thud_shape_instance *a, thud_motion motion_a,
@@ -60,27 +38,12 @@ thud_result thud_shapes_time_of_collision(const thud_shape_instance *a, thud_mot
         return THUD_ERROR_NULL;
     }
     if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
-        !td_motion_valid(motion_a) || !td_motion_valid(motion_b) || !tolerance_valid(tolerance)) {
+        !td_motion_valid(motion_a) || !td_motion_valid(motion_b) ||
+        !td_tolerance_valid(tolerance)) {
         return THUD_ERROR_INVALID;
     }
-    meeting m = {.a = a, .b = b, .motion_a = motion_a, .motion_b = motion_b};
-    bisect(&m, tolerance, collided, time);
-    return THUD_OK;
-}
-
-thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
-                                           const thud_shape_instance *shape, thud_motion motion,
-                                           double tolerance, bool *collided, double *time) {
-    if (!terrain || !shape || !collided || !time) {
-        return THUD_ERROR_NULL;
-    }
-    thud_result readable = td_terrain_readable(terrain);
-    if (readable != THUD_OK || thud_placed_check(shape) != THUD_OK || !td_motion_valid(motion) ||
-        !tolerance_valid(tolerance)) {
-        return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
-    }
-    meeting m = {.terrain = terrain, .a = shape, .motion_a = motion};
-    bisect(&m, tolerance, collided, time);
+    shapes m = {a, b, motion_a, motion_b};
+    *collided = td_bisect(overlap_at, &m, tolerance, time);
     return THUD_OK;
 }
 

@@ -1,6 +1,6 @@
 /* shape_instance.h: small helpers on placed shapes, shared by the geometry files. */
-#ifndef TD_PLACED_H
-#define TD_PLACED_H
+#ifndef TD_SHAPE_INSTANCE_H
+#define TD_SHAPE_INSTANCE_H
 
 #include "base/base.h"
 #include "thud/thud_shapes.h"
@@ -55,14 +55,14 @@ static inline bool td_motion_valid(thud_motion m) {
     return td_finite(m.dx + m.dy + m.turn) && td_abs(m.turn) <= 1e6;
 }
 
-/* bisect.c: the shape at a time of its motion. */
+/* The shape at a time of its motion. */
 thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_motion *motion,
                                  double time);
 
 /* closest.c: as thud_shapes_closest, for shapes known to be valid; boxes may be flat (hy = 0). */
 void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out);
 
-/* toi.c: as thud_shapes_time_of_impact, likewise. */
+/* toi.c: as thud_shapes_time_of_impact, for shapes and motions known to be valid. */
 void td_time_of_impact(const thud_shape_instance *a, thud_motion motion_a,
                        const thud_shape_instance *b, thud_motion motion_b, double target, bool *hit,
                        double *time);

@@ -59,11 +59,11 @@ enum {
 };
 
 static int *local_at(const thud_world *w, int slot) {
-    return td_at(&w->islands.local, slot);
+    return TD_AT(int, &w->islands.local, slot);
 }
 
 static bool is_seed(const thud_world *w, int slot) {
-    int direct_steps = *(uint8_t *)td_at(&w->direct_steps, slot);
+    int direct_steps = *td_direct_steps_at(w, slot);
     return direct_steps <= TD_DIRECT_COOLDOWN &&
            (direct_steps > 0 || w->quality.sag_limit == 0.0f) && *local_at(w, slot) == 0 &&
            td_row(&w->velocity, slot)[3] > 0.0f;
@@ -81,16 +81,15 @@ static bool any_direct(const thud_world *w) {
 enum { MOST_TIMES = 5 }; /* left alone for half a minute then, at 60 steps a second */
 
 static void cool_down(thud_world *w, int slot, int times) {
-    *(uint8_t *)td_at(&w->direct_steps, slot) = TD_DIRECT_COOLDOWN + TD_COOLDOWN_STEPS;
-    *(uint16_t *)td_at(&w->slow_steps, slot) =
-        (uint16_t)(td_min_int(times, MOST_TIMES) * TD_SLOW_ONCE);
+    *td_direct_steps_at(w, slot) = TD_DIRECT_COOLDOWN + TD_COOLDOWN_STEPS;
+    *td_slow_steps_at(w, slot) = (uint16_t)(td_min_int(times, MOST_TIMES) * TD_SLOW_ONCE);
 }
 
 /* A step less to be left alone, or hard; of a body that was left n times in one of 2^(n - 1) steps.
  */
 static int direct_after_step(const thud_world *w, int slot) {
-    int direct_steps = *(uint8_t *)td_at(&w->direct_steps, slot);
-    uint64_t halvings = TD_SLOW_LEFT(*(uint16_t *)td_at(&w->slow_steps, slot));
+    int direct_steps = *td_direct_steps_at(w, slot);
+    uint64_t halvings = TD_SLOW_LEFT(*td_slow_steps_at(w, slot));
     bool counts = halvings == 0 || w->steps % (1ull << (halvings - 1)) == 0;
     int left = direct_steps > TD_DIRECT_COOLDOWN && counts ? direct_steps - 1 : direct_steps;
     return left == TD_DIRECT_COOLDOWN ? 0 : left;
@@ -98,8 +97,8 @@ static int direct_after_step(const thud_world *w, int slot) {
 
 void td_islands_leave(thud_world *w, const td_island *island, bool for_long) {
     for (int i = 0; i < island->bodies; i++) {
-        int slot = *(int *)td_at(&w->islands.slots, island->first_body + i);
-        int times = TD_SLOW_LEFT(*(uint16_t *)td_at(&w->slow_steps, slot)) + 1;
+        int slot = td_int_at(&w->islands.slots, island->first_body + i);
+        int times = TD_SLOW_LEFT(*td_slow_steps_at(w, slot)) + 1;
         cool_down(w, slot, for_long ? MOST_TIMES : times);
     }
 }
@@ -130,7 +129,7 @@ static int neighbour(const thud_world *w, const td_constraint *constraint, int s
 /* Adds the contacts of a body, and whom they bring; each contact once, by its first side that is a
  * body of an island. False: the island has too many bodies. */
 static bool spread(thud_world *w, td_island *island, int slot) {
-    int body = *(int *)td_at(&w->body_of, slot);
+    int body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (constraint->state != TD_TOUCHING) {
@@ -166,8 +165,8 @@ int64_t td_island_cost(const td_island *island) {
 static bool cools_down(const thud_world *w, const td_island *island) {
     int cooling = 0;
     for (int i = 0; i < island->bodies; i++) {
-        int slot = *(int *)td_at(&w->islands.slots, island->first_body + i);
-        cooling += *(uint8_t *)td_at(&w->direct_steps, slot) > TD_DIRECT_COOLDOWN;
+        int slot = td_int_at(&w->islands.slots, island->first_body + i);
+        cooling += *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN;
     }
     return 2 * cooling > island->bodies;
 }
@@ -179,16 +178,16 @@ static void follow(thud_world *w, int seed) {
     bool whole = true;
     add_body(w, &island, seed);
     for (int i = island.first_body; whole && i < s->slots.count; i++) {
-        whole = spread(w, &island, *(int *)td_at(&s->slots, i));
+        whole = spread(w, &island, td_int_at(&s->slots, i));
     }
     island.contacts = s->contacts.count - island.first_contact;
     bool cooling = cools_down(w, &island);
     if (whole && island.contacts && !cooling) {
-        *(td_island *)td_at(&s->island, s->island.count++) = island;
+        TD_PUSH(td_island, &s->island) = island;
         return;
     }
     for (int i = island.first_body; i < s->slots.count; i++) {
-        *local_at(w, *(int *)td_at(&s->slots, i)) = !whole ? TOO_MANY : cooling ? COOLING : ALONE;
+        *local_at(w, td_int_at(&s->slots, i)) = !whole ? TOO_MANY : cooling ? COOLING : ALONE;
     }
     s->slots.count = island.first_body;
     s->contacts.count = island.first_contact;
@@ -203,7 +202,7 @@ static bool order(thud_world *w, td_island *island) {
     }
     for (int i = 0; i < island->contacts; i++) {
         const td_constraint *constraint =
-            td_constraint_at(w, *(int *)td_at(&s->contacts, island->first_contact + i));
+            td_constraint_at(w, td_int_at(&s->contacts, island->first_contact + i));
         int a = neighbour(w, constraint, 1), b = neighbour(w, constraint, 0);
         if (a && b) {
             td_sparse_tie(&s->matrix, *local_at(w, a) - 1, *local_at(w, b) - 1);
@@ -236,7 +235,7 @@ bool td_islands_find(thud_world *w) {
         }
     }
     for (int i = 0; i < s->island.count; i++) {
-        if (!order(w, td_at(&s->island, i))) {
+        if (!order(w, TD_AT(td_island, &s->island, i))) {
             return false;
         }
     }
@@ -254,7 +253,7 @@ enum {
 
 static void mark_direct(thud_world *w, uint32_t record) {
     int slot = (int)(record / TD_AWAKE_BYTES);
-    uint8_t *direct_steps = td_at(&w->direct_steps, slot);
+    uint8_t *direct_steps = td_direct_steps_at(w, slot);
     if (td_row(&w->velocity, slot)[3] > 0.0f && *direct_steps <= TD_DIRECT_COOLDOWN) {
         *direct_steps = TD_DIRECT_STEPS;
     }
@@ -311,7 +310,7 @@ void td_islands_watch(thud_world *w) {
     }
     int stride = w->scratch.blocks.count < FEW ? 1 : 8;
     for (int i = (int)(w->steps % (uint64_t)stride); i < w->scratch.blocks.count; i += stride) {
-        td_block *block = *(td_block **)td_at(&w->scratch.blocks, i);
+        td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
         if (block->used) {
             int kind = td_constraint_at(w, block->contact[0])->kind;
             watch_block(w, block, td_row_ops_of(w, kind));

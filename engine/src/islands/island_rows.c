@@ -10,15 +10,15 @@ enum { PATIENCE = 200 };
 void td_island_note(thud_world *w) {
     td_islands *s = &w->islands;
     for (int i = 0; i < s->slots.count; i++) {
-        memcpy(td_at(&s->before, i), td_row(&w->velocity, *(int *)td_at(&s->slots, i)),
+        memcpy(td_row(&s->before, i), td_row(&w->velocity, td_int_at(&s->slots, i)),
                sizeof(float[4]));
     }
     for (int i = 0; i < s->contacts.count; i++) {
-        const td_constraint *constraint = td_constraint_at(w, *(int *)td_at(&s->contacts, i));
+        const td_constraint *constraint = td_constraint_at(w, td_int_at(&s->contacts, i));
         td_block *block = td_island_block(w, constraint);
         int lane = constraint->slot % TD_LANES;
         float kept = block->loaded[lane] & TD_DIRECT ? 0.0f : 1.0f;
-        td_row_ops_of(w, constraint->kind)->note(w, block, lane, kept, td_at(&s->impulses, i));
+        td_row_ops_of(w, constraint->kind)->note(w, block, lane, kept, td_row(&s->impulses, i));
         block->loaded[lane] &= TD_DIRECT - 1;
     }
 }
@@ -29,8 +29,8 @@ void td_island_note(thud_world *w) {
 static void take_body(td_island_work *work, int i) {
     thud_world *w = work->w;
     int slot = work->slots[i];
-    const td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
-    const float *before = td_at(&w->islands.before, work->island->first_body + i);
+    const td_body *body = td_body_at(w, td_body_of(w, slot));
+    const float *before = td_row(&w->islands.before, work->island->first_body + i);
     const float *push = td_row(&w->push, slot);
     double h = work->time / w->substeps;
     double linear = 1.0 / (1.0 + h * (double)body->linear_damping);
@@ -55,7 +55,7 @@ static int side_of(const thud_world *w, uint32_t record, double known[3]) {
     for (int k = 0; k < 3; k++) {
         known[k] = (double)v[k];
     }
-    return v[3] > 0.0f ? *(const int *)td_at(&w->islands.local, slot) - 1 : TD_NONE;
+    return v[3] > 0.0f ? td_int_at(&w->islands.local, slot) - 1 : TD_NONE;
 }
 
 static double by_known(const double *j, const double *v) {
@@ -72,7 +72,7 @@ static void take_constraint(td_island_work *work, int i) {
     thud_world *w = work->w;
     const td_constraint *constraint = td_constraint_at(w, work->constraints[i]);
     td_block *block = td_island_block(w, constraint);
-    const float *impulses = td_at(&w->islands.impulses, work->island->first_contact + i);
+    const float *impulses = td_row(&w->islands.impulses, work->island->first_contact + i);
     int lane = constraint->slot % TD_LANES;
     td_direct_constraint *c = &work->problem.constraints[i];
     double known[2][3];

@@ -11,7 +11,6 @@
 
 #include "solver/error.h"
 #include "solver/motion.h"
-#include "api/step.h"
 
 /* Matrices that are few. */
 #define EASY 8
@@ -154,7 +153,7 @@ static void carry_on(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &d->bodies[i];
-        const float *before = td_at(&work->w->islands.before, work->island->first_body + i);
+        const float *before = td_row(&work->w->islands.before, work->island->first_body + i);
         for (int k = 0; k < 3; k++) {
             b->free[k] = 2.0 * b->free[k] - (double)before[k];
             b->velocity[k] = 2.0 * b->velocity[k] - (double)before[k];
@@ -247,7 +246,7 @@ static bool is_slow(const td_island_work *work) {
     bool easy = work->problem.factorings <= EASY;
     int most = 0;
     for (int i = 0; i < work->island->bodies; i++) {
-        uint16_t *slow_steps = td_at(&work->w->slow_steps, work->slots[i]);
+        uint16_t *slow_steps = td_slow_steps_at(work->w, work->slots[i]);
         int steps = *slow_steps % TD_SLOW_ONCE;
         *slow_steps = easy ? 0 : steps < TD_SLOW_STEPS ? *slow_steps + 1 : *slow_steps;
         most = easy ? 0 : td_max_int(most, steps + 1);
@@ -265,7 +264,7 @@ static void write(const td_island_work *work) {
     for (int i = 0; i < work->island->bodies; i++) {
         float *velocity = td_row(&w->velocity, work->slots[i]);
         float *delta = td_row(&w->delta, work->slots[i]);
-        uint8_t *direct_steps = td_at(&w->direct_steps, work->slots[i]);
+        uint8_t *direct_steps = td_direct_steps_at(w, work->slots[i]);
         for (int k = 0; k < 3; k++) {
             velocity[k] = (float)work->problem.bodies[i].velocity[k];
             delta[k] = (float)work->moved[i][k];
@@ -306,7 +305,7 @@ static void begin(thud_world *w) {
 
 static void end(thud_world *w) {
     for (int i = 0; i < w->islands.island.count; i++) {
-        solve_island(w, td_at(&w->islands.island, i));
+        solve_island(w, TD_AT(td_island, &w->islands.island, i));
     }
     if (w->stats.direct_islands > w->stats.soft_islands) {
         td_error_recount(w);

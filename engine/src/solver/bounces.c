@@ -18,7 +18,7 @@
 /* One side's gravity along the normal, and how strong it is; lengths/s^2. */
 static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *most) {
     int slot = (int)(side / TD_AWAKE_BYTES);
-    const td_body *body = slot ? td_body_at(w, *(int *)td_at(&w->body_of, slot)) : NULL;
+    const td_body *body = slot ? td_body_at(w, td_body_of(w, slot)) : NULL;
     if (!body || body->kind != THUD_DYNAMIC) {
         return 0.0;
     }

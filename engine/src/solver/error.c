@@ -68,10 +68,10 @@ static void count_speeds(thud_world *w, const td_block *block) {
 void td_error_recount(thud_world *w) {
     w->errors = (td_errors){.energy_change = w->errors.energy_change};
     for (int i = 0; i < w->scratch.runs.count; i++) {
-        const td_run *run = td_at(&w->scratch.runs, i);
+        const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
         int points = td_form_points(w->pairs[run->kind]->form);
         for (int k = 0; k < run->count; k++) {
-            td_block *block = *(td_block **)td_at(&w->scratch.blocks, run->first + k);
+            td_block *block = *TD_AT(td_block *, &w->scratch.blocks, run->first + k);
             if (run->kind < TD_PAIR_COUNT) {
                 count_block(w, block, points);
             } else {

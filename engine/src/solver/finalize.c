@@ -47,8 +47,7 @@ static void quarantine(thud_world *w, int index) {
     td_proxy_set_forget(&w->awake_shapes);
     td_proxy_set_forget(&w->rest_shapes);
     if (td_array_reserve(&w->memory, &w->events.quarantined, w->events.quarantined.count + 1)) {
-        *(thud_body_id *)td_at(&w->events.quarantined, w->events.quarantined.count++) =
-            td_body_handle(w, index);
+        TD_PUSH(thud_body_id, &w->events.quarantined) = td_body_handle(w, index);
     }
     td_refuse(w, THUD_ERROR_INVALID, "a body became non-finite and is quarantined");
 }
@@ -74,7 +73,7 @@ void td_finalize(thud_world *w) {
     TD_PICK_WIDE(w, td_finalize_bodies)(w);
     /* From the last slot down, since a body that leaves its slot gives it to the last one. */
     for (int i = w->scratch.odd.count - 1; i >= 0; i--) {
-        int slot = *(int *)td_at(&w->scratch.odd, i), index = *(int *)td_at(&w->body_of, slot);
+        int slot = td_int_at(&w->scratch.odd, i), index = td_body_of(w, slot);
         const float *delta = td_row(&w->delta, slot), *reach = td_row(&w->reach, slot);
         if (!row_finite(td_row(&w->velocity, slot)) || !row_finite(delta)) {
             quarantine(w, index);

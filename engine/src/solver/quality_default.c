@@ -4,7 +4,7 @@
  * box in 20 s, of a pyramid of 465 37 us (51 mm at its top), of a pit of 1,000 74 us (50 mm deep);
  * 10^3 on 1 sinks in by 0.6 %, a column of 100 loses 0.1 mm for good, after half a box in its
  * first half second. docs/tradeoff.md has all. */
-#include "thud/thud.h"
+#include "thud/thud_quality.h"
 
 const thud_quality thud_quality_default = {
     .name = "default",
@@ -18,7 +18,3 @@ const thud_quality thud_quality_default = {
     .island_work = 15000,
     .island_patience = 5,
 };
-
-thud_world_def thud_default_world_def(void) {
-    return thud_world_def_of(&thud_quality_default);
-}

@@ -63,7 +63,7 @@ static void refresh_push(thud_world *w, float h) {
     }
     w->push_stale = false;
     for (int slot = 1; slot < w->body_of.count; slot++) {
-        td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, slot));
+        td_body *body = td_body_at(w, td_body_of(w, slot));
         float *push = td_row(&w->push, slot);
         memset(push, 0, sizeof(float[4]));
         if (body->kind == THUD_DYNAMIC) {
@@ -110,8 +110,8 @@ static void solve_and_tally(const solving *s, td_solve_fn *solve, td_block *cons
 static void solve_chunk(void *work, int index) {
     const solving *s = work;
     const thud_world *w = s->w;
-    const td_chunk *chunk = td_at(&w->scratch.chunks, s->first_chunk + index);
-    const td_run *run = td_at(&w->scratch.runs, chunk->run);
+    const td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, s->first_chunk + index);
+    const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
     const td_pair_ops *pair = w->pairs[run->kind];
     const td_solve_ops *ops = run->armed ? pair->solve : pair->solve_unarmed;
     td_block *const *blocks = (td_block **)w->scratch.blocks.data + chunk->first;
@@ -128,7 +128,7 @@ static void solve_chunk(void *work, int index) {
 }
 
 static const td_run *run_of_chunk(const thud_world *w, int chunk) {
-    return td_at(&w->scratch.runs, ((const td_chunk *)td_at(&w->scratch.chunks, chunk))->run);
+    return TD_AT(td_run, &w->scratch.runs, TD_AT(td_chunk, &w->scratch.chunks, chunk)->run);
 }
 
 /* Chunks of one bin have no moving body in common and make a phase; a run that may share bodies

@@ -73,7 +73,7 @@ TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat) {
     td_bounds *bounds = td_fat_at(w, shape);
     uint8_t *marks = td_marks_at(w, shape);
     if (!(*marks & TD_MARK_MOVED)) {
-        *(td_bounds *)td_at(&w->was, shape) = *bounds;
+        *td_was_at(w, shape) = *bounds;
         *marks |= TD_MARK_MOVED;
         td_push_int(&w->moved, shape);
     }
@@ -192,7 +192,7 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
         if (w->def.sleeping) {
             count_idle(w, first, &v, rim, here & finite);
         }
-        i8 easy = here & finite & (i8_load((const int32_t *)td_at(&w->lone, first)) >= i8_all(0)) &
+        i8 easy = here & finite & (i8_load(TD_AT(int32_t, &w->lone, first)) >= i8_all(0)) &
                   (f8_abs(d.x) < far) & (f8_abs(d.y) < far) & (f8_abs(d.z) < f8_all(1.5f));
         int32_t slots[TD_LANES];
         __builtin_memcpy(slots, &slot, sizeof slots);

@@ -5,18 +5,25 @@
 
 #include <string.h>
 
-/* The arrays that a body has a place in. */
-#define BY_SLOT(w)                                                                                \
-    &(w)->velocity, &(w)->delta, &(w)->start, &(w)->push, &(w)->damping, &(w)->idle, &(w)->reach, \
-        &(w)->mass, &(w)->inertia, &(w)->weight, &(w)->body_of, &(w)->lone, &(w)->colours,        \
-        &(w)->direct_steps, &(w)->slow_steps
+void td_awake_init(thud_world *w) {
+#define STRIDE(name, element, kept) w->name.stride = (int)sizeof(element);
+    TD_AWAKE_ARRAYS(STRIDE)
+}
+
+void td_awake_free(thud_world *w) {
+    for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
+        td_array_free(&w->memory, &w->awake[i]);
+    }
+}
+
+int td_awake_capacity(int bodies) {
+    return 1 + bodies + TD_LANES;
+}
 
 bool td_awake_reserve(thud_world *w, int more) {
-    /* The wide kernels work on whole eights, so a last partial one must exist in memory. */
-    int capacity = w->bodies.live + more + 1 + TD_LANES;
-    td_array *arrays[] = {BY_SLOT(w)};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        if (!td_array_reserve(&w->memory, arrays[i], capacity)) {
+    int capacity = td_awake_capacity(w->bodies.live + more);
+    for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
+        if (!td_array_reserve(&w->memory, &w->awake[i], capacity)) {
             return false;
         }
     }
@@ -44,7 +51,7 @@ void td_awake_refresh(thud_world *w, int index) {
     if (lone != TD_NONE && !td_shape_at(w, lone)->plain) {
         lone = TD_NONE;
     }
-    *(int *)td_at(&w->lone, body->awake) = lone;
+    td_int_set(&w->lone, body->awake, lone);
     damping[0] = body->linear_damping;
     damping[1] = body->angular_damping;
     w->damped += damping[0] > 0.0f || damping[1] > 0.0f;
@@ -61,18 +68,18 @@ void td_awake_add(thud_world *w, int index) {
     memset(td_row(&w->delta, slot), 0, sizeof(float[4]));
     memset(td_row(&w->damping, slot), 0, sizeof(float[2]));
     *td_row(&w->idle, slot) = 0.0f;
-    *(uint8_t *)td_at(&w->direct_steps, slot) = body->direct_steps;
-    *(uint16_t *)td_at(&w->slow_steps, slot) = 0;
-    *(td_colours *)td_at(&w->colours, slot) = (td_colours){0, 0};
+    *td_direct_steps_at(w, slot) = body->direct_steps;
+    *td_slow_steps_at(w, slot) = 0;
+    *td_colours_at(w, slot) = (td_colours){0, 0};
     td_awake_refresh(w, index);
 }
 
 static void move_slot(thud_world *w, int from, int to) {
-    td_array *arrays[] = {BY_SLOT(w)};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        memcpy(td_at(arrays[i], to), td_at(arrays[i], from), (size_t)arrays[i]->stride);
+    for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
+        const td_array *array = &w->awake[i];
+        memcpy(td_at(array, to), td_at(array, from), (size_t)array->stride);
     }
-    td_body *body = td_body_at(w, *(int *)td_at(&w->body_of, to));
+    td_body *body = td_body_at(w, td_body_of(w, to));
     body->awake = to;
     for (int edge = body->first_contact; edge != TD_NONE;) {
         const td_constraint *constraint = td_constraint_at(w, edge / 2);
@@ -89,7 +96,7 @@ void td_awake_remove(thud_world *w, int index) {
     const float *damping = td_row(&w->damping, slot);
     w->damped -= damping[0] > 0.0f || damping[1] > 0.0f;
     memcpy(body->velocity, td_row(&w->velocity, slot), sizeof body->velocity);
-    body->direct_steps = *(uint8_t *)td_at(&w->direct_steps, slot);
+    body->direct_steps = *td_direct_steps_at(w, slot);
     body->awake = TD_NONE;
     if (slot != last) {
         move_slot(w, last, slot);

@@ -4,10 +4,16 @@
 
 #include "state/world.h"
 
+void td_awake_init(thud_world *w); /* of a world that is all zero: sets the strides */
+void td_awake_free(thud_world *w);
+
+/* Elements that the arrays need for so many bodies, all awake: the dummy and a last eight in full
+ * come on top, since the wide kernels work on whole eights. */
+int td_awake_capacity(int bodies);
 /* Room for every live body and `more`, so that waking never needs memory. */
 bool td_awake_reserve(thud_world *w, int more);
-void td_awake_add(thud_world *w, int body);    /* velocity comes from the body's record */
-void td_awake_remove(thud_world *w, int body); /* ... and goes back there */
+void td_awake_add(thud_world *w, int body);    /* the velocity comes from the body's record */
+void td_awake_remove(thud_world *w, int body); /* the velocity goes back there */
 /* Copies mass, damping and reach of the body's record to its slot, if it has one. */
 void td_awake_refresh(thud_world *w, int body);
 

@@ -80,7 +80,7 @@ static void act(thud_world *w, int index, td_deferred_kind what, const double v[
 
 void td_deferred_apply(thud_world *w) {
     for (int i = 0; i < w->deferred.count; i++) {
-        const td_deferred_edit *edit = td_at(&w->deferred, i);
+        const td_deferred_edit *edit = TD_AT(td_deferred_edit, &w->deferred, i);
         const td_body *body = td_body_at(w, edit->body);
         if ((body->flags & TD_BODY_LIVE) && body->generation == edit->generation) {
             act(w, edit->body, (td_deferred_kind)edit->what, edit->value);
@@ -94,7 +94,7 @@ bool td_deferred_reserve(thud_world *w) {
 }
 
 void td_deferred_add(thud_world *w, int index, td_deferred_kind what, const double v[4]) {
-    *(td_deferred_edit *)td_at(&w->deferred, w->deferred.count++) =
+    TD_PUSH(td_deferred_edit, &w->deferred) =
         (td_deferred_edit){.body = index,
                            .generation = td_body_at(w, index)->generation,
                            .what = (int32_t)what,
@@ -104,7 +104,7 @@ void td_deferred_add(thud_world *w, int index, td_deferred_kind what, const doub
 bool td_deferred_turns(const thud_world *w, int index) {
     bool turns = false, kinematic = td_body_at(w, index)->kind == THUD_KINEMATIC;
     for (int i = 0; i < w->deferred.count; i++) {
-        const td_deferred_edit *edit = td_at(&w->deferred, i);
+        const td_deferred_edit *edit = TD_AT(td_deferred_edit, &w->deferred, i);
         turns |= edit->body == index && edit->value[2] != 0.0 &&
                  (edit->what == TD_PUT_TRANSFORM || (edit->what == TD_PUT_VELOCITY && kinematic));
     }

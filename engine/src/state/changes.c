@@ -2,17 +2,15 @@
  * placed; whatever rested on them wakes. One body is done whole or not at all. */
 #include "state/awake.h"
 #include "state/body.h"
+#include "constraint/engage.h"
 #include "contact/contact.h"
 #include "constraint/lanes.h"
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "api/step.h"
+#include "islands/wake.h"
 
 #include <string.h>
-
-static int other_body(const thud_world *w, int edge) {
-    return td_constraint_at(w, edge / 2)->body[1 - (edge & 1)];
-}
 
 /* Wakes every sleeping body that touches this one or is otherwise tied to it; what is in a sensor
  * sleeps on, and is looked at again. */
@@ -24,7 +22,7 @@ static bool wake_touching(thud_world *w, int body) {
                 td_constraint_wait(w, e / 2);
             }
         } else if ((constraint->open || !td_is_contact(constraint)) &&
-                   !td_wake(w, other_body(w, e))) {
+                   !td_wake(w, td_other_body(w, e))) {
             return false;
         }
     }
@@ -73,7 +71,7 @@ static void suspend_others(thud_world *w, int body) {
 static void free_shape(thud_world *w, int index) {
     td_shape *shape = td_shape_at(w, index);
     if (shape->terrain != TD_NONE) {
-        td_terrain_record *record = td_slot_at(&w->terrains, shape->terrain);
+        td_terrain_record *record = td_terrain_record_at(w, shape->terrain);
         td_array_free(&w->memory, &record->points);
         record->shape = TD_NONE;
         td_slots_give(&w->terrains, shape->terrain);

@@ -90,7 +90,7 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
     made.filter = def->filter;
     made.user_data = def->user_data;
     if (made.kind == THUD_TERRAIN) {
-        ((td_terrain_record *)td_slot_at(&w->terrains, made.terrain))->shape = index;
+        td_terrain_record_at(w, made.terrain)->shape = index;
     } else {
         made.terrain = TD_NONE;
     }
@@ -246,16 +246,10 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     }
     td_kind_terrain(w);
     int index = td_slots_take(&w->terrains);
-    td_terrain_record *record = td_slot_at(&w->terrains, index);
+    td_terrain_record *record = td_terrain_record_at(w, index);
     *record = made;
     return finish(w, body, def, (td_shape){.kind = THUD_TERRAIN, .terrain = index, .angle_c = 1.0f},
                   out);
-}
-
-thud_terrain td_terrain_view(const thud_world *w, int shape) {
-    const td_terrain_record *record = td_slot_at(&w->terrains, td_shape_at(w, shape)->terrain);
-    return (thud_terrain){record->kind,    record->slope,       record->x0,
-                          record->spacing, record->points.data, record->points.count};
 }
 
 thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out) {

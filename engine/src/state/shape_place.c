@@ -1,4 +1,5 @@
-/* shape_place.c: where shapes stand, from their body's pose, and the bounds that follow. */
+/* shape_place.c: where shapes and terrain stand, from their body's pose, and the bounds that
+ * follow. */
 #include "state/body.h"
 #include "state/shape.h"
 
@@ -41,7 +42,7 @@ float td_thinnest(thud_world *w) {
 void td_shape_mark_moved(thud_world *w, int index) {
     uint8_t *marks = td_marks_at(w, index);
     if (!(*marks & TD_MARK_MOVED)) {
-        *(td_bounds *)td_at(&w->was, index) = *td_fat_at(w, index);
+        *td_was_at(w, index) = *td_fat_at(w, index);
         *marks |= TD_MARK_MOVED;
         td_push_int(&w->moved, index);
     }
@@ -141,7 +142,13 @@ thud_shape_instance td_shape_instance(const thud_world *w, int index, td_positio
                                  .hy = (double)shape->half_y};
 }
 
-/* ---- terrain segments under bounds ---- */
+/* ---- terrain ---- */
+
+thud_terrain td_terrain_view(const thud_world *w, int shape) {
+    const td_terrain_record *record = td_terrain_record_at(w, td_shape_at(w, shape)->terrain);
+    return (thud_terrain){record->kind,    record->slope,       record->x0,
+                          record->spacing, record->points.data, record->points.count};
+}
 
 /* Bounds relative to the terrain's origin, in the caller's unit; a quantum wider, so that rounding
  * loses nothing. */
@@ -157,7 +164,7 @@ static void local_bounds(const thud_world *w, int terrain_shape, td_position at,
 bool td_terrain_below(const thud_world *w, int terrain_shape, td_position near_place,
                       const td_bounds *bounds) {
     const td_terrain_record *record =
-        td_slot_at(&w->terrains, td_shape_at(w, terrain_shape)->terrain);
+        td_terrain_record_at(w, td_shape_at(w, terrain_shape)->terrain);
     int64_t origin = td_shape_proxy_at(w, terrain_shape)->center.y >> TD_COARSE_SHIFT;
     int64_t lowest = td_unwrap(bounds->min_y, near_place.y) - origin;
     return (double)(lowest - 1) > record->highest * w->to_coarse;

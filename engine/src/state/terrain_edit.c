@@ -161,7 +161,7 @@ static bool splice_valid(const td_terrain_record *record, const splice *s) {
 
 static thud_result apply(thud_world *w, int terrain_shape, splice s, const char *wrong,
                          const char *no_memory) {
-    td_terrain_record *record = td_slot_at(&w->terrains, td_shape_at(w, terrain_shape)->terrain);
+    td_terrain_record *record = td_terrain_record_at(w, td_shape_at(w, terrain_shape)->terrain);
     s = trimmed(record, s);
     if (s.removed == 0 && s.count == 0) {
         return THUD_OK;
@@ -223,7 +223,7 @@ thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
         return td_refuse(w, THUD_ERROR_MEMORY, "set heights: out of memory");
     }
     for (int i = 0; i < count; i++) {
-        *(thud_pos *)td_at(&points, i) = (thud_pos){line.points[first + i].x, heights[i]};
+        *TD_AT(thud_pos, &points, i) = (thud_pos){line.points[first + i].x, heights[i]};
     }
     result =
         apply(w, shape, (splice){first, count, count, points.data},

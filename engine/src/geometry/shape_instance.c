@@ -1,0 +1,17 @@
+/* shape_instance.c: a moving shape at a time of its motion. */
+#include "geometry/shape_instance.h"
+
+#include "base/trig.h"
+
+thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_motion *m, double t) {
+    thud_shape_instance p = *shape;
+    p.x += m->dx * t;
+    p.y += m->dy * t;
+    if (p.kind == THUD_OBB && m->turn != 0.0) {
+        double s, c;
+        td_sincos(m->turn * t, &s, &c);
+        p.c = shape->c * c - shape->s * s;
+        p.s = shape->s * c + shape->c * s;
+    }
+    return p;
+}

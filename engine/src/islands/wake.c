@@ -1,0 +1,85 @@
+/* wake.c: see wake.h. */
+#include "islands/wake.h"
+
+#include "constraint/constraint.h"
+#include "constraint/lanes.h"
+#include "state/awake.h"
+#include "state/shape.h"
+
+static bool may_wake(const td_body *body) {
+    return body->kind == THUD_DYNAMIC && body->awake < 0 &&
+           !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
+           !(body->changes & TD_CHANGE_ENTER);
+}
+
+bool td_wake_reserve(thud_world *w) {
+    return td_array_reserve(&w->memory, &w->scratch.bodies, w->bodies.count) &&
+           td_array_reserve(&w->memory, &w->scratch.contacts, w->contacts.count);
+}
+
+/* Shapes of a body that slept while others came to rest near it look for them. */
+static void look_around(thud_world *w, int index) {
+    const td_body *body = td_body_at(w, index);
+    if (body->rest_epoch == w->rest_epoch) {
+        return;
+    }
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        td_shape_mark_moved(w, i);
+        *td_marks_at(w, i) |= TD_MARK_WOKEN;
+    }
+}
+
+bool td_wake(thud_world *w, int index) {
+    td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.contacts;
+    if (!may_wake(td_body_at(w, index))) {
+        td_body *body = td_body_at(w, index);
+        if (body->awake > 0) {
+            *td_row(&w->idle, body->awake) = 0.0f;
+        }
+        return true;
+    }
+    if (!td_wake_reserve(w)) {
+        return false;
+    }
+    bodies->count = constraints->count = 0;
+    td_awake_add(w, index);
+    td_push_int(bodies, index);
+    for (int i = 0; i < bodies->count; i++) {
+        int body = td_int_at(bodies, i);
+        for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+            td_constraint *constraint = td_constraint_at(w, e / 2);
+            if (constraint->state != TD_TOUCHING || constraint->bin != TD_SLEEPING ||
+                constraint->listed) {
+                continue;
+            }
+            constraint->listed = 1;
+            td_push_int(constraints, e / 2);
+            int other = td_other_body(w, e);
+            if (may_wake(td_body_at(w, other))) {
+                td_awake_add(w, other);
+                td_push_int(bodies, other);
+            }
+        }
+    }
+    for (int i = 0; i < constraints->count; i++) {
+        td_constraint_at(w, td_int_at(constraints, i))->listed = 0;
+    }
+    if (!td_lanes_place(w, constraints->data, constraints->count, false)) {
+        for (int i = bodies->count - 1; i >= 0; i--) {
+            td_awake_remove(w, td_int_at(bodies, i));
+        }
+        return false;
+    }
+    for (int i = 0; i < bodies->count; i++) {
+        int body = td_int_at(bodies, i);
+        for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+            if (td_constraint_at(w, e / 2)->state == TD_RESTING) {
+                td_constraint_wait(w, e / 2);
+            }
+        }
+        look_around(w, body);
+    }
+    td_proxy_set_forget(&w->awake_shapes);
+    td_proxy_set_forget(&w->rest_shapes);
+    return true;
+}

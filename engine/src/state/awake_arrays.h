@@ -1,0 +1,41 @@
+/* awake_arrays.h: what the world keeps of each body that moves: an array each, by awake slot.
+ *
+ * This list is all there is to say about such an array. Its field in thud_world, its stride, its
+ * room, its way from slot to slot, its end and its place in snapshots follow from its line. */
+#ifndef TD_AWAKE_ARRAYS_H
+#define TD_AWAKE_ARRAYS_H
+
+#include "base/memory.h"
+
+/* The third column of the list. */
+enum {
+    TD_REBUILT = 0, /* every step writes it before it reads it: no part of a snapshot */
+    TD_STATE = 1    /* what later steps depend on */
+};
+
+/* Name, element, and whether it is state. */
+#define TD_AWAKE_ARRAYS(X)                                                                   \
+    X(velocity, float[4], TD_STATE)    /* x, y, spin; the inverse of the mass */             \
+    X(delta, float[4], TD_STATE)       /* motion of the last step: x, y, angle */            \
+    X(start, float[4], TD_REBUILT)     /* velocity at the start of a substep, damped */      \
+    X(push, float[4], TD_STATE)        /* velocity gained a substep */                       \
+    X(damping, float[2], TD_STATE)     /* linear, angular */                                 \
+    X(idle, float, TD_STATE)           /* time at rest */                                    \
+    X(direct_steps, uint8_t, TD_STATE) /* steps for which its island still counts as hard */ \
+    X(slow_steps, uint16_t, TD_STATE)  /* steps that took its island's solver long */        \
+    X(reach, float[2], TD_STATE)       /* core and rim of its td_body */                     \
+    X(mass, float, TD_STATE)                                                                 \
+    X(inertia, float, TD_STATE)                                                              \
+    X(weight, float, TD_STATE) /* mass by gravity scale */                                   \
+    X(body_of, int, TD_STATE)  /* the body; its count is how many slots are taken */         \
+    X(lone, int, TD_STATE)     /* the body's only shape, if it is plain; else TD_NONE */     \
+    X(colours, td_colours, TD_STATE)
+
+/* Numbers of the arrays in thud_world.awake: TD_AWAKE_velocity and so on. */
+#define TD_AWAKE_NUMBER(name, element, kept) TD_AWAKE_##name,
+enum { TD_AWAKE_ARRAYS(TD_AWAKE_NUMBER) TD_AWAKE_ARRAY_COUNT };
+
+/* The arrays by name, in the order of their numbers. */
+#define TD_AWAKE_FIELD(name, element, kept) td_array name;
+
+#endif

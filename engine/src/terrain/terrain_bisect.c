@@ -1,0 +1,31 @@
+/* terrain_bisect.c: when a moving shape collides with the ground, by bisection. */
+#include "geometry/bisect.h"
+#include "terrain/terrain.h"
+
+typedef struct landing {
+    const thud_terrain *terrain;
+    const thud_shape_instance *shape;
+    thud_motion motion;
+} landing;
+
+static bool overlap_at(const void *meeting, double time) {
+    const landing *m = meeting;
+    thud_shape_instance shape = td_placed_at(m->shape, &m->motion, time);
+    return thud_terrain_overlap(m->terrain, &shape);
+}
+
+thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
+                                           const thud_shape_instance *shape, thud_motion motion,
+                                           double tolerance, bool *collided, double *time) {
+    if (!terrain || !shape || !collided || !time) {
+        return THUD_ERROR_NULL;
+    }
+    thud_result readable = td_terrain_readable(terrain);
+    if (readable != THUD_OK || thud_placed_check(shape) != THUD_OK || !td_motion_valid(motion) ||
+        !td_tolerance_valid(tolerance)) {
+        return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
+    }
+    landing m = {terrain, shape, motion};
+    *collided = td_bisect(overlap_at, &m, tolerance, time);
+    return THUD_OK;
+}

@@ -1,0 +1,14 @@
+"""The list of the engine's files in engine/CMakeLists.txt, bottom to top."""
+
+import re
+
+LIST_FILE = "engine/CMakeLists.txt"
+LIST = re.compile(r"^set\(THUD_SOURCES\n(.*?)\)$", re.MULTILINE | re.DOTALL)
+LINE = re.compile(r"^\s*src/(\S+)[ \t]*(?:#[ \t]*(stage)?.*)?$")
+
+
+def read_listing(text):
+    """[(path below engine/src, whether it is a stage)] in the order of the list."""
+    found = LIST.search(text)
+    lines = [LINE.match(line) for line in found.group(1).splitlines()] if found else []
+    return [(line.group(1), line.group(2) is not None) for line in lines if line]
