@@ -32,6 +32,19 @@ static inline td_block *td_block_at(const thud_world *w, int kind, int index) {
     return td_slot_at(&w->pool[w->pairs[kind]->form], index);
 }
 
+/* Where a touching contact lives. A type of its own, so that nobody takes td_contact.slot, which is
+ * a place in a list while the contact waits, for the one or the other half of it. */
+typedef struct td_lane {
+    td_block *block;
+    int lane;
+} td_lane;
+
+static inline td_lane td_lane_of(const thud_world *w, const td_contact *contact) {
+    assert(contact->state == TD_TOUCHING);
+    return (td_lane){td_block_at(w, contact->kind, contact->slot / TD_LANES),
+                     contact->slot % TD_LANES};
+}
+
 /* Gives each of the contacts a lane: by graph colour, or in its kind's asleep bin. A contact that
  * has a lane already takes its impulses along. False when memory is short, and nothing has
  * changed. */

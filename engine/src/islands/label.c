@@ -56,10 +56,9 @@ bool td_islands_label(thud_world *w) {
     for (int i = 0; i < w->contacts.count; i++) {
         const td_contact *contact = td_contact_at(w, i);
         if (contact->state == TD_TOUCHING && contact->bin != TD_SLEEPING && contact->live) {
-            const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-            int lane = contact->slot % TD_LANES;
-            tie(w, parent, (int)(block->a[lane] / TD_AWAKE_BYTES),
-                (int)(block->b[lane] / TD_AWAKE_BYTES));
+            td_lane at = td_lane_of(w, contact);
+            tie(w, parent, (int)(at.block->a[at.lane] / TD_AWAKE_BYTES),
+                (int)(at.block->b[at.lane] / TD_AWAKE_BYTES));
         }
     }
     for (int i = 1; i < w->body_of.count; i++) {

@@ -62,11 +62,10 @@ static void scale_impulses(thud_world *w, float scale) {
         if (!contact->live || contact->state != TD_TOUCHING) {
             continue;
         }
-        td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-        int lane = contact->slot % TD_LANES;
-        block->tangent_impulse[lane] *= scale;
+        td_lane at = td_lane_of(w, contact);
+        at.block->tangent_impulse[at.lane] *= scale;
         for (int k = 0; k < td_form_points(w->pairs[contact->kind]->form); k++) {
-            block->point[k].normal_impulse[lane] *= scale;
+            at.block->point[k].normal_impulse[at.lane] *= scale;
         }
     }
 }
