@@ -6,6 +6,9 @@
 #include "constraint/lanes.h"
 #include "contact/manifold.h"
 
+/* Length scales: a normal drawn is seen beside a body, and does not hide it. */
+#define NORMAL_LENGTH 0.3f
+
 /* The next constraint that acts from *i on, or null; *i moves past it. */
 static const td_constraint *next_acting(const thud_world *w, int *i) {
     while (*i < w->contacts.count) {
@@ -39,20 +42,19 @@ void td_draw_contacts(const td_drawing *d) {
     const thud_world *w = d->w;
     const td_contact *contact;
     for (int i = 0; (contact = next_touching(w, &i)) != NULL;) {
-        thud_contact seen =
-            td_contact_view(w, td_block_at(w, contact->kind, contact->slot / TD_LANES),
-                            contact->slot % TD_LANES);
+        td_lane at = td_lane_of(w, contact);
+        thud_contact seen = td_contact_view(w, at.block, at.lane);
         thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point));
         draw_point(d, p, THUD_DRAW_CONTACT);
-        td_drawing_line(d, p, along(p, seen.normal, 0.3f * w->unit), THUD_DRAW_NORMAL);
+        td_drawing_line(d, p, along(p, seen.normal, NORMAL_LENGTH * w->unit), THUD_DRAW_NORMAL);
     }
 }
 
 void td_draw_direct(const td_drawing *d) {
     const td_constraint *c;
     for (int i = 0; (c = next_acting(d->w, &i)) != NULL;) {
-        const td_block *block = td_block_at(d->w, c->kind, c->slot / TD_LANES);
-        if (block->loaded[c->slot % TD_LANES] & TD_DIRECT) {
+        td_lane at = td_lane_of(d->w, c);
+        if (at.block->loaded[at.lane] & TD_DIRECT) {
             td_drawing_pair(d, c, THUD_DRAW_DIRECT);
         }
     }

@@ -18,7 +18,7 @@ typedef struct td_move {
     thud_mover mover; /* as it stands now; the caller's own is written last */
     thud_mover_report report;
     thud_vec2 velocity;      /* asked for */
-    td_way left;             /* ... and what is left of it in the air */
+    td_way left;             /* what is left of the velocity in the air */
     bool stopped;            /* by a wall, on the ground */
     thud_query_filter solid; /* the mover's filter without sensors, which stop nobody */
     double dt;

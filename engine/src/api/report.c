@@ -114,14 +114,13 @@ static void measure_penetration(const thud_world *w, thud_measure *m) {
         if (!td_is_contact(contact) || !contact->live || contact->state != TD_TOUCHING) {
             continue;
         }
-        const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-        int lane = contact->slot % TD_LANES;
+        td_lane at = td_lane_of(w, contact);
         for (int k = 0; k < td_form_points(w->pairs[contact->kind]->form); k++) {
-            const td_point *p = &block->point[k];
-            if (p->normal_mass[lane] == 0.0f) {
+            const td_point *p = &at.block->point[k];
+            if (p->normal_mass[at.lane] == 0.0f) {
                 continue;
             }
-            float separation = p->separation[lane] + w->skin;
+            float separation = p->separation[at.lane] + w->skin;
             double depth = separation < 0.0f ? -(double)separation : 0.0;
             m->penetration_max = depth > m->penetration_max ? depth : m->penetration_max;
             sum += depth;

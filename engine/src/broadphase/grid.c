@@ -126,7 +126,7 @@ static int lay_out(td_proxy_set *grid, bool quiet) {
     return starts;
 }
 
-/* Of scratch.order, a shape. */
+/* What scratch.order takes for each shape. */
 enum { MEASURES_BYTES = 2 * (int)sizeof(double) + 2 * (int)sizeof(int32_t) + 8 };
 
 static bool reserve(thud_world *w, td_proxy_set *grid, bool quiet) {

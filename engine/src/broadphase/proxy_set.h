@@ -26,10 +26,10 @@ typedef struct td_proxy_set {
     td_array cells;              /* grid: int, cell of each, within its level */
     td_array starts;             /* grid: int */
     td_array spot;               /* grid: int, by shape: its index in ids; while `loose` */
-    td_array anchor_x, anchor_y; /* grid: int32, centres when cells were chosen; likewise */
+    td_array anchor_x, anchor_y; /* grid: int32, centres when cells were chosen; while `loose` */
     td_level levels[TD_LEVELS];
     int64_t origin_x, origin_y; /* bounds quanta: no centre is less */
-    int64_t end_x, end_y;       /* ... nor greater */
+    int64_t end_x, end_y;       /* bounds quanta: no centre is greater */
 
     td_array keys;     /* plane sweep: td_sweep_key, in the order of ids */
     int64_t reference; /* plane sweep: where keys count from, bounds quanta */

@@ -40,6 +40,19 @@ static inline const td_lane_ops *td_lane_ops_of(const thud_world *w, int kind) {
     return own ? own : &td_contact_lanes;
 }
 
+/* Where a constraint lives that acts. A type of its own, so that nobody takes td_constraint.slot,
+ * which is a place in a list while the constraint waits, for the one or the other half of it. */
+typedef struct td_lane {
+    td_block *block;
+    int lane;
+} td_lane;
+
+static inline td_lane td_lane_of(const thud_world *w, const td_constraint *constraint) {
+    assert(constraint->state == TD_TOUCHING);
+    return (td_lane){td_block_at(w, constraint->kind, constraint->slot / TD_LANES),
+                     constraint->slot % TD_LANES};
+}
+
 /* Gives each of the constraints a lane: by graph colour, or in its kind's asleep bin. A contact
  * that has a lane already takes its impulses along. False when memory is short, and nothing has
  * changed. */

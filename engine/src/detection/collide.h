@@ -20,8 +20,8 @@ typedef struct td_impact_point {
     double closing; /* how far the rest of their motion takes them into each other there */
 } td_impact_point;
 
-/* Of the places where they are nearest, the one where they press most; where two press alike, the
- * middle. False where they are apart. */
+/* The place where they press most, among those where they are nearest; where two press alike, the
+ * middle of the two. False where they are apart. */
 bool td_impact_point_of(thud_world *w, const td_toi_candidate *e, double time, td_impact_point *at);
 
 /* The pair as callbacks see it, before anything is done. */

@@ -2,7 +2,7 @@
  * its collision, found by bisection. */
 #include "detection/detection.h"
 
-/* Of the rest of the step. */
+/* The time of collision is found to this part of the rest of the step. */
 #define TOLERANCE 0x1p-20
 
 static bool met_at(const td_approach *p, double time) {

@@ -6,7 +6,7 @@
 #include "contact/internal_edges.h"
 #include "terrain/terrain.h"
 
-/* Of the rest of a step: no ghost goes sooner. */
+/* No ghost goes sooner than after this part of the rest of a step. */
 #define SHORTEST 0x1p-20
 /* A normal off by less than this, in radians, is that of the ground. */
 #define STRAIGHT 1e-5

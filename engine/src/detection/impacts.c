@@ -29,7 +29,7 @@
 
 enum {
     MOST_IMPACTS = 8,  /* of a body in a step, before it is held */
-    MOST_BOUNCES = 16, /* ... while those that it meets are elastic */
+    MOST_BOUNCES = 16, /* of a body in a step, while those that it meets are elastic */
     MOST_GHOSTS = 16,  /* of a pair, that it may meet on its way */
     SPARE = 256        /* room for so many candidates more than there are bodies */
 };
@@ -163,9 +163,9 @@ static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const t
                    thud_contact_settings *settings) {
     if (number < w->contacts.count && td_contact_at(w, number)->state == TD_TOUCHING) {
         const td_contact *contact = td_contact_at(w, number);
+        td_lane at = td_lane_of(w, contact);
         *settings =
-            td_surface_get(td_block_at(w, contact->kind, contact->slot / TD_LANES),
-                           td_form_points(w->pairs[contact->kind]->form), contact->slot % TD_LANES);
+            td_surface_get(at.block, td_form_points(w->pairs[contact->kind]->form), at.lane);
         return false;
     }
     *settings = td_surface_of_pair(w, e->shape[0], e->shape[1]);

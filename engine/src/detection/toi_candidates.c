@@ -5,7 +5,7 @@
 #include "geometry/shape_instance.h"
 #include "state/shape.h"
 
-/* Of two that stray each may find the other. */
+/* Whether the pair is a candidate already: where both stray, each may find the other. */
 static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
     int slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
     int e = slot > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;

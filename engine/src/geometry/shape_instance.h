@@ -51,8 +51,18 @@ static inline double td_half_width(const thud_shape_instance *shape) {
     return shape->kind == THUD_CIRCLE ? shape->hx : td_shadow(shape, 1.0, 0.0);
 }
 
+/* What thud_sincos takes, in radians. */
+#define TD_TURN_MOST 1e6
+
 static inline bool td_motion_valid(thud_motion m) {
-    return td_finite(m.dx + m.dy + m.turn) && td_abs(m.turn) <= 1e6;
+    return td_finite(m.dx + m.dy + m.turn) && td_abs(m.turn) <= TD_TURN_MOST;
+}
+
+/* Distances at which shapes count as met go up to this: squares of it are far from overflow. */
+#define TD_TARGET_MOST 1e15
+
+static inline bool td_target_valid(double target) {
+    return target >= 0.0 && target <= TD_TARGET_MOST;
 }
 
 /* The shape at a time of its motion. */
@@ -72,8 +82,8 @@ typedef double td_jump_fn(const thud_shape_instance *a, const thud_motion *motio
                           const thud_shape_instance *b, const thud_motion *motion_b, double nx,
                           double ny, double target);
 td_jump_fn td_time_across;
-/* The same, but longer where a turning box's face goes on keeping them apart: pays for what slides
- * on. */
+/* As td_time_across, but longer where a turning box's face goes on keeping them apart: pays for
+ * what slides on. */
 td_jump_fn td_time_across_faces;
 
 /* As td_time_of_impact with a target that may be negative, where they overlap, and of which turning

@@ -94,9 +94,10 @@ double td_time_across(const thud_shape_instance *a, const thud_motion *ma,
     return circles > 0.0 ? td_max_double(corners, time_to_close(circles, closing, 0.0)) : corners;
 }
 
-/* The same of that face of a box from which the other shape is furthest, and which turns with the
- * box: it is not crossed by its own far corner. In the box's frame a corner of the other is at
- * R(-turn t) (from + way t) + R((other turn - turn) t) corner, which bounds the second derivative.
+/* As td_time_across, of that face of a box from which the other shape is furthest, and which turns
+ * with the box: it is not crossed by its own far corner. In the box's frame a corner of the other
+ * is at R(-turn t) (from + way t) + R((other turn - turn) t) corner, which bounds the second
+ * derivative.
  */
 static double time_across_face(const thud_shape_instance *box, const thud_motion *m,
                                const thud_shape_instance *other, const thud_motion *mo,
@@ -197,8 +198,7 @@ thud_result thud_shapes_time_of_impact(const thud_shape_instance *a, thud_motion
         return THUD_ERROR_NULL;
     }
     if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
-        !td_motion_valid(motion_a) || !td_motion_valid(motion_b) ||
-        !(target >= 0.0 && target <= 1e15)) {
+        !td_motion_valid(motion_a) || !td_motion_valid(motion_b) || !td_target_valid(target)) {
         return THUD_ERROR_INVALID;
     }
     td_time_of_impact(a, motion_a, b, motion_b, target, hit, time);

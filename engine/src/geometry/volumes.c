@@ -57,7 +57,7 @@ static double half_along(const thud_shape_instance *shape, double x, double y) {
     return shape->kind == THUD_CIRCLE ? shape->hx : td_shadow(shape, x, y);
 }
 
-/* Of the smallest circle about the shape's centre. */
+/* The radius of the smallest circle about the shape's centre that holds the shape. */
 static double radius_around(const thud_shape_instance *shape) {
     double x = shape->hx, y = 0.0;
     if (shape->kind != THUD_CIRCLE) {

@@ -15,11 +15,11 @@ void td_island_note(thud_world *w) {
     }
     for (int i = 0; i < s->contacts.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, td_int_at(&s->contacts, i));
-        td_block *block = td_island_block(w, constraint);
-        int lane = constraint->slot % TD_LANES;
-        float kept = block->loaded[lane] & TD_DIRECT ? 0.0f : 1.0f;
-        td_row_ops_of(w, constraint->kind)->note(w, block, lane, kept, td_row(&s->impulses, i));
-        block->loaded[lane] &= TD_DIRECT - 1;
+        td_lane at = td_lane_of(w, constraint);
+        float kept = at.block->loaded[at.lane] & TD_DIRECT ? 0.0f : 1.0f;
+        td_row_ops_of(w, constraint->kind)
+            ->note(w, at.block, at.lane, kept, td_row(&s->impulses, i));
+        at.block->loaded[at.lane] &= TD_DIRECT - 1;
     }
 }
 
@@ -71,18 +71,17 @@ static void set_known(const td_direct_constraint *c, td_direct_row *r, double kn
 static void take_constraint(td_island_work *work, int i) {
     thud_world *w = work->w;
     const td_constraint *constraint = td_constraint_at(w, work->constraints[i]);
-    td_block *block = td_island_block(w, constraint);
+    td_lane at = td_lane_of(w, constraint);
     const float *impulses = td_row(&w->islands.impulses, work->island->first_contact + i);
-    int lane = constraint->slot % TD_LANES;
     td_direct_constraint *c = &work->problem.constraints[i];
     double known[2][3];
-    *c = (td_direct_constraint){.a = side_of(w, block->a[lane], known[0]),
-                                .b = side_of(w, block->b[lane], known[1])};
+    *c = (td_direct_constraint){.a = side_of(w, at.block->a[at.lane], known[0]),
+                                .b = side_of(w, at.block->b[at.lane], known[1])};
     if (c->a != TD_NONE && c->b != TD_NONE) {
         c->entry = td_sparse_find(work->problem.matrix, c->a, c->b);
         c->b_later = td_sparse_is_later(work->problem.matrix, c->b, c->a);
     }
-    work->bounces |= td_row_ops_of(w, constraint->kind)->take(w, block, lane, impulses, c);
+    work->bounces |= td_row_ops_of(w, constraint->kind)->take(w, at.block, at.lane, impulses, c);
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
         set_known(c, r, known);

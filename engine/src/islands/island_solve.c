@@ -47,17 +47,15 @@ static double gap_after(const td_island_work *work, const td_direct_constraint *
     return gap;
 }
 
-/* A constraint of the island at hand, where it lies and what its kind knows. */
+/* A constraint of the island at hand: where it lives, and what its kind knows. */
 typedef struct place {
-    td_block *block;
-    int lane;
+    td_lane at;
     const td_row_ops *ops;
 } place;
 
 static place place_of(const td_island_work *work, int i) {
     const td_constraint *constraint = td_constraint_at(work->w, work->constraints[i]);
-    return (place){td_island_block(work->w, constraint), constraint->slot % TD_LANES,
-                   td_row_ops_of(work->w, constraint->kind)};
+    return (place){td_lane_of(work->w, constraint), td_row_ops_of(work->w, constraint->kind)};
 }
 
 /* What the constraint wants of the velocities to go on with. */
@@ -69,7 +67,7 @@ static void want_velocity(td_island_work *work, int i) {
         if (!r->used || r->kind == TD_ROW_FRICTION) {
             continue;
         }
-        double gap = gap_after(work, c, k, p.ops->gap(p.block, p.lane, k));
+        double gap = gap_after(work, c, k, p.ops->gap(p.at.block, p.at.lane, k));
         r->wanted = gap > 0.0 && r->kind == TD_ROW_PUSH ? -gap / work->time : 0.0;
     }
 }
@@ -96,7 +94,7 @@ static double soft_miss(const td_island_work *work) {
         place p = place_of(work, i);
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &c->row[k];
-            if (!r->used || r->kind == TD_ROW_FRICTION || !p.ops->holds(p.block, p.lane, k)) {
+            if (!r->used || r->kind == TD_ROW_FRICTION || !p.ops->holds(p.at.block, p.at.lane, k)) {
                 continue;
             }
             double speed = soft_speed(work, c, r);
@@ -205,11 +203,11 @@ static void write_constraint(const td_island_work *work, int i) {
     double gaps[TD_DIRECT_ROWS] = {0};
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         if (c->row[k].used && c->row[k].kind != TD_ROW_FRICTION) {
-            gaps[k] = gap_after(work, c, k, p.ops->gap(p.block, p.lane, k));
+            gaps[k] = gap_after(work, c, k, p.ops->gap(p.at.block, p.at.lane, k));
         }
     }
-    p.ops->put(work->w, p.block, p.lane, c, gaps);
-    p.block->loaded[p.lane] |= TD_DIRECT;
+    p.ops->put(work->w, p.at.block, p.at.lane, c, gaps);
+    p.at.block->loaded[p.at.lane] |= TD_DIRECT;
 }
 
 /* Whether a constraint still carries so much that the island is to stay. */

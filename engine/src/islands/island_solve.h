@@ -23,8 +23,4 @@ int td_island_patience(const thud_world *w, const td_island *island);
 /* The problem as it was then. */
 td_island_work td_island_take(thud_world *w, const td_island *island);
 
-static inline td_block *td_island_block(const thud_world *w, const td_constraint *constraint) {
-    return td_block_at(w, constraint->kind, constraint->slot / TD_LANES);
-}
-
 #endif

@@ -57,10 +57,9 @@ bool td_islands_label(thud_world *w) {
         const td_constraint *constraint = td_constraint_at(w, i);
         if (constraint->state == TD_TOUCHING && constraint->bin != TD_SLEEPING &&
             constraint->live) {
-            const td_block *block = td_block_at(w, constraint->kind, constraint->slot / TD_LANES);
-            int lane = constraint->slot % TD_LANES;
-            tie(w, parent, (int)(block->a[lane] / TD_AWAKE_BYTES),
-                (int)(block->b[lane] / TD_AWAKE_BYTES));
+            td_lane at = td_lane_of(w, constraint);
+            tie(w, parent, (int)(at.block->a[at.lane] / TD_AWAKE_BYTES),
+                (int)(at.block->b[at.lane] / TD_AWAKE_BYTES));
         }
     }
     for (int i = 1; i < w->body_of.count; i++) {

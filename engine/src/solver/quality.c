@@ -62,11 +62,10 @@ static void scale_impulses(thud_world *w, float scale) {
         if (!constraint->live || constraint->state != TD_TOUCHING) {
             continue;
         }
-        td_block *block = td_block_at(w, constraint->kind, constraint->slot / TD_LANES);
-        int lane = constraint->slot % TD_LANES;
-        block->tangent_impulse[lane] *= scale;
+        td_lane at = td_lane_of(w, constraint);
+        at.block->tangent_impulse[at.lane] *= scale;
         for (int k = 0; k < td_form_points(w->pairs[constraint->kind]->form); k++) {
-            block->point[k].normal_impulse[lane] *= scale;
+            at.block->point[k].normal_impulse[at.lane] *= scale;
         }
     }
 }

@@ -5,6 +5,7 @@
 #include "state/handles.h"
 #include "state/kinds.h"
 #include "base/rotation.h"
+#include "geometry/shape_instance.h"
 
 #include <math.h>
 #include <string.h>
@@ -15,9 +16,12 @@ thud_shape_def thud_default_shape_def(void) {
                             .filter = {.category = 1, .mask = UINT32_MAX}};
 }
 
+/* Denser is taken for a mistake in the units. */
+#define DENSITY_MOST 1e12f
+
 static const char *def_error(const thud_world *w, const thud_shape_def *def) {
     float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
-    if (!(def->density >= 0.0f && def->density <= 1e12f)) {
+    if (!(def->density >= 0.0f && def->density <= DENSITY_MOST)) {
         return "shape def: density is not in [0, 1e12]";
     }
     if (!(def->friction >= 0.0f && def->friction <= THUD_FRICTION_MAX)) {
@@ -178,7 +182,7 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
     if (!offset_valid(w, offset) || !size_valid(w, body, half.x) || !size_valid(w, body, half.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "OBB: offset or half extents are out of range");
     }
-    if (!(angle >= -1e6 && angle <= 1e6)) {
+    if (!(angle >= -TD_TURN_MOST && angle <= TD_TURN_MOST)) {
         return td_refuse(w, THUD_ERROR_INVALID, "OBB: angle is not finite or beyond 1e6");
     }
     td_kind_obb(w);

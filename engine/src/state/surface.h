@@ -12,7 +12,7 @@ thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int s
  * refused, and stay as they were. */
 bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settings *settings);
 
-/* Of one lane. What it had is all zero while it is empty. */
+/* Gives a lane its settings. What an empty lane had is all zero. */
 void td_surface_set(thud_world *w, td_block *block, int points, int lane,
                     const thud_contact_settings *settings);
 /* It does nothing in this step. */

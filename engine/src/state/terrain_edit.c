@@ -77,7 +77,7 @@ typedef struct columns {
     int64_t left, right;
 } columns;
 
-/* Of the segments that the splice made, and a quantum more on either side. */
+/* The columns of the segments that the splice made, and a quantum more on either side. */
 static columns columns_of(const thud_world *w, int terrain_shape, const thud_terrain *line,
                           const splice *s) {
     int64_t origin = td_shape_proxy_at(w, terrain_shape)->center.x >> TD_COARSE_SHIFT;

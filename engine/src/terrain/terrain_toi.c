@@ -40,7 +40,7 @@ thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_shape_
     }
     thud_result readable = td_terrain_readable(t);
     if (readable != THUD_OK || thud_placed_check(shape) != THUD_OK || !td_motion_valid(motion) ||
-        !(target >= 0.0 && target <= 1e15)) {
+        !td_target_valid(target)) {
         return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
     }
     *hit = thud_terrain_overlap(t, shape);
