@@ -155,8 +155,8 @@ bool td_contact_end_reserve(thud_world *w, int more) {
  * first segment and ends with its last. */
 static bool open_elsewhere(const thud_world *w, int contact_index) {
     const td_contact *contact = td_contact_at(w, contact_index);
-    bool ground_first = td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN;
-    if (!ground_first && td_shape_at(w, contact->shape_b)->kind != THUD_TERRAIN) {
+    bool ground_first = td_kind_is_line(td_shape_at(w, contact->shape_a)->kind);
+    if (!ground_first && !td_kind_is_line(td_shape_at(w, contact->shape_b)->kind)) {
         return false;
     }
     int e = td_body_at(w, contact->body[ground_first])->first_contact;

@@ -8,7 +8,7 @@ thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_mo
     thud_shape_instance p = *shape;
     p.x += m->dx * t;
     p.y += m->dy * t;
-    if (p.kind == THUD_OBB && m->turn != 0.0) {
+    if (td_kind_turns(p.kind) && m->turn != 0.0) {
         double s, c;
         td_sincos(m->turn * t, &s, &c);
         p.c = shape->c * c - shape->s * s;
@@ -85,8 +85,7 @@ thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
 }
 
 static double thickness(const thud_shape_instance *shape) {
-    double least = shape->kind == THUD_CIRCLE || shape->hx < shape->hy ? shape->hx : shape->hy;
-    return 2.0 * least;
+    return 2.0 * td_kind_half_thickness(shape->kind, shape->hx, shape->hy);
 }
 
 /* No point of it goes further by turning. Where it turns about its own middle, only what is further
@@ -95,7 +94,7 @@ static double swing(const thud_shape_instance *shape, thud_motion m,
                     const thud_shape_instance *other) {
     double radius = __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
     bool far = radius > 0.5 * (thickness(shape) + thickness(other));
-    return shape->kind == THUD_OBB && far ? td_abs(m.turn) * radius : 0.0;
+    return td_kind_turns(shape->kind) && far ? td_abs(m.turn) * radius : 0.0;
 }
 
 bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a,

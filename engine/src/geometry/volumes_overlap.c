@@ -32,20 +32,35 @@ static bool box_box(const thud_volume *a, const thud_volume *b) {
     return td_abs(u) <= b->hx + c * a->hx + s * a->hy && td_abs(v) <= b->hy + s * a->hx + c * a->hy;
 }
 
-/* In the order of the kinds, so that the first is a circle if any is. */
-static bool overlap(const thud_volume *a, const thud_volume *b) {
-    double x = a->x - b->x, y = a->y - b->y, u, v;
-    if (b->kind == THUD_CIRCLE) {
-        return circle_circle(a, b);
-    }
-    if (a->kind == THUD_CIRCLE && b->kind == THUD_AABB) {
-        return circle_box(a, b, x, y);
-    }
-    if (a->kind == THUD_CIRCLE) {
+static bool circle_any(const thud_volume *circle, const thud_volume *b) {
+    double x = circle->x - b->x, y = circle->y - b->y, u, v;
+    switch (b->kind) {
+    case THUD_CIRCLE:
+        return circle_circle(circle, b);
+    case THUD_AABB:
+        return circle_box(circle, b, x, y);
+    case THUD_OBB:
         td_to_frame(b, x, y, &u, &v);
-        return circle_box(a, b, u, v);
+        return circle_box(circle, b, u, v);
+    case THUD_TERRAIN: /* no kind of volume */
+        break;
     }
-    return b->kind == THUD_AABB ? aabb_aabb(a, b) : box_box(a, b);
+    return false;
+}
+
+/* The kinds come in their own order, so that the first is a circle if any is, and the second an
+ * OBB if any is. */
+static bool overlap(const thud_volume *a, const thud_volume *b) {
+    switch (a->kind) {
+    case THUD_CIRCLE:
+        return circle_any(a, b);
+    case THUD_AABB:
+    case THUD_OBB:
+        return td_kind_turns(b->kind) ? box_box(a, b) : aabb_aabb(a, b);
+    case THUD_TERRAIN: /* no kind of volume */
+        break;
+    }
+    return false;
 }
 
 thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, bool *out) {
@@ -63,7 +78,7 @@ thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, boo
 static bool in_circle(const thud_volume *circle, const thud_volume *inner) {
     double x = inner->x - circle->x, y = inner->y - circle->y;
     double room = circle->hx;
-    if (inner->kind == THUD_CIRCLE) {
+    if (td_kind_is_round(inner->kind)) {
         room -= inner->hx;
         return room >= 0.0 && x * x + y * y <= room * room;
     }
@@ -77,7 +92,7 @@ static bool in_circle(const thud_volume *circle, const thud_volume *inner) {
 static bool in_box(const thud_volume *box, const thud_volume *inner) {
     double u, v, hu = inner->hx, hv = inner->hx;
     td_to_frame(box, inner->x - box->x, inner->y - box->y, &u, &v);
-    if (inner->kind != THUD_CIRCLE) {
+    if (td_kind_is_box(inner->kind)) {
         hu = td_shadow(inner, box->c, box->s);
         hv = td_shadow(inner, -box->s, box->c);
     }
@@ -91,7 +106,7 @@ thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *in
     if (thud_volume_check(outer) != THUD_OK || thud_volume_check(inner) != THUD_OK) {
         return THUD_ERROR_INVALID;
     }
-    *inside = outer->kind == THUD_CIRCLE ? in_circle(outer, inner) : in_box(outer, inner);
+    *inside = td_kind_is_round(outer->kind) ? in_circle(outer, inner) : in_box(outer, inner);
     return THUD_OK;
 }
 

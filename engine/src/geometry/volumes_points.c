@@ -174,9 +174,10 @@ static thud_result around(thud_shape_kind kind, point_set *set, thud_volume *out
     }
     case THUD_OBB:
         return td_volume_store(kind, obb_around(set), out);
-    default:
-        return THUD_ERROR_INVALID;
+    case THUD_TERRAIN:
+        break;
     }
+    return THUD_ERROR_INVALID;
 }
 
 thud_result thud_volume_around_points(thud_shape_kind kind, const thud_pos *points, int count,

@@ -9,6 +9,7 @@
 #include "base/event_queue.h"
 #include "contact/block.h"
 #include "detection/detection.h"
+#include "geometry/shape_kind.h"
 #include "islands/direct_islands.h"
 #include "base/memory.h"
 #include "broadphase/proxy_set.h"
