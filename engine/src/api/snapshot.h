@@ -38,14 +38,10 @@ enum {
 
 enum { TD_SNAPSHOT_SETTINGS = 10 };
 
-/* What is plugged in, as bits. */
+/* What is plugged in, as bits: one for each kind of shape, by its number, and above them these. */
 enum {
-    TD_SNAPSHOT_CIRCLE = 1,
-    TD_SNAPSHOT_AABB = 2,
-    TD_SNAPSHOT_OBB = 4,
-    TD_SNAPSHOT_TERRAIN = 8,
-    TD_SNAPSHOT_ISLANDS = 16,
-    TD_SNAPSHOT_DETECTIONS = 32 /* ... shifted by its rank */
+    TD_SNAPSHOT_ISLANDS = 1 << THUD_SHAPE_KIND_COUNT,
+    TD_SNAPSHOT_DETECTIONS = 2 * TD_SNAPSHOT_ISLANDS /* shifted by the rank of the detection */
 };
 
 typedef struct td_snapshot_slots {

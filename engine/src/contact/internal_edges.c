@@ -336,7 +336,7 @@ static void amend_lane(thud_world *w, td_block *block, int kind, int lane) {
 static void amend(thud_world *w, td_block *block, int kind) {
     uint64_t internal_edges;
     memcpy(&internal_edges, block->internal_edges, sizeof internal_edges);
-    if (!internal_edges || kind == TD_PAIR_TERRAIN_CIRCLE || kind == TD_PAIR_TERRAIN_BOX) {
+    if (!internal_edges || td_pair_is_on_line(kind)) {
         return; /* a line's sealed ends are known to its manifolds */
     }
     for (int lane = 0; lane < block->used; lane++) {

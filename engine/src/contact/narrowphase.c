@@ -52,7 +52,7 @@ static bool reaches(const thud_world *w, int terrain_shape, int shape, int child
 
 static bool bounds_meet(const thud_world *w, const td_contact *contact) {
     int a = contact->shape_a, b = contact->shape_b, kind = contact->kind;
-    if (kind == TD_PAIR_TERRAIN_CIRCLE || kind == TD_PAIR_TERRAIN_BOX) {
+    if (td_pair_is_on_line(kind)) {
         return reaches(w, a, b, contact->child);
     }
     if (kind == TD_PAIR_SENSOR && td_kind_is_line(td_shape_at(w, a)->kind)) {

@@ -34,12 +34,11 @@ TD_DECLARE_WIDE(td_integrate_position_fn, td_integrate_position);
 TD_DECLARE_WIDE(td_tally_fn, td_tally_points);
 TD_DECLARE_WIDE(td_kinetic_energy_fn, td_kinetic_energy);
 TD_DECLARE_WIDE(td_finalize_bodies_fn, td_finalize_bodies);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_circle);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_circle);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_box);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_aabb_aabb);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_box);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_terrain_circle);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_terrain_box);
+
+#define TD_DECLARE_PAIR(kind, ops, ...) TD_DECLARE_WIDE(const td_pair_ops, ops);
+TD_ALL_PAIRS(TD_DECLARE_PAIR)
+
+/* Where there is a world `w`: gives it the operations of a row of pair_kinds.h. */
+#define TD_PLUG_PAIR(kind, ops, ...) w->pairs[kind] = &TD_PICK_WIDE(w, ops);
 
 #endif

@@ -7,7 +7,7 @@
 #define TD_WORLD_H
 
 #include "base/event_queue.h"
-#include "contact/block.h"
+#include "contact/pair_kinds.h"
 #include "detection/detection.h"
 #include "geometry/shape_kind.h"
 #include "islands/direct_islands.h"
