@@ -1,6 +1,8 @@
 /* direct.c: see direct.h. */
 #include "islands/direct.h"
 
+#include "solver/friction.h"
+
 static double dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -40,14 +42,19 @@ void td_direct_measure(td_direct *d) {
     }
 }
 
+double td_direct_friction(const td_direct_contact *c) {
+    const td_direct_row *tangent = &c->row[TD_DIRECT_TANGENT];
+    double load = 0.0;
+    for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+        load += c->row[k].used ? c->row[k].impulse : 0.0;
+    }
+    return td_friction_bound(c->friction, load, tangent->speed - tangent->wanted);
+}
+
 void td_direct_bound(td_direct *d) {
     for (int i = 0; i < d->contact_count; i++) {
         td_direct_contact *c = &d->contacts[i];
-        double load = 0.0;
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            load += c->row[k].used ? c->row[k].impulse : 0.0;
-        }
-        c->row[TD_DIRECT_TANGENT].most = c->friction * load;
+        c->row[TD_DIRECT_TANGENT].most = td_direct_friction(c);
     }
 }
 

@@ -85,7 +85,10 @@ bool td_direct_factor(td_direct *d);
 void td_direct_step(td_direct *d);
 /* The greatest speed by which a contact misses what it wants. */
 double td_direct_miss(const td_direct *d);
-/* Bounds of friction for the impulses along the normals. */
+/* The bound of a contact's friction for the impulses along the normals and the speed at which it
+ * slides, as both stand. */
+double td_direct_friction(const td_direct_contact *c);
+/* Gives the tangents of all contacts that bound. */
 void td_direct_bound(td_direct *d);
 
 #endif
