@@ -73,14 +73,11 @@ static const thud_detection *const DETECTIONS[TD_RANK_COUNT] = {&thud_detection_
                                                                 &thud_detection_bisect,
                                                                 &thud_detection_swept};
 
-/* What a kind of shape plugs in, and a pair kind that it alone does. */
+#define KIND_ROW(kind, plug, own) [kind] = {plug, own},
 static const struct {
     void (*plug)(thud_world *w);
     td_pair_kind own;
-} KINDS[] = {[THUD_CIRCLE] = {td_kind_circle, TD_PAIR_CIRCLE_CIRCLE},
-             [THUD_AABB] = {td_kind_aabb, TD_PAIR_AABB_AABB},
-             [THUD_OBB] = {td_kind_obb, TD_PAIR_BOX_BOX},
-             [THUD_TERRAIN] = {td_kind_terrain, TD_PAIR_TERRAIN_BOX}};
+} KINDS[] = {TD_ALL_KINDS(KIND_ROW)};
 _Static_assert(sizeof KINDS / sizeof *KINDS == THUD_SHAPE_KIND_COUNT, "every kind has its line");
 
 /* ---- the head ---- */

@@ -25,13 +25,13 @@ td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b) {
     }
     bool a_static = body_of_shape(w, *shape_a)->kind == THUD_STATIC;
     bool b_static = body_of_shape(w, *shape_b)->kind == THUD_STATIC;
-    td_pairing pairing = td_pairing_of(a->kind, b->kind);
-    bool swaps = a->kind == b->kind ? *shape_a > *shape_b : pairing.swaps;
+    unsigned pairing = td_pairing_of(a->kind, b->kind);
+    bool swaps = a->kind == b->kind ? *shape_a > *shape_b : pairing & TD_PAIR_SWAPS;
     if (b_static || (!a_static && swaps)) {
         swap(shape_a, shape_b);
         pairing = td_pairing_of(b->kind, a->kind);
     }
-    return pairing.kind;
+    return pairing & ~(unsigned)TD_PAIR_SWAPS;
 }
 
 bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {

@@ -3,7 +3,6 @@
 #include "contact/contact.h"
 #include "contact/lanes.h"
 #include "contact/edge_neighbours.h"
-#include "contact/box_faces.h"
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "terrain/terrain.h"
@@ -69,25 +68,6 @@ static bool straightens(const td_internal_edge *s, const thud_shape_instance *bo
            td_internal_edge_rises(s, neighbour, x, y, mx, my, level);
 }
 
-/* Whether a neighbour has something of a strip along a face. */
-static bool covers(const td_internal_edge *s, int neighbour, const thud_shape_instance *other,
-                   thud_shape_instance strip) {
-    switch (other->kind) {
-    case THUD_CIRCLE:
-        return thud_shapes_overlap(other, &strip);
-    case THUD_AABB:
-    case THUD_OBB:
-        return td_internal_edge_boxes_meet(other, &strip);
-    case THUD_TERRAIN: {
-        thud_terrain terrain = td_terrain_view(s->w, neighbour);
-        strip.x -= other->x;
-        strip.y -= other->y;
-        return thud_terrain_overlap(&terrain, &strip);
-    }
-    }
-    return false;
-}
-
 /* Notes what of a box a neighbour stands at and hides. */
 static void note_box(const td_internal_edge *s, int shape, const thud_shape_instance *box,
                      int neighbour) {
@@ -106,7 +86,7 @@ static void note_box(const td_internal_edge *s, int shape, const thud_shape_inst
     }
     for (int f = 0; f < TD_FACES; f++) {
         thud_shape_instance strip = strip_of(box, f, TD_FLUSH * s->unit);
-        bool covered = covers(s, neighbour, &other, strip);
+        bool covered = td_internal_edge_meets(s, neighbour, strip);
         internal_edges |= (unsigned)covered << f;
         /* What holds both ends of a face, and is convex, holds all of it. */
         bool whole = covered && solid && (held & corners_of_face(f)) == corners_of_face(f);

@@ -1,6 +1,7 @@
 /* edge_neighbours.c: see edge_neighbours.h. */
 #include "contact/edge_neighbours.h"
 
+#include "contact/box_faces.h"
 #include "contact/contact.h"
 #include "state/shape.h"
 #include "terrain/terrain.h"
@@ -89,6 +90,24 @@ static bool ends_at(const td_internal_edge *s, const thud_terrain *t, int vertex
                     double x) {
     bool end = t->kind != THUD_TERRAIN_FLAT && (vertex == 0 || vertex == t->count - 1);
     return end && td_abs(at - x) <= 2.0 * TD_FLUSH * s->unit;
+}
+
+bool td_internal_edge_meets(const td_internal_edge *s, int neighbour, thud_shape_instance box) {
+    thud_shape_instance n = td_internal_edge_place(s, neighbour);
+    switch (n.kind) {
+    case THUD_CIRCLE:
+        return thud_shapes_overlap(&n, &box);
+    case THUD_AABB:
+    case THUD_OBB:
+        return td_internal_edge_boxes_meet(&n, &box);
+    case THUD_TERRAIN: {
+        thud_terrain terrain = td_terrain_view(s->w, neighbour);
+        box.x -= n.x;
+        box.y -= n.y;
+        return thud_terrain_overlap(&terrain, &box);
+    }
+    }
+    return false;
 }
 
 bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, double y, double nx,

@@ -81,41 +81,41 @@ typedef struct td_pair_ops {
     const td_pair_ops TD_WIDE(                                                              \
         ops) = {form, sift, collide, collide_world, &TD_WIDE(solve), &TD_WIDE(solve_unarmed)};
 
-/* How two shapes meet that are no sensors. */
-typedef struct td_pairing {
-    uint8_t kind; /* td_pair_kind, where they come in this order */
-    bool swaps;   /* they change places where neither is static */
-} td_pairing;
+/* In the table below. */
+enum {
+    TD_PAIR_SWAPS = 0x80, /* beside a pair kind: where neither is static, they change places */
+    TD_PAIR_NEVER = TD_PAIR_SENSOR /* a line gives way to nothing: it never comes second, and never
+                                      meets another */
+};
 
-/* Shapes of kind `a` and `b`, in this order. A static shape comes first. Two shapes of one kind are
- * told apart by their numbers, and swap by those alone. */
-static inline td_pairing td_pairing_of(thud_shape_kind a, thud_shape_kind b) {
-    /* A line gives way to nothing, so that it never comes second and never meets another. */
-    enum { NEVER = TD_PAIR_SENSOR };
-    static const td_pairing of[][THUD_SHAPE_KIND_COUNT] = {
-        [THUD_CIRCLE] = {[THUD_CIRCLE] = {TD_PAIR_CIRCLE_CIRCLE, false},
-                         [THUD_AABB] = {TD_PAIR_CIRCLE_BOX, true},
-                         [THUD_OBB] = {TD_PAIR_CIRCLE_BOX, true},
-                         [THUD_TERRAIN] = {NEVER, true}},
-        [THUD_AABB] = {[THUD_CIRCLE] = {TD_PAIR_BOX_CIRCLE, false},
-                       [THUD_AABB] = {TD_PAIR_AABB_AABB, false},
-                       [THUD_OBB] = {TD_PAIR_BOX_BOX, true},
-                       [THUD_TERRAIN] = {NEVER, true}},
-        [THUD_OBB] = {[THUD_CIRCLE] = {TD_PAIR_BOX_CIRCLE, false},
-                      [THUD_AABB] = {TD_PAIR_BOX_BOX, false},
-                      [THUD_OBB] = {TD_PAIR_BOX_BOX, false},
-                      [THUD_TERRAIN] = {NEVER, true}},
-        [THUD_TERRAIN] = {[THUD_CIRCLE] = {TD_PAIR_TERRAIN_CIRCLE, false},
-                          [THUD_AABB] = {TD_PAIR_TERRAIN_BOX, false},
-                          [THUD_OBB] = {TD_PAIR_TERRAIN_BOX, false},
-                          [THUD_TERRAIN] = {NEVER, false}}};
+/* The td_pair_kind of shapes of kind `a` and `b` in this order, and whether it is to be the other
+ * one. A static shape comes first. Two shapes of one kind are told apart by their numbers, and swap
+ * by those alone. */
+static inline unsigned td_pairing_of(thud_shape_kind a, thud_shape_kind b) {
+    static const uint8_t of[][THUD_SHAPE_KIND_COUNT] = {
+        [THUD_CIRCLE] = {[THUD_CIRCLE] = TD_PAIR_CIRCLE_CIRCLE,
+                         [THUD_AABB] = TD_PAIR_CIRCLE_BOX | TD_PAIR_SWAPS,
+                         [THUD_OBB] = TD_PAIR_CIRCLE_BOX | TD_PAIR_SWAPS,
+                         [THUD_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
+        [THUD_AABB] = {[THUD_CIRCLE] = TD_PAIR_BOX_CIRCLE,
+                       [THUD_AABB] = TD_PAIR_AABB_AABB,
+                       [THUD_OBB] = TD_PAIR_BOX_BOX | TD_PAIR_SWAPS,
+                       [THUD_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
+        [THUD_OBB] = {[THUD_CIRCLE] = TD_PAIR_BOX_CIRCLE,
+                      [THUD_AABB] = TD_PAIR_BOX_BOX,
+                      [THUD_OBB] = TD_PAIR_BOX_BOX,
+                      [THUD_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
+        [THUD_TERRAIN] = {[THUD_CIRCLE] = TD_PAIR_TERRAIN_CIRCLE,
+                          [THUD_AABB] = TD_PAIR_TERRAIN_BOX,
+                          [THUD_OBB] = TD_PAIR_TERRAIN_BOX,
+                          [THUD_TERRAIN] = TD_PAIR_NEVER}};
     _Static_assert(sizeof of / sizeof *of == 4 && THUD_SHAPE_KIND_COUNT == 4,
                    "a new kind of shape needs a row and a column here");
     return of[a][b];
 }
 
 /* Side a is a line, of which the contact has one segment. */
-static inline bool td_pair_is_on_line(td_pair_kind kind) {
+TD_INLINE_SMALL bool td_pair_is_on_line(td_pair_kind kind) {
     switch (kind) {
     case TD_PAIR_TERRAIN_CIRCLE:
     case TD_PAIR_TERRAIN_BOX:

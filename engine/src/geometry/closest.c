@@ -163,44 +163,24 @@ static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, 
     }
 }
 
-static void circle_any(const thud_shape_instance *circle, const thud_shape_instance *b,
-                       thud_closest *out) {
-    switch (b->kind) {
-    case THUD_CIRCLE:
-        circle_circle(circle, b, out);
-        break;
-    case THUD_AABB:
-    case THUD_OBB:
-    case THUD_TERRAIN:
-        box_circle(b, circle, out);
-        flip(out);
-        break;
-    }
-}
-
-static void box_any(const thud_shape_instance *box, const thud_shape_instance *b,
-                    thud_closest *out) {
-    switch (b->kind) {
-    case THUD_CIRCLE:
-        box_circle(box, b, out);
-        break;
-    case THUD_AABB:
-    case THUD_OBB:
-    case THUD_TERRAIN:
-        box_box(box, b, out);
-        break;
-    }
-}
-
 void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out) {
     switch (a->kind) {
     case THUD_CIRCLE:
-        circle_any(a, b, out);
+        if (td_kind_is_round(b->kind)) {
+            circle_circle(a, b, out);
+        } else {
+            box_circle(b, a, out);
+            flip(out);
+        }
         break;
     case THUD_AABB:
     case THUD_OBB:
     case THUD_TERRAIN: /* has no features of its own: it is never asked for */
-        box_any(a, b, out);
+        if (td_kind_is_round(b->kind)) {
+            box_circle(a, b, out);
+        } else {
+            box_box(a, b, out);
+        }
         break;
     }
 }

@@ -42,7 +42,7 @@ static inline double td_shadow(const thud_shape_instance *box, double x, double 
 }
 
 /* No point of the shape is further than this from its centre. A circle's hy is not read. */
-static inline double td_reach(const thud_shape_instance *shape) {
+TD_INLINE_SMALL double td_reach(const thud_shape_instance *shape) {
     switch (shape->kind) {
     case THUD_CIRCLE:
         return shape->hx;

@@ -12,7 +12,7 @@
 
 /* A ground line: it has segments, and neither centre nor half extents. What is no line has a place
  * as a thud_shape_instance. */
-static inline bool td_kind_is_line(thud_shape_kind kind) {
+TD_INLINE_SMALL bool td_kind_is_line(thud_shape_kind kind) {
     switch (kind) {
     case THUD_CIRCLE:
     case THUD_AABB:
@@ -25,7 +25,20 @@ static inline bool td_kind_is_line(thud_shape_kind kind) {
 }
 
 /* Whether there is a thud_shape_instance of that kind; false also for what is no kind at all. */
-static inline bool td_kind_has_instances(thud_shape_kind kind) {
+TD_INLINE_SMALL bool td_kind_has_instances(thud_shape_kind kind) {
+    switch (kind) {
+    case THUD_CIRCLE:
+    case THUD_AABB:
+    case THUD_OBB:
+        return true;
+    case THUD_TERRAIN:
+        return false;
+    }
+    return false;
+}
+
+/* Whether there is a thud_volume of that kind; false also for what is no kind at all. */
+TD_INLINE_SMALL bool td_kind_is_volume(thud_shape_kind kind) {
     switch (kind) {
     case THUD_CIRCLE:
     case THUD_AABB:
@@ -38,7 +51,7 @@ static inline bool td_kind_has_instances(thud_shape_kind kind) {
 }
 
 /* The whole outline has one distance from the centre, so that no angle is to be seen. */
-static inline bool td_kind_is_round(thud_shape_kind kind) {
+TD_INLINE_SMALL bool td_kind_is_round(thud_shape_kind kind) {
     switch (kind) {
     case THUD_CIRCLE:
         return true;
@@ -51,7 +64,7 @@ static inline bool td_kind_is_round(thud_shape_kind kind) {
 }
 
 /* A box: four straight faces and four corners, hx and hy from the centre. */
-static inline bool td_kind_is_box(thud_shape_kind kind) {
+TD_INLINE_SMALL bool td_kind_is_box(thud_shape_kind kind) {
     switch (kind) {
     case THUD_AABB:
     case THUD_OBB:
@@ -64,7 +77,7 @@ static inline bool td_kind_is_box(thud_shape_kind kind) {
 }
 
 /* Its angle is to be seen and follows its body's: what the shape takes up depends on it. */
-static inline bool td_kind_turns(thud_shape_kind kind) {
+TD_INLINE_SMALL bool td_kind_turns(thud_shape_kind kind) {
     switch (kind) {
     case THUD_OBB:
         return true;
@@ -77,7 +90,7 @@ static inline bool td_kind_turns(thud_shape_kind kind) {
 }
 
 /* A body that has one never turns, whatever pushes it. */
-static inline bool td_kind_fixes_rotation(thud_shape_kind kind) {
+TD_INLINE_SMALL bool td_kind_fixes_rotation(thud_shape_kind kind) {
     switch (kind) {
     case THUD_AABB:
         return true;
@@ -90,7 +103,7 @@ static inline bool td_kind_fixes_rotation(thud_shape_kind kind) {
 }
 
 /* The half extent across hx, also of a circle. */
-static inline double td_kind_half_y(thud_shape_kind kind, double hx, double hy) {
+TD_INLINE_SMALL double td_kind_half_y(thud_shape_kind kind, double hx, double hy) {
     switch (kind) {
     case THUD_CIRCLE:
         return hx;
@@ -103,13 +116,13 @@ static inline double td_kind_half_y(thud_shape_kind kind, double hx, double hy) 
 }
 
 /* How deep the shape's middle lies: nothing that goes less deep is through it. */
-static inline double td_kind_half_thickness(thud_shape_kind kind, double hx, double hy) {
+TD_INLINE_SMALL double td_kind_half_thickness(thud_shape_kind kind, double hx, double hy) {
     double half_y = td_kind_half_y(kind, hx, hy);
     return hx < half_y ? hx : half_y;
 }
 
 /* The half extent hy that is kept of a shape grown by `by` on all sides, as a circle's 0 is. */
-static inline double td_kind_grown_hy(thud_shape_kind kind, double hy, double by) {
+TD_INLINE_SMALL double td_kind_grown_hy(thud_shape_kind kind, double hy, double by) {
     switch (kind) {
     case THUD_CIRCLE:
         return 0.0;

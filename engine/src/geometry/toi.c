@@ -38,7 +38,16 @@ typedef struct corner {
 /* The corners of a shape that turns by `turn`, or of another the one that is furthest. */
 static int corners_along(const thud_shape_instance *shape, double turn, double nx, double ny,
                          corner out[4]) {
-    if (turn == 0.0 || !td_kind_is_box(shape->kind)) {
+    switch (shape->kind) {
+    case THUD_CIRCLE:
+        turn = 0.0; /* is not to be seen */
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
+    case THUD_TERRAIN:
+        break;
+    }
+    if (turn == 0.0) {
         out[0] = (corner){td_half_along(shape, nx, ny), 0.0};
         return 1;
     }

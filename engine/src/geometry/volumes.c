@@ -5,18 +5,6 @@
 /* The roundings of a fit and of a later test come to no more than this part of place and size. */
 #define ROUNDING 2e-15
 
-bool td_volume_kind_valid(thud_shape_kind kind) {
-    switch (kind) {
-    case THUD_CIRCLE:
-    case THUD_AABB:
-    case THUD_OBB:
-        return true;
-    case THUD_TERRAIN:
-        return false;
-    }
-    return false;
-}
-
 thud_result thud_volume_check(const thud_volume *v) {
     if (!v) {
         return THUD_ERROR_NULL;
@@ -27,7 +15,7 @@ thud_result thud_volume_check(const thud_volume *v) {
         v->hx >= 0.0 && v->hx <= MAX_VOLUME && (circle || (v->hy >= 0.0 && v->hy <= MAX_VOLUME));
     bool turned = td_kind_turns(v->kind) ? td_abs(v->c * v->c + v->s * v->s - 1.0) < 1e-5
                                          : circle || (v->c == 1.0 && v->s == 0.0);
-    return td_volume_kind_valid(v->kind) && place && size && turned ? THUD_OK : THUD_ERROR_INVALID;
+    return td_kind_is_volume(v->kind) && place && size && turned ? THUD_OK : THUD_ERROR_INVALID;
 }
 
 thud_result td_volume_store(thud_shape_kind kind, thud_volume v, thud_volume *out) {
@@ -106,7 +94,7 @@ thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_ins
     if (!shape || !out) {
         return THUD_ERROR_NULL;
     }
-    if (!td_volume_kind_valid(kind) || thud_placed_check(shape) != THUD_OK ||
+    if (!td_kind_is_volume(kind) || thud_placed_check(shape) != THUD_OK ||
         !td_motion_valid(motion)) {
         return THUD_ERROR_INVALID;
     }
@@ -171,7 +159,7 @@ thud_result thud_volume_merge(thud_shape_kind kind, const thud_volume *a, const 
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
-    if (!td_volume_kind_valid(kind) || thud_volume_check(a) != THUD_OK ||
+    if (!td_kind_is_volume(kind) || thud_volume_check(a) != THUD_OK ||
         thud_volume_check(b) != THUD_OK) {
         return THUD_ERROR_INVALID;
     }

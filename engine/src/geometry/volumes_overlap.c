@@ -32,35 +32,21 @@ static bool box_box(const thud_volume *a, const thud_volume *b) {
     return td_abs(u) <= b->hx + c * a->hx + s * a->hy && td_abs(v) <= b->hy + s * a->hx + c * a->hy;
 }
 
-static bool circle_any(const thud_volume *circle, const thud_volume *b) {
-    double x = circle->x - b->x, y = circle->y - b->y, u, v;
-    switch (b->kind) {
-    case THUD_CIRCLE:
-        return circle_circle(circle, b);
-    case THUD_AABB:
-        return circle_box(circle, b, x, y);
-    case THUD_OBB:
-        td_to_frame(b, x, y, &u, &v);
-        return circle_box(circle, b, u, v);
-    case THUD_TERRAIN: /* no kind of volume */
-        break;
-    }
-    return false;
-}
-
 /* The kinds come in their own order, so that the first is a circle if any is, and the second an
  * OBB if any is. */
 static bool overlap(const thud_volume *a, const thud_volume *b) {
-    switch (a->kind) {
-    case THUD_CIRCLE:
-        return circle_any(a, b);
-    case THUD_AABB:
-    case THUD_OBB:
-        return td_kind_turns(b->kind) ? box_box(a, b) : aabb_aabb(a, b);
-    case THUD_TERRAIN: /* no kind of volume */
-        break;
+    double x = a->x - b->x, y = a->y - b->y;
+    if (td_kind_is_round(b->kind)) {
+        return circle_circle(a, b);
     }
-    return false;
+    if (td_kind_is_round(a->kind)) {
+        double u = x, v = y;
+        if (td_kind_turns(b->kind)) {
+            td_to_frame(b, x, y, &u, &v);
+        }
+        return circle_box(a, b, u, v);
+    }
+    return td_kind_turns(b->kind) ? box_box(a, b) : aabb_aabb(a, b);
 }
 
 thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, bool *out) {

@@ -7,10 +7,15 @@
 #include "solver/motion.h"
 #include "state/world.h"
 
-void td_kind_circle(thud_world *w);
-void td_kind_aabb(thud_world *w);
-void td_kind_obb(thud_world *w);
-void td_kind_terrain(thud_world *w);
+/* ROW(kind of shape, what plugs it in, a pair kind that comes with it alone) */
+#define TD_ALL_KINDS(ROW)                                   \
+    ROW(THUD_CIRCLE, td_kind_circle, TD_PAIR_CIRCLE_CIRCLE) \
+    ROW(THUD_AABB, td_kind_aabb, TD_PAIR_AABB_AABB)         \
+    ROW(THUD_OBB, td_kind_obb, TD_PAIR_BOX_BOX)             \
+    ROW(THUD_TERRAIN, td_kind_terrain, TD_PAIR_TERRAIN_BOX)
+
+#define TD_DECLARE_KIND(kind, plug, own) void plug(thud_world *w);
+TD_ALL_KINDS(TD_DECLARE_KIND)
 
 /* Wide files exist once for every processor and, on x86-64, once more for AVX2; the names here
  * pick one at run time. */

@@ -18,7 +18,7 @@ void td_shape_expect(thud_world *w, int shape, float dx, float dy);
 td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *placed,
                            td_position origin, double slack);
 
-static inline float td_half_thickness(const td_shape *shape) {
+TD_INLINE_SMALL float td_half_thickness(const td_shape *shape) {
     return (float)td_kind_half_thickness(shape->kind, (double)shape->half_x, (double)shape->half_y);
 }
 
