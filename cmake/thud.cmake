@@ -20,9 +20,10 @@ if(NOT THUD_ROUNDS AND NOT CMAKE_C_FLAGS MATCHES "-mno-sse|-mfpmath=387")
 endif()
 
 # What every target of the project is held to. Nothing may be fused into one rounding: the same
-# source gives the same bits with every compiler and every SIMD width, scenes included.
+# source gives the same bits with every compiler and every SIMD width, scenes included. A switch over
+# an enum names every value of it, `default` or not, so that a new value is looked at everywhere.
 function(thud_common_flags target)
-    target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -ffp-contract=off
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wswitch-enum -ffp-contract=off
         ${THUD_ROUNDING_FLAGS})
     if(THUD_WERROR)
         target_compile_options(${target} PRIVATE -Werror)

@@ -278,13 +278,21 @@ static void add_box_or_circle(level_reader *r, const level_physics *physics, con
     double hx = form->hx / ppu, hy = form->hy / ppu;
     bool upright = rotation == 0 && form->rotation == 0 &&
                    (physics->kind == SCENE_STATIC || physics->fixed_rotation);
-    scene_shape *shape = form->kind == LEVEL_CIRCLE ? scene_add_circle(r->s, hx)
-                         : upright                  ? scene_add_aabb(r->s, hx, hy)
-                                                    : scene_add_obb(r->s, hx, hy);
+    scene_shape *shape = NULL;
+    switch (form->kind) {
+    case LEVEL_CIRCLE:
+        shape = scene_add_circle(r->s, hx);
+        break;
+    case LEVEL_BOX:
+        shape = upright ? scene_add_aabb(r->s, hx, hy) : scene_add_obb(r->s, hx, hy);
+        shape->angle = 0.0 - form->rotation * RADIANS;
+        break;
+    case LEVEL_LINE: /* both have points, and so are lines */
+    case LEVEL_POLYGON:
+        return;
+    }
     shape->x = form->x / ppu;
     shape->y = 0.0 - form->y / ppu;
-    if (form->kind == LEVEL_BOX)
-        shape->angle = 0.0 - form->rotation * RADIANS;
     level_apply_shape(&form->physics, shape);
 }
 

@@ -70,11 +70,18 @@ static void draw_sensor(canvas *c, const camera *view, SDL_FPoint center,
     canvas_style style = {color_fade(COLOR_SENSOR, 0.14f), color_fade(COLOR_SENSOR, 0.8f),
                           1.2f * c->unit};
     float scale = (float)view->scale;
-    if (shape->kind == THUD_CIRCLE)
+    switch (shape->kind) {
+    case THUD_CIRCLE:
         canvas_circle(c, center, shape->half.x * scale, style);
-    else
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
         canvas_box(c, center, (SDL_FPoint){cosine, -sine},
                    (SDL_FPoint){shape->half.x * scale, shape->half.y * scale}, style);
+        break;
+    case THUD_TERRAIN: /* drawn as a line, sensor or not */
+        break;
+    }
 }
 
 static void draw_shape(canvas *c, const camera *view, const session_shape *shape, thud_pose pose,
@@ -86,12 +93,21 @@ static void draw_shape(canvas *c, const camera *view, const session_shape *shape
     SDL_FPoint center = camera_from_center(view, x, y);
     float scale = (float)view->scale;
     SDL_FPoint half = {shape->half.x * scale, shape->half.y * scale};
-    if (shape->sensor)
+    if (shape->sensor) {
         draw_sensor(c, view, center, shape, cosine, sine);
-    else if (shape->kind == THUD_CIRCLE)
+        return;
+    }
+    switch (shape->kind) {
+    case THUD_CIRCLE:
         draw_circle(c, center, half.x, cosine, sine, color);
-    else
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
         draw_box(c, center, half, cosine, sine, color);
+        break;
+    case THUD_TERRAIN: /* drawn as a line */
+        break;
+    }
 }
 
 static SDL_Color body_color(const session *s, const session_body *body, bool dim) {

@@ -196,10 +196,19 @@ void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {
     if (thud_body_create(s->world, &body, &id) != THUD_OK)
         return;
     thud_vec2 center = {0, 0};
-    thud_result made =
-        kind == THUD_CIRCLE
-            ? thud_shape_create_circle(s->world, id, &shape, center, half, NULL)
-            : thud_shape_create_obb(s->world, id, &shape, center, (thud_vec2){half, half}, 0, NULL);
+    thud_result made = THUD_ERROR_INVALID;
+    switch (kind) {
+    case THUD_CIRCLE:
+        made = thud_shape_create_circle(s->world, id, &shape, center, half, NULL);
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
+        made =
+            thud_shape_create_obb(s->world, id, &shape, center, (thud_vec2){half, half}, 0, NULL);
+        break;
+    case THUD_TERRAIN: /* nothing to drop */
+        break;
+    }
     if (made != THUD_OK || !list_body(s, id))
         thud_body_destroy(s->world, id);
 }

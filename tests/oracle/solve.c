@@ -119,8 +119,8 @@ static bool sticks(const contact *c) {
 
 /* Tangent impulse per normal impulse while it slips. */
 static double slip_ratio(const contact *c) {
-    return c->state == CONTACT_SLIP_FORWARD ? c->friction
-           : c->state == CONTACT_SLIP_BACK  ? -c->friction
+    return c->state == CONTACT_SLIP_FORWARD ? contact_slip_ratio(c)
+           : c->state == CONTACT_SLIP_BACK  ? -contact_slip_ratio(c)
                                             : 0;
 }
 
@@ -234,7 +234,7 @@ static contact_state next_state(const contact *c, contact_block w, const motion 
         return CONTACT_OPEN;
     /* What opens has yet to show which way it slips: its own step decides. */
     double normal = c->state == CONTACT_OPEN ? -normal_speed / w.nn : fmax(0, c->normal);
-    double tangent = c->tangent - tangent_speed / w.tt, bound = c->friction * normal;
+    double tangent = c->tangent - tangent_speed / w.tt, bound = contact_slip_ratio(c) * normal;
     double margin = zero / w.tt;
     bool slipped = c->state == CONTACT_SLIP_FORWARD || c->state == CONTACT_SLIP_BACK;
     /* Within rounding a contact goes on with what it does. */
@@ -279,8 +279,7 @@ static void make_lawful(contact *contacts, int count) {
     for (int i = 0; i < count; i++) {
         contact *c = &contacts[i];
         c->normal = fmax(0, c->normal);
-        double bound = c->friction * c->normal;
-        c->tangent = fmin(fmax(c->tangent, -bound), bound);
+        c->tangent = contact_lawful_tangent(c, c->normal, c->tangent);
     }
 }
 

@@ -14,6 +14,14 @@ typedef struct contact_row {
     double x, y, turn_a, turn_b;
 } contact_row;
 
+/* Coulomb's law, which the oracle has from here alone and not from the engine. */
+
+/* Tangent impulse per normal impulse of a contact that slips. */
+double contact_slip_ratio(const contact *c);
+
+/* The tangent impulse of a contact with that normal impulse, of which the law leaves so much. */
+double contact_lawful_tangent(const contact *c, double normal, double tangent);
+
 contact_row contact_normal_row(const contact *c);
 contact_row contact_tangent_row(const contact *c);
 

@@ -3,6 +3,15 @@
 
 #include <math.h>
 
+double contact_slip_ratio(const contact *c) {
+    return c->friction;
+}
+
+double contact_lawful_tangent(const contact *c, double normal, double tangent) {
+    double bound = contact_slip_ratio(c) * normal;
+    return tangent < -bound ? -bound : tangent > bound ? bound : tangent;
+}
+
 contact_row contact_normal_row(const contact *c) {
     double x = c->normal_x, y = c->normal_y;
     return (contact_row){x, y, c->arm_ax * y - c->arm_ay * x, c->arm_bx * y - c->arm_by * x};
@@ -58,16 +67,11 @@ void contact_push(const contact *c, double normal, double tangent, const inverse
     vb->turn += b.angular * (normal * n.turn_b + tangent * t.turn_b);
 }
 
-static double clamp(double x, double low, double high) {
-    return x < low ? low : x > high ? high : x;
-}
-
 double contact_breach(const contact *c, contact_block block, const motion *velocities) {
     double normal_speed = contact_normal_speed(c, velocities) + c->bias;
     double tangent_speed = contact_tangent_speed(c, velocities);
     double normal = fmax(0, c->normal - normal_speed / block.nn);
-    double bound = c->friction * c->normal;
-    double tangent = clamp(c->tangent - tangent_speed / block.tt, -bound, bound);
+    double tangent = contact_lawful_tangent(c, c->normal, c->tangent - tangent_speed / block.tt);
     return fmax(fabs(normal - c->normal) * block.nn, fabs(tangent - c->tangent) * block.tt);
 }
 
@@ -81,13 +85,13 @@ static void solve_one(contact *c, contact_block w, double normal_speed, double t
     double determinant = w.nn * w.tt - w.nt * w.nt;
     double normal = (w.nt * tangent_speed - w.tt * normal_speed) / determinant;
     double tangent = (w.nt * normal_speed - w.nn * tangent_speed) / determinant;
-    if (determinant > 0 && normal >= 0 && fabs(tangent) <= c->friction * normal) {
+    if (determinant > 0 && normal >= 0 && contact_lawful_tangent(c, normal, tangent) == tangent) {
         c->normal = normal;
         c->tangent = tangent;
         c->state = CONTACT_STICK;
         return;
     }
-    double along = tangent_speed < 0 ? c->friction : -c->friction;
+    double along = tangent_speed < 0 ? contact_slip_ratio(c) : -contact_slip_ratio(c);
     for (int turn = 0; turn < 2; turn++, along = -along) {
         double effective = w.nn + along * w.nt;
         if (!(effective > 0))

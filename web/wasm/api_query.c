@@ -11,15 +11,19 @@ static thud_query_filter query_filter(double category, double mask, int sensors)
 }
 
 thud_shape_instance api_placed(int kind, double hx, double hy, double angle) {
-    double c = 1.0, s = 0.0;
-    if (kind == THUD_OBB) {
-        api_sincos(angle, &s, &c);
+    thud_shape_instance placed = {.kind = (thud_shape_kind)kind, .c = 1.0, .hx = hx, .hy = hy};
+    switch (placed.kind) {
+    case THUD_CIRCLE:
+        placed.hy = 0.0;
+        break;
+    case THUD_OBB:
+        api_sincos(angle, &placed.s, &placed.c);
+        break;
+    case THUD_AABB:
+    case THUD_TERRAIN: /* which the engine refuses */
+        break;
     }
-    return (thud_shape_instance){.kind = (thud_shape_kind)kind,
-                                 .c = c,
-                                 .s = s,
-                                 .hx = hx,
-                                 .hy = kind == THUD_CIRCLE ? 0.0 : hy};
+    return placed;
 }
 
 /* Eight doubles of a hit: shape, point, normal, fraction, depth. */

@@ -12,11 +12,14 @@ extern "C" {
 
 typedef enum thud_shape_kind {
     THUD_CIRCLE = 0,
-    THUD_AABB,    /* axis-aligned box; never rotates */
-    THUD_OBB,     /* oriented box */
-    THUD_TERRAIN, /* ground line, solid below */
-    THUD_SHAPE_KIND_COUNT
+    THUD_AABB,   /* axis-aligned box; never rotates */
+    THUD_OBB,    /* oriented box */
+    THUD_TERRAIN /* ground line, solid below */
 } thud_shape_kind;
+
+/* How many kinds there are; no enumerator of thud_shape_kind, so that a switch over the kinds need
+ * not name it. */
+enum { THUD_SHAPE_KIND_COUNT = THUD_TERRAIN + 1 };
 
 /* A circle, AABB or OBB in its place. */
 typedef struct thud_shape_instance {

@@ -9,7 +9,7 @@
 static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int index,
                                 td_position origin, thud_volume *out) {
     thud_shape_instance placed = td_shape_instance(w, index, origin);
-    if (placed.kind != THUD_TERRAIN) {
+    if (!td_kind_is_line(placed.kind)) {
         return thud_volume_around_shape(kind, &placed, out);
     }
     thud_terrain line = td_terrain_view(w, index);

@@ -43,14 +43,23 @@ static void draw_shape(const td_drawing *d, int index, int island) {
     const td_shape_proxy *proxy = td_shape_proxy_at(d->w, index);
     thud_draw_style style = style_of(d, shape);
     thud_vec2 at = td_drawing_local(d, proxy->center);
-    if (shape->kind == THUD_TERRAIN) {
+    const td_pose *pose = td_pose_at(d->w, shape->body);
+    switch ((thud_shape_kind)shape->kind) {
+    case THUD_CIRCLE:
+        if (d->draw->circle) {
+            d->draw->circle(at, shape->half_x, pose->c, pose->s, style, island, d->draw->context);
+        }
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
+        if (d->draw->box) {
+            d->draw->box(at, (thud_vec2){shape->half_x, shape->half_y}, proxy->c, proxy->s, style,
+                         island, d->draw->context);
+        }
+        break;
+    case THUD_TERRAIN:
         draw_terrain(d, index, style);
-    } else if (shape->kind == THUD_CIRCLE && d->draw->circle) {
-        const td_pose *pose = td_pose_at(d->w, shape->body);
-        d->draw->circle(at, shape->half_x, pose->c, pose->s, style, island, d->draw->context);
-    } else if (shape->kind != THUD_CIRCLE && d->draw->box) {
-        d->draw->box(at, (thud_vec2){shape->half_x, shape->half_y}, proxy->c, proxy->s, style,
-                     island, d->draw->context);
+        break;
     }
 }
 
@@ -67,14 +76,14 @@ static void draw_shapes(const td_drawing *d) {
         const td_position *center = &td_shape_proxy_at(w, i)->center;
         int64_t x0 = td_unwrap(b->min_x, center->x), x1 = td_unwrap(b->max_x, center->x);
         int64_t y0 = td_unwrap(b->min_y, center->y), y1 = td_unwrap(b->max_y, center->y);
-        bool seen = shape->kind == THUD_TERRAIN ||
+        bool seen = td_kind_is_line(shape->kind) ||
                     (x1 >= d->lower.x >> TD_COARSE_SHIFT && x0 <= d->upper.x >> TD_COARSE_SHIFT &&
                      y1 >= d->lower.y >> TD_COARSE_SHIFT && y0 <= d->upper.y >> TD_COARSE_SHIFT);
         const td_body *body = td_body_at(w, shape->body);
         if (seen && (flags & (THUD_DRAW_SHAPES | THUD_DRAW_ISLANDS))) {
             draw_shape(d, i, islands && body->awake > 0 ? islands[body->awake] : -1);
         }
-        if (seen && (flags & THUD_DRAW_SHAPE_BOUNDS) && shape->kind != THUD_TERRAIN) {
+        if (seen && (flags & THUD_DRAW_SHAPE_BOUNDS) && !td_kind_is_line(shape->kind)) {
             td_drawing_bounds(d, x0, y0, x1, y1, THUD_DRAW_BOUNDS);
         }
     }

@@ -111,7 +111,7 @@ static bool bounds_overlap(const td_drawing *d, const td_contact *contact) {
     thud_pos half = half_bounds(b);
     double x = (double)(b->center.x - a->center.x) / w->to_fixed;
     double y = (double)(b->center.y - a->center.y) / w->to_fixed;
-    if (td_shape_at(w, contact->shape_a)->kind != THUD_TERRAIN) {
+    if (!td_kind_is_line(td_shape_at(w, contact->shape_a)->kind)) {
         thud_pos other = half_bounds(a);
         return __builtin_fabs(x) <= half.x + other.x && __builtin_fabs(y) <= half.y + other.y;
     }
@@ -203,11 +203,39 @@ static void join_boxes(const td_drawing *d, const thud_shape_instance *start,
 
 static void draw_outline(const td_drawing *d, const thud_shape_instance *p) {
     thud_vec2 at = {(float)p->x, (float)p->y};
-    if (p->kind == THUD_CIRCLE && d->draw->circle) {
-        d->draw->circle(at, (float)p->hx, 1.0f, 0.0f, THUD_DRAW_MOTION, -1, d->draw->context);
-    } else if (p->kind != THUD_CIRCLE && d->draw->box) {
-        d->draw->box(at, (thud_vec2){(float)p->hx, (float)p->hy}, (float)p->c, (float)p->s,
-                     THUD_DRAW_MOTION, -1, d->draw->context);
+    switch (p->kind) {
+    case THUD_CIRCLE:
+        if (d->draw->circle) {
+            d->draw->circle(at, (float)p->hx, 1.0f, 0.0f, THUD_DRAW_MOTION, -1, d->draw->context);
+        }
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
+        if (d->draw->box) {
+            d->draw->box(at, (thud_vec2){(float)p->hx, (float)p->hy}, (float)p->c, (float)p->s,
+                         THUD_DRAW_MOTION, -1, d->draw->context);
+        }
+        break;
+    case THUD_TERRAIN: /* a line stands */
+        break;
+    }
+}
+
+/* A shape at both ends of its way, and the lines on which its outline goes. */
+static void draw_way(const td_drawing *d, const thud_shape_instance *start,
+                     const thud_shape_instance *end) {
+    draw_outline(d, start);
+    draw_outline(d, end);
+    switch (start->kind) {
+    case THUD_CIRCLE:
+        join_circles(d, start, end->x - start->x, end->y - start->y);
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
+        join_boxes(d, start, end);
+        break;
+    case THUD_TERRAIN:
+        break;
     }
 }
 
@@ -240,17 +268,10 @@ void td_draw_motions(const td_drawing *d) {
         for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
             thud_shape_instance start = td_trajectory_shape(w, &trajectory, i, 0.0, d->origin);
             thud_shape_instance end = td_trajectory_shape(w, &trajectory, i, 1.0, d->origin);
-            double x = end.x - start.x, y = end.y - start.y;
-            if ((x == 0.0 && y == 0.0) || !in_view(d, &start, &end)) {
+            if ((end.x == start.x && end.y == start.y) || !in_view(d, &start, &end)) {
                 continue;
             }
-            draw_outline(d, &start);
-            draw_outline(d, &end);
-            if (start.kind == THUD_CIRCLE) {
-                join_circles(d, &start, x, y);
-            } else {
-                join_boxes(d, &start, &end);
-            }
+            draw_way(d, &start, &end);
         }
     }
 }

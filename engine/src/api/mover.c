@@ -7,8 +7,7 @@
 #include "base/trig.h"
 
 thud_mover thud_default_mover(thud_shape_instance shape) {
-    bool circle = shape.kind == THUD_CIRCLE;
-    double half = circle ? shape.hx : shape.hy;
+    double half = td_kind_half_y(shape.kind, shape.hx, shape.hy);
     return (thud_mover){.shape = shape,
                         .up = {0.0f, 1.0f},
                         .skin = 0.02 * (half < shape.hx ? half : shape.hx),
@@ -130,7 +129,7 @@ static thud_result check_mover(const thud_world *w, const thud_mover *mover) {
     const thud_shape_instance *s = &mover->shape;
     td_way way = {(double)mover->up.x, (double)mover->up.y};
     double up = td_dot(way, way);
-    double least = s->kind == THUD_CIRCLE || s->hx < s->hy ? s->hx : s->hy;
+    double least = td_kind_half_thickness(s->kind, s->hx, s->hy);
     if (td_query_check(w, (thud_pos){0.0, 0.0}, s) != THUD_OK) {
         return td_refuse(w, THUD_ERROR_INVALID, "mover: the shape or its place is invalid");
     }

@@ -166,7 +166,7 @@ bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hi
 double td_mover_bottom(const td_move *m) {
     const thud_shape_instance *s = &m->mover.shape;
     td_way up = td_up(m);
-    double half = s->kind == THUD_CIRCLE ? s->hx : td_shadow(s, up.x, up.y);
+    double half = td_half_along(s, up.x, up.y);
     return td_dot((td_way){s->x, s->y}, up) - half;
 }
 

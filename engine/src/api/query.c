@@ -40,9 +40,7 @@ thud_shape_instance td_query_instance(const thud_world *w, int index, td_positio
 
 void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos *lower,
                      thud_pos *upper) {
-    bool circle = shape->kind == THUD_CIRCLE;
-    double half_x = circle ? shape->hx : td_shadow(shape, 1.0, 0.0);
-    double half_y = circle ? shape->hx : td_shadow(shape, 0.0, 1.0);
+    double half_x = td_half_along(shape, 1.0, 0.0), half_y = td_half_along(shape, 0.0, 1.0);
     double x = center.x + shape->x, y = center.y + shape->y;
     *lower = (thud_pos){x - half_x, y - half_y};
     *upper = (thud_pos){x + half_x, y + half_y};
@@ -77,7 +75,7 @@ static bool list_all(thud_world *w) {
         return false;
     }
     for (int i = 0; i < w->shapes.count; i++) {
-        if (td_shape_at(w, i)->kind != THUD_TERRAIN) {
+        if (!td_kind_is_line(td_shape_at(w, i)->kind)) {
             td_push_int(&w->scratch.hits, i);
         }
     }

@@ -50,7 +50,7 @@ static bool point_meets(const thud_world *w, int index, const path *way, thud_ra
     thud_shape_instance shape = td_query_instance(w, index, way->from);
     double nx = 0.0, ny = 0.0;
     bool hit;
-    if (shape.kind == THUD_TERRAIN) {
+    if (td_kind_is_line(shape.kind)) {
         thud_terrain terrain = td_terrain_view(w, index);
         hit = thud_terrain_cast_ray(&terrain, -shape.x, -shape.y, way->dx, way->dy, &out->fraction,
                                     &nx, &ny);
@@ -119,7 +119,7 @@ static bool meets_ground(const thud_terrain *terrain, double x, double y, const 
 static bool shape_meets(const thud_world *w, int index, const path *way, thud_ray_hit *out) {
     thud_shape_instance shape = td_query_instance(w, index, way->from);
     thud_closest c;
-    if (shape.kind == THUD_TERRAIN) {
+    if (td_kind_is_line(shape.kind)) {
         thud_terrain terrain = td_terrain_view(w, index);
         if (!meets_ground(&terrain, shape.x, shape.y, way, &out->fraction, &c)) {
             return false;

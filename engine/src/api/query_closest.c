@@ -10,7 +10,7 @@
 static void measure(const thud_world *w, int index, td_position origin, thud_closest *out) {
     thud_shape_instance shape = td_query_instance(w, index, origin);
     thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0};
-    if (shape.kind != THUD_TERRAIN) {
+    if (!td_kind_is_line(shape.kind)) {
         td_closest(&shape, &point, out);
         return;
     }

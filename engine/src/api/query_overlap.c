@@ -8,7 +8,7 @@
 static bool overlaps(const thud_world *w, int index, td_position origin,
                      const thud_shape_instance *exact) {
     thud_shape_instance shape = td_query_instance(w, index, origin);
-    if (shape.kind != THUD_TERRAIN) {
+    if (!td_kind_is_line(shape.kind)) {
         return thud_shapes_overlap(exact, &shape);
     }
     thud_terrain terrain = td_terrain_view(w, index);

@@ -67,16 +67,14 @@ typedef struct td_snapshot_settings {
     double detection; /* rank of the world's own; -1: the quality's */
 } td_snapshot_settings;
 
-/* What is plugged in, as bits. */
+/* What is plugged in, as bits: one for each kind of shape, by its number, and above them these. */
 enum {
-    TD_SNAPSHOT_CIRCLE = 1,
-    TD_SNAPSHOT_AABB = 2,
-    TD_SNAPSHOT_OBB = 4,
-    TD_SNAPSHOT_TERRAIN = 8,
-    TD_SNAPSHOT_ISLANDS = 16,
-    TD_SNAPSHOT_DETECTIONS = 32,    /* shifted to the left by the detection's rank */
-    TD_SNAPSHOT_JOINT_KINDS = 4096, /* ... by the kind, less the number of pair kinds */
-    TD_SNAPSHOT_ALL_JOINTS = (1 << (TD_CONSTRAINT_KINDS - TD_PAIR_COUNT)) * 4096 - 4096
+    TD_SNAPSHOT_ISLANDS = 1 << THUD_SHAPE_KIND_COUNT,
+    TD_SNAPSHOT_DETECTIONS = 2 * TD_SNAPSHOT_ISLANDS, /* shifted by the rank of the detection */
+    /* Shifted by the kind of joint, of which pair kinds are none. */
+    TD_SNAPSHOT_JOINT_KINDS = TD_SNAPSHOT_DETECTIONS << TD_RANK_COUNT,
+    TD_SNAPSHOT_ALL_JOINTS =
+        TD_SNAPSHOT_JOINT_KINDS * ((1 << (TD_CONSTRAINT_KINDS - TD_PAIR_COUNT)) - 1)
 };
 
 typedef struct td_snapshot_slots {

@@ -73,6 +73,13 @@ static const thud_detection *const DETECTIONS[TD_RANK_COUNT] = {&thud_detection_
                                                                 &thud_detection_bisect,
                                                                 &thud_detection_swept};
 
+#define KIND_ROW(kind, plug, own) [kind] = {plug, own},
+static const struct {
+    void (*plug)(thud_world *w);
+    td_pair_kind own;
+} KINDS[] = {TD_ALL_KINDS(KIND_ROW)};
+_Static_assert(sizeof KINDS / sizeof *KINDS == THUD_SHAPE_KIND_COUNT, "every kind has its line");
+
 /* ---- the head ---- */
 
 /* Tells builds apart whose records differ, or whose words have another order. */
@@ -102,11 +109,10 @@ static uint32_t layout_of_build(void) {
 }
 
 static uint32_t plugged_into(const thud_world *w) {
-    uint32_t plugged = (w->pairs[TD_PAIR_CIRCLE_CIRCLE] ? TD_SNAPSHOT_CIRCLE : 0u) |
-                       (w->pairs[TD_PAIR_AABB_AABB] ? TD_SNAPSHOT_AABB : 0u) |
-                       (w->pairs[TD_PAIR_BOX_BOX] ? TD_SNAPSHOT_OBB : 0u) |
-                       (w->pairs[TD_PAIR_TERRAIN_BOX] ? TD_SNAPSHOT_TERRAIN : 0u) |
-                       (w->quality.islands ? TD_SNAPSHOT_ISLANDS : 0u);
+    uint32_t plugged = w->quality.islands ? TD_SNAPSHOT_ISLANDS : 0u;
+    for (int kind = 0; kind < THUD_SHAPE_KIND_COUNT; kind++) {
+        plugged |= w->pairs[KINDS[kind].own] ? 1u << kind : 0u;
+    }
     for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
         plugged |= w->detections[rank] ? (uint32_t)TD_SNAPSHOT_DETECTIONS << rank : 0u;
     }
@@ -314,11 +320,9 @@ static void plug_in(thud_world *w, const td_snapshot_head *head) {
     memset(w->pairs, 0, TD_PAIR_COUNT * sizeof *w->pairs); /* joints are there: snapshot.c */
     w->internal_edges = NULL;
     w->ground = NULL;
-    static void (*const kinds[])(thud_world *) = {td_kind_circle, td_kind_aabb, td_kind_obb,
-                                                  td_kind_terrain};
-    for (int i = 0; i < 4; i++) {
-        if (head->plugged >> i & 1) {
-            kinds[i](w);
+    for (int kind = 0; kind < THUD_SHAPE_KIND_COUNT; kind++) {
+        if (head->plugged >> kind & 1) {
+            KINDS[kind].plug(w);
         }
     }
     for (int rank = 0; rank < TD_RANK_COUNT; rank++) {

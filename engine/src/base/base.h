@@ -22,6 +22,9 @@
 #define TD_HAS_AVX2
 #endif
 
+/* A function whose body is smaller than its call, so that it is taken inline for size as well. */
+#define TD_INLINE_SMALL static inline __attribute__((always_inline))
+
 #define TD_LANES 8   /* contacts and bodies are worked on eight at a time, whatever the CPU */
 #define TD_NONE (-1) /* "no index" in every integer link */
 

@@ -41,7 +41,8 @@ static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
     } else {
         for (int i = 0; i < w->shapes.count; i++) {
             const td_shape *shape = td_shape_at(w, i);
-            if ((shape->flags & TD_SHAPE_LIVE) && shape->kind != THUD_TERRAIN && !is_awake(w, i)) {
+            if ((shape->flags & TD_SHAPE_LIVE) && !td_kind_is_line(shape->kind) &&
+                !is_awake(w, i)) {
                 td_push_int(list, i);
             }
         }
@@ -212,7 +213,7 @@ static bool moved(const thud_world *w, int shape) {
 
 /* A shape at rest against awake ones; where both moved the pair comes once more from the other. */
 static bool pair_resting(thud_world *w, int shape, bool with_moved) {
-    if (td_shape_at(w, shape)->kind == THUD_TERRAIN) {
+    if (td_kind_is_line(td_shape_at(w, shape)->kind)) {
         return true;
     }
     if (!query(w, &w->awake_shapes, shape)) {
@@ -231,7 +232,7 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved) {
  * moved, the lower shape finds the pair. */
 static bool pair_sensed(thud_world *w, int shape) {
     bool own = td_senses(w, shape);
-    if ((!own && !w->mobile_sensors) || td_shape_at(w, shape)->kind == THUD_TERRAIN) {
+    if ((!own && !w->mobile_sensors) || td_kind_is_line(td_shape_at(w, shape)->kind)) {
         return true;
     }
     bool done = query(w, &w->rest_shapes, shape);

@@ -17,7 +17,7 @@
 typedef struct td_shape_proxy {
     td_position center;
     float c, s;           /* rotation; 1, 0 where it cannot matter */
-    float half_x, half_y; /* half extents; a circle's are both its radius */
+    float half_x, half_y; /* half extents, of a circle both its radius: td_kind_half_y */
     float x, y;           /* offset of the centre from the body's centre of mass, in the world */
     float turns;          /* 1 where the bounds depend on the rotation, else 0 */
     int32_t margin;       /* of the fat bounds about the tight ones, bounds quanta */
@@ -40,7 +40,7 @@ typedef struct td_point_history {
     f8 total;    /* normal impulse of the step; kept only where td_solve_context asks */
 } td_point_history;
 
-/* ... and of friction and restitution. */
+/* What few ask of friction and restitution. */
 typedef struct td_surface {
     f8 speed;  /* at which b is driven along t; read only where td_solve_context.belts */
     f8 total;  /* tangent impulse of all substeps; kept only where keep_tangents */
@@ -197,54 +197,6 @@ typedef td_sifted td_sift_fn(const int32_t *shape_a, const int32_t *shape_b,
 typedef struct td_solve_ops {
     td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce;
 } td_solve_ops;
-
-/* Kinds of pairs that have their own narrowphase; the names say (a, b). */
-typedef enum td_pair_kind {
-    TD_PAIR_CIRCLE_CIRCLE = 0,
-    TD_PAIR_BOX_CIRCLE,
-    TD_PAIR_CIRCLE_BOX, /* only where the circle is static */
-    TD_PAIR_AABB_AABB,
-    TD_PAIR_BOX_BOX,
-    TD_PAIR_TERRAIN_CIRCLE,
-    TD_PAIR_TERRAIN_BOX,
-    TD_PAIR_TOUCH_COUNT,
-    TD_PAIR_SENSOR = TD_PAIR_TOUCH_COUNT, /* overlap only; has no blocks */
-    TD_PAIR_COUNT
-} td_pair_kind;
-
-/* Kinds of constraints: first the pair kinds, which are those of contacts. */
-enum { TD_CONSTRAINT_ROD = TD_PAIR_COUNT, TD_CONSTRAINT_KINDS };
-
-struct thud_world;
-
-/* What happens to the lanes of a kind beside the passes of the solver. The bodies' awake slots and
- * inverse inertias in a lane are set for all kinds alike. */
-typedef struct td_lane_ops {
-    /* The lane, which is all zeros, becomes the constraint's ... */
-    void (*fill)(struct thud_world *world, td_block *block, int lane, int constraint);
-    /* ... and here is no longer. */
-    void (*clear)(struct thud_world *world, td_block *block, int lane, int constraint);
-    /* Masses or shapes of its bodies have changed. */
-    void (*renew)(struct thud_world *world, td_block *block, int lane, int constraint);
-    /* What the direct solver asks; null for contacts, whose rows it knows itself, so that a program
-     * without it does not link them: islands/row_ops.h. */
-    const struct td_row_ops *rows;
-} td_lane_ops;
-
-/* The operations of a kind of constraint. Pair kinds plug theirs in when their shapes are first
- * used, see kinds.h, and others when the first constraint of theirs is made. */
-typedef struct td_constraint_ops {
-    td_block_form form;
-    const td_lane_ops *lanes; /* null: those of contacts, td_contact_lanes */
-    td_sift_fn *sift;         /* null for terrain */
-    td_collide_fn *collide;   /* null where `collide_world` is set */
-    /* Pairs whose geometry does not lie in the per-shape records (terrain). */
-    void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
-                          const td_collide_context *context);
-    const td_solve_ops *solve;
-    const td_solve_ops *solve_unarmed; /* for runs of blocks of which none is armed */
-} td_constraint_ops;
-typedef td_constraint_ops td_pair_ops;
 
 /* Exported names of a wide file carry the instruction set it was compiled for. */
 #define TD_JOIN_(a, b) a##_##b

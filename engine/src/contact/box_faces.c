@@ -58,9 +58,9 @@ static double axis_of(const thud_shape_instance *a, const thud_shape_instance *b
     return td_abs(along) - td_shadow(a, x, y) - td_shadow(b, x, y);
 }
 
-/* Upright ones have the same. */
+/* How many directions have to be looked along: those of both boxes, which upright ones share. */
 static int axes_of(const thud_shape_instance *a, const thud_shape_instance *b) {
-    return a->kind == THUD_AABB && b->kind == THUD_AABB ? 2 : 4;
+    return td_kind_turns(a->kind) || td_kind_turns(b->kind) ? 4 : 2;
 }
 
 bool td_internal_edge_boxes_meet(const thud_shape_instance *a, const thud_shape_instance *b) {

@@ -25,24 +25,13 @@ td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b) {
     }
     bool a_static = body_of_shape(w, *shape_a)->kind == THUD_STATIC;
     bool b_static = body_of_shape(w, *shape_b)->kind == THUD_STATIC;
-    bool swapped = b_static || (!a_static &&
-                                (a->kind < b->kind || (a->kind == b->kind && *shape_a > *shape_b)));
-    if (swapped) {
+    unsigned pairing = td_pairing_of(a->kind, b->kind);
+    bool swaps = a->kind == b->kind ? *shape_a > *shape_b : pairing & TD_PAIR_SWAPS;
+    if (b_static || (!a_static && swaps)) {
         swap(shape_a, shape_b);
-        const td_shape *t = a;
-        a = b;
-        b = t;
+        pairing = td_pairing_of(b->kind, a->kind);
     }
-    if (a->kind == THUD_TERRAIN) {
-        return b->kind == THUD_CIRCLE ? TD_PAIR_TERRAIN_CIRCLE : TD_PAIR_TERRAIN_BOX;
-    }
-    if (a->kind == THUD_CIRCLE) {
-        return b->kind == THUD_CIRCLE ? TD_PAIR_CIRCLE_CIRCLE : TD_PAIR_CIRCLE_BOX;
-    }
-    if (b->kind == THUD_CIRCLE) {
-        return TD_PAIR_BOX_CIRCLE;
-    }
-    return a->kind == THUD_AABB && b->kind == THUD_AABB ? TD_PAIR_AABB_AABB : TD_PAIR_BOX_BOX;
+    return pairing & ~(unsigned)TD_PAIR_SWAPS;
 }
 
 bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
@@ -90,8 +79,8 @@ bool td_contact_end_reserve(thud_world *w, int more) {
  * first segment and ends with its last. */
 static bool open_elsewhere(const thud_world *w, int contact_index) {
     const td_contact *contact = td_contact_at(w, contact_index);
-    bool ground_first = td_shape_at(w, contact->shape_a)->kind == THUD_TERRAIN;
-    if (!ground_first && td_shape_at(w, contact->shape_b)->kind != THUD_TERRAIN) {
+    bool ground_first = td_kind_is_line(td_shape_at(w, contact->shape_a)->kind);
+    if (!ground_first && !td_kind_is_line(td_shape_at(w, contact->shape_b)->kind)) {
         return false;
     }
     int e = td_body_at(w, contact->body[ground_first])->first_contact;

@@ -3,7 +3,6 @@
 #include "contact/contact.h"
 #include "constraint/lanes.h"
 #include "contact/edge_neighbours.h"
-#include "contact/box_faces.h"
 #include "contact/internal_edges.h"
 #include "state/shape.h"
 #include "terrain/terrain.h"
@@ -75,32 +74,22 @@ static void note_box(const td_internal_edge *s, int shape, const thud_shape_inst
     const td_shape *noted = td_shape_at(s->w, shape);
     unsigned internal_edges = noted->internal_edges, hidden = noted->hidden, held = 0;
     thud_shape_instance other = td_internal_edge_place(s, neighbour);
+    bool solid = !td_kind_is_line(other.kind) && alike(s->w, shape, neighbour);
     for (int k = 0; k < 4; k++) {
         double x, y;
         td_from_frame(box, k & 1 ? box->hx : -box->hx, k & 2 ? box->hy : -box->hy, &x, &y);
         bool here =
             td_internal_edge_holds(s, neighbour, box->x + x, box->y + y, TD_FLUSH * s->unit);
         held |= here ? td_corner_bit(k & 1, k >> 1 & 1) : 0;
-        bool straight = here && other.kind != THUD_TERRAIN && alike(s->w, shape, neighbour) &&
-                        straightens(s, box, neighbour, k & 1, k >> 1 & 1);
+        bool straight = here && solid && straightens(s, box, neighbour, k & 1, k >> 1 & 1);
         hidden |= straight ? td_corner_bit(k & 1, k >> 1 & 1) : 0;
     }
     for (int f = 0; f < TD_FACES; f++) {
         thud_shape_instance strip = strip_of(box, f, TD_FLUSH * s->unit);
-        bool covered;
-        if (other.kind == THUD_TERRAIN) {
-            thud_terrain terrain = td_terrain_view(s->w, neighbour);
-            strip.x -= other.x;
-            strip.y -= other.y;
-            covered = thud_terrain_overlap(&terrain, &strip);
-        } else {
-            covered = other.kind == THUD_CIRCLE ? thud_shapes_overlap(&other, &strip)
-                                                : td_internal_edge_boxes_meet(&other, &strip);
-        }
+        bool covered = td_internal_edge_meets(s, neighbour, strip);
         internal_edges |= (unsigned)covered << f;
         /* What holds both ends of a face, and is convex, holds all of it. */
-        bool whole = covered && other.kind != THUD_TERRAIN && alike(s->w, shape, neighbour) &&
-                     (held & corners_of_face(f)) == corners_of_face(f);
+        bool whole = covered && solid && (held & corners_of_face(f)) == corners_of_face(f);
         hidden |= (unsigned)whole << f;
     }
     set(s->w, shape, internal_edges | held, hidden);
@@ -146,7 +135,7 @@ bool td_internal_edges_see(thud_world *w, int shape) {
 
 static void forget(thud_world *w, int shape) {
     td_shape *s = td_shape_at(w, shape);
-    if (s->kind == THUD_AABB || s->kind == THUD_OBB) {
+    if (td_kind_is_box(s->kind)) {
         s->flags |= TD_SHAPE_UNSEEN;
         set(w, shape, 0xff, 0);
     }
@@ -164,7 +153,7 @@ static bool is_due(const td_internal_edge *s, int neighbour, void *context) {
 static bool forget_pair(const td_internal_edge *s, int neighbour, void *context) {
     int pair[] = {s->shape, neighbour};
     for (int i = 0; i < 2; i++) {
-        if (td_shape_at(s->w, pair[i])->kind == THUD_TERRAIN) {
+        if (td_kind_is_line(td_shape_at(s->w, pair[i])->kind)) {
             unsigned ends = ends_at(s, pair[i], pair[!i]);
             set(s->w, pair[i], td_shape_at(s->w, pair[i])->internal_edges | ends, 0);
         }
@@ -181,7 +170,7 @@ bool td_internal_edges_find(thud_world *w, int shape) {
         return true;
     }
     td_internal_edge s = td_internal_edge_of(w, shape, TD_NONE);
-    if (s.a.kind == THUD_TERRAIN) {
+    if (td_kind_is_line(s.a.kind)) {
         for (int i = 0; i < w->rest_shapes.ids.count; i++) {
             int n = td_int_at(&w->rest_shapes.ids, i);
             if (!td_is_ground(w, n)) {
@@ -240,8 +229,7 @@ void td_internal_edges_join(thud_world *w, int body) {
     const td_body *b = td_body_at(w, body);
     for (int i = b->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_internal_edge s = td_internal_edge_of(w, i, TD_NONE);
-        bool box = s.a.kind == THUD_AABB || s.a.kind == THUD_OBB;
-        if (box && !(td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
+        if (td_kind_is_box(s.a.kind) && !(td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
             set(w, i, 0, 0);
             td_internal_edge_any(&s, &s.a, note_own, NULL);
         }

@@ -1,6 +1,7 @@
 /* edge_neighbours.c: see edge_neighbours.h. */
 #include "contact/edge_neighbours.h"
 
+#include "contact/box_faces.h"
 #include "contact/contact.h"
 #include "state/shape.h"
 #include "terrain/terrain.h"
@@ -64,18 +65,23 @@ bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, double x, 
                             double slack) {
     thud_shape_instance n = td_internal_edge_place(s, neighbour);
     thud_shape_instance point = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
-    if (n.kind == THUD_TERRAIN) {
+    switch (n.kind) {
+    case THUD_CIRCLE:
+        return thud_shapes_overlap(&n, &point);
+    case THUD_AABB:
+    case THUD_OBB: {
+        double u, v;
+        td_to_frame(&n, x - n.x, y - n.y, &u, &v);
+        return td_abs(u) <= n.hx + slack && td_abs(v) <= n.hy + slack;
+    }
+    case THUD_TERRAIN: {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
         point.x -= n.x;
         point.y -= n.y;
         return thud_terrain_overlap(&terrain, &point);
     }
-    if (n.kind == THUD_CIRCLE) {
-        return thud_shapes_overlap(&n, &point);
     }
-    double u, v;
-    td_to_frame(&n, x - n.x, y - n.y, &u, &v);
-    return td_abs(u) <= n.hx + slack && td_abs(v) <= n.hy + slack;
+    return false;
 }
 
 /* Whether a line ends at a place: its sealed end is no edge of its own, and leaves it to a box's
@@ -86,11 +92,29 @@ static bool ends_at(const td_internal_edge *s, const thud_terrain *t, int vertex
     return end && td_abs(at - x) <= 2.0 * TD_FLUSH * s->unit;
 }
 
+bool td_internal_edge_meets(const td_internal_edge *s, int neighbour, thud_shape_instance box) {
+    thud_shape_instance n = td_internal_edge_place(s, neighbour);
+    switch (n.kind) {
+    case THUD_CIRCLE:
+        return thud_shapes_overlap(&n, &box);
+    case THUD_AABB:
+    case THUD_OBB:
+        return td_internal_edge_boxes_meet(&n, &box);
+    case THUD_TERRAIN: {
+        thud_terrain terrain = td_terrain_view(s->w, neighbour);
+        box.x -= n.x;
+        box.y -= n.y;
+        return thud_terrain_overlap(&terrain, &box);
+    }
+    }
+    return false;
+}
+
 bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, double y, double nx,
                             double ny, double level) {
     thud_shape_instance n = td_internal_edge_place(s, neighbour);
     double past = (n.x - x) * nx + (n.y - y) * ny;
-    if (n.kind == THUD_TERRAIN) {
+    if (td_kind_is_line(n.kind)) {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
         double near = 2.0 * TD_FLUSH * s->unit; /* the ground further away is met on its own */
         int first, last;
@@ -105,7 +129,7 @@ bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, 
         }
         return higher;
     }
-    return past + (n.kind == THUD_CIRCLE ? n.hx : td_shadow(&n, nx, ny)) > level;
+    return past + td_half_along(&n, nx, ny) > level;
 }
 
 static bool asks(const td_internal_edge *s, int n, td_neighbour_fn *fn, void *context) {
@@ -138,7 +162,7 @@ bool td_internal_edge_any(const td_internal_edge *s, const thud_shape_instance *
     }
     td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_FLUSH * s->unit);
     hits->count = 0;
-    if (where->kind != THUD_TERRAIN &&
+    if (!td_kind_is_line(where->kind) &&
         !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, hits)) {
         return false;
     }

@@ -43,6 +43,8 @@ static inline thud_shape_instance td_internal_edge_place(const td_internal_edge 
 /* Whether the ground of a neighbour, `slack` thicker, holds a point. */
 bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, double x, double y,
                             double slack);
+/* Whether a neighbour shares a point with a box. */
+bool td_internal_edge_meets(const td_internal_edge *s, int neighbour, thud_shape_instance box);
 /* Whether a neighbour goes further than `level` past a point that it holds, along (nx, ny). */
 bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, double y, double nx,
                             double ny, double level);

@@ -55,7 +55,7 @@ static bool any_at(const td_internal_edge *s, td_neighbour_fn *fn, probe *p) {
 static bool face_hidden(const td_internal_edge *s, int face, double from, double to,
                         double deepest) {
     double half = face % 2 ? s->a.hx : s->a.hy, out = face % 2 ? s->a.hy : s->a.hx;
-    double beyond = BEYOND * (s->b.kind == THUD_CIRCLE || s->b.hx < s->b.hy ? s->b.hx : s->b.hy);
+    double beyond = BEYOND * td_kind_half_thickness(s->b.kind, s->b.hx, s->b.hy);
     out += 2.0 * TD_FLUSH * s->unit;
     out = face >= 2 ? -out : out;
     from = td_clamp(from - beyond, -half, half);
@@ -105,7 +105,7 @@ static bool shadow_hidden(const td_internal_edge *s, int face) {
     double u, v, half = 0.0, deepest = 0.0;
     td_to_frame(&s->a, s->b.x - s->a.x, s->b.y - s->a.y, &u, &v);
     double middle = face % 2 ? u : v;
-    if (s->b.kind != THUD_CIRCLE) {
+    if (td_kind_is_box(s->b.kind)) {
         double nx, ny, p, q;
         half = face % 2 ? td_shadow(&s->b, s->a.c, s->a.s) : td_shadow(&s->b, -s->a.s, s->a.c);
         td_from_frame(&s->a, face % 2 ? 0.0 : 1.0, face % 2 ? 1.0 : 0.0, &nx, &ny);
@@ -156,7 +156,7 @@ static sides sides_of(const td_internal_edge_pair *p) {
     sides s = {.pair = p};
     for (int i = 0; i < 2; i++) {
         const td_shape *shape = td_shape_at(p->w, p->shape[i]);
-        if (shape->internal_edges && shape->kind != THUD_TERRAIN) {
+        if (shape->internal_edges && !td_kind_is_line(shape->kind)) {
             s.internal_edge[s.count] = td_internal_edge_between(p->w, p->shape[i], p->shape[!i],
                                                                 &p->placed[i], &p->placed[!i]);
             s.sign[s.count++] = i ? -1.0 : 1.0;
@@ -304,7 +304,7 @@ static void hand_over(thud_world *w, td_block *block, int kind, int lane) {
 static bool contact_of(const td_internal_edge_pair *p, td_internal_edge_contact *contact) {
     const thud_shape_instance *a = &p->placed[0], *b = &p->placed[1];
     sides s = sides_of(p);
-    return a->kind != THUD_CIRCLE && b->kind != THUD_CIRCLE &&
+    return td_kind_is_box(a->kind) && td_kind_is_box(b->kind) &&
            td_internal_edge_boxes(a, b, (double)(TD_SPECULATIVE * p->w->unit), is_hidden, &s,
                                   contact);
 }
@@ -336,7 +336,7 @@ static void amend_lane(thud_world *w, td_block *block, int kind, int lane) {
 static void amend(thud_world *w, td_block *block, int kind) {
     uint64_t internal_edges;
     memcpy(&internal_edges, block->internal_edges, sizeof internal_edges);
-    if (!internal_edges || kind == TD_PAIR_TERRAIN_CIRCLE || kind == TD_PAIR_TERRAIN_BOX) {
+    if (!internal_edges || td_pair_is_on_line(kind)) {
         return; /* a line's sealed ends are known to its manifolds */
     }
     for (int lane = 0; lane < block->used; lane++) {

@@ -53,13 +53,13 @@ static bool reaches(const thud_world *w, int terrain_shape, int shape, int child
 
 static bool bounds_meet(const thud_world *w, const td_contact *contact) {
     int a = contact->shape_a, b = contact->shape_b, kind = contact->kind;
-    if (kind == TD_PAIR_TERRAIN_CIRCLE || kind == TD_PAIR_TERRAIN_BOX) {
+    if (td_pair_is_on_line(kind)) {
         return reaches(w, a, b, contact->child);
     }
-    if (kind == TD_PAIR_SENSOR && td_shape_at(w, a)->kind == THUD_TERRAIN) {
+    if (kind == TD_PAIR_SENSOR && td_kind_is_line(td_shape_at(w, a)->kind)) {
         return reaches(w, a, b, contact->child);
     }
-    if (kind == TD_PAIR_SENSOR && td_shape_at(w, b)->kind == THUD_TERRAIN) {
+    if (kind == TD_PAIR_SENSOR && td_kind_is_line(td_shape_at(w, b)->kind)) {
         return reaches(w, b, a, contact->child);
     }
     return td_pair_meets(w, a, b);
@@ -234,12 +234,12 @@ static bool begin_contacts(thud_world *w) {
 
 static bool sensor_overlaps(const thud_world *w, const td_contact *contact) {
     int a = contact->shape_a, b = contact->shape_b;
-    if (td_shape_at(w, b)->kind == THUD_TERRAIN) {
+    if (td_kind_is_line(td_shape_at(w, b)->kind)) {
         a = contact->shape_b, b = contact->shape_a;
     }
     td_position origin = td_shape_proxy_at(w, a)->center;
     thud_shape_instance placed_b = td_shape_instance(w, b, origin);
-    if (td_shape_at(w, a)->kind == THUD_TERRAIN) {
+    if (td_kind_is_line(td_shape_at(w, a)->kind)) {
         thud_terrain terrain = td_terrain_view(w, a);
         return w->ground->overlap(&terrain, &placed_b);
     }

@@ -1,5 +1,6 @@
 /* wide_aabb.c: contacts between axis-aligned boxes. Neither side rotates, so one point in the
  * middle of the common edge does the work of two; its arms only tell callers where it is. */
+#include "contact/pair_kinds.h"
 #include "contact/wide_collide.h"
 
 static void aabb_aabb(td_block *const *blocks, int count, const td_collide_context *c) {
@@ -29,17 +30,10 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
     }
 }
 
-static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_context *c) {
+static td_sifted sift_aabbs(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     f8 sx = f8_abs(p.dx) - p.ahx - p.bhx, sy = f8_abs(p.dy) - p.ahy - p.bhy;
     return td_sift(a, b, f8_max(sx, sy), c);
 }
 
-extern const td_solve_ops TD_WIDE(td_solve_flat);
-
-extern const td_pair_ops TD_WIDE(td_pair_aabb_aabb);
-const td_pair_ops TD_WIDE(td_pair_aabb_aabb) = {.form = TD_FORM_ONE,
-                                                .sift = sift,
-                                                .collide = aabb_aabb,
-                                                .solve = &TD_WIDE(td_solve_flat),
-                                                .solve_unarmed = &TD_WIDE(td_solve_flat)};
+TD_AABB_PAIRS(TD_DEFINE_PAIR)

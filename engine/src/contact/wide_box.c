@@ -6,6 +6,7 @@
  * run the same instructions. A contact is named by its two faces, whichever of them is the
  * reference, and its points are ordered along the normal's perpendicular, so that impulses find
  * their points again when the roles change. */
+#include "contact/pair_kinds.h"
 #include "contact/wide_manifold_cache.h"
 
 typedef struct turned {
@@ -189,17 +190,10 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
     }
 }
 
-static td_sifted sift(const int32_t *a, const int32_t *b, const td_collide_context *c) {
+static td_sifted sift_boxes(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     axes x = axes_of(&p);
     return td_sift(a, b, f8_max(f8_max(x.sep_ax, x.sep_ay), f8_max(x.sep_bx, x.sep_by)), c);
 }
 
-extern const td_solve_ops TD_WIDE(td_solve_two);
-
-extern const td_pair_ops TD_WIDE(td_pair_box_box);
-const td_pair_ops TD_WIDE(td_pair_box_box) = {.form = TD_FORM_TWO_CACHED,
-                                              .sift = sift,
-                                              .collide = box_box,
-                                              .solve = &TD_WIDE(td_solve_two),
-                                              .solve_unarmed = &TD_WIDE(td_solve_two)};
+TD_OBB_PAIRS(TD_DEFINE_PAIR)

@@ -1,4 +1,5 @@
 /* wide_circle.c: contacts of circles with circles and with boxes. */
+#include "contact/pair_kinds.h"
 #include "contact/wide_collide.h"
 
 /* Unit vector along (x, y) and its length; +y where the length vanishes. */
@@ -142,22 +143,5 @@ static td_sifted sift_circle_box(const int32_t *a, const int32_t *b, const td_co
     return td_sift(a, b, meet(&p, true).separation, c);
 }
 
-extern const td_solve_ops TD_WIDE(td_solve_one), TD_WIDE(td_solve_round);
-
-extern const td_pair_ops TD_WIDE(td_pair_circle_circle), TD_WIDE(td_pair_box_circle),
-    TD_WIDE(td_pair_circle_box);
-const td_pair_ops TD_WIDE(td_pair_circle_circle) = {.form = TD_FORM_ONE,
-                                                    .sift = sift_circles,
-                                                    .collide = circle_circle,
-                                                    .solve = &TD_WIDE(td_solve_one),
-                                                    .solve_unarmed = &TD_WIDE(td_solve_round)};
-const td_pair_ops TD_WIDE(td_pair_box_circle) = {.form = TD_FORM_ONE,
-                                                 .sift = sift_box_circle,
-                                                 .collide = box_circle,
-                                                 .solve = &TD_WIDE(td_solve_one),
-                                                 .solve_unarmed = &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_circle_box) = {.form = TD_FORM_ONE,
-                                                 .sift = sift_circle_box,
-                                                 .collide = circle_box,
-                                                 .solve = &TD_WIDE(td_solve_one),
-                                                 .solve_unarmed = &TD_WIDE(td_solve_one)};
+TD_CIRCLE_PAIRS(TD_DEFINE_PAIR)
+TD_BOX_CIRCLE_PAIRS(TD_DEFINE_PAIR)

@@ -124,14 +124,4 @@ static void terrain_box(thud_world *w, td_block *const *blocks, int count,
     terrain_blocks(w, blocks, count, c, 2);
 }
 
-extern const td_solve_ops TD_WIDE(td_solve_one), TD_WIDE(td_solve_two);
-
-extern const td_pair_ops TD_WIDE(td_pair_terrain_circle), TD_WIDE(td_pair_terrain_box);
-const td_pair_ops TD_WIDE(td_pair_terrain_circle) = {.form = TD_FORM_ONE_CACHED,
-                                                     .collide_world = terrain_circle,
-                                                     .solve = &TD_WIDE(td_solve_one),
-                                                     .solve_unarmed = &TD_WIDE(td_solve_one)};
-const td_pair_ops TD_WIDE(td_pair_terrain_box) = {.form = TD_FORM_TWO_CACHED,
-                                                  .collide_world = terrain_box,
-                                                  .solve = &TD_WIDE(td_solve_two),
-                                                  .solve_unarmed = &TD_WIDE(td_solve_two)};
+TD_TERRAIN_PAIRS(TD_DEFINE_PAIR)

@@ -3,6 +3,7 @@
 
 #include "state/body.h"
 #include "solver/bounces.h"
+#include "solver/friction.h"
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
 
@@ -144,9 +145,9 @@ static outcome bounce(side *a, side *b, bool of_motion, const surface *u) {
     double slide = speed_along(a, b, of_motion, tx, ty) - u->speed + mixed * stop;
     double tangent = -slide / (softness(a, b, of_motion, tx, ty, tx, ty) - mixed * mixed / soft);
     double along = -tangent * mixed / soft; /* keeps the normal speed as it is */
-    double part = 1.0, most = u->friction * (normal + along);
-    if (td_abs(tangent) > most) {
-        part = u->friction * normal / (td_abs(tangent) - u->friction * along);
+    double part = 1.0, ratio = td_friction_ratio(u->friction, slide);
+    if (td_abs(tangent) > ratio * (normal + along)) {
+        part = ratio * normal / (td_abs(tangent) - ratio * along);
     }
     normal += part * along;
     tangent *= part;

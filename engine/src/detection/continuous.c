@@ -49,13 +49,13 @@ static thud_closest ground_below(const thud_world *w, int terrain_shape,
 /* The pair as the prologue sees it: the shape at `time`, in its full size. */
 static thud_contact view(const sweep *s, int other, double time) {
     const thud_world *w = s->w;
-    bool ground = td_shape_at(w, other)->kind == THUD_TERRAIN;
+    bool ground = td_kind_is_line(td_shape_at(w, other)->kind);
     td_position origin = ground ? td_shape_proxy_at(w, other)->center : s->start;
     thud_shape_instance shape = td_placed_at(&s->placed, &s->motion, time);
     shape.x += (double)(s->start.x - origin.x) / w->to_fixed;
     shape.y += (double)(s->start.y - origin.y) / w->to_fixed;
     shape.hx += s->shrink;
-    shape.hy += shape.kind == THUD_CIRCLE ? 0.0 : s->shrink;
+    shape.hy = td_kind_grown_hy(shape.kind, shape.hy, s->shrink);
     thud_closest c;
     if (ground) {
         c = ground_below(w, other, &shape);
@@ -182,18 +182,21 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
     const thud_world *w = s->w;
     const td_shape *shape = td_shape_at(w, index);
     float arm_x = shape->arm_x, arm_y = shape->arm_y, hx = shape->half_x, hy = shape->half_y;
-    float least = shape->kind == THUD_CIRCLE ? hx : td_min_float(hx, hy);
+    float least = td_half_thickness(shape);
     float shrink = td_min_float(2.0f * TD_SLOP * w->unit, 0.25f * least);
+    bool turns = td_kind_turns(shape->kind);
     s->shape = index;
     s->shrink = (double)shrink;
-    s->placed = (thud_shape_instance){
-        .kind = (thud_shape_kind)shape->kind,
-        .x = (double)(c * arm_x - sine * arm_y),
-        .y = (double)(sine * arm_x + c * arm_y),
-        .c = shape->kind == THUD_OBB ? (double)(c * shape->angle_c - sine * shape->angle_s) : 1.0,
-        .s = shape->kind == THUD_OBB ? (double)(sine * shape->angle_c + c * shape->angle_s) : 0.0,
-        .hx = (double)(hx - shrink),
-        .hy = shape->kind == THUD_CIRCLE ? 0.0 : (double)(hy - shrink)};
+    s->placed =
+        (thud_shape_instance){.kind = (thud_shape_kind)shape->kind,
+                              .x = (double)(c * arm_x - sine * arm_y),
+                              .y = (double)(sine * arm_x + c * arm_y),
+                              .c = turns ? (double)(c * shape->angle_c - sine * shape->angle_s)
+                                         : 1.0,
+                              .s = turns ? (double)(sine * shape->angle_c + c * shape->angle_s)
+                                         : 0.0,
+                              .hx = (double)(hx - shrink),
+                              .hy = td_kind_is_round(shape->kind) ? 0.0 : (double)(hy - shrink)};
     s->core = (thud_shape_instance){.kind = THUD_CIRCLE,
                                     .x = s->placed.x,
                                     .y = s->placed.y,
@@ -205,7 +208,7 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
     s->motion =
         (thud_motion){(double)delta[0] + (double)(end_c * arm_x - end_s * arm_y) - s->placed.x,
                       (double)delta[1] + (double)(end_s * arm_x + end_c * arm_y) - s->placed.y,
-                      shape->kind == THUD_OBB ? (double)delta[2] : 0.0};
+                      turns ? (double)delta[2] : 0.0};
 }
 
 static void stop_at(thud_world *w, int index, td_position start, uint32_t start_angle, double time,

@@ -11,10 +11,10 @@
 /* A normal off by less than this, in radians, is that of the ground. */
 #define STRAIGHT 1e-5
 
-/* What goes past a face: of a circle, its centre. */
+/* What has to go past a face to be behind it: a circle's centre, or the whole shape. */
 static thud_shape_instance heart_of(const thud_shape_instance *shape) {
     thud_shape_instance heart = *shape;
-    if (shape->kind == THUD_CIRCLE) {
+    if (td_kind_is_round(shape->kind)) {
         heart.hx = heart.hy = 0.0;
     }
     return heart;
@@ -28,7 +28,7 @@ static double time_past_face(const td_approach *p) {
         const thud_shape_instance *box = i < 2 ? &a : &b;
         double x = i % 2 ? -box->s : box->c, y = i % 2 ? box->c : box->s;
         double along = (b.x - a.x) * x + (b.y - a.y) * y, sign = along < 0.0 ? -1.0 : 1.0;
-        if (box->kind != THUD_CIRCLE && sign * along > td_shadow(&a, x, y) + td_shadow(&b, x, y)) {
+        if (td_kind_is_box(box->kind) && sign * along > td_shadow(&a, x, y) + td_shadow(&b, x, y)) {
             first = td_min_double(first, td_time_across(&a, &p->motion_a, &b, &p->motion_b,
                                                         sign * x, sign * y, 0.0));
         }

@@ -138,8 +138,8 @@ static void schedule(thud_world *w, int number) {
 
 /* Whether a contact is one of those that are looked at here. */
 static bool counts(const thud_world *w, int contact) {
-    int kind = td_constraint_at(w, contact)->kind;
-    return kind < TD_PAIR_SENSOR && kind != TD_PAIR_TERRAIN_CIRCLE && kind != TD_PAIR_TERRAIN_BOX;
+    const td_constraint *c = td_constraint_at(w, contact);
+    return c->kind < TD_PAIR_SENSOR && !td_pair_is_on_line((td_pair_kind)c->kind);
 }
 
 static void schedule_all_of(thud_world *w, const td_trajectory *f) {

@@ -71,7 +71,7 @@ thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory
                              .c = 1.0,
                              .hx = (double)shape->half_x,
                              .hy = (double)shape->half_y};
-    if (shape->kind == THUD_OBB) {
+    if (td_kind_turns(shape->kind)) {
         p.c = (double)(c * shape->angle_c - s * shape->angle_s);
         p.s = (double)(s * shape->angle_c + c * shape->angle_s);
     }
@@ -108,7 +108,7 @@ static bool apart(double x, double motion, double reach) {
 
 /* Half the width and height of what contains the shape, turned as it may be. */
 static void extent_of(const thud_shape_instance *p, bool turns, double *x, double *y) {
-    if (p->kind == THUD_CIRCLE) {
+    if (td_kind_is_round(p->kind)) {
         *x = *y = p->hx;
     } else if (turns) {
         *x = *y = __builtin_sqrt(p->hx * p->hx + p->hy * p->hy);
@@ -149,7 +149,7 @@ static bool above_ground(const thud_world *w, int terrain_shape, const td_approa
 static thud_motion motion_between(const td_trajectory *f, const thud_shape_instance *from,
                                   const thud_shape_instance *to, double rest) {
     return (thud_motion){to->x - from->x, to->y - from->y,
-                         from->kind == THUD_OBB ? f->motion[2] * rest : 0.0};
+                         td_kind_turns(from->kind) ? f->motion[2] * rest : 0.0};
 }
 
 /* A shape off its body's centre of mass moves on an arc, of which the chord is tested: no further
@@ -170,7 +170,7 @@ void td_toi_candidate_ways(const thud_world *w, const td_toi_candidate *e, doubl
                            td_approach *p) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
     td_position origin = a.place;
-    *p = (td_approach){.on_ground = td_shape_at(w, e->shape[0])->kind == THUD_TERRAIN};
+    *p = (td_approach){.on_ground = td_kind_is_line(td_shape_at(w, e->shape[0])->kind)};
     if (p->on_ground) {
         origin = td_shape_proxy_at(w, e->shape[0])->center;
         p->ground = td_terrain_view(w, e->shape[0]);
@@ -260,7 +260,7 @@ void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double 
                                td_features *out) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
     double margin = (double)(TD_SPECULATIVE * w->unit);
-    if (td_shape_at(w, e->shape[0])->kind == THUD_TERRAIN) {
+    if (td_kind_is_line(td_shape_at(w, e->shape[0])->kind)) {
         out->origin = td_shape_proxy_at(w, e->shape[0])->center;
         thud_terrain ground = td_terrain_view(w, e->shape[0]);
         thud_shape_instance shape = td_trajectory_shape(w, &b, e->shape[1], time, out->origin);

@@ -13,7 +13,7 @@ static double swinging_reach(const thud_world *w, const td_body *body, double le
         const td_shape *s = td_shape_at(w, i);
         double x = (double)s->arm_x, y = (double)s->arm_y, hx = (double)s->half_x,
                hy = (double)s->half_y;
-        double own = s->kind == THUD_OBB ? __builtin_sqrt(hx * hx + hy * hy) : 0.0;
+        double own = td_kind_turns(s->kind) ? __builtin_sqrt(hx * hx + hy * hy) : 0.0;
         reach = td_max_double(reach, __builtin_sqrt(x * x + y * y) + own);
     }
     return reach > (double)body->core + 0.5 * least ? reach : 0.0;

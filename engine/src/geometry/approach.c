@@ -8,7 +8,7 @@ thud_result thud_circles_approach(const thud_shape_instance *a, thud_motion moti
         return THUD_ERROR_NULL;
     }
     if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
-        a->kind != THUD_CIRCLE || b->kind != THUD_CIRCLE || !td_motion_valid(motion_a) ||
+        !td_kind_is_round(a->kind) || !td_kind_is_round(b->kind) || !td_motion_valid(motion_a) ||
         !td_motion_valid(motion_b)) {
         return THUD_ERROR_INVALID;
     }

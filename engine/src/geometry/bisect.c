@@ -48,8 +48,7 @@ thud_result thud_shapes_time_of_collision(const thud_shape_instance *a, thud_mot
 }
 
 static double thickness(const thud_shape_instance *shape) {
-    double least = shape->kind == THUD_CIRCLE || shape->hx < shape->hy ? shape->hx : shape->hy;
-    return 2.0 * least;
+    return 2.0 * td_kind_half_thickness(shape->kind, shape->hx, shape->hy);
 }
 
 /* No point of it goes further by turning. Where it turns about its own middle, only what is further
@@ -58,7 +57,7 @@ static double swing(const thud_shape_instance *shape, thud_motion m,
                     const thud_shape_instance *other) {
     double radius = __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
     bool far = radius > 0.5 * (thickness(shape) + thickness(other));
-    return shape->kind == THUD_OBB && far ? td_abs(m.turn) * radius : 0.0;
+    return td_kind_turns(shape->kind) && far ? td_abs(m.turn) * radius : 0.0;
 }
 
 bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a,

@@ -5,12 +5,11 @@ thud_result thud_placed_check(const thud_shape_instance *p) {
     if (!p) {
         return THUD_ERROR_NULL;
     }
-    bool circle = p->kind == THUD_CIRCLE;
-    bool kind = circle || p->kind == THUD_AABB || p->kind == THUD_OBB;
+    bool circle = td_kind_is_round(p->kind), kind = td_kind_has_instances(p->kind);
     bool place = td_abs(p->x) <= 1e15 && td_abs(p->y) <= 1e15;
     bool size = p->hx > 0.0 && p->hx <= 1e15 && (circle || (p->hy > 0.0 && p->hy <= 1e15));
     bool turned = td_abs(p->c * p->c + p->s * p->s - 1.0) < 1e-5;
-    bool upright = p->kind == THUD_OBB || (p->c == 1.0 && p->s == 0.0) || circle;
+    bool upright = td_kind_turns(p->kind) || (p->c == 1.0 && p->s == 0.0) || circle;
     return kind && place && size && (circle || turned) && upright ? THUD_OK : THUD_ERROR_INVALID;
 }
 
@@ -165,15 +164,24 @@ static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, 
 }
 
 void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out) {
-    if (a->kind == THUD_CIRCLE && b->kind == THUD_CIRCLE) {
-        circle_circle(a, b, out);
-    } else if (b->kind == THUD_CIRCLE) {
-        box_circle(a, b, out);
-    } else if (a->kind == THUD_CIRCLE) {
-        box_circle(b, a, out);
-        flip(out);
-    } else {
-        box_box(a, b, out);
+    switch (a->kind) {
+    case THUD_CIRCLE:
+        if (td_kind_is_round(b->kind)) {
+            circle_circle(a, b, out);
+        } else {
+            box_circle(b, a, out);
+            flip(out);
+        }
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
+    case THUD_TERRAIN: /* has no features of its own: it is never asked for */
+        if (td_kind_is_round(b->kind)) {
+            box_circle(a, b, out);
+        } else {
+            box_box(a, b, out);
+        }
+        break;
     }
 }
 

@@ -52,7 +52,7 @@ static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy) {
 
 static void set_boxes(thud_minkowski *sum, const thud_shape_instance *a,
                       const thud_shape_instance *b) {
-    if (a->kind == THUD_AABB && b->kind == THUD_AABB) {
+    if (!td_kind_turns(a->kind) && !td_kind_turns(b->kind)) {
         set_box(sum, (thud_pos){1.0, 0.0}, a->hx + b->hx, a->hy + b->hy);
         return;
     }
@@ -78,21 +78,26 @@ static void set_boxes(thud_minkowski *sum, const thud_shape_instance *a,
 }
 
 void td_minkowski_of(const thud_shape_instance *shape, thud_minkowski *sum) {
-    if (shape->kind == THUD_CIRCLE) {
+    switch (shape->kind) {
+    case THUD_CIRCLE:
         sum->count = 1;
         sum->vertices[0] = (thud_pos){0.0, 0.0};
         sum->radius = shape->hx;
-    } else {
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
+    case THUD_TERRAIN: /* has no sum: it is never asked for */
         set_box(sum, axis_of(shape), shape->hx, shape->hy);
+        break;
     }
 }
 
 void td_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,
                       thud_minkowski *sum) {
-    if (b->kind == THUD_CIRCLE) {
+    if (td_kind_is_round(b->kind)) {
         td_minkowski_of(a, sum);
         sum->radius += b->hx;
-    } else if (a->kind == THUD_CIRCLE) {
+    } else if (td_kind_is_round(a->kind)) {
         td_minkowski_of(b, sum);
         sum->radius += a->hx;
     } else {

@@ -129,7 +129,7 @@ thud_result thud_shapes_contacts(const thud_shape_instance *a, const thud_shape_
         *out = (thud_contacts){0};
         return THUD_OK;
     }
-    if (a->kind != THUD_CIRCLE && b->kind != THUD_CIRCLE) {
+    if (td_kind_is_box(a->kind) && td_kind_is_box(b->kind)) {
         add_far_end(&here, &there, margin, out);
     }
     for (int i = 0; i < out->count; i++) {

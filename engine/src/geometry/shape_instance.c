@@ -7,7 +7,7 @@ thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_mo
     thud_shape_instance p = *shape;
     p.x += m->dx * t;
     p.y += m->dy * t;
-    if (p.kind == THUD_OBB && m->turn != 0.0) {
+    if (td_kind_turns(p.kind) && m->turn != 0.0) {
         double s, c;
         td_sincos(m->turn * t, &s, &c);
         p.c = shape->c * c - shape->s * s;

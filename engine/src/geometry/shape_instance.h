@@ -3,7 +3,7 @@
 #define TD_SHAPE_INSTANCE_H
 
 #include "base/base.h"
-#include "thud/thud_shapes.h"
+#include "geometry/shape_kind.h"
 
 static inline double td_abs(double x) {
     return x < 0.0 ? -x : x;
@@ -34,11 +34,6 @@ static inline void td_corner(const thud_shape_instance *box, int i, double *x, d
     *y += box->y;
 }
 
-/* No point of the shape is further than this from its centre. A circle's hy is not read. */
-static inline double td_reach(const thud_shape_instance *shape) {
-    return shape->kind == THUD_CIRCLE ? shape->hx : shape->hx + shape->hy;
-}
-
 /* Half extent of a box's shadow on the direction (x, y), which has length 1. */
 static inline double td_shadow(const thud_shape_instance *box, double x, double y) {
     double u, v;
@@ -46,9 +41,36 @@ static inline double td_shadow(const thud_shape_instance *box, double x, double 
     return td_abs(u) * box->hx + td_abs(v) * box->hy;
 }
 
+/* No point of the shape is further than this from its centre. A circle's hy is not read. */
+TD_INLINE_SMALL double td_reach(const thud_shape_instance *shape) {
+    switch (shape->kind) {
+    case THUD_CIRCLE:
+        return shape->hx;
+    case THUD_AABB:
+    case THUD_OBB:
+    case THUD_TERRAIN:
+        break;
+    }
+    return shape->hx + shape->hy;
+}
+
+/* Half of what the shape takes up along (x, y), which has length 1. A circle's angle is not read.
+ */
+static inline double td_half_along(const thud_shape_instance *shape, double x, double y) {
+    switch (shape->kind) {
+    case THUD_CIRCLE:
+        return shape->hx;
+    case THUD_AABB:
+    case THUD_OBB:
+    case THUD_TERRAIN:
+        break;
+    }
+    return td_shadow(shape, x, y);
+}
+
 /* Half the width of the shape's bounding box. */
 static inline double td_half_width(const thud_shape_instance *shape) {
-    return shape->kind == THUD_CIRCLE ? shape->hx : td_shadow(shape, 1.0, 0.0);
+    return td_half_along(shape, 1.0, 0.0);
 }
 
 /* What thud_sincos takes, in radians. */

@@ -26,7 +26,7 @@ static void translating(const thud_shape_instance *a, const thud_motion *ma,
 }
 
 static bool turns(const thud_shape_instance *shape, const thud_motion *m) {
-    return shape->kind == THUD_OBB && m->turn != 0.0;
+    return td_kind_turns(shape->kind) && m->turn != 0.0;
 }
 
 /* A corner that may come across first: how far it is along the direction, from its shape's centre,
@@ -38,12 +38,17 @@ typedef struct corner {
 /* The corners of a shape that turns by `turn`, or of another the one that is furthest. */
 static int corners_along(const thud_shape_instance *shape, double turn, double nx, double ny,
                          corner out[4]) {
-    if (shape->kind == THUD_CIRCLE) {
-        out[0] = (corner){shape->hx, 0.0};
-        return 1;
+    switch (shape->kind) {
+    case THUD_CIRCLE:
+        turn = 0.0; /* is not to be seen */
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
+    case THUD_TERRAIN:
+        break;
     }
     if (turn == 0.0) {
-        out[0] = (corner){td_shadow(shape, nx, ny), 0.0};
+        out[0] = (corner){td_half_along(shape, nx, ny), 0.0};
         return 1;
     }
     thud_shape_instance box = *shape;
@@ -103,7 +108,7 @@ static double time_across_face(const thud_shape_instance *box, const thud_motion
                                const thud_shape_instance *other, const thud_motion *mo,
                                double target) {
     double x = other->x - box->x, y = other->y - box->y, vx = mo->dx - m->dx, vy = mo->dy - m->dy;
-    double twist = (other->kind == THUD_OBB ? mo->turn : 0.0) - m->turn, apart = 0.0, nx = 0.0,
+    double twist = (td_kind_turns(other->kind) ? mo->turn : 0.0) - m->turn, apart = 0.0, nx = 0.0,
            ny = 0.0;
     corner corners[4];
     for (int i = 0; i < 2; i++) {
@@ -119,7 +124,7 @@ static double time_across_face(const thud_shape_instance *box, const thud_motion
         return 0.0;
     }
     double way = __builtin_sqrt(vx * vx + vy * vy), from = __builtin_sqrt(x * x + y * y);
-    double turn = td_abs(m->turn), radius = other->kind == THUD_CIRCLE ? 0.0 : radius_of(other);
+    double turn = td_abs(m->turn), radius = td_kind_is_round(other->kind) ? 0.0 : radius_of(other);
     double bend = 0.5 * (turn * (turn * (from + way) + 2.0 * way) + twist * twist * radius);
     double closing = m->turn * (x * ny - y * nx) - vx * nx - vy * ny, time = 2.0;
     corners_along(other, 0.0, nx, ny, corners);

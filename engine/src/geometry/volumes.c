@@ -5,28 +5,24 @@
 /* The roundings of a fit and of a later test come to no more than this part of place and size. */
 #define ROUNDING 2e-15
 
-bool td_volume_kind_valid(thud_shape_kind kind) {
-    return kind == THUD_CIRCLE || kind == THUD_AABB || kind == THUD_OBB;
-}
-
 thud_result thud_volume_check(const thud_volume *v) {
     if (!v) {
         return THUD_ERROR_NULL;
     }
-    bool circle = v->kind == THUD_CIRCLE;
+    bool circle = td_kind_is_round(v->kind);
     bool place = td_abs(v->x) <= MAX_VOLUME && td_abs(v->y) <= MAX_VOLUME;
     bool size =
         v->hx >= 0.0 && v->hx <= MAX_VOLUME && (circle || (v->hy >= 0.0 && v->hy <= MAX_VOLUME));
-    bool turned = v->kind == THUD_OBB ? td_abs(v->c * v->c + v->s * v->s - 1.0) < 1e-5
-                                      : circle || (v->c == 1.0 && v->s == 0.0);
-    return td_volume_kind_valid(v->kind) && place && size && turned ? THUD_OK : THUD_ERROR_INVALID;
+    bool turned = td_kind_turns(v->kind) ? td_abs(v->c * v->c + v->s * v->s - 1.0) < 1e-5
+                                         : circle || (v->c == 1.0 && v->s == 0.0);
+    return td_kind_is_volume(v->kind) && place && size && turned ? THUD_OK : THUD_ERROR_INVALID;
 }
 
 thud_result td_volume_store(thud_shape_kind kind, thud_volume v, thud_volume *out) {
     v.kind = kind;
     double grow = ROUNDING * (td_abs(v.x) + td_abs(v.y) + v.hx + v.hy);
     v.hx += grow;
-    v.hy += kind == THUD_CIRCLE ? 0.0 : grow;
+    v.hy = td_kind_grown_hy(kind, v.hy, grow);
     thud_result result = thud_volume_check(&v);
     if (result == THUD_OK) {
         *out = v;
@@ -52,15 +48,10 @@ void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double
     }
 }
 
-/* Half of what the shape takes up along (x, y), of length 1. */
-static double half_along(const thud_shape_instance *shape, double x, double y) {
-    return shape->kind == THUD_CIRCLE ? shape->hx : td_shadow(shape, x, y);
-}
-
 /* The radius of the smallest circle about the shape's centre that holds the shape. */
 static double radius_around(const thud_shape_instance *shape) {
     double x = shape->hx, y = 0.0;
-    if (shape->kind != THUD_CIRCLE) {
+    if (td_kind_is_box(shape->kind)) {
         td_from_frame(shape, shape->hx, shape->hy, &x, &y);
     }
     return __builtin_sqrt(x * x + y * y);
@@ -85,10 +76,10 @@ static thud_pos corner_along(const thud_shape_instance *box, int i, double c, do
 /* What a motion takes up along (c, s), seen from the middle of the centre's way. */
 static td_span span_of_motion(const thud_shape_instance *start, const thud_motion *m, double c,
                               double s) {
-    double u = start->kind == THUD_CIRCLE ? start->hx : 0.0, v = u;
+    double u = td_kind_is_round(start->kind) ? start->hx : 0.0, v = u;
     thud_shape_instance end = td_placed_at(start, m, 1.0);
-    bool half_turn = start->kind == THUD_OBB && td_abs(m->turn) >= TD_PI;
-    for (int i = 0; i < 2 && start->kind != THUD_CIRCLE; i++) {
+    bool half_turn = td_kind_turns(start->kind) && td_abs(m->turn) >= TD_PI;
+    for (int i = 0; i < 2 && td_kind_is_box(start->kind); i++) {
         thud_pos p = corner_along(start, i, c, s), q = corner_along(&end, i, c, s);
         u = td_max_double(u, furthest(p, q, half_turn));
         v = td_max_double(v, furthest((thud_pos){p.y, p.x}, (thud_pos){q.y, q.x}, half_turn));
@@ -103,12 +94,12 @@ thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_ins
     if (!shape || !out) {
         return THUD_ERROR_NULL;
     }
-    if (!td_volume_kind_valid(kind) || thud_placed_check(shape) != THUD_OK ||
+    if (!td_kind_is_volume(kind) || thud_placed_check(shape) != THUD_OK ||
         !td_motion_valid(motion)) {
         return THUD_ERROR_INVALID;
     }
     thud_pos middle = {shape->x + 0.5 * motion.dx, shape->y + 0.5 * motion.dy};
-    if (kind == THUD_CIRCLE) {
+    if (td_kind_is_round(kind)) {
         double way = __builtin_sqrt(motion.dx * motion.dx + motion.dy * motion.dy);
         thud_volume circle = {.x = middle.x,
                               .y = middle.y,
@@ -117,13 +108,13 @@ thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_ins
         return td_volume_store(kind, circle, out);
     }
     thud_pos own = {1.0, 0.0};
-    if (kind == THUD_OBB && shape->kind == THUD_OBB) {
+    if (td_kind_turns(kind) && td_kind_turns(shape->kind)) {
         thud_shape_instance halfway = td_placed_at(shape, &motion, 0.5);
         own = td_volume_direction(halfway.c, halfway.s);
     }
     thud_volume box =
         td_volume_of_span(middle, own.x, own.y, span_of_motion(shape, &motion, own.x, own.y));
-    if (kind == THUD_OBB) {
+    if (td_kind_turns(kind)) {
         thud_pos ahead = td_volume_direction(motion.dx, motion.dy);
         td_volume_keep_smaller(&box, middle, ahead.x, ahead.y,
                                span_of_motion(shape, &motion, ahead.x, ahead.y));
@@ -140,8 +131,8 @@ thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_shape_inst
 
 /* Around both, along (c, s), seen from a's centre. */
 static td_span span_of_both(const thud_volume *a, const thud_volume *b, double c, double s) {
-    double au = half_along(a, c, s), av = half_along(a, -s, c);
-    double bu = half_along(b, c, s), bv = half_along(b, -s, c);
+    double au = td_half_along(a, c, s), av = td_half_along(a, -s, c);
+    double bu = td_half_along(b, c, s), bv = td_half_along(b, -s, c);
     double x = b->x - a->x, y = b->y - a->y, u = c * x + s * y, v = c * y - s * x;
     return (td_span){u - bu < -au ? u - bu : -au, td_max_double(u + bu, au),
                      v - bv < -av ? v - bv : -av, td_max_double(v + bv, av)};
@@ -168,21 +159,21 @@ thud_result thud_volume_merge(thud_shape_kind kind, const thud_volume *a, const 
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
-    if (!td_volume_kind_valid(kind) || thud_volume_check(a) != THUD_OK ||
+    if (!td_kind_is_volume(kind) || thud_volume_check(a) != THUD_OK ||
         thud_volume_check(b) != THUD_OK) {
         return THUD_ERROR_INVALID;
     }
-    if (kind == THUD_CIRCLE) {
+    if (td_kind_is_round(kind)) {
         return td_volume_store(kind, circle_around_both(a, b), out);
     }
     thud_pos from = {a->x, a->y};
     thud_volume box = td_volume_of_span(from, 1.0, 0.0, span_of_both(a, b, 1.0, 0.0));
-    const thud_pos directions[] = {a->kind == THUD_OBB ? td_volume_direction(a->c, a->s)
-                                                       : (thud_pos){1.0, 0.0},
-                                   b->kind == THUD_OBB ? td_volume_direction(b->c, b->s)
-                                                       : (thud_pos){1.0, 0.0},
+    const thud_pos directions[] = {td_kind_turns(a->kind) ? td_volume_direction(a->c, a->s)
+                                                          : (thud_pos){1.0, 0.0},
+                                   td_kind_turns(b->kind) ? td_volume_direction(b->c, b->s)
+                                                          : (thud_pos){1.0, 0.0},
                                    td_volume_direction(b->x - a->x, b->y - a->y)};
-    for (int i = 0; i < 3 && kind == THUD_OBB; i++) {
+    for (int i = 0; i < 3 && td_kind_turns(kind); i++) {
         double c = directions[i].x, s = directions[i].y;
         td_volume_keep_smaller(&box, from, c, s, span_of_both(a, b, c, s));
     }

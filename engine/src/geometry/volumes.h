@@ -16,8 +16,6 @@ static inline thud_pos td_volume_direction(double x, double y) {
     return length > 1e-150 ? (thud_pos){x / length, y / length} : (thud_pos){1.0, 0.0};
 }
 
-bool td_volume_kind_valid(thud_shape_kind kind);
-
 /* The box of a span along (c, s), as an OBB. */
 thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_span span);
 

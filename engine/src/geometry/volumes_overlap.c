@@ -32,20 +32,21 @@ static bool box_box(const thud_volume *a, const thud_volume *b) {
     return td_abs(u) <= b->hx + c * a->hx + s * a->hy && td_abs(v) <= b->hy + s * a->hx + c * a->hy;
 }
 
-/* In the order of the kinds, so that the first is a circle if any is. */
+/* The kinds come in their own order, so that the first is a circle if any is, and the second an
+ * OBB if any is. */
 static bool overlap(const thud_volume *a, const thud_volume *b) {
-    double x = a->x - b->x, y = a->y - b->y, u, v;
-    if (b->kind == THUD_CIRCLE) {
+    double x = a->x - b->x, y = a->y - b->y;
+    if (td_kind_is_round(b->kind)) {
         return circle_circle(a, b);
     }
-    if (a->kind == THUD_CIRCLE && b->kind == THUD_AABB) {
-        return circle_box(a, b, x, y);
-    }
-    if (a->kind == THUD_CIRCLE) {
-        td_to_frame(b, x, y, &u, &v);
+    if (td_kind_is_round(a->kind)) {
+        double u = x, v = y;
+        if (td_kind_turns(b->kind)) {
+            td_to_frame(b, x, y, &u, &v);
+        }
         return circle_box(a, b, u, v);
     }
-    return b->kind == THUD_AABB ? aabb_aabb(a, b) : box_box(a, b);
+    return td_kind_turns(b->kind) ? box_box(a, b) : aabb_aabb(a, b);
 }
 
 thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, bool *out) {
@@ -63,7 +64,7 @@ thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, boo
 static bool in_circle(const thud_volume *circle, const thud_volume *inner) {
     double x = inner->x - circle->x, y = inner->y - circle->y;
     double room = circle->hx;
-    if (inner->kind == THUD_CIRCLE) {
+    if (td_kind_is_round(inner->kind)) {
         room -= inner->hx;
         return room >= 0.0 && x * x + y * y <= room * room;
     }
@@ -77,7 +78,7 @@ static bool in_circle(const thud_volume *circle, const thud_volume *inner) {
 static bool in_box(const thud_volume *box, const thud_volume *inner) {
     double u, v, hu = inner->hx, hv = inner->hx;
     td_to_frame(box, inner->x - box->x, inner->y - box->y, &u, &v);
-    if (inner->kind != THUD_CIRCLE) {
+    if (td_kind_is_box(inner->kind)) {
         hu = td_shadow(inner, box->c, box->s);
         hv = td_shadow(inner, -box->s, box->c);
     }
@@ -91,7 +92,7 @@ thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *in
     if (thud_volume_check(outer) != THUD_OK || thud_volume_check(inner) != THUD_OK) {
         return THUD_ERROR_INVALID;
     }
-    *inside = outer->kind == THUD_CIRCLE ? in_circle(outer, inner) : in_box(outer, inner);
+    *inside = td_kind_is_round(outer->kind) ? in_circle(outer, inner) : in_box(outer, inner);
     return THUD_OK;
 }
 

@@ -165,18 +165,17 @@ static thud_result around(thud_shape_kind kind, point_set *set, thud_volume *out
             return THUD_ERROR_INVALID;
         }
     }
-    switch (kind) {
-    case THUD_CIRCLE:
-        return td_volume_store(kind, circle_around(set), out);
-    case THUD_AABB: {
-        td_span span = span_of(set, 1.0, 0.0);
-        return td_volume_store(kind, td_volume_of_span(set->origin, 1.0, 0.0, span), out);
-    }
-    case THUD_OBB:
-        return td_volume_store(kind, obb_around(set), out);
-    default:
+    if (!td_kind_is_volume(kind)) {
         return THUD_ERROR_INVALID;
     }
+    if (td_kind_is_round(kind)) {
+        return td_volume_store(kind, circle_around(set), out);
+    }
+    if (td_kind_turns(kind)) {
+        return td_volume_store(kind, obb_around(set), out);
+    }
+    td_span span = span_of(set, 1.0, 0.0);
+    return td_volume_store(kind, td_volume_of_span(set->origin, 1.0, 0.0, span), out);
 }
 
 thud_result thud_volume_around_points(thud_shape_kind kind, const thud_pos *points, int count,

@@ -1,6 +1,8 @@
 /* direct.c: what the two methods of direct.h share. */
 #include "islands/direct.h"
 
+#include "solver/friction.h"
+
 static double dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -31,10 +33,15 @@ double td_direct_load(const td_direct_constraint *c) {
     return load;
 }
 
+double td_direct_friction(const td_direct_constraint *c) {
+    const td_direct_row *tangent = &c->row[TD_DIRECT_TANGENT];
+    return td_friction_bound(c->friction, td_direct_load(c), tangent->speed - tangent->wanted);
+}
+
 void td_direct_bound(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];
-        c->row[TD_DIRECT_TANGENT].most = c->friction * td_direct_load(c);
+        c->row[TD_DIRECT_TANGENT].most = td_direct_friction(c);
     }
 }
 

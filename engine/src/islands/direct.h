@@ -95,7 +95,10 @@ void td_direct_step(td_direct *d);
 double td_direct_miss(const td_direct *d);
 /* The sum of what a constraint's rows push. */
 double td_direct_load(const td_direct_constraint *c);
-/* Bounds of friction for the impulses along the normals. */
+/* The bound of a contact's friction for the impulses along the normals and the speed at which it
+ * slides, as both stand. */
+double td_direct_friction(const td_direct_constraint *c);
+/* Gives the tangents of all contacts that bound. */
 void td_direct_bound(td_direct *d);
 
 #endif

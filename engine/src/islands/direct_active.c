@@ -15,6 +15,14 @@
 /* A row keeps its mind for so much of the tolerance. */
 #define DOUBT 0.1
 
+/* A bound of friction that was right but for so much, as loads are from step to step, holds. */
+#define GROWN 1.02
+
+/* Friction that came nearer than this to its bound, in parts of it, slid there: that it slides is
+ * then told by its speed (SLID), or by the impulse alone (AT_BOUND). */
+#define SLID 0.9
+#define AT_BOUND 0.999
+
 enum { PATIENCE = 6 }; /* factorisations */
 
 static double size_of(double x) {
@@ -95,7 +103,7 @@ static void guess(td_direct *d, double doubt) {
 /* Friction that has slid all the way to its bound slides on where that has grown a little since. */
 static bool slides_on(const td_direct_row *r, double doubt) {
     double slip = r->impulse < 0.0 ? r->speed - r->wanted : r->wanted - r->speed;
-    return slip > doubt && size_of(r->impulse) > 0.9 * r->most;
+    return slip > doubt && size_of(r->impulse) > SLID * r->most;
 }
 
 /* The multipliers take the impulses. Friction that had reached a bound, which has grown by much
@@ -108,7 +116,7 @@ static void take_multipliers(td_direct *d, double doubt) {
                 r->active = false;
                 r->impulse = r->impulse < 0.0 ? -r->most : r->most;
             } else if (r->kind == TD_ROW_FRICTION) {
-                r->active = size_of(r->impulse) < 0.999 * r->most;
+                r->active = size_of(r->impulse) < AT_BOUND * r->most;
                 r->impulse = clamped(r->impulse, r->most);
             }
             r->base = r->impulse;
@@ -150,7 +158,7 @@ static double slip(const td_direct *d) {
         const td_direct_constraint *c = &d->constraints[i];
         const td_direct_row *r = &c->row[TD_DIRECT_TANGENT];
         if (r->used && r->kind == TD_ROW_FRICTION && !r->active &&
-            c->friction * td_direct_load(c) > r->most * 1.02) {
+            td_direct_friction(c) > r->most * GROWN) {
             worst = td_max_double(worst, size_of(r->speed - r->wanted));
         }
     }

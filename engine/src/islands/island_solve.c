@@ -164,8 +164,8 @@ static void carry_on(td_island_work *work) {
         }
         want_velocity(work, i);
     }
-    td_direct_bound(d);
     td_direct_measure(d);
+    td_direct_bound(d);
 }
 
 /* False: the soft solver's result is as good. */

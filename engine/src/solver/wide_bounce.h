@@ -50,7 +50,6 @@ TD_INLINE void take_lacks(const td_block *block, const sides *v, int points, con
 /* Friction, by the normal impulses of the bounce. */
 TD_INLINE f8 rub_off(const td_solve_context *c, td_block *block, int points, const sides *v,
                      const f8 *normal) {
-    f8 limit = block->friction * (points == 2 ? normal[0] + normal[1] : normal[0]);
     f8 slide = centres_along(v, false, block->ny, -block->nx);
     slide = at_arms(slide, v, false, block->tangent_cross_a, block->tangent_cross_b);
     for (int k = 0; k < points; k++) {
@@ -62,6 +61,8 @@ TD_INLINE f8 rub_off(const td_solve_context *c, td_block *block, int points, con
     if (c->surface_speeds) {
         slide -= td_surface_at(block, points)->speed;
     }
+    f8 limit =
+        td_friction_bound8(block->friction, points == 2 ? normal[0] + normal[1] : normal[0], slide);
     return f8_clamp(-block->tangent_mass * slide, -limit, limit);
 }
 

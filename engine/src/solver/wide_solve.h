@@ -8,6 +8,7 @@
 #ifndef TD_WIDE_SOLVE_H
 #define TD_WIDE_SOLVE_H
 
+#include "solver/friction.h"
 #include "solver/tally.h"
 
 /* Velocities (or motions) of both sides; side a stays zero where it is static. */
@@ -102,7 +103,8 @@ TD_INLINE f8 coupling(const td_block *block, bool fixed, f8 from_a, f8 from_b, f
     return fixed ? k : k + block->inv_inertia_a * from_a * to_a;
 }
 
-/* ... of the first point to the second, along the same normal. */
+/* Normal speed that a unit of impulse at the first point brings to the second, along the same
+ * normal. */
 TD_INLINE f8 by_first(const td_block *block, const sides *v, bool fixed) {
     const td_point *p = &block->point[0], *q = &block->point[1];
     f8 mass = fixed ? v->b.w : v->a.w + v->b.w;
@@ -160,11 +162,10 @@ TD_INLINE void solve_blocks(td_block *const *blocks, int count, const td_solve_c
 /* Friction, by the normal impulses as they stand; returns the change of its impulse. */
 TD_INLINE f8 rub(const td_solve_context *c, td_block *block, int points, td_arms arms, bool fixed,
                  const sides *v) {
-    f8 limit = block->point[0].normal_impulse;
+    f8 normal = block->point[0].normal_impulse;
     if (points == 2) {
-        limit += block->point[1].normal_impulse;
+        normal += block->point[1].normal_impulse;
     }
-    limit *= block->friction;
     f8 slide = centres_along(v, fixed, block->ny, -block->nx);
     if (arms != ARMS_NONE) {
         slide = at_arms(slide, v, fixed, block->tangent_cross_a, block->tangent_cross_b);
@@ -172,13 +173,14 @@ TD_INLINE f8 rub(const td_solve_context *c, td_block *block, int points, td_arms
     if (c->surface_speeds) {
         slide -= td_surface_at(block, points)->speed;
     }
+    f8 limit = td_friction_bound8(block->friction, normal, slide);
     f8 old = block->tangent_impulse;
     f8 now = f8_clamp(old - block->tangent_mass * slide, -limit, limit);
     block->tangent_impulse = now;
     return now - old;
 }
 
-/* The last one also notes the fastest approach that it finds. */
+/* The last relax pass of a step also notes the fastest approach that it finds. */
 TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_context *c,
                             int points, td_arms arms, bool fixed) {
     f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h), slowest = zero;

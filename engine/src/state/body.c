@@ -4,6 +4,7 @@
 
 #include "state/awake.h"
 #include "state/handles.h"
+#include "state/shape.h"
 #include "base/rotation.h"
 
 #include <string.h>
@@ -130,22 +131,12 @@ bool thud_body_is_valid(const thud_world *w, thud_body_id id) {
 
 /* ---- mass ---- */
 
-/* Area, and second moment of area about the shape's own centre. */
 static void area_of(const td_shape *shape, double *area, double *moment) {
-    double x = (double)shape->half_x, y = (double)shape->half_y;
-    if (shape->kind == THUD_CIRCLE) {
-        *area = TD_PI * x * x;
-        *moment = *area * x * x / 2.0;
-    } else if (shape->kind == THUD_TERRAIN) {
-        *area = *moment = 0.0;
-    } else {
-        *area = 4.0 * x * y;
-        *moment = *area * (x * x + y * y) / 3.0;
-    }
+    td_kind_area(shape->kind, (double)shape->half_x, (double)shape->half_y, area, moment);
 }
 
 static float reach_of(const td_shape *shape) {
-    return shape->kind == THUD_CIRCLE
+    return td_kind_is_round(shape->kind)
                ? shape->half_x
                : __builtin_sqrtf(shape->half_x * shape->half_x + shape->half_y * shape->half_y);
 }
@@ -201,9 +192,7 @@ void td_body_weigh(thud_world *w, int index) {
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
         float x = shape->x - body->center_x, y = shape->y - body->center_y;
-        float least =
-            shape->kind == THUD_CIRCLE ? shape->half_x : td_min_float(shape->half_x, shape->half_y);
-        body->core = td_min_float(body->core, least);
+        body->core = td_min_float(body->core, td_half_thickness(shape));
         body->rim = td_max_float(body->rim, __builtin_sqrtf(x * x + y * y) + reach_of(shape));
     }
 }

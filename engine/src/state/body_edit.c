@@ -145,7 +145,7 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
     const td_body *body = td_body_at(w, index);
     bool upright = body->aabbs > 0;
     for (int i = body->first_shape; i != TD_NONE && !upright; i = td_shape_at(w, i)->next) {
-        upright = td_shape_at(w, i)->kind == THUD_TERRAIN;
+        upright = td_kind_is_line(td_shape_at(w, i)->kind);
     }
     if (upright && angle != 0.0) {
         return td_refuse(w, THUD_ERROR_INVALID,

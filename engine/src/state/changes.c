@@ -135,7 +135,7 @@ static void update_shapes(thud_world *w, int index) {
 /* A line that moved or changed has no pair in common with what it was. */
 static void renew_terrain(thud_world *w, int index) {
     for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        if (td_shape_at(w, i)->kind == THUD_TERRAIN) {
+        if (td_kind_is_line(td_shape_at(w, i)->kind)) {
             destroy_contacts(w, index, i);
             *td_marks_at(w, i) |= TD_MARK_FRESH;
         }

@@ -3,8 +3,7 @@
 #include "contact/internal_edges.h"
 
 void td_kind_obb(thud_world *w) {
-    w->pairs[TD_PAIR_BOX_BOX] = &TD_PICK_WIDE(w, td_pair_box_box);
-    w->pairs[TD_PAIR_BOX_CIRCLE] = &TD_PICK_WIDE(w, td_pair_box_circle);
-    w->pairs[TD_PAIR_CIRCLE_BOX] = &TD_PICK_WIDE(w, td_pair_circle_box);
+    TD_OBB_PAIRS(TD_PLUG_PAIR)
+    TD_BOX_CIRCLE_PAIRS(TD_PLUG_PAIR)
     w->internal_edges = &td_internal_edges;
 }

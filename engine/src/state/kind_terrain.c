@@ -7,8 +7,7 @@ static const td_ground_ops ground = {thud_terrain_overlap, thud_terrain_time_of_
                                      thud_terrain_sample_at};
 
 void td_kind_terrain(thud_world *w) {
-    w->pairs[TD_PAIR_TERRAIN_CIRCLE] = &TD_PICK_WIDE(w, td_pair_terrain_circle);
-    w->pairs[TD_PAIR_TERRAIN_BOX] = &TD_PICK_WIDE(w, td_pair_terrain_box);
+    TD_TERRAIN_PAIRS(TD_PLUG_PAIR)
     w->internal_edges = &td_internal_edges;
     w->ground = &ground;
 }

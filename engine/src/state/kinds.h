@@ -7,10 +7,15 @@
 #include "solver/motion.h"
 #include "state/world.h"
 
-void td_kind_circle(thud_world *w);
-void td_kind_aabb(thud_world *w);
-void td_kind_obb(thud_world *w);
-void td_kind_terrain(thud_world *w);
+/* ROW(kind of shape, what plugs it in, a pair kind that comes with it alone) */
+#define TD_ALL_KINDS(ROW)                                   \
+    ROW(THUD_CIRCLE, td_kind_circle, TD_PAIR_CIRCLE_CIRCLE) \
+    ROW(THUD_AABB, td_kind_aabb, TD_PAIR_AABB_AABB)         \
+    ROW(THUD_OBB, td_kind_obb, TD_PAIR_BOX_BOX)             \
+    ROW(THUD_TERRAIN, td_kind_terrain, TD_PAIR_TERRAIN_BOX)
+
+#define TD_DECLARE_KIND(kind, plug, own) void plug(thud_world *w);
+TD_ALL_KINDS(TD_DECLARE_KIND)
 
 /* Wide files exist once for every processor and, on x86-64, once more for AVX2; the names here
  * pick one at run time. */
@@ -34,12 +39,11 @@ TD_DECLARE_WIDE(td_integrate_position_fn, td_integrate_position);
 TD_DECLARE_WIDE(td_tally_fn, td_tally_points);
 TD_DECLARE_WIDE(td_kinetic_energy_fn, td_kinetic_energy);
 TD_DECLARE_WIDE(td_finalize_bodies_fn, td_finalize_bodies);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_circle);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_circle);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_circle_box);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_aabb_aabb);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_box_box);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_terrain_circle);
-TD_DECLARE_WIDE(const td_pair_ops, td_pair_terrain_box);
+
+#define TD_DECLARE_PAIR(kind, ops, ...) TD_DECLARE_WIDE(const td_constraint_ops, ops);
+TD_ALL_PAIRS(TD_DECLARE_PAIR)
+
+/* Where there is a world `w`: gives it the operations of a row of pair_kinds.h. */
+#define TD_PLUG_PAIR(kind, ops, ...) w->pairs[kind] = &TD_PICK_WIDE(w, ops);
 
 #endif

@@ -93,7 +93,7 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
     made.surface_speed = def->surface_speed;
     made.filter = def->filter;
     made.user_data = def->user_data;
-    if (made.kind == THUD_TERRAIN) {
+    if (td_kind_is_line(made.kind)) {
         td_terrain_record_at(w, made.terrain)->shape = index;
     } else {
         made.terrain = TD_NONE;
@@ -103,7 +103,7 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
     w->mobile_sensors += def->sensor && body->kind == THUD_DYNAMIC;
     body->first_shape = index;
     body->shape_count++;
-    body->aabbs = (uint8_t)(body->aabbs | (made.kind == THUD_AABB));
+    body->aabbs = (uint8_t)(body->aabbs | td_kind_fixes_rotation(made.kind));
     if (w->locked) {
         td_deferred_add(w, body_index, TD_PUT_SHAPE, (double[4]){index});
     } else if (body->kind != THUD_STATIC) {
@@ -262,7 +262,7 @@ thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terra
     if (result != THUD_OK) {
         return result;
     }
-    if (td_shape_at(w, index)->kind != THUD_TERRAIN) {
+    if (!td_kind_is_line(td_shape_at(w, index)->kind)) {
         return td_refuse(w, THUD_ERROR_INVALID, "shape terrain: the shape is no terrain");
     }
     if (out) {

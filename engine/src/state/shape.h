@@ -18,9 +18,12 @@ void td_shape_expect(thud_world *w, int shape, float dx, float dy);
 td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *placed,
                            td_position origin, double slack);
 
+TD_INLINE_SMALL float td_half_thickness(const td_shape *shape) {
+    return (float)td_kind_half_thickness(shape->kind, (double)shape->half_x, (double)shape->half_y);
+}
+
 static inline float td_thickness(const td_shape *shape) {
-    return 2.0f * (shape->kind == THUD_CIRCLE ? shape->half_x
-                                              : td_min_float(shape->half_x, shape->half_y));
+    return 2.0f * td_half_thickness(shape);
 }
 
 /* The thinnest shape's thickness; infinite where there is none. Terrain is solid below. */

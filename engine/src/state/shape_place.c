@@ -18,10 +18,11 @@ void td_shape_settle(thud_world *w, int index) {
     shape->arm_x = shape->x - body->center_x;
     shape->arm_y = shape->y - body->center_y;
     shape->plain = shape->arm_x == 0.0f && shape->arm_y == 0.0f && !shape->angle &&
-                   shape->kind != THUD_TERRAIN;
+                   !td_kind_is_line(shape->kind);
     proxy->half_x = shape->half_x;
-    proxy->half_y = shape->kind == THUD_CIRCLE ? shape->half_x : shape->half_y;
-    proxy->turns = shape->kind == THUD_OBB ? 1.0f : 0.0f;
+    proxy->half_y =
+        (float)td_kind_half_y(shape->kind, (double)shape->half_x, (double)shape->half_y);
+    proxy->turns = td_kind_turns(shape->kind) ? 1.0f : 0.0f;
     proxy->margin = margin_of(w, proxy->half_x, proxy->half_y);
 }
 
@@ -31,7 +32,7 @@ float td_thinnest(thud_world *w) {
         w->thinnest = __builtin_inff();
         for (int i = 0; i < w->shapes.count; i++) {
             const td_shape *shape = td_shape_at(w, i);
-            if ((shape->flags & TD_SHAPE_LIVE) && shape->kind != THUD_TERRAIN) {
+            if ((shape->flags & TD_SHAPE_LIVE) && !td_kind_is_line(shape->kind)) {
                 w->thinnest = td_min_float(w->thinnest, td_thickness(shape));
             }
         }
@@ -73,8 +74,7 @@ static void bound(thud_world *w, int index, td_shape_proxy *proxy) {
 
 td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *p, td_position origin,
                            double slack) {
-    double x = p->kind == THUD_CIRCLE ? p->hx : td_shadow(p, 1.0, 0.0);
-    double y = p->kind == THUD_CIRCLE ? p->hx : td_shadow(p, 0.0, 1.0);
+    double x = td_half_along(p, 1.0, 0.0), y = td_half_along(p, 0.0, 1.0);
     td_position center = {origin.x + td_round64(p->x * w->to_fixed),
                           origin.y + td_round64(p->y * w->to_fixed)};
     return td_bounds_about(center, (int32_t)((x + slack) * w->to_coarse) + 2,
@@ -111,11 +111,11 @@ void td_shape_place(thud_world *w, int index) {
         proxy->center.x += td_length_from(w, proxy->x);
         proxy->center.y += td_length_from(w, proxy->y);
     }
-    if (shape->kind == THUD_OBB) {
+    if (td_kind_turns(shape->kind)) {
         proxy->c = pose->c * shape->angle_c - pose->s * shape->angle_s;
         proxy->s = pose->s * shape->angle_c + pose->c * shape->angle_s;
     }
-    if (shape->kind == THUD_TERRAIN) {
+    if (td_kind_is_line(shape->kind)) {
         td_shape_mark_moved(w, index);
     } else {
         bound(w, index, proxy);

@@ -114,7 +114,7 @@ static void disturb_reached(thud_world *w, int terrain_shape, const splice *s) {
         const td_shape_proxy *proxy = td_shape_proxy_at(w, i);
         const td_shape *shape = td_shape_at(w, i);
         if (stands_in(&changed, proxy) && (shape->flags & TD_SHAPE_LIVE) &&
-            shape->kind != THUD_TERRAIN && !(*td_marks_at(w, i) & TD_MARK_FRESH) &&
+            !td_kind_is_line(shape->kind) && !(*td_marks_at(w, i) & TD_MARK_FRESH) &&
             td_pair_allowed(w, terrain_shape, i) &&
             reaches_new(w, terrain_shape, &line, s, proxy)) {
             disturb(w, terrain_shape, i);
@@ -198,7 +198,7 @@ static thud_result find_terrain(thud_world *w, thud_shape_id id, int *shape) {
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "terrain edit: not inside a callback");
     }
-    return td_shape_at(w, *shape)->kind == THUD_TERRAIN
+    return td_kind_is_line(td_shape_at(w, *shape)->kind)
                ? THUD_OK
                : td_refuse(w, THUD_ERROR_INVALID, "terrain edit: the shape is no terrain");
 }

@@ -8,7 +8,7 @@
 
 #include "base/memory.h"
 #include "broadphase/proxy_set.h"
-#include "constraint/block.h"
+#include "contact/pair_kinds.h"
 #include "detection/detection.h"
 #include "islands/direct_islands.h"
 #include "solver/tally.h"

@@ -96,10 +96,10 @@ static void offer_segment(search *k, int i) {
 
 /* `centre_out`: the circle's centre is not in the ground, so that it may stand on segments. */
 static bool find(search *k, bool centre_out) {
-    bool circle = k->shape->kind == THUD_CIRCLE;
+    bool circle = td_kind_is_round(k->shape->kind);
     double reach = td_half_width(k->shape) + k->margin;
     int first, last;
-    if (!circle) {
+    if (td_kind_is_box(k->shape->kind)) {
         offer_corners(k);
     }
     thud_terrain_segments(k->terrain, k->shape->x - reach, k->shape->x + reach, &first, &last);

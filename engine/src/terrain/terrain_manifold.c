@@ -372,9 +372,15 @@ void td_terrain_segment_manifold(const thud_terrain *terrain, int segment,
                                  td_terrain_manifold *out) {
     place k = place_of(terrain, segment, shape, sealed, margin);
     *out = (td_terrain_manifold){.ny = 1.0};
-    if (shape->kind == THUD_CIRCLE) {
+    switch (shape->kind) {
+    case THUD_CIRCLE:
         circle(&k, out);
-    } else {
+        break;
+    case THUD_AABB:
+    case THUD_OBB:
         box(&k, out);
+        break;
+    case THUD_TERRAIN: /* lines do not meet each other */
+        break;
     }
 }
