@@ -18,7 +18,7 @@ const PROGRAMS = [
   { name: "everything", bound: 86, aim: 40 },
 ];
 
-const sources = readdirSync(`${root}engine/src`)
+const sources = readdirSync(`${root}engine/src`, { recursive: true })
   .filter((name) => name.endsWith(".c"))
   .map((name) => `${root}engine/src/${name}`);
 const build = `${root}build/link`;
