@@ -1,10 +1,10 @@
 /** The numbers between the module and JavaScript have their places from one list, slots.h. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { importTypeScript } from "../../web/tools/scenes.mjs";
 import { readStructs, STRUCTS, typescriptOf } from "../../web/tools/slots.mjs";
-import { root } from "./support.mjs";
+import { root, thud } from "./support.mjs";
 
 const at = (struct, name) => STRUCTS.get(struct).members.find((member) => member.name === name).at;
 
@@ -34,7 +34,7 @@ test("struct_that_cannot_be_read_is_refused", () => {
 });
 
 test("package_was_built_from_the_slots_as_they_are", () => {
-  const built = readFileSync(`${root}web/package/src/slots.ts`, "utf8");
+  const built = readFileSync(`${root}web/package/src/generated/slots.ts`, "utf8");
   assert.equal(built, typescriptOf(STRUCTS));
 });
 
@@ -47,4 +47,16 @@ test("page_reads_the_rows_of_the_shape_table_where_they_are", async () => {
       at("shape_row", name),
     ),
   );
+});
+
+test("every_call_of_the_package_is_a_function_of_the_module", async () => {
+  const engine = await thud.load();
+  const folder = `${root}web/package/src`;
+  const texts = readdirSync(folder)
+    .filter((name) => name.endsWith(".ts"))
+    .map((name) => readFileSync(`${folder}/${name}`, "utf8"));
+  const called = new Set(texts.join("").match(/(?<=exports\.|")api_[a-z_]+/g));
+  assert.ok(called.size > 50);
+  const missing = [...called].filter((name) => typeof engine.exports[name] !== "function");
+  assert.deepEqual(missing, []);
 });

@@ -1,9 +1,9 @@
 #!/usr/bin/env node
 /**
- * Writes web/package/src/slots.ts: where in the module's slots and rows each number stands, as
+ * Writes web/package/src/generated/slots.ts: where in the module's slots and rows each number stands, as
  * web/wasm/slots.h has it. An enum of constants costs nothing once it is compiled.
  */
-import { readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 const here = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));
@@ -59,5 +59,7 @@ export function typescriptOf(structs) {
 
 export const STRUCTS = readStructs(readFileSync(here("wasm/slots.h"), "utf8"));
 
-if (process.argv[1] === fileURLToPath(import.meta.url))
-  writeFileSync(here("package/src/slots.ts"), typescriptOf(STRUCTS));
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  mkdirSync(here("package/src/generated"), { recursive: true });
+  writeFileSync(here("package/src/generated/slots.ts"), typescriptOf(STRUCTS));
+}

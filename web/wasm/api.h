@@ -12,36 +12,6 @@
 
 #include "slots.h"
 
-/* What a call takes or gives, under the name of what it is. */
-union api_slots {
-    double all[32];
-    struct list list;
-    struct handle handle;
-    struct world_options world_options;
-    struct advance advance;
-    struct stats stats;
-    struct step_error step_error;
-    struct measure measure;
-    struct hash hash;
-    struct body_options body_options;
-    struct body_state body_state;
-    struct shape_options shape_options;
-    struct shape_state shape_state;
-    struct terrain terrain;
-    struct ground ground;
-    struct foot foot;
-    struct events events;
-    struct first_hit first_hit;
-    struct closest_hit closest_hit;
-    struct shape_table shape_table;
-    struct draw_lists draw_lists;
-    struct mover_options mover_options;
-    struct mover_state mover_state;
-    struct mover_report mover_report;
-    struct minkowski_pair minkowski_pair;
-    struct minkowski_sum minkowski_sum;
-};
-_Static_assert(sizeof(union api_slots) == 32 * sizeof(double), "JavaScript sees 32 slots");
 extern union api_slots api_slots;
 
 /* A list that grows; `failed` says that memory was short and items are missing. */

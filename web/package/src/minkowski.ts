@@ -4,9 +4,9 @@
  */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
+import { MinkowskiPairAt, MinkowskiSumAt } from "./generated/slots.js";
 import { solidNumbers, vecAt } from "./numbers.js";
 import type { SolidShape } from "./query-types.js";
-import { MinkowskiPairAt, MinkowskiSumAt } from "./slots.js";
 import type { Vec2 } from "./types.js";
 
 /** Places are relative to the first shape's centre. */

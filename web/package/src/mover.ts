@@ -7,6 +7,16 @@
  */
 import { ThudError } from "./error.js";
 import {
+  FILTER_OPTIONS,
+  HandleAt,
+  ListAt,
+  MOVER_OPTIONS,
+  MoverHitAt,
+  MoverOptionsAt,
+  MoverReportAt,
+  MoverStateAt,
+} from "./generated/slots.js";
+import {
   bodyAt,
   fill,
   numbersOf,
@@ -17,16 +27,6 @@ import {
   view,
 } from "./numbers.js";
 import type { MoverHit, MoverOptions, MoverReport } from "./query-types.js";
-import {
-  FILTER_OPTIONS,
-  HandleAt,
-  ListAt,
-  MOVER_OPTIONS,
-  MoverHitAt,
-  MoverOptionsAt,
-  MoverReportAt,
-  MoverStateAt,
-} from "./slots.js";
 import type { BodyId, ShapeId, Vec2 } from "./types.js";
 import type { World } from "./world.js";
 

@@ -1,8 +1,8 @@
 /** How options become the numbers that the module takes, and numbers from it become handles. */
 import { ThudError } from "./error.js";
+import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./generated/slots.js";
 import { checkNames } from "./names.js";
 import type { QueryFilter, SolidShape } from "./query-types.js";
-import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./slots.js";
 import {
   BODY_KINDS,
   type BodyId,

@@ -4,7 +4,7 @@
  */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
-import { ListAt } from "./slots.js";
+import { ListAt } from "./generated/slots.js";
 
 /** A copy of its own, outside wasm memory. */
 export function takeSnapshot(engine: Engine, world: number): Uint8Array<ArrayBuffer> {

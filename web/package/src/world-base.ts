@@ -1,8 +1,8 @@
 /** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
+import { AdvanceAt, HandleAt, ListAt, WORLD_OPTIONS, WorldOptionsAt } from "./generated/slots.js";
 import { fill, numbersOf, qualityNumbers, rowsOf, shapeAt } from "./numbers.js";
-import { AdvanceAt, HandleAt, ListAt, WORLD_OPTIONS, WorldOptionsAt } from "./slots.js";
 import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
 import type { BodyId, Quality, QualityOptions, ShapeId, Vec2, WorldOptions } from "./types.js";
 

@@ -1,4 +1,5 @@
 /** What a world is asked about places: rays, casts, the closest shape, overlaps. */
+import { ClosestHitAt, FirstHitAt, ListAt, RayHitAt } from "./generated/slots.js";
 import { checkNames } from "./names.js";
 import {
   filterNumbers,
@@ -9,7 +10,6 @@ import {
   vecAt,
 } from "./numbers.js";
 import type { ClosestHit, OverlapQuery, QueryFilter, RayHit, SolidShape } from "./query-types.js";
-import { ClosestHitAt, FirstHitAt, ListAt, RayHitAt } from "./slots.js";
 import type { ShapeId, Vec2 } from "./types.js";
 import { WorldBase } from "./world-base.js";
 

@@ -3,7 +3,6 @@
  * `shapeTable` and `debugDraw` return are views straight into wasm memory: nothing is copied, and
  * they hold until the next call.
  */
-import { bodyAt, numbersOf, rowsOf, shapeAt, vecAt, view } from "./numbers.js";
 import {
   ContactPointAt,
   ContactRowAt,
@@ -23,7 +22,8 @@ import {
   ShapeTableAt,
   StatsAt,
   StepErrorAt,
-} from "./slots.js";
+} from "./generated/slots.js";
+import { bodyAt, numbersOf, rowsOf, shapeAt, vecAt, view } from "./numbers.js";
 import type { BodyId } from "./types.js";
 import type {
   Contact,

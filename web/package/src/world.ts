@@ -5,6 +5,16 @@
  * world-queries, world-views (what is read of it), and here what is put into it.
  */
 import { ThudError } from "./error.js";
+import {
+  BODY_OPTIONS,
+  BodyStateAt,
+  FootAt,
+  GroundAt,
+  HandleAt,
+  SHAPE_OPTIONS,
+  ShapeStateAt,
+  TerrainAt,
+} from "./generated/slots.js";
 import { checkNames } from "./names.js";
 import {
   bodyAt,
@@ -17,16 +27,6 @@ import {
   userData,
   vecAt,
 } from "./numbers.js";
-import {
-  BODY_OPTIONS,
-  BodyStateAt,
-  FootAt,
-  GroundAt,
-  HandleAt,
-  SHAPE_OPTIONS,
-  ShapeStateAt,
-  TerrainAt,
-} from "./slots.js";
 import {
   BODY_KINDS,
   type BodyId,
