@@ -15,6 +15,12 @@ const char *api_scene_name(int index) {
     return info == NULL ? NULL : info->name;
 }
 
+/* The default; 0 for an index out of range. */
+int api_scene_size(int index) {
+    const scene_info *info = scenes_at(index);
+    return info == NULL ? 0 : info->default_size;
+}
+
 /* A world with the scene in it, made from the slots of api_world_defaults; size 0 takes the
  * default. Slots out: its address, as that of a list. */
 int api_scene_create(int index, int size) {
