@@ -1,6 +1,7 @@
 /* asleep.c: shelves full of small stacks that fall asleep, below a box of a hundred circles that
  * never do; with sleeping on, a step costs what the hundred cost. */
 #include "gas.h"
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -29,12 +30,7 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_asleep = {
-    .name = "asleep",
-    .title = "Twenty thousand asleep",
-    .about = "Thousands of boxes sleep in small stacks while a hundred circles stay awake.",
-    .size_means = "boxes in stacks",
-    .default_size = 20000,
-    .min_size = 1,
-    .max_size = 1000000,
-    .fill = fill,
+    SCENE_TEXTS(asleep),   .size_means = "boxes in stacks",
+    .default_size = 20000, .min_size = 1,
+    .max_size = 1000000,   .fill = fill,
 };

@@ -1,6 +1,7 @@
 /* broadphases.c: few bodies of many sizes drift about, so that one sees what each broadphase goes
  * by: the cells of the grid, or the sorted intervals of the plane sweep. */
 #include "random.h"
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -35,13 +36,6 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_broadphases = {
-    .name = "broadphases",
-    .title = "Broadphases",
-    .about = "What the broadphase goes by: the cells of the grid; with the plane sweep, the sorted "
-             "intervals below.",
-    .size_means = "bodies",
-    .default_size = 90,
-    .min_size = 1,
-    .max_size = 100000,
-    .fill = fill,
+    SCENE_TEXTS(broadphases), .size_means = "bodies", .default_size = 90, .min_size = 1,
+    .max_size = 100000,       .fill = fill,
 };

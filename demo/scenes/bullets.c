@@ -2,6 +2,7 @@
  *
  * Every lane is a closed room of its own: four static walls, then the bullet. Speeds go from 10
  * to 10^5 m/s, kinds from circle over upright box to turning box. */
+#include "scene_texts.h"
 #include "scenes.h"
 
 static void add_lane(scene *s, double y, double speed, int kind) {
@@ -34,12 +35,6 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_bullets = {
-    .name = "bullets",
-    .title = "Bullets at thin walls",
-    .about = "Bullets of up to 100 km/s bounce between walls 2 cm thick; none gets out.",
-    .size_means = "bullets",
-    .default_size = 15,
-    .min_size = 1,
-    .max_size = 1000,
-    .fill = fill,
+    SCENE_TEXTS(bullets), .size_means = "bullets", .default_size = 15,
+    .min_size = 1,        .max_size = 1000,        .fill = fill,
 };

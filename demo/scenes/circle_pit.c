@@ -1,5 +1,6 @@
 /* circle_pit.c: circles of several sizes rain into a pit. */
 #include "random.h"
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -27,12 +28,6 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_circle_pit = {
-    .name = "circle_pit",
-    .title = "Circle pit",
-    .about = "Circles of many sizes fall into a pit and settle into a dense heap.",
-    .size_means = "circles",
-    .default_size = 10000,
-    .min_size = 1,
-    .max_size = 1000000,
-    .fill = fill,
+    SCENE_TEXTS(circle_pit), .size_means = "circles", .default_size = 10000,
+    .min_size = 1,           .max_size = 1000000,     .fill = fill,
 };

@@ -4,6 +4,7 @@
  * in their way; below them a gas of elastic circles. All is the same in each lane but for the
  * detection that the lane's bodies choose. */
 #include "gas.h"
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -62,14 +63,7 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_detection_lanes = {
-    .name = "detection",
-    .title = "Four ways of detection",
-    .about =
-        "From left to right: overlap, continuous, bisect, swept. Bullets pass thin walls on the "
-        "first and third.",
-    .size_means = "circles of each gas",
-    .default_size = 16,
-    .min_size = 4,
-    .max_size = 10000,
-    .fill = fill,
+    SCENE_TEXTS(detection), .size_means = "circles of each gas",
+    .default_size = 16,     .min_size = 4,
+    .max_size = 10000,      .fill = fill,
 };

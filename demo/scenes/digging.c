@@ -3,6 +3,7 @@
  * The hills are samples 60 to 180 of assets/terrain/jacksboro_200.csv: a metre of the scene from
  * one to the next, 74.4 m in Tennessee, with heights scaled half as much again. */
 #include "random.h"
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -74,12 +75,6 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_digging = {
-    .name = "digging",
-    .title = "Digging",
-    .about = "Boxes and balls on the hills of Tennessee: dig the ground away under them.",
-    .size_means = "bodies",
-    .default_size = 240,
-    .min_size = 1,
-    .max_size = 100000,
-    .fill = fill,
+    SCENE_TEXTS(digging), .size_means = "bodies", .default_size = 240,
+    .min_size = 1,        .max_size = 100000,     .fill = fill,
 };

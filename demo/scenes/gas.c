@@ -2,6 +2,7 @@
 #include "gas.h"
 
 #include "random.h"
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -67,12 +68,6 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_gas = {
-    .name = "gas",
-    .title = "Gas",
-    .about = "Elastic circles fly about in a closed box; watch the energy.",
-    .size_means = "circles",
-    .default_size = 16000,
-    .min_size = 1,
-    .max_size = 1000000,
-    .fill = fill,
+    SCENE_TEXTS(gas), .size_means = "circles", .default_size = 16000,
+    .min_size = 1,    .max_size = 1000000,     .fill = fill,
 };

@@ -2,6 +2,7 @@
  *
  * Bodies: the ground; then for every ratio a light box and the heavy one on it; then for every
  * ratio a column of ten light boxes and the heavy one on top. */
+#include "scene_texts.h"
 #include "scenes.h"
 
 static void add_column(scene *s, double x, int light, double ratio) {
@@ -29,9 +30,7 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_heavy_on_light = {
-    .name = "heavy_on_light",
-    .title = "Heavy on light",
-    .about = "Boxes 10, 100, 1,000 ... times as heavy stand on light ones; how far do they sink?",
+    SCENE_TEXTS(heavy_on_light),
     .size_means = "powers of ten",
     .default_size = 5,
     .min_size = 1,

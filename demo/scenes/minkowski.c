@@ -2,6 +2,7 @@
  *
  * The two of a pair pass through each other: where the second's centre is in the sum drawn about
  * the first, they overlap. */
+#include "scene_texts.h"
 #include "scenes.h"
 
 static void add_shape(scene *s, double x, double y, double hx, double hy, double angle) {
@@ -31,14 +32,7 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_minkowski = {
-    .name = "minkowski",
-    .title = "Minkowski sums",
-    .about =
-        "Drag the shapes: a pair overlaps where the second one's centre is in the sum about the "
-        "first.",
-    .size_means = "pairs of shapes",
-    .default_size = 2,
-    .min_size = 1,
-    .max_size = 100,
-    .fill = fill,
+    SCENE_TEXTS(minkowski), .size_means = "pairs of shapes",
+    .default_size = 2,      .min_size = 1,
+    .max_size = 100,        .fill = fill,
 };

@@ -1,5 +1,6 @@
 /* mixed_terrain.c: circles and boxes rain on an irregular ground line. */
 #include "random.h"
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -62,12 +63,6 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_mixed_terrain = {
-    .name = "mixed_terrain",
-    .title = "Mixed bodies on terrain",
-    .about = "Circles and boxes rain on irregular ground and gather in its valleys.",
-    .size_means = "bodies",
-    .default_size = 4000,
-    .min_size = 1,
-    .max_size = 1000000,
-    .fill = fill,
+    SCENE_TEXTS(mixed_terrain), .size_means = "bodies", .default_size = 4000, .min_size = 1,
+    .max_size = 1000000,        .fill = fill,
 };

@@ -1,5 +1,6 @@
 /* one_spot.c: a crowd in one spot of a world 10 km wide, which a grid over the whole world would
  * put into a single cell. */
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -21,12 +22,7 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_one_spot = {
-    .name = "one_spot",
-    .title = "All in one spot",
-    .about = "A crowd collapses in one spot of a world ten kilometres wide.",
-    .size_means = "circles in the spot",
-    .default_size = 4000,
-    .min_size = 1,
-    .max_size = 1000000,
-    .fill = fill,
+    SCENE_TEXTS(one_spot), .size_means = "circles in the spot",
+    .default_size = 4000,  .min_size = 1,
+    .max_size = 1000000,   .fill = fill,
 };

@@ -1,5 +1,6 @@
 /* platformer.c: boxes that never rotate, over storeys of tiles with gaps and stairs. */
 #include "random.h"
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -74,12 +75,7 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_platformer = {
-    .name = "platformer",
-    .title = "Platformer tiles",
-    .about = "Upright boxes run and fall over storeys of separate tiles; gliders keep their speed.",
-    .size_means = "moving boxes; there are five times as many tiles",
-    .default_size = 2000,
-    .min_size = 1,
-    .max_size = 100000,
-    .fill = fill,
+    SCENE_TEXTS(platformer), .size_means = "moving boxes; there are five times as many tiles",
+    .default_size = 2000,    .min_size = 1,
+    .max_size = 100000,      .fill = fill,
 };

@@ -1,4 +1,5 @@
 /* pyramid.c: boxes stacked to a triangle; nothing moves, everything presses. */
+#include "scene_texts.h"
 #include "scenes.h"
 
 static void fill(scene *s, int size) {
@@ -13,12 +14,7 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_pyramid = {
-    .name = "pyramid",
-    .title = "Pyramid",
-    .about = "A pyramid of boxes stands on its base and does not spread.",
-    .size_means = "boxes in the lowest row",
-    .default_size = 100,
-    .min_size = 1,
-    .max_size = 1000,
-    .fill = fill,
+    SCENE_TEXTS(pyramid), .size_means = "boxes in the lowest row",
+    .default_size = 100,  .min_size = 1,
+    .max_size = 1000,     .fill = fill,
 };

@@ -1,6 +1,7 @@
 /* sizes.c: bodies from 0.05 to 20 m in one heap; of every size that doubles there are half as
  * many, as in natural rubble. */
 #include "random.h"
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -53,12 +54,6 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_sizes = {
-    .name = "sizes",
-    .title = "From 5 cm to 20 m",
-    .about = "Bodies whose sizes differ by 400 times lie in one heap; the small are not crushed.",
-    .size_means = "bodies",
-    .default_size = 4000,
-    .min_size = 1,
-    .max_size = 100000,
-    .fill = fill,
+    SCENE_TEXTS(sizes), .size_means = "bodies", .default_size = 4000,
+    .min_size = 1,      .max_size = 100000,     .fill = fill,
 };

@@ -3,6 +3,7 @@
  *
  * Bodies: the plain (flat terrain at height 0); then for every slope its ramp (irregular terrain),
  * a disc, and a box with friction 0.5 on friction 0.5, which begins to slide at 26.6 degrees. */
+#include "scene_texts.h"
 #include "scenes.h"
 
 typedef struct slope {
@@ -50,12 +51,7 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_slopes = {
-    .name = "slopes",
-    .title = "Rolling and sliding",
-    .about = "Discs roll down four slopes; of the boxes only those on the two steep ones slide.",
-    .size_means = "metres of each slope",
-    .default_size = 20,
-    .min_size = 6,
-    .max_size = 1000,
-    .fill = fill,
+    SCENE_TEXTS(slopes), .size_means = "metres of each slope",
+    .default_size = 20,  .min_size = 6,
+    .max_size = 1000,    .fill = fill,
 };

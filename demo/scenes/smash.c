@@ -1,4 +1,5 @@
 /* smash.c: without gravity, a heavy box flies into a block of small ones. */
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -22,12 +23,7 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_smash = {
-    .name = "smash",
-    .title = "Smash",
-    .about = "A heavy box flies into a block of small ones, and the shock runs through it.",
-    .size_means = "boxes in the block",
-    .default_size = 9600,
-    .min_size = 1,
-    .max_size = 1000000,
-    .fill = fill,
+    SCENE_TEXTS(smash),   .size_means = "boxes in the block",
+    .default_size = 9600, .min_size = 1,
+    .max_size = 1000000,  .fill = fill,
 };

@@ -1,4 +1,5 @@
 /* tall_stack.c: one column of boxes, which must neither sag nor lean. */
+#include "scene_texts.h"
 #include "scenes.h"
 
 static void fill(scene *s, int size) {
@@ -12,12 +13,6 @@ static void fill(scene *s, int size) {
 }
 
 const scene_info scene_tall_stack = {
-    .name = "tall_stack",
-    .title = "Tall stack",
-    .about = "A single column of boxes stands; its height tells how soft the contacts are.",
-    .size_means = "boxes",
-    .default_size = 30,
-    .min_size = 1,
-    .max_size = 1000,
-    .fill = fill,
+    SCENE_TEXTS(tall_stack), .size_means = "boxes", .default_size = 30,
+    .min_size = 1,           .max_size = 1000,      .fill = fill,
 };

@@ -1,5 +1,6 @@
 /* tumbler.c: a drum of four walls, one kinematic body, turns for ever and churns what is inside;
  * in one variant boxes, in the other half of them circles. */
+#include "scene_texts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -40,23 +41,12 @@ static void fill_half(scene *s, int size) {
 }
 
 const scene_info scene_tumbler = {
-    .name = "tumbler",
-    .title = "Tumbler",
-    .about = "A turning drum churns boxes without end; none escapes.",
-    .size_means = "boxes",
-    .default_size = 2000,
-    .min_size = 1,
-    .max_size = 100000,
-    .fill = fill_boxes,
+    SCENE_TEXTS(tumbler), .size_means = "boxes", .default_size = 2000,
+    .min_size = 1,        .max_size = 100000,    .fill = fill_boxes,
 };
 
 const scene_info scene_tumbler_half = {
-    .name = "tumbler_half",
-    .title = "Tumbler, half circles",
-    .about = "The same drum with circles and boxes, which flow like gravel.",
-    .size_means = "bodies, every other one a circle",
-    .default_size = 2000,
-    .min_size = 1,
-    .max_size = 100000,
-    .fill = fill_half,
+    SCENE_TEXTS(tumbler_half), .size_means = "bodies, every other one a circle",
+    .default_size = 2000,      .min_size = 1,
+    .max_size = 100000,        .fill = fill_half,
 };

@@ -10,11 +10,12 @@ const require = createRequire(createRequire(`${root}web/package.json`).resolve("
 /** The sources' exports. They import Box2D by paths that are right in a folder of web/ only. */
 export async function importRival(folder) {
   const bundle = `${folder}/rival-${process.pid}.mjs`;
-  const sources = ["box2d", "hands", "rival", "ruler", "watch", "../worker/stage"];
+  const sources = ["load", "ruler", "world"].map((name) => `box2d/${name}`);
+  sources.push(...["hands", "stage", "watch"].map((name) => `worker/${name}`));
   await require("esbuild").build({
     stdin: {
       contents: sources.map((name) => `export * from "./${name}";`).join(""),
-      resolveDir: `${root}web/src/rival`,
+      resolveDir: `${root}web/src`,
     },
     outfile: bundle,
     bundle: true,
@@ -39,7 +40,7 @@ export function withRival(options, build, use) {
   const world = engine.createWorld(options);
   const known = rivalry.watch(world, options);
   const built = build(world);
-  const rival = new rivalry.Rival(box2d, world, known);
+  const rival = new rivalry.Box2DWorld(box2d, world, known);
   try {
     use(world, rival, built, known);
   } finally {
@@ -48,10 +49,10 @@ export function withRival(options, build, use) {
   }
 }
 
-export function step(world, rival, steps, deed = () => {}) {
+export function step(world, rival, steps, command = () => {}) {
   for (let i = 0; i < steps; i++) {
     rival.sync();
-    deed();
+    command();
     world.step();
     rival.step();
   }

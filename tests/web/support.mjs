@@ -26,8 +26,7 @@ export function findThudRun() {
 /** Names of the built-in scenes, in the order of the module. */
 export function sceneNames(engine) {
   return Array.from({ length: engine.exports.api_scene_count() }, (_, i) => {
-    engine.check(engine.exports.api_scene_info(i));
-    return engine.text(engine.slots[0]);
+    return engine.text(engine.exports.api_scene_name(i));
   });
 }
 

@@ -60,15 +60,15 @@ test("p99_of_a_measured_series_is_without_the_scene_s_start", async () => {
 const compared = (penetration) => ({ penetration, energy: 0, bodies: 100 });
 
 /** So many steps, with bodies awake in each engine. */
-function sampled(from, count, [thudTime, awake], [box2dTime, rivalAwake], depths = [0.001, 0.004]) {
+function sampled(from, count, [thudTime, awake], [box2dTime, box2dAwake], depths = [0.001, 0.004]) {
   return Array.from({ length: count }, (_, i) => ({
     step: from + i,
     milliseconds: thudTime,
     penetration: 0,
     awake,
-    rival: {
+    box2d: {
       milliseconds: box2dTime,
-      awake: rivalAwake,
+      awake: box2dAwake,
       since: 0,
       origin: [0, 0],
       compared: { thud: compared(depths[0]), box2d: compared(depths[1]) },

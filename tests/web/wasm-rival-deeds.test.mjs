@@ -15,7 +15,7 @@ import {
 } from "./rival-support.mjs";
 import { demoWasm, thud } from "./support.mjs";
 
-const { Rival, explode, inWorld, knownOf, pull, setUp, watchWorlds } = rivalry;
+const { Box2DWorld, explode, inWorld, knownOf, pull, setUp, watchWorlds } = rivalry;
 
 test("pulled_body_comes_to_the_pointer_in_both_and_does_not_overshoot", () => {
   const build = (world) => (addGround(world), addBox(world, [0, 0.5]));
@@ -228,7 +228,7 @@ test("character_of_a_scene_pushes_the_rivals_box_too", async () => {
   const request = { name: "own", seed: 0, choices: { ...choices, maxError: 0 } };
   const session = await setUp(1, { default: scene }, watched, request, () => "");
   const known = knownOf(session.world);
-  const rival = new Rival(box2d, session.world, known);
+  const rival = new Box2DWorld(box2d, session.world, known);
   known.forwardTo(rival);
   for (let i = 0; i < 30; i++) {
     session.makeStep();
@@ -313,7 +313,7 @@ test("unwatched_world_is_looked_through_for_changes", () => {
   const world = engine.createWorld();
   const points = [[-20, 0], [20, 0]];
   const ground = addGround(world, { kind: "irregular", points });
-  const rival = new Rival(box2d, world);
+  const rival = new Box2DWorld(box2d, world);
   const ball = addBall(world, [0, 0.5]);
   step(world, rival, 60);
   near(heightOf(rival, ball), 0.5, 0.01);
@@ -334,7 +334,7 @@ test("worlds_closed_make_room_for_others", () => {
   const world = engine.createWorld();
   addBall(world, [0, 0]);
   for (let i = 0; i < 200; i++) {
-    const rival = new Rival(box2d, world);
+    const rival = new Box2DWorld(box2d, world);
     rival.step();
     rival.close();
   }

@@ -18,7 +18,7 @@ import {
 } from "./rival-support.mjs";
 import { root } from "./support.mjs";
 
-const { Rival, Ruler } = rivalry;
+const { Box2DWorld, Ruler } = rivalry;
 
 test("ball_on_flat_ground_rests_as_high_as_in_thud", () => {
   const build = (world) => (addGround(world), addBall(world, [3, 2]));
@@ -306,7 +306,7 @@ test("flavour_without_simd_moves_bodies_alike", async () => {
   const world = engine.createWorld();
   addGround(world);
   const ball = addBall(world, [3, 2]);
-  const rival = new Rival(await start(), world);
+  const rival = new Box2DWorld(await start(), world);
   step(world, rival, 120);
   near(heightOf(rival, ball), 0.5, 0.01);
   assert.ok(rival.penetration() < 0.01);
@@ -362,6 +362,6 @@ test("world_wider_than_box2d_can_keep_is_refused", () => {
   const world = engine.createWorld();
   addBall(world, [-2e6, 0]);
   addBall(world, [2e6, 0]);
-  assert.throws(() => new Rival(box2d, world), /100 km.*2000 km from their middle/);
+  assert.throws(() => new Box2DWorld(box2d, world), /100 km.*2000 km from their middle/);
   world.close();
 });

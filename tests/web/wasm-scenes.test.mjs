@@ -13,11 +13,12 @@ import {
   buildScene,
   random,
   runScene,
+  sceneFile,
   SCENES,
   thumbnailFile,
   THUMBNAILS,
 } from "../../web/tools/scenes.mjs";
-import { root, thud } from "./support.mjs";
+import { demoWasm, root, sceneNames, thud } from "./support.mjs";
 
 const engine = await thud.load();
 
@@ -51,6 +52,16 @@ test("registry_has_every_scene_module_and_no_other", () => {
   assert.deepEqual([...names, "own_level"].map((name) => `${name}.js`).sort(), files.sort());
   assert.deepEqual(Object.keys(ABOUTS), names, "a sentence for each, in the same order");
   for (const name of Object.keys(THUMBNAILS)) assert.ok(names.includes(name), name);
+});
+
+test("scenes_that_c_has_too_have_the_same_usual_size", async () => {
+  const native = await thud.load(demoWasm);
+  const names = sceneNames(native);
+  assert.ok(names.length >= 20);
+  for (const [i, name] of names.entries()) {
+    const { size } = await import(`${root}web/public/${sceneFile(name)}`);
+    assert.equal(size.usual, native.exports.api_scene_size(i), name);
+  }
 });
 
 for (const { name } of SCENES)

@@ -23,10 +23,10 @@ function slotOfBody(world, chance) {
 }
 
 /** Something that a visitor may do with pointer, tool or keys. */
-function randomDeed({ world, scene }, chance) {
+function randomCommand({ world, scene }, chance) {
   const { x = 0, y = 5, height = 20 } = scene.view ?? {};
   const at = { x: x + chance(-0.5, 0.5) * height, y: y + chance(-0.5, 0.5) * height };
-  const deeds = [
+  const commands = [
     () => ({ kind: "grab", slot: slotOfBody(world, chance), anchor: [0, 0], ...at }),
     () => ({ kind: "drag", ...at }),
     () => ({ kind: "release" }),
@@ -37,13 +37,13 @@ function randomDeed({ world, scene }, chance) {
     () => ({ kind: "choose", quality: chance(0, 1) < 0.5 ? "draft" : "high", substeps: 0, maxError: 0 }),
     () => ({ kind: "pointer", down: chance(0, 1) < 0.5, ...at }),
   ];
-  return deeds[Math.floor(chance(0, deeds.length))]();
+  return commands[Math.floor(chance(0, commands.length))]();
 }
 
-function runTo(session, end, hashes, deeds = () => {}) {
+function runTo(session, end, hashes, commands = () => {}) {
   while (session.step < end) {
     if (session.step % EVERY === 0) hashes.set(session.step, session.hash.hash);
-    deeds();
+    commands();
     session.makeStep();
   }
 }
@@ -55,12 +55,12 @@ for (const { name } of SCENES)
     const chance = random(name.length);
     const hashes = new Map();
     runTo(session, STEPS, hashes, () => {
-      while (chance(0, 1) < 0.2) session.do(randomDeed(session, chance));
+      while (chance(0, 1) < 0.2) session.do(randomCommand(session, chance));
     });
     for (let i = 0; i < SEEKS; i++) {
       const step = EVERY * Math.floor(chance(0, STEPS / EVERY));
       // What was not stepped on from is no part of the past.
-      if (chance(0, 1) < 0.3) session.do(randomDeed(session, chance));
+      if (chance(0, 1) < 0.3) session.do(randomCommand(session, chance));
       assert.ok(session.seek(step));
       assert.equal(session.hash.hash, hashes.get(step), `step ${step}`);
     }

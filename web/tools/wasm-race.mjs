@@ -25,8 +25,7 @@ const TURN = 8;
 
 function sceneIndex(engine, name) {
   for (let i = 0; i < engine.exports.api_scene_count(); i++) {
-    engine.check(engine.exports.api_scene_info(i));
-    if (engine.text(engine.slots[0]) === name) return i;
+    if (engine.text(engine.exports.api_scene_name(i)) === name) return i;
   }
   throw new Error(`there is no scene '${name}'`);
 }

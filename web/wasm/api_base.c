@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-double api_slots[API_SLOTS];
+union api_slots api_slots;
 
 double *api_slots_address(void) {
-    return api_slots;
+    return api_slots.all;
 }
 
 const char *api_result_text(int result) {

@@ -5,48 +5,46 @@
 
 static api_buffer shape_list, contact_rows;
 
-/* Slots: 0 kind  1, 2 position  3 angle  4, 5 velocity  6 angular velocity  7 gravity scale
- * 8 linear damping  9 angular damping  10 fixed rotation  11 may sleep  12 user data
- * 13 detection. */
+/* Slots out: body_options. */
 void api_body_defaults(void) {
     thud_body_def def = thud_default_body_def();
-    double *s = api_slots;
-    s[0] = def.kind;
-    s[1] = def.position.x;
-    s[2] = def.position.y;
-    s[3] = def.angle;
-    s[4] = def.velocity.x;
-    s[5] = def.velocity.y;
-    s[6] = def.angular_velocity;
-    s[7] = def.gravity_scale;
-    s[8] = def.linear_damping;
-    s[9] = def.angular_damping;
-    s[10] = def.fixed_rotation;
-    s[11] = def.may_sleep;
-    s[12] = (double)def.user_data;
-    s[13] = -1.0; /* detection: as the world */
+    struct body_options *s = &api_slots.body_options;
+    s->kind = def.kind;
+    s->position[0] = def.position.x;
+    s->position[1] = def.position.y;
+    s->angle = def.angle;
+    s->velocity[0] = def.velocity.x;
+    s->velocity[1] = def.velocity.y;
+    s->angular_velocity = def.angular_velocity;
+    s->gravity_scale = def.gravity_scale;
+    s->linear_damping = def.linear_damping;
+    s->angular_damping = def.angular_damping;
+    s->fixed_rotation = def.fixed_rotation;
+    s->may_sleep = def.may_sleep;
+    s->user_data = (double)def.user_data;
+    s->detection = -1.0; /* detection: as the world */
 }
 
-/* A body from the slots of api_body_defaults; its handle goes to slots 0 and 1. */
+/* A body from the slots of api_body_defaults; slots out: its handle. */
 int api_body_create(thud_world *world) {
-    const double *s = api_slots;
+    const struct body_options *s = &api_slots.body_options;
     thud_body_def def = thud_default_body_def();
-    def.kind = (thud_body_kind)api_to_int(s[0]);
-    def.position = (thud_pos){s[1], s[2]};
-    def.angle = s[3];
-    def.velocity = (thud_vec2){(float)s[4], (float)s[5]};
-    def.angular_velocity = (float)s[6];
-    def.gravity_scale = (float)s[7];
-    def.linear_damping = (float)s[8];
-    def.angular_damping = (float)s[9];
-    def.fixed_rotation = s[10] != 0.0;
-    def.may_sleep = s[11] != 0.0;
-    def.user_data = (uint64_t)s[12];
-    def.detection = api_detection(s[13]);
+    def.kind = (thud_body_kind)api_to_int(s->kind);
+    def.position = (thud_pos){s->position[0], s->position[1]};
+    def.angle = s->angle;
+    def.velocity = (thud_vec2){(float)s->velocity[0], (float)s->velocity[1]};
+    def.angular_velocity = (float)s->angular_velocity;
+    def.gravity_scale = (float)s->gravity_scale;
+    def.linear_damping = (float)s->linear_damping;
+    def.angular_damping = (float)s->angular_damping;
+    def.fixed_rotation = s->fixed_rotation != 0.0;
+    def.may_sleep = s->may_sleep != 0.0;
+    def.user_data = (uint64_t)s->user_data;
+    def.detection = api_detection(s->detection);
     thud_body_id id = {0};
     thud_result result = thud_body_create(world, &def, &id);
-    api_slots[0] = id.index1;
-    api_slots[1] = id.generation;
+    api_slots.handle.index1 = id.index1;
+    api_slots.handle.generation = id.generation;
     return result;
 }
 
@@ -58,32 +56,30 @@ int api_body_is_valid(const thud_world *world, uint32_t index1, uint32_t generat
     return thud_body_is_valid(world, api_body(index1, generation));
 }
 
-/* Slots out: 0 kind  1, 2 position  3, 4 centre of mass  5 angle  6, 7 velocity
- * 8 angular velocity  9 mass  10 inertia  11 gravity scale  12 awake  13 quarantined
- * 14 user data  15 number of shapes  16 enabled. */
+/* Slots out: body_state. */
 int api_body_get(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_state state;
     thud_result result = thud_body_get(world, api_body(index1, generation), &state);
     if (result != THUD_OK)
         return result;
-    double *s = api_slots;
-    s[0] = state.kind;
-    s[1] = state.position.x;
-    s[2] = state.position.y;
-    s[3] = state.center.x;
-    s[4] = state.center.y;
-    s[5] = state.angle;
-    s[6] = state.velocity.x;
-    s[7] = state.velocity.y;
-    s[8] = state.angular_velocity;
-    s[9] = state.mass;
-    s[10] = state.inertia;
-    s[11] = state.gravity_scale;
-    s[12] = state.awake;
-    s[13] = state.quarantined;
-    s[14] = (double)state.user_data;
-    s[15] = state.shape_count;
-    s[16] = state.enabled;
+    struct body_state *s = &api_slots.body_state;
+    s->kind = state.kind;
+    s->position[0] = state.position.x;
+    s->position[1] = state.position.y;
+    s->center[0] = state.center.x;
+    s->center[1] = state.center.y;
+    s->angle = state.angle;
+    s->velocity[0] = state.velocity.x;
+    s->velocity[1] = state.velocity.y;
+    s->angular_velocity = state.angular_velocity;
+    s->mass = state.mass;
+    s->inertia = state.inertia;
+    s->gravity_scale = state.gravity_scale;
+    s->awake = state.awake;
+    s->quarantined = state.quarantined;
+    s->user_data = (double)state.user_data;
+    s->shape_count = state.shape_count;
+    s->enabled = state.enabled;
     return THUD_OK;
 }
 
@@ -122,7 +118,7 @@ int api_body_set_user_data(thud_world *world, uint32_t index1, uint32_t generati
     return thud_body_set_user_data(world, api_body(index1, generation), (uint64_t)data);
 }
 
-/* The body's shape handles, two 32-bit numbers each. Slots out: 0 address  1 count. */
+/* The body's shape handles, two 32-bit numbers each. Slots out: list. */
 int api_body_shapes(const thud_world *world, uint32_t index1, uint32_t generation) {
     int count = 0;
     thud_body_id body = api_body(index1, generation);
@@ -135,16 +131,12 @@ int api_body_shapes(const thud_world *world, uint32_t index1, uint32_t generatio
     if (shape_list.failed)
         return THUD_ERROR_MEMORY;
     result = thud_body_shapes(world, body, (thud_shape_id *)shape_list.data, count, &count);
-    api_slots[0] = (double)(uintptr_t)shape_list.data;
-    api_slots[1] = count;
+    api_slots.list.address = (double)(uintptr_t)shape_list.data;
+    api_slots.list.count = count;
     return result;
 }
 
-enum { CONTACT_ROW = 21 };
-
-/* The body's contacts. A row is 21 doubles: shapes a and b, bodies a and b (handles), normal,
- * count of points, tangent impulse, solved directly, and of each point: place, separation, normal
- * impulse; where there is no second one zeros. Slots out: 0 address  1 count. */
+/* The body's contacts. Slots out: list of contact_row. */
 int api_body_contacts(thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_id body = api_body(index1, generation);
     int count = 0;
@@ -158,23 +150,22 @@ int api_body_contacts(thud_world *world, uint32_t index1, uint32_t generation) {
     api_buffer_clear(&contact_rows);
     for (int i = 0; i < count && result == THUD_OK; i++) {
         const thud_manifold *m = &all[i];
-        double row[CONTACT_ROW] = {
-            m->shape_a.index1, m->shape_a.generation, m->shape_b.index1, m->shape_b.generation,
-            m->body_a.index1,  m->body_a.generation,  m->body_b.index1,  m->body_b.generation,
-            m->normal.x,       m->normal.y,           m->point_count,    m->tangent_impulse,
-            m->direct,
-        };
-        for (int k = 0; k < m->point_count; k++) {
-            double *point = row + 13 + 4 * k;
-            point[0] = m->point[k].x;
-            point[1] = m->point[k].y;
-            point[2] = m->separation[k];
-            point[3] = m->normal_impulse[k];
-        }
-        api_buffer_push(&contact_rows, row, sizeof row);
+        struct contact_row row = {.shape_a = {m->shape_a.index1, m->shape_a.generation},
+                                  .shape_b = {m->shape_b.index1, m->shape_b.generation},
+                                  .body_a = {m->body_a.index1, m->body_a.generation},
+                                  .body_b = {m->body_b.index1, m->body_b.generation},
+                                  .normal = {m->normal.x, m->normal.y},
+                                  .point_count = m->point_count,
+                                  .tangent_impulse = m->tangent_impulse,
+                                  .direct = m->direct};
+        for (int k = 0; k < m->point_count; k++)
+            row.points[k] = (struct contact_point){.place = {m->point[k].x, m->point[k].y},
+                                                   .separation = m->separation[k],
+                                                   .normal_impulse = m->normal_impulse[k]};
+        api_buffer_push(&contact_rows, &row, sizeof row);
     }
     free(all);
-    api_slots[0] = (double)(uintptr_t)contact_rows.data;
-    api_slots[1] = count;
+    api_slots.list.address = (double)(uintptr_t)contact_rows.data;
+    api_slots.list.count = count;
     return result != THUD_OK ? result : api_buffer_result(&contact_rows);
 }

@@ -3,14 +3,15 @@
 
 #include <thud/thud_minkowski.h>
 
-/* Slots in: 0 kind  1, 2 half extents  3 angle of a, 4 to 7 the same of b, 8, 9 from a's centre to
- * b's. Slots out: 0 whether they share a point  1, 2 the nearest place on the edge of the sum
- * 3 radius of its rounding  4 count of its vertices  5... they, two numbers each, relative to a's
- * centre. */
+static thud_shape_instance instance(const struct solid *s) {
+    return api_placed(api_to_int(s->kind), s->half_extents[0], s->half_extents[1], s->angle);
+}
+
+/* Slots in: minkowski_pair; out: minkowski_sum. */
 int api_minkowski_sum(void) {
-    double *s = api_slots, distance = 0.0, nx = 0.0, ny = 0.0, x = s[8], y = s[9];
-    thud_shape_instance a = api_placed(api_to_int(s[0]), s[1], s[2], s[3]);
-    thud_shape_instance b = api_placed(api_to_int(s[4]), s[5], s[6], s[7]);
+    const struct minkowski_pair *pair = &api_slots.minkowski_pair;
+    double distance = 0.0, nx = 0.0, ny = 0.0, x = pair->offset[0], y = pair->offset[1];
+    thud_shape_instance a = instance(&pair->a), b = instance(&pair->b);
     thud_minkowski sum;
     bool overlaps = false;
     thud_result result = thud_minkowski_sum(&a, &b, &sum);
@@ -20,14 +21,15 @@ int api_minkowski_sum(void) {
         result = thud_minkowski_distance(&sum, x, y, &distance, &nx, &ny);
     if (result != THUD_OK)
         return result;
-    s[0] = overlaps;
-    s[1] = x - nx * distance;
-    s[2] = y - ny * distance;
-    s[3] = sum.radius;
-    s[4] = sum.count;
+    struct minkowski_sum *s = &api_slots.minkowski_sum;
+    s->overlaps = overlaps;
+    s->edge[0] = x - nx * distance;
+    s->edge[1] = y - ny * distance;
+    s->radius = sum.radius;
+    s->count = sum.count;
     for (int i = 0; i < sum.count; i++) {
-        s[5 + 2 * i] = sum.vertices[i].x;
-        s[6 + 2 * i] = sum.vertices[i].y;
+        s->vertices[2 * i] = sum.vertices[i].x;
+        s->vertices[2 * i + 1] = sum.vertices[i].y;
     }
     return THUD_OK;
 }

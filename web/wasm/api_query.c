@@ -2,7 +2,7 @@
  * own shape is its kind, half extents (a circle's radius is the first) and angle. */
 #include "api.h"
 
-enum { ROW = 8, ROOM = 64 };
+enum { ROOM = 64 };
 
 static api_buffer found, hits, rows;
 
@@ -26,33 +26,28 @@ thud_shape_instance api_placed(int kind, double hx, double hy, double angle) {
     return placed;
 }
 
-/* Eight doubles of a hit: shape, point, normal, fraction, depth. */
-static void write_hit(const thud_ray_hit *hit, double *row) {
-    row[0] = hit->shape.index1;
-    row[1] = hit->shape.generation;
-    row[2] = hit->point.x;
-    row[3] = hit->point.y;
-    row[4] = hit->normal.x;
-    row[5] = hit->normal.y;
-    row[6] = hit->fraction;
-    row[7] = hit->depth;
+static struct ray_hit row_of(const thud_ray_hit *hit) {
+    return (struct ray_hit){.shape = {hit->shape.index1, hit->shape.generation},
+                            .point = {hit->point.x, hit->point.y},
+                            .normal = {hit->normal.x, hit->normal.y},
+                            .fraction = hit->fraction,
+                            .depth = hit->depth};
 }
 
 /* ---- rays and casts ---- */
 
-/* Slots out: 0 hit  1 to 8 as write_hit has them. */
+/* Slots out: first_hit. */
 int api_cast_ray(thud_world *world, double x, double y, double dx, double dy, double category,
                  double mask, int sensors) {
     thud_query_filter filter = query_filter(category, mask, sensors);
     bool hit = false;
     thud_ray_hit ray = {0};
     thud_result result = thud_world_cast_ray(world, (thud_pos){x, y}, dx, dy, &filter, &hit, &ray);
-    api_slots[0] = hit;
-    write_hit(&ray, api_slots + 1);
+    api_slots.first_hit = (struct first_hit){hit, row_of(&ray)};
     return result;
 }
 
-/* Slots out: as api_cast_ray. */
+/* Slots out: first_hit. */
 int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
                    double angle, double dx, double dy, double category, double mask, int sensors) {
     thud_query_filter filter = query_filter(category, mask, sensors);
@@ -61,13 +56,11 @@ int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, d
     thud_ray_hit met = {0};
     thud_result result =
         thud_world_cast_shape(world, (thud_pos){x, y}, &shape, dx, dy, &filter, &hit, &met);
-    api_slots[0] = hit;
-    write_hit(&met, api_slots + 1);
+    api_slots.first_hit = (struct first_hit){hit, row_of(&met)};
     return result;
 }
 
-/* Every hit of a ray (kind -1) or a shape, nearest first. Slots out: 0 address  1 count of rows of
- * eight doubles, as write_hit has them. */
+/* Every hit of a ray (kind -1) or a shape, nearest first. Slots out: list of ray_hit. */
 int api_cast_all(thud_world *world, int kind, double x, double y, double hx, double hy,
                  double angle, double dx, double dy, double category, double mask, int sensors) {
     thud_query_filter filter = query_filter(category, mask, sensors);
@@ -91,16 +84,15 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
     }
     api_buffer_clear(&rows);
     for (int i = 0; i < count; i++) {
-        double row[ROW];
-        write_hit((const thud_ray_hit *)hits.data + i, row);
-        api_buffer_push(&rows, row, sizeof row);
+        struct ray_hit row = row_of((const thud_ray_hit *)hits.data + i);
+        api_buffer_push(&rows, &row, sizeof row);
     }
-    api_slots[0] = (double)(uintptr_t)rows.data;
-    api_slots[1] = count;
+    api_slots.list.address = (double)(uintptr_t)rows.data;
+    api_slots.list.count = count;
     return api_buffer_result(&rows);
 }
 
-/* Slots out: 0 found  1, 2 shape  3, 4 point  5, 6 normal  7 signed distance. */
+/* Slots out: closest_hit. */
 int api_closest(thud_world *world, double x, double y, double max_distance, double category,
                 double mask, int sensors) {
     thud_query_filter filter = query_filter(category, mask, sensors);
@@ -108,15 +100,15 @@ int api_closest(thud_world *world, double x, double y, double max_distance, doub
     thud_closest_hit hit = {0};
     thud_result result =
         thud_world_closest(world, (thud_pos){x, y}, max_distance, &filter, &any, &hit);
-    double *s = api_slots;
-    s[0] = any;
-    s[1] = hit.shape.index1;
-    s[2] = hit.shape.generation;
-    s[3] = hit.point.x;
-    s[4] = hit.point.y;
-    s[5] = hit.normal.x;
-    s[6] = hit.normal.y;
-    s[7] = hit.distance;
+    struct closest_hit *s = &api_slots.closest_hit;
+    s->found = any;
+    s->shape[0] = hit.shape.index1;
+    s->shape[1] = hit.shape.generation;
+    s->point[0] = hit.point.x;
+    s->point[1] = hit.point.y;
+    s->normal[0] = hit.normal.x;
+    s->normal[1] = hit.normal.y;
+    s->distance = hit.distance;
     return result;
 }
 
@@ -129,12 +121,12 @@ static bool collect(thud_shape_id shape, void *context) {
 }
 
 static int collected(thud_result result) {
-    api_slots[0] = (double)(uintptr_t)found.data;
-    api_slots[1] = (double)(found.bytes / sizeof(thud_shape_id));
+    api_slots.list.address = (double)(uintptr_t)found.data;
+    api_slots.list.count = (double)(found.bytes / sizeof(thud_shape_id));
     return result != THUD_OK ? result : api_buffer_result(&found);
 }
 
-/* Slots out: 0 address  1 count of the handles. */
+/* Slots out: list of handles. */
 int api_overlap_aabb(thud_world *world, double lower_x, double lower_y, double upper_x,
                      double upper_y, double category, double mask, int sensors) {
     thud_query_filter filter = query_filter(category, mask, sensors);

@@ -6,34 +6,32 @@ static api_buffer draw_shapes, draw_lines, draw_points;
 
 /* ---- events ---- */
 
-/* Slots out, address and count of each: 0 begin  2 end  4 sensor begin  6 sensor end
- * (two handles, four 32-bit numbers each)  8 quarantined (a body handle each)  10 hits: nine
- * doubles each: shape a, shape b, point, normal, speed. */
+/* Slots out: events, with rows of event_pair, handles of bodies and rows of hit_event. */
 int api_world_events(const thud_world *world) {
     thud_events events = thud_world_events(world);
     api_buffer_clear(&hits);
     for (int i = 0; i < events.hit_count; i++) {
         const thud_hit_event *hit = &events.hit[i];
-        double row[9] = {hit->shape_a.index1, hit->shape_a.generation,
-                         hit->shape_b.index1, hit->shape_b.generation,
-                         hit->point.x,        hit->point.y,
-                         hit->normal.x,       hit->normal.y,
-                         hit->speed};
-        api_buffer_push(&hits, row, sizeof row);
+        struct hit_event row = {.shape_a = {hit->shape_a.index1, hit->shape_a.generation},
+                                .shape_b = {hit->shape_b.index1, hit->shape_b.generation},
+                                .point = {hit->point.x, hit->point.y},
+                                .normal = {hit->normal.x, hit->normal.y},
+                                .speed = hit->speed};
+        api_buffer_push(&hits, &row, sizeof row);
     }
-    double *s = api_slots;
-    s[0] = (double)(uintptr_t)events.begin;
-    s[1] = events.begin_count;
-    s[2] = (double)(uintptr_t)events.end;
-    s[3] = events.end_count;
-    s[4] = (double)(uintptr_t)events.sensor_begin;
-    s[5] = events.sensor_begin_count;
-    s[6] = (double)(uintptr_t)events.sensor_end;
-    s[7] = events.sensor_end_count;
-    s[8] = (double)(uintptr_t)events.quarantined;
-    s[9] = events.quarantined_count;
-    s[10] = (double)(uintptr_t)hits.data;
-    s[11] = events.hit_count;
+    struct events *s = &api_slots.events;
+    s->begin.address = (double)(uintptr_t)events.begin;
+    s->begin.count = events.begin_count;
+    s->end.address = (double)(uintptr_t)events.end;
+    s->end.count = events.end_count;
+    s->sensor_begin.address = (double)(uintptr_t)events.sensor_begin;
+    s->sensor_begin.count = events.sensor_begin_count;
+    s->sensor_end.address = (double)(uintptr_t)events.sensor_end;
+    s->sensor_end.count = events.sensor_end_count;
+    s->quarantined.address = (double)(uintptr_t)events.quarantined;
+    s->quarantined.count = events.quarantined_count;
+    s->hits.address = (double)(uintptr_t)hits.data;
+    s->hits.count = events.hit_count;
     return api_buffer_result(&hits);
 }
 
@@ -45,10 +43,8 @@ static bool collect(thud_shape_id shape, void *context) {
     return !buffer->failed;
 }
 
-/* Fills a table of every shape inside the bounds. A row is ten floats: body slot, shape kind,
- * body kind, sensor, offset x and y, half extents x and y, cosine and sine in the body's frame;
- * and four 32-bit numbers: the handles of the shape and of its body.
- * Slots out: 0 address of the floats  1 of the handles  2 count. */
+/* Fills a table of every shape inside the bounds. Slots out: shape_table, with a shape_row and a
+ * shape_handles of each. */
 int api_shape_table(thud_world *world, double lower_x, double lower_y, double upper_x,
                     double upper_y) {
     thud_query_filter filter = thud_default_query_filter();
@@ -73,43 +69,41 @@ int api_shape_table(thud_world *world, double lower_x, double lower_y, double up
             return result;
         double c, s;
         api_sincos(shape.angle, &s, &c);
-        float row[10] = {(float)(shape.body.index1 - 1),
-                         (float)shape.kind,
-                         (float)body.kind,
-                         (float)shape.sensor,
-                         shape.offset.x,
-                         shape.offset.y,
-                         shape.half_extents.x,
-                         shape.half_extents.y,
-                         (float)c,
-                         (float)s};
-        uint32_t handles[4] = {ids[i].index1, ids[i].generation, shape.body.index1,
-                               shape.body.generation};
-        api_buffer_push(&shape_rows, row, sizeof row);
-        api_buffer_push(&shape_ids, handles, sizeof handles);
+        struct shape_row row = {.slot = (float)(shape.body.index1 - 1),
+                                .shape = (float)shape.kind,
+                                .body = (float)body.kind,
+                                .sensor = (float)shape.sensor,
+                                .offset = {shape.offset.x, shape.offset.y},
+                                .half_extents = {shape.half_extents.x, shape.half_extents.y},
+                                .cosine = (float)c,
+                                .sine = (float)s};
+        struct shape_handles handles = {{ids[i].index1, ids[i].generation},
+                                        {shape.body.index1, shape.body.generation}};
+        api_buffer_push(&shape_rows, &row, sizeof row);
+        api_buffer_push(&shape_ids, &handles, sizeof handles);
     }
-    api_slots[0] = (double)(uintptr_t)shape_rows.data;
-    api_slots[1] = (double)(uintptr_t)shape_ids.data;
-    api_slots[2] = (double)count;
+    api_slots.shape_table.rows = (double)(uintptr_t)shape_rows.data;
+    api_slots.shape_table.handles = (double)(uintptr_t)shape_ids.data;
+    api_slots.shape_table.count = (double)count;
     return shape_rows.failed ? THUD_ERROR_MEMORY : api_buffer_result(&shape_ids);
 }
 
 /* One byte for each row of the last api_shape_table: 1 when its body is awake. Rows whose body
- * has gone read 0. Slots out: 0 address  1 count. */
+ * has gone read 0. Slots out: list of bytes. */
 int api_shape_table_awake(const thud_world *world) {
-    const uint32_t *handles = (const uint32_t *)shape_ids.data;
-    size_t count = shape_ids.bytes / (4 * sizeof *handles);
+    const struct shape_handles *handles = (const struct shape_handles *)shape_ids.data;
+    size_t count = shape_ids.bytes / sizeof *handles;
     api_buffer_clear(&awake_flags);
     for (size_t i = 0; i < count; i++) {
-        thud_body_id id = api_body(handles[4 * i + 2], handles[4 * i + 3]);
+        thud_body_id id = api_body(handles[i].body[0], handles[i].body[1]);
         thud_body_state body = {0};
         uint8_t awake = 0;
         if (thud_body_is_valid(world, id) && thud_body_get(world, id, &body) == THUD_OK)
             awake = body.awake;
         api_buffer_push(&awake_flags, &awake, 1);
     }
-    api_slots[0] = (double)(uintptr_t)awake_flags.data;
-    api_slots[1] = (double)count;
+    api_slots.list.address = (double)(uintptr_t)awake_flags.data;
+    api_slots.list.count = (double)count;
     return api_buffer_result(&awake_flags);
 }
 
@@ -117,9 +111,14 @@ int api_shape_table_awake(const thud_world *world) {
 
 static void push_shape(thud_vec2 center, thud_vec2 half, float c, float s, bool round, int style,
                        int island) {
-    float row[9] = {center.x, center.y,     half.x,       half.y,       c,
-                    s,        (float)round, (float)style, (float)island};
-    api_buffer_push(&draw_shapes, row, sizeof row);
+    struct draw_shape row = {.center = {center.x, center.y},
+                             .half_extents = {half.x, half.y},
+                             .cosine = c,
+                             .sine = s,
+                             .round = (float)round,
+                             .style = (float)style,
+                             .island = (float)island};
+    api_buffer_push(&draw_shapes, &row, sizeof row);
 }
 
 static void draw_circle(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
@@ -136,19 +135,18 @@ static void draw_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_dr
 
 static void draw_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
     (void)context;
-    float row[5] = {a.x, a.y, b.x, b.y, (float)style};
-    api_buffer_push(&draw_lines, row, sizeof row);
+    struct draw_line row = {.from = {a.x, a.y}, .to = {b.x, b.y}, .style = (float)style};
+    api_buffer_push(&draw_lines, &row, sizeof row);
 }
 
 static void draw_point(thud_vec2 p, thud_draw_style style, void *context) {
     (void)context;
-    float row[3] = {p.x, p.y, (float)style};
-    api_buffer_push(&draw_points, row, sizeof row);
+    struct draw_point row = {.place = {p.x, p.y}, .style = (float)style};
+    api_buffer_push(&draw_points, &row, sizeof row);
 }
 
-/* Slots out, address and count of each: 0 shapes (nine floats: centre, half extents, cosine,
- * sine, 1 if a circle, style, island)  2 lines (five: both ends, style)  4 points (three: place,
- * style). Coordinates are relative to the origin given. */
+/* Slots out: draw_lists, with rows of draw_shape, draw_line and draw_point. Coordinates are
+ * relative to the origin given. */
 int api_world_draw(thud_world *world, double flags, double origin_x, double origin_y,
                    double lower_x, double lower_y, double upper_x, double upper_y) {
     api_buffer_clear(&draw_shapes);
@@ -165,12 +163,12 @@ int api_world_draw(thud_world *world, double flags, double origin_x, double orig
     thud_result result = thud_world_draw(world, &draw);
     if (result != THUD_OK)
         return result;
-    api_slots[0] = (double)(uintptr_t)draw_shapes.data;
-    api_slots[1] = (double)(draw_shapes.bytes / (9 * sizeof(float)));
-    api_slots[2] = (double)(uintptr_t)draw_lines.data;
-    api_slots[3] = (double)(draw_lines.bytes / (5 * sizeof(float)));
-    api_slots[4] = (double)(uintptr_t)draw_points.data;
-    api_slots[5] = (double)(draw_points.bytes / (3 * sizeof(float)));
+    api_slots.draw_lists.shapes.address = (double)(uintptr_t)draw_shapes.data;
+    api_slots.draw_lists.shapes.count = (double)(draw_shapes.bytes / sizeof(struct draw_shape));
+    api_slots.draw_lists.lines.address = (double)(uintptr_t)draw_lines.data;
+    api_slots.draw_lists.lines.count = (double)(draw_lines.bytes / sizeof(struct draw_line));
+    api_slots.draw_lists.points.address = (double)(uintptr_t)draw_points.data;
+    api_slots.draw_lists.points.count = (double)(draw_points.bytes / sizeof(struct draw_point));
     if (draw_shapes.failed || draw_lines.failed)
         return THUD_ERROR_MEMORY;
     return api_buffer_result(&draw_points);

@@ -1,42 +1,41 @@
 /* api_shape.c: shapes. */
 #include "api.h"
 
-/* Slots: 0 density  1 friction  2 restitution  3 category  4 mask  5 group  6 sensor
- * 7 user data  8 surface speed. */
+/* Slots out: shape_options. */
 void api_shape_defaults(void) {
     thud_shape_def def = thud_default_shape_def();
-    double *s = api_slots;
-    s[0] = def.density;
-    s[1] = def.friction;
-    s[2] = def.restitution;
-    s[3] = def.filter.category;
-    s[4] = def.filter.mask;
-    s[5] = def.filter.group;
-    s[6] = def.sensor;
-    s[7] = (double)def.user_data;
-    s[8] = def.surface_speed;
+    struct shape_options *s = &api_slots.shape_options;
+    s->density = def.density;
+    s->friction = def.friction;
+    s->restitution = def.restitution;
+    s->category = def.filter.category;
+    s->mask = def.filter.mask;
+    s->group = def.filter.group;
+    s->sensor = def.sensor;
+    s->user_data = (double)def.user_data;
+    s->surface_speed = def.surface_speed;
 }
 
 /* From the slots of api_shape_defaults. */
 static thud_shape_def read_def(void) {
-    const double *s = api_slots;
+    const struct shape_options *s = &api_slots.shape_options;
     thud_shape_def def = thud_default_shape_def();
-    def.density = (float)s[0];
-    def.friction = (float)s[1];
-    def.restitution = (float)s[2];
-    def.filter.category = api_to_u32(s[3]);
-    def.filter.mask = api_to_u32(s[4]);
-    def.filter.group = api_to_int(s[5]);
-    def.sensor = s[6] != 0.0;
-    def.user_data = (uint64_t)s[7];
-    def.surface_speed = (float)s[8];
+    def.density = (float)s->density;
+    def.friction = (float)s->friction;
+    def.restitution = (float)s->restitution;
+    def.filter.category = api_to_u32(s->category);
+    def.filter.mask = api_to_u32(s->mask);
+    def.filter.group = api_to_int(s->group);
+    def.sensor = s->sensor != 0.0;
+    def.user_data = (uint64_t)s->user_data;
+    def.surface_speed = (float)s->surface_speed;
     return def;
 }
 
-/* The new handle goes to slots 0 and 1. */
+/* Slots out: the new handle. */
 static int created(thud_result result, thud_shape_id id) {
-    api_slots[0] = id.index1;
-    api_slots[1] = id.generation;
+    api_slots.handle.index1 = id.index1;
+    api_slots.handle.generation = id.generation;
     return result;
 }
 
@@ -96,46 +95,45 @@ int api_shape_is_valid(const thud_world *world, uint32_t index1, uint32_t genera
     return thud_shape_is_valid(world, api_shape(index1, generation));
 }
 
-/* Slots out: 0 kind  1, 2 body  3, 4 offset  5, 6 half extents  7 angle  8 density  9 friction
- * 10 restitution  11 category  12 mask  13 group  14 sensor  15 user data  16 surface speed. */
+/* Slots out: shape_state. */
 int api_shape_get(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_shape_state state;
     thud_result result = thud_shape_get(world, api_shape(index1, generation), &state);
     if (result != THUD_OK)
         return result;
-    double *s = api_slots;
-    s[0] = state.kind;
-    s[1] = state.body.index1;
-    s[2] = state.body.generation;
-    s[3] = state.offset.x;
-    s[4] = state.offset.y;
-    s[5] = state.half_extents.x;
-    s[6] = state.half_extents.y;
-    s[7] = state.angle;
-    s[8] = state.density;
-    s[9] = state.friction;
-    s[10] = state.restitution;
-    s[11] = state.filter.category;
-    s[12] = state.filter.mask;
-    s[13] = state.filter.group;
-    s[14] = state.sensor;
-    s[15] = (double)state.user_data;
-    s[16] = state.surface_speed;
+    struct shape_state *s = &api_slots.shape_state;
+    s->kind = state.kind;
+    s->body[0] = state.body.index1;
+    s->body[1] = state.body.generation;
+    s->offset[0] = state.offset.x;
+    s->offset[1] = state.offset.y;
+    s->half_extents[0] = state.half_extents.x;
+    s->half_extents[1] = state.half_extents.y;
+    s->angle = state.angle;
+    s->density = state.density;
+    s->friction = state.friction;
+    s->restitution = state.restitution;
+    s->category = state.filter.category;
+    s->mask = state.filter.mask;
+    s->group = state.filter.group;
+    s->sensor = state.sensor;
+    s->user_data = (double)state.user_data;
+    s->surface_speed = state.surface_speed;
     return THUD_OK;
 }
 
-/* Slots out: 0 kind  1 slope  2 x0  3 spacing  4 address of the points  5 their count. */
+/* Slots out: terrain. */
 int api_shape_terrain(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_terrain terrain;
     thud_result result = thud_shape_terrain(world, api_shape(index1, generation), &terrain);
     if (result != THUD_OK)
         return result;
-    api_slots[0] = terrain.kind;
-    api_slots[1] = terrain.slope;
-    api_slots[2] = terrain.x0;
-    api_slots[3] = terrain.spacing;
-    api_slots[4] = (double)(uintptr_t)terrain.points;
-    api_slots[5] = terrain.count;
+    api_slots.terrain.kind = terrain.kind;
+    api_slots.terrain.slope = terrain.slope;
+    api_slots.terrain.x0 = terrain.x0;
+    api_slots.terrain.spacing = terrain.spacing;
+    api_slots.terrain.points.address = (double)(uintptr_t)terrain.points;
+    api_slots.terrain.points.count = terrain.count;
     return THUD_OK;
 }
 

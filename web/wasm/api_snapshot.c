@@ -18,7 +18,7 @@ char *api_snapshot_room(uint32_t bytes) {
     return buffer;
 }
 
-/* Slots out: 0 where the snapshot lies until the next call  1 its bytes. */
+/* Slots out: list of bytes, which stay until the next call. */
 int api_world_snapshot(const thud_world *world) {
     size_t bytes = 0;
     thud_result result = thud_world_snapshot_size(world, &bytes);
@@ -27,8 +27,8 @@ int api_world_snapshot(const thud_world *world) {
     char *to = api_snapshot_room((uint32_t)bytes);
     if (to == NULL)
         return THUD_ERROR_MEMORY;
-    api_slots[0] = (double)(uintptr_t)to;
-    api_slots[1] = (double)bytes;
+    api_slots.list.address = (double)(uintptr_t)to;
+    api_slots.list.count = (double)bytes;
     return thud_world_snapshot(world, to, bytes, NULL);
 }
 

@@ -16,7 +16,7 @@ static thud_result find_ground(const thud_world *world, thud_shape_id shape, thu
     return result;
 }
 
-/* Slots out: 0 height  1, 2 normal  3 segment  4, 5 weights of its vertices. */
+/* Slots out: ground. */
 int api_ground_at(const thud_world *world, uint32_t index1, uint32_t generation, double x) {
     thud_terrain line;
     thud_pos origin;
@@ -26,17 +26,17 @@ int api_ground_at(const thud_world *world, uint32_t index1, uint32_t generation,
         result = thud_terrain_sample_at(&line, x - origin.x, &sample);
     if (result != THUD_OK)
         return result;
-    double *s = api_slots;
-    s[0] = sample.height + origin.y;
-    s[1] = sample.nx;
-    s[2] = sample.ny;
-    s[3] = sample.segment;
-    s[4] = sample.weight[0];
-    s[5] = sample.weight[1];
+    struct ground *s = &api_slots.ground;
+    s->height = sample.height + origin.y;
+    s->normal[0] = sample.nx;
+    s->normal[1] = sample.ny;
+    s->segment = sample.segment;
+    s->weights[0] = sample.weight[0];
+    s->weights[1] = sample.weight[1];
     return THUD_OK;
 }
 
-/* Slots out: 0 height  1 where that is  2, 3 normal. */
+/* Slots out: foot. */
 int api_place_foot(const thud_world *world, uint32_t index1, uint32_t generation, double x,
                    double width) {
     thud_terrain line;
@@ -47,11 +47,11 @@ int api_place_foot(const thud_world *world, uint32_t index1, uint32_t generation
         result = thud_terrain_place_foot(&line, x - origin.x, width, &foot);
     if (result != THUD_OK)
         return result;
-    double *s = api_slots;
-    s[0] = foot.height + origin.y;
-    s[1] = foot.x + origin.x;
-    s[2] = foot.nx;
-    s[3] = foot.ny;
+    struct foot *s = &api_slots.foot;
+    s->height = foot.height + origin.y;
+    s->x = foot.x + origin.x;
+    s->normal[0] = foot.nx;
+    s->normal[1] = foot.ny;
     return THUD_OK;
 }
 

@@ -4,7 +4,8 @@
  */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
-import { solidNumbers } from "./numbers.js";
+import { MinkowskiPairAt, MinkowskiSumAt } from "./generated/slots.js";
+import { solidNumbers, vecAt } from "./numbers.js";
 import type { SolidShape } from "./query-types.js";
 import type { Vec2 } from "./types.js";
 
@@ -32,14 +33,18 @@ export function minkowskiSum(
   b: SolidShape,
   offset: Vec2,
 ): MinkowskiSum {
-  engine.slots.set([...solidNumbers(a), ...solidNumbers(b), ...offset]);
+  const s = engine.slots;
+  s.set(solidNumbers(a), MinkowskiPairAt.a);
+  s.set(solidNumbers(b), MinkowskiPairAt.b);
+  s.set(offset, MinkowskiPairAt.offset);
   if (engine.exports.api_minkowski_sum() !== 0)
     throw new ThudError("invalid", "minkowskiSum: sizes must be above 0 and all numbers finite");
-  const [overlaps, edgeX, edgeY, radius, count, ...places] = engine.slots;
+  const first = MinkowskiSumAt.vertices;
+  const vertices = Array.from(s.subarray(first, first + 2 * s[MinkowskiSumAt.count]));
   return {
-    overlaps: overlaps !== 0,
-    edge: [edgeX, edgeY],
-    outline: Float64Array.from(outlineOf(places.slice(0, 2 * count), radius)),
+    overlaps: s[MinkowskiSumAt.overlaps] !== 0,
+    edge: vecAt(s, MinkowskiSumAt.edge),
+    outline: Float64Array.from(outlineOf(vertices, s[MinkowskiSumAt.radius])),
   };
 }
 

@@ -6,25 +6,30 @@
  *     const { velocity, ground } = mover.move([5, -1], 1 / 60);
  */
 import { ThudError } from "./error.js";
-import { bodyId, fill, FILTER, numbersOf, shapeId, solidNumbers, view } from "./numbers.js";
+import {
+  FILTER_OPTIONS,
+  HandleAt,
+  ListAt,
+  MOVER_OPTIONS,
+  MoverHitAt,
+  MoverOptionsAt,
+  MoverReportAt,
+  MoverStateAt,
+} from "./generated/slots.js";
+import {
+  bodyAt,
+  fill,
+  numbersOf,
+  rowsOf,
+  shapeAt,
+  solidNumbers,
+  vecAt,
+  view,
+} from "./numbers.js";
 import type { MoverHit, MoverOptions, MoverReport } from "./query-types.js";
 import type { BodyId, ShapeId, Vec2 } from "./types.js";
 import type { World } from "./world.js";
 
-/** Numbers of a hit; see api_mover_move. */
-const HIT = 9;
-
-/** As api_mover_defaults has them; the first comes last there, behind the filter's. */
-const OPTIONS = [
-  "oneWay",
-  "up",
-  ".",
-  "skin",
-  "maxSlope",
-  "stepHeight",
-  "snapDistance",
-  "pushForce",
-] as const;
 const OTHERS = ["shape", "position", "body", "filter"] as const;
 
 /** All that a mover keeps from one move to the next, as plain data. */
@@ -51,10 +56,11 @@ export class Mover {
     const { exports, slots } = world.engine;
     const [kind, hx, hy, angle] = solidNumbers(options.shape);
     const { filter = {}, body } = options;
-    const [oneWay, ...numbers] = numbersOf("mover", options, OPTIONS, OTHERS);
-    const filtered = numbersOf("filter", filter, FILTER);
+    const numbers = numbersOf("mover", options, MOVER_OPTIONS, OTHERS);
+    const filtered = numbersOf("filter", filter, FILTER_OPTIONS);
     exports.api_mover_defaults(kind, hx, hy, angle);
-    fill(slots, [...numbers, ...filtered, oneWay]);
+    fill(slots, numbers);
+    fill(slots, filtered, MoverOptionsAt.filter);
     const [index1, generation] = body ? [body.index + 1, body.generation] : [0, 0];
     this.#world = world;
     this.#address = exports.api_mover_create(
@@ -80,26 +86,26 @@ export class Mover {
     engine.check(
       engine.exports.api_mover_move(address, this.address, ...velocity, dt, drop),
     );
-    const s = engine.slots;
-    const rows = view(Float64Array, engine.buffer, s[14], HIT * s[15] + 2 * s[16]);
+    const { buffer, slots: s } = engine;
+    const hits = rowsOf(Float64Array, buffer, s, MoverReportAt.hits, MoverHitAt.length, readHit);
+    const behind = s[MoverReportAt.hits + ListAt.address] + 8 * MoverHitAt.length * hits.length;
+    const count = s[MoverReportAt.sensorCount];
+    const sensors = view(Float64Array, buffer, behind, HandleAt.length * count);
     return {
-      position: [s[0], s[1]],
+      position: vecAt(s, MoverReportAt.position),
       ground:
-        s[2] === 0
+        s[MoverReportAt.onGround] === 0
           ? null
           : {
-              normal: [s[3], s[4]],
-              shape: shapeId(s[5], s[6]),
-              body: bodyId(s[7], s[8]),
-              velocity: [s[11], s[12]],
+              normal: vecAt(s, MoverReportAt.normal),
+              shape: shapeAt(s, MoverReportAt.shape),
+              body: bodyAt(s, MoverReportAt.body),
+              velocity: vecAt(s, MoverReportAt.groundVelocity),
             },
-      velocity: [s[9], s[10]],
-      depth: s[13],
-      hits: Array.from({ length: s[15] }, (_, i) => readHit(rows.subarray(HIT * i))),
-      sensors: Array.from({ length: s[16] }, (_, i) => {
-        const at = HIT * s[15] + 2 * i;
-        return shapeId(rows[at], rows[at + 1]);
-      }),
+      velocity: vecAt(s, MoverReportAt.velocity),
+      depth: s[MoverReportAt.depth],
+      hits,
+      sensors: Array.from({ length: count }, (_, i) => shapeAt(sensors, HandleAt.length * i)),
     };
   }
 
@@ -114,18 +120,18 @@ export class Mover {
     engine.exports.api_mover_get_state(this.address);
     const s = engine.slots;
     return {
-      position: [s[0], s[1]],
+      position: vecAt(s, MoverStateAt.position),
       ground:
-        s[2] === 0
+        s[MoverStateAt.onGround] === 0
           ? null
           : {
-              normal: [s[3], s[4]],
-              shape: shapeId(s[5], s[6]),
-              body: bodyId(s[7], s[8]),
-              point: [s[9], s[10]],
-              place: [s[11], s[12]],
-              cosine: s[13],
-              sine: s[14],
+              normal: vecAt(s, MoverStateAt.normal),
+              shape: shapeAt(s, MoverStateAt.shape),
+              body: bodyAt(s, MoverStateAt.body),
+              point: vecAt(s, MoverStateAt.point),
+              place: vecAt(s, MoverStateAt.place),
+              cosine: s[MoverStateAt.cosine],
+              sine: s[MoverStateAt.sine],
             },
     };
   }
@@ -134,12 +140,18 @@ export class Mover {
   restore({ position, ground }: MoverState): void {
     const { address } = this;
     const { engine } = this.#world;
-    engine.slots.fill(0, 0, 15);
-    engine.slots.set(position);
+    const s = engine.slots;
+    s.fill(0, 0, MoverStateAt.length);
+    s.set(position, MoverStateAt.position);
     if (ground) {
-      const { normal, shape, body, point, place, cosine, sine } = ground;
-      const ids = [shape.index + 1, shape.generation, body.index + 1, body.generation];
-      engine.slots.set([1, ...normal, ...ids, ...point, ...place, cosine, sine], 2);
+      s[MoverStateAt.onGround] = 1;
+      s.set(ground.normal, MoverStateAt.normal);
+      s.set([ground.shape.index + 1, ground.shape.generation], MoverStateAt.shape);
+      s.set([ground.body.index + 1, ground.body.generation], MoverStateAt.body);
+      s.set(ground.point, MoverStateAt.point);
+      s.set(ground.place, MoverStateAt.place);
+      s[MoverStateAt.cosine] = ground.cosine;
+      s[MoverStateAt.sine] = ground.sine;
     }
     engine.exports.api_mover_set_state(address);
   }
@@ -157,12 +169,12 @@ export class Mover {
   }
 }
 
-function readHit(row: Float64Array): MoverHit {
+function readHit(rows: Float64Array, at: number): MoverHit {
   return {
-    shape: shapeId(row[0], row[1]),
-    body: bodyId(row[2], row[3]),
-    point: [row[4], row[5]],
-    normal: [row[6], row[7]],
-    depth: row[8],
+    shape: shapeAt(rows, at + MoverHitAt.shape),
+    body: bodyAt(rows, at + MoverHitAt.body),
+    point: vecAt(rows, at + MoverHitAt.point),
+    normal: vecAt(rows, at + MoverHitAt.normal),
+    depth: rows[at + MoverHitAt.depth],
   };
 }

@@ -1,5 +1,6 @@
 /** How options become the numbers that the module takes, and numbers from it become handles. */
 import { ThudError } from "./error.js";
+import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./generated/slots.js";
 import { checkNames } from "./names.js";
 import type { QueryFilter, SolidShape } from "./query-types.js";
 import {
@@ -15,6 +16,8 @@ import {
   type ShapeKind,
   type Vec2,
 } from "./types.js";
+
+type Numbers = Float64Array | Uint32Array;
 
 /** Options that are one of several words. */
 const WORDS: Readonly<Record<string, readonly string[]>> = {
@@ -55,14 +58,7 @@ function numberOf(name: string, value: unknown): number | undefined {
   return WORDS[name] ? indexOf(WORDS[name], value as string, name) : Number(value);
 }
 
-const QUALITY = [
-  "base",
-  "substeps",
-  "contactStiffness",
-  "contactDamping",
-  "detection",
-  "islands",
-] as const;
+const QUALITY = ["base", ...QUALITY_OPTIONS] as const;
 
 /** Its base's number, and what an object changes of that, in the order of QUALITY. */
 export function qualityNumbers(
@@ -79,6 +75,19 @@ export function bodyId(index1: number, generation: number): BodyId {
 
 export function shapeId(index1: number, generation: number): ShapeId {
   return Object.freeze({ kind: "shape", index: index1 - 1, generation });
+}
+
+/** Of two numbers among slots or in a row. */
+export function bodyAt(numbers: Numbers, at: number): BodyId {
+  return bodyId(numbers[at], numbers[at + 1]);
+}
+
+export function shapeAt(numbers: Numbers, at: number): ShapeId {
+  return shapeId(numbers[at], numbers[at + 1]);
+}
+
+export function vecAt(numbers: Numbers, at: number): Vec2 {
+  return [numbers[at], numbers[at + 1]];
 }
 
 /** Kind, half extents (a circle's radius is the first) and angle, as the module takes them. */
@@ -100,11 +109,11 @@ export function solidNumbers(shape: SolidShape, others: readonly string[] = []):
   return [kind, shape.halfWidth, shape.halfHeight, shape.kind === "obb" ? shape.angle : 0];
 }
 
-/** Overwrites the slots whose option is given. */
-export function fill(slots: Float64Array, options: readonly (number | undefined)[]): void {
+/** Overwrites those of the slots from `at` on whose option is given. */
+export function fill(slots: Float64Array, options: readonly (number | undefined)[], at = 0): void {
   for (let i = 0; i < options.length; i++) {
     const value = options[i];
-    if (value !== undefined) slots[i] = value;
+    if (value !== undefined) slots[at + i] = value;
   }
 }
 
@@ -121,10 +130,8 @@ export function userData(value: number | undefined): number | undefined {
   return value;
 }
 
-export const FILTER = ["category", "mask", "sensors"] as const;
-
 export function filterNumbers(filter: QueryFilter): [number, number, number] {
-  const [category, mask, sensors = 0] = numbersOf("filter", filter, FILTER);
+  const [category, mask, sensors = 0] = numbersOf("filter", filter, FILTER_OPTIONS);
   return [category ?? 0xffffffff, mask ?? 0xffffffff, sensors];
 }
 
@@ -140,4 +147,18 @@ export function view<T>(
   length: number,
 ): T {
   return new View(buffer, length === 0 ? 0 : address, length);
+}
+
+/** What `read` makes of each row, from `at` on, of a list that the slots tell of. */
+export function rowsOf<N extends Numbers, T>(
+  View: ViewClass<N>,
+  buffer: ArrayBuffer,
+  slots: Float64Array,
+  list: number,
+  length: number,
+  read: (rows: N, at: number) => T,
+): T[] {
+  const count = slots[list + ListAt.count];
+  const rows = view(View, buffer, slots[list + ListAt.address], length * count);
+  return Array.from({ length: count }, (_, i) => read(rows, length * i));
 }

@@ -4,11 +4,13 @@
  */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
+import { ListAt } from "./generated/slots.js";
 
 /** A copy of its own, outside wasm memory. */
 export function takeSnapshot(engine: Engine, world: number): Uint8Array<ArrayBuffer> {
   engine.check(engine.exports.api_world_snapshot(world));
-  const [address, bytes] = engine.slots;
+  const address = engine.slots[ListAt.address];
+  const bytes = engine.slots[ListAt.count];
   return new Uint8Array(engine.buffer.slice(address, address + bytes));
 }
 

@@ -1,35 +1,13 @@
 /** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
-import { fill, numbersOf, qualityNumbers, shapeId, view } from "./numbers.js";
+import { AdvanceAt, HandleAt, ListAt, WORLD_OPTIONS, WorldOptionsAt } from "./generated/slots.js";
+import { fill, numbersOf, qualityNumbers, rowsOf, shapeAt } from "./numbers.js";
 import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
 import type { BodyId, Quality, QualityOptions, ShapeId, Vec2, WorldOptions } from "./types.js";
 
 /** As far out as a body can be, in length scales; a little less, for rounding. */
 const EVERYWHERE = 0.999e9;
-
-/** In the order of api_world_defaults, but that a quality's own numbers come at the end. */
-const OPTIONS = [
-  "gravity",
-  ".",
-  "timeStep",
-  "lengthScale",
-  "quality",
-  "substeps",
-  "contactStiffness",
-  "contactDamping",
-  "pushSpeed",
-  "restitutionThreshold",
-  "hitSpeed",
-  "maximumSpeed",
-  "sleeping",
-  "detection",
-  "contactEvents",
-  "timed",
-  "broadphase",
-  "timeBudget",
-  "maxError",
-] as const;
 
 export class WorldBase {
   readonly engine: Engine;
@@ -50,16 +28,17 @@ export class WorldBase {
     if (address !== 0) return;
     WorldBase.writeOptions(engine, options);
     engine.check(engine.exports.api_world_create());
-    this.#address = engine.slots[0];
+    this.#address = engine.slots[ListAt.address];
   }
 
   /** Fills the slots of api_world_defaults, for code that makes worlds in the module itself. */
   static writeOptions(engine: Engine, options: WorldOptions): void {
-    const numbers = numbersOf("world", options, OPTIONS);
+    const numbers = numbersOf("world", options, WORLD_OPTIONS);
     const [base, ...changes] = qualityNumbers(options.quality);
-    numbers[OPTIONS.indexOf("quality")] = base;
+    numbers[WorldOptionsAt.quality] = base;
     engine.exports.api_world_defaults();
-    fill(engine.slots, [...numbers, ...changes]);
+    fill(engine.slots, numbers);
+    fill(engine.slots, changes, WorldOptionsAt.changes);
   }
 
   /** The world's address in wasm memory; throws after `close`. */
@@ -116,7 +95,7 @@ export class WorldBase {
   advance(elapsed: number, maxSteps = 4): { steps: number; alpha: number } {
     const { engine } = this;
     engine.check(engine.exports.api_world_advance(this.address, elapsed, maxSteps));
-    return { steps: engine.slots[0], alpha: engine.slots[1] };
+    return { steps: engine.slots[AdvanceAt.steps], alpha: engine.slots[AdvanceAt.alpha] };
   }
 
   /** Length/s², from the next step on. */
@@ -168,8 +147,9 @@ export class WorldBase {
     this.engine.check(call(this.address, shape.index + 1, shape.generation, ...args));
   }
 
-  protected shapeIds(address: number, count: number): ShapeId[] {
-    const handles = view(Uint32Array, this.engine.buffer, address, 2 * count);
-    return Array.from({ length: count }, (_, i) => shapeId(handles[2 * i], handles[2 * i + 1]));
+  /** Those of the list that the last call gave. */
+  protected shapeIds(): ShapeId[] {
+    const { buffer, slots } = this.engine;
+    return rowsOf(Uint32Array, buffer, slots, ListAt.address, HandleAt.length, shapeAt);
   }
 }

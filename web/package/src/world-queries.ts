@@ -1,6 +1,14 @@
 /** What a world is asked about places: rays, casts, the closest shape, overlaps. */
+import { ClosestHitAt, FirstHitAt, ListAt, RayHitAt } from "./generated/slots.js";
 import { checkNames } from "./names.js";
-import { filterNumbers, shapeId, type SolidNumbers, solidNumbers, view } from "./numbers.js";
+import {
+  filterNumbers,
+  rowsOf,
+  shapeAt,
+  type SolidNumbers,
+  solidNumbers,
+  vecAt,
+} from "./numbers.js";
 import type { ClosestHit, OverlapQuery, QueryFilter, RayHit, SolidShape } from "./query-types.js";
 import type { ShapeId, Vec2 } from "./types.js";
 import { WorldBase } from "./world-base.js";
@@ -19,7 +27,7 @@ export class WorldQueries extends WorldBase {
         ...filterNumbers(filter),
       ),
     );
-    return engine.slots[0] === 0 ? null : readHit(engine.slots, 1);
+    return readFirst(engine.slots);
   }
 
   /** Every shape along the ray, the nearest first. */
@@ -48,7 +56,7 @@ export class WorldQueries extends WorldBase {
         ...filterNumbers(filter),
       ),
     );
-    return engine.slots[0] === 0 ? null : readHit(engine.slots, 1);
+    return readFirst(engine.slots);
   }
 
   /** Every shape that it meets, the nearest first. */
@@ -68,12 +76,12 @@ export class WorldQueries extends WorldBase {
       engine.exports.api_closest(this.address, ...point, maxDistance, ...filterNumbers(filter)),
     );
     const s = engine.slots;
-    if (s[0] === 0) return null;
+    if (s[ClosestHitAt.found] === 0) return null;
     return {
-      shape: shapeId(s[1], s[2]),
-      point: [s[3], s[4]],
-      normal: [s[5], s[6]],
-      distance: s[7],
+      shape: shapeAt(s, ClosestHitAt.shape),
+      point: vecAt(s, ClosestHitAt.point),
+      normal: vecAt(s, ClosestHitAt.normal),
+      distance: s[ClosestHitAt.distance],
     };
   }
 
@@ -101,7 +109,7 @@ export class WorldQueries extends WorldBase {
         ),
       );
     }
-    return this.shapeIds(engine.slots[0], engine.slots[1]);
+    return this.shapeIds();
   }
 
   #castAll(
@@ -115,14 +123,21 @@ export class WorldQueries extends WorldBase {
     engine.check(
       engine.exports.api_cast_all(this.address, kind, x, y, hx, hy, angle, dx, dy, ...last),
     );
-    const [address, count] = engine.slots;
-    const rows = view(Float64Array, engine.buffer, address, 8 * count);
-    return Array.from({ length: count }, (_, i) => readHit(rows, 8 * i));
+    const { buffer, slots } = engine;
+    return rowsOf(Float64Array, buffer, slots, ListAt.address, RayHitAt.length, readHit);
   }
 }
 
-/** Eight numbers of a hit: shape, point, normal, fraction, depth. */
-function readHit(numbers: Float64Array, at: number): RayHit {
-  const [index1, generation, x, y, nx, ny, fraction, depth] = numbers.subarray(at, at + 8);
-  return { shape: shapeId(index1, generation), point: [x, y], normal: [nx, ny], fraction, depth };
+function readFirst(slots: Float64Array): RayHit | null {
+  return slots[FirstHitAt.found] === 0 ? null : readHit(slots, FirstHitAt.hit);
+}
+
+function readHit(rows: Float64Array, at: number): RayHit {
+  return {
+    shape: shapeAt(rows, at + RayHitAt.shape),
+    point: vecAt(rows, at + RayHitAt.point),
+    normal: vecAt(rows, at + RayHitAt.normal),
+    fraction: rows[at + RayHitAt.fraction],
+    depth: rows[at + RayHitAt.depth],
+  };
 }

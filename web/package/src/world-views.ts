@@ -3,11 +3,32 @@
  * `shapeTable` and `debugDraw` return are views straight into wasm memory: nothing is copied, and
  * they hold until the next call.
  */
-import { bodyId, numbersOf, shapeId, view } from "./numbers.js";
+import {
+  ContactPointAt,
+  ContactRowAt,
+  DrawLineAt,
+  DrawListsAt,
+  DrawPointAt,
+  DrawShapeAt,
+  EventPairAt,
+  EventsAt,
+  HandleAt,
+  HashAt,
+  HitEventAt,
+  ListAt,
+  MeasureAt,
+  ShapeHandlesAt,
+  ShapeRowAt,
+  ShapeTableAt,
+  StatsAt,
+  StepErrorAt,
+} from "./generated/slots.js";
+import { bodyAt, numbersOf, rowsOf, shapeAt, vecAt, view } from "./numbers.js";
 import type { BodyId } from "./types.js";
 import type {
   Contact,
   ContactEvent,
+  ContactPoint,
   DrawLists,
   DrawOptions,
   Events,
@@ -47,7 +68,7 @@ export class WorldViews extends WorldQueries {
   poses(alpha = 1, originX = 0, originY = 0): Float32Array {
     const { engine } = this;
     const at = engine.exports.api_world_poses(this.address, originX, originY, alpha);
-    const length = 4 * engine.slots[0];
+    const length = 4 * engine.slots[ListAt.count];
     const last = this.#poses;
     if (last.byteOffset !== at || last.length !== length || last.buffer !== engine.buffer)
       this.#poses = at === 0 ? EMPTY : new Float32Array(engine.buffer, at, length);
@@ -58,36 +79,24 @@ export class WorldViews extends WorldQueries {
   events(): Events {
     const { engine } = this;
     engine.check(engine.exports.api_world_events(this.address));
-    const s = Array.from(engine.slots);
-    const hits = view(Float64Array, engine.buffer, s[10], 9 * s[11]);
-    const hit: HitEvent[] = [];
-    for (let i = 0; i < hits.length; i += 9)
-      hit.push({
-        a: shapeId(hits[i], hits[i + 1]),
-        b: shapeId(hits[i + 2], hits[i + 3]),
-        point: [hits[i + 4], hits[i + 5]],
-        normal: [hits[i + 6], hits[i + 7]],
-        speed: hits[i + 8],
-      });
-    const quarantined = view(Uint32Array, engine.buffer, s[8], 2 * s[9]);
+    const { buffer, slots: s } = engine;
+    const pairs = (list: EventsAt) =>
+      rowsOf(Uint32Array, buffer, s, list, EventPairAt.length, readPair);
     return {
-      begin: this.#contactEvents(s[0], s[1]),
-      end: this.#contactEvents(s[2], s[3]),
-      sensorBegin: this.#contactEvents(s[4], s[5]),
-      sensorEnd: this.#contactEvents(s[6], s[7]),
-      hit,
-      quarantined: Array.from({ length: s[9] }, (_, i) =>
-        bodyId(quarantined[2 * i], quarantined[2 * i + 1]),
-      ),
+      begin: pairs(EventsAt.begin),
+      end: pairs(EventsAt.end),
+      sensorBegin: pairs(EventsAt.sensorBegin),
+      sensorEnd: pairs(EventsAt.sensorEnd),
+      hit: rowsOf(Float64Array, buffer, s, EventsAt.hits, HitEventAt.length, readHit),
+      quarantined: rowsOf(Uint32Array, buffer, s, EventsAt.quarantined, HandleAt.length, bodyAt),
     };
   }
 
   /** What a body touches, as the last step left it; the latest to touch first. Copied. */
   contactsOf(body: BodyId): Contact[] {
     this.onBody("api_body_contacts", body);
-    const [address, count] = this.engine.slots;
-    const rows = view(Float64Array, this.engine.buffer, address, CONTACT_ROW * count);
-    return Array.from({ length: count }, (_, i) => readContact(rows, CONTACT_ROW * i));
+    const { buffer, slots } = this.engine;
+    return rowsOf(Float64Array, buffer, slots, ListAt.address, ContactRowAt.length, readContact);
   }
 
   stats(): Stats {
@@ -95,27 +104,34 @@ export class WorldViews extends WorldQueries {
     engine.exports.api_world_stats(this.address);
     const s = engine.slots;
     return {
-      steps: s[0],
-      bodies: s[1],
-      shapes: s[2],
-      awakeBodies: s[3],
-      pairs: s[4],
-      contacts: s[5],
-      colours: s[6],
-      blocks: s[7],
-      bytes: s[8],
-      stepAllocations: s[9],
-      substeps: s[10],
-      stepSeconds: s[11],
-      directIslands: s[12],
-      directBodies: s[13],
-      softIslands: s[14],
-      impacts: s[15],
-      motionPairs: { looked: s[16], circlesMet: s[17], boxesMet: s[18], exact: s[19] },
-      stageSeconds: Object.fromEntries(engine.stageNames.map((name, i) => [name, s[20 + i]])),
-      heldBodies: s[29],
-      heldSeconds: s[30],
-      unbisectable: s[31],
+      steps: s[StatsAt.steps],
+      bodies: s[StatsAt.bodies],
+      shapes: s[StatsAt.shapes],
+      awakeBodies: s[StatsAt.awakeBodies],
+      pairs: s[StatsAt.pairs],
+      contacts: s[StatsAt.contacts],
+      colours: s[StatsAt.colours],
+      blocks: s[StatsAt.blocks],
+      bytes: s[StatsAt.bytes],
+      stepAllocations: s[StatsAt.stepAllocations],
+      substeps: s[StatsAt.substeps],
+      stepSeconds: s[StatsAt.stepSeconds],
+      directIslands: s[StatsAt.directIslands],
+      directBodies: s[StatsAt.directBodies],
+      softIslands: s[StatsAt.softIslands],
+      impacts: s[StatsAt.impacts],
+      motionPairs: {
+        looked: s[StatsAt.motionPairs],
+        circlesMet: s[StatsAt.motionCircles],
+        boxesMet: s[StatsAt.motionBoxes],
+        exact: s[StatsAt.motionExact],
+      },
+      stageSeconds: Object.fromEntries(
+        engine.stageNames.map((name, i) => [name, s[StatsAt.stageSeconds + i]]),
+      ),
+      heldBodies: s[StatsAt.heldBodies],
+      heldSeconds: s[StatsAt.heldSeconds],
+      unbisectable: s[StatsAt.unbisectable],
     };
   }
 
@@ -131,22 +147,33 @@ export class WorldViews extends WorldQueries {
   /** Costs nothing: the step itself has found it. */
   error(): StepError {
     this.engine.exports.api_world_error(this.address);
-    const [penetrationMax, penetrationMean, residual, energyChange, overlaps] = this.engine.slots;
-    return { penetrationMax, penetrationMean, residual, energyChange, overlaps };
+    const s = this.engine.slots;
+    return {
+      penetrationMax: s[StepErrorAt.penetrationMax],
+      penetrationMean: s[StepErrorAt.penetrationMean],
+      residual: s[StepErrorAt.residual],
+      energyChange: s[StepErrorAt.energyChange],
+      overlaps: s[StepErrorAt.overlaps],
+    };
   }
 
   /** Costs a pass over contacts and bodies. */
   measure(): Measure {
     this.engine.exports.api_world_measure(this.address);
-    const [penetrationMax, penetrationMean, kineticEnergy, potentialEnergy] = this.engine.slots;
-    return { penetrationMax, penetrationMean, kineticEnergy, potentialEnergy };
+    const s = this.engine.slots;
+    return {
+      penetrationMax: s[MeasureAt.penetrationMax],
+      penetrationMean: s[MeasureAt.penetrationMean],
+      kineticEnergy: s[MeasureAt.kineticEnergy],
+      potentialEnergy: s[MeasureAt.potentialEnergy],
+    };
   }
 
   /** Of every body's exact state, as 16 hexadecimal digits: equal on every platform. */
   hash(): string {
     this.engine.exports.api_world_hash(this.address);
     const half = (value: number) => value.toString(16).padStart(8, "0");
-    return half(this.engine.slots[0]) + half(this.engine.slots[1]);
+    return half(this.engine.slots[HashAt.upper]) + half(this.engine.slots[HashAt.lower]);
   }
 
   /** Every shape of the world, to be read once after shapes came or went, not in every frame. */
@@ -161,11 +188,12 @@ export class WorldViews extends WorldQueries {
         this.reach,
       ),
     );
-    const [rows, handles, count] = engine.slots;
+    const { buffer, slots: s } = engine;
+    const count = s[ShapeTableAt.count];
     return {
       count,
-      rows: view(Float32Array, engine.buffer, rows, 10 * count),
-      handles: view(Uint32Array, engine.buffer, handles, 4 * count),
+      rows: view(Float32Array, buffer, s[ShapeTableAt.rows], ShapeRowAt.length * count),
+      handles: view(Uint32Array, buffer, s[ShapeTableAt.handles], ShapeHandlesAt.length * count),
     };
   }
 
@@ -173,7 +201,8 @@ export class WorldViews extends WorldQueries {
   shapeTableAwake(): Uint8Array {
     const { engine } = this;
     engine.check(engine.exports.api_shape_table_awake(this.address));
-    return view(Uint8Array, engine.buffer, engine.slots[0], engine.slots[1]);
+    const { buffer, slots } = engine;
+    return view(Uint8Array, buffer, slots[ListAt.address], slots[ListAt.count]);
   }
 
   /** What the engine's debug drawing shows inside the bounds. */
@@ -185,40 +214,50 @@ export class WorldViews extends WorldQueries {
     engine.check(
       engine.exports.api_world_draw(this.address, flags, x, y, ...options.lower, ...options.upper),
     );
-    const s = engine.slots;
+    const { buffer, slots: s } = engine;
+    const list = (at: DrawListsAt, length: number) =>
+      view(Float32Array, buffer, s[at + ListAt.address], length * s[at + ListAt.count]);
     return {
-      shapes: view(Float32Array, engine.buffer, s[0], 9 * s[1]),
-      lines: view(Float32Array, engine.buffer, s[2], 5 * s[3]),
-      points: view(Float32Array, engine.buffer, s[4], 3 * s[5]),
+      shapes: list(DrawListsAt.shapes, DrawShapeAt.length),
+      lines: list(DrawListsAt.lines, DrawLineAt.length),
+      points: list(DrawListsAt.points, DrawPointAt.length),
     };
-  }
-
-  #contactEvents(address: number, count: number): ContactEvent[] {
-    const numbers = view(Uint32Array, this.engine.buffer, address, 4 * count);
-    return Array.from({ length: count }, (_, i) => ({
-      a: shapeId(numbers[4 * i], numbers[4 * i + 1]),
-      b: shapeId(numbers[4 * i + 2], numbers[4 * i + 3]),
-    }));
   }
 }
 
-/** See api_body_contacts. */
-const CONTACT_ROW = 21;
-
 function readContact(rows: Float64Array, at: number): Contact {
-  const s = rows.subarray(at, at + CONTACT_ROW);
   return {
-    a: shapeId(s[0], s[1]),
-    b: shapeId(s[2], s[3]),
-    bodyA: bodyId(s[4], s[5]),
-    bodyB: bodyId(s[6], s[7]),
-    normal: [s[8], s[9]],
-    points: Array.from({ length: s[10] }, (_, k) => ({
-      point: [s[13 + 4 * k], s[14 + 4 * k]],
-      separation: s[15 + 4 * k],
-      normalImpulse: s[16 + 4 * k],
-    })),
-    tangentImpulse: s[11],
-    direct: s[12] !== 0,
+    a: shapeAt(rows, at + ContactRowAt.shapeA),
+    b: shapeAt(rows, at + ContactRowAt.shapeB),
+    bodyA: bodyAt(rows, at + ContactRowAt.bodyA),
+    bodyB: bodyAt(rows, at + ContactRowAt.bodyB),
+    normal: vecAt(rows, at + ContactRowAt.normal),
+    points: Array.from({ length: rows[at + ContactRowAt.pointCount] }, (_, i) =>
+      readPoint(rows, at + ContactRowAt.points + ContactPointAt.length * i),
+    ),
+    tangentImpulse: rows[at + ContactRowAt.tangentImpulse],
+    direct: rows[at + ContactRowAt.direct] !== 0,
   };
+}
+
+function readPoint(rows: Float64Array, at: number): ContactPoint {
+  return {
+    point: vecAt(rows, at + ContactPointAt.place),
+    separation: rows[at + ContactPointAt.separation],
+    normalImpulse: rows[at + ContactPointAt.normalImpulse],
+  };
+}
+
+function readHit(rows: Float64Array, at: number): HitEvent {
+  return {
+    a: shapeAt(rows, at + HitEventAt.shapeA),
+    b: shapeAt(rows, at + HitEventAt.shapeB),
+    point: vecAt(rows, at + HitEventAt.point),
+    normal: vecAt(rows, at + HitEventAt.normal),
+    speed: rows[at + HitEventAt.speed],
+  };
+}
+
+function readPair(rows: Uint32Array, at: number): ContactEvent {
+  return { a: shapeAt(rows, at + EventPairAt.shapeA), b: shapeAt(rows, at + EventPairAt.shapeB) };
 }

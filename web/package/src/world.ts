@@ -5,8 +5,28 @@
  * world-queries, world-views (what is read of it), and here what is put into it.
  */
 import { ThudError } from "./error.js";
+import {
+  BODY_OPTIONS,
+  BodyStateAt,
+  FootAt,
+  GroundAt,
+  HandleAt,
+  SHAPE_OPTIONS,
+  ShapeStateAt,
+  TerrainAt,
+} from "./generated/slots.js";
 import { checkNames } from "./names.js";
-import { bodyId, fill, FORMS, indexOf, numbersOf, shapeId, userData } from "./numbers.js";
+import {
+  bodyAt,
+  fill,
+  FORMS,
+  indexOf,
+  numbersOf,
+  rowsOf,
+  shapeAt,
+  userData,
+  vecAt,
+} from "./numbers.js";
 import {
   BODY_KINDS,
   type BodyId,
@@ -34,37 +54,6 @@ const TERRAINS = {
   irregular: ["kind", "points"],
 } as const;
 
-/** In the order of api_body_defaults. */
-const BODY = [
-  "kind",
-  "position",
-  ".",
-  "angle",
-  "velocity",
-  ".",
-  "angularVelocity",
-  "gravityScale",
-  "linearDamping",
-  "angularDamping",
-  "fixedRotation",
-  "maySleep",
-  "userData",
-  "detection",
-] as const;
-
-/** In the order of api_shape_defaults. */
-const MATERIAL = [
-  "density",
-  "friction",
-  "restitution",
-  "category",
-  "mask",
-  "group",
-  "sensor",
-  "userData",
-  "surfaceSpeed",
-] as const;
-
 /** What makes a shape beside its material. */
 const SOLIDS = {
   circle: [...FORMS.circle, "offset"],
@@ -78,12 +67,12 @@ export class World extends WorldViews {
   /** A body without shapes: it moves, and meets nothing, until it has one. */
   createBody(options: BodyOptions = {}): BodyId {
     const { engine } = this;
-    const numbers = numbersOf("body", options, BODY);
+    const numbers = numbersOf("body", options, BODY_OPTIONS);
     engine.exports.api_body_defaults();
     fill(engine.slots, numbers);
     engine.check(engine.exports.api_body_create(this.address));
     this.shapesRevision++;
-    return bodyId(engine.slots[0], engine.slots[1]);
+    return bodyAt(engine.slots, HandleAt.index1);
   }
 
   /** Removes a body with its shapes, or one shape. */
@@ -105,20 +94,20 @@ export class World extends WorldViews {
     this.onBody("api_body_get", body);
     const s = this.engine.slots;
     return {
-      kind: BODY_KINDS[s[0]],
-      position: [s[1], s[2]],
-      center: [s[3], s[4]],
-      angle: s[5],
-      velocity: [s[6], s[7]],
-      angularVelocity: s[8],
-      mass: s[9],
-      inertia: s[10],
-      gravityScale: s[11],
-      awake: s[12] !== 0,
-      enabled: s[16] !== 0,
-      quarantined: s[13] !== 0,
-      userData: s[14],
-      shapeCount: s[15],
+      kind: BODY_KINDS[s[BodyStateAt.kind]],
+      position: vecAt(s, BodyStateAt.position),
+      center: vecAt(s, BodyStateAt.center),
+      angle: s[BodyStateAt.angle],
+      velocity: vecAt(s, BodyStateAt.velocity),
+      angularVelocity: s[BodyStateAt.angularVelocity],
+      mass: s[BodyStateAt.mass],
+      inertia: s[BodyStateAt.inertia],
+      gravityScale: s[BodyStateAt.gravityScale],
+      awake: s[BodyStateAt.awake] !== 0,
+      enabled: s[BodyStateAt.enabled] !== 0,
+      quarantined: s[BodyStateAt.quarantined] !== 0,
+      userData: s[BodyStateAt.userData],
+      shapeCount: s[BodyStateAt.shapeCount],
     };
   }
 
@@ -163,7 +152,7 @@ export class World extends WorldViews {
 
   shapesOf(body: BodyId): ShapeId[] {
     this.onBody("api_body_shapes", body);
-    return this.shapeIds(this.engine.slots[0], this.engine.slots[1]);
+    return this.shapeIds();
   }
 
   // ---- shapes ----
@@ -217,40 +206,40 @@ export class World extends WorldViews {
   shapeState(shape: ShapeId): ShapeState {
     this.onShape("api_shape_get", shape);
     const s = this.engine.slots;
-    const kind = SHAPE_KINDS[s[0]];
+    const kind = SHAPE_KINDS[s[ShapeStateAt.kind]];
     const material = {
-      body: bodyId(s[1], s[2]),
-      density: s[8],
-      friction: s[9],
-      restitution: s[10],
-      surfaceSpeed: s[16],
-      category: s[11],
-      mask: s[12],
-      group: s[13],
-      sensor: s[14] !== 0,
-      userData: s[15],
+      body: bodyAt(s, ShapeStateAt.body),
+      density: s[ShapeStateAt.density],
+      friction: s[ShapeStateAt.friction],
+      restitution: s[ShapeStateAt.restitution],
+      surfaceSpeed: s[ShapeStateAt.surfaceSpeed],
+      category: s[ShapeStateAt.category],
+      mask: s[ShapeStateAt.mask],
+      group: s[ShapeStateAt.group],
+      sensor: s[ShapeStateAt.sensor] !== 0,
+      userData: s[ShapeStateAt.userData],
     };
     if (kind === "terrain") return { kind, ...material };
-    const offset: Vec2 = [s[3], s[4]];
-    const [halfWidth, halfHeight, angle] = s.subarray(5);
+    const offset: Vec2 = vecAt(s, ShapeStateAt.offset);
+    const [halfWidth, halfHeight] = vecAt(s, ShapeStateAt.halfExtents);
     if (kind === "circle") return { kind, radius: halfWidth, offset, ...material };
     if (kind === "aabb") return { kind, halfWidth, halfHeight, offset, ...material };
-    return { kind, halfWidth, halfHeight, offset, angle, ...material };
+    return { kind, halfWidth, halfHeight, offset, angle: s[ShapeStateAt.angle], ...material };
   }
 
   /** A copy of a terrain as the world has it. */
   terrain(shape: ShapeId): Terrain {
     this.onShape("api_shape_terrain", shape);
-    const [kind, slope, x0, spacing, address, count] = this.engine.slots;
-    if (kind === 0) return { kind: "flat", slope };
-    const numbers = new Float64Array(this.engine.buffer, address, 2 * count);
-    if (kind === 1)
-      return { kind: "uniform", x0, spacing, heights: numbers.filter((_, i) => i % 2 === 1) };
-    const points = Array.from({ length: count }, (_, i): Vec2 => [
-      numbers[2 * i],
-      numbers[2 * i + 1],
-    ]);
-    return { kind: "irregular", points };
+    const { buffer, slots: s } = this.engine;
+    const kind = TERRAIN_KINDS[s[TerrainAt.kind]];
+    if (kind === "flat") return { kind, slope: s[TerrainAt.slope] };
+    if (kind === "irregular") {
+      return { kind, points: rowsOf(Float64Array, buffer, s, TerrainAt.points, 2, vecAt) };
+    }
+    const [x0, spacing] = [s[TerrainAt.x0], s[TerrainAt.spacing]];
+    const height = (points: Float64Array, at: number) => points[at + 1];
+    const heights = rowsOf(Float64Array, buffer, s, TerrainAt.points, 2, height);
+    return { kind, x0, spacing, heights: Float64Array.from(heights) };
   }
 
   /** Replaces the heights of a terrain's vertices from `first` on. */
@@ -296,15 +285,20 @@ export class World extends WorldViews {
   /** The ground of a terrain at x, a place in the world; throws beyond its ends. */
   groundAt(shape: ShapeId, x: number): Ground {
     this.onShape("api_ground_at", shape, x);
-    const [height, nx, ny, segment, left, right] = this.engine.slots;
-    return { height, normal: [nx, ny], segment, weights: [left, right] };
+    const s = this.engine.slots;
+    return {
+      height: s[GroundAt.height],
+      normal: vecAt(s, GroundAt.normal),
+      segment: s[GroundAt.segment],
+      weights: vecAt(s, GroundAt.weights),
+    };
   }
 
   /** Puts a level sole of the given width onto a terrain, with its middle at x. */
   placeFoot(shape: ShapeId, x: number, width: number): Foot {
     this.onShape("api_place_foot", shape, x, width);
-    const [height, at, nx, ny] = this.engine.slots;
-    return { height, x: at, normal: [nx, ny] };
+    const s = this.engine.slots;
+    return { height: s[FootAt.height], x: s[FootAt.x], normal: vecAt(s, FootAt.normal) };
   }
 
   #createSolid(
@@ -328,13 +322,13 @@ export class World extends WorldViews {
     ...args: number[]
   ): ShapeId {
     const { engine } = this;
-    const numbers = numbersOf(kind, options, MATERIAL, others);
+    const numbers = numbersOf(kind, options, SHAPE_OPTIONS, others);
     if ((options.kind ?? kind) !== kind)
       throw new ThudError("invalid", `${kind}: its kind is "${options.kind}"`);
     engine.exports.api_shape_defaults();
     fill(engine.slots, numbers);
     this.onBody(`api_${kind}_create`, body, ...args);
     this.shapesRevision++;
-    return shapeId(engine.slots[0], engine.slots[1]);
+    return shapeAt(engine.slots, HandleAt.index1);
   }
 }

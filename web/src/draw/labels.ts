@@ -18,7 +18,7 @@ export function drawLabels(
   layer: Layer,
   camera: Camera,
   theme: Theme,
-  rival: "side" | "over",
+  split: "side" | "over",
 ): void {
   const { panes } = camera;
   const box2d = cssColour(theme.box2d);
@@ -37,7 +37,7 @@ export function drawLabels(
     return width;
   };
   const [first, second] = panes;
-  if (rival === "over" || !second) {
+  if (split === "over" || !second) {
     const width = plate(first, 0, `${NAMES.box2d}, outlined`, box2d, false);
     plate(first, width + GAP, NAMES.thud, thud, true);
     return;

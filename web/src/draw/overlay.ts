@@ -24,7 +24,7 @@ export interface OverlayPicture {
   marks: readonly Mark[];
   /** The slot of a body to be outlined. */
   held: number | null;
-  rival: "none" | "side" | "over";
+  split: "none" | "side" | "over";
 }
 
 export class Overlay {
@@ -46,10 +46,10 @@ export class Overlay {
     theme: Theme,
     on: ReadonlySet<OverlayName>,
   ): void {
-    const { frame, shapes, poses, marks, held, rival } = picture;
+    const { frame, shapes, poses, marks, held, split } = picture;
     const { drawing, sums, pull } = frame;
     const empty =
-      !drawing && !sums?.length && !pull && marks.length === 0 && held === null && rival === "none";
+      !drawing && !sums?.length && !pull && marks.length === 0 && held === null && split === "none";
     if (empty && this.#clean) return;
     this.#layer.clear();
     this.#clean = empty;
@@ -65,7 +65,7 @@ export class Overlay {
       if (held !== null && shapes) drawHeld(context, camera, pane, theme, shapes, poses, held);
       if (pull) drawPull(context, camera, pane, theme, pull);
     });
-    if (rival !== "none") drawLabels(this.#layer, camera, theme, rival);
+    if (split !== "none") drawLabels(this.#layer, camera, theme, split);
   }
 }
 

@@ -101,7 +101,7 @@ export class View {
   draw(frame: Frame, alpha: number, options: DrawOptions): void {
     this.receive(frame);
     const { camera } = this;
-    const split = frame.rival ? options.split : "none";
+    const split = frame.box2d ? options.split : "none";
     camera.split = split === "side";
     const { x, y, scale, panes } = camera;
     const how = JSON.stringify([alpha, options, x, y, scale, panes, [...this.shown]]);
@@ -112,12 +112,12 @@ export class View {
 
     const { renderer } = this.#bodies;
     const offset = [frame.origin[0] - camera.x, frame.origin[1] - camera.y] as const;
-    const { before, now, rival } = frame;
+    const { before, now, box2d } = frame;
     const poses: Poses = { engine: "thud", before, now, alpha, offset };
     renderer.clear();
     renderer.draw(poses, camera, panes[0], { kind: "state" });
-    if (rival && split !== "none") {
-      const others: Poses = { ...poses, engine: "box2d", before: rival.before, now: rival.now };
+    if (box2d && split !== "none") {
+      const others: Poses = { ...poses, engine: "box2d", before: box2d.before, now: box2d.now };
       if (split === "side") renderer.draw(others, camera, panes[1], { kind: "plain" });
       else {
         const look = { kind: "outline", colour: this.#theme.box2d } as const;
@@ -129,7 +129,7 @@ export class View {
       ? smoothMarks(this.#paint?.paint ?? null, frame.paint, this.#part(alpha))
       : [];
     const picture = {
-      frame, shapes: this.#shapes, poses, marks, held: options.held, rival: split,
+      frame, shapes: this.#shapes, poses, marks, held: options.held, split,
     };
     this.#overlay.draw(picture, camera, this.#theme, this.shown);
   }

@@ -5,9 +5,9 @@
 import type { Frame, Sample, Shapes } from "../scene/frame";
 import { findScene } from "../scene/registry";
 import { messageOf } from "../shared/error";
-import type { Deed } from "../worker/deeds";
-import type { Choices, Look, RunningScene, SceneRequest, Trouble } from "../worker/protocol";
 import type { ChosenWasm } from "../wasm/choose";
+import type { Command } from "../worker/commands";
+import type { Choices, Look, RunningScene, SceneRequest, Trouble } from "../worker/protocol";
 import { Client, TroubleError } from "./client";
 import { Player } from "./player";
 import { type State, USUAL, USUAL_OVERLAYS, USUAL_VERSUS, writeState } from "./url";
@@ -298,8 +298,8 @@ export class App {
 
   // ---- time ----
 
-  do(deed: Deed): void {
-    this.client.do(deed);
+  do(command: Command): void {
+    this.client.do(command);
     if (this.state.paused) this.refresh();
   }
 

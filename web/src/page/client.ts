@@ -1,6 +1,6 @@
-/** The page's end of the physics worker: questions with answers, deeds, ticks and frames. */
+/** The page's end of the physics worker: questions with answers, commands, ticks and frames. */
 import type { Frame } from "../scene/frame";
-import type { Deed } from "../worker/deeds";
+import type { Command } from "../worker/commands";
 import type {
   Look,
   Progress,
@@ -87,8 +87,8 @@ export class Client {
     return answer as Promise<Questions[Name]["answer"]>;
   }
 
-  do(deed: Deed): void {
-    this.#send({ kind: "deed", deed });
+  do(command: Command): void {
+    this.#send({ kind: "command", command });
   }
 
   /** Whether a tick is under way; another would only queue up. */
@@ -119,7 +119,7 @@ export class Client {
 
   #send(message: ToWorker): void {
     this.#worker.postMessage(message);
-    if (message.kind !== "deed" && this.#timer === 0) this.#watch();
+    if (message.kind !== "command" && this.#timer === 0) this.#watch();
   }
 
   /** A scene that never ends a step must not take the page with it. */

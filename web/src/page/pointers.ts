@@ -28,7 +28,7 @@ export interface PointerActions {
 const REACH = { mouse: 4, touch: 18 };
 /** Pixels that a press may move and is still one on the spot. */
 const TAP = 5;
-/** While a pointer with a tool moves: pixels from one deed to the next. */
+/** While a pointer with a tool moves: pixels from one command to the next. */
 const APPLY_EVERY = { circle: 30, box: 30, blast: 90, dig: 10 };
 
 interface Pointer {

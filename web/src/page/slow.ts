@@ -74,7 +74,7 @@ function whyOf({ player, scene }: App, frames: readonly Frame[]): Why {
   const samples = frames.flatMap((frame) => frame.samples);
   const step = sum(({ spent }) => spent?.steps ?? 0) / samples.length;
   const thud = mean(samples.map(({ milliseconds }) => milliseconds));
-  const box2d = mean(samples.map(({ rival }) => rival?.milliseconds ?? 0));
+  const box2d = mean(samples.map(({ box2d }) => box2d?.milliseconds ?? 0));
   const rest = step - thud - box2d;
   const picture = sum(({ spent }) => spent?.picture ?? 0) / samples.length;
   const budget = (1000 * (scene?.timeStep ?? 1 / 60)) / player.speed;

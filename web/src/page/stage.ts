@@ -180,7 +180,7 @@ export class Stage {
     this.view.draw(frame, alpha, { split: this.split, held: this.outlined });
   }
 
-  // ---- deeds ----
+  // ---- commands ----
 
   apply(tool: Exclude<Tool, "hand">, x: number, y: number): void {
     const size = this.#app.shapes?.typicalSize || 0.5;
@@ -249,7 +249,7 @@ export class Stage {
     const { shapes, player } = this.#app;
     const frame = player.shown?.frame;
     if (!shapes || !frame) return false;
-    const placed = { origin: frame.origin, now: (pane === 1 && frame.rival?.now) || frame.now };
+    const placed = { origin: frame.origin, now: (pane === 1 && frame.box2d?.now) || frame.now };
     const slot = pick(shapes, placed, x, y, reach, true);
     if (slot === null) return false;
     this.#app.do({ kind: "grab", slot, anchor: inBody(placed, slot, x, y), x, y });

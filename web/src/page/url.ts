@@ -25,11 +25,11 @@ export const USUAL: Choices = {
 /** How Box2D is shown beside thud, or as outlines over it. */
 export const SPLITS = ["side", "over", "none"] as const;
 /** Of Box2D; 4 is what its manual recommends. */
-export const RIVAL_SUBSTEPS = [1, 2, 4, 8, 16] as const;
+export const BOX2D_SUBSTEPS = [1, 2, 4, 8, 16] as const;
 
 export interface Versus {
   split: (typeof SPLITS)[number];
-  substeps: (typeof RIVAL_SUBSTEPS)[number];
+  substeps: (typeof BOX2D_SUBSTEPS)[number];
 }
 
 export const USUAL_VERSUS: Versus = { split: "side", substeps: 4 };
@@ -121,7 +121,7 @@ export async function readState(address: URL): Promise<Partial<State>> {
   };
   state.versus = {
     split: oneOf(SPLITS, params.get("split")) ?? USUAL_VERSUS.split,
-    substeps: oneOf(RIVAL_SUBSTEPS, params.get("box2d")) ?? USUAL_VERSUS.substeps,
+    substeps: oneOf(BOX2D_SUBSTEPS, params.get("box2d")) ?? USUAL_VERSUS.substeps,
   };
   const speed = oneOf(SPEEDS, params.get("speed"));
   if (speed) state.speed = speed;

@@ -31,7 +31,7 @@ export class TriedPoints {
   readonly #all = new Map<string, Map<string, TriedPoint>>();
   readonly #samples: Sample[] = [];
   #setting = "";
-  #rivalSubsteps = 0;
+  #box2dSubsteps = 0;
   #skip = SKIPPED;
 
   constructor(app: App) {
@@ -41,7 +41,7 @@ export class TriedPoints {
       state: () => {
         const { choices, versus } = app.state;
         const changed = JSON.stringify(choices) !== this.#setting;
-        if (changed || versus.substeps !== this.#rivalSubsteps) this.#begin();
+        if (changed || versus.substeps !== this.#box2dSubsteps) this.#begin();
       },
       samples: (samples) => this.#add(samples),
     });
@@ -71,7 +71,7 @@ export class TriedPoints {
   #begin(): void {
     const { choices, versus } = this.#app.state;
     this.#setting = JSON.stringify(choices);
-    this.#rivalSubsteps = versus.substeps;
+    this.#box2dSubsteps = versus.substeps;
     this.#samples.length = 0;
     this.#skip = SKIPPED;
   }
@@ -84,18 +84,20 @@ export class TriedPoints {
     this.#samples.splice(0, Math.max(0, this.#samples.length - WINDOW));
     if (this.#samples.length < LEAST) return;
     const choices = { ...this.#app.state.choices };
-    const rivals = this.#samples.flatMap(({ step, rival }) => (rival ? [{ step, ...rival }] : []));
-    const compared = rivals.flatMap(({ compared }) => compared ?? []);
+    const box2dSamples = this.#samples.flatMap(({ step, box2d }) =>
+      box2d ? [{ step, ...box2d }] : [],
+    );
+    const compared = box2dSamples.flatMap(({ compared }) => compared ?? []);
     // Beside Box2D's, thud's overlap is what the same code measures, and not its own report.
     const errors =
       compared.length > 0
         ? compared.map(({ thud }) => thud.penetration)
         : this.#samples.map(({ penetration }) => penetration);
     this.#put(this.#setting, "thud", choicesText(choices), choices, this.#samples, errors);
-    if (rivals.length < LEAST || compared.length === 0) return;
+    if (box2dSamples.length < LEAST || compared.length === 0) return;
     const label = `Box2D ${this.#app.state.versus.substeps}`;
-    const rivalErrors = compared.map(({ box2d }) => box2d.penetration);
-    this.#put(label, "box2d", label, null, rivals, rivalErrors);
+    const box2dErrors = compared.map(({ box2d }) => box2d.penetration);
+    this.#put(label, "box2d", label, null, box2dSamples, box2dErrors);
   }
 
   #put(

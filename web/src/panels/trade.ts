@@ -5,14 +5,14 @@
  */
 import "../style/trade.css";
 import type { App } from "../page/app";
-import { make } from "../page/dom";
 import type { Panel } from "../page/dock";
+import { make } from "../page/dom";
+import { Box2DChoice } from "./trade-box2d";
 import { createControls } from "./trade-controls";
 import { createHeavier } from "./trade-heavier";
 import { Laboratory } from "./trade-laboratory";
 import { Plane, type PlanePoint } from "./trade-plane";
 import { type TriedPoint, TriedPoints } from "./trade-points";
-import { RivalChoice } from "./trade-rival";
 import { createSeries } from "./trade-series";
 import { countText, errorText, plainTime } from "./trade-text";
 
@@ -26,7 +26,7 @@ const LEAD =
 export function createPanel(app: App): Panel {
   const tried = new TriedPoints(app);
   const plane = new Plane();
-  const rival = new RivalChoice(app);
+  const box2d = new Box2DChoice(app);
   const table = make("tbody");
   const forget = make("button", { class: "small" }, "Clear");
   let open = false;
@@ -71,7 +71,7 @@ export function createPanel(app: App): Panel {
       {},
       make("p", { class: "lead" }, LEAD),
       make("div", { class: "live-plane" }, plane.element),
-      rival.element,
+      box2d.element,
       make(
         "details",
         { class: "tried" },
@@ -89,12 +89,12 @@ export function createPanel(app: App): Panel {
     element,
     opened() {
       open = true;
-      rival.opened();
+      box2d.opened();
       draw();
     },
     closed() {
       open = false;
-      rival.closed();
+      box2d.closed();
       laboratory.cancel();
     },
   };

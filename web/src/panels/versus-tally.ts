@@ -74,16 +74,16 @@ export class Tally {
   }
 
   add(samples: readonly Sample[], timeStep: number): void {
-    for (const { step, milliseconds, awake, rival } of samples) {
-      if (!rival) continue;
-      if (rival.since !== this.since) this.clear();
-      this.since = rival.since;
-      this.origin = rival.origin;
+    for (const { step, milliseconds, awake, box2d } of samples) {
+      if (!box2d) continue;
+      if (box2d.since !== this.since) this.clear();
+      this.since = box2d.since;
+      this.origin = box2d.origin;
       const seconds = step * timeStep;
       this.#sums.thud.awake = awake;
-      this.#sums.box2d.awake = rival.awake;
-      this.#addTimes(seconds, [milliseconds, rival.milliseconds]);
-      if (rival.compared) this.#compare(seconds, rival.compared);
+      this.#sums.box2d.awake = box2d.awake;
+      this.#addTimes(seconds, [milliseconds, box2d.milliseconds]);
+      if (box2d.compared) this.#compare(seconds, box2d.compared);
     }
   }
 
@@ -119,7 +119,7 @@ export class Tally {
     addTo(this.times, seconds, shown);
   }
 
-  #compare(seconds: number, compared: NonNullable<NonNullable<Sample["rival"]>["compared"]>): void {
+  #compare(seconds: number, compared: NonNullable<NonNullable<Sample["box2d"]>["compared"]>): void {
     for (const engine of ENGINES) {
       const sums = this.#sums[engine];
       const { penetration, energy, bodies } = compared[engine];

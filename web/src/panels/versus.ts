@@ -6,12 +6,12 @@ import type { Panel } from "../page/dock";
 import { choiceBar, make } from "../page/dom";
 import type { Stage } from "../page/stage";
 import { onTheme } from "../page/theme";
-import { RIVAL_SUBSTEPS, SPLITS, type Versus } from "../page/url";
+import { BOX2D_SUBSTEPS, SPLITS, type Versus } from "../page/url";
 import type { Frame } from "../scene/frame";
 import { messageOf } from "../shared/error";
 import "../style/versus.css";
 import { hasSimd } from "../wasm/simd";
-import { askForRival, endRival } from "./rival-wish";
+import { askForBox2D, endBox2D } from "./box2d-wish";
 import { engineColour, Plots, themeNow } from "./versus-plots";
 import { Table } from "./versus-table";
 import { ENGINES, Tally } from "./versus-tally";
@@ -84,7 +84,7 @@ class VersusPanel implements Panel {
     this.#open = false;
     this.stage.split = "none";
     this.app.refresh();
-    endRival(this.app);
+    endBox2D(this.app);
   }
 
   #build(): void {
@@ -105,9 +105,9 @@ class VersusPanel implements Panel {
       "box2d-substeps",
       "Box2D’s substeps",
       "its manual recommends 4",
-      RIVAL_SUBSTEPS.map((value) => ({ value: String(value), label: String(value) })),
+      BOX2D_SUBSTEPS.map((value) => ({ value: String(value), label: String(value) })),
       (value) => {
-        versus.substeps = RIVAL_SUBSTEPS.find((known) => String(known) === value)!;
+        versus.substeps = BOX2D_SUBSTEPS.find((known) => String(known) === value)!;
         app.chosen();
         void this.#ask();
       },
@@ -142,7 +142,7 @@ class VersusPanel implements Panel {
     this.#loading = true;
     this.#tell(null);
     try {
-      await askForRival(this.app);
+      await askForBox2D(this.app);
       this.#loading = false;
       this.#tell(null);
     } catch (error) {
@@ -165,9 +165,9 @@ class VersusPanel implements Panel {
     this.#plots.show();
   }
 
-  #heed({ rivalTrouble, rival }: Frame): void {
-    if (rivalTrouble) this.#tell(rivalTrouble);
-    else if (rival && !this.#trouble.hidden) this.#tell(null);
+  #heed({ box2dTrouble, box2d }: Frame): void {
+    if (box2dTrouble) this.#tell(box2dTrouble);
+    else if (box2d && !this.#trouble.hidden) this.#tell(null);
   }
 
   /** Why there is no Box2D; null: there is, or soon will be. */

@@ -1,44 +1,4 @@
 /** What to look at in each scene, in one sentence; by the scene's name. Not needed at first. */
-export const ABOUTS: Readonly<Record<string, string>> = {
-  platformer_game: "Run, jump and ride lifts through a level made in Tiled.",
-  artillery: "Duel the computer or a friend on real hills that every shell digs into.",
-  quarry: "Rubble of every size and weight slides down the benches of a quarry.",
-  platform: "Walk on stairs, planks and lifts, among crates and balls.",
-  towers: "A heavy ball flies into five towers of blocks.",
-  mountain: "Walk along a real ridge in Tennessee among rolling wheels and boulders.",
-  circle_pit: "Ten thousand circles fall into a pit and settle into a heap.",
-  pyramid: "A pyramid of boxes stands on its base and does not spread.",
-  brick_wall: "A heavy ball flies into a wall of loose bricks; explode what is left.",
-  digging: "Boxes and balls on real hills: dig away the ground under them.",
-  avalanche: "Rubble comes down both sides of a real mountain until friction holds it.",
-  mixed_terrain: "Circles and boxes rain on irregular ground and gather in its valleys.",
-  tall_stack: "A single column of boxes: how far it sinks tells how soft its contacts are.",
-  heavy_on_light: "Boxes up to 100,000 times as heavy stand on light ones; how far do they sink?",
-  dominoes: "Each knocks over a slightly larger one, until a giant falls.",
-  hourglass: "Three thousand grains run through a neck; every half minute the glass turns.",
-  conveyors: "Conveyor belts carry parcels to and fro, and round again.",
-  pistons: "Forty pistons move in a wave and carry what lies on them.",
-  tumbler: "A turning drum tumbles boxes without end; none escapes.",
-  tumbler_half: "The same drum with circles and boxes, which flow like gravel.",
-  smash: "A heavy box flies into a block of small ones: watch the shock run.",
-  cradle: "As many balls leave on one side as arrive on the other, at the same speed.",
-  bounce: "Balls of restitution 0 to 1: the last should bounce as high for ever.",
-  slopes: "Discs roll down four slopes; of the boxes only those on the two steep ones slide.",
-  bullets: "Bullets of up to 100 km/s bounce between walls 2 cm thick; none gets out.",
-  gas: "Elastic circles fly about in a closed box; watch the energy.",
-  sketch: "A small one to start from: open Code, change a number and press Run.",
-  detection:
-    "Overlap, continuous, bisect and swept, a lane each: in two of them bullets pass thin walls.",
-  galton_board: "Sensors count the balls in each bin: the counts come out bell-shaped.",
-  filters: "Two heaps in one pit, circles and boxes, that pass through each other.",
-  minkowski:
-    "Drag the shapes: they overlap while the second’s centre is inside the sum around the first.",
-  broadphases:
-    "How pairs are found: the grid’s cells or, with the plane sweep, intervals sorted along x.",
-  far_away:
-    "A heap 10,000 km from the origin, and by how much it differs from its twin at the origin.",
-  sizes: "One heap of bodies of very different sizes; none is crushed.",
-  platformer: "Boxes slide over floors of separate tiles and are never caught between two.",
-  one_spot: "A crowd pours into one spot of a world 10 km wide.",
-  asleep: "Twenty thousand boxes fall asleep within a second; a hundred circles stay awake.",
-};
+import abouts from "../../../demo/scenes/abouts.json";
+
+export const ABOUTS: Readonly<Record<string, string>> = abouts;

@@ -37,9 +37,9 @@ export interface Frame {
   /** Steps that the visitor can go back to. */
   history: { first: number; last: number };
   /** The other engine's bodies at the same moment, while there is one; laid out alike. */
-  rival?: { before: Float32Array; now: Float32Array };
+  box2d?: { before: Float32Array; now: Float32Array };
   /** Why there is none although one was asked for. */
-  rivalTrouble?: string;
+  box2dTrouble?: string;
 }
 
 /** What a step took and got wrong, for plots. */
@@ -51,11 +51,11 @@ export interface Sample {
   penetration: number;
   /** Bodies. */
   awake: number;
-  rival?: RivalSample;
+  box2d?: Box2DSample;
 }
 
 /** The other engine's same step. */
-export interface RivalSample {
+export interface Box2DSample {
   milliseconds: number;
   awake: number;
   /** The step at which it began, as a copy of the world at that moment. */

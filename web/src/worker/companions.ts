@@ -1,13 +1,13 @@
 /** Keeps Box2D beside whichever scene runs while the page wants it; loads it when first wanted. */
 import type { Engine } from "thud";
-import { knownOf, watchWorlds } from "../rival/watch";
+import type { Box2DCompanion } from "../box2d/companion";
 import { messageOf } from "../shared/error";
-import type { Box2DCompanion } from "./companion";
-import type { RivalRequest } from "./protocol";
+import type { Box2DRequest } from "./protocol";
 import type { Session } from "./session";
+import { knownOf, watchWorlds } from "./watch";
 
 export class Companions {
-  #wanted: RivalRequest | null = null;
+  #wanted: Box2DRequest | null = null;
   #session: Session | null = null;
   #kind: typeof Box2DCompanion | null = null;
 
@@ -17,7 +17,7 @@ export class Companions {
   }
 
   /** Throws if Box2D cannot be loaded; what runs then goes on alone. */
-  async want(wanted: RivalRequest | null, session: Session | null): Promise<void> {
+  async want(wanted: Box2DRequest | null, session: Session | null): Promise<void> {
     this.#wanted = wanted;
     if (session) await this.#settle(session);
   }
@@ -27,14 +27,14 @@ export class Companions {
     try {
       await this.#settle(session);
     } catch (error) {
-      session.rivalTrouble = messageOf(error);
+      session.box2dTrouble = messageOf(error);
     }
   }
 
   async #settle(session: Session): Promise<void> {
     this.#session = session;
     const wanted = this.#wanted;
-    session.rivalTrouble = null;
+    session.box2dTrouble = null;
     if (!wanted) {
       const { companion } = session;
       session.companion = null;
@@ -42,7 +42,7 @@ export class Companions {
       return;
     }
     // Once it is there nothing is waited for, so that the two begin with the same step.
-    this.#kind ??= (await import("./companion")).Box2DCompanion;
+    this.#kind ??= (await import("../box2d/companion")).Box2DCompanion;
     const companion = await this.#kind.load(session, knownOf(session.world), wanted);
     // Meanwhile another scene may have begun, or the panel may have been closed.
     if (this.#session !== session || this.#wanted !== wanted) companion.end();

@@ -1,10 +1,10 @@
 /** Makes the frames that the page draws: copies of what the world has, and only of what is new. */
 import type { StepError, World } from "thud";
-import { inWorld } from "../rival/hands";
 import type { Drawing, Frame, PlacedTerrain, Shapes, Sum } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import { BODY, DYNAMIC, HALF, ROW, SHAPE, SLOT, TERRAIN } from "../scene/shape-table";
 import { checkPaint } from "./check";
+import { inWorld } from "./hands";
 import { groundLines } from "./lookup";
 import type { Look } from "./protocol";
 import type { Session } from "./session";
@@ -62,8 +62,8 @@ export class Frames {
     const on = new Set(look.overlays);
     frame.drawing = draw(world, look, on);
     if (on.has("sums")) frame.sums = this.#sums(look);
-    frame.rival = session.companion?.poses(look.origin);
-    frame.rivalTrouble = session.rivalTrouble ?? undefined;
+    frame.box2d = session.companion?.poses(look.origin);
+    frame.box2dTrouble = session.box2dTrouble ?? undefined;
     return frame;
   }
 
@@ -106,7 +106,7 @@ export class Frames {
 
 /** The buffers of a frame that go over to the page. */
 export function transferables(frame: Frame): ArrayBuffer[] {
-  const { before, now, shapes, awake, drawing, rival } = frame;
+  const { before, now, shapes, awake, drawing, box2d } = frame;
   const arrays = [
     before,
     now,
@@ -115,8 +115,8 @@ export function transferables(frame: Frame): ArrayBuffer[] {
     drawing?.shapes,
     drawing?.lines,
     drawing?.points,
-    rival?.before,
-    rival?.now,
+    box2d?.before,
+    box2d?.now,
   ];
   return arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : []));
 }

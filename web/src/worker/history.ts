@@ -1,9 +1,9 @@
 /**
  * The past of a running scene: snapshots of it every few steps, and the journal of what the visitor
- * did between them. A step of the past is the snapshot before it, run on with the same deeds: the
- * engine is deterministic, so that it comes out the same to the bit.
+ * did between them. A step of the past is the snapshot before it, run on with the same commands:
+ * the engine is deterministic, so that it comes out the same to the bit.
  */
-import type { Deed } from "./deeds";
+import type { Command } from "./commands";
 
 /** What is kept of a moment. */
 export interface Moment {
@@ -24,7 +24,7 @@ const LONGEST = 60;
 
 export class History {
   readonly #moments: Moment[] = [];
-  readonly #journal = new Map<number, Deed[]>();
+  readonly #journal = new Map<number, Command[]>();
   #last = 0;
 
   /** The oldest step that can be gone back to. */
@@ -57,13 +57,13 @@ export class History {
   }
 
   /** Notes what was done before the step that leads on from `step`; another future is forgotten. */
-  note(step: number, deeds: readonly Deed[]): void {
+  note(step: number, commands: readonly Command[]): void {
     if (step < this.#last) this.#forgetAfter(step);
-    if (deeds.length > 0) this.#journal.set(step, [...deeds]);
+    if (commands.length > 0) this.#journal.set(step, [...commands]);
     this.#last = step + 1;
   }
 
-  deedsAt(step: number): readonly Deed[] {
+  commandsAt(step: number): readonly Command[] {
     return this.#journal.get(step) ?? [];
   }
 

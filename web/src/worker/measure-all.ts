@@ -1,6 +1,6 @@
 /** Everything that measuring needs, loaded by the worker when it is first asked for. */
 import type { Engine } from "thud";
-import { type Box2D, loadBox2D } from "../rival/box2d";
+import { type Box2D, loadBox2D } from "../box2d/load";
 import { messageOf } from "../shared/error";
 import type { Laboratory } from "./measure-trial";
 

@@ -3,7 +3,7 @@
  * is doubled until it does not, and then halved in between.
  */
 import { percentile } from "../shared/step-times";
-import type { RivalSetting } from "./measure-settings";
+import type { Box2DSetting } from "./measure-settings";
 import { type Laboratory, Trial, warmUp } from "./measure-trial";
 import type { SceneRequest } from "./protocol";
 import type { SceneSize } from "../scene/scene";
@@ -88,8 +88,8 @@ async function tryLoad(
   hertz: number,
   report: (load: Load) => void,
 ): Promise<{ load: Load; held: boolean }> {
-  const rival: RivalSetting | undefined = engine === "box2d" ? { substeps: 4 } : undefined;
-  const trial = await Trial.open(laboratory, { ...request, size }, rival);
+  const setting: Box2DSetting | undefined = engine === "box2d" ? { substeps: 4 } : undefined;
+  const trial = await Trial.open(laboratory, { ...request, size }, setting);
   try {
     const second = Math.round(1 / trial.timeStep);
     const budget = 1000 / hertz;

@@ -4,8 +4,8 @@ import type { Quality } from "thud";
 /** Steps a second. */
 export const RATES = [60, 120, 240] as const;
 
-/** How Box2D is set; see RivalSettings. */
-export interface RivalSetting {
+/** How Box2D is set; see Box2DOptions. */
+export interface Box2DSetting {
   substeps: number;
   contactHertz?: number;
 }
@@ -17,7 +17,7 @@ export interface ThudSetting {
   substeps: number;
 }
 
-export type SeriesSetting = ThudSetting | ({ engine: "box2d" } & RivalSetting);
+export type SeriesSetting = ThudSetting | ({ engine: "box2d" } & Box2DSetting);
 
 export const THUD: readonly ThudSetting[] = [
   { engine: "thud", quality: "draft", substeps: 0 },

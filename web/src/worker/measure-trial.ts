@@ -1,14 +1,14 @@
 /** One engine running a scene to be measured, without a visitor's hands, history or drawing. */
 import type { Engine, World } from "thud";
-import type { Box2D } from "../rival/box2d";
-import { Rival } from "../rival/rival";
-import { Ruler } from "../rival/ruler";
-import { knownOf, type Watched } from "../rival/watch";
+import type { Box2D } from "../box2d/load";
+import { Ruler } from "../box2d/ruler";
+import { Box2DWorld } from "../box2d/world";
 import { type Input, noKeys } from "../scene/scene";
 import { BODY, KINEMATIC, ROW } from "../scene/shape-table";
-import type { RivalSetting } from "./measure-settings";
+import type { Box2DSetting } from "./measure-settings";
 import type { SceneRequest } from "./protocol";
 import type { Session } from "./session";
+import { knownOf, type Watched } from "./watch";
 
 /** What measuring needs of the worker. */
 export interface Laboratory {
@@ -25,51 +25,51 @@ const IDLE: Pick<Input, "held" | "pointer"> = {
 
 export class Trial {
   readonly #session: Session;
-  readonly #rival: Rival | null;
-  /** Whether the times and overlaps asked for are the rival's. */
-  readonly #rivalsTurn: boolean;
+  readonly #box2dWorld: Box2DWorld | null;
+  /** Whether the times and overlaps asked for are Box2D's. */
+  readonly #measuresBox2D: boolean;
   readonly #watched: Watched | undefined;
   /** Whether each engine can run without the other. */
   readonly #alone: boolean;
   #ruler: Ruler | null = null;
   #step = 0;
 
-  /** With `rival` Box2D is measured, else thud. */
+  /** With `setting` Box2D is measured, else thud. */
   static async open(
     { box2d, open }: Laboratory,
     request: SceneRequest,
-    rival?: RivalSetting,
+    setting?: Box2DSetting,
   ): Promise<Trial> {
     const session = await open(request);
-    return new Trial(session, box2d, knownOf(session.world), rival);
+    return new Trial(session, box2d, knownOf(session.world), setting);
   }
 
   private constructor(
     session: Session,
     box2d: Box2D | null,
     watched: Watched | undefined,
-    setting: RivalSetting | undefined,
+    setting: Box2DSetting | undefined,
   ) {
     this.#session = session;
     this.#watched = watched;
-    this.#rivalsTurn = setting !== undefined;
+    this.#measuresBox2D = setting !== undefined;
     // Box2D follows what the scene's code and thud do to kinematic bodies, so that both must run
     // there; then both do in thud's turn too, because each takes the other's place in the caches.
     this.#alone = !session.scene.update && !hasKinematic(session.world);
-    this.#rival =
+    this.#box2dWorld =
       box2d && (setting || !this.#alone)
-        ? new Rival(box2d, session.world, { ...watched, ...setting })
+        ? new Box2DWorld(box2d, session.world, { ...watched, ...setting })
         : null;
-    watched?.forwardTo(this.#rival);
+    watched?.forwardTo(this.#box2dWorld);
     // A step in which all sleeps says nothing of what an engine holds, or how quick it is.
     session.world.setSleeping(false);
-    this.#rival?.setSleeping(false);
+    this.#box2dWorld?.setSleeping(false);
   }
 
   close(): void {
     this.#watched?.forwardTo(null);
     this.#ruler?.close();
-    this.#rival?.close();
+    this.#box2dWorld?.close();
     this.#session.close();
   }
 
@@ -88,12 +88,12 @@ export class Trial {
   /** Milliseconds of the measured engine's step, and nothing else. */
   step(): number {
     const { scene, world } = this.#session;
-    const rival = this.#rival;
+    const box2dWorld = this.#box2dWorld;
     scene.update?.({ step: this.#step++, ...IDLE });
-    rival?.sync();
-    if (!this.#rivalsTurn || !this.#alone) world.step();
-    const rivals = rival?.step() ?? 0;
-    return this.#rivalsTurn ? rivals : 1000 * world.stats().stepSeconds;
+    box2dWorld?.sync();
+    if (!this.#measuresBox2D || !this.#alone) world.step();
+    const milliseconds = box2dWorld?.step() ?? 0;
+    return this.#measuresBox2D ? milliseconds : 1000 * world.stats().stepSeconds;
   }
 
   /** In length scales, by the same geometry for both engines. */
@@ -102,7 +102,7 @@ export class Trial {
     const { x, y } = scene.view ?? { x: 0, y: 0 };
     const ruler = (this.#ruler ??= new Ruler(world, lengthScale));
     ruler.sync();
-    const poses = this.#rivalsTurn ? this.#rival!.poses(1, x, y) : world.poses(1, x, y);
+    const poses = this.#measuresBox2D ? this.#box2dWorld!.poses(1, x, y) : world.poses(1, x, y);
     const { worst, mean } = ruler.overlap(poses, x, y);
     return { worst: worst / lengthScale, mean: mean / lengthScale };
   }
@@ -110,7 +110,7 @@ export class Trial {
   /** What thud itself reports of the last step; of Box2D null, which has no such report. */
   get ownReport(): number | null {
     const { world, lengthScale } = this.#session;
-    return this.#rivalsTurn ? null : Math.max(0, world.error().penetrationMax) / lengthScale;
+    return this.#measuresBox2D ? null : Math.max(0, world.error().penetrationMax) / lengthScale;
   }
 }
 
@@ -129,8 +129,8 @@ export async function warmUp(
   request: SceneRequest,
   milliseconds: number,
 ): Promise<void> {
-  for (const rival of laboratory.box2d ? [undefined, { substeps: 4 }] : [undefined]) {
-    const trial = await Trial.open(laboratory, request, rival);
+  for (const setting of laboratory.box2d ? [undefined, { substeps: 4 }] : [undefined]) {
+    const trial = await Trial.open(laboratory, request, setting);
     try {
       const end = performance.now() + milliseconds;
       while (performance.now() < end) {

@@ -3,7 +3,7 @@ import type { Broadphase, Detection, Quality, Vec2 } from "thud";
 import type { Frame } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import type { KeyWords, SceneSize, View } from "../scene/scene";
-import type { Deed } from "./deeds";
+import type { Command } from "./commands";
 import type { BodyReport } from "./inspect";
 import type { Series, SeriesProgress } from "./measure";
 import type { HeavierProgress, Holding } from "./measure-heavier";
@@ -61,7 +61,7 @@ export interface Look {
 }
 
 /** How Box2D goes along. */
-export interface RivalRequest {
+export interface Box2DRequest {
   substeps: number;
 }
 
@@ -96,7 +96,7 @@ export interface Questions {
   /** Goes to a step of the past, or on from there; the future stays until a step is made. */
   seek: { ask: { step: number; look: Look }; answer: Frame };
   /** Loads Box2D and runs it beside this scene and all that follow; null ends that. */
-  rival: { ask: RivalRequest | null; answer: void };
+  box2d: { ask: Box2DRequest | null; answer: void };
   hash: { ask: Record<string, never>; answer: StateHash };
   /** Makes steps without a display, and tells the state's hash after them. */
   advance: { ask: { steps: number }; answer: StateHash };
@@ -121,7 +121,7 @@ export type Progress<Name extends QuestionName> = Questions[Name] extends { prog
 
 export type ToWorker =
   | { kind: "ask"; id: number; name: QuestionName; value: unknown }
-  | { kind: "deed"; deed: Deed }
+  | { kind: "command"; command: Command }
   /** Steps are made until `until`, or for as long as the page can wait; a frame answers. */
   | { kind: "tick"; run: number; until: number; look: Look };
 

@@ -1,6 +1,5 @@
 /** A running scene: its world, its time, and the visitor's hands in it. */
 import type { Vec2, World } from "thud";
-import { type Blast, explode, type Pull, pull } from "../rival/hands";
 import type { Sample } from "../scene/frame";
 import {
   type Input,
@@ -11,7 +10,16 @@ import {
   type Scene,
   type SceneSize,
 } from "../scene/scene";
-import { type Adjustment, canPull, type Deed, dig, reachedBy, spawn, takeHold } from "./deeds";
+import {
+  type Adjustment,
+  canPull,
+  type Command,
+  dig,
+  reachedBy,
+  spawn,
+  takeHold,
+} from "./commands";
+import { type Blast, explode, type Pull, pull } from "./hands";
 import { History, type Moment } from "./history";
 import type { Choices, Rerun, StateHash } from "./protocol";
 import { SceneError } from "./trouble";
@@ -23,7 +31,7 @@ interface Hands {
   pointer: Input["pointer"];
 }
 
-/** Another engine that goes along; see companion.ts. */
+/** Another engine that goes along; see box2d/companion.ts. */
 export interface Companion {
   /** The first thing of a step. */
   begin(): void;
@@ -34,7 +42,7 @@ export interface Companion {
   /** Just before the world's step: follows what the scene did. */
   sync(): void;
   /** After the world's step, makes the same. */
-  step(): Sample["rival"];
+  step(): Sample["box2d"];
   /** The world ends or goes to another time, from which it begins anew. */
   end(): void;
   /** Of the last two steps, laid out as World.poses; to be given away. */
@@ -50,7 +58,7 @@ export class Session {
   samples: Sample[] = [];
   companion: Companion | null = null;
   /** Why there is no companion although one is wanted. */
-  rivalTrouble: string | null = null;
+  box2dTrouble: string | null = null;
   readonly #hands: Hands = { pull: null, held: noKeys(), pointer: null };
   /** What the visitor does at this moment, wherever in time the scene is. */
   readonly #present: Pick<Hands, "held" | "pointer"> & {
@@ -60,7 +68,7 @@ export class Session {
   /** The hands are those of a moment that was gone to. */
   #sought = false;
   /** Since the last step. */
-  #done: Deed[] = [];
+  #done: Command[] = [];
 
   constructor(
     readonly run: number,
@@ -88,23 +96,23 @@ export class Session {
   }
 
   /** Does something to the world; a step later it is in the journal. */
-  do(deed: Deed): void {
-    this.#apply(deed);
-    this.#heed(deed);
-    this.#note(deed);
+  do(command: Command): void {
+    this.#apply(command);
+    this.#heed(command);
+    this.#note(command);
   }
 
-  #note(deed: Deed): void {
+  #note(command: Command): void {
     const last = this.#done.at(-1);
-    if (last && replaces(deed, last)) this.#done.pop();
-    this.#done.push(deed);
+    if (last && replaces(command, last)) this.#done.pop();
+    this.#done.push(command);
   }
 
   makeStep(): void {
     if (this.#sought) this.#takeOver();
-    const deeds = this.#done;
+    const commands = this.#done;
     this.#done = [];
-    this.history.note(this.step, deeds);
+    this.history.note(this.step, commands);
     this.companion?.begin();
     this.#advance(this.companion);
     const { world } = this;
@@ -114,7 +122,7 @@ export class Session {
       milliseconds: 1000 * stepSeconds,
       penetration: world.error().penetrationMax,
       awake: awakeBodies,
-      rival: this.companion?.step(),
+      box2d: this.companion?.step(),
     });
     if (this.history.wants(this.step, 1000 * stepSeconds, bytes)) this.#keepMoment();
   }
@@ -137,7 +145,7 @@ export class Session {
 
   /**
    * Runs the last steps again, from the newest moment that lies at least so far back, with the
-   * same deeds. Leaves everything as it is.
+   * same commands. Leaves everything as it is.
    */
   rerun(steps: number): Rerun {
     const present = this.#moment();
@@ -148,7 +156,7 @@ export class Session {
     this.#goTo(moment);
     this.#runAgain(step);
     // What was done since the last step belongs to the present.
-    for (const deed of this.#done) this.#apply(deed);
+    for (const command of this.#done) this.#apply(command);
     const again = this.world.hash();
     this.#goTo(present);
     return { from: moment.step, step, hash, again };
@@ -158,21 +166,22 @@ export class Session {
     return { step: this.step, hash: this.world.hash() };
   }
 
-  /** On to a step of the past, with the deeds of the journal. */
+  /** On to a step of the past, with the commands of the journal. */
   #runAgain(step: number): void {
     while (this.step < step) {
-      for (const deed of this.history.deedsAt(this.step)) this.#apply(deed);
+      for (const command of this.history.commandsAt(this.step)) this.#apply(command);
       this.#advance(null);
     }
   }
 
   /** What the visitor does now, as far as the past has no part in it. */
-  #heed(deed: Deed): void {
+  #heed(command: Command): void {
     const present = this.#present;
-    if (deed.kind === "grab" || deed.kind === "release") present.pulls = deed.kind === "grab";
-    else if (deed.kind === "keys") Object.assign(present.held, deed.held);
-    else if (deed.kind === "pointer") present.pointer = { x: deed.x, y: deed.y, down: deed.down };
-    else if (deed.kind === "choose") present.adjustment = deed;
+    if (command.kind === "grab") present.pulls = true;
+    else if (command.kind === "release") present.pulls = false;
+    else if (command.kind === "keys") Object.assign(present.held, command.held);
+    else if (command.kind === "pointer") present.pointer = pointerOf(command);
+    else if (command.kind === "choose") present.adjustment = command;
   }
 
   /** From a moment of the past time goes on with what the visitor does and has chosen now: what was
@@ -181,16 +190,16 @@ export class Session {
     this.#sought = false;
     const { pulls, held, pointer, adjustment } = this.#present;
     const hands = this.#hands;
-    const deeds: Deed[] = [];
-    if (adjustment) deeds.push({ kind: "choose", ...adjustment });
-    if (hands.pull && !pulls) deeds.push({ kind: "release" });
+    const commands: Command[] = [];
+    if (adjustment) commands.push({ kind: "choose", ...adjustment });
+    if (hands.pull && !pulls) commands.push({ kind: "release" });
     if (KEY_NAMES.some((name) => hands.held[name] !== held[name]))
-      deeds.push({ kind: "keys", held: { ...held } });
+      commands.push({ kind: "keys", held: { ...held } });
     if (hands.pointer?.down && !pointer?.down)
-      deeds.push({ kind: "pointer", ...(pointer ?? hands.pointer), down: false });
-    for (const deed of deeds) {
-      this.#apply(deed);
-      this.#note(deed);
+      commands.push({ kind: "pointer", ...(pointer ?? hands.pointer), down: false });
+    for (const command of commands) {
+      this.#apply(command);
+      this.#note(command);
     }
   }
 
@@ -205,37 +214,37 @@ export class Session {
     this.paint = this.scene.paint?.() ?? null;
   }
 
-  #apply(deed: Deed): void {
+  #apply(command: Command): void {
     const { world } = this;
     const hands = this.#hands;
-    switch (deed.kind) {
+    switch (command.kind) {
       case "grab":
-        hands.pull = takeHold(world, deed);
+        hands.pull = takeHold(world, command);
         break;
       case "drag":
-        if (hands.pull) hands.pull.target = [deed.x, deed.y];
+        if (hands.pull) hands.pull.target = [command.x, command.y];
         break;
       case "release":
         hands.pull = null;
         break;
       case "spawn":
-        spawn(world, deed);
+        spawn(world, command);
         break;
       case "explode":
-        this.#apart(() => explode(world, reachedBy(world, deed), deed));
-        this.companion?.explode(deed);
+        this.#apart(() => explode(world, reachedBy(world, command), command));
+        this.companion?.explode(command);
         break;
       case "dig":
-        dig(world, deed);
+        dig(world, command);
         break;
       case "keys":
-        Object.assign(hands.held, deed.held);
+        Object.assign(hands.held, command.held);
         break;
       case "pointer":
-        hands.pointer = { x: deed.x, y: deed.y, down: deed.down };
+        hands.pointer = pointerOf(command);
         break;
       case "choose":
-        this.#adjust(deed);
+        this.#adjust(command);
         break;
     }
   }
@@ -282,10 +291,14 @@ export class Session {
   }
 }
 
+function pointerOf({ x, y, down }: Extract<Command, { kind: "pointer" }>): Input["pointer"] {
+  return { x, y, down };
+}
+
 /** Of two moves without a step between them only the last counts; a press or release is none. */
-function replaces(deed: Deed, last: Deed): boolean {
-  if (deed.kind === "pointer") return last.kind === "pointer" && last.down === deed.down;
-  return deed.kind === "drag" && last.kind === "drag";
+function replaces(command: Command, last: Command): boolean {
+  if (command.kind === "pointer") return last.kind === "pointer" && last.down === command.down;
+  return command.kind === "drag" && last.kind === "drag";
 }
 
 /** In length scales. Draft has no direct solver, and so nothing that could hold one. */

@@ -1,14 +1,14 @@
 /** Sets a scene up: gives its module what it asks for and takes the world that it makes. */
 import type { Engine, Mover, World, WorldOptions } from "thud";
-import { knownOf } from "../rival/watch";
 import type { KeyWords, Scene, SceneModule, View } from "../scene/scene";
 import { createSetting, type SettingOptions } from "../scene/setting";
 import { BODY, DYNAMIC, HALF, ROW, SLOT, STATIC } from "../scene/shape-table";
-import type { Choices, RunningScene, SceneRequest } from "./protocol";
 import { checkScene } from "./check";
-import { closeAll, maxErrorOf, Session } from "./session";
 import { readShapes } from "./frames";
+import type { Choices, RunningScene, SceneRequest } from "./protocol";
+import { closeAll, maxErrorOf, Session } from "./session";
 import { SceneError } from "./trouble";
+import { knownOf } from "./watch";
 
 /** The visitor's choices as options of a world. */
 export function optionsOf(choices: Choices): WorldOptions {

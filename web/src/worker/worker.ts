@@ -64,7 +64,7 @@ const answers: Answers = {
     return frames.make(look);
   },
 
-  rival: (wanted) => companions.want(wanted, session),
+  box2d: (wanted) => companions.want(wanted, session),
 
   hash: () => needSession().hash,
 
@@ -153,7 +153,7 @@ self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   }
   if (!session) return;
   try {
-    if (data.kind === "deed") session.do(data.deed);
+    if (data.kind === "command") session.do(data.command);
     else {
       // Asked for before the page knew of this scene, they are no steps of it.
       const start = performance.now();

@@ -1,19 +1,19 @@
 /**
- * Box2D beside one running scene: a copy of its world, which takes the same deeds, makes the same
- * steps, and is measured by the same code. It begins, and after a jump in time begins anew, with
- * the first step that is made, from what the world is then.
+ * Box2D beside one running scene: a copy of its world, which takes the same commands, makes the
+ * same steps, and is measured by the same code. It begins, and after a jump in time begins anew,
+ * with the first step that is made, from what the world is then.
  */
 import type { Vec2 } from "thud";
-import type { Compared, RivalSample } from "../scene/frame";
-import { type Box2D, forgetBox2D, loadBox2D } from "../rival/box2d";
-import { type Blast, explode, type Pull, pull } from "../rival/hands";
-import { middleOf } from "../rival/places";
-import { Rival } from "../rival/rival";
-import { Ruler } from "../rival/ruler";
-import type { Watched } from "../rival/watch";
+import type { Box2DSample, Compared } from "../scene/frame";
 import { messageOf } from "../shared/error";
-import type { RivalRequest } from "./protocol";
-import type { Companion, Session } from "./session";
+import { type Blast, explode, type Pull, pull } from "../worker/hands";
+import type { Box2DRequest } from "../worker/protocol";
+import type { Companion, Session } from "../worker/session";
+import type { Watched } from "../worker/watch";
+import { type Box2D, forgetBox2D, loadBox2D } from "./load";
+import { middleOf } from "./places";
+import { Ruler } from "./ruler";
+import { Box2DWorld } from "./world";
 
 /** Of contacts, Hz: Box2D's own. */
 const CONTACT_HERTZ = 30;
@@ -23,8 +23,8 @@ const LONGEST = 60;
 
 /** What there is while Box2D runs along. */
 interface Pair {
-  rival: Rival;
-  /** Of the thud world; the rival has its own. */
+  box2dWorld: Box2DWorld;
+  /** Of the thud world; the other has its own. */
   ruler: Ruler;
   /** Near the bodies, so that their places are exact as floats. */
   origin: Vec2;
@@ -39,7 +39,7 @@ export class Box2DCompanion implements Companion {
   static async load(
     session: Session,
     known: Watched | undefined,
-    request: RivalRequest,
+    request: Box2DRequest,
   ): Promise<Box2DCompanion> {
     if (!known) throw new Error("The world was made before Box2D could watch it.");
     return new Box2DCompanion(await loadBox2D(), session, known, request);
@@ -49,12 +49,12 @@ export class Box2DCompanion implements Companion {
     private readonly box2d: Box2D,
     private readonly session: Session,
     private readonly known: Watched,
-    private request: RivalRequest,
+    private request: Box2DRequest,
   ) {}
 
-  choose(request: RivalRequest): void {
+  choose(request: Box2DRequest): void {
     this.request = request;
-    if (this.#pair) this.#pair.rival.substeps = request.substeps;
+    if (this.#pair) this.#pair.box2dWorld.substeps = request.substeps;
   }
 
   end(): void {
@@ -62,7 +62,7 @@ export class Box2DCompanion implements Companion {
     this.#pair = null;
     this.known.forwardTo(null);
     pair?.ruler.close();
-    pair?.rival.close();
+    pair?.box2dWorld.close();
   }
 
   begin(): void {
@@ -70,7 +70,7 @@ export class Box2DCompanion implements Companion {
     this.#guard(() => {
       const { session, known } = this;
       const { world, lengthScale } = session;
-      const rival = new Rival(this.box2d, world, {
+      const box2dWorld = new Box2DWorld(this.box2d, world, {
         options: known.options,
         bodyOptions: known.bodyOptions,
         changes: known.changes,
@@ -78,13 +78,13 @@ export class Box2DCompanion implements Companion {
         contactHertz: CONTACT_HERTZ,
       });
       this.#pair = {
-        rival,
+        box2dWorld,
         ruler: new Ruler(world, lengthScale),
         origin: middleOf(world),
         since: session.step,
         nextComparison: session.step,
       };
-      known.forwardTo(rival);
+      known.forwardTo(box2dWorld);
     });
   }
 
@@ -93,27 +93,30 @@ export class Box2DCompanion implements Companion {
   }
 
   pull(held: Pull): void {
-    this.#use(({ rival }) => pull(rival, held, this.session.lengthScale));
+    this.#use(({ box2dWorld }) => pull(box2dWorld, held, this.session.lengthScale));
   }
 
   explode(blast: Blast): void {
-    this.#use(({ rival }) => explode(rival, rival.within(blast.x, blast.y, blast.radius), blast));
+    this.#use(({ box2dWorld }) => {
+      const bodies = box2dWorld.within(blast.x, blast.y, blast.radius);
+      explode(box2dWorld, bodies, blast);
+    });
   }
 
   sync(): void {
-    this.#use(({ rival }) => rival.sync());
+    this.#use(({ box2dWorld }) => box2dWorld.sync());
   }
 
-  step(): RivalSample | undefined {
+  step(): Box2DSample | undefined {
     return this.#use((pair) => {
-      const { rival, since } = pair;
-      const milliseconds = rival.step();
-      const { awakeBodies: awake, origin } = rival;
-      const sample: RivalSample = { milliseconds, awake, since, origin };
+      const { box2dWorld, since } = pair;
+      const milliseconds = box2dWorld.step();
+      const { awakeBodies: awake, origin } = box2dWorld;
+      const sample: Box2DSample = { milliseconds, awake, since, origin };
       const { step } = this.session;
       if (step < pair.nextComparison) return sample;
       const start = performance.now();
-      const compared = { thud: this.#measureWorld(pair), box2d: measureRival(pair) };
+      const compared = { thud: this.#measureWorld(pair), box2d: measureBox2D(pair) };
       const pause = Math.ceil((performance.now() - start) / COMPARING);
       pair.nextComparison = step + Math.min(LONGEST, Math.max(1, pause));
       return { ...sample, compared };
@@ -121,10 +124,10 @@ export class Box2DCompanion implements Companion {
   }
 
   poses([x, y]: Vec2): { before: Float32Array; now: Float32Array } {
-    const poses = this.#use(({ rival }) => {
+    const poses = this.#use(({ box2dWorld }) => {
       // What was done while the scene stands is seen before the next step.
-      rival.sync();
-      return { before: rival.poses(0, x, y), now: rival.poses(1, x, y) };
+      box2dWorld.sync();
+      return { before: box2dWorld.poses(0, x, y), now: box2dWorld.poses(1, x, y) };
     });
     const { world } = this.session;
     return poses ?? { before: world.poses(0, x, y).slice(), now: world.poses(1, x, y).slice() };
@@ -152,7 +155,7 @@ export class Box2DCompanion implements Companion {
       return act();
     } catch (error) {
       const { session } = this;
-      session.rivalTrouble = messageOf(error);
+      session.box2dTrouble = messageOf(error);
       session.companion = null;
       // After a trap nothing of the module can be used, and its memory goes with it.
       if (error instanceof WebAssembly.RuntimeError) {
@@ -166,11 +169,11 @@ export class Box2DCompanion implements Companion {
   }
 }
 
-function measureRival({ rival }: Pair): Compared {
-  const [kinetic, potential] = rival.energy();
+function measureBox2D({ box2dWorld }: Pair): Compared {
+  const [kinetic, potential] = box2dWorld.energy();
   return {
-    penetration: rival.penetration(),
+    penetration: box2dWorld.penetration(),
     energy: kinetic + potential,
-    bodies: rival.bodies,
+    bodies: box2dWorld.bodies,
   };
 }

@@ -61,7 +61,7 @@ export class Ruler implements Twin {
 
   /**
    * The deepest overlap and the mean over all contact points, in the world's lengths; 0 without
-   * any. `poses` are those of `World.poses` or `Rival.poses`, relative to the origin; bodies
+   * any. `poses` are those of `World.poses` or `Box2DWorld.poses`, relative to the origin; bodies
    * without stay where they were.
    */
   overlap(poses: Float32Array, originX = 0, originY = 0): { worst: number; mean: number } {

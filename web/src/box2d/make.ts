@@ -22,7 +22,7 @@ import type {
   b2SurfaceMaterial,
   b2WorldId,
 } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
-import type { Box2D } from "./box2d";
+import type { Box2D } from "./load";
 import type { Placing } from "./places";
 
 /** Half the width of what stands in for endless ground, in metres. */

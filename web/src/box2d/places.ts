@@ -1,6 +1,6 @@
 /**
- * Where a rival's bodies are. Box2D keeps places as numbers of 32 bits, in metres about an origin
- * of its own; the thud world has doubles in its own lengths.
+ * Where a Box2DWorld's bodies are. Box2D keeps places as numbers of 32 bits, in metres about an
+ * origin of its own; the thud world has doubles in its own lengths.
  */
 import type { Vec2, World } from "thud";
 

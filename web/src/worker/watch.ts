@@ -1,10 +1,10 @@
 /**
  * Watches the worlds of an engine from their first body on, for what a world does not tell
  * afterwards: what it and its bodies were made with, whether bodies, shapes or ground have changed,
- * and what a scene's own code does to bodies, which goes to the rival too.
+ * and what a scene's own code does to bodies, which goes to its follower too.
  *
- * A character (Mover) pushes bodies inside the engine. It is watched too, and pushes the rival's by
- * the same rule; its own body is kinematic and followed by `Rival.sync`.
+ * A character (Mover) pushes bodies inside the engine. It is watched too, and pushes the
+ * follower's by the same rule; its own body is kinematic, and the follower reads its pose.
  */
 import type {
   BodyId,
@@ -17,14 +17,29 @@ import type {
   World,
   WorldOptions,
 } from "thud";
-import { inFrame, push, type Push } from "./hands";
-import type { Known } from "./known";
-import type { Rival } from "./rival";
+import { type Hands, inFrame, push, type Push } from "./hands";
+
+/** What a thud world does not tell of itself. */
+export interface Known {
+  /** What it was made with, or has been set to since. */
+  options: WorldOptions;
+  /** What its bodies were made with: their damping, sleep and detection count. */
+  bodyOptions(body: BodyId): BodyOptions | undefined;
+  /** Another number whenever bodies, shapes or ground changed. */
+  changes(): number;
+}
+
+/** Another engine's copy of a world, with the same methods. */
+export type Follower = Hands &
+  Pick<
+    World,
+    "setTransform" | "applyForce" | "setAwake" | "setGravity" | "setTimeStep" | "setSleeping"
+  >;
 
 export interface Watched extends Known {
-  /** From now on, what is done to the thud world's bodies is done to the rival's. Null ends it. */
-  forwardTo(rival: Rival | null): void;
-  /** Runs `act` without forwarding: the rival gets a deed of its own (`pull`, `explode`). */
+  /** What is done to the thud world's bodies from now on is done to the follower's. Null ends it. */
+  forwardTo(follower: Follower | null): void;
+  /** Runs `act` without forwarding: the follower gets a command of its own (`pull`, `explode`). */
   apart(act: () => void): void;
   /** A character of this world, as it is made. */
   watchMover(mover: Mover, options: MoverOptions): void;
@@ -52,7 +67,7 @@ export function watch(world: World, made: WorldOptions): Watched {
   const options = { ...made };
   const bodies = new Map<number, { body: BodyId; options: BodyOptions }>();
   let changes = 0;
-  let rival: Rival | null = null;
+  let follower: Follower | null = null;
   /** A refused call throws before `then`, and changes nothing. */
   const after = <Name extends Watchable>(name: Name, then: Then<Name>) => {
     const own = world[name].bind(world) as (...args: unknown[]) => unknown;
@@ -64,28 +79,28 @@ export function watch(world: World, made: WorldOptions): Watched {
     world[name] = watched as World[Name];
   };
   /** A body that is not there yet is brought over by the next sync, with what was done to it. */
-  const onBody = (body: BodyId, act: (rival: Rival) => void) => {
-    if (rival?.isValid(body)) act(rival);
+  const onBody = (body: BodyId, act: (follower: Follower) => void) => {
+    if (follower?.isValid(body)) act(follower);
   };
 
   for (const name of CHANGES) after(name, () => void changes++);
   after("createBody", (body, given = {}) => bodies.set(body.index, { body, options: given }));
-  after("setTransform", (_, id, ...pose) => onBody(id, (r) => r.setTransform(id, ...pose)));
-  after("setVelocity", (_, id, ...speed) => onBody(id, (r) => r.setVelocity(id, ...speed)));
-  after("applyImpulse", (_, id, ...impulse) => onBody(id, (r) => r.applyImpulse(id, ...impulse)));
-  after("applyForce", (_, id, ...force) => onBody(id, (r) => r.applyForce(id, ...force)));
-  after("setAwake", (_, id, awake) => onBody(id, (r) => r.setAwake(id, awake)));
+  after("setTransform", (_, id, ...pose) => onBody(id, (f) => f.setTransform(id, ...pose)));
+  after("setVelocity", (_, id, ...speed) => onBody(id, (f) => f.setVelocity(id, ...speed)));
+  after("applyImpulse", (_, id, ...impulse) => onBody(id, (f) => f.applyImpulse(id, ...impulse)));
+  after("applyForce", (_, id, ...force) => onBody(id, (f) => f.applyForce(id, ...force)));
+  after("setAwake", (_, id, awake) => onBody(id, (f) => f.setAwake(id, awake)));
   after("setGravity", (_, gravity) => {
     options.gravity = gravity;
-    rival?.setGravity(gravity);
+    follower?.setGravity(gravity);
   });
   after("setTimeStep", (_, seconds) => {
     options.timeStep = seconds;
-    rival?.setTimeStep(seconds);
+    follower?.setTimeStep(seconds);
   });
   after("setSleeping", (_, sleeping) => {
     options.sleeping = sleeping;
-    rival?.setSleeping(sleeping);
+    follower?.setSleeping(sleeping);
   });
 
   return {
@@ -96,23 +111,23 @@ export function watch(world: World, made: WorldOptions): Watched {
     },
     changes: () => changes,
     forwardTo(other) {
-      rival = other;
+      follower = other;
     },
     apart(act) {
-      const other = rival;
-      rival = null;
+      const other = follower;
+      follower = null;
       try {
         act();
       } finally {
-        rival = other;
+        follower = other;
       }
     },
     watchMover(mover, options) {
       const move = mover.move.bind(mover);
       mover.move = (velocity, dt, how) => {
         const report = move(velocity, dt, how);
-        if (rival)
-          for (const one of pushesOf(world, options, velocity, dt, report)) push(rival, one);
+        if (follower)
+          for (const one of pushesOf(world, options, velocity, dt, report)) push(follower, one);
         return report;
       };
     },

@@ -2,9 +2,9 @@
 import type { App } from "../page/app";
 import { make } from "../page/dom";
 import { messageOf } from "../shared/error";
-import { askForRival, endRival } from "./rival-wish";
+import { askForBox2D, endBox2D } from "./box2d-wish";
 
-export class RivalChoice {
+export class Box2DChoice {
   readonly element: HTMLElement;
   readonly #app: App;
   readonly #input = make("input", { type: "checkbox", id: "trade-box2d" });
@@ -26,7 +26,7 @@ export class RivalChoice {
     app.listen({
       // A new worker does not know of it.
       run: () => this.#wanted && void this.#ask(),
-      frame: ({ rivalTrouble }) => this.#wanted && rivalTrouble && this.#fail(rivalTrouble),
+      frame: ({ box2dTrouble }) => this.#wanted && box2dTrouble && this.#fail(box2dTrouble),
     });
   }
 
@@ -47,7 +47,7 @@ export class RivalChoice {
   async #ask(): Promise<void> {
     this.#line.textContent = "Loading Box2D…";
     try {
-      await askForRival(this.#app);
+      await askForBox2D(this.#app);
       this.#line.textContent = "";
     } catch (error) {
       this.#fail(messageOf(error));
@@ -62,6 +62,6 @@ export class RivalChoice {
 
   #end(): void {
     this.#line.textContent = "";
-    endRival(this.#app);
+    endBox2D(this.#app);
   }
 }

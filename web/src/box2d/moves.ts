@@ -5,7 +5,7 @@
  * bits.
  */
 import type { b2WorldId } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
-import type { Box2D } from "./box2d";
+import type { Box2D } from "./load";
 
 /** In words of four bytes: user data, x, y, cosine, sine, index, world and generation, asleep. */
 const WORDS = 8;

@@ -5,12 +5,12 @@ import { notice } from "../page/messages";
 import { messageOf } from "../shared/error";
 
 /** It begins with the next step; what is chosen since goes to one that runs. */
-export function askForRival({ client, state }: App): Promise<void> {
-  return client.ask("rival", { substeps: state.versus.substeps });
+export function askForBox2D({ client, state }: App): Promise<void> {
+  return client.ask("box2d", { substeps: state.versus.substeps });
 }
 
-export function endRival({ client }: App): void {
-  client.ask("rival", null).catch((error) => {
+export function endBox2D({ client }: App): void {
+  client.ask("box2d", null).catch((error) => {
     // With its worker Box2D has ended too.
     if (!(error instanceof EndedError)) notice(`Box2D did not end well: ${messageOf(error)}`);
   });

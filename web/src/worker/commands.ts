@@ -3,15 +3,15 @@
  * journal under that step's number, so that going back in time does the same again.
  */
 import type { BodyId, Vec2, World } from "thud";
-import type { Blast, Pull } from "../rival/hands";
 import type { KeyName } from "../scene/scene";
+import type { Blast, Pull } from "./hands";
 import { bodyInSlot, groundLines } from "./lookup";
 import type { Choices } from "./protocol";
 
 /** What can be chosen for a world that runs. */
 export type Adjustment = Pick<Choices, "quality" | "substeps" | "maxError">;
 
-export type Deed =
+export type Command =
   /** Takes the body in a slot at a place of its own frame; the pointer is at x, y. */
   | { kind: "grab"; slot: number; anchor: Vec2; x: number; y: number }
   | { kind: "drag"; x: number; y: number }
@@ -26,7 +26,7 @@ export type Deed =
 /** Null if no body has the slot any more. */
 export function takeHold(
   world: World,
-  { slot, anchor, x, y }: Extract<Deed, { kind: "grab" }>,
+  { slot, anchor, x, y }: Extract<Command, { kind: "grab" }>,
 ): Pull | null {
   const body = bodyInSlot(world, slot);
   return body && { body, anchor, target: [x, y] };
@@ -42,7 +42,7 @@ export function canPull(world: World, { body }: Pull): boolean {
 /** A new body; its size and angle vary a little with the number that exist. */
 export function spawn(
   world: World,
-  { shape, x, y, size }: Extract<Deed, { kind: "spawn" }>,
+  { shape, x, y, size }: Extract<Command, { kind: "spawn" }>,
 ): void {
   const wobble = 0.8 + 0.4 * ((world.stats().bodies * 0.618034) % 1);
   const body = world.createBody({
@@ -65,7 +65,7 @@ export function reachedBy(world: World, { x, y, radius }: Blast): BodyId[] {
 }
 
 /** A crater in every ground line that has vertices. */
-export function dig(world: World, { x, y, radius }: Extract<Deed, { kind: "dig" }>): void {
+export function dig(world: World, { x, y, radius }: Extract<Command, { kind: "dig" }>): void {
   for (const { shape } of groundLines(world))
     if (world.terrain(shape).kind !== "flat") world.dig(shape, [x, y], radius);
 }

@@ -1,6 +1,6 @@
 /**
  * What a visitor does to bodies by hand, for either engine: each takes it by the same rule from its
- * own state of the body. A World of thud has such hands, and a Rival.
+ * own state of the body. A World of thud has such hands, and a Box2DWorld.
  */
 import type { BodyId, BodyState, Vec2 } from "thud";
 

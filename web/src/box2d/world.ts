@@ -3,8 +3,8 @@
  * following it as bodies come and go, ground is dug and kinematic bodies are steered. Everything
  * goes in and out in the thud world's units and by its handles.
  *
- * A step of both: the scene's own code, the same deeds to both, `rival.sync()`, `world.step()`,
- * `rival.step()`.
+ * A step of both: the scene's own code, the same commands to both, `box2dWorld.sync()`,
+ * `world.step()`, `box2dWorld.step()`.
  */
 import type {
   BodyId,
@@ -22,9 +22,9 @@ import type {
   b2Vec2,
   b2WorldId,
 } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
-import type { Box2D } from "./box2d";
-import type { Hands, Held } from "./hands";
-import type { RivalSettings } from "./known";
+import type { Hands, Held } from "../worker/hands";
+import type { Known } from "../worker/watch";
+import type { Box2D } from "./load";
 import { type Common, createWorld, makeBody, makeChain, makeShape } from "./make";
 import { Mirror, type Twin } from "./mirror";
 import { Moves } from "./moves";
@@ -33,6 +33,14 @@ import { Ruler } from "./ruler";
 
 /** Metres. A kinematic body this far from where thud has it was put there, and is put there too. */
 const STRAY = 0.002;
+
+/** What is not known is taken to be the default, and `sync` looks through everything. */
+export interface Box2DOptions extends Partial<Known> {
+  /** A step. Default 4, as Box2D's manual recommends. */
+  substeps?: number;
+  /** Of contacts, Hz. Default 30, Box2D's own; it takes at most an eighth of its substep rate. */
+  contactHertz?: number;
+}
 
 type Made = { shape: b2ShapeId } | { chain: b2ChainId };
 
@@ -56,9 +64,9 @@ interface Entry {
   weight: Weight | null;
 }
 
-export class Rival implements Hands, Twin {
+export class Box2DWorld implements Hands, Twin {
   readonly #source: World;
-  readonly #settings: RivalSettings;
+  readonly #settings: Box2DOptions;
   readonly #common: Common;
   readonly #world: b2WorldId;
   readonly #mirror: Mirror;
@@ -76,7 +84,7 @@ export class Rival implements Hands, Twin {
   #changes: number | undefined;
   #ruler: Ruler | null = null;
 
-  constructor(box2d: Box2D, source: World, settings: RivalSettings = {}) {
+  constructor(box2d: Box2D, source: World, settings: Box2DOptions = {}) {
     const { options = {} } = settings;
     this.#source = source;
     this.#settings = settings;

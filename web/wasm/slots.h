@@ -1,0 +1,244 @@
+/* slots.h: the one list of the numbers that pass between this layer and JavaScript.
+ *
+ * A call takes and gives what does not fit into its arguments through `api_slots`, whose members
+ * are named here; lists go through buffers of rows, named here too. web/tools/slots.mjs reads this
+ * file and writes the same places for TypeScript, so that no number stands in two languages: a
+ * struct `body_state` becomes the enum `BodyStateAt`, its member `gravity_scale` the entry
+ * `gravityScale`, and `length` how many numbers it has. Of structs that end in `_options` the names
+ * of the options are written as well, without those of structs in them.
+ *
+ * All members of a struct have the same type. Handles are two numbers, index1 and generation;
+ * places and vectors are x and y. */
+#ifndef SLOTS_H
+#define SLOTS_H
+
+#include <stdint.h>
+
+/* ---- parts of others ---- */
+
+/* Rows or handles in wasm memory. */
+struct list {
+    double address, count;
+};
+
+struct handle {
+    double index1, generation;
+};
+
+struct filter_options {
+    double category, mask, sensors;
+};
+
+/* What of a quality is another: 0, and -1 for the last two, takes the quality's own. Islands: 0 the
+ * soft solver does all, 1 the direct one helps, at default's limits where the quality has none. */
+struct quality_options {
+    double substeps, contact_stiffness, contact_damping, detection, islands;
+};
+
+/* A shape about its own centre: a circle's radius is its first half extent. */
+struct solid {
+    double kind, half_extents[2], angle;
+};
+
+/* ---- slots ---- */
+
+struct world_options {
+    double gravity[2], time_step, length_scale, quality, substeps, contact_stiffness;
+    double contact_damping, push_speed, restitution_threshold, hit_speed, maximum_speed, sleeping;
+    double detection, contact_events, timed, broadphase, time_budget, max_error;
+    struct quality_options changes;
+};
+
+struct advance {
+    double steps, alpha;
+};
+
+/* As thud_stats; motion_* are pairs of moving shapes by how far their tests went. */
+struct stats {
+    double steps, bodies, shapes, awake_bodies, pairs, contacts, colours, blocks, bytes;
+    double step_allocations, substeps, step_seconds, direct_islands, direct_bodies, soft_islands;
+    double impacts, motion_pairs, motion_circles, motion_boxes, motion_exact, stage_seconds[9];
+    double held_bodies, held_seconds, unbisectable;
+};
+
+struct step_error {
+    double penetration_max, penetration_mean, residual, energy_change, overlaps;
+};
+
+struct measure {
+    double penetration_max, penetration_mean, kinetic_energy, potential_energy;
+};
+
+/* 32 bits each. */
+struct hash {
+    double upper, lower;
+};
+
+struct body_options {
+    double kind, position[2], angle, velocity[2], angular_velocity, gravity_scale, linear_damping;
+    double angular_damping, fixed_rotation, may_sleep, user_data, detection;
+};
+
+struct body_state {
+    double kind, position[2], center[2], angle, velocity[2], angular_velocity, mass, inertia;
+    double gravity_scale, awake, quarantined, user_data, shape_count, enabled;
+};
+
+struct shape_options {
+    double density, friction, restitution, category, mask, group, sensor, user_data, surface_speed;
+};
+
+struct shape_state {
+    double kind, body[2], offset[2], half_extents[2], angle, density, friction, restitution;
+    double category, mask, group, sensor, user_data, surface_speed;
+};
+
+/* The points are thud's own: pairs of doubles. */
+struct terrain {
+    double kind, slope, x0, spacing;
+    struct list points;
+};
+
+/* The weights are of the segment's two vertices. */
+struct ground {
+    double height, normal[2], segment, weights[2];
+};
+
+struct foot {
+    double height, x, normal[2];
+};
+
+/* Begin and end are of shapes: rows of event_pair; quarantined: handles of bodies. */
+struct events {
+    struct list begin, end, sensor_begin, sensor_end, quarantined, hits;
+};
+
+struct closest_hit {
+    double found, shape[2], point[2], normal[2], distance;
+};
+
+/* The rows are shape_row and shape_handles. */
+struct shape_table {
+    double rows, handles, count;
+};
+
+struct draw_lists {
+    struct list shapes, lines, points;
+};
+
+struct mover_options {
+    double up[2], skin, max_slope, step_height, snap_distance, push_force, one_way;
+    struct filter_options filter;
+};
+
+/* All that a mover keeps from one move to the next. */
+struct mover_state {
+    double position[2], on_ground, normal[2], shape[2], body[2], point[2], place[2], cosine, sine;
+};
+
+/* The sensors' handles, in doubles, stand behind the hits. */
+struct mover_report {
+    double position[2], on_ground, normal[2], shape[2], body[2], velocity[2], ground_velocity[2];
+    double depth;
+    struct list hits;
+    double sensor_count;
+};
+
+/* The offset is from the first shape's centre to the second's. */
+struct minkowski_pair {
+    struct solid a, b;
+    double offset[2];
+};
+
+/* Relative to the first shape's centre; the radius is that of the corners. */
+struct minkowski_sum {
+    double overlaps, edge[2], radius, count, vertices[16];
+};
+
+/* ---- rows ---- */
+
+struct ray_hit {
+    double shape[2], point[2], normal[2], fraction, depth;
+};
+
+struct first_hit {
+    double found;
+    struct ray_hit hit;
+};
+
+struct hit_event {
+    double shape_a[2], shape_b[2], point[2], normal[2], speed;
+};
+
+struct event_pair {
+    uint32_t shape_a[2], shape_b[2];
+};
+
+struct mover_hit {
+    double shape[2], body[2], point[2], normal[2], depth;
+};
+
+struct contact_point {
+    double place[2], separation, normal_impulse;
+};
+
+/* Where there are fewer points, zeros. */
+struct contact_row {
+    double shape_a[2], shape_b[2], body_a[2], body_b[2], normal[2], point_count, tangent_impulse;
+    double direct;
+    struct contact_point points[2];
+};
+
+/* Offset, half extents, cosine and sine are in the body's frame. */
+struct shape_row {
+    float slot, shape, body, sensor, offset[2], half_extents[2], cosine, sine;
+};
+
+struct shape_handles {
+    uint32_t shape[2], body[2];
+};
+
+struct draw_shape {
+    float center[2], half_extents[2], cosine, sine, round, style, island;
+};
+
+struct draw_line {
+    float from[2], to[2], style;
+};
+
+struct draw_point {
+    float place[2], style;
+};
+
+/* What a call takes or gives, under the name of what it is. */
+union api_slots {
+    double all[32];
+    struct list list;
+    struct handle handle;
+    struct world_options world_options;
+    struct advance advance;
+    struct stats stats;
+    struct step_error step_error;
+    struct measure measure;
+    struct hash hash;
+    struct body_options body_options;
+    struct body_state body_state;
+    struct shape_options shape_options;
+    struct shape_state shape_state;
+    struct terrain terrain;
+    struct ground ground;
+    struct foot foot;
+    struct events events;
+    struct first_hit first_hit;
+    struct closest_hit closest_hit;
+    struct shape_table shape_table;
+    struct draw_lists draw_lists;
+    struct mover_options mover_options;
+    struct mover_state mover_state;
+    struct mover_report mover_report;
+    struct minkowski_pair minkowski_pair;
+    struct minkowski_sum minkowski_sum;
+};
+_Static_assert(sizeof(union api_slots) == 32 * sizeof(double), "JavaScript sees 32 slots");
+
+#endif
