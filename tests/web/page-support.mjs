@@ -77,6 +77,14 @@ export function drawn(page, id = "bodies", least = 128) {
   }, [id, least]);
 }
 
+/**
+ * Chooses a radio button as a visitor does: by its label, which covers it. The press waits until the
+ * label has come to rest, as panels glide and grow while their figures come in.
+ */
+export function choose(page, name, value) {
+  return page.check(`label:has(> [name="${name}"][value="${value}"])`);
+}
+
 export async function pressed(page, id) {
   return (await page.getAttribute(`#${id}`, "aria-pressed")) === "true";
 }
