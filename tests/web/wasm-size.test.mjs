@@ -18,9 +18,12 @@ const PROGRAMS = [
   { name: "everything", bound: 86, aim: 40 },
 ];
 
-const sources = readdirSync(`${root}engine/src`)
-  .filter((name) => name.endsWith(".c"))
-  .map((name) => `${root}engine/src/${name}`);
+/** The engine's sources lie in folders by subject, and no two have the same name. */
+const sources = readdirSync(`${root}engine/src`).flatMap((folder) =>
+  readdirSync(`${root}engine/src/${folder}`)
+    .filter((name) => name.endsWith(".c"))
+    .map((name) => `${root}engine/src/${folder}/${name}`),
+);
 const build = `${root}build/link`;
 const table = [];
 rmSync(build, { recursive: true, force: true });
