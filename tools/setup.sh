@@ -59,7 +59,6 @@ need_play() {
 
 need_bench() {
     need_native
-    need "clang-format 16" clang-format-16 have clang-format-16
     need "cmocka's headers" libcmocka-dev has_header cmocka.h
     need "clang, which builds Box2D" "clang-16|clang" have_any clang-16 clang
 }
@@ -83,6 +82,7 @@ need_bench_report() {
 need_test() {
     need_play
     need_demo
+    need "clang-format 16" clang-format-16 have clang-format-16
     need "clang" "clang-16|clang" have_any clang-16 clang
     need "cmocka's headers" libcmocka-dev has_header cmocka.h
     need "Python 3" python3 have python3

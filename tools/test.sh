@@ -1,39 +1,61 @@
-# test.sh: the parts of ./run test, in order, and their summary. Read by ./run.
+# test.sh: the parts of ./run test, which of them run side by side, and their summary. Read by ./run.
 # shellcheck shell=sh
 
-# stage NAME COMMAND...: runs one part in a subshell, keeps what it printed, and remembers how it
-# ended; 77 is a part that was skipped for the reason it gave last.
-stage() {
-    name=$1
-    log=build/test/$(echo "$name" | tr -cs 'a-zA-Z0-9\n' '-').log
-    shift
-    say "$name"
-    (
-        set +e
-        (
-            set -e
-            "$@"
-        )
-        echo $? >"$log.code"
-    ) 2>&1 | tee "$log"
-    case $(cat "$log.code") in
-        0) verdict=passed ;;
-        77) verdict="skipped ($(tail -n 1 "$log"))" ;;
-        *)
-            verdict="FAILED, see $log"
-            failures=$((failures + 1))
-            ;;
+TEST_PARTS="native clang sanitizers wasm page baseline"
+# Seconds between two words of how far the parts are.
+TEST_WORD_EVERY=30
+
+test_usage() {
+    cat <<'END'
+usage: ./run test [--full] [PART...]
+
+Builds and tests everything, or only the parts that are named:
+
+  native      the library, the examples and the tools, by the system's compiler
+  clang       the engine's own tests once more, compiled by clang
+  sanitizers  the same tests under the address and undefined-behaviour sanitizers
+  wasm        the engine as WebAssembly, in Node
+  page        the page in Chromium and Firefox
+  baseline    the comparison with Box2D
+
+  --full      gives every pair of shapes 10^6 random cases instead of hundreds to thousands, a
+              quarter of an hour more; belongs to native
+
+Two lanes run side by side: wasm and page, which often wait, and all others, which give way to
+them. What a part prints is in build/test/PART.log and shown as it ends.
+END
+}
+
+# check_test_options WORD...: sets `parts`, in their order, and `full`, or refuses.
+check_test_options() {
+    full=no
+    wanted=
+    for word; do
+        case " $TEST_PARTS " in
+            *" $word "*) wanted="$wanted $word" ;;
+            *)
+                [ "$word" = --full ] ||
+                    die "test knows no part '$word', only --full and: $TEST_PARTS"
+                full=yes
+                ;;
+        esac
+    done
+    parts=
+    for part in $TEST_PARTS; do
+        case " ${wanted:-$TEST_PARTS} " in
+            *" $part "*) parts="$parts $part" ;;
+        esac
+    done
+    case "$full $parts " in
+        yes*' native '*) ;;
+        yes*) die "--full belongs to the part native" ;;
     esac
-    # The runners' own closing lines: ctest's, and those of Node's.
-    closing=$(grep -E '^[0-9]+% tests passed|^(#|ℹ) (tests|pass|fail|skipped) [0-9]+' "$log" || :)
-    summary="$summary
-$name: $verdict${closing:+
-$closing}"
 }
 
 test_native() {
     build release --preset release -DTHUD_WERROR=ON
     ctest --preset release --parallel "$jobs"
+    [ "$full" = no ] || test_all_cases
 }
 
 # A quarter of an hour on two processors.
@@ -42,16 +64,17 @@ test_all_cases() {
         --parallel "$jobs"
 }
 
+# Without what native tests once and for all: tests/CMakeLists.txt labels it.
 test_clang() {
     clang=$(command -v clang-16 || command -v clang)
     build release-clang --preset release -DTHUD_WERROR=ON -DCMAKE_C_COMPILER="$clang"
-    ctest --test-dir build/release-clang --no-tests=error --output-on-failure --timeout 300 \
-        --parallel "$jobs"
+    ctest --test-dir build/release-clang --no-tests=error --output-on-failure --timeout 600 \
+        --label-exclude '^once$' --parallel "$jobs"
 }
 
-test_sanitize() {
+test_sanitizers() {
     build sanitize --preset sanitize -DTHUD_WERROR=ON
-    ctest --preset sanitize --parallel "$jobs"
+    ctest --preset sanitize --label-exclude '^once$' --parallel "$jobs"
 }
 
 test_wasm() {
@@ -60,27 +83,114 @@ test_wasm() {
 }
 
 test_page() {
+    build_page
     (cd web && npm run test:page)
 }
 
 test_baseline() {
     build_bench
-    ctest --test-dir build/bench --output-on-failure --timeout 300
+    # No test here asserts a time.
+    ctest --test-dir build/bench --no-tests=error --output-on-failure --timeout 600 \
+        --parallel "$jobs"
 }
 
-# test_everything [--full]
+# run_part PART: leaves what it printed in build/test/PART.log, and then how it ended in PART.code;
+# 77 is a part that was skipped for the reason it gave last.
+run_part() {
+    log=build/test/$1.log
+    set +e
+    (
+        set -e
+        date +%s >"build/test/$1.began"
+        "test_$1"
+    ) >"$log" 2>&1
+    echo $? >"build/test/$1.ended"
+    mv "build/test/$1.ended" "build/test/$1.code"
+}
+
+# part_ended PART: its whole output, and what becomes of it in the summary.
+part_ended() {
+    log=build/test/$1.log
+    say "$1"
+    cat "$log"
+    case $(cat "build/test/$1.code") in
+        0) verdict=passed ;;
+        77) verdict="skipped ($(tail -n 1 "$log"))" ;;
+        *)
+            verdict="FAILED, see $log"
+            failures=$((failures + 1))
+            ;;
+    esac
+    seconds=$(($(date +%s) - $(cat "build/test/$1.began")))
+    # The runners' own closing lines: ctest's, and those of Node's.
+    closing=$(grep -E '^[0-9]+% tests passed|^(#|ℹ) (tests|pass|fail|skipped) [0-9]+' "$log" || :)
+    summary="$summary
+$1: $verdict, ${seconds} s${closing:+
+$closing}"
+}
+
+# A word of how far each part is that runs: its time, and the last line that it printed.
+tell_progress() {
+    for part in $1; do
+        [ -f "build/test/$part.began" ] && [ ! -f "build/test/$part.code" ] || continue
+        seconds=$(($(date +%s) - $(cat "build/test/$part.began")))
+        printf '.. %s, %s s: %s\n' "$part" "$seconds" \
+            "$(tail -n 1 "build/test/$part.log" | cut -c 1-80)"
+    done
+}
+
+# What both lanes need is made before they part, so that neither builds it under the other's eyes.
+prepare_test() {
+    case " $parts " in
+        *' native '* | *' wasm '*)
+            say "Building thud-run"
+            cmake -B build/release --preset release -DTHUD_WERROR=ON >/dev/null
+            cmake --build build/release --parallel "$jobs" --target thud-run
+            ;;
+    esac
+}
+
+# run_lane PART...: those of them that are wanted, one after the other.
+run_lane() {
+    for lane_part; do
+        case " $parts " in
+            *" $lane_part "*) run_part "$lane_part" ;;
+        esac
+    done
+}
+
+# test_everything: the `parts`, and a summary.
 test_everything() {
     mkdir -p build/test
     failures=0
     summary=
-    stage "native" test_native
-    [ "${1:-}" != --full ] || stage "geometry, 10^6 cases a pair" test_all_cases
-    stage "native, clang" test_clang
-    stage "sanitizers" test_sanitize
-    stage "wasm in Node" test_wasm
-    stage "page in Chromium and Firefox" test_page
-    stage "comparison with Box2D" test_baseline
+    waiting=
+    for part in $parts; do
+        rm -f "build/test/$part.began" "build/test/$part.code"
+        waiting="$waiting $part"
+    done
+    prepare_test
+    # An interrupted shell would leave its lanes behind.
+    trap 'trap - TERM; kill -TERM 0' INT HUP
+    say "Testing:$parts"
+    run_lane wasm page &
+    (
+        # Where both lanes want a processor, the one that measures time gets most of it.
+        renice -n 5 -p "$(exec sh -c 'echo "$PPID"')" >/dev/null 2>&1 || :
+        run_lane native clang sanitizers baseline
+    ) &
+    ticks=0
+    while [ -n "$waiting" ]; do
+        sleep 1
+        ticks=$((ticks + 1))
+        for part in $waiting; do
+            [ -f "build/test/$part.code" ] || continue
+            part_ended "$part"
+            waiting=$(echo "$waiting" | sed "s/ $part\$//; s/ $part / /")
+        done
+        [ $((ticks % TEST_WORD_EVERY)) != 0 ] || tell_progress "$waiting"
+    done
     say "Summary"
     printf '%s\n' "$summary"
-    [ "$failures" = 0 ] || die "$failures parts of the test failed"
+    [ "$failures" = 0 ] || die "of the parts of the test, $failures failed"
 }

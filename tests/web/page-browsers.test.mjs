@@ -9,6 +9,7 @@ import { copyOfPage, serve, untilOffline } from "./built-page.mjs";
 import { boxes, type } from "./code-support.mjs";
 import {
   BROWSERS,
+  choose,
   DESKTOP,
   drawn,
   openLevel,
@@ -96,11 +97,11 @@ for (const browser of BROWSERS)
         "?scene=tall_stack&paused=1&panel=inside",
       );
       await page.waitForSelector("[name=inside]", { state: "attached" });
-      await page.check("[name=inside][value=show]", { force: true });
+      await choose(page, "inside", "show");
       await stepBy(page, 5);
       await page.check("[name=overlay-contacts]");
       await untilOverlay(page, (count) => count > 20, "contacts");
-      await page.check("[name=inside][value=bits]", { force: true });
+      await choose(page, "inside", "bits");
       await page.click("#check");
       await page.waitForSelector("#verdict[data-verdict=same]");
       assert.deepEqual(errors, []);

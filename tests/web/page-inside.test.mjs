@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { buildScene, runScene, USUAL_OPTIONS } from "../../web/tools/scenes.mjs";
 import {
+  choose,
   DESKTOP,
   drawn,
   figure,
@@ -35,7 +36,7 @@ async function openInside(part, search, options) {
 }
 
 function show(page, part) {
-  return page.check(`[name=inside][value=${part}]`, { force: true });
+  return choose(page, "inside", part);
 }
 
 const OF_STACK = ["bounds", "cells", "pairs", "stages", "contacts", "normals", "impulses", "islands", "colours"];

@@ -1,6 +1,7 @@
 /** A visitor's browser for the tests of the page. */
 import assert from "node:assert/strict";
 import { DESKTOP, launch, servePage } from "../../web/tools/browser.mjs";
+import { contextsOf } from "./context-support.mjs";
 import { axeSource } from "./support.mjs";
 
 export { BROWSERS, DESKTOP, PHONE, stepBy } from "../../web/tools/browser.mjs";
@@ -11,17 +12,21 @@ export { BROWSERS, DESKTOP, PHONE, stepBy } from "../../web/tools/browser.mjs";
  */
 export const PATIENCE = 120_000;
 
-/** A browser and the served page; every page that is opened collects its errors. */
+/**
+ * A browser and the served page; every page that is opened collects its errors. One that `prepare`
+ * makes ready has a context of its own, and so has every page of Firefox, which gains nothing by
+ * sharing them.
+ */
 export async function openVisitor({ webgl = false, browser: name = "chromium" } = {}) {
   const server = await servePage();
-  const browser = await launch(name, { webgl });
+  const browser = await launch(name, { webgl, oneProcess: true });
+  const contexts = contextsOf(browser, server.url);
   return {
     browser,
-    async open(search = "", options = DESKTOP, prepare = async () => {}) {
-      const context = await browser.newContext(options);
+    async open(search = "", options = DESKTOP, prepare = null) {
+      const kind = prepare || name === "firefox" ? "own" : "shared";
+      const { context, giveBack } = await contexts[kind](options);
       context.setDefaultTimeout(PATIENCE);
-      // When a first visit's service worker takes over is chance: page-offline waits for it.
-      await context.addInitScript(() => delete Navigator.prototype.serviceWorker);
       const page = await context.newPage();
       const errors = [];
       page.on("pageerror", (error) => errors.push(error.message));
@@ -32,9 +37,9 @@ export async function openVisitor({ webgl = false, browser: name = "chromium" } 
         if (!request.url().startsWith(server.url) && !/^(data|blob):/.test(request.url()))
           errors.push(`request to ${request.url()}`);
       });
-      await prepare(page);
+      await prepare?.(page);
       await page.goto(server.url + search);
-      return { page, errors, close: () => context.close() };
+      return { page, errors, close: giveBack };
     },
     async close() {
       await browser.close();
@@ -75,6 +80,14 @@ export function drawn(page, id = "bodies", least = 128) {
     const ratio = width / innerWidth;
     return { count, x: x / count / ratio, y: y / count / ratio };
   }, [id, least]);
+}
+
+/**
+ * Chooses a radio button as a visitor does: by its label, which covers it. The press waits until the
+ * label has come to rest, as panels glide and grow while their figures come in.
+ */
+export function choose(page, name, value) {
+  return page.check(`label:has(> [name="${name}"][value="${value}"])`);
 }
 
 export async function pressed(page, id) {

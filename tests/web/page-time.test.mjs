@@ -1,7 +1,15 @@
 /** Time on the page: pause, step, slow motion, rewinding, and other futures. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { DESKTOP, openVisitor, PHONE, pressed, stepBy, untilRunning } from "./page-support.mjs";
+import {
+  choose,
+  DESKTOP,
+  openVisitor,
+  PHONE,
+  pressed,
+  stepBy,
+  untilRunning,
+} from "./page-support.mjs";
 import { untilStep } from "./wait-support.mjs";
 
 const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
@@ -18,7 +26,7 @@ after(() => visitor.close());
 async function openStill(scene, options = DESKTOP) {
   const opened = await visitor.open(`?scene=${scene}&paused=1&panel=inside`, options);
   await opened.page.waitForSelector("[name=inside]", { state: "attached" });
-  await opened.page.check("[name=inside][value=bits]", { force: true });
+  await choose(opened.page, "inside", "bits");
   return opened;
 }
 

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
+  choose,
   DESKTOP,
   openVisitor,
   PHONE,
@@ -25,11 +26,6 @@ async function openTrade(search, options = DESKTOP) {
   const opened = await visitor.open(`${search}&panel=trade`, options);
   await opened.page.waitForSelector(".trade");
   return opened;
-}
-
-/** Radio buttons lie unseen under their labels. */
-function choose(page, name, value) {
-  return page.check(`.trade [name=${name}][value="${value}"]`, { force: true });
 }
 
 async function pressOn(page, selector, key) {

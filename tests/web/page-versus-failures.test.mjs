@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
+  choose,
   DESKTOP,
   near,
   openLevel,
@@ -149,7 +150,7 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
     const { page, close } = await openBoth(withWebgl, options);
     const renderer = (name) => page.waitForSelector(`#bodies[data-renderer="${name}"]`);
     await renderer("webgl2");
-    await page.check('[name="split"][value="side"]', { force: true });
+    await choose(page, "split", "side");
     const start = await untilTwo(page);
     await page.evaluate(() => {
       const gl = document.getElementById("bodies").getContext("webgl2");

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
+  choose,
   DESKTOP,
   drawn,
   near,
@@ -120,7 +121,7 @@ test("table_tells_times_overlap_energy_and_bodies_of_both", async () => {
   // The pyramid, and the ground.
   assert.deepEqual(rows.Bodies, ["821", "821"]);
   assert.deepEqual(rows.Awake, ["820", "820"]);
-  assert.match(await page.textContent("#versus .verdict"), /fast.*overlap/);
+  await page.locator("#versus .verdict", { hasText: /fast.*overlap/ }).waitFor();
   assert.equal(await page.locator("#versus .plots canvas").count(), 3);
   await stepBy(page, STEPS_TO_LOOK_AGAIN);
   const overlaps = async () => {
@@ -161,12 +162,15 @@ test("overlap_of_bodies_asleep_is_the_same_over_the_scene_and_in_the_panel", asy
   const asleep = async () => {
     const value = (name) => page.textContent(`[data-value="${name}"]`);
     const { "Overlap now": [panel] } = await table(page);
-    return { awake: await value("awake"), over: Number(await value("deepest")), panel: Number(panel) };
+    const verdict = await page.textContent("#versus .verdict");
+    return { verdict, over: Number(await value("deepest")), panel: Number(panel) };
   };
-  const found = await until(asleep, ({ awake, panel }) => awake === "0" && panel > 0, "all asleep");
+  // The panel's figures and its verdict are refreshed together, and later than those of the scene.
+  const sleeps = ({ verdict, panel }) => /All bodies sleep in .* now/.test(verdict) && panel > 0;
+  const found = await until(asleep, sleeps, "all asleep");
+  assert.equal(await page.textContent('[data-value="awake"]'), "0");
   assert.ok(found.over > 0.0005, `${found.over}`);
   near(found.over, found.panel, 0.00006, "overlap over the scene");
-  assert.match(await page.textContent("#versus .verdict"), /All bodies sleep in .* now/);
   assert.deepEqual(errors, []);
   await close();
 });
@@ -211,17 +215,17 @@ test("going_back_in_time_begins_box2d_anew_where_thud_is", async () => {
 
 test("layout_and_substeps_are_kept_in_the_url_and_closing_ends_the_comparison", async () => {
   const { page, errors, close } = await openBoth(visitor);
-  await page.check('[name="split"][value="over"]', { force: true });
+  await choose(page, "split", "over");
   await page.waitForFunction(() => document.querySelector("#versus-table .box2d"));
   await page.goto(`${page.url().split("?")[0]}?scene=tall_stack&panel=versus`);
   await untilBox2D(page);
-  await page.check('[name="split"][value="over"]', { force: true });
-  await page.check('[name="box2d-substeps"][value="8"]', { force: true });
+  await choose(page, "split", "over");
+  await choose(page, "box2d-substeps", "8");
   await page.waitForFunction(() => /split=over.*box2d=8/.test(location.search));
   await page.reload();
   await untilBox2D(page);
   assert.ok(await page.isChecked('[name="split"][value="over"]'));
-  assert.match(await page.textContent("#versus-table .box2d"), /8 substeps/);
+  await page.locator("#versus-table .box2d", { hasText: "8 substeps" }).waitFor();
   await page.click("#dock .close");
   await page.waitForFunction(() => !/panel=/.test(location.search));
   assert.deepEqual(errors, []);

@@ -43,7 +43,10 @@ function find(browser) {
   throw new Error(`no ${browser} found on the path; on Debian: apt-get install ${first}`);
 }
 
-/** Headless, and quiet towards the network; with `webgl` it draws by software. */
+/**
+ * Headless, and quiet towards the network; with `webgl` it draws by software. With `oneProcess` all
+ * pages of a host in one context share a process in Chromium, and what that has compiled.
+ */
 export function launch(browser, options) {
   return browser === "firefox" ? launchFirefox(options) : launchChromium(options);
 }
@@ -57,7 +60,7 @@ export function launchFirefox({ webgl = true } = {}) {
   });
 }
 
-export function launchChromium({ webgl = true } = {}) {
+export function launchChromium({ webgl = true, oneProcess = false } = {}) {
   return chromium.launch({
     executablePath: find("chromium"),
     headless: true,
@@ -68,6 +71,7 @@ export function launchChromium({ webgl = true } = {}) {
       "--disable-background-networking",
       "--disable-component-update",
       "--disable-sync",
+      ...(oneProcess ? ["--process-per-site"] : []),
       ...(webgl
         ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
         : ["--disable-gpu", "--disable-3d-apis"]),

@@ -118,12 +118,13 @@ class VersusPanel implements Panel {
     this.#tryAgain.addEventListener("click", () => void this.#restart());
     const table = this.#table.element;
     this.#measured.append(table, this.#moved, this.#since, again, this.#plots.element);
+    // The verdict changes its number of lines: what stands below it would move under a finger.
     this.element.append(
+      layout.element,
       this.#verdict,
       make("p", { class: "meaning" }, MEANING),
       this.#trouble,
       this.#tryAgain,
-      layout.element,
       this.#measured,
       substeps.element,
       notes(),
