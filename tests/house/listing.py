@@ -12,3 +12,14 @@ def read_listing(text):
     found = LIST.search(text)
     lines = [LINE.match(line) for line in found.group(1).splitlines()] if found else []
     return [(line.group(1), line.group(2) is not None) for line in lines if line]
+
+
+def read_floors(text):
+    """[(comment of a part of the list, its paths)], bottom to top."""
+    found, floors = LIST.search(text), []
+    for line in found.group(1).splitlines() if found else []:
+        if line.strip().startswith("#"):
+            floors.append((line.strip("# \t"), []))
+        elif LINE.match(line):
+            floors[-1][1].append(LINE.match(line).group(1))
+    return floors
