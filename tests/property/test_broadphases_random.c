@@ -152,7 +152,7 @@ static void mix_pairs(uint64_t *hash, const thud_contact_event *e, int count) {
 
 static void note(life *l, uint64_t hash[4]) {
     const thud_world *w = l->world;
-    for (int i = 0; i < w->contacts.count; i++) {
+    for (int i = 0; i < w->constraints.count; i++) {
         const td_contact *c = td_contact_at(w, i);
         mix_int(&hash[0], c->live);
         if (c->live) {

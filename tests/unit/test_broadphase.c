@@ -35,7 +35,7 @@ static bool is_of(const td_contact *contact, int a, int b) {
 }
 
 static bool has_contact(const thud_world *w, int a, int b) {
-    int e = td_body_at(w, td_shape_at(w, a)->body)->first_contact;
+    int e = td_body_at(w, td_shape_at(w, a)->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         if (is_of(td_contact_at(w, e / 2), a, b)) {
             return true;
@@ -78,12 +78,12 @@ static void check(const thud_world *w, bool crowd) {
             pairs += overlap;
         }
     }
-    assert_int_equal(pairs - missing, w->contacts.live);
+    assert_int_equal(pairs - missing, w->constraints.live);
 }
 
 /* Every contact with its place in the world's list, which tells when it was made. */
 static uint64_t list_hash(const thud_world *w, uint64_t hash) {
-    for (int i = 0; i < w->contacts.count; i++) {
+    for (int i = 0; i < w->constraints.count; i++) {
         const td_contact *contact = td_contact_at(w, i);
         int words[] = {contact->live, contact->shape_a, contact->shape_b, contact->child};
         for (int k = 0; k < 4 && contact->live; k++) {
@@ -116,7 +116,7 @@ static uint64_t live_through(chaos *c, int steps) {
         OK(thud_world_step(c->world));
         check(c->world, false);
         hash = list_hash(c->world, hash);
-        most = c->world->contacts.live > most ? c->world->contacts.live : most;
+        most = c->world->constraints.live > most ? c->world->constraints.live : most;
     }
     assert_true(most > 3);
     thud_world_destroy(c->world);
@@ -192,7 +192,7 @@ static void crowd_in_one_place_has_bounded_contacts_and_comes_apart(void **state
     for (int step = 0; step < 240; step++) {
         OK(thud_world_step(world));
         check(world, true);
-        assert_true(world->contacts.live < 96 * CIRCLES);
+        assert_true(world->constraints.live < 96 * CIRCLES);
     }
     assert_true(thud_world_measure(world).penetration_max < 0.25);
     check(world, false);

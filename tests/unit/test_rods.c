@@ -189,7 +189,7 @@ static void rods_of_one_block_share_no_moving_body(void **state) {
     for (int i = 0; i < world->scratch.blocks.count; i++) {
         const td_block *block = *(td_block **)td_at(&world->scratch.blocks, i);
         for (int lane = 0; lane < block->used; lane++) {
-            rods += !td_is_contact(td_constraint_at(world, block->contact[lane]));
+            rods += !td_is_contact(td_constraint_at(world, block->constraint[lane]));
             for (int other = 0; other < lane; other++) {
                 const uint32_t own[2] = {block->a[lane], block->b[lane]};
                 for (int side = 0; side < 2; side++) {
@@ -326,6 +326,8 @@ static void colours_of_rods_are_drawn(void **state) {
     OK(thud_world_draw(world, &draw));
     assert_int_equal(lines, 1);
     assert_true(thud_world_measure(world).penetration_max == 0);
+    assert_int_equal(thud_world_stats(world).pairs, 0);
+    assert_int_equal(thud_world_stats(world).contacts, 0);
     thud_world_destroy(world);
 }
 
@@ -361,7 +363,7 @@ static void wrong_rods_are_refused(void **state) {
     assert_int_equal(td_rod_create(world, NULL, NULL), THUD_ERROR_NULL);
     td_rod_def stale = {c, (thud_body_id){77, 1}, middle, middle, 1};
     assert_int_equal(td_rod_create(world, &stale, NULL), THUD_ERROR_STALE);
-    assert_int_equal(world->contacts.live, 0);
+    assert_int_equal(world->constraints.live, 0);
     thud_world_destroy(world);
 }
 

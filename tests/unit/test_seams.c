@@ -290,7 +290,7 @@ static void tiles_that_nothing_is_near_are_not_looked_at(void **state) {
         int unseen = 0;
         for (int i = 0; i < world->shapes.count; i++) {
             const td_shape *shape = td_shape_at(world, i);
-            bool met = td_body_at(world, shape->body)->first_contact != TD_NONE;
+            bool met = td_body_at(world, shape->body)->first_constraint != TD_NONE;
             bool hidden = shape->flags & TD_SHAPE_UNSEEN;
             assert_false(met && hidden);
             unseen += hidden;

@@ -14,8 +14,8 @@ import { root } from "./support.mjs";
 const PROGRAMS = [
   { name: "circles", bound: 46, aim: 12 },
   { name: "boxes", bound: 55, aim: 18 },
-  { name: "islands", bound: 55, aim: 18 },
-  { name: "everything", bound: 86, aim: 40 },
+  { name: "islands", bound: 56, aim: 18 },
+  { name: "everything", bound: 87, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`, { recursive: true })

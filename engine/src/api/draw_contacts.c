@@ -11,7 +11,7 @@
 
 /* The next constraint that acts from *i on, or null; *i moves past it. */
 static const td_constraint *next_acting(const thud_world *w, int *i) {
-    while (*i < w->contacts.count) {
+    while (*i < w->constraints.count) {
         const td_constraint *constraint = td_constraint_at(w, (*i)++);
         if (constraint->live && constraint->state == TD_TOUCHING && constraint->child != TD_NONE) {
             return constraint;

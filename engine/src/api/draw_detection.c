@@ -124,7 +124,7 @@ static bool bounds_overlap(const td_drawing *d, const td_contact *contact) {
 }
 
 static void draw_pairs(const td_drawing *d, bool stages) {
-    for (int i = 0; i < d->w->contacts.count; i++) {
+    for (int i = 0; i < d->w->constraints.count; i++) {
         const td_constraint *contact = td_constraint_at(d->w, i);
         if (!td_is_contact(contact) || !contact->live || contact->child == TD_NONE) {
             continue;

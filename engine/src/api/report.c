@@ -86,7 +86,7 @@ thud_stats thud_world_stats(const thud_world *w) {
     stats.bodies = w->bodies.live;
     stats.shapes = w->shapes.live;
     stats.awake_bodies = w->body_of.count - 1;
-    stats.pairs = w->contacts.live;
+    stats.pairs = w->constraints.live - w->joints.live;
     stats.contacts = w->touching;
     stats.bytes = w->memory.bytes;
     return stats;
@@ -109,13 +109,13 @@ thud_step_error thud_world_error(const thud_world *w) {
 static void measure_penetration(const thud_world *w, thud_measure *m) {
     int points = 0;
     double sum = 0.0;
-    for (int i = 0; i < w->contacts.count; i++) {
+    for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *contact = td_constraint_at(w, i);
         if (!td_is_contact(contact) || !contact->live || contact->state != TD_TOUCHING) {
             continue;
         }
         td_lane at = td_lane_of(w, contact);
-        for (int k = 0; k < td_form_points(w->pairs[contact->kind]->form); k++) {
+        for (int k = 0; k < td_form_points(w->kinds[contact->kind]->form); k++) {
             const td_point *p = &at.block->point[k];
             if (p->normal_mass[at.lane] == 0.0f) {
                 continue;

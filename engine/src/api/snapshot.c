@@ -88,9 +88,9 @@ static bool lengths_valid(thud_world *w, const td_snapshot_head *head) {
     for (int i = TD_SNAPSHOT_PROXY; i <= TD_SNAPSHOT_MARKS; i++) {
         valid = valid && parts[i].used == head->slots[TD_SNAPSHOT_SHAPES].count;
     }
-#define LONG_ENOUGH(name, element, kept) \
-    valid = valid && parts[TD_SNAPSHOT_AWAKE + TD_AWAKE_##name].used >= (kept)*slots;
-    TD_AWAKE_ARRAYS(LONG_ENOUGH)
+    for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
+        valid = valid && parts[TD_SNAPSHOT_AWAKE + i].used >= td_awake_kept[i] * slots;
+    }
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         valid = valid && parts[TD_SNAPSHOT_WAITING + kind].count <= head->contacts[kind];
     }
@@ -213,7 +213,7 @@ static void forget_scratch(thud_world *w) {
     w->scratch.sequenced = w->paired = false;
     w->narrowed = w->scratch.begins.count = 0;
     w->scratch.blocks.count = w->scratch.runs.count = w->scratch.impacts.count = 0;
-    w->islands.island.count = w->islands.slots.count = w->islands.contacts.count = 0;
+    w->islands.island.count = w->islands.slots.count = w->islands.constraints.count = 0;
     w->islands.local.count = 0;
 }
 

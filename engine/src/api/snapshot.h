@@ -107,6 +107,9 @@ typedef struct td_snapshot_head {
 
 /* ---- snapshot_parts.c: where a world has what ---- */
 
+/* Of the arrays by awake slot: 1 where it is state. */
+extern const uint8_t td_awake_kept[TD_AWAKE_ARRAY_COUNT];
+
 /* An array of the world, and how much of it is state. */
 typedef struct td_part {
     td_array *array;

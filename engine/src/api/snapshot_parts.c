@@ -3,6 +3,9 @@
 
 #include "state/awake.h"
 
+#define KEPT(name, element, kept) kept,
+const uint8_t td_awake_kept[TD_AWAKE_ARRAY_COUNT] = {TD_AWAKE_ARRAYS(KEPT)};
+
 static td_part part_of(td_array *array, int used, int room) {
     return (td_part){.array = array, .used = td_min_int(used, array->capacity), .room = room};
 }
@@ -19,11 +22,9 @@ static int eights(int count) {
 
 /* What is rebuilt gets room, but no place in the bytes. */
 static void list_awake(thud_world *w, int live, td_part *parts) {
-#define KEPT(name, element, kept) kept,
-    static const int kept[] = {TD_AWAKE_ARRAYS(KEPT)};
     for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
-        parts[i] =
-            part_of(&w->awake[i], kept[i] * eights(w->body_of.count), td_awake_capacity(live));
+        parts[i] = part_of(&w->awake[i], td_awake_kept[i] * eights(w->body_of.count),
+                           td_awake_capacity(live));
     }
 }
 
@@ -47,13 +48,12 @@ static int starts_of(const td_proxy_set *p) {
 static void list_proxy_set(const thud_world *w, td_proxy_set *p, td_part *parts) {
     int count = p->ids.count, padded = count ? count + TD_LANES : 0, loose = p->loose ? count : 0;
     parts[TD_SNAPSHOT_LIST] = list_of(&p->list, 0);
-    parts[TD_SNAPSHOT_IDS] = part_of(&p->ids, padded, 0);
-    parts[TD_SNAPSHOT_MIN_X] = part_of(&p->min_x, padded, 0);
-    parts[TD_SNAPSHOT_MIN_Y] = part_of(&p->min_y, padded, 0);
-    parts[TD_SNAPSHOT_MAX_X] = part_of(&p->max_x, padded, 0);
-    parts[TD_SNAPSHOT_MAX_Y] = part_of(&p->max_y, padded, 0);
-    parts[TD_SNAPSHOT_PLACES_MOVED] = part_of(&p->moved, padded, 0);
-    parts[TD_SNAPSHOT_CELLS] = part_of(&p->cells, padded, 0);
+    td_array *rows[] = {&p->ids, &p->min_x, &p->min_y, &p->max_x, &p->max_y, &p->moved, &p->cells};
+    static_assert(sizeof rows / sizeof *rows == TD_SNAPSHOT_CELLS - TD_SNAPSHOT_IDS + 1,
+                  "rows by place stand side by side");
+    for (int i = 0; i <= TD_SNAPSHOT_CELLS - TD_SNAPSHOT_IDS; i++) {
+        parts[TD_SNAPSHOT_IDS + i] = part_of(rows[i], padded, 0);
+    }
     parts[TD_SNAPSHOT_STARTS] = part_of(&p->starts, count ? starts_of(p) : 0, 0);
     parts[TD_SNAPSHOT_SPOT] = part_of(&p->spot, p->loose ? w->shapes.count : 0, 0);
     parts[TD_SNAPSHOT_ANCHOR_X] = part_of(&p->anchor_x, loose, 0);
@@ -86,7 +86,7 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
 void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]) {
     slots[TD_SNAPSHOT_BODIES] = &w->bodies;
     slots[TD_SNAPSHOT_SHAPES] = &w->shapes;
-    slots[TD_SNAPSHOT_CONTACTS] = &w->contacts;
+    slots[TD_SNAPSHOT_CONTACTS] = &w->constraints;
     slots[TD_SNAPSHOT_JOINTS] = &w->joints;
     slots[TD_SNAPSHOT_TERRAINS] = &w->terrains;
     for (int form = 0; form < TD_FORM_COUNT; form++) {

@@ -111,14 +111,14 @@ static uint32_t layout_of_build(void) {
 static uint32_t plugged_into(const thud_world *w) {
     uint32_t plugged = w->quality.islands ? TD_SNAPSHOT_ISLANDS : 0u;
     for (int kind = 0; kind < THUD_SHAPE_KIND_COUNT; kind++) {
-        plugged |= w->pairs[KINDS[kind].own] ? 1u << kind : 0u;
+        plugged |= w->kinds[KINDS[kind].own] ? 1u << kind : 0u;
     }
     for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
         plugged |= w->detections[rank] ? (uint32_t)TD_SNAPSHOT_DETECTIONS << rank : 0u;
     }
     for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
         plugged |=
-            w->pairs[kind] ? (uint32_t)TD_SNAPSHOT_JOINT_KINDS << (kind - TD_PAIR_COUNT) : 0u;
+            w->kinds[kind] ? (uint32_t)TD_SNAPSHOT_JOINT_KINDS << (kind - TD_PAIR_COUNT) : 0u;
     }
     return plugged;
 }
@@ -166,7 +166,7 @@ td_snapshot_head td_snapshot_head_of(thud_world *w) {
                              .levels = {levels_of(&w->awake_shapes), levels_of(&w->rest_shapes)},
                              .points = points_of(w)};
     strncpy(head.broadphase, w->def.broadphase->name, sizeof head.broadphase - 1);
-    memcpy(head.contacts, w->contact_count, sizeof head.contacts);
+    memcpy(head.contacts, w->constraint_count, sizeof head.contacts);
     const td_bin *bins = &w->bins[0][0];
     for (int i = 0; i < BIN_COUNT; i++) {
         head.bins += bins[i].lanes > 0;
@@ -317,7 +317,7 @@ static void pass_blocks(tape *t, td_slots *pool) {
 }
 
 static void plug_in(thud_world *w, const td_snapshot_head *head) {
-    memset(w->pairs, 0, TD_PAIR_COUNT * sizeof *w->pairs); /* joints are there: snapshot.c */
+    memset(w->kinds, 0, TD_PAIR_COUNT * sizeof *w->kinds); /* joints are there: snapshot.c */
     w->internal_edges = NULL;
     w->ground = NULL;
     for (int kind = 0; kind < THUD_SHAPE_KIND_COUNT; kind++) {
@@ -351,7 +351,7 @@ static void take_counts(thud_world *w, const td_snapshot_head *head) {
          slot < w->body_of.count; slot++) {
         memset(td_row(&w->velocity, slot), 0, sizeof(float[4]));
     }
-    memcpy(w->contact_count, head->contacts, sizeof head->contacts);
+    memcpy(w->constraint_count, head->contacts, sizeof head->contacts);
 }
 
 static void pass_all(tape *t, thud_world *w, const td_snapshot_head *head) {
@@ -368,7 +368,7 @@ static void pass_all(tape *t, thud_world *w, const td_snapshot_head *head) {
         pass_body(t, td_body_at(w, i));
     }
     pass_slots(t, &w->shapes);
-    pass_slots(t, &w->contacts);
+    pass_slots(t, &w->constraints);
     pass_slots(t, &w->joints);
     pass_terrains(t, &w->terrains);
     for (int form = 0; form < TD_FORM_COUNT; form++) {

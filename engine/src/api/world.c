@@ -124,7 +124,7 @@ static const struct {
     ARRAY(scratch.stamps, uint32_t),
     ARRAY(scratch.pairs, int[3]),
     ARRAY(scratch.bodies, int),
-    ARRAY(scratch.contacts, int),
+    ARRAY(scratch.constraints, int),
     ARRAY(scratch.blocks, td_block *),
     ARRAY(scratch.runs, td_run),
     ARRAY(scratch.parted, td_block *),
@@ -162,7 +162,7 @@ static void set_strides(thud_world *w) {
     }
     td_slots_init(&w->bodies, (int)sizeof(td_body));
     td_slots_init(&w->shapes, (int)sizeof(td_shape));
-    td_slots_init(&w->contacts, (int)sizeof(td_contact));
+    td_slots_init(&w->constraints, (int)sizeof(td_contact));
     td_slots_init(&w->joints, (int)sizeof(td_joint));
     td_slots_init(&w->terrains, (int)sizeof(td_terrain_record));
     for (int form = 0; form < TD_FORM_COUNT; form++) {
@@ -238,7 +238,7 @@ void thud_world_destroy(thud_world *w) {
     }
     td_awake_free(w);
     td_array_free(&w->memory, &w->scratch.test_blocks); /* as wide as a block, see narrowphase.c */
-    td_slots *slots[] = {&w->bodies, &w->shapes, &w->contacts, &w->joints, &w->terrains};
+    td_slots *slots[] = {&w->bodies, &w->shapes, &w->constraints, &w->joints, &w->terrains};
     for (size_t i = 0; i < sizeof slots / sizeof *slots; i++) {
         td_slots_free(&w->memory, slots[i]);
     }

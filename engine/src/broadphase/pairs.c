@@ -85,8 +85,8 @@ bool td_pairs_sort(thud_world *w) {
  * again the pair seems to be new; likewise one with a line where bounds tell nothing. Both bodies'
  * contacts are walked in turns: the shorter list decides. */
 static bool has_contact(const thud_world *w, const td_new_pair *p) {
-    int e = td_body_at(w, td_shape_at(w, p->a)->body)->first_contact;
-    int f = td_body_at(w, td_shape_at(w, p->b)->body)->first_contact;
+    int e = td_body_at(w, td_shape_at(w, p->a)->body)->first_constraint;
+    int f = td_body_at(w, td_shape_at(w, p->b)->body)->first_constraint;
     if ((*td_marks_at(w, p->a) | *td_marks_at(w, p->b)) & TD_MARK_FRESH) {
         return false;
     }

@@ -63,7 +63,7 @@ typedef struct td_manifold_cache {
  * where its kind keeps. */
 typedef struct td_block {
     int32_t shape_a[TD_LANES], shape_b[TD_LANES];
-    int32_t contact[TD_LANES]; /* TD_NONE: empty lane */
+    int32_t constraint[TD_LANES]; /* TD_NONE: empty lane */
     uint32_t
         feature[TD_LANES]; /* faces in touch; impulses carry over while they stay; 0: none yet */
     int32_t next, prev;    /* blocks of the same bin */
@@ -107,8 +107,8 @@ static inline td_manifold_cache *td_manifold_cache_of(td_block *block, int point
     return (td_manifold_cache *)(td_surface_at(block, points) + 1);
 }
 
-/* Blocks lie where their contacts began, and the passes over them are bound by memory: the solver's
- * rows of the one after the next are asked for early. */
+/* Blocks lie where their constraints began, and the passes over them are bound by memory: the
+ * solver's rows of the one after the next are asked for early. */
 TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int points) {
     if (i + 2 < count) {
         const td_block *block = blocks[i + 2];

@@ -7,23 +7,24 @@ bool td_constraints_reserve(thud_world *w, const int more[TD_CONSTRAINT_KINDS]) 
     int sum = 0;
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         sum += more[kind];
-        if (!td_array_reserve(&w->memory, &w->waiting[kind], w->contact_count[kind] + more[kind])) {
+        if (!td_array_reserve(&w->memory, &w->waiting[kind],
+                              w->constraint_count[kind] + more[kind])) {
             return false;
         }
     }
-    return td_slots_reserve(&w->memory, &w->contacts, sum);
+    return td_slots_reserve(&w->memory, &w->constraints, sum);
 }
 
 static void link_edge(thud_world *w, int index, int side) {
     td_constraint *constraint = td_constraint_at(w, index);
     td_body *body = td_body_at(w, constraint->body[side]);
-    int edge = index * 2 + side, head = body->first_contact;
+    int edge = index * 2 + side, head = body->first_constraint;
     constraint->next[side] = head;
     constraint->prev[side] = TD_NONE;
     if (head != TD_NONE) {
         td_constraint_at(w, head / 2)->prev[head & 1] = edge;
     }
-    body->first_contact = edge;
+    body->first_constraint = edge;
 }
 
 static void unlink_edge(thud_world *w, int index, int side) {
@@ -35,7 +36,7 @@ static void unlink_edge(thud_world *w, int index, int side) {
     if (prev != TD_NONE) {
         td_constraint_at(w, prev / 2)->next[prev & 1] = next;
     } else {
-        td_body_at(w, constraint->body[side])->first_contact = next;
+        td_body_at(w, constraint->body[side])->first_constraint = next;
     }
 }
 
@@ -63,7 +64,7 @@ void td_constraint_rest(thud_world *w, int index) {
 }
 
 int td_constraint_create(thud_world *w, int kind, int body_a, int body_b) {
-    int index = td_slots_take(&w->contacts);
+    int index = td_slots_take(&w->constraints);
     td_constraint *constraint = td_constraint_at(w, index);
     *constraint = (td_constraint){.shape_a = TD_NONE,
                                   .shape_b = TD_NONE,
@@ -73,7 +74,7 @@ int td_constraint_create(thud_world *w, int kind, int body_a, int body_b) {
                                   .live = 1};
     link_edge(w, index, 0);
     link_edge(w, index, 1);
-    w->contact_count[kind]++;
+    w->constraint_count[kind]++;
     td_constraint_wait(w, index);
     return index;
 }
@@ -87,10 +88,10 @@ void td_constraint_destroy(thud_world *w, int index) {
     }
     unlink_edge(w, index, 0);
     unlink_edge(w, index, 1);
-    w->contact_count[constraint->kind]--;
+    w->constraint_count[constraint->kind]--;
     if (!td_is_contact(constraint)) {
         td_slots_give(&w->joints, constraint->joint);
     }
     constraint->live = 0;
-    td_slots_give(&w->contacts, index);
+    td_slots_give(&w->constraints, index);
 }

@@ -6,6 +6,10 @@
 
 struct thud_world;
 
+struct td_direct_constraint;
+typedef bool td_take_rows_fn(const struct thud_world *world, td_block *block, int lane,
+                             const float *impulses, struct td_direct_constraint *constraint);
+
 /* What happens to the lanes of a kind beside the passes of the solver. The bodies' awake slots and
  * inverse inertias in a lane are set for all kinds alike. */
 typedef struct td_lane_ops {
@@ -15,9 +19,12 @@ typedef struct td_lane_ops {
     void (*clear)(struct thud_world *world, td_block *block, int lane, int constraint);
     /* Masses or shapes of its bodies have changed. */
     void (*renew)(struct thud_world *world, td_block *block, int lane, int constraint);
-    /* What the direct solver asks; null for contacts, whose rows it knows itself, so that a program
-     * without it does not link them: islands/row_ops.h. */
-    const struct td_row_ops *rows;
+    /* Adds what the lanes miss to the step's errors, once the direct solver has overruled the soft
+     * one; null for contacts, which error.c counts itself. */
+    void (*count)(struct thud_world *world, const td_block *block);
+    /* The rows of a lane for the direct solver; null for contacts, whose rows it knows itself, so
+     * that a program without it does not link them: islands/rows.h. */
+    td_take_rows_fn *take_rows;
 } td_lane_ops;
 
 /* Pair kinds plug theirs in when their shapes are first used (state/kinds.h), and others when the

@@ -7,7 +7,7 @@
 #include <string.h>
 
 static td_slots *pool_of(thud_world *w, int kind) {
-    return &w->pool[w->pairs[kind]->form];
+    return &w->pool[w->kinds[kind]->form];
 }
 
 /* The awake slot of the body if the solver moves it, else 0. */
@@ -64,7 +64,7 @@ static int take_block(thud_world *w, int kind) {
     td_block *block = td_slot_at(pool, index);
     memset(block, 0, (size_t)pool->stride);
     for (int i = 0; i < TD_LANES; i++) {
-        block->contact[i] = TD_NONE;
+        block->constraint[i] = TD_NONE;
     }
     return index;
 }
@@ -101,7 +101,7 @@ static void clear_lane(td_block *block, int lane, int bytes) {
             t[row * TD_LANES] = 0;
         }
     }
-    block->contact[lane] = TD_NONE;
+    block->constraint[lane] = TD_NONE;
     block->internal_edges[lane] = block->loaded[lane] = 0;
     block->touching &= ~(1u << lane);
 }
@@ -138,7 +138,7 @@ static void bin_shrink(thud_world *w, int kind, int index, int slot) {
     if (slot != bin->tail * TD_LANES + last) {
         td_block *hole = td_block_at(w, kind, slot / TD_LANES);
         copy_lane(hole, slot % TD_LANES, tail, last, bytes);
-        td_constraint_at(w, hole->contact[slot % TD_LANES])->slot = slot;
+        td_constraint_at(w, hole->constraint[slot % TD_LANES])->slot = slot;
     }
     clear_lane(tail, last, bytes);
     tail->used--;
@@ -174,10 +174,10 @@ static void place(thud_world *w, int index, int bin) {
         bin_shrink(w, kind, constraint->bin, constraint->slot);
     } else {
         td_block *own = td_block_at(w, kind, block);
-        own->contact[lane] = index;
+        own->constraint[lane] = index;
         own->touching |= 1u << lane;
         td_lane_ops_of(w, kind)->fill(w, own, lane, index);
-        w->touching++;
+        w->touching += td_is_contact(constraint);
     }
     set_slots(w, td_block_at(w, kind, block), lane, constraint);
     if (td_body_at(w, constraint->body[0])->kind == THUD_KINEMATIC ||
@@ -190,38 +190,17 @@ static void place(thud_world *w, int index, int bin) {
     constraint->slot = block * TD_LANES + lane;
 }
 
-/* The kinds that the world has, in the order of solving. Contacts come last: what they keep apart
- * shall not be pulled together again. */
-static int kinds_of(const thud_world *w, int kinds[TD_CONSTRAINT_KINDS]) {
-    int count = 0;
-    for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
-        int kind = (TD_PAIR_COUNT + i) % TD_CONSTRAINT_KINDS;
-        if (w->pairs[kind]) {
-            kinds[count++] = kind;
-        }
-    }
-    return count;
-}
-
-/* Lanes by which each bin is to grow; of kinds that the world has not, they mean nothing. */
+/* Lanes by which each bin is to grow. */
 typedef int lane_counts[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND];
-
-static void count_none(const thud_world *w, lane_counts grown) {
-    int kinds[TD_CONSTRAINT_KINDS], count = kinds_of(w, kinds);
-    for (int i = 0; i < count; i++) {
-        memset(grown[kinds[i]], 0, sizeof grown[kinds[i]]);
-    }
-}
 
 /* Blocks needed when every bin grows by `grown`, per pool. */
 static bool reserve_grown(thud_world *w, lane_counts grown) {
-    int kinds[TD_CONSTRAINT_KINDS], count = kinds_of(w, kinds), more[TD_FORM_COUNT] = {0};
-    for (int i = 0; i < count; i++) {
-        int kind = kinds[i];
-        for (int bin = 0; bin < TD_BINS_A_KIND; bin++) {
+    int more[TD_FORM_COUNT] = {0};
+    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
+        for (int bin = 0; bin < TD_BINS_A_KIND && w->kinds[kind]; bin++) {
             if (grown[kind][bin]) {
                 int lanes = w->bins[kind][bin].lanes;
-                more[w->pairs[kind]->form] +=
+                more[w->kinds[kind]->form] +=
                     blocks_for(bin, lanes + grown[kind][bin]) - blocks_for(bin, lanes);
             }
         }
@@ -238,12 +217,11 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleep
     if (count == 0) {
         return true;
     }
-    lane_counts grown;
+    lane_counts grown = {0};
     if (!td_array_reserve(&w->memory, &w->scratch.lane_bins, count)) {
         return false;
     }
     int *bins = w->scratch.lane_bins.data;
-    count_none(w, grown);
     for (int i = 0; i < count; i++) {
         const td_constraint *constraint = td_constraint_at(w, constraints[i]);
         int bin = sleeping ? TD_SLEEPING : choose_bin(w, constraint);
@@ -267,15 +245,13 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleep
 }
 
 bool td_lanes_reserve_sleeping(thud_world *w) {
-    int kinds[TD_CONSTRAINT_KINDS], count = kinds_of(w, kinds);
-    lane_counts grown;
-    count_none(w, grown);
-    for (int i = 0; i < count; i++) {
+    lane_counts grown = {0};
+    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         for (int bin = 0; bin < TD_SLEEPING; bin++) {
-            grown[kinds[i]][TD_SLEEPING] += w->bins[kinds[i]][bin].lanes;
+            grown[kind][TD_SLEEPING] += w->bins[kind][bin].lanes;
         }
     }
-    return td_array_reserve(&w->memory, &w->scratch.lane_bins, w->touching) &&
+    return td_array_reserve(&w->memory, &w->scratch.lane_bins, w->touching + w->joints.live) &&
            reserve_grown(w, grown);
 }
 
@@ -287,7 +263,7 @@ void td_lane_remove(thud_world *w, int index) {
         ->clear(w, td_block_at(w, constraint->kind, constraint->slot / TD_LANES),
                 constraint->slot % TD_LANES, index);
     bin_shrink(w, constraint->kind, constraint->bin, constraint->slot);
-    w->touching--;
+    w->touching -= td_is_contact(constraint);
 }
 
 void td_lane_refresh(thud_world *w, int index) {
@@ -342,7 +318,7 @@ static bool cut_chunks(thud_world *w) {
 }
 
 bool td_lanes_sequence(thud_world *w) {
-    int most = 0, kinds[TD_CONSTRAINT_KINDS], count = kinds_of(w, kinds);
+    int most = 0;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         most += w->pool[form].live;
     }
@@ -359,8 +335,9 @@ bool td_lanes_sequence(thud_world *w) {
     w->stats.colours = 0;
     for (int bin = 0; bin < 2 * TD_COLOURS; bin++) {
         int before = w->scratch.blocks.count;
-        for (int i = 0; i < count; i++) {
-            list_bin(w, kinds[i], bin);
+        /* Contacts last: what they keep apart shall not be pulled together again. */
+        for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
+            list_bin(w, (TD_PAIR_COUNT + i) % TD_CONSTRAINT_KINDS, bin);
         }
         w->stats.colours += w->scratch.blocks.count > before;
     }

@@ -29,14 +29,14 @@ typedef struct td_chunk {
 } td_chunk;
 
 static inline td_block *td_block_at(const thud_world *w, int kind, int index) {
-    return td_slot_at(&w->pool[w->pairs[kind]->form], index);
+    return td_slot_at(&w->pool[w->kinds[kind]->form], index);
 }
 
 /* Those of contacts: contact/contact_lanes.c. */
 extern const td_lane_ops td_contact_lanes;
 
 static inline const td_lane_ops *td_lane_ops_of(const thud_world *w, int kind) {
-    const td_lane_ops *own = w->pairs[kind]->lanes;
+    const td_lane_ops *own = w->kinds[kind]->lanes;
     return own ? own : &td_contact_lanes;
 }
 

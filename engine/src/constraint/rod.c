@@ -1,6 +1,7 @@
 /* rod.c: see rod.h. */
 #include "constraint/rod.h"
 
+#include "constraint/joining.h"
 #include "constraint/lanes.h"
 #include "state/body.h"
 #include "state/handles.h"
@@ -56,7 +57,7 @@ static float inverse_mass(const thud_world *w, uint32_t record) {
 }
 
 static void prepare_lane(const thud_world *w, td_block *block, int lane) {
-    const td_constraint *constraint = td_constraint_at(w, block->contact[lane]);
+    const td_constraint *constraint = td_constraint_at(w, block->constraint[lane]);
     const td_joint *joint = td_slot_at(&w->joints, constraint->joint);
     rod_line line = line_of(w, constraint);
     td_point *p = &block->point[0];
@@ -85,10 +86,20 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
     }
 }
 
-static const td_lane_ops lanes = {.fill = fill,
-                                  .clear = let_be,
-                                  .renew = let_be,
-                                  .rows = &td_rod_row_ops};
+/* A rod overlaps nothing. It misses what it wants by the speed along it, either way. */
+static void count(thud_world *w, const td_block *block) {
+    const td_point *p = &block->point[0];
+    for (int lane = 0; lane < block->used; lane++) {
+        const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
+        const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
+        float speed = (b[0] - a[0]) * block->nx[lane] + (b[1] - a[1]) * block->ny[lane] +
+                      b[2] * p->cross_b[lane] - a[2] * p->cross_a[lane];
+        w->errors.residual = td_max_float(w->errors.residual, speed < 0.0f ? -speed : speed);
+    }
+}
+
+static const td_lane_ops lanes = {
+    .fill = fill, .clear = let_be, .renew = let_be, .count = count, .take_rows = td_rod_take_rows};
 
 #define ROD_OPS(solve_ops)                                                                     \
     {                                                                                          \
@@ -132,7 +143,8 @@ static int add(thud_world *w, const td_rod_def *def, int a, int b) {
     int joint = td_constraint_at(w, index)->joint = td_slots_take(&w->joints);
     *(td_joint *)td_slot_at(&w->joints, joint) =
         (td_joint){.anchor = {{first.x, first.y}, {second.x, second.y}}, .length = def->length};
-    w->pairs[TD_CONSTRAINT_ROD] = ops_of(w);
+    w->kinds[TD_CONSTRAINT_ROD] = ops_of(w);
+    w->joining = &td_joining;
     td_body_mark(w, a, TD_CHANGE_WAKE);
     td_body_mark(w, b, TD_CHANGE_WAKE);
     return index;
@@ -169,7 +181,7 @@ thud_result td_rod_create(thud_world *w, const td_rod_def *def, int *rod) {
 }
 
 static bool is_rod(const thud_world *w, int index) {
-    return w && index >= 0 && index < w->contacts.count && td_constraint_at(w, index)->live &&
+    return w && index >= 0 && index < w->constraints.count && td_constraint_at(w, index)->live &&
            td_constraint_at(w, index)->kind == TD_CONSTRAINT_ROD;
 }
 

@@ -24,6 +24,6 @@ thud_result td_rod_destroy(thud_world *w, int rod);
 double td_rod_stretch(const thud_world *w, int rod);
 
 /* rod_rows.c */
-extern const struct td_row_ops td_rod_row_ops;
+td_take_rows_fn td_rod_take_rows;
 
 #endif

@@ -69,7 +69,7 @@ void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_
 
 bool td_contact_end_reserve(thud_world *w, int more) {
     td_event_lists *e = &w->events;
-    int sensed = td_min_int(more, w->contact_count[TD_PAIR_SENSOR]);
+    int sensed = td_min_int(more, w->constraint_count[TD_PAIR_SENSOR]);
     more = td_max_int(more, 32); /* that many do now and then, and a long run asks for nothing */
     return (!w->def.contact_events || td_array_reserve(&w->memory, &e->end, e->end.count + more)) &&
            td_array_reserve(&w->memory, &e->sensor_end, e->sensor_end.count + 2 * sensed);
@@ -83,7 +83,7 @@ static bool open_elsewhere(const thud_world *w, int contact_index) {
     if (!ground_first && !td_kind_is_line(td_shape_at(w, contact->shape_b)->kind)) {
         return false;
     }
-    int e = td_body_at(w, contact->body[ground_first])->first_contact;
+    int e = td_body_at(w, contact->body[ground_first])->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *other = td_constraint_at(w, e / 2);
         if (other != contact && other->open && other->shape_a == contact->shape_a &&
@@ -135,7 +135,7 @@ void td_contact_part(thud_world *w, int contact_index) {
 }
 
 void td_contact_destroy(thud_world *w, int index) {
-    if (td_contact_at(w, index)->open) {
+    if (td_constraint_at(w, index)->open) {
         td_contact_end(w, index);
     }
     td_constraint_destroy(w, index);

@@ -20,7 +20,8 @@ void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_
 void td_contact_begin(thud_world *w, int contact);
 /* ... no more. Room for the end event is reserved by td_contact_end_reserve. */
 void td_contact_end(thud_world *w, int contact);
-void td_contact_destroy(thud_world *w, int contact);
+/* Of what is no contact, too, which never begins. */
+void td_contact_destroy(thud_world *w, int constraint);
 bool td_contact_end_reserve(thud_world *w, int more);
 /* A touching contact touches no more: its lane goes, its end event comes. */
 void td_contact_part(thud_world *w, int contact);

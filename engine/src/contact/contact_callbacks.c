@@ -8,8 +8,8 @@
 #include "state/surface.h"
 
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane) {
-    const td_contact *contact = td_contact_at(w, block->contact[lane]);
-    int points = td_form_points(w->pairs[contact->kind]->form);
+    const td_contact *contact = td_contact_at(w, block->constraint[lane]);
+    int points = td_form_points(w->kinds[contact->kind]->form);
     const td_pose *pose = td_pose_at(w, contact->body[1]);
     thud_contact seen = {
         .shape_a = td_shape_handle(w, contact->shape_a),
@@ -58,8 +58,8 @@ static void note_approach(const thud_world *w, td_block *block, int points, int 
 
 /* Settings are for this step: each time they start from the pair's own. */
 static void ask(thud_world *w, td_block *block, int lane) {
-    td_contact *contact = td_contact_at(w, block->contact[lane]);
-    int points = td_form_points(w->pairs[contact->kind]->form);
+    td_contact *contact = td_contact_at(w, block->constraint[lane]);
+    int points = td_form_points(w->kinds[contact->kind]->form);
     thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
     thud_contact_settings settings = own;
     thud_contact seen = td_contact_view(w, block, lane);
@@ -73,17 +73,17 @@ static void ask(thud_world *w, td_block *block, int lane) {
     }
 }
 
-static bool holds_contacts(const thud_world *w, const td_block *block) {
-    return block->used > 0 && td_is_contact(td_constraint_at(w, block->contact[0]));
+/* Lanes in use of the i-th block, where it holds contacts; else none. */
+static int contacts_in(const thud_world *w, int i) {
+    const td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
+    return block->used && td_is_contact(td_constraint_at(w, block->constraint[0])) ? block->used
+                                                                                   : 0;
 }
 
 void td_contacts_ask(thud_world *w) {
     for (int i = 0; i < w->scratch.blocks.count && w->def.prologue; i++) {
         td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
-        if (!holds_contacts(w, block)) {
-            continue;
-        }
-        for (int lane = 0; lane < block->used; lane++) {
+        for (int lane = 0, end = contacts_in(w, i); lane < end; lane++) {
             ask(w, block, lane);
         }
     }
@@ -99,7 +99,7 @@ void td_contacts_hit(thud_world *w) {
             continue;
         }
         td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-        int lane = contact->slot % TD_LANES, points = td_form_points(w->pairs[contact->kind]->form);
+        int lane = contact->slot % TD_LANES, points = td_form_points(w->kinds[contact->kind]->form);
         const td_point_history *history = td_history_of(block, points);
         float approach = history[0].approach[lane];
         if (points == 2) {
@@ -122,10 +122,7 @@ void td_contacts_tell(thud_world *w) {
     }
     for (int i = 0; i < w->scratch.blocks.count; i++) {
         td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
-        if (!holds_contacts(w, block)) {
-            continue;
-        }
-        for (int lane = 0; lane < block->used; lane++) {
+        for (int lane = 0, end = contacts_in(w, i); lane < end; lane++) {
             thud_contact seen = td_contact_view(w, block, lane);
             if (seen.point_count) {
                 w->def.epilogue(w, &seen, w->def.callback_context);

@@ -4,7 +4,7 @@
 #include "state/surface.h"
 
 static int points_of(const thud_world *w, const td_contact *contact) {
-    return td_form_points(w->pairs[contact->kind]->form);
+    return td_form_points(w->kinds[contact->kind]->form);
 }
 
 static void fill(thud_world *w, td_block *block, int lane, int index) {

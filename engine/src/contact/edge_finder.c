@@ -12,7 +12,7 @@ static void set(thud_world *w, int shape, unsigned internal_edges, unsigned hidd
     bool same = s->internal_edges == internal_edges;
     s->internal_edges = (uint8_t)internal_edges;
     s->hidden = (uint8_t)hidden;
-    int e = same ? TD_NONE : td_body_at(w, s->body)->first_contact;
+    int e = same ? TD_NONE : td_body_at(w, s->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *contact = td_constraint_at(w, e / 2);
         if (td_is_contact(contact) && contact->state == TD_TOUCHING) {
@@ -144,7 +144,8 @@ static void forget(thud_world *w, int shape) {
 /* What has contacts is seen at once. */
 static bool is_due(const td_internal_edge *s, int neighbour, void *context) {
     const td_shape *n = td_shape_at(s->w, neighbour);
-    bool due = (n->flags & TD_SHAPE_UNSEEN) && td_body_at(s->w, n->body)->first_contact != TD_NONE;
+    bool due =
+        (n->flags & TD_SHAPE_UNSEEN) && td_body_at(s->w, n->body)->first_constraint != TD_NONE;
     *(int *)context = due ? neighbour : *(int *)context;
     return due;
 }

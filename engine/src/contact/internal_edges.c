@@ -207,7 +207,7 @@ static float inverse_or_zero(float k) {
 /* As td_write_points, for one lane. */
 static void write_lane(thud_world *w, td_block *block, int kind, int lane,
                        const td_internal_edge_contact *c) {
-    int points = td_form_points(w->pairs[kind]->form);
+    int points = td_form_points(w->kinds[kind]->form);
     const td_shape_proxy *b = td_shape_proxy_at(w, block->shape_b[lane]),
                          *a = td_shape_proxy_at(w, block->shape_a[lane]);
     const float *va = (const float *)w->velocity.data + block->a[lane] / sizeof(float);
@@ -223,7 +223,7 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane,
                         block->point[points - 1].normal_impulse[lane]};
     float alike = nx * block->nx[lane] + ny * block->ny[lane];
     td_manifold_cache *kept =
-        w->pairs[kind]->form == TD_FORM_TWO_CACHED ? td_manifold_cache_of(block, points) : NULL;
+        w->kinds[kind]->form == TD_FORM_TWO_CACHED ? td_manifold_cache_of(block, points) : NULL;
     if (kept) { /* from this pose on; the manifold may be of an earlier one */
         kept->dx[lane] = apart_x, kept->dy[lane] = apart_y;
         kept->ac[lane] = a->c, kept->as[lane] = a->s;
@@ -278,9 +278,9 @@ static bool goes_on(const thud_world *w, const td_contact *to, const td_contact 
 /* The neighbour that the body goes on to takes over what bore it: a contact that began without any
  * impulse would give way a little first. */
 static void hand_over(thud_world *w, td_block *block, int kind, int lane) {
-    const td_contact *from = td_contact_at(w, block->contact[lane]);
-    int points = td_form_points(w->pairs[kind]->form);
-    int e = td_body_at(w, from->body[1])->first_contact;
+    const td_contact *from = td_contact_at(w, block->constraint[lane]);
+    int points = td_form_points(w->kinds[kind]->form);
+    int e = td_body_at(w, from->body[1])->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *to = td_constraint_at(w, e / 2);
         bool alike_sides = (to->shape_b == from->shape_b && goes_on(w, to, from, 0)) ||
@@ -317,11 +317,11 @@ static void amend_lane(thud_world *w, td_block *block, int kind, int lane) {
     if (!is_ghost_of(&pair, (double)block->nx[lane], (double)block->ny[lane])) {
         return;
     }
-    int points = td_form_points(w->pairs[kind]->form);
+    int points = td_form_points(w->kinds[kind]->form);
     td_internal_edge_contact contact;
     if (!contact_of(&pair, &contact)) {
-        if (block->contact[lane] != TD_NONE &&
-            td_contact_at(w, block->contact[lane])->state == TD_TOUCHING) {
+        if (block->constraint[lane] != TD_NONE &&
+            td_contact_at(w, block->constraint[lane])->state == TD_TOUCHING) {
             hand_over(w, block, kind, lane);
         }
         drop(block, points, lane);

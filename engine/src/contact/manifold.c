@@ -10,7 +10,7 @@
 thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
     const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
     const td_pose *pose = td_pose_at(w, contact->body[1]);
-    int lane = contact->slot % TD_LANES, points = td_form_points(w->pairs[contact->kind]->form);
+    int lane = contact->slot % TD_LANES, points = td_form_points(w->kinds[contact->kind]->form);
     thud_manifold out = {
         .shape_a = td_shape_handle(w, contact->shape_a),
         .shape_b = td_shape_handle(w, contact->shape_b),
@@ -59,7 +59,7 @@ thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *ou
     if (!td_changes_apply(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "body contacts: out of memory");
     }
-    for (int e = td_body_at(w, index)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+    for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *contact = td_constraint_at(w, e / 2);
         if (!td_is_contact(contact) || contact->state != TD_TOUCHING || contact->child == TD_NONE) {
             continue;

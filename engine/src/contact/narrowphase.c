@@ -35,10 +35,10 @@ static int collide(thud_world *w, int kind, td_block *const *blocks, int count, 
     context.armed = &armed;
     context.parted = parted;
     context.parted_count = parted_count;
-    if (w->pairs[kind]->collide) {
-        w->pairs[kind]->collide(blocks, count, &context);
+    if (w->kinds[kind]->collide) {
+        w->kinds[kind]->collide(blocks, count, &context);
     } else {
-        w->pairs[kind]->collide_world(w, blocks, count, &context);
+        w->kinds[kind]->collide_world(w, blocks, count, &context);
     }
     return armed;
 }
@@ -84,7 +84,7 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
         for (int lane = 0; lane < block->used; lane++) {
             int index = contacts[i * TD_LANES + lane];
             const td_contact *contact = td_contact_at(w, index);
-            block->contact[lane] = index;
+            block->constraint[lane] = index;
             block->shape_a[lane] = contact->shape_a;
             block->shape_b[lane] = contact->shape_b;
             block->internal_edges[lane] = td_internal_edges_of(td_shape_at(w, contact->shape_a),
@@ -99,7 +99,7 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
             w->internal_edges->amend(w, list[i], kind);
         }
         for (unsigned bits = list[i]->touching; bits; bits &= bits - 1) {
-            td_push_int(&w->scratch.begins, list[i]->contact[__builtin_ctz(bits)]);
+            td_push_int(&w->scratch.begins, list[i]->constraint[__builtin_ctz(bits)]);
         }
     }
 }
@@ -138,7 +138,7 @@ static void sift_singly(batch *b, const int *waiting, int count) {
 
 static void sift_widely(batch *b, const int *waiting, int count) {
     thud_world *w = b->w;
-    td_sift_fn *sift = w->pairs[b->kind]->sift;
+    td_sift_fn *sift = w->kinds[b->kind]->sift;
     td_collide_context context = context_of(w);
     for (int first = 0; first < count; first += TD_LANES) {
         int32_t shape_a[TD_LANES], shape_b[TD_LANES];
@@ -165,7 +165,7 @@ static void sift_widely(batch *b, const int *waiting, int count) {
 /* Sorts the waiting pairs of one kind into those that begin and those whose bounds parted. */
 static void test_waiting(thud_world *w, int kind) {
     batch b = {.w = w, .kind = kind};
-    if (w->pairs[kind]->sift && !w->vast) {
+    if (w->kinds[kind]->sift && !w->vast) {
         sift_widely(&b, w->waiting[kind].data, w->waiting[kind].count);
     } else {
         sift_singly(&b, w->waiting[kind].data, w->waiting[kind].count);
@@ -176,7 +176,7 @@ static void test_waiting(thud_world *w, int kind) {
 /* Which waiting pairs touch. What began in a step that ran out of memory stays listed: nobody heard
  * of it. */
 static bool find_meeting(thud_world *w) {
-    int contacts = w->contacts.live, *begins = w->scratch.begins.data, kept = 0;
+    int contacts = w->constraints.live, *begins = w->scratch.begins.data, kept = 0;
     for (int i = 0; i < w->scratch.begins.count; i++) {
         const td_contact *contact = td_contact_at(w, begins[i]);
         if (contact->live && contact->state == TD_TOUCHING) {
@@ -324,7 +324,7 @@ static bool part_contacts(thud_world *w) {
         const td_block *block = *TD_AT(td_block *, &w->scratch.parted, i);
         unsigned parted = ((1u << block->used) - 1u) & ~block->touching;
         for (; parted; parted &= parted - 1) {
-            td_push_int(ends, block->contact[__builtin_ctz(parted)]);
+            td_push_int(ends, block->constraint[__builtin_ctz(parted)]);
         }
     }
     if (ends->count == 0) {

@@ -14,7 +14,7 @@ typedef struct terrain8 {
 static void one_lane(const thud_world *w, const td_block *block, int lane, float margin,
                      terrain8 *out) {
     int a = block->shape_a[lane], b = block->shape_b[lane];
-    const td_contact *contact = td_contact_at(w, block->contact[lane]);
+    const td_contact *contact = td_contact_at(w, block->constraint[lane]);
     thud_terrain terrain = td_terrain_view(w, a);
     thud_shape_instance placed = td_shape_instance(w, b, td_shape_proxy_at(w, a)->center);
     td_terrain_manifold m;

@@ -74,7 +74,7 @@ static thud_contact view(const sweep *s, int other, double time) {
 static bool passes(const sweep *s, int other, double time) {
     thud_world *w = s->w;
     bool asked = false, vetoed = true;
-    int e = w->def.prologue ? td_body_at(w, s->body)->first_contact : TD_NONE;
+    int e = w->def.prologue ? td_body_at(w, s->body)->first_constraint : TD_NONE;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *contact = td_constraint_at(w, e / 2);
         if (contact->state == TD_TOUCHING && contact->shape_a == other &&

@@ -143,7 +143,7 @@ static bool counts(const thud_world *w, int contact) {
 }
 
 static void schedule_all_of(thud_world *w, const td_trajectory *f) {
-    for (int e = td_body_at(w, f->body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+    for (int e = td_body_at(w, f->body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         if (counts(w, e / 2)) {
             schedule(w, e / 2);
         }
@@ -151,7 +151,7 @@ static void schedule_all_of(thud_world *w, const td_trajectory *f) {
     for (int e = f->extras; e != TD_NONE;) {
         const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
         int next = extra->next[e & 1];
-        schedule(w, w->contacts.count + e / 2);
+        schedule(w, w->constraints.count + e / 2);
         e = next;
     }
 }
@@ -161,11 +161,11 @@ static void schedule_all_of(thud_world *w, const td_trajectory *f) {
 /* The prologue has been asked about what touched at the start of the step. */
 static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const thud_contact *seen,
                    thud_contact_settings *settings) {
-    if (number < w->contacts.count && td_contact_at(w, number)->state == TD_TOUCHING) {
+    if (number < w->constraints.count && td_contact_at(w, number)->state == TD_TOUCHING) {
         const td_contact *contact = td_contact_at(w, number);
         td_lane at = td_lane_of(w, contact);
         *settings =
-            td_surface_get(at.block, td_form_points(w->pairs[contact->kind]->form), at.lane);
+            td_surface_get(at.block, td_form_points(w->kinds[contact->kind]->form), at.lane);
         return false;
     }
     *settings = td_surface_of_pair(w, e->shape[0], e->shape[1]);
@@ -173,7 +173,7 @@ static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const t
         return false;
     }
     bool veto = !td_surface_ask(w, seen, settings);
-    if (veto && number < w->contacts.count) {
+    if (veto && number < w->constraints.count) {
         td_contact_at(w, number)->vetoed = 1;
     } else if (veto) {
         td_extra_at(w, number)->vetoed = true;
@@ -299,7 +299,7 @@ static void expect(thud_world *w, int slot) {
 /* Everything that may meet, from the start of the step. */
 static void schedule_everything(thud_world *w) {
     w->scratch.candidates.count = w->scratch.strays.count = w->scratch.impacts.count = 0;
-    td_event_queue_clear(&w->scratch.queue, w->contacts.count);
+    td_event_queue_clear(&w->scratch.queue, w->constraints.count);
     for (int slot = 1; slot < w->body_of.count; slot++) {
         take_off(w, slot);
     }
@@ -312,7 +312,7 @@ static void schedule_everything(thud_world *w) {
         }
         w->stats.unbisectable += td_is_unbisectable(w, slot);
     }
-    for (int i = 0; i < w->contacts.count; i++) {
+    for (int i = 0; i < w->constraints.count; i++) {
         td_constraint *contact = td_constraint_at(w, i);
         if (contact->live) {
             contact->vetoed &= contact->state == TD_TOUCHING;
@@ -322,7 +322,7 @@ static void schedule_everything(thud_world *w) {
         }
     }
     for (int i = 0; i < w->scratch.candidates.count; i++) {
-        schedule(w, w->contacts.count + i);
+        schedule(w, w->constraints.count + i);
     }
 }
 
@@ -351,7 +351,7 @@ static bool reserve(thud_world *w) {
            td_array_reserve(&w->memory, &w->scratch.impacts, most) &&
            td_array_reserve(&w->memory, &w->scratch.candidates, extras) &&
            td_array_reserve(&w->memory, &w->events.hit, w->events.hit.count + hits + most) &&
-           td_event_queue_reserve(&w->memory, &w->scratch.queue, w->contacts.count + extras);
+           td_event_queue_reserve(&w->memory, &w->scratch.queue, w->constraints.count + extras);
 }
 
 /* Before the solver: what it is to leave alone. */

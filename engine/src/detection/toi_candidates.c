@@ -23,7 +23,7 @@ static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
 /* False when memory is short; what strays is then held. */
 static bool add_extra(thud_world *w, int shape_a, int shape_b) {
     td_array *extras = &w->scratch.candidates;
-    int number = w->contacts.count + extras->count, index = extras->count;
+    int number = w->constraints.count + extras->count, index = extras->count;
     if (is_listed(w, shape_a, shape_b)) {
         return true;
     }

@@ -79,11 +79,11 @@ thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory
 }
 
 td_toi_candidate *td_extra_at(const thud_world *w, int number) {
-    return TD_AT(td_toi_candidate, &w->scratch.candidates, number - w->contacts.count);
+    return TD_AT(td_toi_candidate, &w->scratch.candidates, number - w->constraints.count);
 }
 
 td_toi_candidate td_toi_candidate_at(const thud_world *w, int number) {
-    if (number >= w->contacts.count) {
+    if (number >= w->constraints.count) {
         return *td_extra_at(w, number);
     }
     const td_contact *c = td_contact_at(w, number);

@@ -29,8 +29,9 @@ typedef struct td_stray {
     bool chose;          /* its body's own detection looks for what it meets */
 } td_stray;
 
-/* Two shapes that may meet; a terrain comes first. Numbers below w->contacts.count are contacts',
- * the others extra ones': of terrain, and of bodies that strayed from where they were expected. */
+/* Two shapes that may meet; a terrain comes first. Numbers below w->constraints.count are
+ * contacts', the others extra ones': of terrain, and of bodies that strayed from where they were
+ * expected. */
 typedef struct td_toi_candidate {
     int32_t shape[2], body[2];
     int32_t next[2]; /* extra: edges of the same bodies */

@@ -1,5 +1,5 @@
 /* contact_rows.c: the rows of a contact: its points push, and its tangent rubs. */
-#include "islands/row_ops.h"
+#include "islands/rows.h"
 
 /* Part of the overlap that goes in a step. */
 #define PUSH_SHARE 0.2
@@ -10,20 +10,6 @@
 #define BLUR_MOST 1e-4
 
 enum { TANGENT = TD_DIRECT_TANGENT };
-
-static int points_of(const thud_world *w, const td_block *block, int lane) {
-    return td_form_points(w->pairs[td_contact_at(w, block->contact[lane])->kind]->form);
-}
-
-static void note(const thud_world *w, td_block *block, int lane, float kept, float *impulses) {
-    float steps = (float)w->substeps;
-    for (int k = 0; k < points_of(w, block, lane); k++) {
-        impulses[k] = steps * block->point[k].normal_impulse[lane];
-        block->point[k].normal_impulse[lane] *= kept;
-    }
-    impulses[TANGENT] = steps * block->tangent_impulse[lane];
-    block->tangent_impulse[lane] *= kept;
-}
 
 /* Apart: not to meet before the end. Within the skin: not to come nearer. Overlapping: apart again.
  */
@@ -45,9 +31,9 @@ static double blur_of(const thud_world *w, const td_direct_row *r) {
 }
 
 /* Bodies that do not turn feel no arms. */
-static bool take(const thud_world *w, td_block *block, int lane, const float *impulses,
-                 td_direct_constraint *c) {
-    int points = points_of(w, block, lane);
+bool td_contact_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
+                          td_direct_constraint *c) {
+    int points = td_form_points(w->kinds[td_contact_at(w, block->constraint[lane])->kind]->form);
     double x = (double)block->nx[lane], y = (double)block->ny[lane];
     double turns_a = c->a == TD_NONE || block->inv_inertia_a[lane] > 0.0f;
     double turns_b = c->b == TD_NONE || block->inv_inertia_b[lane] > 0.0f;
@@ -77,43 +63,3 @@ static bool take(const thud_world *w, td_block *block, int lane, const float *im
     tangent->used = block->tangent_mass[lane] > 0.0f && c->friction > 0.0;
     return bounces;
 }
-
-static bool holds(const td_block *block, int lane, int row) {
-    return !(block->point[row].separation[lane] > 0.0f);
-}
-
-static double gap(const td_block *block, int lane, int row) {
-    return (double)block->point[row].base[lane];
-}
-
-static void put(const thud_world *w, td_block *block, int lane, const td_direct_constraint *c,
-                const double *gaps) {
-    int points = points_of(w, block, lane);
-    float part = 1.0f / (float)w->substeps;
-    for (int k = 0; k < points; k++) {
-        if (c->row[k].used) {
-            td_point *p = &block->point[k];
-            float impulse = (float)c->row[k].impulse;
-            p->normal_impulse[lane] = part * impulse;
-            p->separation[lane] = (float)gaps[k];
-            td_history_of(block, points)[k].total[lane] = impulse;
-        }
-    }
-    float tangent = c->row[TANGENT].used ? (float)c->row[TANGENT].impulse : 0.0f;
-    block->tangent_impulse[lane] = part * tangent;
-    td_surface_at(block, points)->total[lane] = tangent;
-}
-
-static void load(const thud_world *w, const td_block *block, td_lane_load *loads) {
-    int points = points_of(w, block, 0);
-    for (int lane = 0; lane < block->used; lane++) {
-        loads[lane] = (td_lane_load){0.0f, 0.0f};
-        for (int k = 0; k < points; k++) {
-            const td_point *p = &block->point[k];
-            loads[lane].impulse += p->normal_impulse[lane];
-            loads[lane].depth = td_max_float(loads[lane].depth, -(p->separation[lane] + w->skin));
-        }
-    }
-}
-
-const td_row_ops td_contact_row_ops = {note, take, holds, gap, put, load};

@@ -9,13 +9,13 @@
 #include "islands/direct_islands.h"
 
 #include "constraint/constraint.h"
-#include "islands/row_ops.h"
+#include "constraint/lanes.h"
 
 #include <string.h>
 
 void td_islands_init(td_islands *s) {
     s->island.stride = (int)sizeof(td_island);
-    s->slots.stride = s->contacts.stride = s->local.stride = (int)sizeof(int);
+    s->slots.stride = s->constraints.stride = s->local.stride = (int)sizeof(int);
     s->before.stride = (int)sizeof(float[4]);
     s->impulses.stride = (int)sizeof(float[3]);
     s->rows.stride = (int)sizeof(td_direct_constraint);
@@ -25,8 +25,8 @@ void td_islands_init(td_islands *s) {
 }
 
 void td_islands_free(td_memory *memory, td_islands *s) {
-    td_array *const arrays[] = {&s->island, &s->slots,    &s->contacts, &s->local,
-                                &s->before, &s->impulses, &s->rows,     &s->bodies,
+    td_array *const arrays[] = {&s->island, &s->slots,    &s->constraints, &s->local,
+                                &s->before, &s->impulses, &s->rows,        &s->bodies,
                                 &s->step,   &s->work,     &s->moved};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         td_array_free(memory, arrays[i]);
@@ -42,10 +42,10 @@ static bool roomy(thud_world *w, td_array *array, int count) {
 /* ... and for all bodies and contacts that there are, where that takes little. */
 static bool room_for_all(thud_world *w) {
     td_islands *s = &w->islands;
-    int bodies = w->body_of.count, contacts = w->touching;
+    int bodies = w->body_of.count, constraints = w->touching + w->joints.live;
     return roomy(w, &s->local, bodies) && roomy(w, &s->island, bodies) &&
            roomy(w, &s->slots, bodies) && roomy(w, &s->before, bodies) &&
-           roomy(w, &s->contacts, contacts) && roomy(w, &s->impulses, contacts) &&
+           roomy(w, &s->constraints, constraints) && roomy(w, &s->impulses, constraints) &&
            td_sparse_reserve(&w->memory, &s->matrix, bodies);
 }
 
@@ -130,7 +130,7 @@ static int neighbour(const thud_world *w, const td_constraint *constraint, int s
  * body of an island. False: the island has too many bodies. */
 static bool spread(thud_world *w, td_island *island, int slot) {
     int body = td_body_of(w, slot);
-    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (constraint->state != TD_TOUCHING) {
             continue;
@@ -142,7 +142,7 @@ static bool spread(thud_world *w, td_island *island, int slot) {
             return false;
         }
         if (!other || !(e & 1)) {
-            td_push_int(&w->islands.contacts, e / 2);
+            td_push_int(&w->islands.constraints, e / 2);
         }
         if (is_new) {
             add_body(w, island, other);
@@ -158,7 +158,7 @@ float td_calm_speed(const thud_world *w) {
 }
 
 int64_t td_island_cost(const td_island *island) {
-    return island->system.work + island->bodies + 2 * (int64_t)island->contacts;
+    return island->system.work + island->bodies + 2 * (int64_t)island->constraints;
 }
 
 /* One newcomer does not rouse a whole heap that was left alone. */
@@ -174,15 +174,15 @@ static bool cools_down(const thud_world *w, const td_island *island) {
 /* Lists the island of a body, unless it has no contacts, or too many bodies, or is left alone. */
 static void follow(thud_world *w, int seed) {
     td_islands *s = &w->islands;
-    td_island island = {.first_body = s->slots.count, .first_contact = s->contacts.count};
+    td_island island = {.first_body = s->slots.count, .first_constraint = s->constraints.count};
     bool whole = true;
     add_body(w, &island, seed);
     for (int i = island.first_body; whole && i < s->slots.count; i++) {
         whole = spread(w, &island, td_int_at(&s->slots, i));
     }
-    island.contacts = s->contacts.count - island.first_contact;
+    island.constraints = s->constraints.count - island.first_constraint;
     bool cooling = cools_down(w, &island);
-    if (whole && island.contacts && !cooling) {
+    if (whole && island.constraints && !cooling) {
         TD_PUSH(td_island, &s->island) = island;
         return;
     }
@@ -190,7 +190,7 @@ static void follow(thud_world *w, int seed) {
         *local_at(w, td_int_at(&s->slots, i)) = !whole ? TOO_MANY : cooling ? COOLING : ALONE;
     }
     s->slots.count = island.first_body;
-    s->contacts.count = island.first_contact;
+    s->constraints.count = island.first_constraint;
 }
 
 /* ---- room ---- */
@@ -200,9 +200,9 @@ static bool order(thud_world *w, td_island *island) {
     if (!td_sparse_begin(&w->memory, &s->matrix, island->bodies)) {
         return false;
     }
-    for (int i = 0; i < island->contacts; i++) {
+    for (int i = 0; i < island->constraints; i++) {
         const td_constraint *constraint =
-            td_constraint_at(w, td_int_at(&s->contacts, island->first_contact + i));
+            td_constraint_at(w, td_int_at(&s->constraints, island->first_constraint + i));
         int a = neighbour(w, constraint, 1), b = neighbour(w, constraint, 0);
         if (a && b) {
             td_sparse_tie(&s->matrix, *local_at(w, a) - 1, *local_at(w, b) - 1);
@@ -210,7 +210,7 @@ static bool order(thud_world *w, td_island *island) {
     }
     bool ordered = td_sparse_order(&w->memory, &s->matrix);
     island->system = s->matrix.now;
-    return ordered && roomy(w, &s->rows, island->contacts) &&
+    return ordered && roomy(w, &s->rows, island->constraints) &&
            roomy(w, &s->bodies, island->bodies) && roomy(w, &s->step, island->bodies) &&
            roomy(w, &s->moved, island->bodies) && roomy(w, &s->work, island->bodies);
 }
@@ -218,7 +218,7 @@ static bool order(thud_world *w, td_island *island) {
 bool td_islands_find(thud_world *w) {
     td_islands *s = &w->islands;
     int slots = w->body_of.count;
-    s->island.count = s->slots.count = s->contacts.count = 0;
+    s->island.count = s->slots.count = s->constraints.count = 0;
     td_sparse_forget(&s->matrix);
     s->local.count = 0;
     if (w->quality.sag_limit > 0.0f && !any_direct(w)) {
@@ -281,20 +281,31 @@ static bool is_calm(const thud_world *w, int a, int b) {
     return x * x + y * y < most * most;
 }
 
-static void watch_block(thud_world *w, td_block *block, const td_row_ops *ops) {
+static float magnitude(float x) {
+    return x < 0.0f ? -x : x;
+}
+
+/* A joint is off where it is too long as well as too short, and its impulse may pull. */
+static void watch_block(thud_world *w, td_block *block, int kind) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
-    td_lane_load loads[TD_LANES];
-    ops->load(w, block, loads);
+    int points = td_form_points(w->kinds[kind]->form);
+    bool contact = kind < TD_PAIR_COUNT;
     for (int lane = 0; lane < block->used; lane++) {
+        float impulse = 0.0f, depth = 0.0f;
+        for (int k = 0; k < points; k++) {
+            impulse += magnitude(block->point[k].normal_impulse[lane]);
+            float separation = block->point[k].separation[lane];
+            depth = td_max_float(depth, contact ? -(separation + w->skin) : magnitude(separation));
+        }
         int a = (int)(block->a[lane] / TD_AWAKE_BYTES), b = (int)(block->b[lane] / TD_AWAKE_BYTES);
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
-        float load = loads[lane].impulse * light,
+        float load = impulse * light,
               most = td_islands_most(w, td_min_float(size_of(w, a), size_of(w, b)));
         bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
         int direct = block->loaded[lane] & TD_DIRECT, before = block->loaded[lane] - direct;
-        bool gives_way = (load > most && is_calm(w, a, b)) || loads[lane].depth > deep;
+        bool gives_way = (load > most && is_calm(w, a, b)) || depth > deep;
         int seen = gives_way ? td_min_int(before + 1, OFTEN) : 0;
         if (sinks || seen >= OFTEN) {
             mark_direct(w, block->a[lane]);
@@ -312,8 +323,8 @@ void td_islands_watch(thud_world *w) {
     for (int i = (int)(w->steps % (uint64_t)stride); i < w->scratch.blocks.count; i += stride) {
         td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
         if (block->used) {
-            int kind = td_constraint_at(w, block->contact[0])->kind;
-            watch_block(w, block, td_row_ops_of(w, kind));
+            int kind = td_constraint_at(w, block->constraint[0])->kind;
+            watch_block(w, block, kind);
         }
     }
 }

@@ -9,22 +9,22 @@ struct thud_world;
 
 enum { TD_ISLAND_MOST = 16384 }; /* bodies; ordering them takes the square of that in bits */
 
-/* Bodies and contacts of an island, in the lists of td_islands. */
+/* Bodies and constraints of an island, in the lists of td_islands. */
 typedef struct td_island {
-    int first_body, bodies, first_contact, contacts;
+    int first_body, bodies, first_constraint, constraints;
     td_system system;
 } td_island;
 
 typedef struct td_islands {
-    td_array island;   /* td_island */
-    td_array slots;    /* int: awake slots, island by island */
-    td_array contacts; /* int: likewise */
-    td_array local;    /* int, by awake slot: 1 + its number in the island; 0: in none */
-    td_array before;   /* float[4], as `slots`: velocity before the soft solver */
+    td_array island;      /* td_island */
+    td_array slots;       /* int: awake slots, island by island */
+    td_array constraints; /* int: likewise */
+    td_array local;       /* int, by awake slot: 1 + its number in the island; 0: in none */
+    td_array before;      /* float[4], as `slots`: velocity before the soft solver */
     td_array
-        impulses;    /* float[3], as `contacts`: from the step before, of its points and tangent */
-    td_array rows;   /* td_direct_contact: of the island at hand ... */
-    td_array bodies; /* td_direct_body */
+        impulses;  /* float[3], as `constraints`: from the step before, of its points and tangent */
+    td_array rows; /* td_direct_contact: of the island at hand ... */
+    td_array bodies;     /* td_direct_body */
     td_array step, work; /* double[3] */
     td_array moved;      /* double[3]: motion of the bodies */
     td_sparse matrix;

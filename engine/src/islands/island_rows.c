@@ -13,12 +13,18 @@ void td_island_note(thud_world *w) {
         memcpy(td_row(&s->before, i), td_row(&w->velocity, td_int_at(&s->slots, i)),
                sizeof(float[4]));
     }
-    for (int i = 0; i < s->contacts.count; i++) {
-        const td_constraint *constraint = td_constraint_at(w, td_int_at(&s->contacts, i));
+    float steps = (float)w->substeps;
+    for (int i = 0; i < s->constraints.count; i++) {
+        const td_constraint *constraint = td_constraint_at(w, td_int_at(&s->constraints, i));
         td_lane at = td_lane_of(w, constraint);
+        float *impulses = td_row(&s->impulses, i);
         float kept = at.block->loaded[at.lane] & TD_DIRECT ? 0.0f : 1.0f;
-        td_row_ops_of(w, constraint->kind)
-            ->note(w, at.block, at.lane, kept, td_row(&s->impulses, i));
+        for (int k = 0; k < td_island_points(w, constraint); k++) {
+            impulses[k] = steps * at.block->point[k].normal_impulse[at.lane];
+            at.block->point[k].normal_impulse[at.lane] *= kept;
+        }
+        impulses[TD_DIRECT_TANGENT] = steps * at.block->tangent_impulse[at.lane];
+        at.block->tangent_impulse[at.lane] *= kept;
         at.block->loaded[at.lane] &= TD_DIRECT - 1;
     }
 }
@@ -72,7 +78,7 @@ static void take_constraint(td_island_work *work, int i) {
     thud_world *w = work->w;
     const td_constraint *constraint = td_constraint_at(w, work->constraints[i]);
     td_lane at = td_lane_of(w, constraint);
-    const float *impulses = td_row(&w->islands.impulses, work->island->first_contact + i);
+    const float *impulses = td_row(&w->islands.impulses, work->island->first_constraint + i);
     td_direct_constraint *c = &work->problem.constraints[i];
     double known[2][3];
     *c = (td_direct_constraint){.a = side_of(w, at.block->a[at.lane], known[0]),
@@ -81,7 +87,7 @@ static void take_constraint(td_island_work *work, int i) {
         c->entry = td_sparse_find(work->problem.matrix, c->a, c->b);
         c->b_later = td_sparse_is_later(work->problem.matrix, c->b, c->a);
     }
-    work->bounces |= td_row_ops_of(w, constraint->kind)->take(w, at.block, at.lane, impulses, c);
+    work->bounces |= td_take_rows_of(w, constraint->kind)(w, at.block, at.lane, impulses, c);
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
         set_known(c, r, known);
@@ -110,7 +116,7 @@ static td_direct problem_of(thud_world *w, const td_island *island) {
                        .step = s->step.data,
                        .work = s->work.data,
                        .body_count = island->bodies,
-                       .constraint_count = island->contacts,
+                       .constraint_count = island->constraints,
                        .patience = td_island_patience(w, island),
                        .unit_speed = w->def.time_step * __builtin_sqrt(x * x + y * y)};
 }
@@ -121,13 +127,14 @@ td_island_work td_island_take(thud_world *w, const td_island *island) {
                            .island = island,
                            .problem = problem_of(w, island),
                            .slots = (const int *)s->slots.data + island->first_body,
-                           .constraints = (const int *)s->contacts.data + island->first_contact,
+                           .constraints =
+                               (const int *)s->constraints.data + island->first_constraint,
                            .moved = s->moved.data,
                            .time = w->def.time_step};
     for (int i = 0; i < island->bodies; i++) {
         take_body(&work, i);
     }
-    for (int i = 0; i < island->contacts; i++) {
+    for (int i = 0; i < island->constraints; i++) {
         take_constraint(&work, i);
     }
     return work;

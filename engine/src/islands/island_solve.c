@@ -47,27 +47,20 @@ static double gap_after(const td_island_work *work, const td_direct_constraint *
     return gap;
 }
 
-/* A constraint of the island at hand: where it lives, and what its kind knows. */
-typedef struct place {
-    td_lane at;
-    const td_row_ops *ops;
-} place;
-
-static place place_of(const td_island_work *work, int i) {
-    const td_constraint *constraint = td_constraint_at(work->w, work->constraints[i]);
-    return (place){td_lane_of(work->w, constraint), td_row_ops_of(work->w, constraint->kind)};
+static td_lane lane_of(const td_island_work *work, int i) {
+    return td_lane_of(work->w, td_constraint_at(work->w, work->constraints[i]));
 }
 
 /* What the constraint wants of the velocities to go on with. */
 static void want_velocity(td_island_work *work, int i) {
     td_direct_constraint *c = &work->problem.constraints[i];
-    place p = place_of(work, i);
+    td_lane at = lane_of(work, i);
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
         if (!r->used || r->kind == TD_ROW_FRICTION) {
             continue;
         }
-        double gap = gap_after(work, c, k, p.ops->gap(p.at.block, p.at.lane, k));
+        double gap = gap_after(work, c, k, (double)at.block->point[k].base[at.lane]);
         r->wanted = gap > 0.0 && r->kind == TD_ROW_PUSH ? -gap / work->time : 0.0;
     }
 }
@@ -86,15 +79,19 @@ static double soft_speed(const td_island_work *work, const td_direct_constraint 
     return speed;
 }
 
+static bool is_apart(const td_direct_row *r, td_lane at, int k) {
+    return r->kind == TD_ROW_PUSH && at.block->point[k].separation[at.lane] > 0.0f;
+}
+
 /* The greatest speed by which the soft solver has missed what holds. */
 static double soft_miss(const td_island_work *work) {
     double worst = 0.0;
-    for (int i = 0; i < work->island->contacts; i++) {
+    for (int i = 0; i < work->island->constraints; i++) {
         const td_direct_constraint *c = &work->problem.constraints[i];
-        place p = place_of(work, i);
+        td_lane at = lane_of(work, i);
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &c->row[k];
-            if (!r->used || r->kind == TD_ROW_FRICTION || !p.ops->holds(p.at.block, p.at.lane, k)) {
+            if (!r->used || r->kind == TD_ROW_FRICTION || is_apart(r, at, k)) {
                 continue;
             }
             double speed = soft_speed(work, c, r);
@@ -136,7 +133,7 @@ static bool presses_too_hard(const td_island_work *work) {
         fastest = td_max_double(fastest, speed_of(d->bodies[i].free));
         mass += 1.0 / d->bodies[i].inverse_mass;
     }
-    for (int i = 0; i < work->island->contacts; i++) {
+    for (int i = 0; i < work->island->constraints; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &d->constraints[i].row[k];
             bool pushes = r->used && r->kind == TD_ROW_PUSH;
@@ -157,7 +154,7 @@ static void carry_on(td_island_work *work) {
             b->velocity[k] = 2.0 * b->velocity[k] - (double)before[k];
         }
     }
-    for (int i = 0; i < work->island->contacts; i++) {
+    for (int i = 0; i < work->island->constraints; i++) {
         td_direct_constraint *c = &d->constraints[i];
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             c->row[k].impulse *= 2.0;
@@ -198,16 +195,25 @@ static bool work_out(td_island_work *work) {
 }
 
 static void write_constraint(const td_island_work *work, int i) {
+    thud_world *w = work->w;
     const td_direct_constraint *c = &work->problem.constraints[i];
-    place p = place_of(work, i);
-    double gaps[TD_DIRECT_ROWS] = {0};
-    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-        if (c->row[k].used && c->row[k].kind != TD_ROW_FRICTION) {
-            gaps[k] = gap_after(work, c, k, p.ops->gap(p.at.block, p.at.lane, k));
+    const td_direct_row *tangent = &c->row[TD_DIRECT_TANGENT];
+    td_lane at = lane_of(work, i);
+    int points = td_island_points(w, td_constraint_at(w, work->constraints[i]));
+    float part = 1.0f / (float)w->substeps;
+    for (int k = 0; k < points; k++) {
+        if (c->row[k].used) {
+            td_point *p = &at.block->point[k];
+            float impulse = (float)c->row[k].impulse;
+            p->normal_impulse[at.lane] = part * impulse;
+            p->separation[at.lane] = (float)gap_after(work, c, k, (double)p->base[at.lane]);
+            td_history_of(at.block, points)[k].total[at.lane] = impulse;
         }
     }
-    p.ops->put(work->w, p.at.block, p.at.lane, c, gaps);
-    p.at.block->loaded[p.at.lane] |= TD_DIRECT;
+    float along = tangent->used ? (float)tangent->impulse : 0.0f;
+    at.block->tangent_impulse[at.lane] = part * along;
+    at.block->loaded[at.lane] |= TD_DIRECT;
+    td_surface_at(at.block, points)->total[at.lane] = along;
 }
 
 /* Whether a constraint still carries so much that the island is to stay. */
@@ -255,7 +261,7 @@ static bool is_slow(const td_island_work *work) {
 static void write(const td_island_work *work) {
     thud_world *w = work->w;
     bool loaded = false;
-    for (int i = 0; i < work->island->contacts; i++) {
+    for (int i = 0; i < work->island->constraints; i++) {
         write_constraint(work, i);
         loaded |= is_loaded(work, &work->problem.constraints[i]);
     }

@@ -2,7 +2,7 @@
 #ifndef TD_ISLAND_DIRECT_H
 #define TD_ISLAND_DIRECT_H
 
-#include "islands/row_ops.h"
+#include "islands/rows.h"
 
 /* The island at hand. */
 typedef struct td_island_work {
@@ -22,5 +22,9 @@ void td_island_note(thud_world *w);
 int td_island_patience(const thud_world *w, const td_island *island);
 /* The problem as it was then. */
 td_island_work td_island_take(thud_world *w, const td_island *island);
+
+static inline int td_island_points(const thud_world *w, const td_constraint *constraint) {
+    return td_form_points(w->kinds[constraint->kind]->form);
+}
 
 #endif

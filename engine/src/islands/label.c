@@ -53,7 +53,7 @@ bool td_islands_label(thud_world *w) {
     for (int i = 0; i < w->body_of.count; i++) {
         parent[i] = i;
     }
-    for (int i = 0; i < w->contacts.count; i++) {
+    for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, i);
         if (constraint->state == TD_TOUCHING && constraint->bin != TD_SLEEPING &&
             constraint->live) {

@@ -14,10 +14,10 @@
 
 /* Puts the bodies listed to sleep; false, and nothing has changed, when memory is short. */
 static bool put_to_sleep(thud_world *w) {
-    td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.contacts;
+    td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
     constraints->count = 0;
     for (int i = 0; i < bodies->count; i++) {
-        int e = td_body_at(w, td_int_at(bodies, i))->first_contact;
+        int e = td_body_at(w, td_int_at(bodies, i))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
             td_constraint *constraint = td_constraint_at(w, e / 2);
             if (constraint->state == TD_TOUCHING && !constraint->listed) {
@@ -40,7 +40,7 @@ static bool put_to_sleep(thud_world *w) {
     }
     for (int i = 0; i < bodies->count; i++) {
         td_body *body = td_body_at(w, td_int_at(bodies, i));
-        for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
             const td_body *other = td_body_at(w, td_other_body(w, e));
             if (td_constraint_at(w, e / 2)->state == TD_WAITING && other->awake < 0) {
                 td_constraint_rest(w, e / 2);

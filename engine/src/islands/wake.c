@@ -14,7 +14,7 @@ static bool may_wake(const td_body *body) {
 
 bool td_wake_reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.bodies, w->bodies.count) &&
-           td_array_reserve(&w->memory, &w->scratch.contacts, w->contacts.count);
+           td_array_reserve(&w->memory, &w->scratch.constraints, w->constraints.count);
 }
 
 /* Shapes of a body that slept while others came to rest near it look for them. */
@@ -30,7 +30,7 @@ static void look_around(thud_world *w, int index) {
 }
 
 bool td_wake(thud_world *w, int index) {
-    td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.contacts;
+    td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
     if (!may_wake(td_body_at(w, index))) {
         td_body *body = td_body_at(w, index);
         if (body->awake > 0) {
@@ -46,7 +46,7 @@ bool td_wake(thud_world *w, int index) {
     td_push_int(bodies, index);
     for (int i = 0; i < bodies->count; i++) {
         int body = td_int_at(bodies, i);
-        for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
             td_constraint *constraint = td_constraint_at(w, e / 2);
             if (constraint->state != TD_TOUCHING || constraint->bin != TD_SLEEPING ||
                 constraint->listed) {
@@ -72,7 +72,7 @@ bool td_wake(thud_world *w, int index) {
     }
     for (int i = 0; i < bodies->count; i++) {
         int body = td_int_at(bodies, i);
-        for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+        for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
             if (td_constraint_at(w, e / 2)->state == TD_RESTING) {
                 td_constraint_wait(w, e / 2);
             }

@@ -4,7 +4,7 @@
 
 #include "state/world.h"
 
-/* Room for the lists of bodies and contacts of any island: scratch.bodies, scratch.contacts. */
+/* Room for the lists of bodies and contacts of any island: scratch.bodies, scratch.constraints. */
 bool td_wake_reserve(thud_world *w);
 
 /* Wakes the body's whole island, or starts the time at rest of one that is awake over; false when

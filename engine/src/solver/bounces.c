@@ -40,8 +40,8 @@ typedef struct lane {
 } lane;
 
 static lane lane_of(const thud_world *w, td_block *block, int index) {
-    int kind = td_constraint_at(w, block->contact[index])->kind;
-    lane l = {block, index, td_form_points(w->pairs[kind]->form), false};
+    int kind = td_constraint_at(w, block->constraint[index])->kind;
+    lane l = {block, index, td_form_points(w->kinds[kind]->form), false};
     float x = w->def.gravity.x, y = w->def.gravity.y;
     float least = LOAD * __builtin_sqrtf(x * x + y * y) * (float)(w->def.time_step / w->substeps);
     for (int k = 0; k < l.points; k++) {
@@ -120,7 +120,7 @@ static void stay(const thud_world *w, const lane *l) {
 }
 
 static void take(thud_world *w, td_block *block, int index) {
-    const td_contact *contact = td_contact_at(w, block->contact[index]);
+    const td_contact *contact = td_contact_at(w, block->constraint[index]);
     const thud_detection *detection = td_detection_of(w, contact->body[0], contact->body[1]);
     if (!detection->meet) {
         return;

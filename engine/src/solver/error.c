@@ -57,25 +57,17 @@ static void count_block(thud_world *w, const td_block *block, int points) {
     }
 }
 
-/* A joint overlaps nothing. It misses what it wants by the speed along its row, either way. */
-static void count_speeds(thud_world *w, const td_block *block) {
-    for (int lane = 0; lane < block->used; lane++) {
-        float speed = speed_of(w, block, &block->point[0], lane);
-        w->errors.residual = td_max_float(w->errors.residual, speed < 0.0f ? -speed : speed);
-    }
-}
-
 void td_error_recount(thud_world *w) {
     w->errors = (td_errors){.energy_change = w->errors.energy_change};
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
-        int points = td_form_points(w->pairs[run->kind]->form);
+        int points = td_form_points(w->kinds[run->kind]->form);
         for (int k = 0; k < run->count; k++) {
             td_block *block = *TD_AT(td_block *, &w->scratch.blocks, run->first + k);
             if (run->kind < TD_PAIR_COUNT) {
                 count_block(w, block, points);
             } else {
-                count_speeds(w, block);
+                w->kinds[run->kind]->lanes->count(w, block);
             }
         }
     }

@@ -28,15 +28,10 @@ static void quarantine(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     int slot = body->awake;
     memset(td_row(&w->velocity, body->awake), 0, sizeof(float[4]));
-    for (int e = body->first_contact; e != TD_NONE;) {
+    for (int e = body->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
-        if (!td_is_contact(td_constraint_at(w, e / 2))) {
-            td_constraint_destroy(w, e / 2);
-            e = next;
-            continue;
-        }
         if (!td_contact_end_reserve(w, 1)) {
-            td_contact_at(w, e / 2)->open = 0; /* goes unheard rather than stays */
+            td_constraint_at(w, e / 2)->open = 0; /* goes unheard rather than stays */
         }
         td_contact_destroy(w, e / 2);
         e = next;

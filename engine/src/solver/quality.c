@@ -46,7 +46,7 @@ static void detect_by(thud_world *w, const thud_detection *detection) {
             body->detection = detection;
         }
     }
-    for (int i = 0; i < w->contacts.count && skin != w->skin; i++) {
+    for (int i = 0; i < w->constraints.count && skin != w->skin; i++) {
         const td_constraint *constraint = td_constraint_at(w, i);
         if (constraint->live && constraint->state == TD_TOUCHING) {
             td_lane_renew(w, i);
@@ -57,14 +57,14 @@ static void detect_by(thud_world *w, const thud_detection *detection) {
 
 /* Impulses are those of one substep, and carry over into substeps of another length. */
 static void scale_impulses(thud_world *w, float scale) {
-    for (int i = 0; i < w->contacts.count; i++) {
+    for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, i);
         if (!constraint->live || constraint->state != TD_TOUCHING) {
             continue;
         }
         td_lane at = td_lane_of(w, constraint);
         at.block->tangent_impulse[at.lane] *= scale;
-        for (int k = 0; k < td_form_points(w->pairs[constraint->kind]->form); k++) {
+        for (int k = 0; k < td_form_points(w->kinds[constraint->kind]->form); k++) {
             at.block->point[k].normal_impulse[at.lane] *= scale;
         }
     }

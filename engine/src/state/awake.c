@@ -81,7 +81,7 @@ static void move_slot(thud_world *w, int from, int to) {
     }
     td_body *body = td_body_at(w, td_body_of(w, to));
     body->awake = to;
-    for (int edge = body->first_contact; edge != TD_NONE;) {
+    for (int edge = body->first_constraint; edge != TD_NONE;) {
         const td_constraint *constraint = td_constraint_at(w, edge / 2);
         if (constraint->state == TD_TOUCHING) {
             td_lane_refresh(w, edge / 2);

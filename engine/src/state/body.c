@@ -81,7 +81,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         .awake = TD_NONE,
         .velocity = {def->velocity.x, def->velocity.y, def->angular_velocity},
         .first_shape = TD_NONE,
-        .first_contact = TD_NONE,
+        .first_constraint = TD_NONE,
         .gravity_scale = def->gravity_scale,
         .linear_damping = def->linear_damping,
         .angular_damping = def->angular_damping,

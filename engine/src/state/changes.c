@@ -2,7 +2,7 @@
  * placed; whatever rested on them wakes. One body is done whole or not at all. */
 #include "state/awake.h"
 #include "state/body.h"
-#include "constraint/engage.h"
+#include "constraint/joining.h"
 #include "contact/contact.h"
 #include "constraint/lanes.h"
 #include "contact/internal_edges.h"
@@ -15,7 +15,7 @@
 /* Wakes every sleeping body that touches this one or is otherwise tied to it; what is in a sensor
  * sleeps on, and is looked at again. */
 static bool wake_touching(thud_world *w, int body) {
-    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (constraint->kind == TD_PAIR_SENSOR) {
             if (constraint->state == TD_RESTING) {
@@ -32,39 +32,22 @@ static bool wake_touching(thud_world *w, int body) {
 /* Room for the end events of all its contacts. */
 static bool reserve_ends(thud_world *w, int body) {
     int count = 0;
-    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         count++;
     }
     return td_contact_end_reserve(w, count);
 }
 
-/* All contacts of the body, or of one of its shapes. */
-static void destroy_contacts(thud_world *w, int body, int shape) {
-    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE;) {
+/* All contacts of the body, or of one of its shapes; `joints` too: and all else that ties it. */
+static void destroy_contacts(thud_world *w, int body, int shape, bool joints) {
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
         const td_constraint *c = td_constraint_at(w, e / 2);
-        if (td_is_contact(c) && (shape == TD_NONE || c->shape_a == shape || c->shape_b == shape)) {
+        if (td_is_contact(c) ? shape == TD_NONE || c->shape_a == shape || c->shape_b == shape
+                             : joints) {
             td_contact_destroy(w, e / 2);
         }
         e = next;
-    }
-}
-
-/* What else ties the body to others goes with it, ... */
-static void destroy_others(thud_world *w, int body) {
-    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE;
-         e = td_body_at(w, body)->first_contact) {
-        td_constraint_destroy(w, e / 2);
-    }
-}
-
-/* ... or waits while the body is disabled. */
-static void suspend_others(thud_world *w, int body) {
-    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (td_constraint_at(w, e / 2)->state == TD_TOUCHING) {
-            td_lane_remove(w, e / 2);
-            td_constraint_wait(w, e / 2);
-        }
     }
 }
 
@@ -87,8 +70,7 @@ static void free_shape(thud_world *w, int index) {
 
 static void leave(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
-    destroy_contacts(w, index, TD_NONE);
-    destroy_others(w, index);
+    destroy_contacts(w, index, TD_NONE, true);
     if (body->awake > 0) {
         td_awake_remove(w, index);
     }
@@ -113,7 +95,7 @@ static void update_shapes(thud_world *w, int index) {
             continue;
         }
         *link = td_shape_at(w, i)->next;
-        destroy_contacts(w, index, i);
+        destroy_contacts(w, index, i, false);
         free_shape(w, i);
         body->shape_count--;
     }
@@ -125,7 +107,7 @@ static void update_shapes(thud_world *w, int index) {
         w->internal_edges->join(w, index);
     }
     td_awake_refresh(w, index);
-    for (int e = body->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+    for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         if (td_constraint_at(w, e / 2)->state == TD_TOUCHING) {
             td_lane_renew(w, e / 2);
         }
@@ -136,7 +118,7 @@ static void update_shapes(thud_world *w, int index) {
 static void renew_terrain(thud_world *w, int index) {
     for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (td_kind_is_line(td_shape_at(w, i)->kind)) {
-            destroy_contacts(w, index, i);
+            destroy_contacts(w, index, i, false);
             *td_marks_at(w, i) |= TD_MARK_FRESH;
         }
     }
@@ -147,8 +129,10 @@ static void renew_terrain(thud_world *w, int index) {
 static void change_enabled(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     bool enabled = !(body->flags & TD_BODY_DISABLED);
-    destroy_contacts(w, index, TD_NONE);
-    suspend_others(w, index);
+    destroy_contacts(w, index, TD_NONE, false);
+    if (w->joining) {
+        w->joining->suspend(w, index);
+    }
     if (!enabled && body->awake > 0) {
         td_awake_remove(w, index);
     } else if (enabled && body->awake < 0 && body->kind != THUD_STATIC) {
@@ -164,7 +148,7 @@ static void change_enabled(thud_world *w, int index) {
 
 /* Contacts with segments that an edit of a line took away. */
 static void destroy_gone(thud_world *w, int index) {
-    for (int e = td_body_at(w, index)->first_contact; e != TD_NONE;) {
+    for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
         if (td_constraint_at(w, e / 2)->child == TD_NONE) {
             td_contact_destroy(w, e / 2);
@@ -250,10 +234,15 @@ static void clean_moved(thud_world *w) {
     w->moved.count = count;
 }
 
+/* Joints take effect once their bodies are there. */
+static bool engage(thud_world *w) {
+    return !w->joining || w->joining->engage(w);
+}
+
 bool td_changes_apply(thud_world *w) {
     td_deferred_apply(w);
     if (w->changed.count == 0) {
-        return td_constraints_engage(w);
+        return engage(w);
     }
     w->paired = false;
     w->narrowed = 0;
@@ -267,5 +256,5 @@ bool td_changes_apply(thud_world *w) {
     }
     w->changed.count -= done;
     clean_moved(w);
-    return whole && td_constraints_engage(w);
+    return whole && engage(w);
 }

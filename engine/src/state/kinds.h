@@ -44,6 +44,6 @@ TD_DECLARE_WIDE(td_finalize_bodies_fn, td_finalize_bodies);
 TD_ALL_PAIRS(TD_DECLARE_PAIR)
 
 /* Where there is a world `w`: gives it the operations of a row of pair_kinds.h. */
-#define TD_PLUG_PAIR(kind, ops, ...) w->pairs[kind] = &TD_PICK_WIDE(w, ops);
+#define TD_PLUG_PAIR(kind, ops, ...) w->kinds[kind] = &TD_PICK_WIDE(w, ops);
 
 #endif

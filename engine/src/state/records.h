@@ -37,9 +37,9 @@ typedef struct td_body {
     uint8_t kind, flags, changes, aabbs; /* aabbs: number of AABB shapes, which fix rotation */
     int32_t awake;                       /* slot, or TD_NONE: static, asleep or not yet applied */
     int32_t first_shape, shape_count;
-    int32_t first_contact; /* edge: contact * 2 + side */
-    float velocity[3];     /* while there is no awake slot */
-    float force[3];        /* for the next step: x, y, torque */
+    int32_t first_constraint; /* edge: contact * 2 + side */
+    float velocity[3];        /* while there is no awake slot */
+    float force[3];           /* for the next step: x, y, torque */
     float mass, inertia, inv_mass, inv_inertia;
     float center_x, center_y; /* of mass, in the body's frame */
     float core, rim;          /* smallest half extent; farthest reach from the centre of mass */

@@ -11,28 +11,28 @@ typedef struct td_scratch {
     td_array crowded; /* int: shapes in a crowd of which pairs are missing */
     td_array stamps;  /* uint32_t, by shape: the last one that it was found to touch */
     uint32_t stamp;
-    td_array pairs;            /* td_new_pair */
-    td_array bodies, contacts; /* int: an island that wakes or falls asleep */
-    td_array blocks;           /* td_block *: in solver order */
-    td_array runs;             /* td_run */
-    bool sequenced;            /* `blocks` and `runs` list all blocks of the awake bins */
-    td_array parted;           /* td_block *: have a lane that touches no more */
-    td_array chunks;           /* td_chunk: what workers take of the blocks */
-    td_array counters;         /* atomic_int: of phases, see jobs.h */
-    td_array begins, ends;     /* int: contacts */
-    td_array parents;          /* int: union-find by awake slot */
-    td_array lane_bins;        /* int: see td_lanes_place */
-    td_array test_blocks;      /* td_block of the largest form: waiting pairs under test */
-    td_array test_list;        /* td_block *: to those of test_blocks */
-    td_array fast;             /* int: awake slots of dynamic bodies that moved further than
-                                  half their core */
-    td_event_queue queue;      /* of the candidates that are going to meet */
-    td_array trajectories;     /* td_trajectory, by awake slot */
-    td_array candidates;       /* td_toi_candidate: the extra ones */
-    td_array strays;           /* td_stray */
-    td_array impacts;          /* td_impact */
-    td_array odd;              /* int: awake slots that the wide part of finish leaves over */
-    td_array order;            /* while a proxy set is put into its order */
+    td_array pairs;               /* td_new_pair */
+    td_array bodies, constraints; /* int: an island that wakes or falls asleep */
+    td_array blocks;              /* td_block *: in solver order */
+    td_array runs;                /* td_run */
+    bool sequenced;               /* `blocks` and `runs` list all blocks of the awake bins */
+    td_array parted;              /* td_block *: have a lane that touches no more */
+    td_array chunks;              /* td_chunk: what workers take of the blocks */
+    td_array counters;            /* atomic_int: of phases, see jobs.h */
+    td_array begins, ends;        /* int: contacts */
+    td_array parents;             /* int: union-find by awake slot */
+    td_array lane_bins;           /* int: see td_lanes_place */
+    td_array test_blocks;         /* td_block of the largest form: waiting pairs under test */
+    td_array test_list;           /* td_block *: to those of test_blocks */
+    td_array fast;                /* int: awake slots of dynamic bodies that moved further than
+                                     half their core */
+    td_event_queue queue;         /* of the candidates that are going to meet */
+    td_array trajectories;        /* td_trajectory, by awake slot */
+    td_array candidates;          /* td_toi_candidate: the extra ones */
+    td_array strays;              /* td_stray */
+    td_array impacts;             /* td_impact */
+    td_array odd;                 /* int: awake slots that the wide part of finish leaves over */
+    td_array order;               /* while a proxy set is put into its order */
 } td_scratch;
 
 #endif

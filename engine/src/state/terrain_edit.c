@@ -48,7 +48,7 @@ static void disturb(thud_world *w, int terrain_shape, int shape) {
     td_body_mark(w, body, TD_CHANGE_WAKE);
     td_shape_mark_moved(w, shape);
     *td_marks_at(w, shape) |= TD_MARK_WOKEN;
-    for (int e = td_body_at(w, body)->first_contact; e != TD_NONE; e = td_next_edge(w, e)) {
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *contact = td_constraint_at(w, e / 2);
         if (contact->state == TD_TOUCHING && joins(contact, terrain_shape)) {
             td_lane_renew(w, e / 2);
@@ -58,7 +58,7 @@ static void disturb(thud_world *w, int terrain_shape, int shape) {
 
 /* Contacts with the line as it was. */
 static void disturb_contacts(thud_world *w, int terrain_shape, const splice *s) {
-    int e = td_body_at(w, td_shape_at(w, terrain_shape)->body)->first_contact;
+    int e = td_body_at(w, td_shape_at(w, terrain_shape)->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         td_constraint *contact = td_constraint_at(w, e / 2);
         if (!joins(contact, terrain_shape) || contact->child == TD_NONE) {

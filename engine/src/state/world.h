@@ -23,8 +23,9 @@ struct thud_world {
     td_memory memory;
     uint32_t number; /* mixed into generations */
     /* Plugged in by kinds.h, as the next two are, and by what makes joints. */
-    const td_constraint_ops *pairs[TD_CONSTRAINT_KINDS];
+    const td_constraint_ops *kinds[TD_CONSTRAINT_KINDS];
     const struct td_internal_edge_ops *internal_edges; /* null: nothing has faces */
+    const struct td_joining_ops *joining;              /* null: there never was a joint */
     const struct td_ground_ops *ground;                /* null: there are no lines */
     bool wide;                                         /* AVX2 kernels may run */
     bool locked;                                       /* in a step, or inside a callback */
@@ -41,7 +42,7 @@ struct thud_world {
     uint64_t steps;
     double spare_time;   /* of thud_world_advance */
     uint32_t rest_epoch; /* rises whenever a resting shape enters or moves */
-    td_slots bodies, shapes, contacts, joints, terrains;
+    td_slots bodies, shapes, constraints, joints, terrains;
     td_array pose;  /* td_pose, by body */
     td_array proxy; /* td_shape_proxy, by shape */
     td_array was;   /* td_bounds, by shape */
@@ -58,11 +59,11 @@ struct thud_world {
     td_array deferred;                     /* td_deferred_edit */
     td_slots pool[TD_FORM_COUNT];          /* td_block of each form */
     td_bin bins[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND];
-    int touching;       /* lanes in use, asleep ones too */
+    int touching;       /* lanes of contacts in use, asleep ones too */
     int bouncy;         /* lanes in use that have restitution */
     int surface_speeds; /* lanes in use that have a surface speed */
     int mobile_sensors; /* shapes: sensors of dynamic bodies */
-    int contact_count[TD_CONSTRAINT_KINDS];
+    int constraint_count[TD_CONSTRAINT_KINDS];
     int damped;          /* awake bodies with damping */
     bool push_stale;     /* `push` must be made anew */
     double kinetic;      /* energy of the awake bodies */
@@ -104,7 +105,7 @@ static inline td_shape *td_shape_at(const thud_world *w, int i) {
 }
 
 static inline td_constraint *td_constraint_at(const thud_world *w, int i) {
-    return td_slot_of(&w->contacts, i, sizeof(td_constraint));
+    return td_slot_of(&w->constraints, i, sizeof(td_constraint));
 }
 
 static inline bool td_is_contact(const td_constraint *constraint) {
@@ -113,7 +114,7 @@ static inline bool td_is_contact(const td_constraint *constraint) {
 
 static inline td_contact *td_contact_at(const thud_world *w, int i) {
     assert(td_is_contact(td_constraint_at(w, i)));
-    return td_slot_of(&w->contacts, i, sizeof(td_contact));
+    return td_slot_of(&w->constraints, i, sizeof(td_contact));
 }
 
 static inline td_terrain_record *td_terrain_record_at(const thud_world *w, int i) {

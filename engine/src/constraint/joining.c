@@ -1,5 +1,5 @@
-/* engage.c: see engage.h. */
-#include "constraint/engage.h"
+/* joining.c: see joining.h. */
+#include "constraint/joining.h"
 
 #include "constraint/constraint.h"
 #include "constraint/lanes.h"
@@ -26,7 +26,7 @@ static bool engage(thud_world *w, int index) {
     return true;
 }
 
-bool td_constraints_engage(thud_world *w) {
+static bool engage_all(thud_world *w) {
     for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
         for (int i = 0; i < w->waiting[kind].count;) {
             int index = td_int_at(&w->waiting[kind], i);
@@ -41,3 +41,15 @@ bool td_constraints_engage(thud_world *w) {
     }
     return true;
 }
+
+static void suspend(thud_world *w, int body) {
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        if (!td_is_contact(constraint) && constraint->state == TD_TOUCHING) {
+            td_lane_remove(w, e / 2);
+            td_constraint_wait(w, e / 2);
+        }
+    }
+}
+
+const td_joining_ops td_joining = {engage_all, suspend};

@@ -1,0 +1,18 @@
+/* joining.h: when constraints that are no contacts take effect, and when they let go. A world has
+ * it from its first joint on, so that a program without joints does not link it. */
+#ifndef TD_JOINING_H
+#define TD_JOINING_H
+
+#include "state/world.h"
+
+typedef struct td_joining_ops {
+    /* Gives lanes to those that wait, where their bodies are in the world and enabled. False when
+     * memory is short: the rest goes on waiting. */
+    bool (*engage)(thud_world *w);
+    /* Those of a body give their lanes back, and wait until it is enabled. */
+    void (*suspend)(thud_world *w, int body);
+} td_joining_ops;
+
+extern const td_joining_ops td_joining;
+
+#endif
