@@ -25,14 +25,6 @@ void td_direct_measure(td_direct *d) {
     }
 }
 
-double td_direct_load(const td_direct_constraint *c) {
-    double load = 0.0;
-    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-        load += c->row[k].used && c->row[k].kind == TD_ROW_PUSH ? c->row[k].impulse : 0.0;
-    }
-    return load;
-}
-
 double td_direct_friction(const td_direct_constraint *c) {
     const td_direct_row *tangent = &c->row[TD_DIRECT_TANGENT];
     return td_friction_bound(c->friction, td_direct_load(c), tangent->speed - tangent->wanted);
@@ -45,15 +37,21 @@ void td_direct_bound(td_direct *d) {
     }
 }
 
+/* Of a row that is no friction. */
+static double lack_of(const td_direct_row *r) {
+    double lack = r->wanted - r->speed;
+    return r->kind == TD_ROW_EQUAL && lack < 0.0 ? -lack : lack;
+}
+
 double td_direct_miss(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            const td_direct_row *r = &d->constraints[i].row[k];
-            double lack = r->wanted - r->speed;
-            if (r->used && r->kind != TD_ROW_FRICTION) {
-                worst = td_max_double(worst, r->kind == TD_ROW_EQUAL && lack < 0.0 ? -lack : lack);
-            }
+        const td_direct_row *row = d->constraints[i].row, *last = &row[TD_DIRECT_TANGENT];
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            worst = row[k].used ? td_max_double(worst, lack_of(&row[k])) : worst;
+        }
+        if (last->kind == TD_ROW_EQUAL && last->used) {
+            worst = td_max_double(worst, lack_of(last));
         }
     }
     return worst;

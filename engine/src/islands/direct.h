@@ -20,7 +20,8 @@ enum {
 };
 
 typedef enum td_row_kind {
-    TD_ROW_PUSH,     /* impulse >= 0, speed >= wanted, and one of both with equality */
+    TD_ROW_PUSH, /* never the last row: impulse >= 0, speed >= wanted, and one of both with equality
+                  */
     TD_ROW_FRICTION, /* |impulse| <= most, and less only where speed = wanted */
     TD_ROW_EQUAL     /* speed = wanted, whatever impulse that takes */
 } td_row_kind;
@@ -52,7 +53,7 @@ typedef struct td_direct_constraint {
     int a, b;        /* bodies; TD_NONE: that side is no variable */
     int entry;       /* of the matrix, where both are */
     bool b_later;    /* it has b's rows */
-    double friction; /* of the friction row, if there is one: times all that pushes */
+    double friction; /* of the last row, where it is friction: times all that pushes */
     td_direct_row row[TD_DIRECT_ROWS];
 } td_direct_constraint;
 
@@ -94,7 +95,13 @@ void td_direct_step(td_direct *d);
 /* The greatest speed by which a row misses what it wants. */
 double td_direct_miss(const td_direct *d);
 /* The sum of what a constraint's rows push. */
-double td_direct_load(const td_direct_constraint *c);
+static inline double td_direct_load(const td_direct_constraint *c) {
+    double load = 0.0;
+    for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+        load += c->row[k].used && c->row[k].kind == TD_ROW_PUSH ? c->row[k].impulse : 0.0;
+    }
+    return load;
+}
 /* The bound of a contact's friction for the impulses along the normals and the speed at which it
  * slides, as both stand. */
 double td_direct_friction(const td_direct_constraint *c);

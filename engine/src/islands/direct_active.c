@@ -38,8 +38,9 @@ static double clamped(double x, double most) {
  * impulse, that a row does not change its mind for. */
 static void answer(td_direct_row *r, double doubt) {
     double impulse = r->base - r->weight * (r->speed - r->wanted), little = doubt * r->mass;
-    if (r->kind == TD_ROW_EQUAL) {
-        r->impulse = impulse; /* it always is active */
+    if (r->kind == TD_ROW_PUSH) {
+        r->active = r->active ? impulse > -little : r->speed < r->wanted - doubt;
+        r->impulse = r->active && impulse > 0.0 ? impulse : 0.0;
     } else if (r->kind == TD_ROW_FRICTION) {
         /* From one bound to the other it sticks in between. */
         double against = r->impulse < 0.0 ? -impulse : impulse;
@@ -47,8 +48,7 @@ static void answer(td_direct_row *r, double doubt) {
         r->active = r->active && r->most > 0.0; /* which has no direction to have slid in */
         r->impulse = clamped(impulse, r->most);
     } else {
-        r->active = r->active ? impulse > -little : r->speed < r->wanted - doubt;
-        r->impulse = r->active && impulse > 0.0 ? impulse : 0.0;
+        r->impulse = impulse; /* it always is active */
     }
     r->force = r->active ? impulse : r->impulse;
 }

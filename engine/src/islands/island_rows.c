@@ -90,8 +90,11 @@ static void take_constraint(td_island_work *work, int i) {
     work->bounces |= td_take_rows_of(w, constraint->kind)(w, at.block, at.lane, impulses, c);
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
+        if (!r->used) {
+            continue;
+        }
         set_known(c, r, known);
-        if (r->used && r->kind != TD_ROW_FRICTION) {
+        if (r->kind != TD_ROW_FRICTION) {
             double speed = r->kind == TD_ROW_EQUAL ? td_abs(r->wanted) : r->wanted;
             work->pushed = td_max_double(work->pushed, speed);
         }

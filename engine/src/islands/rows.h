@@ -17,8 +17,11 @@ static inline td_take_rows_fn *td_take_rows_of(const thud_world *w, int kind) {
     return lanes ? lanes->take_rows : td_contact_take_rows;
 }
 
-/* A row between the sides of a lane, along (x, y), with the crosses of the arms. rows.c */
-void td_row_set(td_direct_row *row, td_row_kind kind, double x, double y, double cross_a,
-                double cross_b);
+/* A row between the sides of a lane, along (x, y), with the crosses of the arms. */
+static inline void td_row_set(td_direct_row *row, td_row_kind kind, double x, double y,
+                              double cross_a, double cross_b) {
+    *row =
+        (td_direct_row){.kind = kind, .a = {-x, -y, -cross_a}, .b = {x, y, cross_b}, .used = true};
+}
 
 #endif
