@@ -9,7 +9,7 @@
  * otherwise.
  *
  * A world computes, and calls back, in a floating-point mode of its own, whatever that of the
- * calling or a crew's thread is, and gives it back: on x86-64, AArch64 and wasm, elsewhere it must
+ * calling or a job system's thread is, and gives it back: on x86-64, AArch64 and wasm, elsewhere it must
  * be the thread's. */
 #ifndef THUD_H
 #define THUD_H
@@ -33,7 +33,7 @@ extern "C" {
 /* ---- world ---- */
 
 /* Hears why a call was refused; with THUD_OK, that one was done which is hardly meant. No hook of a
- * world (allocator, log, clock, crew) calls any of its functions. */
+ * world (allocator, log, clock, job system) calls any of its functions. */
 typedef void thud_log_fn(thud_result result, const char *message, void *context);
 typedef double thud_clock_fn(void *context); /* seconds, from any start, never backwards */
 

@@ -24,8 +24,8 @@ static void mark(thud_world *w, thud_stage stage, double *last) {
     }
 }
 
-/* The stage of the detection of a rank, for the lowest rank that has it; else null: each stage runs
- * once, whichever detections share it. */
+/* The stage that the detection of a rank runs in, or null where one of a lower rank has the same:
+ * each stage runs once, whichever detections share it. */
 static const td_detection_stage *stage_of(const thud_world *w, int rank) {
     const td_detection_stage *stage = w->detections[rank] ? w->detections[rank]->stage : NULL;
     for (int lower = 0; lower < rank && stage; lower++) {
@@ -65,7 +65,7 @@ static bool find_islands(thud_world *w) {
     return !w->quality.islands || w->quality.islands->find(w);
 }
 
-/* Direct islands are solved twice, the second time at once and directly. */
+/* Direct islands are solved twice: by the soft solver like all others, and then as a whole. */
 static void solve(thud_world *w) {
     w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings =
         0;
@@ -95,7 +95,7 @@ static thud_result run_stages(thud_world *w) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
     }
 
-    w->paired = false;
+    w->paired = false; /* a step that runs out of memory goes on where these two say */
     w->narrowed = 0;
     td_contacts_ask(w);
     detect(w, TD_BEFORE_SOLVING);

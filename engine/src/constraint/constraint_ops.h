@@ -32,13 +32,14 @@ typedef struct td_lane_ops {
 typedef struct td_constraint_ops {
     td_block_form form;
     const td_lane_ops *lanes; /* null: those of contacts, td_contact_lanes */
-    td_sift_fn *sift;         /* of contacts; null where `collide_world` is set */
-    td_collide_fn *collide;   /* likewise */
+    td_sift_fn
+        *sift; /* of contacts: a quick look at those that wait; null where `collide_world` is */
+    td_collide_fn *collide; /* likewise */
     /* Where the geometry does not lie in the per-shape records: lines, joints. */
     void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
                           const td_collide_context *context);
     const td_solve_ops *solve;
-    const td_solve_ops *solve_unarmed; /* for runs of blocks of which none is armed */
+    const td_solve_ops *solve_unarmed; /* for runs of blocks of which none is armed, see td_block */
 } td_constraint_ops;
 
 #endif

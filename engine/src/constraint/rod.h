@@ -1,8 +1,8 @@
 /* rod.h: a rod holds two places of two bodies at a distance from each other, and lets everything
  * turn. It is the smallest constraint that is no contact, and shows what another kind needs: a
- * record, its row for the soft solver (wide_rod.c) and for the direct one (rod_rows.c). It stands
- * behind the engine's own door: nothing in include/thud leads here yet, and a program that makes no
- * rod links none. */
+ * number (contact/pair_kinds.h), a record, its row for the soft solver (wide_rod.c) and for the
+ * direct one (rod_rows.c). It stands behind the engine's own door: nothing in include/thud leads
+ * here yet, and a program that makes no rod links none. */
 #ifndef TD_ROD_H
 #define TD_ROD_H
 

@@ -1,7 +1,8 @@
 /* sleep.c: islands fall asleep as a whole.
  *
  * Islands are only worked out when a body has been at rest for long enough, and then at most every
- * eighth step: a world in which nothing rests pays nothing. The lanes of a sleeping island are
+ * eighth step: a world in which nothing rests pays nothing. Who rests, and for how long, is counted
+ * where motion becomes pose, in solver/wide_finalize.c. The lanes of a sleeping island are
  * asleep, with their impulses, in bins that no stage visits. */
 #include "state/awake.h"
 #include "constraint/constraint.h"

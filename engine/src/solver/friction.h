@@ -2,9 +2,10 @@
  *
  * What slides gets an impulse along the tangent against its sliding, of at most the ratio of
  * friction times the impulse along the normal; what less would stop, stops. `slip` is the speed at
- * which b slides over a along the tangent, beyond that of a belt, before the impulse: Coulomb's
- * ratio is the same at any, and a rule that goes by the speed would stand here in its place. Both
- * versions say the same. */
+ * which b slides over a along the tangent, with its sign, beyond that of a belt, before the
+ * impulse: Coulomb's ratio is the same at any, and a rule that goes by the speed would stand here
+ * in its place. Both versions say the same. What such a rule touches besides: docs/architecture.md.
+ */
 #ifndef TD_FRICTION_H
 #define TD_FRICTION_H
 

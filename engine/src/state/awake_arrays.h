@@ -1,7 +1,9 @@
 /* awake_arrays.h: what the world keeps of each body that moves: an array each, by awake slot.
  *
- * This list is all there is to say about such an array. Its field in thud_world, its stride, its
- * room, its way from slot to slot, its end and its place in snapshots follow from its line. */
+ * Of such an array its field in thud_world, its stride, its room, its way from slot to slot, its
+ * end and its place in snapshots follow from its line in this list. What it begins with when a body
+ * wakes is set in td_awake_add: a slot has the values of whoever had it before. What shall outlast
+ * a sleep also needs a field in td_body, as `direct_steps` has, that td_awake_remove keeps. */
 #ifndef TD_AWAKE_ARRAYS_H
 #define TD_AWAKE_ARRAYS_H
 
@@ -23,7 +25,7 @@ enum {
     X(idle, float, TD_STATE)           /* time at rest */                                    \
     X(direct_steps, uint8_t, TD_STATE) /* steps for which its island still counts as hard */ \
     X(slow_steps, uint16_t, TD_STATE)  /* steps that took its island's solver long */        \
-    X(reach, float[2], TD_STATE)       /* core and rim of its td_body */                     \
+    X(reach, float[2], TD_STATE)       /* td_body.core and .rim */                           \
     X(mass, float, TD_STATE)                                                                 \
     X(inertia, float, TD_STATE)                                                              \
     X(weight, float, TD_STATE) /* mass by gravity scale */                                   \

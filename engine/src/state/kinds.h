@@ -1,13 +1,14 @@
 /* kinds.h: the wide functions, picked for the processor at run time; and shape kinds, which plug
  * their pair functions into a world when they are first used, so that a program that never makes a
- * kind does not link its code. */
+ * kind does not link its code. A new kind begins in geometry/shape_kind.h. */
 #ifndef TD_KINDS_H
 #define TD_KINDS_H
 
 #include "solver/motion.h"
 #include "state/world.h"
 
-/* ROW(kind of shape, what plugs it in, a pair kind that comes with it alone) */
+/* ROW(kind of shape, what plugs it in, a pair kind that a world only has with it, by which
+ * snapshots see that it is plugged in) */
 #define TD_ALL_KINDS(ROW)                                   \
     ROW(THUD_CIRCLE, td_kind_circle, TD_PAIR_CIRCLE_CIRCLE) \
     ROW(THUD_AABB, td_kind_aabb, TD_PAIR_AABB_AABB)         \
