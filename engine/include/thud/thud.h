@@ -9,8 +9,8 @@
  * otherwise.
  *
  * A world computes, and calls back, in a floating-point mode of its own, whatever that of the
- * calling or a job system's thread is, and gives it back: on x86-64, AArch64 and wasm, elsewhere it must
- * be the thread's. */
+ * calling or a job system's thread is, and gives it back: on x86-64, AArch64 and wasm, elsewhere it
+ * must be the thread's. */
 #ifndef THUD_H
 #define THUD_H
 

@@ -19,9 +19,9 @@
  * events, and the settings that have a setter (gravity, time step, quality, sleeping, max_error).
  * What only the def says is not in it: the world that is restored must have the same length scale,
  * broadphase, substeps, contact_stiffness, contact_damping, push_speed, restitution_threshold,
- * hit_speed, maximum_speed, contact_events, time_budget and detection. Callbacks, log, clock, job system,
- * allocator and baseline_simd stay as that world has them; other callbacks may well do something
- * else. The caller's own state is for the caller to copy; a thud_mover is a plain struct.
+ * hit_speed, maximum_speed, contact_events, time_budget and detection. Callbacks, log, clock, job
+ * system, allocator and baseline_simd stay as that world has them; other callbacks may well do
+ * something else. The caller's own state is for the caller to copy; a thud_mover is a plain struct.
  *
  * A program that uses this links every shape kind, every detection and the island solver, since a
  * snapshot may name them; one that does not pays nothing. */
