@@ -1,4 +1,5 @@
-/* pool.h: threads for thud_world_def.crew, for programs that have no job system of their own. */
+/* pool.h: threads for thud_world_def.job_system, for programs that have no job system of their own.
+ */
 #ifndef THUD_DEMO_POOL_H
 #define THUD_DEMO_POOL_H
 

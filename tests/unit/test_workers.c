@@ -68,7 +68,7 @@ static void small_worlds_ask_nobody(void **state) {
     assert_int_equal(calls, 0);
 }
 
-static void absurd_crews_are_refused(void **state) {
+static void absurd_job_systems_are_refused(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
     thud_world *world = NULL;
@@ -86,7 +86,7 @@ int main(void) {
         cmocka_unit_test(any_number_of_workers_gives_the_same_bits),
         cmocka_unit_test(workers_one_after_the_other_give_the_same_bits),
         cmocka_unit_test(small_worlds_ask_nobody),
-        cmocka_unit_test(absurd_crews_are_refused),
+        cmocka_unit_test(absurd_job_systems_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

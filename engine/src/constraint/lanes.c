@@ -259,24 +259,23 @@ void td_lane_remove(thud_world *w, int index) {
     td_constraint *constraint = td_constraint_at(w, index);
     assert(constraint->state == TD_TOUCHING);
     release_bin(w, constraint, constraint->bin);
-    td_lane_ops_of(w, constraint->kind)
-        ->clear(w, td_block_at(w, constraint->kind, constraint->slot / TD_LANES),
-                constraint->slot % TD_LANES, index);
+    td_lane at = td_lane_of(w, constraint);
+    td_lane_ops_of(w, constraint->kind)->clear(w, at.block, at.lane, index);
     bin_shrink(w, constraint->kind, constraint->bin, constraint->slot);
     w->touching -= td_is_contact(constraint);
 }
 
 void td_lane_refresh(thud_world *w, int index) {
     const td_constraint *constraint = td_constraint_at(w, index);
-    set_slots(w, td_block_at(w, constraint->kind, constraint->slot / TD_LANES),
-              constraint->slot % TD_LANES, constraint);
+    td_lane at = td_lane_of(w, constraint);
+    set_slots(w, at.block, at.lane, constraint);
 }
 
 void td_lane_renew(thud_world *w, int index) {
     const td_constraint *constraint = td_constraint_at(w, index);
-    td_block *block = td_block_at(w, constraint->kind, constraint->slot / TD_LANES);
+    td_lane at = td_lane_of(w, constraint);
     td_lane_refresh(w, index);
-    td_lane_ops_of(w, constraint->kind)->renew(w, block, constraint->slot % TD_LANES, index);
+    td_lane_ops_of(w, constraint->kind)->renew(w, at.block, at.lane, index);
 }
 
 static void list_bin(thud_world *w, int kind, int bin) {

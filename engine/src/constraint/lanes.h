@@ -53,11 +53,11 @@ static inline td_lane td_lane_of(const thud_world *w, const td_constraint *const
                      constraint->slot % TD_LANES};
 }
 
-/* Gives each of the constraints a lane: by graph colour, or in its kind's asleep bin. A contact
- * that has a lane already takes its impulses along. False when memory is short, and nothing has
+/* Gives each of the constraints a lane: by graph colour, or in its kind's bin of sleepers. What
+ * has a lane already takes its impulses along. False when memory is short, and nothing has
  * changed. */
 bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleeping);
-/* Room for sleeping lanes every lane. */
+/* Room for all lanes to fall asleep. */
 bool td_lanes_reserve_sleeping(thud_world *w);
 void td_lane_remove(thud_world *w, int constraint);
 

@@ -16,8 +16,8 @@ static void set(thud_world *w, int shape, unsigned internal_edges, unsigned hidd
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *contact = td_constraint_at(w, e / 2);
         if (td_is_contact(contact) && contact->state == TD_TOUCHING) {
-            td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-            block->internal_edges[contact->slot % TD_LANES] =
+            td_lane at = td_lane_of(w, contact);
+            at.block->internal_edges[at.lane] =
                 td_internal_edges_of(td_shape_at(w, contact->shape_a),
                                      td_shape_at(w, contact->shape_b));
         }

@@ -1,11 +1,11 @@
 /* direct_islands.c: finds the islands that are to be solved at once.
  *
- * An island is what touching contacts between dynamic bodies connect. It is hard when a body of it
- * is: for TD_DIRECT_STEPS after a contact of it was last found to give way too much. That is looked
- * for in an eighth of the blocks a step, and must be found twice in succession, and where the two
- * bodies are calm: an impact is as heavy but passes, and of a heap in motion the soft solver makes
- * as much for less. Of a heavy body on a light one, which sinks in at once, the first time and half
- * will do. Where the limit is 0 every island is hard. */
+ * An island is what constraints that act between dynamic bodies connect. It is direct when a body
+ * of it is: for TD_DIRECT_STEPS after a constraint of it was last found to give way too much. That
+ * is looked for in an eighth of the blocks a step, and must be found twice in succession, and where
+ * the two bodies are calm: an impact is as heavy but passes, and of a heap in motion the soft
+ * solver makes as much for less. Where a heavy body lies on a light one, which sinks in at once,
+ * half the load found once will do. Where the limit is 0 every island is direct. */
 #include "islands/direct_islands.h"
 
 #include "constraint/constraint.h"

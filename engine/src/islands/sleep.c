@@ -2,8 +2,8 @@
  *
  * Islands are only worked out when a body has been at rest for long enough, and then at most every
  * eighth step: a world in which nothing rests pays nothing. Who rests, and for how long, is counted
- * where motion becomes pose, in solver/wide_finalize.c. The lanes of a sleeping island are
- * asleep, with their impulses, in bins that no stage visits. */
+ * where motion becomes pose, in solver/wide_finalize.c. The lanes of a sleeping island lie,
+ * with their impulses, in bins that no stage visits. */
 #include "state/awake.h"
 #include "constraint/constraint.h"
 #include "constraint/lanes.h"
@@ -67,7 +67,7 @@ bool td_sleep_reserve(thud_world *w) {
     /* A body that enters or wakes has not been counted: a long step by itself may be enough for it.
      */
     bool long_step = (float)w->def.time_step >= TD_SLEEP_TIME;
-    /* Room for sleeping lanes may move the blocks, so they are listed again. */
+    /* Making room for sleepers may move the blocks, so they are listed again. */
     return !is_due(w, long_step ? w->body_of.count : w->drowsy_bodies) ||
            (td_wake_reserve(w) && td_lanes_reserve_sleeping(w) && td_lanes_sequence(w) &&
             td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count));
