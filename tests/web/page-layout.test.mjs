@@ -183,10 +183,10 @@ test("figures_are_numbers_with_units_and_the_help_explains_each", async () => {
   const { page, close } = await visitor.open("?scene=pyramid&size=60&paused=1");
   await stepBy(page, 60);
   const text = (name) => page.textContent(`[data-value="${name}"]`);
-  await until(() => text("ms"), (shown) => /\d/.test(shown), "time of a step");
+  // The first steps do not count as slow ones, and the figures may be of a picture before the last.
   for (const name of ["ms", "slowest"])
     assert.match(
-      await text(name),
+      await until(() => text(name), (shown) => /\d/.test(shown), `figure of ${name}`),
       /^([1-9]\d* µs|\d\.\d\d ms|\d\d\.\d ms|\d{3} ms|\d+\.\d s)$/,
     );
   assert.match(await text("fps"), /^\d+$/);
