@@ -72,13 +72,13 @@ function(_thud_wide_pass target isa flags)
 endfunction()
 
 # thud_test(FILE [LIBRARY...]) makes a ctest test of one cmocka program. It runs in the project's
-# root, so that it finds assets/, and it may include the engine's internal headers.
+# root, so that it finds assets/, and it may include the engine's internal headers and tests/support.
 function(thud_test file)
     get_filename_component(name ${file} NAME_WE)
     add_executable(${name} ${file})
     thud_common_flags(${name})
     target_include_directories(${name} PRIVATE ${CMOCKA_INCLUDE_DIR}
-        ${PROJECT_SOURCE_DIR}/engine/src)
+        ${PROJECT_SOURCE_DIR}/engine/src ${PROJECT_SOURCE_DIR}/tests/support)
     target_link_libraries(${name} PRIVATE ${ARGN} thud ${CMOCKA_LIBRARY})
     add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()

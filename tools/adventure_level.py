@@ -3,7 +3,7 @@
 One way from left to right past everything that a character can do, in this order: jump a pit,
 climb planks, drop through planks, walk slopes, ride a lift across and one up, push a crate. What
 the figure can reach decides every number here: it jumps 3.2 m high and 7 m far. The test
-tests/web/wasm-platformer.test.mjs plays the level to the end with every coin."""
+tests/web/worker/platformer.test.mjs plays the level to the end with every coin."""
 
 import math
 import random

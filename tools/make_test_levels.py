@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Makes the maps in tests/levels, each with a part of Tiled's formats in it, and each as JSON and as
-XML: tests/unit/test_level_formats.c and tests/web/wasm-level-formats.test.mjs read them.
+XML: tests/levels/test_level_formats.c and tests/web/package/level-formats.test.mjs read them.
 
 Running it twice gives the same files."""
 

@@ -4,9 +4,9 @@
  */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { boxes } from "./code-support.mjs";
-import { BROWSERS, DESKTOP, openVisitor, untilRunning, untilTold } from "./page-support.mjs";
-import { until } from "./wait-support.mjs";
+import { boxes } from "./support/code.mjs";
+import { BROWSERS, DESKTOP, openVisitor, untilRunning, untilTold } from "./support/page.mjs";
+import { until } from "./support/wait.mjs";
 
 /** Milliseconds between two pictures here: longer than a machine needs for a small step. */
 const PAUSE = 120;

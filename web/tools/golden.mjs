@@ -1,10 +1,10 @@
 /**
  * The native engine's hashes of the scenes that demo/scenes has too: tests/golden/hashes.txt, which
- * tests/unit/test_golden.c holds gcc's and clang's builds to.
+ * tests/scenes/test_golden.c holds gcc's and clang's builds to.
  */
 import { readFileSync } from "node:fs";
 
-/** As in tests/unit/test_golden.c; sizes are the C scenes' where those are small. */
+/** As in tests/scenes/test_golden.c; sizes are the C scenes' where those are small. */
 export const GOLDEN_STEPS = 120;
 const SMALL = {
   bullets: 15,

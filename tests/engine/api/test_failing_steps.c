@@ -1,0 +1,328 @@
+/* test_failing_steps.c: random worlds of every setting, beside a twin whose memory never fails.
+ * Each step has its first allocation failing, then its second, and so on until it gets through:
+ * nothing has moved and nothing is told until then, and then bits, events and who is awake are the
+ * twin's. */
+#include "engine_support.h"
+
+#include "hostile_memory.h"
+
+#include <stdio.h>
+
+enum { BODIES = 400, STEPS = 110 };
+
+typedef struct side {
+    thud_world *world;
+    thud_body_id body[BODIES];
+    thud_shape_id line;
+    int count;
+    int asked; /* by callbacks */
+} side;
+
+typedef struct setting {
+    int quality, detection, broadphase;
+    bool sleeping, terrain, sensors, callbacks, tiles, queries;
+    uint64_t seed;
+} setting;
+
+static const thud_detection *const detections[] = {NULL, &thud_detection_overlap,
+                                                   &thud_detection_continuous,
+                                                   &thud_detection_bisect, &thud_detection_swept};
+static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
+                                                     &thud_broadphase_all};
+
+/* ---- callbacks: edits that wait for the next step. What they are refused is no step's ---- */
+
+static bool prologue(thud_world *world, const thud_contact *contact,
+                     thud_contact_settings *settings, void *context) {
+    side *s = context;
+    long allowed = memory_allowed;
+    memory_allowed = -1;
+    if (++s->asked % 17 == 0) {
+        thud_body_set_velocity(world, contact->body_b, (thud_vec2){1, 2}, 0.5f);
+    }
+    if (s->asked % 331 == 0) {
+        thud_shape_destroy(world, contact->shape_b);
+    }
+    settings->friction = s->asked % 5 ? settings->friction : 0;
+    memory_allowed = allowed;
+    return s->asked % 13 != 0;
+}
+
+static void epilogue(thud_world *world, const thud_contact *contact, void *context) {
+    side *s = context;
+    long allowed = memory_allowed;
+    memory_allowed = -1;
+    if (++s->asked % 97 == 0) {
+        thud_body_set_transform(world, contact->body_b, (thud_pos){s->asked % 7, 12}, 0);
+    } else if (s->asked % 211 == 0) {
+        thud_body_set_enabled(world, contact->body_b, false);
+    }
+    memory_allowed = allowed;
+}
+
+/* ---- worlds ---- */
+
+static void add(side *s, const setting *set, uint64_t *seed) {
+    if (s->count == BODIES) {
+        return;
+    }
+    thud_body_def def = thud_default_body_def();
+    thud_shape_def shape = thud_default_shape_def();
+    int what = (int)random_in(seed, 0, 20);
+    def.kind = what == 0 ? THUD_KINEMATIC : THUD_DYNAMIC;
+    def.position = (thud_pos){random_in(seed, -9, 9), random_in(seed, 1, 14)};
+    def.velocity = (thud_vec2){(float)random_in(seed, -3, 3), (float)random_in(seed, -9, 1)};
+    if (what == 1) {
+        def.velocity.x *= 60; /* fast */
+        def.detection = set->detection ? NULL : detections[(int)random_in(seed, 0, 5)];
+    }
+    if (def.kind == THUD_KINEMATIC) {
+        def.velocity = (thud_vec2){(float)random_in(seed, -1, 1), 0};
+    }
+    shape.restitution = what % 4 ? 0 : 0.8f;
+    shape.sensor = set->sensors && what == 2;
+    OK(thud_body_create(s->world, &def, &s->body[s->count]));
+    float hx = (float)random_in(seed, 0.15, 0.7), hy = (float)random_in(seed, 0.15, 0.7);
+    int kind = (int)random_in(seed, 0, 3);
+    add_shape(s->world, s->body[s->count], hx, kind ? hy : 0, kind == 2, &shape);
+    s->count++;
+}
+
+static void make(side *s, const setting *set, thud_allocator allocator) {
+    thud_world_def def = thud_world_def_of(qualities[set->quality]);
+    uint64_t seed = set->seed;
+    *s = (side){.count = 0};
+    def.allocator = allocator;
+    def.sleeping = set->sleeping;
+    def.detection = detections[set->detection];
+    def.broadphase = broadphases[set->broadphase];
+    def.prologue = set->callbacks ? prologue : NULL;
+    def.epilogue = set->callbacks ? epilogue : NULL;
+    def.callback_context = s;
+    s->world = make_world(def);
+    if (set->tiles) {
+        thud_body_id ground = add_body(s->world, THUD_STATIC, 0, 0, 0);
+        thud_shape_def plain = thud_default_shape_def();
+        for (int i = -12; i < 12; i++) {
+            OK(thud_shape_create_aabb(s->world, ground, &plain, (thud_vec2){(float)i, -0.5f},
+                                      (thud_vec2){0.5f, 0.5f}, NULL));
+        }
+    } else {
+        add_floor(s->world, NULL);
+    }
+    if (set->terrain) {
+        thud_pos points[30];
+        for (int i = 0; i < 30; i++) {
+            points[i] = (thud_pos){-15 + i, random_in(&seed, 0, 0.8)};
+        }
+        thud_terrain hills = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 30};
+        thud_shape_def plain = thud_default_shape_def();
+        OK(thud_shape_create_terrain(s->world, add_body(s->world, THUD_STATIC, 0, 0, 0), &plain,
+                                     &hills, &s->line));
+    }
+    for (int i = 0; i < 12; i++) {
+        add(s, set, &seed);
+    }
+}
+
+/* Of a step, by a seed: things come in shoals, after quiet times in which others fall asleep. */
+static void deeds(side *s, const setting *set, uint64_t seed, int step) {
+    if (step % 45 == 0) {
+        for (int i = 0; i < 25; i++) {
+            add(s, set, &seed);
+        }
+    }
+    if (random_in(&seed, 0, 1) < 0.05) {
+        thud_body_id body = s->body[(int)random_in(&seed, 0, s->count)];
+        int what = (int)random_in(&seed, 0, 5);
+        if (!thud_body_is_valid(s->world, body)) {
+            return;
+        }
+        if (what == 0) {
+            OK(thud_body_destroy(s->world, body));
+        } else if (what == 1) {
+            OK(thud_body_set_transform(s->world, body, (thud_pos){random_in(&seed, -5, 5), 6}, 0));
+        } else if (what == 2) {
+            OK(thud_body_set_enabled(s->world, body, random_in(&seed, 0, 1) < 0.5));
+        } else if (what == 3 && set->terrain) {
+            OK(thud_shape_dig(s->world, s->line, (thud_pos){random_in(&seed, -9, 9), 0.3}, 1));
+        } else {
+            (void)thud_body_set_awake(s->world, body, true); /* some have nothing to wake */
+        }
+    }
+}
+
+static void ask(side *s) {
+    thud_world_cast_ray(s->world, (thud_pos){-10, 1}, 20, 0, NULL, NULL, NULL);
+}
+
+/* ---- comparing ---- */
+
+static void note(char *text, size_t size, const char *what, const thud_contact_event *e,
+                 int count) {
+    for (int i = 0; i < count; i++) {
+        size_t used = strlen(text);
+        snprintf(text + used, size - used, "%s %u %u\n", what, e[i].shape_a.index1,
+                 e[i].shape_b.index1);
+    }
+}
+
+/* All that the last step told, in its order, and who is awake. */
+static const char *told(const side *s, char *text, size_t size) {
+    thud_events e = thud_world_events(s->world);
+    text[0] = 0;
+    note(text, size, "begin", e.begin, e.begin_count);
+    note(text, size, "end", e.end, e.end_count);
+    note(text, size, "in", e.sensor_begin, e.sensor_begin_count);
+    note(text, size, "out", e.sensor_end, e.sensor_end_count);
+    for (int i = 0; i < e.hit_count; i++) {
+        size_t used = strlen(text);
+        snprintf(text + used, size - used, "hit %u %u at %a %a by %a\n", e.hit[i].shape_a.index1,
+                 e.hit[i].shape_b.index1, e.hit[i].point.x, e.hit[i].point.y,
+                 (double)e.hit[i].speed);
+    }
+    return text;
+}
+
+static const char *awake(const side *s, char *text, size_t size) {
+    thud_stats stats = thud_world_stats(s->world);
+    snprintf(text, size,
+             "bodies %d shapes %d awake %d pairs %d contacts %d impacts %d held %d:", stats.bodies,
+             stats.shapes, stats.awake_bodies, stats.pairs, stats.contacts, stats.impacts,
+             stats.held_bodies);
+    for (int i = 0; i < s->count; i++) {
+        size_t used = strlen(text);
+        thud_body_state body = {0};
+        if (thud_body_is_valid(s->world, s->body[i])) {
+            OK(thud_body_get(s->world, s->body[i], &body));
+        }
+        snprintf(text + used, size - used, body.awake ? "1" : "0");
+    }
+    return text;
+}
+
+static long step_with_failures(side *s, const setting *set) {
+    static char before[1 << 17], after[1 << 17];
+    uint64_t hash = thud_world_hash(s->world), steps = thud_world_stats(s->world).steps;
+    told(s, before, sizeof before);
+    for (long failures = 0;; failures++) {
+        memory_allowed = failures;
+        memory_refused = 0;
+        thud_result result = thud_world_step(s->world);
+        memory_allowed = -1;
+        if (result == THUD_OK) {
+            assert_int_equal(memory_refused, 0); /* nothing is passed over silently */
+            return failures;
+        }
+        assert_int_equal(result, THUD_ERROR_MEMORY);
+        if (set->callbacks && failures == 0) {
+            hash = thud_world_hash(s->world); /* their edits are in effect now */
+        }
+        assert_true(thud_world_hash(s->world) == hash && thud_world_stats(s->world).steps == steps);
+        assert_string_equal(told(s, after, sizeof after), before);
+        if (set->queries) {
+            ask(s);
+        }
+    }
+}
+
+static long compare(const setting *set) {
+    static char a[1 << 17], b[1 << 17];
+    side here, twin;
+    long failures = 0;
+    memory_allowed = -1;
+    make(&here, set, hostile_memory());
+    make(&twin, set, (thud_allocator){0});
+    for (int i = 0; i < STEPS; i++) {
+        uint64_t seed = set->seed * 1000003 + (uint64_t)i * 7919 + 1;
+        deeds(&here, set, seed, i);
+        deeds(&twin, set, seed, i);
+        if (set->queries) {
+            ask(&twin);
+        }
+        OK(thud_world_step(twin.world));
+        failures += step_with_failures(&here, set);
+        bool same = thud_world_hash(here.world) == thud_world_hash(twin.world) &&
+                    strcmp(told(&here, a, sizeof a), told(&twin, b, sizeof b)) == 0;
+        if (!same || strcmp(awake(&here, a, sizeof a), awake(&twin, b, sizeof b)) != 0) {
+            fail_msg("step %d of seed %d, quality %d, detection %d, broadphase %d differs:\n%s\n%s",
+                     i, (int)set->seed, set->quality, set->detection, set->broadphase, a, b);
+        }
+    }
+    thud_world_destroy(here.world);
+    thud_world_destroy(twin.world);
+    assert_int_equal(memory_held, 0);
+    return failures;
+}
+
+static void steps_that_ran_out_of_memory_end_as_if_they_had_not(void **state) {
+    (void)state;
+    const char *wanted = getenv("THUD_CASES");
+    long failures = 0;
+    uint64_t seed = 88172645463325252ull;
+    int worlds = wanted ? atoi(wanted) : 60;
+    for (int i = 0; i < worlds; i++) {
+        setting set = {i % 4,
+                       i / 4 % 5,
+                       (int)random_in(&seed, 0, 3),
+                       random_in(&seed, 0, 1) < 0.8,
+                       random_in(&seed, 0, 1) < 0.5,
+                       random_in(&seed, 0, 1) < 0.5,
+                       random_in(&seed, 0, 1) < 0.3,
+                       random_in(&seed, 0, 1) < 0.5,
+                       random_in(&seed, 0, 1) < 0.3,
+                       (uint64_t)i + 1};
+        failures += compare(&set);
+    }
+    print_message("%ld allocations failed in %d worlds\n", failures, worlds);
+    assert_true(failures > 10 * worlds);
+}
+
+/* ---- advancing ---- */
+
+static void advance_out_of_memory_tells_how_many_steps_it_made(void **state) {
+    (void)state;
+    thud_world_def def = weightless();
+    def.allocator = hostile_memory();
+    memory_allowed = -1;
+    thud_world *world = make_world(def);
+    double h = def.time_step, alpha = -1;
+    int steps = -1;
+    add_ball(world, 0, 0, 0.5f);
+    memory_allowed = 0; /* nothing at first: the time is as if never given */
+    assert_int_equal(thud_world_advance(world, 2.5 * h, 5, &steps, &alpha), THUD_ERROR_MEMORY);
+    assert_int_equal(steps, 0);
+    near_to(alpha, 0, 0);
+    memory_allowed = -1;
+    OK(thud_world_advance(world, 2.5 * h, 5, &steps, &alpha));
+    assert_int_equal(steps, 2);
+    near_to(alpha, 0.5, 1e-9);
+    /* A pair that comes near in the third step from here asks for room that is not there. */
+    thud_body_def fast = thud_default_body_def();
+    thud_body_id body;
+    fast.kind = THUD_DYNAMIC;
+    fast.position = (thud_pos){5.3, 0};
+    fast.velocity = (thud_vec2){-100, 0};
+    OK(thud_body_create(world, &fast, &body));
+    add_shape(world, body, 0.5f, 0, false, NULL);
+    OK(thud_world_step(world));
+    memory_allowed = 0;
+    thud_result result = thud_world_advance(world, 5.5 * h, 9, &steps, &alpha);
+    memory_allowed = -1;
+    assert_int_equal(result, THUD_ERROR_MEMORY);
+    assert_in_range(steps, 1, 5);
+    assert_true(alpha >= 0 && alpha < 1);
+    int first = steps;
+    OK(thud_world_advance(world, 0, 9, &steps, &alpha));
+    assert_int_equal(first + steps, 6); /* with the half that was left before */
+    near_to(alpha, 0, 1e-9);
+    thud_world_destroy(world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(steps_that_ran_out_of_memory_end_as_if_they_had_not),
+        cmocka_unit_test(advance_out_of_memory_tells_how_many_steps_it_made),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,439 @@
+/* test_islands.c: which islands are solved directly, what the statistics say of it, what limits it,
+ * and that it is the same however it is done. */
+#include "island_support.h"
+
+#include "hostile_memory.h"
+#include "pool.h"
+
+/* ---- which ---- */
+
+static void islands_heavy_on_light_turns_hard_by_itself(void **state) {
+    (void)state;
+    thud_world *world = world_of(&thud_quality_default);
+    add_column(world, -5, 2, NULL);
+    add_box(world, 5, 0.5, 0.5f, 0.5f);
+    add_heavy(world, 5, 1.5, 0.5f, 1000);
+    run(world, 60);
+    for (int i = 0; i < 60; i++) {
+        run(world, 1);
+        thud_stats stats = thud_world_stats(world);
+        assert_int_equal(stats.direct_islands, 1);
+        assert_int_equal(stats.direct_bodies, 2);
+        assert_int_equal(stats.soft_islands, 0);
+    }
+    thud_world_destroy(world);
+}
+
+/* A second after the load is gone, and not before: it might be about to come back. */
+static void islands_turn_soft_a_second_after_their_load_is_gone(void **state) {
+    (void)state;
+    thud_world *world = world_of(&thud_quality_default);
+    add_column(world, 0, 2, NULL);
+    thud_body_id top = add_heavy(world, 0, 2.5, 0.5f, 1000);
+    run(world, 60);
+    OK(thud_body_destroy(world, top));
+    for (int i = 0; i < 90; i++) {
+        run(world, 1);
+        assert_int_equal(thud_world_stats(world).direct_bodies, i < 60 ? 2 : 0);
+    }
+    thud_world_destroy(world);
+}
+
+static void islands_of_equal_boxes_stay_soft_at_default(void **state) {
+    (void)state;
+    thud_world *world = world_of(&thud_quality_default);
+    add_column(world, 0, 5, NULL);
+    for (int i = 0; i < 120; i++) {
+        run(world, 1);
+        assert_int_equal(thud_world_stats(world).direct_islands, 0);
+        assert_int_equal(thud_world_stats(world).factorings, 0);
+    }
+    thud_world_destroy(world);
+}
+
+/* Three columns are three islands, though they share the floor; what flies is in none. */
+static void islands_are_all_hard_where_the_limit_is_zero(void **state) {
+    (void)state;
+    const thud_quality *all[] = {&thud_quality_high, &thud_quality_exact};
+    for (int q = 0; q < 2; q++) {
+        thud_world *world = world_of(all[q]);
+        for (int i = 1; i <= 3; i++) {
+            add_column(world, 5 * i, i, NULL);
+        }
+        add_ball(world, -10, 500, 0.5f);
+        run(world, 10);
+        thud_stats stats = thud_world_stats(world);
+        assert_int_equal(stats.direct_islands, 3);
+        assert_int_equal(stats.direct_bodies, 6);
+        assert_int_equal(stats.soft_islands, 0);
+        assert_true(stats.factorings >= 3);
+        thud_world_destroy(world);
+    }
+}
+
+static void islands_are_none_without_a_solver(void **state) {
+    (void)state;
+    thud_world *world = world_of(&thud_quality_draft);
+    add_box(world, 0, 0.5, 0.5f, 0.5f);
+    add_heavy(world, 0, 1.5, 0.5f, 1e5f);
+    for (int i = 0; i < 60; i++) {
+        run(world, 1);
+        assert_int_equal(thud_world_stats(world).direct_islands, 0);
+    }
+    thud_world_destroy(world);
+}
+
+/* A column of n takes 3 n - 2 operations a matrix, n for its bodies and 2 n for its contacts; and
+ * at rest one matrix a step. */
+static void islands_work_is_what_their_matrices_take(void **state) {
+    (void)state;
+    thud_world *world = world_of(&thud_quality_exact);
+    add_column(world, 0, 20, NULL);
+    for (int i = 0; i < 120; i++) {
+        run(world, 1);
+        thud_stats stats = thud_world_stats(world);
+        assert_int_equal(stats.island_work, stats.factorings * (6 * 20 - 2));
+    }
+    assert_int_equal(thud_world_stats(world).factorings, 1);
+    thud_world_destroy(world);
+}
+
+/* ---- limits ---- */
+
+static void islands_of_more_bodies_than_the_limit_stay_soft(void **state) {
+    (void)state;
+    thud_quality five = thud_quality_exact;
+    five.island_limit = 5;
+    thud_world *world = world_of(&five);
+    add_column(world, 0, 5, NULL);
+    add_column(world, 10, 6, NULL);
+    for (int i = 0; i < 30; i++) {
+        run(world, 1);
+        assert_int_equal(thud_world_stats(world).direct_islands, 1);
+        assert_int_equal(thud_world_stats(world).direct_bodies, 5);
+    }
+    thud_world_destroy(world);
+}
+
+/* So much that one of two columns at rest can be had. */
+static void islands_for_which_no_work_is_left_stay_soft(void **state) {
+    (void)state;
+    thud_quality little = thud_quality_exact;
+    little.island_work = 70;
+    thud_world *world = world_of(&little);
+    add_column(world, 0, 10, NULL);
+    add_column(world, 10, 10, NULL);
+    int hard = 0, soft = 0;
+    for (int i = 0; i < 300; i++) {
+        run(world, 1);
+        thud_stats stats = thud_world_stats(world);
+        assert_true(stats.island_work <= little.island_work);
+        hard += stats.direct_islands - stats.soft_islands;
+        soft += stats.soft_islands;
+        assert_true(stats.direct_islands - stats.soft_islands <= 1);
+    }
+    assert_true(hard > 100);
+    assert_true(soft > 0);
+    thud_world_destroy(world);
+}
+
+static void islands_without_any_work_stay_soft(void **state) {
+    (void)state;
+    thud_quality none = thud_quality_exact;
+    none.island_work = 0;
+    thud_world *world = world_of(&none);
+    add_column(world, 0, 3, NULL);
+    for (int i = 0; i < 30; i++) {
+        run(world, 1);
+        thud_stats stats = thud_world_stats(world);
+        assert_int_equal(stats.direct_islands, stats.soft_islands);
+        assert_int_equal(stats.factorings, 0);
+    }
+    thud_world_destroy(world);
+}
+
+/* Steps of 240 in which boxes that are thrown together were solved directly, and the most of them
+ * in succession. */
+static int direct_steps(int patience, int *longest) {
+    thud_quality quality = thud_quality_exact;
+    quality.island_patience = patience;
+    thud_world *world = world_of(&quality);
+    uint64_t seed = 5;
+    for (int i = 0; i < 40; i++) {
+        thud_body_id id = add_box(world, i % 8 * 1.1 - 4, 1 + i / 8 * 1.2, 0.5f, 0.5f);
+        thud_vec2 velocity = {(float)random_in(&seed, -5, 5), (float)random_in(&seed, -5, 0)};
+        OK(thud_body_set_velocity(world, id, velocity, (float)random_in(&seed, -2, 2)));
+    }
+    int steps = 0, strained = 0;
+    *longest = 0;
+    for (int i = 0; i < 240; i++) {
+        run(world, 1);
+        thud_stats stats = thud_world_stats(world);
+        steps += stats.direct_islands > stats.soft_islands;
+        strained = stats.factorings > 8 * stats.direct_islands ? strained + 1 : 0;
+        *longest = strained > *longest ? strained : *longest;
+    }
+    thud_world_destroy(world);
+    return steps;
+}
+
+static void islands_that_strain_are_left_alone_once_patience_is_out(void **state) {
+    (void)state;
+    int long_one, short_one;
+    int any = direct_steps(0, &long_one), few = direct_steps(1, &short_one);
+    assert_true(any > few);
+    assert_true(long_one > short_one);
+}
+
+/* Work on islands in ten seconds, in which boxes and discs fall on rolling ground and come to rest.
+ */
+static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t seed) {
+    enum { POINTS = 61, BODIES = 150 };
+    thud_world_def def = thud_world_def_of(quality);
+    def.substeps = substeps;
+    def.sleeping = false;
+    thud_world *world = make_world(def);
+    thud_pos points[POINTS];
+    for (int i = 0; i < POINTS; i++) {
+        points[i] = (thud_pos){i - 30, 1.5 * sin(0.35 * i) + 0.05 * pow(i / 30.0 - 1, 2) * 900};
+    }
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = POINTS};
+    thud_shape_def plain = thud_default_shape_def();
+    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    OK(thud_shape_create_terrain(world, ground, &plain, &line, NULL));
+    for (int i = 0; i < BODIES; i++) {
+        float hx = (float)random_in(&seed, 0.25, 0.5), hy = (float)random_in(&seed, 0.25, 0.5);
+        thud_body_id id = add_body(world, THUD_DYNAMIC, i % 10 * 1.2 - 6, 6 + i / 10 * 1.2,
+                                   random_in(&seed, -3, 3));
+        add_shape(world, id, hx, i % 3 ? hy : 0, false, NULL);
+    }
+    int64_t work = 0;
+    for (int i = 0; i < 600; i++) {
+        run(world, 1);
+        work += thud_world_stats(world).island_work;
+    }
+    thud_world_destroy(world);
+    return work;
+}
+
+/* Whoever asks for less pays no more: over a few heaps, since one takes this course, one that. And
+ * of what default may take, a heap in motion leaves most alone. */
+static void heap_takes_no_more_work_at_fewer_substeps(void **state) {
+    (void)state;
+    int64_t sum[3] = {0};
+    enum { HEAPS = 6 };
+    for (uint64_t seed = 1; seed <= HEAPS; seed++) {
+        for (int k = 0; k < 3; k++) {
+            sum[k] += work_of_heap(&thud_quality_default, 4 >> k, seed);
+        }
+    }
+    assert_true(sum[1] <= sum[0] && sum[2] <= sum[0]);
+    assert_true(sum[0] < thud_quality_default.island_work / 50 * (600 * HEAPS));
+}
+
+/* ---- the caller's quality ---- */
+
+static void islands_follow_a_copy_of_the_callers_quality(void **state) {
+    (void)state;
+    thud_quality mine = thud_quality_draft;
+    mine.name = "mine";
+    mine.islands = &thud_islands_direct;
+    mine.sag_limit = 0;
+    mine.island_limit = 10;
+    mine.island_work = 1000000;
+    thud_world *world = world_of(&mine);
+    mine.islands = NULL;
+    mine.island_limit = 1;
+    add_column(world, 0, 4, NULL);
+    run(world, 10);
+    assert_int_equal(thud_world_stats(world).direct_bodies, 4);
+    assert_int_equal(thud_world_stats(world).substeps, 2);
+    thud_world_destroy(world);
+}
+
+static void islands_follow_the_quality_back_and_forth(void **state) {
+    (void)state;
+    thud_world *world = world_of(&thud_quality_exact);
+    thud_body_id ids[30];
+    add_column(world, 0, 30, ids);
+    run(world, 30);
+    for (int i = 0; i < 12; i++) {
+        const thud_quality *quality = qualities[i % QUALITIES];
+        OK(thud_world_set_quality(world, quality));
+        run(world, 20);
+        if (quality->sag_limit == 0 && quality->islands) {
+            assert_int_equal(thud_world_stats(world).direct_bodies, 30);
+        }
+    }
+    OK(thud_world_set_quality(world, &thud_quality_exact));
+    run(world, 240);
+    near_to(lost_by(world, ids[29], 29.5), 0, 0.05);
+    thud_world_destroy(world);
+}
+
+/* ---- the same bits ---- */
+
+/* A column, heavy on light and rubble that falls: islands of all sizes. */
+static void fill_yard(thud_world *world, double x) {
+    add_column(world, x, 12, NULL);
+    add_box(world, x + 5, 0.5, 0.5f, 0.5f);
+    add_heavy(world, x + 5, 1.5, 0.5f, 1000);
+    uint64_t seed = 11;
+    for (int i = 0; i < 60; i++) {
+        double across = x + 10 + i % 10 + random_in(&seed, 0, 0.2);
+        add_box(world, floor(across * 1024) / 1024, 1 + i / 10 * 1.2, 0.4f, 0.4f);
+    }
+}
+
+static void run_hard(thud_world *world, int steps) {
+    int64_t bodies = 0;
+    for (int i = 0; i < steps; i++) {
+        run(world, 1);
+        bodies += thud_world_stats(world).direct_bodies;
+    }
+    assert_true(bodies > 20);
+}
+
+static uint64_t hash_of_yard(thud_world_def def) {
+    thud_world *world = make_world(def);
+    add_floor(world, NULL);
+    fill_yard(world, 0);
+    run_hard(world, 90);
+    uint64_t hash = thud_world_hash(world);
+    thud_world_destroy(world);
+    return hash;
+}
+
+static void islands_are_the_same_for_any_number_of_workers(void **state) {
+    (void)state;
+    for (int q = 1; q < QUALITIES; q++) {
+        thud_world_def def = def_of(qualities[q]);
+        uint64_t alone = hash_of_yard(def);
+        for (int workers = 2; workers <= 4; workers++) {
+            pool *p = pool_create(workers);
+            assert_non_null(p);
+            def.job_system = pool_job_system(p);
+            assert_true(hash_of_yard(def) == alone);
+            pool_destroy(p);
+        }
+    }
+}
+
+static void islands_are_the_same_without_avx2(void **state) {
+    (void)state;
+    for (int q = 1; q < QUALITIES; q++) {
+        thud_world_def def = def_of(qualities[q]);
+        uint64_t wide = hash_of_yard(def);
+        def.baseline_simd = true;
+        assert_true(hash_of_yard(def) == wide);
+    }
+}
+
+/* Each allocation of each step fails once; the step is then as if it had not been tried. */
+static void islands_are_the_same_after_memory_failed(void **state) {
+    (void)state;
+    thud_world_def def = def_of(&thud_quality_exact);
+    thud_world *never = make_world(def);
+    def.allocator = hostile_memory();
+    memory_allowed = -1;
+    thud_world *often = make_world(def);
+    add_floor(never, NULL);
+    add_floor(often, NULL);
+    fill_yard(never, 0);
+    fill_yard(often, 0);
+    int failures = 0;
+    for (int i = 0; i < 60; i++) {
+        bool done = false;
+        for (int allowed = 0; !done; allowed++) {
+            uint64_t before = thud_world_hash(often);
+            memory_allowed = allowed;
+            thud_result result = thud_world_step(often);
+            memory_allowed = -1;
+            done = result == THUD_OK;
+            if (!done) {
+                assert_int_equal(result, THUD_ERROR_MEMORY);
+                assert_true(thud_world_hash(often) == before);
+                failures++;
+            }
+        }
+        run(never, 1);
+        assert_true(thud_world_hash(often) == thud_world_hash(never));
+    }
+    assert_true(failures > 20);
+    thud_world_destroy(often);
+    thud_world_destroy(never);
+    assert_int_equal(memory_held, 0);
+}
+
+/* The floor goes along; places are on a grid that is fine enough there. */
+static void islands_are_the_same_far_from_the_origin(void **state) {
+    (void)state;
+    enum { BODIES = 75 };
+    const double away = 1 << 23;
+    thud_world *near = make_world(def_of(&thud_quality_exact));
+    thud_world *far = make_world(def_of(&thud_quality_exact));
+    add_floor(near, NULL);
+    add_shape(far, add_body(far, THUD_STATIC, away, -1, 0), 100, 1, true, NULL);
+    fill_yard(near, 0);
+    fill_yard(far, away);
+    run_hard(near, 90);
+    run_hard(far, 90);
+    int count;
+    const thud_pose *poses = thud_world_poses(near, (thud_pos){0, 0}, 1, &count);
+    assert_int_equal(count, BODIES);
+    thud_pose kept[BODIES];
+    memcpy(kept, poses, sizeof kept);
+    poses = thud_world_poses(far, (thud_pos){away, 0}, 1, &count);
+    assert_memory_equal(poses, kept, sizeof kept);
+    thud_world_destroy(near);
+    thud_world_destroy(far);
+}
+
+/* ---- sleep ---- */
+
+static void islands_sleep_and_wake_without_loss(void **state) {
+    (void)state;
+    for (int q = 1; q < QUALITIES; q++) {
+        thud_world *world = make_world(def_of(qualities[q]));
+        add_floor(world, NULL);
+        add_box(world, 0, 0.5, 0.5f, 0.5f);
+        thud_body_id top = add_heavy(world, 0, 1.5, 0.5f, 1000);
+        run(world, 300);
+        double lost = lost_by(world, top, 1.5);
+        for (int i = 0; i < 5; i++) {
+            assert_int_equal(thud_world_stats(world).awake_bodies, 0);
+            assert_int_equal(thud_world_stats(world).direct_islands, 0);
+            OK(thud_body_set_awake(world, top, true));
+            run(world, 20);
+            assert_int_equal(thud_world_stats(world).direct_bodies, 2);
+            run(world, 280);
+        }
+        near_to(lost_by(world, top, 1.5), lost, 1e-3);
+        near_to(lost, 0, 0.02);
+        thud_world_destroy(world);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(islands_heavy_on_light_turns_hard_by_itself),
+        cmocka_unit_test(islands_turn_soft_a_second_after_their_load_is_gone),
+        cmocka_unit_test(islands_of_equal_boxes_stay_soft_at_default),
+        cmocka_unit_test(islands_are_all_hard_where_the_limit_is_zero),
+        cmocka_unit_test(islands_are_none_without_a_solver),
+        cmocka_unit_test(islands_work_is_what_their_matrices_take),
+        cmocka_unit_test(islands_of_more_bodies_than_the_limit_stay_soft),
+        cmocka_unit_test(islands_for_which_no_work_is_left_stay_soft),
+        cmocka_unit_test(islands_without_any_work_stay_soft),
+        cmocka_unit_test(islands_that_strain_are_left_alone_once_patience_is_out),
+        cmocka_unit_test(heap_takes_no_more_work_at_fewer_substeps),
+        cmocka_unit_test(islands_follow_a_copy_of_the_callers_quality),
+        cmocka_unit_test(islands_follow_the_quality_back_and_forth),
+        cmocka_unit_test(islands_are_the_same_for_any_number_of_workers),
+        cmocka_unit_test(islands_are_the_same_without_avx2),
+        cmocka_unit_test(islands_are_the_same_after_memory_failed),
+        cmocka_unit_test(islands_are_the_same_far_from_the_origin),
+        cmocka_unit_test(islands_sleep_and_wake_without_loss),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

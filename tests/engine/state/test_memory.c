@@ -1,0 +1,130 @@
+/* test_memory.c: failed allocations leave the world as it was, and a settled step makes none. */
+#include "engine_support.h"
+
+#include "hostile_memory.h"
+
+#include "build_thud.h"
+#include "scenes.h"
+
+static thud_world *build(const char *name, int size) {
+    scene s;
+    thud_world *world;
+    thud_world_def def = thud_default_world_def();
+    def.allocator = hostile_memory();
+    memory_allowed = -1;
+    assert_true(scenes_fill(scenes_find(name), size, &s));
+    OK(scene_build_thud(&s, &def, &world, NULL, NULL));
+    scene_free(&s);
+    return world;
+}
+
+/* Fails the first allocation of every step, then the second, until the step gets through. */
+static long step_with_failures(thud_world *world) {
+    for (long failures = 0;; failures++) {
+        uint64_t before = thud_world_hash(world);
+        memory_allowed = failures;
+        thud_result result = thud_world_step(world);
+        memory_allowed = -1;
+        if (result == THUD_OK) {
+            return failures;
+        }
+        assert_int_equal(result, THUD_ERROR_MEMORY);
+        assert_true(thud_world_hash(world) == before);
+    }
+}
+
+static void step_after_failed_ones_is_the_same_step(void **state) {
+    (void)state;
+    const struct {
+        const char *name;
+        int size;
+    } scenes[] = {{"tall_stack", 30}, {"tumbler_half", 100}, {"mixed_terrain", 200},
+                  {"bullets", 15},    {"asleep", 60},        {"one_spot", 150}};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        thud_world *never = build(scenes[i].name, scenes[i].size);
+        thud_world *often = build(scenes[i].name, scenes[i].size);
+        long failures = 0;
+        for (int k = 0; k < 120; k++) {
+            run(never, 1);
+            failures += step_with_failures(often);
+            if (thud_world_hash(never) != thud_world_hash(often)) {
+                fail_msg("%s: differs at step %d", scenes[i].name, k);
+            }
+            thud_events e = thud_world_events(never), f = thud_world_events(often);
+            assert_int_equal(e.begin_count, f.begin_count);
+            assert_int_equal(e.end_count, f.end_count);
+        }
+        assert_true(failures > 5);
+        thud_world_destroy(never);
+        thud_world_destroy(often);
+    }
+    assert_int_equal(memory_held, 0);
+}
+
+static void creation_that_fails_leaves_nothing_behind(void **state) {
+    (void)state;
+    thud_world_def def = thud_default_world_def();
+    def.allocator = hostile_memory();
+    thud_world *world = NULL;
+    for (long n = 0;; n++) {
+        memory_allowed = n;
+        thud_result result = thud_world_create(&def, &world);
+        memory_allowed = -1;
+        if (result == THUD_OK) {
+            break;
+        }
+        assert_int_equal(result, THUD_ERROR_MEMORY);
+        assert_int_equal(memory_held, 0);
+    }
+    thud_body_def body = thud_default_body_def();
+    thud_shape_def shape = thud_default_shape_def();
+    thud_body_id id;
+    int refused = 0;
+    for (int made = 0; made < 300;) {
+        memory_allowed = 0;
+        thud_stats before = thud_world_stats(world);
+        thud_result result = thud_body_create(world, &body, &id);
+        if (result != THUD_OK) {
+            assert_int_equal(thud_world_stats(world).bodies, before.bodies);
+            refused++;
+            memory_allowed = -1;
+            OK(thud_body_create(world, &body, &id));
+        }
+        memory_allowed = 0;
+        result = thud_shape_create_circle(world, id, &shape, (thud_vec2){0, 0}, 1, NULL);
+        if (result != THUD_OK) {
+            assert_int_equal(thud_world_stats(world).shapes, before.shapes);
+            refused++;
+            memory_allowed = -1;
+            OK(thud_shape_create_circle(world, id, &shape, (thud_vec2){0, 0}, 1, NULL));
+        }
+        made++;
+    }
+    memory_allowed = -1;
+    assert_true(refused > 5);
+    thud_world_destroy(world);
+    assert_int_equal(memory_held, 0);
+}
+
+static void settled_world_allocates_nothing(void **state) {
+    (void)state;
+    const char *const names[] = {"tall_stack", "platformer", "tumbler"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        thud_world *world = build(names[i], 30);
+        run(world, 400);
+        for (int k = 0; k < 100; k++) {
+            run(world, 1);
+            assert_int_equal(thud_world_stats(world).step_allocations, 0);
+        }
+        thud_world_destroy(world);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(step_after_failed_ones_is_the_same_step),
+        cmocka_unit_test(creation_that_fails_leaves_nothing_behind),
+        cmocka_unit_test(settled_world_allocates_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

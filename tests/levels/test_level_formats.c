@@ -1,0 +1,428 @@
+/* test_level_formats.c: every form that Tiled writes its maps in. The maps in tests/levels, each as
+ * JSON and as XML, are of tools/make_test_levels.py; the page reads the same
+ * (tests/web/package/level-formats.test.mjs). */
+#include "level.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* What a map gives, all else left out. */
+static scene read_file(const char *name, level_report *report) {
+    char path[64];
+    snprintf(path, sizeof path, "tests/levels/%s", name);
+    scene s;
+    if (!level_read_file(path, true, &s, report))
+        fail_msg("%s: %s", path, report->problems[0].text);
+    return s;
+}
+
+static bool says(const level_report *report, level_severity severity, const char *text) {
+    for (int i = 0; i < report->count; i++)
+        if (report->problems[i].severity == severity && strstr(report->problems[i].text, text))
+            return true;
+    return false;
+}
+
+static const scene_body *body_of(const scene *s, uint32_t id) {
+    for (int i = 0; i < s->body_count; i++)
+        if (s->bodies[i].id == id)
+            return &s->bodies[i];
+    fail_msg("no body is of object %u", id);
+    return NULL;
+}
+
+static void assert_same_shapes(const scene *a, const scene *b) {
+    assert_int_equal(a->body_count, b->body_count);
+    assert_int_equal(a->shape_count, b->shape_count);
+    assert_int_equal(a->point_count, b->point_count);
+    for (int i = 0; i < a->body_count; i++) {
+        const scene_body *p = &a->bodies[i], *q = &b->bodies[i];
+        assert_true(p->kind == q->kind && p->x == q->x && p->y == q->y && p->angle == q->angle);
+        assert_int_equal(p->shape_count, q->shape_count);
+        assert_int_equal(p->id, q->id);
+    }
+    for (int i = 0; i < a->shape_count; i++) {
+        const scene_shape *p = &a->shapes[i], *q = &b->shapes[i];
+        assert_true(p->kind == q->kind && p->hx == q->hx && p->hy == q->hy && p->x == q->x &&
+                    p->y == q->y && p->angle == q->angle);
+        assert_true(p->material.friction == q->material.friction &&
+                    p->material.density == q->material.density);
+    }
+    for (int i = 0; i < a->point_count; i++)
+        assert_true(a->points[i].x == b->points[i].x && a->points[i].y == b->points[i].y);
+}
+
+static void map_is_the_same_as_json_and_as_xml(void **state) {
+    (void)state;
+    static const char *const NAMES[] = {"shapes",   "hills", "props", "infinite",
+                                        "unmarked", "wrong", "csv",   "base64",
+                                        "zlib",     "gzip",  "zstd"};
+    for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++) {
+        char json[32], xml[32];
+        level_report of_json, of_xml;
+        snprintf(json, sizeof json, "%s.tmj", NAMES[i]);
+        snprintf(xml, sizeof xml, "%s.tmx", NAMES[i]);
+        scene a = read_file(json, &of_json), b = read_file(xml, &of_xml);
+        assert_same_shapes(&a, &b);
+        assert_int_equal(of_json.count, of_xml.count);
+        for (int k = 0; k < of_json.count; k++)
+            assert_string_equal(of_json.problems[k].text, of_xml.problems[k].text);
+        level_report_free(&of_json);
+        level_report_free(&of_xml);
+        scene_free(&a);
+        scene_free(&b);
+    }
+}
+
+static void layer_is_the_same_however_it_is_packed(void **state) {
+    (void)state;
+    static const char *const NAMES[] = {"base64.tmj", "zlib.tmx", "gzip.tmj", "zstd.tmx"};
+    level_report report;
+    scene plain = read_file("csv.tmj", &report);
+    assert_int_equal(report.count, 0);
+    assert_true(plain.body_count > 70);
+    for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++) {
+        scene packed = read_file(NAMES[i], &report);
+        assert_int_equal(report.count, 0);
+        assert_same_shapes(&plain, &packed);
+        scene_free(&packed);
+    }
+    scene_free(&plain);
+}
+
+/* A map of 20 by 10 cells of 32 pixels, with a tile in one cell and its collision shapes. */
+static scene read_tile(const char *shapes, uint32_t gid, level_report *report) {
+    static char text[4096];
+    snprintf(
+        text, sizeof text,
+        "{\"type\":\"map\",\"width\":1,\"height\":2,\"tilewidth\":32,\"tileheight\":32,"
+        "\"tilesets\":[{\"firstgid\":1,\"tilewidth\":32,\"tileheight\":32,\"tiles\":[{\"id\":0,"
+        "\"objectgroup\":{\"objects\":[%s]}}]}],\"layers\":[{\"type\":\"tilelayer\","
+        "\"name\":\"t\",\"width\":1,\"height\":2,\"data\":[0,%u]}]}",
+        shapes, gid);
+    scene s;
+    if (!level_read("tile", text, strlen(text), false, &s, report))
+        fail_msg("%s", report->problems[0].text);
+    return s;
+}
+
+static void collision_shape_lies_as_its_tile_is_flipped(void **state) {
+    (void)state;
+    /* 8 by 4 pixels about (10, 6) of 32 by 32: in metres, about the middle, (-6, 10) / 32. */
+    static const struct {
+        uint32_t flip;
+        double x, y, hx, hy;
+    } LIES[] = {
+        {0, -6, 10, 4, 2},           {0x80000000, 6, 10, 4, 2},  {0x40000000, -6, -10, 4, 2},
+        {0xC0000000, 6, -10, 4, 2},  {0x20000000, -10, 6, 2, 4}, {0xA0000000, 10, 6, 2, 4},
+        {0x60000000, -10, -6, 2, 4}, {0xE0000000, 10, -6, 2, 4},
+    };
+    for (size_t i = 0; i < sizeof LIES / sizeof LIES[0]; i++) {
+        level_report report;
+        scene s = read_tile("{\"id\":1,\"x\":6,\"y\":4,\"width\":8,\"height\":4}", 1 | LIES[i].flip,
+                            &report);
+        assert_int_equal(s.body_count, 1);
+        assert_int_equal(s.shapes[0].kind, SCENE_AABB);
+        assert_true(s.bodies[0].x == 0.5 && s.bodies[0].y == 0.5);
+        assert_true(s.shapes[0].x == LIES[i].x / 32 && s.shapes[0].y == LIES[i].y / 32);
+        assert_true(s.shapes[0].hx == LIES[i].hx / 32 && s.shapes[0].hy == LIES[i].hy / 32);
+        scene_free(&s);
+    }
+}
+
+static void collision_shape_that_leans_leans_the_other_way_in_a_flipped_tile(void **state) {
+    (void)state;
+    static const char SHAPE[] =
+        "{\"id\":1,\"x\":9,\"y\":3,\"width\":18,\"height\":6,\"rotation\":30}";
+    level_report report;
+    scene s = read_tile(SHAPE, 1, &report);
+    scene flipped = read_tile(SHAPE, 0x80000001, &report);
+    scene turned = read_tile(SHAPE, 0x20000001, &report);
+    assert_int_equal(s.shapes[0].kind, SCENE_OBB);
+    assert_true(flipped.shapes[0].angle == -s.shapes[0].angle);
+    assert_true(fabs(flipped.shapes[0].x + s.shapes[0].x) < 1e-12);
+    assert_true(flipped.shapes[0].y == s.shapes[0].y);
+    /* x and y change places: what leaned by 30 degrees from x leans by 30 from y. */
+    assert_true(turned.shapes[0].angle == -s.shapes[0].angle);
+    assert_true(turned.shapes[0].hx == s.shapes[0].hy && turned.shapes[0].hy == s.shapes[0].hx);
+    scene_free(&s);
+    scene_free(&flipped);
+    scene_free(&turned);
+}
+
+static void slope_is_ground_where_all_below_it_is_solid(void **state) {
+    (void)state;
+    static const char SLOPE[] = "{\"id\":1,\"x\":0,\"y\":32,\"polygon\":[{\"x\":0,\"y\":0},"
+                                "{\"x\":32,\"y\":-32},{\"x\":32,\"y\":0}]}";
+    level_report report;
+    scene s = read_tile(SLOPE, 1, &report);
+    assert_int_equal(s.shapes[0].kind, SCENE_TERRAIN_IRREGULAR);
+    assert_true(s.bodies[0].x + s.points[0].x == 0 && s.bodies[0].y + s.points[0].y == 0);
+    assert_true(s.bodies[0].x + s.points[1].x == 1 && s.bodies[0].y + s.points[1].y == 1);
+    scene_free(&s);
+
+    scene flipped = read_tile(SLOPE, 0x80000001, &report);
+    assert_true(flipped.bodies[0].y + flipped.points[0].y == 1);
+    assert_true(flipped.bodies[0].y + flipped.points[1].y == 0);
+    scene_free(&flipped);
+
+    /* In the air, it would make all below it solid. */
+    scene in_air = read_file("wrong.tmj", &report);
+    assert_true(says(&report, LEVEL_SKIP, "the polygons of 1 tiles are no ground"));
+    for (int i = 0; i < in_air.shape_count; i++)
+        assert_true(in_air.shapes[i].kind != SCENE_TERRAIN_IRREGULAR);
+    scene_free(&in_air);
+    level_report_free(&report);
+}
+
+static void polygons_become_boxes_and_ground(void **state) {
+    (void)state;
+    level_report report;
+    scene s = read_file("hills.tmj", &report);
+    assert_int_equal(report.count, 0);
+    const scene_body *hill = body_of(&s, 31), *mirrored = body_of(&s, 32);
+    assert_int_equal(s.shapes[hill->first_shape].kind, SCENE_TERRAIN_IRREGULAR);
+    assert_int_equal(s.shapes[hill->first_shape].point_count, 4);
+    assert_int_equal(s.shapes[mirrored->first_shape].point_count, 3);
+    const scene_body *turned = body_of(&s, 33), *slanted = body_of(&s, 34);
+    assert_int_equal(s.shapes[turned->first_shape].kind, SCENE_OBB);
+    assert_true(s.shapes[turned->first_shape].hx == 1);
+    assert_true(fabs(turned->angle + 20 * acos(-1) / 180) < 1e-12);
+    /* 60 by 20 pixels, along (4, 3). */
+    assert_true(fabs(s.shapes[slanted->first_shape].hx - 30.0 / 32) < 1e-12);
+    assert_true(fabs(slanted->angle + atan2(3, 4)) < 1e-12);
+    /* An arch is three boxes, and a dynamic body of two is one body. */
+    assert_int_equal(body_of(&s, 35)->shape_count, 3);
+    assert_int_equal(body_of(&s, 36)->shape_count, 2);
+    assert_int_equal(body_of(&s, 36)->kind, SCENE_DYNAMIC);
+    assert_true(s.shapes[body_of(&s, 36)->first_shape].material.friction == 0.9);
+    scene_free(&s);
+}
+
+static void tile_object_stands_on_its_lower_left_corner_as_large_as_it_is_drawn(void **state) {
+    (void)state;
+    level_report report;
+    scene s = read_file("props.tmx", &report);
+    assert_false(says(&report, LEVEL_SKIP, ""));
+    const scene_body *crate = body_of(&s, 13), *leaning = body_of(&s, 14);
+    assert_true(crate->x == (60 + 20) / 32.0 && crate->y == (480 - (120 - 12)) / 32.0);
+    assert_int_equal(crate->kind, SCENE_DYNAMIC);
+    assert_true(s.shapes[leaning->first_shape].hx == 30.0 / 32);
+    assert_true(s.shapes[leaning->first_shape].hy == 9.0 / 32);
+    assert_int_equal(leaning->kind, SCENE_DYNAMIC); /* by `bodyType` */
+    const scene_shape *barrel = &s.shapes[body_of(&s, 16)->first_shape];
+    assert_int_equal(barrel->kind, SCENE_CIRCLE);
+    assert_true(barrel->hx == 24.0 / 32 && barrel->material.density == 3);
+    assert_int_equal(body_of(&s, 17)->shape_count, 2);
+    scene_free(&s);
+    level_report_free(&report);
+}
+
+static void object_of_a_template_has_its_fields_properties_and_tileset(void **state) {
+    (void)state;
+    level_report report;
+    scene s = read_file("props.tmj", &report);
+    const scene_body *plain = body_of(&s, 22), *changed = body_of(&s, 23);
+    const scene_shape *shape = &s.shapes[plain->first_shape];
+    assert_int_equal(plain->kind, SCENE_DYNAMIC);
+    assert_true(shape->hx == 20.0 / 32 && shape->hy == 12.0 / 32);
+    assert_true(shape->material.density == 2.5);
+    assert_true(s.shapes[changed->first_shape].material.density == 4);
+    assert_true(fabs(changed->angle + acos(-1) / 4) < 1e-15);
+    /* A number of its own is of the map's tilesets. */
+    assert_int_equal(s.shapes[body_of(&s, 24)->first_shape].kind, SCENE_CIRCLE);
+    assert_true(fabs(body_of(&s, 25)->angle + 25 * acos(-1) / 180) < 1e-15);
+    scene_free(&s);
+    level_report_free(&report);
+}
+
+static void infinite_map_has_the_tiles_of_all_its_chunks(void **state) {
+    (void)state;
+    level_report report;
+    scene s = read_file("infinite.tmj", &report);
+    assert_int_equal(report.count, 0);
+    double left = 1e9, right = -1e9;
+    int lines = 0;
+    for (int i = 0; i < s.body_count; i++) {
+        if (s.bodies[i].id != 0)
+            continue;
+        left = fmin(left, s.bodies[i].x);
+        right = fmax(right, s.bodies[i].x);
+        lines += s.shapes[s.bodies[i].first_shape].kind == SCENE_TERRAIN_IRREGULAR;
+    }
+    /* Eight cells to the left of the origin, and the layer is moved by 3.5 pixels. */
+    assert_true(left == -7.5 + 3.5 / 32 && right == 15.5 + 3.5 / 32);
+    assert_int_equal(lines, 3);
+    scene_free(&s);
+}
+
+static void map_that_says_nothing_of_collisions_collides_everywhere_with_a_note(void **state) {
+    (void)state;
+    level_report report;
+    scene s = read_file("unmarked.tmj", &report);
+    assert_int_equal(report.count, 1);
+    assert_true(says(&report, LEVEL_NOTE, "nothing in this map says what collides"));
+    assert_int_equal(s.body_count, 4);
+    /* 48 by 40 pixels in the lower left corner of cell (4, 5), moved by (5, -3). */
+    assert_true(s.shapes[0].hx == 24.0 / 32 && s.shapes[0].hy == 20.0 / 32);
+    assert_true(s.bodies[0].x == (4 * 32 + 5 + 24) / 32.0);
+    assert_true(s.bodies[0].y == (480 - (6 * 32 - 3 - 20)) / 32.0);
+    assert_true(s.shapes[1].hx == 20.0 / 32 && s.shapes[1].hy == 24.0 / 32);
+    assert_true(s.shapes[2].hx == 0.5); /* drawn as large as its cell */
+    scene_free(&s);
+    level_report_free(&report);
+}
+
+static void everything_that_cannot_be_modelled_is_listed(void **state) {
+    (void)state;
+    level_report report;
+    scene s = read_file("wrong.tmx", &report);
+    assert_int_equal(body_of(&s, 1)->shape_count, 1);
+    for (uint32_t id = 2; id <= 13; id++) {
+        if (id == 10)
+            continue; /* is fine */
+        char object[20];
+        snprintf(object, sizeof object, "object %u: ", id);
+        if (!says(&report, LEVEL_SKIP, object))
+            fail_msg("nothing is said of object %u", id);
+    }
+    scene_free(&s);
+    level_report_free(&report);
+    assert_false(level_read_file("tests/levels/wrong.tmx", false, &s, &report));
+    assert_int_equal(s.body_count, 0);
+    level_report_free(&report);
+}
+
+/* ---- what is no map ---- */
+
+#define XML(body)                                                            \
+    "<?xml version=\"1.0\"?><map width=\"2\" height=\"2\" tilewidth=\"32\" " \
+    "tileheight=\"32\">" body "</map>"
+#define PACKED(packing, data)                                                            \
+    XML("<tileset firstgid=\"1\" tilewidth=\"32\" tileheight=\"32\"/><layer name=\"t\" " \
+        "width=\"2\" "                                                                   \
+        "height=\"2\"><data encoding=\"base64\" compression=\"" packing "\">" data       \
+        "</data></layer>")
+
+static void bad_file_is_told(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *says;
+    } BAD[] = {
+        {"<map", "XML cannot be read"},
+        {XML("<layer"), "XML cannot be read"},
+        {"<html/>", "not a Tiled map"},
+        {"<tileset/>", "not a Tiled map"},
+        {"<map/>", "width is missing"},
+        {"<map width=\"two\"/>", "width is not a number"},
+        {"<!DOCTYPE m [<!ENTITY a \"b\">]><map>&a;</map>", "declares entities"},
+        {PACKED("zlib", "ab!c"), "not in base64"},
+        {PACKED("zlib", "a"), "not in base64"},
+        {PACKED("zlib", "aaa=="), "not in base64"},
+        {PACKED("zlib", "eJxjYGBgAAAABAAB"), "do not unpack"},
+        {PACKED("gzip", "eJxjYGBgAAAABAAB"), "do not unpack"},
+        {PACKED("zstd", "eJxjYGBgAAAABAAB"), "do not unpack"},
+        {PACKED("", "AAAA"), "do not unpack"},
+        {PACKED("lzma", "AAAA"), "not known"},
+        {XML("<layer name=\"t\" width=\"900000\" height=\"900000\"><data encoding=\"base64\">AA"
+             "</data></layer>"),
+         "more cells than are read"},
+        {XML("<layer name=\"t\" width=\"2\" height=\"2\"><data "
+             "encoding=\"morse\">-.</data></layer>"),
+         "not known"},
+        {XML("<layer name=\"t\"><data encoding=\"csv\"><chunk x=\"0\" y=\"0\" width=\"1e9\" "
+             "height=\"1\">0</chunk></data></layer>"),
+         "width is out of range"},
+        {XML("<layer name=\"t\"><data encoding=\"csv\"><chunk x=\"-1000000\" y=\"-1000000\" "
+             "width=\"1\" height=\"1\">0</chunk><chunk x=\"1000000\" y=\"1000000\" width=\"1\" "
+             "height=\"1\">0</chunk></data></layer>"),
+         "more cells than are read"},
+        {XML("<objectgroup><object id=\"3\" x=\"0\" y=\"0\"><polyline points=\"0,0 a\"/></object>"
+             "</objectgroup>"),
+         "object 3: x is missing"},
+    };
+    for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
+        scene s;
+        level_report report;
+        if (level_read("bad", BAD[i].text, strlen(BAD[i].text), false, &s, &report) ||
+            report.count == 0 || !strstr(report.problems[0].text, BAD[i].says))
+            fail_msg("%s: said '%s', not '%s'", BAD[i].text,
+                     report.count > 0 ? report.problems[0].text : "nothing", BAD[i].says);
+        assert_int_equal(s.body_count, 0);
+        level_report_free(&report);
+    }
+}
+
+static void xml_nested_deeply_is_refused_without_overflow(void **state) {
+    (void)state;
+    enum { DEPTH = 100000 };
+    char *text = malloc(DEPTH * 7 + 64);
+    int length = sprintf(text, "<map>");
+    for (int i = 0; i < DEPTH; i++)
+        length += sprintf(text + length, "<group>");
+    scene s;
+    level_report report;
+    assert_false(level_read("deep", text, (size_t)length, true, &s, &report));
+    assert_non_null(strstr(report.problems[0].text, "nested too deeply"));
+    level_report_free(&report);
+    free(text);
+}
+
+/* A folder of one file: every path gives the same. */
+static char *open_always(void *context, const char *path, size_t *length) {
+    (void)path;
+    *length = strlen(context);
+    char *copy = malloc(*length + 1);
+    strcpy(copy, context);
+    return copy;
+}
+
+static void template_or_tileset_that_is_no_such_thing_is_told(void **state) {
+    (void)state;
+    static char TEMPLATE_OF_ITSELF[] = "<template><object template=\"a.tx\"/></template>";
+    static char A_MAP[] = "<map/>";
+    static const char MAP[] = XML("<tileset firstgid=\"1\" source=\"a.tx\"/><objectgroup>"
+                                  "<object id=\"3\" x=\"0\" y=\"0\" template=\"a.tx\"/>"
+                                  "<object id=\"4\" x=\"0\" y=\"0\" gid=\"1\"/></objectgroup>");
+    scene s;
+    level_report report;
+    level_opener opener = {.open = open_always, .context = TEMPLATE_OF_ITSELF};
+    assert_true(level_read_with("m", MAP, strlen(MAP), &opener, true, &s, &report));
+    assert_true(says(&report, LEVEL_SKIP, "object 3: its template has no object of its own"));
+    assert_true(says(&report, LEVEL_SKIP, "'a.tx' is no tileset"));
+    scene_free(&s);
+    level_report_free(&report);
+
+    opener.context = A_MAP;
+    assert_true(level_read_with("m", MAP, strlen(MAP), &opener, true, &s, &report));
+    assert_true(says(&report, LEVEL_SKIP, "template 'a.tx': it is no template"));
+    scene_free(&s);
+    level_report_free(&report);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(map_is_the_same_as_json_and_as_xml),
+        cmocka_unit_test(layer_is_the_same_however_it_is_packed),
+        cmocka_unit_test(collision_shape_lies_as_its_tile_is_flipped),
+        cmocka_unit_test(collision_shape_that_leans_leans_the_other_way_in_a_flipped_tile),
+        cmocka_unit_test(slope_is_ground_where_all_below_it_is_solid),
+        cmocka_unit_test(polygons_become_boxes_and_ground),
+        cmocka_unit_test(tile_object_stands_on_its_lower_left_corner_as_large_as_it_is_drawn),
+        cmocka_unit_test(object_of_a_template_has_its_fields_properties_and_tileset),
+        cmocka_unit_test(infinite_map_has_the_tiles_of_all_its_chunks),
+        cmocka_unit_test(map_that_says_nothing_of_collisions_collides_everywhere_with_a_note),
+        cmocka_unit_test(everything_that_cannot_be_modelled_is_listed),
+        cmocka_unit_test(bad_file_is_told),
+        cmocka_unit_test(xml_nested_deeply_is_refused_without_overflow),
+        cmocka_unit_test(template_or_tileset_that_is_no_such_thing_is_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

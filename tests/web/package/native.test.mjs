@@ -1,0 +1,62 @@
+/** Native and wasm, the reader of levels in C and in TypeScript: equal hashes after 300 steps. */
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { test } from "node:test";
+import {
+  buildScene,
+  demoWasm,
+  findThudRun,
+  level,
+  levelFiles,
+  readLevelFile,
+  root,
+  sceneNames,
+  thud,
+} from "../support/package.mjs";
+
+const STEPS = 300;
+const engine = await thud.load(demoWasm);
+const thudRun = findThudRun();
+const skip = thudRun ? false : "thud-run is not built (./run test builds it)";
+
+function nativeHash(what, ...options) {
+  const args = [what, "--steps", String(STEPS), "--json", ...options];
+  const output = execFileSync(thudRun, args, { encoding: "utf8", cwd: root });
+  const report = JSON.parse(output);
+  assert.equal(report.steps, STEPS);
+  return String(report.hash).replace(/^0x/, "");
+}
+
+function hashAfterSteps(world) {
+  for (let i = 0; i < STEPS; i++) world.step();
+  const hash = world.hash();
+  world.close();
+  return hash;
+}
+
+const names = sceneNames(engine);
+
+test("there_are_four_levels_at_least", () => {
+  assert.ok(levelFiles.length >= 4);
+});
+
+for (const file of levelFiles)
+  test(`level_${file}_has_equal_hash_native_and_wasm`, { skip }, async () => {
+    const read = await level.readLevel(file.replace(/\.tmj$/, ""), readLevelFile(file));
+    const hash = hashAfterSteps(level.buildLevel(engine, read));
+    assert.equal(hash, nativeHash(`assets/levels/${file}`));
+  });
+
+names.forEach((name, index) =>
+  test(`scene_${name}_has_equal_hash_native_and_wasm`, { skip }, () => {
+    assert.equal(hashAfterSteps(buildScene(engine, index)), nativeHash(name));
+  }),
+);
+
+for (const detection of ["overlap", "bisect", "swept"])
+  for (const name of ["bullets", "cradle", "slopes"])
+    test(`scene_${name}_with_${detection}_has_equal_hash_native_and_wasm`, { skip }, () => {
+      const world = buildScene(engine, names.indexOf(name), { detection, broadphase: "sweep" });
+      const options = ["--detection", detection, "--broadphase", "all"];
+      assert.equal(hashAfterSteps(world), nativeHash(name, ...options));
+    });

@@ -1,0 +1,162 @@
+/** Queries and movers of the npm package in Node. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { thud } from "../support/package.mjs";
+
+const engine = await thud.load();
+
+function near(actual, expected, tolerance, what) {
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, not ${expected}`);
+}
+
+function addBox(world, x, y, halfWidth, halfHeight, options = {}) {
+  const body = world.createBody({ position: [x, y], ...options.body });
+  return world.createAabb(body, { halfWidth, halfHeight, ...options.shape });
+}
+
+/** Ground with its top at 0, and three boxes in a row at height 5. */
+function boxesInARow() {
+  const world = engine.createWorld({ gravity: [0, 0] });
+  const ground = world.createBody();
+  world.createTerrain(ground, { kind: "flat" });
+  return { world, boxes: [0, 4, 8].map((x) => addBox(world, x, 5, 1, 1)) };
+}
+
+test("circle_cast_meets_the_first_box_at_its_face", () => {
+  const { world, boxes } = boxesInARow();
+  const circle = { kind: "circle", radius: 0.5 };
+  const hit = world.castShape(circle, [-5, 5], [20, 0]);
+  assert.equal(hit.shape.index, boxes[0].index);
+  near(hit.fraction, 3.5 / 20, 1e-9, "fraction");
+  assert.deepEqual(hit.normal, [-1, 0]);
+  near(hit.point[0], -1, 1e-6, "x");
+  assert.equal(hit.depth, 0);
+  assert.equal(world.castShape(circle, [-5, 9], [20, 0]), null);
+  world.close();
+});
+
+test("casts_of_all_hits_come_nearest_first_and_a_hundred_fit", () => {
+  const { world, boxes } = boxesInARow();
+  const along = world.castRayAll([-5, 5], [20, 0]);
+  assert.deepEqual(
+    along.map(({ shape }) => shape.index),
+    boxes.map(({ index }) => index),
+  );
+  const box = { kind: "obb", halfWidth: 1, halfHeight: 0.5, angle: 0.3 };
+  assert.equal(world.castShapeAll(box, [20, 5], [-30, 0]).length, 3);
+  for (let i = 0; i < 100; i++) addBox(world, i, 20, 0.3, 0.3);
+  assert.equal(world.castRayAll([-5, 20], [200, 0]).length, 100);
+  assert.deepEqual(world.castRayAll([-5, 40], [200, 0]), []);
+  world.close();
+});
+
+test("cast_from_inside_hits_at_0_and_tells_its_depth", () => {
+  const { world } = boxesInARow();
+  const hit = world.castShape({ kind: "circle", radius: 0.5 }, [0, 5.75], [0, 9]);
+  assert.equal(hit.fraction, 0);
+  near(hit.depth, 0.75, 1e-9, "depth");
+  assert.deepEqual(hit.normal, [0, 1]);
+  world.close();
+});
+
+test("closest_shape_is_told_with_its_distance_and_none_beyond_reach", () => {
+  const { world, boxes } = boxesInARow();
+  const found = world.closest([4.5, 7], 10);
+  assert.equal(found.shape.index, boxes[1].index);
+  near(found.distance, 1, 1e-9, "distance");
+  near(world.closest([4, 5.75], 10).distance, -0.25, 1e-9, "inside");
+  assert.equal(world.closest([4.5, 7], 0.9), null);
+  assert.throws(() => world.closest([0, 0], -1), { code: "invalid" });
+  assert.throws(() => world.castShape({ kind: "circle", radius: 0 }, [0, 9], [0, -9]), {
+    code: "invalid",
+  });
+  world.close();
+});
+
+/** A walk of so many moves under a gravity of 20. */
+function walk(mover, speed, moves, options) {
+  let velocity = [0, 0];
+  let report;
+  for (let i = 0; i < moves; i++) {
+    report = mover.move([speed, velocity[1] - 20 / 60], 1 / 60, options);
+    velocity = report.velocity;
+  }
+  return report;
+}
+
+test("mover_walks_up_a_step_and_stops_at_a_wall", () => {
+  const world = engine.createWorld();
+  world.createTerrain(world.createBody(), { kind: "flat" });
+  addBox(world, 4, 0, 1, 0.3);
+  const wall = addBox(world, 8, 0, 1, 3);
+  const mover = new thud.Mover(world, {
+    shape: { kind: "aabb", halfWidth: 0.3, halfHeight: 0.8 },
+    position: [0, 1],
+  });
+  const onStep = walk(mover, 5, 45);
+  near(onStep.position[1], 0.3 + 0.8 + 0.006, 1e-3, "height on the step");
+  assert.ok(onStep.ground);
+  const report = walk(mover, 5, 90);
+  near(report.position[0], 7 - 0.3 - 0.006, 1e-3, "place at the wall");
+  assert.equal(report.hits[0].shape.index, wall.index);
+  assert.deepEqual(report.velocity, [0, 0]);
+  mover.close();
+  assert.throws(() => mover.move([0, 0], 1 / 60), { code: "stale" });
+  world.close();
+});
+
+test("mover_rides_a_kinematic_platform_and_drops_through_a_one_way_plank", () => {
+  const world = engine.createWorld();
+  world.createTerrain(world.createBody(), { kind: "flat" });
+  addBox(world, 0, 3, 2, 0.1, { shape: { category: 2 } });
+  const lift = world.createBody({ kind: "kinematic", position: [10, 1] });
+  world.createAabb(lift, { halfWidth: 2, halfHeight: 0.2 });
+  world.setVelocity(lift, [1, 2], 0);
+  const options = { shape: { kind: "circle", radius: 0.5 }, position: [0, 4], oneWay: 2 };
+  const mover = new thud.Mover(world, options);
+  near(walk(mover, 0, 60).position[1], 3.61, 1e-3, "on the plank");
+  near(walk(mover, 0, 60, { drop: true }).position[1], 0.51, 1e-3, "on the ground");
+  mover.place([10, 2]);
+  walk(mover, 0, 30);
+  let report;
+  for (let i = 0; i < 60; i++) {
+    world.step();
+    report = walk(mover, 0, 1);
+    assert.equal(report.ground.body.index, lift.index);
+  }
+  near(report.position[0], 11, 1e-3, "carried aside");
+  near(report.position[1], 3 + 0.2 + 0.51, 1e-3, "carried up");
+  near(report.ground.velocity[1], 2, 1e-6, "speed of the ground");
+  mover.close();
+  world.close();
+});
+
+test("scripted_walk_ends_at_the_same_bits_as_the_native_one", () => {
+  const world = engine.createWorld({ gravity: [0, 0] });
+  world.createTerrain(world.createBody(), {
+    kind: "irregular",
+    points: [[-10, 0], [2, 0.5], [5, 3], [9, 2], [30, 4]],
+  });
+  const turned = world.createBody({ position: [12, 3], angle: 0.3 });
+  world.createObb(turned, { halfWidth: 1, halfHeight: 0.5 });
+  world.createCircle(world.createBody({ position: [17, 4] }), { radius: 1 });
+  const mover = new thud.Mover(world, { shape: { kind: "circle", radius: 0.5 }, position: [0, 2] });
+  let end;
+  for (let i = 0; i < 300; i++)
+    end = mover.move([i % 100 < 80 ? 6 : -4, i % 50 < 10 ? 7 : -5], 1 / 64).position;
+  // tests/engine/api/test_mover.c has the same walk and the same end.
+  assert.deepEqual(end, [14.504182945844535, 3.036515603702544]);
+  world.close();
+});
+
+test("mover_out_of_range_is_refused_with_the_message_of_the_log", () => {
+  const world = engine.createWorld();
+  const mover = new thud.Mover(world, {
+    shape: { kind: "circle", radius: 0.5 },
+    position: [0, 0],
+    maxSlope: 3,
+  });
+  assert.throws(() => mover.move([0, 0], 1 / 60), { code: "invalid", message: /mover/ });
+  assert.throws(() => mover.move([NaN, 0], 1 / 60), { code: "invalid" });
+  world.close();
+});

@@ -1,0 +1,84 @@
+/**
+ * What a program links: small ones, built for size, that use ever more of the engine. Bounds are
+ * what is reached, so that nobody links more by accident; the aims stand beside them.
+ */
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { gzipSync } from "node:zlib";
+import { root } from "../support/package.mjs";
+
+/** Kilobytes (1000 bytes) of the gzipped module: what is reached, and what is aimed at. */
+const PROGRAMS = [
+  { name: "circles", bound: 46, aim: 12 },
+  { name: "boxes", bound: 55, aim: 18 },
+  { name: "islands", bound: 56, aim: 18 },
+  { name: "everything", bound: 87, aim: 40 },
+];
+
+const sources = readdirSync(`${root}engine/src`, { recursive: true })
+  .filter((name) => name.endsWith(".c"))
+  .map((name) => `${root}engine/src/${name}`);
+const build = `${root}build/link`;
+const table = [];
+rmSync(build, { recursive: true, force: true });
+mkdirSync(build, { recursive: true });
+
+function emcc(words) {
+  const helpers = existsSync("/usr/share/nodejs") ? "/usr/share/nodejs" : "";
+  const flags = "-Oz -msimd128 -std=gnu17 -DNDEBUG -DTD_ISA=base -ffp-contract=off -fno-math-errno";
+  execFileSync(
+    "emcc",
+    [
+      ...`${flags} -ffunction-sections -fdata-sections -w`.split(" "),
+      `-I${root}engine/include`,
+      `-I${root}engine/src`,
+      ...words,
+    ],
+    // Objects are written where it runs.
+    {
+      cwd: build,
+      env: { ...process.env, NODE_PATH: helpers },
+      stdio: ["ignore", "ignore", "inherit"],
+    },
+  );
+}
+
+/** The whole engine, once for all programs. */
+before(() => emcc(["-c", ...sources]));
+
+function link(name) {
+  const linking = "--no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc";
+  const objects = readdirSync(build).filter((file) => file.endsWith(".o"));
+  const program = `${root}tests/web/link/${name}.c`;
+  emcc([...linking.split(" "), program, ...objects, "-o", `${name}.wasm`]);
+  return readFileSync(join(build, `${name}.wasm`));
+}
+
+async function run(bytes) {
+  const imports = { env: { emscripten_notify_memory_growth() {} }, wasi_snapshot_preview1: {} };
+  for (const { module, name } of WebAssembly.Module.imports(new WebAssembly.Module(bytes)))
+    (imports[module] ??= {})[name] ??= () => 0;
+  const { instance } = await WebAssembly.instantiate(bytes, imports);
+  instance.exports._initialize();
+  return instance.exports;
+}
+
+for (const { name, bound, aim } of PROGRAMS)
+  test(`program_of_${name}_behaves_and_links_no_more_than_${bound}_kB`, async () => {
+    const bytes = link(name);
+    const zipped = gzipSync(bytes, { level: 9 }).length;
+    table.push(
+      `${name.padEnd(11)} ${bytes.length} bytes, ${zipped} gzipped; bound ${bound} kB, aim ${aim}`,
+    );
+    const made = await run(bytes);
+    assert.ok(Math.abs(made.circle_height(300) - 0.5) < 0.02);
+    if (made.box_height) assert.ok(Math.abs(made.box_height(300) - 0.5) < 0.02);
+    if (made.oriented_height) assert.ok(Math.abs(made.oriented_height(300) - 0.5) < 0.02);
+    if (made.ray_fraction) assert.ok(Math.abs(made.ray_fraction() - 0.5) < 1e-6);
+    assert.ok(zipped <= bound * 1000, `${name}: ${zipped} bytes`);
+  });
+
+after(() => console.log(`\nlinked for size:\n${table.join("\n")}`));

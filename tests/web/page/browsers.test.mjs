@@ -1,0 +1,204 @@
+/**
+ * What a visitor comes for, in every browser that the page is tested in: each has its own reading
+ * of policies, modules in workers and clocks. Everything else of the page is tested in one.
+ */
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { createStaticServer } from "../../../web/tools/static-server.mjs";
+import { copyOfPage, serve, untilOffline } from "../support/built-page.mjs";
+import { boxes, type } from "../support/code.mjs";
+import {
+  BROWSERS,
+  choose,
+  DESKTOP,
+  drawn,
+  openLevel,
+  openVisitor,
+  PATIENCE,
+  PHONE,
+  stepBy,
+  untilBodies,
+  untilRunning,
+} from "../support/page.mjs";
+import { ballLevel } from "../support/package.mjs";
+import { until, untilOverlay } from "../support/wait.mjs";
+import { table, untilMeasured } from "../support/versus.mjs";
+
+/** Measuring takes all settings of a scene through their steps. */
+const LONG = { timeout: 300_000 };
+
+for (const browser of BROWSERS)
+  describe(browser, () => {
+    let visitor;
+    before(async () => {
+      visitor = await openVisitor({ browser });
+    });
+    after(() => visitor.close());
+
+    for (const [name, options] of [["desktop", DESKTOP], ["phone", PHONE]])
+      test(`scenes_and_levels_run_and_are_drawn_on_a_${name}`, async () => {
+        const { page, errors, close } = await visitor.open("", sized(browser, options));
+        await untilRunning(page);
+        await until(() => drawn(page), ({ count }) => count > 1000, "bodies are drawn");
+        for (const [entry, title] of [["tumbler", /^Tumbler/], ["quarry", /^Quarry/]]) {
+          await page.click("#scenes-button");
+          await page.click(`[data-entry="${entry}"]`);
+          await untilTitle(page, title);
+          await untilRunning(page);
+        }
+        assert.deepEqual(errors, []);
+        await close();
+      });
+
+    test("platformer_is_played_by_keys", async () => {
+      const { page, errors, close } = await openGame(visitor, "platformer_game");
+      assert.match(await figureOf(page, "Coins"), /^0/);
+      await page.keyboard.down("ArrowRight");
+      await stepBy(page, 150);
+      await page.keyboard.up("ArrowRight");
+      assert.match(await figureOf(page, "Coins"), /^2/);
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("artillery_is_played_by_keys_and_answered", async () => {
+      const { page, errors, close } = await openGame(visitor, "artillery");
+      await hold(page, "ArrowLeft");
+      await untilSaid(page, /^Your turn/);
+      await hold(page, "Space");
+      await untilSaid(page, /A miss|Hit|out of the field/);
+      await untilSaid(page, /computer aims/);
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("versus_runs_box2d_and_measures_both", async () => {
+      const { page, errors, close } = await visitor.open("?scene=cradle&panel=versus");
+      await untilMeasured(page);
+      const rows = await table(page);
+      const steps = Object.values(rows)[0];
+      assert.equal(steps.filter((text) => / [mµ]s$/.test(text)).length, 2, String(steps));
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("trade_measures_every_setting_and_box2d", LONG, async () => {
+      const { page, errors, close } = await visitor.open("?scene=cradle&paused=1&panel=trade");
+      await page.click("[aria-labelledby=measure-heading] .go");
+      await page.waitForSelector("text=Copy as text", { timeout: LONG.timeout });
+      const rows = await page.locator(".trade").innerText();
+      assert.match(rows, /Box2D/);
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("inside_draws_overlays_and_finds_the_same_bits_as_everywhere", async () => {
+      const { page, errors, close } = await visitor.open(
+        "?scene=tall_stack&paused=1&panel=inside",
+      );
+      await page.waitForSelector("[name=inside]", { state: "attached" });
+      await choose(page, "inside", "show");
+      await stepBy(page, 5);
+      await page.check("[name=overlay-contacts]");
+      await untilOverlay(page, (count) => count > 20, "contacts");
+      await choose(page, "inside", "bits");
+      await page.click("#check");
+      await page.waitForSelector("#verdict[data-verdict=same]");
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("code_is_edited_and_run_and_an_error_is_told_at_its_line", async () => {
+      const { page, errors, close } = await visitor.open("?scene=sketch&panel=code");
+      await page.waitForSelector(".code-editor .cm-line:not(:empty)");
+      await type(page, boxes(7));
+      await page.keyboard.press("Control+Enter");
+      await untilBodies(page, 7);
+      await type(page, boxes(7, { update: "throw new Error('on purpose')" }));
+      await page.click(".code-run");
+      await page.waitForSelector(".code-trouble:not([hidden])");
+      assert.match(await page.innerText(".code-trouble"), /on purpose/);
+      await page.waitForSelector(".cm-lint-marker-error");
+      // And a text that imports its neighbours.
+      await type(page, IMPORTING);
+      await page.click(".code-run");
+      await untilBodies(page, 1);
+      assert.equal(await page.innerText("#message"), "platformer: ok");
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("own_level_runs", async () => {
+      const { page, errors, close } = await visitor.open("?scene=cradle");
+      await untilRunning(page);
+      await openLevel(page, "ball.tmj", ballLevel());
+      await untilTitle(page, /^ball/);
+      await untilBodies(page, 2);
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("without_network_after_one_visit_games_and_versus_run", async (t) => {
+      const { url, cut } = await serve(t, createStaticServer(copyOfPage(t)));
+      const context = await visitor.browser.newContext();
+      t.after(() => context.close());
+      context.setDefaultTimeout(PATIENCE);
+      const page = await context.newPage();
+      await page.goto(url);
+      await untilOffline(page);
+      await cut();
+      for (const name of ["platformer_game", "artillery"]) {
+        await page.goto(`${url}?scene=${name}`);
+        await untilRunning(page);
+      }
+      await page.goto(`${url}?scene=cradle&panel=versus`);
+      await untilMeasured(page);
+    });
+  });
+
+const IMPORTING = `import platformer from "./platformer_game.js";
+export default function ({ createWorld }) {
+  const world = createWorld();
+  world.createCircle(world.createBody({ kind: "dynamic" }), { radius: 0.5 });
+  const message = "platformer: " + (typeof platformer === "function" ? "ok" : "missing");
+  return { world, paint: () => ({ message }) };
+}
+`;
+
+/** Firefox has no touch and no phone's way of laying out, but any size of its window. */
+function sized(browser, options) {
+  const { isMobile, hasTouch, ...rest } = options;
+  return browser === "firefox" ? rest : options;
+}
+
+function untilTitle(page, wanted) {
+  return until(() => page.title(), (title) => wanted.test(title), String(wanted));
+}
+
+/** A game, paused after its first step. */
+async function openGame(visitor, name) {
+  const opened = await visitor.open(`?scene=${name}&paused=1`);
+  await stepBy(opened.page, 1);
+  await opened.page.waitForSelector("#message:not([hidden])");
+  return opened;
+}
+
+async function hold(page, key) {
+  await page.keyboard.down(key);
+  await stepBy(page, 2);
+  await page.keyboard.up(key);
+}
+
+/** Steps on until the game says something. */
+async function untilSaid(page, wanted) {
+  const message = () => page.textContent("#message");
+  for (let i = 0; i < 40 && !wanted.test(await message()); i++) await stepBy(page, 30);
+  assert.match(await message(), wanted);
+}
+
+function figureOf(page, label) {
+  return page.evaluate((wanted) => {
+    const terms = [...document.querySelectorAll("#figures dt")];
+    return terms.find(({ textContent }) => textContent === wanted)?.nextSibling.textContent;
+  }, label);
+}

@@ -1,0 +1,99 @@
+/** The gallery: searched, gone through by keys, and left with a scene running. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { DESKTOP, openVisitor, PHONE, untilRunning } from "../support/page.mjs";
+
+let visitor;
+before(async () => {
+  visitor = await openVisitor();
+});
+after(() => visitor.close());
+
+async function openGallery(options = DESKTOP) {
+  const opened = await visitor.open("?scene=pyramid&size=10", options);
+  await untilRunning(opened.page);
+  await opened.page.click("#scenes-button");
+  return opened;
+}
+
+/** Names of the scenes that are offered. */
+function offered(page) {
+  return page.evaluate(() =>
+    [...document.querySelectorAll("[data-entry]")]
+      .filter((card) => card.checkVisibility())
+      .map((card) => card.dataset.entry),
+  );
+}
+
+function focused(page) {
+  return page.evaluate(() => document.activeElement.dataset.entry ?? document.activeElement.id);
+}
+
+for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
+  test(`gallery_search_leaves_what_has_every_word_and_enter_runs_it_on_a_${size}`, async () => {
+    const { page, errors, close } = await openGallery(options);
+    assert.ok((await offered(page)).length > 30);
+    await page.fill("#scene-search", "DRUM boxes");
+    const found = await offered(page);
+    assert.ok(found.includes("tumbler") && found.length < 5, found.join());
+    assert.equal(await page.locator("#scene-list h3:visible").count(), 1, "headings of nothing");
+    await page.fill("#scene-search", "tumbler half");
+    await page.press("#scene-search", "Enter");
+    await page.waitForFunction(() => location.search.includes("scene=tumbler_half"));
+    assert.equal(await page.locator("#scenes").isVisible(), false);
+    await page.click("#scenes-button");
+    assert.equal(await page.inputValue("#scene-search"), "");
+    assert.ok((await offered(page)).length > 30, "the search is over");
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
+test("gallery_search_for_nothing_there_is_says_so", async () => {
+  const { page, close } = await openGallery();
+  await page.fill("#scene-search", "zebra");
+  assert.deepEqual(await offered(page), []);
+  assert.match(await page.textContent("#no-scene"), /No scene has “zebra”/);
+  await page.press("#scene-search", "Enter");
+  assert.equal(await page.locator("#scenes").isVisible(), true);
+  await page.fill("#scene-search", "");
+  assert.equal(await page.textContent("#no-scene"), "");
+  await close();
+});
+
+test("gallery_opens_at_the_running_scene_and_arrows_go_from_card_to_card", async () => {
+  const { page, errors, close } = await openGallery();
+  assert.equal(await focused(page), "pyramid");
+  assert.equal(await page.getAttribute('[data-entry="pyramid"]', "aria-current"), "true");
+  assert.equal(await page.locator("[data-entry][aria-current]").count(), 1);
+  const all = await offered(page);
+  const at = all.indexOf("pyramid");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await focused(page), all[at + 1]);
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await focused(page), all[at - 1]);
+  // The first cards of every row stand under each other.
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("ArrowUp");
+  assert.equal(await focused(page), all[0]);
+  await page.keyboard.press("ArrowUp");
+  assert.equal(await focused(page), "scene-search");
+  await page.keyboard.press("ArrowDown");
+  assert.equal(await focused(page), all[0]);
+  await page.keyboard.press("Enter");
+  await page.waitForFunction((name) => location.search.includes(`scene=${name}`), all[0]);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("gallery_shows_a_picture_of_every_scene", async () => {
+  const { page, close } = await openGallery();
+  const missing = await page.evaluate(async () => {
+    const pictures = [...document.querySelectorAll("[data-entry] img")];
+    for (const picture of pictures) picture.loading = "eager";
+    await Promise.allSettled(pictures.map((picture) => picture.decode()));
+    return pictures.filter(({ naturalWidth }) => naturalWidth === 0).map(({ src }) => src);
+  });
+  assert.deepEqual(missing, []);
+  await close();
+});

@@ -1,0 +1,31 @@
+/** Every scene, level and game of the page runs 300 steps. */
+import assert from "node:assert/strict";
+import { readdirSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { figure, openVisitor, stepBy } from "../support/page.mjs";
+import { until } from "../support/wait.mjs";
+
+let visitor;
+before(async () => {
+  visitor = await openVisitor();
+});
+after(() => visitor.close());
+
+const OWN_LEVEL = "own_level";
+const names = readdirSync(new URL("../../../web/public/scenes", import.meta.url))
+  .filter((file) => file.endsWith(".js"))
+  .map((file) => file.replace(/\.js$/, ""))
+  .filter((name) => name !== OWN_LEVEL);
+
+for (const name of names)
+  test(`scene_${name}_runs_300_steps_in_the_page`, async () => {
+    const { page, errors, close } = await visitor.open(`?scene=${name}&paused=1`);
+    await page.waitForFunction(() => document.title !== "thud");
+    for (let i = 0; i < 3; i++) await stepBy(page, 100);
+    const steps = await page.evaluate(() => document.querySelector("#hud").dataset.steps);
+    assert.equal(steps, "300");
+    await until(() => figure(page, "bodies"), (bodies) => bodies > 1, "bodies told");
+    assert.ok(await page.isHidden("#failure"));
+    assert.deepEqual(errors, []);
+    await close();
+  });

@@ -1,0 +1,54 @@
+/** What a first visit loads before it shows a running scene is small. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { gzipSync } from "node:zlib";
+import { launchChromium } from "../../../web/tools/browser.mjs";
+import { createStaticServer } from "../../../web/tools/static-server.mjs";
+import { copyOfPage, serve } from "../support/built-page.mjs";
+import { PATIENCE, untilRunning } from "../support/page.mjs";
+import { until } from "../support/wait.mjs";
+
+/** Kilobytes of 1000 bytes, gzipped, without Box2D. */
+const BOUND = 150;
+
+test(`first_picture_loads_less_than_${BOUND}_kB`, async (t) => {
+  const folder = copyOfPage(t);
+  const { url } = await serve(t, createStaticServer(folder));
+  const browser = await launchChromium({ webgl: false });
+  t.after(() => browser.close());
+  const context = await browser.newContext();
+  context.setDefaultTimeout(PATIENCE);
+  // What is kept for later visits is fetched after the first picture, and is no part of it.
+  await context.addInitScript(() => delete Navigator.prototype.serviceWorker);
+  const page = await context.newPage();
+  // Nor is the rest of the engine, which never comes here: the picture does without it.
+  const held = new Set();
+  const pictures = () => performance.getEntriesByName("first picture").length;
+  const picturesBefore = [];
+  await context.route("**/thud-rest-*.wasm", async (route) => {
+    held.add(route.request().url());
+    picturesBefore.push(await page.evaluate(pictures));
+  });
+  const requests = new Set();
+  context.on("request", (request) => requests.add(request.url()));
+  await page.goto(url);
+  await untilRunning(page);
+  assert.equal(await page.evaluate(pictures), 1);
+  await until(() => picturesBefore, ({ length }) => length > 0, "the rest is asked for");
+  assert.deepEqual(picturesBefore, [1], "and not before the first picture");
+  const paths = [...requests].filter((one) => !held.has(one)).map((one) => new URL(one).pathname);
+  const sizes = paths.map((path) => {
+    const file = path === "/" ? "/index.html" : path;
+    return { file, size: gzipSync(readFileSync(join(folder, file)), { level: 9 }).length };
+  });
+  sizes.sort((a, b) => b.size - a.size);
+  const sum = sizes.reduce((total, { size }) => total + size, 0);
+  const row = (name, bytes) => `${(bytes / 1000).toFixed(1).padStart(7)} kB  ${name}`;
+  const table = [...sizes.map(({ file, size }) => row(file, size)), row("in all", sum)].join("\n");
+  console.log(`first load, gzipped:\n${table}`);
+  for (const part of ["thud-first", "worker", "index"])
+    assert.ok(sizes.some(({ file }) => file.includes(part)), `${part} is among it`);
+  assert.ok(sum < BOUND * 1000, table);
+});

@@ -1,0 +1,260 @@
+/** The code panel: the running scene's text, changed, run again, and kept. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import {
+  boxes,
+  markedLine,
+  openCode,
+  run,
+  textOf,
+  troubleOf,
+  type,
+  untilStatus,
+} from "../support/code.mjs";
+import {
+  DESKTOP,
+  failureText,
+  openVisitor,
+  PHONE,
+  runAxeInBothThemes,
+  untilBodies,
+  untilRunning,
+  untilTold,
+} from "../support/page.mjs";
+import { root } from "../support/package.mjs";
+
+const SIZES = { desktop: DESKTOP, phone: PHONE };
+const SKETCH = readFileSync(`${root}web/public/scenes/sketch.js`, "utf8");
+
+let visitor;
+before(async () => {
+  visitor = await openVisitor();
+});
+after(() => visitor.close());
+
+for (const [name, options] of Object.entries(SIZES)) {
+  test(`number_changed_and_run_changes_the_world_on_${name}`, async () => {
+    const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code", options);
+    assert.match(await page.innerText(".code-status"), /Runs unchanged/);
+    await untilBodies(page, 14);
+    await page.locator(".cm-line", { hasText: "export const size" }).click();
+    await page.keyboard.press("End");
+    await page.keyboard.press("Control+a");
+    await page.keyboard.insertText(SKETCH.replace("usual: 12", "usual: 20"));
+    await untilStatus(page, "Changed, not run yet");
+    await run(page);
+    await untilStatus(page, "Your code runs");
+    await untilBodies(page, 22);
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
+  test(`syntax_error_is_told_at_its_line_and_the_scene_goes_on_on_${name}`, async () => {
+    const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code", options);
+    await type(page, "const a = 1;\nconst b = = 2;\nexport default function () {}\n");
+    await run(page);
+    assert.match(await troubleOf(page), /Line 2[\s\S]*Unexpected token/);
+    assert.equal(await markedLine(page), 2);
+    await untilStatus(page, "Does not run");
+    const steps = () => page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
+    const then = await steps();
+    await page.waitForFunction(
+      (n) => Number(document.querySelector("#hud").dataset.steps) > n,
+      then,
+    );
+    assert.ok(await page.isHidden("#failure"));
+    assert.deepEqual(errors, []);
+    await close();
+  });
+
+  test(`axe_finds_no_serious_violation_in_the_code_panel_on_${name}`, async () => {
+    const search = "?scene=artillery&panel=code&paused=1";
+    const { page, close } = await openCode(visitor, search, options);
+    await type(page, "export default 1 +;\n");
+    await run(page);
+    await troubleOf(page);
+    await page.click(".code-help summary");
+    assert.deepEqual(await runAxeInBothThemes(page, "#dock"), []);
+    await close();
+  });
+}
+
+test("buttons_of_the_code_panel_are_large_enough_on_a_phone", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code&paused=1", PHONE);
+  for (const button of await page.locator(".code button:visible, .code summary").all()) {
+    const { height } = await button.boundingBox();
+    assert.ok(height >= 40, `${await button.innerText()}: ${height}`);
+  }
+  const dock = await page.locator("#dock").boundingBox();
+  assert.ok(dock.height <= 0.46 * 844 + 1, "the scene stays visible");
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  await close();
+});
+
+test("error_while_building_is_told_at_its_line", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
+  await type(page, boxes(3).replace("  return {", "  world.nothing.here();\n  return {"));
+  await run(page);
+  assert.match(await troubleOf(page), /Line 7[\s\S]*undefined/);
+  assert.equal(await markedLine(page), 7);
+  await untilBodies(page, 14);
+  await close();
+});
+
+test("error_in_update_is_told_at_its_line_and_the_next_run_goes_on", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
+  await type(page, boxes(3, { update: "world.nothing.here();" }));
+  await run(page);
+  assert.match(await troubleOf(page), /Line 11[\s\S]*undefined/);
+  assert.equal(await markedLine(page), 11);
+  await type(page, boxes(4));
+  await run(page);
+  await untilBodies(page, 4);
+  await untilRunning(page);
+  assert.ok(await page.isHidden(".code-trouble"));
+  await close();
+});
+
+test("error_in_update_is_told_when_the_panel_was_closed", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
+  // While it stands no step is made before the panel is closed.
+  await page.click("#pause");
+  await type(page, boxes(3, { update: "throw new Error('late');" }));
+  await run(page);
+  await untilStatus(page, "Your code runs");
+  await page.click("#dock .close");
+  await page.keyboard.press(".");
+  assert.match(await troubleOf(page), /Line 11[\s\S]*late/);
+  await close();
+});
+
+test("import_that_is_not_there_is_told_at_its_line", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
+  const told = async (line) => {
+    await type(page, `// an import\n${line}\n${boxes(1)}`);
+    await run(page);
+    await page.waitForFunction(() => document.querySelector(".code-trouble p"));
+    return troubleOf(page);
+  };
+  assert.match(await told('import { x } from "./sketch.js";'), /Line 2[\s\S]*'x'/);
+  assert.match(await told('import "three";'), /Line 2[\s\S]*“three” is no file of this page/);
+  await close();
+});
+
+test("loop_without_an_end_leads_back_and_keeps_the_text", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
+  const text = boxes(3, { update: "for (;;);" });
+  await type(page, text);
+  await run(page);
+  assert.match(await failureText(page), /does not answer/);
+  // No frame has come of the loop, so that the figures are still those of the scene before it.
+  await page.evaluate(() => (document.querySelector("#hud").dataset.steps = "none"));
+  await page.click("#failure button");
+  await untilRunning(page);
+  await untilBodies(page, 14);
+  assert.match(await troubleOf(page), /did not answer/);
+  assert.equal(await textOf(page), text);
+  await type(page, boxes(5));
+  await run(page);
+  await untilBodies(page, 5);
+  await close();
+});
+
+test("text_is_kept_when_another_scene_was_opened_and_the_page_loaded_again", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
+  const text = boxes(6);
+  await type(page, text);
+  await page.click("#scenes-button");
+  await page.click('[data-entry="cradle"]');
+  await page.waitForSelector('[role="tab"]:text-is("cradle.js")');
+  await page.reload();
+  await page.waitForSelector(".code-editor .cm-line:not(:empty)");
+  await page.click("#scenes-button");
+  await page.click('[data-entry="sketch"]');
+  await page.waitForSelector('[role="tab"]:text-is("sketch.js")');
+  assert.equal(await textOf(page), text);
+  await close();
+});
+
+test("original_comes_back_and_undoing_brings_the_text_again", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
+  await type(page, boxes(4));
+  await run(page);
+  await untilBodies(page, 4);
+  await page.click(".code-bar button:nth-child(2)");
+  await untilBodies(page, 14);
+  await untilStatus(page, "Runs unchanged");
+  await page.locator(".code-editor .cm-content").focus();
+  await page.keyboard.press("Control+z");
+  await untilStatus(page, "Changed, not run yet");
+  assert.equal(await textOf(page), boxes(4));
+  await close();
+});
+
+test("camera_and_choices_stay_when_code_runs", async () => {
+  const { page, close } = await openCode(
+    visitor,
+    "?scene=sketch&size=5&quality=high&view=1,2,50&panel=code",
+  );
+  await untilBodies(page, 7);
+  await type(page, SKETCH.replace("2 + i", "3 + i"));
+  await run(page);
+  await untilStatus(page, "Your code runs");
+  await page.waitForFunction(() => location.hash.startsWith("#code="));
+  const params = new URLSearchParams(await page.evaluate(() => location.search));
+  assert.deepEqual([params.get("size"), params.get("quality")], ["5", "high"]);
+  assert.deepEqual(params.get("view").split(",").map(Number), [1, 2, 50]);
+  await close();
+});
+
+test("imported_files_are_shown_read_only_in_tabs", async () => {
+  const { page, close } = await openCode(visitor, "?scene=artillery&panel=code&paused=1");
+  await page.click('[role="tab"]:has-text("tanks.js")');
+  assert.match(await page.innerText(".code-status"), /Read only/);
+  // Of a long file the editor draws a part, and maybe another one later; typing is at its start.
+  const firstLine = () => page.locator(".code-editor .cm-line").first().textContent();
+  const before = await firstLine();
+  await page.locator(".code-editor .cm-content").focus();
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.type("x");
+  assert.equal(await firstLine(), before);
+  await page.focus('[role="tab"][aria-selected="true"]');
+  await page.keyboard.press("Home");
+  assert.equal(await page.innerText('[role="tab"][aria-selected="true"]'), "artillery.js");
+  await close();
+});
+
+test("keyboard_alone_opens_types_runs_and_leaves", async () => {
+  const { page, errors, close } = await visitor.open("?scene=sketch");
+  await untilRunning(page);
+  await page.keyboard.press("k");
+  await page.waitForSelector(".code-editor .cm-line:not(:empty)");
+  const inEditor = () =>
+    page.evaluate(() => document.activeElement?.classList.contains("code-editor") ?? false);
+  for (let i = 0; i < 12 && !(await inEditor()); i++) await page.keyboard.press("Tab");
+  assert.ok(await inEditor(), "Tab reaches the editor");
+  await page.keyboard.press("Control+Home");
+  // Letters are no shortcuts here, and Tab indents.
+  await page.keyboard.type("// pause, reset: p r l");
+  // Time for a completion to be offered, which Enter would take: in a comment none is.
+  await page.waitForTimeout(400);
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Tab");
+  assert.ok(await inEditor());
+  assert.match(await textOf(page), /^\/\/ pause, reset: p r l\n/);
+  assert.equal(await page.getAttribute("#pause", "aria-pressed"), "false");
+  await page.keyboard.press("Control+Enter");
+  await untilStatus(page, "Your code runs");
+  await page.keyboard.press("Escape");
+  await untilTold(page, "Tab leaves");
+  await page.keyboard.press("Tab");
+  assert.ok(!(await inEditor()), "Escape, then Tab, leaves the editor");
+  await page.keyboard.press("Shift+Tab");
+  assert.ok(await inEditor());
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#dock", { state: "hidden" });
+  assert.deepEqual(errors, []);
+  await close();
+});

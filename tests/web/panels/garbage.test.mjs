@@ -1,0 +1,104 @@
+/** What no address and no scene should say, and what nobody should do so quickly: the page goes on. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { linkOf, openCode, run, troubleOf, type, untilStatus } from "../support/code.mjs";
+import { openVisitor, untilRunning, untilTold } from "../support/page.mjs";
+
+let visitor;
+before(async () => {
+  visitor = await openVisitor();
+});
+after(() => visitor.close());
+
+test("address_with_values_that_are_none_is_as_if_they_were_not_there", async () => {
+  for (const search of [
+    "?scene=cradle&size=-5&seed=1e99&quality=%F0%9F%92%A9&substeps=NaN&detection=__proto__",
+    "?scene=cradle&view=1e300,0,10&panel=toString&broadphase=constructor",
+    "?scene=cradle&view=0,0,1e300&error=-1&speed=1e9&split=x&box2d=3&step=0&hash=zz",
+  ]) {
+    const { page, errors, close } = await visitor.open(search);
+    await untilRunning(page);
+    assert.ok(await page.isHidden("#dock"));
+    await page.waitForFunction(() => location.search === "?scene=cradle");
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
+test("size_beyond_the_scenes_most_is_the_most_and_so_says_the_address", async () => {
+  const { page, close } = await visitor.open("?scene=cradle&size=100000");
+  await untilRunning(page);
+  await page.waitForFunction(() => location.search === "?scene=cradle&size=100");
+  await close();
+});
+
+test("scene_that_returns_nonsense_is_told_what_is_wrong", async () => {
+  const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code&paused=1");
+  for (const [returned, told] of [
+    ["view: { x: NaN, y: 0, height: 3 }", /view has finite numbers/],
+    ["state: { act() {} }", /state is plain data/],
+    ["keys: 'left'", /keys is a list/],
+    ["paint: () => ({ marks: [{ kind: 'blob' }] })", /kind of a mark is one of line/],
+  ]) {
+    await type(
+      page,
+      `export default ({ createWorld }) => ({ world: createWorld(), ${returned} });`,
+    );
+    await run(page);
+    assert.match(await troubleOf(page), told);
+  }
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("scene_that_is_slow_and_not_stuck_runs_in_the_end_without_a_click", async () => {
+  const code = `export default ({ createWorld }) => {
+    for (const end = Date.now() + 9000; Date.now() < end; );
+    return { world: createWorld() };
+  };`;
+  const { page, errors, close } = await visitor.open(linkOf(code));
+  // Seen by the page itself: it may be there for a shorter time than a busy machine takes to look.
+  await page.evaluate(() => {
+    const failure = document.querySelector("#failure");
+    const observer = new MutationObserver(() => (failure.dataset.seen = "true"));
+    observer.observe(failure, { attributes: true, attributeFilter: ["hidden"] });
+  });
+  await page.locator(".code-offer button").first().click();
+  await page.waitForSelector("#failure[data-seen][hidden]", { state: "attached" });
+  await untilStatus(page, "Your code runs");
+  assert.ok(await page.isHidden(".code-trouble"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("of_scenes_chosen_at_once_the_last_runs", async () => {
+  // The first waits for its level until the second runs.
+  let send = () => {};
+  const slow = async (page) => {
+    await page.route("**/quarry.tmj", async (route) => {
+      await new Promise((done) => (send = done));
+      await route.continue();
+    });
+  };
+  const { page, errors, close } = await visitor.open("?scene=cradle", undefined, slow);
+  await untilRunning(page);
+  await page.waitForSelector("[data-entry=quarry]", { state: "attached" });
+  const asked = page.waitForRequest("**/quarry.tmj");
+  const level = page.waitForResponse("**/quarry.tmj");
+  await page.evaluate(() => {
+    for (const name of ["quarry", "tall_stack"])
+      document.querySelector(`[data-entry=${name}]`).click();
+  });
+  await page.waitForFunction(() => /stack/i.test(document.title));
+  await asked;
+  send();
+  await (await level).finished();
+  await page.evaluate(() => document.querySelector("#restart").click());
+  await untilTold(page, "from the beginning");
+  await page.waitForFunction(() => Number(document.querySelector("#hud").dataset.steps) > 20);
+  assert.match(await page.title(), /stack/i);
+  const bodies = Number(await page.textContent("[data-value=bodies]"));
+  assert.ok(bodies < 40, `${bodies} bodies`);
+  assert.deepEqual(errors, []);
+  await close();
+});

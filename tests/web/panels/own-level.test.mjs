@@ -1,0 +1,147 @@
+/** A level of the visitor's own: read or refused, in the address, and where Back leads. */
+import assert from "node:assert/strict";
+import { randomBytes } from "node:crypto";
+import { after, before, describe, test } from "node:test";
+import {
+  BROWSERS,
+  DESKTOP,
+  failureText,
+  openLevel,
+  openVisitor,
+  stepBy,
+  untilBodies,
+  untilRunning,
+} from "../support/page.mjs";
+import { ballLevel } from "../support/package.mjs";
+import { until } from "../support/wait.mjs";
+
+/** More than any address carries, since chance cannot be packed. */
+function largeLevel() {
+  const level = JSON.parse(ballLevel());
+  const value = randomBytes(40_000).toString("base64");
+  level.properties = [...(level.properties ?? []), { name: "note", type: "string", value }];
+  return JSON.stringify(level);
+}
+
+function untilTitle(page, wanted) {
+  return until(() => page.title(), (title) => wanted.test(title), String(wanted));
+}
+
+/** What the clipboard gets, and what is told of it. */
+async function share(page) {
+  await page.keyboard.press("o");
+  await page.click("#share");
+  await page.waitForFunction(() => /link is in the clipboard/.test(document.querySelector("#notice").textContent));
+  return { told: await page.innerText("#notice"), link: await page.evaluate(() => window.copied) };
+}
+
+const clipboard = (page) =>
+  page.addInitScript(() =>
+    Object.defineProperty(navigator, "clipboard", {
+      value: { writeText: async (text) => void (window.copied = text) },
+    }),
+  );
+
+function steps(page) {
+  return page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
+}
+
+for (const browser of BROWSERS)
+  describe(browser, () => {
+    let visitor;
+    before(async () => {
+      visitor = await openVisitor({ browser });
+    });
+    after(() => visitor.close());
+
+    test("file_that_cannot_be_read_leaves_the_own_level_before_it_running", async () => {
+      const { page, close } = await visitor.open("?scene=cradle");
+      await untilRunning(page);
+      await openLevel(page, "ball.tmj", ballLevel());
+      await untilTitle(page, /^ball/);
+      await untilRunning(page);
+      for (const text of ["{", '{"type":"map"}']) {
+        const before = await steps(page);
+        await openLevel(page, "broken.tmj", text);
+        assert.match(await failureText(page), /This level cannot be run/);
+        await page.click("#failure button");
+        await page.waitForSelector("#failure", { state: "hidden" });
+        await until(() => steps(page), (now) => now > before, "it goes on, and not anew");
+        assert.match(await page.title(), /^ball/);
+      }
+      await page.keyboard.press("r");
+      await untilBodies(page, 2);
+      assert.ok(await page.isHidden("#failure"), "it begins anew from its own file");
+      await close();
+    });
+
+    test("link_carries_the_level_and_what_is_chosen", async () => {
+      const { page, errors, close } = await visitor.open("?scene=cradle&paused=1", DESKTOP, clipboard);
+      await openLevel(page, "my ball.tmj", ballLevel());
+      await untilTitle(page, /^my ball/);
+      await page.waitForFunction(() => location.hash.includes("level="));
+      const { told, link } = await share(page);
+      assert.match(told, /: level, choices/);
+      await close();
+      const other = await visitor.open(link.slice(link.indexOf("?")));
+      await untilTitle(other.page, /^my ball/);
+      await stepBy(other.page, 1);
+      await untilBodies(other.page, 2);
+      assert.deepEqual([...errors, ...other.errors], []);
+      await other.close();
+    });
+
+    test("link_to_a_level_that_is_too_large_says_so_and_here_it_is_found_again", async () => {
+      const { page, close } = await visitor.open("?scene=cradle&paused=1", DESKTOP, clipboard);
+      await openLevel(page, "large.tmj", largeLevel());
+      await untilTitle(page, /^large/);
+      await page.waitForFunction(() => location.search.includes("own_level"));
+      const { told, link } = await share(page);
+      assert.match(told, /not the level, which is over 32 kB even packed/);
+      await page.reload();
+      await untilTitle(page, /^large/);
+      await close();
+      const other = await visitor.open(link.slice(link.indexOf("?")));
+      assert.match(await failureText(other.page), /level is not in this link/i);
+      await other.page.click("#failure button");
+      await untilTitle(other.page, /^Brick wall/);
+      await other.close();
+    });
+
+    test("back_and_forward_go_from_scene_to_scene_with_what_was_chosen_there", async () => {
+      const { page, errors, close } = await visitor.open("?scene=cradle&quality=high");
+      await untilRunning(page);
+      await openLevel(page, "ball.tmj", ballLevel());
+      await untilTitle(page, /^ball/);
+      await page.waitForFunction(() => location.hash.includes("level="));
+      await page.click("#scenes-button");
+      await page.click('[data-entry="tumbler"]');
+      await untilTitle(page, /^Tumbler/);
+      await page.waitForFunction(() => location.search.includes("tumbler"));
+      await page.keyboard.press(",");
+      await page.waitForFunction(() => !location.search.includes("quality"));
+      await page.evaluate(() => (window.stays = true));
+      await page.goBack();
+      await untilTitle(page, /^ball/);
+      await page.goBack();
+      await untilTitle(page, /^Newton/);
+      assert.match(await page.evaluate(() => location.search), /scene=cradle.*quality=high/);
+      await page.goForward();
+      await untilTitle(page, /^ball/);
+      await untilBodies(page, 2);
+      await page.goForward();
+      await untilTitle(page, /^Tumbler/);
+      await page.waitForFunction(() => !location.search.includes("quality"));
+      assert.ok(await page.evaluate(() => window.stays), "nothing is loaded anew");
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("damaged_level_of_a_link_is_told", async () => {
+      const { page, close } = await visitor.open("?scene=own_level#level=nonsense");
+      assert.match(await failureText(page), /link is damaged/);
+      await page.click("#failure button");
+      await untilRunning(page);
+      await close();
+    });
+  });

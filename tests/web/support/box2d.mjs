@@ -1,0 +1,81 @@
+/** What the tests of the page's Box2D side share: its sources, bundled, and small worlds. */
+import assert from "node:assert/strict";
+import { rmSync } from "node:fs";
+import { createRequire } from "node:module";
+import { demoWasm, root, thud } from "./package.mjs";
+
+// Vite brings esbuild.
+const require = createRequire(createRequire(`${root}web/package.json`).resolve("vite"));
+
+/** The sources' exports. They import Box2D by paths that are right in a folder of web/ only. */
+export async function importRival(folder) {
+  const bundle = `${folder}/rival-${process.pid}.mjs`;
+  const sources = ["load", "ruler", "world"].map((name) => `box2d/${name}`);
+  sources.push(...["hands", "stage", "watch"].map((name) => `worker/${name}`));
+  await require("esbuild").build({
+    stdin: {
+      contents: sources.map((name) => `export * from "./${name}";`).join(""),
+      resolveDir: `${root}web/src`,
+    },
+    outfile: bundle,
+    bundle: true,
+    format: "esm",
+    external: ["*.mjs"],
+  });
+  try {
+    return await import(bundle);
+  } finally {
+    rmSync(bundle);
+  }
+}
+
+export const rivalry = await importRival(`${root}web/generated/rival`);
+export const box2d = await rivalry.loadBox2D();
+export const engine = await thud.load(demoWasm);
+
+const BLOCK = { halfWidth: 0.5, halfHeight: 0.5 };
+
+/** A watched thud world with its rival; `use` also gets what `build` returned. */
+export function withRival(options, build, use) {
+  const world = engine.createWorld(options);
+  const known = rivalry.watch(world, options);
+  const built = build(world);
+  const rival = new rivalry.Box2DWorld(box2d, world, known);
+  try {
+    use(world, rival, built, known);
+  } finally {
+    rival.close();
+    world.close();
+  }
+}
+
+export function step(world, rival, steps, command = () => {}) {
+  for (let i = 0; i < steps; i++) {
+    rival.sync();
+    command();
+    world.step();
+    rival.step();
+  }
+}
+
+export function addGround(world, terrain = { kind: "flat" }, options = {}) {
+  return world.createTerrain(world.createBody(), terrain, options);
+}
+
+export function addBall(world, position, options = {}) {
+  const { radius = 0.5, velocity, detection, ...material } = options;
+  const ball = world.createBody({ kind: "dynamic", position, velocity, detection });
+  world.createCircle(ball, { radius, ...material });
+  return ball;
+}
+
+export function addBox(world, position, angle = 0) {
+  const box = world.createBody({ kind: "dynamic", position, angle });
+  world.createObb(box, BLOCK);
+  return box;
+}
+
+export const near = (actual, expected, tolerance, what = "") =>
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${what} ${actual}, expected ${expected}`);
+
+export const heightOf = (rival, body) => rival.poses()[4 * body.index + 1];

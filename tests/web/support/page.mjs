@@ -1,0 +1,147 @@
+/** A visitor's browser for the tests of the page. */
+import assert from "node:assert/strict";
+import { DESKTOP, launch, servePage } from "../../../web/tools/browser.mjs";
+import { contextsOf } from "./contexts.mjs";
+import { axeSource } from "./package.mjs";
+
+export { BROWSERS, DESKTOP, PHONE, stepBy } from "../../../web/tools/browser.mjs";
+
+/**
+ * Milliseconds that a wait may take. It ends as soon as what is waited for is there; until then a
+ * slow machine compiles the engine, fetches a panel, or draws a picture a second.
+ */
+export const PATIENCE = 120_000;
+
+/**
+ * A browser and the served page; every page that is opened collects its errors. One that `prepare`
+ * makes ready has a context of its own, and so has every page of Firefox, which gains nothing by
+ * sharing them.
+ */
+export async function openVisitor({ webgl = false, browser: name = "chromium" } = {}) {
+  const server = await servePage();
+  const browser = await launch(name, { webgl, oneProcess: true });
+  const contexts = contextsOf(browser, server.url);
+  return {
+    browser,
+    async open(search = "", options = DESKTOP, prepare = null) {
+      const kind = prepare || name === "firefox" ? "own" : "shared";
+      const { context, giveBack } = await contexts[kind](options);
+      context.setDefaultTimeout(PATIENCE);
+      const page = await context.newPage();
+      const errors = [];
+      page.on("pageerror", (error) => errors.push(error.message));
+      page.on("console", (message) => {
+        if (["error", "warning"].includes(message.type())) errors.push(message.text());
+      });
+      page.on("request", (request) => {
+        if (!request.url().startsWith(server.url) && !/^(data|blob):/.test(request.url()))
+          errors.push(`request to ${request.url()}`);
+      });
+      await prepare?.(page);
+      await page.goto(server.url + search);
+      return { page, errors, close: giveBack };
+    },
+    async close() {
+      await browser.close();
+      await server.close();
+    },
+  };
+}
+
+export async function untilRunning(page) {
+  // A page that is being loaded again has no figures for a moment.
+  await page.waitForFunction(() => Number(document.querySelector("#hud")?.dataset.steps) > 0);
+}
+
+/** Opens a level as a visitor does, by a file, and waits until it is there. */
+export async function openLevel(page, name, text) {
+  await page.waitForSelector("[data-entry]", { state: "attached" });
+  const buffer = Buffer.from(text);
+  await page.setInputFiles("#level-file", { name, mimeType: "application/json", buffer });
+}
+
+/** Where the drawn bodies are: the middle and the number of pixels that are not empty. */
+export function drawn(page, id = "bodies", least = 128) {
+  return page.evaluate(([canvasId, leastAlpha]) => {
+    const canvas = document.getElementById(canvasId);
+    const { width, height } = canvas;
+    // Read from a copy, which the browser may keep where reading is quick.
+    const copy = Object.assign(document.createElement("canvas"), { width, height });
+    const context = copy.getContext("2d", { willReadFrequently: true });
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
+    let [count, x, y] = [0, 0, 0];
+    for (let i = 3; i < data.length; i += 4) {
+      if (data[i] < leastAlpha) continue;
+      count++;
+      x += ((i - 3) / 4) % width;
+      y += Math.floor((i - 3) / 4 / width);
+    }
+    const ratio = width / innerWidth;
+    return { count, x: x / count / ratio, y: y / count / ratio };
+  }, [id, least]);
+}
+
+/**
+ * Chooses a radio button as a visitor does: by its label, which covers it. The press waits until the
+ * label has come to rest, as panels glide and grow while their figures come in.
+ */
+export function choose(page, name, value) {
+  return page.check(`label:has(> [name="${name}"][value="${value}"])`);
+}
+
+export async function pressed(page, id) {
+  return (await page.getAttribute(`#${id}`, "aria-pressed")) === "true";
+}
+
+export async function figure(page, name) {
+  return Number((await page.textContent(`[data-value="${name}"]`)).replace(/,/g, ""));
+}
+
+/** Until screen readers are told. */
+export function untilTold(page, text) {
+  return page.waitForSelector(`#status:has-text("${text}")`, { state: "attached" });
+}
+
+/** Until the figures tell so many bodies. */
+export function untilBodies(page, count) {
+  return page.waitForSelector(`[data-value=bodies]:text-is("${count}")`, { state: "attached" });
+}
+
+export async function failureText(page) {
+  await page.waitForSelector("#failure:not([hidden])");
+  return page.innerText("#failure");
+}
+
+export function near(actual, expected, tolerance, what) {
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, not ${expected}`);
+}
+
+/**
+ * What axe finds serious in the page or a part of it. Evaluated by the driver, so that the page's
+ * own policy need not allow it.
+ */
+export async function runAxe(page, within = "html") {
+  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axeSource());
+  return page.evaluate(async (part) => {
+    // What is still fading in has not the contrast that it will have.
+    for (const animation of document.getAnimations())
+      if (animation.effect.getComputedTiming().endTime < Infinity) animation.finish();
+    const { violations } = await window.axe.run(part, { resultTypes: ["violations"] });
+    return violations
+      .filter(({ impact }) => impact === "serious" || impact === "critical")
+      .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`);
+  }, within);
+}
+
+/** The same in light and in dark colours. */
+export async function runAxeInBothThemes(page, within) {
+  const found = [];
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    await page.waitForSelector(`html[data-theme=${colorScheme}]`);
+    const violations = await runAxe(page, within);
+    found.push(...violations.map((text) => `${colorScheme}: ${text}`));
+  }
+  return found;
+}

@@ -1,0 +1,122 @@
+/** What the page measures in a worker of its own, and how it tells two engines apart, in Node. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { importTypeScript, openSession } from "../../../web/tools/scenes.mjs";
+import { thud } from "../support/package.mjs";
+
+// The page's clock is as fine as its isolation from other pages allows.
+globalThis.self = globalThis;
+globalThis.crossOriginIsolated = true;
+
+const { Trial } = await importTypeScript("src/worker/measure-trial.ts");
+const { measure } = await importTypeScript("src/worker/measure.ts");
+const { findHoldings } = await importTypeScript("src/worker/measure-heavier.ts");
+const { Tally } = await importTypeScript("src/panels/versus-tally.ts");
+const { MEANING, verdict } = await importTypeScript("src/panels/versus-words.ts");
+const engine = await thud.load();
+
+/** A laboratory whose steps take as long as `secondsOf` says of a scene's n-th step, from 1. */
+function laboratoryWith(secondsOf) {
+  const open = async ({ size = 1 }) => {
+    let steps = 0;
+    const world = {
+      engine,
+      step: () => steps++,
+      setSleeping() {},
+      stats: () => ({ bodies: size, stepSeconds: secondsOf(steps) }),
+      error: () => ({ penetrationMax: 0 }),
+      poses: () => new Float32Array(0),
+      shapeTable: () => ({ count: 0, rows: new Float32Array(0), handles: new Uint32Array(0) }),
+    };
+    return { world, scene: {}, size, timeStep: 1 / 60, lengthScale: 1, close() {} };
+  };
+  return { engine, box2d: null, open };
+}
+
+test("trial_of_a_scene_at_rest_keeps_its_bodies_awake", async () => {
+  const session = await openSession(engine, "pyramid", { size: 5 });
+  const trial = await Trial.open({ engine, box2d: null, open: async () => session }, {});
+  for (let i = 0; i < 240; i++) trial.step();
+  assert.equal(session.world.stats().awakeBodies, 15);
+  trial.close();
+});
+
+test("heavier_tells_the_slowest_second_of_what_is_held_and_not_the_last", async () => {
+  const slow = (step) => (step > 60 && step <= 130 ? 0.012 : 0.0001);
+  const sizes = { means: "bodies", usual: 8, least: 1, most: 8 };
+  const [{ held }] = await findHoldings(laboratoryWith(slow), {}, sizes, 60, () => {});
+  assert.equal(held.bodies, 8);
+  assert.ok(Math.abs(held.milliseconds - 12) < 1e-9, `${held.milliseconds} ms`);
+});
+
+test("p99_of_a_measured_series_is_without_the_scene_s_start", async () => {
+  const atFirst = (step) => (step <= 6 ? 0.05 : 0.001);
+  const { rows, steps } = await measure(laboratoryWith(atFirst), { choices: {} }, "", () => {});
+  assert.equal(steps, 120);
+  for (const { p99, typical } of rows)
+    assert.ok(p99 < 1.01 && typical < 1.01, `${typical} and ${p99} ms`);
+});
+
+const compared = (penetration) => ({ penetration, energy: 0, bodies: 100 });
+
+/** So many steps, with bodies awake in each engine. */
+function sampled(from, count, [thudTime, awake], [box2dTime, box2dAwake], depths = [0.001, 0.004]) {
+  return Array.from({ length: count }, (_, i) => ({
+    step: from + i,
+    milliseconds: thudTime,
+    penetration: 0,
+    awake,
+    box2d: {
+      milliseconds: box2dTime,
+      awake: box2dAwake,
+      since: 0,
+      origin: [0, 0],
+      compared: { thud: compared(depths[0]), box2d: compared(depths[1]) },
+    },
+  }));
+}
+
+const words = (tally) => verdict(tally.figures("thud"), tally.figures("box2d"), 1);
+
+test("versus_compares_steps_in_which_both_engines_have_bodies_awake_and_says_who_sleeps", () => {
+  const tally = new Tally(true);
+  tally.add(sampled(1, 100, [1, 99], [2, 99]), 1 / 60);
+  assert.equal(words(tally), "thud is 2.0 times as fast, and its overlap is 4.0 times smaller.");
+  tally.add(sampled(101, 300, [0.01, 0], [2, 99]), 1 / 60);
+  assert.equal(tally.figures("thud").typical, 1);
+  assert.match(words(tally), /2\.0 times as fast.* All bodies sleep in thud now: only steps before/);
+  tally.add(sampled(401, 300, [0.01, 0], [0.02, 0]), 1 / 60);
+  assert.equal(tally.figures("box2d").typical, 2);
+  assert.match(words(tally), /All bodies sleep in both now/);
+});
+
+test("versus_says_where_one_engine_has_fewer_bodies_awake", () => {
+  const tally = new Tally(true);
+  tally.add(sampled(1, 100, [1, 10], [2, 99]), 1 / 60);
+  assert.match(words(tally), /Not the same work: 10 bodies are awake in thud, 99 in Box2D\.$/);
+});
+
+test("versus_of_a_scene_that_sleeps_from_the_start_says_so", () => {
+  const tally = new Tally(true);
+  tally.add(sampled(1, 100, [0.01, 0], [0.01, 0]), 1 / 60);
+  assert.match(words(tally), /^All bodies sleep in both/);
+});
+
+test("versus_names_the_overlap_that_it_measures_and_calls_nobody_accurate", () => {
+  const [even, less, none] = [[0.001, 0.001], [0.002, 0.001], [0, 0]];
+  const times = "is 2.0 times as fast";
+  const verdicts = [
+    [1, 2, less, `thud ${times}, but Box2D’s overlap is 2.0 times smaller.`],
+    [2, 1, less, `Box2D ${times}, and its overlap is 2.0 times smaller.`],
+    [1, 1, even, "Both are about as fast, and their overlap is about the same."],
+    [1, 2, none, `thud ${times}, and bodies overlap in neither.`],
+    [0, 0, less, "Both take next to no time, and Box2D’s overlap is 2.0 times smaller."],
+  ];
+  for (const [one, other, depths, expected] of verdicts) {
+    const tally = new Tally(true);
+    tally.add(sampled(1, 100, [one, 9], [other, 9], depths), 1 / 60);
+    assert.equal(words(tally), expected);
+  }
+  assert.match(MEANING, /[Oo]verlap is how deep the worst pair/);
+  assert.doesNotMatch(MEANING, /accura/i);
+});

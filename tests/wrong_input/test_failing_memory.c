@@ -1,0 +1,254 @@
+/* test_failing_memory.c: every call of a world, with its first allocation failing, then its second,
+ * and so on until it gets through: each time a result code and a message, and nothing has changed
+ * but the room that is held; then it does what it does where memory never fails. */
+#include "village.h"
+
+#include "hostile_memory.h"
+
+#include <thud/thud_draw.h>
+
+typedef struct call {
+    const char *name;
+    thud_result (*make)(village *v);
+    int times; /* in a row, so that arrays come to grow */
+} call;
+
+/* ---- calls that make something ---- */
+
+static thud_result create_body(village *v) {
+    thud_body_def def = thud_default_body_def();
+    def.kind = THUD_DYNAMIC;
+    def.position = (thud_pos){60 + 2.0 * thud_world_stats(v->world).bodies, 3};
+    return thud_body_create(v->world, &def, &v->bare);
+}
+
+static thud_result create_circle(village *v) {
+    thud_shape_def def = thud_default_shape_def();
+    return thud_shape_create_circle(v->world, v->bare, &def, (thud_vec2){0, 0}, 1, NULL);
+}
+
+static thud_result create_aabb(village *v) {
+    thud_shape_def def = thud_default_shape_def();
+    return thud_shape_create_aabb(v->world, v->plank, &def, (thud_vec2){0, 1}, (thud_vec2){1, 1},
+                                  NULL);
+}
+
+static thud_result create_obb(village *v) {
+    thud_shape_def def = thud_default_shape_def();
+    return thud_shape_create_obb(v->world, v->bare, &def, (thud_vec2){0, 1}, (thud_vec2){1, 1}, 1,
+                                 NULL);
+}
+
+static thud_result create_terrain(village *v) {
+    enum { COUNT = 50 };
+    thud_pos points[COUNT];
+    for (int i = 0; i < COUNT; i++) {
+        points[i] = (thud_pos){i, -900 - i % 3};
+    }
+    thud_shape_def def = thud_default_shape_def();
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = COUNT};
+    return thud_shape_create_terrain(v->world, v->floor, &def, &line, NULL);
+}
+
+/* ---- calls that change something ---- */
+
+static thud_result teleport(village *v) {
+    return thud_body_set_transform(v->world, v->ball, (thud_pos){3, 7}, 0);
+}
+
+static thud_result destroy(village *v) {
+    return thud_shape_destroy(v->world, v->box_shape);
+}
+
+static thud_result enable(village *v) {
+    return thud_body_set_enabled(v->world, v->switched_off, true);
+}
+
+static thud_result sharpen(village *v) {
+    return thud_world_set_quality(v->world, &thud_quality_exact);
+}
+
+static thud_result set_heights(village *v) {
+    const double heights[] = {1, 2, 1};
+    return thud_shape_set_heights(v->world, v->dunes, 1, heights, 3);
+}
+
+static thud_result dig(village *v) {
+    return thud_shape_dig(v->world, v->hill, (thud_pos){203, 2}, 2);
+}
+
+static thud_result raise_mound(village *v) {
+    return thud_shape_raise(v->world, v->hill, 195, 4, 1);
+}
+
+static thud_result replace_range(village *v) {
+    thud_pos points[40];
+    for (int i = 0; i < 40; i++) {
+        points[i] = (thud_pos){-15 + 0.1 * i, 0.5};
+    }
+    return thud_shape_replace_range(v->world, v->hill, -15, -11, points, 40);
+}
+
+static thud_result step(village *v) {
+    return thud_world_step(v->world);
+}
+
+static thud_result advance(village *v) {
+    return thud_world_advance(v->world, 1.0 / 60, 1, NULL, NULL);
+}
+
+static thud_result walk(village *v) {
+    return thud_mover_move(v->world, &v->mover, (thud_vec2){1, -1}, 1.0 / 60, NULL);
+}
+
+/* ---- calls that only look ---- */
+
+static bool go_on(thud_shape_id shape, void *context) {
+    (void)shape;
+    (void)context;
+    return true;
+}
+
+static thud_result cast_ray(village *v) {
+    return thud_world_cast_ray(v->world, (thud_pos){-20, 0.5}, 60, 0, NULL, NULL, NULL);
+}
+
+static thud_result cast_ray_all(village *v) {
+    return thud_world_cast_ray_all(v->world, (thud_pos){-20, 0.5}, 60, 0, NULL, NULL, 0, NULL);
+}
+
+static thud_result cast_circle_all(village *v) {
+    thud_ray_hit hits[8];
+    return thud_world_cast_circle_all(v->world, (thud_pos){-20, 3}, 2, 60, 0, NULL, hits, 8, NULL);
+}
+
+static thud_result cast_box(village *v) {
+    return thud_world_cast_box(v->world, (thud_pos){-20, 3}, 2, 1, 1, 60, 0, NULL, NULL, NULL);
+}
+
+static thud_result overlap(village *v) {
+    return thud_world_overlap_circle(v->world, (thud_pos){3, 1}, 50, NULL, go_on, NULL);
+}
+
+static thud_result closest(village *v) {
+    return thud_world_closest(v->world, (thud_pos){30, 1}, 400, NULL, NULL, NULL);
+}
+
+static thud_result volume(village *v) {
+    thud_volume around;
+    return thud_body_volume(v->world, v->box, THUD_OBB, (thud_pos){0, 0}, &around);
+}
+
+static thud_result poses(village *v) {
+    int count;
+    return thud_world_poses(v->world, (thud_pos){0, 0}, 1, &count) ? THUD_OK : THUD_ERROR_MEMORY;
+}
+
+static thud_result draw(village *v) {
+    const thud_debug_draw all = {.flags = 0xff, .lower = {-50, -50}, .upper = {350, 50}};
+    return thud_world_draw(v->world, &all);
+}
+
+static const call calls[] = {
+    {"create body", create_body, 200},
+    {"create circle", create_circle, 100},
+    {"create OBB", create_obb, 100},
+    {"create AABB", create_aabb, 100},
+    {"create terrain", create_terrain, 20},
+    {"teleport", teleport, 1},
+    {"destroy", destroy, 1},
+    {"enable", enable, 1},
+    {"quality", sharpen, 1},
+    {"set heights", set_heights, 1},
+    {"dig", dig, 3},
+    {"raise", raise_mound, 1},
+    {"replace range", replace_range, 1},
+    {"cast ray", cast_ray, 1},
+    {"cast ray, all", cast_ray_all, 1},
+    {"cast circle, all", cast_circle_all, 1},
+    {"cast box", cast_box, 1},
+    {"overlap", overlap, 1},
+    {"closest", closest, 1},
+    {"volume", volume, 1},
+    {"poses", poses, 1},
+    {"draw", draw, 1},
+    {"walk", walk, 3},
+    {"step", step, 10},
+    {"advance", advance, 10},
+};
+enum { CALLS = sizeof calls / sizeof *calls };
+
+/* How often it failed before it got through. */
+static long make_with_failures(village *here, village *twin, const call *c) {
+    for (long failures = 0;; failures++) {
+        uint64_t hash = thud_world_hash(here->world);
+        thud_stats before = thud_world_stats(here->world);
+        here->told = 0;
+        memory_allowed = failures;
+        thud_result result = c->make(here);
+        memory_allowed = -1;
+        if (result == THUD_OK) {
+            assert_int_equal(here->told, 0);
+            OK(c->make(twin));
+            return failures;
+        }
+        if (result != THUD_ERROR_MEMORY || here->told != 1) {
+            fail_msg("%s: '%s', %d messages", c->name, thud_result_text(result), here->told);
+        }
+        thud_stats after = thud_world_stats(here->world);
+        if (thud_world_hash(here->world) != hash || after.bodies != before.bodies ||
+            after.shapes != before.shapes || after.steps != before.steps) {
+            fail_msg("%s: the world has changed after %ld failures", c->name, failures);
+        }
+        assert_true(failures < 1000);
+    }
+}
+
+/* Edits that no step has seen yet: whoever applies them wants memory. */
+static void add_crowd(village *v) {
+    for (int i = 0; i < 200; i++) {
+        add_ball(v->world, -40 + i % 20 * 0.9, 20 + i / 20 * 0.9, 0.5f);
+    }
+}
+
+static long check_call(const call *c) {
+    thud_world_def def = thud_default_world_def();
+    village here, twin;
+    long failures = 0;
+    def.allocator = hostile_memory();
+    village_make(&here, def);
+    village_make(&twin, def);
+    add_crowd(&here);
+    add_crowd(&twin);
+    for (int i = 0; i < c->times; i++) {
+        failures += make_with_failures(&here, &twin, c);
+    }
+    for (int i = 0; i < 90; i++) {
+        village_step(&here);
+        village_step(&twin);
+        if (thud_world_hash(here.world) != thud_world_hash(twin.world)) {
+            fail_msg("%s: differs at step %d from a call that never failed", c->name, i);
+        }
+    }
+    village_free(&here);
+    village_free(&twin);
+    assert_int_equal(memory_held, 0);
+    return failures;
+}
+
+static void every_call_without_memory_changes_nothing_and_works_once_there_is_some(void **state) {
+    (void)state;
+    long failures = 0;
+    for (int i = 0; i < CALLS; i++) {
+        failures += check_call(&calls[i]);
+    }
+    print_message("%ld allocations failed\n", failures);
+    assert_true(failures >= 80);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_call_without_memory_changes_nothing_and_works_once_there_is_some),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
