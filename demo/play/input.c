@@ -2,7 +2,7 @@
 #include "input.h"
 
 #include "dig.h"
-#include "panel.h"
+#include "panel/panel.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
 #define SDL_MAIN_HANDLED
 #include "input.h"
 #include "options.h"
-#include "picture.h"
+#include "draw/picture.h"
 #include "viewer.h"
 
 #include <SDL.h>

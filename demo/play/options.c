@@ -2,7 +2,7 @@
 #include "options.h"
 
 #include "input.h"
-#include "picture.h"
+#include "draw/picture.h"
 
 #include <stdio.h>
 #include <stdlib.h>

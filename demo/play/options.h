@@ -2,7 +2,7 @@
 #ifndef THUD_PLAY_OPTIONS_H
 #define THUD_PLAY_OPTIONS_H
 
-#include "overlays.h"
+#include "panel/overlays.h"
 
 #include <thud/thud.h>
 

@@ -2,7 +2,7 @@
 #ifndef THUD_PLAY_SESSION_H
 #define THUD_PLAY_SESSION_H
 
-#include "catalog.h"
+#include "panel/catalog.h"
 
 #include <choices.h>
 #include <thud/thud.h>

@@ -1,13 +1,13 @@
 /* viewer.c: see viewer.h. */
 #include "viewer.h"
 
-#include "draw_character.h"
-#include "draw_overlays.h"
-#include "draw_sums.h"
-#include "draw_world.h"
-#include "hud.h"
-#include "palette.h"
-#include "panel.h"
+#include "draw/draw_character.h"
+#include "draw/draw_overlays.h"
+#include "draw/draw_sums.h"
+#include "draw/draw_world.h"
+#include "panel/hud.h"
+#include "draw/palette.h"
+#include "panel/panel.h"
 
 #include <math.h>
 

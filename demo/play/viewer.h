@@ -2,15 +2,15 @@
 #ifndef THUD_PLAY_VIEWER_H
 #define THUD_PLAY_VIEWER_H
 
-#include "camera.h"
-#include "canvas.h"
-#include "catalog.h"
+#include "draw/camera.h"
+#include "draw/canvas.h"
+#include "panel/catalog.h"
 #include "character.h"
 #include "grab.h"
-#include "overlays.h"
+#include "panel/overlays.h"
 #include "session.h"
-#include "timings.h"
-#include "ui.h"
+#include "panel/timings.h"
+#include "panel/ui.h"
 
 typedef struct viewer {
     catalog catalog;

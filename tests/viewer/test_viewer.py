@@ -11,7 +11,7 @@ import unittest
 from picture import read_bmp, read_png
 
 HERE = pathlib.Path(__file__).resolve().parent
-PALETTE = (HERE / "../../demo/play/palette.h").read_text(encoding="utf-8")
+PALETTE = (HERE / "../../demo/play/draw/palette.h").read_text(encoding="utf-8")
 PLAY = ""
 
 # ball.tmj is 40 x 30 m, so that 800 x 600 pixels show 20 a metre. The ball, of radius 1, starts

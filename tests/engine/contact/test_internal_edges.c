@@ -1,6 +1,6 @@
-/* test_internal_edges.c: static shapes side by side are one ground: what slides over their seams loses no
- * speed and does not hop; real edges stay. Before, circles lost 92 % of their speed over 1,000
- * tiles, and boxes all of it. */
+/* test_internal_edges.c: static shapes side by side are one ground: what slides over their seams
+ * loses no speed and does not hop; real edges stay. Before, circles lost 92 % of their speed over
+ * 1,000 tiles, and boxes all of it. */
 #include "engine_support.h"
 
 #include "contact/internal_edges.h"

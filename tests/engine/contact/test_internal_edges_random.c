@@ -1,7 +1,8 @@
-/* test_internal_edges_random.c: bodies dropped and slid onto random heaps of static shapes, which lie side
- * by side, in line, in each other, or a little off: they never come to overlap any of them, never
- * change sides, and never rest on nothing. What overlaps is told by exact geometry of every pair; a
- * heap counts only where the same world without its seams (internal_edges.h) is right. */
+/* test_internal_edges_random.c: bodies dropped and slid onto random heaps of static shapes, which
+ * lie side by side, in line, in each other, or a little off: they never come to overlap any of
+ * them, never change sides, and never rest on nothing. What overlaps is told by exact geometry of
+ * every pair; a heap counts only where the same world without its seams (internal_edges.h) is
+ * right. */
 #include "engine_support.h"
 
 #include "geometry_exact.h"

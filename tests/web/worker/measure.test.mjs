@@ -11,8 +11,8 @@ globalThis.crossOriginIsolated = true;
 const { Trial } = await importTypeScript("src/worker/measure-trial.ts");
 const { measure } = await importTypeScript("src/worker/measure.ts");
 const { findHoldings } = await importTypeScript("src/worker/measure-heavier.ts");
-const { Tally } = await importTypeScript("src/panels/versus-tally.ts");
-const { MEANING, verdict } = await importTypeScript("src/panels/versus-words.ts");
+const { Tally } = await importTypeScript("src/panels/versus/tally.ts");
+const { MEANING, verdict } = await importTypeScript("src/panels/versus/words.ts");
 const engine = await thud.load();
 
 /** A laboratory whose steps take as long as `secondsOf` says of a scene's n-th step, from 1. */

@@ -82,7 +82,7 @@ export interface State {
   /** Null: as the scene says. */
   camera: Place | null;
   code: string | null;
-  /** Figures measured elsewhere, packed; see panels/trade-result.ts. */
+  /** Figures measured elsewhere, packed; see panels/trade/result.ts. */
   result: string | null;
   /** An open panel. */
   panel: string | null;

@@ -7,24 +7,24 @@ export function panels(stage: Stage): Record<string, PanelKind> {
     versus: {
       title: "thud and Box2D",
       load: async () => {
-        const { createPanel } = await import("./versus");
+        const { createPanel } = await import("./versus/versus");
         return (app) => createPanel(app, stage);
       },
     },
     inside: {
       title: "Inside",
       load: async () => {
-        const { createPanel } = await import("./inside");
+        const { createPanel } = await import("./inside/inside");
         return (app) => createPanel(app, stage);
       },
     },
     trade: {
       title: "Trade: speed against accuracy",
-      load: async () => (await import("./trade")).createPanel,
+      load: async () => (await import("./trade/trade")).createPanel,
     },
     code: {
       title: "Code",
-      load: async () => (await import("./code")).createPanel,
+      load: async () => (await import("./code/code")).createPanel,
     },
     options: {
       title: "Options",

@@ -1,0 +1,20 @@
+/* timings.h: how long each stage of the last steps took, as a stacked graph. */
+#ifndef THUD_PLAY_TIMINGS_H
+#define THUD_PLAY_TIMINGS_H
+
+#include "draw/canvas.h"
+
+#include <thud/thud.h>
+
+enum { TIMINGS_KEPT = 180 };
+
+typedef struct timings {
+    float seconds[TIMINGS_KEPT][THUD_STAGE_COUNT]; /* a ring */
+    int count, next;
+} timings;
+
+void timings_clear(timings *t);
+void timings_add(timings *t, const thud_stats *stats);
+void timings_draw(const timings *t, canvas *c); /* in the lower right corner */
+
+#endif

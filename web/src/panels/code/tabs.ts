@@ -1,0 +1,59 @@
+/** The files of a scene as tabs: the first is the scene's own. */
+import { make } from "../../page/dom";
+
+export class Tabs {
+  readonly element = make("div", { class: "code-tabs", role: "tablist", "aria-label": "Files" });
+  readonly #panel: HTMLElement;
+  readonly #chosen: (path: string) => void;
+  #paths: readonly string[] = [];
+  #shown = "";
+
+  /** `chosen` is told which file `panel` shall show. */
+  constructor(panel: HTMLElement, chosen: (path: string) => void) {
+    this.#panel = panel;
+    this.#chosen = chosen;
+    panel.id = "code-file";
+    panel.setAttribute("role", "tabpanel");
+    this.element.addEventListener("keydown", (event) => this.#press(event));
+  }
+
+  get shown(): string {
+    return this.#shown;
+  }
+
+  /** The file that is shown stays so, if it is one of them. */
+  show(paths: readonly string[]): void {
+    this.#paths = paths;
+    this.element.replaceChildren(
+      ...paths.map((path) => {
+        const name = path.replace(/^.*\//, "");
+        const tab = make("button", { role: "tab", "aria-controls": this.#panel.id }, name);
+        tab.addEventListener("click", () => this.choose(path));
+        return tab;
+      }),
+    );
+    this.choose(paths.includes(this.#shown) ? this.#shown : paths[0]);
+  }
+
+  choose(path: string): void {
+    this.#shown = path;
+    [...this.element.children].forEach((tab, i) => {
+      const selected = this.#paths[i] === path;
+      tab.setAttribute("aria-selected", String(selected));
+      tab.setAttribute("tabindex", selected ? "0" : "-1");
+    });
+    this.#panel.setAttribute("aria-label", path);
+    this.#chosen(path);
+  }
+
+  #press(event: KeyboardEvent): void {
+    const { length } = this.#paths;
+    const at = this.#paths.indexOf(this.#shown);
+    const goal = { ArrowRight: at + 1, ArrowLeft: at + length - 1, Home: 0, End: length - 1 };
+    if (!(event.key in goal)) return;
+    event.preventDefault();
+    const next = goal[event.key as keyof typeof goal] % length;
+    this.choose(this.#paths[next]);
+    (this.element.children[next] as HTMLElement).focus();
+  }
+}

@@ -1,0 +1,67 @@
+/** Box2D's point in the plane: while the panel is open it runs along, unseen, if it is wanted. */
+import type { App } from "../../page/app";
+import { make } from "../../page/dom";
+import { messageOf } from "../../shared/error";
+import { askForBox2D, endBox2D } from "../box2d-wish";
+
+export class Box2DChoice {
+  readonly element: HTMLElement;
+  readonly #app: App;
+  readonly #input = make("input", { type: "checkbox", id: "trade-box2d" });
+  readonly #line = make("p", { class: "explained", role: "status" });
+  #open = false;
+
+  constructor(app: App) {
+    this.#app = app;
+    this.#input.addEventListener("change", () => {
+      if (this.#input.checked) void this.#ask();
+      else this.#end();
+    });
+    this.element = make(
+      "div",
+      { class: "with-box2d" },
+      make("label", {}, this.#input, " Box2D’s point too"),
+      this.#line,
+    );
+    app.listen({
+      // A new worker does not know of it.
+      run: () => this.#wanted && void this.#ask(),
+      frame: ({ box2dTrouble }) => this.#wanted && box2dTrouble && this.#fail(box2dTrouble),
+    });
+  }
+
+  opened(): void {
+    this.#open = true;
+    if (this.#wanted) void this.#ask();
+  }
+
+  closed(): void {
+    if (this.#wanted) this.#end();
+    this.#open = false;
+  }
+
+  get #wanted(): boolean {
+    return this.#open && this.#input.checked;
+  }
+
+  async #ask(): Promise<void> {
+    this.#line.textContent = "Loading Box2D…";
+    try {
+      await askForBox2D(this.#app);
+      this.#line.textContent = "";
+    } catch (error) {
+      this.#fail(messageOf(error));
+    }
+  }
+
+  #fail(trouble: string): void {
+    if (this.#input.checked) this.#end();
+    this.#input.checked = false;
+    this.#line.textContent = trouble;
+  }
+
+  #end(): void {
+    this.#line.textContent = "";
+    endBox2D(this.#app);
+  }
+}

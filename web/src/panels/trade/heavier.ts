@@ -1,0 +1,106 @@
+/** "Heavier": how many bodies each engine holds at a rate, found in the laboratory. */
+import type { App } from "../../page/app";
+import { choiceBar, make } from "../../page/dom";
+import { say } from "../../page/messages";
+import { findScene } from "../../scene/registry";
+import type { HeavierProgress, Holding } from "../../worker/measure-heavier";
+import { RATES } from "../../worker/measure-settings";
+import type { Laboratory } from "./laboratory";
+import { countText, timeText } from "./text";
+import { Work } from "./work";
+
+/** Scenes that show it best, offered where the running one has a single size. */
+const OFFERED = ["circle_pit", "mixed_terrain", "pyramid", "tumbler"];
+
+const NAMES = { thud: "thud", box2d: "Box2D" } as const;
+
+export function createHeavier(app: App, laboratory: Laboratory): HTMLElement {
+  let hertz: number = RATES[0];
+  const rates = RATES.map((rate) => ({ value: String(rate), label: `${rate} Hz` }));
+  const rate = choiceBar("rate", "Steps a second", "", rates, (value) => (hertz = Number(value)));
+  rate.show(String(hertz));
+  const answer = make("p", { class: "answer" });
+  const more = make("ul", { class: "explained" });
+  const work = new Work("Make it heavier", laboratory, async (work) => {
+    answer.textContent = "";
+    more.replaceChildren();
+    const found = await laboratory.ask(
+      "heavier",
+      { scene: laboratory.request, sizes: app.scene!.sizes!, hertz },
+      (progress) => work.report(null, progressText(progress)),
+      () => work.report(null, "A step takes seconds: cancel, or wait."),
+    );
+    if (!found) return "Cancelled.";
+    answer.textContent = answerText(found.holdings, hertz);
+    more.replaceChildren(...found.holdings.map((holding) => make("li", {}, detailText(holding))));
+    say(answer.textContent);
+    return found.withoutBox2D ? `Without Box2D. ${found.withoutBox2D}` : "";
+  });
+  const offers = OFFERED.map((name) => {
+    const button = make("button", { class: "wide" }, findScene(name)?.title ?? name);
+    button.addEventListener("click", () => void app.open(name));
+    return button;
+  });
+  const instead = make(
+    "div",
+    {},
+    make("p", { class: "explained" }, "This scene has one size only. Scenes to make heavier:"),
+    make("div", { class: "actions" }, ...offers),
+  );
+  const able = make("div", {}, rate.element, work.element, answer, more);
+  const show = () => {
+    const sized = Boolean(app.scene?.sizes);
+    able.hidden = !sized;
+    instead.hidden = sized;
+  };
+  app.listen({ run: show });
+  show();
+  return make(
+    "section",
+    { class: "trade-part", "aria-labelledby": "heavier-heading" },
+    make("h3", { id: "heavier-heading" }, "Heavier"),
+    make(
+      "p",
+      { class: "explained" },
+      "More and more bodies, until an engine cannot keep up: until in the slowest of the first " +
+        "four seconds more than half of its steps take too long. No body may sleep meanwhile. " +
+        "Box2D has its usual 4 substeps, thud what is set above.",
+    ),
+    able,
+    instead,
+  );
+}
+
+function progressText({ trying, holdings }: HeavierProgress): string {
+  const { engine, bodies, milliseconds } = trying;
+  const known = holdings.flatMap(({ engine: name, held }) =>
+    held ? [`${NAMES[name]} holds ${countText(held.bodies)}`] : [],
+  );
+  const now = `${NAMES[engine]} with ${countText(bodies)} bodies: ${timeText(milliseconds)} a step`;
+  return [now, ...known].join("; ");
+}
+
+/** "thud holds 5,400 bodies at 60 Hz, Box2D 2,100 here." */
+function answerText(holdings: readonly Holding[], hertz: number): string {
+  const parts = holdings.map(({ engine, held, missed }, i) => {
+    const name = NAMES[engine];
+    const verb = i === 0 ? " holds" : "";
+    const rate = i === 0 ? ` at ${hertz} Hz` : "";
+    if (!held) return `${name}${verb} not even ${countText(missed!.bodies)} bodies${rate}`;
+    const least = missed ? "" : "all ";
+    return `${name}${verb} ${least}${countText(held.bodies)}${i === 0 ? " bodies" : ""}${rate}`;
+  });
+  return `${parts.join(", ")} here.`;
+}
+
+function detailText({ engine, held, missed }: Holding): string {
+  const parts = [];
+  if (held)
+    parts.push(
+      `with ${countText(held.bodies)} bodies a step took ${timeText(held.milliseconds)} in the ` +
+        "slowest second",
+    );
+  if (missed) parts.push(`${countText(missed.bodies)} were too many`);
+  else parts.push("the scene has no larger size");
+  return `${NAMES[engine]}: ${parts.join("; ")}.`;
+}

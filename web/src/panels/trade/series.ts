@@ -1,0 +1,154 @@
+/** "Measure": runs the series in the laboratory and shows what came out, here or elsewhere. */
+import type { App } from "../../page/app";
+import { make } from "../../page/dom";
+import { notice, say } from "../../page/messages";
+import { messageOf } from "../../shared/error";
+import type { SeriesRow } from "../../worker/measure";
+import { labelOf } from "../../worker/measure-settings";
+import type { Laboratory } from "./laboratory";
+import { Plane, type PlanePoint } from "./plane";
+import { Work } from "./work";
+import {
+  cellsOf,
+  COLUMNS,
+  describeResult,
+  readResult,
+  type Result,
+  resultLink,
+  resultText,
+  titleOf,
+  whereMeasured,
+} from "./result";
+
+export function createSeries(app: App, laboratory: Laboratory): HTMLElement {
+  const shown = make("div", { class: "result" });
+  const work = new Work("Measure this scene", laboratory, async (work) => {
+    const series = await laboratory.ask(
+      "measure",
+      laboratory.request,
+      ({ done, doing }) => work.report(done, doing),
+      () => work.report(null, "A step takes seconds: cancel, or wait."),
+    );
+    if (!series) return "Cancelled.";
+    app.state.result = null;
+    shown.replaceChildren(...view(app, describeResult(app, series), false));
+    say("The measurement is done.");
+    return series.withoutBox2D ? `Without Box2D. ${series.withoutBox2D}` : "";
+  });
+  const element = make(
+    "section",
+    { class: "trade-part", "aria-labelledby": "measure-heading" },
+    make("h3", { id: "measure-heading" }, "Measure"),
+    make(
+      "p",
+      { class: "explained" },
+      "The first two seconds of this scene at fourteen settings of thud and Box2D, one after the " +
+        "other, in a worker of its own. Times are of the engine’s step alone, after the first " +
+        "half second; no body may sleep meanwhile. Overlap is measured for both by the same code.",
+    ),
+    work.element,
+    shown,
+  );
+  const { result: packed } = app.state;
+  if (packed)
+    void readResult(packed).then((result) => {
+      const damaged = make("p", { class: "explained" }, "The result in this link is damaged.");
+      shown.replaceChildren(...(result ? view(app, result, true) : [damaged]));
+      // It stands below what the panel begins with, and is what the link is about.
+      requestAnimationFrame(() => shown.scrollIntoView({ block: "start" }));
+    });
+  return element;
+}
+
+function view(app: App, result: Result, elsewhere: boolean): HTMLElement[] {
+  const plane = new Plane();
+  plane.show(result.rows.map(pointOf), "");
+  const where = elsewhere
+    ? make(
+        "p",
+        { class: "elsewhere" },
+        `Measured elsewhere: ${whereMeasured(result)}. ` +
+          "The figures came with the link; nobody has checked them.",
+      )
+    : make("p", { class: "explained" }, `On this device: ${whereMeasured(result)}.`);
+  const title = make("h4", {}, titleOf(result));
+  return [title, where, plane.element, tableOf(result), actions(app, result)];
+}
+
+/** The soft ones differ by substeps only; so do Box2D's, and its stiff ones. */
+function rowOf({ setting }: SeriesRow): string {
+  if (setting.engine === "box2d") return setting.contactHertz ? "stiff" : "box2d";
+  return setting.substeps > 0 ? "soft" : "qualities";
+}
+
+function pointOf(row: SeriesRow): PlanePoint {
+  const label = labelOf(row.setting);
+  const { engine } = row.setting;
+  return { key: label, engine, label, time: row.typical, error: row.worst, row: rowOf(row) };
+}
+
+function tableOf(result: Result): HTMLElement {
+  const heads = COLUMNS.map((text) => make("th", { scope: "col" }, text));
+  const body = result.rows.map((row) => {
+    const [name, ...figures] = cellsOf(row, result);
+    const cells = figures.map((text) => make("td", {}, text));
+    return make("tr", { class: row.setting.engine }, make("th", { scope: "row" }, name), ...cells);
+  });
+  const caption =
+    `${result.bodies} bodies, ${result.steps} steps. ms: median of a step; p99: 99 of 100 were ` +
+    "quicker; worst and mean: overlap in length scales. Soft: thud’s substeps without its direct " +
+    "solver. Stiff: Box2D’s contacts, as stiff as it allows.";
+  return make(
+    "div",
+    // It may be wider than a phone: whoever scrolls by keys must be able to reach it.
+    { class: "table", tabindex: 0, role: "region", "aria-label": "Measured figures" },
+    make(
+      "table",
+      {},
+      make("caption", {}, caption),
+      make("thead", {}, make("tr", {}, ...heads)),
+      make("tbody", {}, ...body),
+    ),
+  );
+}
+
+function actions(app: App, result: Result): HTMLElement {
+  const button = (id: string, label: string, act: () => void) => {
+    const element = make("button", { class: "wide", id }, label);
+    element.addEventListener("click", act);
+    return element;
+  };
+  const copy = (text: string, done: string) =>
+    navigator.clipboard.writeText(text).then(
+      () => notice(done),
+      () => notice("The clipboard is not allowed here."),
+    );
+  const link = make("a", { class: "wide", id: "result-link" }, "Link to this result");
+  void resultLink(app, result).then((address) => (link.href = address));
+  link.addEventListener("click", (event) => {
+    event.preventDefault();
+    void copy(link.href, "The link to this result is in the clipboard.");
+  });
+  return make(
+    "div",
+    { class: "actions" },
+    button(
+      "result-copy",
+      "Copy as text",
+      () => void copy(resultText(result), "The table is in the clipboard."),
+    ),
+    button("result-download", "Download JSON", () => download(result)),
+    link,
+  );
+}
+
+function download(result: Result): void {
+  try {
+    const blob = new Blob([JSON.stringify(result, null, 2)], { type: "application/json" });
+    const url = URL.createObjectURL(blob);
+    make("a", { href: url, download: "thud-trade.json" }).click();
+    setTimeout(() => URL.revokeObjectURL(url), 1000);
+  } catch (error) {
+    notice(`The file cannot be saved: ${messageOf(error)}`);
+  }
+}

@@ -1,0 +1,138 @@
+/** The two engines' figures, row by row. */
+import { make } from "../../page/dom";
+import { BUDGET } from "../../shared/step-times";
+import { type Engine, ENGINES, type Figures, NAMES } from "./tally";
+import { compareDepths, compareTimes, type Comparison } from "./words";
+
+interface Row {
+  label: string;
+  hint: string;
+  text(figures: Figures): string;
+  /** Whether one of two is the better. */
+  compare?(thud: Figures, box2d: Figures, lengthScale: number): Comparison | null;
+}
+
+const NOTHING = "–";
+const ENERGY = new Intl.NumberFormat("en", {
+  notation: "compact",
+  maximumSignificantDigits: 3,
+  signDisplay: "exceptZero",
+});
+
+function rowsOf(fineClock: boolean): Row[] {
+  const share = ({ typical }: Figures) =>
+    typical === null ? NOTHING : `${((100 * typical) / BUDGET).toFixed(typical < 1 ? 1 : 0)} %`;
+  const typical: Row = {
+    label: fineClock ? "Step, median" : "Step, mean",
+    hint: "Of the last 240 steps in which both had bodies awake; without drawing and measuring",
+    text: (figures) => milliseconds(figures.typical),
+    compare: (thud, box2d) => compareTimes(thud.typical ?? 0, box2d.typical ?? 0),
+  };
+  const p99: Row = {
+    label: "Step, p99",
+    hint: "99 of 100 of those steps were quicker; the first 30 of a comparison do not count",
+    text: (figures) => milliseconds(figures.p99),
+    compare: (thud, box2d) => compareTimes(thud.p99 ?? 0, box2d.p99 ?? 0),
+  };
+  return [
+    typical,
+    ...(fineClock ? [p99] : []),
+    { label: "Share of 16.7 ms", hint: "Of the time for a step, at 60 a second", text: share },
+    {
+      label: "Overlap now",
+      hint: "How deep the worst pair of bodies overlaps, in the world’s unit; sleeping ones too",
+      text: ({ now }) => depth(now),
+      compare: (thud, box2d, scale) => compareDepths(thud.now, box2d.now, scale),
+    },
+    {
+      label: "Overlap, mean",
+      hint: "The worst pair’s overlap, on average over the steps measured since both began",
+      text: ({ mean }) => depth(mean),
+      compare: (thud, box2d, scale) => compareDepths(thud.mean, box2d.mean, scale),
+    },
+    {
+      label: "Overlap, worst",
+      hint: "The deepest overlap since both began",
+      text: ({ ever }) => depth(ever),
+      compare: (thud, box2d, scale) => compareDepths(thud.ever, box2d.ever, scale),
+    },
+    {
+      label: "Energy since start",
+      hint: "Change of kinetic and potential energy; only hands and motors may add any",
+      text: ({ energyChange }) => ENERGY.format(energyChange),
+    },
+    {
+      label: "Bodies",
+      hint: "Those that have shapes",
+      text: ({ bodies }) => bodies.toLocaleString("en"),
+    },
+    {
+      label: "Awake",
+      hint: "Bodies that move or have just moved; those that sleep cost nearly nothing",
+      text: ({ awake }) => awake.toLocaleString("en"),
+    },
+  ];
+}
+
+export class Table {
+  readonly element: HTMLTableElement;
+  readonly #rows: Row[];
+  readonly #cells: { [engine in Engine]: HTMLTableCellElement[] };
+  readonly #settings: { [engine in Engine]: HTMLElement };
+
+  constructor(fineClock: boolean) {
+    this.#rows = rowsOf(fineClock);
+    const cells = () => this.#rows.map(() => make("td", {}, NOTHING));
+    this.#cells = { thud: cells(), box2d: cells() };
+    this.#settings = { thud: make("small"), box2d: make("small") };
+    const heads = ENGINES.map((engine) =>
+      make("th", { scope: "col", class: engine }, `${NAMES[engine]} `, this.#settings[engine]),
+    );
+    const rows = this.#rows.map(({ label, hint }, i) =>
+      make(
+        "tr",
+        { title: hint },
+        make("th", { scope: "row" }, label),
+        ...ENGINES.map((engine) => this.#cells[engine][i]),
+      ),
+    );
+    this.element = make(
+      "table",
+      { id: "versus-table" },
+      make("caption", { class: "unseen" }, "thud and Box2D in the same scene"),
+      make("thead", {}, make("tr", {}, make("td"), ...heads)),
+      make("tbody", {}, ...rows),
+    );
+  }
+
+  /** What each runs with. */
+  setSettings(thud: string, box2d: string): void {
+    this.#settings.thud.textContent = thud;
+    this.#settings.box2d.textContent = box2d;
+  }
+
+  /** The better of two stands out. Null: nothing has been measured. */
+  show(figures: { [engine in Engine]: Figures } | null, lengthScale: number): void {
+    this.#rows.forEach((row, i) => {
+      const better =
+        figures && row.compare?.(figures.thud, figures.box2d, lengthScale)?.better;
+      for (const engine of ENGINES) {
+        const cell = this.#cells[engine][i];
+        const text = figures ? row.text(figures[engine]) : NOTHING;
+        if (cell.textContent !== text) cell.textContent = text;
+        cell.classList.toggle("better", engine === better);
+      }
+    });
+  }
+}
+
+function milliseconds(value: number | null): string {
+  if (value === null) return NOTHING;
+  return `${value.toFixed(value < 1 ? 3 : value < 10 ? 2 : 1)} ms`;
+}
+
+/** Two digits that count, down to a hundred-thousandth. */
+function depth(value: number): string {
+  if (value < 1e-5) return "0";
+  return value.toFixed(Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(value)))));
+}
