@@ -1,0 +1,17 @@
+/* error_support.h: the energy of a world, and the error that a step reports. */
+#ifndef ERROR_SUPPORT_H
+#define ERROR_SUPPORT_H
+
+#include "engine_support.h"
+
+static inline double energy_of(const thud_world *world) {
+    thud_measure m = thud_world_measure(world);
+    return m.kinetic_energy + m.potential_energy;
+}
+
+static inline thud_step_error error_of_step(thud_world *world) {
+    OK(thud_world_step(world));
+    return thud_world_error(world);
+}
+
+#endif

@@ -1,0 +1,34 @@
+/* level_support.h: reads the maps of tests/levels, and looks for what the reader told. */
+#ifndef LEVEL_SUPPORT_H
+#define LEVEL_SUPPORT_H
+
+#include "level.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* What a map gives, all else left out. */
+static inline scene read_file(const char *name, level_report *report) {
+    char path[64];
+    snprintf(path, sizeof path, "tests/levels/%s", name);
+    scene s;
+    if (!level_read_file(path, true, &s, report))
+        fail_msg("%s: %s", path, report->problems[0].text);
+    return s;
+}
+
+static inline bool says(const level_report *report, level_severity severity, const char *text) {
+    for (int i = 0; i < report->count; i++)
+        if (report->problems[i].severity == severity && strstr(report->problems[i].text, text))
+            return true;
+    return false;
+}
+
+#endif
