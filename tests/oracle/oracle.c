@@ -5,7 +5,7 @@
  * first where a body turns about a corner. */
 #include "oracle.h"
 
-#include "sim.h"
+#include "sim/sim.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 
 #include "oracle_support.h"
 #include "random.h"
-#include "skyline.h"
+#include "sim/skyline.h"
 #include "touch.h"
 
 enum { SHAPES = 20000 };

@@ -13,7 +13,7 @@ import { howToPlay } from "./page/how";
 import { Hud } from "./page/hud";
 import { fail, notice, say, type WayOn } from "./page/messages";
 import type { Brought } from "./page/own-level";
-import { Pad } from "./page/pad";
+import { Pad } from "./page/input/pad";
 import { Stage } from "./page/stage";
 import { applyTheme, onPrint, onTheme } from "./page/theme";
 import { Timeline } from "./page/timeline";

@@ -12,11 +12,11 @@
  */
 import type { Engine } from "./engine.js";
 import { messageOf, ThudError } from "./error.js";
-import { MOST_CELLS } from "./level-cells.js";
-import { type FileContent, type FileOpener, Library, parseDocument } from "./level-library.js";
-import { readObjects } from "./level-objects.js";
-import { readTiles } from "./level-tiles.js";
-import { listTilesets, type Tileset } from "./level-tilesets.js";
+import { MOST_CELLS } from "./level/cells.js";
+import { type FileContent, type FileOpener, Library, parseDocument } from "./level/library.js";
+import { readObjects } from "./level/objects.js";
+import { readTiles } from "./level/tiles.js";
+import { listTilesets, type Tileset } from "./level/tilesets.js";
 import {
   isRecord,
   type Json,
@@ -24,13 +24,13 @@ import {
   type Problem,
   Report,
   Values,
-} from "./level-values.js";
+} from "./level/values.js";
 import { checkNames } from "./names.js";
 import type { BodyOptions, ShapeOptions, Vec2, WorldOptions } from "./types.js";
 import type { World } from "./world.js";
 
-export type { FileContent, FileOpener } from "./level-library.js";
-export type { Problem } from "./level-values.js";
+export type { FileContent, FileOpener } from "./level/library.js";
+export type { Problem } from "./level/values.js";
 
 /** A shape in its body's frame. Lists of points run from left to right. */
 export type LevelShape = { material: ShapeOptions } & (

@@ -6,9 +6,9 @@ import { findScene } from "../scene/registry";
 import { openDialog } from "./dialogs";
 import type { Dock } from "./dock";
 import { byId } from "./dom";
-import { type Key, key, listenToKeys } from "./keys";
+import { type Key, key, listenToKeys } from "./input/keys";
 import { notice, say } from "./messages";
-import { TOOLS, type Tool } from "./pointers";
+import { TOOLS, type Tool } from "./input/pointers";
 import type { Stage } from "./stage";
 import { OVERLAYS, type OverlayName } from "../scene/overlays";
 

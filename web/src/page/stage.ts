@@ -6,8 +6,8 @@ import type { Look } from "../worker/protocol";
 import type { App } from "./app";
 import { byId } from "./dom";
 import { notice } from "./messages";
-import { inBody, pick } from "./pick";
-import { listenToPointers, type Tool } from "./pointers";
+import { inBody, pick } from "./input/pick";
+import { listenToPointers, type Tool } from "./input/pointers";
 
 /** How fast the view goes after a place that the scene says, in 1/s. */
 const FOLLOW_RATE = 6;

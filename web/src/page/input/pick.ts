@@ -1,7 +1,7 @@
 /** Which body lies under the pointer, told from what is drawn, without asking the worker. */
 import type { Vec2 } from "thud";
-import type { Frame, Shapes } from "../scene/frame";
-import { CIRCLE, DYNAMIC, ROW } from "../scene/shape-table";
+import type { Frame, Shapes } from "../../scene/frame";
+import { CIRCLE, DYNAMIC, ROW } from "../../scene/shape-table";
 
 /** Where bodies are: a frame of thud's, or with the other engine's places. */
 export type Placed = Pick<Frame, "origin" | "now">;

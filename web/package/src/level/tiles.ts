@@ -4,11 +4,11 @@
  * its tileset; without any a tile collides with the shapes that Tiled's collision editor gave it,
  * and one that has none is decoration. Follows demo/level/tiles.c.
  */
-import type { Layer, Reader } from "./level.js";
-import { type Cells, readCells } from "./level-cells.js";
-import { addBody, type Form, NUMBER, settleForms } from "./level-forms.js";
-import { findTile, isTurned, readTileForms, type Tile } from "./level-tilesets.js";
-import { flagOf, ownProperty, type Physics, Values } from "./level-values.js";
+import type { Layer, Reader } from "../level.js";
+import { type Cells, readCells } from "./cells.js";
+import { addBody, type Form, NUMBER, settleForms } from "./forms.js";
+import { findTile, isTurned, readTileForms, type Tile } from "./tilesets.js";
+import { flagOf, ownProperty, type Physics, Values } from "./values.js";
 
 /** What one tile number stands for in this layer. */
 interface TileKind {

@@ -1,5 +1,5 @@
 /** The page's own keys, and the list of them in the help. */
-import { byId, make } from "./dom";
+import { byId, make } from "../dom";
 
 export interface Key {
   /** As the help shows them. */

@@ -1,5 +1,5 @@
 /* sim_contacts.c: from places to contacts. */
-#include "sim.h"
+#include "sim/sim.h"
 
 #include "touch.h"
 

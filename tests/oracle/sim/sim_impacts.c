@@ -3,7 +3,7 @@
  * At a collision only those contacts act that approach, all of them at once, and then those that
  * approach because of it, until none is left (Newton's restitution, pair by pair): so a row of
  * touching balls hands momentum on. What does not bounce is brought to rest together. */
-#include "sim.h"
+#include "sim/sim.h"
 
 #include "touch.h"
 

@@ -1,6 +1,6 @@
 /** The files of a map: itself, and the tilesets and templates that it refers to, each read once. */
-import { messageOf } from "./error.js";
-import { isRecord, type Json, type JsonRecord, type Report } from "./level-values.js";
+import { messageOf } from "../error.js";
+import { isRecord, type Json, type JsonRecord, type Report } from "./values.js";
 
 /** A file's content; bytes are taken as UTF-8. */
 export type FileContent = string | Uint8Array | ArrayBuffer;
@@ -23,7 +23,7 @@ export async function parseDocument(content: FileContent): Promise<Json> {
   const raw = typeof content === "string" ? content : new TextDecoder().decode(content);
   const text = raw.replace(/^\uFEFF/, "");
   if (/^[ \t\r\n]*</.test(text)) {
-    const { parseTmx } = await import("./level-tmx.js");
+    const { parseTmx } = await import("./tmx.js");
     try {
       return await parseTmx(text.trimStart());
     } catch (error) {

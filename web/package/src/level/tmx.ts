@@ -3,8 +3,8 @@
  * same, so that the rest of the reader knows one form only. Follows demo/level/tmx.c.
  */
 import type { XmlElement } from "@rgrove/parse-xml";
-import { ThudError } from "./error.js";
-import { type Json, type JsonRecord, numberOf } from "./level-values.js";
+import { ThudError } from "../error.js";
+import { type Json, type JsonRecord, numberOf } from "./values.js";
 
 /** Groups in groups, as deep as anybody builds. */
 const DEEPEST = 64;

@@ -1,8 +1,8 @@
 /** Outlines of objects on their way from the file to bodies. Follows demo/level/forms.c. */
-import type { LevelShape, Reader } from "./level.js";
-import { readPolygon, toGround } from "./level-polygon.js";
-import { grid, isRecord, type Json, type JsonRecord, type Physics, type Values } from "./level-values.js";
-import type { ShapeOptions, Vec2 } from "./types.js";
+import type { LevelShape, Reader } from "../level.js";
+import { readPolygon, toGround } from "./polygon.js";
+import { grid, isRecord, type Json, type JsonRecord, type Physics, type Values } from "./values.js";
+import type { ShapeOptions, Vec2 } from "../types.js";
 
 /** Pixels beyond which a map is absurd. */
 export const FAR = 1e9;

@@ -1,6 +1,6 @@
 /** The keys of a game, from the keyboard and from buttons on the screen. */
-import { KEY_NAMES, type KeyName, type KeyWords, noKeys } from "../scene/scene";
-import { byId } from "./dom";
+import { KEY_NAMES, type KeyName, type KeyWords, noKeys } from "../../scene/scene";
+import { byId } from "../dom";
 
 const CODES: Readonly<Record<string, KeyName>> = {
   ArrowLeft: "left",

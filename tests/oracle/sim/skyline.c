@@ -1,5 +1,5 @@
 /* skyline.c: Doolittle's LU within the profile; every inner loop is a dot product of two rows. */
-#include "skyline.h"
+#include "sim/skyline.h"
 
 #include <stdlib.h>
 #include <string.h>

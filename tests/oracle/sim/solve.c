@@ -4,10 +4,10 @@
  * one, so that it is not symmetric), and guess anew from the answer (Alart and Curnier 1991,
  * Hintermueller et al. 2002). Where it runs in circles, as it may in piles with friction, sweeps
  * and chance lead it out. */
-#include "solve.h"
+#include "sim/solve.h"
 
 #include "random.h"
-#include "solve_rows.h"
+#include "sim/solve_rows.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,9 +2,9 @@
  * The tile numbers of a layer, in whichever way the file holds them: a list, text with commas,
  * base64, packed or not; all at once or, in infinite maps, by chunks.
  */
-import type { Layer, Reader } from "./level.js";
-import { isRecord, type Json, type JsonRecord, numberOf, Values } from "./level-values.js";
-import { unpack } from "./level-unpack.js";
+import type { Layer, Reader } from "../level.js";
+import { isRecord, type Json, type JsonRecord, numberOf, Values } from "./values.js";
+import { unpack } from "./unpack.js";
 
 /** More cells than this are read of no map, in all its layers. */
 export const MOST_CELLS = 2 ** 26;

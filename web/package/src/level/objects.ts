@@ -1,8 +1,8 @@
 /** Objects of a Tiled map: a body for each. Follows demo/level/objects.c. */
-import type { Layer, Reader } from "./level.js";
-import { addBody, DEGREES, FAR, readForms, settleForms, turn, turnForm } from "./level-forms.js";
-import { findTile, listTilesets, readTileForms, type Tileset } from "./level-tilesets.js";
-import { isRecord, type JsonRecord, readPhysics, Values } from "./level-values.js";
+import type { Layer, Reader } from "../level.js";
+import { addBody, DEGREES, FAR, readForms, settleForms, turn, turnForm } from "./forms.js";
+import { findTile, listTilesets, readTileForms, type Tileset } from "./tilesets.js";
+import { isRecord, type JsonRecord, readPhysics, Values } from "./values.js";
 
 /** An object with what its template says. */
 interface Thing {

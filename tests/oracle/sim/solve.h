@@ -7,7 +7,7 @@
 #ifndef THUD_ORACLE_SOLVE_H
 #define THUD_ORACLE_SOLVE_H
 
-#include "skyline.h"
+#include "sim/skyline.h"
 
 /* Of a centre of mass; impulses over it, or pushes without time. */
 typedef struct motion {

@@ -1,5 +1,5 @@
 /* solve_sweep.c: rows, blocks and the sweeps of solve_rows.h. */
-#include "solve_rows.h"
+#include "sim/solve_rows.h"
 
 #include <math.h>
 

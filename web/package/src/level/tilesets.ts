@@ -1,8 +1,8 @@
 /**
  * What a tile number stands for, and what of that tile collides. Follows demo/level/tilesets.c.
  */
-import type { Reader } from "./level.js";
-import { DEGREES, FAR, flipForm, type Form, form, NUMBER, readForms, scaleForm, turnForm } from "./level-forms.js";
+import type { Reader } from "../level.js";
+import { DEGREES, FAR, flipForm, type Form, form, NUMBER, readForms, scaleForm, turnForm } from "./forms.js";
 import {
   flagOf,
   isRecord,
@@ -12,7 +12,7 @@ import {
   type Physics,
   readPhysics,
   type Values,
-} from "./level-values.js";
+} from "./values.js";
 
 /** An entry of a map's or a template's list of tilesets. */
 export interface Tileset {

@@ -2,7 +2,7 @@
 #ifndef THUD_ORACLE_SOLVE_ROWS_H
 #define THUD_ORACLE_SOLVE_ROWS_H
 
-#include "solve.h"
+#include "sim/solve.h"
 
 /* A contact's own 2x2 block of W = J M^-1 J^T, its inverse masses. */
 typedef struct contact_block {

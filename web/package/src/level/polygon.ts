@@ -2,9 +2,9 @@
  * Which polygons the engine has shapes for: those that boxes make up, and ground. Follows
  * demo/level/polygon.c.
  */
-import { type Form, form, RADIANS, turn } from "./level-forms.js";
-import type { Values } from "./level-values.js";
-import type { Vec2 } from "./types.js";
+import { type Form, form, RADIANS, turn } from "./forms.js";
+import type { Values } from "./values.js";
+import type { Vec2 } from "../types.js";
 
 /** Corners of what is cut into boxes: more are an outline of something else. */
 const MOST_CORNERS = 64;

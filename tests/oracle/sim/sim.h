@@ -6,7 +6,7 @@
 
 #include "model.h"
 #include "pairs.h"
-#include "solve.h"
+#include "sim/solve.h"
 
 typedef struct contact_list {
     contact *contacts;

@@ -1,5 +1,5 @@
 /** Mouse, touch and wheel on the scene: pull, add, explode or dig with one of them; pan, zoom. */
-import type { Camera, Pane } from "../draw/camera";
+import type { Camera, Pane } from "../../draw/camera";
 
 export const TOOLS = ["hand", "circle", "box", "blast", "dig"] as const;
 export type Tool = (typeof TOOLS)[number];

@@ -1,5 +1,5 @@
 /** Values of a Tiled map: fields of the format, and custom properties that objects inherit. */
-import type { BodyKind, BodyOptions, ShapeOptions } from "./types.js";
+import type { BodyKind, BodyOptions, ShapeOptions } from "../types.js";
 
 export type Json = null | boolean | number | string | Json[] | JsonRecord | undefined;
 export interface JsonRecord {
