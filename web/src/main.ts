@@ -141,7 +141,7 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   window.addEventListener("hashchange", () => history.state ?? location.reload());
   // Back and forward between scenes.
   window.addEventListener("popstate", ({ state }) => {
-    if (state) void readAddress(app).then((address) => runFirst(app, address));
+    if (state) void readAddress(app).then((address) => address && runFirst(app, address));
   });
 
   const state = await readAddress(app);
@@ -162,9 +162,9 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
     pictured = true;
   };
   requestAnimationFrame(draw);
-  if (state.panel) waitForPanel(app);
-  await runFirst(app, state);
-  const panel = app.offeredCode === null ? state.panel : CODE_PANEL;
+  if (state?.panel) waitForPanel(app);
+  if (state) await runFirst(app, state);
+  const panel = app.offeredCode === null ? state?.panel : CODE_PANEL;
   if (panel) await dock.show(panel, false);
   app.player.waiting = false;
 }
@@ -182,9 +182,17 @@ function waitForPanel({ player }: App): void {
   setTimeout(() => (player.waiting = false), LONGEST_WAIT);
 }
 
-async function readAddress(app: App): Promise<Partial<State>> {
+/** Addresses that were read one after the other: the last one counts. */
+let addressesRead = 0;
+
+/** Null where the visitor has gone on to another address meanwhile. */
+async function readAddress(app: App): Promise<Partial<State> | null> {
+  const number = ++addressesRead;
+  const kept = history.state as Partial<State> | null;
+  app.leaveAddress();
   const state = await readState(new URL(location.href));
-  state.level ??= (history.state as Partial<State> | null)?.level;
+  if (number !== addressesRead) return null;
+  state.level ??= kept?.level;
   app.begin(state);
   return state;
 }

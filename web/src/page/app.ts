@@ -78,6 +78,8 @@ export class App {
   #runs = 0;
   /** Of addresses that are written one after the other the last one stays. */
   #addresses = 0;
+  /** The address is another one, of which is not known yet what it says. */
+  #left = false;
   /** The next scene is that of the address, and not another after it. */
   #arrives = true;
   /** The next address is that of another scene: Back goes to the one before. */
@@ -191,10 +193,16 @@ export class App {
     return this.abouts?.[this.state.scene] ?? "";
   }
 
+  /** The address is another one: nothing is written there before `begin` tells what it says. */
+  leaveAddress(): void {
+    this.#left = true;
+  }
+
   /** What an address says, before its scene. */
   begin({ choices, versus, speed, paused, overlays, result }: Partial<State>): void {
     // What was to be written of the scene before is not of this address.
     this.#addresses++;
+    this.#left = false;
     this.#arrives = true;
     this.#goesOn = false;
     this.state.result = result ?? null;
@@ -280,7 +288,7 @@ export class App {
     const number = ++this.#addresses;
     const code = this.state.code ?? this.offeredCode;
     void writeState({ ...this.state, code }).then((address) => {
-      if (number === this.#addresses) this.#write(address);
+      if (number === this.#addresses && !this.#left) this.#write(address);
     });
   }
 

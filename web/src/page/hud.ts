@@ -61,6 +61,8 @@ export class Hud {
     this.#times = [];
     this.#startUp = START_UP;
     this.#sinceRefresh = REFRESH;
+    // No picture of the scene that begins is there yet.
+    delete this.#root.dataset.steps;
   }
 
   add(samples: readonly Sample[]): void {

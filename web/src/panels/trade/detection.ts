@@ -39,7 +39,14 @@ export function createDetectionCount(app: App): HTMLElement {
       if (timer || stats.heldBodies + stats.unbisectable === 0) return;
       timer = window.setTimeout(show, REFRESH);
       if (stats.unbisectable > 0)
-        void app.client.ask("bisectionLimit", {}).then((speed) => (limit = speed), () => {});
+        void app.client.ask("bisectionLimit", {}).then(
+          (speed) => {
+            limit = speed;
+            // Where the answer comes later than the text, no frame may follow that tells it.
+            if (!timer) show();
+          },
+          () => {},
+        );
     },
   });
   show();
