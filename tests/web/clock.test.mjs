@@ -5,38 +5,15 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { boxes } from "./support/code.mjs";
+import { display as displayOf } from "./support/contexts.mjs";
 import { BROWSERS, DESKTOP, openVisitor, untilRunning, untilTold } from "./support/page.mjs";
 import { until } from "./support/wait.mjs";
 
 /** Milliseconds between two pictures here: longer than a machine needs for a small step. */
 const PAUSE = 120;
 
-/**
- * A display of so many pictures a second by its own clock, whatever the machine's is: the same
- * comes out where the machine is slow.
- */
-function display(hertz) {
-  return (page) =>
-    page.addInitScript(
-      ([rate, pause]) => {
-        let asked = new Map();
-        let count = 0;
-        window.clock = 0;
-        window.requestAnimationFrame = (act) => {
-          asked.set(++count, act);
-          return count;
-        };
-        window.cancelAnimationFrame = (number) => asked.delete(number);
-        setInterval(() => {
-          window.clock += 1000 / rate;
-          const acts = asked;
-          asked = new Map();
-          for (const act of acts.values()) act(window.clock);
-        }, pause);
-      },
-      [hertz, PAUSE],
-    );
-}
+/** A display of so many pictures a second, whatever the machine's is. */
+const display = (hertz) => displayOf(hertz, PAUSE);
 
 const GAMES = [
   [20, "artillery", 3, 1],

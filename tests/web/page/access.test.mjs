@@ -10,6 +10,8 @@ import {
   runAxe,
   untilTold,
 } from "../support/page.mjs";
+import { display } from "../support/contexts.mjs";
+import { untilFigures, untilStill } from "../support/wait.mjs";
 
 let visitor;
 before(async () => {
@@ -31,7 +33,9 @@ async function open(search, options, prepare) {
   const opened = await visitor.open(`?scene=cradle&paused=1${search}`, options, prepare);
   const { page } = opened;
   await page.waitForFunction(() => document.title.endsWith(" · thud"));
+  await untilFigures(page);
   if (search.includes("panel")) await page.waitForSelector("#dock-body > :not(.quiet)");
+  await untilStill(page);
   return opened;
 }
 
@@ -159,7 +163,8 @@ test("failure_comes_over_an_open_dialog_and_gives_the_focus_back", async () => {
 });
 
 test("running_scene_says_nothing_by_itself_and_what_is_noticed_is_said", async () => {
-  const { page, close } = await open("");
+  // A machine that cannot keep up would say so.
+  const { page, close } = await open("", DESKTOP, display(60, 100));
   // What the scene is about is said once, after the first picture.
   await untilTold(page, "As many balls leave");
   await page.evaluate(() => {

@@ -116,14 +116,13 @@ for (const browser of BROWSERS)
       await untilBodies(page, 7);
       await type(page, boxes(7, { update: "throw new Error('on purpose')" }));
       await page.click(".code-run");
-      await page.waitForSelector(".code-trouble:not([hidden])");
-      assert.match(await page.innerText(".code-trouble"), /on purpose/);
+      await page.locator(".code-trouble", { hasText: "on purpose" }).waitFor();
       await page.waitForSelector(".cm-lint-marker-error");
       // And a text that imports its neighbours.
       await type(page, IMPORTING);
       await page.click(".code-run");
       await untilBodies(page, 1);
-      assert.equal(await page.innerText("#message"), "platformer: ok");
+      await page.waitForSelector('#message:text-is("platformer: ok")');
       assert.deepEqual(errors, []);
       await close();
     });

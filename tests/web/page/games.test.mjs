@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { DESKTOP, figure, openVisitor, PHONE, stepBy, untilRunning } from "../support/page.mjs";
+import { until } from "../support/wait.mjs";
 
 let visitor;
 before(async () => {
@@ -176,7 +177,7 @@ test("artillery_by_touch_two_players_are_chosen_and_the_button_fires", async () 
 
 test("artillery_with_another_tool_than_the_hand_takes_that", async () => {
   const { page, errors, close } = await openGame("artillery");
-  const bodies = await figure(page, "bodies");
+  const bodies = await until(() => figure(page, "bodies"), (told) => told > 0, "bodies told");
   await page.keyboard.press("c");
   await page.mouse.click(500, 300);
   await stepBy(page, 2);

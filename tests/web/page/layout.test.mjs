@@ -10,7 +10,7 @@ import {
   stepBy,
   untilRunning,
 } from "../support/page.mjs";
-import { until } from "../support/wait.mjs";
+import { until, untilFigures, untilStill } from "../support/wait.mjs";
 
 let visitor;
 before(async () => {
@@ -48,7 +48,8 @@ for (const [size, options] of SIZES)
     test(`controls_of_${scene}_on_a_${size}_lie_in_sight_and_on_none_other`, async () => {
       const { page, errors, close } = await visitor.open(`?scene=${scene}&paused=1`, options);
       await stepBy(page, 1);
-      await until(() => figure(page, "bodies"), (bodies) => bodies > 0, "bodies told");
+      await untilFigures(page);
+      await untilStill(page);
       const { width, height } = options.viewport;
       const all = await boxes(page);
       assert.ok(all.length > 12, "controls are missing");
@@ -115,6 +116,7 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
   test(`hint_covers_nothing_of_the_scene_on_${size}`, async () => {
     const { page, close } = await visitor.open("?scene=tall_stack&paused=1", options);
     await stepBy(page, 1);
+    await untilStill(page);
     const hint = await page.locator("#hint").boundingBox();
     const highest = () =>
       page.evaluate(() => {

@@ -9,6 +9,7 @@ import { createStaticServer } from "../../../web/tools/static-server.mjs";
 import { copyOfPage, createPlainServer, serve, untilOffline } from "../support/built-page.mjs";
 import { PATIENCE, untilRunning } from "../support/page.mjs";
 import { untilMeasured } from "../support/versus.mjs";
+import { until } from "../support/wait.mjs";
 
 let browser;
 before(async () => {
@@ -97,8 +98,8 @@ test("new_build_waits_for_the_visitor_and_then_replaces_the_old_one", async (t) 
   assert.equal(await page.getAttribute("html", "data-build"), null, "a running page is left alone");
   await reload.click();
   await page.waitForSelector('html[data-build="2"]');
-  const present = await page.evaluate(() => caches.keys());
-  assert.equal(present.length, 1);
+  const keys = () => page.evaluate(() => caches.keys());
+  const present = await until(keys, ({ length }) => length === 1, "the old build's files are there");
   assert.notDeepEqual(present, former);
 });
 

@@ -78,7 +78,12 @@ test("dragging_with_a_finger_moves_a_body_on_a_phone", async () => {
     });
   await send("touchStart", start.x, start.y);
   await page.waitForSelector("#overlay[data-mode=pull]");
+  // A finger's move is answered before the page gets it, which is with the next picture.
+  await page.evaluate(() =>
+    addEventListener("pointermove", () => (window.moved = true), { once: true }),
+  );
   await send("touchMove", start.x + 60, start.y - 40);
+  await page.waitForFunction(() => window.moved);
   await stepBy(page, 90);
   near((await drawn(page)).x, start.x + 60, 10, "x");
   await send("touchEnd");
@@ -178,9 +183,15 @@ test("circle_and_box_tools_add_bodies_where_the_visitor_clicks", async () => {
 test("choosing_a_scene_from_the_list_runs_it_and_writes_the_url", async () => {
   const { page, errors, close } = await visitor.open("?scene=cradle");
   await untilRunning(page);
+  await page.evaluate(() => {
+    const { dataset } = document.querySelector("#hud");
+    const note = () => (window.stepsAtFirst = dataset.steps ?? "no picture");
+    new MutationObserver(note).observe(document.querySelector("title"), { childList: true });
+  });
   await page.click("#scenes-button");
   await page.click('[data-entry="tall_stack"]');
   await page.waitForFunction(() => location.search.includes("scene=tall_stack"));
+  assert.equal(await page.evaluate(() => window.stepsAtFirst), "no picture");
   await untilBodies(page, 31);
   assert.match(await page.title(), /Tall stack/);
   await page.reload();

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { DESKTOP, near, openVisitor, PHONE, stepBy } from "../support/page.mjs";
-import { overlay, untilOverlay, untilStep } from "../support/wait.mjs";
+import { overlay, untilOverlay, untilStep, untilStill } from "../support/wait.mjs";
 
 const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
 
@@ -134,6 +134,7 @@ for (const [size, options] of SIZES)
     const search = "?scene=minkowski&paused=1";
     const { page, errors, close } = await visitor.open(search, { ...options, colorScheme: "dark" });
     await stepBy(page, 1);
+    await untilStill(page);
     const apart = await coloured(page, SUM);
     assert.ok(apart.count > 1000, `${apart.count} pixels of the sums`);
     assert.equal((await coloured(page, OVERLAPPING)).count, 0);
@@ -155,6 +156,7 @@ for (const [size, options] of SIZES)
     const [from, to] = [at(2.3, 6), at(-0.2, 4.5)];
     await page.mouse.move(...from);
     await page.mouse.down();
+    await page.waitForSelector("#overlay[data-mode=pull]");
     await page.mouse.move(...to, { steps: 5 });
     await stepBy(page, 90);
     const over = await coloured(page, OVERLAPPING);

@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { inflateRawSync } from "node:zlib";
 import { copyOfPage, createPlainServer, serve } from "../support/built-page.mjs";
-import { boxes, linkOf, openCode, run, textOf, type, untilStatus } from "../support/code.mjs";
-import { DESKTOP, openVisitor, PHONE, untilBodies, untilRunning } from "../support/page.mjs";
+import { boxes, linkOf, openCode, run, type, untilStatus, untilText } from "../support/code.mjs";
+import { DESKTOP, openVisitor, PATIENCE, PHONE, untilBodies, untilRunning } from "../support/page.mjs";
 
 const SIZES = { desktop: DESKTOP, phone: PHONE };
 
@@ -27,7 +27,7 @@ test("code_goes_with_the_address_with_letters_of_any_language", async () => {
   const other = await openCode(visitor, address);
   await other.page.click(".code-offer button");
   await untilBodies(other.page, 7);
-  assert.equal(await other.page.innerText("#message"), "Kugeln — пять ⚽ 球");
+  await other.page.waitForSelector('#message:text-is("Kugeln — пять ⚽ 球")');
   assert.deepEqual([...errors, ...other.errors], []);
   await other.close();
   await close();
@@ -39,8 +39,10 @@ for (const [name, options] of Object.entries(SIZES))
     const { page, errors, close } = await openCode(visitor, link, options);
     await page.waitForSelector(".code-offer:not([hidden])");
     assert.match(await page.innerText(".code-offer"), /by somebody else/);
-    assert.equal(await textOf(page), boxes(9));
+    await untilText(page, boxes(9));
     await untilBodies(page, 14);
+    // The address of the scene without it may come first.
+    await page.waitForFunction(() => location.hash.startsWith("#code="));
     const kept = await page.evaluate(() => location.hash.replace("#code=", ""));
     assert.equal(String(inflateRawSync(Buffer.from(kept, "base64url"))), boxes(9));
     await page.click(".code-offer button");
@@ -54,6 +56,7 @@ test("code_of_a_link_is_asked_about_twice_where_nothing_confines_it", async (t) 
   const { url } = await serve(t, createPlainServer(copyOfPage(t)));
   const page = await visitor.browser.newPage();
   t.after(() => page.close());
+  page.setDefaultTimeout(PATIENCE);
   await page.addInitScript(() => delete Navigator.prototype.serviceWorker);
   await page.goto(url + linkOf(boxes(9)));
   await page.click(".code-offer button");
@@ -106,7 +109,7 @@ test("code_that_reaches_out_fails_and_reads_its_own_page", async () => {
     .replace('message: "boxes"', "message: JSON.stringify({ reached, home })");
   await type(page, text);
   await run(page);
-  await page.waitForFunction(() => /reached/.test(document.querySelector("#message").textContent));
+  await page.locator("#message", { hasText: "reached" }).waitFor();
   assert.deepEqual(JSON.parse(await page.innerText("#message")), { reached: [], home: true });
   await close();
 });

@@ -4,13 +4,13 @@ import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import {
   boxes,
-  markedLine,
   openCode,
   run,
-  textOf,
   troubleOf,
   type,
+  untilMarked,
   untilStatus,
+  untilText,
 } from "../support/code.mjs";
 import {
   DESKTOP,
@@ -36,7 +36,7 @@ after(() => visitor.close());
 for (const [name, options] of Object.entries(SIZES)) {
   test(`number_changed_and_run_changes_the_world_on_${name}`, async () => {
     const { page, errors, close } = await openCode(visitor, "?scene=sketch&panel=code", options);
-    assert.match(await page.innerText(".code-status"), /Runs unchanged/);
+    await untilStatus(page, "Runs unchanged");
     await untilBodies(page, 14);
     await page.locator(".cm-line", { hasText: "export const size" }).click();
     await page.keyboard.press("End");
@@ -55,7 +55,7 @@ for (const [name, options] of Object.entries(SIZES)) {
     await type(page, "const a = 1;\nconst b = = 2;\nexport default function () {}\n");
     await run(page);
     assert.match(await troubleOf(page), /Line 2[\s\S]*Unexpected token/);
-    assert.equal(await markedLine(page), 2);
+    await untilMarked(page, 2);
     await untilStatus(page, "Does not run");
     const steps = () => page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
     const then = await steps();
@@ -97,7 +97,7 @@ test("error_while_building_is_told_at_its_line", async () => {
   await type(page, boxes(3).replace("  return {", "  world.nothing.here();\n  return {"));
   await run(page);
   assert.match(await troubleOf(page), /Line 7[\s\S]*undefined/);
-  assert.equal(await markedLine(page), 7);
+  await untilMarked(page, 7);
   await untilBodies(page, 14);
   await close();
 });
@@ -107,7 +107,7 @@ test("error_in_update_is_told_at_its_line_and_the_next_run_goes_on", async () =>
   await type(page, boxes(3, { update: "world.nothing.here();" }));
   await run(page);
   assert.match(await troubleOf(page), /Line 11[\s\S]*undefined/);
-  assert.equal(await markedLine(page), 11);
+  await untilMarked(page, 11);
   await type(page, boxes(4));
   await run(page);
   await untilBodies(page, 4);
@@ -154,7 +154,7 @@ test("loop_without_an_end_leads_back_and_keeps_the_text", async () => {
   await untilRunning(page);
   await untilBodies(page, 14);
   assert.match(await troubleOf(page), /did not answer/);
-  assert.equal(await textOf(page), text);
+  await untilText(page, text);
   await type(page, boxes(5));
   await run(page);
   await untilBodies(page, 5);
@@ -173,7 +173,7 @@ test("text_is_kept_when_another_scene_was_opened_and_the_page_loaded_again", asy
   await page.click("#scenes-button");
   await page.click('[data-entry="sketch"]');
   await page.waitForSelector('[role="tab"]:text-is("sketch.js")');
-  assert.equal(await textOf(page), text);
+  await untilText(page, text);
   await close();
 });
 
@@ -188,7 +188,7 @@ test("original_comes_back_and_undoing_brings_the_text_again", async () => {
   await page.locator(".code-editor .cm-content").focus();
   await page.keyboard.press("Control+z");
   await untilStatus(page, "Changed, not run yet");
-  assert.equal(await textOf(page), boxes(4));
+  await untilText(page, boxes(4));
   await close();
 });
 
@@ -211,7 +211,7 @@ test("camera_and_choices_stay_when_code_runs", async () => {
 test("imported_files_are_shown_read_only_in_tabs", async () => {
   const { page, close } = await openCode(visitor, "?scene=artillery&panel=code&paused=1");
   await page.click('[role="tab"]:has-text("tanks.js")');
-  assert.match(await page.innerText(".code-status"), /Read only/);
+  await untilStatus(page, "Read only");
   // Of a long file the editor draws a part, and maybe another one later; typing is at its start.
   const firstLine = () => page.locator(".code-editor .cm-line").first().textContent();
   const before = await firstLine();
@@ -242,7 +242,7 @@ test("keyboard_alone_opens_types_runs_and_leaves", async () => {
   await page.keyboard.press("Enter");
   await page.keyboard.press("Tab");
   assert.ok(await inEditor());
-  assert.match(await textOf(page), /^\/\/ pause, reset: p r l\n/);
+  await untilText(page, /^\/\/ pause, reset: p r l\n/);
   assert.equal(await page.getAttribute("#pause", "aria-pressed"), "false");
   await page.keyboard.press("Control+Enter");
   await untilStatus(page, "Your code runs");

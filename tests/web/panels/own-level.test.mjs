@@ -13,6 +13,7 @@ import {
   untilRunning,
 } from "../support/page.mjs";
 import { ballLevel } from "../support/package.mjs";
+import { drawnFrames } from "../support/versus.mjs";
 import { until } from "../support/wait.mjs";
 
 /** More than any address carries, since chance cannot be packed. */
@@ -125,7 +126,7 @@ for (const browser of BROWSERS)
       await untilTitle(page, /^ball/);
       await page.goBack();
       await untilTitle(page, /^Newton/);
-      assert.match(await page.evaluate(() => location.search), /scene=cradle.*quality=high/);
+      await page.waitForFunction(() => /scene=cradle.*quality=high/.test(location.search));
       await page.goForward();
       await untilTitle(page, /^ball/);
       await untilBodies(page, 2);
@@ -133,6 +134,37 @@ for (const browser of BROWSERS)
       await untilTitle(page, /^Tumbler/);
       await page.waitForFunction(() => !location.search.includes("quality"));
       assert.ok(await page.evaluate(() => window.stays), "nothing is loaded anew");
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("back_again_while_an_address_is_read_leads_to_the_last_one_and_changes_none", async () => {
+      const { page, errors, close } = await visitor.open("?scene=cradle");
+      await untilRunning(page);
+      await openLevel(page, "ball.tmj", ballLevel());
+      await page.waitForFunction(() => location.hash.includes("level="));
+      await page.click("#scenes-button");
+      await page.click('[data-entry="tumbler"]');
+      await page.waitForFunction(() => location.search.includes("tumbler"));
+      // To unpack the level takes until it is let go.
+      await page.evaluate(() => {
+        const { DecompressionStream: Original } = window;
+        const held = new Promise((done) => (window.letGo = done));
+        window.DecompressionStream = function (format) {
+          const { readable, writable } = new Original(format);
+          const transform = (part, unpacked) => held.then(() => unpacked.enqueue(part));
+          return { readable: readable.pipeThrough(new TransformStream({ transform })), writable };
+        };
+      });
+      await page.goBack();
+      await page.keyboard.press(",");
+      assert.match(await page.evaluate(() => location.hash), /level=/, "the address is another’s");
+      await page.goBack();
+      await untilTitle(page, /^Newton/);
+      await page.evaluate(() => window.letGo());
+      await drawnFrames(page, 20);
+      assert.match(await page.title(), /^Newton/);
+      await page.waitForFunction(() => location.search.includes("cradle"));
       assert.deepEqual(errors, []);
       await close();
     });

@@ -123,7 +123,7 @@ test("closing_the_panel_as_the_worker_ends_leaves_no_error_behind", async () => 
     document.querySelector("#dock .close").click();
     window.made.dispatchEvent(new ErrorEvent("error", { message: "out of breath" }));
   });
-  await page.locator("#notice", { hasText: "out of breath" }).waitFor();
+  await page.locator("#notice", { hasText: "out of breath" }).waitFor({ state: "attached" });
   await drawnFrames(page, 3);
   assert.deepEqual(errors, []);
   await close();
@@ -158,7 +158,7 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
       window.lost.loseContext();
     });
     await renderer("canvas2d");
-    await page.locator("#notice", { hasText: "took WebGL away" }).waitFor();
+    await page.locator("#notice", { hasText: "took WebGL away" }).waitFor({ state: "attached" });
     await stepBy(page, 60);
     const fallen = await untilTwo(page);
     for (const [i, { y, count }] of fallen.entries()) {

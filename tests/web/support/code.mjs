@@ -1,6 +1,7 @@
 /** What the tests of the code panel share: opening it, typing into it, what it tells. */
 import { deflateRawSync } from "node:zlib";
 import { DESKTOP } from "./page.mjs";
+import { until } from "./wait.mjs";
 
 /** A scene with the code panel open and its editor filled; breaches of its policy are errors. */
 export async function openCode(visitor, search, options = DESKTOP) {
@@ -15,10 +16,14 @@ export async function openCode(visitor, search, options = DESKTOP) {
   return opened;
 }
 
-/** As the editor has it; only for texts that are short enough to be drawn as a whole. */
-export async function textOf(page) {
-  const lines = await page.locator(".code-editor .cm-line").allTextContents();
-  return lines.join("\n");
+/**
+ * Until the editor has that text, or one that matches a pattern. Only for texts that are short enough
+ * to be drawn as a whole.
+ */
+export function untilText(page, wanted) {
+  const lines = () => page.locator(".code-editor .cm-line").allTextContents();
+  const is = (text) => (typeof wanted === "string" ? text === wanted : wanted.test(text));
+  return until(async () => (await lines()).join("\n"), is, `not ${wanted}`);
 }
 
 /** Puts another text in place of all that is in the editor, by a paste. */
@@ -70,13 +75,18 @@ export async function troubleOf(page) {
   return page.innerText(".code-trouble");
 }
 
-/** The number of the line that has a mark in the gutter. */
-export async function markedLine(page) {
-  await page.waitForSelector(".cm-lint-marker-error");
-  // All at one moment: the editor may yet scroll to the place.
+/** Until the line of that number has a mark in the gutter. */
+export function untilMarked(page, line) {
+  return until(() => markedLine(page), (marked) => marked === line, `not ${line}`);
+}
+
+/** NaN where none has; all at one moment, as the editor may yet scroll to the place. */
+function markedLine(page) {
   return page.locator(".code-editor").evaluate(({ shadowRoot }) => {
     const boxOf = (element) => element.getBoundingClientRect();
-    const mark = boxOf(shadowRoot.querySelector(".cm-lint-marker-error"));
+    const marker = shadowRoot.querySelector(".cm-lint-marker-error");
+    if (!marker) return NaN;
+    const mark = boxOf(marker);
     const numbers = [...shadowRoot.querySelectorAll(".cm-lineNumbers .cm-gutterElement")];
     const beside = numbers.find((number) => {
       const { top, bottom } = boxOf(number);

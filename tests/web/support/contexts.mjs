@@ -35,13 +35,42 @@ function slowDisplay(hertz) {
   window.cancelAnimationFrame = (number) => asked.delete(number);
 }
 
-/** Takes contexts of `browser` for the page at `url`. */
-export function contextsOf(browser, url) {
+/**
+ * A display of so many pictures a second by its own clock, `window.clock`, whatever the machine's is:
+ * no picture is late, and a scene is in time, however slow the machine is. There are so many
+ * milliseconds from one to the next in truth.
+ */
+export function display(hertz, pause) {
+  return (page) =>
+    page.addInitScript(
+      ([rate, milliseconds]) => {
+        let asked = new Map();
+        let count = 0;
+        window.clock = 0;
+        window.requestAnimationFrame = (act) => {
+          asked.set(++count, act);
+          return count;
+        };
+        window.cancelAnimationFrame = (number) => asked.delete(number);
+        setInterval(() => {
+          window.clock += 1000 / rate;
+          const acts = asked;
+          asked = new Map();
+          for (const act of acts.values()) act(window.clock);
+        }, milliseconds);
+      },
+      [hertz, pause],
+    );
+}
+
+/** Takes contexts of `browser` for the page at `url`, whose waits may take so many milliseconds. */
+export function contextsOf(browser, url, patience) {
   /** Contexts that no test has at present, by their options. */
   const free = new Map();
 
   async function make(options) {
     const context = await browser.newContext(options);
+    context.setDefaultTimeout(patience);
     // When a first visit's service worker takes over is chance: page/offline.test.mjs waits for it.
     await context.addInitScript(() => delete Navigator.prototype.serviceWorker);
     await context.addInitScript(slowDisplay, HERTZ);

@@ -20,13 +20,12 @@ export const PATIENCE = 120_000;
 export async function openVisitor({ webgl = false, browser: name = "chromium" } = {}) {
   const server = await servePage();
   const browser = await launch(name, { webgl, oneProcess: true });
-  const contexts = contextsOf(browser, server.url);
+  const contexts = contextsOf(browser, server.url, PATIENCE);
   return {
     browser,
     async open(search = "", options = DESKTOP, prepare = null) {
       const kind = prepare || name === "firefox" ? "own" : "shared";
       const { context, giveBack } = await contexts[kind](options);
-      context.setDefaultTimeout(PATIENCE);
       const page = await context.newPage();
       const errors = [];
       page.on("pageerror", (error) => errors.push(error.message));

@@ -29,6 +29,23 @@ export function untilOverlay(page, wanted, what) {
   return until(() => overlay(page), ({ count }) => wanted(count), what);
 }
 
+/** Waits until nothing glides or fades into its place any more. */
+export function untilStill(page) {
+  return page.waitForFunction(() =>
+    document
+      .getAnimations()
+      .every(({ effect, playState }) =>
+        playState !== "running" || effect.getComputedTiming().endTime === Infinity),
+  );
+}
+
+/** Waits until the figures over the scene are told; the scene's words come with the same picture. */
+export function untilFigures(page) {
+  return page.waitForFunction(() =>
+    /\d/.test(document.querySelector("[data-value=bodies]")?.textContent),
+  );
+}
+
 /** Waits until the picture is that of a step, and of no other. */
 export function untilStep(page, step) {
   return page.waitForFunction(
