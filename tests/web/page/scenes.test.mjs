@@ -11,6 +11,8 @@ before(async () => {
 });
 after(() => visitor.close());
 
+/** Nothing is asked of the picture, which a larger window makes dear to draw. */
+const SMALL = { viewport: { width: 640, height: 480 } };
 const OWN_LEVEL = "own_level";
 const names = readdirSync(new URL("../../../web/public/scenes", import.meta.url))
   .filter((file) => file.endsWith(".js"))
@@ -19,7 +21,7 @@ const names = readdirSync(new URL("../../../web/public/scenes", import.meta.url)
 
 for (const name of names)
   test(`scene_${name}_runs_300_steps_in_the_page`, async () => {
-    const { page, errors, close } = await visitor.open(`?scene=${name}&paused=1`);
+    const { page, errors, close } = await visitor.open(`?scene=${name}&paused=1`, SMALL);
     await page.waitForFunction(() => document.title !== "thud");
     for (let i = 0; i < 3; i++) await stepBy(page, 100);
     const steps = await page.evaluate(() => document.querySelector("#hud").dataset.steps);
