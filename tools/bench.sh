@@ -35,10 +35,10 @@ END
 }
 
 # Builds Box2D, Rapier and what stands beside them. Ends with 77 where Box2D cannot be built, which
-# tests/baseline/build.sh explains; without Rapier the rest goes on.
+# tests/adapters/build.sh explains; without Rapier the rest goes on.
 build_bench() {
-    sh tests/baseline/build.sh build/baseline
-    sh tests/baseline/build-rapier.sh build/baseline || [ $? = 77 ]
+    sh tests/adapters/build.sh build/baseline
+    sh tests/adapters/build-rapier.sh build/baseline || [ $? = 77 ]
     build bench --preset release -DTHUD_WERROR=ON -DTHUD_TESTS=OFF \
         -DTHUD_BOX2D="$root/build/baseline"
 }

@@ -16,7 +16,7 @@ envelope() {
         esac
     done
     ensure bench
-    sh tests/baseline/build.sh build/baseline
+    sh tests/adapters/build.sh build/baseline
     build bench --preset release -DTHUD_WERROR=ON -DTHUD_TESTS=OFF \
         -DTHUD_BOX2D="$root/build/baseline"
     if [ "$place" = docs ]; then

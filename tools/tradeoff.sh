@@ -15,7 +15,7 @@ tradeoff() {
     case " $* " in
         *' --again '*) ;;
         *)
-            sh tests/baseline/build.sh build/baseline
+            sh tests/adapters/build.sh build/baseline
             build bench --preset release -DTHUD_WERROR=ON -DTHUD_TESTS=OFF \
                 -DTHUD_BOX2D="$root/build/baseline"
             ;;

@@ -3,7 +3,7 @@
 #ifndef THUD_BASELINE_DUEL_H
 #define THUD_BASELINE_DUEL_H
 
-#include "contender.h"
+#include "engine.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,22 +12,21 @@ enum { THUD = 0, BOX2D = 1, ENGINES = 2 };
 
 typedef struct duel {
     scene scene;
-    const contender *engine[ENGINES];
+    const physics_engine *engine[ENGINES];
     void *world[ENGINES];
-    contender_body *bodies[ENGINES];  /* as of the last step, in the scene's order */
-    contender_events events[ENGINES]; /* summed over all steps so far */
+    engine_body *bodies[ENGINES];  /* as of the last step, in the scene's order */
+    engine_events events[ENGINES]; /* summed over all steps so far */
 } duel;
 
 /* To be filled with bodies before duel_begin. */
 static inline void duel_init(duel *d) {
-    *d = (duel){.engine = {&contender_thud, &contender_box2d}};
+    *d = (duel){.engine = {&engine_thud, &engine_box2d}};
     scene_init(&d->scene);
 }
 
 static inline void duel_begin(duel *d) {
     for (int e = 0; e < ENGINES; e++) {
-        contender_settings settings = {.events = true};
-        d->world[e] = d->engine[e]->create(&d->scene, settings);
+        d->world[e] = engine_create(d->engine[e], &d->scene, (engine_settings){.events = true});
         assert_non_null(d->world[e]);
         d->bodies[e] = calloc((size_t)d->scene.body_count, sizeof *d->bodies[e]);
         assert_non_null(d->bodies[e]);
@@ -39,7 +38,7 @@ static inline void duel_step(duel *d, int steps) {
     for (int e = 0; e < ENGINES; e++) {
         for (int i = 0; i < steps; i++) {
             assert_true(d->engine[e]->step(d->world[e]));
-            contender_events now = d->engine[e]->events(d->world[e]);
+            engine_events now = d->engine[e]->events(d->world[e]);
             d->events[e].begin += now.begin;
             d->events[e].end += now.end;
             d->events[e].hit += now.hit;

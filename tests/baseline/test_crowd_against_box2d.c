@@ -109,7 +109,7 @@ typedef struct crowd {
 static crowd crowd_of(const duel *d, int engine) {
     crowd c = {0};
     for (int i = 0; i < d->scene.body_count; i++) {
-        const contender_body *b = &d->bodies[engine][i];
+        const engine_body *b = &d->bodies[engine][i];
         if (d->scene.bodies[i].kind != SCENE_DYNAMIC)
             continue;
         c.mass += b->mass;

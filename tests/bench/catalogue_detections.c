@@ -42,7 +42,7 @@ typedef struct trial {
     way_world worlds[WAY_COUNT];
     outcome outcomes[WAY_COUNT];
     penetration_meter *meter;
-    contender_body *poses;
+    engine_body *poses;
     int steps, repetitions;
 } trial;
 
@@ -69,7 +69,7 @@ static bool prepare(trial *t) {
 static bool open_worlds(trial *t) {
     bool ok = true;
     for (int k = 0; ok && k < WAY_COUNT; k++)
-        ok = way_open(&t->worlds[k], &t->scene, way_at(k), CONTENDER_TIME_STEP);
+        ok = way_open(&t->worlds[k], &t->scene, way_at(k), ENGINE_TIME_STEP);
     return ok;
 }
 
@@ -93,11 +93,11 @@ static void measure_overlap(trial *t, const way_world *w, penetration *seen) {
     for (int i = 0; i < w->count; i++) {
         thud_body_state body;
         bool known = thud_body_get(w->world, w->bodies[i], &body) == THUD_OK;
-        t->poses[i] = known ? (contender_body){.x = body.position.x,
-                                               .y = body.position.y,
-                                               .cosine = body.cosine,
-                                               .sine = body.sine}
-                            : (contender_body){.x = NAN, .y = NAN};
+        t->poses[i] = known ? (engine_body){.x = body.position.x,
+                                            .y = body.position.y,
+                                            .cosine = body.cosine,
+                                            .sine = body.sine}
+                            : (engine_body){.x = NAN, .y = NAN};
     }
     penetration_sample(t->meter, t->poses, seen);
 }

@@ -2,7 +2,7 @@
  * what the world's own pipeline made of them: pairs of fat bounds, and touching contacts. */
 #include "catalogue.h"
 #include "catalogue_choices.h"
-#include "contender.h"
+#include "engine.h"
 #include "levels.h"
 #include "progress.h"
 #include "scenes.h"
@@ -62,7 +62,7 @@ static bool watch(const char *name, const scene *s, bool quick, looks *sum) {
     way_world w = {0};
     thud_shape_instance *shapes = calloc((size_t)s->body_count, sizeof *shapes);
     bool *movable = calloc((size_t)s->body_count, sizeof *movable);
-    bool ok = shapes && movable && way_open(&w, s, &thud_detection_continuous, CONTENDER_TIME_STEP);
+    bool ok = shapes && movable && way_open(&w, s, &thud_detection_continuous, ENGINE_TIME_STEP);
     int looks_wanted = quick ? QUICK_LOOKS : LOOKS;
     int steps = quick ? QUICK_STEPS_APART : STEPS_APART;
     for (int i = 0; ok && i < looks_wanted * steps; i++) {

@@ -2,7 +2,7 @@
  * that move, at 10 to 100,000 m/s: how many are beyond the wall afterwards. */
 #include "catalogue.h"
 #include "catalogue_choices.h"
-#include "contender.h"
+#include "engine.h"
 #include "progress.h"
 #include "random.h"
 
@@ -22,7 +22,7 @@ static void fill(scene *s, int lanes, bool dynamic, double speed) {
         double y = 4.0 * i;
         scene_add_body(s, dynamic ? SCENE_DYNAMIC : SCENE_STATIC, 0, y);
         scene_add_obb(s, 0.01, 1)->material.density = 100;
-        double run_up = 1 + scene_random_range(&random, 0, speed * CONTENDER_TIME_STEP);
+        double run_up = 1 + scene_random_range(&random, 0, speed * ENGINE_TIME_STEP);
         scene_body *bullet = scene_add_body(s, SCENE_DYNAMIC, -run_up, y);
         bullet->vx = speed;
         if (i % 2) {
@@ -52,9 +52,9 @@ static double fire(const thud_detection *detection, bool dynamic, double speed, 
     way_world w = {0};
     scene_init(&s);
     fill(&s, lanes, dynamic, speed);
-    bool ok = way_open(&w, &s, detection, CONTENDER_TIME_STEP);
+    bool ok = way_open(&w, &s, detection, ENGINE_TIME_STEP);
     /* The run-up is at most a metre and a step's way. */
-    int steps = (int)ceil(1 / (speed * CONTENDER_TIME_STEP)) + 4;
+    int steps = (int)ceil(1 / (speed * ENGINE_TIME_STEP)) + 4;
     for (int i = 0; ok && i < steps; i++)
         ok = way_step(&w);
     double share = ok ? (double)count_passed(&w) / lanes : -1;

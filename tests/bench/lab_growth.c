@@ -1,7 +1,7 @@
 /* lab_growth.c: time and memory per body as the population grows; Box2D beside it. */
 #include "lab.h"
 
-#include "contender.h"
+#include "engine.h"
 #include "lab_world.h"
 #include "progress.h"
 #include "series.h"
@@ -25,9 +25,9 @@ typedef struct growth {
     uint64_t bytes;
 } growth;
 
-static bool run_once(const contender *engine, const scene *s, int repetition, series *times,
+static bool run_once(const physics_engine *engine, const scene *s, int repetition, series *times,
                      uint64_t *bytes) {
-    void *world = engine->create(s, (contender_settings){0});
+    void *world = engine_create(engine, s, (engine_settings){0});
     bool ok = world != NULL;
     char label[64];
     snprintf(label, sizeof label, "%s %d, %s", s->name, s->body_count, engine->name);
@@ -44,7 +44,7 @@ static bool run_once(const contender *engine, const scene *s, int repetition, se
     return ok;
 }
 
-static bool measure(const contender *engine, const scene *s, int steps, growth *out) {
+static bool measure(const physics_engine *engine, const scene *s, int steps, growth *out) {
     series times;
     bool ok = series_init(&times, steps, REPETITIONS);
     for (int i = 0; ok && i < REPETITIONS; i++)
@@ -65,8 +65,7 @@ static bool grow_to(const scene_info *info, int size, int steps, double *each, j
         fprintf(stderr, "thud-bench: out of memory for scene %s\n", info->name);
         return false;
     }
-    bool ok =
-        measure(&contender_thud, &s, steps, &own) && measure(&contender_box2d, &s, steps, &rival);
+    bool ok = measure(&engine_thud, &s, steps, &own) && measure(&engine_box2d, &s, steps, &rival);
     scene_free(&s);
     if (!ok)
         return false;

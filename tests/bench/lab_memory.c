@@ -4,7 +4,7 @@
  * sizes over one doubling does not. */
 #include "lab.h"
 
-#include "contender.h"
+#include "engine.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -32,10 +32,11 @@ static void fill(scene *s, bool boxes, bool touching, int count) {
     }
 }
 
-static bool bytes_of(const contender *engine, bool boxes, bool touching, int count, double *out) {
+static bool bytes_of(const physics_engine *engine, bool boxes, bool touching, int count,
+                     double *out) {
     scene s;
     fill(&s, boxes, touching, count);
-    void *world = s.failed ? NULL : engine->create(&s, (contender_settings){0});
+    void *world = engine_create(engine, &s, (engine_settings){0});
     bool ok = world != NULL;
     for (int i = 0; ok && i < STEPS; i++)
         ok = engine->step(world);
@@ -46,7 +47,7 @@ static bool bytes_of(const contender *engine, bool boxes, bool touching, int cou
     return ok;
 }
 
-static bool measure(const contender *engine, bool boxes, int sizes, lab_memory_use *out) {
+static bool measure(const physics_engine *engine, bool boxes, int sizes, lab_memory_use *out) {
     *out = (lab_memory_use){0, 0};
     for (int i = 0; i < sizes; i++) {
         int count = (int)(SMALLEST * pow(2, (double)i / sizes)) / COLUMN * COLUMN;
@@ -70,8 +71,8 @@ bool lab_memory(bool quick, json *out) {
     bool ok = true;
     for (int boxes = 0; ok && boxes < 2; boxes++) {
         lab_memory_use own, its;
-        ok = measure(&contender_thud, boxes, quick ? 1 : SIZE_COUNT, &own) &&
-             measure(&contender_box2d, boxes, quick ? 1 : SIZE_COUNT, &its);
+        ok = measure(&engine_thud, boxes, quick ? 1 : SIZE_COUNT, &own) &&
+             measure(&engine_box2d, boxes, quick ? 1 : SIZE_COUNT, &its);
         if (!ok)
             break;
         double body = own.per_body / its.per_body, contact = own.per_contact / its.per_contact;

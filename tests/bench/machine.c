@@ -48,7 +48,11 @@ void machine_describe(json *out) {
     json_number(out, "processors", (double)sysconf(_SC_NPROCESSORS_ONLN));
     json_text(out, "system", system);
     json_text(out, "compiler", COMPILER);
+#ifdef THUD_BOX2D_BUILD
     json_text(out, "box2d", THUD_BOX2D_BUILD);
+#else
+    json_text(out, "box2d", "not built");
+#endif
 #ifdef THUD_RAPIER_BUILD
     json_text(out, "rapier", THUD_RAPIER_BUILD);
 #endif

@@ -7,15 +7,6 @@
 
 enum { MAX_STEPS = 1000000, MAX_REPETITIONS = 100 };
 
-static const contender *const RIVALS[] = {
-    &contender_box2d,
-#ifdef THUD_RAPIER_BUILD
-    &contender_rapier,
-#endif
-};
-
-enum { RIVAL_COUNT = sizeof RIVALS / sizeof RIVALS[0] };
-
 void options_print_help(void) {
     printf("usage: thud-bench [option...]\n"
            "Runs scenes in thud and its rivals, a few steps each in turn, and compares the time\n"
@@ -37,7 +28,7 @@ void options_print_help(void) {
            "  --json FILE          also writes everything to FILE\n"
            "  --list               lists the scenes, and which steps of each are timed\n"
            "  --help               this text\n",
-           RIVAL_COUNT > 1 ? ", rapier" : "");
+           engine_find("rapier") ? ", rapier" : "");
 }
 
 void options_print_list(void) {
@@ -101,16 +92,16 @@ static void add_default_scenes(options *o) {
 }
 
 static bool add_rival(options *o, const char *name) {
-    for (int i = 0; i < RIVAL_COUNT; i++) {
-        if (strcmp(RIVALS[i]->name, name) != 0)
-            continue;
-        for (int k = 1; k < o->contender_count; k++)
-            if (o->contenders[k] == RIVALS[i])
-                return true;
-        o->contenders[o->contender_count++] = RIVALS[i];
-        return true;
-    }
-    return fail(strcmp(name, "rapier") == 0 ? "this build has no such engine, for want of Rust"
+    const physics_engine *rival = engine_find(name);
+    if (rival == &engine_thud)
+        rival = NULL;
+    for (int k = 1; k < o->engine_count; k++)
+        if (o->engines[k] == rival)
+            return true;
+    if (rival)
+        o->engines[o->engine_count++] = rival;
+    return rival ||
+           fail(strcmp(name, "rapier") == 0 ? "this build has no such engine, for want of Rust"
                                             : "no such engine",
                 name);
 }
@@ -168,10 +159,11 @@ static bool is_of_use(const options *o) {
 static void fill_in_defaults(options *o) {
     if (o->scene_count == 0)
         add_default_scenes(o);
-    for (int i = 0; o->contender_count == 1 && i < RIVAL_COUNT; i++)
-        o->contenders[1 + i] = RIVALS[i];
-    if (o->contender_count == 1)
-        o->contender_count = 1 + RIVAL_COUNT;
+    if (o->engine_count == 1)
+        while (o->engine_count < BUILT_ENGINE_COUNT) {
+            o->engines[o->engine_count] = BUILT_ENGINES[o->engine_count];
+            o->engine_count++;
+        }
     if (o->parts == 0)
         o->parts = BENCH_SCENES;
     if (o->repetitions == 0)
@@ -179,7 +171,7 @@ static void fill_in_defaults(options *o) {
 }
 
 options_outcome options_read(options *o, int argc, char **argv) {
-    *o = (options){.contenders = {&contender_thud}, .contender_count = 1};
+    *o = (options){.engines = {&engine_thud}, .engine_count = 1};
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
             return OPTIONS_HELP;

@@ -2,7 +2,7 @@
 #ifndef THUD_BENCH_OPTIONS_H
 #define THUD_BENCH_OPTIONS_H
 
-#include "contender.h"
+#include "engine.h"
 #include "plan.h"
 #include "race.h"
 
@@ -33,8 +33,8 @@ typedef enum options_outcome {
 typedef struct options {
     chosen_scene scenes[OPTIONS_MAX_SCENES];
     int scene_count;
-    const contender *contenders[RACE_MAX_CONTENDERS]; /* thud is the first */
-    int contender_count;
+    const physics_engine *engines[RACE_MAX_ENGINES]; /* thud is the first */
+    int engine_count;
     unsigned parts;
     const char *json; /* null: not wanted */
     int steps;        /* 0: the plan's */

@@ -138,7 +138,7 @@ void penetration_meter_destroy(penetration_meter *meter) {
 }
 
 /* Puts every shape where its body is; false for one whose body has no finite pose. */
-static bool place(placed *p, const contender_body *body) {
+static bool place(placed *p, const engine_body *body) {
     double c = body->cosine, s = body->sine;
     const scene_shape *source = p->source;
     p->shape.x = body->x + source->x * c - source->y * s;
@@ -199,7 +199,7 @@ static void test_grounds(const penetration_meter *meter, const placed *p, penetr
             count_depth(seen, depth_in_ground(&meter->grounds[i], &p->shape));
 }
 
-void penetration_sample(penetration_meter *meter, const contender_body *bodies, penetration *seen) {
+void penetration_sample(penetration_meter *meter, const engine_body *bodies, penetration *seen) {
     placed *p = meter->placed;
     int lost = 0;
     for (size_t i = 0; i <= meter->bucket_mask; i++)

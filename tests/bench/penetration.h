@@ -3,7 +3,7 @@
 #ifndef THUD_BENCH_PENETRATION_H
 #define THUD_BENCH_PENETRATION_H
 
-#include "contender.h"
+#include "engine.h"
 
 typedef struct penetration_meter penetration_meter;
 
@@ -21,7 +21,7 @@ void penetration_meter_destroy(penetration_meter *meter);
 
 /* Adds one sample. Pairs that cannot collide do not count: two shapes of one body, two bodies of
  * which none is dynamic, sensors, and what the filters keep apart. */
-void penetration_sample(penetration_meter *meter, const contender_body *bodies, penetration *seen);
+void penetration_sample(penetration_meter *meter, const engine_body *bodies, penetration *seen);
 
 double penetration_mean(const penetration *seen);
 

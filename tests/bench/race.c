@@ -19,12 +19,12 @@ typedef struct race {
     const scene *scene;
     bench_plan plan;
     const race_settings *settings;
-    void *worlds[RACE_MAX_CONTENDERS];
-    series times[RACE_MAX_CONTENDERS];
-    penetration overlap[RACE_MAX_CONTENDERS];
-    uint64_t bytes[RACE_MAX_CONTENDERS];
+    void *worlds[RACE_MAX_ENGINES];
+    series times[RACE_MAX_ENGINES];
+    penetration overlap[RACE_MAX_ENGINES];
+    uint64_t bytes[RACE_MAX_ENGINES];
     penetration_meter *meter;
-    contender_body *bodies;
+    engine_body *bodies;
 } race;
 
 static double now_ms(void) {
@@ -34,25 +34,25 @@ static double now_ms(void) {
 }
 
 static bool report(const race *r, int engine, const char *what) {
-    fprintf(stderr, "thud-bench: %s: %s %s\n", r->scene->name,
-            r->settings->contenders[engine]->name, what);
+    fprintf(stderr, "thud-bench: %s: %s %s\n", r->scene->name, r->settings->engines[engine]->name,
+            what);
     return false;
 }
 
 static bool warm_up(race *r, int engine) {
-    const contender *c = r->settings->contenders[engine];
+    const physics_engine *e = r->settings->engines[engine];
     for (int i = 0; i < r->plan.warm_up; i++)
-        if (!c->step(r->worlds[engine]))
+        if (!e->step(r->worlds[engine]))
             return report(r, engine, "failed to step");
     return true;
 }
 
 static bool take_turn(race *r, int engine, int repetition, int first, int count) {
-    const contender *c = r->settings->contenders[engine];
+    const physics_engine *e = r->settings->engines[engine];
     double *ms = r->times[engine].ms + repetition * r->plan.steps + first;
     for (int i = 0; i < count; i++) {
         double start = now_ms();
-        bool ok = c->step(r->worlds[engine]);
+        bool ok = e->step(r->worlds[engine]);
         ms[i] = now_ms() - start;
         if (!ok)
             return report(r, engine, "failed to step");
@@ -61,14 +61,14 @@ static bool take_turn(race *r, int engine, int repetition, int first, int count)
 }
 
 static void sample_overlap(race *r) {
-    for (int e = 0; e < r->settings->contender_count; e++) {
-        r->settings->contenders[e]->read(r->worlds[e], r->bodies);
+    for (int e = 0; e < r->settings->engine_count; e++) {
+        r->settings->engines[e]->read(r->worlds[e], r->bodies);
         penetration_sample(r->meter, r->bodies, &r->overlap[e]);
     }
 }
 
 static bool take_all_turns(race *r, int repetition) {
-    int engines = r->settings->contender_count;
+    int engines = r->settings->engine_count;
     int sample_every = r->plan.steps / (SAMPLES * TURN) * TURN;
     sample_every = sample_every < TURN ? TURN : sample_every;
     for (int first = 0, turn = 0; first < r->plan.steps; first += TURN, turn++) {
@@ -87,22 +87,22 @@ static bool take_all_turns(race *r, int repetition) {
 }
 
 static void destroy_worlds(race *r) {
-    for (int e = 0; e < r->settings->contender_count; e++) {
-        r->settings->contenders[e]->destroy(r->worlds[e]);
+    for (int e = 0; e < r->settings->engine_count; e++) {
+        r->settings->engines[e]->destroy(r->worlds[e]);
         r->worlds[e] = NULL;
     }
 }
 
 static bool repeat_once(race *r, int repetition) {
-    contender_settings world_settings = {.sleeping = r->plan.sleeping};
+    engine_settings world_settings = {.sleeping = r->plan.sleeping};
     bool ok = true;
-    for (int e = 0; ok && e < r->settings->contender_count; e++) {
-        r->worlds[e] = r->settings->contenders[e]->create(r->scene, world_settings);
+    for (int e = 0; ok && e < r->settings->engine_count; e++) {
+        r->worlds[e] = engine_create(r->settings->engines[e], r->scene, world_settings);
         ok = r->worlds[e] && warm_up(r, e);
     }
     ok = ok && take_all_turns(r, repetition);
-    for (int e = 0; ok && e < r->settings->contender_count; e++)
-        r->bytes[e] = r->settings->contenders[e]->bytes(r->worlds[e]);
+    for (int e = 0; ok && e < r->settings->engine_count; e++)
+        r->bytes[e] = r->settings->engines[e]->bytes(r->worlds[e]);
     destroy_worlds(r);
     return ok;
 }
@@ -115,12 +115,12 @@ static void conclude(const race *r, int size, race_result *out) {
         .steps = r->plan.steps,
         .target = r->plan.target,
         .limit_ms = r->plan.limit_ms,
-        .entry_count = r->settings->contender_count,
+        .entry_count = r->settings->engine_count,
     };
     for (int e = 0; e < out->entry_count; e++) {
         race_entry *entry = &out->entries[e];
         *entry = (race_entry){
-            .engine = r->settings->contenders[e]->name,
+            .engine = r->settings->engines[e]->name,
             .time = series_summarize(&r->times[e]),
             .overlap = r->overlap[e],
             .bytes = r->bytes[e],
@@ -141,7 +141,7 @@ bool race_run(const scene *s, int size, bench_plan plan, const race_settings *se
     r.meter = penetration_meter_create(s);
     r.bodies = calloc((size_t)s->body_count + 1, sizeof *r.bodies);
     bool ok = r.meter && r.bodies;
-    for (int e = 0; ok && e < settings->contender_count; e++)
+    for (int e = 0; ok && e < settings->engine_count; e++)
         ok = series_init(&r.times[e], plan.steps, settings->repetitions);
     if (!ok)
         fprintf(stderr, "thud-bench: %s: out of memory\n", s->name);
@@ -150,7 +150,7 @@ bool race_run(const scene *s, int size, bench_plan plan, const race_settings *se
     progress_clear();
     if (ok)
         conclude(&r, size, out);
-    for (int e = 0; e < settings->contender_count; e++)
+    for (int e = 0; e < settings->engine_count; e++)
         series_free(&r.times[e]);
     penetration_meter_destroy(r.meter);
     free(r.bodies);

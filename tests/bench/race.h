@@ -2,16 +2,16 @@
 #ifndef THUD_BENCH_RACE_H
 #define THUD_BENCH_RACE_H
 
-#include "contender.h"
+#include "engine.h"
 #include "penetration.h"
 #include "plan.h"
 #include "series.h"
 
-enum { RACE_MAX_CONTENDERS = 4 };
+enum { RACE_MAX_ENGINES = 4 };
 
 typedef struct race_settings {
-    const contender *const *contenders; /* the first is compared with every other */
-    int contender_count;                /* 1 .. RACE_MAX_CONTENDERS */
+    const physics_engine *const *engines; /* the first is compared with every other */
+    int engine_count;                     /* 1 .. RACE_MAX_ENGINES */
     int repetitions;
 } race_settings;
 
@@ -30,7 +30,7 @@ typedef struct race_result {
     int size, bodies, steps, entry_count;
     double target;   /* against Box2D; 0: none */
     double limit_ms; /* on thud's worst step; 0: none */
-    race_entry entries[RACE_MAX_CONTENDERS];
+    race_entry entries[RACE_MAX_ENGINES];
 } race_result;
 
 /* False, and a line on stderr, when an engine or memory fails. `size` is the scene's. */

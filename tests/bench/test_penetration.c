@@ -13,20 +13,20 @@
 #include <stdlib.h>
 
 /* Poses as the scene gives them. */
-static contender_body *poses_of(const scene *s) {
-    contender_body *bodies = calloc((size_t)s->body_count, sizeof *bodies);
+static engine_body *poses_of(const scene *s) {
+    engine_body *bodies = calloc((size_t)s->body_count, sizeof *bodies);
     assert_non_null(bodies);
     for (int i = 0; i < s->body_count; i++) {
         const scene_body *body = &s->bodies[i];
-        bodies[i] = (contender_body){.x = body->x,
-                                     .y = body->y,
-                                     .cosine = cos(body->angle),
-                                     .sine = sin(body->angle)};
+        bodies[i] = (engine_body){.x = body->x,
+                                  .y = body->y,
+                                  .cosine = cos(body->angle),
+                                  .sine = sin(body->angle)};
     }
     return bodies;
 }
 
-static penetration measure(const scene *s, const contender_body *bodies) {
+static penetration measure(const scene *s, const engine_body *bodies) {
     penetration seen = {0};
     penetration_meter *meter = penetration_meter_create(s);
     assert_non_null(meter);
@@ -36,7 +36,7 @@ static penetration measure(const scene *s, const contender_body *bodies) {
 }
 
 static penetration measure_at_start(const scene *s) {
-    contender_body *bodies = poses_of(s);
+    engine_body *bodies = poses_of(s);
     penetration seen = measure(s, bodies);
     free(bodies);
     return seen;
@@ -138,7 +138,7 @@ static void meter_body_without_finite_pose_is_lost_and_harms_nothing(void **stat
     scene_init(&s);
     for (int i = 0; i < 3; i++)
         scene_dynamic_circle(&s, 0.75 * i, 0, 0.5);
-    contender_body *bodies = poses_of(&s);
+    engine_body *bodies = poses_of(&s);
     bodies[0].x = NAN;
     penetration seen = measure(&s, bodies);
     free(bodies);

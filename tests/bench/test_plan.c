@@ -64,9 +64,9 @@ static void options_without_any_are_all_scenes_in_all_engines(void **state) {
     assert_int_equal(o.parts, BENCH_SCENES);
     assert_int_equal(o.scene_count, bench_plan_count());
     assert_int_equal(o.repetitions, 3);
-    assert_ptr_equal(o.contenders[0], &contender_thud);
-    assert_ptr_equal(o.contenders[1], &contender_box2d);
-    assert_true(o.contender_count >= 2);
+    assert_ptr_equal(o.engines[0], &engine_thud);
+    assert_ptr_equal(o.engines[1], &engine_box2d);
+    assert_true(o.engine_count >= 2);
 }
 
 static void options_given_are_taken(void **state) {
@@ -79,7 +79,7 @@ static void options_given_are_taken(void **state) {
     assert_int_equal(o.parts, BENCH_PROFILE | BENCH_GROWTH);
     assert_int_equal(o.scene_count, 1);
     assert_int_equal(o.scenes[0].size, 500);
-    assert_int_equal(o.contender_count, 2);
+    assert_int_equal(o.engine_count, 2);
     assert_int_equal(o.repetitions, 1);
     assert_int_equal(o.steps, 7);
 }

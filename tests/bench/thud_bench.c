@@ -19,8 +19,8 @@ static bench_plan plan_of(const options *o, const chosen_scene *chosen) {
 
 static bool run_scene(const options *o, const chosen_scene *chosen, race_result *out) {
     race_settings settings = {
-        .contenders = o->contenders,
-        .contender_count = o->contender_count,
+        .engines = o->engines,
+        .engine_count = o->engine_count,
         .repetitions = o->repetitions,
     };
     scene s;

@@ -186,12 +186,12 @@ bool oracle_advance(oracle *o, double seconds) {
     return true;
 }
 
-void oracle_read(const oracle *o, contender_body *bodies) {
+void oracle_read(const oracle *o, engine_body *bodies) {
     for (int i = 0; i < o->model.scene->body_count; i++) {
         const model_body *body = &o->model.bodies[i];
         const motion *at = &o->places[i], *v = &o->velocities[i];
         double c = cos(at->turn), s = sin(at->turn);
-        bodies[i] = (contender_body){
+        bodies[i] = (engine_body){
             .x = at->x - body->center_x * c + body->center_y * s,
             .y = at->y - body->center_x * s - body->center_y * c,
             .cosine = c,
@@ -232,7 +232,7 @@ const oracle_force *oracle_forces(oracle *o, int *count) {
 }
 
 bool oracle_run(const scene *s, const oracle_settings *settings, const double *times, int count,
-                contender_body *samples, oracle_report *report) {
+                engine_body *samples, oracle_report *report) {
     oracle *o = oracle_create(s, settings);
     bool good = o != NULL;
     double now = 0;

@@ -1,6 +1,6 @@
 /* oracle.h: the judge of every engine's accuracy. It shares no code with any of them.
  *
- * Two uses. A meter scores the state that any contender gives back: overlap, approach at touching
+ * Two uses. A meter scores the state that any engine gives back: overlap, approach at touching
  * points, energy, momentum. And a reference simulation, slow and in double precision, says where
  * bodies ought to be, wherever that is not chaotic. README.md beside this file tells how both were
  * checked and how wrong they are themselves.
@@ -10,7 +10,7 @@
 #ifndef THUD_ORACLE_H
 #define THUD_ORACLE_H
 
-#include "contender.h"
+#include "engine.h"
 
 /* ---- scoring a state ---- */
 
@@ -48,7 +48,7 @@ void oracle_meter_destroy(oracle_meter *meter); /* null is fine */
 /* Scores one state, of the scene's bodies in their order. False, and *score is all zero, if memory
  * runs out. Pairs that cannot collide do not count: two shapes of one body, two bodies of which
  * none is dynamic, sensors, and what the filters keep apart. */
-bool oracle_measure(oracle_meter *meter, const contender_body *bodies, oracle_score *score);
+bool oracle_measure(oracle_meter *meter, const engine_body *bodies, oracle_score *score);
 
 /* How far one state is from another, over the dynamic bodies of the scene. A body that is lost in
  * either makes all of them infinite. */
@@ -58,8 +58,8 @@ typedef struct oracle_deviation {
     double velocity_max;               /* m/s */
 } oracle_deviation;
 
-oracle_deviation oracle_compare(const scene *s, const contender_body *expected,
-                                const contender_body *actual);
+oracle_deviation oracle_compare(const scene *s, const engine_body *expected,
+                                const engine_body *actual);
 
 /* ---- the reference simulation ---- */
 
@@ -101,7 +101,7 @@ void oracle_destroy(oracle *o); /* null is fine */
 bool oracle_advance(oracle *o, double seconds);
 
 /* The present state, in the scene's order, for oracle_measure and oracle_compare. */
-void oracle_read(const oracle *o, contender_body *bodies);
+void oracle_read(const oracle *o, engine_body *bodies);
 oracle_report oracle_get_report(const oracle *o);
 /* The forces at all points that bear any. Belongs to the oracle, valid until its next call; null,
  * and *count 0, if memory runs out. */
@@ -111,6 +111,6 @@ const oracle_force *oracle_forces(oracle *o, int *count);
  * to `samples`, which has room for count times body_count of them. `report` may be null. False for
  * the same reasons as oracle_create and oracle_advance. */
 bool oracle_run(const scene *s, const oracle_settings *settings, const double *times, int count,
-                contender_body *samples, oracle_report *report);
+                engine_body *samples, oracle_report *report);
 
 #endif

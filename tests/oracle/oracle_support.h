@@ -16,15 +16,15 @@
     } while (0)
 
 /* A body as the scene has it at the start. */
-static inline contender_body body_at_start(const scene *s, int index) {
+static inline engine_body body_at_start(const scene *s, int index) {
     const scene_body *b = &s->bodies[index];
-    return (contender_body){.x = b->x,
-                            .y = b->y,
-                            .cosine = cos(b->angle),
-                            .sine = sin(b->angle),
-                            .vx = b->vx,
-                            .vy = b->vy,
-                            .angular_velocity = b->angular_velocity};
+    return (engine_body){.x = b->x,
+                         .y = b->y,
+                         .cosine = cos(b->angle),
+                         .sine = sin(b->angle),
+                         .vx = b->vx,
+                         .vy = b->vy,
+                         .angular_velocity = b->angular_velocity};
 }
 
 #endif

@@ -43,19 +43,19 @@ void oracle_meter_destroy(oracle_meter *meter) {
     free(meter);
 }
 
-static bool is_finite(const contender_body *b) {
+static bool is_finite(const engine_body *b) {
     return isfinite(b->x) && isfinite(b->y) && isfinite(b->cosine) && isfinite(b->sine) &&
            hypot(b->cosine, b->sine) > 0 && isfinite(b->vx) && isfinite(b->vy) &&
            isfinite(b->angular_velocity);
 }
 
-static scene_point center_of(const model_body *body, const contender_body *at) {
+static scene_point center_of(const model_body *body, const engine_body *at) {
     return (scene_point){at->x + body->center_x * at->cosine - body->center_y * at->sine,
                          at->y + body->center_x * at->sine + body->center_y * at->cosine};
 }
 
 /* Sums that a single body adds to. */
-static void weigh_body(const scene *s, int index, const model_body *body, const contender_body *at,
+static void weigh_body(const scene *s, int index, const model_body *body, const engine_body *at,
                        oracle_score *score) {
     scene_point center = center_of(body, at);
     double vx = at->vx, vy = at->vy, spin = body->inertia > 0 ? at->angular_velocity : 0;
@@ -74,8 +74,7 @@ static void weigh_body(const scene *s, int index, const model_body *body, const 
 }
 
 /* Of the point (x, y) as a part of the body. */
-static scene_point velocity_at(const model_body *body, const contender_body *at, double x,
-                               double y) {
+static scene_point velocity_at(const model_body *body, const engine_body *at, double x, double y) {
     scene_point center = center_of(body, at);
     return (scene_point){at->vx - at->angular_velocity * (y - center.y),
                          at->vy + at->angular_velocity * (x - center.x)};
@@ -87,7 +86,7 @@ typedef struct tally {
     long points;
 } tally;
 
-static void measure_pair(const model *m, near_pair pair, const contender_body *bodies,
+static void measure_pair(const model *m, near_pair pair, const engine_body *bodies,
                          oracle_score *score, tally *sums) {
     const model_shape *a = &m->shapes[pair.a], *b = &m->shapes[pair.b];
     double size = fmin(a->size, b->size), margin = ORACLE_TOUCH * size;
@@ -115,7 +114,7 @@ static void measure_pair(const model *m, near_pair pair, const contender_body *b
     }
 }
 
-bool oracle_measure(oracle_meter *meter, const contender_body *bodies, oracle_score *score) {
+bool oracle_measure(oracle_meter *meter, const engine_body *bodies, oracle_score *score) {
     model *m = &meter->model;
     *score = (oracle_score){.height = -HUGE_VAL};
     for (int i = 0; i < m->scene->body_count; i++) {
@@ -145,14 +144,14 @@ bool oracle_measure(oracle_meter *meter, const contender_body *bodies, oracle_sc
     return true;
 }
 
-static double angle_between(const contender_body *a, const contender_body *b) {
+static double angle_between(const engine_body *a, const engine_body *b) {
     double across = a->cosine * b->sine - a->sine * b->cosine;
     double along = a->cosine * b->cosine + a->sine * b->sine;
     return fabs(atan2(across, along));
 }
 
-oracle_deviation oracle_compare(const scene *s, const contender_body *expected,
-                                const contender_body *actual) {
+oracle_deviation oracle_compare(const scene *s, const engine_body *expected,
+                                const engine_body *actual) {
     oracle_deviation d = {0};
     model m;
     double squares = 0;
@@ -161,7 +160,7 @@ oracle_deviation oracle_compare(const scene *s, const contender_body *expected,
     for (int i = 0; good && i < s->body_count; i++) {
         if (!m.bodies[i].dynamic)
             continue;
-        const contender_body *a = &expected[i], *b = &actual[i];
+        const engine_body *a = &expected[i], *b = &actual[i];
         good = is_finite(a) && is_finite(b);
         scene_point p = center_of(&m.bodies[i], a), q = center_of(&m.bodies[i], b);
         double distance = hypot(q.x - p.x, q.y - p.y);

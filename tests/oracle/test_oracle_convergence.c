@@ -29,8 +29,8 @@ static double fallen_angle(double start, double rate, double time) {
     return angle;
 }
 
-static contender_body state_after(const scene *s, int body, double step, double time) {
-    contender_body bodies[4];
+static engine_body state_after(const scene *s, int body, double step, double time) {
+    engine_body bodies[4];
     assert_true(s->body_count <= 4);
     oracle_settings settings = oracle_default_settings();
     settings.step = step;
@@ -66,7 +66,7 @@ static void oracle_toppling_box_converges_at_first_order(void **state) {
     s.bodies[1].angle = -start - atan(0.5);
     double expected = fallen_angle(start, rate, time), errors[HALVINGS];
     for (int i = 0; i < HALVINGS; i++) {
-        contender_body end = state_after(&s, 1, 1 / (120.0 * (1 << i)), time);
+        engine_body end = state_after(&s, 1, 1 / (120.0 * (1 << i)), time);
         errors[i] = fabs(-atan2(end.sine, end.cosine) - atan(0.5) - expected);
     }
     assert_order(errors, 1);
@@ -90,7 +90,7 @@ static void oracle_disc_rolling_on_disc_converges_at_second_order(void **state) 
     s.bodies[1].y = (big + small) * cos(start);
     double expected = fallen_angle(start, rate, time), errors[HALVINGS];
     for (int i = 0; i < HALVINGS; i++) {
-        contender_body end = state_after(&s, 1, 1 / (120.0 * (1 << i)), time);
+        engine_body end = state_after(&s, 1, 1 / (120.0 * (1 << i)), time);
         errors[i] = fabs(atan2(end.x, end.y) - expected);
     }
     assert_order(errors, 2);
@@ -109,7 +109,7 @@ static void oracle_damped_way_converges_at_second_order(void **state) {
     ball->linear_damping = 2;
     double errors[HALVINGS];
     for (int i = 0; i < HALVINGS; i++) {
-        contender_body end = state_after(&s, 0, 1 / (30.0 * (1 << i)), 1);
+        engine_body end = state_after(&s, 0, 1 / (30.0 * (1 << i)), 1);
         errors[i] = fabs(end.x - 2.5 * (1 - exp(-2)));
     }
     assert_order(errors, 2);
@@ -132,7 +132,7 @@ static void oracle_disc_that_begins_to_roll_is_wrong_by_less_than_a_step_allows(
         speed * slips - friction * G * slips * slips / 2 + 2.0 / 3 * speed * (time - slips);
     for (int i = 0; i < HALVINGS; i++) {
         double step = 1 / (100.0 * (1 << i));
-        contender_body end = state_after(&s, 1, step, time);
+        engine_body end = state_after(&s, 1, step, time);
         assert_near(end.vx, 2.0 / 3 * speed, 1e-9);
         assert_near(end.x, expected, friction * G * step * step);
     }

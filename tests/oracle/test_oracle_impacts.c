@@ -20,7 +20,7 @@ static void begin(scene *s, double restitution, double friction) {
     s->material.friction = friction;
 }
 
-static void run(const scene *s, double time, contender_body *bodies) {
+static void run(const scene *s, double time, engine_body *bodies) {
     oracle_report report;
     assert_true(oracle_run(s, NULL, &time, 1, bodies, &report));
     assert_true(report.residual_max < 1e-9);
@@ -33,7 +33,7 @@ static void oracle_head_on_impact_obeys_newton_and_momentum(void **state) {
     begin(&s, 0.5, 0);
     scene_dynamic_circle(&s, -3, 0, 0.5)->vx = 3;
     scene_dynamic_circle(&s, 3, 0, 1)->vx = -1;
-    contender_body end[2];
+    engine_body end[2];
     run(&s, 2, end);
     assert_near(end[0].vx, 3 - 4.0 / 5 * 1.5 * 4, 1e-12);
     assert_near(end[1].vx, -1 + 1.0 / 5 * 1.5 * 4, 1e-12);
@@ -51,7 +51,7 @@ static void oracle_oblique_elastic_impact_exchanges_the_normal_part(void **state
     scene_dynamic_circle(&s, -3, 0.6, 0.5)->vx = 5;
     scene_dynamic_circle(&s, 0, 0, 0.5);
     s.bodies[0].y = 0.6;
-    contender_body end[2];
+    engine_body end[2];
     run(&s, 1, end);
     assert_near(end[1].vx, 5 * 0.64, 1e-8);
     assert_near(end[1].vy, -5 * 0.48, 1e-8);
@@ -73,7 +73,7 @@ static void oracle_disc_against_rough_wall_gains_the_spin_of_coulomb(void **stat
         scene_body *disc = scene_dynamic_circle(&s, 0, 2, 0.5);
         disc->vx = tangent;
         disc->vy = -normal;
-        contender_body end[2];
+        engine_body end[2];
         run(&s, 1, end);
         double lost = fmin(tangent / 3, friction * (1 + e) * normal);
         assert_near(end[1].vy, e * normal, 1e-12);
@@ -92,7 +92,7 @@ static void oracle_rod_hit_at_its_end_turns_as_rigid_bodies_do(void **state) {
     scene_add_body(&s, SCENE_STATIC, 0.75, -1);
     scene_add_circle(&s, 0.5);
     scene_dynamic_box(&s, 0, 0, 1, 0.125)->vy = -2;
-    contender_body end[2];
+    engine_body end[2];
     run(&s, 0.25, end);
     double m = 0.5, inertia = m * (4 + 0.0625) / 12, arm = 0.75;
     double impulse = 2 * 2 / (1 / m + arm * arm / inertia);
@@ -106,7 +106,7 @@ static void oracle_cradle_hands_on_all_of_its_momentum(void **state) {
     (void)state;
     scene s;
     assert_true(scenes_fill(&scene_cradle, 5, &s));
-    contender_body *end = calloc((size_t)s.body_count, sizeof *end);
+    engine_body *end = calloc((size_t)s.body_count, sizeof *end);
     assert_non_null(end);
     run(&s, 2, end);
     for (int row = 1; row <= 3; row++)
@@ -126,7 +126,7 @@ static void oracle_cradle_on_a_floor_hands_on_all_of_its_momentum(void **state) 
     for (int i = 0; i < 5; i++)
         scene_dynamic_circle(&s, i == 0 ? -3 : i, 0.5, 0.5);
     s.bodies[1].vx = 5;
-    contender_body end[6];
+    engine_body end[6];
     run(&s, 1, end);
     for (int i = 1; i < 6; i++) {
         assert_near(end[i].vx, i == 5 ? 5 : 0, 1e-12);
@@ -145,7 +145,7 @@ static void oracle_row_of_lighter_balls_multiplies_the_speed(void **state) {
         scene_add_body(&s, SCENE_DYNAMIC, i == 0 ? -2 : i, 0),
             scene_add_circle(&s, 0.5)->material.density = density;
     s.bodies[0].vx = 3;
-    contender_body end[5];
+    engine_body end[5];
     run(&s, 1.5, end);
     for (int i = 0; i < 5; i++)
         assert_near(end[i].vx, 3 * pow(4.0 / 3, i) * (i < 4 ? 1.0 / 3 : 1), 1e-12);
@@ -163,7 +163,7 @@ static void oracle_elastic_gas_keeps_its_energy(void **state) {
             s.bodies[i].gravity_scale = gravity;
         oracle *o = oracle_create(&s, &(oracle_settings){1.0 / 240, 0});
         oracle_meter *meter = oracle_meter_create(&s);
-        contender_body *bodies = calloc((size_t)s.body_count, sizeof *bodies);
+        engine_body *bodies = calloc((size_t)s.body_count, sizeof *bodies);
         assert_true(o && meter && bodies);
         oracle_score before, after;
         oracle_read(o, bodies);
@@ -187,14 +187,14 @@ static void oracle_bullets_stay_in_their_rooms(void **state) {
     (void)state;
     scene s;
     assert_true(scenes_fill(&scene_bullets, 15, &s));
-    contender_body *end = calloc((size_t)s.body_count, sizeof *end);
+    engine_body *end = calloc((size_t)s.body_count, sizeof *end);
     assert_non_null(end);
     double time = 0.05;
     oracle_report report;
     assert_true(oracle_run(&s, NULL, &time, 1, end, &report));
     assert_true(report.impacts > 100);
     for (int lane = 0; lane < 15; lane++) {
-        const contender_body *bullet = &end[5 * lane + 4];
+        const engine_body *bullet = &end[5 * lane + 4];
         assert_true(fabs(bullet->x) < 12);
         assert_true(fabs(bullet->y - s.bodies[5 * lane + 4].y) < 0.9);
     }
@@ -211,7 +211,7 @@ static void oracle_fast_circle_meets_slanted_wall_at_the_exact_place(void **stat
     scene_add_body(&s, SCENE_STATIC, 0, 0)->angle = PI / 4;
     scene_add_obb(&s, 0.01, 5);
     scene_dynamic_circle(&s, -10, 0, 0.1)->vx = speed;
-    contender_body end[2];
+    engine_body end[2];
     run(&s, 2e-3, end);
     /* It turns down at x = -(0.1 + 0.01) sqrt(2), by the law of reflection. */
     double x = -0.11 * sqrt(2), met = (10 + x) / speed;
@@ -230,7 +230,7 @@ static void oracle_box_dropped_on_column_comes_to_rest_at_once(void **state) {
     scene_static_box(&s, 0, -1, 10, 1);
     for (int i = 0; i < 6; i++)
         scene_dynamic_box(&s, 0, i + 0.5 + (i == 5), 0.5, 0.5);
-    contender_body end[7];
+    engine_body end[7];
     run(&s, 1, end);
     for (int i = 1; i < 7; i++) {
         assert_near(end[i].y, i - 0.5, 1e-8);

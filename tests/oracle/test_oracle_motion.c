@@ -18,7 +18,7 @@ static void oracle_body_in_flight_follows_the_parabola(void **state) {
     box->vx = 3;
     box->vy = 4;
     box->angular_velocity = 2;
-    contender_body end;
+    engine_body end;
     double time = 1;
     assert_true(oracle_run(&s, NULL, &time, 1, &end, NULL));
     assert_near(end.x, 4, 1e-11);
@@ -37,7 +37,7 @@ static void oracle_damped_body_slows_exponentially(void **state) {
     scene_body *ball = scene_dynamic_circle(&s, 0, 0, 0.5);
     ball->vx = 5;
     ball->linear_damping = 2;
-    contender_body end;
+    engine_body end;
     double time = 1;
     assert_true(oracle_run(&s, NULL, &time, 1, &end, NULL));
     assert_near(end.vx, 5 * exp(-2), 1e-12);
@@ -61,7 +61,7 @@ static void oracle_ball_bounces_to_the_heights_of_newton(void **state) {
         power *= e;
         times[i] = now += power * fall;
     }
-    contender_body samples[6][2];
+    engine_body samples[6][2];
     oracle_report report;
     assert_true(oracle_run(&s, NULL, times, 6, samples[0], &report));
     for (int i = 0; i < 6; i++) {
@@ -87,7 +87,7 @@ static double acceleration_on_slope(bool disc, double friction) {
         scene_dynamic_box(&s, 0, 0, 1, 0.5)->angle = -atan(0.5);
     s.bodies[1].x = sine * 0.5;
     s.bodies[1].y = c * 0.5;
-    contender_body end[2];
+    engine_body end[2];
     double time = 2;
     oracle_report report;
     assert_true(oracle_run(&s, NULL, &time, 1, end, &report));
@@ -130,7 +130,7 @@ static void oracle_sliding_box_stops_after_the_known_way(void **state) {
     s.material.friction = 0.5;
     scene_static_box(&s, 0, -1, 20, 1);
     scene_dynamic_box(&s, 0, 0.5, 0.5, 0.5)->vx = 6;
-    contender_body end[2];
+    engine_body end[2];
     double time = 2;
     assert_true(oracle_run(&s, NULL, &time, 1, end, NULL));
     assert_near(end[1].x, 3.6, 1e-6);
@@ -155,7 +155,7 @@ static void oracle_bad_settings_and_times_are_refused(void **state) {
     assert_near(oracle_get_report(o).time, 0, 0);
     oracle_destroy(o);
     const double backwards[] = {1, 0.5};
-    contender_body samples[2];
+    engine_body samples[2];
     assert_false(oracle_run(&s, NULL, backwards, 2, samples, NULL));
     scene_free(&s);
 }

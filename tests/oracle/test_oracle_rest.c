@@ -33,7 +33,7 @@ static double normal_force(oracle *o, int body_a, int body_b) {
 }
 
 static double farthest_from_start(const scene *s, const oracle *o) {
-    contender_body *bodies = calloc((size_t)s->body_count, sizeof *bodies);
+    engine_body *bodies = calloc((size_t)s->body_count, sizeof *bodies);
     assert_non_null(bodies);
     oracle_read(o, bodies);
     double most = 0;
@@ -128,7 +128,7 @@ static void oracle_plank_beyond_the_edge_tips_at_the_known_rate(void **state) {
     scene_dynamic_box(&s, d, 0.0625, 2, 0.0625);
     oracle *o = oracle_create(&s, NULL);
     assert_true(oracle_advance(o, time));
-    contender_body bodies[2];
+    engine_body bodies[2];
     oracle_read(o, bodies);
     double gyration = (4 * 4 + 0.125 * 0.125) / 12 + d * d + 0.0625 * 0.0625;
     double rate = G * d / gyration;
@@ -171,7 +171,7 @@ static void oracle_box_and_plank_reach_their_common_speed(void **state) {
     scene_dynamic_box(&s, 0, 0.25, 3, 0.25);
     scene_dynamic_box(&s, -2, 1, 0.5, 0.5)->vx = 4;
     oracle *o = run_on(&s, 2);
-    contender_body bodies[3];
+    engine_body bodies[3];
     oracle_read(o, bodies);
     assert_near(bodies[1].vx, 1, 1e-9);
     assert_near(bodies[2].vx, 1, 1e-9);
@@ -188,7 +188,7 @@ static void oracle_pile_on_terrain_loses_energy_and_does_not_overlap(void **stat
     assert_true(scenes_fill(&scene_mixed_terrain, 20, &s));
     oracle *o = oracle_create(&s, &(oracle_settings){1.0 / 240, 0.01});
     oracle_meter *meter = oracle_meter_create(&s);
-    contender_body *bodies = calloc((size_t)s.body_count, sizeof *bodies);
+    engine_body *bodies = calloc((size_t)s.body_count, sizeof *bodies);
     assert_true(o && meter && bodies);
     double energy = HUGE_VAL;
     for (int i = 0; i < 12; i++) {

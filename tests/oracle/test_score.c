@@ -11,7 +11,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-static oracle_score score_of(const scene *s, const contender_body *bodies) {
+static oracle_score score_of(const scene *s, const engine_body *bodies) {
     oracle_score score;
     oracle_meter *meter = oracle_meter_create(s);
     assert_non_null(meter);
@@ -21,7 +21,7 @@ static oracle_score score_of(const scene *s, const contender_body *bodies) {
 }
 
 static oracle_score score_at_start(const scene *s) {
-    contender_body *bodies = calloc((size_t)s->body_count, sizeof *bodies);
+    engine_body *bodies = calloc((size_t)s->body_count, sizeof *bodies);
     assert_non_null(bodies);
     for (int i = 0; i < s->body_count; i++)
         bodies[i] = body_at_start(s, i);
@@ -134,7 +134,7 @@ static void score_lost_body_is_counted_and_harms_nothing(void **state) {
     scene_init(&s);
     for (int i = 0; i < 3; i++)
         scene_dynamic_circle(&s, 0.75 * i, 0, 0.5)->vx = 1;
-    contender_body bodies[3];
+    engine_body bodies[3];
     for (int i = 0; i < 3; i++)
         bodies[i] = body_at_start(&s, i);
     bodies[0].vy = NAN;
@@ -175,7 +175,7 @@ static void compare_shifted_and_turned_body_gives_both(void **state) {
     scene_static_box(&s, 0, -1, 10, 1);
     scene_dynamic_box(&s, 0, 0.5, 0.5, 0.5);
     scene_dynamic_box(&s, 3, 0.5, 0.5, 0.5);
-    contender_body expected[3], actual[3];
+    engine_body expected[3], actual[3];
     for (int i = 0; i < 3; i++)
         expected[i] = actual[i] = body_at_start(&s, i);
     actual[1].x += 3;

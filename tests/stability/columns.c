@@ -4,7 +4,7 @@
 #include <math.h>
 
 static double height_lost(ledger *l, entrant e, const scene *s, int boxes) {
-    trial *t = trial_begin(l, e, s, (trial_settings){0});
+    trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)
         return NAN;
     double lost = trial_steps(t, l->quick ? 60 : 1200) ? stack_lost(t, boxes, 1) : INFINITY;

@@ -32,7 +32,7 @@ static void fill(scene *s, int bodies, double spot) {
 
 /* The highest speed at any time, and what still overlaps at the end. */
 static void come_apart(ledger *l, entrant e, const scene *s, figure *speed, figure *left) {
-    trial *t = trial_begin(l, e, s, (trial_settings){0});
+    trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)
         return;
     double fastest = 0;

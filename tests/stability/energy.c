@@ -11,7 +11,7 @@ static double ball_height(ledger *l, entrant e) {
     s.material = (scene_material){.density = 1, .friction = 0, .restitution = 1};
     scene_static_box(&s, 0, -1, 10, 1);
     scene_dynamic_circle(&s, 0, 5.5, 0.5);
-    trial *t = trial_begin(l, e, &s, (trial_settings){0});
+    trial *t = trial_begin(l, e, &s, (engine_settings){0});
     double kept = NAN;
     if (t) {
         double start = trial_energy(t, 0.5);
@@ -34,7 +34,7 @@ static double gas_drift(ledger *l, entrant e, bool falling) {
         for (int i = 0; i < s.body_count; i++)
             s.bodies[i].gravity_scale = 1;
     }
-    trial *t = trial_begin(l, e, &s, (trial_settings){0});
+    trial *t = trial_begin(l, e, &s, (engine_settings){0});
     double drift = NAN;
     if (t) {
         double start = trial_energy(t, floor);
@@ -54,13 +54,13 @@ static double cradle_momentum(ledger *l, entrant e, int flying) {
     enum { CIRCLES = 5 };
     scene s;
     scenes_fill(&scene_cradle, CIRCLES, &s);
-    trial *t = trial_begin(l, e, &s, (trial_settings){0});
+    trial *t = trial_begin(l, e, &s, (engine_settings){0});
     double slowest = NAN;
     if (t) {
         /* They meet after 1.2 s, and would reach the wall after 2.4. */
         bool ok = trial_steps(t, 108);
-        const contender_body *bodies = trial_read(t);
-        const contender_body *row = &bodies[2 + CIRCLES * (flying - 1)];
+        const engine_body *bodies = trial_read(t);
+        const engine_body *row = &bodies[2 + CIRCLES * (flying - 1)];
         slowest = INFINITY;
         for (int i = CIRCLES - flying; i < CIRCLES; i++)
             slowest = fmin(slowest, row[i].vx);

@@ -35,7 +35,7 @@ typedef struct gain {
 /* In % of what there was to lose: all that it had above where its lowest body started, or more
  * where it came to lie lower still. */
 static gain most_gained(ledger *l, entrant e, const scene *s) {
-    trial *t = trial_begin(l, e, s, (trial_settings){0});
+    trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)
         return (gain){NAN, NAN};
     double floor = lowest_start(s), start = trial_energy(t, floor), least = start;

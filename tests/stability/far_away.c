@@ -12,21 +12,23 @@ typedef struct difference {
     double deeper; /* worst penetration at the end, of the two runs */
 } difference;
 
-static trial *run_scene(ledger *l, entrant e, const scene *s, trial_settings settings) {
-    trial *t = trial_begin(l, e, s, settings);
-    if (t)
+static trial *run_scene(ledger *l, entrant e, const scene *s, double x, double y) {
+    trial *t = trial_begin(l, e, s, (engine_settings){0});
+    if (t) {
+        trial_look_from(t, x, y);
         trial_steps(t, l->quick ? 60 : 600);
+    }
     return t;
 }
 
 static difference compare(trial *a, trial *b, int body_count) {
-    const contender_body *bodies_a = trial_read(a), *bodies_b = trial_read(b);
+    const engine_body *bodies_a = trial_read(a), *bodies_b = trial_read(b);
     difference d = {0, 0};
     for (int i = 0; i < body_count; i++) {
-        thud_pose pose_a, pose_b;
-        trial_pose(a, i, &pose_a);
-        trial_pose(b, i, &pose_b);
-        d.bodies += memcmp(&pose_a, &pose_b, sizeof pose_a) != 0 ||
+        float pose_a[4], pose_b[4];
+        trial_pose(a, i, pose_a);
+        trial_pose(b, i, pose_b);
+        d.bodies += memcmp(pose_a, pose_b, sizeof pose_a) != 0 ||
                     bodies_a[i].vx != bodies_b[i].vx || bodies_a[i].vy != bodies_b[i].vy ||
                     bodies_a[i].angular_velocity != bodies_b[i].angular_velocity;
     }
@@ -47,8 +49,8 @@ static difference far_from_near(ledger *l, entrant e, const scene_info *info, in
         return (difference){NAN, NAN};
     }
     scene_shift(&far, away, -away);
-    trial *a = run_scene(l, e, &near, (trial_settings){0});
-    trial *b = run_scene(l, e, &far, (trial_settings){.origin_x = away, .origin_y = -away});
+    trial *a = run_scene(l, e, &near, 0, 0);
+    trial *b = run_scene(l, e, &far, away, -away);
     difference d = a && b ? compare(a, b, near.body_count) : (difference){NAN, NAN};
     trial_end(a);
     trial_end(b);

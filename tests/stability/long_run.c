@@ -27,12 +27,12 @@ static void growth_tell(const growth *g, trial *t, entrant e, figure *bytes, fig
 /* Figures of one entrant; the first ten seconds, in which the stack settles, do not count. */
 static void stand(ledger *l, entrant e, const scene *s, figure *drift, figure *bytes,
                   figure *blocks) {
-    trial *t = trial_begin(l, e, s, (trial_settings){0});
+    trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)
         return;
     bool ok = trial_steps(t, 10 * SECOND);
     scene_point settled[BOXES + 1];
-    const contender_body *now = trial_read(t);
+    const engine_body *now = trial_read(t);
     for (int i = 0; i <= BOXES; i++)
         settled[i] = (scene_point){now[i].x, now[i].y};
     growth g = growth_begin(t);
@@ -69,7 +69,7 @@ static void fill_rain(scene *s) {
 /* In every step one circle goes and comes anew, each in its turn. The first minute does not count.
  */
 static void rain(ledger *l, entrant e, const scene *s, figure *bytes, figure *blocks) {
-    trial *t = trial_begin(l, e, s, (trial_settings){0});
+    trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)
         return;
     int first = s->body_count - RAIN;

@@ -20,7 +20,7 @@ static void fill_table(scene *s, double ratio) {
 }
 
 static bool has_fallen(trial *t) {
-    const contender_body *now = trial_read(t);
+    const engine_body *now = trial_read(t);
     const scene *s = trial_scene(t);
     for (int i = 1; i < s->body_count; i++)
         if (!(hypot(now[i].x - s->bodies[i].x, now[i].y - s->bodies[i].y) <= 0.5))
@@ -30,7 +30,7 @@ static bool has_fallen(trial *t) {
 
 /* In per cent of the small box's size, which is 1. */
 static double worst_penetration(ledger *l, entrant e, const scene *s) {
-    trial *t = trial_begin(l, e, s, (trial_settings){0});
+    trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)
         return NAN;
     penetration seen = {0};

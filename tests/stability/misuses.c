@@ -48,11 +48,11 @@ static void fill(scene *s) {
 /* How a process ends: what it has seen, or that it could not even begin. */
 enum { SEEN_UNTOLD = 1, SEEN_AFFECTED = 2, SEEN_LOST = 4, SEEN_NOTHING_OF_IT = 8 };
 
-static bool is_lost(const contender_body *b) {
+static bool is_lost(const engine_body *b) {
     return !isfinite(b->x + b->y + b->cosine + b->sine + b->vx + b->vy + b->angular_velocity);
 }
 
-static bool is_untouched(const contender_body *a, const contender_body *b) {
+static bool is_untouched(const engine_body *a, const engine_body *b) {
     return a->x == b->x && a->y == b->y && a->cosine == b->cosine && a->sine == b->sine &&
            a->vx == b->vx && a->vy == b->vy && a->angular_velocity == b->angular_velocity;
 }
@@ -62,17 +62,17 @@ static bool is_untouched(const contender_body *a, const contender_body *b) {
 static int see(ledger *l, entrant e, int which) {
     scene s;
     int seen = 0;
-    contender_body without[BODIES];
+    engine_body without[BODIES];
     fill(&s);
     for (int wrong = 0; wrong < 2; wrong++) {
-        trial *t = trial_begin(l, e, &s, (trial_settings){0});
+        trial *t = trial_begin(l, e, &s, (engine_settings){0});
         if (!t || !trial_steps(t, 30))
             return SEEN_NOTHING_OF_IT;
         if (wrong && !trial_misuse(t, VICTIM, CALLS[which].call, CALLS[which].value))
             seen |= SEEN_UNTOLD;
         if (!trial_steps(t, 120))
             return SEEN_NOTHING_OF_IT;
-        const contender_body *now = trial_read(t);
+        const engine_body *now = trial_read(t);
         for (int i = 0; i < BODIES; i++)
             if (wrong && i != VICTIM) {
                 seen |= is_untouched(&now[i], &without[i]) ? 0 : SEEN_AFFECTED;

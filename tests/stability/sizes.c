@@ -9,7 +9,7 @@ enum { STACKED = 10 };
 static double stack_penetration(ledger *l, entrant e, double size) {
     scene s;
     stack_init(&s, STACKED, size);
-    trial *t = trial_begin(l, e, &s, (trial_settings){0});
+    trial *t = trial_begin(l, e, &s, (engine_settings){0});
     double reached = NAN;
     if (t) {
         penetration seen = {0};
@@ -32,11 +32,11 @@ static double flea_penetration(ledger *l, entrant e, double small) {
     s.bodies[0].y = -big;
     scene_dynamic_box(&s, 0, 0, 0.5 * big, 0.5 * big)->y = 0.5 * big;
     scene_dynamic_box(&s, 0, 0, 0.5 * small, 0.5 * small)->y = big + 0.5 * small;
-    trial *t = trial_begin(l, e, &s, (trial_settings){0});
+    trial *t = trial_begin(l, e, &s, (engine_settings){0});
     double reached = NAN;
     if (t) {
         bool stepped = trial_steps(t, l->quick ? 60 : 600);
-        const contender_body *now = trial_read(t);
+        const engine_body *now = trial_read(t);
         double gap = (now[2].y - 0.5 * small) - (now[1].y + 0.5 * big);
         /* Resting apart by the contacts' own distance is no error; to have flown off is. */
         bool there = fabs(now[2].x) < small && gap < 0.1 * small + 0.01;

@@ -86,7 +86,7 @@ static double worse(double a, double b) {
 }
 
 static motion motion_of(trial *t, const slope *c) {
-    const contender_body *b = &trial_read(t)[1];
+    const engine_body *b = &trial_read(t)[1];
     scene_point d = downhill(c);
     return (motion){b->vx * d.x + b->vy * d.y, -b->angular_velocity};
 }
@@ -98,7 +98,7 @@ static double slide(ledger *l, entrant e, const slope *c) {
     double wrong = INFINITY;
     scene s;
     fill(&s, c);
-    trial *t = trial_begin(l, e, &s, (trial_settings){0});
+    trial *t = trial_begin(l, e, &s, (engine_settings){0});
     if (t && trial_steps(t, 30)) {
         motion before = motion_of(t, c);
         if (trial_steps(t, 60 * seconds)) {
@@ -121,13 +121,13 @@ static double creep(ledger *l, entrant e, const slope *c) {
     double furthest = INFINITY;
     scene s;
     fill(&s, c);
-    trial *t = trial_begin(l, e, &s, (trial_settings){0});
+    trial *t = trial_begin(l, e, &s, (engine_settings){0});
     if (t && trial_steps(t, 60)) {
-        contender_body start[4];
+        engine_body start[4];
         for (int i = 1; i <= c->count; i++)
             start[i] = trial_read(t)[i];
         if (trial_steps(t, 60 * seconds)) {
-            const contender_body *now = trial_read(t);
+            const engine_body *now = trial_read(t);
             furthest = 0;
             for (int i = 1; i <= c->count; i++)
                 furthest =

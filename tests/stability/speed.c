@@ -10,7 +10,7 @@
 enum { LANES = 50, SPEED_COUNT = 5, DEFAULT_EXACT = ON_DEFAULT | ON_EXACT };
 
 static const double SPEEDS[SPEED_COUNT] = {1e1, 1e2, 1e3, 1e4, 1e5};
-static const double STEP = CONTENDER_TIME_STEP, DEGREE = 0.017453292519943295;
+static const double STEP = ENGINE_TIME_STEP, DEGREE = 0.017453292519943295;
 static const double THICKNESS = 0.02;
 static const double WALL_MASS = 4; /* of one that moves; about a hundred bullets */
 static const double CLEAR = 0.25;  /* of the wall at the start; no bullet reaches as far */
@@ -95,13 +95,9 @@ static void fill(scene *s, scene_random *random, const range *r, double speed, d
     }
 }
 
-static bool is_bullet(int body) {
-    return body % 2 == 1;
-}
-
 /* What is lost counts as passed. */
 static int count_passed(trial *t) {
-    const contender_body *now = trial_read(t);
+    const engine_body *now = trial_read(t);
     const scene *s = trial_scene(t);
     int passed = 0;
     for (int i = 0; i + 1 < s->body_count; i += 2) {
@@ -120,7 +116,9 @@ static double fire(ledger *l, entrant e, const range *r, int shots) {
         for (int done = 0; done < shots; done += LANES) {
             scene s;
             fill(&s, &random, r, SPEEDS[i], done / LANES % 2 ? GRAVITY : 0);
-            trial *t = trial_begin(l, e, &s, (trial_settings){.is_bullet = is_bullet});
+            for (int b = 1; e == ENTRANT_BOX2D && b < s.body_count; b += 2)
+                s.bodies[b].detection = SCENE_SWEPT;
+            trial *t = trial_begin(l, e, &s, (engine_settings){.bullets = true});
             passed += t && trial_steps(t, steps_of(SPEEDS[i])) ? count_passed(t) : INFINITY;
             trial_end(t);
             scene_free(&s);

@@ -13,7 +13,7 @@ void stack_init(scene *s, int count, double size) {
 }
 
 double stack_lost(trial *t, int body, double size) {
-    const contender_body *now = trial_read(t);
+    const engine_body *now = trial_read(t);
     const scene_body *start = trial_scene(t)->bodies;
     for (int i = 1; i <= body; i++)
         if (!(fabs(now[i].x - start[i].x) <= 0.5 * size))

@@ -1,5 +1,6 @@
 /* thud_envelope.c: thud-envelope, drives thud and Box2D to every extreme at full length and writes
  * what they reached. */
+#include "engine.h"
 #include "page.h"
 #include "progress.h"
 
@@ -44,10 +45,7 @@ static bool want(settings *s, const char *name) {
 }
 
 static bool read_settings(settings *s, int argc, char **argv) {
-    *s = (settings){.entrants = ON_THUD};
-#ifdef THUD_BOX2D_BUILD
-    s->entrants = ON_ALL;
-#endif
+    *s = (settings){.entrants = engine_find("box2d") ? ON_ALL : ON_THUD};
     bool some = false;
     for (int i = 1; i < argc; i++) {
         const char *option = argv[i], *value = argv[i + 1];

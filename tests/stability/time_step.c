@@ -9,7 +9,7 @@ enum { BOXES = 10 };
 static double height_lost(ledger *l, entrant e, double first, double second) {
     scene s;
     stack_init(&s, BOXES, 1);
-    trial *t = trial_begin(l, e, &s, (trial_settings){.time_step = first});
+    trial *t = trial_begin(l, e, &s, (engine_settings){.time_step = first});
     double lost = NAN;
     if (t) {
         double seconds = l->quick ? 1 : 20;

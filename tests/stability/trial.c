@@ -1,5 +1,5 @@
 /* trial.c: runs a scene by one entrant, and measures it alike for all. */
-#include "trial_engine.h"
+#include "trial.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,30 +7,30 @@
 
 struct trial {
     ledger *ledger;
-    const trial_engine *engine;
+    const physics_engine *engine;
     const scene *scene;
-    trial_settings settings;
+    double origin_x, origin_y;
     void *world;
-    contender_body *bodies;
+    engine_body *bodies;
     penetration_meter *meter;
 };
 
-static const trial_engine *engine_of(entrant e) {
-#ifdef THUD_BOX2D_BUILD
-    if (e == ENTRANT_BOX2D)
-        return &TRIAL_BOX2D;
-#endif
-    return e == ENTRANT_BOX2D ? NULL : &TRIAL_THUD;
-}
+static const thud_quality *const QUALITIES[ENTRANTS] = {
+    [ENTRANT_DRAFT] = &thud_quality_draft,
+    [ENTRANT_DEFAULT] = &thud_quality_default,
+    [ENTRANT_HIGH] = &thud_quality_high,
+    [ENTRANT_EXACT] = &thud_quality_exact,
+};
 
-trial *trial_begin(ledger *l, entrant e, const scene *s, trial_settings settings) {
-    if (settings.time_step == 0)
-        settings.time_step = CONTENDER_TIME_STEP;
+trial *trial_begin(ledger *l, entrant e, const scene *s, engine_settings settings) {
+    settings.quality = QUALITIES[e];
+    settings.baseline_simd = l->baseline_simd;
     trial *t = calloc(1, sizeof *t);
     if (t) {
-        *t = (trial){.ledger = l, .engine = engine_of(e), .scene = s, .settings = settings};
+        const physics_engine *engine = engine_find(e == ENTRANT_BOX2D ? "box2d" : "thud");
+        *t = (trial){.ledger = l, .engine = engine, .scene = s};
         t->bodies = calloc((size_t)s->body_count + 1, sizeof *t->bodies);
-        t->world = t->engine ? t->engine->create(l, e, s, &settings) : NULL;
+        t->world = engine ? engine_create(engine, s, settings) : NULL;
     }
     if (!t || !t->bodies || !t->world) {
         fprintf(stderr, "stability: %s could not make a world of %d bodies\n", entrant_name(e),
@@ -50,6 +50,11 @@ void trial_end(trial *t) {
     penetration_meter_destroy(t->meter);
     free(t->bodies);
     free(t);
+}
+
+void trial_look_from(trial *t, double x, double y) {
+    t->origin_x = x;
+    t->origin_y = y;
 }
 
 bool trial_step(trial *t) {
@@ -81,17 +86,17 @@ bool trial_misuse(trial *t, int body, misuse call, double value) {
     return t->engine->misuse(t->world, body, call, value);
 }
 
-const contender_body *trial_read(trial *t) {
+const engine_body *trial_read(trial *t) {
     t->engine->read(t->world, t->bodies);
     for (int i = 0; i < t->scene->body_count; i++) {
-        t->bodies[i].x -= t->settings.origin_x;
-        t->bodies[i].y -= t->settings.origin_y;
+        t->bodies[i].x -= t->origin_x;
+        t->bodies[i].y -= t->origin_y;
     }
     return t->bodies;
 }
 
-void trial_pose(trial *t, int body, thud_pose *out) {
-    t->engine->pose(t->world, body, (thud_pos){t->settings.origin_x, t->settings.origin_y}, out);
+void trial_pose(trial *t, int body, float out[4]) {
+    t->engine->pose(t->world, body, t->origin_x, t->origin_y, out);
 }
 
 void trial_penetration(trial *t, penetration *seen) {
@@ -108,13 +113,13 @@ void trial_penetration(trial *t, penetration *seen) {
 }
 
 double trial_energy(trial *t, double floor) {
-    const contender_body *bodies = trial_read(t);
+    const engine_body *bodies = trial_read(t);
     const scene *s = t->scene;
     double energy = 0;
     for (int i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind != SCENE_DYNAMIC)
             continue;
-        const contender_body *b = &bodies[i];
+        const engine_body *b = &bodies[i];
         double gx = s->gravity_x * s->bodies[i].gravity_scale;
         double gy = s->gravity_y * s->bodies[i].gravity_scale;
         energy += 0.5 * b->mass * (b->vx * b->vx + b->vy * b->vy) +
@@ -125,7 +130,7 @@ double trial_energy(trial *t, double floor) {
 }
 
 double trial_speed(trial *t) {
-    const contender_body *bodies = trial_read(t);
+    const engine_body *bodies = trial_read(t);
     double fastest = 0;
     for (int i = 0; i < t->scene->body_count; i++) {
         double speed = hypot(bodies[i].vx, bodies[i].vy);
@@ -141,7 +146,7 @@ uint64_t trial_bytes(trial *t) {
 }
 
 uint64_t trial_allocations(trial *t) {
-    return t->engine->allocations(t->world);
+    return t->engine->allocations ? t->engine->allocations(t->world) : 0;
 }
 
 const scene *trial_scene(const trial *t) {

@@ -2,27 +2,19 @@
 #ifndef THUD_STABILITY_TRIAL_H
 #define THUD_STABILITY_TRIAL_H
 
-#include "contender.h"
+#include "engine.h"
 #include "extreme.h"
-#include "misuse.h"
 #include "penetration.h"
-
-#include <thud/thud.h>
-
-/* Each engine at its defaults with sleeping off, but for these. */
-typedef struct trial_settings {
-    double time_step;            /* s; 0: 1/60 */
-    bool every_bounce;           /* no approach is too slow to bounce */
-    bool (*is_bullet)(int body); /* Box2D: bodies that are bullets, without a limit of speed; thud
-                               knows neither. Null: none */
-    double origin_x, origin_y;   /* places are read relative to here */
-} trial_settings;
 
 typedef struct trial trial;
 
-/* Null, and the ledger has failed, when the world cannot be made. The scene must outlive it. */
-trial *trial_begin(ledger *l, entrant e, const scene *s, trial_settings settings);
+/* Null, and the ledger has failed, when the world cannot be made. The scene must outlive it. The
+ * entrant's quality is filled in. */
+trial *trial_begin(ledger *l, entrant e, const scene *s, engine_settings settings);
 void trial_end(trial *t); /* null is fine */
+
+/* Places are read relative to this one from now on; before, to (0, 0). */
+void trial_look_from(trial *t, double x, double y);
 
 /* False, and the ledger has failed, when a step is refused. */
 bool trial_step(trial *t);
@@ -37,14 +29,14 @@ bool trial_renew(trial *t, int body);
 bool trial_misuse(trial *t, int body, misuse call, double value);
 
 /* All bodies in the scene's order, as of now. Belongs to the trial, valid until its next call. */
-const contender_body *trial_read(trial *t);
-/* The same as the engine's own floats, relative to the origin: equal bits are equal states. */
-void trial_pose(trial *t, int body, thud_pose *out);
+const engine_body *trial_read(trial *t);
+/* The same as the engine's own floats: x, y, cosine, sine. Equal bits are equal states. */
+void trial_pose(trial *t, int body, float out[4]);
 
 /* Overlaps as of now, by exact geometry in double precision: no engine's own measure. `seen` adds
  * up what several calls saw. */
 void trial_penetration(trial *t, penetration *seen);
-/* Kinetic and potential, the latter above `floor` (y, relative to the origin). */
+/* Kinetic and potential, the latter above `floor` (y, relative to where it is looked from). */
 double trial_energy(trial *t, double floor);
 /* The largest speed of any body; infinite when a body's state is not finite. */
 double trial_speed(trial *t);

@@ -4,17 +4,17 @@
 #ifndef THUD_TRADEOFF_CASE_H
 #define THUD_TRADEOFF_CASE_H
 
-#include "contender.h"
+#include "engine.h"
 #include "oracle.h"
 #include "scenes.h"
 
 /* What can be seen of a world after a step, by no engine's own measure. Nothing is lost. */
 typedef struct sighting {
-    const scene *scene;           /* as it began */
-    const contender_body *bodies; /* as of now, in the scene's order */
-    double time;                  /* s since the start */
-    oracle_score score;           /* of this step */
-    const oracle_score *start;    /* ... and of the scene as it began */
+    const scene *scene;        /* as it began */
+    const engine_body *bodies; /* as of now, in the scene's order */
+    double time;               /* s since the start */
+    oracle_score score;        /* of this step */
+    const oracle_score *start; /* ... and of the scene as it began */
 } sighting;
 
 /* How the errors of the single steps make the one of the whole run. */

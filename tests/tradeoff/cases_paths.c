@@ -52,7 +52,7 @@ static double off_path(const sighting *now, double (*acceleration)(const incline
     double worst = 0;
     for (int i = 0; 2 * i < now->scene->body_count; i++) {
         const scene_body *start = &now->scene->bodies[2 * i + 1];
-        const contender_body *body = &now->bodies[2 * i + 1];
+        const engine_body *body = &now->bodies[2 * i + 1];
         double way = 0.5 * acceleration(&INCLINES[i]) * now->time * now->time;
         worst = fmax(worst, hypot(body->x - start->x - way * INCLINES[i].run,
                                   body->y - start->y + way * INCLINES[i].rise));
@@ -87,7 +87,7 @@ static double speed_off(const sighting *now) {
     double worst = 0;
     for (int row = 0; row < 3; row++) {
         for (int i = 0; i < length; i++) {
-            const contender_body *ball = &now->bodies[2 + row * length + i];
+            const engine_body *ball = &now->bodies[2 + row * length + i];
             double expected = i >= length - 1 - row ? speed : 0;
             worst = fmax(worst, hypot(ball->vx - expected, ball->vy) / speed);
         }

@@ -18,7 +18,7 @@ typedef struct run {
     const measure_plan *plan;
     scene scene;
     int steps;
-    contender_body *bodies;
+    engine_body *bodies;
     void *worlds[SETTINGS_MAX];
     series times[SETTINGS_MAX];
     double done, all; /* steps of any world, for the progress */
@@ -37,27 +37,27 @@ static void tell(run *r, int steps) {
 }
 
 static bool fail(const run *r, int which, const char *what) {
-    const setting *how = r->plan->settings[which];
+    const setting *how = &SETTINGS[which];
     fprintf(stderr, "thud-tradeoff: %s: %s, %s: %s\n", r->c->name, how->engine->name, how->name,
             what);
     return false;
 }
 
 static bool open_world(run *r, int which) {
-    const setting *how = r->plan->settings[which];
-    r->worlds[which] = how->engine->create(&r->scene, how);
+    const setting *how = &SETTINGS[which];
+    r->worlds[which] = engine_create(how->engine, &r->scene, how->with);
     return r->worlds[which] || fail(r, which, "no world");
 }
 
 static void close_worlds(run *r) {
-    for (int i = 0; i < r->plan->setting_count; i++) {
-        r->plan->settings[i]->engine->destroy(r->worlds[i]);
+    for (int i = 0; i < SETTING_COUNT; i++) {
+        SETTINGS[i].engine->destroy(r->worlds[i]);
         r->worlds[i] = NULL;
     }
 }
 
 static bool look_at(run *r, int which, yardstick *y) {
-    const setting_engine *engine = r->plan->settings[which]->engine;
+    const physics_engine *engine = SETTINGS[which].engine;
     if (!open_world(r, which))
         return false;
     engine->read(r->worlds[which], r->bodies);
@@ -67,7 +67,7 @@ static bool look_at(run *r, int which, yardstick *y) {
         if (!engine->step(r->worlds[which]))
             return fail(r, which, "a step failed");
         engine->read(r->worlds[which], r->bodies);
-        if (!yardstick_look(y, r->bodies, step * CONTENDER_TIME_STEP))
+        if (!yardstick_look(y, r->bodies, step * ENGINE_TIME_STEP))
             return fail(r, which, "out of memory");
         if (step % TURN == 0)
             tell(r, TURN);
@@ -86,7 +86,7 @@ static bool take_errors(run *r, int which, errors *out) {
 }
 
 static bool take_turn(run *r, int which, double *ms, int count) {
-    const setting_engine *engine = r->plan->settings[which]->engine;
+    const physics_engine *engine = SETTINGS[which].engine;
     for (int i = 0; i < count; i++) {
         double start = now_ms();
         bool ok = engine->step(r->worlds[which]);
@@ -99,15 +99,14 @@ static bool take_turn(run *r, int which, double *ms, int count) {
 }
 
 static bool repeat_once(run *r, int repetition) {
-    int settings = r->plan->setting_count;
     bool ok = true;
-    for (int i = 0; ok && i < settings; i++)
+    for (int i = 0; ok && i < SETTING_COUNT; i++)
         ok = open_world(r, i);
     for (int first = 0; ok && first < r->steps; first += TURN) {
         int count = r->steps - first < TURN ? r->steps - first : TURN;
         /* Going first goes round. */
-        for (int i = 0; ok && i < settings; i++) {
-            int which = (first / TURN + repetition + i) % settings;
+        for (int i = 0; ok && i < SETTING_COUNT; i++) {
+            int which = (first / TURN + repetition + i) % SETTING_COUNT;
             ok = take_turn(r, which, r->times[which].ms + repetition * r->steps + first, count);
         }
     }
@@ -129,28 +128,28 @@ static cost cost_of(const series *times) {
 }
 
 static bool take_all(run *r, measurement *out) {
-    int settings = r->plan->setting_count, repetitions = r->plan->repetitions;
-    r->all = (double)settings * r->steps * (1 + repetitions);
+    int repetitions = r->plan->repetitions;
+    r->all = (double)SETTING_COUNT * r->steps * (1 + repetitions);
     *out = (measurement){.c = r->c,
                          .bodies = r->scene.body_count,
                          .steps = r->steps,
                          .repetitions = repetitions,
-                         .point_count = settings};
+                         .point_count = SETTING_COUNT};
     r->bodies = calloc((size_t)r->scene.body_count + 1, sizeof *r->bodies);
     bool ok = r->bodies != NULL;
-    for (int i = 0; ok && i < settings; i++)
+    for (int i = 0; ok && i < SETTING_COUNT; i++)
         ok = series_init(&r->times[i], r->steps, repetitions);
     if (!ok)
         fprintf(stderr, "thud-tradeoff: %s: out of memory\n", r->c->name);
-    for (int i = 0; ok && i < settings; i++)
+    for (int i = 0; ok && i < SETTING_COUNT; i++)
         ok = take_errors(r, i, &out->points[i].errors);
     for (int i = 0; ok && i < repetitions; i++)
         ok = repeat_once(r, i);
-    for (int i = 0; ok && i < settings; i++) {
-        out->points[i].how = r->plan->settings[i];
+    for (int i = 0; ok && i < SETTING_COUNT; i++) {
+        out->points[i].how = &SETTINGS[i];
         out->points[i].cost = cost_of(&r->times[i]);
     }
-    for (int i = 0; i < settings; i++)
+    for (int i = 0; i < SETTING_COUNT; i++)
         series_free(&r->times[i]);
     free(r->bodies);
     return ok;

@@ -2,12 +2,10 @@
 #ifndef THUD_TRADEOFF_MEASURE_H
 #define THUD_TRADEOFF_MEASURE_H
 
-#include "setting.h"
+#include "settings.h"
 #include "yardstick.h"
 
 typedef struct measure_plan {
-    const setting *settings[SETTINGS_MAX];
-    int setting_count;
     int repetitions; /* of the timed runs */
     bool quick;
     /* Told now and then how far it is, in [0, 1]; null: nobody looks. */

@@ -13,7 +13,7 @@
 
 typedef struct made {
     scene scene;
-    contender_body *bodies; /* as the scene has them, until a test moves them */
+    engine_body *bodies; /* as the scene has them, until a test moves them */
     yardstick *yardstick;
 } made;
 
@@ -26,13 +26,13 @@ static void make(made *m, const tradeoff_case *c) {
     assert_non_null(m->yardstick);
     for (int i = 0; i < m->scene.body_count; i++) {
         const scene_body *b = &m->scene.bodies[i];
-        m->bodies[i] = (contender_body){.x = b->x,
-                                        .y = b->y,
-                                        .cosine = cos(b->angle),
-                                        .sine = sin(b->angle),
-                                        .vx = b->vx,
-                                        .vy = b->vy,
-                                        .angular_velocity = b->angular_velocity};
+        m->bodies[i] = (engine_body){.x = b->x,
+                                     .y = b->y,
+                                     .cosine = cos(b->angle),
+                                     .sine = sin(b->angle),
+                                     .vx = b->vx,
+                                     .vy = b->vy,
+                                     .angular_velocity = b->angular_velocity};
     }
     assert_true(yardstick_begin(m->yardstick, m->bodies));
 }
@@ -90,7 +90,7 @@ static void column_keeps_the_worst_height_it_lost(void **state) {
     (void)state;
     made m;
     make(&m, &case_column_30);
-    contender_body *top = &m.bodies[m.scene.body_count - 1];
+    engine_body *top = &m.bodies[m.scene.body_count - 1];
     top->y -= 0.125;
     look(&m, 1);
     top->y += 0.0625;

@@ -87,21 +87,17 @@ static bool read_options(options *o, int argc, char **argv) {
     return true;
 }
 
-static void add_settings(measure_plan *plan, const setting *settings, int count) {
-    for (int i = 0; i < count; i++)
-        plan->settings[plan->setting_count++] = &settings[i];
-}
-
 static void write_point(json *out, const point *p) {
+    const engine_settings *with = &p->how->with;
     json_begin_object(out, NULL);
     json_text(out, "engine", p->how->engine->name);
     json_text(out, "curve", p->how->curve);
     json_text(out, "setting", p->how->name);
-    json_number(out, "substeps", p->how->quality ? p->how->quality->substeps : p->how->substeps);
+    json_number(out, "substeps", with->quality ? with->quality->substeps : with->substeps);
     json_number(out, "contact_hertz",
-                p->how->quality ? p->how->quality->contact_stiffness * p->how->quality->substeps /
-                                      CONTENDER_TIME_STEP
-                                : p->how->contact_hertz);
+                with->quality
+                    ? with->quality->contact_stiffness * with->quality->substeps / ENGINE_TIME_STEP
+                    : with->contact_hertz);
     json_number(out, "error", p->errors.error);
     json_number(out, "ms_median", p->cost.median);
     json_number(out, "ms_mean", p->cost.mean);
@@ -175,9 +171,5 @@ int main(int argc, char **argv) {
     }
     if (o.list)
         return list_cases(o.plan.quick) ? 0 : 1;
-    add_settings(&o.plan, SETTINGS_THUD, SETTINGS_THUD_COUNT);
-#ifdef THUD_TRADEOFF_BOX2D
-    add_settings(&o.plan, SETTINGS_BOX2D, SETTINGS_BOX2D_COUNT);
-#endif
     return run_cases(&o) ? 0 : 1;
 }

@@ -2,7 +2,7 @@
 
 import math
 
-# A picture's curves; the second one's start is the first one's, see setting_box2d.c.
+# A picture's curves; the second one's start is the first one's, see settings.c.
 CURVES = ["thud", "thud soft", "thud swept", "box2d", "box2d stiff"]
 SHARED_SUBSTEPS = 4
 

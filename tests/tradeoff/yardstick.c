@@ -53,14 +53,14 @@ void yardstick_destroy(yardstick *y) {
     free(y);
 }
 
-bool yardstick_begin(yardstick *y, const contender_body *bodies) {
+bool yardstick_begin(yardstick *y, const engine_body *bodies) {
     bool ok = oracle_measure(y->meter, bodies, &y->start);
     y->energy_most = y->start.energy;
     y->kinetic_most = y->start.kinetic_energy;
     return ok;
 }
 
-bool yardstick_look(yardstick *y, const contender_body *bodies, double time) {
+bool yardstick_look(yardstick *y, const engine_body *bodies, double time) {
     sighting now = {
         .scene = y->scene,
         .bodies = bodies,

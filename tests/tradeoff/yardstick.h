@@ -22,9 +22,9 @@ void yardstick_destroy(yardstick *y); /* null is fine */
 
 /* `bodies`: those of the scene before the first step, in its order. These two give false if memory
  * runs out. */
-bool yardstick_begin(yardstick *y, const contender_body *bodies);
+bool yardstick_begin(yardstick *y, const engine_body *bodies);
 /* As of the given time in s, once for every step. */
-bool yardstick_look(yardstick *y, const contender_body *bodies, double time);
+bool yardstick_look(yardstick *y, const engine_body *bodies, double time);
 errors yardstick_conclude(const yardstick *y);
 
 #endif

@@ -1,5 +1,5 @@
 /* misuse_thud.c: each wrong call in thud's words. */
-#include "trial_engine.h"
+#include "misuse_thud.h"
 
 static thud_result add_circle(thud_world *w, thud_body_id body, float radius, float density,
                               float friction) {

@@ -1,6 +1,6 @@
 /* misuse_box2d.h: see misuse_box2d.c. */
-#ifndef THUD_STABILITY_MISUSE_BOX2D_H
-#define THUD_STABILITY_MISUSE_BOX2D_H
+#ifndef THUD_ADAPTERS_MISUSE_BOX2D_H
+#define THUD_ADAPTERS_MISUSE_BOX2D_H
 
 #include "misuse.h"
 

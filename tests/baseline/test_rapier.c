@@ -1,4 +1,4 @@
-/* test_rapier_as_contender.c: Rapier gets the scene that the others get: the same bodies in the
+/* test_rapier.c: Rapier gets the scene that the others get: the same bodies in the
  * same order, the same ground, the same materials, and sleep only where it is asked for. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "contender.h"
+#include "engine.h"
 
 #include <math.h>
 
@@ -18,10 +18,11 @@ static void assert_near(double actual, double expected, double tolerance) {
 }
 
 /* Frees the scene. */
-static void run(const contender *engine, scene *s, bool sleeping, int steps, contender_body *out) {
+static void run(const physics_engine *engine, scene *s, bool sleeping, int steps,
+                engine_body *out) {
     assert_false(s->failed);
     assert_true(s->body_count <= MOST);
-    void *world = engine->create(s, (contender_settings){.sleeping = sleeping});
+    void *world = engine_create(engine, s, (engine_settings){.sleeping = sleeping});
     assert_non_null(world);
     for (int i = 0; i < steps; i++)
         assert_true(engine->step(world));
@@ -39,8 +40,8 @@ static void body_of_each_kind_reads_back_in_the_order_of_creation(void **state) 
     scene_body *box = scene_dynamic_box(&s, 30, 40, 0.5, 0.25);
     box->angle = 0.5;
     box->angular_velocity = -2;
-    contender_body b[MOST];
-    run(&contender_rapier, &s, false, 0, b);
+    engine_body b[MOST];
+    run(&engine_rapier, &s, false, 0, b);
     assert_near(b[0].x, 1, 0);
     assert_near(b[1].vx, 7, 0);
     assert_near(b[1].mass, acos(-1) * 0.25, 1e-6);
@@ -67,8 +68,8 @@ static void balls_on_every_kind_of_ground_rest_at_their_radius(void **state) {
     scene_dynamic_circle(&s, -20, 1, 0.5);
     scene_dynamic_circle(&s, 51.5, 6, 0.5);
     scene_dynamic_circle(&s, 102, 10, 0.5);
-    contender_body b[MOST];
-    run(&contender_rapier, &s, false, 180, b);
+    engine_body b[MOST];
+    run(&engine_rapier, &s, false, 180, b);
     assert_near(b[3].y, 0.5, 0.01);
     assert_near(b[4].y, 5.5, 0.01);
     assert_near(b[5].y, 9.5, 0.01);
@@ -83,8 +84,8 @@ static void sleep_comes_only_where_it_is_asked_for(void **state) {
         scene_init(&s);
         scene_static_box(&s, 0, -1, 10, 1);
         scene_dynamic_box(&s, 0, 0.5, 0.5, 0.5);
-        contender_body b[MOST];
-        run(&contender_rapier, &s, sleeping, 300, b);
+        engine_body b[MOST];
+        run(&engine_rapier, &s, sleeping, 300, b);
         assert_int_equal(b[1].awake, !sleeping);
     }
 }
@@ -92,7 +93,7 @@ static void sleep_comes_only_where_it_is_asked_for(void **state) {
 /* Down a slope of 0.5, material as mixed by the geometric mean: friction 0.9 on 0.1 is 0.3. */
 static void box_on_a_slope_slides_as_in_thud(void **state) {
     (void)state;
-    const contender *engines[] = {&contender_thud, &contender_rapier};
+    const physics_engine *engines[] = {&engine_thud, &engine_rapier};
     double speed[2];
     for (int e = 0; e < 2; e++) {
         scene s;
@@ -103,7 +104,7 @@ static void box_on_a_slope_slides_as_in_thud(void **state) {
         s.material.friction = 0.1;
         scene_body *box = scene_dynamic_box(&s, 0, 0.5 * sqrt(1.25), 0.5, 0.5);
         box->angle = -atan(0.5);
-        contender_body b[MOST];
+        engine_body b[MOST];
         run(engines[e], &s, false, 60, b);
         speed[e] = b[1].vx;
     }
@@ -114,17 +115,17 @@ static void box_on_a_slope_slides_as_in_thud(void **state) {
 
 static void bytes_grow_with_the_world_and_go_with_it(void **state) {
     (void)state;
-    uint64_t before = contender_rapier.bytes(NULL);
+    uint64_t before = engine_rapier.bytes(NULL);
     scene s;
     scene_init(&s);
     for (int i = 0; i < 1000; i++)
         scene_dynamic_circle(&s, 2.0 * i, 0, 0.5);
-    void *world = contender_rapier.create(&s, (contender_settings){0});
+    void *world = engine_create(&engine_rapier, &s, (engine_settings){0});
     assert_non_null(world);
-    assert_true(contender_rapier.step(world));
-    assert_true(contender_rapier.bytes(world) > before + 1000 * 100);
-    contender_rapier.destroy(world);
-    assert_true(contender_rapier.bytes(NULL) < before + 1000);
+    assert_true(engine_rapier.step(world));
+    assert_true(engine_rapier.bytes(world) > before + 1000 * 100);
+    engine_rapier.destroy(world);
+    assert_true(engine_rapier.bytes(NULL) < before + 1000);
     scene_free(&s);
 }
 

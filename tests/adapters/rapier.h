@@ -1,7 +1,7 @@
 /* rapier.h: what rapier/src/lib.rs offers to C. Bodies come first, then their shapes: a shape
  * belongs to the body that was added last. Memory that runs out ends the program, as in Rust. */
-#ifndef THUD_BASELINE_RAPIER_H
-#define THUD_BASELINE_RAPIER_H
+#ifndef THUD_ADAPTERS_RAPIER_H
+#define THUD_ADAPTERS_RAPIER_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,21 +1,22 @@
-/* contender_rapier.c: Rapier 2D at its defaults: 4 substeps, continuous against static shapes.
+/* engine_rapier.c: Rapier 2D, behind engine.h, at its defaults: 4 substeps, continuous against
+ * static shapes. Its events go to a handler that there is none of: only its speed and overlap are
+ * compared.
  *
  * As in Box2D, terrain is a one-sided line whose points go from right to left; an endless one ends
  * somewhere. Collision groups by number, which only levels use, have no counterpart. */
-#include "contender.h"
+#include "engine.h"
 #include "rapier.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
 /* Half the width of what stands in for an endless line, in metres. */
 #define FLAT_HALF_WIDTH 4096.0
 
-typedef struct rapier_contender {
+typedef struct own_world {
     rapier_world *world;
     rapier_state *states;
     int body_count;
-} rapier_contender;
+} own_world;
 
 static bool add_terrain(rapier_world *world, const scene *s, const scene_shape *shape,
                         const rapier_shape *own) {
@@ -89,7 +90,7 @@ static bool add_body(rapier_world *world, const scene *s, const scene_body *body
 }
 
 static void destroy(void *state) {
-    rapier_contender *own = state;
+    own_world *own = state;
     if (!own)
         return;
     if (own->world)
@@ -98,43 +99,36 @@ static void destroy(void *state) {
     free(own);
 }
 
-static void *create(const scene *s, contender_settings settings) {
-#if defined(__x86_64__)
-    if (!__builtin_cpu_supports("avx2")) {
-        fprintf(stderr, "rapier: this processor has no AVX2, which the library was built for\n");
-        return NULL;
-    }
-#endif
-    rapier_contender *own = calloc(1, sizeof *own);
+static void *create(const scene *s, const engine_settings *settings) {
+    own_world *own = calloc(1, sizeof *own);
     bool ok = own != NULL;
     if (ok) {
         own->body_count = s->body_count;
         own->states = calloc((size_t)s->body_count + 1, sizeof *own->states);
         own->world = rapier_create((float)s->gravity_x, (float)s->gravity_y,
-                                   (float)CONTENDER_TIME_STEP, (float)s->length_scale);
+                                   (float)settings->time_step, (float)s->length_scale);
         ok = own->states && own->world;
     }
     for (int i = 0; ok && i < s->body_count; i++)
-        ok = add_body(own->world, s, &s->bodies[i], settings.sleeping);
+        ok = add_body(own->world, s, &s->bodies[i], settings->sleeping);
     if (ok)
         return own;
-    fprintf(stderr, "rapier: scene %s could not be built\n", s->name);
     destroy(own);
     return NULL;
 }
 
 static bool step(void *state) {
-    rapier_contender *own = state;
+    own_world *own = state;
     rapier_step(own->world);
     return true;
 }
 
-static void read_bodies(void *state, contender_body *bodies) {
-    rapier_contender *own = state;
+static void read_bodies(void *state, engine_body *bodies) {
+    own_world *own = state;
     rapier_read(own->world, own->states);
     for (int i = 0; i < own->body_count; i++) {
         const rapier_state *now = &own->states[i];
-        bodies[i] = (contender_body){
+        bodies[i] = (engine_body){
             .x = now->x,
             .y = now->y,
             .cosine = now->cosine,
@@ -149,23 +143,17 @@ static void read_bodies(void *state, contender_body *bodies) {
     }
 }
 
-/* Only its speed and overlap are compared; its events go to a handler that there is none of. */
-static contender_events events(void *state) {
-    (void)state;
-    return (contender_events){0};
-}
-
 static uint64_t bytes(void *state) {
     (void)state;
     return rapier_bytes();
 }
 
-const contender contender_rapier = {
+const physics_engine engine_rapier = {
     .name = "rapier",
+    .needs_avx2 = true,
     .create = create,
     .destroy = destroy,
     .step = step,
     .read = read_bodies,
-    .events = events,
     .bytes = bytes,
 };

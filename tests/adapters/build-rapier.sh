@@ -43,7 +43,7 @@ library=$out/rapier-cargo/release/librapier_baseline.a
 version=$(sed -n 's/^rapier2d = "=\(.*\)"$/\1/p' Cargo.toml)
 cmp -s "$library" "$out/lib/librapier.a" || cp "$library" "$out/lib/librapier.a"
 cat >"$out/rapier.cmake.new" <<END
-# Written by tests/baseline/build-rapier.sh.
+# Written by tests/adapters/build-rapier.sh.
 set(RAPIER_LIBRARY "$out/lib/librapier.a")
 set(RAPIER_LINK pthread m dl)
 set(RAPIER_BUILD "$version, $(rustc --version | cut -d '(' -f 1)-O3${flags:+ $flags}")

@@ -88,7 +88,7 @@ rm -rf "$out/include/box2d"
 cp -R "$headers" "$out/include/box2d"
 cmp -s "$library" "$out/lib/libbox2d.a" || cp "$library" "$out/lib/libbox2d.a"
 cat >"$out/baseline.cmake.new" <<END
-# Written by tests/baseline/build.sh.
+# Written by tests/adapters/build.sh.
 set(BOX2D_INCLUDE_DIR "$out/include")
 set(BOX2D_LIBRARY "$out/lib/libbox2d.a")
 set(BOX2D_LINK pthread m dl)

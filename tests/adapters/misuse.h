@@ -1,6 +1,6 @@
 /* misuse.h: wrong calls that every engine's API has a place for. */
-#ifndef THUD_STABILITY_MISUSE_H
-#define THUD_STABILITY_MISUSE_H
+#ifndef THUD_ADAPTERS_MISUSE_H
+#define THUD_ADAPTERS_MISUSE_H
 
 typedef enum misuse {
     MISUSE_POSITION = 0, /* a body is put there, both coordinates */

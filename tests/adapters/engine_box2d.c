@@ -1,18 +1,30 @@
-/* build_box2d.c: reads a scene, writes a Box2D world. The same doubles are rounded to the same
- * floats as in build_thud.c. What needs translation:
+/* engine_box2d.c: Box2D v3.2, behind engine.h. The same doubles are rounded to the same floats as
+ * in build_thud.c. What needs translation:
  *
  * - An AABB is a box whose body is locked against turning.
  * - Terrain is a chain: one-sided, solid to the left of its direction of travel, so its points go
  *   from right to left. A chain's first and last edge do not collide, so that each end gets a
  *   ghost point that continues the last edge.
  * - Friction mixes as sqrt(a * b) and restitution as the larger in both engines. */
-#include "build_box2d.h"
+#include "engine.h"
+#include "misuse_box2d.h"
 
+#include <box2d/box2d.h>
 #include <math.h>
 #include <stdlib.h>
 
 /* Half the width of what stands in for an endless line, in metres. */
 #define FLAT_HALF_WIDTH 4096.0
+
+/* What no speed of any scene comes near, in m/s. */
+#define NO_LIMIT_OF_SPEED 1e9f
+
+typedef struct own_world {
+    b2WorldId id;
+    float time_step;
+    int substeps, body_count;
+    b2BodyId bodies[];
+} own_world;
 
 static void be_silent(const char *message) {
     (void)message;
@@ -105,8 +117,8 @@ static bool add_shape(b2BodyId body, const scene *s, const scene_shape *shape, b
     return false;
 }
 
-static bool add_body(b2WorldId world, const scene *s, const scene_body *body, bool events,
-                     b2BodyId *out) {
+static bool add_body(own_world *own, const scene *s, int index, const engine_settings *settings) {
+    const scene_body *body = &s->bodies[index];
     b2BodyDef def = b2DefaultBodyDef();
     def.type = body_type(body->kind);
     def.position = vec2(body->x, body->y);
@@ -117,35 +129,137 @@ static bool add_body(b2WorldId world, const scene *s, const scene_body *body, bo
     def.angularDamping = (float)body->angular_damping;
     def.motionLocks.angularZ = body->fixed_rotation;
     def.enableSleep = body->may_sleep;
-    *out = b2CreateBody(world, &def);
-    bool ok = B2_IS_NON_NULL(*out);
+    def.isBullet = settings->bullets && body->detection == SCENE_SWEPT;
+    b2BodyId id = own->bodies[index] = b2CreateBody(own->id, &def);
+    bool ok = B2_IS_NON_NULL(id);
     for (int i = 0; ok && i < body->shape_count; i++)
-        ok = add_shape(*out, s, &s->shapes[body->first_shape + i], events);
+        ok = add_shape(id, s, &s->shapes[body->first_shape + i], settings->events);
     /* Only now is the centre of mass known, whose velocity a scene gives. */
     if (ok)
-        b2Body_SetLinearVelocity(*out, vec2(body->vx, body->vy));
+        b2Body_SetLinearVelocity(id, vec2(body->vx, body->vy));
     return ok;
 }
 
-bool scene_build_box2d(const scene *s, box2d_settings settings, b2WorldId *out, b2BodyId *bodies) {
-    *out = b2_nullWorldId;
-    if (s->failed)
-        return false;
+static void destroy(void *state) {
+    own_world *own = state;
+    if (own && B2_IS_NON_NULL(own->id))
+        b2DestroyWorld(own->id);
+    free(own);
+}
+
+/* The length scale is one number for all of Box2D: worlds of different scales cannot live at the
+ * same time. */
+static void *create(const scene *s, const engine_settings *settings) {
+    own_world *own = calloc(1, sizeof *own + (size_t)s->body_count * sizeof own->bodies[0]);
+    if (!own)
+        return NULL;
     b2SetLogFcn(be_silent);
     b2SetLengthUnitsPerMeter((float)s->length_scale);
     b2WorldDef def = b2DefaultWorldDef();
     def.gravity = vec2(s->gravity_x, s->gravity_y);
-    def.enableSleep = settings.sleeping;
+    def.enableSleep = settings->sleeping;
     def.workerCount = 1;
-    b2WorldId world = b2CreateWorld(&def);
-    bool ok = !B2_IS_NULL(world);
+    if (settings->contact_hertz > 0)
+        def.contactHertz = (float)settings->contact_hertz;
+    if (settings->bullets)
+        def.maximumLinearSpeed = NO_LIMIT_OF_SPEED;
+    own->id = b2CreateWorld(&def);
+    own->time_step = (float)settings->time_step;
+    own->substeps = settings->substeps;
+    own->body_count = s->body_count;
+    bool ok = B2_IS_NON_NULL(own->id);
     for (int i = 0; ok && i < s->body_count; i++)
-        ok = add_body(world, s, &s->bodies[i], settings.events, &bodies[i]);
-    if (!ok) {
-        if (!B2_IS_NULL(world))
-            b2DestroyWorld(world);
-        return false;
-    }
-    *out = world;
+        ok = add_body(own, s, i, settings);
+    if (ok)
+        return own;
+    destroy(own);
+    return NULL;
+}
+
+static bool step(void *state) {
+    own_world *own = state;
+    b2World_Step(own->id, own->time_step, own->substeps);
     return true;
 }
+
+static void read_bodies(void *state, engine_body *bodies) {
+    own_world *own = state;
+    for (int i = 0; i < own->body_count; i++) {
+        b2BodyId id = own->bodies[i];
+        b2WorldTransform pose = b2Body_GetTransform(id);
+        b2Vec2 velocity = b2Body_GetLinearVelocity(id);
+        bodies[i] = (engine_body){
+            .x = pose.p.x,
+            .y = pose.p.y,
+            .cosine = pose.q.c,
+            .sine = pose.q.s,
+            .vx = velocity.x,
+            .vy = velocity.y,
+            .angular_velocity = b2Body_GetAngularVelocity(id),
+            .mass = b2Body_GetMass(id),
+            .inertia = b2Body_GetRotationalInertia(id),
+            .awake = b2Body_IsAwake(id),
+        };
+    }
+}
+
+/* Box2D counts over all its worlds; the comparison never has more than one at a time. */
+static uint64_t bytes(void *state) {
+    own_world *own = state;
+    return (uint64_t)b2World_GetCounters(own->id).byteCount;
+}
+
+static engine_events events(void *state) {
+    own_world *own = state;
+    b2ContactEvents contact = b2World_GetContactEvents(own->id);
+    b2SensorEvents sensor = b2World_GetSensorEvents(own->id);
+    return (engine_events){contact.beginCount, contact.endCount, contact.hitCount,
+                           sensor.beginCount, sensor.endCount};
+}
+
+static bool set_time_step(void *state, double seconds) {
+    own_world *own = state;
+    own->time_step = (float)seconds;
+    return true;
+}
+
+static void read_pose(void *state, int body, double x, double y, float out[4]) {
+    own_world *own = state;
+    b2WorldTransform pose = b2Body_GetTransform(own->bodies[body]);
+    out[0] = (float)(pose.p.x - x), out[1] = (float)(pose.p.y - y);
+    out[2] = pose.q.c, out[3] = pose.q.s;
+}
+
+static bool renew(void *state, const scene *s, int body) {
+    own_world *own = state;
+    const scene_body *from = &s->bodies[body];
+    b2BodyDef def = b2DefaultBodyDef();
+    b2ShapeDef shape = b2DefaultShapeDef();
+    b2Circle circle = {{0, 0}, (float)s->shapes[from->first_shape].hx};
+    def.type = b2_dynamicBody;
+    def.position = vec2(from->x, from->y);
+    b2DestroyBody(own->bodies[body]);
+    own->bodies[body] = b2CreateBody(own->id, &def);
+    return B2_IS_NON_NULL(b2CreateCircleShape(own->bodies[body], &shape, &circle));
+}
+
+static bool misuse_body(void *state, int body, misuse call, double value) {
+    own_world *own = state;
+    misuse_box2d(own->id, own->bodies[body], call, value);
+    return false;
+}
+
+const physics_engine engine_box2d = {
+    .name = "box2d",
+    .needs_avx2 = true,
+    .create = create,
+    .destroy = destroy,
+    .step = step,
+    .read = read_bodies,
+    .bytes = bytes,
+    .events = events,
+    .set_time_step = set_time_step,
+    .pose = read_pose,
+    .renew = renew,
+    .misuse = misuse_body,
+};

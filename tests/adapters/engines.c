@@ -1,0 +1,46 @@
+/* engines.c: the engines of this build, and what making a world is in each of them. */
+#include "engine.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const physics_engine *const BUILT_ENGINES[] = {
+    &engine_thud,
+#ifdef THUD_BOX2D_BUILD
+    &engine_box2d,
+#endif
+#ifdef THUD_RAPIER_BUILD
+    &engine_rapier,
+#endif
+};
+const int BUILT_ENGINE_COUNT = sizeof BUILT_ENGINES / sizeof BUILT_ENGINES[0];
+
+const physics_engine *engine_find(const char *name) {
+    for (int i = 0; i < BUILT_ENGINE_COUNT; i++)
+        if (strcmp(BUILT_ENGINES[i]->name, name) == 0)
+            return BUILT_ENGINES[i];
+    return NULL;
+}
+
+/* False, after a line on stderr, on a processor that the library was not built for. */
+static bool can_run(const physics_engine *engine) {
+    bool lacking = false;
+#if defined(__x86_64__)
+    lacking = engine->needs_avx2 && !__builtin_cpu_supports("avx2");
+#endif
+    if (lacking)
+        fprintf(stderr, "%s: this processor has no AVX2, which the library was built for\n",
+                engine->name);
+    return !lacking;
+}
+
+void *engine_create(const physics_engine *engine, const scene *s, engine_settings settings) {
+    if (settings.time_step == 0)
+        settings.time_step = ENGINE_TIME_STEP;
+    if (settings.substeps == 0)
+        settings.substeps = 4;
+    void *world = !s->failed && can_run(engine) ? engine->create(s, &settings) : NULL;
+    if (!world)
+        fprintf(stderr, "%s: scene %s could not be built\n", engine->name, s->name);
+    return world;
+}
