@@ -67,7 +67,7 @@ bench_picture() {
     [ -n "$json" ] || set -- "$@" --json "${json:=$root/build/bench/results.json}"
     cd "$caller"
     "$root/build/bench/tests/bench/thud-bench" "$@"
-    exec python3 "$root/tests/bench/performance_picture.py" "$json" "$picture"
+    exec python3 "$root/tests/bench/pages/performance_picture.py" "$json" "$picture"
 }
 
 bench_wasm() {
@@ -91,7 +91,7 @@ bench_report() {
             ;;
     esac
     cd "$caller"
-    exec python3 "$root/tests/bench/performance.py" \
+    exec python3 "$root/tests/bench/pages/performance.py" \
         "$root/build/bench/tests/bench/thud-bench" "$@"
 }
 
@@ -102,7 +102,7 @@ bench_catalogue() {
         *) build_bench ;;
     esac
     cd "$caller"
-    exec python3 "$root/tests/bench/catalogue.py" \
+    exec python3 "$root/tests/bench/pages/catalogue.py" \
         "$root/build/bench/tests/bench/thud-catalogue" "$@"
 }
 
@@ -138,8 +138,8 @@ bench() {
     name_commit
     case $what-$help in
         wasm-yes) exec node web/tools/bench-wasm.mjs --help ;;
-        report-yes) exec python3 tests/bench/performance.py "" --help ;;
-        catalogue-yes) exec python3 tests/bench/catalogue.py "" --help ;;
+        report-yes) exec python3 tests/bench/pages/performance.py "" --help ;;
+        catalogue-yes) exec python3 tests/bench/pages/catalogue.py "" --help ;;
         *-yes) bench_usage ;;
         wasm-no) bench_wasm "$@" ;;
         report-no) bench_report "$@" ;;

@@ -1,7 +1,7 @@
 /* thud_bench.c: thud-bench, the side-by-side benchmark: runs what the command line asks for, one
  * thing after the other, and prints each as soon as it is done. */
 #include "json.h"
-#include "lab.h"
+#include "lab/lab.h"
 #include "machine.h"
 #include "options.h"
 #include "report.h"

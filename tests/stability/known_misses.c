@@ -1,6 +1,6 @@
 /* known_misses.c: the bounds that thud does not keep yet, line by line. A bound that is kept again
  * leaves the list, and is asserted from then on. docs/stability.md tells how far each is missed. */
-#include "extreme.h"
+#include "extremes/extreme.h"
 
 #include <string.h>
 

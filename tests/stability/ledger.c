@@ -1,5 +1,5 @@
 /* ledger.c: the figures of an extreme and their bounds. */
-#include "extreme.h"
+#include "extremes/extreme.h"
 
 #include <math.h>
 #include <stdarg.h>

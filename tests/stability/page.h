@@ -2,7 +2,7 @@
 #ifndef THUD_STABILITY_PAGE_H
 #define THUD_STABILITY_PAGE_H
 
-#include "extreme.h"
+#include "extremes/extreme.h"
 
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* test_stability.c: every extreme in its quick form. What is asserted: that all of it can be run,
  * that every figure of thud is a number and equal to the bit with and without AVX2, and every bound
  * but those known to be missed. */
-#include "extreme.h"
+#include "extremes/extreme.h"
 
 #include <math.h>
 #include <setjmp.h>

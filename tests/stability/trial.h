@@ -3,7 +3,7 @@
 #define THUD_STABILITY_TRIAL_H
 
 #include "engine.h"
-#include "extreme.h"
+#include "extremes/extreme.h"
 #include "penetration.h"
 
 typedef struct trial trial;

@@ -1,0 +1,81 @@
+/* levels.c: see levels.h. Each pair goes through the tests one after the other, as a pipeline would
+ * have it, by the engine's own public functions. */
+#include "catalogue/levels.h"
+
+#include <thud/thud_minkowski.h>
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { VOLUMES = 3 };
+
+static const thud_shape_kind KINDS[VOLUMES] = {THUD_CIRCLE, THUD_AABB, THUD_OBB};
+
+typedef struct wrapped {
+    thud_volume volumes[VOLUMES];
+} wrapped;
+
+static int passed(const wrapped *a, const wrapped *b) {
+    for (int k = 0; k < VOLUMES; k++) {
+        bool overlap = false;
+        thud_volumes_overlap(&a->volumes[k], &b->volumes[k], &overlap);
+        if (!overlap)
+            return k;
+    }
+    return VOLUMES;
+}
+
+static bool wrap(const thud_shape_instance *shape, wrapped *out) {
+    for (int k = 0; k < VOLUMES; k++)
+        if (thud_volume_around_shape(KINDS[k], shape, &out->volumes[k]) != THUD_OK)
+            return false;
+    return true;
+}
+
+/* The distance of two boxes along the direction that parts them most, of those of their sides: the
+ * faces of their Minkowski sum. No more than the exact distance, which corners make larger. */
+static double distance_along_axes(const thud_shape_instance *a, const thud_shape_instance *b) {
+    thud_minkowski sum;
+    double most = -INFINITY;
+    if (thud_minkowski_sum(a, b, &sum) != THUD_OK)
+        return most;
+    for (int i = 0; i < sum.count / 2; i++) {
+        double along = sum.normals[i].x * (b->x - a->x) + sum.normals[i].y * (b->y - a->y);
+        most = fmax(most, fabs(along) - sum.offsets[i]);
+    }
+    return most;
+}
+
+static void count_near(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
+                       levels *sum) {
+    /* Corners that are a margin apart along both axes are further apart than one. */
+    double reach = hypot(a->hx, a->hy) + hypot(b->hx, b->hy) + 2 * margin;
+    thud_closest closest;
+    if (hypot(b->x - a->x, b->y - a->y) >= reach || thud_shapes_closest(a, b, &closest) != THUD_OK)
+        return;
+    bool boxes = a->kind != THUD_CIRCLE && b->kind != THUD_CIRCLE;
+    sum->sieved += (boxes ? distance_along_axes(a, b) : closest.distance) < margin;
+    sum->near += closest.distance < margin;
+}
+
+bool levels_count(const thud_shape_instance *shapes, const bool *movable, int count, double margin,
+                  levels *sum) {
+    wrapped *all = calloc((size_t)count + 1, sizeof *all);
+    bool ok = all != NULL;
+    for (int i = 0; ok && i < count; i++)
+        ok = wrap(&shapes[i], &all[i]);
+    for (int i = 0; ok && i < count; i++)
+        for (int k = 0; k < i; k++) {
+            if (!movable[i] && !movable[k])
+                continue;
+            int depth = passed(&all[i], &all[k]);
+            sum->pairs++;
+            sum->circles += depth >= 1;
+            sum->boxes += depth >= 2;
+            sum->oriented += depth >= 3;
+            count_near(&shapes[i], &shapes[k], margin, sum);
+            sum->exact += depth == VOLUMES && thud_shapes_overlap(&shapes[i], &shapes[k]);
+        }
+    free(all);
+    return ok;
+}

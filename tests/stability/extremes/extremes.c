@@ -1,0 +1,22 @@
+/* extremes.c: all rows of the envelope, in the order of docs/stability.md. */
+#include "extremes/extreme.h"
+
+#include <string.h>
+
+extern const extreme extreme_mass_ratio, extreme_columns, extreme_far_away, extreme_sizes,
+    extreme_time_step, extreme_energy, extreme_long_run, extreme_crowding, extreme_slopes,
+    extreme_speed, extreme_wrong_input;
+
+const extreme *const EXTREMES[] = {
+    &extreme_mass_ratio, &extreme_columns,   &extreme_far_away,    &extreme_speed,
+    &extreme_sizes,      &extreme_time_step, &extreme_energy,      &extreme_slopes,
+    &extreme_long_run,   &extreme_crowding,  &extreme_wrong_input,
+};
+const int EXTREME_COUNT = sizeof EXTREMES / sizeof EXTREMES[0];
+
+const extreme *extreme_find(const char *name) {
+    for (int i = 0; i < EXTREME_COUNT; i++)
+        if (strcmp(EXTREMES[i]->name, name) == 0)
+            return EXTREMES[i];
+    return NULL;
+}
