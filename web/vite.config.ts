@@ -4,6 +4,7 @@ import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { box2dLoader } from "./tools/box2d-plugin.mjs";
 import { offline } from "./tools/offline-plugin.mjs";
+import { sceneTexts } from "./tools/scene-texts.mjs";
 
 /** What of assets/ the scenes read: the page finds it under the same names. */
 const ASSETS = [
@@ -34,7 +35,7 @@ const sceneAssets: Plugin = {
 export default defineConfig({
   // Relative addresses: the built folder can be served from anywhere.
   base: "./",
-  plugins: [sceneAssets, offline()],
+  plugins: [sceneAssets, sceneTexts(), offline()],
   build: {
     target: "es2022",
     // The content security policy allows neither inline scripts nor data: addresses.

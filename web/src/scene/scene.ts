@@ -10,6 +10,15 @@ import type { OverlayName } from "./overlays";
 
 /** A module of web/public/scenes. */
 export interface SceneModule {
+  /** What it is called in the menu. The page reads this and the next two when it is built. */
+  title?: string;
+  /** What to look at, in one sentence. */
+  about?: string;
+  /**
+   * Where it stands in the menu, which goes by `place` upwards; a group begins with its first scene.
+   * Null for a module that is in no menu.
+   */
+  menu?: { group: string; place: number } | null;
   /** The number that a visitor may turn up ("heavier"); a scene without has one size. */
   size?: SceneSize;
   /** May be asynchronous: a level is read from a file first. */
