@@ -11,3 +11,14 @@ declare module "virtual:scene-abouts" {
   const abouts: Readonly<Record<string, string>>;
   export default abouts;
 }
+
+/** What a scene's text can use, read from the typings; see tools/code-names.mjs. */
+declare module "virtual:code-names" {
+  export const GROUPS: readonly {
+    title: string;
+    /** Where its names are offered: as they are, or only after a dot. */
+    completes: "plain" | "member";
+    /** An example or form, and what it does. */
+    entries: readonly { name: string; form: string; meaning: string }[];
+  }[];
+}
