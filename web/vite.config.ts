@@ -3,7 +3,9 @@ import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { box2dLoader } from "./tools/box2d-plugin.mjs";
+import { codeNames } from "./tools/code-names.mjs";
 import { offline } from "./tools/offline-plugin.mjs";
+import { sceneTexts } from "./tools/scene-texts.mjs";
 
 /** What of assets/ the scenes read: the page finds it under the same names. */
 const ASSETS = [
@@ -34,7 +36,7 @@ const sceneAssets: Plugin = {
 export default defineConfig({
   // Relative addresses: the built folder can be served from anywhere.
   base: "./",
-  plugins: [sceneAssets, offline()],
+  plugins: [sceneAssets, sceneTexts(), codeNames(), offline()],
   build: {
     target: "es2022",
     // The content security policy allows neither inline scripts nor data: addresses.

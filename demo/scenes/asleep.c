@@ -1,7 +1,7 @@
 /* asleep.c: shelves full of small stacks that fall asleep, below a box of a hundred circles that
  * never do; with sleeping on, a step costs what the hundred cost. */
 #include "gas.h"
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -29,8 +29,5 @@ static void fill(scene *s, int size) {
     s->spawn_y = top + 2 * box;
 }
 
-const scene_info scene_asleep = {
-    SCENE_TEXTS(asleep),   .size_means = "boxes in stacks",
-    .default_size = 20000, .min_size = 1,
-    .max_size = 1000000,   .fill = fill,
-};
+const scene_info scene_asleep = {SCENE_FACTS(asleep), .place = 160, .max_size = 1000000,
+                                 .fill = fill};

@@ -1,7 +1,7 @@
 /* broadphases.c: few bodies of many sizes drift about, so that one sees what each broadphase goes
  * by: the cells of the grid, or the sorted intervals of the plane sweep. */
 #include "random.h"
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -35,7 +35,4 @@ static void fill(scene *s, int size) {
     s->camera_height = 2 * half_y + 9;
 }
 
-const scene_info scene_broadphases = {
-    SCENE_TEXTS(broadphases), .size_means = "bodies", .default_size = 90, .min_size = 1,
-    .max_size = 100000,       .fill = fill,
-};
+const scene_info scene_broadphases = {SCENE_FACTS(broadphases), .place = 200, .fill = fill};

@@ -2,7 +2,7 @@
  *
  * Every lane is a closed room of its own: four static walls, then the bullet. Speeds go from 10
  * to 10^5 m/s, kinds from circle over upright box to turning box. */
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 static void add_lane(scene *s, double y, double speed, int kind) {
@@ -34,7 +34,4 @@ static void fill(scene *s, int size) {
     s->spawn_x = -20;
 }
 
-const scene_info scene_bullets = {
-    SCENE_TEXTS(bullets), .size_means = "bullets", .default_size = 15,
-    .min_size = 1,        .max_size = 1000,        .fill = fill,
-};
+const scene_info scene_bullets = {SCENE_FACTS(bullets), .place = 130, .fill = fill};

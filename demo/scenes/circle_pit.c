@@ -1,6 +1,6 @@
 /* circle_pit.c: circles of several sizes rain into a pit. */
 #include "random.h"
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -27,7 +27,5 @@ static void fill(scene *s, int size) {
     s->spawn_y = height + 2;
 }
 
-const scene_info scene_circle_pit = {
-    SCENE_TEXTS(circle_pit), .size_means = "circles", .default_size = 10000,
-    .min_size = 1,           .max_size = 1000000,     .fill = fill,
-};
+const scene_info scene_circle_pit = {SCENE_FACTS(circle_pit), .place = 20, .max_size = 1000000,
+                                     .fill = fill};

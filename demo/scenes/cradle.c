@@ -3,7 +3,7 @@
  * Bodies: two walls; then three rows of `size` circles of radius 0.5, from left to right. In row
  * k (1, 2, 3, from the top) the first k fly in at 5 m/s and the others rest; as many should leave
  * at that speed on the other side, come back from the wall, and so on for ever. */
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 static void fill(scene *s, int size) {
@@ -26,8 +26,4 @@ static void fill(scene *s, int size) {
     s->spawn_y = 6;
 }
 
-const scene_info scene_cradle = {
-    SCENE_TEXTS(cradle), .size_means = "balls in a row",
-    .default_size = 5,   .min_size = 4,
-    .max_size = 100,     .fill = fill,
-};
+const scene_info scene_cradle = {SCENE_FACTS(cradle), .place = 110, .fill = fill};

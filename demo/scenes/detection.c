@@ -4,7 +4,7 @@
  * in their way; below them a gas of elastic circles. All is the same in each lane but for the
  * detection that the lane's bodies choose. */
 #include "gas.h"
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -62,8 +62,4 @@ static void fill(scene *s, int size) {
     s->spawn_y = s->camera_y;
 }
 
-const scene_info scene_detection_lanes = {
-    SCENE_TEXTS(detection), .size_means = "circles of each gas",
-    .default_size = 16,     .min_size = 4,
-    .max_size = 10000,      .fill = fill,
-};
+const scene_info scene_detection_lanes = {SCENE_FACTS(detection), .place = 180, .fill = fill};

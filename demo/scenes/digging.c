@@ -3,7 +3,7 @@
  * The hills are samples 60 to 180 of assets/terrain/jacksboro_200.csv: a metre of the scene from
  * one to the next, 74.4 m in Tennessee, with heights scaled half as much again. */
 #include "random.h"
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -74,7 +74,5 @@ static void fill(scene *s, int size) {
     s->spawn_y = 18;
 }
 
-const scene_info scene_digging = {
-    SCENE_TEXTS(digging), .size_means = "bodies", .default_size = 240,
-    .min_size = 1,        .max_size = 100000,     .fill = fill,
-};
+const scene_info scene_digging = {SCENE_FACTS(digging), .place = 170, .max_size = 100000,
+                                  .fill = fill};

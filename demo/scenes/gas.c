@@ -2,7 +2,7 @@
 #include "gas.h"
 
 #include "random.h"
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -67,7 +67,4 @@ static void fill(scene *s, int size) {
     s->camera_height = 2.2 * half + 2;
 }
 
-const scene_info scene_gas = {
-    SCENE_TEXTS(gas), .size_means = "circles", .default_size = 16000,
-    .min_size = 1,    .max_size = 1000000,     .fill = fill,
-};
+const scene_info scene_gas = {SCENE_FACTS(gas), .place = 80, .max_size = 1000000, .fill = fill};

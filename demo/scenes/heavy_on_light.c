@@ -2,7 +2,7 @@
  *
  * Bodies: the ground; then for every ratio a light box and the heavy one on it; then for every
  * ratio a column of ten light boxes and the heavy one on top. */
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 static void add_column(scene *s, double x, int light, double ratio) {
@@ -29,11 +29,4 @@ static void fill(scene *s, int size) {
     s->spawn_y = 15;
 }
 
-const scene_info scene_heavy_on_light = {
-    SCENE_TEXTS(heavy_on_light),
-    .size_means = "powers of ten",
-    .default_size = 5,
-    .min_size = 1,
-    .max_size = 8,
-    .fill = fill,
-};
+const scene_info scene_heavy_on_light = {SCENE_FACTS(heavy_on_light), .place = 100, .fill = fill};

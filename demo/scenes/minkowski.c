@@ -2,7 +2,7 @@
  *
  * The two of a pair pass through each other: where the second's centre is in the sum drawn about
  * the first, they overlap. */
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 static void add_shape(scene *s, double x, double y, double hx, double hy, double angle) {
@@ -31,8 +31,4 @@ static void fill(scene *s, int size) {
     s->spawn_x = 6;
 }
 
-const scene_info scene_minkowski = {
-    SCENE_TEXTS(minkowski), .size_means = "pairs of shapes",
-    .default_size = 2,      .min_size = 1,
-    .max_size = 100,        .fill = fill,
-};
+const scene_info scene_minkowski = {SCENE_FACTS(minkowski), .place = 190, .fill = fill};

@@ -1,6 +1,6 @@
 /* mixed_terrain.c: circles and boxes rain on an irregular ground line. */
 #include "random.h"
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -62,7 +62,5 @@ static void fill(scene *s, int size) {
     s->spawn_y = 30;
 }
 
-const scene_info scene_mixed_terrain = {
-    SCENE_TEXTS(mixed_terrain), .size_means = "bodies", .default_size = 4000, .min_size = 1,
-    .max_size = 1000000,        .fill = fill,
-};
+const scene_info scene_mixed_terrain = {SCENE_FACTS(mixed_terrain), .place = 30,
+                                        .max_size = 1000000, .fill = fill};

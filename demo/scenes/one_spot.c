@@ -1,6 +1,6 @@
 /* one_spot.c: a crowd in one spot of a world 10 km wide, which a grid over the whole world would
  * put into a single cell. */
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -21,8 +21,5 @@ static void fill(scene *s, int size) {
     s->spawn_y = spacing * columns + 2;
 }
 
-const scene_info scene_one_spot = {
-    SCENE_TEXTS(one_spot), .size_means = "circles in the spot",
-    .default_size = 4000,  .min_size = 1,
-    .max_size = 1000000,   .fill = fill,
-};
+const scene_info scene_one_spot = {SCENE_FACTS(one_spot), .place = 150, .max_size = 1000000,
+                                   .fill = fill};

@@ -1,6 +1,6 @@
 /* platformer.c: boxes that never rotate, over storeys of tiles with gaps and stairs. */
 #include "random.h"
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -74,8 +74,4 @@ static void fill(scene *s, int size) {
     s->spawn_y = STOREY * storeys + 2;
 }
 
-const scene_info scene_platformer = {
-    SCENE_TEXTS(platformer), .size_means = "moving boxes; there are five times as many tiles",
-    .default_size = 2000,    .min_size = 1,
-    .max_size = 100000,      .fill = fill,
-};
+const scene_info scene_platformer = {SCENE_FACTS(platformer), .place = 70, .fill = fill};

@@ -1,5 +1,5 @@
 /* pyramid.c: boxes stacked to a triangle; nothing moves, everything presses. */
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 static void fill(scene *s, int size) {
@@ -13,8 +13,4 @@ static void fill(scene *s, int size) {
     s->spawn_y = size + 5.0;
 }
 
-const scene_info scene_pyramid = {
-    SCENE_TEXTS(pyramid), .size_means = "boxes in the lowest row",
-    .default_size = 100,  .min_size = 1,
-    .max_size = 1000,     .fill = fill,
-};
+const scene_info scene_pyramid = {SCENE_FACTS(pyramid), .place = 10, .fill = fill};

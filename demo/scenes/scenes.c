@@ -1,15 +1,9 @@
-/* scenes.c: the list of built-in scenes, in the order of a menu. */
+/* scenes.c: the list of built-in scenes, which CMakeLists.txt makes of the files here. */
 #include "scenes.h"
 
 #include <string.h>
 
-static const scene_info *const LIST[] = {
-    &scene_pyramid,      &scene_circle_pit,      &scene_mixed_terrain, &scene_tumbler,
-    &scene_tumbler_half, &scene_smash,           &scene_platformer,    &scene_gas,
-    &scene_tall_stack,   &scene_heavy_on_light,  &scene_cradle,        &scene_slopes,
-    &scene_bullets,      &scene_sizes,           &scene_one_spot,      &scene_asleep,
-    &scene_digging,      &scene_detection_lanes, &scene_minkowski,     &scene_broadphases,
-};
+static const scene_info *const LIST[] = {SCENE_LIST};
 
 enum { LIST_COUNT = sizeof LIST / sizeof LIST[0] };
 

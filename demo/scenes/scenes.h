@@ -8,12 +8,17 @@
 
 #include "scene.h"
 
+/* A scene's file defines one as `const scene_info scene_NAME = {…};` and is found by that: no list
+ * has its name. Where the page has a module of the same name, its title, its sentence and its sizes
+ * stand there alone, and SCENE_FACTS(NAME) of "scene_facts.h" brings them, but for a max_size that
+ * the C file gives itself, because more fits outside of a browser. */
 typedef struct scene_info {
     const char *name;       /* as on a command line */
     const char *title;      /* as in a menu */
     const char *about;      /* one sentence: what to look at */
     const char *size_means; /* what `size` counts */
     int default_size, min_size, max_size;
+    int place; /* menus and lists go by it, upwards */
     void (*fill)(scene *s, int size);
 } scene_info;
 
@@ -25,9 +30,8 @@ const scene_info *scenes_find(const char *name); /* null if there is none */
  * out of range or memory runs out. */
 bool scenes_fill(const scene_info *info, int size, scene *s);
 
-extern const scene_info scene_pyramid, scene_circle_pit, scene_mixed_terrain, scene_tumbler,
-    scene_tumbler_half, scene_smash, scene_platformer, scene_gas, scene_tall_stack,
-    scene_heavy_on_light, scene_cradle, scene_slopes, scene_bullets, scene_sizes, scene_one_spot,
-    scene_asleep, scene_digging, scene_detection_lanes, scene_minkowski, scene_broadphases;
+/* Made when the build is configured: SCENE_LIST, addresses of all scenes by their places, and what
+ * it names. */
+#include "scene_list.h"
 
 #endif

@@ -1,7 +1,7 @@
 /* sizes.c: bodies from 0.05 to 20 m in one heap; of every size that doubles there are half as
  * many, as in natural rubble. */
 #include "random.h"
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -53,7 +53,4 @@ static void fill(scene *s, int size) {
     s->spawn_y = top;
 }
 
-const scene_info scene_sizes = {
-    SCENE_TEXTS(sizes), .size_means = "bodies", .default_size = 4000,
-    .min_size = 1,      .max_size = 100000,     .fill = fill,
-};
+const scene_info scene_sizes = {SCENE_FACTS(sizes), .place = 140, .fill = fill};

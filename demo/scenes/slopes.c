@@ -3,7 +3,7 @@
  *
  * Bodies: the plain (flat terrain at height 0); then for every slope its ramp (irregular terrain),
  * a disc, and a box with friction 0.5 on friction 0.5, which begins to slide at 26.6 degrees. */
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 typedef struct slope {
@@ -50,8 +50,4 @@ static void fill(scene *s, int size) {
     s->spawn_y = length;
 }
 
-const scene_info scene_slopes = {
-    SCENE_TEXTS(slopes), .size_means = "metres of each slope",
-    .default_size = 20,  .min_size = 6,
-    .max_size = 1000,    .fill = fill,
-};
+const scene_info scene_slopes = {SCENE_FACTS(slopes), .place = 120, .fill = fill};

@@ -1,5 +1,5 @@
 /* smash.c: without gravity, a heavy box flies into a block of small ones. */
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -22,8 +22,4 @@ static void fill(scene *s, int size) {
     s->spawn_x = -10;
 }
 
-const scene_info scene_smash = {
-    SCENE_TEXTS(smash),   .size_means = "boxes in the block",
-    .default_size = 9600, .min_size = 1,
-    .max_size = 1000000,  .fill = fill,
-};
+const scene_info scene_smash = {SCENE_FACTS(smash), .place = 60, .max_size = 1000000, .fill = fill};

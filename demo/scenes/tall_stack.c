@@ -1,5 +1,5 @@
 /* tall_stack.c: one column of boxes, which must neither sag nor lean. */
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 static void fill(scene *s, int size) {
@@ -12,7 +12,4 @@ static void fill(scene *s, int size) {
     s->spawn_y = size;
 }
 
-const scene_info scene_tall_stack = {
-    SCENE_TEXTS(tall_stack), .size_means = "boxes", .default_size = 30,
-    .min_size = 1,           .max_size = 1000,      .fill = fill,
-};
+const scene_info scene_tall_stack = {SCENE_FACTS(tall_stack), .place = 90, .fill = fill};

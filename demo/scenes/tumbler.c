@@ -1,6 +1,6 @@
 /* tumbler.c: a drum of four walls, one kinematic body, turns for ever and churns what is inside;
  * in one variant boxes, in the other half of them circles. */
-#include "scene_texts.h"
+#include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -40,13 +40,6 @@ static void fill_half(scene *s, int size) {
     fill_drum(s, size, 2);
 }
 
-const scene_info scene_tumbler = {
-    SCENE_TEXTS(tumbler), .size_means = "boxes", .default_size = 2000,
-    .min_size = 1,        .max_size = 100000,    .fill = fill_boxes,
-};
+const scene_info scene_tumbler = {SCENE_FACTS(tumbler), .place = 40, .fill = fill_boxes};
 
-const scene_info scene_tumbler_half = {
-    SCENE_TEXTS(tumbler_half), .size_means = "bodies, every other one a circle",
-    .default_size = 2000,      .min_size = 1,
-    .max_size = 100000,        .fill = fill_half,
-};
+const scene_info scene_tumbler_half = {SCENE_FACTS(tumbler_half), .place = 50, .fill = fill_half};

@@ -162,6 +162,11 @@ class HouseTest(unittest.TestCase):
         self.assert_noticed("sources: demo/run/CMakeLists.txt does not name *.c", {
             "demo/run/CMakeLists.txt": "file(GLOB all *.c)\nadd_executable(thud-run main.c)\n"})
 
+    def test_glob_of_scenes_is_allowed(self):
+        self.assertEqual(self.breaches({
+            "demo/scenes/CMakeLists.txt": "file(GLOB all *.c)\n",
+            "demo/scenes/pit.c": ""}), [])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,5 +1,6 @@
 /* test_golden.c: every scene's hash after two seconds, as tests/golden/hashes.txt has it. A commit
- * that changes a hash says why. THUD_GOLDEN_UPDATE=1 writes the file anew. */
+ * that changes a hash says why. A new scene fails this test with the row that it needs;
+ * THUD_GOLDEN_UPDATE=1 writes the file anew. */
 #include "engine_support.h"
 
 #include "build_thud.h"
@@ -7,6 +8,8 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+
+enum { ROW_LENGTH = 33 }; /* name, blank, hash */
 
 static const char path[] = "tests/golden/hashes.txt";
 
@@ -21,6 +24,17 @@ static uint64_t hash_of(const scene_info *info) {
     thud_world_destroy(world);
     scene_free(&s);
     return hash;
+}
+
+/* The row of a scene: its name, blanks, its hash. Null if there is none. */
+static const char *row_of(const char *rows, const char *name) {
+    size_t length = strlen(name);
+    for (const char *row = rows; row; row = strchr(row, '\n')) {
+        row += *row == '\n';
+        if (strncmp(row, name, length) == 0 && row[length] == ' ')
+            return row;
+    }
+    return NULL;
 }
 
 static void scenes_end_as_they_always_did(void **state) {
@@ -42,6 +56,13 @@ static void scenes_end_as_they_always_did(void **state) {
     assert_non_null(file);
     wanted[fread(wanted, 1, sizeof wanted - 1, file)] = 0;
     fclose(file);
+    for (int i = 0; i < scenes_count(); i++) {
+        const char *name = scenes_at(i)->name;
+        if (!row_of(wanted, name))
+            fail_msg("%s has no row in %s yet. If it runs as it should (thud-run %s), this is its "
+                     "row, at the place that it has in thud-run --list:\n%.*s",
+                     name, path, name, ROW_LENGTH, row_of(now, name));
+    }
     assert_string_equal(now, wanted);
 }
 

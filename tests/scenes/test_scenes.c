@@ -34,12 +34,20 @@ static void check_body(const scene *s, const scene_body *body, const char *name)
     }
 }
 
+static void check_texts(const scene_info *info) {
+    if (!(info->title && info->about && info->size_means && info->min_size > 0 &&
+          info->min_size <= info->default_size && info->default_size <= info->max_size))
+        fail_msg("%s lacks its title, its sentence or its sizes", info->name);
+}
+
 static void every_scene_fills_at_least_and_default_size(void **state) {
     (void)state;
     assert_true(scenes_count() >= 12);
     for (int i = 0; i < scenes_count(); i++) {
         const scene_info *info = scenes_at(i);
         assert_ptr_equal(scenes_find(info->name), info);
+        check_texts(info);
+        assert_true(i == 0 || scenes_at(i - 1)->place < info->place);
         const int sizes[] = {0, info->min_size, info->default_size / 2};
         for (int k = 0; k < 3; k++) {
             scene s;

@@ -2,12 +2,14 @@
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { runnerImport } from "vite";
+import { sceneTexts } from "./scene-texts.mjs";
 
 const web = new URL("../", import.meta.url);
 
 /** The exports of one of the page's sources. */
 export async function importTypeScript(path) {
-  const { module } = await runnerImport(fileURLToPath(new URL(path, web)), { configFile: false });
+  const settings = { configFile: false, plugins: [sceneTexts()] };
+  const { module } = await runnerImport(fileURLToPath(new URL(path, web)), settings);
   return module;
 }
 

@@ -8,6 +8,7 @@ import { test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { GOLDEN, GOLDEN_STEPS } from "../../../web/tools/golden.mjs";
 import { drawScene } from "../../../web/tools/picture.mjs";
+import { orderScenes, readSceneText, readSceneTexts } from "../../../web/tools/scene-texts.mjs";
 import {
   ABOUTS,
   buildScene,
@@ -50,8 +51,45 @@ test("registry_has_every_scene_module_and_no_other", () => {
   // What runs a level that a visitor drops onto the page is no scene of the list.
   const names = SCENES.map(({ name }) => name);
   assert.deepEqual([...names, "own_level"].map((name) => `${name}.js`).sort(), files.sort());
-  assert.deepEqual(Object.keys(ABOUTS), names, "a sentence for each, in the same order");
   for (const name of Object.keys(THUMBNAILS)) assert.ok(names.includes(name), name);
+});
+
+test("menu_has_what_the_modules_export_by_group_and_place", async () => {
+  const texts = readSceneTexts();
+  assert.deepEqual(SCENES, texts.map(({ name, title, group }) => ({ name, title, group })));
+  assert.deepEqual(ABOUTS, Object.fromEntries(texts.map(({ name, about }) => [name, about])));
+  for (const { name, ...read } of texts) {
+    const { title, about, menu } = await import(`${root}web/public/${sceneFile(name)}`);
+    assert.deepEqual(read, { title, about, ...menu }, name);
+  }
+});
+
+test("scene_without_one_of_its_lines_is_refused_and_told_the_form", () => {
+  const lines = [
+    'export const title = "Pit";',
+    'export const about =\n  "It fills.";',
+    'export const menu = { group: "Piles", place: 310 };',
+  ];
+  const pit = { name: "pit", title: "Pit", about: "It fills.", group: "Piles", place: 310 };
+  assert.deepEqual(readSceneText("pit", lines.join("\n")), pit);
+  for (const missing of lines)
+    assert.throws(
+      () => readSceneText("pit", lines.filter((line) => line !== missing).join("\n")),
+      { message: new RegExp(`scenes/pit.js lacks .* ${missing.slice(0, 20)}`) },
+    );
+  assert.equal(readSceneText("own", "export const menu = null;"), null);
+});
+
+test("places_are_told_apart_and_keep_groups_together", () => {
+  const scene = (name, group, place) => ({ name, group, place });
+  const names = orderScenes([scene("b", "Q", 20), scene("c", "Q", 30), scene("a", "P", 10)]);
+  assert.deepEqual(names.map(({ name }) => name), ["a", "b", "c"]);
+  const orderOf = (...scenes) => () => orderScenes(scenes);
+  assert.throws(orderOf(scene("a", "P", 10), scene("b", "P", 10)), /a and b have one place, 10/);
+  assert.throws(
+    orderOf(scene("a", "P", 10), scene("b", "Q", 20), scene("c", "P", 30)),
+    /c: place 30 lies outside of the group “P”/,
+  );
 });
 
 test("scenes_that_c_has_too_have_the_same_usual_size", async () => {
@@ -59,6 +97,7 @@ test("scenes_that_c_has_too_have_the_same_usual_size", async () => {
   const names = sceneNames(native);
   assert.ok(names.length >= 20);
   for (const [i, name] of names.entries()) {
+    if (!existsSync(`${root}web/public/${sceneFile(name)}`)) continue;
     const { size } = await import(`${root}web/public/${sceneFile(name)}`);
     assert.equal(size.usual, native.exports.api_scene_size(i), name);
   }

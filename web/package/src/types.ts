@@ -70,15 +70,15 @@ export const SHAPE_KINDS = ["circle", "aabb", "obb", "terrain"] as const;
 export type ShapeKind = (typeof SHAPE_KINDS)[number];
 
 export interface WorldOptions {
-  /** Length/s². Default [0, -10]. */
+  /** Gravity, length/s². Default [0, -10]. */
   gravity?: Vec2;
-  /** Seconds, (0, 1]. Default 1/60. */
+  /** Seconds of a step, (0, 1]. Default 1/60. */
   timeStep?: number;
   /** The size of a typical body in your unit; every tolerance is a multiple of it. Default 1. */
   lengthScale?: number;
-  /** Default "default". */
+  /** The knob between speed and accuracy. Default "default". */
   quality?: Quality | QualityOptions;
-  /** For experts: 1 to 64; 0, the default, takes the quality's. */
+  /** For experts: substeps, 1 to 64; 0, the default, takes the quality's. */
   substeps?: number;
   /** For experts: contact frequency over substep rate, [0.01, 0.5]; 0 takes the default. */
   contactStiffness?: number;
@@ -90,9 +90,9 @@ export interface WorldOptions {
   restitutionThreshold?: number;
   /** Faster approaches are hit events, in length scales per second. */
   hitSpeed?: number;
-  /** In length scales per second. */
+  /** Nothing moves faster, in length scales per second. */
   maximumSpeed?: number;
-  /** Default true. */
+  /** Whether bodies at rest may sleep. Default true. */
   sleeping?: boolean;
   /** How moving shapes are tested. Default: as the quality says. */
   detection?: Detection;
@@ -115,42 +115,56 @@ export interface WorldOptions {
 }
 
 export interface BodyOptions {
-  /** Default "static". */
+  /**
+   * What moves it: pushes ("dynamic"), its own velocity alone ("kinematic"), or nothing. Default
+   * "static".
+   * @example kind: "dynamic"
+   */
   kind?: BodyKind;
-  /** Of its origin, up to 10⁹ length scales away. Default [0, 0]. */
+  /**
+   * The place of its origin, up to 10⁹ length scales away. Default [0, 0].
+   * @example position: [0, 5]
+   */
   position?: Vec2;
-  /** Radians, up to 10⁶ either way. Default 0. */
+  /** How far it is turned: radians, up to 10⁶ either way. Default 0. */
   angle?: number;
-  /** Of the centre of mass, length/s. Default [0, 0], as it must be where static. */
+  /**
+   * The velocity of its centre of mass, length/s. Default [0, 0], as it must be where static.
+   * @example velocity: [3, 0]
+   */
   velocity?: Vec2;
-  /** Radians/s. Default 0; likewise. */
+  /** How fast it turns, radians/s. Default 0, as it must be where static. */
   angularVelocity?: number;
-  /** Times the world's gravity. Default 1. */
+  /** What it feels of the world's gravity: 0 floats. Default 1. */
   gravityScale?: number;
-  /** 1/s, 0 or more. Default 0. */
+  /** What slows its motion, 1/s, 0 or more. Default 0. */
   linearDamping?: number;
-  /** 1/s, 0 or more. Default 0. */
+  /** What slows its turning, 1/s, 0 or more. Default 0. */
   angularDamping?: number;
-  /** Default false. */
+  /** Whether it never turns. Default false. */
   fixedRotation?: boolean;
-  /** Default true. */
+  /** Whether it may sleep once it is at rest. Default true. */
   maySleep?: boolean;
   /** How its motion is tested. Default: as the world. */
   detection?: Detection;
-  /** A whole number from 0 to 2⁵³ - 1. */
+  /** For your own use: a whole number from 0 to 2⁵³ - 1. */
   userData?: number;
 }
 
 export interface ShapeOptions {
   /** Mass per area, 0 or more. Default 1. */
   density?: number;
-  /** 0 or more. Default 0.6; a pair's is the geometric mean. */
+  /** Coefficient of friction, 0 or more. Default 0.6; a pair's is the geometric mean. */
   friction?: number;
-  /** [0, 1]. Default 0; a pair's is the larger. */
+  /**
+   * How much it bounces, [0, 1]. Default 0; a pair's is the larger.
+   * @example restitution: 0.5
+   */
   restitution?: number;
   /**
-   * Length/s along the surface, clockwise about the shape: to +x on its top, as a conveyor belt
-   * runs. Default 0; a pair's is the sum.
+   * The speed of a conveyor belt: length/s along the surface, clockwise about the shape, to +x on
+   * its top. Default 0; a pair's is the sum.
+   * @example surfaceSpeed: 2
    */
   surfaceSpeed?: number;
   /** What it is: bits. Default 1. */
@@ -159,9 +173,9 @@ export interface ShapeOptions {
   mask?: number;
   /** Two of one group: above 0 they always meet, below 0 never. Default 0, no group. */
   group?: number;
-  /** Reports overlaps and collides with nothing; see Events. Default false. */
+  /** Notes what is there and stops nothing; see Events. Default false. */
   sensor?: boolean;
-  /** A whole number from 0 to 2⁵³ - 1. */
+  /** For your own use: a whole number from 0 to 2⁵³ - 1. */
   userData?: number;
 }
 
@@ -169,23 +183,43 @@ export interface ShapeOptions {
 export interface CircleOptions extends ShapeOptions {
   /** As a state tells it; may be left out. */
   kind?: "circle";
+  /**
+   * From the centre to the rim.
+   * @example radius: 0.5
+   */
   radius: number;
-  /** In the body's frame. Default [0, 0]. */
+  /**
+   * Its centre in the body's frame. Default [0, 0].
+   * @example offset: [0, 1]
+   */
   offset?: Vec2;
 }
 
 /** Sizes are from 10⁻⁴ to 16384 length scales, of static bodies to 32000. */
 export interface BoxOptions extends ShapeOptions {
+  /** As a state tells it; may be left out. */
   kind?: "aabb";
+  /**
+   * From the centre to the right side.
+   * @example halfWidth: 1
+   */
   halfWidth: number;
+  /**
+   * From the centre to the top.
+   * @example halfHeight: 0.5
+   */
   halfHeight: number;
-  /** In the body's frame. Default [0, 0]. */
+  /**
+   * Its centre in the body's frame. Default [0, 0].
+   * @example offset: [0, 1]
+   */
   offset?: Vec2;
 }
 
 export interface ObbOptions extends Omit<BoxOptions, "kind"> {
+  /** As a state tells it; may be left out. */
   kind?: "obb";
-  /** Radians, in the body's frame. Default 0. */
+  /** How far it is turned in the body's frame, radians. Default 0. */
   angle?: number;
 }
 

@@ -98,19 +98,25 @@ export class WorldBase {
     return { steps: engine.slots[AdvanceAt.steps], alpha: engine.slots[AdvanceAt.alpha] };
   }
 
-  /** Length/s², from the next step on. */
+  /**
+   * Sets gravity, length/s², from the next step on.
+   * @example world.setGravity([0, 10])
+   */
   setGravity(gravity: Vec2): void {
     this.engine.check(
       this.engine.exports.api_world_set_gravity(this.address, gravity[0], gravity[1]),
     );
   }
 
-  /** Of the steps from the next on; (0, 1]. */
+  /** Sets the seconds of the steps from the next on; (0, 1]. */
   setTimeStep(seconds: number): void {
     this.engine.check(this.engine.exports.api_world_set_time_step(this.address, seconds));
   }
 
-  /** From the next step on. For experts: `substeps` from 1 to 64; 0 takes the quality's. */
+  /**
+   * Sets the quality from the next step on. For experts: `substeps` from 1 to 64; 0 takes the
+   * quality's.
+   */
   setQuality(quality: Quality | QualityOptions, substeps = 0): void {
     const [base, own = 0, stiffness = 0, damping = 0, detection = -1, islands = -1] =
       qualityNumbers(quality);
@@ -127,12 +133,12 @@ export class WorldBase {
     );
   }
 
-  /** See WorldOptions.maxError. */
+  /** Sets the overlap from which on islands are solved directly; see WorldOptions.maxError. */
   setMaxError(maxError: number): void {
     this.engine.check(this.engine.exports.api_world_set_max_error(this.address, maxError));
   }
 
-  /** False wakes every body and lets none sleep. */
+  /** Whether bodies at rest may sleep. False wakes every one. */
   setSleeping(sleeping: boolean): void {
     this.engine.check(this.engine.exports.api_world_set_sleeping(this.address, Number(sleeping)));
   }

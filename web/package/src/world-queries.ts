@@ -14,7 +14,10 @@ import type { ShapeId, Vec2 } from "./types.js";
 import { WorldBase } from "./world-base.js";
 
 export class WorldQueries extends WorldBase {
-  /** The first shape along the ray, or null. */
+  /**
+   * The first shape along the ray, or null.
+   * @example world.castRay([0, 10], [0, -20])
+   */
   castRay(origin: Vec2, translation: Vec2, filter: QueryFilter = {}): RayHit | null {
     const { engine } = this;
     engine.check(
@@ -59,7 +62,7 @@ export class WorldQueries extends WorldBase {
     return readFirst(engine.slots);
   }
 
-  /** Every shape that it meets, the nearest first. */
+  /** Every shape that a circle, AABB or OBB meets on its way, the nearest first. */
   castShapeAll(
     shape: SolidShape,
     center: Vec2,
@@ -85,7 +88,10 @@ export class WorldQueries extends WorldBase {
     };
   }
 
-  /** Every shape that overlaps: by its bounds for "bounds", else by its true form. */
+  /**
+   * Every shape that overlaps: by its bounds for "bounds", else by its true form.
+   * @example world.overlap({ kind: "circle", center: [0, 0], radius: 1 })
+   */
   overlap(query: OverlapQuery, filter: QueryFilter = {}): ShapeId[] {
     const { engine } = this;
     const last = filterNumbers(filter);

@@ -75,7 +75,10 @@ export class WorldViews extends WorldQueries {
     return this.#poses;
   }
 
-  /** Events of the last step; copied, so that they may be kept. */
+  /**
+   * What touched, parted and hit in the last step; copied, so that it may be kept.
+   * @example world.events().hit
+   */
   events(): Events {
     const { engine } = this;
     engine.check(engine.exports.api_world_events(this.address));
@@ -99,6 +102,7 @@ export class WorldViews extends WorldQueries {
     return rowsOf(Float64Array, buffer, slots, ListAt.address, ContactRowAt.length, readContact);
   }
 
+  /** How many there are of everything and, where `timed`, what the last step took. */
   stats(): Stats {
     const { engine } = this;
     engine.exports.api_world_stats(this.address);
@@ -144,7 +148,7 @@ export class WorldViews extends WorldQueries {
     return this.engine.slots[0];
   }
 
-  /** Costs nothing: the step itself has found it. */
+  /** How wrong the last step is. Costs nothing: the step itself has found it. */
   error(): StepError {
     this.engine.exports.api_world_error(this.address);
     const s = this.engine.slots;
@@ -157,7 +161,7 @@ export class WorldViews extends WorldQueries {
     };
   }
 
-  /** Costs a pass over contacts and bodies. */
+  /** Energy and penetration of the whole world. Costs a pass over contacts and bodies. */
   measure(): Measure {
     this.engine.exports.api_world_measure(this.address);
     const s = this.engine.slots;
@@ -169,7 +173,7 @@ export class WorldViews extends WorldQueries {
     };
   }
 
-  /** Of every body's exact state, as 16 hexadecimal digits: equal on every platform. */
+  /** A hash of every body's exact state, 16 hexadecimal digits: equal on every platform. */
   hash(): string {
     this.engine.exports.api_world_hash(this.address);
     const half = (value: number) => value.toString(16).padStart(8, "0");

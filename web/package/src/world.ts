@@ -64,7 +64,10 @@ const SOLIDS = {
 export class World extends WorldViews {
   // ---- bodies ----
 
-  /** A body without shapes: it moves, and meets nothing, until it has one. */
+  /**
+   * A body without shapes: it moves, and meets nothing, until it has one.
+   * @example const ball = world.createBody({ kind: "dynamic", position: [0, 5] })
+   */
   createBody(options: BodyOptions = {}): BodyId {
     const { engine } = this;
     const numbers = numbersOf("body", options, BODY_OPTIONS);
@@ -75,7 +78,10 @@ export class World extends WorldViews {
     return bodyAt(engine.slots, HandleAt.index1);
   }
 
-  /** Removes a body with its shapes, or one shape. */
+  /**
+   * Removes a body with its shapes, or one shape.
+   * @example world.destroy(ball)
+   */
   destroy(id: BodyId | ShapeId): void {
     const { exports } = this.engine;
     const destroy = id.kind === "body" ? exports.api_body_destroy : exports.api_shape_destroy;
@@ -90,6 +96,10 @@ export class World extends WorldViews {
     return isValid(this.address, id.index + 1, id.generation) !== 0;
   }
 
+  /**
+   * Where a body is, how fast, its mass.
+   * @example world.bodyState(ball).position
+   */
   bodyState(body: BodyId): BodyState {
     this.onBody("api_body_get", body);
     const s = this.engine.slots;
@@ -111,27 +121,39 @@ export class World extends WorldViews {
     };
   }
 
-  /** Puts a body elsewhere at once, without a motion in between; radians. */
+  /**
+   * Puts a body elsewhere at once, without a motion in between; radians.
+   * @example world.setTransform(ball, [0, 5], 0)
+   */
   setTransform(body: BodyId, position: Vec2, angle = 0): void {
     this.onBody("api_body_set_transform", body, position[0], position[1], angle);
   }
 
-  /** Of the centre of mass, length/s, and radians/s. Wakes it. */
+  /**
+   * Sets the velocity of the centre of mass, length/s, and the angular one, radians/s. Wakes it.
+   * @example world.setVelocity(ball, [3, 0])
+   */
   setVelocity(body: BodyId, velocity: Vec2, angularVelocity = 0): void {
     this.onBody("api_body_set_velocity", body, velocity[0], velocity[1], angularVelocity);
   }
 
-  /** Mass times length/s, at a place in the world. Wakes it. */
+  /**
+   * Pushes at once: mass times length/s, at a place in the world. Wakes it.
+   * @example world.applyImpulse(ball, [0, 5], point)
+   */
   applyImpulse(body: BodyId, impulse: Vec2, point: Vec2): void {
     this.onBody("api_body_apply_impulse", body, impulse[0], impulse[1], point[0], point[1]);
   }
 
-  /** At the centre of mass; acts through the next step only. */
+  /**
+   * Pushes through the next step only, at the centre of mass.
+   * @example world.applyForce(ball, [10, 0])
+   */
   applyForce(body: BodyId, force: Vec2, torque = 0): void {
     this.onBody("api_body_apply_force", body, force[0], force[1], torque);
   }
 
-  /** False: it counts as at rest, and sleeps as soon as its whole island does. */
+  /** Wakes a body. False: it counts as at rest, and sleeps as soon as its whole island does. */
   setAwake(body: BodyId, awake: boolean): void {
     this.onBody("api_body_set_awake", body, Number(awake));
   }
@@ -145,11 +167,12 @@ export class World extends WorldViews {
     this.shapesRevision++;
   }
 
-  /** A whole number from 0 to 2⁵³ - 1, for the caller's own use. */
+  /** Keeps a number for your own use: whole, from 0 to 2⁵³ - 1. */
   setUserData(body: BodyId, data: number): void {
     this.onBody("api_body_set_user_data", body, userData(data) ?? 0);
   }
 
+  /** The shapes of a body. */
   shapesOf(body: BodyId): ShapeId[] {
     this.onBody("api_body_shapes", body);
     return this.shapeIds();
@@ -157,20 +180,34 @@ export class World extends WorldViews {
 
   // ---- shapes ----
 
+  /**
+   * Gives a body a circle.
+   * @example world.createCircle(ball, { radius: 0.5, restitution: 0.4 })
+   */
   createCircle(body: BodyId, options: CircleOptions): ShapeId {
     return this.#createSolid("circle", body, options);
   }
 
-  /** A box that keeps its axes: the rotation of its body is fixed from then on. */
+  /**
+   * Gives a body a box that keeps its axes: the rotation of its body is fixed from then on.
+   * @example world.createAabb(ground, { halfWidth: 10, halfHeight: 1 })
+   */
   createAabb(body: BodyId, options: BoxOptions): ShapeId {
     return this.#createSolid("aabb", body, options);
   }
 
+  /**
+   * Gives a body a box that turns with it.
+   * @example world.createObb(body, { halfWidth: 1, halfHeight: 0.5 })
+   */
   createObb(body: BodyId, options: ObbOptions): ShapeId {
     return this.#createSolid("obb", body, options);
   }
 
-  /** Only on static bodies with angle 0. */
+  /**
+   * Gives a body ground of any length, solid below. Only on static bodies with angle 0.
+   * @example world.createTerrain(body, { kind: "uniform", x0: 0, spacing: 1, heights })
+   */
   createTerrain(body: BodyId, terrain: Terrain, options: ShapeOptions = {}): ShapeId {
     const kind = indexOf(TERRAIN_KINDS, terrain.kind, "terrain kind");
     checkNames("terrain", terrain, TERRAINS[terrain.kind]);
@@ -203,6 +240,7 @@ export class World extends WorldViews {
     );
   }
 
+  /** What a shape was made with, and its body. */
   shapeState(shape: ShapeId): ShapeState {
     this.onShape("api_shape_get", shape);
     const s = this.engine.slots;
@@ -255,6 +293,7 @@ export class World extends WorldViews {
   /**
    * Takes away the ground inside a circle, and what stands above it; not of flat ground. Whatever
    * rests there wakes in the next step. A uniform line keeps its grid.
+   * @example world.dig(shape, [x, y], 2)
    */
   dig(shape: ShapeId, center: Vec2, radius: number): void {
     this.onShape("api_shape_dig", shape, center[0], center[1], radius);

@@ -9,6 +9,10 @@ import { buildGround, chooseGround, REACH } from "./artillery/ground.js";
 import { picture } from "./artillery/picture.js";
 import { barrel, buildLoose, buildShell, buildTank, right } from "./artillery/tanks.js";
 
+export const title = "Artillery duel";
+export const about = "Duel the computer or a friend on real hills that every shell digs into.";
+export const menu = { group: "Games", place: 120 };
+
 const HEALTH = 100;
 const STRONGEST_WIND = 2.5; // metres a second squared, either way
 const SAFE_FALL = 5; // metres a second; faster landings hurt

@@ -1,6 +1,10 @@
 // Thousands of boxes fall asleep in small stacks on their shelves, while a hundred circles on top
 // never rest. What sleeps costs nothing: the step takes as long as the hundred alone.
 
+export const title = "Twenty thousand asleep";
+export const about =
+  "Thousands of boxes fall asleep in small stacks; a hundred circles stay awake.";
+export const menu = { group: "Crowds and extremes", place: 750 };
 export const size = { means: "boxes in stacks", usual: 20000, least: 1, most: 100000 };
 
 const ELASTIC = { friction: 0, restitution: 1 };

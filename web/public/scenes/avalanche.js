@@ -1,6 +1,9 @@
 // Rubble comes down both sides of a real mountain in Tennessee, made three times as steep. It
 // slides until the slope is less than friction holds.
 
+export const title = "Avalanche";
+export const about = "Rubble comes down both sides of a real mountain until friction holds it.";
+export const menu = { group: "Piles and stacks", place: 350 };
 export const size = { means: "stones", usual: 1500, least: 1, most: 20000 };
 
 const SPACING = 3; // between samples, which are 74.4 m apart in nature

@@ -1,6 +1,10 @@
 // Eleven balls fall from the same height. Their restitution goes from 0, which stops dead, to 1,
 // which should come back to the dashed line for ever.
 
+export const title = "Bouncing";
+export const about = "Balls of restitution 0 to 1: the last should bounce as high for ever.";
+export const menu = { group: "In motion", place: 490 };
+
 const COUNT = 11;
 const HEIGHT = 10;
 

@@ -1,6 +1,9 @@
 // A heavy ball flies into a wall of loose bricks. Only weight and friction hold them: explode what
 // is left standing.
 
+export const title = "Brick wall";
+export const about = "A heavy ball flies into a wall of loose bricks; explode what is left.";
+export const menu = { group: "Piles and stacks", place: 330 };
 export const size = { means: "rows of bricks", usual: 28, least: 2, most: 100 };
 
 const BRICK = { halfWidth: 0.4, halfHeight: 0.2 };

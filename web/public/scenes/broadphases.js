@@ -1,6 +1,10 @@
 // Few bodies of many sizes drift about. What the broadphase goes by is shown: the cells of the
 // grid, or, with the plane sweep, the sorted intervals below the field.
 
+export const title = "Broadphases";
+export const about =
+  "How pairs are found: the grid’s cells or, with the plane sweep, intervals sorted along x.";
+export const menu = { group: "How it is done", place: 660 };
 export const size = { means: "bodies", usual: 90, least: 1, most: 100000 };
 
 const ELASTIC = { friction: 0, restitution: 1 };

@@ -1,6 +1,9 @@
 // Bullets of 10 m/s to 100 km/s, each in a closed room of its own with walls 2 cm thick. The
 // fastest cross their room 70 times in a step. None gets out.
 
+export const title = "Bullets at thin walls";
+export const about = "Bullets of up to 100 km/s bounce between walls 2 cm thick; none gets out.";
+export const menu = { group: "In motion", place: 510 };
 export const size = { means: "bullets", usual: 15, least: 1, most: 1000 };
 
 const SPEEDS = [1e1, 1e2, 1e3, 1e4, 1e5];

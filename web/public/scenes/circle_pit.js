@@ -1,5 +1,8 @@
 // Circles of many sizes fall into a pit and settle into a dense heap.
 
+export const title = "Circle pit";
+export const about = "Circles of many sizes fall into a pit and settle into a heap.";
+export const menu = { group: "Piles and stacks", place: 310 };
 export const size = { means: "circles", usual: 10000, least: 1, most: 100000 };
 
 export default function ({ createWorld, random, grid, seed, size }) {

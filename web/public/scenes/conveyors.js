@@ -1,6 +1,9 @@
 // Belts that stand still, but whose surface runs: `surfaceSpeed`. What falls off the lowest one is
 // put back on top.
 
+export const title = "Conveyor belts";
+export const about = "Conveyor belts carry parcels to and fro, and round again.";
+export const menu = { group: "In motion", place: 430 };
 export const size = { means: "parcels", usual: 120, least: 1, most: 2000 };
 
 // Middle and height of each belt, and how fast it runs to the right.

@@ -1,6 +1,9 @@
 // Newton's cradle without threads or gravity: as many balls leave on one side as arrive on the
 // other, at the same speed. They come back from the wall, and so on for ever.
 
+export const title = "Newton's cradle";
+export const about = "As many balls leave on one side as arrive on the other, at the same speed.";
+export const menu = { group: "In motion", place: 480 };
 export const size = { means: "balls in a row", usual: 5, least: 4, most: 100 };
 
 const ELASTIC = { friction: 0, restitution: 1 };

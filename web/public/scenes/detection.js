@@ -2,6 +2,10 @@
 // Above, three bullets fly up and down between thin walls: they pass them in the first lane and the
 // third. Below, a gas. The lanes differ in nothing else.
 
+export const title = "Four ways of detection";
+export const about =
+  "Overlap, continuous, bisect and swept, a lane each: in two of them bullets pass thin walls.";
+export const menu = { group: "How it is done", place: 620 };
 export const size = { means: "circles of each gas", usual: 16, least: 4, most: 10000 };
 
 const LANES = ["overlap", "continuous", "bisect", "swept"];

@@ -1,5 +1,8 @@
 // Boxes and balls on the hills of Tennessee. Dig the ground away under them.
 
+export const title = "Digging";
+export const about = "Boxes and balls on real hills: dig away the ground under them.";
+export const menu = { group: "Piles and stacks", place: 340 };
 export const size = { means: "bodies", usual: 240, least: 1, most: 20000 };
 
 const FINER = 4; // vertices to a sample, so that craters are round

@@ -1,6 +1,9 @@
 // Every domino is a twelfth larger than the one that knocks it over: in the end a small ball fells
 // one that is nine times as tall as the first.
 
+export const title = "Dominoes";
+export const about = "Each knocks over a slightly larger one, until a giant falls.";
+export const menu = { group: "In motion", place: 410 };
 export const size = { means: "dominoes", usual: 30, least: 2, most: 60 };
 
 export default function ({ createWorld, grid, size }) {

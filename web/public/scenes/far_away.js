@@ -2,6 +2,10 @@
 // the same at the origin, unseen. Places are doubles and everything else is relative to them, so
 // the two should not come apart: until you touch this one.
 
+export const title = "10,000 km away";
+export const about =
+  "A heap 10,000 km from the origin, and by how much it differs from its twin at the origin.";
+export const menu = { group: "Crowds and extremes", place: 710 };
 export const size = { means: "powers of ten of the distance", usual: 7, least: 0, most: 7 };
 
 export default function ({ createWorld, size }) {

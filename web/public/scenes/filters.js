@@ -1,6 +1,9 @@
 // Two heaps in one pit that do not know of each other. Circles meet circles and boxes meet boxes,
 // and both meet the walls: each shape's `category` says what it is, its `mask` what it meets.
 
+export const title = "Filters";
+export const about = "Two heaps in one pit, circles and boxes, that pass through each other.";
+export const menu = { group: "How it is done", place: 640 };
 export const size = { means: "bodies", usual: 800, least: 2, most: 20000 };
 
 const [WALL, CIRCLE, BOX] = [1, 2, 4];

@@ -1,6 +1,9 @@
 // Balls fall through rows of pegs, left or right at each. A sensor at the mouth of every bin counts
 // them: the numbers come out bell-shaped.
 
+export const title = "Galton board";
+export const about = "Sensors count the balls in each bin: the counts come out bell-shaped.";
+export const menu = { group: "How it is done", place: 630 };
 export const size = { means: "balls", usual: 300, least: 1, most: 2000 };
 
 const ROWS = 14;

@@ -1,5 +1,8 @@
 // Elastic circles in a closed box, without friction or gravity. Watch the energy: it ought to stay.
 
+export const title = "Gas";
+export const about = "Elastic circles fly about in a closed box; watch the energy.";
+export const menu = { group: "In motion", place: 520 };
 export const size = { means: "circles", usual: 16000, least: 1, most: 100000 };
 
 const ELASTIC = { friction: 0, restitution: 1 };

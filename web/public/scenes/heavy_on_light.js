@@ -1,6 +1,10 @@
 // Boxes 10, 100, 1,000 ... times as heavy stand on light ones: left on one, right on a column of
 // ten. How far do they sink?
 
+export const title = "Heavy on light";
+export const about =
+  "Boxes 10, 100, 1,000 … times as heavy stand on light ones; how far do they sink?";
+export const menu = { group: "Piles and stacks", place: 380 };
 export const size = { means: "powers of ten", usual: 5, least: 1, most: 8 };
 
 const EXPONENTS = ["", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸"];

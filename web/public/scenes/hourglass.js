@@ -1,5 +1,8 @@
 // Sand runs through a neck. Every half minute the glass, one kinematic body, is turned over.
 
+export const title = "Hourglass";
+export const about = "Three thousand grains run through a neck; every half minute the glass turns.";
+export const menu = { group: "In motion", place: 420 };
 export const size = { means: "grains", usual: 3000, least: 1, most: 3000 };
 
 const [HALF_WIDTH, HALF_HEIGHT, NECK, THICK] = [7, 11, 0.7, 0.3];

@@ -1,6 +1,10 @@
 // Drag the shapes. About the first of a pair stands the sum of both: where the second's centre is
 // in it, the two overlap. They pass through each other, for they are of one negative group.
 
+export const title = "Minkowski sums";
+export const about =
+  "Drag the shapes: they overlap while the second’s centre is inside the sum around the first.";
+export const menu = { group: "How it is done", place: 650 };
 export const size = { means: "pairs of shapes", usual: 2, least: 1, most: 100 };
 
 export default function ({ createWorld, grid, size }) {

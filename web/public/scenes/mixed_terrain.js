@@ -1,5 +1,8 @@
 // Circles and boxes rain on irregular ground and gather in its valleys.
 
+export const title = "Mixed bodies on terrain";
+export const about = "Circles and boxes rain on irregular ground and gather in its valleys.";
+export const menu = { group: "Piles and stacks", place: 360 };
 export const size = { means: "bodies", usual: 4000, least: 1, most: 100000 };
 
 const KNOTS = 64;

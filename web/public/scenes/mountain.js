@@ -3,6 +3,10 @@
 // A figure walks among them, the one of the game Platformer.
 import { Figure, WALK } from "./platformer_game/figure.js";
 
+export const title = "Mountain walk";
+export const about = "Walk along a real ridge in Tennessee among rolling wheels and boulders.";
+export const menu = { group: "Levels from Tiled", place: 240 };
+
 export default async function (setting) {
   const level = await setting.readLevel("mountain", await setting.readText("levels/mountain.tmj"));
   const world = setting.buildLevel(level);

@@ -1,6 +1,9 @@
 // A crowd collapses in one spot of a world ten kilometres wide. A grid over the whole world would
 // put all of it into a single cell.
 
+export const title = "All in one spot";
+export const about = "A crowd collapses in one spot of a world 10 km wide.";
+export const menu = { group: "Crowds and extremes", place: 740 };
 export const size = { means: "circles in the spot", usual: 4000, least: 1, most: 100000 };
 
 export default function ({ createWorld, grid, size }) {

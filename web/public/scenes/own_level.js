@@ -1,4 +1,7 @@
 // A level of your own, drawn with the Tiled editor and dropped onto the page.
+
+export const menu = null; // it is in no menu
+
 export default async function ownLevel({ readLevel, buildLevel, readText }) {
   // Tilesets and templates of the map, if they were dropped with it.
   const open = (path) => readText(`own/${path}`);

@@ -1,5 +1,8 @@
 // A floor of kinematic pistons runs as a wave. Nothing can stop them: they carry what lies on them.
 
+export const title = "Pistons";
+export const about = "Forty pistons move in a wave and carry what lies on them.";
+export const menu = { group: "In motion", place: 440 };
 export const size = { means: "balls and boxes", usual: 300, least: 1, most: 5000 };
 
 const PISTONS = 40;

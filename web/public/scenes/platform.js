@@ -4,6 +4,10 @@ import { DROP, Figure, WALK } from "./platformer_game/figure.js";
 import { grassOn } from "./platformer_game/grass.js";
 import { findLifts, turnLifts } from "./platformer_game/lifts.js";
 
+export const title = "Platforms";
+export const about = "Walk on stairs, planks and lifts, among crates and balls.";
+export const menu = { group: "Levels from Tiled", place: 220 };
+
 export default async function (setting) {
   const level = await setting.readLevel("platform", await setting.readText("levels/platform.tmj"));
   const world = setting.buildLevel(level);

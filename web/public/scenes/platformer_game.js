@@ -7,6 +7,10 @@ import { grassOn } from "./platformer_game/grass.js";
 import { findLifts, turnLifts } from "./platformer_game/lifts.js";
 import { checkpoint, coin, goal, plank, spikes } from "./platformer_game/pictures.js";
 
+export const title = "Platformer";
+export const about = "Run, jump and ride lifts through a level made in Tiled.";
+export const menu = { group: "Games", place: 110 };
+
 const PLANK = 2;
 const COIN = 4;
 const SPIKES = 8;

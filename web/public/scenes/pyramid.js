@@ -1,5 +1,8 @@
 // Boxes stacked to a triangle. Nothing moves, everything presses: the base must not spread.
 
+export const title = "Pyramid";
+export const about = "A pyramid of boxes stands on its base and does not spread.";
+export const menu = { group: "Piles and stacks", place: 320 };
 export const size = { means: "boxes in the lowest row", usual: 100, least: 1, most: 1000 };
 
 export default function ({ createWorld, size }) {

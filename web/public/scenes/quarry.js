@@ -2,6 +2,10 @@
 // six times as heavy.
 // The map was drawn in Tiled (www.mapeditor.org): properties there say what is heavy or rough.
 
+export const title = "Quarry";
+export const about = "Rubble of every size and weight slides down the benches of a quarry.";
+export const menu = { group: "Levels from Tiled", place: 210 };
+
 export default async function ({ readText, readLevel, buildLevel }) {
   const level = await readLevel("quarry", await readText("levels/quarry.tmj"));
   const [x, y] = level.camera;

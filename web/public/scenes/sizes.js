@@ -1,6 +1,9 @@
 // Bodies from 5 cm to 20 m lie in one heap, and the small ones are not crushed. Of every size that
 // doubles there are half as many, as in natural rubble.
 
+export const title = "From 5 cm to 20 m";
+export const about = "One heap of bodies of very different sizes; none is crushed.";
+export const menu = { group: "Crowds and extremes", place: 720 };
 export const size = { means: "bodies", usual: 4000, least: 1, most: 100000 };
 
 export default function ({ createWorld, random, grid, seed, size }) {

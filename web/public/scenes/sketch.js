@@ -3,6 +3,9 @@
 
 const PUSH = 12; // force of a key
 
+export const title = "A scene of your own";
+export const about = "A small one to start from: open Code, change a number and press Run.";
+export const menu = { group: "How it is done", place: 610 };
 export const size = { means: "boxes", usual: 12, least: 1, most: 500 };
 
 export default function ({ createWorld, random, seed, size }) {

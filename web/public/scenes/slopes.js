@@ -1,6 +1,10 @@
 // Discs roll and boxes slide down slopes of 10, 20, 30 and 40 degrees. A box of this friction, 0.5,
 // begins to slide at 26.6 degrees: only those on the two steep slopes do.
 
+export const title = "Rolling and sliding";
+export const about =
+  "Discs roll down four slopes; of the boxes only those on the two steep ones slide.";
+export const menu = { group: "In motion", place: 500 };
 export const size = { means: "length of each slope", usual: 20, least: 6, most: 1000 };
 
 // Angle, cosine and sine: written out, because Math.cos may differ between browsers.

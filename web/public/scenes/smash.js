@@ -1,5 +1,8 @@
 // A heavy box flies into a block of small ones. There is no gravity: watch the shock run through.
 
+export const title = "Smash";
+export const about = "A heavy box flies into a block of small ones: watch the shock run.";
+export const menu = { group: "In motion", place: 470 };
 export const size = { means: "boxes in the block", usual: 9600, least: 1, most: 100000 };
 
 export default function ({ createWorld, grid, size }) {

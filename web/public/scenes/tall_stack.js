@@ -1,5 +1,8 @@
 // One column of boxes, which must neither sag nor lean: its height tells how soft the contacts are.
 
+export const title = "Tall stack";
+export const about = "A single column of boxes: how far it sinks tells how soft its contacts are.";
+export const menu = { group: "Piles and stacks", place: 370 };
 export const size = { means: "boxes", usual: 30, least: 1, most: 1000 };
 
 export default function ({ createWorld, size }) {

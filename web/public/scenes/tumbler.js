@@ -1,5 +1,8 @@
 // A drum turns without end and churns boxes; none escapes.
 
+export const title = "Tumbler";
+export const about = "A turning drum tumbles boxes without end; none escapes.";
+export const menu = { group: "In motion", place: 450 };
 export const size = { means: "boxes", usual: 2000, least: 1, most: 100000 };
 
 export default function (setting) {

@@ -1,4 +1,4 @@
 /** What to look at in each scene, in one sentence; by the scene's name. Not needed at first. */
-import abouts from "../../../demo/scenes/abouts.json";
+import abouts from "virtual:scene-abouts";
 
 export const ABOUTS: Readonly<Record<string, string>> = abouts;

@@ -1,18 +1,17 @@
-/** The scenes that the page offers, in the order in which it offers them. */
-import titles from "../../../demo/scenes/titles.json";
+/** The scenes that the page offers, in the order in which it offers them: as their modules say. */
+import titles from "virtual:scene-titles";
 
-export type Group = keyof typeof titles;
-export const GROUPS = Object.keys(titles) as Group[];
+export const GROUPS: readonly string[] = Object.keys(titles);
 
 export interface SceneEntry {
   /** As in an address: lower case and underscores. */
   name: string;
   title: string;
-  group: Group;
+  group: string;
 }
 
 export const SCENES: readonly SceneEntry[] = GROUPS.flatMap((group) =>
-  Object.entries(titles[group]).map(([name, title]) => ({ name, title, group })),
+  Object.entries(titles[group]!).map(([name, title]) => ({ name, title, group })),
 );
 
 /** What a visitor sees first. */

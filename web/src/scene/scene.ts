@@ -10,6 +10,15 @@ import type { OverlayName } from "./overlays";
 
 /** A module of web/public/scenes. */
 export interface SceneModule {
+  /** What it is called in the menu. The page reads this and the next two when it is built. */
+  title?: string;
+  /** What to look at, in one sentence. */
+  about?: string;
+  /**
+   * Where it stands in the menu, which goes by `place` upwards; a group begins with its first scene.
+   * Null for a module that is in no menu.
+   */
+  menu?: { group: string; place: number } | null;
   /** The number that a visitor may turn up ("heavier"); a scene without has one size. */
   size?: SceneSize;
   /** May be asynchronous: a level is read from a file first. */
@@ -25,61 +34,130 @@ export interface SceneSize {
 
 /** What a scene is given. */
 export interface SceneSetting {
-  thud: Engine;
-  /** As `thud.createWorld`, with the visitor's choices (quality, …) put over the options. */
+  /**
+   * A world; units are yours, y is up. The visitor's choices (quality, …) are put over the options.
+   * @example const world = createWorld({ gravity: [0, -10] })
+   */
   createWorld(options?: WorldOptions): World;
-  /** As the package's, with the visitor's choices likewise; after `readLevel`. */
-  buildLevel(level: Level): World;
-  readLevel: typeof readLevel;
-  createMover(world: World, options: MoverOptions): Mover;
-  /** The text of a file of the page: "levels/quarry.tmj", "terrain/jacksboro_100.csv". */
-  readText(file: string): Promise<string>;
-  /** Between `size.least` and `size.most`. */
+  /**
+   * How many: the number that the visitor chose, in the range that the module's `size` says.
+   * @example for (let i = 0; i < size; i++)
+   */
   size: number;
-  /** The visitor's; 0 unless chosen. Scenes that use no chance ignore it. */
+  /**
+   * The visitor's random seed; 0 unless chosen. Scenes that use no chance ignore it.
+   * @example random(seed)
+   */
   seed: number;
-  /** Uniform in [low, high), on every machine the same (SplitMix64). Each call starts anew. */
+  /**
+   * Numbers in [low, high), on every machine the same (SplitMix64). Each call starts anew.
+   * @example const chance = random(seed); chance(-1, 1)
+   */
   random(seed: number): (low: number, high: number) => number;
   /**
    * The nearest multiple of 2^-16. Places on it stay exact when a world is moved by whole numbers
    * up to 10^7.
    */
   grid(x: number): number;
+  /**
+   * The text of a file of this page.
+   * @example await readText("terrain/jacksboro_100.csv")
+   */
+  readText(file: string): Promise<string>;
+  /**
+   * Reads a map of the Tiled editor.
+   * @example const level = await readLevel("quarry", await readText("levels/quarry.tmj"))
+   */
+  readLevel: typeof readLevel;
+  /**
+   * The world of a map that was read, with the visitor's choices likewise.
+   * @example const world = buildLevel(level)
+   */
+  buildLevel(level: Level): World;
+  /**
+   * Moves a game's character over ground.
+   * @example createMover(world, { shape: { kind: "circle", radius: 0.4 }, position: [0, 2] })
+   */
+  createMover(world: World, options: MoverOptions): Mover;
+  /**
+   * The engine itself, without the visitor's choices.
+   * @example thud.createWorld()
+   */
+  thud: Engine;
 }
 
 export interface Scene {
-  world: World;
-  /** What to look at first, in world units. Without it the page fits what there is. */
-  view?: View;
-  /** Where a visitor's new bodies drop by keyboard. */
-  spawn?: Vec2;
-  /** What the visitor should be told: what of a level was left out. */
-  notes?: string[];
-  /** What the scene is about is shown from the start. */
-  show?: OverlayName[];
-  /** So many times two bodies, from the first on, are shown with their Minkowski sum. */
-  sums?: number;
   /**
-   * Keys that the scene wants, best with what each does: they come as `Input.held`, a phone gets
-   * buttons for them, and the page tells how to play.
+   * What runs. All else may be left out.
+   * @example return { world }
    */
-  keys?: KeyName[] | KeyWords;
-  /** The hand is the scene's (it comes as `Input.pointer`) and not the page's to drag bodies. */
-  pointer?: boolean;
-  /** Slots of bodies that the page does not draw, because `paint` does. */
-  hidden?: number[];
-  /** Plain data that `update` changes; snapshots keep it, so that time can go back. */
-  state?: object;
-  /** After `state` went back: what else must follow it (a mover). */
-  restored?(): void;
+  world: World;
   /**
-   * Before each step. Must depend on the world, `state` and `input` alone: it is run again when
-   * the visitor goes back in time.
+   * What to look at first, in world units. Without it the page fits what there is.
+   * @example view: { x: 0, y: 5, height: 12 }
+   */
+  view?: View;
+  /**
+   * Before each step. Must depend on the world, `state` and `input` alone: it is run again when the
+   * visitor goes back in time.
+   * @example update({ held, step }) { … }
    */
   update?(input: Input): void;
-  /** After each step: what to draw besides the bodies. */
+  /**
+   * After each step: what to draw besides the bodies.
+   * @example paint: () => ({ marks, figures, message })
+   */
   paint?(): Paint;
-  /** Frees what the scene made besides the world (movers). */
+  /**
+   * Plain data that `update` changes; snapshots keep it, so that time can go back.
+   * @example state: { score: 0 }
+   */
+  state?: object;
+  /**
+   * Keys that the scene wants, best with what each does: they come as held.left…, a phone gets
+   * buttons for them, and the page tells how to play.
+   * @example keys: { left: "walk", fire: "shoot" }
+   */
+  keys?: KeyName[] | KeyWords;
+  /**
+   * The pointer is the scene's: it comes to `update`, and drags no bodies.
+   * @example pointer: true
+   */
+  pointer?: boolean;
+  /**
+   * Slots of bodies that the page does not draw, because `paint` does.
+   * @example hidden: [ball.index]
+   */
+  hidden?: number[];
+  /**
+   * Where a visitor's new bodies drop by keyboard.
+   * @example spawn: [0, 8]
+   */
+  spawn?: Vec2;
+  /**
+   * Overlays that are on from the start: what the scene is about.
+   * @example show: ["contacts"]
+   */
+  show?: OverlayName[];
+  /**
+   * What the visitor should be told: what of a level was left out.
+   * @example notes: ["…"]
+   */
+  notes?: string[];
+  /**
+   * So many times two bodies, from the first on, are shown with their Minkowski sum.
+   * @example sums: 1
+   */
+  sums?: number;
+  /**
+   * After `state` went back: what else must follow it (a mover).
+   * @example restored() { … }
+   */
+  restored?(): void;
+  /**
+   * Frees what the scene made besides the world (movers).
+   * @example close() { … }
+   */
   close?(): void;
 }
 
@@ -95,10 +173,20 @@ export function noKeys(): Record<KeyName, boolean> {
 
 /** What a player does during one step. */
 export interface Input {
-  /** Steps made since the scene began. */
+  /**
+   * Steps made since the scene began.
+   * @example step % 60 === 0
+   */
   step: number;
+  /**
+   * Which keys are down: left, right, up, down, fire, restart.
+   * @example if (held.left) …
+   */
   held: Readonly<Record<KeyName, boolean>>;
-  /** In the world; `down` while pressed. Null until there is one, and without `Scene.pointer`. */
+  /**
+   * In the world; `down` while pressed. Null until there is one, and without `Scene.pointer`.
+   * @example pointer?.down
+   */
   pointer: { x: number; y: number; down: boolean } | null;
 }
 
@@ -123,12 +211,25 @@ export type Ink =
   | "rival"; // the second player
 
 export interface Paint {
-  /** The view goes after this place, gently. */
+  /**
+   * The view goes after this place, gently.
+   * @example follow: [x, y]
+   */
   follow?: Vec2;
+  /**
+   * What is drawn over the bodies.
+   * @example marks: [{ kind: "circle", x, y, radius, ink: "gold" }]
+   */
   marks?: Mark[];
-  /** Figures of the game, at the top: score, wind, lives. */
+  /**
+   * Figures of the game, at the top: score, wind, lives.
+   * @example figures: [{ label: "Score", value: "3" }]
+   */
   figures?: { label: string; value: string }[];
-  /** A line that tells what happened or what to do; said to screen readers when it changes. */
+  /**
+   * A line that tells what happened or what to do; said to screen readers when it changes.
+   * @example message: "You won."
+   */
   message?: string;
 }
 
@@ -138,6 +239,10 @@ export interface Paint {
  */
 export type Mark = LineMark | CircleMark | BoxMark | FigureMark | TextMark;
 
+/**
+ * A line from point to point.
+ * @example { kind: "line", points: [[0, 0], [1, 2]], ink: "soft" }
+ */
 export interface LineMark {
   kind: "line";
   points: Vec2[];
@@ -147,6 +252,10 @@ export interface LineMark {
   dashed?: boolean;
 }
 
+/**
+ * A circle.
+ * @example { kind: "circle", x, y, radius: 1, ink: "good" }
+ */
 export interface CircleMark {
   kind: "circle";
   x: number;
@@ -158,6 +267,10 @@ export interface CircleMark {
   filled?: boolean;
 }
 
+/**
+ * A box, turned by its angle.
+ * @example { kind: "box", x, y, halfWidth: 1, halfHeight: 2, ink: "bad" }
+ */
 export interface BoxMark {
   kind: "box";
   x: number;
@@ -173,7 +286,10 @@ export interface BoxMark {
   filled?: boolean;
 }
 
-/** A rounded box with eyes. */
+/**
+ * A rounded box with eyes.
+ * @example { kind: "figure", x, y, halfWidth: 1, halfHeight: 2, facing: 1, ink: "player" }
+ */
 export interface FigureMark {
   kind: "figure";
   x: number;
@@ -184,6 +300,10 @@ export interface FigureMark {
   ink: Ink;
 }
 
+/**
+ * Words in their place.
+ * @example { kind: "text", x, y, text: "Hello", ink: "ink" }
+ */
 export interface TextMark {
   kind: "text";
   x: number;

@@ -1,5 +1,5 @@
 /** Completion of what a scene can use; the language's own names come from its package. */
-import { type Entry, GROUPS } from "./names";
+import { GROUPS } from "virtual:code-names";
 
 /** What of CodeMirror's completion context is used. */
 interface Asked {
@@ -15,13 +15,17 @@ interface Completion {
   type: string;
 }
 
+function firstSentence(text: string): string {
+  return /^.*?[.;](?=\s|$)/.exec(text)?.[0].replace(/;$/, ".") ?? text;
+}
+
 function completionsOf(completes: "plain" | "member"): Completion[] {
   const entries = GROUPS.filter((group) => group.completes === completes).flatMap((group) =>
-    Object.entries<Entry>(group.entries),
+    group.entries.map(({ name, meaning }) => [name, firstSentence(meaning)] as const),
   );
   // Some names stand in two groups; the first tells.
   const named = new Map([...entries].reverse());
-  return [...named].map(([label, [, detail]]) => ({ label, detail, type: "property" }));
+  return [...named].map(([label, detail]) => ({ label, detail, type: "property" }));
 }
 
 const PLAIN = completionsOf("plain");

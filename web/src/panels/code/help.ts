@@ -1,6 +1,6 @@
 /** The list beside the code of what a scene can use, with an example of each. */
+import { GROUPS } from "virtual:code-names";
 import { make } from "../../page/dom";
-import { GROUPS } from "./names";
 
 const FORM = `export default function ({ createWorld }) {
   const world = createWorld();
@@ -14,8 +14,8 @@ export function createHelp(): HTMLElement {
     make(
       "dl",
       {},
-      ...Object.values(entries).map(([example, meaning]) =>
-        make("div", {}, make("dt", {}, make("code", {}, example)), make("dd", {}, meaning)),
+      ...entries.map(({ form, meaning }) =>
+        make("div", {}, make("dt", {}, make("code", {}, form)), make("dd", {}, meaning)),
       ),
     ),
   ]);

@@ -56,6 +56,8 @@ const theme = EditorView.theme({
     border: "1px solid var(--faint)",
     borderRadius: "5px",
   },
+  // No wider than the panel, which would cut it off: so its lines end in dots.
+  ".cm-tooltip.cm-tooltip-autocomplete > ul": { maxWidth: "min(54rem, 92vw)" },
   ".cm-tooltip-autocomplete > ul > li[aria-selected]": {
     color: "var(--accent-ink)",
     backgroundColor: "var(--accent)",

@@ -1,0 +1,140 @@
+/**
+ * What a scene's text can use, read from the typings of the package and of scenes when the page is
+ * built: the list beside the code and its completion. A name comes with its comment; its example is
+ * that of the comment's @example, or else made of its signature or default.
+ */
+import { fileURLToPath } from "node:url";
+import ts from "typescript";
+
+const path = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));
+const SCENE = path("src/scene/scene.ts");
+const PACKAGE = path("package/dist/index.d.ts");
+
+/**
+ * `completes` says where the names of a group are offered: as they are, or only after a dot. `of`
+ * takes the methods of one layer of a class alone, which has them from several.
+ */
+const GROUPS = [
+  { title: "The function is given", types: ["SceneSetting"] },
+  { title: "Options of createWorld", types: ["WorldOptions"] },
+  { title: "A world: bodies and shapes", types: ["World"], of: "World" },
+  { title: "A world: what is where", types: ["World"], of: "WorldQueries" },
+  { title: "A world: what happens", types: ["World"], of: "WorldViews" },
+  { title: "A world: time and settings", types: ["World"], of: "WorldBase" },
+  { title: "Options of createBody", types: ["BodyOptions"] },
+  { title: "Options of shapes", types: ["CircleOptions", "ObbOptions"] },
+  { title: "The function returns", types: ["Scene"] },
+  { title: "What update is given", types: ["Input"] },
+  { title: "What paint returns", types: ["Paint"] },
+  { title: "Marks", types: ["Mark"], kinds: true },
+].map((group) => ({ ...group, completes: group.of ? "member" : "plain" }));
+
+/** [{ title, completes, entries: [{ name, form, meaning }] }] */
+export function readCodeNames() {
+  const options = {
+    target: ts.ScriptTarget.ES2022,
+    module: ts.ModuleKind.ESNext,
+    moduleResolution: ts.ModuleResolutionKind.Bundler,
+    strict: true,
+    types: [],
+  };
+  const program = ts.createProgram([SCENE, PACKAGE], options);
+  const checker = program.getTypeChecker();
+  const exported = [PACKAGE, SCENE].flatMap((file) =>
+    checker.getExportsOfModule(checker.getSymbolAtLocation(program.getSourceFile(file))),
+  );
+  const typeOf = (name) => {
+    const found = exported.find((symbol) => symbol.name === name);
+    if (!found) throw new Error(`The typings have no ${name}, which the list beside the code names.`);
+    const symbol = found.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(found) : found;
+    return checker.getDeclaredTypeOfSymbol(symbol);
+  };
+  return GROUPS.map(({ title, completes, types, of, kinds }) => {
+    const entries = types
+      .map(typeOf)
+      .flatMap((type) => (kinds ? marksOf(checker, type) : membersOf(checker, type, of)))
+      // Two types may share a name; the first tells.
+      .filter(({ name }, i, all) => all.findIndex((entry) => entry.name === name) === i);
+    // What is needed most has an example, and comes first.
+    entries.sort((a, b) => Number(b.hasExample) - Number(a.hasExample));
+    return { title, completes, entries: entries.map(({ hasExample, ...entry }) => entry) };
+  });
+}
+
+/** A type's members, or the public methods that a class of that name brings. */
+function membersOf(checker, type, of) {
+  const hidden = ts.ModifierFlags.Private | ts.ModifierFlags.Protected;
+  const isCalled = (symbol) =>
+    symbol.flags & ts.SymbolFlags.Method &&
+    symbol.parent.name === of &&
+    !(ts.getCombinedModifierFlags(symbol.valueDeclaration) & hidden) &&
+    !ts.isPrivateIdentifier(symbol.valueDeclaration.name);
+  const members = checker.getPropertiesOfType(type).filter((symbol) => !of || isCalled(symbol));
+  return members.map((symbol) => {
+    const meaning = meaningOf(checker, symbol);
+    const example = exampleOf(checker, symbol);
+    const form = example ?? formOf(checker, symbol, meaning, of);
+    return { name: symbol.name, form, meaning, hasExample: example !== undefined };
+  });
+}
+
+/** A union's types by their `kind`; what each may have besides is listed. */
+function marksOf(checker, union) {
+  return union.types.map((type) => {
+    const members = checker.getPropertiesOfType(type);
+    const kind = members.find(({ name }) => name === "kind");
+    const name = checker.getTypeOfSymbol(kind).value;
+    const optional = members.filter(({ flags }) => flags & ts.SymbolFlags.Optional);
+    const may = optional.map((member) => member.name).join(", ");
+    const meaning = [meaningOf(checker, type.symbol), may && `It may have: ${may}.`];
+    const example = exampleOf(checker, type.symbol);
+    return {
+      name,
+      form: example ?? `{ kind: "${name}", … }`,
+      meaning: meaning.filter(Boolean).join(" "),
+      hasExample: example !== undefined,
+    };
+  });
+}
+
+/** The first paragraph of a comment, as plain text. */
+function meaningOf(checker, symbol) {
+  const text = ts.displayPartsToString(symbol.getDocumentationComment(checker));
+  return text.split(/\n\s*\n/)[0].replaceAll("`", "").replace(/\s+/g, " ").trim();
+}
+
+function exampleOf(checker, symbol) {
+  const tag = symbol.getJsDocTags(checker).find(({ name }) => name === "example");
+  return tag && ts.displayPartsToString(tag.text).trim();
+}
+
+/** "world.setAwake(body, awake)", or "friction: 0.6". */
+function formOf(checker, symbol, meaning, of) {
+  const type = checker.getNonNullableType(checker.getTypeOfSymbol(symbol));
+  const [signature] = type.getCallSignatures();
+  if (signature) {
+    const parameters = signature.parameters.map((parameter) => {
+      const optional = checker.isOptionalParameter(parameter.valueDeclaration);
+      return parameter.name + (optional ? "?" : "");
+    });
+    return `${of ? "world." : ""}${symbol.name}(${parameters.join(", ")})`;
+  }
+  const [, usual] = /\bDefault ("[^"]*"|\[[^\]]*\]|-?[\d./]+\d|-?\d|true|false)/.exec(meaning) ?? [];
+  if (usual === "true" || usual === "false") return `${symbol.name}: ${usual === "false"}`;
+  return `${symbol.name}: ${usual ?? checker.typeToString(type)}`;
+}
+
+const MODULE = "virtual:code-names";
+
+/** The plugin of Vite by which the page has the list. */
+export function codeNames() {
+  return {
+    name: "code-names",
+    resolveId: (id) => (id === MODULE ? `\0${MODULE}` : null),
+    load(id) {
+      if (id !== `\0${MODULE}`) return null;
+      for (const file of [SCENE, PACKAGE]) this.addWatchFile(file);
+      return `export const GROUPS = ${JSON.stringify(readCodeNames())};`;
+    },
+  };
+}
