@@ -53,7 +53,7 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
         float x = (float)(pose->center.x - from.x) * w->quantum;
         float y = (float)(pose->center.y - from.y) * w->quantum;
         float c = pose->c, s = pose->s;
-        if (body->awake > 0 && back > 0.0f) {
+        if (body->awake.at > 0 && back > 0.0f) {
             const float *delta = td_row(&w->delta, body->awake);
             x -= back * delta[0];
             y -= back * delta[1];

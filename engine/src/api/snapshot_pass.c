@@ -347,8 +347,8 @@ static void take_counts(thud_world *w, const td_snapshot_head *head) {
         slots[i]->free_head = to->free_head;
         slots[i]->live = to->live;
     }
-    for (int slot = head->parts[TD_SNAPSHOT_AWAKE + TD_AWAKE_velocity].used;
-         slot < w->body_of.count; slot++) {
+    for (td_awake_slot slot = {head->parts[TD_SNAPSHOT_AWAKE + TD_AWAKE_velocity].used};
+         slot.at < w->body_of.count; slot.at++) {
         memset(td_row(&w->velocity, slot), 0, sizeof(float[4]));
     }
     memcpy(w->constraint_count, head->contacts, sizeof head->contacts);

@@ -16,7 +16,7 @@
 #include <string.h>
 
 static bool is_awake(const thud_world *w, int shape) {
-    return td_body_at(w, td_shape_at(w, shape)->body)->awake > 0;
+    return td_body_at(w, td_shape_at(w, shape)->body)->awake.at > 0;
 }
 
 /* ---- the grids ---- */
@@ -32,8 +32,8 @@ static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
     list->count = 0;
     if (awake) {
         const int *bodies = w->body_of.data;
-        for (int slot = 1; slot < w->body_of.count; slot++) {
-            int i = td_body_at(w, bodies[slot])->first_shape;
+        for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+            int i = td_body_at(w, bodies[slot.at])->first_shape;
             for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
                 td_push_int(list, i);
             }

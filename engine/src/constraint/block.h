@@ -9,6 +9,7 @@
 
 #include "base/fixed.h"
 #include "base/simd.h"
+#include "base/indices.h"
 
 #include <stdatomic.h>
 #include <stddef.h>
@@ -92,6 +93,15 @@ typedef struct td_block {
 enum { TD_DIRECT = 128 }; /* in td_block.loaded: impulses are the direct solver's */
 
 enum { TD_AWAKE_BYTES = 4 * (int)sizeof(float) };
+
+/* Between an awake slot and td_block.a or .b; without a slot it is the dummy's. */
+static inline uint32_t td_side_of_slot(td_awake_slot slot) {
+    return (uint32_t)td_max_int(slot.at, 0) * TD_AWAKE_BYTES;
+}
+
+static inline td_awake_slot td_slot_of_side(uint32_t side) {
+    return (td_awake_slot){(int32_t)(side / TD_AWAKE_BYTES)};
+}
 
 enum { TD_CHUNK_BLOCKS = 24 }; /* enough work for a worker to be worth taking */
 

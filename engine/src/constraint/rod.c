@@ -53,7 +53,7 @@ static rod_line line_of(const thud_world *w, const td_constraint *constraint) {
 }
 
 static float inverse_mass(const thud_world *w, uint32_t record) {
-    return td_row(&w->velocity, (int)(record / TD_AWAKE_BYTES))[3];
+    return td_row(&w->velocity, td_slot_of_side(record))[3];
 }
 
 static void prepare_lane(const thud_world *w, td_block *block, int lane) {
@@ -90,8 +90,8 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
 static void count(thud_world *w, const td_block *block) {
     const td_point *p = &block->point[0];
     for (int lane = 0; lane < block->used; lane++) {
-        const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
-        const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
+        const float *a = td_row(&w->velocity, td_slot_of_side(block->a[lane]));
+        const float *b = td_row(&w->velocity, td_slot_of_side(block->b[lane]));
         float speed = (b[0] - a[0]) * block->nx[lane] + (b[1] - a[1]) * block->ny[lane] +
                       b[2] * p->cross_b[lane] - a[2] * p->cross_a[lane];
         w->errors.residual = td_max_float(w->errors.residual, speed < 0.0f ? -speed : speed);

@@ -288,14 +288,14 @@ static void hand_over(thud_world *w, td_block *block, int kind, int lane) {
         if (to == from || to->kind != kind || to->state != TD_TOUCHING || !alike_sides) {
             continue;
         }
-        td_block *other = td_block_at(w, kind, to->slot / TD_LANES);
-        int at = to->slot % TD_LANES;
-        float alike = other->nx[at] * block->nx[lane] + other->ny[at] * block->ny[lane];
-        if (alike > ALIKE && other->point[0].normal_impulse[at] == 0.0f) {
+        td_lane at = td_lane_of(w, to);
+        float alike =
+            at.block->nx[at.lane] * block->nx[lane] + at.block->ny[at.lane] * block->ny[lane];
+        if (alike > ALIKE && at.block->point[0].normal_impulse[at.lane] == 0.0f) {
             for (int k = 0; k < points; k++) {
-                other->point[k].normal_impulse[at] = block->point[k].normal_impulse[lane];
+                at.block->point[k].normal_impulse[at.lane] = block->point[k].normal_impulse[lane];
             }
-            other->tangent_impulse[at] = block->tangent_impulse[lane];
+            at.block->tangent_impulse[at.lane] = block->tangent_impulse[lane];
             return;
         }
     }

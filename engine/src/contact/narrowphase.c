@@ -260,8 +260,8 @@ static bool test_sensors(thud_world *w) {
         int index = td_int_at(waiting, i);
         const td_contact *contact = td_contact_at(w, index);
         bool met = bounds_meet(w, contact), overlaps = met && sensor_overlaps(w, contact);
-        bool rests = met && td_body_at(w, contact->body[0])->awake < 0 &&
-                     td_body_at(w, contact->body[1])->awake < 0;
+        bool rests = met && td_body_at(w, contact->body[0])->awake.at < 0 &&
+                     td_body_at(w, contact->body[1])->awake.at < 0;
         if (!met) {
             td_push_int(&w->scratch.ends, index);
         } else if (overlaps != contact->open) {

@@ -25,7 +25,7 @@ static side side_of(thud_world *w, int index, const td_impact_point *at, double 
               .body = body,
               .x = at->x - (double)(f.place.x - at->origin.x) / w->to_fixed,
               .y = at->y - (double)(f.place.y - at->origin.y) / w->to_fixed};
-    if (body->awake > 0) {
+    if (body->awake.at > 0) {
         const float *velocity = td_row(&w->velocity, body->awake);
         for (int k = 0; k < 3; k++) {
             double fall = k < 2 ? f.fall[k] : 0.0;

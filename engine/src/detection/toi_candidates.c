@@ -7,8 +7,8 @@
 
 /* Whether the pair is a candidate already: where both stray, each may find the other. */
 static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
-    int slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
-    int e = slot > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
+    td_awake_slot slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
+    int e = slot.at > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
     while (e != TD_NONE) {
         const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
         if ((extra->shape[0] == shape_a && extra->shape[1] == shape_b) ||
@@ -36,8 +36,8 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b) {
                             .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body}};
     td_int_set(&w->scratch.queue.spot, number, TD_NONE);
     for (int side = 0; side < 2; side++) {
-        int slot = td_body_at(w, e->body[side])->awake;
-        if (slot > 0) {
+        td_awake_slot slot = td_body_at(w, e->body[side])->awake;
+        if (slot.at > 0) {
             td_trajectory *f = td_trajectory_at(w, slot);
             e->next[side] = f->extras;
             f->extras = index * 2 + side;

@@ -16,8 +16,8 @@ const thud_detection *td_detection_of(const thud_world *w, int body_a, int body_
 }
 
 td_trajectory td_trajectory_of(const thud_world *w, int body) {
-    int slot = td_body_at(w, body)->awake;
-    if (slot > 0) {
+    td_awake_slot slot = td_body_at(w, body)->awake;
+    if (slot.at > 0) {
         return *td_trajectory_at(w, slot);
     }
     const td_pose *pose = td_pose_at(w, body);

@@ -39,8 +39,8 @@ typedef struct td_toi_candidate {
 } td_toi_candidate;
 
 /* The trajectory of an awake body, by its slot. */
-static inline td_trajectory *td_trajectory_at(const thud_world *w, int slot) {
-    return TD_AT(td_trajectory, &w->scratch.trajectories, slot);
+static inline td_trajectory *td_trajectory_at(const thud_world *w, td_awake_slot slot) {
+    return TD_AT(td_trajectory, &w->scratch.trajectories, slot.at);
 }
 
 /* What finds out when the two meet. */

@@ -17,8 +17,8 @@ typedef struct td_island {
 
 typedef struct td_islands {
     td_array island;      /* td_island */
-    td_array slots;       /* int: awake slots, island by island */
-    td_array constraints; /* int: likewise */
+    td_array slots;       /* td_awake_slot: island by island */
+    td_array constraints; /* int: island by island */
     td_array local;       /* int, by awake slot: 1 + its number in the island; 0: in none */
     td_array before;      /* float[4], as `slots`: velocity before the soft solver */
     td_array

@@ -148,7 +148,7 @@ static void carry_on(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &d->bodies[i];
-        const float *before = td_row(&work->w->islands.before, work->island->first_body + i);
+        const float *before = td_at(&work->w->islands.before, work->island->first_body + i);
         for (int k = 0; k < 3; k++) {
             b->free[k] = 2.0 * b->free[k] - (double)before[k];
             b->velocity[k] = 2.0 * b->velocity[k] - (double)before[k];

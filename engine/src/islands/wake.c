@@ -7,7 +7,7 @@
 #include "state/shape.h"
 
 static bool may_wake(const td_body *body) {
-    return body->kind == THUD_DYNAMIC && body->awake < 0 &&
+    return body->kind == THUD_DYNAMIC && body->awake.at < 0 &&
            !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
            !(body->changes & TD_CHANGE_ENTER);
 }
@@ -33,7 +33,7 @@ bool td_wake(thud_world *w, int index) {
     td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
     if (!may_wake(td_body_at(w, index))) {
         td_body *body = td_body_at(w, index);
-        if (body->awake > 0) {
+        if (body->awake.at > 0) {
             *td_row(&w->idle, body->awake) = 0.0f;
         }
         return true;

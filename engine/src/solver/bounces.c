@@ -17,8 +17,8 @@
 
 /* One side's gravity along the normal, and how strong it is; lengths/s^2. */
 static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *most) {
-    int slot = (int)(side / TD_AWAKE_BYTES);
-    const td_body *body = slot ? td_body_at(w, td_body_of(w, slot)) : NULL;
+    td_awake_slot slot = td_slot_of_side(side);
+    const td_body *body = slot.at ? td_body_at(w, td_body_of(w, slot)) : NULL;
     if (!body || body->kind != THUD_DYNAMIC) {
         return 0.0;
     }
@@ -29,8 +29,8 @@ static double gravity_of(const thud_world *w, uint32_t side, double nx, double n
 }
 
 static td_trajectory *trajectory_of(const thud_world *w, uint32_t side) {
-    int slot = (int)(side / TD_AWAKE_BYTES);
-    return slot ? td_trajectory_at(w, slot) : NULL;
+    td_awake_slot slot = td_slot_of_side(side);
+    return slot.at ? td_trajectory_at(w, slot) : NULL;
 }
 
 typedef struct lane {

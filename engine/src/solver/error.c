@@ -30,8 +30,8 @@ float td_error_overlap(const thud_world *w) {
 
 /* Normal velocity of a point; negative where it closes. */
 static float speed_of(const thud_world *w, const td_block *block, const td_point *p, int lane) {
-    const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
-    const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
+    const float *a = td_row(&w->velocity, td_slot_of_side(block->a[lane]));
+    const float *b = td_row(&w->velocity, td_slot_of_side(block->b[lane]));
     return (b[0] - a[0]) * block->nx[lane] + (b[1] - a[1]) * block->ny[lane] +
            b[2] * p->cross_b[lane] - a[2] * p->cross_a[lane];
 }

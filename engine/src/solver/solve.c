@@ -62,7 +62,7 @@ static void refresh_push(thud_world *w, float h) {
         return;
     }
     w->push_stale = false;
-    for (int slot = 1; slot < w->body_of.count; slot++) {
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_body *body = td_body_at(w, td_body_of(w, slot));
         float *push = td_row(&w->push, slot);
         memset(push, 0, sizeof(float[4]));

@@ -78,7 +78,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         .flags = (uint8_t)(TD_BODY_LIVE | (def->fixed_rotation ? TD_BODY_FIXED : 0) |
                            (def->may_sleep ? 0 : TD_BODY_RESTLESS) |
                            (def->detection ? TD_BODY_CHOSE : 0)),
-        .awake = TD_NONE,
+        .awake = {TD_NONE},
         .velocity = {def->velocity.x, def->velocity.y, def->angular_velocity},
         .first_shape = TD_NONE,
         .first_constraint = TD_NONE,
@@ -229,7 +229,7 @@ thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state 
         .mass = body->mass,
         .inertia = body->inertia,
         .gravity_scale = body->gravity_scale,
-        .awake = body->awake > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)),
+        .awake = body->awake.at > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)),
         .enabled = !(body->flags & TD_BODY_DISABLED),
         .quarantined = (body->flags & TD_BODY_QUARANTINED) != 0,
         .user_data = body->user_data,

@@ -35,7 +35,7 @@ static inline int64_t td_length_from(const thud_world *w, float length) {
 
 /* The velocity as it is now, awake or not. */
 static inline float *td_body_velocity(const thud_world *w, const td_body *body) {
-    return body->awake > 0 ? td_row(&w->velocity, body->awake) : (float *)body->velocity;
+    return body->awake.at > 0 ? td_row(&w->velocity, body->awake) : (float *)body->velocity;
 }
 
 /* ---- edits deferred by callbacks ---- */

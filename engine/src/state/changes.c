@@ -71,7 +71,7 @@ static void free_shape(thud_world *w, int index) {
 static void leave(thud_world *w, int index) {
     td_body *body = td_body_at(w, index);
     destroy_contacts(w, index, TD_NONE, true);
-    if (body->awake > 0) {
+    if (body->awake.at > 0) {
         td_awake_remove(w, index);
     }
     for (int i = body->first_shape; i != TD_NONE;) {
@@ -133,9 +133,9 @@ static void change_enabled(thud_world *w, int index) {
     if (w->joining) {
         w->joining->suspend(w, index);
     }
-    if (!enabled && body->awake > 0) {
+    if (!enabled && body->awake.at > 0) {
         td_awake_remove(w, index);
-    } else if (enabled && body->awake < 0 && body->kind != THUD_STATIC) {
+    } else if (enabled && body->awake.at < 0 && body->kind != THUD_STATIC) {
         td_awake_add(w, index);
     }
     memset(body->force, 0, sizeof body->force);
@@ -160,7 +160,7 @@ static void destroy_gone(thud_world *w, int index) {
 /* What moves on from collision to collision is looked for as far as it goes in this step. */
 static void expect(thud_world *w, int index) {
     const td_body *body = td_body_at(w, index);
-    if (body->awake < 0 || !body->detection->meet) {
+    if (body->awake.at < 0 || !body->detection->meet) {
         return;
     }
     const float *v = td_row(&w->velocity, body->awake);
@@ -181,7 +181,7 @@ static bool apply(thud_world *w, int index) {
         return false;
     }
     body->changes = 0;
-    bool rests = body->awake < 0;
+    bool rests = body->awake.at < 0;
     if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) && body->kind != THUD_STATIC &&
         !(body->flags & TD_BODY_DISABLED)) {
         td_awake_add(w, index);
@@ -216,7 +216,7 @@ static bool apply(thud_world *w, int index) {
         td_body_place_shapes(w, index);
         expect(w, index);
     }
-    if (body->awake > 0) {
+    if (body->awake.at > 0) {
         *td_row(&w->idle, body->awake) = changes == TD_CHANGE_SLEEP ? TD_SLEEP_TIME : 0.0f;
         w->drowsy_bodies += changes == TD_CHANGE_SLEEP;
     }

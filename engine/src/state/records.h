@@ -5,6 +5,7 @@
 
 #include "base/fixed.h"
 #include "base/memory.h"
+#include "base/indices.h"
 #include "thud/thud.h"
 
 enum {
@@ -35,7 +36,7 @@ typedef struct td_body {
     int32_t next_free; /* first: see td_slots */
     uint32_t generation;
     uint8_t kind, flags, changes, aabbs; /* aabbs: number of AABB shapes, which fix rotation */
-    int32_t awake;                       /* slot, or TD_NONE: static, asleep or not yet applied */
+    td_awake_slot awake;                 /* TD_NONE: static, asleep or not yet applied */
     int32_t first_shape, shape_count;
     int32_t first_constraint; /* edge: contact * 2 + side */
     float velocity[3];        /* while there is no awake slot */

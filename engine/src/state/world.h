@@ -97,7 +97,7 @@ static inline td_body *td_body_at(const thud_world *w, int i) {
 }
 
 static inline bool td_body_sleeps(const thud_world *w, int i) {
-    return td_body_at(w, i)->kind == THUD_DYNAMIC && td_body_at(w, i)->awake < 0;
+    return td_body_at(w, i)->kind == THUD_DYNAMIC && td_body_at(w, i)->awake.at < 0;
 }
 
 static inline td_shape *td_shape_at(const thud_world *w, int i) {
@@ -146,25 +146,25 @@ static inline td_bounds *td_was_at(const thud_world *w, int shape) {
 
 /* ---- by awake slot ---- */
 
-static inline int td_body_of(const thud_world *w, int slot) {
-    return td_int_at(&w->body_of, slot);
+static inline int td_body_of(const thud_world *w, td_awake_slot slot) {
+    return td_int_at(&w->body_of, slot.at);
 }
 
-static inline uint8_t *td_direct_steps_at(const thud_world *w, int slot) {
-    return TD_AT(uint8_t, &w->direct_steps, slot);
+static inline uint8_t *td_direct_steps_at(const thud_world *w, td_awake_slot slot) {
+    return TD_AT(uint8_t, &w->direct_steps, slot.at);
 }
 
-static inline uint16_t *td_slow_steps_at(const thud_world *w, int slot) {
-    return TD_AT(uint16_t, &w->slow_steps, slot);
+static inline uint16_t *td_slow_steps_at(const thud_world *w, td_awake_slot slot) {
+    return TD_AT(uint16_t, &w->slow_steps, slot.at);
 }
 
-static inline td_colours *td_colours_at(const thud_world *w, int slot) {
-    return TD_AT(td_colours, &w->colours, slot);
+static inline td_colours *td_colours_at(const thud_world *w, td_awake_slot slot) {
+    return TD_AT(td_colours, &w->colours, slot.at);
 }
 
-/* A row of one, two or four floats. */
-static inline float *td_row(const td_array *rows, int i) {
-    return td_at(rows, i);
+/* Of an array of awake_arrays.h that has one, two or four floats an element. */
+static inline float *td_row(const td_array *rows, td_awake_slot slot) {
+    return td_at(rows, slot.at);
 }
 
 #endif
