@@ -255,7 +255,7 @@ void td_draw_motions(const td_drawing *d) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         const float *delta = td_row(&w->delta, slot);
         float fast = 0.5f * td_row(&w->reach, slot)[0]; /* as in finalize.c */
-        int index = td_body_of(w, slot);
+        td_body_index index = td_body_of(w, slot);
         if (delta[0] * delta[0] + delta[1] * delta[1] <= fast * fast) {
             continue;
         }

@@ -364,7 +364,7 @@ static void pass_all(tape *t, thud_world *w, const td_snapshot_head *head) {
     pass_bins(t, w, head->bins);
     pass_levels(t, &w->awake_shapes, head->levels[0]);
     pass_levels(t, &w->rest_shapes, head->levels[1]);
-    for (int i = 0; i < w->bodies.count; i++) {
+    for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         pass_body(t, td_body_at(w, i));
     }
     pass_slots(t, &w->shapes);

@@ -31,9 +31,8 @@ static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
     }
     list->count = 0;
     if (awake) {
-        const int *bodies = w->body_of.data;
         for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-            int i = td_body_at(w, bodies[slot.at])->first_shape;
+            int i = td_body_at(w, td_body_of(w, slot))->first_shape;
             for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
                 td_push_int(list, i);
             }

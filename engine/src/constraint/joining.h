@@ -10,7 +10,7 @@ typedef struct td_joining_ops {
      * memory is short: the rest goes on waiting. */
     bool (*engage)(thud_world *w);
     /* Those of a body give their lanes back, and wait until it is enabled. */
-    void (*suspend)(thud_world *w, int body);
+    void (*suspend)(thud_world *w, td_body_index body);
 } td_joining_ops;
 
 extern const td_joining_ops td_joining;

@@ -208,7 +208,7 @@ static bool look_anew(const td_internal_edge *s, int neighbour, void *context) {
 }
 
 /* The shapes that rest are still those of the last step; who came since will look for himself. */
-bool td_internal_edges_lose(thud_world *w, int body) {
+bool td_internal_edges_lose(thud_world *w, td_body_index body) {
     int i = td_body_at(w, body)->first_shape;
     if (td_body_at(w, body)->kind != THUD_STATIC || i == TD_NONE) {
         return true;
@@ -226,7 +226,7 @@ bool td_internal_edges_lose(thud_world *w, int body) {
     return true;
 }
 
-void td_internal_edges_join(thud_world *w, int body) {
+void td_internal_edges_join(thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     for (int i = b->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_internal_edge s = td_internal_edge_of(w, i, TD_NONE);

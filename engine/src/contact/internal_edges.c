@@ -270,7 +270,7 @@ static void join_points(td_internal_edge_contact *c) {
 
 /* Whether a shape is of the ground that a contact of the same body has its ghost from. */
 static bool goes_on(const thud_world *w, const td_contact *to, const td_contact *from, int side) {
-    return to->body[side] == from->body[side] ||
+    return td_same_body(to->body[side], from->body[side]) ||
            (td_body_at(w, to->body[side])->kind == THUD_STATIC &&
             td_body_at(w, from->body[side])->kind == THUD_STATIC);
 }

@@ -44,9 +44,9 @@ typedef struct td_internal_edge_ops {
     /* Looks what an unseen shape stands at, before it gets a contact. Likewise. */
     bool (*see)(thud_world *w, int shape);
     /* Before a static body's shapes leave or move: their neighbours will look anew. Likewise. */
-    bool (*lose)(thud_world *w, int body);
+    bool (*lose)(thud_world *w, td_body_index body);
     /* Looks for which shapes of a moving body stand next to each other. */
-    void (*join)(thud_world *w, int body);
+    void (*join)(thud_world *w, td_body_index body);
     /* Takes ghosts out of the lanes of a block: a contact with a hidden face moves to one that can
      * be met, or ends, which td_block.touching tells. */
     void (*amend)(thud_world *w, td_block *block, int kind);
@@ -62,7 +62,7 @@ extern const td_internal_edge_ops td_internal_edges;
 
 bool td_internal_edges_find(thud_world *w, int shape); /* edge_finder.c */
 bool td_internal_edges_see(thud_world *w, int shape);
-bool td_internal_edges_lose(thud_world *w, int body);
-void td_internal_edges_join(thud_world *w, int body);
+bool td_internal_edges_lose(thud_world *w, td_body_index body);
+void td_internal_edges_join(thud_world *w, td_body_index body);
 
 #endif

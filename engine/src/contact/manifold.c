@@ -43,7 +43,8 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
 thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *out, int capacity,
                                int *count) {
     TD_IN_OWN_MODE;
-    int index, n = 0;
+    td_body_index index;
+    int n = 0;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
         return result;

@@ -208,7 +208,7 @@ static bool begin_contacts(thud_world *w) {
     list += first;
     for (int i = 0; i < count; i++) {
         const td_contact *contact = td_contact_at(w, list[i]);
-        int sleeper = contact->body[td_body_sleeps(w, contact->body[0]) ? 0 : 1];
+        td_body_index sleeper = contact->body[td_body_sleeps(w, contact->body[0]) ? 0 : 1];
         if (td_body_sleeps(w, sleeper) && !td_wake(w, sleeper)) {
             return false;
         }

@@ -9,7 +9,7 @@
 
 /* One of the two bodies, at the point where they meet. */
 typedef struct side {
-    int index;
+    td_body_index index;
     td_body *body;
     td_trajectory *trajectory; /* null where nothing moves it */
     double inv_mass, inv_inertia;
@@ -18,7 +18,7 @@ typedef struct side {
     double motion[3];   /* per second of the rest of the step */
 } side;
 
-static side side_of(thud_world *w, int index, const td_impact_point *at, double time) {
+static side side_of(thud_world *w, td_body_index index, const td_impact_point *at, double time) {
     td_body *body = td_body_at(w, index);
     td_trajectory f = td_trajectory_of(w, index);
     side s = {.index = index,

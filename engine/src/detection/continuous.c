@@ -23,7 +23,8 @@ typedef struct meeting {
 typedef struct sweep {
     thud_world *w;
     td_awake_slot slot;
-    int body, shape;
+    td_body_index body;
+    int shape;
     td_position start;          /* of the body's centre */
     thud_shape_instance placed; /* relative to start; smaller than the shape */
     thud_shape_instance core;   /* a small circle in its middle */
@@ -212,8 +213,8 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
                       turns ? (double)delta[2] : 0.0};
 }
 
-static void stop_at(thud_world *w, int index, td_position start, uint32_t start_angle, double time,
-                    float *delta) {
+static void stop_at(thud_world *w, td_body_index index, td_position start, uint32_t start_angle,
+                    double time, float *delta) {
     td_pose *pose = td_pose_at(w, index);
     for (int k = 0; k < 3; k++) {
         delta[k] = (float)((double)delta[k] * time);
@@ -281,7 +282,7 @@ static void find_next(sweep *s, int first, float c, float sine) {
 /* The prologue is asked in the order of time, whichever order the broadphase has, up to the first
  * that stops the body. */
 static void sweep_body(thud_world *w, td_awake_slot slot) {
-    int index = td_body_of(w, slot);
+    td_body_index index = td_body_of(w, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_position start = {pose->center.x - td_length_from(w, delta[0]),

@@ -58,13 +58,13 @@ static bool presses(thud_world *w, const td_toi_candidate *e, double now) {
     return td_impact_point_of(w, e, now, &at) && at.closing > NOTHING * (double)(TD_MEET * w->unit);
 }
 
-static bool gives_way(const thud_world *w, int body) {
+static bool gives_way(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->kind == THUD_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
 }
 
 /* In this step. */
-static bool has_met(const thud_world *w, int body) {
+static bool has_met(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->awake.at > 0 && td_trajectory_at(w, b->awake)->impacts > 0;
 }
@@ -246,11 +246,11 @@ static bool takes_part(const thud_world *w, td_awake_slot slot) {
 
 /* From where the solver's motion began. */
 static void take_off(thud_world *w, td_awake_slot slot) {
-    int index = td_body_of(w, slot);
+    td_body_index index = td_body_of(w, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_trajectory f = *td_trajectory_at(w, slot);
-    if (f.body != index) { /* somebody was quarantined, and it stands in his slot */
+    if (!td_same_body(f.body, index)) { /* somebody was quarantined, and it stands in his slot */
         f = (td_trajectory){.body = index};
     }
     *td_trajectory_at(w, slot) =

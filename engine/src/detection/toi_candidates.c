@@ -54,7 +54,7 @@ static td_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int i
     double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
     double slack = (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn +
                    (double)(TD_MEET * w->unit) +
-                   td_trajectories_bend(&(td_trajectory){.body = TD_NONE}, f, 1.0 - f->since);
+                   td_trajectories_bend(&(td_trajectory){.body = {TD_NONE}}, f, 1.0 - f->since);
     td_bounds a = td_placed_bounds(w, &now, f->place, slack);
     td_bounds b = td_placed_bounds(w, &end, f->place, slack);
     return td_bounds_around(&a, &b);

@@ -131,7 +131,7 @@ static td_awake_slot neighbour(const thud_world *w, const td_constraint *constra
 /* Adds the contacts of a body, and whom they bring; each contact once, by its first side that is a
  * body of an island. False: the island has too many bodies. */
 static bool spread(thud_world *w, td_island *island, td_awake_slot slot) {
-    int body = td_body_of(w, slot);
+    td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (constraint->state != TD_TOUCHING) {

@@ -18,7 +18,7 @@ static bool put_to_sleep(thud_world *w) {
     td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
     constraints->count = 0;
     for (int i = 0; i < bodies->count; i++) {
-        int e = td_body_at(w, td_int_at(bodies, i))->first_constraint;
+        int e = td_body_at(w, td_body_in(bodies, i))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
             td_constraint *constraint = td_constraint_at(w, e / 2);
             if (constraint->state == TD_TOUCHING && !constraint->listed) {
@@ -34,13 +34,13 @@ static bool put_to_sleep(thud_world *w) {
         return false;
     }
     for (int i = 0; i < bodies->count; i++) {
-        int index = td_int_at(bodies, i);
+        td_body_index index = td_body_in(bodies, i);
         td_body *body = td_body_at(w, index);
         td_awake_remove(w, index);
         memset(body->velocity, 0, sizeof body->velocity);
     }
     for (int i = 0; i < bodies->count; i++) {
-        td_body *body = td_body_at(w, td_int_at(bodies, i));
+        td_body *body = td_body_at(w, td_body_in(bodies, i));
         for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
             const td_body *other = td_body_at(w, td_other_body(w, e));
             if (td_constraint_at(w, e / 2)->state == TD_WAITING && other->awake.at < 0) {
@@ -51,7 +51,7 @@ static bool put_to_sleep(thud_world *w) {
     w->rest_epoch++;
     for (int i = 0; i < bodies->count; i++) {
         /* In a crowd, pairs may be missing: who wakes looks around. */
-        td_body_at(w, td_int_at(bodies, i))->rest_epoch =
+        td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }
     td_proxy_set_forget(&w->awake_shapes);
@@ -90,7 +90,7 @@ void td_sleep(thud_world *w) {
     w->scratch.bodies.count = 0;
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         if (*td_row(&w->idle, root[slot.at]) >= TD_SLEEP_TIME) {
-            td_push_int(&w->scratch.bodies, td_body_of(w, slot));
+            td_push_body(&w->scratch.bodies, td_body_of(w, slot));
         }
     }
     if (w->scratch.bodies.count) {

@@ -24,7 +24,7 @@ static void follow_slot(td_array *slots, td_awake_slot from, td_awake_slot to) {
     }
 }
 
-static void quarantine(thud_world *w, int index) {
+static void quarantine(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     td_awake_slot slot = body->awake;
     memset(td_row(&w->velocity, body->awake), 0, sizeof(float[4]));
@@ -47,7 +47,7 @@ static void quarantine(thud_world *w, int index) {
     td_refuse(w, THUD_ERROR_INVALID, "a body became non-finite and is quarantined");
 }
 
-static void move(thud_world *w, int index, const float *delta) {
+static void move(thud_world *w, td_body_index index, const float *delta) {
     td_pose *pose = td_pose_at(w, index);
     pose->center.x += td_length_from(w, delta[0]);
     pose->center.y += td_length_from(w, delta[1]);
@@ -69,7 +69,7 @@ void td_finalize(thud_world *w) {
     /* From the last slot down, since a body that leaves its slot gives it to the last one. */
     for (int i = w->scratch.odd.count - 1; i >= 0; i--) {
         td_awake_slot slot = td_slot_in(&w->scratch.odd, i);
-        int index = td_body_of(w, slot);
+        td_body_index index = td_body_of(w, slot);
         const float *delta = td_row(&w->delta, slot), *reach = td_row(&w->reach, slot);
         if (!row_finite(td_row(&w->velocity, slot)) || !row_finite(delta)) {
             quarantine(w, index);

@@ -28,12 +28,12 @@ bool td_awake_reserve(thud_world *w, int more) {
         }
     }
     if (w->body_of.count == 0) {
-        td_push_int(&w->body_of, TD_NONE);
+        td_push_body(&w->body_of, (td_body_index){TD_NONE});
     }
     return true;
 }
 
-void td_awake_refresh(thud_world *w, int index) {
+void td_awake_refresh(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->awake.at < 0) {
         return;
@@ -58,10 +58,10 @@ void td_awake_refresh(thud_world *w, int index) {
     w->push_stale = w->kinetic_stale = true;
 }
 
-void td_awake_add(thud_world *w, int index) {
+void td_awake_add(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     td_awake_slot slot = {w->body_of.count};
-    td_push_int(&w->body_of, index);
+    td_push_body(&w->body_of, index);
     body->awake = slot;
     float *velocity = td_row(&w->velocity, slot);
     memcpy(velocity, body->velocity, sizeof body->velocity);
@@ -90,7 +90,7 @@ static void move_slot(thud_world *w, td_awake_slot from, td_awake_slot to) {
     }
 }
 
-void td_awake_remove(thud_world *w, int index) {
+void td_awake_remove(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     td_awake_slot slot = body->awake, last = {w->body_of.count - 1};
     const float *damping = td_row(&w->damping, slot);
