@@ -72,7 +72,7 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
 
 const char *thud_stage_name(thud_stage stage) {
     static const char *const names[THUD_STAGE_COUNT] = {"changes",    "broadphase", "narrowphase",
-                                                        "contacts",   "solve",      "finish",
+                                                        "contacts",   "solve",      "finalize",
                                                         "continuous", "events",     "sleep"};
     return (int)stage >= 0 && stage < THUD_STAGE_COUNT ? names[stage] : "unknown";
 }

@@ -15,7 +15,7 @@
 static const struct {
     size_t at, bytes;
 } FIELDS[] = {
-    /* What has a setter; pointers go by head.plugged and head.detection. */
+    /* Fields that have a setter; pointers are kept as head.plugged and head.detection. */
     FIELD(def.gravity),
     FIELD(def.time_step),
     FIELD(def.sleeping),
@@ -237,8 +237,8 @@ static void pass(tape *t, void *memory, size_t bytes) {
     }
 }
 
-/* What restoring must know before it can begin: the points of each terrain, and which blocks are
- * free. */
+/* Restoring must know, before it can begin, the points of each terrain and which blocks are free.
+ */
 static void pass_table(tape *t, thud_world *w) {
     for (int i = 0; i < w->terrains.count; i++) {
         int32_t *count = &td_terrain_record_at(w, i)->points.count;

@@ -84,7 +84,7 @@ static int stamp_partners(thud_world *w, int a) {
     return count;
 }
 
-/* Whose turn it is moves on with every step. */
+/* In a crowd pairs take turns: by the step and by the pair, so that each has its turn in time. */
 static unsigned turn_of(const thud_world *w, int a, int b) {
     return (unsigned)a + (unsigned)b + (unsigned)w->steps;
 }
@@ -121,14 +121,15 @@ static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned s
 
 /* ---- crowds ---- */
 
-/* Where everything is inside everything, pairs are as the square of the shapes. As long as so many
- * overlap, and so many more for each shape of the world, all are there at once. */
+/* Where everything overlaps everything, there are as many pairs as the square of the shapes. A
+ * world is crowded when more pairs overlap than ENOUGH and ENOUGH_A_SHAPE for each of its shapes;
+ * until then all pairs get their contacts at once. */
 enum { ENOUGH = 8192, ENOUGH_A_SHAPE = 64 };
 
-/* Else the world is crowded, and a shape looks at about so many of those that overlap it, which is
- * cheap, and gets about so many new contacts with them, which is not; with as many contacts as that
- * it gets one more a step. Sensors get all that are looked at. Those left over have their turn in
- * later steps: each within as many as the powers of two say by which the rest was divided. */
+/* In a crowded world, a shape looks in each step at about LOOKS of those that overlap it, which is
+ * cheap, and gets new contacts with about PLACES of them, which is not; once it has PLACES contacts
+ * it gets about one more a step. Sensors get contacts with all that are looked at. The others have
+ * their turn in later steps: each within as many as the power of two by which they were divided. */
 enum { LOOKS = 128, PLACES = 32 };
 
 typedef struct search {

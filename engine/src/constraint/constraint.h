@@ -2,6 +2,10 @@
  * and is an edge in the list of either. Contacts are one sort of constraints, whose kinds are pair
  * kinds; the others, such as rods, have kinds of their own.
  *
+ * The numbers of all kinds, TD_CONSTRAINT_ROD among them, stand in contact/pair_kinds.h, behind the
+ * pair kinds; what a kind does is a td_constraint_ops (constraint_ops.h); and what a joint
+ * remembers of its bodies is a td_joint (state/records.h).
+ *
  * A constraint that acts holds a lane: lanes.h. One that does not is in the waiting list of its
  * kind, or in no list while neither body is awake. */
 #ifndef TD_CONSTRAINT_H

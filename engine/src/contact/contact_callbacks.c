@@ -89,7 +89,8 @@ void td_contacts_ask(thud_world *w) {
     }
 }
 
-/* What meets within the step, or does nothing in it, has no points here: see bounces.c. */
+/* Tells hits of contacts that the solver will stop. Those that detection resolves within the step,
+ * and those that do nothing in it, have no points here: see bounces.c. */
 void td_contacts_hit(thud_world *w) {
     float least = -w->def.hit_speed * w->unit;
     for (int i = 0; i < w->scratch.begins.count && w->def.contact_events; i++) {

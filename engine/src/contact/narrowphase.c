@@ -223,8 +223,9 @@ static bool begin_contacts(thud_world *w) {
         td_constraint_rest(w, list[i]);
     }
     bool placed = td_lanes_place(w, list, count, false);
-    for (int i = 0; i < count;
-         i++) { /* those that wait again are the last to do so, and leave first */
+    /* Where memory was short, contacts wait again, as the last of the waiting list: they are the
+     * first to leave it. */
+    for (int i = 0; i < count; i++) {
         (placed ? td_contact_begin : td_constraint_wait)(w, list[i]);
     }
     return placed;

@@ -1,10 +1,11 @@
-/* ballistics.c: see ballistics.h. Of swept bodies only: their impacts heed the parabola. */
+/* ballistics.c: see ballistics.h. Only swept bodies fly parabolas, since only
+ * their impacts heed them. */
 #include "detection/ballistics.h"
 
 #include "detection/trajectory.h"
 
-/* What contacts gave a body is too little to bear it, if it is no more than this share of what
- * gravity gives in a step. */
+/* Contacts do not bear a body to which they gave no more than this share of what gravity gives it
+ * in a step. */
 #define LITTLE 0.0625
 
 void td_ballistics_note(thud_world *w) {
@@ -38,8 +39,8 @@ static bool is_free(const thud_world *w, td_awake_slot slot, double share) {
     return free;
 }
 
-/* The parabola that ends with the body's velocity. Who was not touched at all gets that velocity
- * from the one before, without the roundings of the substeps. */
+/* Sets the motion to that of the parabola that ends with the body's velocity. A body that was not
+ * touched at all gets that velocity from the one before, without the roundings of the substeps. */
 static void fly(thud_world *w, td_awake_slot slot, bool touched) {
     td_trajectory *f = td_trajectory_at(w, slot);
     double dt = w->def.time_step;

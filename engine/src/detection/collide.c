@@ -50,7 +50,7 @@ static double speed_along(const side *a, const side *b, bool of_motion, double x
     return vx * x + vy * y;
 }
 
-/* What is held does not move, whatever its velocity. */
+/* A body that is held does not move, whatever its velocity. */
 static bool gives_way(const side *s, bool of_motion) {
     return !of_motion || (s->trajectory && !s->trajectory->held);
 }
@@ -188,7 +188,7 @@ static void write_back(const thud_world *w, const side *s) {
     f->impacts++;
 }
 
-/* It moves as its velocity says. */
+/* From here on the body moves as its velocity says. */
 static bool is_free(const side *s) {
     return !s->trajectory || s->trajectory->free || s->body->kind != THUD_DYNAMIC;
 }
@@ -199,7 +199,7 @@ static void move_as_velocity(side *s) {
     }
 }
 
-/* Slower approaches do not bounce: see bounces.h. */
+/* The speed of approach below which a pair does not bounce: see bounces.h. */
 static double bounce_speed(const thud_world *w, const side *a, const side *b, const surface *u) {
     double slow = (double)(w->def.restitution_threshold * w->unit), dt = w->def.time_step;
     bool elastic = u->restitution >= 1.0;

@@ -225,8 +225,8 @@ static void stop_at(thud_world *w, td_body_index index, td_position start, uint3
     td_angle_turn(pose->angle, &pose->c, &pose->s);
 }
 
-/* It does not fall on in the rest of the step: it would fall back for nothing from where it stands.
- */
+/* A body that was stopped does not fall on in the rest of the step, so that the velocity which
+ * gravity and forces give it there is taken back. */
 static void give_back(thud_world *w, td_awake_slot slot, double time) {
     float *velocity = td_row(&w->velocity, slot);
     const float *push = td_row(&w->push, slot);

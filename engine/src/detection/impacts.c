@@ -20,9 +20,9 @@
 #include "state/surface.h"
 #include "detection/unbisectable.h"
 
-/* In multiples of TD_MEET: nearer than this shapes touch; so little motion into each other is none;
- * and so much of it in a step is left to the contact solver where load has pressed them together.
- */
+/* All three are multiples of TD_MEET. Shapes nearer than TOUCHING touch. Motion into each other by
+ * less than NOTHING is none. Of shapes that load has pressed together, motion into each other by up
+ * to PRESSED in a step is left to the contact solver. */
 #define TOUCHING 0.01
 #define NOTHING 0.01
 #define PRESSED 0.2
@@ -63,7 +63,7 @@ static bool gives_way(const thud_world *w, td_body_index body) {
     return b->kind == THUD_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
 }
 
-/* In this step. */
+/* Whether the body had a collision in this step. */
 static bool has_met(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->awake.at > 0 && td_trajectory_at(w, b->awake)->impacts > 0;

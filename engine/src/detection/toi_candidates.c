@@ -64,14 +64,15 @@ static const td_bounds *bounds_at_start(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
 }
 
-/* Some see to it that the two do not pass each other. */
+/* Whether a detection sees to it that the two do not pass each other. */
 static bool is_looked_at(const thud_world *w, int shape, int other) {
     const td_shape *a = td_shape_at(w, shape), *b = td_shape_at(w, other);
     return !((a->flags | b->flags) & TD_SHAPE_HOLLOW) && td_pair_allowed(w, shape, other) &&
            td_detection_of(w, a->body, b->body)->meet;
 }
 
-/* In the order of shapes: each broadphase has its own. */
+/* Adds what was found, in the order of shapes, so that it is the same whichever order a broadphase
+ * finds it in. */
 static bool add_found(thud_world *w, int shape, const td_bounds *ahead) {
     const td_array *hits = &w->scratch.hits;
     td_sort_ints(&w->scratch.hits);
@@ -86,7 +87,7 @@ static bool add_found(thud_world *w, int shape, const td_bounds *ahead) {
     return true;
 }
 
-/* Others who strayed are not where the grids believe. */
+/* Looks among the shapes that strayed, since those are not where the broadphase has them. */
 static bool add_strays(thud_world *w, int shape, const td_bounds *ahead, bool chose) {
     const td_array *strays = &w->scratch.strays;
     for (int i = 0; i < strays->count; i++) {

@@ -44,7 +44,7 @@ static inline td_trajectory *td_trajectory_at(const thud_world *w, td_awake_slot
     return TD_AT(td_trajectory, &w->scratch.trajectories, slot.at);
 }
 
-/* What finds out when the two meet. */
+/* The detection that finds out when the two meet. */
 const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
                                       td_body_index body_b);
 

@@ -40,7 +40,7 @@ static bool roomy(thud_world *w, td_array *array, int count) {
     return td_array_reserve(&w->memory, array, td_max_int(count, 64));
 }
 
-/* ... and for all bodies and contacts that there are, where that takes little. */
+/* Room in each list for all bodies and constraints that there are, where that takes little. */
 static bool room_for_all(thud_world *w) {
     td_islands *s = &w->islands;
     int bodies = w->body_of.count, constraints = w->touching + w->joints.live;
@@ -52,7 +52,7 @@ static bool room_for_all(thud_world *w) {
 
 /* ---- which ---- */
 
-/* in `local` */
+/* The values of td_islands.local that are no numbers in an island. */
 enum {
     TOO_MANY = -1, /* its island has more bodies than the limit */
     ALONE = -2,    /* nothing touches it */
@@ -86,8 +86,8 @@ static void cool_down(thud_world *w, td_awake_slot slot, int times) {
     *td_slow_steps_at(w, slot) = (uint16_t)(td_min_int(times, MOST_TIMES) * TD_SLOW_ONCE);
 }
 
-/* A step less to be left alone, or hard; of a body that was left n times in one of 2^(n - 1) steps.
- */
+/* What thud_world.direct_steps of a body is after this step. While it is left alone, a body counts
+ * down; one that was left n times does so in one of 2^(n - 1) steps. */
 static int direct_after_step(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     uint64_t halvings = TD_SLOW_LEFT(*td_slow_steps_at(w, slot));

@@ -50,7 +50,8 @@ static bool put_to_sleep(thud_world *w) {
     }
     w->rest_epoch++;
     for (int i = 0; i < bodies->count; i++) {
-        /* In a crowd, pairs may be missing: who wakes looks around. */
+        /* In a crowd pairs may be missing. An older epoch makes the body look around when it wakes.
+         */
         td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }

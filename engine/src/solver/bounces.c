@@ -6,13 +6,13 @@
 #include "constraint/lanes.h"
 #include "state/surface.h"
 
-/* As TD_BOUNCE_REST, of pairs in flight: the solver gets them if they meet more slowly. As little
- * as can be, since its touch breaks their trajectory. */
+/* Pairs in flight are left to the solver if they meet more slowly than this, in the unit of
+ * TD_BOUNCE_REST. It is as little as can be, since the solver breaks their parabola. */
 #define TOUCH 0.015625
-/* Share of a weight; less is but what roundings leave. */
+/* A lane is loaded if it bears more than this share of a weight; less may be what rounding left. */
 #define LOAD 0.01f
-/* In multiples of TD_MEET: what touches may be pressed together by nearly as much, see impacts.c.
- */
+/* Shapes that overlap by less than this many times TD_MEET may be left where they are: impacts.c
+ * lets what touches overlap by nearly as much. */
 #define PRESSED 0.25f
 
 /* One side's gravity along the normal, and how strong it is; lengths/s^2. */

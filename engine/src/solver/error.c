@@ -4,8 +4,8 @@
 #include "state/kinds.h"
 #include "constraint/lanes.h"
 
-/* What wakes, falls asleep or is edited makes the energy of the last step stale; and so may
- * detection that resolves collisions after its finish. */
+/* The energy that td_finalize added up in the last step is stale where a body woke, fell asleep or
+ * was edited since, and may be where detection then resolved collisions. */
 void td_error_begin(thud_world *w) {
     if (w->kinetic_stale || w->detections[TD_RANK_BISECT] || w->detections[TD_RANK_SWEPT]) {
         w->kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);

@@ -9,7 +9,8 @@
 
 #include <stddef.h>
 
-/* As td_angle_turn, the same operations in the same order. */
+/* Does for eight angles what td_angle_turn does for one, with the same operations in the same
+ * order, so that both give the same bits. */
 TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s) {
     u8 quarter = (angle + 0x20000000u) >> 30;
     f8 x = __builtin_convertvector((i8)(angle - (quarter << 30)), f8) *

@@ -16,6 +16,7 @@ bool td_awake_reserve(thud_world *w, int more);
 void td_awake_add(thud_world *w, td_body_index body);
 /* Takes its slot, and puts the velocity into its record. */
 void td_awake_remove(thud_world *w, td_body_index body);
+/* Copies mass, damping and reach of the body's record to its slot, if it has one. */
 void td_awake_refresh(thud_world *w, td_body_index body);
 
 #endif

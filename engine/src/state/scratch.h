@@ -26,7 +26,7 @@ typedef struct td_scratch {
     td_array test_list;           /* td_block *: to those of test_blocks */
     td_array fast;                /* td_awake_slot: dynamic bodies that moved further than half
                                      their core */
-    td_event_queue queue;         /* of the candidates that are going to meet */
+    td_event_queue queue;         /* of the time-of-impact candidates that are going to meet */
     td_array trajectories;        /* td_trajectory, by awake slot */
     td_array candidates;          /* td_toi_candidate: the extra ones */
     td_array strays;              /* td_stray */
