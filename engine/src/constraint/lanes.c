@@ -76,10 +76,7 @@ enum {
     OWN_END = (int)offsetof(td_block, a) / ROW
 };
 
-static void copy_lane(td_lane into, td_lane out_of, int bytes) {
-    td_block *to = into.block;
-    const td_block *from = out_of.block;
-    int to_lane = into.lane, from_lane = out_of.lane;
+static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int bytes) {
     uint32_t *t = (uint32_t *)to + to_lane;
     const uint32_t *f = (const uint32_t *)from + from_lane;
     for (int row = 0; row < bytes / ROW; row++) {
@@ -139,9 +136,9 @@ static void bin_shrink(thud_world *w, int kind, int index, int slot) {
     td_block *tail = td_block_at(w, kind, bin->tail);
     int last = tail->used - 1;
     if (slot != bin->tail * TD_LANES + last) {
-        td_lane hole = {td_block_at(w, kind, slot / TD_LANES), slot % TD_LANES};
-        copy_lane(hole, (td_lane){tail, last}, bytes);
-        td_constraint_at(w, hole.block->constraint[hole.lane])->slot = slot;
+        td_block *hole = td_block_at(w, kind, slot / TD_LANES);
+        copy_lane(hole, slot % TD_LANES, tail, last, bytes);
+        td_constraint_at(w, hole->constraint[slot % TD_LANES])->slot = slot;
     }
     clear_lane(tail, last, bytes);
     tail->used--;
@@ -171,8 +168,9 @@ static void place(thud_world *w, int index, int bin) {
     int kind = constraint->kind, lane;
     int block = bin_grow(w, kind, bin, &lane);
     if (constraint->state == TD_TOUCHING) {
-        td_lane taken = {td_block_at(w, kind, block), lane};
-        copy_lane(taken, td_lane_of(w, constraint), pool_of(w, kind)->stride);
+        td_lane from = td_lane_of(w, constraint);
+        copy_lane(td_block_at(w, kind, block), lane, from.block, from.lane,
+                  pool_of(w, kind)->stride);
         bin_shrink(w, kind, constraint->bin, constraint->slot);
     } else {
         td_block *own = td_block_at(w, kind, block);
