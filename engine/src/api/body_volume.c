@@ -31,7 +31,7 @@ static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int i
 thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kind, thud_pos origin,
                              thud_volume *out) {
     TD_IN_OWN_MODE;
-    int index;
+    td_body_index index;
     if (!w || !out) {
         return td_refuse(w, THUD_ERROR_NULL, "body volume: world or out is null");
     }

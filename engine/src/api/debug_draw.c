@@ -14,7 +14,7 @@ static thud_draw_style style_of(const td_drawing *d, const td_shape *shape) {
     if (body->kind == THUD_STATIC) {
         return THUD_DRAW_STATIC;
     }
-    return body->awake < 0                ? THUD_DRAW_SLEEPING
+    return body->awake.at < 0             ? THUD_DRAW_SLEEPING
            : body->kind == THUD_KINEMATIC ? THUD_DRAW_KINEMATIC
                                           : THUD_DRAW_DYNAMIC;
 }
@@ -66,7 +66,7 @@ static void draw_shape(const td_drawing *d, int index, int island) {
 static void draw_shapes(const td_drawing *d) {
     const thud_world *w = d->w;
     unsigned flags = d->draw->flags;
-    const int *islands = flags & THUD_DRAW_ISLANDS ? w->scratch.parents.data : NULL;
+    const td_awake_slot *islands = flags & THUD_DRAW_ISLANDS ? w->scratch.parents.data : NULL;
     for (int i = 0; i < w->shapes.count; i++) {
         const td_shape *shape = td_shape_at(w, i);
         if ((shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) != TD_SHAPE_LIVE) {
@@ -81,7 +81,7 @@ static void draw_shapes(const td_drawing *d) {
                      y1 >= d->lower.y >> TD_COARSE_SHIFT && y0 <= d->upper.y >> TD_COARSE_SHIFT);
         const td_body *body = td_body_at(w, shape->body);
         if (seen && (flags & (THUD_DRAW_SHAPES | THUD_DRAW_ISLANDS))) {
-            draw_shape(d, i, islands && body->awake > 0 ? islands[body->awake] : -1);
+            draw_shape(d, i, islands && body->awake.at > 0 ? islands[body->awake.at].at : -1);
         }
         if (seen && (flags & THUD_DRAW_SHAPE_BOUNDS) && !td_kind_is_line(shape->kind)) {
             td_drawing_bounds(d, x0, y0, x1, y1, THUD_DRAW_BOUNDS);

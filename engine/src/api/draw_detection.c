@@ -252,10 +252,10 @@ static bool in_view(const td_drawing *d, const thud_shape_instance *start,
 
 void td_draw_motions(const td_drawing *d) {
     const thud_world *w = d->w;
-    for (int slot = 1; slot < w->body_of.count; slot++) {
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         const float *delta = td_row(&w->delta, slot);
         float fast = 0.5f * td_row(&w->reach, slot)[0]; /* as in finalize.c */
-        int index = td_body_of(w, slot);
+        td_body_index index = td_body_of(w, slot);
         if (delta[0] * delta[0] + delta[1] * delta[1] <= fast * fast) {
             continue;
         }

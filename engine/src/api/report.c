@@ -43,17 +43,17 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
     thud_pose *poses = w->poses.data;
     td_position from = td_place_from(w, origin);
     float back = (float)(1.0 - alpha);
-    for (int i = 0; i < w->bodies.count; i++) {
+    for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         const td_body *body = td_body_at(w, i);
         const td_pose *pose = td_pose_at(w, i);
         if (!(body->flags & TD_BODY_LIVE)) {
-            poses[i].x = poses[i].y = __builtin_nanf("");
+            poses[i.at].x = poses[i.at].y = __builtin_nanf("");
             continue;
         }
         float x = (float)(pose->center.x - from.x) * w->quantum;
         float y = (float)(pose->center.y - from.y) * w->quantum;
         float c = pose->c, s = pose->s;
-        if (body->awake > 0 && back > 0.0f) {
+        if (body->awake.at > 0 && back > 0.0f) {
             const float *delta = td_row(&w->delta, body->awake);
             x -= back * delta[0];
             y -= back * delta[1];
@@ -61,8 +61,8 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
                 td_angle_turn(pose->angle - td_angle_between(back * delta[2]), &c, &s);
             }
         }
-        poses[i] = (thud_pose){x - (c * body->center_x - s * body->center_y),
-                               y - (s * body->center_x + c * body->center_y), c, s};
+        poses[i.at] = (thud_pose){x - (c * body->center_x - s * body->center_y),
+                                  y - (s * body->center_x + c * body->center_y), c, s};
     }
     if (count) {
         *count = w->bodies.count;
@@ -72,7 +72,7 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
 
 const char *thud_stage_name(thud_stage stage) {
     static const char *const names[THUD_STAGE_COUNT] = {"changes",    "broadphase", "narrowphase",
-                                                        "contacts",   "solve",      "finish",
+                                                        "contacts",   "solve",      "finalize",
                                                         "continuous", "events",     "sleep"};
     return (int)stage >= 0 && stage < THUD_STAGE_COUNT ? names[stage] : "unknown";
 }
@@ -137,7 +137,7 @@ thud_measure thud_world_measure(const thud_world *w) {
         return m;
     }
     measure_penetration(w, &m);
-    for (int i = 0; i < w->bodies.count; i++) {
+    for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         const td_body *body = td_body_at(w, i);
         if (!(body->flags & TD_BODY_LIVE) || body->kind != THUD_DYNAMIC) {
             continue;
@@ -167,7 +167,7 @@ static uint64_t bits_of(float x) {
 
 uint64_t thud_world_hash(const thud_world *w) {
     uint64_t hash = 0xcbf29ce484222325ull;
-    for (int i = 0; w && i < w->bodies.count; i++) {
+    for (td_body_index i = {0}; w && i.at < w->bodies.count; i.at++) {
         const td_body *body = td_body_at(w, i);
         if (!(body->flags & TD_BODY_LIVE)) {
             continue;

@@ -20,7 +20,7 @@ static int eights(int count) {
     return (count + TD_LANES - 1) / TD_LANES * TD_LANES;
 }
 
-/* What is rebuilt gets room, but no place in the bytes. */
+/* Arrays that every step rebuilds get room, but no place in the bytes. */
 static void list_awake(thud_world *w, int live, td_part *parts) {
     for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
         parts[i] = part_of(&w->awake[i], td_awake_kept[i] * eights(w->body_of.count),
@@ -36,7 +36,7 @@ static void list_events(td_event_lists *e, td_part *parts) {
     }
 }
 
-/* What the tables of all levels take. */
+/* The room that the tables of all levels take. */
 static int starts_of(const td_proxy_set *p) {
     int64_t sum = 0;
     for (int i = 0; i < TD_LEVELS; i++) {

@@ -15,7 +15,7 @@
 static const struct {
     size_t at, bytes;
 } FIELDS[] = {
-    /* What has a setter; pointers go by head.plugged and head.detection. */
+    /* Fields that have a setter; pointers are kept as head.plugged and head.detection. */
     FIELD(def.gravity),
     FIELD(def.time_step),
     FIELD(def.sleeping),
@@ -237,8 +237,8 @@ static void pass(tape *t, void *memory, size_t bytes) {
     }
 }
 
-/* What restoring must know before it can begin: the points of each terrain, and which blocks are
- * free. */
+/* Restoring must know, before it can begin, the points of each terrain and which blocks are free.
+ */
 static void pass_table(tape *t, thud_world *w) {
     for (int i = 0; i < w->terrains.count; i++) {
         int32_t *count = &td_terrain_record_at(w, i)->points.count;
@@ -347,8 +347,8 @@ static void take_counts(thud_world *w, const td_snapshot_head *head) {
         slots[i]->free_head = to->free_head;
         slots[i]->live = to->live;
     }
-    for (int slot = head->parts[TD_SNAPSHOT_AWAKE + TD_AWAKE_velocity].used;
-         slot < w->body_of.count; slot++) {
+    for (td_awake_slot slot = {head->parts[TD_SNAPSHOT_AWAKE + TD_AWAKE_velocity].used};
+         slot.at < w->body_of.count; slot.at++) {
         memset(td_row(&w->velocity, slot), 0, sizeof(float[4]));
     }
     memcpy(w->constraint_count, head->contacts, sizeof head->contacts);
@@ -364,7 +364,7 @@ static void pass_all(tape *t, thud_world *w, const td_snapshot_head *head) {
     pass_bins(t, w, head->bins);
     pass_levels(t, &w->awake_shapes, head->levels[0]);
     pass_levels(t, &w->rest_shapes, head->levels[1]);
-    for (int i = 0; i < w->bodies.count; i++) {
+    for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         pass_body(t, td_body_at(w, i));
     }
     pass_slots(t, &w->shapes);

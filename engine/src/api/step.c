@@ -156,7 +156,7 @@ thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int
         done++;
         w->spare_time = spare;
     }
-    /* What max_steps leaves over is dropped, but for the part of a step. */
+    /* Of the time that max_steps leaves over, whole steps are dropped. */
     if (result == THUD_OK) {
         double steps_left = spare / h;
         spare = steps_left < 0x1p62 ? spare - h * (double)(int64_t)steps_left : 0.0;

@@ -47,8 +47,11 @@
  * those of a touching pair may part: see td_pairs_create. */
 #define TD_MARGIN 0.0101f
 #define TD_MARGIN_MORE 0.02f
-/* Sleep: below this speed (L/s, also of the rim) for this long (s). */
+/* A body is at rest below this speed, L/s, of its centre and of its rim. */
 #define TD_SLEEP_SPEED 0.05f
+/* An island sleeps once all its bodies were at rest for this long, s. wide_finalize.c adds up the
+ * time and counts the bodies that reach it; sleep.c asks whether a whole island has; and a body
+ * that a caller puts to sleep is given it at once, in changes.c. */
 #define TD_SLEEP_TIME 0.5f
 /* Sizes and places that are accepted. */
 #define TD_SIZE_MIN ((double)1e-4f) /* as callers say it, in single precision */

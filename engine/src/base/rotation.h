@@ -35,7 +35,7 @@ static inline uint32_t td_angle_between(float radians) {
     return (uint32_t)td_round_increment(quanta - turns * TD_TURN);
 }
 
-/* In (-pi, pi]. */
+/* The angle in radians, in (-pi, pi]. */
 static inline double td_angle_radians(uint32_t angle) {
     double radians = (double)(int32_t)angle * TD_RADIANS_A_QUANTUM;
     return angle == 0x80000000u ? -radians : radians;

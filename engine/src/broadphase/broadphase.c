@@ -16,7 +16,7 @@
 #include <string.h>
 
 static bool is_awake(const thud_world *w, int shape) {
-    return td_body_at(w, td_shape_at(w, shape)->body)->awake > 0;
+    return td_body_at(w, td_shape_at(w, shape)->body)->awake.at > 0;
 }
 
 /* ---- the grids ---- */
@@ -31,9 +31,8 @@ static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
     }
     list->count = 0;
     if (awake) {
-        const int *bodies = w->body_of.data;
-        for (int slot = 1; slot < w->body_of.count; slot++) {
-            int i = td_body_at(w, bodies[slot])->first_shape;
+        for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+            int i = td_body_at(w, td_body_of(w, slot))->first_shape;
             for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
                 td_push_int(list, i);
             }
@@ -85,7 +84,7 @@ static int stamp_partners(thud_world *w, int a) {
     return count;
 }
 
-/* Whose turn it is moves on with every step. */
+/* In a crowd pairs take turns: by the step and by the pair, so that each has its turn in time. */
 static unsigned turn_of(const thud_world *w, int a, int b) {
     return (unsigned)a + (unsigned)b + (unsigned)w->steps;
 }
@@ -122,14 +121,15 @@ static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned s
 
 /* ---- crowds ---- */
 
-/* Where everything is inside everything, pairs are as the square of the shapes. As long as so many
- * overlap, and so many more for each shape of the world, all are there at once. */
+/* Where everything overlaps everything, there are as many pairs as the square of the shapes. A
+ * world is crowded when more pairs overlap than ENOUGH and ENOUGH_A_SHAPE for each of its shapes;
+ * until then all pairs get their contacts at once. */
 enum { ENOUGH = 8192, ENOUGH_A_SHAPE = 64 };
 
-/* Else the world is crowded, and a shape looks at about so many of those that overlap it, which is
- * cheap, and gets about so many new contacts with them, which is not; with as many contacts as that
- * it gets one more a step. Sensors get all that are looked at. Those left over have their turn in
- * later steps: each within as many as the powers of two say by which the rest was divided. */
+/* In a crowded world, a shape looks in each step at about LOOKS of those that overlap it, which is
+ * cheap, and gets new contacts with about PLACES of them, which is not; once it has PLACES contacts
+ * it gets about one more a step. Sensors get contacts with all that are looked at. The others have
+ * their turn in later steps: each within as many as the power of two by which they were divided. */
 enum { LOOKS = 128, PLACES = 32 };
 
 typedef struct search {

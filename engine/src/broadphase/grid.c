@@ -238,7 +238,7 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
     const int32_t *anchor_y = grid->anchor_y.data;
     grid->moved_count = 0;
     for (int i = 0; i < count; i++) {
-        if (td_body_at(w, td_shape_at(w, moved[i])->body)->awake <= 0) {
+        if (td_body_at(w, td_shape_at(w, moved[i])->body)->awake.at <= 0) {
             continue;
         }
         const td_bounds *b = td_fat_at(w, moved[i]);

@@ -35,7 +35,7 @@ enum { TD_SIZES = 128, TD_SIZE_SHIFT = 21, TD_SIZE_ZERO = 127 << 2 };
  * with 32 bits. */
 enum { TD_NEAR = 1 << 15 };
 
-/* What sorting needs to know of the shapes listed. Room for a multiple of eight. */
+/* What sorting needs to know of the shapes listed. All arrays have room for a multiple of eight. */
 typedef struct td_grid_measures {
     const int32_t *list;
     int count;

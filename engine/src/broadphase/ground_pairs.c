@@ -35,7 +35,7 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape) {
 static bool pair_line(thud_world *w, int line, const td_array *shapes) {
     for (int i = 0; i < shapes->count; i++) {
         int shape = td_int_at(shapes, i);
-        bool awake = td_body_at(w, td_shape_at(w, shape)->body)->awake > 0;
+        bool awake = td_body_at(w, td_shape_at(w, shape)->body)->awake.at > 0;
         if ((awake || td_senses(w, line) || td_senses(w, shape)) && !pair_terrain(w, line, shape)) {
             return false;
         }

@@ -9,23 +9,26 @@
 
 #include "base/fixed.h"
 #include "base/simd.h"
+#include "base/indices.h"
 
 #include <stdatomic.h>
 #include <stddef.h>
 
-/* A shape as it stands in the world: one cache line, all that finish, grid and narrowphase read. */
+/* A shape as it stands in the world. It fills one cache line, and has all of the geometry that the
+ * wide kernels of td_finalize, of the grids and of the narrowphase read of a shape. */
 typedef struct td_shape_proxy {
     td_position center;
     float c, s;           /* rotation; 1, 0 where it cannot matter */
     float half_x, half_y; /* half extents, of a circle both its radius: td_kind_half_y */
     float x, y;           /* offset of the centre from the body's centre of mass, in the world */
     float turns;          /* 1 where the bounds depend on the rotation, else 0 */
-    int32_t margin;       /* of the fat bounds about the tight ones, bounds quanta */
+    int32_t margin;       /* by which the fat bounds exceed the tight ones, bounds quanta */
     td_bounds fat;
 } td_shape_proxy;
 
-/* A contact point of eight lanes. Crosses are (r x n), of its arms with the normal. The solver is
- * bound by the bytes that it moves, so that its rows stand together, three cache lines a point. */
+/* A contact point of eight lanes. A cross is r x n, where r is the arm from a body's centre of mass
+ * to the point and n the normal. The solver is bound by the bytes that it moves, so that what it
+ * reads of a point stands together, in three cache lines. */
 typedef struct td_point {
     f8 separation;  /* now: the relax pass leaves it for the next solve pass */
     f8 normal_mass; /* 0: no point here */
@@ -34,22 +37,24 @@ typedef struct td_point {
     f8 base; /* separation at the start of the step */
 } td_point;
 
-/* What few ask of a contact point. */
+/* The part of a contact point that the passes of a substep mostly leave alone, kept apart so that
+ * td_point stays small. */
 typedef struct td_point_history {
     f8 approach; /* normal velocity at the start of the step; negative: closing */
     f8 total;    /* normal impulse of the step; kept only where td_solve_context asks */
 } td_point_history;
 
-/* What few ask of friction and restitution. */
+/* The part of friction and restitution that most contacts do not need, kept apart for the same
+ * reason. */
 typedef struct td_surface {
-    f8 speed;  /* at which b is driven along t; read only where td_solve_context.belts */
+    f8 speed;  /* at which b is driven along t; read only where td_solve_context.surface_speeds */
     f8 total;  /* tangent impulse of all substeps; kept only where keep_tangents */
-    f8 energy; /* twice the pair's, when it had bounced in this step; < 0: it has not. Where bouncy
-                */
+    f8 energy; /* twice the pair's kinetic energy before it bounced in this step, < 0 where it has
+                  not; set in bouncy blocks alone */
 } td_surface;
 
-/* Poses for which a lane's manifold was worked out. While the pair stays near them, relative to
- * each other and in the world, the manifold is kept and only its separations follow: see
+/* The poses for which a lane's manifold was worked out. While both shapes stay near them, relative
+ * to each other and in the world, the manifold is kept and only its separations follow: see
  * wide_manifold_cache.h. */
 typedef struct td_manifold_cache {
     f8 dx, dy;         /* from a's centre of mass to b's; on terrain: bits of b's place */
@@ -59,8 +64,8 @@ typedef struct td_manifold_cache {
     f8 reach;          /* greatest half extent: what a turn moves */
 } td_manifold_cache;
 
-/* Behind its points a block has a td_point_history each, a td_surface, and a td_manifold_cache
- * where its kind keeps. */
+/* Behind its points, a block has one td_point_history for each of them, a td_surface, and, where
+ * its form says so, a td_manifold_cache. */
 typedef struct td_block {
     int32_t shape_a[TD_LANES], shape_b[TD_LANES];
     int32_t constraint[TD_LANES]; /* TD_NONE: empty lane */
@@ -72,9 +77,9 @@ typedef struct td_block {
     int32_t bouncy;        /* a lane has restitution */
     int32_t armed;         /* a lane's shape may be off its body's centre of mass */
     int32_t shared;        /* a lane has a kinematic body, which other blocks may have as well */
-    uint8_t internal_edges[TD_LANES]; /* of shape_a, where it is static */
-    uint8_t loaded[TD_LANES]; /* how often found to carry too much, see direct_islands.c; and
-                                 TD_DIRECT */
+    uint8_t internal_edges[TD_LANES]; /* td_shape.internal_edges of shape_a, where that is static */
+    uint8_t loaded[TD_LANES];         /* how often in succession it was found to carry too much, see
+                                         direct_islands.c; and the bit TD_DIRECT */
     int32_t padding[5];
     /* The solver's rows begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slots, in bytes of their records of four floats; 0:
@@ -84,7 +89,7 @@ typedef struct td_block {
     /* Friction acts along t = (ny, -nx), once for all points, whose tangents are the same line. */
     f8 friction;
     f8 tangent_mass, tangent_impulse;
-    f8 tangent_cross_a, tangent_cross_b; /* of the mean arms with t */
+    f8 tangent_cross_a, tangent_cross_b; /* r x t, where r is the mean of the points' arms */
     f8 restitution;
     td_point point[]; /* one or two */
 } td_block;
@@ -92,6 +97,15 @@ typedef struct td_block {
 enum { TD_DIRECT = 128 }; /* in td_block.loaded: impulses are the direct solver's */
 
 enum { TD_AWAKE_BYTES = 4 * (int)sizeof(float) };
+
+/* Between an awake slot and td_block.a or .b; without a slot it is the dummy's. */
+static inline uint32_t td_side_of_slot(td_awake_slot slot) {
+    return (uint32_t)td_max_int(slot.at, 0) * TD_AWAKE_BYTES;
+}
+
+static inline td_awake_slot td_slot_of_side(uint32_t side) {
+    return (td_awake_slot){(int32_t)(side / TD_AWAKE_BYTES)};
+}
 
 enum { TD_CHUNK_BLOCKS = 24 }; /* enough work for a worker to be worth taking */
 
@@ -119,7 +133,7 @@ TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int poi
     }
 }
 
-/* What blocks there are: by points, and whether manifolds are kept. */
+/* The forms of blocks: how many points they have, and whether they keep manifolds. */
 typedef enum td_block_form {
     TD_FORM_ONE,
     TD_FORM_ONE_CACHED,
@@ -161,19 +175,20 @@ typedef struct td_solve_context {
     float (*delta)[4];      /* by awake slot: motion since the start of the step: x, y, angle */
     const float (*push)[4]; /* by awake slot: velocity that gravity and forces give in a substep */
     float inv_h;            /* substeps per second */
-    float substeps, time_step; /* of a step */
+    float substeps;         /* in a step */
+    float time_step;        /* s */
     float push_speed;
-    float bounce_speed;  /* normal speed, <= 0: slower approaches do not bounce ... */
-    float elastic_speed; /* ... and of restitution 1 */
-    float fall;          /* in a step */
+    float bounce_speed;  /* normal velocity, <= 0: pairs that close in more slowly do not bounce */
+    float elastic_speed; /* the same for pairs of restitution 1 */
+    float fall;          /* a length: gravity times the square of time_step */
     float bias_rate[2];  /* soft contact against a moving [0] and a static body [1] */
     float mass_scale[2], impulse_scale[2];
-    bool keep_totals;       /* somebody will read td_point_history.total ... */
-    bool keep_tangents;     /* ... or td_surface.total */
+    bool keep_totals;       /* somebody will read td_point_history.total */
+    bool keep_tangents;     /* somebody will read td_surface.total */
     bool surface_speeds;    /* a lane has a surface speed */
-    bool last;              /* substep: its relax pass tallies */
-    bool first;             /* substep: totals start anew ... */
-    bool bounces;           /* ... where they have not in a bounce */
+    bool last;              /* this is the last substep, whose relax pass tallies */
+    bool first;             /* this is the first substep, where totals start anew */
+    bool bounces;           /* some lane may bounce: totals of bouncy blocks began anew then */
     td_bounce bounce;       /* which pass */
     atomic_bool *bounced;   /* set by it where a pair bounces */
     struct td_tally *tally; /* the last relax pass notes approaches there */

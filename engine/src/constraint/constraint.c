@@ -63,7 +63,7 @@ void td_constraint_rest(thud_world *w, int index) {
     constraint->slot = TD_NONE;
 }
 
-int td_constraint_create(thud_world *w, int kind, int body_a, int body_b) {
+int td_constraint_create(thud_world *w, int kind, td_body_index body_a, td_body_index body_b) {
     int index = td_slots_take(&w->constraints);
     td_constraint *constraint = td_constraint_at(w, index);
     *constraint = (td_constraint){.shape_a = TD_NONE,

@@ -10,12 +10,12 @@ struct td_direct_constraint;
 typedef bool td_take_rows_fn(const struct thud_world *world, td_block *block, int lane,
                              const float *impulses, struct td_direct_constraint *constraint);
 
-/* What happens to the lanes of a kind beside the passes of the solver. The bodies' awake slots and
- * inverse inertias in a lane are set for all kinds alike. */
+/* How a kind fills, empties and counts its lanes; the passes of the solver are td_solve_ops. The
+ * bodies' awake slots and inverse inertias in a lane are set for all kinds alike. */
 typedef struct td_lane_ops {
-    /* The lane, which is all zeros, becomes the constraint's ... */
+    /* The constraint gets the lane, which is all zeros. */
     void (*fill)(struct thud_world *world, td_block *block, int lane, int constraint);
-    /* ... and here is no longer. */
+    /* The constraint loses the lane. */
     void (*clear)(struct thud_world *world, td_block *block, int lane, int constraint);
     /* Masses or shapes of its bodies have changed. */
     void (*renew)(struct thud_world *world, td_block *block, int lane, int constraint);
@@ -32,10 +32,10 @@ typedef struct td_lane_ops {
 typedef struct td_constraint_ops {
     td_block_form form;
     const td_lane_ops *lanes; /* null: those of contacts, td_contact_lanes */
-    td_sift_fn
-        *sift; /* of contacts: a quick look at those that wait; null where `collide_world` is */
-    td_collide_fn *collide; /* likewise */
-    /* Where the geometry does not lie in the per-shape records: lines, joints. */
+    /* Both null where the geometry does not lie in the records of shapes, as of lines and joints:
+     * then `collide_world` does the work. `sift` looks at contacts that wait. */
+    td_sift_fn *sift;
+    td_collide_fn *collide;
     void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
                           const td_collide_context *context);
     const td_solve_ops *solve;

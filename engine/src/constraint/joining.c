@@ -13,7 +13,7 @@ static bool is_there(const td_body *body) {
 /* A sleeping body wakes, since something new holds it. */
 static bool engage(thud_world *w, int index) {
     for (int side = 0; side < 2; side++) {
-        int body = td_constraint_at(w, index)->body[side];
+        td_body_index body = td_constraint_at(w, index)->body[side];
         if (td_body_sleeps(w, body) && !td_wake(w, body)) {
             return false;
         }
@@ -42,7 +42,7 @@ static bool engage_all(thud_world *w) {
     return true;
 }
 
-static void suspend(thud_world *w, int body) {
+static void suspend(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (!td_is_contact(constraint) && constraint->state == TD_TOUCHING) {

@@ -9,8 +9,8 @@ typedef struct td_joining_ops {
     /* Gives lanes to those that wait, where their bodies are in the world and enabled. False when
      * memory is short: the rest goes on waiting. */
     bool (*engage)(thud_world *w);
-    /* Those of a body give their lanes back, and wait until it is enabled. */
-    void (*suspend)(thud_world *w, int body);
+    /* The joints of a body give their lanes back, and wait until it is enabled. */
+    void (*suspend)(thud_world *w, td_body_index body);
 } td_joining_ops;
 
 extern const td_joining_ops td_joining;

@@ -11,13 +11,13 @@ static td_slots *pool_of(thud_world *w, int kind) {
 }
 
 /* The awake slot of the body if the solver moves it, else 0. */
-static int moving_slot(const td_body *body) {
-    return body->kind == THUD_DYNAMIC && body->awake > 0 ? body->awake : 0;
+static td_awake_slot moving_slot(const td_body *body) {
+    return body->kind == THUD_DYNAMIC && body->awake.at > 0 ? body->awake : (td_awake_slot){0};
 }
 
-static void mark(thud_world *w, int awake, int bin, bool taken) {
-    if (awake > 0 && bin != TD_SLEEPING && bin % TD_COLOURS != TD_OVERFLOW) {
-        td_colours *colours = td_colours_at(w, awake);
+static void mark(thud_world *w, td_awake_slot slot, int bin, bool taken) {
+    if (slot.at > 0 && bin != TD_SLEEPING && bin % TD_COLOURS != TD_OVERFLOW) {
+        td_colours *colours = td_colours_at(w, slot);
         uint64_t *mask = bin < TD_COLOURS ? &colours->moving : &colours->fixed;
         uint64_t bit = 1ull << (bin % TD_COLOURS);
         *mask = taken ? *mask | bit : *mask & ~bit;
@@ -29,12 +29,12 @@ static int choose_bin(thud_world *w, const td_constraint *constraint) {
     const td_body *a = td_body_at(w, constraint->body[0]);
     const td_body *b = td_body_at(w, constraint->body[1]);
     bool fixed = a->kind == THUD_STATIC;
-    int slot_a = moving_slot(a), slot_b = moving_slot(b);
+    td_awake_slot slot_a = moving_slot(a), slot_b = moving_slot(b);
     uint64_t taken = 1ull << TD_OVERFLOW;
-    if (slot_a) {
+    if (slot_a.at) {
         taken |= td_colours_at(w, slot_a)->moving;
     }
-    if (slot_b) {
+    if (slot_b.at) {
         taken |= fixed ? td_colours_at(w, slot_b)->fixed : td_colours_at(w, slot_b)->moving;
     }
     int colour = ~taken ? __builtin_ctzll(~taken) : TD_OVERFLOW;
@@ -157,8 +157,8 @@ static void bin_shrink(thud_world *w, int kind, int index, int slot) {
 static void set_slots(thud_world *w, td_block *block, int lane, const td_constraint *constraint) {
     const td_body *a = td_body_at(w, constraint->body[0]);
     const td_body *b = td_body_at(w, constraint->body[1]);
-    block->a[lane] = (uint32_t)td_max_int(a->awake, 0) * TD_AWAKE_BYTES;
-    block->b[lane] = (uint32_t)td_max_int(b->awake, 0) * TD_AWAKE_BYTES;
+    block->a[lane] = td_side_of_slot(a->awake);
+    block->b[lane] = td_side_of_slot(b->awake);
     block->inv_inertia_a[lane] = a->inv_inertia;
     block->inv_inertia_b[lane] = b->inv_inertia;
 }
@@ -168,8 +168,8 @@ static void place(thud_world *w, int index, int bin) {
     int kind = constraint->kind, lane;
     int block = bin_grow(w, kind, bin, &lane);
     if (constraint->state == TD_TOUCHING) {
-        copy_lane(td_block_at(w, kind, block), lane,
-                  td_block_at(w, kind, constraint->slot / TD_LANES), constraint->slot % TD_LANES,
+        td_lane from = td_lane_of(w, constraint);
+        copy_lane(td_block_at(w, kind, block), lane, from.block, from.lane,
                   pool_of(w, kind)->stride);
         bin_shrink(w, kind, constraint->bin, constraint->slot);
     } else {

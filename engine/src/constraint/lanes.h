@@ -9,7 +9,7 @@
 
 /* A run of blocks of one bin, in the order of solving. */
 typedef struct td_run {
-    int32_t kind, fixed; /* of constraints; 1: side a is static */
+    int32_t kind, fixed; /* kind of the constraints; `fixed` 1: side a is static */
     int32_t bin;         /* runs of the same bin have no moving body in common, but in overflow */
     int32_t first, count;
     int32_t armed;  /* one of its blocks is */
@@ -32,7 +32,7 @@ static inline td_block *td_block_at(const thud_world *w, int kind, int index) {
     return td_slot_at(&w->pool[w->kinds[kind]->form], index);
 }
 
-/* Those of contacts: contact/contact_lanes.c. */
+/* The lane operations of contacts, defined in contact/contact_lanes.c. */
 extern const td_lane_ops td_contact_lanes;
 
 static inline const td_lane_ops *td_lane_ops_of(const thud_world *w, int kind) {
@@ -67,7 +67,8 @@ bool td_lanes_sequence(thud_world *w);
 
 /* The awake slot of one of its bodies changed. */
 void td_lane_refresh(thud_world *w, int constraint);
-/* As above, and its manifold and masses are worked out anew in the next narrowphase. */
+/* Does what td_lane_refresh does, and has the manifold and the masses worked out anew in the next
+ * narrowphase. */
 void td_lane_renew(thud_world *w, int constraint);
 
 #endif

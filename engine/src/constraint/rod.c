@@ -27,7 +27,7 @@ typedef struct rod_line {
     float x, y, length;
 } rod_line;
 
-static void arm_of(const thud_world *w, int index, const float anchor[2], float arm[2]) {
+static void arm_of(const thud_world *w, td_body_index index, const float anchor[2], float arm[2]) {
     const td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
     float x = anchor[0] - body->center_x, y = anchor[1] - body->center_y;
@@ -53,7 +53,7 @@ static rod_line line_of(const thud_world *w, const td_constraint *constraint) {
 }
 
 static float inverse_mass(const thud_world *w, uint32_t record) {
-    return td_row(&w->velocity, (int)(record / TD_AWAKE_BYTES))[3];
+    return td_row(&w->velocity, td_slot_of_side(record))[3];
 }
 
 static void prepare_lane(const thud_world *w, td_block *block, int lane) {
@@ -90,8 +90,8 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
 static void count(thud_world *w, const td_block *block) {
     const td_point *p = &block->point[0];
     for (int lane = 0; lane < block->used; lane++) {
-        const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
-        const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
+        const float *a = td_row(&w->velocity, td_slot_of_side(block->a[lane]));
+        const float *b = td_row(&w->velocity, td_slot_of_side(block->b[lane]));
         float speed = (b[0] - a[0]) * block->nx[lane] + (b[1] - a[1]) * block->ny[lane] +
                       b[2] * p->cross_b[lane] - a[2] * p->cross_a[lane];
         w->errors.residual = td_max_float(w->errors.residual, speed < 0.0f ? -speed : speed);
@@ -130,12 +130,12 @@ static bool is_valid(const thud_world *w, const td_rod_def *d) {
     return valid;
 }
 
-static bool gives_way(const thud_world *w, int body) {
+static bool gives_way(const thud_world *w, td_body_index body) {
     return td_body_at(w, body)->kind == THUD_DYNAMIC;
 }
 
 /* The static one of both, if there is one, comes first. */
-static int add(thud_world *w, const td_rod_def *def, int a, int b) {
+static int add(thud_world *w, const td_rod_def *def, td_body_index a, td_body_index b) {
     bool swapped = td_body_at(w, b)->kind == THUD_STATIC;
     thud_vec2 first = swapped ? def->anchor_b : def->anchor_a;
     thud_vec2 second = swapped ? def->anchor_a : def->anchor_b;
@@ -151,7 +151,8 @@ static int add(thud_world *w, const td_rod_def *def, int a, int b) {
 }
 
 thud_result td_rod_create(thud_world *w, const td_rod_def *def, int *rod) {
-    int a, b, more[TD_CONSTRAINT_KINDS] = {[TD_CONSTRAINT_ROD] = 1};
+    td_body_index a, b;
+    int more[TD_CONSTRAINT_KINDS] = {[TD_CONSTRAINT_ROD] = 1};
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "rod create: world or def is null");
     }
@@ -163,7 +164,7 @@ thud_result td_rod_create(thud_world *w, const td_rod_def *def, int *rod) {
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "rod create: not inside a callback");
     }
-    if (a == b || (!gives_way(w, a) && !gives_way(w, b))) {
+    if (td_same_body(a, b) || (!gives_way(w, a) && !gives_way(w, b))) {
         return td_refuse(w, THUD_ERROR_INVALID,
                          "rod create: needs two bodies, one of them dynamic");
     }

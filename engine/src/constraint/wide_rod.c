@@ -1,7 +1,8 @@
 /* wide_rod.c: solver passes for rods: one row that pulls as well as it pushes. */
 #include "solver/wide_solve.h"
 
-/* As solve_blocks, without the bound of a push. */
+/* Does what solve_blocks of wide_solve.h does, but for one impulse that may pull as well as push.
+ */
 TD_INLINE void pull_blocks(td_block *const *blocks, int count, const td_solve_context *c,
                            bool fixed) {
     f8 zero = f8_all(0.0f), most = f8_all(c->push_speed), bias_rate = f8_all(c->bias_rate[fixed]);

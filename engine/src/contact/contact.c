@@ -39,7 +39,7 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
     const td_body *body_a = td_body_at(w, a->body), *body_b = td_body_at(w, b->body);
     /* A collision needs a body that gives way, a sensor one that may come and go. */
     int least = (a->flags | b->flags) & TD_SHAPE_SENSOR ? THUD_KINEMATIC : THUD_DYNAMIC;
-    if (a->body == b->body || (body_a->kind < least && body_b->kind < least) ||
+    if (td_same_body(a->body, b->body) || (body_a->kind < least && body_b->kind < least) ||
         ((body_a->flags | body_b->flags) & TD_BODY_DISABLED)) {
         return false;
     }

@@ -16,14 +16,15 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b);
 bool td_pair_meets(const thud_world *w, int shape_a, int shape_b);
 
 void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child);
-/* It touches, or overlaps a sensor. Room for the begin event is reserved in world.events. */
+/* Tells that the contact touches, or overlaps a sensor. Room for the begin event must be there, in
+ * world.events. */
 void td_contact_begin(thud_world *w, int contact);
-/* ... no more. Room for the end event is reserved by td_contact_end_reserve. */
+/* Tells that it does so no more. td_contact_end_reserve has made room for the end event. */
 void td_contact_end(thud_world *w, int contact);
-/* Of what is no contact, too, which never begins. */
+/* Takes a joint as well, which has no end event. */
 void td_contact_destroy(thud_world *w, int constraint);
 bool td_contact_end_reserve(thud_world *w, int more);
-/* A touching contact touches no more: its lane goes, its end event comes. */
+/* A touching contact touches no more: it gives its lane back, and its end is told. */
 void td_contact_part(thud_world *w, int contact);
 
 /* Two shapes that have no lane as callers see them: `at` is between where they are nearest. */

@@ -42,8 +42,8 @@ thud_contact td_contact_view(const thud_world *w, td_block *block, int lane) {
 
 /* How fast a point closes, > 0, at the start of the step. */
 static float closing_of(const thud_world *w, const td_block *block, const td_point *p, int lane) {
-    const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
-    const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
+    const float *a = td_row(&w->velocity, td_slot_of_side(block->a[lane]));
+    const float *b = td_row(&w->velocity, td_slot_of_side(block->b[lane]));
     return (a[0] - b[0]) * block->nx[lane] + (a[1] - b[1]) * block->ny[lane] +
            a[2] * p->cross_a[lane] - b[2] * p->cross_b[lane];
 }
@@ -89,7 +89,8 @@ void td_contacts_ask(thud_world *w) {
     }
 }
 
-/* What meets within the step, or does nothing in it, has no points here: see bounces.c. */
+/* Tells hits of contacts that the solver will stop. Those that detection resolves within the step,
+ * and those that do nothing in it, have no points here: see bounces.c. */
 void td_contacts_hit(thud_world *w) {
     float least = -w->def.hit_speed * w->unit;
     for (int i = 0; i < w->scratch.begins.count && w->def.contact_events; i++) {
@@ -98,17 +99,17 @@ void td_contacts_hit(thud_world *w) {
         if (contact->state != TD_TOUCHING) {
             continue;
         }
-        td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
-        int lane = contact->slot % TD_LANES, points = td_form_points(w->kinds[contact->kind]->form);
-        const td_point_history *history = td_history_of(block, points);
-        float approach = history[0].approach[lane];
+        td_lane at = td_lane_of(w, contact);
+        int points = td_form_points(w->kinds[contact->kind]->form);
+        const td_point_history *history = td_history_of(at.block, points);
+        float approach = history[0].approach[at.lane];
         if (points == 2) {
-            approach = td_min_float(approach, history[1].approach[lane]);
+            approach = td_min_float(approach, history[1].approach[at.lane]);
         }
         if (approach >= least) {
             continue;
         }
-        thud_contact seen = td_contact_view(w, block, lane);
+        thud_contact seen = td_contact_view(w, at.block, at.lane);
         if (seen.point_count > 0) {
             TD_PUSH(thud_hit_event, &w->events.hit) =
                 (thud_hit_event){seen.shape_a, seen.shape_b, seen.point, seen.normal, -approach};

@@ -26,7 +26,7 @@ static void clear(thud_world *w, td_block *block, int lane, int index) {
                    &(thud_contact_settings){0.0f, 0.0f, 0.0f});
 }
 
-/* Its manifold is worked out anew. */
+/* A lane without masses is worked out anew, whatever its manifold cache says. */
 static void renew(thud_world *w, td_block *block, int lane, int index) {
     block->armed = 1; /* its shapes may have got another centre of mass */
     for (int k = 0; k < points_of(w, td_contact_at(w, index)); k++) {

@@ -38,7 +38,8 @@ static thud_shape_instance strip_of(const thud_shape_instance *box, int face, do
     return strip;
 }
 
-/* Both meet the same shapes, so that what one hides of the other is hidden from all. */
+/* Whether both shapes meet the same others, so that what one hides of the other is hidden from all
+ * of them. */
 static bool alike(const thud_world *w, int a, int b) {
     const thud_filter *p = &td_shape_at(w, a)->filter, *q = &td_shape_at(w, b)->filter;
     return p->category == q->category && p->mask == q->mask && p->group == q->group;
@@ -88,7 +89,7 @@ static void note_box(const td_internal_edge *s, int shape, const thud_shape_inst
         thud_shape_instance strip = strip_of(box, f, TD_FLUSH * s->unit);
         bool covered = td_internal_edge_meets(s, neighbour, strip);
         internal_edges |= (unsigned)covered << f;
-        /* What holds both ends of a face, and is convex, holds all of it. */
+        /* A convex shape that holds both ends of a face holds all of it. */
         bool whole = covered && solid && (held & corners_of_face(f)) == corners_of_face(f);
         hidden |= (unsigned)whole << f;
     }
@@ -208,7 +209,7 @@ static bool look_anew(const td_internal_edge *s, int neighbour, void *context) {
 }
 
 /* The shapes that rest are still those of the last step; who came since will look for himself. */
-bool td_internal_edges_lose(thud_world *w, int body) {
+bool td_internal_edges_lose(thud_world *w, td_body_index body) {
     int i = td_body_at(w, body)->first_shape;
     if (td_body_at(w, body)->kind != THUD_STATIC || i == TD_NONE) {
         return true;
@@ -226,7 +227,7 @@ bool td_internal_edges_lose(thud_world *w, int body) {
     return true;
 }
 
-void td_internal_edges_join(thud_world *w, int body) {
+void td_internal_edges_join(thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     for (int i = b->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_internal_edge s = td_internal_edge_of(w, i, TD_NONE);

@@ -19,8 +19,8 @@
 #define LEVEL 1e-4
 /* A normal off by less than this, in radians, is a face's. */
 #define STRAIGHT 1e-5
-/* ... where both shapes have neighbours, and the normal is a face's of one: it is all but the
- * other's. */
+/* The same where both shapes have neighbours: a normal of a face of the one is a face's of the
+ * other if it is off by less than this. */
 #define NEARLY_STRAIGHT 0.01
 /* Beyond each end of what touches, so much of the other shape's size has to be covered too. */
 #define BEYOND 0.05
@@ -44,7 +44,7 @@ static bool hides_corner(const td_internal_edge *s, int neighbour, void *context
            td_internal_edge_rises(s, neighbour, p->x, p->y, p->nx, p->ny, LEVEL * s->unit);
 }
 
-/* Whoever covers a place is at it. */
+/* A shape that covers a place touches the point there, so that no others need to be asked. */
 static bool any_at(const td_internal_edge *s, td_neighbour_fn *fn, probe *p) {
     thud_shape_instance place = {.kind = THUD_CIRCLE, .x = p->x, .y = p->y, .c = 1.0};
     return td_internal_edge_any(s, &place, fn, p);
@@ -100,7 +100,7 @@ static bool corner_hidden(const td_internal_edge *s, const site *at, double nx, 
     return any_at(s, hides_corner, &p);
 }
 
-/* What the second box or circle takes up along a face. */
+/* Whether the part of a face that the second box or circle takes up is hidden. */
 static bool shadow_hidden(const td_internal_edge *s, int face) {
     double u, v, half = 0.0, deepest = 0.0;
     td_to_frame(&s->a, s->b.x - s->a.x, s->b.y - s->a.y, &u, &v);
@@ -204,7 +204,7 @@ static float inverse_or_zero(float k) {
     return k > 0.0f ? 1.0f / k : 0.0f;
 }
 
-/* As td_write_points, for one lane. */
+/* Does for one lane what td_write_points does for eight. */
 static void write_lane(thud_world *w, td_block *block, int kind, int lane,
                        const td_internal_edge_contact *c) {
     int points = td_form_points(w->kinds[kind]->form);
@@ -270,7 +270,7 @@ static void join_points(td_internal_edge_contact *c) {
 
 /* Whether a shape is of the ground that a contact of the same body has its ghost from. */
 static bool goes_on(const thud_world *w, const td_contact *to, const td_contact *from, int side) {
-    return to->body[side] == from->body[side] ||
+    return td_same_body(to->body[side], from->body[side]) ||
            (td_body_at(w, to->body[side])->kind == THUD_STATIC &&
             td_body_at(w, from->body[side])->kind == THUD_STATIC);
 }
@@ -288,14 +288,14 @@ static void hand_over(thud_world *w, td_block *block, int kind, int lane) {
         if (to == from || to->kind != kind || to->state != TD_TOUCHING || !alike_sides) {
             continue;
         }
-        td_block *other = td_block_at(w, kind, to->slot / TD_LANES);
-        int at = to->slot % TD_LANES;
-        float alike = other->nx[at] * block->nx[lane] + other->ny[at] * block->ny[lane];
-        if (alike > ALIKE && other->point[0].normal_impulse[at] == 0.0f) {
+        td_lane at = td_lane_of(w, to);
+        float alike =
+            at.block->nx[at.lane] * block->nx[lane] + at.block->ny[at.lane] * block->ny[lane];
+        if (alike > ALIKE && at.block->point[0].normal_impulse[at.lane] == 0.0f) {
             for (int k = 0; k < points; k++) {
-                other->point[k].normal_impulse[at] = block->point[k].normal_impulse[lane];
+                at.block->point[k].normal_impulse[at.lane] = block->point[k].normal_impulse[lane];
             }
-            other->tangent_impulse[at] = block->tangent_impulse[lane];
+            at.block->tangent_impulse[at.lane] = block->tangent_impulse[lane];
             return;
         }
     }

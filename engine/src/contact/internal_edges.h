@@ -7,20 +7,21 @@
 #include "contact/box_faces.h"
 #include "state/world.h"
 
-/* Faces of a box, and the bits of td_shape.internal edges: a neighbour covers a part of them; of a
+/* Faces of a box, and the bits of td_shape.internal_edges: a neighbour covers a part of them; of a
  * terrain, its right and its left end. In td_shape.hidden: one that meets the same others covers
  * the whole face. */
 enum { TD_FACE_RIGHT, TD_FACE_TOP, TD_FACE_LEFT, TD_FACE_BOTTOM, TD_FACES };
 
-/* In both, the bit of the corner on the right (1) and at the top (2), or not: at it stands
- * something; such a shape makes it a straight edge, so that no normal between its faces is the
+/* The bit of a corner, in td_shape.internal_edges and in td_shape.hidden. It is set in the first
+ * where something stands at the corner, and in the second where a shape that meets
+ * the same others makes a straight edge of it, so that no normal between the corner's faces is the
  * ground's. */
 static inline unsigned td_corner_bit(bool right, bool top) {
     return 1u << (TD_FACES + right + 2 * top);
 }
 
 /* In td_shape.flags, of a static box that nothing has come near: nobody has looked yet what it
- * stands at, and every bit of td_shape.internal edges is set. */
+ * stands at, and every bit of td_shape.internal_edges is set. */
 enum { TD_SHAPE_UNSEEN = 4 };
 
 /* Two shapes where they stand, relative to anything. */
@@ -30,7 +31,7 @@ typedef struct td_internal_edge_pair {
     thud_shape_instance placed[2];
 } td_internal_edge_pair;
 
-/* td_block.internal edges of two shapes: all of them where the second has any, since lanes know the
+/* td_block.internal_edges of two shapes: all of them where the second has any, since lanes know the
  * faces of the first alone. */
 static inline uint8_t td_internal_edges_of(const td_shape *a, const td_shape *b) {
     return b->internal_edges ? UINT8_MAX : a->internal_edges;
@@ -44,9 +45,9 @@ typedef struct td_internal_edge_ops {
     /* Looks what an unseen shape stands at, before it gets a contact. Likewise. */
     bool (*see)(thud_world *w, int shape);
     /* Before a static body's shapes leave or move: their neighbours will look anew. Likewise. */
-    bool (*lose)(thud_world *w, int body);
+    bool (*lose)(thud_world *w, td_body_index body);
     /* Looks for which shapes of a moving body stand next to each other. */
-    void (*join)(thud_world *w, int body);
+    void (*join)(thud_world *w, td_body_index body);
     /* Takes ghosts out of the lanes of a block: a contact with a hidden face moves to one that can
      * be met, or ends, which td_block.touching tells. */
     void (*amend)(thud_world *w, td_block *block, int kind);
@@ -62,7 +63,7 @@ extern const td_internal_edge_ops td_internal_edges;
 
 bool td_internal_edges_find(thud_world *w, int shape); /* edge_finder.c */
 bool td_internal_edges_see(thud_world *w, int shape);
-bool td_internal_edges_lose(thud_world *w, int body);
-void td_internal_edges_join(thud_world *w, int body);
+bool td_internal_edges_lose(thud_world *w, td_body_index body);
+void td_internal_edges_join(thud_world *w, td_body_index body);
 
 #endif

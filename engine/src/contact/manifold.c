@@ -8,9 +8,10 @@
 #include "api/step.h"
 
 thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
-    const td_block *block = td_block_at(w, contact->kind, contact->slot / TD_LANES);
     const td_pose *pose = td_pose_at(w, contact->body[1]);
-    int lane = contact->slot % TD_LANES, points = td_form_points(w->kinds[contact->kind]->form);
+    td_lane held = td_lane_of(w, contact);
+    const td_block *block = held.block;
+    int lane = held.lane, points = td_form_points(w->kinds[contact->kind]->form);
     thud_manifold out = {
         .shape_a = td_shape_handle(w, contact->shape_a),
         .shape_b = td_shape_handle(w, contact->shape_b),
@@ -42,7 +43,8 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
 thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *out, int capacity,
                                int *count) {
     TD_IN_OWN_MODE;
-    int index, n = 0;
+    td_body_index index;
+    int n = 0;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
         return result;

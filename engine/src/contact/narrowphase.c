@@ -208,7 +208,7 @@ static bool begin_contacts(thud_world *w) {
     list += first;
     for (int i = 0; i < count; i++) {
         const td_contact *contact = td_contact_at(w, list[i]);
-        int sleeper = contact->body[td_body_sleeps(w, contact->body[0]) ? 0 : 1];
+        td_body_index sleeper = contact->body[td_body_sleeps(w, contact->body[0]) ? 0 : 1];
         if (td_body_sleeps(w, sleeper) && !td_wake(w, sleeper)) {
             return false;
         }
@@ -223,8 +223,9 @@ static bool begin_contacts(thud_world *w) {
         td_constraint_rest(w, list[i]);
     }
     bool placed = td_lanes_place(w, list, count, false);
-    for (int i = 0; i < count;
-         i++) { /* those that wait again are the last to do so, and leave first */
+    /* Where memory was short, contacts wait again, as the last of the waiting list: they are the
+     * first to leave it. */
+    for (int i = 0; i < count; i++) {
         (placed ? td_contact_begin : td_constraint_wait)(w, list[i]);
     }
     return placed;
@@ -260,8 +261,8 @@ static bool test_sensors(thud_world *w) {
         int index = td_int_at(waiting, i);
         const td_contact *contact = td_contact_at(w, index);
         bool met = bounds_meet(w, contact), overlaps = met && sensor_overlaps(w, contact);
-        bool rests = met && td_body_at(w, contact->body[0])->awake < 0 &&
-                     td_body_at(w, contact->body[1])->awake < 0;
+        bool rests = met && td_body_at(w, contact->body[0])->awake.at < 0 &&
+                     td_body_at(w, contact->body[1])->awake.at < 0;
         if (!met) {
             td_push_int(&w->scratch.ends, index);
         } else if (overlaps != contact->open) {

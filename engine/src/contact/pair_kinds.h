@@ -54,23 +54,26 @@
 #define TD_PAIR_ENUMERATOR(kind, ...) kind,
 
 typedef enum td_pair_kind {
-    TD_ALL_PAIRS(TD_PAIR_ENUMERATOR) /* those that touch */
+    TD_ALL_PAIRS(TD_PAIR_ENUMERATOR) /* of shapes that push each other apart */
     TD_PAIR_SENSOR                   /* overlap only; has no blocks */
 } td_pair_kind;
 
 enum { TD_PAIR_TOUCH_COUNT = TD_PAIR_SENSOR, TD_PAIR_COUNT = TD_PAIR_SENSOR + 1 };
 
-/* Kinds of constraints: first the pair kinds, which are those of contacts. */
+/* The kinds of all constraints (constraint/constraint.h): first the pair kinds, which are those of
+ * contacts, and then a number for each kind of joint. They are one range because each is an index
+ * into thud_world.kinds, .bins and .waiting. */
 enum { TD_CONSTRAINT_ROD = TD_PAIR_COUNT, TD_CONSTRAINT_KINDS };
 
-/* In a wide file: the operations of a row, of functions that stand above. */
+/* Stands in a wide file, below the functions that a row names, and defines the operations of that
+ * row. */
 #define TD_DEFINE_PAIR(kind, ops, form, sift, collide, collide_world, solve, solve_unarmed) \
     extern const td_solve_ops TD_WIDE(solve), TD_WIDE(solve_unarmed);                       \
     extern const td_constraint_ops TD_WIDE(ops);                                            \
     const td_constraint_ops TD_WIDE(ops) = {                                                \
         form, NULL, sift, collide, collide_world, &TD_WIDE(solve), &TD_WIDE(solve_unarmed)};
 
-/* In the table below. */
+/* What stands in the table of td_pairing_of beside pair kinds. */
 enum {
     TD_PAIR_SWAPS = 0x80, /* beside a pair kind: where neither is static, they change places */
     TD_PAIR_NEVER = TD_PAIR_SENSOR /* a line gives way to nothing: it never comes second, and never

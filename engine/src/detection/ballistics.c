@@ -1,14 +1,15 @@
-/* ballistics.c: see ballistics.h. Of swept bodies only: their impacts heed the parabola. */
+/* ballistics.c: see ballistics.h. Only swept bodies fly parabolas, since only
+ * their impacts heed them. */
 #include "detection/ballistics.h"
 
 #include "detection/trajectory.h"
 
-/* What contacts gave a body is too little to bear it, if it is no more than this share of what
- * gravity gives in a step. */
+/* Contacts do not bear a body to which they gave no more than this share of what gravity gives it
+ * in a step. */
 #define LITTLE 0.0625
 
 void td_ballistics_note(thud_world *w) {
-    for (int slot = 1; slot < w->body_of.count; slot++) {
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         const float *velocity = td_row(&w->velocity, slot);
         *f = (td_trajectory){.body = td_body_of(w, slot)};
@@ -21,7 +22,7 @@ void td_ballistics_note(thud_world *w) {
 /* Whether the solver, beside gravity, gave the body no more than `share` of velocity, at its rim as
  * at its centre, and of motion. With steps of any number that is v1 = v0 + gain, and a motion from
  * dt (v1 - gain / 2), of steps without end, to dt v1, of one. */
-static bool is_free(const thud_world *w, int slot, double share) {
+static bool is_free(const thud_world *w, td_awake_slot slot, double share) {
     const td_trajectory *f = td_trajectory_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
     const float *push = td_row(&w->push, slot);
@@ -38,9 +39,9 @@ static bool is_free(const thud_world *w, int slot, double share) {
     return free;
 }
 
-/* The parabola that ends with the body's velocity. Who was not touched at all gets that velocity
- * from the one before, without the roundings of the substeps. */
-static void fly(thud_world *w, int slot, bool touched) {
+/* Sets the motion to that of the parabola that ends with the body's velocity. A body that was not
+ * touched at all gets that velocity from the one before, without the roundings of the substeps. */
+static void fly(thud_world *w, td_awake_slot slot, bool touched) {
     td_trajectory *f = td_trajectory_at(w, slot);
     double dt = w->def.time_step;
     for (int axis = 0; axis < 2; axis++) {
@@ -56,7 +57,7 @@ static void fly(thud_world *w, int slot, bool touched) {
 }
 
 void td_ballistics_fly(thud_world *w) {
-    for (int slot = 1; slot < w->body_of.count; slot++) {
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         const td_body *body = td_body_at(w, f->body);
         if (body->kind != THUD_DYNAMIC || body->detection->rank != TD_RANK_SWEPT ||

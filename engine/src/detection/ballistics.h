@@ -7,8 +7,8 @@
 
 /* Notes the velocities before the solver changes them. */
 void td_ballistics_note(thud_world *w);
-/* Who gained hardly anything but gravity gets the motion of its parabola, and its trajectory the
- * fall, before the motion becomes a pose. */
+/* A body that gained hardly anything but gravity gets the motion of its parabola, and its
+ * trajectory the fall, before the motion becomes a pose. */
 void td_ballistics_fly(thud_world *w);
 
 #endif

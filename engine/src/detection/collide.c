@@ -9,7 +9,7 @@
 
 /* One of the two bodies, at the point where they meet. */
 typedef struct side {
-    int index;
+    td_body_index index;
     td_body *body;
     td_trajectory *trajectory; /* null where nothing moves it */
     double inv_mass, inv_inertia;
@@ -18,14 +18,14 @@ typedef struct side {
     double motion[3];   /* per second of the rest of the step */
 } side;
 
-static side side_of(thud_world *w, int index, const td_impact_point *at, double time) {
+static side side_of(thud_world *w, td_body_index index, const td_impact_point *at, double time) {
     td_body *body = td_body_at(w, index);
     td_trajectory f = td_trajectory_of(w, index);
     side s = {.index = index,
               .body = body,
               .x = at->x - (double)(f.place.x - at->origin.x) / w->to_fixed,
               .y = at->y - (double)(f.place.y - at->origin.y) / w->to_fixed};
-    if (body->awake > 0) {
+    if (body->awake.at > 0) {
         const float *velocity = td_row(&w->velocity, body->awake);
         for (int k = 0; k < 3; k++) {
             double fall = k < 2 ? f.fall[k] : 0.0;
@@ -50,7 +50,7 @@ static double speed_along(const side *a, const side *b, bool of_motion, double x
     return vx * x + vy * y;
 }
 
-/* What is held does not move, whatever its velocity. */
+/* A body that is held does not move, whatever its velocity. */
 static bool gives_way(const side *s, bool of_motion) {
     return !of_motion || (s->trajectory && !s->trajectory->held);
 }
@@ -188,7 +188,7 @@ static void write_back(const thud_world *w, const side *s) {
     f->impacts++;
 }
 
-/* It moves as its velocity says. */
+/* From here on the body moves as its velocity says. */
 static bool is_free(const side *s) {
     return !s->trajectory || s->trajectory->free || s->body->kind != THUD_DYNAMIC;
 }
@@ -199,7 +199,7 @@ static void move_as_velocity(side *s) {
     }
 }
 
-/* Slower approaches do not bounce: see bounces.h. */
+/* The speed of approach below which a pair does not bounce: see bounces.h. */
 static double bounce_speed(const thud_world *w, const side *a, const side *b, const surface *u) {
     double slow = (double)(w->def.restitution_threshold * w->unit), dt = w->def.time_step;
     bool elastic = u->restitution >= 1.0;

@@ -22,7 +22,9 @@ typedef struct meeting {
 
 typedef struct sweep {
     thud_world *w;
-    int slot, body, shape;
+    td_awake_slot slot;
+    td_body_index body;
+    int shape;
     td_position start;          /* of the body's centre */
     thud_shape_instance placed; /* relative to start; smaller than the shape */
     thud_shape_instance core;   /* a small circle in its middle */
@@ -211,8 +213,8 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
                       turns ? (double)delta[2] : 0.0};
 }
 
-static void stop_at(thud_world *w, int index, td_position start, uint32_t start_angle, double time,
-                    float *delta) {
+static void stop_at(thud_world *w, td_body_index index, td_position start, uint32_t start_angle,
+                    double time, float *delta) {
     td_pose *pose = td_pose_at(w, index);
     for (int k = 0; k < 3; k++) {
         delta[k] = (float)((double)delta[k] * time);
@@ -223,9 +225,9 @@ static void stop_at(thud_world *w, int index, td_position start, uint32_t start_
     td_angle_turn(pose->angle, &pose->c, &pose->s);
 }
 
-/* It does not fall on in the rest of the step: it would fall back for nothing from where it stands.
- */
-static void give_back(thud_world *w, int slot, double time) {
+/* A body that was stopped does not fall on in the rest of the step, so that the velocity which
+ * gravity and forces give it there is taken back. */
+static void give_back(thud_world *w, td_awake_slot slot, double time) {
     float *velocity = td_row(&w->velocity, slot);
     const float *push = td_row(&w->push, slot);
     for (int k = 0; k < 3; k++) {
@@ -279,8 +281,8 @@ static void find_next(sweep *s, int first, float c, float sine) {
 
 /* The prologue is asked in the order of time, whichever order the broadphase has, up to the first
  * that stops the body. */
-static void sweep_body(thud_world *w, int slot) {
-    int index = td_body_of(w, slot);
+static void sweep_body(thud_world *w, td_awake_slot slot) {
+    td_body_index index = td_body_of(w, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_position start = {pose->center.x - td_length_from(w, delta[0]),
@@ -316,7 +318,7 @@ static bool reserve(thud_world *w) {
 static void run(thud_world *w) {
     bool anything = w->rest_shapes.ids.count > 0 || w->terrains.live > 0;
     for (int i = 0; i < w->scratch.fast.count && anything; i++) {
-        int slot = td_int_at(&w->scratch.fast, i);
+        td_awake_slot slot = td_slot_in(&w->scratch.fast, i);
         const td_body *body = td_body_at(w, td_body_of(w, slot));
         if (body->detection->rank == TD_RANK_CONTINUOUS) {
             sweep_body(w, slot);

@@ -34,7 +34,7 @@ typedef enum td_moment {
     TD_MOMENT_COUNT
 } td_moment;
 
-/* What a step runs for detection, once for all the kinds that share it. */
+/* The part of a step that a detection needs; it runs once for all detections that share it. */
 typedef struct td_detection_stage {
     /* Room, so that `run` cannot fail; false: out of memory. */
     bool (*reserve)(struct thud_world *w);

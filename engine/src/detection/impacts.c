@@ -20,9 +20,9 @@
 #include "state/surface.h"
 #include "detection/unbisectable.h"
 
-/* In multiples of TD_MEET: nearer than this shapes touch; so little motion into each other is none;
- * and so much of it in a step is left to the contact solver where load has pressed them together.
- */
+/* All three are multiples of TD_MEET. Shapes nearer than TOUCHING touch. Motion into each other by
+ * less than NOTHING is none. Of shapes that load has pressed together, motion into each other by up
+ * to PRESSED in a step is left to the contact solver. */
 #define TOUCHING 0.01
 #define NOTHING 0.01
 #define PRESSED 0.2
@@ -58,15 +58,15 @@ static bool presses(thud_world *w, const td_toi_candidate *e, double now) {
     return td_impact_point_of(w, e, now, &at) && at.closing > NOTHING * (double)(TD_MEET * w->unit);
 }
 
-static bool gives_way(const thud_world *w, int body) {
+static bool gives_way(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
-    return b->kind == THUD_DYNAMIC && b->awake > 0 && !td_trajectory_at(w, b->awake)->held;
+    return b->kind == THUD_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
 }
 
-/* In this step. */
-static bool has_met(const thud_world *w, int body) {
+/* Whether the body had a collision in this step. */
+static bool has_met(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
-    return b->awake > 0 && td_trajectory_at(w, b->awake)->impacts > 0;
+    return b->awake.at > 0 && td_trajectory_at(w, b->awake)->impacts > 0;
 }
 
 /* When the two meet after `now`, or are to be looked at again; false where that is not in this
@@ -200,8 +200,8 @@ static void collide(thud_world *w, int number, double time) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     td_trajectory *trajectories[2] = {NULL, NULL};
     for (int side = 0; side < 2; side++) {
-        int slot = td_body_at(w, e.body[side])->awake;
-        if (slot > 0) {
+        td_awake_slot slot = td_body_at(w, e.body[side])->awake;
+        if (slot.at > 0) {
             trajectories[side] = td_trajectory_at(w, slot);
             td_trajectory_advance(w, trajectories[side], time);
         }
@@ -239,18 +239,18 @@ static void collide(thud_world *w, int number, double time) {
 
 /* ---- the stage ---- */
 
-static bool takes_part(const thud_world *w, int slot) {
+static bool takes_part(const thud_world *w, td_awake_slot slot) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
     return body->kind == THUD_DYNAMIC && body->detection->meet;
 }
 
 /* From where the solver's motion began. */
-static void take_off(thud_world *w, int slot) {
-    int index = td_body_of(w, slot);
+static void take_off(thud_world *w, td_awake_slot slot) {
+    td_body_index index = td_body_of(w, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_trajectory f = *td_trajectory_at(w, slot);
-    if (f.body != index) { /* somebody was quarantined, and it stands in his slot */
+    if (!td_same_body(f.body, index)) { /* somebody was quarantined, and it stands in his slot */
         f = (td_trajectory){.body = index};
     }
     *td_trajectory_at(w, slot) =
@@ -266,7 +266,7 @@ static void take_off(thud_world *w, int slot) {
                         .free = f.free};
 }
 
-static void land(thud_world *w, int slot) {
+static void land(thud_world *w, td_awake_slot slot) {
     td_trajectory *f = td_trajectory_at(w, slot);
     if (!f->changed) {
         return;
@@ -287,7 +287,7 @@ static void land(thud_world *w, int slot) {
 }
 
 /* Bounds for the next step reach as far as the body is going to move. */
-static void expect(thud_world *w, int slot) {
+static void expect(thud_world *w, td_awake_slot slot) {
     const float *v = td_row(&w->velocity, slot);
     float h = (float)w->def.time_step;
     int i = td_body_at(w, td_body_of(w, slot))->first_shape;
@@ -300,10 +300,10 @@ static void expect(thud_world *w, int slot) {
 static void schedule_everything(thud_world *w) {
     w->scratch.candidates.count = w->scratch.strays.count = w->scratch.impacts.count = 0;
     td_event_queue_clear(&w->scratch.queue, w->constraints.count);
-    for (int slot = 1; slot < w->body_of.count; slot++) {
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         take_off(w, slot);
     }
-    for (int slot = 1; slot < w->body_of.count; slot++) {
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         bool own = takes_part(w, slot), strays = td_trajectory_is_unexpected(w, f);
         if ((own && !td_toi_candidates_on_ground(w, f)) ||
@@ -371,7 +371,7 @@ static void run(thud_world *w) {
     for (int n; (n = td_event_queue_next(&w->scratch.queue, &time)) != TD_NONE;) {
         collide(w, n, time);
     }
-    for (int slot = 1; slot < w->body_of.count; slot++) {
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         land(w, slot);
         if (takes_part(w, slot)) {
             expect(w, slot);

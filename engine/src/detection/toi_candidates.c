@@ -7,8 +7,8 @@
 
 /* Whether the pair is a candidate already: where both stray, each may find the other. */
 static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
-    int slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
-    int e = slot > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
+    td_awake_slot slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
+    int e = slot.at > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
     while (e != TD_NONE) {
         const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
         if ((extra->shape[0] == shape_a && extra->shape[1] == shape_b) ||
@@ -36,8 +36,8 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b) {
                             .body = {td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body}};
     td_int_set(&w->scratch.queue.spot, number, TD_NONE);
     for (int side = 0; side < 2; side++) {
-        int slot = td_body_at(w, e->body[side])->awake;
-        if (slot > 0) {
+        td_awake_slot slot = td_body_at(w, e->body[side])->awake;
+        if (slot.at > 0) {
             td_trajectory *f = td_trajectory_at(w, slot);
             e->next[side] = f->extras;
             f->extras = index * 2 + side;
@@ -54,7 +54,7 @@ static td_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int i
     double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
     double slack = (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn +
                    (double)(TD_MEET * w->unit) +
-                   td_trajectories_bend(&(td_trajectory){.body = TD_NONE}, f, 1.0 - f->since);
+                   td_trajectories_bend(&(td_trajectory){.body = {TD_NONE}}, f, 1.0 - f->since);
     td_bounds a = td_placed_bounds(w, &now, f->place, slack);
     td_bounds b = td_placed_bounds(w, &end, f->place, slack);
     return td_bounds_around(&a, &b);
@@ -64,14 +64,15 @@ static const td_bounds *bounds_at_start(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
 }
 
-/* Some see to it that the two do not pass each other. */
+/* Whether a detection sees to it that the two do not pass each other. */
 static bool is_looked_at(const thud_world *w, int shape, int other) {
     const td_shape *a = td_shape_at(w, shape), *b = td_shape_at(w, other);
     return !((a->flags | b->flags) & TD_SHAPE_HOLLOW) && td_pair_allowed(w, shape, other) &&
            td_detection_of(w, a->body, b->body)->meet;
 }
 
-/* In the order of shapes: each broadphase has its own. */
+/* Adds what was found, in the order of shapes, so that it is the same whichever order a broadphase
+ * finds it in. */
 static bool add_found(thud_world *w, int shape, const td_bounds *ahead) {
     const td_array *hits = &w->scratch.hits;
     td_sort_ints(&w->scratch.hits);
@@ -86,7 +87,7 @@ static bool add_found(thud_world *w, int shape, const td_bounds *ahead) {
     return true;
 }
 
-/* Others who strayed are not where the grids believe. */
+/* Looks among the shapes that strayed, since those are not where the broadphase has them. */
 static bool add_strays(thud_world *w, int shape, const td_bounds *ahead, bool chose) {
     const td_array *strays = &w->scratch.strays;
     for (int i = 0; i < strays->count; i++) {

@@ -8,16 +8,17 @@
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
-const thud_detection *td_detection_of(const thud_world *w, int body_a, int body_b) {
+const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
+                                      td_body_index body_b) {
     const td_body *a = td_body_at(w, body_a), *b = td_body_at(w, body_b);
     bool moves_a = a->kind == THUD_DYNAMIC, moves_b = b->kind == THUD_DYNAMIC;
     return !moves_b || (moves_a && a->detection->rank > b->detection->rank) ? a->detection
                                                                             : b->detection;
 }
 
-td_trajectory td_trajectory_of(const thud_world *w, int body) {
-    int slot = td_body_at(w, body)->awake;
-    if (slot > 0) {
+td_trajectory td_trajectory_of(const thud_world *w, td_body_index body) {
+    td_awake_slot slot = td_body_at(w, body)->awake;
+    if (slot.at > 0) {
         return *td_trajectory_at(w, slot);
     }
     const td_pose *pose = td_pose_at(w, body);

@@ -9,7 +9,7 @@
 typedef struct td_trajectory {
     td_position place; /* of the centre of mass, at `since` */
     uint32_t angle;
-    int32_t body;
+    td_body_index body;
     int32_t extras; /* edge of its first extra candidate: extra * 2 + side, or TD_NONE */
     int32_t impacts;
     double since;     /* in [0, 1] of the step */
@@ -33,21 +33,23 @@ typedef struct td_stray {
  * contacts', the others extra ones': of terrain, and of bodies that strayed from where they were
  * expected. */
 typedef struct td_toi_candidate {
-    int32_t shape[2], body[2];
+    int32_t shape[2];
+    td_body_index body[2];
     int32_t next[2]; /* extra: edges of the same bodies */
     bool vetoed;
 } td_toi_candidate;
 
 /* The trajectory of an awake body, by its slot. */
-static inline td_trajectory *td_trajectory_at(const thud_world *w, int slot) {
-    return TD_AT(td_trajectory, &w->scratch.trajectories, slot);
+static inline td_trajectory *td_trajectory_at(const thud_world *w, td_awake_slot slot) {
+    return TD_AT(td_trajectory, &w->scratch.trajectories, slot.at);
 }
 
-/* What finds out when the two meet. */
-const thud_detection *td_detection_of(const thud_world *w, int body_a, int body_b);
+/* The detection that finds out when the two meet. */
+const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
+                                      td_body_index body_b);
 
 /* The trajectory of any body; those at rest stay where they are. */
-td_trajectory td_trajectory_of(const thud_world *w, int body);
+td_trajectory td_trajectory_of(const thud_world *w, td_body_index body);
 /* Brings it to `time`, which is no earlier than `since`. */
 void td_trajectory_advance(const thud_world *w, td_trajectory *trajectory, double time);
 /* From `since` on something bears this part of the fall; the velocity at the end lacks it as well.

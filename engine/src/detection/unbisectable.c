@@ -19,7 +19,7 @@ static double swinging_reach(const thud_world *w, const td_body *body, double le
     return reach > (double)body->core + 0.5 * least ? reach : 0.0;
 }
 
-bool td_is_unbisectable(thud_world *w, int slot) {
+bool td_is_unbisectable(thud_world *w, td_awake_slot slot) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
     if (!w->detections[TD_RANK_BISECT] ||
         (body->kind == THUD_DYNAMIC && body->detection->rank > TD_RANK_BISECT)) {

@@ -6,6 +6,6 @@
 
 /* Whether an awake body moved further than the thinnest shape is thick, and may have passed through
  * it unseen: one that is bisected, or, where others are, is looked for in no finer way. */
-bool td_is_unbisectable(thud_world *w, int slot);
+bool td_is_unbisectable(thud_world *w, td_awake_slot slot);
 
 #endif

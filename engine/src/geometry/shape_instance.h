@@ -104,12 +104,12 @@ typedef double td_jump_fn(const thud_shape_instance *a, const thud_motion *motio
                           const thud_shape_instance *b, const thud_motion *motion_b, double nx,
                           double ny, double target);
 td_jump_fn td_time_across;
-/* As td_time_across, but longer where a turning box's face goes on keeping them apart: pays for
- * what slides on. */
+/* Finds a longer time than td_time_across where the face of a turning box goes on keeping the two
+ * apart. It takes longer itself, which pays for shapes that slide on others. */
 td_jump_fn td_time_across_faces;
 
-/* As td_time_of_impact with a target that may be negative, where they overlap, and of which turning
- * shapes may stop `tolerance` short, which saves jumps. */
+/* Does what td_time_of_impact does, but the target may be negative, where the shapes overlap, and
+ * turning shapes may stop `tolerance` short of it, which saves jumps. */
 void td_time_of_near_impact(const thud_shape_instance *a, thud_motion motion_a,
                             const thud_shape_instance *b, thud_motion motion_b, double target,
                             double tolerance, td_jump_fn *jump, bool *hit, double *time);

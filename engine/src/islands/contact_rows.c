@@ -3,8 +3,9 @@
 
 /* Part of the overlap that goes in a step. */
 #define PUSH_SHARE 0.2
-/* Smaller gaps are none: in multiples of the arms, and of the length scale. Ground that goes on for
- * thousands of those would else hold bodies up where it is far from its middle. */
+/* A gap counts as none below BLUR times the arms, or BLUR_MOST length scales where that is less,
+ * and BLUR_LEAST length scales on top. Without BLUR_MOST, ground that is thousands of length scales
+ * long would hold bodies up where it is far from its middle. */
 #define BLUR 1e-6
 #define BLUR_LEAST 1e-7
 #define BLUR_MOST 1e-4

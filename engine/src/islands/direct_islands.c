@@ -15,7 +15,8 @@
 
 void td_islands_init(td_islands *s) {
     s->island.stride = (int)sizeof(td_island);
-    s->slots.stride = s->constraints.stride = s->local.stride = (int)sizeof(int);
+    s->slots.stride = (int)sizeof(td_awake_slot);
+    s->constraints.stride = s->local.stride = (int)sizeof(int);
     s->before.stride = (int)sizeof(float[4]);
     s->impulses.stride = (int)sizeof(float[3]);
     s->rows.stride = (int)sizeof(td_direct_constraint);
@@ -39,7 +40,7 @@ static bool roomy(thud_world *w, td_array *array, int count) {
     return td_array_reserve(&w->memory, array, td_max_int(count, 64));
 }
 
-/* ... and for all bodies and contacts that there are, where that takes little. */
+/* Room in each list for all bodies and constraints that there are, where that takes little. */
 static bool room_for_all(thud_world *w) {
     td_islands *s = &w->islands;
     int bodies = w->body_of.count, constraints = w->touching + w->joints.live;
@@ -51,18 +52,18 @@ static bool room_for_all(thud_world *w) {
 
 /* ---- which ---- */
 
-/* in `local` */
+/* The values of td_islands.local that are no numbers in an island. */
 enum {
     TOO_MANY = -1, /* its island has more bodies than the limit */
     ALONE = -2,    /* nothing touches it */
     COOLING = -3   /* its island is left alone for now */
 };
 
-static int *local_at(const thud_world *w, int slot) {
-    return TD_AT(int, &w->islands.local, slot);
+static int *local_at(const thud_world *w, td_awake_slot slot) {
+    return TD_AT(int, &w->islands.local, slot.at);
 }
 
-static bool is_seed(const thud_world *w, int slot) {
+static bool is_seed(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     return direct_steps <= TD_DIRECT_COOLDOWN &&
            (direct_steps > 0 || w->quality.sag_limit == 0.0f) && *local_at(w, slot) == 0 &&
@@ -72,22 +73,22 @@ static bool is_seed(const thud_world *w, int slot) {
 static bool any_direct(const thud_world *w) {
     const uint8_t *direct_steps = w->direct_steps.data;
     uint8_t any = 0;
-    for (int slot = 1; slot < w->body_of.count; slot++) {
-        any |= direct_steps[slot];
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+        any |= direct_steps[slot.at];
     }
     return any > 0;
 }
 
 enum { MOST_TIMES = 5 }; /* left alone for half a minute then, at 60 steps a second */
 
-static void cool_down(thud_world *w, int slot, int times) {
+static void cool_down(thud_world *w, td_awake_slot slot, int times) {
     *td_direct_steps_at(w, slot) = TD_DIRECT_COOLDOWN + TD_COOLDOWN_STEPS;
     *td_slow_steps_at(w, slot) = (uint16_t)(td_min_int(times, MOST_TIMES) * TD_SLOW_ONCE);
 }
 
-/* A step less to be left alone, or hard; of a body that was left n times in one of 2^(n - 1) steps.
- */
-static int direct_after_step(const thud_world *w, int slot) {
+/* What thud_world.direct_steps of a body is after this step. While it is left alone, a body counts
+ * down; one that was left n times does so in one of 2^(n - 1) steps. */
+static int direct_after_step(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     uint64_t halvings = TD_SLOW_LEFT(*td_slow_steps_at(w, slot));
     bool counts = halvings == 0 || w->steps % (1ull << (halvings - 1)) == 0;
@@ -97,7 +98,7 @@ static int direct_after_step(const thud_world *w, int slot) {
 
 void td_islands_leave(thud_world *w, const td_island *island, bool for_long) {
     for (int i = 0; i < island->bodies; i++) {
-        int slot = td_int_at(&w->islands.slots, island->first_body + i);
+        td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + i);
         int times = TD_SLOW_LEFT(*td_slow_steps_at(w, slot)) + 1;
         cool_down(w, slot, for_long ? MOST_TIMES : times);
     }
@@ -105,43 +106,44 @@ void td_islands_leave(thud_world *w, const td_island *island, bool for_long) {
 
 void td_islands_settle(thud_world *w) {
     uint8_t *direct_steps = w->direct_steps.data;
-    for (int slot = 1; slot < w->islands.local.count; slot++) {
-        direct_steps[slot] = (uint8_t)direct_after_step(w, slot);
+    for (td_awake_slot slot = {1}; slot.at < w->islands.local.count; slot.at++) {
+        direct_steps[slot.at] = (uint8_t)direct_after_step(w, slot);
         if (*local_at(w, slot) == TOO_MANY) {
             cool_down(w, slot, 1);
         } else if (*local_at(w, slot) == ALONE) {
-            direct_steps[slot] = 0;
+            direct_steps[slot.at] = 0;
         }
     }
 }
 
-static void add_body(thud_world *w, td_island *island, int slot) {
-    td_push_int(&w->islands.slots, slot);
+static void add_body(thud_world *w, td_island *island, td_awake_slot slot) {
+    td_push_slot(&w->islands.slots, slot);
     *local_at(w, slot) = ++island->bodies;
 }
 
 /* The awake slot of a dynamic body on the other side, or 0. */
-static int neighbour(const thud_world *w, const td_constraint *constraint, int side) {
+static td_awake_slot neighbour(const thud_world *w, const td_constraint *constraint, int side) {
     const td_body *other = td_body_at(w, constraint->body[1 - side]);
-    return other->kind == THUD_DYNAMIC && other->awake > 0 ? other->awake : 0;
+    bool moves = other->kind == THUD_DYNAMIC && other->awake.at > 0;
+    return moves ? other->awake : (td_awake_slot){0};
 }
 
 /* Adds the contacts of a body, and whom they bring; each contact once, by its first side that is a
  * body of an island. False: the island has too many bodies. */
-static bool spread(thud_world *w, td_island *island, int slot) {
-    int body = td_body_of(w, slot);
+static bool spread(thud_world *w, td_island *island, td_awake_slot slot) {
+    td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (constraint->state != TD_TOUCHING) {
             continue;
         }
-        int other = neighbour(w, constraint, e & 1);
-        bool is_new = other && *local_at(w, other) == 0;
-        if (other && (*local_at(w, other) == TOO_MANY ||
-                      (is_new && island->bodies == w->quality.island_limit))) {
+        td_awake_slot other = neighbour(w, constraint, e & 1);
+        bool is_new = other.at && *local_at(w, other) == 0;
+        if (other.at && (*local_at(w, other) == TOO_MANY ||
+                         (is_new && island->bodies == w->quality.island_limit))) {
             return false;
         }
-        if (!other || !(e & 1)) {
+        if (!other.at || !(e & 1)) {
             td_push_int(&w->islands.constraints, e / 2);
         }
         if (is_new) {
@@ -165,20 +167,20 @@ int64_t td_island_cost(const td_island *island) {
 static bool cools_down(const thud_world *w, const td_island *island) {
     int cooling = 0;
     for (int i = 0; i < island->bodies; i++) {
-        int slot = td_int_at(&w->islands.slots, island->first_body + i);
+        td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + i);
         cooling += *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN;
     }
     return 2 * cooling > island->bodies;
 }
 
 /* Lists the island of a body, unless it has no contacts, or too many bodies, or is left alone. */
-static void follow(thud_world *w, int seed) {
+static void follow(thud_world *w, td_awake_slot seed) {
     td_islands *s = &w->islands;
     td_island island = {.first_body = s->slots.count, .first_constraint = s->constraints.count};
     bool whole = true;
     add_body(w, &island, seed);
     for (int i = island.first_body; whole && i < s->slots.count; i++) {
-        whole = spread(w, &island, td_int_at(&s->slots, i));
+        whole = spread(w, &island, td_slot_in(&s->slots, i));
     }
     island.constraints = s->constraints.count - island.first_constraint;
     bool cooling = cools_down(w, &island);
@@ -187,7 +189,7 @@ static void follow(thud_world *w, int seed) {
         return;
     }
     for (int i = island.first_body; i < s->slots.count; i++) {
-        *local_at(w, td_int_at(&s->slots, i)) = !whole ? TOO_MANY : cooling ? COOLING : ALONE;
+        *local_at(w, td_slot_in(&s->slots, i)) = !whole ? TOO_MANY : cooling ? COOLING : ALONE;
     }
     s->slots.count = island.first_body;
     s->constraints.count = island.first_constraint;
@@ -203,8 +205,8 @@ static bool order(thud_world *w, td_island *island) {
     for (int i = 0; i < island->constraints; i++) {
         const td_constraint *constraint =
             td_constraint_at(w, td_int_at(&s->constraints, island->first_constraint + i));
-        int a = neighbour(w, constraint, 1), b = neighbour(w, constraint, 0);
-        if (a && b) {
+        td_awake_slot a = neighbour(w, constraint, 1), b = neighbour(w, constraint, 0);
+        if (a.at && b.at) {
             td_sparse_tie(&s->matrix, *local_at(w, a) - 1, *local_at(w, b) - 1);
         }
     }
@@ -229,7 +231,7 @@ bool td_islands_find(thud_world *w) {
     }
     s->local.count = slots;
     memset(s->local.data, 0, (size_t)slots * sizeof(int));
-    for (int slot = 1; slot < slots; slot++) {
+    for (td_awake_slot slot = {1}; slot.at < slots; slot.at++) {
         if (is_seed(w, slot)) {
             follow(w, slot);
         }
@@ -252,7 +254,7 @@ enum {
 };
 
 static void mark_direct(thud_world *w, uint32_t record) {
-    int slot = (int)(record / TD_AWAKE_BYTES);
+    td_awake_slot slot = td_slot_of_side(record);
     uint8_t *direct_steps = td_direct_steps_at(w, slot);
     if (td_row(&w->velocity, slot)[3] > 0.0f && *direct_steps <= TD_DIRECT_COOLDOWN) {
         *direct_steps = TD_DIRECT_STEPS;
@@ -271,11 +273,11 @@ float td_islands_most(const thud_world *w, float size) {
     return sag * omega * omega / (steps * (float)w->def.time_step);
 }
 
-static float size_of(const thud_world *w, int slot) {
-    return slot ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
+static float size_of(const thud_world *w, td_awake_slot slot) {
+    return slot.at ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
 }
 
-static bool is_calm(const thud_world *w, int a, int b) {
+static bool is_calm(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
     float x = u[0] - v[0], y = u[1] - v[1], most = td_calm_speed(w);
     return x * x + y * y < most * most;
@@ -297,7 +299,7 @@ static void watch_block(thud_world *w, td_block *block, int kind) {
             float separation = block->point[k].separation[lane];
             depth = td_max_float(depth, contact ? -(separation + w->skin) : magnitude(separation));
         }
-        int a = (int)(block->a[lane] / TD_AWAKE_BYTES), b = (int)(block->b[lane] / TD_AWAKE_BYTES);
+        td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);

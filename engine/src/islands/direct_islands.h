@@ -17,25 +17,27 @@ typedef struct td_island {
 
 typedef struct td_islands {
     td_array island;      /* td_island */
-    td_array slots;       /* int: awake slots, island by island */
-    td_array constraints; /* int: likewise */
+    td_array slots;       /* td_awake_slot: island by island */
+    td_array constraints; /* int: island by island */
     td_array local;       /* int, by awake slot: 1 + its number in the island; 0: in none */
     td_array before;      /* float[4], as `slots`: velocity before the soft solver */
+    td_array impulses; /* float[3], as `constraints`: of points and tangent, from the step before */
     td_array
-        impulses;  /* float[3], as `constraints`: from the step before, of its points and tangent */
-    td_array rows; /* td_direct_contact: of the island at hand ... */
+        rows; /* td_direct_constraint: of the island that is being solved, as are the next four */
     td_array bodies;     /* td_direct_body */
     td_array step, work; /* double[3] */
     td_array moved;      /* double[3]: motion of the bodies */
     td_sparse matrix;
 } td_islands;
 
-/* What a quality plugs in. */
+/* The island solver that a quality plugs in. */
 struct thud_island_solver {
     /* After the narrowphase: which islands, and room for them. False: out of memory. */
     bool (*find)(struct thud_world *w);
-    void (*begin)(struct thud_world *w); /* before the soft solver, which does them too ... */
-    void (*end)(struct thud_world *w);   /* ... and is overruled here where the result is better */
+    /* Before the soft solver, which solves these islands as well. */
+    void (*begin)(struct thud_world *w);
+    /* After it: solves them directly, and keeps the better result of each. */
+    void (*end)(struct thud_world *w);
 };
 
 void td_islands_init(td_islands *islands);
@@ -43,7 +45,8 @@ void td_islands_free(td_memory *memory, td_islands *islands);
 
 /* Fills the lists; false when memory is short. */
 bool td_islands_find(struct thud_world *w);
-/* Now that the step cannot fail: counts down, and leaves alone what has too many bodies. */
+/* Counts down the steps of thud_world.direct_steps, and leaves islands of too many bodies alone.
+ * Comes when the step can no longer fail, so that a step that is tried again counts once. */
 void td_islands_settle(struct thud_world *w);
 /* Impulse a substep, over the lighter body's mass, under which a contact gives way by as much as
  * the world's max_error allows, or the quality: at its own number of substeps, where the world
@@ -54,22 +57,24 @@ void td_islands_watch(struct thud_world *w);
 
 /* The speed below which bodies are calm: a few times what gravity gives them in a step. */
 float td_calm_speed(const struct thud_world *w);
-/* Its solver was of no use: it is not tried again for a while, which doubles each time, or is as
- * long as it can be from the first on. */
+/* The direct solver was of no use to the island, and is not tried again for a while. That doubles
+ * each time; `for_long`, it is as long as it can be at once. */
 void td_islands_leave(struct thud_world *w, const td_island *island, bool for_long);
 /* Operations that a matrix of the island takes, with what goes before and after it. */
 int64_t td_island_cost(const td_island *island);
 
-/* An island stays with its solver for so many steps after it last had to. */
+/* An island is solved directly for so many steps more after a constraint of it last carried so much
+ * that it would sag by more than TD_DIRECT_LEAVE times the limit. */
 #define TD_DIRECT_STEPS 60
-/* ... which is as long as its sag is above this part of the limit. */
 #define TD_DIRECT_LEAVE 0.7
-/* In thud_world.hard: more than this is the number of times TD_COOLDOWN_STEPS for which an island
- * is left alone. */
+/* thud_world.direct_steps counts down from TD_DIRECT_STEPS while an island is direct. Values above
+ * TD_DIRECT_COOLDOWN mean that it is left alone: they begin TD_COOLDOWN_STEPS above it, and count
+ * down to it. */
 #define TD_DIRECT_COOLDOWN 128
 #define TD_COOLDOWN_STEPS 120
-/* In thud_world.strain: steps in succession that took the island's solver long; and above them, how
- * often it was left since it last took few. */
+/* thud_world.slow_steps holds two counts: up to TD_SLOW_STEPS, the steps in succession that took
+ * the island's solver long; and, in multiples of TD_SLOW_ONCE, how often the island was left alone
+ * since a step that did not. */
 #define TD_SLOW_STEPS 4095
 #define TD_SLOW_ONCE 4096
 #define TD_SLOW_LEFT(slow_steps) ((slow_steps) / TD_SLOW_ONCE)

@@ -10,14 +10,14 @@ enum { PATIENCE = 200 };
 void td_island_note(thud_world *w) {
     td_islands *s = &w->islands;
     for (int i = 0; i < s->slots.count; i++) {
-        memcpy(td_row(&s->before, i), td_row(&w->velocity, td_int_at(&s->slots, i)),
+        memcpy(td_at(&s->before, i), td_row(&w->velocity, td_slot_in(&s->slots, i)),
                sizeof(float[4]));
     }
     float steps = (float)w->substeps;
     for (int i = 0; i < s->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, td_int_at(&s->constraints, i));
         td_lane at = td_lane_of(w, constraint);
-        float *impulses = td_row(&s->impulses, i);
+        float *impulses = td_at(&s->impulses, i);
         float kept = at.block->loaded[at.lane] & TD_DIRECT ? 0.0f : 1.0f;
         for (int k = 0; k < td_island_points(w, constraint); k++) {
             impulses[k] = steps * at.block->point[k].normal_impulse[at.lane];
@@ -34,9 +34,9 @@ void td_island_note(thud_world *w) {
 /* Mean velocity of a step without contacts, whose end is as the substeps would have it. */
 static void take_body(td_island_work *work, int i) {
     thud_world *w = work->w;
-    int slot = work->slots[i];
+    td_awake_slot slot = work->slots[i];
     const td_body *body = td_body_at(w, td_body_of(w, slot));
-    const float *before = td_row(&w->islands.before, work->island->first_body + i);
+    const float *before = td_at(&w->islands.before, work->island->first_body + i);
     const float *push = td_row(&w->push, slot);
     double h = work->time / w->substeps;
     double linear = 1.0 / (1.0 + h * (double)body->linear_damping);
@@ -56,12 +56,12 @@ static void take_body(td_island_work *work, int i) {
 /* The body's number in the island; TD_NONE where the solver does not move it. Its velocity then
  * goes to `known`. */
 static int side_of(const thud_world *w, uint32_t record, double known[3]) {
-    int slot = (int)(record / TD_AWAKE_BYTES);
+    td_awake_slot slot = td_slot_of_side(record);
     const float *v = td_row(&w->velocity, slot);
     for (int k = 0; k < 3; k++) {
         known[k] = (double)v[k];
     }
-    return v[3] > 0.0f ? td_int_at(&w->islands.local, slot) - 1 : TD_NONE;
+    return v[3] > 0.0f ? td_int_at(&w->islands.local, slot.at) - 1 : TD_NONE;
 }
 
 static double by_known(const double *j, const double *v) {
@@ -78,7 +78,7 @@ static void take_constraint(td_island_work *work, int i) {
     thud_world *w = work->w;
     const td_constraint *constraint = td_constraint_at(w, work->constraints[i]);
     td_lane at = td_lane_of(w, constraint);
-    const float *impulses = td_row(&w->islands.impulses, work->island->first_constraint + i);
+    const float *impulses = td_at(&w->islands.impulses, work->island->first_constraint + i);
     td_direct_constraint *c = &work->problem.constraints[i];
     double known[2][3];
     *c = (td_direct_constraint){.a = side_of(w, at.block->a[at.lane], known[0]),
@@ -129,7 +129,7 @@ td_island_work td_island_take(thud_world *w, const td_island *island) {
     td_island_work work = {.w = w,
                            .island = island,
                            .problem = problem_of(w, island),
-                           .slots = (const int *)s->slots.data + island->first_body,
+                           .slots = (const td_awake_slot *)s->slots.data + island->first_body,
                            .constraints =
                                (const int *)s->constraints.data + island->first_constraint,
                            .moved = s->moved.data,

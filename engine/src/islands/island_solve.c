@@ -12,13 +12,15 @@
 #include "solver/error.h"
 #include "solver/motion.h"
 
-/* Matrices that are few. */
+/* An island that took no more matrices in a step than this was easy. */
 #define EASY 8
+/* A calm island may be slow for so many times as many steps as the quality allows others. */
 #define CALM_PATIENCE 20
-/* Radians a step; and speed, in multiples of the greatest that is there or wanted. */
+/* A result is refused where a body turns by more than TURN_MOST radians in the step, where one is
+ * faster than SPEED_MOST times the greatest speed that is there or wanted, or where a contact
+ * presses harder than LEVERAGE_MOST times all the momentum that is there or wanted. */
 #define TURN_MOST 0.4
 #define SPEED_MOST 4.0
-/* Impulse, in multiples of all the momentum that is there or wanted. */
 #define LEVERAGE_MOST 10.0
 /* The speed that may be missing, in multiples of what gravity gives in a step, and at least so many
  * length scales a second. */
@@ -51,7 +53,7 @@ static td_lane lane_of(const td_island_work *work, int i) {
     return td_lane_of(work->w, td_constraint_at(work->w, work->constraints[i]));
 }
 
-/* What the constraint wants of the velocities to go on with. */
+/* Sets the speeds that a constraint wants of the velocities at the end of the step. */
 static void want_velocity(td_island_work *work, int i) {
     td_direct_constraint *c = &work->problem.constraints[i];
     td_lane at = lane_of(work, i);
@@ -123,8 +125,8 @@ static bool goes_too_far(const td_island_work *work) {
     return furthest > SPEED_MOST * work->time * (fastest + pushed);
 }
 
-/* Nor does a wedge press harder than all that is there could, with some leverage: the soft solver
- * would begin with those impulses should the wedge open. */
+/* A wedge may press harder than all that is there could, even with some leverage. Such impulses are
+ * refused, since the soft solver would begin with them should the wedge open. */
 static bool presses_too_hard(const td_island_work *work) {
     const td_direct *d = &work->problem;
     double fastest = d->unit_speed + work->pushed * work->island->bodies, mass = 0.0;
@@ -148,7 +150,7 @@ static void carry_on(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &d->bodies[i];
-        const float *before = td_row(&work->w->islands.before, work->island->first_body + i);
+        const float *before = td_at(&work->w->islands.before, work->island->first_body + i);
         for (int k = 0; k < 3; k++) {
             b->free[k] = 2.0 * b->free[k] - (double)before[k];
             b->velocity[k] = 2.0 * b->velocity[k] - (double)before[k];
@@ -277,7 +279,8 @@ static void write(const td_island_work *work) {
     }
 }
 
-/* What is too dear for a whole step's work, be it a few matrices, is so for long. */
+/* An island for which even a few matrices cost more than the work of a whole step is left alone for
+ * long. */
 static void leave(thud_world *w, const td_island *island) {
     if (w->quality.island_patience > 0) {
         td_islands_leave(w, island, EASY * td_island_cost(island) > w->quality.island_work);

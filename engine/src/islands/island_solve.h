@@ -9,7 +9,8 @@ typedef struct td_island_work {
     thud_world *w;
     const td_island *island;
     td_direct problem;
-    const int *slots, *constraints;
+    const td_awake_slot *slots;
+    const int *constraints;
     double (*moved)[3];
     double time;   /* of a step */
     bool bounces;  /* something closes in so fast that it is going to bounce */

@@ -3,37 +3,37 @@
 
 #include "constraint/lanes.h"
 
-static int find_root(int *parents, int i) {
-    while (parents[i] != i) {
-        parents[i] = parents[parents[i]];
-        i = parents[i];
+static td_awake_slot find_root(td_awake_slot *parents, td_awake_slot i) {
+    while (parents[i.at].at != i.at) {
+        parents[i.at] = parents[parents[i.at].at];
+        i = parents[i.at];
     }
     return i;
 }
 
-static void join(int *parents, int a, int b) {
+static void join(td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
     a = find_root(parents, a);
     b = find_root(parents, b);
     /* The lower slot leads, so that roots do not depend on the order of contacts. */
-    if (a < b) {
-        parents[b] = a;
+    if (a.at < b.at) {
+        parents[b.at] = a;
     } else {
-        parents[a] = b;
+        parents[a.at] = b;
     }
 }
 
-static bool is_dynamic(const thud_world *w, int slot) {
+static bool is_dynamic(const thud_world *w, td_awake_slot slot) {
     return td_body_at(w, td_body_of(w, slot))->kind == THUD_DYNAMIC;
 }
 
-static bool moves(const thud_world *w, int slot) {
+static bool moves(const thud_world *w, td_awake_slot slot) {
     const float *v = td_row(&w->velocity, slot);
     return v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
 }
 
 /* A lane ties two dynamic bodies together; a moving kinematic body keeps its neighbour awake. */
-static void tie(thud_world *w, int *parents, int a, int b) {
-    if (a == 0 || b == 0) {
+static void tie(thud_world *w, td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
+    if (a.at == 0 || b.at == 0) {
         return;
     }
     bool dynamic_a = is_dynamic(w, a), dynamic_b = is_dynamic(w, b);
@@ -49,21 +49,21 @@ bool td_islands_label(thud_world *w) {
     if (!td_array_reserve(&w->memory, parents, w->body_of.count)) {
         return false;
     }
-    int *parent = parents->data;
-    for (int i = 0; i < w->body_of.count; i++) {
-        parent[i] = i;
+    td_awake_slot *parent = parents->data;
+    for (td_awake_slot slot = {0}; slot.at < w->body_of.count; slot.at++) {
+        parent[slot.at] = slot;
     }
     for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, i);
         if (constraint->state == TD_TOUCHING && constraint->bin != TD_SLEEPING &&
             constraint->live) {
             td_lane at = td_lane_of(w, constraint);
-            tie(w, parent, (int)(at.block->a[at.lane] / TD_AWAKE_BYTES),
-                (int)(at.block->b[at.lane] / TD_AWAKE_BYTES));
+            tie(w, parent, td_slot_of_side(at.block->a[at.lane]),
+                td_slot_of_side(at.block->b[at.lane]));
         }
     }
-    for (int i = 1; i < w->body_of.count; i++) {
-        parent[i] = find_root(parent, i);
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+        parent[slot.at] = find_root(parent, slot);
     }
     return true;
 }

@@ -18,7 +18,7 @@ static bool put_to_sleep(thud_world *w) {
     td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
     constraints->count = 0;
     for (int i = 0; i < bodies->count; i++) {
-        int e = td_body_at(w, td_int_at(bodies, i))->first_constraint;
+        int e = td_body_at(w, td_body_in(bodies, i))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
             td_constraint *constraint = td_constraint_at(w, e / 2);
             if (constraint->state == TD_TOUCHING && !constraint->listed) {
@@ -34,24 +34,25 @@ static bool put_to_sleep(thud_world *w) {
         return false;
     }
     for (int i = 0; i < bodies->count; i++) {
-        int index = td_int_at(bodies, i);
+        td_body_index index = td_body_in(bodies, i);
         td_body *body = td_body_at(w, index);
         td_awake_remove(w, index);
         memset(body->velocity, 0, sizeof body->velocity);
     }
     for (int i = 0; i < bodies->count; i++) {
-        td_body *body = td_body_at(w, td_int_at(bodies, i));
+        td_body *body = td_body_at(w, td_body_in(bodies, i));
         for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
             const td_body *other = td_body_at(w, td_other_body(w, e));
-            if (td_constraint_at(w, e / 2)->state == TD_WAITING && other->awake < 0) {
+            if (td_constraint_at(w, e / 2)->state == TD_WAITING && other->awake.at < 0) {
                 td_constraint_rest(w, e / 2);
             }
         }
     }
     w->rest_epoch++;
     for (int i = 0; i < bodies->count; i++) {
-        /* In a crowd, pairs may be missing: who wakes looks around. */
-        td_body_at(w, td_int_at(bodies, i))->rest_epoch =
+        /* In a crowd pairs may be missing. An older epoch makes the body look around when it wakes.
+         */
+        td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }
     td_proxy_set_forget(&w->awake_shapes);
@@ -77,20 +78,20 @@ void td_sleep(thud_world *w) {
     if (!is_due(w, w->idle_bodies) || !td_islands_label(w)) {
         return;
     }
-    const int *root = w->scratch.parents.data;
+    const td_awake_slot *root = w->scratch.parents.data;
     /* The least idle time of an island, kept at its root's slot; a restless body keeps it up. */
-    for (int i = 1; i < w->body_of.count; i++) {
-        const td_body *body = td_body_at(w, td_body_of(w, i));
-        float *least = td_row(&w->idle, root[i]);
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+        const td_body *body = td_body_at(w, td_body_of(w, slot));
+        float *least = td_row(&w->idle, root[slot.at]);
         float own = body->flags & TD_BODY_RESTLESS || body->kind != THUD_DYNAMIC
                         ? 0.0f
-                        : *td_row(&w->idle, i);
+                        : *td_row(&w->idle, slot);
         *least = td_min_float(*least, own);
     }
     w->scratch.bodies.count = 0;
-    for (int i = 1; i < w->body_of.count; i++) {
-        if (*td_row(&w->idle, root[i]) >= TD_SLEEP_TIME) {
-            td_push_int(&w->scratch.bodies, td_body_of(w, i));
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+        if (*td_row(&w->idle, root[slot.at]) >= TD_SLEEP_TIME) {
+            td_push_body(&w->scratch.bodies, td_body_of(w, slot));
         }
     }
     if (w->scratch.bodies.count) {

@@ -18,13 +18,13 @@ typedef struct td_block3 {
 typedef struct td_system {
     int size;     /* nodes */
     int place;    /* the first of its places, and of its columns */
-    int row;      /* ... of its entries' rows */
+    int row;      /* the first of its entries' rows */
     int64_t work; /* operations on blocks that factoring takes */
 } td_system;
 
 typedef struct td_sparse {
-    td_system now; /* the one that is spoken of */
-    int words;     /* of 64 bits a row of `ties` */
+    td_system now; /* the system that all calls are about */
+    int words;     /* of 64 bits each, in a row of `ties` */
     td_array ties; /* uint64_t: a bit for each pair of nodes; used up by ordering */
     td_array degree, next, prev, head; /* int: nodes by their degree, in lists */
     td_array place, node;              /* int: when a node is eliminated, and which one is then */

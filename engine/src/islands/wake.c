@@ -7,7 +7,7 @@
 #include "state/shape.h"
 
 static bool may_wake(const td_body *body) {
-    return body->kind == THUD_DYNAMIC && body->awake < 0 &&
+    return body->kind == THUD_DYNAMIC && body->awake.at < 0 &&
            !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
            !(body->changes & TD_CHANGE_ENTER);
 }
@@ -18,7 +18,7 @@ bool td_wake_reserve(thud_world *w) {
 }
 
 /* Shapes of a body that slept while others came to rest near it look for them. */
-static void look_around(thud_world *w, int index) {
+static void look_around(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->rest_epoch == w->rest_epoch) {
         return;
@@ -29,11 +29,11 @@ static void look_around(thud_world *w, int index) {
     }
 }
 
-bool td_wake(thud_world *w, int index) {
+bool td_wake(thud_world *w, td_body_index index) {
     td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
     if (!may_wake(td_body_at(w, index))) {
         td_body *body = td_body_at(w, index);
-        if (body->awake > 0) {
+        if (body->awake.at > 0) {
             *td_row(&w->idle, body->awake) = 0.0f;
         }
         return true;
@@ -43,9 +43,9 @@ bool td_wake(thud_world *w, int index) {
     }
     bodies->count = constraints->count = 0;
     td_awake_add(w, index);
-    td_push_int(bodies, index);
+    td_push_body(bodies, index);
     for (int i = 0; i < bodies->count; i++) {
-        int body = td_int_at(bodies, i);
+        td_body_index body = td_body_in(bodies, i);
         for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
             td_constraint *constraint = td_constraint_at(w, e / 2);
             if (constraint->state != TD_TOUCHING || constraint->bin != TD_SLEEPING ||
@@ -54,10 +54,10 @@ bool td_wake(thud_world *w, int index) {
             }
             constraint->listed = 1;
             td_push_int(constraints, e / 2);
-            int other = td_other_body(w, e);
+            td_body_index other = td_other_body(w, e);
             if (may_wake(td_body_at(w, other))) {
                 td_awake_add(w, other);
-                td_push_int(bodies, other);
+                td_push_body(bodies, other);
             }
         }
     }
@@ -66,12 +66,12 @@ bool td_wake(thud_world *w, int index) {
     }
     if (!td_lanes_place(w, constraints->data, constraints->count, false)) {
         for (int i = bodies->count - 1; i >= 0; i--) {
-            td_awake_remove(w, td_int_at(bodies, i));
+            td_awake_remove(w, td_body_in(bodies, i));
         }
         return false;
     }
     for (int i = 0; i < bodies->count; i++) {
-        int body = td_int_at(bodies, i);
+        td_body_index body = td_body_in(bodies, i);
         for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
             if (td_constraint_at(w, e / 2)->state == TD_RESTING) {
                 td_constraint_wait(w, e / 2);

@@ -9,6 +9,6 @@ bool td_wake_reserve(thud_world *w);
 
 /* Wakes the body's whole island, or starts the time at rest of one that is awake over; false when
  * memory is short. */
-bool td_wake(thud_world *w, int body);
+bool td_wake(thud_world *w, td_body_index body);
 
 #endif

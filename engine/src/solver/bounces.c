@@ -6,19 +6,19 @@
 #include "constraint/lanes.h"
 #include "state/surface.h"
 
-/* As TD_BOUNCE_REST, of pairs in flight: the solver gets them if they meet more slowly. As little
- * as can be, since its touch breaks their trajectory. */
+/* Pairs in flight are left to the solver if they meet more slowly than this, in the unit of
+ * TD_BOUNCE_REST. It is as little as can be, since the solver breaks their parabola. */
 #define TOUCH 0.015625
-/* Share of a weight; less is but what roundings leave. */
+/* A lane is loaded if it bears more than this share of a weight; less may be what rounding left. */
 #define LOAD 0.01f
-/* In multiples of TD_MEET: what touches may be pressed together by nearly as much, see impacts.c.
- */
+/* Shapes that overlap by less than this many times TD_MEET may be left where they are: impacts.c
+ * lets what touches overlap by nearly as much. */
 #define PRESSED 0.25f
 
 /* One side's gravity along the normal, and how strong it is; lengths/s^2. */
 static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *most) {
-    int slot = (int)(side / TD_AWAKE_BYTES);
-    const td_body *body = slot ? td_body_at(w, td_body_of(w, slot)) : NULL;
+    td_awake_slot slot = td_slot_of_side(side);
+    const td_body *body = slot.at ? td_body_at(w, td_body_of(w, slot)) : NULL;
     if (!body || body->kind != THUD_DYNAMIC) {
         return 0.0;
     }
@@ -29,8 +29,8 @@ static double gravity_of(const thud_world *w, uint32_t side, double nx, double n
 }
 
 static td_trajectory *trajectory_of(const thud_world *w, uint32_t side) {
-    int slot = (int)(side / TD_AWAKE_BYTES);
-    return slot ? td_trajectory_at(w, slot) : NULL;
+    td_awake_slot slot = td_slot_of_side(side);
+    return slot.at ? td_trajectory_at(w, slot) : NULL;
 }
 
 typedef struct lane {

@@ -4,11 +4,11 @@
 
 #include "state/world.h"
 
-/* Elastic pairs lose nothing however slowly they meet, up to where they are better taken for at
- * rest. In multiples of the speed that gravity gives in a step: in free trajectory, below this a
- * pair would meet some eight times within the step; ... */
+/* Elastic pairs bounce without loss however slowly they meet, unless they are better taken for at
+ * rest. The two limits are in multiples of the speed that gravity gives in a step. A pair in free
+ * flight that meets more slowly than TD_BOUNCE_REST would meet some eight times within the step. */
 #define TD_BOUNCE_REST 0.125
-/* ... what contacts bear trembles a little, and does not begin to bounce by itself. */
+/* A pair that contacts bear trembles a little, and must not begin to bounce from that alone. */
 #define TD_BOUNCE_BORNE 4.0
 
 /* Takes the lanes of pairs that bounce within this step from the solver. Needs the narrowphase's

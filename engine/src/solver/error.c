@@ -4,8 +4,8 @@
 #include "state/kinds.h"
 #include "constraint/lanes.h"
 
-/* What wakes, falls asleep or is edited makes the energy of the last step stale; and so may
- * detection that resolves collisions after its finish. */
+/* The energy that td_finalize added up in the last step is stale where a body woke, fell asleep or
+ * was edited since, and may be where detection then resolved collisions. */
 void td_error_begin(thud_world *w) {
     if (w->kinetic_stale || w->detections[TD_RANK_BISECT] || w->detections[TD_RANK_SWEPT]) {
         w->kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
@@ -30,8 +30,8 @@ float td_error_overlap(const thud_world *w) {
 
 /* Normal velocity of a point; negative where it closes. */
 static float speed_of(const thud_world *w, const td_block *block, const td_point *p, int lane) {
-    const float *a = td_row(&w->velocity, (int)(block->a[lane] / TD_AWAKE_BYTES));
-    const float *b = td_row(&w->velocity, (int)(block->b[lane] / TD_AWAKE_BYTES));
+    const float *a = td_row(&w->velocity, td_slot_of_side(block->a[lane]));
+    const float *b = td_row(&w->velocity, td_slot_of_side(block->b[lane]));
     return (b[0] - a[0]) * block->nx[lane] + (b[1] - a[1]) * block->ny[lane] +
            b[2] * p->cross_b[lane] - a[2] * p->cross_a[lane];
 }

@@ -1,4 +1,5 @@
-/* error.h: the errors of the step, as solver and finish add them up for thud_world_error. */
+/* error.h: the errors of the step, as the solver and td_finalize add them up for thud_world_error.
+ */
 #ifndef TD_ERROR_H
 #define TD_ERROR_H
 

@@ -17,16 +17,16 @@ static bool row_finite(const float *row) {
 }
 
 /* The body in slot `from` is in slot `to` now. */
-static void follow_slot(td_array *slots, int from, int to) {
-    int *list = slots->data;
+static void follow_slot(td_array *slots, td_awake_slot from, td_awake_slot to) {
+    td_awake_slot *list = slots->data;
     for (int i = 0; i < slots->count; i++) {
-        list[i] = list[i] == from ? to : list[i];
+        list[i] = list[i].at == from.at ? to : list[i];
     }
 }
 
-static void quarantine(thud_world *w, int index) {
+static void quarantine(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
-    int slot = body->awake;
+    td_awake_slot slot = body->awake;
     memset(td_row(&w->velocity, body->awake), 0, sizeof(float[4]));
     for (int e = body->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
@@ -37,7 +37,7 @@ static void quarantine(thud_world *w, int index) {
         e = next;
     }
     td_awake_remove(w, index);
-    follow_slot(&w->scratch.fast, w->body_of.count, slot);
+    follow_slot(&w->scratch.fast, (td_awake_slot){w->body_of.count}, slot);
     body->flags |= TD_BODY_QUARANTINED;
     td_proxy_set_forget(&w->awake_shapes);
     td_proxy_set_forget(&w->rest_shapes);
@@ -47,7 +47,7 @@ static void quarantine(thud_world *w, int index) {
     td_refuse(w, THUD_ERROR_INVALID, "a body became non-finite and is quarantined");
 }
 
-static void move(thud_world *w, int index, const float *delta) {
+static void move(thud_world *w, td_body_index index, const float *delta) {
     td_pose *pose = td_pose_at(w, index);
     pose->center.x += td_length_from(w, delta[0]);
     pose->center.y += td_length_from(w, delta[1]);
@@ -68,7 +68,8 @@ void td_finalize(thud_world *w) {
     TD_PICK_WIDE(w, td_finalize_bodies)(w);
     /* From the last slot down, since a body that leaves its slot gives it to the last one. */
     for (int i = w->scratch.odd.count - 1; i >= 0; i--) {
-        int slot = td_int_at(&w->scratch.odd, i), index = td_body_of(w, slot);
+        td_awake_slot slot = td_slot_in(&w->scratch.odd, i);
+        td_body_index index = td_body_of(w, slot);
         const float *delta = td_row(&w->delta, slot), *reach = td_row(&w->reach, slot);
         if (!row_finite(td_row(&w->velocity, slot)) || !row_finite(delta)) {
             quarantine(w, index);
@@ -78,7 +79,7 @@ void td_finalize(thud_world *w) {
         td_body_place_shapes(w, index);
         if (w->detections[TD_RANK_CONTINUOUS] && td_row(&w->velocity, slot)[3] > 0.0f &&
             delta[0] * delta[0] + delta[1] * delta[1] > 0.25f * reach[0] * reach[0]) {
-            td_push_int(&w->scratch.fast, slot);
+            td_push_slot(&w->scratch.fast, slot);
         }
     }
 }

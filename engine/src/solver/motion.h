@@ -28,7 +28,7 @@ struct thud_world;
  * sums up energies. */
 typedef void td_finalize_bodies_fn(struct thud_world *world);
 
-/* Kinetic energy of all awake bodies, to the bit as the finish sums it up. */
+/* Kinetic energy of all awake bodies, to the bit as td_finalize_bodies sums it up. */
 typedef double td_kinetic_energy_fn(const struct thud_world *world);
 
 #endif

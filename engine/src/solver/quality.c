@@ -40,7 +40,7 @@ static void detect_by(thud_world *w, const thud_detection *detection) {
     bool direct = w->quality.islands && w->quality.sag_limit == 0.0f;
     float skin = detection->rank < TD_RANK_BISECT ? 0.0f : (direct ? TD_MEET : TD_SKIN) * w->unit;
     w->detections[detection->rank] = detection;
-    for (int i = 0; i < w->bodies.count; i++) {
+    for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         td_body *body = td_body_at(w, i);
         if (!(body->flags & TD_BODY_CHOSE)) {
             body->detection = detection;

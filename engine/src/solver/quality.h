@@ -4,10 +4,10 @@
 
 #include "state/world.h"
 
-/* What is wrong with it, or null. */
+/* Says what is wrong with a quality; null where nothing is. */
 const char *td_quality_error(const thud_quality *quality);
 
-/* What is wrong with a world's max_error at this quality, or null. */
+/* Says what is wrong with a world's max_error at this quality; null where nothing is. */
 const char *td_max_error_error(double max_error, const thud_quality *quality);
 
 /* Puts the quality's settings to work, but for those that the world's def named itself. */

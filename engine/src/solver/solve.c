@@ -10,8 +10,8 @@
 
 #include <string.h>
 
-/* Pairs of restitution 1 that close in more slowly than so many times what gravity gives in a step
- * rest, or else a stack of them would never. */
+/* Pairs of restitution 1 that close in more slowly than so many times the speed that gravity gives
+ * in a step do not bounce, or a stack of them would never come to rest. */
 #define ELASTIC_REST 4.0f
 
 /* Soft constraint of Catto's "Soft Constraints" (2011) for frequency `hertz` and damping ratio. */
@@ -51,7 +51,7 @@ static td_solve_context solve_context(const thud_world *w, float h) {
     return c;
 }
 
-/* What overflows is no number from here on, which no limit of speed can hide: see finalize.c. */
+/* Turns an infinite push into not-a-number, which no limit of speed can hide from finalize.c. */
 static float told_apart(float push) {
     return push + (push - push);
 }
@@ -62,7 +62,7 @@ static void refresh_push(thud_world *w, float h) {
         return;
     }
     w->push_stale = false;
-    for (int slot = 1; slot < w->body_of.count; slot++) {
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_body *body = td_body_at(w, td_body_of(w, slot));
         float *push = td_row(&w->push, slot);
         memset(push, 0, sizeof(float[4]));
@@ -82,7 +82,7 @@ static void refresh_push(thud_world *w, float h) {
 
 typedef enum pass { WARM_START, SOLVE, RELAX, BOUNCE } pass;
 
-/* What all workers share, and what each has of its own: where it is. */
+/* What all workers share; and, in each worker's copy, where it is. */
 typedef struct solving {
     thud_world *w;
     td_solve_context contacts;
@@ -96,7 +96,7 @@ typedef struct solving {
     int first_chunk; /* of its phase */
 } solving;
 
-/* What the pass left is tallied while it is near at hand. */
+/* Blocks are tallied a few at a time, right after their pass, while they are in the cache. */
 static void solve_and_tally(const solving *s, td_solve_fn *solve, td_block *const *blocks,
                             int count, int points) {
     td_tally_fn *tally = &TD_PICK_WIDE(s->w, td_tally_points);

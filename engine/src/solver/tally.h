@@ -8,7 +8,7 @@
 
 #include "constraint/block.h"
 
-/* What a worker found, lane by lane; a td_tally of zeros has found nothing. */
+/* The errors that a worker found, lane by lane. In a td_tally of zeros there are none. */
 typedef struct td_tally {
     d4 depth;            /* sum of penetrations, whole position quanta */
     f8 least;            /* separation, <= 0 */

@@ -9,7 +9,8 @@
 
 #include <stddef.h>
 
-/* As td_angle_turn, the same operations in the same order. */
+/* Does for eight angles what td_angle_turn does for one, with the same operations in the same
+ * order, so that both give the same bits. */
 TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s) {
     u8 quarter = (angle + 0x20000000u) >> 30;
     f8 x = __builtin_convertvector((i8)(angle - (quarter << 30)), f8) *
@@ -32,16 +33,17 @@ TD_INLINE u8 quanta_of(f8 radians) {
     return (u8)__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-static void list_lanes(td_array *list, const int32_t *values, unsigned bits) {
+/* Appends the slots of the lanes in `bits`, of eight slots from `first` on. */
+static void list_lanes(td_array *list, td_awake_slot first, unsigned bits) {
     for (; bits; bits &= bits - 1) {
-        td_push_int(list, values[__builtin_ctz(bits)]);
+        td_push_slot(list, (td_awake_slot){first.at + __builtin_ctz(bits)});
     }
 }
 
 /* Adds to the time at rest, or starts it over. Kinematic bodies never rest while they move. */
-TD_INLINE void count_idle(thud_world *w, int slot, const td_rows *v, f8 rim, i8 here) {
+TD_INLINE void count_idle(thud_world *w, td_awake_slot first, const td_rows *v, f8 rim, i8 here) {
     f8 still = f8_all(TD_SLEEP_SPEED * w->unit), dt = f8_all((float)w->def.time_step);
-    float *at = td_row(&w->idle, slot);
+    float *at = td_row(&w->idle, first);
     i8 rests = (v->x * v->x + v->y * v->y < still * still) & (f8_abs(v->z) * rim < still);
     f8 idle = f8_keep(rests, f8_load(at) + dt);
     __builtin_memcpy(at, &idle, sizeof idle);
@@ -98,11 +100,11 @@ TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows
 }
 
 /* Adds the motion of eight bodies to their places; returns those in bounds quanta, x and y. */
-TD_INLINE td_rows move_eight(const thud_world *w, int first, void *const poses[TD_LANES],
+TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *const poses[TD_LANES],
                              void *const proxies[TD_LANES]) {
     f4 coarse[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
-        const float *delta = td_row(&w->delta, first + i);
+        const float *delta = td_row(&w->delta, (td_awake_slot){first.at + i});
         d2 quanta = {(double)delta[0], (double)delta[1]};
         l2 center, moved = (l2)(quanta * w->to_fixed + TD_ROUND_SHIFT) - TD_ROUND_BITS;
         __builtin_memcpy(&center, poses[i], sizeof center);
@@ -121,9 +123,9 @@ TD_INLINE td_rows move_eight(const thud_world *w, int first, void *const poses[T
 
 /* Poses and shapes of the lanes in `bits`, whose slots begin at `first`. The other lanes do the
  * same to records that nobody reads. */
-TD_INLINE void place_lanes(thud_world *w, int first, f8 turn, unsigned bits) {
-    const int32_t *bodies = (const int32_t *)w->body_of.data + first;
-    const int32_t *lone = (const int32_t *)w->lone.data + first;
+TD_INLINE void place_lanes(thud_world *w, td_awake_slot first, f8 turn, unsigned bits) {
+    const int32_t *bodies = (const int32_t *)w->body_of.data + first.at;
+    const int32_t *lone = (const int32_t *)w->lone.data + first.at;
     td_pose spare_pose = {0};
     td_shape_proxy spare_proxy = {0};
     void *poses[TD_LANES], *proxies[TD_LANES];
@@ -176,30 +178,29 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
     f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
     d4 kinetic = {0}, gained = {0};
     int count = w->body_of.count;
-    for (int first = 0; first < count; first += TD_LANES) {
-        td_rows v = td_load_rows(velocity + first), d = td_load_rows(delta + first);
+    for (td_awake_slot first = {0}; first.at < count; first.at += TD_LANES) {
+        int at = first.at;
+        td_rows v = td_load_rows(velocity + at), d = td_load_rows(delta + at);
         f8 reach0 = f8_load(td_row(&w->reach, first));
         f8 reach1 = f8_load(td_row(&w->reach, first) + TD_LANES);
         f8 core = __builtin_shufflevector(reach0, reach1, 0, 2, 4, 6, 8, 10, 12, 14);
         f8 rim = __builtin_shufflevector(reach0, reach1, 1, 3, 5, 7, 9, 11, 13, 15);
-        i8 slot = i8_all(first) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
+        i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
         f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
         i8 finite = sum - sum == zero;
-        f8 fallen = f8_load(weight + first) * (gx * d.x + gy * d.y);
-        f8 moving = td_kinetic_of(&v, mass + first, inertia + first);
+        f8 fallen = f8_load(weight + at) * (gx * d.x + gy * d.y);
+        f8 moving = td_kinetic_of(&v, mass + at, inertia + at);
         kinetic += d4_folded(f8_keep(here & finite, moving));
         gained += d4_folded(f8_keep(here & finite, fallen));
         if (w->def.sleeping) {
             count_idle(w, first, &v, rim, here & finite);
         }
-        i8 easy = here & finite & (i8_load(TD_AT(int32_t, &w->lone, first)) >= i8_all(0)) &
+        i8 easy = here & finite & (i8_load(TD_AT(int32_t, &w->lone, at)) >= i8_all(0)) &
                   (f8_abs(d.x) < far) & (f8_abs(d.y) < far) & (f8_abs(d.z) < f8_all(1.5f));
-        int32_t slots[TD_LANES];
-        __builtin_memcpy(slots, &slot, sizeof slots);
-        list_lanes(&w->scratch.odd, slots, i8_bits(here & ~easy));
+        list_lanes(&w->scratch.odd, first, i8_bits(here & ~easy));
         if (w->detections[TD_RANK_CONTINUOUS]) {
             i8 fast = easy & (v.w > zero) & (d.x * d.x + d.y * d.y > f8_all(0.25f) * core * core);
-            list_lanes(&w->scratch.fast, slots, i8_bits(fast));
+            list_lanes(&w->scratch.fast, first, i8_bits(fast));
         }
         unsigned bits = i8_bits(easy);
         if (bits) {

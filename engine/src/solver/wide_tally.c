@@ -6,7 +6,7 @@ TD_INLINE d4 quanta_of(f8 length, double to_fixed) {
     return (d4_folded(length) * to_fixed + TD_ROUND_SHIFT) - TD_ROUND_SHIFT;
 }
 
-/* In this order of operands what is not a number is left out. */
+/* With the operands in this order, not-a-number is left out. */
 TD_INLINE void tally(td_tally *to, td_block *const *blocks, int count, int points,
                      const td_tally_context *c) {
     f8 zero = f8_all(0.0f), touch = f8_all(-c->skin), limit = f8_all(-c->skin - c->overlap);

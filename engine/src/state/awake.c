@@ -28,14 +28,14 @@ bool td_awake_reserve(thud_world *w, int more) {
         }
     }
     if (w->body_of.count == 0) {
-        td_push_int(&w->body_of, TD_NONE);
+        td_push_body(&w->body_of, (td_body_index){TD_NONE});
     }
     return true;
 }
 
-void td_awake_refresh(thud_world *w, int index) {
+void td_awake_refresh(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
-    if (body->awake < 0) {
+    if (body->awake.at < 0) {
         return;
     }
     float *reach = td_row(&w->reach, body->awake);
@@ -51,17 +51,17 @@ void td_awake_refresh(thud_world *w, int index) {
     if (lone != TD_NONE && !td_shape_at(w, lone)->plain) {
         lone = TD_NONE;
     }
-    td_int_set(&w->lone, body->awake, lone);
+    td_int_set(&w->lone, body->awake.at, lone);
     damping[0] = body->linear_damping;
     damping[1] = body->angular_damping;
     w->damped += damping[0] > 0.0f || damping[1] > 0.0f;
     w->push_stale = w->kinetic_stale = true;
 }
 
-void td_awake_add(thud_world *w, int index) {
+void td_awake_add(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
-    int slot = w->body_of.count;
-    td_push_int(&w->body_of, index);
+    td_awake_slot slot = {w->body_of.count};
+    td_push_body(&w->body_of, index);
     body->awake = slot;
     float *velocity = td_row(&w->velocity, slot);
     memcpy(velocity, body->velocity, sizeof body->velocity);
@@ -74,10 +74,10 @@ void td_awake_add(thud_world *w, int index) {
     td_awake_refresh(w, index);
 }
 
-static void move_slot(thud_world *w, int from, int to) {
+static void move_slot(thud_world *w, td_awake_slot from, td_awake_slot to) {
     for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
         const td_array *array = &w->awake[i];
-        memcpy(td_at(array, to), td_at(array, from), (size_t)array->stride);
+        memcpy(td_at(array, to.at), td_at(array, from.at), (size_t)array->stride);
     }
     td_body *body = td_body_at(w, td_body_of(w, to));
     body->awake = to;
@@ -90,18 +90,18 @@ static void move_slot(thud_world *w, int from, int to) {
     }
 }
 
-void td_awake_remove(thud_world *w, int index) {
+void td_awake_remove(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
-    int slot = body->awake, last = w->body_of.count - 1;
+    td_awake_slot slot = body->awake, last = {w->body_of.count - 1};
     const float *damping = td_row(&w->damping, slot);
     w->damped -= damping[0] > 0.0f || damping[1] > 0.0f;
     memcpy(body->velocity, td_row(&w->velocity, slot), sizeof body->velocity);
     body->direct_steps = *td_direct_steps_at(w, slot);
-    body->awake = TD_NONE;
-    if (slot != last) {
+    body->awake.at = TD_NONE;
+    if (slot.at != last.at) {
         move_slot(w, last, slot);
     }
     memset(td_row(&w->velocity, last), 0, sizeof(float[4]));
-    w->body_of.count = last;
+    w->body_of.count = last.at;
     w->kinetic_stale = true;
 }

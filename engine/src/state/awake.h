@@ -12,9 +12,11 @@ void td_awake_free(thud_world *w);
 int td_awake_capacity(int bodies);
 /* Room for every live body and `more`, so that waking never needs memory. */
 bool td_awake_reserve(thud_world *w, int more);
-void td_awake_add(thud_world *w, int body);    /* the velocity comes from the body's record */
-void td_awake_remove(thud_world *w, int body); /* the velocity goes back there */
+/* Gives the body a slot, with the velocity of its record. */
+void td_awake_add(thud_world *w, td_body_index body);
+/* Takes its slot, and puts the velocity into its record. */
+void td_awake_remove(thud_world *w, td_body_index body);
 /* Copies mass, damping and reach of the body's record to its slot, if it has one. */
-void td_awake_refresh(thud_world *w, int body);
+void td_awake_refresh(thud_world *w, td_body_index body);
 
 #endif

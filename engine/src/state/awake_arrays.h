@@ -7,7 +7,7 @@
 #ifndef TD_AWAKE_ARRAYS_H
 #define TD_AWAKE_ARRAYS_H
 
-#include "base/memory.h"
+#include "base/indices.h"
 
 /* The third column of the list. */
 enum {
@@ -16,21 +16,21 @@ enum {
 };
 
 /* Name, element, and whether it is state. */
-#define TD_AWAKE_ARRAYS(X)                                                               \
-    X(velocity, float[4], TD_STATE)    /* x, y, spin; the inverse of the mass */         \
-    X(delta, float[4], TD_STATE)       /* motion of the last step: x, y, angle */        \
-    X(start, float[4], TD_REBUILT)     /* velocity at the start of a substep, damped */  \
-    X(push, float[4], TD_STATE)        /* velocity gained a substep */                   \
-    X(damping, float[2], TD_STATE)     /* linear, angular */                             \
-    X(idle, float, TD_STATE)           /* time at rest */                                \
-    X(direct_steps, uint8_t, TD_STATE) /* steps for which its island is still direct */  \
-    X(slow_steps, uint16_t, TD_STATE)  /* steps that took its island's solver long */    \
-    X(reach, float[2], TD_STATE)       /* td_body.core and .rim */                       \
-    X(mass, float, TD_STATE)                                                             \
-    X(inertia, float, TD_STATE)                                                          \
-    X(weight, float, TD_STATE) /* mass by gravity scale */                               \
-    X(body_of, int, TD_STATE)  /* the body; its count is how many slots are taken */     \
-    X(lone, int, TD_STATE)     /* the body's only shape, if it is plain; else TD_NONE */ \
+#define TD_AWAKE_ARRAYS(X)                                                                        \
+    X(velocity, float[4], TD_STATE)    /* x, y, spin; the inverse of the mass */                  \
+    X(delta, float[4], TD_STATE)       /* motion of the last step: x, y, angle */                 \
+    X(start, float[4], TD_REBUILT)     /* velocity at the start of a substep, damped */           \
+    X(push, float[4], TD_STATE)        /* velocity gained a substep */                            \
+    X(damping, float[2], TD_STATE)     /* linear, angular */                                      \
+    X(idle, float, TD_STATE)           /* time at rest */                                         \
+    X(direct_steps, uint8_t, TD_STATE) /* steps for which its island is still direct */           \
+    X(slow_steps, uint16_t, TD_STATE)  /* steps that took its island's solver long */             \
+    X(reach, float[2], TD_STATE)       /* td_body.core and .rim */                                \
+    X(mass, float, TD_STATE)                                                                      \
+    X(inertia, float, TD_STATE)                                                                   \
+    X(weight, float, TD_STATE)          /* mass by gravity scale */                               \
+    X(body_of, td_body_index, TD_STATE) /* its count is how many slots are taken */               \
+    X(lone, int, TD_STATE)              /* the body's only shape, if it is plain; else TD_NONE */ \
     X(colours, td_colours, TD_STATE)
 
 /* Numbers of the arrays in thud_world.awake: TD_AWAKE_velocity and so on. */

@@ -47,7 +47,7 @@ static const char *def_error(const thud_world *w, const thud_body_def *def) {
 }
 
 void td_wake_all(thud_world *w) {
-    for (int i = 0; i < w->bodies.count; i++) {
+    for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         if (td_body_at(w, i)->flags & TD_BODY_LIVE) {
             td_body_mark(w, i, TD_CHANGE_WAKE);
         }
@@ -70,7 +70,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         !td_awake_reserve(w, 1)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "body create: out of memory");
     }
-    int index = td_slots_take(&w->bodies);
+    td_body_index index = {td_slots_take(&w->bodies)};
     td_body *body = td_body_at(w, index);
     *body = (td_body){
         .generation = body->generation,
@@ -78,7 +78,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         .flags = (uint8_t)(TD_BODY_LIVE | (def->fixed_rotation ? TD_BODY_FIXED : 0) |
                            (def->may_sleep ? 0 : TD_BODY_RESTLESS) |
                            (def->detection ? TD_BODY_CHOSE : 0)),
-        .awake = TD_NONE,
+        .awake = {TD_NONE},
         .velocity = {def->velocity.x, def->velocity.y, def->angular_velocity},
         .first_shape = TD_NONE,
         .first_constraint = TD_NONE,
@@ -100,17 +100,17 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
     return THUD_OK;
 }
 
-void td_body_mark(thud_world *w, int index, td_change_kind change) {
+void td_body_mark(thud_world *w, td_body_index index, td_change_kind change) {
     td_body *body = td_body_at(w, index);
     if (!body->changes) {
-        td_push_int(&w->changed, index);
+        td_push_body(&w->changed, index);
     }
     body->changes |= (uint8_t)change;
     w->kinetic_stale = true; /* its velocity may have been edited */
 }
 
 thud_result thud_body_destroy(thud_world *w, thud_body_id id) {
-    int index;
+    td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result == THUD_OK) {
         td_body *body = td_body_at(w, index);
@@ -124,9 +124,10 @@ thud_result thud_body_destroy(thud_world *w, thud_body_id id) {
 }
 
 bool thud_body_is_valid(const thud_world *w, thud_body_id id) {
+    td_body_index named = {(int32_t)(id.index1 - 1)};
     return w && id.index1 > 0 && id.index1 <= (uint32_t)w->bodies.count &&
-           (td_body_at(w, (int)id.index1 - 1)->flags & TD_BODY_LIVE) &&
-           td_tag(w, td_body_at(w, (int)id.index1 - 1)->generation) == id.generation;
+           (td_body_at(w, named)->flags & TD_BODY_LIVE) &&
+           td_tag(w, td_body_at(w, named)->generation) == id.generation;
 }
 
 /* ---- mass ---- */
@@ -142,7 +143,7 @@ static float reach_of(const td_shape *shape) {
 }
 
 /* Moves the centre of mass to (x, y) of the body's frame while the origin stays where it is. */
-static void set_center(thud_world *w, int index, double x, double y) {
+static void set_center(thud_world *w, td_body_index index, double x, double y) {
     td_body *body = td_body_at(w, index);
     td_pose *pose = td_pose_at(w, index);
     td_position origin = td_body_origin(w, index);
@@ -153,7 +154,7 @@ static void set_center(thud_world *w, int index, double x, double y) {
     pose->center = (td_position){2 * origin.x - offset.x, 2 * origin.y - offset.y};
 }
 
-void td_body_weigh(thud_world *w, int index) {
+void td_body_weigh(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
     bool dynamic = body->kind == THUD_DYNAMIC;
@@ -199,7 +200,7 @@ void td_body_weigh(thud_world *w, int index) {
 
 /* ---- reading ---- */
 
-td_position td_body_origin(const thud_world *w, int index) {
+td_position td_body_origin(const thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
     float x = pose->c * body->center_x - pose->s * body->center_y;
@@ -209,7 +210,7 @@ td_position td_body_origin(const thud_world *w, int index) {
 }
 
 thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state *out) {
-    int index;
+    td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK || !out) {
         return result;
@@ -229,7 +230,7 @@ thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state 
         .mass = body->mass,
         .inertia = body->inertia,
         .gravity_scale = body->gravity_scale,
-        .awake = body->awake > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)),
+        .awake = body->awake.at > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)),
         .enabled = !(body->flags & TD_BODY_DISABLED),
         .quarantined = (body->flags & TD_BODY_QUARANTINED) != 0,
         .user_data = body->user_data,
@@ -243,7 +244,8 @@ thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state 
 
 thud_result thud_body_shapes(const thud_world *w, thud_body_id id, thud_shape_id *out, int capacity,
                              int *count) {
-    int index, n = 0;
+    td_body_index index;
+    int n = 0;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
         return result;
@@ -267,7 +269,7 @@ thud_result thud_body_shapes(const thud_world *w, thud_body_id id, thud_shape_id
 }
 
 thud_result thud_body_set_user_data(thud_world *w, thud_body_id id, uint64_t user_data) {
-    int index;
+    td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result == THUD_OK) {
         td_body_at(w, index)->user_data = user_data;

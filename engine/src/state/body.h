@@ -5,19 +5,19 @@
 #include "state/world.h"
 
 /* Puts the body on the change list; `change` is a td_change_kind. */
-void td_body_mark(thud_world *w, int body, td_change_kind change);
+void td_body_mark(thud_world *w, td_body_index body, td_change_kind change);
 
 /* A new setting changes what every resting body would do. */
 void td_wake_all(thud_world *w);
 
 /* Mass, centre of mass and reach from the shapes that it has now. */
-void td_body_weigh(thud_world *w, int body);
+void td_body_weigh(thud_world *w, td_body_index body);
 
 /* Where the body's origin stands. */
-td_position td_body_origin(const thud_world *w, int body);
+td_position td_body_origin(const thud_world *w, td_body_index body);
 
 /* Puts the body's shapes where its pose says; their bounds move when they leave the fat ones. */
-void td_body_place_shapes(thud_world *w, int body);
+void td_body_place_shapes(thud_world *w, td_body_index body);
 
 static inline td_position td_place_from(const thud_world *w, thud_pos p) {
     return (td_position){td_round64(p.x * w->to_fixed), td_round64(p.y * w->to_fixed)};
@@ -35,7 +35,7 @@ static inline int64_t td_length_from(const thud_world *w, float length) {
 
 /* The velocity as it is now, awake or not. */
 static inline float *td_body_velocity(const thud_world *w, const td_body *body) {
-    return body->awake > 0 ? td_row(&w->velocity, body->awake) : (float *)body->velocity;
+    return body->awake.at > 0 ? td_row(&w->velocity, body->awake) : (float *)body->velocity;
 }
 
 /* ---- edits deferred by callbacks ---- */
@@ -52,12 +52,13 @@ typedef enum td_deferred_kind {
 
 /* Room for one more, where there are any: inside a callback. */
 bool td_deferred_reserve(thud_world *w);
-void td_deferred_add(thud_world *w, int body, td_deferred_kind what, const double value[4]);
+void td_deferred_add(thud_world *w, td_body_index body, td_deferred_kind what,
+                     const double value[4]);
 
 /* Does what callbacks asked for during the last step, in the order they asked. */
 void td_deferred_apply(thud_world *w);
 
 /* Whether one of them puts the body at an angle, or has one that heeds no force turn. */
-bool td_deferred_turns(const thud_world *w, int body);
+bool td_deferred_turns(const thud_world *w, td_body_index body);
 
 #endif

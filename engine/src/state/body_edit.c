@@ -5,7 +5,7 @@
 #include "state/handles.h"
 #include "base/rotation.h"
 
-static void transform(thud_world *w, int index, const double v[4]) {
+static void transform(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     td_pose *pose = td_pose_at(w, index);
     pose->angle = td_angle_from(v[2]);
@@ -17,7 +17,7 @@ static void transform(thud_world *w, int index, const double v[4]) {
     td_body_mark(w, index, TD_CHANGE_PLACE);
 }
 
-static void set_velocity(thud_world *w, int index, const double v[4]) {
+static void set_velocity(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     float *velocity = td_body_velocity(w, body);
     velocity[0] = (float)v[0];
@@ -26,7 +26,7 @@ static void set_velocity(thud_world *w, int index, const double v[4]) {
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-static void impulse(thud_world *w, int index, const double v[4]) {
+static void impulse(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
     float *velocity = td_body_velocity(w, body);
@@ -39,7 +39,7 @@ static void impulse(thud_world *w, int index, const double v[4]) {
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-static void force(thud_world *w, int index, const double v[4]) {
+static void force(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     body->force[0] += (float)v[0];
     body->force[1] += (float)v[1];
@@ -48,11 +48,11 @@ static void force(thud_world *w, int index, const double v[4]) {
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-static void set_awake(thud_world *w, int index, const double v[4]) {
+static void set_awake(thud_world *w, td_body_index index, const double v[4]) {
     td_body_mark(w, index, v[0] != 0.0 ? TD_CHANGE_WAKE : TD_CHANGE_SLEEP);
 }
 
-static void set_enabled(thud_world *w, int index, const double v[4]) {
+static void set_enabled(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     uint8_t flags = (uint8_t)(body->flags & ~TD_BODY_DISABLED);
     flags |= v[0] != 0.0 ? 0 : TD_BODY_DISABLED;
@@ -62,15 +62,15 @@ static void set_enabled(thud_world *w, int index, const double v[4]) {
     }
 }
 
-static void add_shape(thud_world *w, int index, const double v[4]) {
+static void add_shape(thud_world *w, td_body_index index, const double v[4]) {
     td_shape_at(w, (int)v[0])->flags &= (uint8_t)~TD_SHAPE_WAITS;
     if (td_body_at(w, index)->kind != THUD_STATIC) {
         td_body_weigh(w, index);
     }
 }
 
-static void act(thud_world *w, int index, td_deferred_kind what, const double v[4]) {
-    static void (*const acts[])(thud_world *, int,
+static void act(thud_world *w, td_body_index index, td_deferred_kind what, const double v[4]) {
+    static void (*const acts[])(thud_world *, td_body_index,
                                 const double[4]) = {transform, set_velocity, impulse,  force,
                                                     set_awake, set_enabled,  add_shape};
     if (what == TD_PUT_SHAPE || !(td_body_at(w, index)->flags & TD_BODY_QUARANTINED)) {
@@ -93,7 +93,7 @@ bool td_deferred_reserve(thud_world *w) {
     return !w->locked || td_array_reserve(&w->memory, &w->deferred, w->deferred.count + 1);
 }
 
-void td_deferred_add(thud_world *w, int index, td_deferred_kind what, const double v[4]) {
+void td_deferred_add(thud_world *w, td_body_index index, td_deferred_kind what, const double v[4]) {
     TD_PUSH(td_deferred_edit, &w->deferred) =
         (td_deferred_edit){.body = index,
                            .generation = td_body_at(w, index)->generation,
@@ -101,17 +101,18 @@ void td_deferred_add(thud_world *w, int index, td_deferred_kind what, const doub
                            .value = {v[0], v[1], v[2], v[3]}};
 }
 
-bool td_deferred_turns(const thud_world *w, int index) {
+bool td_deferred_turns(const thud_world *w, td_body_index index) {
     bool turns = false, kinematic = td_body_at(w, index)->kind == THUD_KINEMATIC;
     for (int i = 0; i < w->deferred.count; i++) {
         const td_deferred_edit *edit = TD_AT(td_deferred_edit, &w->deferred, i);
-        turns |= edit->body == index && edit->value[2] != 0.0 &&
+        turns |= td_same_body(edit->body, index) && edit->value[2] != 0.0 &&
                  (edit->what == TD_PUT_TRANSFORM || (edit->what == TD_PUT_VELOCITY && kinematic));
     }
     return turns;
 }
 
-static thud_result edit(thud_world *w, int index, td_deferred_kind what, const double v[4]) {
+static thud_result edit(thud_world *w, td_body_index index, td_deferred_kind what,
+                        const double v[4]) {
     if (!w->locked) {
         act(w, index, what, v);
         return THUD_OK;
@@ -123,7 +124,7 @@ static thud_result edit(thud_world *w, int index, td_deferred_kind what, const d
     return THUD_OK;
 }
 
-static thud_result check_dynamic(const thud_world *w, int index, const char *message) {
+static thud_result check_dynamic(const thud_world *w, td_body_index index, const char *message) {
     return td_body_at(w, index)->kind == THUD_DYNAMIC ? THUD_OK
                                                       : td_refuse(w, THUD_ERROR_INVALID, message);
 }
@@ -131,7 +132,7 @@ static thud_result check_dynamic(const thud_world *w, int index, const char *mes
 thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos position,
                                     double angle) {
     TD_IN_OWN_MODE;
-    int index;
+    td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
         return result;
@@ -157,7 +158,7 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
 thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 velocity,
                                    float angular_velocity) {
     TD_IN_OWN_MODE;
-    int index;
+    td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
         return result;
@@ -180,7 +181,7 @@ thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 vel
 thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 value,
                                     thud_pos point) {
     TD_IN_OWN_MODE;
-    int index;
+    td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
         return result;
@@ -199,7 +200,7 @@ thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 va
 
 thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque) {
     TD_IN_OWN_MODE;
-    int index;
+    td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
         return result;
@@ -215,7 +216,7 @@ thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 valu
 }
 
 thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake) {
-    int index;
+    td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
         return result;
@@ -226,7 +227,7 @@ thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake) {
 }
 
 thud_result thud_body_set_enabled(thud_world *w, thud_body_id id, bool enabled) {
-    int index;
+    td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     return result != THUD_OK ? result
                              : edit(w, index, TD_PUT_ENABLED, (double[4]){enabled ? 1.0 : 0.0});

@@ -14,7 +14,7 @@
 
 /* Wakes every sleeping body that touches this one or is otherwise tied to it; what is in a sensor
  * sleeps on, and is looked at again. */
-static bool wake_touching(thud_world *w, int body) {
+static bool wake_touching(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (constraint->kind == TD_PAIR_SENSOR) {
@@ -30,7 +30,7 @@ static bool wake_touching(thud_world *w, int body) {
 }
 
 /* Room for the end events of all its contacts. */
-static bool reserve_ends(thud_world *w, int body) {
+static bool reserve_ends(thud_world *w, td_body_index body) {
     int count = 0;
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         count++;
@@ -39,7 +39,7 @@ static bool reserve_ends(thud_world *w, int body) {
 }
 
 /* All contacts of the body, or of one of its shapes; `joints` too: and all else that ties it. */
-static void destroy_contacts(thud_world *w, int body, int shape, bool joints) {
+static void destroy_contacts(thud_world *w, td_body_index body, int shape, bool joints) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
         const td_constraint *c = td_constraint_at(w, e / 2);
@@ -68,10 +68,10 @@ static void free_shape(thud_world *w, int index) {
     td_slots_give(&w->shapes, index);
 }
 
-static void leave(thud_world *w, int index) {
+static void leave(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     destroy_contacts(w, index, TD_NONE, true);
-    if (body->awake > 0) {
+    if (body->awake.at > 0) {
         td_awake_remove(w, index);
     }
     for (int i = body->first_shape; i != TD_NONE;) {
@@ -82,11 +82,11 @@ static void leave(thud_world *w, int index) {
     body->changes = 0;
     body->flags = 0;
     body->generation++;
-    td_slots_give(&w->bodies, index);
+    td_slots_give(&w->bodies, index.at);
 }
 
 /* Destroyed shapes go, new ones get their place. */
-static void update_shapes(thud_world *w, int index) {
+static void update_shapes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     for (int *link = &body->first_shape; *link != TD_NONE;) {
         int i = *link;
@@ -115,7 +115,7 @@ static void update_shapes(thud_world *w, int index) {
 }
 
 /* A line that moved or changed has no pair in common with what it was. */
-static void renew_terrain(thud_world *w, int index) {
+static void renew_terrain(thud_world *w, td_body_index index) {
     for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (td_kind_is_line(td_shape_at(w, i)->kind)) {
             destroy_contacts(w, index, i, false);
@@ -126,16 +126,16 @@ static void renew_terrain(thud_world *w, int index) {
 
 /* Its shapes stay where the broadphase has them: nothing may pair with those of a disabled body,
  * and all pairs of an enabled one are new. */
-static void change_enabled(thud_world *w, int index) {
+static void change_enabled(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     bool enabled = !(body->flags & TD_BODY_DISABLED);
     destroy_contacts(w, index, TD_NONE, false);
     if (w->joining) {
         w->joining->suspend(w, index);
     }
-    if (!enabled && body->awake > 0) {
+    if (!enabled && body->awake.at > 0) {
         td_awake_remove(w, index);
-    } else if (enabled && body->awake < 0 && body->kind != THUD_STATIC) {
+    } else if (enabled && body->awake.at < 0 && body->kind != THUD_STATIC) {
         td_awake_add(w, index);
     }
     memset(body->force, 0, sizeof body->force);
@@ -147,7 +147,7 @@ static void change_enabled(thud_world *w, int index) {
 }
 
 /* Contacts with segments that an edit of a line took away. */
-static void destroy_gone(thud_world *w, int index) {
+static void destroy_gone(thud_world *w, td_body_index index) {
     for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
         if (td_constraint_at(w, e / 2)->child == TD_NONE) {
@@ -158,9 +158,9 @@ static void destroy_gone(thud_world *w, int index) {
 }
 
 /* What moves on from collision to collision is looked for as far as it goes in this step. */
-static void expect(thud_world *w, int index) {
+static void expect(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
-    if (body->awake < 0 || !body->detection->meet) {
+    if (body->awake.at < 0 || !body->detection->meet) {
         return;
     }
     const float *v = td_row(&w->velocity, body->awake);
@@ -170,7 +170,7 @@ static void expect(thud_world *w, int index) {
     }
 }
 
-static bool apply(thud_world *w, int index) {
+static bool apply(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     int changes = body->changes;
     int edits = TD_CHANGE_LEAVE | TD_CHANGE_SHAPES | TD_CHANGE_PLACE | TD_CHANGE_ENABLE;
@@ -181,7 +181,7 @@ static bool apply(thud_world *w, int index) {
         return false;
     }
     body->changes = 0;
-    bool rests = body->awake < 0;
+    bool rests = body->awake.at < 0;
     if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) && body->kind != THUD_STATIC &&
         !(body->flags & TD_BODY_DISABLED)) {
         td_awake_add(w, index);
@@ -216,7 +216,7 @@ static bool apply(thud_world *w, int index) {
         td_body_place_shapes(w, index);
         expect(w, index);
     }
-    if (body->awake > 0) {
+    if (body->awake.at > 0) {
         *td_row(&w->idle, body->awake) = changes == TD_CHANGE_SLEEP ? TD_SLEEP_TIME : 0.0f;
         w->drowsy_bodies += changes == TD_CHANGE_SLEEP;
     }
@@ -246,7 +246,8 @@ bool td_changes_apply(thud_world *w) {
     }
     w->paired = false;
     w->narrowed = 0;
-    int done = 0, *changed = w->changed.data;
+    int done = 0;
+    td_body_index *changed = w->changed.data;
     while (done < w->changed.count && apply(w, changed[done])) {
         done++;
     }

@@ -26,18 +26,19 @@ thud_result td_refuse(const thud_world *w, thud_result result, const char *messa
     return result;
 }
 
-thud_result td_find_body(const thud_world *w, thud_body_id id, int *index) {
+thud_result td_find_body(const thud_world *w, thud_body_id id, td_body_index *index) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
     if (id.index1 == 0 || id.index1 > (uint32_t)w->bodies.count) {
         return td_refuse(w, THUD_ERROR_STALE, "this body handle was never made");
     }
-    const td_body *body = td_body_at(w, (int)(id.index1 - 1));
+    td_body_index named = {(int32_t)(id.index1 - 1)};
+    const td_body *body = td_body_at(w, named);
     if (!(body->flags & TD_BODY_LIVE) || td_tag(w, body->generation) != id.generation) {
         return td_refuse(w, THUD_ERROR_STALE, "this body is destroyed, or of another world");
     }
-    *index = (int)(id.index1 - 1);
+    *index = named;
     return THUD_OK;
 }
 

@@ -8,7 +8,7 @@
 thud_result td_refuse(const thud_world *w, thud_result result, const char *message);
 
 /* THUD_ERROR_NULL or THUD_ERROR_STALE through td_refuse; *index is the slot. */
-thud_result td_find_body(const thud_world *w, thud_body_id id, int *index);
+thud_result td_find_body(const thud_world *w, thud_body_id id, td_body_index *index);
 thud_result td_find_shape(const thud_world *w, thud_shape_id id, int *index);
 
 /* The world's number in the generation keeps another world's handles out. Multiples of 2^32 over
@@ -18,8 +18,8 @@ static inline uint32_t td_tag(const thud_world *w, uint32_t generation) {
     return generation + w->number * 0x9e3779b9u;
 }
 
-static inline thud_body_id td_body_handle(const thud_world *w, int index) {
-    return (thud_body_id){(uint32_t)index + 1, td_tag(w, td_body_at(w, index)->generation)};
+static inline thud_body_id td_body_handle(const thud_world *w, td_body_index index) {
+    return (thud_body_id){(uint32_t)index.at + 1, td_tag(w, td_body_at(w, index)->generation)};
 }
 
 static inline thud_shape_id td_shape_handle(const thud_world *w, int index) {

@@ -5,6 +5,7 @@
 
 #include "base/fixed.h"
 #include "base/memory.h"
+#include "base/indices.h"
 #include "thud/thud.h"
 
 enum {
@@ -35,7 +36,7 @@ typedef struct td_body {
     int32_t next_free; /* first: see td_slots */
     uint32_t generation;
     uint8_t kind, flags, changes, aabbs; /* aabbs: number of AABB shapes, which fix rotation */
-    int32_t awake;                       /* slot, or TD_NONE: static, asleep or not yet applied */
+    td_awake_slot awake;                 /* TD_NONE: static, asleep or not yet applied */
     int32_t first_shape, shape_count;
     int32_t first_constraint; /* edge: contact * 2 + side */
     float velocity[3];        /* while there is no awake slot */
@@ -72,10 +73,11 @@ typedef struct td_shape {
     uint8_t kind, flags, plain; /* plain: centred on the body's centre of mass, angle 0 */
     uint8_t internal_edges; /* static: what another static shape stands at; see internal_edges.h */
     uint8_t hidden;         /* static: what another one hides altogether; see internal_edges.h */
-    int32_t body, next;     /* of the same body */
-    int32_t terrain;        /* index, or TD_NONE */
-    float x, y;             /* in the body's frame */
-    float arm_x, arm_y;     /* from the centre of mass, in the body's frame */
+    td_body_index body;
+    int32_t next;       /* of the same body */
+    int32_t terrain;    /* index, or TD_NONE */
+    float x, y;         /* in the body's frame */
+    float arm_x, arm_y; /* from the centre of mass, in the body's frame */
     uint32_t angle;
     float angle_c, angle_s;
     float half_x, half_y;
@@ -104,7 +106,7 @@ enum {
 typedef struct td_constraint {
     int32_t next_free;
     int32_t shape_a, shape_b; /* of a contact; else TD_NONE */
-    int32_t body[2];          /* of a contact those of shape_a and shape_b */
+    td_body_index body[2];    /* of a contact those of shape_a and shape_b */
     union {
         int32_t child; /* of a contact: terrain segment; TD_NONE: gone by an edit, as the contact is
                           a step later */
@@ -158,7 +160,7 @@ typedef enum td_change_kind {
 
 /* An edit made inside a callback, deferred to the start of the next step. */
 typedef struct td_deferred_edit {
-    int32_t body;
+    td_body_index body;
     uint32_t generation;
     int32_t what; /* td_deferred_kind in body.h */
     double value[4];

@@ -20,18 +20,18 @@ typedef struct td_scratch {
     td_array chunks;              /* td_chunk: what workers take of the blocks */
     td_array counters;            /* atomic_int: of phases, see jobs.h */
     td_array begins, ends;        /* int: contacts */
-    td_array parents;             /* int: union-find by awake slot */
+    td_array parents;             /* td_awake_slot, by awake slot: see label.h */
     td_array lane_bins;           /* int: see td_lanes_place */
     td_array test_blocks;         /* td_block of the largest form: waiting pairs under test */
     td_array test_list;           /* td_block *: to those of test_blocks */
-    td_array fast;                /* int: awake slots of dynamic bodies that moved further than
-                                     half their core */
-    td_event_queue queue;         /* of the candidates that are going to meet */
+    td_array fast;                /* td_awake_slot: dynamic bodies that moved further than half
+                                     their core */
+    td_event_queue queue;         /* of the time-of-impact candidates that are going to meet */
     td_array trajectories;        /* td_trajectory, by awake slot */
     td_array candidates;          /* td_toi_candidate: the extra ones */
     td_array strays;              /* td_stray */
     td_array impacts;             /* td_impact */
-    td_array odd;                 /* int: awake slots that the wide part of finish leaves over */
+    td_array odd;                 /* td_awake_slot: what wide_finalize.c leaves to finalize.c */
     td_array order;               /* while a proxy set is put into its order */
 } td_scratch;
 

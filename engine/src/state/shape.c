@@ -36,7 +36,7 @@ static const char *def_error(const thud_world *w, const thud_shape_def *def) {
     return NULL;
 }
 
-static bool size_valid(const thud_world *w, int body, float size) {
+static bool size_valid(const thud_world *w, td_body_index body, float size) {
     double s = (double)size / (double)w->unit;
     bool rests = td_body_at(w, body)->kind == THUD_STATIC;
     return s >= TD_SIZE_MIN && s <= (rests ? TD_STATIC_SIZE_MAX : TD_SIZE_MAX);
@@ -61,7 +61,8 @@ static bool reserve(thud_world *w) {
 }
 
 /* The checks that all kinds share. On success *body is the slot, and memory is there. */
-static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *def, int *body) {
+static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *def,
+                         td_body_index *body) {
     thud_result result = td_find_body(w, id, body);
     if (result != THUD_OK) {
         return result;
@@ -76,8 +77,8 @@ static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *d
     return reserve(w) ? THUD_OK : td_refuse(w, THUD_ERROR_MEMORY, "shape create: out of memory");
 }
 
-static thud_result finish(thud_world *w, int body_index, const thud_shape_def *def, td_shape made,
-                          thud_shape_id *out) {
+static thud_result finish(thud_world *w, td_body_index body_index, const thud_shape_def *def,
+                          td_shape made, thud_shape_id *out) {
     int index = td_slots_take(&w->shapes);
     td_shape *shape = td_shape_at(w, index);
     td_body *body = td_body_at(w, body_index);
@@ -122,7 +123,7 @@ static thud_result finish(thud_world *w, int body_index, const thud_shape_def *d
 thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                      thud_vec2 offset, float radius, thud_shape_id *out) {
     TD_IN_OWN_MODE;
-    int body;
+    td_body_index body;
     thud_result result = begin(w, id, def, &body);
     if (result != THUD_OK) {
         return result;
@@ -144,7 +145,7 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
 thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                    thud_vec2 offset, thud_vec2 half, thud_shape_id *out) {
     TD_IN_OWN_MODE;
-    int body;
+    td_body_index body;
     thud_result result = begin(w, id, def, &body);
     if (result != THUD_OK) {
         return result;
@@ -174,7 +175,7 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
                                   thud_vec2 offset, thud_vec2 half, double angle,
                                   thud_shape_id *out) {
     TD_IN_OWN_MODE;
-    int body;
+    td_body_index body;
     thud_result result = begin(w, id, def, &body);
     if (result != THUD_OK) {
         return result;
@@ -221,7 +222,7 @@ static bool copy_points(thud_world *w, td_terrain_record *record, const thud_ter
 thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                       const thud_terrain *terrain, thud_shape_id *out) {
     TD_IN_OWN_MODE;
-    int body;
+    td_body_index body;
     thud_result result = begin(w, id, def, &body);
     if (result != THUD_OK) {
         return result;

@@ -122,7 +122,7 @@ void td_shape_place(thud_world *w, int index) {
     }
 }
 
-void td_body_place_shapes(thud_world *w, int body) {
+void td_body_place_shapes(thud_world *w, td_body_index body) {
     for (int i = td_body_at(w, body)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (!(td_shape_at(w, i)->flags & TD_SHAPE_WAITS)) {
             td_shape_place(w, i);

@@ -5,17 +5,18 @@
 
 #include "state/world.h"
 
-/* What their defs make of it. */
+/* The settings of a pair as the two shape defs have them. */
 thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b);
 
 /* Asks the world's prologue, which there is; false where it says no. Settings out of range are
  * refused, and stay as they were. */
 bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settings *settings);
 
-/* Gives a lane its settings. What an empty lane had is all zero. */
+/* Gives a lane its settings, and counts in the world the lanes that bounce or have a surface speed.
+ * The settings of an empty lane are all zero. */
 void td_surface_set(thud_world *w, td_block *block, int points, int lane,
                     const thud_contact_settings *settings);
-/* It does nothing in this step. */
+/* Has the lane do nothing in this step. */
 void td_surface_mute(td_block *block, int points, int lane);
 thud_contact_settings td_surface_get(td_block *block, int points, int lane);
 

@@ -44,7 +44,7 @@ static bool joins(const td_contact *contact, int shape) {
 /* Wakes a body for its shape's sake, in the next step, which works out anew how and where the shape
  * touches the terrain. */
 static void disturb(thud_world *w, int terrain_shape, int shape) {
-    int body = td_shape_at(w, shape)->body;
+    td_body_index body = td_shape_at(w, shape)->body;
     td_body_mark(w, body, TD_CHANGE_WAKE);
     td_shape_mark_moved(w, shape);
     *td_marks_at(w, shape) |= TD_MARK_WOKEN;

@@ -55,7 +55,7 @@ struct thud_world {
     };
     td_array waiting[TD_CONSTRAINT_KINDS]; /* int: constraints */
     td_array moved;                        /* int: shapes */
-    td_array changed;                      /* int: bodies */
+    td_array changed;                      /* td_body_index */
     td_array deferred;                     /* td_deferred_edit */
     td_slots pool[TD_FORM_COUNT];          /* td_block of each form */
     td_bin bins[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND];
@@ -92,12 +92,12 @@ struct thud_world {
     thud_stats stats;
 };
 
-static inline td_body *td_body_at(const thud_world *w, int i) {
-    return td_slot_of(&w->bodies, i, sizeof(td_body));
+static inline td_body *td_body_at(const thud_world *w, td_body_index i) {
+    return td_slot_of(&w->bodies, i.at, sizeof(td_body));
 }
 
-static inline bool td_body_sleeps(const thud_world *w, int i) {
-    return td_body_at(w, i)->kind == THUD_DYNAMIC && td_body_at(w, i)->awake < 0;
+static inline bool td_body_sleeps(const thud_world *w, td_body_index i) {
+    return td_body_at(w, i)->kind == THUD_DYNAMIC && td_body_at(w, i)->awake.at < 0;
 }
 
 static inline td_shape *td_shape_at(const thud_world *w, int i) {
@@ -121,9 +121,9 @@ static inline td_terrain_record *td_terrain_record_at(const thud_world *w, int i
     return td_slot_of(&w->terrains, i, sizeof(td_terrain_record));
 }
 
-static inline td_pose *td_pose_at(const thud_world *w, int body) {
-    assert(body >= 0 && body < w->pose.capacity);
-    return (td_pose *)w->pose.data + body;
+static inline td_pose *td_pose_at(const thud_world *w, td_body_index body) {
+    assert(body.at >= 0 && body.at < w->pose.capacity);
+    return (td_pose *)w->pose.data + body.at;
 }
 
 static inline td_shape_proxy *td_shape_proxy_at(const thud_world *w, int shape) {
@@ -146,25 +146,25 @@ static inline td_bounds *td_was_at(const thud_world *w, int shape) {
 
 /* ---- by awake slot ---- */
 
-static inline int td_body_of(const thud_world *w, int slot) {
-    return td_int_at(&w->body_of, slot);
+static inline td_body_index td_body_of(const thud_world *w, td_awake_slot slot) {
+    return td_body_in(&w->body_of, slot.at);
 }
 
-static inline uint8_t *td_direct_steps_at(const thud_world *w, int slot) {
-    return TD_AT(uint8_t, &w->direct_steps, slot);
+static inline uint8_t *td_direct_steps_at(const thud_world *w, td_awake_slot slot) {
+    return TD_AT(uint8_t, &w->direct_steps, slot.at);
 }
 
-static inline uint16_t *td_slow_steps_at(const thud_world *w, int slot) {
-    return TD_AT(uint16_t, &w->slow_steps, slot);
+static inline uint16_t *td_slow_steps_at(const thud_world *w, td_awake_slot slot) {
+    return TD_AT(uint16_t, &w->slow_steps, slot.at);
 }
 
-static inline td_colours *td_colours_at(const thud_world *w, int slot) {
-    return TD_AT(td_colours, &w->colours, slot);
+static inline td_colours *td_colours_at(const thud_world *w, td_awake_slot slot) {
+    return TD_AT(td_colours, &w->colours, slot.at);
 }
 
-/* A row of one, two or four floats. */
-static inline float *td_row(const td_array *rows, int i) {
-    return td_at(rows, i);
+/* Of an array of awake_arrays.h that has one, two or four floats an element. */
+static inline float *td_row(const td_array *rows, td_awake_slot slot) {
+    return td_at(rows, slot.at);
 }
 
 #endif
