@@ -79,6 +79,7 @@ function(thud_test file)
     thud_common_flags(${name})
     target_include_directories(${name} PRIVATE ${CMOCKA_INCLUDE_DIR}
         ${PROJECT_SOURCE_DIR}/engine/src ${PROJECT_SOURCE_DIR}/tests/support)
+    target_compile_definitions(${name} PRIVATE TEST_SHARE=${THUD_TEST_SHARE})
     target_link_libraries(${name} PRIVATE ${ARGN} thud ${CMOCKA_LIBRARY})
     add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()

@@ -12,8 +12,10 @@ usage: ./run test [--full] [PART...]
 Builds and tests everything, or only the parts that are named:
 
   native      the library, the examples and the tools, by the system's compiler
-  clang       the engine's own tests once more, compiled by clang
-  sanitizers  the same tests under the address and undefined-behaviour sanitizers
+  clang       the engine's own tests once more, compiled by clang; long ones run one of 7 of
+              their random cases and settings
+  sanitizers  the same tests under the address and undefined-behaviour sanitizers; long ones run
+              one of 7 of their cases, too. All cases: cmake -DTHUD_TEST_SHARE=1
   wasm        the engine as WebAssembly, in Node
   page        the page in Chromium and Firefox
   baseline    the comparison with Box2D
@@ -64,12 +66,14 @@ test_all_cases() {
         --parallel "$jobs"
 }
 
-# Without what native tests once and for all: tests/CMakeLists.txt labels it.
+# Without what native tests once and for all, and what clang's bits settle: tests/CMakeLists.txt
+# labels both.
 test_clang() {
     clang=$(command -v clang-16 || command -v clang)
-    build release-clang --preset release -DTHUD_WERROR=ON -DCMAKE_C_COMPILER="$clang"
+    build release-clang --preset release -DTHUD_WERROR=ON -DTHUD_TEST_SHARE=7 \
+        -DCMAKE_C_COMPILER="$clang"
     ctest --test-dir build/release-clang --no-tests=error --output-on-failure --timeout 600 \
-        --label-exclude '^once$' --parallel "$jobs"
+        --label-exclude '^(once|not_clang)$' --parallel "$jobs"
 }
 
 test_sanitizers() {

@@ -3,6 +3,7 @@
 #ifndef GEOMETRY_RANDOM_H
 #define GEOMETRY_RANDOM_H
 
+#include "share.h"
 #include "thud/thud_shapes.h"
 
 #include <math.h>
@@ -78,11 +79,12 @@ static inline double outline_length(const thud_shape_instance *shape) {
                                       : 4.0 * (shape->hx + shape->hy);
 }
 
-/* How many random cases a pair gets: `usual`, or what THUD_CASES in the environment says. */
+/* How many random cases a pair gets: what THUD_CASES in the environment says, or else the build's
+ * share of the `usual` ones. */
 static inline int case_count(int usual) {
     const char *text = getenv("THUD_CASES");
     int count = text ? atoi(text) : 0;
-    return count > 0 ? count : usual;
+    return count > 0 ? count : share_of(usual);
 }
 
 static inline thud_shape_instance draw_shape_of(source *r, thud_shape_kind kind) {

@@ -2,6 +2,8 @@
 
 import struct
 import zlib
+from collections import Counter
+from itertools import accumulate, chain
 
 
 class Picture:
@@ -11,12 +13,12 @@ class Picture:
         self.width, self.height, self.rows = width, height, rows
 
     def pixels(self):
-        return (pixel for row in self.rows for pixel in row)
+        return chain.from_iterable(self.rows)
 
     def count_near(self, color, distance):
         """How many pixels differ from `color` by at most `distance`, summed over the channels."""
-        return sum(sum(abs(a - b) for a, b in zip(pixel, color)) <= distance
-                   for pixel in self.pixels())
+        return sum(count for pixel, count in Counter(self.pixels()).items()
+                   if sum(abs(a - b) for a, b in zip(pixel, color)) <= distance)
 
 
 def pixel_rows(data, width, height, stride, order):
@@ -58,8 +60,8 @@ def unfiltered(line):
     kind, body = line[0], bytearray(line[1:])
     assert kind in (0, 1), f"filter {kind}"
     if kind == 1:
-        for i in range(3, len(body)):
-            body[i] = (body[i] + body[i - 3]) & 0xFF
+        for channel in range(3):
+            body[channel::3] = bytes(map((0xFF).__and__, accumulate(body[channel::3])))
     return bytes(body)
 
 
