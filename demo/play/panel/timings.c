@@ -37,8 +37,10 @@ static float full_scale(const timings *t) {
     return power * (digits <= 1 ? 1.0f : digits <= 2 ? 2.0f : digits <= 5 ? 5.0f : 10.0f);
 }
 
+static const SDL_Color colors[] = COLOR_STAGES;
+_Static_assert(sizeof colors / sizeof colors[0] == THUD_STAGE_COUNT, "a colour for each stage");
+
 static void draw_graph(const timings *t, canvas *c, SDL_FRect area, float scale) {
-    static const SDL_Color colors[THUD_STAGE_COUNT] = COLOR_STAGES;
     float column = area.w / TIMINGS_KEPT;
     for (int age = 0; age < t->count; age++) {
         float y = area.y + area.h;
@@ -54,7 +56,6 @@ static void draw_graph(const timings *t, canvas *c, SDL_FRect area, float scale)
 
 /* Mean milliseconds of every stage over the last steps, in two columns of the legend. */
 static void draw_legend(const timings *t, canvas *c, SDL_FRect area, float row) {
-    static const SDL_Color colors[THUD_STAGE_COUNT] = COLOR_STAGES;
     enum { ROWS = (THUD_STAGE_COUNT + 1) / 2, MEAN_OF = 30 };
     int count = t->count < MEAN_OF ? t->count : MEAN_OF;
     for (int i = 0; i < THUD_STAGE_COUNT; i++) {

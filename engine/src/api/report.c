@@ -71,9 +71,10 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
 }
 
 const char *thud_stage_name(thud_stage stage) {
-    static const char *const names[THUD_STAGE_COUNT] = {"changes",    "broadphase", "narrowphase",
-                                                        "contacts",   "solve",      "finalize",
-                                                        "continuous", "events",     "sleep"};
+    static const char *const names[] = {"changes",    "broadphase", "narrowphase",
+                                        "contacts",   "solve",      "finalize",
+                                        "continuous", "events",     "sleep"};
+    _Static_assert(sizeof names / sizeof names[0] == THUD_STAGE_COUNT, "a name for each stage");
     return (int)stage >= 0 && stage < THUD_STAGE_COUNT ? names[stage] : "unknown";
 }
 

@@ -1,4 +1,5 @@
-/* pair_kinds.h: the table of pair kinds: which shapes meet in which of them, and with what.
+/* pair_kinds.h: the table of pair kinds: which shapes meet in which of them, with what; and the
+ * numbers of all kinds of constraints, joints too.
  *
  * A row names what finds a pair's contacts and solves them. Rows stand in groups, for each of which
  * one wide file defines the operations (TD_DEFINE_PAIR) and which a kind of shape plugs into a

@@ -2,8 +2,9 @@
  *
  * Of such an array its field in thud_world, its stride, its room, its way from slot to slot, its
  * end and its place in snapshots follow from its line in this list. What it begins with when a body
- * wakes is set in td_awake_add: a slot has the values of whoever had it before. What shall outlast
- * a sleep also needs a field in td_body, as `direct_steps` has, that td_awake_remove keeps. */
+ * wakes is set in td_awake_add, or in td_awake_refresh where it follows from the body: a slot has
+ * the values of whoever had it before. What shall outlast a sleep also needs a field in td_body, as
+ * `direct_steps` has, that td_awake_remove keeps. */
 #ifndef TD_AWAKE_ARRAYS_H
 #define TD_AWAKE_ARRAYS_H
 

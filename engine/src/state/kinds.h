@@ -1,6 +1,7 @@
 /* kinds.h: the wide functions, picked for the processor at run time; and shape kinds, which plug
  * their pair functions into a world when they are first used, so that a program that never makes a
- * kind does not link its code. A new kind begins in geometry/shape_kind.h. */
+ * kind does not link its code. A new kind begins in thud_shapes.h; docs/architecture.md has all
+ * that follows. */
 #ifndef TD_KINDS_H
 #define TD_KINDS_H
 
