@@ -316,6 +316,19 @@ static bool cut_chunks(thud_world *w) {
     return true;
 }
 
+/* The kinds that have blocks. Contacts last: what they keep apart shall not be pulled together
+ * again. */
+static int kinds_in_order(const thud_world *w, int kinds[TD_CONSTRAINT_KINDS]) {
+    int count = 0;
+    for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
+        int kind = (TD_PAIR_COUNT + i) % TD_CONSTRAINT_KINDS;
+        if (w->kinds[kind] && w->pool[w->kinds[kind]->form].live) {
+            kinds[count++] = kind;
+        }
+    }
+    return count;
+}
+
 bool td_lanes_sequence(thud_world *w) {
     int most = 0;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
@@ -332,11 +345,12 @@ bool td_lanes_sequence(thud_world *w) {
     w->scratch.blocks.count = 0;
     w->scratch.runs.count = 0;
     w->stats.colours = 0;
+    int kinds[TD_CONSTRAINT_KINDS];
+    int used = kinds_in_order(w, kinds);
     for (int bin = 0; bin < 2 * TD_COLOURS; bin++) {
         int before = w->scratch.blocks.count;
-        /* Contacts last: what they keep apart shall not be pulled together again. */
-        for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
-            list_bin(w, (TD_PAIR_COUNT + i) % TD_CONSTRAINT_KINDS, bin);
+        for (int i = 0; i < used; i++) {
+            list_bin(w, kinds[i], bin);
         }
         w->stats.colours += w->scratch.blocks.count > before;
     }
