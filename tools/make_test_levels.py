@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the maps in tests/levels, each with a part of Tiled's formats in it, and each as JSON and as
+"""Makes the maps in tests/levels/maps, each with a part of Tiled's formats in it, and each as JSON and as
 XML: tests/levels/test_level_formats.c and tests/web/package/level-formats.test.mjs read them.
 
 Running it twice gives the same files."""
@@ -15,7 +15,7 @@ from pathlib import Path
 from tiled_map import properties
 from tiled_xml import xml_of
 
-FOLDER = Path(__file__).resolve().parent.parent / "tests" / "levels"
+FOLDER = Path(__file__).resolve().parent.parent / "tests" / "levels" / "maps"
 TILE = 32
 FLIP_X, FLIP_Y, TURN = 1 << 31, 1 << 30, 1 << 29
 # Tile numbers, as cells hold them.

@@ -1,4 +1,4 @@
-/* level_support.h: reads the maps of tests/levels, and looks for what the reader told. */
+/* level_support.h: reads the maps in tests/levels/maps, and looks for what the reader told. */
 #ifndef LEVEL_SUPPORT_H
 #define LEVEL_SUPPORT_H
 
@@ -17,7 +17,7 @@
 /* What a map gives, all else left out. */
 static inline scene read_file(const char *name, level_report *report) {
     char path[64];
-    snprintf(path, sizeof path, "tests/levels/%s", name);
+    snprintf(path, sizeof path, "tests/levels/maps/%s", name);
     scene s;
     if (!level_read_file(path, true, &s, report))
         fail_msg("%s: %s", path, report->problems[0].text);

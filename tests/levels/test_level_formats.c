@@ -1,5 +1,5 @@
-/* test_level_formats.c: every form that Tiled writes its maps in. The maps in tests/levels, each as
- * JSON and as XML, are of tools/make_test_levels.py; the page reads the same
+/* test_level_formats.c: every form that Tiled writes its maps in. The maps in tests/levels/maps,
+ * each as JSON and as XML, are of tools/make_test_levels.py; the page reads the same
  * (tests/web/package/level-formats.test.mjs). */
 #include "level_support.h"
 
@@ -268,7 +268,7 @@ static void everything_that_cannot_be_modelled_is_listed(void **state) {
     }
     scene_free(&s);
     level_report_free(&report);
-    assert_false(level_read_file("tests/levels/wrong.tmx", false, &s, &report));
+    assert_false(level_read_file("tests/levels/maps/wrong.tmx", false, &s, &report));
     assert_int_equal(s.body_count, 0);
     level_report_free(&report);
 }

@@ -33,7 +33,7 @@ static int read_files(void **state) {
     (void)state;
     for (int i = 0; i < FILES; i++) {
         char path[64];
-        snprintf(path, sizeof path, "tests/levels/%s", files[i].path);
+        snprintf(path, sizeof path, "tests/levels/maps/%s", files[i].path);
         FILE *file = fopen(path, "rb");
         if (!file)
             return -1;

@@ -105,7 +105,7 @@ class ThudRun(unittest.TestCase):
             self.assertEqual(json.loads(skipped.stdout)["bodies"], 1)
 
     def test_map_in_xml_finds_its_files_from_anywhere_and_is_the_same_as_in_json(self):
-        folder = os.path.abspath("tests/levels")
+        folder = os.path.abspath("tests/levels/maps")
         hashes = set()
         for name in ("props.tmj", "props.tmx"):
             done = run(os.path.join(folder, name), "--json", "--steps", "30")
@@ -114,7 +114,7 @@ class ThudRun(unittest.TestCase):
         self.assertEqual(len(hashes), 1)
 
     def test_everything_that_cannot_be_modelled_is_listed(self):
-        refused = run("tests/levels/wrong.tmx")
+        refused = run("tests/levels/maps/wrong.tmx")
         self.assertEqual(refused.returncode, 1)
         for number in (2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13):
             self.assertIn(f"object {number}: ", refused.stderr)

@@ -261,7 +261,7 @@ class Viewer(unittest.TestCase):
         self.assertIn("broken.tmj", result.stderr)
 
     def test_level_without_what_cannot_be_modelled_is_shown_and_that_is_listed(self):
-        wrong = pathlib.Path(__file__).parents[1] / "levels" / "wrong.tmx"
+        wrong = pathlib.Path(__file__).parents[1] / "levels" / "maps" / "wrong.tmx"
         result = run(wrong, "--screenshot", self.folder / "wrong.png")
         self.assertEqual(result.returncode, 0, result.stderr)
         for number in (2, 4, 7, 11, 13):

@@ -1,6 +1,6 @@
 /**
  * Every form that Tiled writes its maps in: read in C and in TypeScript to the same bits. The maps
- * in tests/levels, made by tools/make_test_levels.py, stand there as JSON and as XML.
+ * in tests/levels/maps, made by tools/make_test_levels.py, stand there as JSON and as XML.
  */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -10,7 +10,7 @@ import { findThudRun, level, root, thud } from "../support/package.mjs";
 
 const engine = await thud.load();
 const { buildLevel, LevelError, readLevel } = level;
-const folder = `${root}tests/levels/`;
+const folder = `${root}tests/levels/maps/`;
 const files = readdirSync(folder).filter((name) => /\.tm[jx]$/.test(name));
 const thudRun = findThudRun();
 const skip = thudRun ? false : "thud-run is not built (./run test builds it)";

@@ -6,7 +6,7 @@ import { figure, openVisitor, untilRunning } from "../support/page.mjs";
 import { level, root } from "../support/package.mjs";
 import { until } from "../support/wait.mjs";
 
-const folder = `${root}tests/levels/`;
+const folder = `${root}tests/levels/maps/`;
 const beside = ["tiles/ground.tsx", "tiles/things.tsj", "templates/crate.tx", "templates/plank.tj"];
 const open = (path) => readFileSync(folder + path);
 

@@ -37,7 +37,7 @@ test("random_numbers_are_those_of_the_C_scenes", () => {
     const chance = random(seed);
     return [chance(0, 1), chance(0, 1), chance(0, 1)];
   };
-  // Printed by demo/scenes/random.h; the last seed is the largest whole number there is.
+  // Printed by demo/scene/random.h; the last seed is the largest whole number there is.
   assert.deepEqual(first(0), [0.88331080821364261, 0.43152799704850997, 0.026433771592597743]);
   assert.deepEqual(first(1), [0.5665615751722809, 0.74578175726270113, 0.97100275358679622]);
   assert.deepEqual(

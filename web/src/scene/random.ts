@@ -1,6 +1,6 @@
 /**
  * The scenes' random numbers: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
- * generators, 2014), the same numbers as demo/scenes/random.h. A 64-bit number is kept as two
+ * generators, 2014), the same numbers as demo/scene/random.h. A 64-bit number is kept as two
  * halves of 32 bits, which is some twenty times as fast as a BigInt.
  */
 

@@ -55,7 +55,7 @@ export function sizeOf({ size }: SceneModule, wanted?: number): number {
   return Math.min(size.most, Math.max(size.least, whole));
 }
 
-/** See SceneSetting. Equal to scene_grid in demo/scenes/scene.c. */
+/** See SceneSetting. Equal to scene_grid in demo/scene/scene.c. */
 function grid(x: number): number {
   return Math.floor(x * 65536 + 0.5) / 65536;
 }
