@@ -99,6 +99,12 @@ TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows
     }
 }
 
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+#define TD_FIRST_HALF_SHIFT 32
+#else
+#define TD_FIRST_HALF_SHIFT 0
+#endif
+
 /* Adds the motion of eight bodies to their places; returns those in bounds quanta, x and y. */
 TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *const poses[TD_LANES],
                              void *const proxies[TD_LANES]) {
@@ -111,8 +117,9 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
         center = (l2)((v2)center + (v2)moved); /* odd ones, to the spare pose, may wrap around */
         __builtin_memcpy(poses[i], &center, sizeof center);
         __builtin_memcpy(proxies[i], &center, sizeof center);
-        /* The low halves hold x and y; the sign does not reach them. */
-        coarse[i] = (f4)((v2)center >> TD_COARSE_SHIFT);
+        /* The low halves hold x and y; the sign does not reach them. They come first, as they do by
+         * themselves where the least byte does. */
+        coarse[i] = (f4)((v2)center >> TD_COARSE_SHIFT << TD_FIRST_HALF_SHIFT);
     }
     f8 r[4];
     for (int i = 0; i < 4; i++) {
