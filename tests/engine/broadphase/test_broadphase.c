@@ -1,6 +1,7 @@
 /* test_broadphase.c: contacts exist exactly for the pairs of fat bounds that overlap, whatever the
  * world does, and every broadphase makes the same ones in the same order. */
 #include "engine_support.h"
+#include "every_choice.h"
 
 #include "contact/contact.h"
 #include "state/world.h"
@@ -123,15 +124,12 @@ static uint64_t live_through(chaos *c, int steps) {
     return hash;
 }
 
-static const thud_broadphase *const BROADPHASES[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                                     &thud_broadphase_all};
-
 /* The same life with each broadphase: they make the same contacts at the same time. */
 static void live_with_each(chaos begin, thud_world_def def, bool floor, int steps) {
     uint64_t hash[3];
     for (int k = 0; k < 3; k++) {
         chaos c = begin;
-        def.broadphase = BROADPHASES[k];
+        def.broadphase = broadphases[k];
         c.world = make_world(def);
         if (floor) {
             add_floor(c.world, NULL);

@@ -2,6 +2,7 @@
  * of detection, while lines are made, moved and dug under awake bodies: the same contacts in the
  * same order, the same events and questions in the same order, the same bits. */
 #include "engine_support.h"
+#include "every_choice.h"
 #include "share.h"
 #include "state/world.h"
 
@@ -216,10 +217,6 @@ static life *live(const thud_broadphase *broadphase, const thud_detection *detec
 static void random_lives_are_the_same_with_every_broadphase(void **state) {
     (void)state;
     static const char *const what[] = {"contacts", "events", "callbacks", "bodies"};
-    const thud_broadphase *broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                            &thud_broadphase_all};
-    const thud_detection *detections[] = {&thud_detection_overlap, &thud_detection_continuous,
-                                          &thud_detection_bisect, &thud_detection_swept};
     int made = 0, moved = 0, asked = 0, events = 0;
     for (uint64_t seed = 1; seed <= (uint64_t)share_of(12); seed++) {
         for (int d = 0; d < 4; d++) {

@@ -1,9 +1,7 @@
 /* test_crowds.c: what stands in a crowd is found: at once where its pairs are few for the world,
  * else within a number of steps that grows with the crowd. Pairs that cannot act hold no places. */
 #include "engine_support.h"
-
-static const thud_broadphase *const BROADPHASES[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                                     &thud_broadphase_all};
+#include "every_choice.h"
 
 enum { MOST = 1000 };
 
@@ -65,7 +63,7 @@ static void add_sensor(crowd *c, thud_body_kind kind) {
 static void sensor_in_a_crowd_of_mates_reports_all(void **state) {
     (void)state;
     for (int k = 0; k < 12; k++) {
-        crowd c = mates(120, BROADPHASES[k % 3], k / 3 % 2);
+        crowd c = mates(120, broadphases[k % 3], k / 3 % 2);
         add_sensor(&c, k / 6 ? THUD_DYNAMIC : THUD_KINEMATIC);
         step(&c);
         assert_int_equal(c.sensed, 120);
@@ -77,7 +75,7 @@ static void sensor_in_a_crowd_of_mates_reports_all(void **state) {
 static void body_flown_through_a_crowd_of_mates_meets_all(void **state) {
     (void)state;
     for (int k = 0; k < 6; k++) {
-        crowd c = mates(120, BROADPHASES[k % 3], k / 3);
+        crowd c = mates(120, broadphases[k % 3], k / 3);
         step(&c);
         thud_body_id bullet = add_ball(c.world, -3, 0, 0.1f);
         OK(thud_body_set_velocity(c.world, bullet, (thud_vec2){12, 0}, 0));
@@ -94,7 +92,7 @@ static void body_flown_through_a_crowd_of_mates_meets_all(void **state) {
 static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(void **state) {
     (void)state;
     for (int k = 0; k < 3; k++) {
-        crowd c = mates(1000, BROADPHASES[k], true);
+        crowd c = mates(1000, broadphases[k], true);
         add_sensor(&c, THUD_KINEMATIC);
         int steps = 0;
         for (; steps < 1000 / 64 + 1 && c.sensed < 1000; steps++) {
@@ -117,7 +115,7 @@ static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **
     enum { COUNT = 220, ALL = COUNT * (COUNT - 1) / 2 };
     for (int k = 0; k < 4; k++) {
         thud_world_def def = weightless();
-        def.broadphase = BROADPHASES[k % 3];
+        def.broadphase = broadphases[k % 3];
         def.prologue = let_through;
         def.sleeping = k == 3;
         crowd c = {.world = make_world(def), .seed = 6};

@@ -1,6 +1,7 @@
 /* test_event_ledger.c: random worlds whose bodies come, go, jump and sleep at any time, also inside
  * callbacks, keep books of their events: whatever begins ends once, and nothing begins twice. */
 #include "event_chaos.h"
+#include "every_choice.h"
 #include "share.h"
 
 static int slept_in_all; /* bodies times steps */
@@ -63,10 +64,6 @@ static void run_chaos(const thud_detection *detection, const thud_broadphase *br
 
 static void every_begin_has_its_end_whatever_is_edited_and_where(void **state) {
     (void)state;
-    const thud_detection *detections[] = {&thud_detection_overlap, &thud_detection_continuous,
-                                          &thud_detection_bisect, &thud_detection_swept};
-    const thud_broadphase *broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                            &thud_broadphase_all};
     for (int d = 0; d < 4; d++) {
         for (int b = 0; b < 3; b++) {
             for (uint64_t seed = 1; seed <= (uint64_t)share_of(4); seed++) {

@@ -2,6 +2,7 @@
  * After every step the books of sensor events are what plain geometry, each shape against each,
  * finds of the bodies as they stood at the step's start. */
 #include "engine_support.h"
+#include "every_choice.h"
 #include "share.h"
 
 enum { BODIES = 26, SHAPES_MAX = 256, STEPS = 200, LINE = 9 };
@@ -299,10 +300,6 @@ static void run_chaos(const thud_detection *detection, const thud_broadphase *br
 
 static void sensors_see_what_geometry_does_in_every_world(void **state) {
     (void)state;
-    const thud_detection *detections[] = {&thud_detection_overlap, &thud_detection_continuous,
-                                          &thud_detection_bisect, &thud_detection_swept};
-    const thud_broadphase *broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
-                                            &thud_broadphase_all};
     for (int d = 0; d < 4; d++) {
         for (int b = 0; b < 3; b++) {
             for (uint64_t seed = 1; seed <= (uint64_t)share_of(4); seed++) {

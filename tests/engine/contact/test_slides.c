@@ -3,6 +3,7 @@
  * itself, and over lines between boxes. Boxes used to stop dead or hop there, by up to a sixth of
  * their size, wherever they were bisected or swept at high or exact, and on every raft. */
 #include "engine_support.h"
+#include "every_choice.h"
 #include "share.h"
 
 enum { LENGTH = 60, SETTLE = 30 };
@@ -166,13 +167,11 @@ static void compare(const slide *s) {
 
 /* A share of the settings has every value of each where TEST_SHARE has no factor 2 or 5. */
 static void compare_all(floor_kind floor) {
-    const thud_detection *ways[] = {&thud_detection_overlap, &thud_detection_continuous,
-                                    &thud_detection_bisect, &thud_detection_swept};
     const double speeds[] = {3.117, 9.37, 31.77, 120};
     for (int i = 0; i < QUALITIES * 4 * MOVERS * 2 * 2 * 4; i += TEST_SHARE) {
         int rest = i;
         slide s = {.floor = floor, .quality = qualities[rest % QUALITIES]};
-        s.detection = ways[(rest /= QUALITIES) % 4];
+        s.detection = detections[(rest /= QUALITIES) % 4];
         s.mover = (rest /= 4) % MOVERS;
         s.upright = (rest /= MOVERS) % 2;
         s.friction = (rest /= 2) % 2 ? 0.6f : 0.0f;

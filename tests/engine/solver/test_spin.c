@@ -1,9 +1,7 @@
 /* test_spin.c: how fast a body may spin, on every setting. */
 #include "engine_support.h"
+#include "every_choice.h"
 
-static const thud_detection *const detections[] = {&thud_detection_overlap,
-                                                   &thud_detection_continuous,
-                                                   &thud_detection_bisect, &thud_detection_swept};
 enum { DETECTIONS = 4, STEPS = 10 };
 
 static thud_body_id add_spinning(thud_world *world, thud_body_kind kind, bool box, double x,

@@ -1,0 +1,13 @@
+/* every_choice.h: every detection and every broadphase, for tests of what holds with each. */
+#ifndef EVERY_CHOICE_H
+#define EVERY_CHOICE_H
+
+#include <thud/thud.h>
+
+static const thud_detection *const detections[] = {&thud_detection_overlap,
+                                                   &thud_detection_continuous,
+                                                   &thud_detection_bisect, &thud_detection_swept};
+static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
+                                                     &thud_broadphase_all};
+
+#endif
