@@ -3,8 +3,8 @@
 #include "contact/box_faces.h"
 
 /* Open axes may be so much deeper than hidden ones, and the margin. Of 10^5 heaps in
- * test_seams_random, 1.25 is wrong about none; 2 flings two bodies away, and 0, the margin alone,
- * lets one through the ground. */
+ * test_internal_edges_random, 1.25 is wrong about none; 2 flings two bodies away, and 0, the margin
+ * alone, lets one through the ground. */
 #define DEEPER 1.25
 
 /* Points where the edge of `other` that looks most against the outward normal (nx, ny) of `face`'s
