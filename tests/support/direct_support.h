@@ -14,7 +14,7 @@ typedef struct problem {
     td_direct d;
     td_direct_body bodies[BODIES_MOST];
     td_direct_constraint contacts[CONTACTS_MOST];
-    double step[BODIES_MOST][3], work[BODIES_MOST][3];
+    double step[BODIES_MOST][4], work[BODIES_MOST][4];
 } problem;
 
 /* As fast as 1/60 s of gravity makes a body. */
@@ -23,7 +23,7 @@ typedef struct problem {
 
 static inline void begin_problem(problem *p) {
     *p = (problem){.memory = td_memory_make((thud_allocator){0})};
-    td_sparse_init(&p->matrix);
+    td_sparse_init(&p->matrix, false);
     p->d = (td_direct){.bodies = p->bodies,
                        .constraints = p->contacts,
                        .matrix = &p->matrix,

@@ -210,7 +210,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->thinnest_stale = true;
     set_strides(w);
     td_event_queue_init(&w->scratch.queue);
-    td_islands_init(&w->islands);
+    td_islands_init(&w->islands, w->wide);
     td_proxy_set_init(&w->awake_shapes);
     td_proxy_set_init(&w->rest_shapes);
     td_quality_take(w, def->quality);

@@ -19,6 +19,13 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
+/* Exported names of a wide file carry the instruction set it was compiled for. */
+#define TD_JOIN_(a, b) a##_##b
+#define TD_JOIN(a, b) TD_JOIN_(a, b)
+#ifdef TD_ISA
+#define TD_WIDE(name) TD_JOIN(name, TD_ISA)
+#endif
+
 typedef float f8 __attribute__((vector_size(32)));
 typedef int32_t i8 __attribute__((vector_size(32)));
 typedef uint32_t u8 __attribute__((vector_size(32)));

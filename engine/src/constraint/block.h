@@ -213,11 +213,4 @@ typedef struct td_solve_ops {
     td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce;
 } td_solve_ops;
 
-/* Exported names of a wide file carry the instruction set it was compiled for. */
-#define TD_JOIN_(a, b) a##_##b
-#define TD_JOIN(a, b) TD_JOIN_(a, b)
-#ifdef TD_ISA
-#define TD_WIDE(name) TD_JOIN(name, TD_ISA)
-#endif
-
 #endif

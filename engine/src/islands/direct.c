@@ -66,9 +66,9 @@ static double inertia_of(const td_direct_body *b) {
 static void add_product(td_block3 *block, double weight, const double *i, const double *k) {
     for (int p = 0; p < 3; p++) {
         double wi = weight * i[p];
-        block->at[3 * p] += wi * k[0];
-        block->at[3 * p + 1] += wi * k[1];
-        block->at[3 * p + 2] += wi * k[2];
+        block->at[0][p] += wi * k[0];
+        block->at[1][p] += wi * k[1];
+        block->at[2][p] += wi * k[2];
     }
 }
 
@@ -88,9 +88,9 @@ static void add_row(td_direct *d, const td_direct_constraint *c, const td_direct
 bool td_direct_factor(td_direct *d) {
     td_sparse_clear(d->matrix);
     for (int i = 0; i < d->body_count; i++) {
-        double *at = td_sparse_diagonal(d->matrix, i)->at;
-        at[0] = at[4] = 1.0 / d->bodies[i].inverse_mass;
-        at[8] = inertia_of(&d->bodies[i]);
+        td_block3 *block = td_sparse_diagonal(d->matrix, i);
+        block->at[0][0] = block->at[1][1] = 1.0 / d->bodies[i].inverse_mass;
+        block->at[2][2] = inertia_of(&d->bodies[i]);
     }
     for (int i = 0; i < d->constraint_count; i++) {
         const td_direct_constraint *c = &d->constraints[i];
@@ -110,6 +110,7 @@ void td_direct_step(td_direct *d) {
         d->step[i][0] = (b->free[0] - b->velocity[0]) / b->inverse_mass;
         d->step[i][1] = (b->free[1] - b->velocity[1]) / b->inverse_mass;
         d->step[i][2] = (b->free[2] - b->velocity[2]) * inertia_of(b);
+        d->step[i][3] = 0.0;
     }
     for (int i = 0; i < d->constraint_count; i++) {
         const td_direct_constraint *c = &d->constraints[i];

@@ -38,6 +38,7 @@ typedef struct td_direct_row {
     double wanted;     /* speed along the row; of a tangent: at which friction would have it */
     double known;      /* speed that sides without a variable give it */
     double impulse;    /* in: as known; out: the solution's */
+    double guess;      /* the impulse as it came in */
     bool used;         /* there is such a row */
     bool active;       /* stands in the matrix, with `weight` */
     double mass;       /* that it feels */
@@ -61,11 +62,12 @@ typedef struct td_direct {
     td_direct_body *bodies;
     td_direct_constraint *constraints;
     td_sparse *matrix;             /* ordered, of the bodies */
-    double (*step)[3], (*work)[3]; /* room for as many as bodies */
+    double (*step)[4], (*work)[4]; /* room for as many as bodies */
     int body_count, constraint_count;
     double unit_speed; /* what a body gains by gravity in a step */
     int factorings;    /* so far ... */
     int patience;      /* ... and at most */
+    bool fresh;        /* the impulses are guesses of another solver, or none are known */
     bool factored;     /* the matrix of the active rows stands */
 } td_direct;
 

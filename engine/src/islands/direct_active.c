@@ -22,8 +22,18 @@
  * then told by its speed (SLID), or by the impulse alone (AT_BOUND). */
 #define SLID 0.9
 #define AT_BOUND 0.999
+/* Of impulses that were kept from the step before, only what was at its bound, but for rounding. */
+#define ROUNDED (1.0 - 1e-6)
 
-enum { PATIENCE = 6 }; /* factorisations */
+/* Rounds with a matrix that stands go on down to so much of the tolerance. */
+#define FINE 1e-4
+
+enum {
+    PATIENCE = 6, /* factorisations */
+    ROUNDS = 12,  /* in which multipliers take the impulses */
+    HOPELESS = 6, /* where more than one of so many rows changes its mind in a step, and ... */
+    MANY = 100    /* ... there are so many rows, the guess was no good */
+};
 
 static double size_of(double x) {
     return x < 0.0 ? -x : x;
@@ -68,23 +78,11 @@ static void set_weight(const td_direct *d, td_direct_constraint *c) {
     }
 }
 
-/* Nothing is known from a step before. */
-static bool is_new(const td_direct *d) {
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            const td_direct_row *r = &d->constraints[i].row[k];
-            if (r->kind == TD_ROW_PUSH && r->impulse > 0.0) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-/* What pushed before does so again, and so does what is about to meet; in a new island all that
- * touches and does not part. */
+/* What pushed before does so again, and so does what is about to meet. In an island that is new to
+ * the solver impulses tell little: there all that touches and does not part pushes, and friction
+ * that hardly slides holds whatever it takes at first. */
 static void guess(td_direct *d, double doubt) {
-    double parting = is_new(d) ? doubt : -doubt;
+    double parting = d->fresh ? doubt : -doubt;
     td_direct_measure(d);
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];
@@ -95,6 +93,9 @@ static void guess(td_direct *d, double doubt) {
                 r->active = r->impulse > 0.0 || r->speed < r->wanted + parting;
             } else if (r->kind == TD_ROW_EQUAL) {
                 r->active = true;
+            } else if (d->fresh && c->friction > 0.0 &&
+                       size_of(r->speed - r->wanted) <= d->unit_speed) {
+                r->most = __builtin_inf();
             }
         }
     }
@@ -106,27 +107,34 @@ static bool slides_on(const td_direct_row *r, double doubt) {
     return slip > doubt && size_of(r->impulse) > SLID * r->most;
 }
 
-/* The multipliers take the impulses. Friction that had reached a bound, which has grown by much
- * since, sticks for now. */
-static void take_multipliers(td_direct *d, double doubt) {
+/* The multipliers take the impulses: of the step before, when it `begins`. Friction that had
+ * reached a bound, which has grown by much since, sticks for now. True where no row has changed its
+ * mind. */
+static bool take_multipliers(td_direct *d, double doubt, bool begins) {
+    bool same = true;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
+            bool before = r->active;
             if (r->kind == TD_ROW_FRICTION && slides_on(r, doubt)) {
                 r->active = false;
                 r->impulse = r->impulse < 0.0 ? -r->most : r->most;
             } else if (r->kind == TD_ROW_FRICTION) {
-                r->active = size_of(r->impulse) < AT_BOUND * r->most;
+                double most = (begins ? ROUNDED : AT_BOUND) * r->most;
+                r->active = size_of(r->impulse) < most;
                 r->impulse = clamped(r->impulse, r->most);
             }
             r->base = r->impulse;
             r->force = r->active ? r->base - r->weight * (r->speed - r->wanted) : r->base;
+            same &= !r->used || r->active == before;
         }
     }
+    return same;
 }
 
-/* A whole Newton step, of the matrix as factored; *settled where no row changed its mind. */
-static bool leap(td_direct *d, double doubt, bool *settled) {
+/* A whole Newton step, of the matrix as factored. *turned: how many rows changed their mind. False
+ * where numbers failed. */
+static bool leap(td_direct *d, double doubt, int *turned) {
     td_direct_step(d);
     double sum = 0.0;
     for (int i = 0; i < d->body_count; i++) {
@@ -135,7 +143,7 @@ static bool leap(td_direct *d, double doubt, bool *settled) {
             sum += d->bodies[i].velocity[k];
         }
     }
-    *settled = true;
+    *turned = 0;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
@@ -143,7 +151,7 @@ static bool leap(td_direct *d, double doubt, bool *settled) {
                 bool before = r->active;
                 r->speed += r->change;
                 answer(r, doubt);
-                *settled &= r->active == before;
+                *turned += r->active != before;
             }
         }
     }
@@ -186,25 +194,58 @@ static double off(const td_direct *d) {
     return td_max_double(td_direct_miss(d), td_max_double(overshoot(d), slip(d)));
 }
 
+static int rows_of(const td_direct *d) {
+    int rows = 0;
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            rows += d->constraints[i].row[k].used;
+        }
+    }
+    return rows;
+}
+
+/* Newton steps until no row changes its mind; the matrix may stand already for the rows that are
+ * active. False where that is not to be had. */
+static bool settle(td_direct *d, double doubt, int most, bool stands) {
+    int rows = rows_of(d), hopeless = rows < MANY ? rows : rows / HOPELESS;
+    int turned = 1;
+    while (turned) {
+        if (!stands && (d->factorings >= most || !td_direct_factor(d))) {
+            return false;
+        }
+        if (!leap(d, doubt, &turned) || turned > hopeless) {
+            return false;
+        }
+        stands = false;
+    }
+    return true;
+}
+
 bool td_direct_active(td_direct *d, double tolerance) {
     int most = td_min_int(d->factorings + PATIENCE, d->patience);
-    guess(d, DOUBT * tolerance);
-    take_multipliers(d, DOUBT * tolerance);
-    for (;;) {
-        bool settled = false;
-        while (!settled) {
-            if (d->factorings >= most || !td_direct_factor(d) ||
-                !leap(d, DOUBT * tolerance, &settled)) {
-                return false;
-            }
+    double doubt = DOUBT * tolerance, before = __builtin_inf();
+    bool stands = false, unbound = d->fresh;
+    guess(d, doubt);
+    take_multipliers(d, doubt, true);
+    for (int round = 0; round < ROUNDS; round++) {
+        if (!settle(d, doubt, most, stands)) {
+            return false;
         }
-        if (off(d) <= tolerance) {
+        double now = off(d);
+        /* Rounds with the matrix that stands cost little, and a tall column needs them: what each
+         * contact misses, its top leans by. */
+        if (!unbound && now <= tolerance && (now <= FINE * tolerance || now > 0.5 * before)) {
             d->factored = true;
             return true;
         }
-        td_direct_bound(d);
-        take_multipliers(d, DOUBT * tolerance);
+        before = now;
+        if (unbound || now > tolerance) {
+            td_direct_bound(d);
+            unbound = false;
+        }
+        stands = take_multipliers(d, doubt, false);
     }
+    return false;
 }
 
 bool td_direct_again(td_direct *d, double tolerance) {
@@ -218,8 +259,8 @@ bool td_direct_again(td_direct *d, double tolerance) {
             r->force = r->active ? r->base - r->weight * (r->speed - r->wanted) : r->base;
         }
     }
-    bool settled;
-    bool done = leap(d, DOUBT * tolerance, &settled) && settled && off(d) <= tolerance;
+    int turned;
+    bool done = leap(d, DOUBT * tolerance, &turned) && !turned && off(d) <= tolerance;
     /* Rows that have changed their mind have impulses of penalties, which mean nothing yet; nothing
      * is to be bounded by them. */
     for (int i = 0; i < d->constraint_count && !done; i++) {

@@ -10,25 +10,29 @@
 
 #include "constraint/constraint.h"
 #include "constraint/lanes.h"
+#include "islands/island_order.h"
 
 #include <string.h>
 
-void td_islands_init(td_islands *s) {
+void td_islands_init(td_islands *s, bool wide) {
     s->island.stride = (int)sizeof(td_island);
     s->slots.stride = (int)sizeof(td_awake_slot);
-    s->constraints.stride = s->local.stride = (int)sizeof(int);
+    s->constraints.stride = s->local.stride = s->shape.stride = s->shape_before.stride =
+        (int)sizeof(int);
+    s->systems.stride = (int)sizeof(td_system);
     s->before.stride = (int)sizeof(float[4]);
-    s->impulses.stride = (int)sizeof(float[3]);
+    s->impulses.stride = (int)sizeof(float[TD_DIRECT_ROWS + 1]);
     s->rows.stride = (int)sizeof(td_direct_constraint);
     s->bodies.stride = (int)sizeof(td_direct_body);
-    s->step.stride = s->work.stride = s->moved.stride = (int)sizeof(double[3]);
-    td_sparse_init(&s->matrix);
+    s->moved.stride = (int)sizeof(double[3]);
+    s->step.stride = s->work.stride = (int)sizeof(double[4]);
+    td_sparse_init(&s->matrix, wide);
 }
 
 void td_islands_free(td_memory *memory, td_islands *s) {
-    td_array *const arrays[] = {&s->island, &s->slots,    &s->constraints, &s->local,
-                                &s->before, &s->impulses, &s->rows,        &s->bodies,
-                                &s->step,   &s->work,     &s->moved};
+    td_array *const arrays[] = {&s->island,   &s->slots, &s->constraints,  &s->local,  &s->before,
+                                &s->impulses, &s->rows,  &s->bodies,       &s->step,   &s->work,
+                                &s->moved,    &s->shape, &s->shape_before, &s->systems};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         td_array_free(memory, arrays[i]);
     }
@@ -121,13 +125,6 @@ static void add_body(thud_world *w, td_island *island, td_awake_slot slot) {
     *local_at(w, slot) = ++island->bodies;
 }
 
-/* The awake slot of a dynamic body on the other side, or 0. */
-static td_awake_slot neighbour(const thud_world *w, const td_constraint *constraint, int side) {
-    const td_body *other = td_body_at(w, constraint->body[1 - side]);
-    bool moves = other->kind == THUD_DYNAMIC && other->awake.at > 0;
-    return moves ? other->awake : (td_awake_slot){0};
-}
-
 /* Adds the contacts of a body, and whom they bring; each contact once, by its first side that is a
  * body of an island. False: the island has too many bodies. */
 static bool spread(thud_world *w, td_island *island, td_awake_slot slot) {
@@ -137,7 +134,7 @@ static bool spread(thud_world *w, td_island *island, td_awake_slot slot) {
         if (constraint->state != TD_TOUCHING) {
             continue;
         }
-        td_awake_slot other = neighbour(w, constraint, e & 1);
+        td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
         bool is_new = other.at && *local_at(w, other) == 0;
         if (other.at && (*local_at(w, other) == TOO_MANY ||
                          (is_new && island->bodies == w->quality.island_limit))) {
@@ -195,33 +192,10 @@ static void follow(thud_world *w, td_awake_slot seed) {
     s->constraints.count = island.first_constraint;
 }
 
-/* ---- room ---- */
-
-static bool order(thud_world *w, td_island *island) {
-    td_islands *s = &w->islands;
-    if (!td_sparse_begin(&w->memory, &s->matrix, island->bodies)) {
-        return false;
-    }
-    for (int i = 0; i < island->constraints; i++) {
-        const td_constraint *constraint =
-            td_constraint_at(w, td_int_at(&s->constraints, island->first_constraint + i));
-        td_awake_slot a = neighbour(w, constraint, 1), b = neighbour(w, constraint, 0);
-        if (a.at && b.at) {
-            td_sparse_tie(&s->matrix, *local_at(w, a) - 1, *local_at(w, b) - 1);
-        }
-    }
-    bool ordered = td_sparse_order(&w->memory, &s->matrix);
-    island->system = s->matrix.now;
-    return ordered && roomy(w, &s->rows, island->constraints) &&
-           roomy(w, &s->bodies, island->bodies) && roomy(w, &s->step, island->bodies) &&
-           roomy(w, &s->moved, island->bodies) && roomy(w, &s->work, island->bodies);
-}
-
 bool td_islands_find(thud_world *w) {
     td_islands *s = &w->islands;
     int slots = w->body_of.count;
     s->island.count = s->slots.count = s->constraints.count = 0;
-    td_sparse_forget(&s->matrix);
     s->local.count = 0;
     if (w->quality.sag_limit > 0.0f && !any_direct(w)) {
         return true;
@@ -236,12 +210,7 @@ bool td_islands_find(thud_world *w) {
             follow(w, slot);
         }
     }
-    for (int i = 0; i < s->island.count; i++) {
-        if (!order(w, TD_AT(td_island, &s->island, i))) {
-            return false;
-        }
-    }
-    return true;
+    return td_islands_order(w);
 }
 
 /* ---- load ---- */

@@ -21,12 +21,16 @@ typedef struct td_islands {
     td_array constraints; /* int: island by island */
     td_array local;       /* int, by awake slot: 1 + its number in the island; 0: in none */
     td_array before;      /* float[4], as `slots`: velocity before the soft solver */
-    td_array impulses; /* float[3], as `constraints`: of points and tangent, from the step before */
+    td_array impulses; /* float[4], as `constraints`: of points and tangent, from the step before;
+                          and whether they are the soft solver's */
     td_array
         rows; /* td_direct_constraint: of the island that is being solved, as are the next four */
-    td_array bodies;     /* td_direct_body */
-    td_array step, work; /* double[3] */
-    td_array moved;      /* double[3]: motion of the bodies */
+    td_array bodies;              /* td_direct_body */
+    td_array step, work;          /* double[4] */
+    td_array moved;               /* double[3]: motion of the bodies */
+    td_array shape, shape_before; /* int: what the order of all islands follows from, and what the
+                                     order that stands was made for */
+    td_array systems;             /* td_system, as `island`: the order that stands */
     td_sparse matrix;
 } td_islands;
 
@@ -40,7 +44,7 @@ struct thud_island_solver {
     void (*end)(struct thud_world *w);
 };
 
-void td_islands_init(td_islands *islands);
+void td_islands_init(td_islands *islands, bool wide);
 void td_islands_free(td_memory *memory, td_islands *islands);
 
 /* Fills the lists; false when memory is short. */

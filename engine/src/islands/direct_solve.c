@@ -14,8 +14,20 @@ static void weigh(td_direct *d) {
                              (c->b == TD_NONE ? 0.0 : inverse_share(r->b, &d->bodies[c->b]));
             r->used = r->used && inverse > 0.0;
             r->mass = inverse > 0.0 ? 1.0 / inverse : 0.0;
+            r->guess = r->impulse;
         }
     }
+}
+
+/* What the active set has made of impulses and bounds tells nothing where it has failed. */
+static void forget(td_direct *d) {
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            d->constraints[i].row[k].impulse = d->constraints[i].row[k].guess;
+        }
+    }
+    td_direct_measure(d);
+    td_direct_bound(d);
 }
 
 enum { LEAST_STEPS = 8 }; /* with fewer the interior point need not begin */
@@ -25,6 +37,7 @@ double td_direct_solve(td_direct *d, double tolerance) {
     td_direct_bound(d);
     d->factored = false;
     if (!td_direct_active(d, tolerance)) {
+        forget(d);
         /* Bounds of friction come from a first pass; the second one heeds them. */
         for (int pass = 0; pass < 2; pass++) {
             if (d->patience - d->factorings < LEAST_STEPS || !td_direct_interior(d, tolerance)) {

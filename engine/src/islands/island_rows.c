@@ -23,6 +23,7 @@ void td_island_note(thud_world *w) {
             impulses[k] = steps * at.block->point[k].normal_impulse[at.lane];
             at.block->point[k].normal_impulse[at.lane] *= kept;
         }
+        impulses[TD_DIRECT_ROWS] = kept;
         impulses[TD_DIRECT_TANGENT] = steps * at.block->tangent_impulse[at.lane];
         at.block->tangent_impulse[at.lane] *= kept;
         at.block->loaded[at.lane] &= TD_DIRECT - 1;
@@ -137,8 +138,12 @@ td_island_work td_island_take(thud_world *w, const td_island *island) {
     for (int i = 0; i < island->bodies; i++) {
         take_body(&work, i);
     }
+    int soft = 0;
     for (int i = 0; i < island->constraints; i++) {
+        const float *impulses = td_at(&s->impulses, island->first_constraint + i);
+        soft += impulses[TD_DIRECT_ROWS] > 0.0f;
         take_constraint(&work, i);
     }
+    work.problem.fresh = 2 * soft > island->constraints;
     return work;
 }

@@ -11,7 +11,7 @@
 #include "base/memory.h"
 
 typedef struct td_block3 {
-    double at[9]; /* row by row */
+    double at[3][4]; /* column by column; the fourth row is nothing, and makes a column a vector */
 } td_block3;
 
 /* Where the order of one system lies. */
@@ -22,7 +22,16 @@ typedef struct td_system {
     int64_t work; /* operations on blocks that factoring takes */
 } td_system;
 
+/* The present system, as its kernels are given it. */
+typedef struct td_sparse_view {
+    int size;
+    const int *column, *row;
+    td_block3 *diagonal, *entry;
+    int *map, *walk, *chain, *next; /* room, while factoring */
+} td_sparse_view;
+
 typedef struct td_sparse {
+    bool wide;     /* AVX2 kernels may run */
     td_system now; /* the system that all calls are about */
     int words;     /* of 64 bits each, in a row of `ties` */
     td_array ties; /* uint64_t: a bit for each pair of nodes; used up by ordering */
@@ -35,7 +44,7 @@ typedef struct td_sparse {
     td_array map, walk, chain; /* int: while factoring */
 } td_sparse;
 
-void td_sparse_init(td_sparse *s);
+void td_sparse_init(td_sparse *s, bool wide);
 void td_sparse_free(td_memory *memory, td_sparse *s);
 
 /* Room for the order of systems that have so many nodes together. */
@@ -73,7 +82,8 @@ void td_sparse_clear(td_sparse *s); /* all blocks are zero */
 /* In place; of a diagonal block only the lower half is read. False, and the blocks mean nothing,
  * when the matrix is not positive definite, as far as its numbers can tell. */
 bool td_sparse_factor(td_sparse *s);
-/* Turns the right side into the solution: three numbers a node. `work` has room for as many. */
-void td_sparse_solve(const td_sparse *s, double (*x)[3], double (*work)[3]);
+/* Turns the right side into the solution: three numbers a node, and a fourth that is nothing.
+ * `work` has room for as many. */
+void td_sparse_solve(const td_sparse *s, double (*x)[4], double (*work)[4]);
 
 #endif

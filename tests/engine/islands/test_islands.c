@@ -48,6 +48,24 @@ static void islands_of_equal_boxes_stay_soft_at_default(void **state) {
     thud_world_destroy(world);
 }
 
+/* A pyramid at rest has friction at its bounds, which is not to be found anew in each step. */
+static void islands_pyramid_at_rest_takes_one_matrix_a_step(void **state) {
+    (void)state;
+    thud_world *world = world_of(&thud_quality_high);
+    for (int row = 0; row < 20; row++) {
+        for (int i = 0; i < 20 - row; i++) {
+            add_box(world, i + 0.5 * row, row + 0.5, 0.5f, 0.5f);
+        }
+    }
+    run(world, 60);
+    for (int i = 0; i < 60; i++) {
+        run(world, 1);
+        assert_int_equal(thud_world_stats(world).direct_islands, 1);
+        assert_int_equal(thud_world_stats(world).factorings, 1);
+    }
+    thud_world_destroy(world);
+}
+
 /* Three columns are three islands, though they share the floor; what flies is in none. */
 static void islands_are_all_hard_where_the_limit_is_zero(void **state) {
     (void)state;
@@ -273,6 +291,7 @@ int main(void) {
         cmocka_unit_test(islands_heavy_on_light_turns_hard_by_itself),
         cmocka_unit_test(islands_turn_soft_a_second_after_their_load_is_gone),
         cmocka_unit_test(islands_of_equal_boxes_stay_soft_at_default),
+        cmocka_unit_test(islands_pyramid_at_rest_takes_one_matrix_a_step),
         cmocka_unit_test(islands_are_all_hard_where_the_limit_is_zero),
         cmocka_unit_test(islands_are_none_without_a_solver),
         cmocka_unit_test(islands_work_is_what_their_matrices_take),

@@ -19,7 +19,7 @@ static void fill_sparse(td_sparse *s) {
     td_sparse_clear(s);
     for (int i = 0; i < g.nodes; i++) {
         for (int k = 0; k < 9; k++) {
-            td_sparse_diagonal(s, i)->at[k] =
+            td_sparse_diagonal(s, i)->at[k % 3][k / 3] =
                 k % 3 > k / 3 ? (double)NAN : (double)full.at[3 * i + k / 3][3 * i + k % 3];
         }
     }
@@ -27,15 +27,38 @@ static void fill_sparse(td_sparse *s) {
         int a = g.edge[e][0], b = g.edge[e][1];
         int later = td_sparse_is_later(s, a, b) ? a : b, earlier = a + b - later;
         for (int k = 0; k < 9; k++) {
-            td_sparse_entry(s, td_sparse_find(s, a, b))->at[k] =
+            td_sparse_entry(s, td_sparse_find(s, a, b))->at[k % 3][k / 3] =
                 (double)full.at[3 * later + k / 3][3 * earlier + k % 3];
         }
     }
 }
 
+/* The kernels of every instruction set give the same bits. */
+static void assert_wide_kernels_agree(td_sparse *s, double (*solved)[4]) {
+#if defined(TD_HAS_AVX2)
+    double x[NODES_MOST][4] = {{0}}, work[NODES_MOST][4];
+    if (!__builtin_cpu_supports("avx2")) {
+        return;
+    }
+    fill_sparse(s);
+    for (int i = 0; i < full.size; i++) {
+        x[i / 3][i % 3] = (double)full.right[i];
+    }
+    s->wide = true;
+    assert_true(td_sparse_factor(s));
+    td_sparse_solve(s, x, work);
+    s->wide = false;
+    for (int i = 0; i < full.size; i++) {
+        assert_memory_equal(&x[i / 3][i % 3], &solved[i / 3][i % 3], sizeof(double));
+    }
+#else
+    (void)s, (void)solved;
+#endif
+}
+
 /* The present system is solved as the dense one is. */
 static void assert_solves(td_sparse *s, uint64_t *seed) {
-    double x[NODES_MOST][3], work[NODES_MOST][3], most = 0;
+    double x[NODES_MOST][4] = {{0}}, work[NODES_MOST][4], most = 0;
     fill_dense(seed);
     fill_sparse(s);
     for (int i = 0; i < full.size; i++) {
@@ -43,6 +66,7 @@ static void assert_solves(td_sparse *s, uint64_t *seed) {
     }
     assert_true(td_sparse_factor(s));
     td_sparse_solve(s, x, work);
+    assert_wide_kernels_agree(s, x);
     solve_dense();
     for (int i = 0; i < full.size; i++) {
         most = fmax(most, fabs((double)full.right[i]));
@@ -70,7 +94,7 @@ typedef struct fixture {
 static fixture begin(int nodes) {
     memory_allowed = -1;
     fixture f = {.memory = td_memory_make(hostile_memory())};
-    td_sparse_init(&f.s);
+    td_sparse_init(&f.s, false);
     assert_true(td_sparse_reserve(&f.memory, &f.s, nodes));
     td_sparse_forget(&f.s);
     return f;
@@ -210,10 +234,10 @@ static bool chain_is_factored(int nodes, double diagonal, double beside) {
     assert_true(order(&f.memory, &f.s));
     td_sparse_clear(&f.s);
     for (int i = 0; i < nodes; i++) {
-        for (int k = 0; k < 9; k += 4) {
-            td_sparse_diagonal(&f.s, i)->at[k] = diagonal;
+        for (int k = 0; k < 3; k++) {
+            td_sparse_diagonal(&f.s, i)->at[k][k] = diagonal;
             if (i > 0) {
-                td_sparse_entry(&f.s, td_sparse_find(&f.s, i - 1, i))->at[k] = beside;
+                td_sparse_entry(&f.s, td_sparse_find(&f.s, i - 1, i))->at[k][k] = beside;
             }
         }
     }

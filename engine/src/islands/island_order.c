@@ -1,0 +1,106 @@
+/* island_order.c: in which order the bodies of each island are eliminated. It follows from which of
+ * them are tied, and from nothing else, so that it stands until that changes. */
+#include "islands/island_order.h"
+
+#include "constraint/constraint.h"
+
+#include <string.h>
+
+static bool roomy(thud_world *w, td_array *array, int count) {
+    return td_array_reserve(&w->memory, array, td_max_int(count, 64));
+}
+
+td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *constraint, int side) {
+    const td_body *other = td_body_at(w, constraint->body[1 - side]);
+    bool moves = other->kind == THUD_DYNAMIC && other->awake.at > 0;
+    return moves ? other->awake : (td_awake_slot){0};
+}
+
+/* Lists the sizes of all islands and the pairs of bodies that constraints tie, which is all that
+ * their order follows from. */
+static bool list_shape(thud_world *w) {
+    td_islands *s = &w->islands;
+    if (!roomy(w, &s->shape, 2 * (s->island.count + s->constraints.count))) {
+        return false;
+    }
+    s->shape.count = 0;
+    for (int n = 0; n < s->island.count; n++) {
+        const td_island *island = TD_AT(td_island, &s->island, n);
+        td_push_int(&s->shape, island->bodies);
+        td_push_int(&s->shape, island->constraints);
+        for (int i = 0; i < island->constraints; i++) {
+            const td_constraint *constraint =
+                td_constraint_at(w, td_int_at(&s->constraints, island->first_constraint + i));
+            td_awake_slot a = td_island_neighbour(w, constraint, 1),
+                          b = td_island_neighbour(w, constraint, 0);
+            bool tied = a.at && b.at;
+            td_push_int(&s->shape, tied ? td_int_at(&s->local, a.at) - 1 : TD_NONE);
+            td_push_int(&s->shape, tied ? td_int_at(&s->local, b.at) - 1 : TD_NONE);
+        }
+    }
+    return true;
+}
+
+static bool is_same_shape(const td_islands *s) {
+    return s->shape.count == s->shape_before.count && s->shape.count &&
+           memcmp(s->shape.data, s->shape_before.data, (size_t)s->shape.count * sizeof(int)) == 0;
+}
+
+/* `shape` is the island's part of the list, behind its sizes. */
+static bool order(thud_world *w, const td_island *island, const int *shape) {
+    td_islands *s = &w->islands;
+    if (!td_sparse_begin(&w->memory, &s->matrix, island->bodies)) {
+        return false;
+    }
+    for (int i = 0; i < island->constraints; i++) {
+        if (shape[2 * i] != TD_NONE) {
+            td_sparse_tie(&s->matrix, shape[2 * i], shape[2 * i + 1]);
+        }
+    }
+    return td_sparse_order(&w->memory, &s->matrix);
+}
+
+/* The order of islands that are tied as they were in the step before stands. */
+static bool order_all(thud_world *w) {
+    td_islands *s = &w->islands;
+    if (!list_shape(w) || !roomy(w, &s->systems, s->island.count)) {
+        return false;
+    }
+    if (is_same_shape(s)) {
+        return true;
+    }
+    s->shape_before.count = 0; /* until all is in order */
+    td_sparse_forget(&s->matrix);
+    const int *shape = s->shape.data;
+    for (int i = 0; i < s->island.count; i++) {
+        const td_island *island = TD_AT(td_island, &s->island, i);
+        if (!order(w, island, shape + 2)) {
+            return false;
+        }
+        *TD_AT(td_system, &s->systems, i) = s->matrix.now;
+        shape += 2 + 2 * island->constraints;
+    }
+    if (!roomy(w, &s->shape_before, s->shape.count)) {
+        return false;
+    }
+    memcpy(s->shape_before.data, s->shape.data, (size_t)s->shape.count * sizeof(int));
+    s->shape_before.count = s->shape.count;
+    return true;
+}
+
+bool td_islands_order(thud_world *w) {
+    td_islands *s = &w->islands;
+    if (!order_all(w)) {
+        return false;
+    }
+    for (int i = 0; i < s->island.count; i++) {
+        td_island *island = TD_AT(td_island, &s->island, i);
+        island->system = *TD_AT(td_system, &s->systems, i);
+        if (!roomy(w, &s->rows, island->constraints) || !roomy(w, &s->bodies, island->bodies) ||
+            !roomy(w, &s->step, island->bodies) || !roomy(w, &s->moved, island->bodies) ||
+            !roomy(w, &s->work, island->bodies)) {
+            return false;
+        }
+    }
+    return true;
+}

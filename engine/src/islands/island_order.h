@@ -1,0 +1,13 @@
+/* island_order.h: the order in which the bodies of islands are eliminated. */
+#ifndef TD_ISLAND_ORDER_H
+#define TD_ISLAND_ORDER_H
+
+#include "state/world.h"
+
+/* The awake slot of a dynamic body on the other side of a constraint, or 0. */
+td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *constraint, int side);
+/* Orders the islands that are listed, and makes room for solving them; false when memory is short.
+ */
+bool td_islands_order(thud_world *w);
+
+#endif

@@ -1,0 +1,64 @@
+/* sparse_numbers.c: the numbers of the present system, of which wide_sparse.c has the kernels. */
+#include "islands/sparse.h"
+
+#include <string.h>
+
+bool td_sparse_factor_base(const td_sparse_view *s);
+void td_sparse_solve_base(const td_sparse_view *s, double (*y)[4]);
+#if defined(TD_HAS_AVX2)
+bool td_sparse_factor_avx2(const td_sparse_view *s);
+void td_sparse_solve_avx2(const td_sparse_view *s, double (*y)[4]);
+#endif
+
+static td_sparse_view view_of(const td_sparse *s) {
+    return (td_sparse_view){.size = s->now.size,
+                            .column = (const int *)s->column.data + s->now.place,
+                            .row = (const int *)s->row.data + s->now.row,
+                            .diagonal = s->diagonal.data,
+                            .entry = s->entry.data,
+                            .map = s->map.data,
+                            .walk = s->walk.data,
+                            .chain = s->chain.data,
+                            .next = s->next.data};
+}
+
+void td_sparse_clear(td_sparse *s) {
+    td_sparse_view v = view_of(s);
+    size_t entries = (size_t)v.column[v.size];
+    memset(v.diagonal, 0, (size_t)v.size * sizeof *v.diagonal);
+    if (entries) {
+        memset(v.entry, 0, entries * sizeof *v.entry);
+    }
+}
+
+bool td_sparse_factor(td_sparse *s) {
+    td_sparse_view v = view_of(s);
+#if defined(TD_HAS_AVX2)
+    if (s->wide) {
+        return td_sparse_factor_avx2(&v);
+    }
+#endif
+    return td_sparse_factor_base(&v);
+}
+
+static void solve(const td_sparse *s, double (*y)[4]) {
+    td_sparse_view v = view_of(s);
+#if defined(TD_HAS_AVX2)
+    if (s->wide) {
+        td_sparse_solve_avx2(&v, y);
+        return;
+    }
+#endif
+    td_sparse_solve_base(&v, y);
+}
+
+void td_sparse_solve(const td_sparse *s, double (*x)[4], double (*work)[4]) {
+    const int *node = (const int *)s->node.data + s->now.place;
+    for (int p = 0; p < s->now.size; p++) {
+        memcpy(work[p], x[node[p]], sizeof *work);
+    }
+    solve(s, work);
+    for (int p = 0; p < s->now.size; p++) {
+        memcpy(x[node[p]], work[p], sizeof *x);
+    }
+}
