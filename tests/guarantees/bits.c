@@ -214,11 +214,11 @@ static void same_bits_asked_or_not(trial *t) {
     }
 }
 
-/* Pictures at any rate give the same steps. */
+/* Pictures at any rate give the same steps, and all of the time that has passed. */
 static void same_bits_in_advance(trial *t) {
     yard one, other;
-    int made = 0, stepped = 0, steps;
-    double alpha = 0;
+    int made = 0, stepped = 0, steps = 0;
+    double alpha = 0, passed = 0;
     yard_make(&one, t, trial_def(t), 0);
     yard_make(&other, t, trial_def(t), 0);
     while (made < STEPS && !trial_failed(t)) {
@@ -228,6 +228,10 @@ static void same_bits_in_advance(trial *t) {
             trial_fault(t, "alpha is %g", alpha);
         }
         made += steps;
+        passed += elapsed / t->step;
+        if (fabs(made + alpha - passed) > 1e-6) {
+            trial_fault(t, "%d steps and %g were made of %g", made, alpha, passed);
+        }
         for (; stepped < made; stepped++) {
             trial_run(t, other.world, 1);
         }

@@ -1,5 +1,6 @@
 /* test_guarantees.c: every guarantee on the product of the settings. `./run test` draws some of it
- * by a seed, THUD_GUARANTEES=full runs all of it, THUD_GUARANTEES=NUMBER draws by that seed.
+ * by a seed, THUD_GUARANTEES=full runs all of it, THUD_GUARANTEES=SEED draws by that one, and
+ * THUD_GUARANTEES=full:SEED makes other scenes of all.
  *
  *   --share I/N                 every N-th case, from the I-th on, 1 the first
  *   --only NAME                 that guarantee alone
@@ -126,11 +127,12 @@ static bool read_environment(void) {
     if (!wanted || !*wanted) {
         return true;
     }
-    options.full = strcmp(wanted, "full") == 0;
-    if (!options.full) {
+    options.full = strncmp(wanted, "full", 4) == 0;
+    wanted += options.full ? 4 + (wanted[4] == ':') : 0;
+    if (*wanted) {
         options.seed = strtoull(wanted, &end, 10);
     }
-    return options.full || *end == 0;
+    return !*wanted || *end == 0;
 }
 
 static bool is_wanted(const guarantee *g) {

@@ -6,7 +6,11 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+/* Other settings get other scenes, too. */
 void trial_begin(trial *t, const settings *set, uint64_t seed) {
+    for (int d = 0; d < DIMENSIONS; d++) {
+        seed = seed * VALUES_MAX + (uint64_t)set->value[d];
+    }
     *t = (trial){.set = set,
                  .random = {(seed + 1) * 0x9e3779b97f4a7c15u | 1},
                  .scale = settings_scale(set),

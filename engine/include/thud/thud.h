@@ -89,8 +89,9 @@ typedef struct thud_world_def {
                                     second; default 1. At restitution 1 at most 4 * gravity *
                                     time_step, swept in free flight gravity * time_step / 8 */
     float hit_speed;     /* approaches faster than this are hit events; default 1, as above */
-    float maximum_speed; /* multiples of length_scale per second; default 1e6. A step holds x and y
-                            of a velocity to it, each, before contacts act */
+    float maximum_speed; /* multiples of length_scale per second; default 1e6. Steps hold x and y of
+                            a velocity to it, each; an impact on the way may leave more to the next
+                            step */
     bool sleeping;       /* default true */
     bool contact_events; /* collect begin, end and hit events; default true. Sensors report
                             either way */
