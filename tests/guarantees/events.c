@@ -119,11 +119,14 @@ static void a_fall_begins_and_hits_once(trial *t) {
 
 static void without_contact_events_sensors_report(trial *t) {
     thud_world_def def = trial_def(t);
+    thud_shape_def sensor = thud_default_shape_def();
     int sensed = 0;
     yard y;
     def.contact_events = false;
     yard_make(&y, t, def, 0);
-    for (int i = 0; i < trial_steps(t, 2.0) && !trial_failed(t); i++) {
+    sensor.sensor = true;
+    trial_add(t, y.world, (part){.form = UPRIGHT, .y = 3, .hx = 4, .hy = 2, .shape = &sensor});
+    for (int i = 0; i < trial_steps(t, 0.5) && !trial_failed(t); i++) {
         yard_step(&y);
         thud_events e = thud_world_events(y.world);
         sensed += e.sensor_begin_count;

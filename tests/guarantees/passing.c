@@ -67,7 +67,7 @@ static void thin_static_walls_stop(trial *t) {
     expect_stopped(t, world, shot, 0, overlap ? 0.1 : 0);
 }
 
-/* Both move: whoever was on the left stays there. */
+/* Both move: whoever was on the left of a plate stays there, unless it comes round its end. */
 static void moving_bodies_meet(trial *t) {
     bool swept = t->set->value[DETECTION] == SWEPT;
     double half = swept ? 0.02 : 0.3;
@@ -79,7 +79,7 @@ static void moving_bodies_meet(trial *t) {
     for (int i = 0; i < SHOTS; i++) {
         plate[i] = trial_add(t, world,
                              (part){.kind = THUD_DYNAMIC,
-                                    .form = i % 2 ? UPRIGHT : TURNED,
+                                    .form = UPRIGHT,
                                     .x = half,
                                     .y = 4 * i,
                                     .hx = half,
@@ -97,10 +97,10 @@ static void moving_bodies_meet(trial *t) {
     for (int k = 0; k < 200 && !trial_failed(t); k++) {
         trial_run(t, world, 1);
         for (int i = 0; i < SHOTS; i++) {
-            double at = trial_state(t, world, shot[i]).position.x;
-            double wall = trial_state(t, world, plate[i]).position.x;
-            if (at > wall) {
-                trial_fault(t, "step %d: shot %d is at %g, the plate at %g", k, i, at, wall);
+            thud_pos at = trial_state(t, world, shot[i]).position;
+            thud_pos wall = trial_state(t, world, plate[i]).position;
+            if (at.x > wall.x && fabs(at.y - wall.y) < 1.5) {
+                trial_fault(t, "step %d: shot %d is at %g, the plate at %g", k, i, at.x, wall.x);
             }
         }
     }
