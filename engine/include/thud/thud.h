@@ -63,9 +63,10 @@ typedef struct thud_contact_settings {
                             slide over a, along (normal.y, -normal.x): on top of a, to +x */
 } thud_contact_settings;
 
-/* Called for every pair that touches or is about to, before it is solved; and where detection finds
- * another one on the way, before it is resolved there (`continuous` asks about static shapes as the
- * body meets them, up to the one that stops it, and heeds only the answer). False: the pair does
+/* Called once a step for every pair that touches or is about to, before it is solved; and where
+ * detection finds another one on the way, before each time that it is resolved there (`continuous`
+ * asks about static shapes as the body meets them, up to the one that stops it, and heeds only the
+ * answer). A terrain makes a pair of its own with each of its segments. False: the pair does
  * nothing. */
 typedef bool thud_prologue_fn(thud_world *world, const thud_contact *contact,
                               thud_contact_settings *settings, void *context);
@@ -88,7 +89,9 @@ typedef struct thud_world_def {
                                     second; default 1. At restitution 1 at most 4 * gravity *
                                     time_step, swept in free flight gravity * time_step / 8 */
     float hit_speed;     /* approaches faster than this are hit events; default 1, as above */
-    float maximum_speed; /* multiples of length_scale per second; default 1e6 */
+    float maximum_speed; /* multiples of length_scale per second; default 1e6. Steps hold x and y of
+                            a velocity to it, each; an impact on the way may leave more to the next
+                            step */
     bool sleeping;       /* default true */
     bool contact_events; /* collect begin, end and hit events; default true. Sensors report
                             either way */
@@ -368,7 +371,8 @@ THUD_API thud_step_error thud_world_error(const thud_world *world);
 
 /* Error and energy of the present state; costs a pass over contacts and bodies. */
 typedef struct thud_measure {
-    double penetration_max, penetration_mean; /* over touching points, lengths */
+    double penetration_max, penetration_mean; /* over touching points, lengths; where detection
+                                    moved bodies on or held them, as in thud_step_error */
     double kinetic_energy, potential_energy;  /* potential against the world's height 0 */
 } thud_measure;
 

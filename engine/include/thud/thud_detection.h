@@ -50,7 +50,7 @@ extern THUD_API const thud_detection thud_detection_bisect;
 /* Bodies move forward to each of their times of impact, in the order of time, get new velocities
  * there and move on. Nothing passes through anything, and what is apart does not come to overlap;
  * but a kinematic body goes its way whatever stands in it, and load may press what touches
- * together, by up to 0.0003 length scales a step, before the contacts have settled. A body that
+ * together, by up to 0.00035 length scales a step, before the contacts have settled. A body that
  * meets more than 8 times, 16 if elastic, in a step is held for the rest of it, which the
  * statistics tell; in a pile under impact that is up to one in ten. So is a body that leaves its
  * expected way where there is no memory to look for whom else it may meet.

@@ -8,8 +8,6 @@
 
 /* No ghost goes sooner than after this part of the rest of a step. */
 #define SHORTEST 0x1p-20
-/* A normal off by less than this, in radians, is that of the ground. */
-#define STRAIGHT 1e-5
 
 /* What has to go past a face to be behind it: a circle's centre, or the whole shape. */
 static thud_shape_instance heart_of(const thud_shape_instance *shape) {
@@ -36,33 +34,22 @@ static double time_past_face(const td_approach *p) {
     return first;
 }
 
-/* The sealed end of a line is no edge: what is met there beside the ground's own normal is a ghost
- * until the shape comes over the line. */
+/* What is met at the sealed end of a line is a ghost until the shape comes over the line. */
 static bool met_at_end(const thud_world *w, const td_toi_candidate *e, const td_approach *p,
                        double *part) {
-    const thud_terrain *t = &p->ground;
-    unsigned sealed = td_shape_at(w, e->shape[0])->internal_edges;
     thud_closest c;
-    thud_terrain_closest(t, &p->a, &c);
-    for (int side = 0; side < 2; side++) {
-        double out = side ? 1.0 : -1.0;
-        td_segment s = td_terrain_segment(t, side ? t->count - 2 : 0, 0.0, 0.0);
-        thud_shape_instance end = {.kind = THUD_CIRCLE,
-                                   .x = side ? s.q.x : s.p.x,
-                                   .y = p->a.y,
-                                   .c = 1.0};
-        if ((sealed >> (side ? TD_FACE_RIGHT : TD_FACE_LEFT) & 1) &&
-            (c.ax - end.x) * out > -STRAIGHT * td_reach(&p->a) &&
-            (c.nx * s.tx + c.ny * s.ty) * out > STRAIGHT) {
-            thud_shape_instance heart = heart_of(&p->a);
-            double beyond = (heart.x - end.x) * out - td_shadow(&heart, 1.0, 0.0);
-            *part = beyond > 0.0 ? td_time_across(&end, &(thud_motion){0}, &heart, &p->motion_a,
-                                                  out, 0.0, 0.0)
-                                 : 2.0;
-            return true;
-        }
+    double x, out;
+    thud_terrain_closest(&p->ground, &p->a, &c);
+    if (!td_at_sealed_end(w, e->shape[0], &p->ground, &p->a, &c, &x, &out)) {
+        return false;
     }
-    return false;
+    thud_shape_instance end = {.kind = THUD_CIRCLE, .x = x, .y = p->a.y, .c = 1.0};
+    thud_shape_instance heart = heart_of(&p->a);
+    double beyond = (heart.x - x) * out - td_shadow(&heart, 1.0, 0.0);
+    *part = beyond > 0.0
+                ? td_time_across(&end, &(thud_motion){0}, &heart, &p->motion_a, out, 0.0, 0.0)
+                : 2.0;
+    return true;
 }
 
 static bool met(thud_world *w, const td_toi_candidate *e, const td_approach *p, double *part) {

@@ -257,6 +257,39 @@ static void amend(thud_world *w, const td_toi_candidate *e, const thud_shape_ins
     }
 }
 
+/* A normal off by less than this, in radians, is that of the ground. */
+#define STRAIGHT 1e-5
+
+bool td_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,
+                      const thud_shape_instance *shape, const thud_closest *met, double *x,
+                      double *out) {
+    unsigned sealed = td_shape_at(w, line)->internal_edges;
+    for (int side = 0; side < 2; side++) {
+        td_segment s = td_terrain_segment(ground, side ? ground->count - 2 : 0, 0.0, 0.0);
+        *x = side ? s.q.x : s.p.x;
+        *out = side ? 1.0 : -1.0;
+        if ((sealed >> (side ? TD_FACE_RIGHT : TD_FACE_LEFT) & 1) &&
+            (met->ax - *x) * *out > -STRAIGHT * td_reach(shape) &&
+            (met->nx * s.tx + met->ny * s.ty) * *out > STRAIGHT) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* What stands over the end of a line has a point there too, which is as much a ghost. */
+static void drop_sealed_ends(const thud_world *w, int line, const thud_terrain *ground,
+                             const thud_shape_instance *shape, thud_contacts *contacts) {
+    int kept = 0;
+    double x, out;
+    for (int k = 0; k < contacts->count; k++) {
+        if (!td_at_sealed_end(w, line, ground, shape, &contacts->point[k], &x, &out)) {
+            contacts->point[kept++] = contacts->point[k];
+        }
+    }
+    contacts->count = kept;
+}
+
 void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double time,
                                td_features *out) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
@@ -266,6 +299,9 @@ void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double 
         thud_terrain ground = td_terrain_view(w, e->shape[0]);
         thud_shape_instance shape = td_trajectory_shape(w, &b, e->shape[1], time, out->origin);
         thud_terrain_contacts(&ground, &shape, margin, &out->contacts);
+        if (td_toi_candidate_has_seams(w, e)) {
+            drop_sealed_ends(w, e->shape[0], &ground, &shape, &out->contacts);
+        }
         return;
     }
     out->origin = a.place;

@@ -75,6 +75,12 @@ void td_toi_candidate_ways(const thud_world *w, const td_toi_candidate *e, doubl
 /* One of them may be hidden from the other: see internal_edges.h. */
 bool td_toi_candidate_has_seams(const thud_world *w, const td_toi_candidate *e);
 
+/* The sealed end of a line is no edge: whether a shape is met there beside the ground's own normal.
+ * Then *x is where the line ends, and *out the direction that leads out of it, 1 or -1. */
+bool td_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,
+                      const thud_shape_instance *shape, const thud_closest *met, double *x,
+                      double *out);
+
 /* Where two shapes are nearest to each other, relative to `origin`. */
 typedef struct td_features {
     td_position origin;

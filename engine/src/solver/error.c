@@ -52,7 +52,8 @@ static void count_block(thud_world *w, const td_block *block, int points) {
             e->overlaps += depth > td_error_overlap(w);
             e->depth += (double)depth * w->to_fixed;
             e->deepest = td_max_float(e->deepest, depth);
-            e->residual = td_max_float(e->residual, -speed);
+            /* In this order: no number, of a body that is about to be quarantined, is left out. */
+            e->residual = td_max_float(-speed, e->residual);
         }
     }
 }

@@ -124,6 +124,28 @@ static void contacts_of_sleepers_and_vetoed_ones_do_not_count(void **state) {
     }
 }
 
+/* In the step in which it is quarantined, islands that are solved directly are counted anew. */
+static void body_that_is_no_number_leaves_no_trace_in_the_errors(void **state) {
+    (void)state;
+    for (int which = 0; which < 4; which++) {
+        thud_world *world = make_world(thud_world_def_of(&thud_quality_high));
+        thud_body_id box[4];
+        add_floor(world, NULL);
+        for (int i = 0; i < 4; i++) {
+            box[i] = add_box(world, 5 * (i / 2), 0.5 + i % 2, 0.5f, 0.5f);
+        }
+        run(world, 5);
+        for (int i = 0; i < 2; i++) {
+            OK(thud_body_apply_force(world, box[which], (thud_vec2){3e38f, -3e38f}, 0));
+        }
+        thud_step_error e = error_of_step(world);
+        assert_int_equal(thud_world_events(world).quarantined_count, 1);
+        assert_true(isfinite(e.penetration_max) && isfinite(e.penetration_mean));
+        assert_true(isfinite(e.residual) && isfinite(e.energy_change));
+        thud_world_destroy(world);
+    }
+}
+
 static void residual_is_large_where_the_solver_does_not_get_done(void **state) {
     (void)state;
     double residual[2];
@@ -238,6 +260,7 @@ int main(void) {
         cmocka_unit_test(penetration_agrees_with_the_measure_in_every_scene),
         cmocka_unit_test(recount_finds_what_the_step_found),
         cmocka_unit_test(contacts_of_sleepers_and_vetoed_ones_do_not_count),
+        cmocka_unit_test(body_that_is_no_number_leaves_no_trace_in_the_errors),
         cmocka_unit_test(residual_is_large_where_the_solver_does_not_get_done),
         cmocka_unit_test(points_of_a_stack_overlap_under_a_weight_that_crushes_it),
         cmocka_unit_test(report_of_a_step_that_quarantines_is_finite),

@@ -1,0 +1,261 @@
+/* asking.c: guarantees of queries: they find what geometry finds, each shape against each. */
+#include "guarantee.h"
+
+#include <thud/thud_mover.h>
+
+enum { FOUND = 14 };
+
+typedef struct crowd {
+    thud_world *world;
+    thud_body_id body[FOUND];
+    thud_shape_id shape[FOUND];
+    thud_shape_instance placed[FOUND];
+    thud_filter filter[FOUND];
+    bool sensor[FOUND];
+} crowd;
+
+static bool make_crowd(trial *t, crowd *c) {
+    c->world = trial_make(t, trial_weightless(t));
+    for (int i = 0; i < FOUND && c->world; i++) {
+        thud_shape_def def = thud_default_shape_def();
+        def.filter.category = i % 3 == 2 ? 2 : 1;
+        c->filter[i] = def.filter;
+        c->sensor[i] = def.sensor = i % 5 == 4;
+        c->body[i] = trial_add(t, c->world,
+                               (part){.kind = (thud_body_kind)(i % 3),
+                                      .form = (form)trial_pick(t, FORMS),
+                                      .x = trial_draw(t, -4, 4),
+                                      .y = trial_draw(t, -4, 4),
+                                      .hx = trial_draw(t, 0.1, 0.8),
+                                      .hy = trial_draw(t, 0.1, 0.8),
+                                      .vx = i % 3 ? trial_draw(t, -2, 2) : 0,
+                                      .shape = &def});
+        c->shape[i] = trial_shape(t, c->world, c->body[i]);
+    }
+    return c->world != NULL;
+}
+
+/* Some steps, and then edits that no step has seen. */
+static void stir(trial *t, crowd *c) {
+    trial_run(t, c->world, 3);
+    for (int i = 0; i < 3; i++) {
+        DO(t, thud_body_set_transform(c->world, c->body[trial_pick(t, FOUND)],
+                                      trial_place(t, trial_draw(t, -4, 4), 0), 0));
+    }
+    for (int i = 0; i < FOUND; i++) {
+        c->placed[i] = trial_placed(t, c->world, c->body[i]);
+    }
+}
+
+static int number_of(const crowd *c, thud_shape_id shape) {
+    int i = 0;
+    while (i < FOUND && c->shape[i].index1 != shape.index1) {
+        i++;
+    }
+    return i;
+}
+
+static bool asked_for(const crowd *c, const thud_query_filter *f, int i) {
+    return (!c->sensor[i] || f->sensors) && (f->mask & c->filter[i].category) &&
+           (c->filter[i].mask & f->category);
+}
+
+static thud_query_filter draw_query(trial *t) {
+    thud_query_filter f = thud_default_query_filter();
+    f.mask = trial_pick(t, 2) ? 1 : UINT32_MAX;
+    f.sensors = trial_pick(t, 2);
+    return f;
+}
+
+static void rays_hit_the_nearest(trial *t) {
+    crowd c;
+    if (!make_crowd(t, &c)) {
+        return;
+    }
+    for (int k = 0; k < 12 && !trial_failed(t); k++) {
+        thud_query_filter f = draw_query(t);
+        double x = trial_draw(t, -5, 5), y = trial_draw(t, -5, 5), nearest = 2, nx, ny, at;
+        double dx = trial_draw(t, -9, 9), dy = trial_draw(t, -9, 9);
+        thud_ray_hit hit[FOUND];
+        bool any = false;
+        int count = 0, expected = 0;
+        stir(t, &c);
+        for (int i = 0; i < FOUND; i++) {
+            if (asked_for(&c, &f, i) &&
+                thud_shape_cast_ray(&c.placed[i], x, y, dx, dy, &at, &nx, &ny)) {
+                expected++;
+                nearest = fmin(nearest, at);
+            }
+        }
+        thud_pos from = {x * t->scale, y * t->scale};
+        DO(t, thud_world_cast_ray(c.world, from, dx * t->scale, dy * t->scale, &f, &any, hit));
+        if (any != (nearest < 2) || (any && fabs(hit[0].fraction - nearest) > 1e-4)) {
+            trial_fault(t, "ray %d: found %d at %g, not %g", k, any, any ? hit[0].fraction : -1,
+                        nearest);
+        }
+        DO(t, thud_world_cast_ray_all(c.world, from, dx * t->scale, dy * t->scale, &f, hit, FOUND,
+                                      &count));
+        for (int i = 0; i < count && i < FOUND; i++) {
+            if (!asked_for(&c, &f, number_of(&c, hit[i].shape)) ||
+                (i && hit[i].fraction < hit[i - 1].fraction)) {
+                trial_fault(t, "ray %d: its hit %d is not asked for, or out of order", k, i);
+            }
+        }
+        if (abs(count - expected) > 0) {
+            trial_fault(t, "ray %d: %d hits, not %d", k, count, expected);
+        }
+    }
+}
+
+typedef struct list {
+    const crowd *c;
+    bool found[FOUND + 1];
+    uint32_t last;
+    bool disordered;
+} list;
+
+static bool note(thud_shape_id shape, void *context) {
+    list *l = context;
+    l->found[number_of(l->c, shape)] = true;
+    l->disordered |= shape.index1 < l->last;
+    l->last = shape.index1;
+    return true;
+}
+
+static void overlaps_find_all(trial *t) {
+    crowd c;
+    if (!make_crowd(t, &c)) {
+        return;
+    }
+    for (int k = 0; k < 12 && !trial_failed(t); k++) {
+        thud_query_filter f = draw_query(t);
+        list l = {.c = &c};
+        double angle = trial_draw(t, -1, 1);
+        thud_shape_instance box = {.kind = THUD_OBB,
+                                   .x = trial_draw(t, -4, 4),
+                                   .y = trial_draw(t, -4, 4),
+                                   .c = cos(angle),
+                                   .s = sin(angle),
+                                   .hx = trial_draw(t, 0.1, 3),
+                                   .hy = trial_draw(t, 0.1, 3)};
+        stir(t, &c);
+        DO(t, thud_world_overlap_obb(c.world, (thud_pos){box.x * t->scale, box.y * t->scale},
+                                     box.hx * t->scale, box.hy * t->scale, angle, &f, note, &l));
+        for (int i = 0; i < FOUND && !trial_failed(t); i++) {
+            thud_closest near = {.distance = 1};
+            DO(t, thud_shapes_closest(&box, &c.placed[i], &near));
+            bool wanted = near.distance <= 0 && asked_for(&c, &f, i);
+            if (l.found[i] != wanted && (fabs(near.distance) > 1e-5 || l.found[i])) {
+                trial_fault(t, "box %d: shape %d, %g away, %s", k, i, near.distance,
+                            l.found[i] ? "found" : "not found");
+            }
+        }
+        if (l.found[FOUND] || l.disordered) {
+            trial_fault(t, "box %d: found in no order", k);
+        }
+    }
+}
+
+static void closest_is_the_closest(trial *t) {
+    crowd c;
+    if (!make_crowd(t, &c)) {
+        return;
+    }
+    for (int k = 0; k < 12 && !trial_failed(t); k++) {
+        thud_query_filter f = draw_query(t);
+        thud_shape_instance point = {.kind = THUD_CIRCLE,
+                                     .x = trial_draw(t, -5, 5),
+                                     .y = trial_draw(t, -5, 5),
+                                     .c = 1,
+                                     .hx = 1e-6};
+        double nearest = 1.5;
+        bool found = false;
+        thud_closest_hit hit = {.distance = 9};
+        stir(t, &c);
+        for (int i = 0; i < FOUND; i++) {
+            thud_closest near = {.distance = 9};
+            DO(t, thud_shapes_closest(&c.placed[i], &point, &near));
+            nearest = asked_for(&c, &f, i) ? fmin(nearest, near.distance) : nearest;
+        }
+        DO(t, thud_world_closest(c.world, (thud_pos){point.x * t->scale, point.y * t->scale},
+                                 1.5 * t->scale, &f, &found, &hit));
+        double distance = found ? hit.distance / t->scale : 1.5;
+        if (fabs(distance - nearest) > 1e-4) {
+            trial_fault(t, "point %d: %g away, not %g", k, distance, nearest);
+        }
+    }
+}
+
+/* Cast shapes stop where they touch what is in their way, and nothing before. */
+static void casts_stop_at_the_first(trial *t) {
+    crowd c;
+    if (!make_crowd(t, &c)) {
+        return;
+    }
+    for (int k = 0; k < 12 && !trial_failed(t); k++) {
+        thud_query_filter f = draw_query(t);
+        double x = trial_draw(t, -5, 5), y = trial_draw(t, -5, 5), r = trial_draw(t, 0.05, 0.6);
+        double dx = trial_draw(t, -9, 9), dy = trial_draw(t, -9, 9), first = 2, at;
+        thud_ray_hit out = {.fraction = 2};
+        bool hit = false, meets;
+        stir(t, &c);
+        thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = r};
+        for (int i = 0; i < FOUND; i++) {
+            thud_motion still = {0}, way = {dx, dy, 0};
+            if (asked_for(&c, &f, i)) {
+                DO(t, thud_shapes_time_of_impact(&ball, way, &c.placed[i], still, 0, &meets, &at));
+                first = meets ? fmin(first, at) : first;
+            }
+        }
+        DO(t, thud_world_cast_circle(c.world, (thud_pos){x * t->scale, y * t->scale}, r * t->scale,
+                                     dx * t->scale, dy * t->scale, &f, &hit, &out));
+        if (hit != (first < 2) || (hit && fabs(out.fraction - first) > 1e-3)) {
+            trial_fault(t, "cast %d: %d at %g, not %g", k, hit, out.fraction, first);
+        }
+    }
+}
+
+/* A character walks along its tunnel of statics, and is never in any of them. */
+static void movers_enter_nothing(trial *t) {
+    thud_world *world = trial_make(t, trial_def(t));
+    thud_mover_report report;
+    if (!world) {
+        return;
+    }
+    trial_wall(t, world, 0, -1, 8, 1);
+    trial_wall(t, world, 6, 3, 1, 4);
+    trial_add(t, world, (part){.form = TURNED, .x = 3, .angle = 0.4, .hx = 1, .hy = 0.3});
+    trial_wall(t, world, 0.5, 0, 0.4, 0.15);
+    thud_pos start = trial_place(t, -3, 1);
+    thud_shape_instance shape = {.kind = trial_pick(t, 2) ? THUD_CIRCLE : THUD_AABB,
+                                 .x = start.x,
+                                 .y = start.y,
+                                 .c = 1,
+                                 .hx = 0.4 * t->scale};
+    shape.hy = shape.kind == THUD_CIRCLE ? 0 : shape.hx;
+    thud_mover mover = thud_default_mover(shape);
+    for (int k = 0; k < trial_steps(t, 2.5) && !trial_failed(t); k++) {
+        thud_closest_hit near = {.distance = 9};
+        bool found;
+        trial_run(t, world, 1);
+        DO(t, thud_mover_move(world, &mover, trial_speed(t, 4, -3), t->step, &report));
+        thud_pos at = {mover.shape.x, mover.shape.y};
+        DO(t, thud_world_closest(world, at, 9 * t->scale, NULL, &found, &near));
+        if (near.distance < mover.shape.hx * (1 - 1e-3)) {
+            trial_fault(t, "move %d: at %g, %g it is %g into a wall", k, at.x / t->scale,
+                        at.y / t->scale, (mover.shape.hx - near.distance) / t->scale);
+        }
+    }
+    if (!(mover.shape.x > 3 * t->scale && mover.on_ground)) {
+        trial_fault(t, "it came to %g", mover.shape.x / t->scale);
+    }
+}
+
+const guarantee guarantees_of_asking[] = {
+    {"casts_stop_at_the_first", casts_stop_at_the_first, {{0}}},
+    {"closest_is_the_closest", closest_is_the_closest, {{0}}},
+    {"movers_enter_nothing", movers_enter_nothing, {{0}}},
+    {"overlaps_find_all", overlaps_find_all, {{0}}},
+    {"rays_hit_the_nearest", rays_hit_the_nearest, {{0}}},
+    {NULL, NULL, {{0}}},
+};

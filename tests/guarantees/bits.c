@@ -1,0 +1,255 @@
+/* bits.c: guarantees that two worlds end with the same bits, and tell the same of each step. */
+#include "guarantee.h"
+#include "yard.h"
+
+#include <fenv.h>
+#include <thud/thud_snapshot.h>
+
+enum { STEPS = 40 };
+
+/* The trial's yard beside one of another def, step for step. */
+static void compare(trial *t, thud_world_def def, double away) {
+    yard one, other;
+    yard_make(&one, t, trial_def(t), 0);
+    yard_make(&other, t, def, away);
+    for (int i = 1; i <= STEPS && !trial_failed(t); i++) {
+        yard_step(&one);
+        yard_step(&other);
+        if (!trial_failed(t) && yard_told(&one) != yard_told(&other)) {
+            trial_fault(t, "step %d differs", i);
+        }
+    }
+}
+
+static void same_bits_any_broadphase(trial *t) {
+    static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
+                                                 &thud_broadphase_all};
+    for (int i = 1; i < 3; i++) {
+        thud_world_def def = trial_def(t);
+        def.broadphase = all[(t->set->value[BROADPHASE] + i) % 3];
+        compare(t, def, 0);
+    }
+}
+
+static void same_bits_baseline_simd(trial *t) {
+    thud_world_def def = trial_def(t);
+    def.baseline_simd = true;
+    compare(t, def, 0);
+}
+
+static void same_bits_far_away(trial *t) {
+    compare(t, trial_def(t), 1e7);
+    compare(t, trial_def(t), -9999999);
+}
+
+static void same_bits_twice(trial *t) {
+    compare(t, trial_def(t), 0);
+}
+
+/* ---- workers: a step is shared from 64 blocks of contacts on ---- */
+
+enum { COLUMNS = 300 };
+
+static thud_world *make_field(trial *t, int workers) {
+    source start = t->random;
+    thud_world_def def = trial_def(t);
+    def.job_system = trial_jobs(workers);
+    thud_world *world = trial_make(t, def);
+    if (world) {
+        trial_wall(t, world, 0, -1, 400, 1);
+        for (int i = 0; i < COLUMNS; i++) {
+            double x = i * 1.5 - 225.0;
+            trial_add(t, world,
+                      (part){.kind = THUD_DYNAMIC,
+                             .form = TURNED,
+                             .x = x,
+                             .y = 0.3,
+                             .hx = 0.5,
+                             .hy = 0.3});
+            trial_add(t, world,
+                      (part){.kind = THUD_DYNAMIC,
+                             .form = TURNED,
+                             .x = x,
+                             .y = 0.91,
+                             .hx = 0.4,
+                             .hy = 0.3,
+                             .vx = trial_draw(t, -1, 1),
+                             .spin = trial_draw(t, -1, 1)});
+        }
+    }
+    t->random = start;
+    return world;
+}
+
+static void same_bits_any_workers(trial *t) {
+    long before = trial_shared_runs();
+    thud_world *one = make_field(t, 1), *two = make_field(t, 2);
+    for (int i = 1; i <= 10 && !trial_failed(t); i++) {
+        trial_run(t, one, 1);
+        trial_run(t, two, 1);
+        thud_step_error a = thud_world_error(one), b = thud_world_error(two);
+        if (thud_world_hash(one) != thud_world_hash(two) ||
+            a.penetration_max != b.penetration_max || a.penetration_mean != b.penetration_mean ||
+            a.residual != b.residual || a.energy_change != b.energy_change ||
+            a.overlaps != b.overlaps) {
+            trial_fault(t, "step %d differs", i);
+        }
+    }
+    if (trial_shared_runs() == before) {
+        trial_fault(t, "no step was shared");
+    }
+}
+
+/* ---- snapshots ---- */
+
+typedef struct saved {
+    void *bytes;
+    size_t size;
+} saved;
+
+static saved save(trial *t, const thud_world *world) {
+    saved s = {NULL, 0};
+    DO(t, thud_world_snapshot_size(world, &s.size));
+    s.bytes = malloc(s.size);
+    DO(t, thud_world_snapshot(world, s.bytes, s.size, NULL));
+    return s;
+}
+
+static void walk(yard *y, uint64_t told[STEPS]) {
+    for (int i = 0; i < STEPS && !trial_failed(y->t); i++) {
+        yard_step(y);
+        told[i] = yard_told(y);
+    }
+}
+
+/* Back in the world itself, and in another one with other SIMD and workers. */
+static void same_bits_after_restore(trial *t) {
+    yard y, kept;
+    uint64_t first[STEPS] = {0}, again[STEPS] = {0};
+    thud_world_def def = trial_def(t);
+    yard_make(&y, t, def, 0);
+    for (int i = 0; i < STEPS / 2; i++) {
+        yard_step(&y);
+    }
+    def.baseline_simd = true;
+    def.job_system = trial_jobs(3 - settings_workers(t->set));
+    thud_world *other = trial_make(t, def);
+    kept = y;
+    saved s = save(t, y.world);
+    walk(&y, first);
+    for (int i = 0; i < 2 && !trial_failed(t); i++) {
+        thud_world *world = i ? other : y.world;
+        DO(t, thud_world_restore(world, s.bytes, s.size));
+        y = kept;
+        y.world = world;
+        walk(&y, again);
+        if (memcmp(first, again, sizeof first) != 0) {
+            trial_fault(t, "%s goes another way", i ? "another world" : "the same world");
+        }
+    }
+    free(s.bytes);
+}
+
+/* ---- other company ---- */
+
+static void same_bits_any_rounding_mode(trial *t) {
+    static const int modes[] = {
+#ifdef FE_UPWARD
+        FE_UPWARD,
+#endif
+#ifdef FE_TOWARDZERO
+        FE_TOWARDZERO,
+#endif
+        FE_TONEAREST};
+    yard one, other;
+    int usual = fegetround();
+    yard_make(&one, t, trial_def(t), 0);
+    yard_make(&other, t, trial_def(t), 0);
+    for (int i = 1; i <= STEPS && !trial_failed(t); i++) {
+        yard_step(&one);
+        yard_before_step(&other);
+        fesetround(modes[(size_t)i % (sizeof modes / sizeof *modes)]);
+        thud_result result = thud_world_step(other.world);
+        fesetround(usual);
+        DO(t, result);
+        if (yard_told(&one) != yard_told(&other)) {
+            trial_fault(t, "step %d differs", i);
+        }
+    }
+}
+
+static bool see(thud_shape_id shape, void *context) {
+    (void)shape;
+    (void)context;
+    return true;
+}
+
+static void ask_much(yard *y) {
+    trial *t = y->t;
+    double limit;
+    thud_ray_hit hits[4];
+    int count;
+    DO(t, thud_world_cast_ray_all(y->world, trial_place(t, -4, 2), 8 * t->scale, 0, NULL, hits, 4,
+                                  &count));
+    DO(t, thud_world_overlap_circle(y->world, trial_place(t, 0, 2), 2 * t->scale, NULL, see, NULL));
+    DO(t, thud_world_bisection_limit(y->world, &limit));
+    thud_world_poses(y->world, (thud_pos){0, 0}, 0.5, &count);
+    thud_world_measure(y->world);
+    thud_world_error(y->world);
+    saved s = save(t, y->world);
+    free(s.bytes);
+}
+
+static void same_bits_asked_or_not(trial *t) {
+    yard one, other;
+    yard_make(&one, t, trial_def(t), 0);
+    yard_make(&other, t, trial_def(t), 0);
+    for (int i = 1; i <= STEPS && !trial_failed(t); i++) {
+        yard_step(&one);
+        yard_step(&other);
+        if (yard_told(&one) != yard_told(&other)) {
+            trial_fault(t, "step %d differs", i);
+        }
+        ask_much(&other);
+    }
+}
+
+/* Pictures at any rate give the same steps, and all of the time that has passed. */
+static void same_bits_in_advance(trial *t) {
+    yard one, other;
+    int made = 0, stepped = 0, steps = 0;
+    double alpha = 0, passed = 0;
+    yard_make(&one, t, trial_def(t), 0);
+    yard_make(&other, t, trial_def(t), 0);
+    while (made < STEPS && !trial_failed(t)) {
+        double elapsed = trial_draw(t, 0, 3) * t->step;
+        DO(t, thud_world_advance(one.world, elapsed, 8, &steps, &alpha));
+        if (!(alpha >= 0 && alpha < 1)) {
+            trial_fault(t, "alpha is %g", alpha);
+        }
+        made += steps;
+        passed += elapsed / t->step;
+        if (fabs(made + alpha - passed) > 1e-6) {
+            trial_fault(t, "%d steps and %g were made of %g", made, alpha, passed);
+        }
+        for (; stepped < made; stepped++) {
+            trial_run(t, other.world, 1);
+        }
+        if (thud_world_hash(one.world) != thud_world_hash(other.world)) {
+            trial_fault(t, "step %d differs", made);
+        }
+    }
+}
+
+const guarantee guarantees_of_bits[] = {
+    {"same_bits_any_broadphase", same_bits_any_broadphase, {{0}}},
+    {"same_bits_any_rounding_mode", same_bits_any_rounding_mode, {{0}}},
+    {"same_bits_any_workers", same_bits_any_workers, {{0}}},
+    {"same_bits_after_restore", same_bits_after_restore, {{0}}},
+    {"same_bits_asked_or_not", same_bits_asked_or_not, {{0}}},
+    {"same_bits_baseline_simd", same_bits_baseline_simd, {{0}}},
+    {"same_bits_far_away", same_bits_far_away, {{0}}},
+    {"same_bits_in_advance", same_bits_in_advance, {{0}}},
+    {"same_bits_twice", same_bits_twice, {{0}}},
+    {NULL, NULL, {{0}}},
+};

@@ -1,0 +1,321 @@
+/* callbacks.c: guarantees of the prologue and the epilogue. */
+#include "guarantee.h"
+#include "yard.h"
+
+#include <thud/thud_snapshot.h>
+
+enum { ASKED_MAX = 256 };
+
+/* ---- who is asked ---- */
+
+typedef struct asked {
+    trial *t;
+    thud_shape_id a[ASKED_MAX], b[ASKED_MAX];
+    int asks[ASKED_MAX], tells[ASKED_MAX];
+    int count;
+    int unasked; /* epilogues of pairs that no prologue was asked about */
+} asked;
+
+static int find_asked(const asked *s, thud_shape_id a, thud_shape_id b) {
+    int i = 0;
+    while (i < s->count && !(s->a[i].index1 == a.index1 && s->b[i].index1 == b.index1) &&
+           !(s->a[i].index1 == b.index1 && s->b[i].index1 == a.index1)) {
+        i++;
+    }
+    return i;
+}
+
+static bool note_asked(thud_world *world, const thud_contact *contact,
+                       thud_contact_settings *wanted, void *context) {
+    asked *s = context;
+    int i = find_asked(s, contact->shape_a, contact->shape_b);
+    (void)world;
+    (void)wanted;
+    if (i == s->count && i < ASKED_MAX) {
+        s->a[i] = contact->shape_a;
+        s->b[i] = contact->shape_b;
+        s->asks[i] = s->tells[i] = 0;
+        s->count++;
+    }
+    s->asks[i < ASKED_MAX ? i : 0]++;
+    return true;
+}
+
+static void note_told(thud_world *world, const thud_contact *contact, void *context) {
+    asked *s = context;
+    int i = find_asked(s, contact->shape_a, contact->shape_b);
+    (void)world;
+    if (i == s->count) {
+        s->unasked++;
+    } else {
+        s->tells[i]++;
+    }
+}
+
+/* More than once only for a collision each on the way, where detection finds those, and with a line
+ * of ground, of which each segment touches by itself. */
+static void expect_asked_once(trial *t, const asked *s, thud_shape_id line, int step) {
+    bool often = t->set->value[DETECTION] >= BISECT;
+    for (int i = 0; i < s->count; i++) {
+        if (s->asks[i] > 1 && s->a[i].index1 != line.index1 &&
+            !(often && s->asks[i] <= s->tells[i])) {
+            trial_fault(t, "step %d: shapes %u and %u are asked about %d times, and told %d times",
+                        step, s->a[i].index1, s->b[i].index1, s->asks[i], s->tells[i]);
+        }
+    }
+    if (s->unasked) {
+        trial_fault(t, "step %d: %d pairs were solved unasked", step, s->unasked);
+    }
+}
+
+/* Every pair that a step solved was asked about once in it, and no other was told of. */
+static void prologue_asks_each_pair_once(trial *t) {
+    asked s = {.t = t};
+    thud_world_def def = trial_def(t);
+    yard y;
+    int in_all = 0;
+    def.prologue = note_asked;
+    def.epilogue = note_told;
+    def.callback_context = &s;
+    yard_make(&y, t, def, 0);
+    for (int k = 0; k < trial_steps(t, 1.0) && !trial_failed(t); k++) {
+        thud_manifold touching[16];
+        int count = 0;
+        s.count = s.unasked = 0;
+        yard_step(&y);
+        in_all += s.count;
+        expect_asked_once(t, &s, y.line, k);
+        for (int i = 0; i < YARD_BODIES && !trial_failed(t); i++) {
+            if (!trial_state(t, y.world, y.body[i]).awake) {
+                continue;
+            }
+            DO(t, thud_body_contacts(y.world, y.body[i], touching, 16, &count));
+            for (int c = 0; c < count && c < 16; c++) {
+                if (touching[c].point_count &&
+                    find_asked(&s, touching[c].shape_a, touching[c].shape_b) == s.count) {
+                    trial_fault(t, "step %d: a touching pair of body %d was not asked about", k, i);
+                }
+            }
+        }
+    }
+    if (in_all == 0) {
+        trial_fault(t, "nothing touched");
+    }
+}
+
+/* ---- vetoes ---- */
+
+static bool refuse_all(thud_world *world, const thud_contact *contact,
+                       thud_contact_settings *wanted, void *context) {
+    (void)world;
+    (void)contact;
+    (void)wanted;
+    ++*(int *)context;
+    return false;
+}
+
+static void count_epilogues(thud_world *world, const thud_contact *contact, void *context) {
+    (void)world;
+    (void)contact;
+    *(int *)context += 1000000;
+}
+
+/* What falls through everything falls as in an empty world, and nobody tells of it. */
+static void vetoed_pairs_do_nothing(trial *t) {
+    int calls = 0;
+    thud_world_def def = trial_def(t);
+    thud_world *empty = trial_make(t, def);
+    def.prologue = refuse_all;
+    def.epilogue = count_epilogues;
+    def.callback_context = &calls;
+    thud_world *world = trial_make(t, def);
+    if (!world || !empty) {
+        return;
+    }
+    form kind = (form)trial_pick(t, FORMS);
+    double reach = trial_pick(t, 2) ? 0.4 : 0.02, hits = 0;
+    trial_wall(t, world, 0, 0, 4, reach);
+    trial_drop(t, world, BALL, 0.1, -1, 0.4);
+    thud_body_id body = trial_drop(t, world, kind, 0, 1, 0.3);
+    thud_body_id alone = trial_drop(t, empty, kind, 0, 1, 0.3);
+    thud_vec2 speed = trial_speed(t, 0, -4);
+    DO(t, thud_body_set_velocity(world, body, speed, 0));
+    DO(t, thud_body_set_velocity(empty, alone, speed, 0));
+    for (int k = 0; k < trial_steps(t, 0.5) && !trial_failed(t); k++) {
+        trial_run(t, world, 1);
+        trial_run(t, empty, 1);
+        hits += thud_world_events(world).hit_count;
+    }
+    double at = trial_state(t, world, body).position.y;
+    double wanted = trial_state(t, empty, alone).position.y;
+    /* An island that is solved directly takes a step at once: substeps err by that much. */
+    double substep = t->step / thud_world_stats(empty).substeps;
+    if (fabs(at - wanted) > 0.5 * 10 * 0.5 * substep || hits > 0 || calls >= 1000000 ||
+        calls == 0) {
+        trial_fault(t, "it fell to %g, not %g, with %g hits, %d calls", at, wanted, hits, calls);
+    }
+}
+
+typedef struct one_way_platform {
+    trial *t;
+    thud_body_id body;
+} one_way_platform;
+
+/* Lets through what rises faster than a length scale a second, which being pushed out is not. */
+static bool one_way(thud_world *world, const thud_contact *contact, thud_contact_settings *wanted,
+                    void *context) {
+    const one_way_platform *s = context;
+    thud_body_state body;
+    (void)wanted;
+    if (contact->body_a.index1 != s->body.index1 ||
+        thud_body_get(world, contact->body_b, &body) != THUD_OK) {
+        return true;
+    }
+    return body.velocity.y <= (float)s->t->scale;
+}
+
+static void one_way_platforms_hold_from_above(trial *t) {
+    one_way_platform platform = {.t = t};
+    thud_world_def def = trial_def(t);
+    double top = -9;
+    def.prologue = one_way;
+    def.callback_context = &platform;
+    thud_world *world = trial_make(t, def);
+    if (!world) {
+        return;
+    }
+    platform.body = trial_wall(t, world, 0, 2, 3, 0.2);
+    thud_body_id body = trial_add(t, world,
+                                  (part){.kind = THUD_DYNAMIC,
+                                         .form = (form)trial_pick(t, FORMS),
+                                         .y = 0.5,
+                                         .hx = 0.3,
+                                         .hy = 0.3,
+                                         .vy = 9.5});
+    for (int k = 0; k < trial_steps(t, 3) && !trial_failed(t); k++) {
+        trial_run(t, world, 1);
+        top = fmax(top, trial_state(t, world, body).position.y);
+    }
+    double y = trial_state(t, world, body).position.y;
+    if (top < 4 || fabs(y - 2.5) > 0.02) {
+        trial_fault(t, "it rose to %g and rests at %g", top, y);
+    }
+}
+
+/* ---- settings ---- */
+
+typedef struct surface {
+    float friction, speed;
+    int steps; /* for which a prologue sets them */
+} surface;
+
+static bool set_surface(thud_world *world, const thud_contact *contact,
+                        thud_contact_settings *wanted, void *context) {
+    const surface *s = context;
+    (void)world;
+    (void)contact;
+    if (s->steps > 0) {
+        wanted->friction = s->friction;
+        wanted->surface_speed = s->speed;
+    }
+    return true;
+}
+
+/* On ice a box slides on; what a prologue sets is forgotten with its step; a belt carries; what is
+ * no friction is refused, and the pair keeps its own. */
+static void surfaces_are_what_a_prologue_sets(trial *t) {
+    surface ice = {.friction = 0, .steps = 1};
+    thud_world_def def = trial_def(t);
+    def.prologue = set_surface;
+    def.callback_context = &ice;
+    thud_world *world = trial_make(t, def);
+    if (!world) {
+        return;
+    }
+    trial_wall(t, world, 0, -1, 40, 1);
+    thud_body_id box = trial_drop(t, world, UPRIGHT, 0, 0.3, 0.3);
+    trial_run(t, world, 3);
+    DO(t, thud_body_set_velocity(world, box, trial_speed(t, 3, 0), 0));
+    trial_run(t, world, trial_steps(t, 0.3));
+    double slid = (double)trial_state(t, world, box).velocity.x;
+    ice.steps = 0;
+    trial_run(t, world, trial_steps(t, 1.5));
+    double stopped = (double)trial_state(t, world, box).velocity.x;
+    ice = (surface){.friction = 1, .speed = (float)(2 * t->scale), .steps = 1};
+    DO(t, thud_body_set_awake(world, box, true));
+    trial_run(t, world, trial_steps(t, 1.0));
+    double carried = (double)trial_state(t, world, box).velocity.x;
+    if (fabs(slid - 3) > 1e-3 || fabs(stopped) > 1e-2 || fabs(carried - 2) > 0.02) {
+        trial_fault(t, "on ice %g of 3, without %g, on a belt %g of 2", slid, stopped, carried);
+    }
+    ice = (surface){.friction = NAN, .steps = 1};
+    t->heard = 0;
+    trial_run(t, world, trial_steps(t, 1.5));
+    if (t->heard == 0 || t->heard_result != THUD_ERROR_INVALID) {
+        trial_fault(t, "friction of no number was not refused");
+    }
+    stopped = (double)trial_state(t, world, box).velocity.x;
+    if (!(fabs(stopped) < 1e-2)) {
+        trial_fault(t, "with refused settings it slides at %g", stopped);
+    }
+}
+
+/* ---- what they may not do, and what they do later ---- */
+
+typedef struct intruder {
+    trial *t;
+    thud_body_id other;
+    thud_pos to;
+    int calls;
+} intruder;
+
+static void intrude(thud_world *world, const thud_contact *contact, void *context) {
+    intruder *s = context;
+    trial *t = s->t;
+    size_t size;
+    (void)contact;
+    if (s->calls++) {
+        return;
+    }
+    REFUSED(t, thud_world_step(world), THUD_ERROR_LOCKED);
+    REFUSED(t, thud_world_set_gravity(world, (thud_vec2){0, 0}), THUD_ERROR_LOCKED);
+    REFUSED(t, thud_world_set_sleeping(world, false), THUD_ERROR_LOCKED);
+    REFUSED(t, thud_world_set_quality(world, &thud_quality_draft), THUD_ERROR_LOCKED);
+    REFUSED(t, thud_world_snapshot_size(world, &size), THUD_ERROR_LOCKED);
+    thud_world_destroy(world);
+    REFUSED(t, THUD_ERROR_LOCKED, THUD_ERROR_LOCKED);
+    DO(t, thud_body_set_transform(world, s->other, s->to, 0));
+}
+
+/* What an epilogue may not do is refused; its edits take effect with the next step. */
+static void callbacks_edit_the_next_step(trial *t) {
+    intruder s = {.t = t, .to = trial_place(t, 20, 3)};
+    thud_world_def def = trial_weightless(t);
+    def.epilogue = intrude;
+    def.callback_context = &s;
+    thud_world *world = trial_make(t, def);
+    if (!world) {
+        return;
+    }
+    trial_wall(t, world, 0, -1, 4, 1);
+    trial_drop(t, world, BALL, 0, 0.29, 0.3);
+    s.other = trial_drop(t, world, BALL, 10, 3, 0.3);
+    for (int k = 0; k < 10 && s.calls == 0 && !trial_failed(t); k++) {
+        trial_run(t, world, 1);
+    }
+    double before = trial_state(t, world, s.other).position.x;
+    trial_run(t, world, 1);
+    double after = trial_state(t, world, s.other).position.x;
+    if (s.calls == 0 || fabs(before - 10) > 1e-3 || fabs(after - 20) > 1e-3) {
+        trial_fault(t, "%d calls: at %g, and a step later at %g", s.calls, before, after);
+    }
+}
+
+const guarantee guarantees_of_callbacks[] = {
+    {"callbacks_edit_the_next_step", callbacks_edit_the_next_step, {{0}}},
+    {"one_way_platforms_hold_from_above", one_way_platforms_hold_from_above, {{0}}},
+    {"prologue_asks_each_pair_once", prologue_asks_each_pair_once, {{0}}},
+    {"surfaces_are_what_a_prologue_sets", surfaces_are_what_a_prologue_sets, {{0}}},
+    {"vetoed_pairs_do_nothing", vetoed_pairs_do_nothing, {{0}}},
+    {NULL, NULL, {{0}}},
+};

@@ -1,0 +1,152 @@
+/* filters.c: guarantees of filters: who meets whom. */
+#include "guarantee.h"
+
+enum { BODIES = 9 };
+
+typedef struct company {
+    trial *t;
+    thud_filter filter[BODIES];
+    thud_shape_id shape[BODIES];
+    int meetings;
+} company;
+
+static bool meet(const thud_filter *a, const thud_filter *b) {
+    if (a->group == b->group && a->group != 0) {
+        return a->group > 0;
+    }
+    return (a->mask & b->category) && (b->mask & a->category);
+}
+
+static int number_of(const company *c, thud_shape_id shape) {
+    int i = 0;
+    while (i < BODIES && c->shape[i].index1 != shape.index1) {
+        i++;
+    }
+    return i;
+}
+
+static void expect_meet(company *c, thud_shape_id a, thud_shape_id b, const char *where) {
+    int i = number_of(c, a), k = number_of(c, b);
+    if (i == BODIES || k == BODIES) {
+        return;
+    }
+    c->meetings++;
+    if (!meet(&c->filter[i], &c->filter[k])) {
+        trial_fault(c->t, "%s: %d and %d meet", where, i, k);
+    }
+}
+
+static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *wanted,
+                void *context) {
+    (void)world;
+    (void)wanted;
+    expect_meet(context, contact->shape_a, contact->shape_b, "prologue");
+    return true;
+}
+
+static void tell(thud_world *world, const thud_contact *contact, void *context) {
+    (void)world;
+    expect_meet(context, contact->shape_a, contact->shape_b, "epilogue");
+}
+
+static thud_filter draw_filter(trial *t) {
+    static const thud_filter some[] = {{1, UINT32_MAX, 0},  {2, UINT32_MAX, 0}, {4, 2, 0},
+                                       {1, UINT32_MAX, -1}, {8, 0, 2},          {1, UINT32_MAX, 2}};
+    return some[trial_pick(t, 6)];
+}
+
+static void add_company(trial *t, thud_world *world, company *c) {
+    for (int i = 0; i < BODIES; i++) {
+        thud_shape_def def = thud_default_shape_def();
+        c->filter[i] = def.filter = draw_filter(t);
+        def.sensor = i == BODIES - 1;
+        thud_body_id body = trial_add(t, world,
+                                      (part){.kind = i == 0   ? THUD_STATIC
+                                                     : i == 1 ? THUD_KINEMATIC
+                                                              : THUD_DYNAMIC,
+                                             .form = (form)trial_pick(t, FORMS),
+                                             .x = trial_draw(t, -2, 2),
+                                             .y = trial_draw(t, -2, 2),
+                                             .hx = trial_draw(t, 0.2, 0.6),
+                                             .hy = trial_draw(t, 0.2, 0.6),
+                                             .vx = i ? trial_draw(t, -20, 20) : 0,
+                                             .vy = i ? trial_draw(t, -20, 20) : 0,
+                                             .shape = &def});
+        c->shape[i] = trial_shape(t, world, body);
+    }
+}
+
+/* No callback, event or sensor ever tells of a pair that its filters keep apart. */
+static void filters_keep_apart(trial *t) {
+    company c = {.t = t};
+    thud_world_def def = trial_weightless(t);
+    def.prologue = ask;
+    def.epilogue = tell;
+    def.callback_context = &c;
+    thud_world *world = trial_make(t, def);
+    if (!world) {
+        return;
+    }
+    for (int side = -1; side <= 1; side += 2) {
+        trial_wall(t, world, side * 4.0, 0, 1, 5);
+        trial_wall(t, world, 0, side * 4.0, 5, 1);
+    }
+    add_company(t, world, &c);
+    for (int k = 0; k < 40 && !trial_failed(t); k++) {
+        trial_run(t, world, 1);
+        thud_events e = thud_world_events(world);
+        for (int i = 0; i < e.begin_count; i++) {
+            expect_meet(&c, e.begin[i].shape_a, e.begin[i].shape_b, "begin");
+        }
+        for (int i = 0; i < e.hit_count; i++) {
+            expect_meet(&c, e.hit[i].shape_a, e.hit[i].shape_b, "hit");
+        }
+        for (int i = 0; i < e.sensor_begin_count; i++) {
+            expect_meet(&c, e.sensor_begin[i].shape_a, e.sensor_begin[i].shape_b, "sensor");
+        }
+    }
+}
+
+/* One shot at each of a row of plates: it stops at those that it meets, and flies on through
+ * others as if they were not there. */
+static void filters_decide_who_stops(trial *t) {
+    double speed = 0.3 / t->step;
+    for (int k = 0; k < 6 && !trial_failed(t); k++) {
+        thud_shape_def shot = thud_default_shape_def(), plate = thud_default_shape_def();
+        shot.filter = draw_filter(t);
+        plate.filter = draw_filter(t);
+        bool moves = trial_pick(t, 2);
+        thud_world *world = trial_make(t, trial_weightless(t));
+        if (!world) {
+            return;
+        }
+        trial_add(t, world,
+                  (part){.kind = moves ? THUD_KINEMATIC : THUD_STATIC,
+                         .form = trial_pick(t, 2) ? UPRIGHT : TURNED,
+                         .hx = 0.4,
+                         .hy = 3,
+                         .shape = &plate});
+        thud_body_id body = trial_add(t, world,
+                                      (part){.kind = THUD_DYNAMIC,
+                                             .form = (form)(k % FORMS),
+                                             .x = -2,
+                                             .hx = 0.3,
+                                             .hy = 0.3,
+                                             .vx = speed,
+                                             .shape = &shot});
+        int steps = 20;
+        trial_run(t, world, steps);
+        double x = trial_state(t, world, body).position.x, flown = -2 + speed * t->step * steps;
+        bool stops = meet(&shot.filter, &plate.filter);
+        if (stops ? x > 0 : fabs(x - flown) > 1e-3) {
+            trial_fault(t, "shot %d is at %g, on its own at %g; they %s", k, x, flown,
+                        stops ? "meet" : "do not meet");
+        }
+    }
+}
+
+const guarantee guarantees_of_filters[] = {
+    {"filters_decide_who_stops", filters_decide_who_stops, {{0}}},
+    {"filters_keep_apart", filters_keep_apart, {{0}}},
+    {NULL, NULL, {{0}}},
+};

@@ -1,0 +1,39 @@
+/* guarantee.h: a promise of the headers and READMEs, and how it is tried on any settings. Each has
+ * its row in docs/guarantees.md, which check_table.py holds to these tables. */
+#ifndef GUARANTEE_H
+#define GUARANTEE_H
+
+#include "trial.h"
+
+enum { EXCEPTIONS_MAX = 2 };
+
+/* Values of a dimension for which nothing is promised, as bits. */
+typedef struct exception {
+    int dimension;
+    unsigned values;
+    const char *reason; /* null: no exception */
+} exception;
+
+typedef struct guarantee {
+    const char *name;
+    /* Builds what it needs, runs it, and leaves in the trial what is not as promised. */
+    void (*check)(trial *t);
+    exception except[EXCEPTIONS_MAX];
+} guarantee;
+
+#define BIT(value) (1u << (value))
+#define ALL_BUT(value) (~BIT(value))
+
+/* One table for each file of guarantees; the last of each has no name. */
+extern const guarantee guarantees_of_asking[], guarantees_of_bits[], guarantees_of_bodies[],
+    guarantees_of_callbacks[], guarantees_of_events[], guarantees_of_filters[],
+    guarantees_of_passing[], guarantees_of_refusal[], guarantees_of_rest[], guarantees_of_state[];
+
+enum { GUARANTEES_MAX = 96 };
+
+/* All of them, in the order of the tables; how many. */
+int guarantees_all(const guarantee *out[GUARANTEES_MAX]);
+
+bool guarantee_covers(const guarantee *g, const settings *s);
+
+#endif

@@ -1,0 +1,110 @@
+/* state.c: guarantees of what can be read of a world, and of ground that is edited. */
+#include "guarantee.h"
+#include "yard.h"
+
+/* Poses at 0 and 1 are those of the last two steps; a slot without a body has none. */
+static void poses_are_those_of_two_steps(trial *t) {
+    yard y;
+    thud_pos before[YARD_BODIES];
+    int count = 0;
+    yard_make(&y, t, trial_def(t), 0);
+    for (int k = 0; k < 20 && !trial_failed(t); k++) {
+        for (int i = 0; i < YARD_BODIES; i++) {
+            before[i] = trial_state(t, y.world, y.body[i]).position;
+        }
+        trial_run(t, y.world, 1);
+        for (int i = 0; i < 2 * YARD_BODIES && !trial_failed(t); i++) {
+            thud_body_id body = y.body[i / 2];
+            const thud_pose *poses =
+                thud_world_poses(y.world, (thud_pos){0, 0}, (double)(i % 2), &count);
+            thud_pos at = i % 2 ? trial_state(t, y.world, body).position : before[i / 2];
+            const thud_pose *p = &poses[body.index1 - 1];
+            if (hypot((double)p->x / t->scale - at.x, (double)p->y / t->scale - at.y) > 1e-5) {
+                trial_fault(t, "step %d: body %d is at %g, not %g", k, i / 2,
+                            (double)p->x / t->scale, at.x);
+            }
+        }
+    }
+    DO(t, thud_body_destroy(y.world, y.body[3]));
+    trial_run(t, y.world, 1);
+    const thud_pose *poses = thud_world_poses(y.world, (thud_pos){0, 0}, 1, &count);
+    if (!trial_failed(t) && poses[y.body[3].index1 - 1].x == poses[y.body[3].index1 - 1].x) {
+        trial_fault(t, "a slot without a body has a pose");
+    }
+}
+
+/* Digging wakes who stood there and lets it down; who rests elsewhere sleeps on. */
+static void dug_ground_lets_down_who_stood_there(trial *t) {
+    thud_world *world = trial_make(t, trial_def(t));
+    thud_body_def ground = thud_default_body_def();
+    thud_shape_def plain = thud_default_shape_def();
+    thud_pos points[21];
+    thud_body_id body;
+    thud_shape_id line = {0, 0};
+    if (!world) {
+        return;
+    }
+    for (int i = 0; i <= 20; i++) {
+        points[i] = trial_place(t, i - 10, 0);
+    }
+    DO(t, thud_body_create(world, &ground, &body));
+    DO(t,
+       thud_shape_create_terrain(
+           world, body, &plain,
+           &(thud_terrain){.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 21}, &line));
+    thud_body_id here = trial_drop(t, world, BALL, 0, 0.3, 0.3);
+    thud_body_id there = trial_drop(t, world, UPRIGHT, 6, 0.3, 0.3);
+    trial_run(t, world, trial_steps(t, 1.5));
+    bool slept = !trial_state(t, world, here).awake && !trial_state(t, world, there).awake;
+    DO(t, thud_shape_dig(world, line, trial_place(t, 0, 0.4), 1.5 * t->scale));
+    trial_run(t, world, 2);
+    bool sleeps = !trial_state(t, world, there).awake, woke = trial_state(t, world, here).awake;
+    trial_run(t, world, trial_steps(t, 1));
+    double y = trial_state(t, world, here).position.y;
+    double other = trial_state(t, world, there).position.y;
+    if (slept != settings_sleeping(t->set) || sleeps != slept || !woke || y > -0.4 || y < -1.3 ||
+        fabs(other - 0.3) > 0.02) {
+        trial_fault(t, "slept %d, there %d, woke %d; it fell to %g, the other is at %g", slept,
+                    sleeps, woke, y, other);
+    }
+}
+
+/* What touches a body, as the last step left it, is what stands beside it. */
+static void contacts_of_a_body_are_its_neighbours(trial *t) {
+    thud_world *world = trial_make(t, trial_def(t));
+    thud_manifold m[8];
+    int count = 0;
+    if (!world) {
+        return;
+    }
+    thud_body_id floor = trial_wall(t, world, 0, -1, 5, 1);
+    thud_body_id below = trial_drop(t, world, TURNED, 0, 0.4, 0.4);
+    thud_body_id above = trial_drop(t, world, UPRIGHT, 0, 1.2, 0.4);
+    trial_drop(t, world, BALL, 2, 0.4, 0.4);
+    trial_run(t, world, trial_steps(t, 0.4));
+    DO(t, thud_body_contacts(world, below, m, 8, &count));
+    double borne = 0;
+    for (int i = 0; i < count && i < 8; i++) {
+        bool on_floor = m[i].body_a.index1 == floor.index1;
+        uint32_t other =
+            m[i].body_a.index1 == below.index1 ? m[i].body_b.index1 : m[i].body_a.index1;
+        double up =
+            m[i].body_b.index1 == below.index1 ? (double)m[i].normal.y : -(double)m[i].normal.y;
+        if ((other != floor.index1 && other != above.index1) || (up > 0) != on_floor) {
+            trial_fault(t, "contact %d is with body %u, normal %g up", i, other, up);
+        }
+        borne += on_floor ? (double)(m[i].normal_impulse[0] + m[i].normal_impulse[1]) : 0;
+    }
+    double mass = (double)(trial_state(t, world, below).mass + trial_state(t, world, above).mass);
+    double load = mass * 10 * t->scale * t->step;
+    if (count != 2 || fabs(borne - load) > 0.1 * load) {
+        trial_fault(t, "%d contacts; the floor bears %g of %g", count, borne, load);
+    }
+}
+
+const guarantee guarantees_of_state[] = {
+    {"contacts_of_a_body_are_its_neighbours", contacts_of_a_body_are_its_neighbours, {{0}}},
+    {"dug_ground_lets_down_who_stood_there", dug_ground_lets_down_who_stood_there, {{0}}},
+    {"poses_are_those_of_two_steps", poses_are_those_of_two_steps, {{0}}},
+    {NULL, NULL, {{0}}},
+};

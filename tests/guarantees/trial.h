@@ -1,0 +1,99 @@
+/* trial.h: one guarantee tried on one setting: worlds made by it, in few words, and what was found
+ * wrong. Lengths are in length scales and speeds in length scales a second, unless said otherwise.
+ */
+#ifndef TRIAL_H
+#define TRIAL_H
+
+#include "geometry_random.h"
+#include "settings.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { TRIAL_WORLDS = 6 };
+
+typedef struct trial {
+    const settings *set;
+    source random;
+    double scale; /* the caller's units in a length scale */
+    double step;  /* s */
+    thud_world *world[TRIAL_WORLDS];
+    int worlds;
+    int heard; /* how often the log hook was called, and with what last */
+    thud_result heard_result;
+    char fault[512]; /* the first thing that was wrong; empty: nothing */
+} trial;
+
+void trial_begin(trial *t, const settings *set, uint64_t seed);
+void trial_end(trial *t); /* its worlds go */
+
+/* Keeps what was wrong first. */
+__attribute__((format(printf, 2, 3))) void trial_fault(trial *t, const char *format, ...);
+
+static inline bool trial_failed(const trial *t) {
+    return t->fault[0] != 0;
+}
+
+/* That a call is done, and is refused with this result. */
+#define DO(t, call) trial_expect(t, call, THUD_OK, #call)
+#define REFUSED(t, call, result) trial_refused(t, call, result, #call)
+void trial_expect(trial *t, thud_result got, thud_result wanted, const char *call);
+void trial_refused(trial *t, thud_result got, thud_result wanted, const char *call);
+
+/* ---- worlds ---- */
+
+thud_world_def trial_def(trial *t);
+thud_world_def trial_weightless(trial *t);
+/* Null where it was refused, which is then the trial's fault. */
+thud_world *trial_make(trial *t, thud_world_def def);
+void trial_run(trial *t, thud_world *world, int steps);
+int trial_steps(const trial *t, double seconds);
+
+/* How often all worlds have asked the pool for its threads. */
+long trial_shared_runs(void);
+/* The job system of so many workers, on threads that all trials share. */
+thud_job_system trial_jobs(int workers);
+
+/* ---- bodies ---- */
+
+typedef enum form { BALL, UPRIGHT, TURNED, FORMS } form;
+
+typedef struct part {
+    thud_body_kind kind;
+    form form;
+    double x, y, angle, hx, hy; /* a ball's radius is hx */
+    double vx, vy, spin;
+    const thud_shape_def *shape;     /* null: the default */
+    const thud_detection *detection; /* null: the world's */
+} part;
+
+/* Of one shape. Places are rounded to 2^-20 of the world's inner unit, so that a shift by whole
+ * ones is exact. */
+thud_body_id trial_add(trial *t, thud_world *world, part p);
+/* A dynamic ball or box, and a static box. */
+thud_body_id trial_drop(trial *t, thud_world *world, form kind, double x, double y, double hx);
+thud_body_id trial_wall(trial *t, thud_world *world, double x, double y, double hx, double hy);
+thud_shape_id trial_shape(trial *t, thud_world *world, thud_body_id body); /* its first */
+
+thud_pos trial_place(const trial *t, double x, double y);
+thud_vec2 trial_speed(const trial *t, double x, double y);
+/* The power of two below the length scale: what the world counts in. */
+double trial_unit(const trial *t);
+
+/* A body's state in length scales and length scales a second. */
+thud_body_state trial_state(trial *t, const thud_world *world, thud_body_id body);
+
+/* A body's only shape as geometry, in length scales. */
+thud_shape_instance trial_placed(trial *t, const thud_world *world, thud_body_id body);
+
+static inline double trial_draw(trial *t, double low, double high) {
+    return draw(&t->random, low, high);
+}
+
+static inline int trial_pick(trial *t, int count) {
+    return draw_below(&t->random, count);
+}
+
+#endif

@@ -1,0 +1,218 @@
+/* yard.c: see yard.h. */
+#include "yard.h"
+
+enum { LINE = 7 };
+
+thud_pos yard_origin(const yard *y) {
+    double at = y->away * trial_unit(y->t);
+    return (thud_pos){at, at};
+}
+
+static thud_pos place(const yard *y, double x, double up) {
+    thud_pos at = trial_place(y->t, x, up), origin = yard_origin(y);
+    return (thud_pos){at.x + origin.x, at.y + origin.y};
+}
+
+/* Of kinds by turns; every fifth bounces, every seventh is a sensor. */
+static void add_body(yard *y, int i, double x, double up) {
+    trial *t = y->t;
+    thud_body_def def = thud_default_body_def();
+    thud_shape_def shape = thud_default_shape_def();
+    float hx = (float)(draw(&y->random, 0.2, 0.45) * t->scale);
+    float hy = (float)(draw(&y->random, 0.2, 0.45) * t->scale);
+    def.kind = THUD_DYNAMIC;
+    def.position = place(y, x, up);
+    def.angle = i % 3 == 2 ? draw(&y->random, -1, 1) : 0.0;
+    def.velocity = trial_speed(t, draw(&y->random, -3, 3), draw(&y->random, -3, 3));
+    shape.restitution = i % 5 == 4 ? 0.7f : 0.0f;
+    shape.sensor = i % 7 == 6;
+    DO(t, thud_body_create(y->world, &def, &y->body[i]));
+    if (i % 3 == 0) {
+        DO(t, thud_shape_create_circle(y->world, y->body[i], &shape, (thud_vec2){0, 0}, hx, NULL));
+    } else if (i % 3 == 1) {
+        DO(t, thud_shape_create_aabb(y->world, y->body[i], &shape, (thud_vec2){0, 0},
+                                     (thud_vec2){hx, hy}, NULL));
+    } else {
+        DO(t, thud_shape_create_obb(y->world, y->body[i], &shape, (thud_vec2){hx * 0.2f, 0},
+                                    (thud_vec2){hx, hy}, 0, NULL));
+    }
+}
+
+static void add_box(yard *y, thud_body_id body, double x, double up, double hx, double hy) {
+    thud_shape_def shape = thud_default_shape_def();
+    DO(y->t, thud_shape_create_aabb(y->world, body, &shape, trial_speed(y->t, x, up),
+                                    trial_speed(y->t, hx, hy), NULL));
+}
+
+static void add_floor(yard *y) {
+    thud_body_def def = thud_default_body_def();
+    thud_shape_def shape = thud_default_shape_def();
+    thud_pos points[LINE];
+    def.position = place(y, 0, 0);
+    DO(y->t, thud_body_create(y->world, &def, &y->floor));
+    for (int i = -3; i <= 3; i++) {
+        add_box(y, y->floor, 2.0 * i, -1, 1, 1);
+    }
+    add_box(y, y->floor, -7, 5, 2, 8);
+    add_box(y, y->floor, 7, 5, 2, 8);
+    add_box(y, y->floor, 0, 12, 7, 2);
+    for (int i = 0; i < LINE; i++) {
+        points[i] = trial_place(y->t, i - 3.0, i % 2 ? 0.4 : 0.05);
+    }
+    DO(y->t, thud_body_create(y->world, &def, &y->ground));
+    DO(y->t, thud_shape_create_terrain(
+                 y->world, y->ground, &shape,
+                 &(thud_terrain){.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = LINE},
+                 &y->line));
+}
+
+void yard_make(yard *y, trial *t, thud_world_def def, double away) {
+    *y = (yard){.t = t, .away = away, .random = {t->random.state ^ 0x5deece66du}};
+    y->world = trial_make(t, def);
+    if (!y->world) {
+        return;
+    }
+    add_floor(y);
+    for (int i = 0; i < YARD_BODIES; i++) {
+        add_body(y, i, i % 4 * 2.2 - 3.5, 1.6 + i / 4 * 1.8);
+    }
+    thud_body_def plate = thud_default_body_def();
+    plate.kind = THUD_KINEMATIC;
+    plate.position = place(y, 0, 4);
+    DO(t, thud_body_create(y->world, &plate, &y->plate));
+    add_box(y, y->plate, 0, 0, 1, 0.2);
+}
+
+/* Of what is read back as a double, the last bits depend on how far away the yard is. */
+static thud_pos coarse(const yard *y, thud_pos at) {
+    thud_pos origin = yard_origin(y);
+    double scale = y->t->scale;
+    return place(y, round((at.x - origin.x) / scale * 64) / 64,
+                 round((at.y - origin.y) / scale * 64) / 64);
+}
+
+static void edit_body(yard *y, int what, thud_body_id body) {
+    double x = draw(&y->random, -3, 3), up = draw(&y->random, 1.5, 8);
+    thud_vec2 speed = trial_speed(y->t, draw(&y->random, -4, 4), draw(&y->random, -4, 4));
+    thud_body_state state = {.mass = 0};
+    DO(y->t, thud_body_get(y->world, body, &state));
+    switch (what) {
+    case 0:
+        DO(y->t, thud_body_set_transform(y->world, body, place(y, x, up), 0));
+        break;
+    case 1:
+        DO(y->t, thud_body_set_velocity(y->world, body, speed, 2));
+        break;
+    case 2:
+        speed.x *= state.mass;
+        speed.y *= state.mass;
+        DO(y->t, thud_body_apply_impulse(y->world, body, speed, coarse(y, state.center)));
+        break;
+    case 3:
+        DO(y->t, thud_body_set_enabled(y->world, body, !state.enabled));
+        break;
+    default:
+        DO(y->t, thud_body_set_awake(y->world, body, !state.awake));
+    }
+}
+
+void yard_edit(yard *y) {
+    int i = draw_below(&y->random, YARD_BODIES), what = draw_below(&y->random, 40);
+    double x = draw(&y->random, -2.5, 2.5);
+    if (what < 5) {
+        edit_body(y, what, y->body[i]);
+    } else if (what == 5) {
+        DO(y->t, thud_body_destroy(y->world, y->body[i]));
+        add_body(y, i, x, 6);
+    } else if (what == 6) {
+        DO(y->t, thud_shape_dig(y->world, y->line, place(y, x, 0.4), (float)(0.4 * y->t->scale)));
+    } else if (what == 7) {
+        DO(y->t, thud_shape_raise(y->world, y->line, place(y, x, 0).x, 0.6 * y->t->scale,
+                                  0.2 * y->t->scale));
+    }
+}
+
+void yard_before_step(yard *y) {
+    int period = trial_steps(y->t, 1.0);
+    if (y->steps++ % period == 0) {
+        double side = y->steps / period % 2 ? 1.0 : -1.0;
+        DO(y->t, thud_body_set_velocity(y->world, y->plate, trial_speed(y->t, side, 0), 0));
+    }
+    yard_edit(y);
+}
+
+void yard_step(yard *y) {
+    if (!trial_failed(y->t)) {
+        yard_before_step(y);
+        DO(y->t, thud_world_step(y->world));
+    }
+}
+
+/* ---- what it tells ---- */
+
+void yard_mix(uint64_t *digest, const void *bytes, size_t count) {
+    const unsigned char *at = bytes;
+    for (size_t i = 0; i < count; i++) {
+        *digest = (*digest ^ at[i]) * 0x100000001b3u;
+    }
+}
+
+#define MIX(value) yard_mix(&digest, &(value), sizeof(value))
+
+static uint64_t mix_pairs(uint64_t digest, const thud_contact_event *pairs, int count) {
+    MIX(count);
+    for (int i = 0; i < count; i++) {
+        MIX(pairs[i].shape_a.index1);
+        MIX(pairs[i].shape_b.index1);
+    }
+    return digest;
+}
+
+static uint64_t mix_events(uint64_t digest, const thud_world *world) {
+    thud_events e = thud_world_events(world);
+    digest = mix_pairs(digest, e.begin, e.begin_count);
+    digest = mix_pairs(digest, e.end, e.end_count);
+    digest = mix_pairs(digest, e.sensor_begin, e.sensor_begin_count);
+    digest = mix_pairs(digest, e.sensor_end, e.sensor_end_count);
+    for (int i = 0; i < e.hit_count; i++) {
+        MIX(e.hit[i].shape_a.index1);
+        MIX(e.hit[i].shape_b.index1);
+        MIX(e.hit[i].normal);
+        MIX(e.hit[i].speed);
+    }
+    return digest;
+}
+
+static uint64_t mix_report(uint64_t digest, const thud_world *world) {
+    thud_step_error error = thud_world_error(world);
+    thud_stats s = thud_world_stats(world);
+    const int64_t counts[] = {s.bodies,      s.shapes,   s.awake_bodies,   s.pairs,
+                              s.contacts,    s.substeps, s.direct_islands, s.factorings,
+                              s.island_work, s.impacts,  s.held_bodies,    s.motion_pairs};
+    MIX(error.penetration_max);
+    MIX(error.penetration_mean);
+    MIX(error.residual);
+    MIX(error.overlaps);
+    MIX(counts);
+    return digest;
+}
+
+uint64_t yard_told(const yard *y) {
+    uint64_t digest = 0xcbf29ce484222325u;
+    int count = 0;
+    const thud_pose *poses = thud_world_poses(y->world, yard_origin(y), 1.0, &count);
+    for (int i = 0; i < count; i++) {
+        if (poses[i].x == poses[i].x) { /* else no body has the slot */
+            MIX(poses[i]);
+        }
+    }
+    for (int i = 0; i < YARD_BODIES; i++) {
+        thud_body_state s = {.mass = 0};
+        if (thud_body_get(y->world, y->body[i], &s) == THUD_OK) {
+            MIX(s.velocity);
+            MIX(s.angular_velocity);
+            MIX(s.awake);
+        }
+    }
+    return mix_report(mix_events(digest, y->world), y->world);
+}
