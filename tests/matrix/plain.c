@@ -18,7 +18,8 @@ static void pass_word(tape *t, uint64_t *word) {
         return;
     }
     char text[32] = "";
-    t->failed = t->failed || fscanf(t->file, "%31s", text) != 1 || strlen(text) != 16;
+    t->failed = t->failed || fscanf(t->file, "%31s", text) != 1 || strlen(text) != 16 ||
+                strspn(text, "0123456789abcdef") != 16;
     *word = t->failed ? 0 : strtoull(text, NULL, 16);
 }
 
