@@ -101,7 +101,11 @@ matrix_build() {
     chosen=
     case $compiler in
         gcc | clang) chosen=-DCMAKE_C_COMPILER=$(matrix_compiler "$compiler") ;;
-        emcc) configure="emcmake cmake" ;;
+        emcc)
+            # As web/tools/build-wasm.sh has it.
+            [ ! -d /usr/share/nodejs ] || export NODE_PATH=/usr/share/nodejs
+            configure="emcmake cmake"
+            ;;
         *) chosen=-DCMAKE_TOOLCHAIN_FILE=$root/$MATRIX/toolchains/$compiler.cmake ;;
     esac
     directory=build/matrix/$1
@@ -183,7 +187,7 @@ matrix_refused() {
             continue
         total=$((total + 1))
         # shellcheck disable=SC2086
-        if ! words=$($compiler ${1#* } -std=c17 -fsyntax-only -DTD_ISA=base -Iengine/include \
+        if ! words=$($compiler ${1#* } -std=c17 -fsyntax-only -Wfatal-errors -DTD_ISA=base -Iengine/include \
             -Iengine/src "$source" 2>&1); then
             case $words in
                 *'error'*'thud needs'*) refused=$((refused + 1)) ;;
@@ -263,8 +267,10 @@ matrix() {
             ;;
     esac
     check_matrix_options "$@"
-    rm -rf build/matrix/rows
     mkdir -p build/matrix/rows
+    for row in $matrix_rows; do
+        rm -rf "build/matrix/rows/$row"
+    done
     matrix_built=
     engine_flags=
     verb_rows=$matrix_rows
