@@ -187,8 +187,8 @@ matrix_refused() {
             continue
         total=$((total + 1))
         # shellcheck disable=SC2086
-        if ! words=$($compiler ${1#* } -std=c17 -fsyntax-only -Wfatal-errors -DTD_ISA=base -Iengine/include \
-            -Iengine/src "$source" 2>&1); then
+        if ! words=$($compiler ${1#* } -std=c17 -fsyntax-only -Wfatal-errors -DTD_ISA=base \
+            -Iengine/include -Iengine/src "$source" 2>&1); then
             case $words in
                 *'error'*'thud needs'*) refused=$((refused + 1)) ;;
             esac
@@ -211,7 +211,7 @@ matrix_row() {
     plain="--plain $given/levels"
     case $(matrix_field rows "$1" 3) in
         'native plain') plain="--no-scenes --plain $given/$length.plain" ;;
-        native*)
+        native | 'native baseline')
             # shellcheck disable=SC2046
             matrix_run "$1" --make-plain "$folder/levels" $(matrix_levels) || return 1
             plain="--plain $folder/levels"
