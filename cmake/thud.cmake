@@ -19,11 +19,14 @@ if(NOT THUD_ROUNDS AND NOT CMAKE_C_FLAGS MATCHES "-mno-sse|-mfpmath=387")
     unset(CMAKE_REQUIRED_FLAGS)
 endif()
 
-# What every target of the project is held to. Nothing may be fused into one rounding: the same
-# source gives the same bits with every compiler and every SIMD width, scenes included. A switch over
+# What every target of the project is held to. Nothing may be fused into one rounding, nor sums be
+# put in another order where the whole project is compiled with -Ofast: the same source gives the
+# same bits with every compiler and every SIMD width, scenes included. -fno-fast-math comes first,
+# since it sets what other flags refine. A switch over
 # an enum names every value of it, `default` or not, so that a new value is looked at everywhere.
 function(thud_common_flags target)
-    target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wswitch-enum -ffp-contract=off
+    target_compile_options(${target} PRIVATE -fno-fast-math -Wall -Wextra -Wshadow -Wswitch-enum
+        -ffp-contract=off
         ${THUD_ROUNDING_FLAGS})
     if(THUD_WERROR)
         target_compile_options(${target} PRIVATE -Werror)

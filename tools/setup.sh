@@ -79,6 +79,43 @@ need_bench_report() {
     need_bench_wasm
 }
 
+# need_matrix: what the rows in `verb_rows` need; matrix_tools tells each compiler and runner.
+need_matrix() {
+    need_native
+    need "Python 3" python3 have python3
+    for tool in $(for row in $verb_rows; do matrix_tools "$row"; done | tr ' ' '\n' | sort -u); do
+        case $tool in
+            clang | *-clang) need "clang" "clang-16|clang" have_any clang-16 clang ;;
+            emcc) need_demo ;;
+            qemu-*) need "emulators of processors" qemu-user-static have "$tool-static" ;;
+            wine)
+                need "Wine" wine have wine
+                need "Wine for programs of 64 bits" wine64 have_wine64
+                ;;
+            chromium) need "Chromium" "chromium|chromium-browser" \
+                have_any chromium chromium-browser google-chrome ;;
+            firefox) need "Firefox" "firefox-esr|firefox" have_any firefox-esr firefox ;;
+        esac
+        case $tool in
+            i686) need_cross i686 i386 ;;
+            aarch64 | aarch64-clang) need_cross aarch64 arm64 ;;
+            riscv64 | s390x) need_cross "$tool" "$tool" ;;
+            windows | windows-clang) need "a compiler for Windows" gcc-mingw-w64-x86-64 \
+                have x86_64-w64-mingw32-gcc ;;
+        esac
+    done
+}
+
+# need_cross PROCESSOR DEBIAN-NAME: gcc for another processor, with its C library.
+need_cross() {
+    need "gcc for $1" "gcc-$1-linux-gnu" have "$1-linux-gnu-gcc"
+    need "the C library for $1" "libc6-dev-$2-cross" test -f "/usr/$1-linux-gnu/include/stdio.h"
+}
+
+have_wine64() {
+    have wine64 || [ -x /usr/lib/wine/wine64 ]
+}
+
 need_test() {
     need_play
     need_demo

@@ -56,8 +56,8 @@ THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, 
  *
  * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID, with the reason in the
  * log, for bytes that are cut short, damaged, no snapshot, or of another version or build of thud
- * (snapshots are for the same version, word size and byte order), and for a world whose def has
- * another of the settings above; THUD_ERROR_MEMORY. In each case the world is as it was.
+ * (snapshots are for the same version, word size, byte order and alignment), and for a world whose
+ * def has another of the settings above; THUD_ERROR_MEMORY. In each case the world is as it was.
  *
  * Damage is found by a checksum over all bytes: a change within one word of 8 bytes for certain,
  * any other but for one in 2^64. Sizes and counts are checked as well, so that restoring writes

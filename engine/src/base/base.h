@@ -16,6 +16,14 @@
 -msse2 -mfpmath=sse (the x87 cannot), s390x with -fexcess-precision=fast"
 #endif
 
+/* Nor may a compiler put sums in another order, take reciprocals or forget not-a-number. The flags
+ * of thud_engine_flags see to it; whoever compiles the files with others is told. */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "thud needs exact arithmetic: compile the engine with -fno-fast-math after -Ofast, \
+-ffast-math and their parts; programs that call it may have them"
+#endif
+
 /* The wide files are compiled once more for AVX2; but not by gcc for Windows, which keeps vectors
  * of 32 bytes on a stack that is aligned to 16. See thud_wide_sources. */
 #if defined(__x86_64__) && (defined(__clang__) || !defined(_WIN32))

@@ -1,0 +1,176 @@
+/* plain.c: every value of a scene that a world is built from, in the one order in which it is
+ * written and read. */
+#include "plain.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct tape {
+    FILE *file;
+    bool writes, failed;
+} tape;
+
+/* A word of 16 hexadecimal digits. */
+static void pass_word(tape *t, uint64_t *word) {
+    if (t->writes) {
+        t->failed = t->failed || fprintf(t->file, "%016" PRIx64 "\n", *word) < 0;
+        return;
+    }
+    char text[32] = "";
+    t->failed = t->failed || fscanf(t->file, "%31s", text) != 1 || strlen(text) != 16 ||
+                strspn(text, "0123456789abcdef") != 16;
+    *word = t->failed ? 0 : strtoull(text, NULL, 16);
+}
+
+static void pass_double(tape *t, double *value) {
+    uint64_t word;
+    memcpy(&word, value, sizeof word);
+    pass_word(t, &word);
+    memcpy(value, &word, sizeof word);
+}
+
+static void pass_doubles(tape *t, double *const *values, int count) {
+    for (int i = 0; i < count; i++)
+        pass_double(t, values[i]);
+}
+
+static void pass_u32(tape *t, uint32_t *value) {
+    uint64_t word = *value;
+    pass_word(t, &word);
+    *value = (uint32_t)word;
+}
+
+static void pass_int(tape *t, int *value) {
+    uint32_t word = (uint32_t)*value;
+    pass_u32(t, &word);
+    *value = (int)word;
+}
+
+static void pass_bool(tape *t, bool *value) {
+    uint32_t word = *value;
+    pass_u32(t, &word);
+    *value = word != 0;
+}
+
+static void pass_body(tape *t, scene_body *b) {
+    double *const values[] = {&b->x,
+                              &b->y,
+                              &b->angle,
+                              &b->vx,
+                              &b->vy,
+                              &b->angular_velocity,
+                              &b->gravity_scale,
+                              &b->linear_damping,
+                              &b->angular_damping};
+    int kind = (int)b->kind, detection = (int)b->detection;
+    pass_int(t, &kind);
+    pass_doubles(t, values, sizeof values / sizeof *values);
+    pass_bool(t, &b->fixed_rotation);
+    pass_bool(t, &b->may_sleep);
+    pass_int(t, &detection);
+    pass_u32(t, &b->id);
+    pass_int(t, &b->first_shape);
+    pass_int(t, &b->shape_count);
+    b->kind = (scene_body_kind)kind;
+    b->detection = (scene_detection)detection;
+}
+
+static void pass_shape(tape *t, scene_shape *s) {
+    double *const values[] = {&s->x,
+                              &s->y,
+                              &s->hx,
+                              &s->hy,
+                              &s->angle,
+                              &s->slope,
+                              &s->spacing,
+                              &s->material.density,
+                              &s->material.friction,
+                              &s->material.restitution};
+    int kind = (int)s->kind, group = s->group;
+    pass_int(t, &kind);
+    pass_doubles(t, values, sizeof values / sizeof *values);
+    pass_int(t, &s->first_point);
+    pass_int(t, &s->point_count);
+    pass_bool(t, &s->sensor);
+    pass_u32(t, &s->category);
+    pass_u32(t, &s->mask);
+    pass_int(t, &group);
+    s->kind = (scene_shape_kind)kind;
+    s->group = group;
+}
+
+/* Room for what the counts say; a file that lies about them is short of words anyway. */
+static void make_room(tape *t, scene *s) {
+    const int most = 1 << 20;
+    bool fits = s->body_count >= 0 && s->body_count <= most && s->shape_count >= 0 &&
+                s->shape_count <= most && s->point_count >= 0 && s->point_count <= most;
+    t->failed = t->failed || !fits;
+    if (t->failed) {
+        s->body_count = s->shape_count = s->point_count = 0;
+        return;
+    }
+    s->bodies = calloc((size_t)s->body_count + 1, sizeof *s->bodies);
+    s->shapes = calloc((size_t)s->shape_count + 1, sizeof *s->shapes);
+    s->points = calloc((size_t)s->point_count + 1, sizeof *s->points);
+    s->body_capacity = s->body_count;
+    s->shape_capacity = s->shape_count;
+    s->point_capacity = s->point_count;
+    t->failed = !s->bodies || !s->shapes || !s->points;
+}
+
+static void pass_scene(tape *t, scene *s) {
+    double *const values[] = {&s->gravity_x, &s->gravity_y, &s->length_scale};
+    pass_doubles(t, values, sizeof values / sizeof *values);
+    pass_int(t, &s->body_count);
+    pass_int(t, &s->shape_count);
+    pass_int(t, &s->point_count);
+    if (!t->writes)
+        make_room(t, s);
+    for (int i = 0; i < s->body_count && !t->failed; i++)
+        pass_body(t, &s->bodies[i]);
+    for (int i = 0; i < s->shape_count && !t->failed; i++)
+        pass_shape(t, &s->shapes[i]);
+    for (int i = 0; i < s->point_count && !t->failed; i++) {
+        pass_double(t, &s->points[i].x);
+        pass_double(t, &s->points[i].y);
+    }
+}
+
+bool plain_write(FILE *file, const plain_title *title, scene *s) {
+    tape t = {.file = file, .writes = true};
+    t.failed = fprintf(file, "%s %s\n", title->kind, title->name) < 0;
+    pass_scene(&t, s);
+    return !t.failed;
+}
+
+/* Whether all that bodies and shapes say of places in other lists is there. */
+static bool consistent(const scene *s) {
+    bool fits = true;
+    for (int i = 0; i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        fits = fits && b->first_shape >= 0 && b->shape_count >= 0 &&
+               b->shape_count <= s->shape_count - b->first_shape;
+    }
+    for (int i = 0; i < s->shape_count; i++) {
+        const scene_shape *shape = &s->shapes[i];
+        fits = fits && shape->first_point >= 0 && shape->point_count >= 0 &&
+               shape->point_count <= s->point_count - shape->first_point;
+    }
+    return fits;
+}
+
+bool plain_read(FILE *file, plain_title *title, scene *s, bool *damaged) {
+    scene_init(s);
+    *damaged = false;
+    if (fscanf(file, "%15s", title->kind) != 1)
+        return false;
+    tape t = {.file = file};
+    t.failed = fscanf(file, "%63s", title->name) != 1;
+    pass_scene(&t, s);
+    if (t.failed || !consistent(s)) {
+        *damaged = true;
+        scene_free(s);
+    }
+    return !*damaged;
+}

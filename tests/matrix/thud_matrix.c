@@ -1,0 +1,246 @@
+/* thud_matrix.c: what every row of ./run matrix runs, so that their lines can be compared. */
+#include "build_thud.h"
+#include "choices.h"
+#include "options.h"
+#include "plain.h"
+#include "scenes.h"
+
+#ifdef MATRIX_READS_LEVELS
+#include "level.h"
+#endif
+
+#include <thud/thud.h>
+#include <thud/thud_snapshot.h>
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A run of this program. */
+typedef struct matrix {
+    matrix_options options;
+    FILE *snapshots;  /* written or read; null: neither */
+    FILE *kept;       /* gets the scenes that are run; or null */
+    char reason[200]; /* why the engine refused something last */
+} matrix;
+
+static void keep_reason(thud_result result, const char *message, void *context) {
+    (void)result;
+    matrix *m = context;
+    snprintf(m->reason, sizeof m->reason, "%s", message);
+}
+
+/* Systems that a kind of run has instead of the default ones; a null detection is the quality's
+ * own. */
+typedef struct setting {
+    const char *kind;
+    const thud_quality *quality;
+    const thud_detection *detection;
+    const thud_broadphase *broadphase;
+} setting;
+
+static const setting SETTINGS[] = {{"exact", &thud_quality_exact, NULL, &thud_broadphase_all},
+                                   {"swept", &thud_quality_high, &thud_detection_swept,
+                                    &thud_broadphase_sweep}};
+enum { SETTING_COUNT = sizeof SETTINGS / sizeof *SETTINGS };
+
+static thud_world *build(matrix *m, const scene *s, const char *kind) {
+    thud_world_def def = thud_default_world_def();
+    for (int i = 0; i < SETTING_COUNT; i++) {
+        if (strcmp(kind, SETTINGS[i].kind) == 0) {
+            def.quality = SETTINGS[i].quality;
+            def.detection = SETTINGS[i].detection;
+            def.broadphase = SETTINGS[i].broadphase;
+        }
+    }
+    def.baseline_simd = m->options.baseline;
+    def.log = keep_reason;
+    def.log_context = m;
+    thud_world *world;
+    return scene_build_thud(s, &def, &world, NULL, NULL) == THUD_OK ? world : NULL;
+}
+
+static bool make_steps(thud_world *world, int count) {
+    for (int i = 0; i < count; i++)
+        if (thud_world_step(world) != THUD_OK)
+            return false;
+    return true;
+}
+
+/* ---- a file of snapshots: for each 8 bytes that tell its size, lowest first, then its own ---- */
+
+static bool take(matrix *m, const thud_world *world) {
+    size_t size;
+    if (thud_world_snapshot_size(world, &size) != THUD_OK)
+        return false;
+    unsigned char *bytes = malloc(size), head[8];
+    bool taken = bytes && thud_world_snapshot(world, bytes, size, NULL) == THUD_OK;
+    for (int i = 0; i < 8; i++)
+        head[i] = (unsigned char)((uint64_t)size >> 8 * i);
+    taken = taken && fwrite(head, 1, 8, m->snapshots) == 8 &&
+            fwrite(bytes, 1, size, m->snapshots) == size;
+    free(bytes);
+    return taken;
+}
+
+/* The next snapshot, from malloc; null where there is none. */
+static void *next_snapshot(matrix *m, size_t *size) {
+    unsigned char head[8];
+    uint64_t count = 0;
+    if (fread(head, 1, 8, m->snapshots) != 8)
+        return NULL;
+    for (int i = 0; i < 8; i++)
+        count |= (uint64_t)head[i] << 8 * i;
+    *size = (size_t)count;
+    unsigned char *bytes = count < 1u << 30 ? malloc(*size + 1) : NULL;
+    if (bytes && fread(bytes, 1, *size, m->snapshots) == *size)
+        return bytes;
+    free(bytes);
+    return NULL;
+}
+
+/* ---- one line ---- */
+
+static bool run_through(matrix *m, thud_world *world) {
+    int half = m->options.steps / 2;
+    return make_steps(world, half) && (!m->snapshots || take(m, world)) && make_steps(world, half);
+}
+
+/* False where the snapshot is refused. */
+static bool run_on(matrix *m, thud_world *world) {
+    size_t size;
+    void *bytes = next_snapshot(m, &size);
+    if (!bytes)
+        snprintf(m->reason, sizeof m->reason, "the file of snapshots ends too early");
+    bool restored = bytes && thud_world_restore(world, bytes, size) == THUD_OK;
+    free(bytes);
+    return restored && make_steps(world, m->options.steps / 2);
+}
+
+static void print_run(matrix *m, const plain_title *title, scene *s) {
+    m->reason[0] = 0;
+    thud_world *world = build(m, s, title->kind);
+    bool done = world && (m->options.go_on ? run_on(m, world) : run_through(m, world));
+    if (m->kept && !plain_write(m->kept, title, s)) {
+        snprintf(m->reason, sizeof m->reason, "its plain form could not be written");
+        done = false;
+    }
+    printf("%s %s ", title->kind, title->name);
+    if (done)
+        printf("%016" PRIx64 "\n", thud_world_hash(world));
+    else
+        printf("refused: %s\n", m->reason);
+    fflush(stdout);
+    thud_world_destroy(world);
+}
+
+/* ---- all lines ---- */
+
+/* As tests/scenes/test_golden.c has it, so that its file has the hashes. */
+enum { LARGE = 1000, SIZE_OF_LARGE = 600 };
+enum { MOST_BODIES_OF_COSTLY = 120 };
+
+/* The scene at its golden size; where it has too many bodies, at half of it, and so on. */
+static bool fill(const matrix *m, const scene_info *info, bool costly, scene *s) {
+    int size = info->default_size > LARGE ? SIZE_OF_LARGE : info->default_size;
+    int most = m->options.bodies;
+    if (costly && most > MOST_BODIES_OF_COSTLY)
+        most = MOST_BODIES_OF_COSTLY;
+    while (scenes_fill(info, size, s)) {
+        if (s->body_count <= most || size / 2 < info->min_size)
+            return true;
+        scene_free(s);
+        size /= 2;
+    }
+    return false;
+}
+
+static void print_scenes(matrix *m, const char *kind, bool costly) {
+    for (int i = 0; i < scenes_count(); i++) {
+        plain_title title;
+        scene s;
+        snprintf(title.kind, sizeof title.kind, "%s", kind);
+        snprintf(title.name, sizeof title.name, "%s", scenes_at(i)->name);
+        if (fill(m, scenes_at(i), costly, &s)) {
+            print_run(m, &title, &s);
+            scene_free(&s);
+        } else {
+            printf("%s %s refused: it cannot be filled\n", kind, title.name);
+        }
+    }
+}
+
+/* False after a message. */
+static bool print_plain(matrix *m) {
+    FILE *file = m->options.plain ? fopen(m->options.plain, "rb") : NULL;
+    bool damaged = m->options.plain && !file;
+    plain_title title;
+    scene s;
+    while (file && plain_read(file, &title, &s, &damaged)) {
+        print_run(m, &title, &s);
+        scene_free(&s);
+    }
+    if (file)
+        fclose(file);
+    if (damaged)
+        fprintf(stderr, "thud-matrix: %s has no scenes in plain form\n", m->options.plain);
+    return !damaged;
+}
+
+/* Writes the levels that are named in plain form. */
+static bool make_plain(const matrix_options *options) {
+#ifdef MATRIX_READS_LEVELS
+    FILE *file = fopen(options->make_plain, "wb");
+    bool made = file != NULL;
+    for (int i = 0; i < options->source_count && made; i++) {
+        const char *path = options->sources[i], *slash = strrchr(path, '/');
+        plain_title title = {.kind = "level"};
+        snprintf(title.name, sizeof title.name, "%s", slash ? slash + 1 : path);
+        scene s;
+        level_report report;
+        made = level_read_file(path, true, &s, &report) && plain_write(file, &title, &s);
+        if (!made)
+            fprintf(stderr, "thud-matrix: %s cannot be read or written\n", path);
+        level_report_free(&report);
+        scene_free(&s);
+    }
+    return file && fclose(file) == 0 && made;
+#else
+    fprintf(stderr, "thud-matrix: built without the reader of levels: %s\n", options->make_plain);
+    return false;
+#endif
+}
+
+/* True where nothing is asked for, and where it opened; else false after a message. */
+static bool open_file(const char *path, const char *mode, FILE **out) {
+    *out = path ? fopen(path, mode) : NULL;
+    if (!path || *out)
+        return true;
+    fprintf(stderr, "thud-matrix: %s cannot be opened\n", path);
+    return false;
+}
+
+static bool close_file(FILE *file) {
+    return !file || fclose(file) == 0;
+}
+
+int main(int count, char **words) {
+    matrix m = {0};
+    if (!matrix_options_parse(count, words, &m.options))
+        return 2;
+    const matrix_options *o = &m.options;
+    if (o->make_plain)
+        return make_plain(o) ? 0 : 1;
+    if (!open_file(o->go_on ? o->go_on : o->take, o->go_on ? "rb" : "wb", &m.snapshots) ||
+        !open_file(o->keep, "wb", &m.kept))
+        return 1;
+    if (!o->no_scenes) {
+        print_scenes(&m, "scene", false);
+        for (int i = 0; i < SETTING_COUNT; i++)
+            print_scenes(&m, SETTINGS[i].kind, true);
+    }
+    bool done = print_plain(&m);
+    done = close_file(m.kept) && done;
+    done = close_file(m.snapshots) && done;
+    return done ? 0 : 1;
+}
