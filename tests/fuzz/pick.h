@@ -141,9 +141,9 @@ static inline thud_terrain pick_line(fuzz_session *s, thud_pos points[PICK_POINT
     line.points = points;
     line.count = 2 + next_choice(&s->bytes, PICK_POINTS - 1);
     double x = line.x0;
-    for (int i = 0; i < line.count; i++) {
-        points[i] = (thud_pos){x, pick_coordinate(s) * 0.25};
-        x += (double)pick_size(s);
+    for (int i = 0; i < PICK_POINTS; i++) {
+        points[i] = (thud_pos){x, i < line.count ? pick_coordinate(s) * 0.25 : 0};
+        x += i < line.count ? (double)pick_size(s) : 1;
     }
     if (s->bytes.hostile && next_chance(&s->bytes, 16)) {
         line.count = next_count(&s->bytes, PICK_POINTS);
