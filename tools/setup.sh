@@ -95,6 +95,7 @@ need_fuzz() {
 }
 
 need_test() {
+    [ "${full:-no}" = no ] || need_fuzz
     need_play
     need_demo
     need "clang-format 16" clang-format-16 have clang-format-16

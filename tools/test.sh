@@ -20,8 +20,9 @@ Builds and tests everything, or only the parts that are named:
   page        the page in Chromium and Firefox
   baseline    the comparison with Box2D
 
-  --full      gives every pair of shapes 10^6 random cases instead of hundreds to thousands, a
-              quarter of an hour more; belongs to native
+  --full      gives every pair of shapes 10^6 random cases instead of hundreds to thousands, and
+              runs the tests under clang's memory sanitizer, those of threads and the kept inputs
+              of ./run fuzz under its thread sanitizer, half an hour more; belongs to native
 
 Two lanes run side by side: wasm and page, which often wait, and all others, which give way to
 them. What a part prints is in build/test/PART.log and shown as it ends.
@@ -57,7 +58,41 @@ check_test_options() {
 test_native() {
     build release --preset release -DTHUD_WERROR=ON
     ctest --preset release --parallel "$jobs"
-    [ "$full" = no ] || test_all_cases
+    [ "$full" = no ] || {
+        test_all_cases
+        test_memory
+        test_threads
+    }
+}
+
+# What clang's memory and thread sanitizers look at: nothing that uses a library but cmocka and libc's,
+# which they would have to be part of. Replays are the kept inputs of ./run fuzz.
+MEMORY_TESTS="test_determinism test_error test_event_ledger test_failing_memory test_float_mode
+    test_islands_bits test_query test_rods test_snapshot test_snapshot_random test_workers
+    test_wrong_input"
+THREADS_TESTS="test_determinism test_error test_float_mode test_islands_bits test_rods test_workers"
+
+# test_under PRESET TARGET...: the kept inputs of two targets, and these tests.
+test_under() {
+    preset=$1
+    shift
+    cmake -B "build/$preset" --preset "$preset" -DTHUD_WERROR=ON
+    cmake --build "build/$preset" --parallel "$jobs" --target replay-calls replay-snapshots "$@"
+    FUZZ_THREADS=1 ctest --test-dir "build/$preset" --no-tests=error --output-on-failure \
+        --timeout 1800 --parallel "$jobs" \
+        --tests-regex "^($(echo fuzz_calls fuzz_snapshots "$@" | tr ' ' '|'))\$"
+}
+
+# The lists are split into their words on purpose.
+# shellcheck disable=SC2086
+test_memory() {
+    test_under memory $MEMORY_TESTS
+}
+
+# Each kept input with a pool of three threads.
+# shellcheck disable=SC2086
+test_threads() {
+    test_under threads $THREADS_TESTS
 }
 
 # A quarter of an hour on two processors.
