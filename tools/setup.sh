@@ -116,7 +116,23 @@ have_wine64() {
     have wine64 || [ -x /usr/lib/wine/wine64 ]
 }
 
+# Of the version that the preset fuzz names, so that kept inputs mean the same everywhere.
+links_fuzzer() {
+    echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return d && n > 9; }' |
+        clang-16 -fsanitize=fuzzer,address,undefined -x c - -o /dev/null
+}
+
+need_fuzz() {
+    need_native
+    need_demo
+    need "clang 16" clang-16 have clang-16
+    need "libFuzzer and the sanitizers of clang 16" libclang-rt-16-dev links_fuzzer
+    need "cmocka's headers" libcmocka-dev has_header cmocka.h
+    need "Python 3" python3 have python3
+}
+
 need_test() {
+    [ "${full:-no}" = no ] || need_fuzz
     need_play
     need_demo
     need "clang-format 16" clang-format-16 have clang-format-16

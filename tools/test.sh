@@ -22,7 +22,9 @@ Builds and tests everything, or only the parts that are named:
 
   --full      gives every pair of shapes 10^6 random cases instead of hundreds to thousands, and
               tries each guarantee (docs/guarantees.md) on every combination of settings instead
-              of some twenty, half an hour more; belongs to native
+              of some twenty, runs the tests under clang's memory sanitizer, and those of threads
+              and the kept inputs of ./run fuzz under its thread sanitizer, an hour more; belongs
+              to native
 
 Two lanes run side by side: wasm and page, which often wait, and all others, which give way to
 them. What a part prints is in build/test/PART.log and shown as it ends.
@@ -58,7 +60,43 @@ check_test_options() {
 test_native() {
     build release --preset release -DTHUD_WERROR=ON
     ctest --preset release --parallel "$jobs"
-    [ "$full" = no ] || test_all_cases
+    [ "$full" = no ] || {
+        test_all_cases
+        test_memory
+        test_threads
+    }
+}
+
+# What clang's memory and thread sanitizers look at: nothing that uses a library but cmocka and libc's,
+# which they would have to be part of. Replays are the kept inputs of ./run fuzz.
+MEMORY_TESTS="test_determinism test_error test_event_ledger test_failing_memory test_float_mode
+    test_islands_bits test_query test_rods test_snapshot test_snapshot_random test_workers
+    test_wrong_input"
+# test_workers is missing: worlds of many bodies have what is left of the thread sanitizer's findings,
+# slot 0, which stands for all that does not move, and which every worker writes back as it was.
+THREADS_TESTS="test_error test_islands_bits test_rods"
+
+# test_under PRESET TARGET...: the kept inputs of two targets, and these tests.
+test_under() {
+    preset=$1
+    shift
+    cmake -B "build/$preset" --preset "$preset" -DTHUD_WERROR=ON
+    cmake --build "build/$preset" --parallel "$jobs" --target replay-calls replay-snapshots "$@"
+    FUZZ_THREADS=1 ctest --test-dir "build/$preset" --no-tests=error --output-on-failure \
+        --timeout 1800 --parallel "$jobs" \
+        --tests-regex "^($(echo fuzz_calls fuzz_snapshots "$@" | tr ' ' '|'))\$"
+}
+
+# The lists are split into their words on purpose.
+# shellcheck disable=SC2086
+test_memory() {
+    test_under memory $MEMORY_TESTS
+}
+
+# Each kept input with a pool of three threads.
+# shellcheck disable=SC2086
+test_threads() {
+    test_under threads $THREADS_TESTS
 }
 
 # Half an hour on two processors.

@@ -125,6 +125,8 @@ void wrong_ground_geometry(void **state) {
     EACH(x, not_over_it) {
         REFUSED_UNTOLD(INVALID, thud_terrain_sample_at(&ground, x, sample));
     }
+    const thud_terrain steep = {.kind = THUD_TERRAIN_FLAT, .slope = 2};
+    REFUSED_UNTOLD(INVALID, thud_terrain_sample_at(&steep, 1e308, sample));
     EACH(x, not_finite) {
         REFUSED_UNTOLD(INVALID, thud_terrain_place_foot(&ground, x, 1, &wrong_out.foot));
         REFUSED_UNTOLD(INVALID, thud_terrain_place_foot(&ground, 1, x, &wrong_out.foot));
@@ -157,6 +159,7 @@ void wrong_ground_geometry(void **state) {
     REFUSED_UNTOLD(INVALID, thud_terrain_texture_at(&there, lost, 3, &wrong_out.uv));
     REFUSED_UNTOLD(INVALID, thud_terrain_texture_at(&there, uvs, 2, &wrong_out.uv));
     REFUSED_UNTOLD(INVALID, thud_terrain_texture_at(&there, uvs, -3, &wrong_out.uv));
+    REFUSED_UNTOLD(INVALID, thud_terrain_texture_at(&there, uvs, INT32_MIN, &wrong_out.uv));
     REFUSED_UNTOLD(NULL, thud_terrain_texture_at(NULL, uvs, 3, &wrong_out.uv));
     REFUSED_UNTOLD(NULL, thud_terrain_texture_at(&there, NULL, 3, &wrong_out.uv));
     REFUSED_UNTOLD(NULL, thud_terrain_texture_at(&there, uvs, 3, NULL));

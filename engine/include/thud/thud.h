@@ -135,7 +135,7 @@ THUD_API thud_result thud_world_step(thud_world *world);
  * most `max_steps` (>= 1; time beyond that is dropped), and gives in *alpha, in [0, 1), how far
  * the present lies between the last step and the next, for thud_world_poses. Where a step runs out
  * of memory, *steps and *alpha are of those before it, and the time left waits for the next call;
- * if it was the first, `elapsed` is as if never given. */
+ * if it was the first, `elapsed` is as if never given. THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
                                         int *steps, double *alpha);
 

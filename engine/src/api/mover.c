@@ -160,7 +160,9 @@ static void move(td_move *m) {
     td_mover_separate(m);
     bool walking = m->mover.on_ground && rising <= 0.0;
     m->mover.on_ground = walking;
-    m->left = td_scaled(way, 1.0 / m->dt);
+    double rate = 1.0 / m->dt; /* beyond all numbers for the shortest of times */
+    m->left = td_finite(rate) ? td_scaled(way, rate)
+                              : (td_way){(double)m->velocity.x, (double)m->velocity.y};
     if (walking) {
         td_mover_walk(m, td_plus(way, up, -rising));
         m->mover.on_ground = td_mover_settle(m);

@@ -68,7 +68,7 @@ TD_INLINE void td_pause(void) {
  * mode; where a processor is none of these, the caller's must be the usual one. */
 #if defined(__SSE2__)
 typedef unsigned td_mode;
-#define TD_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "=m"(mode)::"memory")
+#define TD_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "+m"(mode)::"memory")
 #define TD_MODE_SET(mode) __asm__ volatile("ldmxcsr %0" ::"m"(mode) : "memory")
 #define TD_MODE_OWN 0x1f80u
 #define TD_MODE_NOTES 0x3fu /* which exceptions were met since: no part of the mode */
@@ -81,9 +81,10 @@ typedef uint64_t td_mode;
 #endif
 
 #if defined(TD_MODE_OWN)
-/* Setting it waits for all that is under way, hence only where it differs. */
+/* Setting it waits for all that is under way, hence only where it differs. The first value is for
+ * clang's memory sanitizer, which does not see what assembly writes. */
 static inline td_mode td_mode_take(void) {
-    td_mode mode, own = TD_MODE_OWN;
+    td_mode mode = TD_MODE_OWN, own = TD_MODE_OWN;
     TD_MODE_GET(mode);
     if (__builtin_expect((mode & ~(td_mode)TD_MODE_NOTES) != TD_MODE_OWN, 0)) {
         TD_MODE_SET(own);

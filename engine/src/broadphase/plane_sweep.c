@@ -14,7 +14,7 @@ static bool reserve(thud_world *w, td_proxy_set *row) {
     w->scratch.order.stride = (int)sizeof(uint8_t);
     return td_proxy_set_reserve(w, row) &&
            td_array_reserve(&w->memory, &row->keys, td_max_int(row->list.count, 1)) &&
-           td_array_reserve(&w->memory, &w->scratch.order, w->shapes.count);
+           td_array_reserve(&w->memory, &w->scratch.order, td_max_int(w->shapes.count, 1));
 }
 
 /* Shapes that are still there keep their order, new ones come last. */

@@ -184,6 +184,9 @@ bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
     bool one_level = levels_in_use(grid) == 1;
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
+        if (level->count == 0) {
+            continue;
+        }
         const int32_t *starts = s.starts + level->starts;
         for (int i = level->first; i < level->first + level->count; i++) {
             if (!every && !s.moved[i]) {

@@ -199,6 +199,9 @@ static bool find_meeting(thud_world *w) {
 
 static bool begin_contacts(thud_world *w) {
     td_array *begins = &w->scratch.begins;
+    if (begins->count == 0) {
+        return true;
+    }
     const int *list = begins->data;
     int first = 0;
     while (first < begins->count && td_contact_at(w, list[first])->state == TD_TOUCHING) {

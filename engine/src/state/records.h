@@ -90,6 +90,7 @@ typedef struct td_terrain_record {
     int32_t next_free;
     int32_t shape; /* TD_NONE when free */
     thud_terrain_kind kind;
+    int32_t unused; /* 0: in place of padding, which snapshots would take along unwritten */
     double slope, x0, spacing;
     double highest;  /* no point is higher, relative to the origin; infinite on a flat slope */
     td_array points; /* thud_pos */

@@ -126,16 +126,15 @@ static void disturb_reached(thud_world *w, int terrain_shape, const splice *s) {
 
 /* What is the same at both ends stays out of it. */
 static splice trimmed(const td_terrain_record *record, splice s) {
-    const thud_pos *old = (const thud_pos *)record->points.data + s.first;
-    while (s.removed && s.count && old->x == s.points->x && old->y == s.points->y) {
-        old++;
+    const thud_pos *old = record->points.data;
+    while (s.removed && s.count && old[s.first].x == s.points->x && old[s.first].y == s.points->y) {
         s.first++;
         s.points++;
         s.removed--;
         s.count--;
     }
-    while (s.removed && s.count && old[s.removed - 1].x == s.points[s.count - 1].x &&
-           old[s.removed - 1].y == s.points[s.count - 1].y) {
+    while (s.removed && s.count && old[s.first + s.removed - 1].x == s.points[s.count - 1].x &&
+           old[s.first + s.removed - 1].y == s.points[s.count - 1].y) {
         s.removed--;
         s.count--;
     }

@@ -127,14 +127,15 @@ thud_result thud_terrain_sample_at(const thud_terrain *t, double x, thud_terrain
     if (readable != THUD_OK || !out) {
         return readable != THUD_OK ? readable : THUD_ERROR_NULL;
     }
-    if (!td_finite(x)) {
-        return THUD_ERROR_INVALID;
-    }
     double slope = t->slope;
     if (t->kind == THUD_TERRAIN_FLAT) {
-        *out = (thud_terrain_sample){.height = slope * x, .weight = {1.0 - x, x}};
+        double height = slope * x;
+        if (!td_finite(x) || !td_finite(height)) {
+            return THUD_ERROR_INVALID;
+        }
+        *out = (thud_terrain_sample){.height = height, .weight = {1.0 - x, x}};
     } else {
-        if (x < td_terrain_x(t, 0) || x > td_terrain_x(t, t->count - 1)) {
+        if (!(x >= td_terrain_x(t, 0) && x <= td_terrain_x(t, t->count - 1))) {
             return THUD_ERROR_INVALID;
         }
         int i = td_terrain_segment_at(t, x);
@@ -157,7 +158,7 @@ thud_result thud_terrain_texture_at(const thud_terrain_sample *sample, const thu
     if (!sample || !vertices || !out) {
         return THUD_ERROR_NULL;
     }
-    if (sample->segment < 0 || sample->segment >= count - 1) {
+    if (count < 2 || sample->segment < 0 || sample->segment >= count - 1) {
         return THUD_ERROR_INVALID;
     }
     const thud_uv *a = &vertices[sample->segment], *b = a + 1;

@@ -236,6 +236,10 @@ static void bad_input_is_refused_and_changes_nothing(void **state) {
     untouched = report;
     thud_vec2 velocity = {1, 0};
     thud_mover good = box_mover(0, 0.6);
+    thud_mover brief = good;
+    thud_mover_report told;
+    OK(thud_mover_move(world, &brief, velocity, 5e-324, &told));
+    assert_true(told.velocity.x == velocity.x && told.velocity.y == velocity.y);
     assert_int_equal(thud_mover_move(NULL, &good, velocity, DT, &report), THUD_ERROR_NULL);
     assert_int_equal(thud_mover_move(world, NULL, velocity, DT, &report), THUD_ERROR_NULL);
     const double times[] = {0, -1, NAN, INFINITY, 1.5};

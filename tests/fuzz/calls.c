@@ -1,0 +1,155 @@
+/* calls.c: see calls.h. */
+#include "calls.h"
+
+#include "base/simd.h"
+
+uint64_t fuzz_calls_made;
+
+/* ---- the caller's floating-point mode ---- */
+
+#if defined(TD_MODE_OWN)
+static void take_mode(const fuzz_session *s) {
+#if defined(__SSE2__)
+    static const td_mode modes[] = {0x1f80u | 0x8040u, 0x1f80u | 0x4000u, 0x1f80u | 0x2000u,
+                                    0x1f80u | 0x6000u | 0x8040u};
+#else
+    static const td_mode modes[] = {1u << 24, 1u << 22, 2u << 22, 3u << 22 | 1u << 24};
+#endif
+    if (s->twin == TWIN_FLOAT_MODE && s->second) {
+        td_mode mode = modes[s->script[0] % 4];
+        TD_MODE_SET(mode);
+    }
+}
+
+static void leave_mode(const fuzz_session *s) {
+    if (s->twin == TWIN_FLOAT_MODE && s->second) {
+        td_mode mode = TD_MODE_OWN;
+        TD_MODE_SET(mode);
+    }
+}
+#else
+static void take_mode(const fuzz_session *s) {
+    (void)s;
+}
+
+static void leave_mode(const fuzz_session *s) {
+    (void)s;
+}
+#endif
+
+/* ---- calls ---- */
+
+/* How many allocations the present call may make before one fails; -1: any number. */
+static long allowed(fuzz_session *s) {
+    bool all = s->twin == TWIN_MEMORY && s->second, some = s->twin == TWIN_NONE && s->bytes.hostile;
+    if (s->closing || !(all || some)) {
+        return -1;
+    }
+    unsigned dice = s->memory_round++ * 2654435761u + s->script[1] * 40503u;
+    return all || dice >> 28 == 0 ? (long)(dice >> 16 & 7) : -1;
+}
+
+void call_begin(fuzz_session *s, const char *text) {
+    session_call *call = &s->calls[s->depth];
+    fuzz_calls_made++;
+    call->again = call->text == text && call->again;
+    call->text = text;
+    call->told = s->told;
+    call->hash = thud_world_hash(s->world);
+    call->stats = thud_world_stats(s->world);
+    call->outer = s->memory_allowed;
+    s->memory_allowed = call->again ? -1 : allowed(s);
+    take_mode(s);
+}
+
+static void check_refusal(fuzz_session *s, const session_call *call) {
+    if (s->told == call->told && s->result != THUD_ERROR_NULL) {
+        fuzz_fail(s, "%s: %s, and the log hears nothing", call->text, thud_result_text(s->result));
+    }
+    if (s->result == THUD_ERROR_MEMORY) {
+        return; /* edits are in effect, and the twins must be the same */
+    }
+    thud_stats stats = thud_world_stats(s->world);
+    if (thud_world_hash(s->world) != call->hash || stats.steps != call->stats.steps ||
+        stats.bodies != call->stats.bodies || stats.shapes != call->stats.shapes ||
+        stats.awake_bodies != call->stats.awake_bodies || stats.contacts != call->stats.contacts ||
+        stats.pairs != call->stats.pairs) {
+        fuzz_fail(s, "%s: %s, and yet the world has changed", call->text,
+                  thud_result_text(s->result));
+    }
+}
+
+/* Of a call that may fail, memory may be short once; it is then made again with all there is. */
+bool call_again(fuzz_session *s) {
+    session_call *call = &s->calls[s->depth];
+    leave_mode(s);
+    bool short_of_memory = s->memory_allowed == -2;
+    s->memory_allowed = call->outer;
+    if ((unsigned)s->result > THUD_ERROR_LOCKED) {
+        fuzz_fail(s, "%s: result %d", call->text, (int)s->result);
+    }
+    if (s->result != THUD_OK) {
+        check_refusal(s, call);
+    }
+    if (s->result == THUD_ERROR_MEMORY && !short_of_memory) {
+        fuzz_fail(s, "%s: out of memory, of which there is enough", call->text);
+    }
+    call->again = s->result == THUD_ERROR_MEMORY && !call->again;
+    if (!call->again) {
+        note_bits(s, (uint64_t)s->result);
+    }
+    return call->again;
+}
+
+void call_untouched(fuzz_session *s, const void *out, size_t bytes) {
+    const unsigned char *at = out;
+    for (size_t i = 0; i < bytes; i++) {
+        if (at[i] != CALL_FILL) {
+            fuzz_fail(s, "%s: refused, and yet byte %zu of what it gives is written",
+                      s->calls[s->depth].text, i);
+        }
+    }
+}
+
+void call_pure(fuzz_session *s, const char *text, const void *out, size_t bytes) {
+    fuzz_calls_made++;
+    s->calls[s->depth].text = text;
+    if ((unsigned)s->result > THUD_ERROR_LOCKED || s->result == THUD_ERROR_STALE ||
+        s->result == THUD_ERROR_MEMORY || s->result == THUD_ERROR_LOCKED) {
+        fuzz_fail(s, "%s: result %d", text, (int)s->result);
+    }
+    if (s->result != THUD_OK) {
+        call_untouched(s, out, bytes);
+    }
+}
+
+/* ---- what twins must agree on ---- */
+
+void note_bits(fuzz_session *s, uint64_t bits) {
+    s->digest = (s->digest ^ bits) * 0x100000001b3u;
+    s->digest ^= s->digest >> 29;
+}
+
+void note_number(fuzz_session *s, double value) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    if (!isfinite(value)) {
+        fuzz_fail(s, "%s: gives %g", s->calls[s->depth].text, value);
+    }
+    note_bits(s, bits);
+}
+
+void note_place(fuzz_session *s, thud_pos place) {
+    if (!isfinite(place.x) || !isfinite(place.y)) {
+        fuzz_fail(s, "%s: gives the place %g %g", s->calls[s->depth].text, place.x, place.y);
+    }
+    if (s->twin != TWIN_SHIFT) {
+        note_number(s, place.x);
+        note_number(s, place.y);
+    }
+}
+
+void note_vector(fuzz_session *s, thud_vec2 value) {
+    note_number(s, (double)value.x);
+    note_number(s, (double)value.y);
+}

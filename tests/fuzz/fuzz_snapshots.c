@@ -1,0 +1,116 @@
+/* fuzz_snapshots.c: snapshots that somebody changed, with checksums that are right again, restored
+ * into the world that they are of. Such a snapshot is refused, and nothing has changed; or it is
+ * taken, and then the world is what nobody promises anything of, but that it can be thrown away
+ * and that it is itself again once it is restored from a good snapshot.
+ *
+ * An input is a session as fuzz_calls has them, then from its last MUTATIONS on what is changed:
+ * four bytes each: two for a place, one for what is done there, one for a value. */
+#include "calls.h"
+#include "oracles.h"
+#include "progress.h"
+#include "target.h"
+
+#include "api/snapshot.h"
+
+#include <stdlib.h>
+
+enum { MUTATIONS = 6, MUTATION = 4, STEPS = 3 };
+
+/* Most of the checks are of the head: every other mutation is in it, else in one of the tables. */
+static size_t place_of(unsigned value, size_t bytes) {
+    size_t from = sizeof(char[8]) + sizeof(uint64_t), head = sizeof(td_snapshot_head);
+    size_t range = value & 0x8000 ? (head < bytes ? head : bytes) - from : bytes - from;
+    return from + (value & 0x7fff) * 8191u % range;
+}
+
+static void mutate(char *snapshot, size_t bytes, const uint8_t *m) {
+    static const int32_t words[] = {-1, 0, 1, INT32_MAX, INT32_MIN, 65536, 1 << 26, 255};
+    size_t at = place_of(m[0] | (unsigned)m[1] << 8, bytes), word = at & ~(size_t)3;
+    int32_t value;
+    switch (m[2] % 4) {
+    case 0:
+        snapshot[at] ^= (char)m[3];
+        return;
+    case 1:
+        value = words[m[3] % 8];
+        break;
+    default:
+        memcpy(&value, snapshot + word, sizeof value);
+        value = (int32_t)((uint32_t)value + (m[2] & 4 ? m[3] : 0u - m[3]));
+    }
+    if (word + sizeof value <= bytes) {
+        memcpy(snapshot + word, &value, sizeof value);
+    }
+}
+
+static void mend_checksum(char *snapshot, size_t bytes) {
+    size_t from = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t);
+    uint64_t sum = td_snapshot_checksum(snapshot + from, bytes - from);
+    memcpy(snapshot + offsetof(td_snapshot_head, checksum), &sum, sizeof sum);
+}
+
+/* From the good snapshot on it is as it was the first time. */
+static void goes_on(fuzz_session *s, const char *good, size_t bytes, const uint64_t hash[STEPS]) {
+    TRY(s, thud_world_restore(s->world, good, bytes));
+    if (s->result != THUD_OK) {
+        fuzz_fail(s, "a good snapshot is refused: %s", thud_result_text(s->result));
+    }
+    for (int i = 0; i < STEPS; i++) {
+        TRY(s, thud_world_step(s->world));
+        if (s->result != THUD_OK || thud_world_hash(s->world) != hash[i]) {
+            fuzz_fail(s, "%d steps after a good snapshot the world is another one", i + 1);
+        }
+    }
+}
+
+static void restore_changed(fuzz_session *s, const uint8_t *changes, size_t count) {
+    size_t bytes = 0;
+    uint64_t hash[STEPS];
+    s->operation = "restoring what was changed";
+    s->mood = 0; /* callbacks do nothing more, so that the steps are the same */
+    TRY(s, thud_world_snapshot_size(s->world, &bytes));
+    char *good = malloc(bytes), *bad = malloc(bytes);
+    TRY(s, thud_world_snapshot(s->world, good, bytes, NULL));
+    unsigned asked = s->asked;
+    for (int i = 0; i < STEPS; i++) {
+        TRY(s, thud_world_step(s->world));
+        hash[i] = thud_world_hash(s->world);
+    }
+    memcpy(bad, good, bytes);
+    for (size_t i = 0; i < count; i++) {
+        mutate(bad, bytes, changes + i * MUTATION);
+    }
+    mend_checksum(bad, bytes);
+    fuzz_calls_made++;
+    int told = s->told;
+    uint64_t before = thud_world_hash(s->world);
+    thud_result result = thud_world_restore(s->world, bad, bytes);
+    if (result != THUD_OK && (s->told == told || thud_world_hash(s->world) != before)) {
+        fuzz_fail(s, "a changed snapshot is refused unheard, or the world has changed");
+    }
+    s->asked = asked;
+    goes_on(s, good, bytes, hash);
+    free(good);
+    free(bad);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    static fuzz_session session;
+    size_t changes = size < MUTATIONS * MUTATION ? 0 : MUTATIONS;
+    size -= changes * MUTATION;
+    session_open(&session, data, size, true);
+    while (!session_over(&session)) {
+        session_play(&session);
+        session.operations++;
+    }
+    restore_changed(&session, data + size, changes);
+    /* What was restored goes back to before the steps whose events were booked. */
+    thud_world_destroy(session.world);
+    thud_world_destroy(session.other);
+    free(session.snapshot);
+    if (session.memory_held != 0) {
+        fuzz_fail(&session, "%ld blocks of memory were not given back", session.memory_held);
+    }
+    progress_tell();
+    return 0;
+}

@@ -1,0 +1,50 @@
+/* operations.h: what a fuzzer plays: each takes its arguments from the session's bytes, makes its
+ * calls by TRY, PURE or COUNTED, and notes what they give. */
+#ifndef FUZZ_OPERATIONS_H
+#define FUZZ_OPERATIONS_H
+
+#include "calls.h"
+#include "pick.h"
+
+typedef void fuzz_operation(fuzz_session *s);
+
+/* The number of an operation is the byte that plays it, for good: a kept input means the same when
+ * others are added. Bytes that name none play `step`. */
+enum { OPERATION_BYTES = 128 };
+
+typedef struct named_operation {
+    const char *name;
+    fuzz_operation *play;
+} named_operation;
+
+extern const named_operation operations[OPERATION_BYTES];
+
+/* How often each was played, in all sessions of the process. */
+extern uint64_t operations_played[OPERATION_BYTES];
+
+/* operations_worlds.c */
+fuzz_operation play_step, play_advance, play_settings, play_qualities, play_reading, play_names;
+fuzz_operation play_poses, play_drawing, play_refused_worlds, play_nulls, play_limit;
+/* operations_bodies.c */
+fuzz_operation play_body, play_wild_body, play_body_destroy, play_body_get, play_transform;
+fuzz_operation play_velocity, play_impulse, play_force, play_awake, play_enabled, play_user_data;
+fuzz_operation play_body_shapes, play_body_contacts, play_body_volume;
+/* operations_shapes.c */
+fuzz_operation play_circle, play_aabb, play_obb, play_ground, play_thing, play_shape_destroy;
+fuzz_operation play_shape_get, play_line_of, play_set_heights, play_dig, play_raise, play_replace;
+/* operations_queries.c */
+fuzz_operation play_ray, play_ray_all, play_cast_shape, play_cast_shape_all, play_cast_circle;
+fuzz_operation play_cast_circle_all, play_cast_box, play_cast_box_all, play_overlap_shape;
+fuzz_operation play_overlap_circle, play_overlap_aabb, play_overlap_obb, play_closest;
+/* operations_movers.c: movers and snapshots */
+fuzz_operation play_mover, play_mover_settings, play_mover_place, play_snapshot, play_restore;
+fuzz_operation play_restore_damaged;
+/* operations_geometry.c */
+fuzz_operation play_check, play_pair, play_pair_impact, play_pair_collision, play_approach;
+fuzz_operation play_shape_ray, play_minkowski, play_bisectable, play_sincos;
+/* operations_volumes.c */
+fuzz_operation play_volume_fit, play_volume_points, play_volume_merge, play_volume_tests;
+/* operations_lines.c: terrain without a world */
+fuzz_operation play_line_sample, play_line_shape, play_line_impact, play_line_ray, play_foot;
+
+#endif

@@ -1,0 +1,196 @@
+/* operations_queries.c: asking a world what is where. */
+#include "operations.h"
+
+enum { ROOM = 4 };
+
+typedef struct way {
+    thud_pos from;
+    double dx, dy;
+    thud_query_filter filter;
+    bool filtered;
+    int capacity;
+} way;
+
+static thud_query_filter query_filter(fuzz_session *s, unsigned byte) {
+    thud_query_filter filter = COUNTED(thud_default_query_filter());
+    filter.sensors = byte & 1;
+    filter.mask = byte & 2 ? byte : filter.mask;
+    filter.category = byte & 4 ? 1 : filter.category;
+    (void)s;
+    return filter;
+}
+
+static way pick_way(fuzz_session *s) {
+    way w = {.from = pick_place(s)};
+    unsigned byte = next_byte(&s->bytes);
+    w.dx = 2 * pick_coordinate(s);
+    w.dy = 2 * pick_coordinate(s);
+    w.filter = query_filter(s, byte);
+    w.filtered = byte & 8;
+    w.capacity = byte & 16 ? (int)(byte >> 5) - 1 : ROOM;
+    w.capacity = w.capacity > ROOM ? 0 : w.capacity;
+    return w;
+}
+
+/* A way in double precision from a place that a shift may have rounded: its length is noted, and
+ * what was met. */
+static void check_hit(fuzz_session *s, const thud_ray_hit *hit) {
+    double length = (double)hit->normal.x * (double)hit->normal.x +
+                    (double)hit->normal.y * (double)hit->normal.y;
+    note_bits(s, hit->shape.index1);
+    note_place(s, hit->point);
+    note_vector(s, hit->normal);
+    note_number(s, hit->fraction);
+    note_number(s, hit->depth);
+    if (!(hit->fraction >= 0 && hit->fraction <= 1) || !(fabs(length - 1) < 1e-4) ||
+        hit->depth < 0 || !COUNTED(thud_shape_is_valid(s->world, hit->shape))) {
+        fuzz_fail(s, "%s: shape %u at %g, normal %g %g, depth %g", s->calls[s->depth].text,
+                  hit->shape.index1, hit->fraction, (double)hit->normal.x, (double)hit->normal.y,
+                  hit->depth);
+    }
+}
+
+static void check_first(fuzz_session *s, bool hit, const thud_ray_hit *out) {
+    if (s->result != THUD_OK || !hit) {
+        call_untouched(s, out, sizeof *out);
+        return;
+    }
+    check_hit(s, out);
+}
+
+static void check_all(fuzz_session *s, const way *w, const thud_ray_hit *out, int count) {
+    if (s->result != THUD_OK) {
+        return;
+    }
+    note_bits(s, (uint64_t)count);
+    for (int i = 0; i < count && i < w->capacity; i++) {
+        check_hit(s, &out[i]);
+        if (i && out[i].fraction < out[i - 1].fraction) {
+            fuzz_fail(s, "%s: hit %d comes before hit %d", s->calls[s->depth].text, i, i - 1);
+        }
+    }
+}
+
+#define FILTER(w) ((w).filtered ? &(w).filter : NULL)
+
+#define FIRST(s, name, ...)                                                             \
+    do {                                                                                \
+        thud_ray_hit out;                                                               \
+        bool hit = false;                                                               \
+        memset(&out, CALL_FILL, sizeof out);                                            \
+        TRY(s, name(s->world, w.from, __VA_ARGS__, w.dx, w.dy, FILTER(w), &hit, &out)); \
+        check_first(s, hit, &out);                                                      \
+    } while (0)
+
+#define ALL(s, name, ...)                                                                         \
+    do {                                                                                          \
+        thud_ray_hit out[ROOM];                                                                   \
+        int count = 0;                                                                            \
+        TRY(s,                                                                                    \
+            name(s->world, w.from, __VA_ARGS__, w.dx, w.dy, FILTER(w), out, w.capacity, &count)); \
+        check_all(s, &w, out, count);                                                             \
+    } while (0)
+
+void play_ray(fuzz_session *s) {
+    way w = pick_way(s);
+    thud_ray_hit out;
+    bool hit = false;
+    memset(&out, CALL_FILL, sizeof out);
+    TRY(s, thud_world_cast_ray(s->world, w.from, w.dx, w.dy, FILTER(w), &hit, &out));
+    check_first(s, hit, &out);
+}
+
+void play_ray_all(fuzz_session *s) {
+    way w = pick_way(s);
+    thud_ray_hit out[ROOM];
+    int count = 0;
+    TRY(s,
+        thud_world_cast_ray_all(s->world, w.from, w.dx, w.dy, FILTER(w), out, w.capacity, &count));
+    check_all(s, &w, out, count);
+}
+
+void play_cast_shape(fuzz_session *s) {
+    way w = pick_way(s);
+    thud_shape_instance shape = pick_instance(s, true);
+    FIRST(s, thud_world_cast_shape, &shape);
+}
+
+void play_cast_shape_all(fuzz_session *s) {
+    way w = pick_way(s);
+    thud_shape_instance shape = pick_instance(s, true);
+    ALL(s, thud_world_cast_shape_all, &shape);
+}
+
+void play_cast_circle(fuzz_session *s) {
+    way w = pick_way(s);
+    double radius = (double)pick_size(s);
+    FIRST(s, thud_world_cast_circle, radius);
+}
+
+void play_cast_circle_all(fuzz_session *s) {
+    way w = pick_way(s);
+    double radius = (double)pick_size(s);
+    ALL(s, thud_world_cast_circle_all, radius);
+}
+
+void play_cast_box(fuzz_session *s) {
+    way w = pick_way(s);
+    thud_vec2 half = pick_sizes(s);
+    double angle = pick_angle(s);
+    FIRST(s, thud_world_cast_box, (double)half.x, (double)half.y, angle);
+}
+
+void play_cast_box_all(fuzz_session *s) {
+    way w = pick_way(s);
+    thud_vec2 half = pick_sizes(s);
+    double angle = pick_angle(s);
+    ALL(s, thud_world_cast_box_all, (double)half.x, (double)half.y, angle);
+}
+
+/* ---- overlaps, and the closest ---- */
+
+void play_overlap_shape(fuzz_session *s) {
+    way w = pick_way(s);
+    thud_shape_instance shape = pick_instance(s, true);
+    TRY(s, thud_world_overlap_shape(s->world, w.from, &shape, FILTER(w), session_overlap, s));
+}
+
+void play_overlap_circle(fuzz_session *s) {
+    way w = pick_way(s);
+    double radius = (double)pick_size(s);
+    TRY(s, thud_world_overlap_circle(s->world, w.from, radius, FILTER(w), session_overlap, s));
+}
+
+void play_overlap_aabb(fuzz_session *s) {
+    way w = pick_way(s);
+    thud_pos upper = pick_place(s);
+    TRY(s, thud_world_overlap_aabb(s->world, w.from, upper, FILTER(w), session_overlap, s));
+}
+
+void play_overlap_obb(fuzz_session *s) {
+    way w = pick_way(s);
+    thud_vec2 half = pick_sizes(s);
+    double angle = pick_angle(s);
+    TRY(s, thud_world_overlap_obb(s->world, w.from, (double)half.x, (double)half.y, angle,
+                                  FILTER(w), session_overlap, s));
+}
+
+void play_closest(fuzz_session *s) {
+    way w = pick_way(s);
+    double most = fabs(w.dx);
+    bool found = false;
+    thud_closest_hit out;
+    memset(&out, CALL_FILL, sizeof out);
+    TRY(s, thud_world_closest(s->world, w.from, most, FILTER(w), &found, &out));
+    if (s->result != THUD_OK || !found) {
+        call_untouched(s, &out, sizeof out);
+        return;
+    }
+    note_bits(s, out.shape.index1);
+    note_place(s, out.point);
+    note_vector(s, out.normal);
+    note_number(s, out.distance);
+    if (!(out.distance <= most) || !COUNTED(thud_shape_is_valid(s->world, out.shape))) {
+        fuzz_fail(s, "the closest shape, %u, is at %g", out.shape.index1, out.distance);
+    }
+}

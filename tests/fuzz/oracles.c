@@ -1,0 +1,202 @@
+/* oracles.c: see oracles.h. */
+#include "oracles.h"
+
+#include "calls.h"
+
+/* ---- events ---- */
+
+static int find(const pair_ledger *l, const thud_contact_event *pair) {
+    int i = 0;
+    while (i < l->count && memcmp(&l->open[i], pair, sizeof *pair) != 0) {
+        i++;
+    }
+    return i;
+}
+
+static bool closes(pair_ledger *l, const thud_contact_event *pair) {
+    int i = find(l, pair);
+    if (i == l->count) {
+        return false;
+    }
+    l->open[i] = l->open[--l->count];
+    return true;
+}
+
+static void note_pair(fuzz_session *s, const thud_contact_event *pair) {
+    note_bits(s, (uint64_t)pair->shape_a.index1 << 32 | pair->shape_b.index1);
+}
+
+/* Nothing is destroyed between its beginning and the end of the step, but by callbacks. */
+static void check_handles(fuzz_session *s, const thud_contact_event *pair, const char *what) {
+    if (!s->destroyed_inside && !(thud_shape_is_valid(s->world, pair->shape_a) &&
+                                  thud_shape_is_valid(s->world, pair->shape_b))) {
+        fuzz_fail(s, "a %s begins between shapes of which one is gone", what);
+    }
+}
+
+/* Ends of what was open come first; what is left of them must be of what begins. */
+static void book(fuzz_session *s, pair_ledger *l, const char *what, const thud_contact_event *begin,
+                 int begins, const thud_contact_event *end, int ends) {
+    static bool late[SESSION_OPEN];
+    if (begins < 0 || ends < 0 || begins + l->count > SESSION_OPEN || ends > SESSION_OPEN) {
+        fuzz_fail(s, "%d %ss begin and %d end, with %d open", begins, what, ends, l->count);
+    }
+    for (int i = 0; i < ends; i++) {
+        late[i] = !closes(l, &end[i]);
+        note_pair(s, &end[i]);
+    }
+    for (int i = 0; i < begins; i++) {
+        if (find(l, &begin[i]) < l->count) {
+            fuzz_fail(s, "a %s of shapes %u and %u begins twice", what, begin[i].shape_a.index1,
+                      begin[i].shape_b.index1);
+        }
+        check_handles(s, &begin[i], what);
+        l->open[l->count++] = begin[i];
+        note_pair(s, &begin[i]);
+    }
+    for (int i = 0; i < ends; i++) {
+        if (late[i] && !closes(l, &end[i])) {
+            fuzz_fail(s, "a %s of shapes %u and %u ends and had not begun", what,
+                      end[i].shape_a.index1, end[i].shape_b.index1);
+        }
+    }
+}
+
+static void check_hits(fuzz_session *s, const thud_events *e) {
+    for (int i = 0; i < e->hit_count; i++) {
+        const thud_hit_event *hit = &e->hit[i];
+        note_bits(s, (uint64_t)hit->shape_a.index1 << 32 | hit->shape_b.index1);
+        note_place(s, hit->point);
+        note_vector(s, hit->normal);
+        note_number(s, (double)hit->speed);
+    }
+    for (int i = 0; i < e->quarantined_count; i++) {
+        note_bits(s, e->quarantined[i].index1);
+    }
+}
+
+static void check_events(fuzz_session *s) {
+    thud_events e = thud_world_events(s->world);
+    book(s, &s->now.touches, "contact", e.begin, e.begin_count, e.end, e.end_count);
+    book(s, &s->now.sensed, "sensing", e.sensor_begin, e.sensor_begin_count, e.sensor_end,
+         e.sensor_end_count);
+    check_hits(s, &e);
+}
+
+/* ---- bodies and figures ---- */
+
+static void check_body(fuzz_session *s, thud_body_id body) {
+    thud_body_state state;
+    if (thud_body_get(s->world, body, &state) != THUD_OK) {
+        return;
+    }
+    s->calls[0].text = "thud_body_get";
+    note_place(s, state.position);
+    note_place(s, state.center);
+    note_number(s, state.angle);
+    note_number(s, (double)state.cosine);
+    note_number(s, (double)state.sine);
+    note_vector(s, state.velocity);
+    note_number(s, (double)state.angular_velocity);
+    note_number(s, (double)state.mass);
+    note_number(s, (double)state.inertia);
+    note_bits(s, (uint64_t)(state.awake + 2 * state.enabled + 4 * state.quarantined));
+    if (state.mass < 0 || state.inertia < 0 || state.shape_count < 0 ||
+        (state.awake && !state.enabled)) {
+        fuzz_fail(s, "body %u: mass %g, inertia %g, %d shapes, awake %d, enabled %d", body.index1,
+                  (double)state.mass, (double)state.inertia, state.shape_count, state.awake,
+                  state.enabled);
+    }
+}
+
+static void check_poses(fuzz_session *s) {
+    int count = -1;
+    const thud_pose *poses =
+        thud_world_poses(s->world, (thud_pos){s->shift_x, s->shift_y}, 0.5, &count);
+    s->calls[0].text = "thud_world_poses";
+    if (!poses && count != 0) {
+        fuzz_fail(s, "no poses, and %d of them", count);
+    }
+    for (int i = 0; i < count; i++) {
+        if (isnan(poses[i].x) && isnan(poses[i].y)) {
+            continue;
+        }
+        note_number(s, (double)poses[i].x);
+        note_number(s, (double)poses[i].y);
+        note_number(s, (double)poses[i].c);
+        note_number(s, (double)poses[i].s);
+    }
+}
+
+/* Each segment of a line that a shape is over makes a pair of its own; digging adds vertices. */
+enum { SEGMENTS_MOST = 64 };
+
+static void check_counts(fuzz_session *s) {
+    thud_stats t = thud_world_stats(s->world);
+    bool right = t.bodies >= 0 && t.shapes >= 0 && t.awake_bodies >= 0 &&
+                 t.awake_bodies <= t.bodies && t.contacts >= 0 && t.contacts <= t.pairs &&
+                 t.pairs <= t.shapes * t.shapes * SEGMENTS_MOST && t.direct_bodies <= t.bodies &&
+                 t.held_bodies <= t.bodies && t.unbisectable <= t.bodies && t.substeps >= 1 &&
+                 t.substeps <= 64 && t.colours <= t.blocks;
+    if (!right) {
+        fuzz_fail(s, "%d bodies, %d awake, %d shapes, %d pairs, %d contacts, %d colours, %d blocks",
+                  t.bodies, t.awake_bodies, t.shapes, t.pairs, t.contacts, t.colours, t.blocks);
+    }
+    const int counts[] = {t.bodies,        t.shapes,       t.awake_bodies, t.contacts,
+                          t.colours,       t.blocks,       t.substeps,     t.direct_islands,
+                          t.direct_bodies, t.soft_islands, t.factorings,   t.impacts,
+                          t.held_bodies,   t.unbisectable, t.motion_pairs};
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+        note_bits(s, (uint64_t)counts[i]);
+    }
+    note_bits(s, t.steps);
+    note_bits(s, (uint64_t)t.island_work);
+}
+
+static void check_figures(fuzz_session *s) {
+    thud_step_error e = thud_world_error(s->world);
+    s->calls[0].text = "thud_world_error";
+    note_number(s, e.penetration_max);
+    note_number(s, e.penetration_mean);
+    note_number(s, e.residual);
+    note_number(s, e.energy_change);
+    note_bits(s, (uint64_t)e.overlaps);
+    thud_measure m = thud_world_measure(s->world);
+    s->calls[0].text = "thud_world_measure";
+    note_number(s, m.penetration_max);
+    note_number(s, m.penetration_mean);
+    note_number(s, m.kinetic_energy);
+    note_place(s, (thud_pos){m.potential_energy, 0});
+    if (s->twin != TWIN_SHIFT) {
+        note_bits(s, thud_world_hash(s->world));
+    }
+}
+
+void oracle_step(fuzz_session *s) {
+    check_events(s);
+    for (int i = 0; i < SESSION_BODIES; i++) {
+        check_body(s, s->now.bodies[i]);
+    }
+    check_poses(s);
+    check_counts(s);
+    check_figures(s);
+    s->destroyed_inside = 0;
+}
+
+void oracle_end(fuzz_session *s) {
+    for (int i = 0; i < SESSION_BODIES; i++) {
+        if (thud_body_is_valid(s->world, s->now.bodies[i])) {
+            TRY(s, thud_body_destroy(s->world, s->now.bodies[i]));
+        }
+    }
+    TRY(s, thud_world_step(s->world));
+    if (s->result != THUD_OK) {
+        fuzz_fail(s, "the last step: %s", thud_result_text(s->result));
+    }
+    oracle_step(s);
+    thud_stats stats = thud_world_stats(s->world);
+    if (s->now.touches.count || s->now.sensed.count || stats.bodies || stats.pairs) {
+        fuzz_fail(s, "%d contacts and %d sensings have no end, %d bodies and %d pairs are left",
+                  s->now.touches.count, s->now.sensed.count, stats.bodies, stats.pairs);
+    }
+}

@@ -1,0 +1,155 @@
+/* pick.h: what an operation is played with: places, lengths and handles of a session's world. */
+#ifndef FUZZ_PICK_H
+#define FUZZ_PICK_H
+
+#include "session.h"
+
+/* A coordinate without the shift, on a grid that a shift does not round. */
+static inline double pick_coordinate(fuzz_session *s) {
+    double value = next_number(&s->bytes, -16, 0.125);
+    bool grid = fabs(value) <= 16;
+    if (s->twin == TWIN_SHIFT && !grid) {
+        return value - value; /* not a number, for both twins, where it is not finite; else 0 */
+    }
+    return grid ? value * s->unit : value;
+}
+
+static inline thud_pos pick_place(fuzz_session *s) {
+    double x = pick_coordinate(s), y = pick_coordinate(s);
+    return (thud_pos){x + s->shift_x, y + s->shift_y};
+}
+
+/* A size in (0, 4] length scales. */
+static inline float pick_size(fuzz_session *s) {
+    float value = next_float(&s->bytes, 0.0625, 0.015625);
+    return value >= 0.0625f && value <= 4.0f ? value * (float)s->unit : value;
+}
+
+static inline thud_vec2 pick_sizes(fuzz_session *s) {
+    float x = pick_size(s);
+    return (thud_vec2){x, pick_size(s)};
+}
+
+static inline float pick_speed(fuzz_session *s) {
+    float value = next_float(&s->bytes, -32, 0.25);
+    return fabsf(value) <= 32.0f ? value * (float)s->unit : value;
+}
+
+static inline thud_vec2 pick_velocity(fuzz_session *s) {
+    float x = pick_speed(s);
+    return (thud_vec2){x, pick_speed(s)};
+}
+
+static inline double pick_angle(fuzz_session *s) {
+    return next_number(&s->bytes, -6.4, 0.05);
+}
+
+/* A motion of shapes without a world. */
+static inline thud_motion pick_motion(fuzz_session *s) {
+    double x = pick_coordinate(s), y = pick_coordinate(s);
+    return (thud_motion){x, y, pick_angle(s)};
+}
+
+/* ---- qualities and detections ---- */
+
+/* Swept bodies are held where there is no memory to look for whom they meet: twins whose memory
+ * fails go without. */
+static inline const thud_quality *pick_quality(const fuzz_session *s, unsigned byte) {
+    static const thud_quality *const qualities[] = {&thud_quality_default, &thud_quality_draft,
+                                                    &thud_quality_high, &thud_quality_exact};
+    return qualities[byte % (s->twin == TWIN_MEMORY ? 3 : 4)];
+}
+
+/* Null: the world's, or the quality's. */
+static inline const thud_detection *pick_detection(const fuzz_session *s, unsigned byte) {
+    static const thud_detection *const detections[] = {NULL, &thud_detection_overlap,
+                                                       &thud_detection_continuous,
+                                                       &thud_detection_bisect,
+                                                       &thud_detection_swept};
+    return detections[byte % (s->twin == TWIN_MEMORY ? 4 : 5)];
+}
+
+/* ---- handles ---- */
+
+/* Bytes from here on mean a handle that is null, stale, foreign or made up. */
+enum { FIRST_WRONG_HANDLE = 232 };
+
+static inline thud_body_id pick_body(fuzz_session *s) {
+    unsigned byte = next_byte(&s->bytes);
+    if (byte < FIRST_WRONG_HANDLE) {
+        return s->now.bodies[byte % SESSION_BODIES];
+    }
+    switch (byte % 4) {
+    case 0:
+        return (thud_body_id){0, 0};
+    case 1:
+        return s->foreign_body;
+    case 2:
+        return (thud_body_id){byte - 200, next_byte(&s->bytes) * 0x01010101u};
+    default:
+        return s->gone_bodies[byte / 4 % SESSION_GONE];
+    }
+}
+
+static inline thud_shape_id pick_shape(fuzz_session *s) {
+    unsigned byte = next_byte(&s->bytes);
+    if (byte < FIRST_WRONG_HANDLE) {
+        return s->now.shapes[byte % SESSION_SHAPES];
+    }
+    switch (byte % 4) {
+    case 0:
+        return (thud_shape_id){0, 0};
+    case 1:
+        return s->foreign_shape;
+    case 2:
+        return (thud_shape_id){byte - 200, next_byte(&s->bytes) * 0x01010101u};
+    default:
+        return s->gone_shapes[byte / 4 % SESSION_GONE];
+    }
+}
+
+/* ---- shapes and lines without a world ---- */
+
+/* Mostly valid; about the origin, for a shape that is placed by its caller. */
+static inline thud_shape_instance pick_instance(fuzz_session *s, bool centred) {
+    unsigned kind = next_byte(&s->bytes);
+    thud_shape_instance shape = {.kind = (thud_shape_kind)(kind % 3), .c = 1};
+    shape.x = centred ? 0 : pick_coordinate(s);
+    shape.y = centred ? 0 : pick_coordinate(s);
+    shape.hx = (double)pick_size(s);
+    shape.hy = shape.kind == THUD_CIRCLE ? 0 : (double)pick_size(s);
+    if (shape.kind == THUD_OBB) {
+        double angle = pick_angle(s);
+        if (thud_sincos(angle, &shape.s, &shape.c) != THUD_OK) {
+            shape.c = angle;
+        }
+    }
+    if (s->bytes.hostile && kind >= 250) {
+        shape.kind = (thud_shape_kind)(kind - 248);
+    }
+    return shape;
+}
+
+enum { PICK_POINTS = 12 };
+
+/* Mostly valid; `points` is what it goes by. */
+static inline thud_terrain pick_line(fuzz_session *s, thud_pos points[PICK_POINTS]) {
+    thud_terrain line = {.kind = (thud_terrain_kind)next_choice(&s->bytes, 3)};
+    line.slope = next_number(&s->bytes, -2, 1.0 / 64);
+    line.x0 = pick_coordinate(s);
+    line.spacing = (double)pick_size(s);
+    line.points = points;
+    line.count = 2 + next_choice(&s->bytes, PICK_POINTS - 1);
+    double x = line.x0;
+    for (int i = 0; i < PICK_POINTS; i++) {
+        points[i] = (thud_pos){x, i < line.count ? pick_coordinate(s) * 0.25 : 0};
+        x += i < line.count ? (double)pick_size(s) : 1;
+    }
+    if (s->bytes.hostile && next_chance(&s->bytes, 16)) {
+        line.count = next_count(&s->bytes, PICK_POINTS);
+        line.count = line.count > PICK_POINTS ? 1 : line.count;
+    }
+    return line;
+}
+
+#endif

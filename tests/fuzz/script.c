@@ -1,0 +1,83 @@
+/* script.c: callbacks of a session. What they do is told by the script's bytes and by how many
+ * there were before, so that twins, which are asked the same, do the same. */
+#include "calls.h"
+
+static unsigned dice(fuzz_session *s) {
+    return s->script[s->asked++ % SESSION_SCRIPT];
+}
+
+void session_ask(fuzz_session *s) {
+    unsigned turn = s->asked, byte = dice(s);
+    if (!s->mood || s->depth + 1 == SESSION_DEPTH || (turn + byte) % (unsigned)s->mood != 0) {
+        return;
+    }
+    fuzz_bytes outer = s->bytes;
+    unsigned from = (turn * 5 + byte) % SESSION_SCRIPT;
+    s->bytes = (fuzz_bytes){s->script + from, s->script + SESSION_SCRIPT, outer.hostile};
+    s->depth++;
+    session_play(s);
+    s->depth--;
+    s->bytes = outer;
+}
+
+static void note_contact(fuzz_session *s, const thud_contact *contact) {
+    note_bits(s, (uint64_t)contact->shape_a.index1 << 32 | contact->shape_b.index1);
+    note_bits(s, (uint64_t)contact->body_a.index1 << 32 | contact->body_b.index1);
+    s->calls[s->depth].text = "a callback";
+    note_vector(s, contact->normal);
+    note_place(s, contact->point);
+    note_number(s, (double)contact->separation);
+    note_number(s, (double)contact->normal_impulse);
+    note_number(s, (double)contact->tangent_impulse);
+    note_bits(s, (uint64_t)contact->point_count);
+}
+
+bool session_prologue(thud_world *world, const thud_contact *contact,
+                      thud_contact_settings *settings, void *context) {
+    fuzz_session *s = context;
+    const char *text = s->calls[s->depth].text;
+    (void)world;
+    note_contact(s, contact);
+    unsigned byte = dice(s);
+    if (byte % 16 == 1) {
+        fuzz_bytes one = {&s->script[byte % SESSION_SCRIPT], s->script + SESSION_SCRIPT,
+                          s->bytes.hostile};
+        settings->friction = next_float(&one, 0, 0.05);
+        settings->restitution = next_float(&one, 0, 0.03);
+        settings->surface_speed = next_float(&one, -8, 0.125) * (float)s->unit;
+    }
+    session_ask(s);
+    s->calls[s->depth].text = text;
+    return byte % 16 != 2;
+}
+
+void session_epilogue(thud_world *world, const thud_contact *contact, void *context) {
+    fuzz_session *s = context;
+    const char *text = s->calls[s->depth].text;
+    (void)world;
+    note_contact(s, contact);
+    session_ask(s);
+    s->calls[s->depth].text = text;
+}
+
+bool session_overlap(thud_shape_id shape, void *context) {
+    fuzz_session *s = context;
+    note_bits(s, shape.index1);
+    if (!thud_shape_is_valid(s->world, shape) && !s->destroyed_inside) {
+        fuzz_fail(s, "an overlap with shape %u, which is gone", shape.index1);
+    }
+    session_ask(s);
+    return dice(s) % 16 != 3;
+}
+
+bool session_pass(const thud_mover *mover, const thud_mover_hit *hit, thud_vec2 velocity,
+                  void *context) {
+    fuzz_session *s = context;
+    thud_one_way way = {.categories = 1, .drop = s->script[2] & 1};
+    if (s->twin != TWIN_SHIFT) { /* places in double precision, which a shift does round */
+        note_bits(s, hit->shape.index1);
+        note_vector(s, hit->normal);
+        session_ask(s);
+    }
+    return s->script[3] & 1 && COUNTED(thud_mover_passes_one_way(mover, hit, velocity, &way));
+}

@@ -1,0 +1,24 @@
+/** A few seeds of the random calls that `./run fuzz js` makes by the million. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { CALLS, play } from "../../fuzz/calls.mjs";
+import { thud } from "../support/package.mjs";
+
+const SEEDS = 60;
+/** What is called without a name of its own, or by all who have one. */
+const NOT_PLAYED = new Set(["constructor", "onBody", "onShape", "shapeIds", "close", "revision"]);
+
+test("random calls throw the package's own errors and tell finite numbers", async () => {
+  const engine = await thud.load();
+  for (let seed = 1; seed <= SEEDS; seed++) assert.equal(play(engine, seed), 300);
+});
+
+test("every method of a world has its call", () => {
+  const names = [];
+  let kind = thud.World.prototype;
+  for (; kind !== Object.prototype; kind = Object.getPrototypeOf(kind))
+    names.push(...Object.getOwnPropertyNames(kind));
+  const missing = names.filter((name) => !CALLS[name] && !NOT_PLAYED.has(name) && name !== "address");
+  assert.deepEqual(missing, []);
+  for (const name of ["Mover", "minkowskiSum"]) assert.ok(CALLS[name] && thud[name]);
+});
