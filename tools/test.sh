@@ -21,7 +21,8 @@ Builds and tests everything, or only the parts that are named:
   baseline    the comparison with Box2D
 
   --full      gives every pair of shapes 10^6 random cases instead of hundreds to thousands, a
-              quarter of an hour more; belongs to native
+              quarter of an hour more, and measures anew what the generated pages in docs/ say, ten
+              minutes more; belongs to native
 
 Two lanes run side by side: wasm and page, which often wait, and all others, which give way to
 them. What a part prints is in build/test/PART.log and shown as it ends.
@@ -58,12 +59,24 @@ test_native() {
     build release --preset release -DTHUD_WERROR=ON
     ctest --preset release --parallel "$jobs"
     [ "$full" = no ] || test_all_cases
+    [ "$full" = no ] || test_pages_at_length
 }
 
 # A quarter of an hour on two processors.
 test_all_cases() {
     THUD_CASES=1000000 ctest --preset release --label-regex '^pairs$' --timeout 7200 \
         --parallel "$jobs"
+}
+
+# Some ten minutes: what the generated pages say, measured anew; times where Box2D can be built.
+test_pages_at_length() {
+    release=build/release/tests
+    set -- tradeoff=$release/tradeoff/thud-tradeoff stability=$release/stability/thud-envelope \
+        catalogue=$release/bench/thud-catalogue performance=$release/bench/thud-bench
+    if build_bench; then
+        set -- "$@" times=build/bench/tests/bench/thud-bench
+    fi
+    python3 -B tests/pages/check_pages.py fresh --long "$@"
 }
 
 # Without what native tests once and for all, and what clang's bits settle: tests/CMakeLists.txt

@@ -19,19 +19,24 @@ SHORT = {
     "catalogue": ["walls", "throws", "levels"],
     "performance": ["pyramid", "tumbler", "platformer", "gas:1000"],
 }
-# What the long form leaves out: the whole of the rest takes some ten minutes.
-PARTS = {"catalogue": ["walls", "throws", "levels", "detections"]}
+# What the long form measures, in some five minutes: all but what takes as long by itself (the dense pit,
+# the crowding), and of the catalogue all that is no time.
+LONG = {
+    "tradeoff": ["column_30", "column_100", "pyramid", "heavy_on_light", "rubble", "slope", "rolling",
+                 "gas", "cradle", "bullets"],
+    "stability": ["mass-ratio", "columns", "far-away", "speed", "sizes", "time-step", "energy",
+                  "slopes", "long-run", "wrong-input"],
+    "catalogue": ["walls", "throws", "levels", "detections"],
+}
 OPTIONS = {"tradeoff": "--case", "stability": "--only", "catalogue": "--part",
            "performance": "--scene"}
-# Those whose figures take longest, of a scene that is none the less in another page.
-TOO_LONG = {"performance": ["gas:64000"]}
 
 
 def measure(page, program, parts, more=()):
     words = [program, *more]
     for part in parts:
         words += [OPTIONS[page], part]
-    if page in ("stability",):
+    if page == "stability":
         words.append("--without-box2d")
     if page in ("tradeoff", "performance"):
         words += ["--repeat", "1"]
@@ -140,9 +145,8 @@ def parts_of(page, kept, is_long):
     if not is_long:
         return SHORT[page]
     if page == "performance":
-        named = [f"{s['scene']}:{s['size']}" for s in kept["scenes"]]
-        return [part for part in named if part not in TOO_LONG[page]]
-    return PARTS.get(page, [])
+        return [f"{s['scene']}:{s['size']}" for s in kept["scenes"]]
+    return LONG[page]
 
 
 def wrong(page, program, is_long, docs):

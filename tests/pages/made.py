@@ -1,6 +1,7 @@
 """Whether each generated page is what its JSON and its notes make, and names the commit of both."""
 
 import filecmp
+import json
 import os
 import re
 import shutil
@@ -105,8 +106,21 @@ def uncovered(docs):
             and name[:-3] not in WRITERS]
 
 
+def pictures_without_commit(docs):
+    """Pictures of the page, taken by web/tools/screenshots.mjs."""
+    folder = os.path.join(docs, "pictures")
+    listed = json.loads(read(os.path.join(folder, "pictures.json")))
+    taken = {name[:-4] for name in os.listdir(folder) if name.endswith(".png")}
+    wrong = [f"docs/pictures/{name}.png and pictures.json do not belong together"
+             for name in sorted(taken ^ set(listed))]
+    return wrong + [f"docs/pictures/{name}.png was taken at {one['commit']}: "
+                    f"{history.why_not(one['commit']) or 'that is no commit'}"
+                    for name, one in listed.items() if history.why_not(one["commit"])
+                    or not measured.COMMIT.fullmatch(one["commit"])]
+
+
 def wrong(docs=measured.DOCS):
-    found = []
+    found = pictures_without_commit(docs)
     for page in WRITERS:
         found += not_as_made(page, docs) + wrong_commit(page, docs) + loose_notes(page)
     return found + loose_readme(docs) + uncovered(docs)

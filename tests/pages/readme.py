@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the figures of README.md anew, from the JSON of the pages in docs/ by readme-notes.md.
 
-usage: readme.py [--check]
+usage: readme.py
 """
 
 import os
@@ -71,16 +71,23 @@ def stray_numbers(readme, notes):
     return prose.stray_numbers(bare + "\n\n" + listed, numbers)
 
 
-def main(words):
-    if words not in ([], ["--check"]):
-        print(__doc__, file=sys.stderr)
-        return 2
-    readme, notes = read(README), read(NOTES)
-    anew = filled(readme, notes)
-    if words:
-        return 0 if anew == readme else 1
+def refresh(folder):
+    """After a page was written: the README quotes those of docs/."""
+    if measured.is_docs(folder):
+        write()
+
+
+def write():
+    anew = filled(read(README), read(NOTES))
     with open(README, "w", encoding="utf-8") as file:
         file.write(anew)
+
+
+def main(words):
+    if words:
+        print(__doc__, file=sys.stderr)
+        return 2
+    write()
     return 0
 
 

@@ -3,6 +3,7 @@ prose, or in what the engine does."""
 
 import json
 import os
+import re
 import shutil
 import tempfile
 import unittest
@@ -88,7 +89,7 @@ class Pages(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.docs = os.path.join(scratch.name, "docs")
-        shutil.copytree(measured.DOCS, self.docs, ignore=shutil.ignore_patterns("*.png"))
+        shutil.copytree(measured.DOCS, self.docs)
 
     def spoil(self, name, change):
         path = os.path.join(self.docs, name)
@@ -137,6 +138,14 @@ class Pages(unittest.TestCase):
         with open(os.path.join(self.docs, "new.md"), "w", encoding="utf-8") as file:
             file.write("# New\n\nMeasured at commit 0123456789ab on 2026-01-02, p.\n")
         self.assertEqual(len(made.uncovered(self.docs)), 1)
+
+    def test_picture_without_a_commit_is_noticed(self):
+        self.assertEqual(made.pictures_without_commit(self.docs), [])
+        self.spoil("pictures/pictures.json", lambda text: text.replace('"phone"', '"tablet"'))
+        self.assertEqual(len(made.pictures_without_commit(self.docs)), 2)
+        self.spoil("pictures/pictures.json", lambda text: text.replace('"tablet"', '"phone"'))
+        self.spoil("pictures/pictures.json", lambda text: re.sub('(?<="commit": ").{12}', "0" * 12, text))
+        self.assertEqual(len(made.pictures_without_commit(self.docs)), 8)
 
     def test_readme_with_an_old_figure_is_noticed(self):
         text, notes = made.read(readme.README), made.read(readme.NOTES)
