@@ -43,9 +43,14 @@ build_bench() {
         -DTHUD_BOX2D="$root/build/baseline"
 }
 
-# What the figures belong to.
+# What the figures belong to. What is not committed of all that programs are made of makes it -dirty,
+# and pages of a dirty tree are not written to docs/: tests/pages/measured.py.
 name_commit() {
-    THUD_COMMIT=$(git describe --always --dirty --abbrev=10 2>/dev/null || echo unknown)
+    THUD_COMMIT=$(git rev-parse --short=12 HEAD 2>/dev/null | cut -c 1-12)
+    changed=$(git status --porcelain --untracked-files=no -- CMakeLists.txt assets cmake demo engine \
+        tests web ':(exclude)*.md' ':(exclude)*.py' 2>/dev/null) || changed=
+    [ -z "$changed" ] || THUD_COMMIT=$THUD_COMMIT-dirty
+    THUD_COMMIT=${THUD_COMMIT:-unknown}
     export THUD_COMMIT
 }
 

@@ -23,8 +23,8 @@ Builds and tests everything, or only the parts that are named:
   --full      gives every pair of shapes 10^6 random cases instead of hundreds to thousands, and
               tries each guarantee (docs/guarantees.md) on every combination of settings instead
               of some twenty, runs the tests under clang's memory sanitizer, and those of threads
-              and the kept inputs of ./run fuzz under its thread sanitizer, an hour more; belongs
-              to native
+              and the kept inputs of ./run fuzz under its thread sanitizer, and measures anew what
+              the generated pages in docs/ say, more than an hour; belongs to native
 
 Two lanes run side by side: wasm and page, which often wait, and all others, which give way to
 them. What a part prints is in build/test/PART.log and shown as it ends.
@@ -64,6 +64,7 @@ test_native() {
         test_all_cases
         test_memory
         test_threads
+        test_pages_at_length
     }
 }
 
@@ -105,6 +106,17 @@ test_all_cases() {
         --parallel "$jobs"
     THUD_CASES=1000000 ctest --preset release --label-regex '^pairs$' --timeout 7200 \
         --parallel "$jobs"
+}
+
+# Some ten minutes: what the generated pages say, measured anew; times where Box2D can be built.
+test_pages_at_length() {
+    release=build/release/tests
+    set -- tradeoff=$release/tradeoff/thud-tradeoff stability=$release/stability/thud-envelope \
+        catalogue=$release/bench/thud-catalogue performance=$release/bench/thud-bench
+    if build_bench; then
+        set -- "$@" times=build/bench/tests/bench/thud-bench
+    fi
+    python3 -B tests/pages/check_pages.py fresh --long "$@"
 }
 
 # Without what native tests once and for all, and what clang's bits settle: tests/CMakeLists.txt

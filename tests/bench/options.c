@@ -147,8 +147,11 @@ static bool read_value(options *o, const char *name, const char *value) {
     return true;
 }
 
-/* Growth, prices and workers have scenes and steps of their own. */
+/* Growth, prices and workers have scenes and steps of their own, and growth is told beside Box2D's.
+ */
 static bool is_of_use(const options *o) {
+    if (o->parts & BENCH_GROWTH && !engine_find("box2d"))
+        return fail("--growth wants Box2D, which this build has not", NULL);
     if (o->parts == 0 || o->parts & (BENCH_SCENES | BENCH_PROFILE))
         return true;
     if (o->scene_count > 0)

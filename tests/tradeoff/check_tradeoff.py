@@ -23,9 +23,11 @@ QUALITIES = ["draft", "default", "high", "exact", "soft 4", "soft 8", "soft 16",
 SUBSTEPS = ["1", "2", "4", "8", "16", "8 stiff", "16 stiff"]
 MEASURES = ["ms_median", "ms_mean", "ms_total", "penetration_worst", "penetration_mean",
             "energy_gained"]
-# Cases in which a finer quality still errs more than a coarser one: a gas keeps all but some thousandths
-# of its energy at each, and which rare pair loses that is chance.
-NOT_YET_MONOTONE = {"gas"}
+# Where a finer quality still errs more than a coarser one: case, coarser and finer, the worst error of
+# the finer that is known of the small and short run, rounded up, and the reason.
+RARE_LOSS = "the gas loses energy in a few rare pairs, and which quality meets one is chance"
+KNOWN_MISSES = {("gas", "draft", "high"): (7.21e-4, RARE_LOSS),
+                ("gas", "default", "high"): (7.21e-4, RARE_LOSS)}
 
 
 def run(program, *words):
@@ -53,9 +55,14 @@ def check_points(case):
 
 
 def check_monotone(cases):
-    worse = {c["case"]: [(a["setting"], b["setting"]) for a, b in figures.not_monotone(c)]
-             for c in cases if figures.not_monotone(c)}
-    assert set(worse) <= NOT_YET_MONOTONE, worse
+    worse = {(c["case"], a["setting"], b["setting"]): b["error"]
+             for c in cases for a, b in figures.not_monotone(c)}
+    for pair, reached in worse.items():
+        assert pair in KNOWN_MISSES, (pair, reached)
+        worst, reason = KNOWN_MISSES[pair]
+        assert reached <= worst and reason, (pair, reached, "worse than the worst known", worst)
+    kept = set(KNOWN_MISSES) - set(worse)
+    assert not kept, ("kept again; they leave the list of known misses", kept)
     # Settings must matter at all, or there is nothing to trade; flagged bullets are stopped by all.
     for case in cases:
         if case["case"] != "bullets":

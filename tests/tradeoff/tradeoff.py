@@ -5,7 +5,7 @@ usage: tradeoff.py THUD_TRADEOFF [option...]
 
 What is finished of a run is written case by case: after Ctrl-C the same command goes on where it was,
 as long as thud-tradeoff is the same. The text between the tables comes word for word from
-tradeoff-notes.md beside this file.
+tradeoff-notes.md beside this file, but for the figures in it.
 """
 
 import argparse
@@ -18,6 +18,8 @@ import time
 
 import tradeoff_page
 import tradeoff_picture
+import measured  # found through tradeoff_page
+import readme
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -193,7 +195,9 @@ def main(words):
         if arguments.again:
             write_all(arguments.out, read_results(arguments.out))
         else:
+            measured.refuse_unnamed(arguments.out)
             measure(arguments)
+        readme.refresh(arguments.out)
     except KeyboardInterrupt:
         print("\ninterrupted: the finished cases are in "
               f"{os.path.join(arguments.out, FOLDER)}; the same command goes on", file=sys.stderr)

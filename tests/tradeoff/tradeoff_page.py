@@ -3,9 +3,17 @@
 import csv
 import io
 import math
+import os
 import re
+import sys
 
 import tradeoff_figures as figures
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "pages"))
+
+import measured  # noqa: E402
+import page_figures  # noqa: E402
+import prose  # noqa: E402
 
 COLUMNS = ["case", "engine", "curve", "setting", "substeps", "contact_hertz", "error",
            "ms_median", "ms_mean", "ms_total", "penetration_worst", "penetration_mean",
@@ -176,13 +184,15 @@ def thoroughness(results):
 def fill(notes, results, folder):
     """The notes with every {{name}} replaced; a name that nothing makes is an error."""
     made = {"thoroughness": thoroughness, "summary": summary,
-            "sections": lambda r: sections(r, folder), "folder": lambda _: folder}
+            "sections": lambda r: sections(r, folder), "folder": lambda _: folder,
+            "measured": lambda r: measured.line(r["about"])}
 
     def text_of(match):
         name = match.group(1)
         return made[name](results) if name in made else str(results["about"][name])
 
-    return re.sub(r"\{\{(\w+)\}\}", text_of, notes)
+    text = re.sub(r"\{\{(\w+)\}\}", text_of, prose.strip_given(notes))
+    return page_figures.fill(text, results, whole=not (results["quick"] or results["missing"]))
 
 
 def comma_separated(results):

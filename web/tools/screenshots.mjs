@@ -1,12 +1,14 @@
 #!/usr/bin/env node
 /** Takes the README's pictures of the built page and writes them to docs/pictures. */
-import { mkdirSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { DESKTOP, launchChromium, PHONE, servePage, stepBy } from "./browser.mjs";
+import { cleanCommit } from "./commit.mjs";
 
 const USAGE = `usage: node screenshots.mjs [NAME...]
 
-Writes docs/pictures/NAME.png of the page in web/dist; without a name, all of them.
+Writes docs/pictures/NAME.png of the page in web/dist; without a name, all of them. The commit of each
+stands in docs/pictures/pictures.json, so that nothing may have changed since the last one.
 `;
 
 const LIGHT = { ...DESKTOP, colorScheme: "light" };
@@ -84,6 +86,9 @@ if (unknown) {
 
 const folder = fileURLToPath(new URL("../../docs/pictures/", import.meta.url));
 mkdirSync(folder, { recursive: true });
+const listed = `${folder}pictures.json`;
+const commits = existsSync(listed) ? JSON.parse(readFileSync(listed, "utf8")) : {};
+const commit = cleanCommit();
 const server = await servePage();
 const browser = await launchChromium({ webgl: true });
 for (const { name, search, steps, options = DESKTOP, prepare, after } of PICTURES) {
@@ -102,6 +107,8 @@ for (const { name, search, steps, options = DESKTOP, prepare, after } of PICTURE
   // Until the figures are those of the last step and the line about the scene has gone.
   await page.waitForSelector("#notice", { state: "hidden", timeout: 60_000 });
   await page.screenshot({ path: `${folder}${name}.png` });
+  commits[name] = { commit, date: new Date().toISOString().slice(0, 10) };
+  writeFileSync(listed, `${JSON.stringify(commits, null, 1)}\n`);
   console.log(`docs/pictures/${name}.png`);
   await context.close();
 }

@@ -65,7 +65,8 @@ static bool grow_to(const scene_info *info, int size, int steps, double *each, j
         fprintf(stderr, "thud-bench: out of memory for scene %s\n", info->name);
         return false;
     }
-    bool ok = measure(&engine_thud, &s, steps, &own) && measure(&engine_box2d, &s, steps, &rival);
+    bool ok =
+        measure(&engine_thud, &s, steps, &own) && measure(engine_find("box2d"), &s, steps, &rival);
     scene_free(&s);
     if (!ok)
         return false;

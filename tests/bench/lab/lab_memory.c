@@ -72,7 +72,7 @@ bool lab_memory(bool quick, json *out) {
     for (int boxes = 0; ok && boxes < 2; boxes++) {
         lab_memory_use own, its;
         ok = measure(&engine_thud, boxes, quick ? 1 : SIZE_COUNT, &own) &&
-             measure(&engine_box2d, boxes, quick ? 1 : SIZE_COUNT, &its);
+             measure(engine_find("box2d"), boxes, quick ? 1 : SIZE_COUNT, &its);
         if (!ok)
             break;
         double body = own.per_body / its.per_body, contact = own.per_contact / its.per_contact;

@@ -3,7 +3,7 @@
 
 usage: catalogue.py THUD_CATALOGUE [option...]
 
-The text between the tables comes word for word from catalogue-notes.md beside this file.
+The text between the tables comes from catalogue-notes.md beside this file.
 """
 
 import argparse
@@ -15,9 +15,10 @@ import tempfile
 
 import catalogue_page
 import catalogue_picture
+import measured  # found through catalogue_page
+import readme
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
 
 
 def parse(arguments):
@@ -25,7 +26,7 @@ def parse(arguments):
                                      description=__doc__.split("\n", 1)[0])
     parser.add_argument("program", help=argparse.SUPPRESS)
     parser.add_argument("--quick", action="store_true", help="shows that it runs, compares little")
-    parser.add_argument("--out", default=os.path.join(ROOT, "docs"), metavar="DIR",
+    parser.add_argument("--out", default=measured.DOCS, metavar="DIR",
                         help="where the page goes (docs)")
     parser.add_argument("--again", action="store_true",
                         help="measures nothing: writes the page anew from catalogue.json in DIR, "
@@ -57,6 +58,8 @@ def main(words):
     pictures = os.path.join(arguments.out, "pictures")
     try:
         # Before the minutes of measuring, not after them.
+        if not arguments.again:
+            measured.refuse_unnamed(arguments.out)
         os.makedirs(pictures, exist_ok=True)
         results = read(kept) if arguments.again else measure(arguments)
         if not arguments.again:
@@ -66,6 +69,7 @@ def main(words):
         write(os.path.join(arguments.out, "catalogue.md"), page)
         for name, picture in catalogue_picture.draw(results).items():
             write(os.path.join(pictures, f"catalogue-{name}.svg"), picture)
+        readme.refresh(arguments.out)
     except (OSError, ValueError, subprocess.CalledProcessError) as error:
         print(f"catalogue.py: {error}", file=sys.stderr)
         return 1

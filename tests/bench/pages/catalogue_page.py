@@ -1,10 +1,9 @@
 """The tables of docs/catalogue.md, in Markdown, from the JSON of thud-catalogue."""
 
-import re
-
+import page_parts
 from catalogue_figures import (BROADPHASES, LEVELS, NARROWPHASE, WAYS, cheapest, dropped_at,
                                in_words, per_pair)
-from performance_page import NOT_MEASURED, table
+from performance_page import table
 
 
 def ns(value):
@@ -187,18 +186,9 @@ SECTIONS = {f.__name__: (needs, f) for needs, f in [
     ("detections", detections), ("walls", walls), ("throws", throws), ("levels", levels), ("levels", narrowphase),
     ("detections", motions), ("volumes", volumes), ("calls", calls), ("tolerances", tolerances), ("grounds", grounds),
     ("digging", digging), ("queries", queries), ("mover", mover)]}
-ABOUT = ["date", "commit", "processor", "processors", "system", "compiler"]
 
 
 def fill(notes, results):
-    """The notes with every {{name}} replaced; a name that nothing makes is an error."""
-    def text_of(match):
-        name = match.group(1)
-        if name in ABOUT:
-            return str(results["about"][name])
-        if name == "thoroughness":
-            return "a quick run, which compares little" if results["quick"] else "a full run"
-        needs, make = SECTIONS[name]
-        return make(results) if needs in results else NOT_MEASURED
-
-    return re.sub(r"\{\{(\w+)\}\}", text_of, notes)
+    """The notes with every {{...}} replaced; a name that nothing makes is an error."""
+    thoroughness = "a quick run, which compares little" if results["quick"] else "a full run"
+    return page_parts.fill(notes, results, SECTIONS, {"thoroughness": thoroughness})

@@ -3,7 +3,7 @@
 
 usage: performance.py THUD_BENCH [option...]
 
-The hand-written sections come word for word from performance-notes.md beside this file. Every part
+The hand-written sections come from performance-notes.md beside this file. Every part
 of the measurement stays in a folder as soon as it is done; a call that was interrupted goes on with
 the next part, as long as the commit is the same and nothing in the tree has changed.
 """
@@ -16,6 +16,8 @@ import sys
 
 import performance_page
 import performance_picture
+import measured  # found through performance_page
+import readme
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
@@ -78,7 +80,7 @@ def has_rapier(bench):
 
 def measure_all(arguments):
     os.makedirs(arguments.keep, exist_ok=True)
-    commit = os.environ.get("THUD_COMMIT", "unknown")
+    commit = measured.commit_of_run()
     results = {}
     for part in PARTS:
         if part in arguments.skip or (part == "rapier" and not has_rapier(arguments.bench)):
@@ -109,7 +111,7 @@ def parse(arguments):
                         help="leaves out one of " + ", ".join(PARTS) + "; may be given several times")
     parser.add_argument("--keep", default=os.path.join(ROOT, "build", "performance"),
                         metavar="FOLDER", help="where the parts stay (build/performance)")
-    parser.add_argument("--out", default=os.path.join(ROOT, "docs"), metavar="FOLDER",
+    parser.add_argument("--out", default=measured.DOCS, metavar="FOLDER",
                         help="where the page goes (docs)")
     parser.add_argument("--again", action="store_true",
                         help="measures nothing: writes the page anew from performance.json in --out, "
@@ -121,6 +123,8 @@ def main(words):
     arguments = parse(words)
     kept = os.path.join(arguments.out, "performance.json")
     try:
+        if not arguments.again:
+            measured.refuse_unnamed(arguments.out)
         results = read(kept) if arguments.again else measure_all(arguments)
     except (OSError, ValueError, subprocess.CalledProcessError) as error:
         print(f"performance.py: {error}", file=sys.stderr)
@@ -133,6 +137,7 @@ def main(words):
     with open(os.path.join(arguments.out, "performance.md"), "w", encoding="utf-8") as file:
         file.write(page)
     performance_picture.draw(results, os.path.join(arguments.out, "pictures", "performance.svg"))
+    readme.refresh(arguments.out)
     print("wrote " + os.path.join(arguments.out, "performance.md"))
     return 0
 

@@ -1,8 +1,6 @@
 """The tables of docs/performance.md, in Markdown, from the JSON of thud-bench."""
 
-import re
-
-NOT_MEASURED = "Not part of this run."
+import page_parts
 
 
 def table(head, rows):
@@ -150,16 +148,8 @@ SECTIONS = {"races": ("scenes", races), "overlaps": ("scenes", overlaps), "alone
             "growth": ("growth", growth), "memory": ("memory", memory), "pay": ("pay", pay),
             "workers": ("workers", workers), "profile": ("profile", profile),
             "wasm": ("wasm", wasm)}
-ABOUT = ["date", "commit", "processor", "processors", "system", "compiler", "box2d", "rapier"]
 
 
 def fill(notes, results):
-    """The notes with every {{name}} replaced; a name that nothing makes is an error."""
-    def text_of(match):
-        name = match.group(1)
-        if name in ABOUT:
-            return str(results["about"].get(name, "not built"))
-        needs, make = SECTIONS[name]
-        return make(results) if needs in results else NOT_MEASURED
-
-    return re.sub(r"\{\{(\w+)\}\}", text_of, notes)
+    """The notes with every {{...}} replaced; a name that nothing makes is an error."""
+    return page_parts.fill(notes, results, SECTIONS)

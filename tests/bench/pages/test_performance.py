@@ -139,9 +139,9 @@ class Picture(unittest.TestCase):
 
 class Notes(unittest.TestCase):
     def test_text_between_the_figures_stays_word_for_word(self):
-        text = page.fill("By hand {, {x} and 5 % -- {{commit}}, {{rapier}}.\n\n{{wasm}}\n", RESULTS)
-        self.assertEqual(text, "By hand {, {x} and 5 % -- abc, not built.\n\n"
-                         + page.NOT_MEASURED + "\n")
+        text = page.fill("By hand {, {x} and 5 % -- {{measured}} {{rapier}}.\n\n{{wasm}}\n", RESULTS)
+        self.assertEqual(text, "By hand {, {x} and 5 % -- Measured at commit abc on today, p. not built.\n\n"
+                         + page.page_parts.NOT_MEASURED + "\n")
 
     def test_unknown_placeholder_is_refused(self):
         with self.assertRaises(KeyError):

@@ -8,6 +8,7 @@
 #define THUD_STABILITY_EXTREME_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* Who goes through an extreme: thud at a quality, or Box2D v3.2 at its defaults. */
 typedef enum entrant {
@@ -37,7 +38,7 @@ typedef struct bound {
     unsigned on; /* whom it binds: ON_ */
 } bound;
 
-enum { FIGURE_TEXT = 120 };
+enum { FIGURE_TEXT = 120, KNOWN_MISS_TEXT = 512 };
 
 /* A line of an extreme's table. */
 typedef struct figure {
@@ -88,12 +89,19 @@ bound bound_at_least(double value, unsigned on);
 /* Whether the entrant keeps the figure's bound; true if it binds him not, or was not measured. */
 bool figure_holds(const figure *f, entrant e);
 
-/* Who is known not to keep this line's bound: ON_. Such a miss is told, and not asserted by the
- * tests. The list stands in known_misses.c. */
-unsigned known_misses(const extreme *x, const figure *f);
-/* ... and the figure beyond which it is no known one any more; the bound where none is known. */
-double known_misses_worst(const extreme *x, const figure *f);
-/* The text of a known miss of the extreme that none of its figures has; null if there is none. */
+/* What known_misses.c says of a figure and an entrant, which has a worst value and a reason for
+ * each miss. */
+typedef enum known_miss {
+    KNOWN_MISS_NONE, /* the bound is kept, or there is none */
+    KNOWN_MISS_AS_KNOWN,
+    KNOWN_MISS_WRONG /* missed and not in the list, worse than its worst value, or kept again */
+} known_miss;
+
+/* `why` gets a line about all but KNOWN_MISS_NONE. */
+known_miss known_misses_judge(const extreme *x, const figure *f, entrant e, bool quick, char *why,
+                              size_t size);
+/* The text of a line of the list that has no reason or no worst value, or that is no figure of the
+ * extreme; null if there is none. */
 const char *known_misses_stray(const extreme *x, const ledger *l);
 
 #endif

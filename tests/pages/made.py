@@ -1,0 +1,126 @@
+"""Whether each generated page is what its JSON and its notes make, and names the commit of both."""
+
+import filecmp
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import history
+import measured
+import page_figures
+import prose
+import readme
+
+TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+# Of each page: what writes it from its JSON, its notes, and the command that measures it anew.
+WRITERS = {"performance": "bench/pages/performance.py", "catalogue": "bench/pages/catalogue.py",
+           "stability": "stability/envelope.py", "tradeoff": "tradeoff/tradeoff.py"}
+NOTES = {"performance": "bench/pages/performance-notes.md", "catalogue": "bench/pages/catalogue-notes.md",
+         "stability": "stability/notes.md", "tradeoff": "tradeoff/tradeoff-notes.md"}
+COMMANDS = {"performance": "./run bench --report", "catalogue": "./run bench --catalogue",
+            "stability": "./run envelope", "tradeoff": "./run tradeoff"}
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def written_anew(page, docs, folder):
+    """The paths, below both folders, of all that the page's writer makes of its JSON."""
+    kept = page_figures.page_path(page, folder)
+    os.makedirs(os.path.dirname(kept), exist_ok=True)
+    shutil.copy(page_figures.page_path(page, docs), kept)
+    done = subprocess.run([sys.executable, "-B", os.path.join(TESTS, WRITERS[page]), "no-program",
+                           "--again", "--out", folder], capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise ValueError(done.stderr.strip())
+    return [os.path.relpath(os.path.join(base, name), folder)
+            for base, _, names in os.walk(folder) for name in names]
+
+
+def not_as_made(page, docs):
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            paths = written_anew(page, docs, folder)
+        except (OSError, ValueError) as error:
+            return [f"docs/{page}.md cannot be made of its figures: {error}"]
+        return [f"docs/{path} is not what {os.path.basename(page_figures.PAGES[page])} and the notes "
+                f"make: {COMMANDS[page]} --again" for path in sorted(paths)
+                if not os.path.exists(os.path.join(docs, path))
+                or not filecmp.cmp(os.path.join(docs, path), os.path.join(folder, path), False)]
+
+
+def wrong_commit(page, docs):
+    results = page_figures.read_page(page, docs)
+    lines = measured.LINE.findall(read(os.path.join(docs, page + ".md")))
+    commit = results["about"]["commit"]
+    if len(lines) != 1 or lines[0][0] != commit or not measured.COMMIT.fullmatch(commit):
+        return [f"docs/{page}.md names no commit, or another than its figures' ({commit})"]
+    wrong = [f"docs/{page}.md was measured at {commit}: {history.why_not(commit)}"] \
+        if history.why_not(commit) else []
+    if results.get("quick") or results.get("missing"):
+        wrong.append(f"docs/{page}.md is of a run that was not whole")
+    return wrong
+
+
+def loose_prose(name, notes, strays):
+    wrong = [f"{name}:{line}: '{number}' is neither a figure of the JSON, nor given, nor dated: {text}"
+             for line, text, number in strays]
+    wrong += [f"{name}: '{phrase}' is given and not written" for phrase in prose.stray_phrases(notes)]
+    wrong += [f"{name}: of commit {commit}: {history.why_not(commit)}"
+              for commit in prose.dates(notes) if history.why_not(commit)]
+    return wrong
+
+
+def loose_notes(page):
+    notes = read(os.path.join(TESTS, NOTES[page]))
+    return loose_prose("tests/" + NOTES[page], notes, prose.stray_numbers(notes))
+
+
+def loose_readme(docs):
+    text, notes = read(readme.README), read(readme.NOTES)
+    own = readme.GIVEN_THERE.sub("", notes)
+    wrong = loose_prose("tests/pages/readme-notes.md", own, prose.stray_numbers(own))
+    wrong += loose_prose("README.md", text, readme.stray_numbers(text, notes))
+    wrong += [f"README.md: '{phrase}' is given and not written" for found in
+              readme.GIVEN_THERE.findall(notes) for phrase in map(str.strip, found.split(";"))
+              if " ".join(phrase.split()) not in " ".join(text.split())]
+    try:
+        if readme.filled(text, notes, docs) != text:
+            wrong.append("README.md has other figures than docs/: python3 tests/pages/readme.py")
+    except ValueError as error:
+        wrong.append(f"tests/pages/readme-notes.md: {error}")
+    return wrong
+
+
+def uncovered(docs):
+    """Pages that say that they were measured, of which nothing here knows."""
+    return [f"docs/{name} was measured, and tests/pages knows nothing of it"
+            for name in sorted(os.listdir(docs)) if name.endswith(".md")
+            and re.search(r"^Measured at commit", read(os.path.join(docs, name)), re.MULTILINE)
+            and name[:-3] not in WRITERS]
+
+
+def pictures_without_commit(docs):
+    """Pictures of the page, taken by web/tools/screenshots.mjs."""
+    folder = os.path.join(docs, "pictures")
+    listed = json.loads(read(os.path.join(folder, "pictures.json")))
+    taken = {name[:-4] for name in os.listdir(folder) if name.endswith(".png")}
+    wrong = [f"docs/pictures/{name}.png and pictures.json do not belong together"
+             for name in sorted(taken ^ set(listed))]
+    return wrong + [f"docs/pictures/{name}.png was taken at {one['commit']}: "
+                    f"{history.why_not(one['commit']) or 'that is no commit'}"
+                    for name, one in listed.items() if history.why_not(one["commit"])
+                    or not measured.COMMIT.fullmatch(one["commit"])]
+
+
+def wrong(docs=measured.DOCS):
+    found = pictures_without_commit(docs)
+    for page in WRITERS:
+        found += not_as_made(page, docs) + wrong_commit(page, docs) + loose_notes(page)
+    return found + loose_readme(docs) + uncovered(docs)
