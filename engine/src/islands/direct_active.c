@@ -78,11 +78,25 @@ static void set_weight(const td_direct *d, td_direct_constraint *c) {
     }
 }
 
-/* What pushed before does so again, and so does what is about to meet. In an island that is new to
- * the solver impulses tell little: there all that touches and does not part pushes, and friction
- * that hardly slides holds whatever it takes at first. */
+/* Nothing is known from a step before. */
+static bool is_new(const td_direct *d) {
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            if (r->kind == TD_ROW_PUSH && r->impulse > 0.0) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* What pushed before does so again, and so does what is about to meet. In an island that is new, or
+ * that the soft solver has had so far, all that touches and does not part pushes; and of the
+ * latter, whose impulses are still on their way, friction that hardly slides holds whatever it
+ * takes. */
 static void guess(td_direct *d, double doubt) {
-    double parting = d->fresh ? doubt : -doubt;
+    double parting = d->fresh || is_new(d) ? doubt : -doubt;
     td_direct_measure(d);
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];

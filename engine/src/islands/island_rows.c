@@ -144,6 +144,7 @@ td_island_work td_island_take(thud_world *w, const td_island *island) {
         soft += impulses[TD_DIRECT_ROWS] > 0.0f;
         take_constraint(&work, i);
     }
-    work.problem.fresh = 2 * soft > island->constraints;
+    /* Without a limit of sag islands are the direct solver's from their first contact on. */
+    work.problem.fresh = w->quality.sag_limit > 0.0f && 2 * soft > island->constraints;
     return work;
 }
