@@ -104,6 +104,7 @@ thud_step_error thud_world_error(const thud_world *w) {
         .residual = (double)e->residual,
         .energy_change = e->energy_change,
         .overlaps = (int)e->overlaps,
+        .shortfall = e->shortfall,
     };
 }
 

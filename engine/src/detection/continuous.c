@@ -7,12 +7,15 @@
  * body is swept alone: it may rub along, but never change sides. */
 #include "state/body.h"
 #include "contact/contact.h"
+#include "solver/error.h"
 #include "detection/detection.h"
 #include "state/kinds.h"
 #include "geometry/shape_instance.h"
 #include "base/rotation.h"
 #include "state/shape.h"
 #include "state/surface.h"
+
+#include <string.h>
 
 /* One of the body's shapes meets a static one. */
 typedef struct meeting {
@@ -233,7 +236,6 @@ static void give_back(thud_world *w, td_awake_slot slot, double time) {
     for (int k = 0; k < 3; k++) {
         velocity[k] -= (float)(w->substeps * (1.0 - time)) * push[k];
     }
-    w->kinetic_stale = true;
 }
 
 /* Whether the sweep comes near anything that it might hit; scratch.ahead gets the static shapes. */
@@ -279,6 +281,20 @@ static void find_next(sweep *s, int first, float c, float sine) {
     }
 }
 
+static void hold(sweep *s, uint32_t start_angle) {
+    thud_world *w = s->w;
+    double rest = 1.0 - s->next.time;
+    float before[3], *delta = td_row(&w->delta, s->slot);
+    memcpy(before, delta, sizeof before);
+    w->stats.held_bodies++;
+    w->stats.held_seconds += rest * w->def.time_step;
+    stop_at(w, s->body, s->start, start_angle, s->next.time, delta);
+    give_back(w, s->slot, s->next.time);
+    td_error_follow(w, s->slot, before);
+    td_error_fall_short(w, rest * (double)before[0], rest * (double)before[1]);
+    td_body_place_shapes(w, s->body);
+}
+
 /* The prologue is asked in the order of time, whichever order the broadphase has, up to the first
  * that stops the body. */
 static void sweep_body(thud_world *w, td_awake_slot slot) {
@@ -301,11 +317,7 @@ static void sweep_body(thud_world *w, td_awake_slot slot) {
         find_next(&swept, first, c, s);
     } while (swept.next.time < 1.0 && passes(&swept, (int)swept.next.pair, swept.next.time));
     if (swept.next.time < 1.0) {
-        w->stats.held_bodies++;
-        w->stats.held_seconds += (1.0 - swept.next.time) * w->def.time_step;
-        stop_at(w, index, start, angle, swept.next.time, td_row(&w->delta, slot));
-        give_back(w, slot, swept.next.time);
-        td_body_place_shapes(w, index);
+        hold(&swept, angle);
     }
 }
 
@@ -323,6 +335,9 @@ static void run(thud_world *w) {
         if (body->detection->rank == TD_RANK_CONTINUOUS) {
             sweep_body(w, slot);
         }
+    }
+    if (w->stats.held_bodies) {
+        td_error_settle(w);
     }
 }
 

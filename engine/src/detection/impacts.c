@@ -11,6 +11,7 @@
 #include "solver/bounces.h"
 #include "detection/collide.h"
 #include "contact/contact.h"
+#include "solver/error.h"
 #include "detection/toi_candidates.h"
 #include "detection/ghosts.h"
 #include "constraint/lanes.h"
@@ -38,7 +39,10 @@ enum {
 
 static void hold(thud_world *w, td_trajectory *f) {
     if (!f->held) {
+        double rest = 1.0 - f->since, fall = 0.5 * rest;
         f->held = true;
+        td_error_fall_short(w, (f->motion[0] + fall * f->fall[0]) * rest,
+                            (f->motion[1] + fall * f->fall[1]) * rest);
         w->stats.held_bodies++;
         w->stats.held_seconds += (1.0 - f->since) * w->def.time_step;
     }
@@ -266,10 +270,11 @@ static void take_off(thud_world *w, td_awake_slot slot) {
                         .free = f.free};
 }
 
-static void land(thud_world *w, td_awake_slot slot) {
+/* Whether its way was no more the solver's. */
+static bool land(thud_world *w, td_awake_slot slot) {
     td_trajectory *f = td_trajectory_at(w, slot);
     if (!f->changed) {
-        return;
+        return false;
     }
     td_pose *pose = td_pose_at(w, f->body);
     float *delta = td_row(&w->delta, slot);
@@ -280,10 +285,13 @@ static void land(thud_world *w, td_awake_slot slot) {
     pose->center = f->place;
     pose->angle = f->angle;
     td_angle_turn(pose->angle, &pose->c, &pose->s);
+    float before[3] = {delta[0], delta[1], delta[2]};
     delta[0] = (float)((double)(f->place.x - start.x) / w->to_fixed);
     delta[1] = (float)((double)(f->place.y - start.y) / w->to_fixed);
     delta[2] = (float)(int32_t)(f->angle - angle) * (float)TD_RADIANS_A_QUANTUM;
+    td_error_follow(w, slot, before);
     td_body_place_shapes(w, f->body);
+    return true;
 }
 
 /* Bounds for the next step reach as far as the body is going to move. */
@@ -371,11 +379,15 @@ static void run(thud_world *w) {
     for (int n; (n = td_event_queue_next(&w->scratch.queue, &time)) != TD_NONE;) {
         collide(w, n, time);
     }
+    bool changed = false;
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        land(w, slot);
+        changed |= land(w, slot);
         if (takes_part(w, slot)) {
             expect(w, slot);
         }
+    }
+    if (changed) {
+        td_error_settle(w);
     }
     hit_events(w);
 }

@@ -172,6 +172,7 @@ typedef struct td_errors {
     double depth; /* sum of penetrations, whole position quanta */
     float deepest, residual;
     double energy_change;
+    double shortfall;
 } td_errors;
 
 enum { TD_BUDGET_STEPS = 9 }; /* between two decisions */
