@@ -347,9 +347,10 @@ THUD_API thud_stats thud_world_stats(const thud_world *world);
  * nothing. */
 THUD_API thud_result thud_world_bisection_limit(thud_world *world, double *speed);
 
-/* What the last step got wrong, found as it was solved: costs nothing to ask. Of contacts that are
- * awake, where detection left the bodies: one that it held back, or that met something within the
- * step, counts as it stands at the end. The same with any number of workers. */
+/* What the last step got wrong, found as it was solved: costs nothing to ask, but in a step in
+ * which detection held bodies back or resolved collisions a pass over contacts. Of contacts that
+ * are awake, where detection left the bodies: one that it held back, or that met something within
+ * the step, counts as it stands at the end. The same with any number of workers. */
 typedef struct thud_step_error {
     double penetration_max, penetration_mean; /* lengths, at the end of the step, over the points of
                                     touching pairs, with turns taken as linear in their angle */

@@ -1,15 +1,20 @@
 /* error.c: see error.h. */
 #include "solver/error.h"
 
-#include "constraint/constraint.h"
 #include "state/kinds.h"
 #include "constraint/lanes.h"
+
+void td_error_settle(thud_world *w) {
+    double kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
+    w->errors.energy_change += kinetic - w->kinetic;
+    w->kinetic = kinetic;
+}
 
 /* The energy that the last step added up is stale where a body woke, fell asleep or was edited
  * since. */
 void td_error_begin(thud_world *w) {
     if (w->kinetic_stale) {
-        w->kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
+        td_error_settle(w);
     }
     w->errors = (td_errors){.energy_change = -w->kinetic};
 }
@@ -27,53 +32,6 @@ void td_error_add(thud_world *w, const td_tally *found) {
 
 float td_error_overlap(const thud_world *w) {
     return w->def.max_error > 0.0 ? (float)w->def.max_error : TD_SLOP * w->unit;
-}
-
-void td_error_follow(thud_world *w, td_awake_slot slot, const float *before) {
-    const float *now = td_row(&w->delta, slot);
-    float x = now[0] - before[0], y = now[1] - before[1], turn = now[2] - before[2];
-    float weight = *TD_AT(float, &w->weight, slot.at);
-    w->errors.energy_change -= (double)(weight * (w->def.gravity.x * x + w->def.gravity.y * y));
-    int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
-    for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
-        if (!td_is_contact(contact) || contact->state != TD_TOUCHING) {
-            continue;
-        }
-        td_lane at = td_lane_of(w, contact);
-        bool is_b = at.block->b[at.lane] == td_side_of_slot(slot);
-        float along = at.block->nx[at.lane] * x + at.block->ny[at.lane] * y;
-        for (int k = 0; k < td_form_points(w->kinds[contact->kind]->form); k++) {
-            td_point *p = &at.block->point[k];
-            p->separation[at.lane] +=
-                is_b ? along + p->cross_b[at.lane] * turn : -(along + p->cross_a[at.lane] * turn);
-        }
-    }
-}
-
-void td_error_settle(thud_world *w) {
-    td_errors *e = &w->errors;
-    td_tally tally = {0};
-    td_tally_context context = {w->skin, td_error_overlap(w), w->to_fixed};
-    for (int i = 0; i < w->scratch.runs.count; i++) {
-        const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
-        for (int k = 0; k < run->count && run->kind < TD_PAIR_COUNT; k += TD_CHUNK_BLOCKS) {
-            td_block *const *blocks = (td_block **)w->scratch.blocks.data + run->first + k;
-            TD_PICK_WIDE(w, td_tally_points)
-            (&tally, blocks, td_min_int(run->count - k, TD_CHUNK_BLOCKS),
-             td_form_points(w->kinds[run->kind]->form), &context);
-        }
-    }
-    double before = w->kinetic;
-    w->kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
-    *e = (td_errors){.residual = e->residual,
-                     .energy_change = e->energy_change + (w->kinetic - before),
-                     .shortfall = e->shortfall};
-    td_error_add(w, &tally);
-}
-
-void td_error_fall_short(thud_world *w, double x, double y) {
-    w->errors.shortfall = td_max_double(w->errors.shortfall, __builtin_sqrt(x * x + y * y));
 }
 
 /* Normal velocity of a point; negative where it closes. */
