@@ -112,6 +112,7 @@ thud_step_error thud_world_error(const thud_world *w) {
 static void measure_penetration(const thud_world *w, thud_measure *m) {
     int points = 0;
     double sum = 0.0;
+    bool moved = td_error_has_moved(w);
     for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *contact = td_constraint_at(w, i);
         if (!td_is_contact(contact) || !contact->live || contact->state != TD_TOUCHING) {
@@ -123,7 +124,8 @@ static void measure_penetration(const thud_world *w, thud_measure *m) {
             if (p->normal_mass[at.lane] == 0.0f) {
                 continue;
             }
-            float separation = td_error_separation(w, contact, k) + w->skin;
+            float separation =
+                (moved ? td_error_separation(w, contact, k) : p->separation[at.lane]) + w->skin;
             double depth = separation < 0.0f ? -(double)separation : 0.0;
             m->penetration_max = depth > m->penetration_max ? depth : m->penetration_max;
             sum += depth;

@@ -32,15 +32,10 @@ static float distance_of(const thud_world *w, const td_constraint *contact, floa
     return (float)closest.distance;
 }
 
-/* Whether detection changed motions after the solver: it has projected, or held or resolved. */
-static bool has_moved(const thud_world *w) {
-    return w->errors.moved || w->stats.held_bodies > 0 || w->stats.impacts > 0;
-}
-
 float td_error_separation(const thud_world *w, const td_constraint *contact, int point) {
     td_lane at = td_lane_of(w, contact);
     const td_block *block = at.block;
-    if (!has_moved(w) || block->a[at.lane] + block->b[at.lane] == 0) { /* or both sleep */
+    if (block->a[at.lane] + block->b[at.lane] == 0) { /* or both sleep */
         return block->point[point].separation[at.lane];
     }
     float separation = along_rows(w, &at, point);
@@ -58,7 +53,7 @@ static bool is_awake(const thud_world *w, const td_constraint *contact) {
 
 td_errors td_error_of_step(const thud_world *w) {
     td_errors e = w->errors;
-    if (!has_moved(w)) {
+    if (!td_error_has_moved(w)) {
         return e;
     }
     e.points = e.overlaps = 0;

@@ -29,8 +29,13 @@ static inline void td_error_fall_short(thud_world *w, float x, float y) {
     }
 }
 
-/* step_error.c: separation of a touching contact's point, as bodies stand at the end of the step
- * even where detection had the last word. */
+/* Whether detection changed motions after points were counted: it projected, held or resolved. */
+static inline bool td_error_has_moved(const thud_world *w) {
+    return w->errors.moved || w->stats.held_bodies > 0 || w->stats.impacts > 0;
+}
+
+/* step_error.c: separation of a touching contact's point where that is so, as the bodies stand at
+ * the end of the step. */
 float td_error_separation(const thud_world *w, const td_constraint *contact, int point);
 /* The step's errors, with points counted anew where detection moved bodies. */
 td_errors td_error_of_step(const thud_world *w);
