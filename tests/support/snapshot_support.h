@@ -63,6 +63,7 @@ static inline uint64_t digest_of(thud_world *world) {
     MIX(error.penetration_mean);
     MIX(error.residual);
     MIX(error.energy_change);
+    MIX(error.shortfall);
     double limit;
     OK(thud_world_bisection_limit(world, &limit));
     MIX(limit);

@@ -224,6 +224,7 @@ void api_world_error(const thud_world *world) {
     api_slots.step_error.residual = error.residual;
     api_slots.step_error.energy_change = error.energy_change;
     api_slots.step_error.overlaps = error.overlaps;
+    api_slots.step_error.shortfall = error.shortfall;
 }
 
 /* Slots out: measure. */

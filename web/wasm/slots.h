@@ -62,7 +62,7 @@ struct stats {
 };
 
 struct step_error {
-    double penetration_max, penetration_mean, residual, energy_change, overlaps;
+    double penetration_max, penetration_mean, residual, energy_change, overlaps, shortfall;
 };
 
 struct measure {

@@ -350,9 +350,10 @@ THUD_API thud_stats thud_world_stats(const thud_world *world);
  * nothing. */
 THUD_API thud_result thud_world_bisection_limit(thud_world *world, double *speed);
 
-/* What the last step got wrong, found as it was solved: costs nothing to ask. Of contacts that are
- * awake, and as the solver left them: collisions that detection then finds within the step, and
- * bodies that it holds back, come on top. The same with any number of workers. */
+/* What the last step got wrong, found as it was solved: costs nothing to ask, but in a step in
+ * which detection held bodies back or resolved collisions a pass over contacts. Of contacts that
+ * are awake, where detection left the bodies: one that it held back, or that met something within
+ * the step, counts as it stands at the end. The same with any number of workers. */
 typedef struct thud_step_error {
     double penetration_max, penetration_mean; /* lengths, at the end of the step, over the points of
                                     touching pairs, with turns taken as linear in their angle */
@@ -363,7 +364,10 @@ typedef struct thud_step_error {
                              the kinetic: negative where friction, damping and restitution take
                                    some; positive is energy that nobody put in, or that forces,
                                    kinematic bodies and moving surfaces did */
-    int overlaps; /* points deeper than max_error, or without one than 0.005 length scales */
+    int overlaps;     /* points deeper than max_error, or without one than 0.005 length scales */
+    double shortfall; /* length: how far the body that detection held back the most, of
+                         thud_stats.held_bodies, ended from where its motion would have taken it; 0
+                         where none was held */
 } thud_step_error;
 
 /* All 0 before the first step. */

@@ -1,4 +1,5 @@
 /* report.c: what a world tells of itself: events, poses, statistics, measures, its hash. */
+#include "solver/error.h"
 #include "state/body.h"
 #include "state/handles.h"
 #include "constraint/lanes.h"
@@ -97,19 +98,21 @@ thud_step_error thud_world_error(const thud_world *w) {
     if (!w) {
         return (thud_step_error){0};
     }
-    const td_errors *e = &w->errors;
+    td_errors step = td_error_of_step(w), *e = &step;
     return (thud_step_error){
         .penetration_max = (double)e->deepest,
         .penetration_mean = e->points ? e->depth / w->to_fixed / (double)e->points : 0.0,
         .residual = (double)e->residual,
         .energy_change = e->energy_change,
         .overlaps = (int)e->overlaps,
+        .shortfall = __builtin_sqrt((double)e->shortfall),
     };
 }
 
 static void measure_penetration(const thud_world *w, thud_measure *m) {
     int points = 0;
     double sum = 0.0;
+    bool moved = td_error_has_moved(w);
     for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *contact = td_constraint_at(w, i);
         if (!td_is_contact(contact) || !contact->live || contact->state != TD_TOUCHING) {
@@ -121,7 +124,8 @@ static void measure_penetration(const thud_world *w, thud_measure *m) {
             if (p->normal_mass[at.lane] == 0.0f) {
                 continue;
             }
-            float separation = p->separation[at.lane] + w->skin;
+            float separation =
+                (moved ? td_error_separation(w, contact, k) : p->separation[at.lane]) + w->skin;
             double depth = separation < 0.0f ? -(double)separation : 0.0;
             m->penetration_max = depth > m->penetration_max ? depth : m->penetration_max;
             sum += depth;

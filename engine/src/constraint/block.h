@@ -80,7 +80,8 @@ typedef struct td_block {
     uint8_t internal_edges[TD_LANES]; /* td_shape.internal_edges of shape_a, where that is static */
     uint8_t loaded[TD_LANES];         /* how often in succession it was found to carry too much, see
                                          direct_islands.c; and the bit TD_DIRECT */
-    int32_t padding[5];
+    uint32_t apart; /* lanes that the motion of the step surely keeps apart: detection/gaps.h */
+    int32_t padding[4];
     /* The solver's rows begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slots, in bytes of their records of four floats; 0:
                                           that side is static */

@@ -16,6 +16,7 @@ typedef struct side {
     double x, y;        /* the point, from the centre of mass */
     double velocity[3]; /* now */
     double motion[3];   /* per second of the rest of the step */
+    bool stays;         /* keeps its motion */
 } side;
 
 static side side_of(thud_world *w, td_body_index index, const td_impact_point *at, double time) {
@@ -52,7 +53,7 @@ static double speed_along(const side *a, const side *b, bool of_motion, double x
 
 /* A body that is held does not move, whatever its velocity. */
 static bool gives_way(const side *s, bool of_motion) {
-    return !of_motion || (s->trajectory && !s->trajectory->held);
+    return !of_motion || (s->trajectory && !s->trajectory->held && !s->stays);
 }
 
 /* Speed along (tx, ty) that a unit of impulse along (x, y) gives. */
@@ -182,9 +183,13 @@ static void write_back(const thud_world *w, const side *s) {
     for (int k = 0; k < 3; k++) {
         double fall = k < 2 ? f->fall[k] : 0.0;
         velocity[k] = (float)(s->velocity[k] + fall * (1.0 - f->since) / w->def.time_step);
-        f->motion[k] = s->motion[k] * w->def.time_step;
+        f->motion[k] = s->stays ? f->motion[k] : s->motion[k] * w->def.time_step;
     }
     f->changed = true;
+    if (s->stays) {
+        f->free = false;
+        return;
+    }
     f->impacts++;
 }
 
@@ -226,6 +231,44 @@ thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e,
     return td_contact_between(w, a, b, place, normal, at->distance);
 }
 
+/* Others lean on it, or it on them. */
+static bool is_in_touch(const side *s, bool pair_touches) {
+    return s->trajectory && s->trajectory->touching > pair_touches;
+}
+
+/* A body in touch with others would hand its new motion on to them at once, and they to others: a
+ * heap would collide with itself for as long as the step lasts. It keeps its motion, which the
+ * solver made with all of them in sight, and what met it gives way; its new velocity is for the
+ * next step to hand on. Of two such bodies the one that gave way already keeps what it has, or else
+ * the slower one. */
+static void choose_who_stays(side *a, side *b, bool pair_touches, double nx, double ny) {
+    bool touch_a = is_in_touch(a, pair_touches);
+    bool touch_b = is_in_touch(b, pair_touches);
+    bool fixed =
+        !gives_way(a, true) || !gives_way(b, true) || a->inv_mass == 0.0 || b->inv_mass == 0.0;
+    if (fixed || (!touch_a && !touch_b)) {
+        return;
+    }
+    bool b_stays = touch_b;
+    if (touch_a && touch_b) {
+        double speed_a = td_abs(a->motion[0] * nx + a->motion[1] * ny);
+        double speed_b = td_abs(b->motion[0] * nx + b->motion[1] * ny);
+        bool yielded_a = a->trajectory->yielded, yielded_b = b->trajectory->yielded;
+        b_stays = yielded_a == yielded_b ? speed_b < speed_a : yielded_b;
+    }
+    a->stays = !b_stays;
+    b->stays = b_stays;
+    (b_stays ? a : b)->trajectory->yielded = true;
+}
+
+/* What gives way does not fall on: gravity and forces give it no speed in the rest of the step. */
+static void give_back(const thud_world *w, side *s, double time) {
+    const float *push = td_row(&w->push, s->body->awake);
+    for (int k = 0; k < 2; k++) {
+        s->velocity[k] -= w->substeps * (1.0 - time) * (double)push[k];
+    }
+}
+
 void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact_point *at,
                        double time, const thud_contact_settings *settings, td_impact *impact) {
     surface u = {.nx = at->nx,
@@ -237,10 +280,23 @@ void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact
     bool free = is_free(&a) && is_free(&b);
     u.bounce_speed = bounce_speed(w, &a, &b, &u);
     impact->approach = (float)-speed_along(&a, &b, false, u.nx, u.ny);
+    if (u.restitution < 1.0) {
+        choose_who_stays(&a, &b, impact->touching, u.nx, u.ny);
+        impact->stayed[0] = a.stays;
+        impact->stayed[1] = b.stays;
+    }
     outcome done = bounce(&a, &b, false, &u);
     impact->seen.normal_impulse = (float)done.normal;
     impact->seen.tangent_impulse = (float)done.tangent;
-    if (free) {
+    if (a.stays || b.stays) {
+        side *yields = a.stays ? &b : &a;
+        give_back(w, yields, time);
+        if (is_free(yields)) {
+            move_as_velocity(yields);
+        }
+        u.restitution = 0.0;
+        bounce(&a, &b, true, &u);
+    } else if (free) {
         move_as_velocity(&a);
         move_as_velocity(&b);
     } else {

@@ -8,6 +8,8 @@
 typedef struct td_impact {
     thud_contact seen; /* as callbacks see it */
     float approach;    /* speed at which they met, > 0 where they closed */
+    bool touching;     /* they have a contact with the solver */
+    bool stayed[2];    /* the body keeps the motion of this step; its velocity is a new one */
 } td_impact;
 
 /* The point at which two bodies act on each other, relative to `origin`. */

@@ -7,6 +7,7 @@
  * body is swept alone: it may rub along, but never change sides. */
 #include "state/body.h"
 #include "contact/contact.h"
+#include "solver/error.h"
 #include "detection/detection.h"
 #include "state/kinds.h"
 #include "geometry/shape_instance.h"
@@ -115,11 +116,16 @@ static thud_motion motion_of(const sweep *s, bool inside) {
     return (thud_motion){s->motion.dx, s->motion.dy, inside ? 0.0 : s->motion.turn};
 }
 
+/* Whether the shape of the sweep stops at another one. */
+static bool stops_at(const sweep *s, int other) {
+    const td_shape *shape = td_shape_at(s->w, other);
+    return td_body_at(s->w, shape->body)->kind == THUD_STATIC &&
+           !(shape->flags & TD_SHAPE_HOLLOW) && td_pair_allowed(s->w, s->shape, other);
+}
+
 static void against_shape(sweep *s, int other) {
     const thud_world *w = s->w;
-    const td_shape *shape = td_shape_at(w, other);
-    if (td_body_at(w, shape->body)->kind != THUD_STATIC || (shape->flags & TD_SHAPE_HOLLOW) ||
-        !td_pair_allowed(w, s->shape, other)) {
+    if (!stops_at(s, other)) {
         return;
     }
     bool hit = false;
@@ -148,8 +154,7 @@ static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terra
 
 static void against_terrain(sweep *s, int other) {
     const thud_world *w = s->w;
-    if (td_body_at(w, td_shape_at(w, other)->body)->kind != THUD_STATIC ||
-        (td_shape_at(w, other)->flags & TD_SHAPE_HOLLOW) || !td_pair_allowed(w, s->shape, other)) {
+    if (!stops_at(s, other)) {
         return;
     }
     thud_terrain terrain = td_terrain_view(w, other);
@@ -213,29 +218,6 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
                       turns ? (double)delta[2] : 0.0};
 }
 
-static void stop_at(thud_world *w, td_body_index index, td_position start, uint32_t start_angle,
-                    double time, float *delta) {
-    td_pose *pose = td_pose_at(w, index);
-    for (int k = 0; k < 3; k++) {
-        delta[k] = (float)((double)delta[k] * time);
-    }
-    pose->center =
-        (td_position){start.x + td_length_from(w, delta[0]), start.y + td_length_from(w, delta[1])};
-    pose->angle = start_angle + td_angle_between(delta[2]);
-    td_angle_turn(pose->angle, &pose->c, &pose->s);
-}
-
-/* A body that was stopped does not fall on in the rest of the step, so that the velocity which
- * gravity and forces give it there is taken back. */
-static void give_back(thud_world *w, td_awake_slot slot, double time) {
-    float *velocity = td_row(&w->velocity, slot);
-    const float *push = td_row(&w->push, slot);
-    for (int k = 0; k < 3; k++) {
-        velocity[k] -= (float)(w->substeps * (1.0 - time)) * push[k];
-    }
-    w->kinetic_stale = true;
-}
-
 /* Whether the sweep comes near anything that it might hit; scratch.ahead gets the static shapes. */
 static bool looks_around(sweep *s) {
     thud_world *w = s->w;
@@ -279,6 +261,30 @@ static void find_next(sweep *s, int first, float c, float sine) {
     }
 }
 
+/* A body that was stopped does not fall on in the rest of the step, so that the velocity which
+ * gravity and forces give it there is taken back. */
+static void hold(sweep *s, uint32_t start_angle) {
+    thud_world *w = s->w;
+    double time = s->next.time, rest = 1.0 - time;
+    td_pose *pose = td_pose_at(w, s->body);
+    float *delta = td_row(&w->delta, s->slot), *velocity = td_row(&w->velocity, s->slot);
+    const float *push = td_row(&w->push, s->slot);
+    float x = (float)rest * delta[0], y = (float)rest * delta[1];
+    td_error_fall_short(w, x, y);
+    td_error_follow(w, s->slot, x, y);
+    for (int k = 0; k < 3; k++) {
+        delta[k] = (float)((double)delta[k] * time);
+        velocity[k] -= (float)(w->substeps * rest) * push[k];
+    }
+    pose->center = (td_position){s->start.x + td_length_from(w, delta[0]),
+                                 s->start.y + td_length_from(w, delta[1])};
+    pose->angle = start_angle + td_angle_between(delta[2]);
+    td_angle_turn(pose->angle, &pose->c, &pose->s);
+    w->stats.held_bodies++;
+    w->stats.held_seconds += rest * w->def.time_step;
+    td_body_place_shapes(w, s->body);
+}
+
 /* The prologue is asked in the order of time, whichever order the broadphase has, up to the first
  * that stops the body. */
 static void sweep_body(thud_world *w, td_awake_slot slot) {
@@ -301,11 +307,7 @@ static void sweep_body(thud_world *w, td_awake_slot slot) {
         find_next(&swept, first, c, s);
     } while (swept.next.time < 1.0 && passes(&swept, (int)swept.next.pair, swept.next.time));
     if (swept.next.time < 1.0) {
-        w->stats.held_bodies++;
-        w->stats.held_seconds += (1.0 - swept.next.time) * w->def.time_step;
-        stop_at(w, index, start, angle, swept.next.time, td_row(&w->delta, slot));
-        give_back(w, slot, swept.next.time);
-        td_body_place_shapes(w, index);
+        hold(&swept, angle);
     }
 }
 
@@ -323,6 +325,9 @@ static void run(thud_world *w) {
         if (body->detection->rank == TD_RANK_CONTINUOUS) {
             sweep_body(w, slot);
         }
+    }
+    if (w->stats.held_bodies) {
+        td_error_settle(w);
     }
 }
 

@@ -11,8 +11,10 @@
 #include "solver/bounces.h"
 #include "detection/collide.h"
 #include "contact/contact.h"
+#include "solver/error.h"
 #include "detection/toi_candidates.h"
-#include "detection/ghosts.h"
+#include "detection/agenda.h"
+#include "detection/gaps.h"
 #include "constraint/lanes.h"
 #include "base/rotation.h"
 #include "state/shape.h"
@@ -20,25 +22,20 @@
 #include "state/surface.h"
 #include "detection/unbisectable.h"
 
-/* All three are multiples of TD_MEET. Shapes nearer than TOUCHING touch. Motion into each other by
- * less than NOTHING is none. Of shapes that load has pressed together, motion into each other by up
- * to PRESSED in a step is left to the contact solver. */
-#define TOUCHING 0.01
-#define NOTHING 0.01
-#define PRESSED 0.2
-
 enum {
     MOST_IMPACTS = 8,  /* of a body in a step, before it is held */
     MOST_BOUNCES = 16, /* of a body in a step, while those that it meets are elastic */
-    MOST_GHOSTS = 16,  /* of a pair, that it may meet on its way */
     SPARE = 256        /* room for so many candidates more than there are bodies */
 };
 
-/* ---- the agenda ---- */
+/* ---- collisions ---- */
 
 static void hold(thud_world *w, td_trajectory *f) {
     if (!f->held) {
+        double rest = 1.0 - f->since, fall = 0.5 * rest;
         f->held = true;
+        td_error_fall_short(w, (float)((f->motion[0] + fall * f->fall[0]) * rest),
+                            (float)((f->motion[1] + fall * f->fall[1]) * rest));
         w->stats.held_bodies++;
         w->stats.held_seconds += (1.0 - f->since) * w->def.time_step;
     }
@@ -47,116 +44,6 @@ static void hold(thud_world *w, td_trajectory *f) {
     f->free = false;
     f->changed = true;
 }
-
-static double later(double a, double b) {
-    return a > b ? a : b;
-}
-
-/* Shapes that touch meet at once if they go on into each other. */
-static bool presses(thud_world *w, const td_toi_candidate *e, double now) {
-    td_impact_point at;
-    return td_impact_point_of(w, e, now, &at) && at.closing > NOTHING * (double)(TD_MEET * w->unit);
-}
-
-static bool gives_way(const thud_world *w, td_body_index body) {
-    const td_body *b = td_body_at(w, body);
-    return b->kind == THUD_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
-}
-
-/* Whether the body had a collision in this step. */
-static bool has_met(const thud_world *w, td_body_index body) {
-    const td_body *b = td_body_at(w, body);
-    return b->awake.at > 0 && td_trajectory_at(w, b->awake)->impacts > 0;
-}
-
-/* When the two meet after `now`, or are to be looked at again; false where that is not in this
- * step. */
-static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
-                        double now, bool *hit, double *time) {
-    td_approach approach;
-    double unit = (double)(TD_MEET * w->unit);
-    *hit = false;
-    if (now >= 1.0 || !td_toi_candidate_approach(w, e, now, 1.0, &approach)) {
-        return false;
-    }
-    /* Where an arc may swing further than they are apart, only as much of it as is nearly straight.
-     */
-    double until = 1.0, apart = later(approach.distance, TOUCHING * unit);
-    if (approach.swing > 0.5 * apart) {
-        until = now + (1.0 - now) * __builtin_sqrt(0.5 * apart / approach.swing);
-        if (!td_toi_candidate_approach(w, e, now, until, &approach)) {
-            *time = until;
-            return true;
-        }
-    }
-    approach.tolerance = 0.1 * approach.target;
-    if (approach.target <= TOUCHING * unit) {
-        if (approach.on_ground) {
-            *hit = presses(w, e, now);
-            *time = *hit ? now : until;
-            return *hit || until < 1.0;
-        }
-        bool pressed =
-            approach.distance <= 0.0 && !has_met(w, e->body[0]) && !has_met(w, e->body[1]);
-        approach.target = approach.distance - (pressed ? PRESSED : NOTHING) * unit;
-        approach.tolerance = 0.1 * NOTHING * unit;
-    }
-    double part;
-    w->stats.motion_exact++;
-    *hit = detection->meet(&approach, &part);
-    *time = *hit ? now + (until - now) * part : until;
-    return *hit || until < 1.0;
-}
-
-/* When the two meet, if they do. */
-static bool meets(thud_world *w, const td_toi_candidate *e, double *time) {
-    const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
-    double now =
-        later(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
-    bool fixed = !gives_way(w, e->body[0]) && !gives_way(w, e->body[1]), hit = true;
-    if (e->vetoed || !detection->meet || fixed) {
-        return false;
-    }
-    for (int i = 0; i < MOST_GHOSTS && meets_after(w, e, detection, now, &hit, time); i++) {
-        if (!hit || !td_ghost_met(w, e, *time, &now)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Puts down when the two meet. */
-static void schedule(thud_world *w, int number) {
-    td_toi_candidate e = td_toi_candidate_at(w, number);
-    double time;
-    if (meets(w, &e, &time)) {
-        td_event_queue_set(&w->scratch.queue, number, time);
-    } else {
-        td_event_queue_strike(&w->scratch.queue, number);
-    }
-}
-
-/* Whether a contact is one of those that are looked at here. */
-static bool counts(const thud_world *w, int contact) {
-    const td_constraint *c = td_constraint_at(w, contact);
-    return c->kind < TD_PAIR_SENSOR && !td_pair_is_on_line((td_pair_kind)c->kind);
-}
-
-static void schedule_all_of(thud_world *w, const td_trajectory *f) {
-    for (int e = td_body_at(w, f->body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (counts(w, e / 2)) {
-            schedule(w, e / 2);
-        }
-    }
-    for (int e = f->extras; e != TD_NONE;) {
-        const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
-        int next = extra->next[e & 1];
-        schedule(w, w->constraints.count + e / 2);
-        e = next;
-    }
-}
-
-/* ---- collisions ---- */
 
 /* The prologue has been asked about what touched at the start of the step. */
 static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const thud_contact *seen,
@@ -188,10 +75,10 @@ static void look_again(thud_world *w, int number, td_trajectory *const trajector
         td_trajectory *f = trajectories[side];
         if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && ++f->impacts > MOST_IMPACTS) {
             hold(w, f);
-            schedule_all_of(w, f);
+            td_agenda_renew(w, f);
         }
     }
-    schedule(w, number);
+    td_agenda_set(w, number);
 }
 
 /* The two are at the place of their collision now. Whoever is asleep wakes in the next step, and is
@@ -218,21 +105,23 @@ static void collide(thud_world *w, int number, double time) {
     }
     bool sleeper = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]);
     if (!sleeper) {
+        impact.touching =
+            number < w->constraints.count && td_contact_at(w, number)->state == TD_TOUCHING;
         td_impact_resolve(w, &e, &at, time, &settings, &impact);
         TD_PUSH(td_impact, &w->scratch.impacts) = impact;
     }
     int most = settings.restitution < 1.0f ? MOST_IMPACTS : MOST_BOUNCES;
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
-        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC &&
+        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && !impact.stayed[side] &&
             (sleeper || f->impacts > most || !td_toi_candidates_around(w, f))) {
             hold(w, f);
         }
     }
     w->stats.impacts++;
     for (int side = 0; side < 2; side++) {
-        if (trajectories[side]) {
-            schedule_all_of(w, trajectories[side]);
+        if (trajectories[side] && !impact.stayed[side]) {
+            td_agenda_renew(w, trajectories[side]);
         }
     }
 }
@@ -266,10 +155,11 @@ static void take_off(thud_world *w, td_awake_slot slot) {
                         .free = f.free};
 }
 
-static void land(thud_world *w, td_awake_slot slot) {
+/* Whether its way was no more the solver's. */
+static bool land(thud_world *w, td_awake_slot slot) {
     td_trajectory *f = td_trajectory_at(w, slot);
     if (!f->changed) {
-        return;
+        return false;
     }
     td_pose *pose = td_pose_at(w, f->body);
     float *delta = td_row(&w->delta, slot);
@@ -280,10 +170,13 @@ static void land(thud_world *w, td_awake_slot slot) {
     pose->center = f->place;
     pose->angle = f->angle;
     td_angle_turn(pose->angle, &pose->c, &pose->s);
+    float x = delta[0], y = delta[1];
     delta[0] = (float)((double)(f->place.x - start.x) / w->to_fixed);
     delta[1] = (float)((double)(f->place.y - start.y) / w->to_fixed);
     delta[2] = (float)(int32_t)(f->angle - angle) * (float)TD_RADIANS_A_QUANTUM;
+    td_error_follow(w, slot, x - delta[0], y - delta[1]);
     td_body_place_shapes(w, f->body);
+    return true;
 }
 
 /* Bounds for the next step reach as far as the body is going to move. */
@@ -293,6 +186,15 @@ static void expect(thud_world *w, td_awake_slot slot) {
     int i = td_body_at(w, td_body_of(w, slot))->first_shape;
     for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_shape_expect(w, i, v[0] * h, v[1] * h);
+    }
+}
+
+static void note_touch(thud_world *w, const td_constraint *contact) {
+    for (int side = 0; side < 2 && contact->state == TD_TOUCHING; side++) {
+        td_awake_slot slot = td_body_at(w, contact->body[side])->awake;
+        if (slot.at > 0) {
+            td_trajectory_at(w, slot)->touching++;
+        }
     }
 }
 
@@ -316,13 +218,19 @@ static void schedule_everything(thud_world *w) {
         td_constraint *contact = td_constraint_at(w, i);
         if (contact->live) {
             contact->vetoed &= contact->state == TD_TOUCHING;
-            if (counts(w, i)) {
-                schedule(w, i);
-            }
+            note_touch(w, contact);
+        }
+    }
+    td_gaps_judge(w);
+    for (int i = 0; i < w->constraints.count; i++) {
+        const td_constraint *c = td_constraint_at(w, i);
+        if (c->live && td_agenda_has(w, i) &&
+            !(c->state == TD_TOUCHING && td_gap_is_judged(w, c))) {
+            td_agenda_begin(w, i);
         }
     }
     for (int i = 0; i < w->scratch.candidates.count; i++) {
-        schedule(w, w->constraints.count + i);
+        td_agenda_set(w, w->constraints.count + i);
     }
 }
 
@@ -348,7 +256,7 @@ static bool reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
            td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
-           td_array_reserve(&w->memory, &w->scratch.impacts, most) &&
+           td_array_reserve(&w->memory, &w->scratch.impacts, td_max_int(most, td_gaps_room(w))) &&
            td_array_reserve(&w->memory, &w->scratch.candidates, extras) &&
            td_array_reserve(&w->memory, &w->events.hit, w->events.hit.count + hits + most) &&
            td_event_queue_reserve(&w->memory, &w->scratch.queue, w->constraints.count + extras);
@@ -360,8 +268,11 @@ static void prepare(thud_world *w) {
     td_bounces_take(w);
 }
 
-/* After the solver: who flies freely. */
+/* After the solver: what it left of motion into each other, and who flies freely. */
 static void launch(thud_world *w) {
+    if (w->skin > 0.0f) {
+        td_gaps_project(w);
+    }
     td_ballistics_fly(w);
 }
 
@@ -371,11 +282,15 @@ static void run(thud_world *w) {
     for (int n; (n = td_event_queue_next(&w->scratch.queue, &time)) != TD_NONE;) {
         collide(w, n, time);
     }
+    bool changed = false;
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        land(w, slot);
+        changed |= land(w, slot);
         if (takes_part(w, slot)) {
             expect(w, slot);
         }
+    }
+    if (changed) {
+        td_error_settle(w);
     }
     hit_events(w);
 }

@@ -48,6 +48,18 @@ void td_trajectory_advance(const thud_world *w, td_trajectory *f, double time) {
     f->since = time;
 }
 
+void td_trajectory_gone(const thud_world *w, const td_trajectory *f, double time, double gone[3]) {
+    td_awake_slot slot = td_body_at(w, f->body)->awake;
+    const td_pose *pose = td_pose_at(w, f->body); /* of the solver's motion */
+    const float *delta = td_row(&w->delta, slot);
+    gone[0] =
+        (double)delta[0] + (double)(f->place.x - pose->center.x) / w->to_fixed + way_of(f, 0, time);
+    gone[1] =
+        (double)delta[1] + (double)(f->place.y - pose->center.y) / w->to_fixed + way_of(f, 1, time);
+    gone[2] = (double)delta[2] + f->motion[2] * (time - f->since) +
+              (double)(int32_t)(f->angle - pose->angle) * TD_RADIANS_A_QUANTUM;
+}
+
 void td_trajectory_bear(const thud_world *w, td_trajectory *f, double x, double y) {
     float *velocity = td_row(&w->velocity, td_body_at(w, f->body)->awake);
     double rest = (1.0 - f->since) / w->def.time_step;
@@ -193,11 +205,22 @@ bool td_toi_candidate_has_seams(const thud_world *w, const td_toi_candidate *e) 
            td_shape_at(w, e->shape[1])->internal_edges;
 }
 
+/* Whether they stay apart along the line on which they are nearest to each other now: what a turn
+ * adds is no more than its arc at the furthest corner. */
+static bool stays_apart(const td_approach *p, const thud_closest *c) {
+    double x = p->motion_b.dx - p->motion_a.dx, y = p->motion_b.dy - p->motion_a.dy;
+    double turn =
+        td_abs(p->motion_a.turn) * td_reach(&p->a) + td_abs(p->motion_b.turn) * td_reach(&p->b);
+    return c->distance + td_min_double(c->nx * x + c->ny * y, 0.0) - turn > p->target;
+}
+
 /* Boxes that overlap by a hidden face are as deep as where they can be met. */
-static double distance_of(thud_world *w, const td_toi_candidate *e, const td_approach *p) {
+static double distance_of(thud_world *w, const td_toi_candidate *e, const td_approach *p,
+                          thud_closest *closest) {
     td_internal_edge_contact contact;
     thud_closest c;
     td_closest(&p->a, &p->b, &c);
+    *closest = c;
     if (c.distance < 0.0 && td_toi_candidate_has_seams(w, e)) {
         td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {p->a, p->b}};
         if (w->internal_edges->is_ghost(&pair, c.nx, c.ny) &&
@@ -207,6 +230,23 @@ static double distance_of(thud_world *w, const td_toi_candidate *e, const td_app
         }
     }
     return c.distance;
+}
+
+bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
+    if (td_body_at(w, e->body[0])->kind == THUD_STATIC) { /* nobody knows how far it reaches */
+        return false;
+    }
+    td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
+    double x = (double)(b.place.x - a.place.x) / w->to_fixed;
+    double y = (double)(b.place.y - a.place.y) / w->to_fixed;
+    double mx = way_of(&b, 0, 1.0) - way_of(&a, 0, 1.0);
+    double my = way_of(&b, 1, 1.0) - way_of(&a, 1, 1.0);
+    double reach = (double)(td_body_at(w, e->body[0])->rim + td_body_at(w, e->body[1])->rim) +
+                   2.0 * (double)(TD_MEET * w->unit) + td_trajectories_bend(&a, &b, 1.0);
+    double rest = __builtin_sqrt(x * x + y * y) - reach;
+    bool far = rest > 0.0 && rest * rest > mx * mx + my * my;
+    w->stats.motion_pairs += far;
+    return far;
 }
 
 bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double now, double until,
@@ -235,7 +275,11 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
     if (motions_miss(w, p)) {
         return false;
     }
-    p->distance = distance_of(w, e, p);
+    thud_closest closest;
+    p->distance = distance_of(w, e, p, &closest);
+    if (stays_apart(p, &closest)) {
+        return false;
+    }
     p->target = 0.5 * p->distance < p->target ? 0.5 * p->distance : p->target;
     return true;
 }

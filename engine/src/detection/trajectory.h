@@ -16,6 +16,8 @@ typedef struct td_trajectory {
     double motion[3]; /* in a whole step at the speed of `since`: x, y, angle */
     double fall[2];   /* by how much gravity changes that in a step; 0 where something bears it */
     bool free;        /* nothing but gravity acted on it: it moves as its velocity says */
+    bool yielded;     /* its motion gave way to a body that kept its own */
+    int32_t touching; /* contacts that it began the step with */
     bool borne;       /* contacts pushed it in the step before */
     bool changed;     /* its way is no more the one that finalize.c took */
     bool held;        /* stays where it is for the rest of the step */
@@ -52,6 +54,9 @@ const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
 td_trajectory td_trajectory_of(const thud_world *w, td_body_index body);
 /* Brings it to `time`, which is no earlier than `since`. */
 void td_trajectory_advance(const thud_world *w, td_trajectory *trajectory, double time);
+/* How far it has come at `time` from where it was at the start of the step: x, y, angle. */
+void td_trajectory_gone(const thud_world *w, const td_trajectory *trajectory, double time,
+                        double gone[3]);
 /* From `since` on something bears this part of the fall; the velocity at the end lacks it as well.
  */
 void td_trajectory_bear(const thud_world *w, td_trajectory *trajectory, double x, double y);
@@ -64,6 +69,10 @@ double td_trajectories_bend(const td_trajectory *a, const td_trajectory *b, doub
 
 td_toi_candidate *td_extra_at(const thud_world *w, int number);
 td_toi_candidate td_toi_candidate_at(const thud_world *w, int number);
+
+/* Whether the bodies, wherever on them the shapes are, are too far apart at the start of the step
+ * to meet in it. */
+bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e);
 
 /* How the two fly from `now` until a later time; false where they surely do not meet. */
 bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double now, double until,

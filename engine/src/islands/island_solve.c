@@ -11,14 +11,17 @@
 
 #include "solver/error.h"
 #include "solver/motion.h"
+#include "state/shape.h"
 
 /* An island that took no more matrices in a step than this was easy. */
 #define EASY 8
 /* A calm island may be slow for so many times as many steps as the quality allows others. */
 #define CALM_PATIENCE 20
-/* A result is refused where a body turns by more than TURN_MOST radians in the step, where one is
- * faster than SPEED_MOST times the greatest speed that is there or wanted, or where a contact
- * presses harder than LEVERAGE_MOST times all the momentum that is there or wanted. */
+/* A result is refused where a body that does not roll by itself turns by more than TURN_MOST
+ * radians in the step, where one is faster than SPEED_MOST times the greatest speed that is there
+ * or wanted, or where a contact presses harder than LEVERAGE_MOST times all the momentum that is
+ * there or wanted.
+ */
 #define TURN_MOST 0.4
 #define SPEED_MOST 4.0
 #define LEVERAGE_MOST 10.0
@@ -107,6 +110,14 @@ static double speed_of(const double velocity[3]) {
     return __builtin_sqrt(velocity[0] * velocity[0] + velocity[1] * velocity[1]);
 }
 
+/* A circle about its body's centre of mass has the same arms however far it turns; by itself, as it
+ * rolls, it has nobody to turn past. */
+static bool rolls_alone(const td_island_work *work) {
+    int shape = td_int_at(&work->w->lone, work->slots[0].at);
+    return work->island->bodies == 1 && shape >= 0 &&
+           td_kind_is_round(td_shape_at(work->w, shape)->kind);
+}
+
 /* Contacts are taken as they are at the start of the step; arms that swing far by its end, and most
  * of all a body that spins, are a matter for substeps. So is what is wedged in where it cannot be
  * pushed apart: it would leave sideways, at any speed. */
@@ -114,7 +125,7 @@ static bool goes_too_far(const td_island_work *work) {
     double fastest = 0.0, furthest = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
         double turn = work->moved[i][2];
-        if (turn > TURN_MOST || turn < -TURN_MOST) {
+        if (td_abs(turn) > TURN_MOST && !rolls_alone(work)) {
             return true;
         }
         fastest = td_max_double(fastest, speed_of(work->problem.bodies[i].free));

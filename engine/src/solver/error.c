@@ -4,11 +4,17 @@
 #include "state/kinds.h"
 #include "constraint/lanes.h"
 
-/* The energy that td_finalize added up in the last step is stale where a body woke, fell asleep or
- * was edited since, and may be where detection then resolved collisions. */
+void td_error_settle(thud_world *w) {
+    double kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
+    w->errors.energy_change += kinetic - w->kinetic;
+    w->kinetic = kinetic;
+}
+
+/* The energy that the last step added up is stale where a body woke, fell asleep or was edited
+ * since. */
 void td_error_begin(thud_world *w) {
-    if (w->kinetic_stale || w->detections[TD_RANK_BISECT] || w->detections[TD_RANK_SWEPT]) {
-        w->kinetic = TD_PICK_WIDE(w, td_kinetic_energy)(w);
+    if (w->kinetic_stale) {
+        td_error_settle(w);
     }
     w->errors = (td_errors){.energy_change = -w->kinetic};
 }

@@ -173,6 +173,8 @@ typedef struct td_errors {
     double depth; /* sum of penetrations, whole position quanta */
     float deepest, residual;
     double energy_change;
+    float shortfall; /* squared */
+    int64_t moved;   /* motions were projected after points were counted: td_error_of_step */
 } td_errors;
 
 enum { TD_BUDGET_STEPS = 9 }; /* between two decisions */

@@ -89,6 +89,11 @@ export interface StepError {
   energyChange: number;
   /** Points deeper than the world's maxError, or without one than 0.005 length scales. */
   overlaps: number;
+  /**
+   * A length: how far the body that detection held back the most ended from where its motion would
+   * have taken it; 0 where none of `Stats.heldBodies` was.
+   */
+  shortfall: number;
 }
 
 /** Error and energy of the present state; lengths, and mass times (length/s)². */

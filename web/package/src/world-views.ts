@@ -158,6 +158,7 @@ export class WorldViews extends WorldQueries {
       residual: s[StepErrorAt.residual],
       energyChange: s[StepErrorAt.energyChange],
       overlaps: s[StepErrorAt.overlaps],
+      shortfall: s[StepErrorAt.shortfall],
     };
   }
 

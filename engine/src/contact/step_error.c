@@ -1,0 +1,81 @@
+/* step_error.c: overlaps of a step in which detection changed motions after the solver: they are
+ * counted when somebody asks. */
+#include "solver/error.h"
+
+#include "constraint/lanes.h"
+#include "geometry/shape_instance.h"
+#include "state/kinds.h"
+#include "state/shape.h"
+
+/* By the rows of the contact and the motions as they became. */
+static float along_rows(const thud_world *w, const td_lane *at, int point) {
+    const td_block *block = at->block;
+    const td_point *p = &block->point[point];
+    const float *a = td_row(&w->delta, td_slot_of_side(block->a[at->lane]));
+    const float *b = td_row(&w->delta, td_slot_of_side(block->b[at->lane]));
+    return p->base[at->lane] + (b[0] - a[0]) * block->nx[at->lane] +
+           (b[1] - a[1]) * block->ny[at->lane] + b[2] * p->cross_b[at->lane] -
+           a[2] * p->cross_a[at->lane];
+}
+
+/* Rows know no ends of faces: of what they take for overlapping, the shapes are asked. */
+static float distance_of(const thud_world *w, const td_constraint *contact, float known) {
+    td_position origin = td_shape_proxy_at(w, contact->shape_a)->center;
+    thud_shape_instance shape = td_shape_instance(w, contact->shape_b, origin);
+    thud_closest closest;
+    if (td_kind_is_line(td_shape_at(w, contact->shape_a)->kind)) {
+        thud_terrain ground = td_terrain_view(w, contact->shape_a);
+        return w->ground->overlap(&ground, &shape) ? known : 0.0f;
+    }
+    thud_shape_instance other = td_shape_instance(w, contact->shape_a, origin);
+    td_closest(&other, &shape, &closest);
+    return (float)closest.distance;
+}
+
+float td_error_separation(const thud_world *w, const td_constraint *contact, int point) {
+    td_lane at = td_lane_of(w, contact);
+    const td_block *block = at.block;
+    if (block->a[at.lane] + block->b[at.lane] == 0) { /* or both sleep */
+        return block->point[point].separation[at.lane];
+    }
+    float separation = along_rows(w, &at, point);
+    if (separation + w->skin < 0.0f) {
+        float known = separation + w->skin;
+        separation = td_max_float(known, distance_of(w, contact, known)) - w->skin;
+    }
+    return separation;
+}
+
+static bool is_awake(const thud_world *w, const td_constraint *contact) {
+    return td_body_at(w, contact->body[0])->awake.at > 0 ||
+           td_body_at(w, contact->body[1])->awake.at > 0;
+}
+
+td_errors td_error_of_step(const thud_world *w) {
+    td_errors e = w->errors;
+    if (!td_error_has_moved(w)) {
+        return e;
+    }
+    e.points = e.overlaps = 0;
+    e.depth = 0.0;
+    e.deepest = 0.0f;
+    for (int i = 0; i < w->constraints.count; i++) {
+        const td_constraint *contact = td_constraint_at(w, i);
+        if (!td_is_contact(contact) || !contact->live || contact->state != TD_TOUCHING ||
+            !is_awake(w, contact)) {
+            continue;
+        }
+        td_lane at = td_lane_of(w, contact);
+        for (int k = 0; k < td_form_points(w->kinds[contact->kind]->form); k++) {
+            if (at.block->point[k].normal_mass[at.lane] > 0.0f) {
+                float depth = -(td_error_separation(w, contact, k) + w->skin);
+                depth = td_max_float(depth, 0.0f);
+                e.points++;
+                e.overlaps += depth > td_error_overlap(w);
+                e.depth += (double)depth * w->to_fixed;
+                e.deepest = td_max_float(e.deepest, depth);
+            }
+        }
+    }
+    return e;
+}

@@ -1,0 +1,172 @@
+/* gaps.c: see gaps.h. */
+#include "detection/gaps.h"
+
+#include "constraint/lanes.h"
+#include "detection/project.h"
+#include "solver/error.h"
+#include "state/body.h"
+#include "state/kinds.h"
+
+#include <string.h>
+
+TD_DECLARE_WIDE(td_project_fn, td_project_points);
+TD_DECLARE_WIDE(td_judge_fn, td_judge_points);
+
+/* A lone contact is done after the first passes. What lacks something then is a heap, many contacts
+ * deep, of which a plain pass hands a push on by one: those in between are over-relaxed. They may
+ * push too far, which the last ones take back. */
+enum { FIRST_PASSES = 2, MOST_PASSES = 40, LAST_PASSES = 2 };
+#define OVER 1.8f
+
+/* All are multiples of TD_MEET. Contacts end no nearer than NEAREST, or where they began; what the
+ * passes leave of that is a collision where shapes end nearer than LEAST, and nearer by PRESSED
+ * than they began: less than that, load may press them in a step. */
+#define NEAREST 0.8f
+#define ENOUGH 0.05f
+#define LEAST 0.05f
+#define PRESSED 0.2f
+
+static td_project_context context_of(const thud_world *w) {
+    float meet = TD_MEET * w->unit;
+    return (td_project_context){.delta = w->delta.data,
+                                .velocity = w->velocity.data,
+                                .reach = w->reach.data,
+                                .over = 1.0f,
+                                .skin = w->skin,
+                                .nearest = NEAREST * meet,
+                                .enough = ENOUGH * meet,
+                                .least = LEAST * meet,
+                                .pressed = PRESSED * meet,
+                                .margin = TD_SPECULATIVE * w->unit};
+}
+
+/* A run of contacts, or null where it is of joints. */
+static const td_run *contacts_at(const thud_world *w, int index) {
+    const td_run *run = TD_AT(td_run, &w->scratch.runs, index);
+    return run->kind < TD_PAIR_COUNT ? run : NULL;
+}
+
+static td_block *const *blocks_of(const thud_world *w, const td_run *run) {
+    return (td_block **)w->scratch.blocks.data + run->first;
+}
+
+static bool project_once(thud_world *w, const td_project_context *context) {
+    bool lacking = false;
+    for (int i = 0; i < w->scratch.runs.count; i++) {
+        const td_run *run = contacts_at(w, i);
+        if (run) {
+            lacking |= TD_PICK_WIDE(w, td_project_points)(
+                blocks_of(w, run), (td_pushes *)w->scratch.impacts.data + run->first, run->count,
+                td_form_points(w->kinds[run->kind]->form), run->fixed, context);
+        }
+    }
+    return lacking;
+}
+
+/* The pushes of a step lie where its impacts come to lie later. */
+int td_gaps_room(const thud_world *w) {
+    size_t bytes = (size_t)w->scratch.blocks.count * sizeof(td_pushes);
+    return (int)(bytes / (size_t)w->scratch.impacts.stride) + 1;
+}
+
+void td_gaps_project(thud_world *w) {
+    td_project_context context = context_of(w);
+    int passes = 0;
+    memset(w->scratch.impacts.data, 0, (size_t)w->scratch.blocks.count * sizeof(td_pushes));
+    while (passes < MOST_PASSES && project_once(w, &context)) {
+        passes++;
+        context.over = passes < FIRST_PASSES ? 1.0f : OVER;
+    }
+    context.over = 1.0f;
+    for (int i = 0; i < LAST_PASSES && passes > FIRST_PASSES; i++) {
+        project_once(w, &context);
+    }
+    w->errors.moved = passes > 0;
+}
+
+void td_gaps_judge(thud_world *w) {
+    td_project_context context = context_of(w);
+    for (int i = 0; i < w->scratch.runs.count; i++) {
+        const td_run *run = contacts_at(w, i);
+        if (run) {
+            bool round = run->kind == TD_PAIR_CIRCLE_CIRCLE || run->kind == TD_PAIR_AABB_AABB;
+            TD_PICK_WIDE(w, td_judge_points)
+            (blocks_of(w, run), run->count, td_form_points(w->kinds[run->kind]->form),
+             !round || run->armed, &context);
+        }
+    }
+}
+
+bool td_gap_is_judged(const thud_world *w, const td_constraint *contact) {
+    td_lane at = td_lane_of(w, contact);
+    return at.block->apart >> at.lane & 1;
+}
+
+/* Of one body, from the start of the step. */
+static void gone_by(const thud_world *w, td_body_index body, double time, double gone[3]) {
+    td_awake_slot slot = td_body_at(w, body)->awake;
+    gone[0] = gone[1] = gone[2] = 0.0;
+    if (slot.at > 0) {
+        td_trajectory_gone(w, td_trajectory_at(w, slot), time, gone);
+    }
+}
+
+/* What the bodies of a contact do until a time, as its rows see it. */
+typedef struct relative {
+    double along; /* how far b goes from a along the normal */
+    double turn_a, turn_b;
+    double bend;  /* by how much rows may be wrong: they turn with no body */
+    double sweep; /* how far turns take any point along the normal, at most */
+} relative;
+
+static relative relative_at(const thud_world *w, const td_contact *contact, const td_block *block,
+                            int lane, double time) {
+    double a[3], b[3];
+    gone_by(w, contact->body[0], time, a);
+    gone_by(w, contact->body[1], time, b);
+    double x = b[0] - a[0], y = b[1] - a[1];
+    double turn = td_abs(a[2]) + td_abs(b[2]);
+    double rim =
+        (double)(td_body_at(w, contact->body[0])->rim + td_body_at(w, contact->body[1])->rim);
+    return (relative){.along = x * (double)block->nx[lane] + y * (double)block->ny[lane],
+                      .turn_a = a[2],
+                      .turn_b = b[2],
+                      .bend = turn * (0.5 * turn * rim + __builtin_sqrt(x * x + y * y)),
+                      .sweep = turn * rim};
+}
+
+/* Those may turn as they like. */
+static bool are_centred_circles(const thud_world *w, const td_contact *contact) {
+    const td_shape *a = td_shape_at(w, contact->shape_a), *b = td_shape_at(w, contact->shape_b);
+    return td_kind_is_round(a->kind) && td_kind_is_round(b->kind) && a->arm_x == 0.0f &&
+           a->arm_y == 0.0f && b->arm_x == 0.0f && b->arm_y == 0.0f;
+}
+
+bool td_gap_stays(const thud_world *w, const td_contact *contact, double now) {
+    td_lane at = td_lane_of(w, (const td_constraint *)contact);
+    const td_block *block = at.block;
+    double unit = (double)(TD_MEET * w->unit), skin = (double)w->skin;
+    relative start = relative_at(w, contact, block, at.lane, now);
+    relative end = relative_at(w, contact, block, at.lane, 1.0);
+    int points = td_form_points(w->kinds[contact->kind]->form), here = 0;
+    double slack = are_centred_circles(w, contact) ? 0.0 : td_max_double(start.bend, end.bend);
+    bool stays = block->restitution[at.lane] < 1.0f;
+    for (int k = 0; k < points; k++) {
+        const td_point *p = &block->point[k];
+        if (p->normal_mass[at.lane] == 0.0f) {
+            continue;
+        }
+        double cross_a = (double)p->cross_a[at.lane], cross_b = (double)p->cross_b[at.lane];
+        double base = (double)p->base[at.lane] + skin;
+        double from = base + start.along + start.turn_b * cross_b - start.turn_a * cross_a;
+        double to = base + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
+        here++;
+        stays &= to - slack >= td_min_double((double)LEAST * unit, from - (double)PRESSED * unit);
+    }
+    /* The point that is not there was further off than contacts begin. */
+    if (here < points) {
+        stays &= (double)(TD_SPECULATIVE * w->unit) + end.along - end.sweep - slack >=
+                 (double)LEAST * unit;
+    }
+    return here > 0 && stays;
+}

@@ -1,0 +1,123 @@
+/* wide_project.c: see project.h. */
+#include "detection/project.h"
+
+#include "solver/wide_solve.h"
+
+/* Gives motions or velocities `v` what pushes along the normals change in them. */
+TD_INLINE void give(float (*records)[4], const td_block *block, int points, bool fixed, sides v,
+                    const sides *mass, const f8 *normal) {
+    const td_point *p = block->point;
+    f8 sum = normal[0], turn_a = p[0].cross_a * normal[0], turn_b = p[0].cross_b * normal[0];
+    if (points == 2) {
+        sum += normal[1];
+        turn_a += p[1].cross_a * normal[1];
+        turn_b += p[1].cross_b * normal[1];
+    }
+    if (!fixed) {
+        v.a.x -= mass->a.w * (block->nx * sum);
+        v.a.y -= mass->a.w * (block->ny * sum);
+        v.a.z -= block->inv_inertia_a * turn_a;
+        td_scatter(records, block->a, v.a);
+    }
+    v.b.x += mass->b.w * (block->nx * sum);
+    v.b.y += mass->b.w * (block->ny * sum);
+    v.b.z += block->inv_inertia_b * turn_b;
+    td_scatter(records, block->b, v.b);
+}
+
+/* Pushes of two points one after the other, so that both lack nothing: what they are given, of
+ * which no more can be taken back than was given before. */
+TD_INLINE void change_of(const td_block *block, int points, float over, f8 coupled, const f8 *lack,
+                         const i8 *here, f8 *given, f8 *change) {
+    for (int k = 0; k < points; k++) {
+        f8 left = k ? lack[k] - coupled * change[0] : lack[k];
+        f8 push = f8_all(over) * block->point[k].normal_mass * left;
+        change[k] = f8_keep(here[k], f8_max(push, -given[k]));
+        given[k] += change[k];
+    }
+}
+
+TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, int points,
+                       bool fixed, const td_project_context *c) {
+    f8 zero = f8_all(0.0f), skin = f8_all(c->skin), nearest = f8_all(c->nearest);
+    i8 lacking = i8_all(0);
+    for (int i = 0; i < count; i++) {
+        td_block *block = blocks[i];
+        td_fetch_early(blocks, i, count, points);
+        sides d = read_sides((const float(*)[4])c->delta, block, fixed);
+        f8 opened = centres_along(&d, fixed, block->nx, block->ny);
+        f8 lack[2], closing[2], change[2];
+        i8 solid = block->restitution < f8_all(1.0f), here[2], any = i8_all(0);
+        for (int k = 0; k < points; k++) {
+            td_point *p = &block->point[k];
+            p->separation = p->base + at_point(opened, &d, fixed, ARMS_ALL, p);
+            lack[k] = f8_min(nearest, p->base + skin) - (p->separation + skin);
+            here[k] =
+                solid & (p->normal_mass > zero) & ((lack[k] > zero) | (pushes[i].motion[k] > zero));
+            lacking |= here[k] & (lack[k] > f8_all(c->enough));
+            any |= here[k];
+        }
+        if (!i8_bits(any)) {
+            continue;
+        }
+        sides v = read_sides((const float(*)[4])c->velocity, block, fixed);
+        f8 coupled = points == 2 ? by_first(block, &v, fixed) : zero;
+        f8 speed = centres_along(&v, fixed, block->nx, block->ny);
+        for (int k = 0; k < points; k++) {
+            closing[k] = -at_point(speed, &v, fixed, ARMS_ALL, &block->point[k]);
+        }
+        change_of(block, points, c->over, coupled, lack, here, pushes[i].motion, change);
+        give(c->delta, block, points, fixed, d, &v, change);
+        change_of(block, points, c->over, coupled, closing, here, pushes[i].velocity, change);
+        give(c->velocity, block, points, fixed, v, &v, change);
+    }
+    return i8_bits(lacking);
+}
+
+td_project_fn TD_WIDE(td_project_points);
+bool TD_WIDE(td_project_points)(td_block *const *blocks, td_pushes *pushes, int count, int points,
+                                bool fixed, const td_project_context *c) {
+    if (points == 2) {
+        return fixed ? project(blocks, pushes, count, 2, true, c)
+                     : project(blocks, pushes, count, 2, false, c);
+    }
+    return fixed ? project(blocks, pushes, count, 1, true, c)
+                 : project(blocks, pushes, count, 1, false, c);
+}
+
+/* How far the bodies on one side reach. */
+TD_INLINE f8 reach_of(const float (*reach)[2], const uint32_t *side) {
+    f8 out = f8_all(0.0f);
+    for (int i = 0; i < TD_LANES; i++) {
+        out[i] = reach[side[i] / TD_AWAKE_BYTES][1];
+    }
+    return out;
+}
+
+/* Rows take a turn for linear, and the normal for the same while bodies turn past each other. A
+ * point that is not there begins beyond the margin, and is swept by a turn. */
+td_judge_fn TD_WIDE(td_judge_points);
+void TD_WIDE(td_judge_points)(td_block *const *blocks, int count, int points, bool turns,
+                              const td_project_context *c) {
+    f8 zero = f8_all(0.0f), skin = f8_all(c->skin), least = f8_all(c->least);
+    for (int i = 0; i < count; i++) {
+        td_block *block = blocks[i];
+        sides d = read_sides((const float(*)[4])c->delta, block, false);
+        f8 along = centres_along(&d, false, block->nx, block->ny), slack = zero, swept = zero;
+        if (turns) {
+            f8 x = d.b.x - d.a.x, y = d.b.y - d.a.y, turn = f8_abs(d.a.z) + f8_abs(d.b.z);
+            swept = turn * (reach_of(c->reach, block->a) + reach_of(c->reach, block->b));
+            slack = turn * (f8_all(0.5f) * swept + f8_sqrt(x * x + y * y));
+        }
+        i8 apart = block->restitution < f8_all(1.0f), any = i8_all(0);
+        i8 clear = f8_all(c->margin) + along - swept - slack >= least;
+        for (int k = 0; k < points; k++) {
+            const td_point *p = &block->point[k];
+            f8 from = p->base + skin, to = from + at_point(along, &d, false, ARMS_ALL, p) - slack;
+            i8 here = p->normal_mass > zero;
+            apart &= (here & (to >= f8_min(least, from - f8_all(c->pressed)))) | (~here & clear);
+            any |= here;
+        }
+        block->apart = i8_bits(apart & any);
+    }
+}
