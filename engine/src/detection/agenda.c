@@ -12,7 +12,7 @@
  * to PRESSED in a step is left to the contact solver. */
 #define TOUCHING 0.01
 #define NOTHING 0.01
-#define PRESSED 0.2
+#define PRESSED 0.15
 
 enum { MOST_GHOSTS = 16 }; /* of a pair, that it may meet on its way */
 

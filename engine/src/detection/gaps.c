@@ -24,7 +24,7 @@ enum { FIRST_PASSES = 2, MOST_PASSES = 40, LAST_PASSES = 2 };
 #define NEAREST 0.8f
 #define ENOUGH 0.05f
 #define LEAST 0.05f
-#define PRESSED 0.2f
+#define PRESSED 0.15f
 
 static td_project_context context_of(const thud_world *w) {
     float meet = TD_MEET * w->unit;
@@ -117,6 +117,7 @@ typedef struct relative {
     double turn_a, turn_b;
     double bend;  /* by how much rows may be wrong: they turn with no body */
     double sweep; /* how far turns take any point along the normal, at most */
+    double slide; /* how far b goes across the normal, with what turns add */
 } relative;
 
 static relative relative_at(const thud_world *w, const td_contact *contact, const td_block *block,
@@ -132,7 +133,18 @@ static relative relative_at(const thud_world *w, const td_contact *contact, cons
                       .turn_a = a[2],
                       .turn_b = b[2],
                       .bend = turn * (0.5 * turn * rim + __builtin_sqrt(x * x + y * y)),
-                      .sweep = turn * rim};
+                      .sweep = turn * rim,
+                      .slide = td_abs(x * (double)block->ny[lane] - y * (double)block->nx[lane]) +
+                               turn * rim};
+}
+
+/* Two points lie where an edge goes past the ends of a face: beyond them it may be nearer, and
+ * comes over the face as it slides. */
+static double slope_of(const td_block *block, int lane) {
+    const td_point *p = block->point;
+    double width = td_abs((double)p[0].cross_b[lane] - (double)p[1].cross_b[lane]);
+    double rise = td_abs((double)p[0].base[lane] - (double)p[1].base[lane]);
+    return width > 0.0 ? rise / width : 0.0;
 }
 
 /* Those may turn as they like. */
@@ -151,6 +163,7 @@ bool td_gap_stays(const thud_world *w, const td_contact *contact, double now) {
     int points = td_form_points(w->kinds[contact->kind]->form), here = 0;
     double slack = are_centred_circles(w, contact) ? 0.0 : td_max_double(start.bend, end.bend);
     bool stays = block->restitution[at.lane] < 1.0f;
+    slack += points == 2 ? slope_of(block, at.lane) * td_max_double(start.slide, end.slide) : 0.0;
     for (int k = 0; k < points; k++) {
         const td_point *p = &block->point[k];
         if (p->normal_mass[at.lane] == 0.0f) {
@@ -161,6 +174,8 @@ bool td_gap_stays(const thud_world *w, const td_contact *contact, double now) {
         double from = base + start.along + start.turn_b * cross_b - start.turn_a * cross_a;
         double to = base + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
         here++;
+        /* Where they seem to be nearer than load presses, they have gone past each other. */
+        stays &= from >= base - (double)PRESSED * unit;
         stays &= to - slack >= td_min_double((double)LEAST * unit, from - (double)PRESSED * unit);
     }
     /* The point that is not there was further off than contacts begin. */

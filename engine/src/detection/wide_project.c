@@ -94,6 +94,14 @@ TD_INLINE f8 reach_of(const float (*reach)[2], const uint32_t *side) {
     return out;
 }
 
+/* Two points lie where an edge goes past the ends of a face: beyond them it may be nearer, and
+ * comes over the face as it slides. */
+TD_INLINE f8 slope_of(const td_block *block) {
+    const td_point *p = block->point;
+    f8 width = f8_abs(p[0].cross_b - p[1].cross_b), rise = f8_abs(p[0].base - p[1].base);
+    return f8_keep(width > f8_all(0.0f), rise / width);
+}
+
 /* Rows take a turn for linear, and the normal for the same while bodies turn past each other. A
  * point that is not there begins beyond the margin, and is swept by a turn. */
 td_judge_fn TD_WIDE(td_judge_points);
@@ -104,10 +112,14 @@ void TD_WIDE(td_judge_points)(td_block *const *blocks, int count, int points, bo
         td_block *block = blocks[i];
         sides d = read_sides((const float(*)[4])c->delta, block, false);
         f8 along = centres_along(&d, false, block->nx, block->ny), slack = zero, swept = zero;
+        f8 x = d.b.x - d.a.x, y = d.b.y - d.a.y;
         if (turns) {
-            f8 x = d.b.x - d.a.x, y = d.b.y - d.a.y, turn = f8_abs(d.a.z) + f8_abs(d.b.z);
+            f8 turn = f8_abs(d.a.z) + f8_abs(d.b.z);
             swept = turn * (reach_of(c->reach, block->a) + reach_of(c->reach, block->b));
             slack = turn * (f8_all(0.5f) * swept + f8_sqrt(x * x + y * y));
+        }
+        if (points == 2) {
+            slack += slope_of(block) * (f8_abs(x * block->ny - y * block->nx) + swept);
         }
         i8 apart = block->restitution < f8_all(1.0f), any = i8_all(0);
         i8 clear = f8_all(c->margin) + along - swept - slack >= least;
