@@ -1,40 +1,19 @@
-/* wide_sparse.c: L L' of the blocks of sparse.h, and solving by it. A block's columns are taken
- * whole, each element by the operations of plain code, in its order. */
+/* wide_sparse.c: L L' of the blocks of sparse.h, and solving by it. Loops go over whole columns of
+ * a block, with the row that is nothing, so that compilers make vectors of them. */
 #include "islands/sparse.h"
 
 #include "base/simd.h"
 
-TD_INLINE d4 load(const double *from) {
-    d4 to;
-    __builtin_memcpy(&to, from, sizeof to);
-    return to;
-}
-
-TD_INLINE void store(double *to, d4 from) {
-    __builtin_memcpy(to, &from, sizeof from);
-}
-
-/* One block of a product, spread out to be taken many times: of b, column and row. */
-typedef struct factor3 {
-    d4 at[3][3];
-} factor3;
-
-TD_INLINE factor3 spread_out(const td_block3 *b) {
-    factor3 f;
-    for (int column = 0; column < 3; column++) {
-        for (int row = 0; row < 3; row++) {
-            double x = b->at[column][row];
-            f.at[column][row] = (d4){x, x, x, x};
-        }
-    }
-    return f;
-}
+enum { ROWS = 4 }; /* of a column, in memory */
 
 /* c -= a b' */
-TD_INLINE void subtract_product(td_block3 *c, const td_block3 *a, const factor3 *b) {
-    d4 a0 = load(a->at[0]), a1 = load(a->at[1]), a2 = load(a->at[2]);
+TD_INLINE void subtract_product(td_block3 *restrict c, const td_block3 *restrict a,
+                                const td_block3 *b) {
     for (int k = 0; k < 3; k++) {
-        store(c->at[k], load(c->at[k]) - (a0 * b->at[0][k] + a1 * b->at[1][k] + a2 * b->at[2][k]));
+        double b0 = b->at[0][k], b1 = b->at[1][k], b2 = b->at[2][k];
+        for (int i = 0; i < ROWS; i++) {
+            c->at[k][i] -= a->at[0][i] * b0 + a->at[1][i] * b1 + a->at[2][i] * b2;
+        }
     }
 }
 
@@ -63,14 +42,13 @@ static bool factor_block(td_block3 *block) {
 }
 
 /* a becomes a l'^-1, for the factor of a diagonal block. */
-TD_INLINE void divide_by_factor(td_block3 *a, const td_block3 *l) {
+TD_INLINE void divide_by_factor(td_block3 *restrict a, const td_block3 *restrict l) {
     double i0 = 1.0 / l->at[0][0], i1 = 1.0 / l->at[1][1], i2 = 1.0 / l->at[2][2];
-    d4 a0 = load(a->at[0]) * i0;
-    d4 a1 = (load(a->at[1]) - a0 * l->at[0][1]) * i1;
-    d4 a2 = (load(a->at[2]) - a0 * l->at[0][2] - a1 * l->at[1][2]) * i2;
-    store(a->at[0], a0);
-    store(a->at[1], a1);
-    store(a->at[2], a2);
+    for (int i = 0; i < ROWS; i++) {
+        a->at[0][i] *= i0;
+        a->at[1][i] = (a->at[1][i] - a->at[0][i] * l->at[0][1]) * i1;
+        a->at[2][i] = (a->at[2][i] - a->at[0][i] * l->at[0][2] - a->at[1][i] * l->at[1][2]) * i2;
+    }
 }
 
 /* The columns that reach a row are chained: chain[row] is the first, next[column] the one after it;
@@ -98,7 +76,7 @@ bool TD_WIDE(td_sparse_factor)(const td_sparse_view *s) {
         for (int c = s->chain[place], after; c != TD_NONE; c = after) {
             after = next[c];
             int i = walk[c]++, column_end = column[c + 1];
-            factor3 mine = spread_out(&entry[i]);
+            td_block3 mine = entry[i];
             subtract_product(&diagonal[place], &entry[i], &mine);
             for (i++; i < column_end; i++) {
                 subtract_product(&entry[map[row[i]]], &entry[i], &mine);
@@ -127,8 +105,10 @@ static void solve_down(const td_sparse_view *s, double (*y)[4]) {
         for (int i = s->column[p]; i < s->column[p + 1]; i++) {
             const td_block3 *e = &s->entry[i];
             double *z = y[s->row[i]];
-            store(z, load(z) - (load(e->at[0]) * y[p][0] + load(e->at[1]) * y[p][1] +
-                                load(e->at[2]) * y[p][2]));
+            double y0 = y[p][0], y1 = y[p][1], y2 = y[p][2];
+            for (int k = 0; k < ROWS; k++) {
+                z[k] -= e->at[0][k] * y0 + e->at[1][k] * y1 + e->at[2][k] * y2;
+            }
         }
     }
 }
@@ -137,19 +117,13 @@ static void solve_down(const td_sparse_view *s, double (*y)[4]) {
 static void solve_up(const td_sparse_view *s, double (*y)[4]) {
     for (int p = s->size - 1; p >= 0; p--) {
         const td_block3 *l = &s->diagonal[p];
-        d4 sum = load(y[p]);
         for (int i = s->column[p]; i < s->column[p + 1]; i++) {
             const td_block3 *e = &s->entry[i];
-            d4 z = load(y[s->row[i]]);
-            d4 a = load(e->at[0]) * z, b = load(e->at[1]) * z, c = load(e->at[2]) * z;
-            d4 ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
-            d4 first = __builtin_shufflevector(ab_low, c, 0, 1, 4, 4);
-            d4 second = __builtin_shufflevector(ab_low, c, 2, 3, 5, 5);
-            d4 third =
-                __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 6, 2, 6), c, 0, 1, 6, 6);
-            sum -= first + second + third;
+            const double *z = y[s->row[i]];
+            for (int k = 0; k < 3; k++) {
+                y[p][k] -= e->at[k][0] * z[0] + e->at[k][1] * z[1] + e->at[k][2] * z[2];
+            }
         }
-        store(y[p], sum);
         y[p][2] /= l->at[2][2];
         y[p][1] = (y[p][1] - l->at[1][2] * y[p][2]) / l->at[1][1];
         y[p][0] = (y[p][0] - l->at[0][1] * y[p][1] - l->at[0][2] * y[p][2]) / l->at[0][0];

@@ -13,9 +13,9 @@ import { root } from "../support/package.mjs";
 /** Kilobytes (1000 bytes) of the gzipped module: what is reached, and what is aimed at. */
 const PROGRAMS = [
   { name: "circles", bound: 46, aim: 12 },
-  { name: "boxes", bound: 55, aim: 18 },
-  { name: "islands", bound: 56, aim: 18 },
-  { name: "everything", bound: 87, aim: 40 },
+  { name: "boxes", bound: 56, aim: 18 },
+  { name: "islands", bound: 57, aim: 18 },
+  { name: "everything", bound: 88, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`, { recursive: true })

@@ -230,6 +230,8 @@ export default async function ({ createWorld, readText, random, seed }) {
     world.setEnabled(shell, false);
     world.setHeights(ground, 0, stretch.heights);
     for (const { body, position, angle } of [...tanks, ...loose]) {
+      world.setEnabled(body, false); // no contact is to remember how it lay
+      world.setEnabled(body, true);
       world.setTransform(body, position, angle);
       world.setVelocity(body, [0, 0]);
       world.setAwake(body, true);
