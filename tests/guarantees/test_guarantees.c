@@ -75,9 +75,8 @@ static int try_case(const guarantee *g, const settings *s) {
 static void holds(void **state) {
     const guarantee *g = *state;
     settings *cases = room_for_cases();
-    int count = cases_of(g, cases), failed = 0, tried = 0;
+    int count = cases_of(g, cases), failed = 0;
     for (int i = options.share - 1; i < count; i += options.shares) {
-        tried++;
         failed += failed < FAULTS_TOLD ? try_case(g, &cases[i]) : 0;
     }
     free(cases);
