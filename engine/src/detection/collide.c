@@ -231,9 +231,9 @@ thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e,
     return td_contact_between(w, a, b, place, normal, at->distance);
 }
 
-/* Others lean on it, or it on them. */
+/* Others lean on it, or it on them: more than one, or a pair would gain by giving way to itself. */
 static bool is_in_touch(const side *s, bool pair_touches) {
-    return s->trajectory && s->trajectory->touching > pair_touches;
+    return s->trajectory && s->trajectory->touching > pair_touches + 1;
 }
 
 /* A body in touch with others would hand its new motion on to them at once, and they to others: a
