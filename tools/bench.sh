@@ -34,13 +34,40 @@ options every scene, as a table.
 END
 }
 
-# Builds Box2D, Rapier and what stands beside them. Ends with 77 where Box2D cannot be built, which
-# tests/adapters/build.sh explains; without Rapier the rest goes on.
-build_bench() {
+# Builds Box2D and what stands beside it. Ends with 77 where Box2D cannot be built, which
+# tests/adapters/build.sh explains.
+build_beside_box2d() {
     sh tests/adapters/build.sh build/baseline
-    sh tests/adapters/build-rapier.sh build/baseline || [ $? = 77 ]
     build bench --preset release -DTHUD_WERROR=ON -DTHUD_TESTS=OFF \
         -DTHUD_BOX2D="$root/build/baseline"
+}
+
+# Rapier, too; without it the rest goes on.
+build_bench() {
+    sh tests/adapters/build-rapier.sh build/baseline || [ $? = 77 ]
+    build_beside_box2d
+}
+
+# measured_page VERB SCRIPT PROGRAM OPTION...: the page that tests/SCRIPT writes of what build/bench's
+# PROGRAM measures. Wrong options are refused before anything is built, and writing the page anew
+# needs no build.
+measured_page() {
+    verb=$1
+    script=$root/tests/$2
+    program=$root/build/bench/tests/$3
+    shift 3
+    case " $* " in
+        *' -h '* | *' --help '*) exec python3 "$script" "" --help ;;
+    esac
+    ensure "$verb"
+    python3 "$script" "" --check "$@" || exit
+    case " $* " in
+        *' --again '*) ;;
+        *) build_beside_box2d ;;
+    esac
+    name_commit
+    cd "$caller"
+    exec python3 "$script" "$program" "$@"
 }
 
 # What the figures belong to. What is not committed of all that programs are made of makes it -dirty,

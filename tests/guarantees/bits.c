@@ -102,19 +102,6 @@ static void same_bits_any_workers(trial *t) {
 
 /* ---- snapshots ---- */
 
-typedef struct saved {
-    void *bytes;
-    size_t size;
-} saved;
-
-static saved save(trial *t, const thud_world *world) {
-    saved s = {NULL, 0};
-    DO(t, thud_world_snapshot_size(world, &s.size));
-    s.bytes = malloc(s.size);
-    DO(t, thud_world_snapshot(world, s.bytes, s.size, NULL));
-    return s;
-}
-
 static void walk(yard *y, uint64_t told[STEPS]) {
     for (int i = 0; i < STEPS && !trial_failed(y->t); i++) {
         yard_step(y);
@@ -135,7 +122,7 @@ static void same_bits_after_restore(trial *t) {
     def.job_system = trial_jobs(3 - settings_workers(t->set));
     thud_world *other = trial_make(t, def);
     kept = y;
-    saved s = save(t, y.world);
+    trial_bytes s = trial_snapshot(t, y.world);
     walk(&y, first);
     for (int i = 0; i < 2 && !trial_failed(t); i++) {
         thud_world *world = i ? other : y.world;
@@ -196,8 +183,7 @@ static void ask_much(yard *y) {
     thud_world_poses(y->world, (thud_pos){0, 0}, 0.5, &count);
     thud_world_measure(y->world);
     thud_world_error(y->world);
-    saved s = save(t, y->world);
-    free(s.bytes);
+    free(trial_snapshot(t, y->world).bytes);
 }
 
 static void same_bits_asked_or_not(trial *t) {

@@ -6,23 +6,9 @@
 #include <thud/thud_mover.h>
 #include <thud/thud_snapshot.h>
 
-/* The world's whole state as bytes. */
-typedef struct state_bytes {
-    char *bytes;
-    size_t size;
-} state_bytes;
-
-static state_bytes bytes_of(trial *t, const thud_world *world) {
-    state_bytes s = {NULL, 0};
-    DO(t, thud_world_snapshot_size(world, &s.size));
-    s.bytes = malloc(s.size);
-    DO(t, thud_world_snapshot(world, s.bytes, s.size, NULL));
-    return s;
-}
-
-static void expect_same(trial *t, const thud_world *world, const state_bytes *before,
+static void expect_same(trial *t, const thud_world *world, const trial_bytes *before,
                         const char *what) {
-    state_bytes now = bytes_of(t, world);
+    trial_bytes now = trial_snapshot(t, world);
     if (now.size != before->size || memcmp(now.bytes, before->bytes, now.size) != 0) {
         trial_fault(t, "%s changed the world", what);
     }
@@ -96,7 +82,7 @@ static void refused_calls_change_nothing(trial *t) {
         return;
     }
     t->heard = 0;
-    state_bytes before = bytes_of(t, y.world);
+    trial_bytes before = trial_snapshot(t, y.world);
     refuse_bodies(t, &y);
     expect_same(t, y.world, &before, "a refused edit of a body");
     refuse_shapes(t, &y);
@@ -119,9 +105,9 @@ static void damaged_snapshots_are_refused(trial *t) {
     if (trial_failed(t)) {
         return;
     }
-    state_bytes s = bytes_of(t, y.world), empty = bytes_of(t, other);
+    trial_bytes s = trial_snapshot(t, y.world), empty = trial_snapshot(t, other);
     yard_step(&y);
-    state_bytes before = bytes_of(t, y.world);
+    trial_bytes before = trial_snapshot(t, y.world);
     t->heard = 0;
     for (int i = 0; i < 8; i++) {
         size_t at = (size_t)trial_draw(t, 0, (double)s.size);
@@ -131,7 +117,7 @@ static void damaged_snapshots_are_refused(trial *t) {
         s.bytes[at] = before.bytes[0]; /* stays damaged, but for once in a while */
         expect_same(t, y.world, &before, "a damaged snapshot");
         free(s.bytes);
-        s = bytes_of(t, y.world);
+        s = trial_snapshot(t, y.world);
     }
     REFUSED(t, thud_world_restore(other, s.bytes, s.size), THUD_ERROR_INVALID);
     expect_same(t, other, &empty, "a snapshot of other settings");

@@ -3,6 +3,8 @@
 
 #include "pool.h"
 
+#include <thud/thud_snapshot.h>
+
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -116,6 +118,14 @@ void trial_run(trial *t, thud_world *world, int steps) {
 
 int trial_steps(const trial *t, double seconds) {
     return (int)ceil(seconds / t->step - 1e-9);
+}
+
+trial_bytes trial_snapshot(trial *t, const thud_world *world) {
+    trial_bytes s = {NULL, 0};
+    DO(t, thud_world_snapshot_size(world, &s.size));
+    s.bytes = malloc(s.size);
+    DO(t, thud_world_snapshot(world, s.bytes, s.size, NULL));
+    return s;
 }
 
 /* ---- bodies ---- */

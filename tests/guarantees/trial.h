@@ -56,6 +56,13 @@ long trial_shared_runs(void);
 /* The job system of so many workers, on threads that all trials share. */
 thud_job_system trial_jobs(int workers);
 
+/* A world's whole state; the caller frees the bytes. */
+typedef struct trial_bytes {
+    char *bytes;
+    size_t size;
+} trial_bytes;
+trial_bytes trial_snapshot(trial *t, const thud_world *world);
+
 /* ---- bodies ---- */
 
 typedef enum form { BALL, UPRIGHT, TURNED, FORMS } form;

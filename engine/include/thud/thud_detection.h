@@ -53,8 +53,8 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * together, by up to 0.00035 length scales a step, before the contacts have settled. Bodies that
  * touch others keep the motion that they have together: what hits one changes its velocity at once,
  * and gives way for the rest of the step. A body that meets more than 8 times, 16 if elastic, in a
- * step is held for the rest of it, which the statistics tell; in a pile under impact that is about
- * one in a hundred. So is a body that leaves its expected way where there is no memory to look for
+ * step is held for the rest of it, which the statistics tell; in a pile under impact that is up to
+ * three in a hundred. So is a body that leaves its expected way where there is no memory to look for
  * whom else it may meet.
  *
  * Bisection takes the motion of a step as straight: gravity g bends it by up to g * time_step^2

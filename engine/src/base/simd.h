@@ -26,6 +26,16 @@
 #define TD_WIDE(name) TD_JOIN(name, TD_ISA)
 #endif
 
+/* Wide files exist once for every processor and, on x86-64, once more for AVX2; TD_PICK_WIDE
+ * picks one at run time: `of` says in a field `wide` whether AVX2 may run. */
+#if defined(TD_HAS_AVX2)
+#define TD_PICK_WIDE(of, name) (*((of)->wide ? &TD_JOIN(name, avx2) : &TD_JOIN(name, base)))
+#define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base), TD_JOIN(name, avx2)
+#else
+#define TD_PICK_WIDE(of, name) TD_JOIN(name, base)
+#define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base)
+#endif
+
 typedef float f8 __attribute__((vector_size(32)));
 typedef int32_t i8 __attribute__((vector_size(32)));
 typedef uint32_t u8 __attribute__((vector_size(32)));

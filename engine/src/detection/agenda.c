@@ -7,12 +7,10 @@
 #include "detection/ghosts.h"
 #include "state/body.h"
 
-/* All three are multiples of TD_MEET. Shapes nearer than TOUCHING touch. Motion into each other by
- * less than NOTHING is none. Of shapes that load has pressed together, motion into each other by up
- * to PRESSED in a step is left to the contact solver. */
+/* Both are multiples of TD_MEET. Shapes nearer than TOUCHING touch. Motion into each other by less
+ * than NOTHING is none. */
 #define TOUCHING 0.01
 #define NOTHING 0.01
-#define PRESSED 0.15
 
 enum { MOST_GHOSTS = 16 }; /* of a pair, that it may meet on its way */
 
@@ -66,7 +64,7 @@ static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_det
         }
         bool pressed =
             approach.distance <= 0.0 && !has_met(w, e->body[0]) && !has_met(w, e->body[1]);
-        approach.target = approach.distance - (pressed ? PRESSED : NOTHING) * unit;
+        approach.target = approach.distance - (pressed ? TD_PRESSED : NOTHING) * unit;
         approach.tolerance = 0.1 * NOTHING * unit;
     }
     double part;

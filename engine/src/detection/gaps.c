@@ -19,12 +19,11 @@ enum { FIRST_PASSES = 2, MOST_PASSES = 40, LAST_PASSES = 2 };
 #define OVER 1.8f
 
 /* All are multiples of TD_MEET. Contacts end no nearer than NEAREST, or where they began; what the
- * passes leave of that is a collision where shapes end nearer than LEAST, and nearer by PRESSED
- * than they began: less than that, load may press them in a step. */
+ * passes leave of that is a collision where shapes end nearer than LEAST, and nearer by
+ * TD_PRESSED than they began. */
 #define NEAREST 0.8f
 #define ENOUGH 0.05f
 #define LEAST 0.05f
-#define PRESSED 0.15f
 
 static td_project_context context_of(const thud_world *w) {
     float meet = TD_MEET * w->unit;
@@ -36,7 +35,7 @@ static td_project_context context_of(const thud_world *w) {
                                 .nearest = NEAREST * meet,
                                 .enough = ENOUGH * meet,
                                 .least = LEAST * meet,
-                                .pressed = PRESSED * meet,
+                                .pressed = (float)TD_PRESSED * meet,
                                 .margin = TD_SPECULATIVE * w->unit};
 }
 
@@ -175,8 +174,8 @@ bool td_gap_stays(const thud_world *w, const td_contact *contact, double now) {
         double to = base + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
         here++;
         /* Where they seem to be nearer than load presses, they have gone past each other. */
-        stays &= from >= base - (double)PRESSED * unit;
-        stays &= to - slack >= td_min_double((double)LEAST * unit, from - (double)PRESSED * unit);
+        stays &= from >= base - TD_PRESSED * unit;
+        stays &= to - slack >= td_min_double((double)LEAST * unit, from - TD_PRESSED * unit);
     }
     /* The point that is not there was further off than contacts begin. */
     if (here < points) {

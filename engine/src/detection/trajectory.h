@@ -5,6 +5,10 @@
 #include "detection/detection.h"
 #include "state/world.h"
 
+/* Shapes that touch may be pressed into each other by load, by so many TD_MEET in a step, before it
+ * is a collision: that much is left to the contact solver. */
+#define TD_PRESSED 0.15
+
 /* The way of an awake body from `since` to the end of the step: at constant speed, or falling. */
 typedef struct td_trajectory {
     td_position place; /* of the centre of mass, at `since` */

@@ -39,18 +39,14 @@ void td_islands_free(td_memory *memory, td_islands *s) {
     td_sparse_free(memory, &s->matrix);
 }
 
-/* Room from the start for what is usual, so that a world settles into what it has. */
-static bool roomy(thud_world *w, td_array *array, int count) {
-    return td_array_reserve(&w->memory, array, td_max_int(count, 64));
-}
-
 /* Room in each list for all bodies and constraints that there are, where that takes little. */
 static bool room_for_all(thud_world *w) {
     td_islands *s = &w->islands;
     int bodies = w->body_of.count, constraints = w->touching + w->joints.live;
-    return roomy(w, &s->local, bodies) && roomy(w, &s->island, bodies) &&
-           roomy(w, &s->slots, bodies) && roomy(w, &s->before, bodies) &&
-           roomy(w, &s->constraints, constraints) && roomy(w, &s->impulses, constraints) &&
+    return td_islands_room(w, &s->local, bodies) && td_islands_room(w, &s->island, bodies) &&
+           td_islands_room(w, &s->slots, bodies) && td_islands_room(w, &s->before, bodies) &&
+           td_islands_room(w, &s->constraints, constraints) &&
+           td_islands_room(w, &s->impulses, constraints) &&
            td_sparse_reserve(&w->memory, &s->matrix, bodies);
 }
 

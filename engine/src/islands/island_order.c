@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-static bool roomy(thud_world *w, td_array *array, int count) {
+bool td_islands_room(thud_world *w, td_array *array, int count) {
     return td_array_reserve(&w->memory, array, td_max_int(count, 64));
 }
 
@@ -20,7 +20,7 @@ td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *cons
  * their order follows from. */
 static bool list_shape(thud_world *w) {
     td_islands *s = &w->islands;
-    if (!roomy(w, &s->shape, 2 * (s->island.count + s->constraints.count))) {
+    if (!td_islands_room(w, &s->shape, 2 * (s->island.count + s->constraints.count))) {
         return false;
     }
     s->shape.count = 0;
@@ -63,7 +63,7 @@ static bool order(thud_world *w, const td_island *island, const int *shape) {
 /* The order of islands that are tied as they were in the step before stands. */
 static bool order_all(thud_world *w) {
     td_islands *s = &w->islands;
-    if (!list_shape(w) || !roomy(w, &s->systems, s->island.count)) {
+    if (!list_shape(w) || !td_islands_room(w, &s->systems, s->island.count)) {
         return false;
     }
     if (is_same_shape(s)) {
@@ -80,7 +80,7 @@ static bool order_all(thud_world *w) {
         *TD_AT(td_system, &s->systems, i) = s->matrix.now;
         shape += 2 + 2 * island->constraints;
     }
-    if (!roomy(w, &s->shape_before, s->shape.count)) {
+    if (!td_islands_room(w, &s->shape_before, s->shape.count)) {
         return false;
     }
     memcpy(s->shape_before.data, s->shape.data, (size_t)s->shape.count * sizeof(int));
@@ -96,9 +96,11 @@ bool td_islands_order(thud_world *w) {
     for (int i = 0; i < s->island.count; i++) {
         td_island *island = TD_AT(td_island, &s->island, i);
         island->system = *TD_AT(td_system, &s->systems, i);
-        if (!roomy(w, &s->rows, island->constraints) || !roomy(w, &s->bodies, island->bodies) ||
-            !roomy(w, &s->step, island->bodies) || !roomy(w, &s->moved, island->bodies) ||
-            !roomy(w, &s->work, island->bodies)) {
+        if (!td_islands_room(w, &s->rows, island->constraints) ||
+            !td_islands_room(w, &s->bodies, island->bodies) ||
+            !td_islands_room(w, &s->step, island->bodies) ||
+            !td_islands_room(w, &s->moved, island->bodies) ||
+            !td_islands_room(w, &s->work, island->bodies)) {
             return false;
         }
     }

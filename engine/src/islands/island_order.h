@@ -4,6 +4,10 @@
 
 #include "state/world.h"
 
+/* Room from the start for what is usual, so that a world settles into what it has; false when
+ * memory is short. */
+bool td_islands_room(thud_world *w, td_array *array, int count);
+
 /* The awake slot of a dynamic body on the other side of a constraint, or 0. */
 td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *constraint, int side);
 /* Orders the islands that are listed, and makes room for solving them; false when memory is short.

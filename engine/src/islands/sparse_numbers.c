@@ -1,14 +1,14 @@
 /* sparse_numbers.c: the numbers of the present system, of which wide_sparse.c has the kernels. */
 #include "islands/sparse.h"
 
+#include "base/simd.h"
+
 #include <string.h>
 
-bool td_sparse_factor_base(const td_sparse_view *s);
-void td_sparse_solve_base(const td_sparse_view *s, double (*y)[4]);
-#if defined(TD_HAS_AVX2)
-bool td_sparse_factor_avx2(const td_sparse_view *s);
-void td_sparse_solve_avx2(const td_sparse_view *s, double (*y)[4]);
-#endif
+typedef bool factor_fn(const td_sparse_view *s);
+typedef void solve_fn(const td_sparse_view *s, double (*y)[4]);
+TD_DECLARE_WIDE(factor_fn, td_sparse_factor);
+TD_DECLARE_WIDE(solve_fn, td_sparse_solve);
 
 static td_sparse_view view_of(const td_sparse *s) {
     return (td_sparse_view){.size = s->now.size,
@@ -33,31 +33,16 @@ void td_sparse_clear(td_sparse *s) {
 
 bool td_sparse_factor(td_sparse *s) {
     td_sparse_view v = view_of(s);
-#if defined(TD_HAS_AVX2)
-    if (s->wide) {
-        return td_sparse_factor_avx2(&v);
-    }
-#endif
-    return td_sparse_factor_base(&v);
-}
-
-static void solve(const td_sparse *s, double (*y)[4]) {
-    td_sparse_view v = view_of(s);
-#if defined(TD_HAS_AVX2)
-    if (s->wide) {
-        td_sparse_solve_avx2(&v, y);
-        return;
-    }
-#endif
-    td_sparse_solve_base(&v, y);
+    return TD_PICK_WIDE(s, td_sparse_factor)(&v);
 }
 
 void td_sparse_solve(const td_sparse *s, double (*x)[4], double (*work)[4]) {
     const int *node = (const int *)s->node.data + s->now.place;
+    td_sparse_view v = view_of(s);
     for (int p = 0; p < s->now.size; p++) {
         memcpy(work[p], x[node[p]], sizeof *work);
     }
-    solve(s, work);
+    TD_PICK_WIDE(s, td_sparse_solve)(&v, work);
     for (int p = 0; p < s->now.size; p++) {
         memcpy(x[node[p]], work[p], sizeof *x);
     }

@@ -1,7 +1,6 @@
-/* kinds.h: the wide functions, picked for the processor at run time; and shape kinds, which plug
- * their pair functions into a world when they are first used, so that a program that never makes a
- * kind does not link its code. A new kind begins in thud_shapes.h; docs/architecture.md has all
- * that follows. */
+/* kinds.h: the wide functions of a world; and shape kinds, which plug their pair functions into a
+ * world when they are first used, so that a program that never makes a kind does not link its code.
+ * A new kind begins in thud_shapes.h; docs/architecture.md has all that follows. */
 #ifndef TD_KINDS_H
 #define TD_KINDS_H
 
@@ -18,16 +17,6 @@
 
 #define TD_DECLARE_KIND(kind, plug, own) void plug(thud_world *w);
 TD_ALL_KINDS(TD_DECLARE_KIND)
-
-/* Wide files exist once for every processor and, on x86-64, once more for AVX2; the names here
- * pick one at run time. */
-#if defined(TD_HAS_AVX2)
-#define TD_PICK_WIDE(w, name) (*((w)->wide ? &TD_JOIN(name, avx2) : &TD_JOIN(name, base)))
-#define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base), TD_JOIN(name, avx2)
-#else
-#define TD_PICK_WIDE(w, name) TD_JOIN(name, base)
-#define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base)
-#endif
 
 TD_DECLARE_WIDE(td_grid_measure_fn, td_grid_measure);
 TD_DECLARE_WIDE(td_grid_cells_fn, td_grid_cells);
