@@ -54,8 +54,8 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * touch others keep the motion that they have together: what hits one changes its velocity at once,
  * and gives way for the rest of the step. A body that meets more than 8 times, 16 if elastic, in a
  * step is held for the rest of it, which the statistics tell; in a pile under impact that is up to
- * three in a hundred. So is a body that leaves its expected way where there is no memory to look for
- * whom else it may meet.
+ * three in a hundred. So is a body that leaves its expected way where there is no memory to look
+ * for whom else it may meet.
  *
  * Bisection takes the motion of a step as straight: gravity g bends it by up to g * time_step^2
  * / 8. Swept bodies that nothing bears fly exact parabolas, and elastic ones (restitution 1) keep

@@ -19,7 +19,7 @@ static double wanted_of(const thud_world *w, double gap, double blur) {
     if (gap > blur) {
         return -gap / time;
     }
-    double depth = -(gap + (double)w->skin), pushed = PUSH_SHARE * depth / time;
+    double depth = -(gap + (double)w->skin), pushed = PUSH_SHARE * (depth - blur) / time;
     return depth < blur ? 0.0 : pushed < most ? pushed : most;
 }
 

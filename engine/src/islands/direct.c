@@ -133,3 +133,20 @@ void td_direct_step(td_direct *d) {
         }
     }
 }
+
+bool td_direct_move(td_direct *d, double part) {
+    double sum = 0.0;
+    for (int i = 0; i < d->body_count; i++) {
+        for (int k = 0; k < 3; k++) {
+            d->bodies[i].velocity[k] += part * d->step[i][k];
+            sum += d->bodies[i].velocity[k];
+        }
+    }
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->constraints[i].row[k];
+            r->speed += part * r->change;
+        }
+    }
+    return td_finite(sum);
+}

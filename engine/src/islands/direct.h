@@ -30,6 +30,7 @@ typedef struct td_direct_body {
     double inverse_mass, inverse_inertia; /* inertia 0: does not turn */
     double free[3];                       /* velocity without contacts: x, y, turn */
     double velocity[3];                   /* in: a guess; out: the solution */
+    double begun[3];                      /* the guess, as it came in */
 } td_direct_body;
 
 typedef struct td_direct_row {
@@ -81,7 +82,8 @@ double td_direct_solve(td_direct *d, double tolerance);
 /* True where the active rows were found in a few steps. */
 bool td_direct_active(td_direct *d, double tolerance);
 /* The same rows once more, for other free velocities and wanted speeds that leave them as they are,
- * and impulses that are nearly right: without another matrix. False where that will not do. */
+ * without another matrix; impulses may be far off. False, and nothing has changed, where that will
+ * not do. */
 bool td_direct_again(td_direct *d, double tolerance);
 /* False where numbers failed, or steps ran out. */
 bool td_direct_interior(td_direct *d, double tolerance);
@@ -94,6 +96,12 @@ bool td_direct_factor(td_direct *d);
 /* Solves for what masses and the rows' forces leave unbalanced: the bodies' step, the rows' change.
  */
 void td_direct_step(td_direct *d);
+/* Goes a part of that step; false where numbers failed. */
+bool td_direct_move(td_direct *d, double part);
+/* Solves what the active rows still miss, of forces that balance the velocities, without another
+ * matrix, down to `enough`, where it can; nobody changes his mind. Leaves the impulses in `force`.
+ * False where numbers failed. */
+bool td_direct_polish(td_direct *d, double enough);
 /* The greatest speed by which a row misses what it wants. */
 double td_direct_miss(const td_direct *d);
 /* The sum of what a constraint's rows push. */

@@ -4,8 +4,11 @@
  * normal gives max(0, y - D (J v - wanted)), a tangent y - D (J v - wanted) cut off at its bounds
  * (the augmented Lagrangian of Hestenes, 1969, and Powell, 1969, for inequalities after
  * Rockafellar, 1973). Where no row changes its mind in a whole Newton step, that minimises the
- * function of v. Then y takes the impulses, and it goes on until nothing is missed. */
+ * function of v. What rows still miss then is polished off with the same matrix (direct_polish.c),
+ * y takes the impulses, friction gets its bounds, and it goes on until nothing is missed. */
 #include "islands/direct.h"
+
+#include <string.h>
 
 /* The penalty of a contact is the mass that it feels times so much, or the load it carries where
  * that is more; and never more than the second, or rounding ends it. */
@@ -25,12 +28,13 @@
 /* Of impulses that were kept from the step before, only what was at its bound, but for rounding. */
 #define ROUNDED (1.0 - 1e-6)
 
-/* Rounds with a matrix that stands go on down to so much of the tolerance. */
+/* What rows miss is polished off down to so much of the tolerance. */
 #define FINE 1e-4
 
 enum {
     PATIENCE = 6, /* factorisations */
     ROUNDS = 12,  /* in which multipliers take the impulses */
+    AGAIN = 4,    /* rounds in which friction gets its bounds, with the matrix that stands */
     HOPELESS = 6, /* where more than one of so many rows changes its mind in a step, and ... */
     MANY = 100    /* ... there are so many rows, the guess was no good */
 };
@@ -45,9 +49,10 @@ static double clamped(double x, double most) {
 
 /* In a heap at rest many contacts carry nothing, or just so much that they stick, and rounding
  * would have them change their minds for ever: `doubt` is the speed, and times its mass the
- * impulse, that a row does not change its mind for. */
-static void answer(td_direct_row *r, double doubt) {
-    double impulse = r->base - r->weight * (r->speed - r->wanted), little = doubt * r->mass;
+ * impulse, that a row does not change its mind for. True where it does. */
+static bool answer(td_direct_row *r, double impulse, double doubt) {
+    bool before = r->active;
+    double little = doubt * r->mass;
     if (r->kind == TD_ROW_PUSH) {
         r->active = r->active ? impulse > -little : r->speed < r->wanted - doubt;
         r->impulse = r->active && impulse > 0.0 ? impulse : 0.0;
@@ -61,6 +66,12 @@ static void answer(td_direct_row *r, double doubt) {
         r->impulse = impulse; /* it always is active */
     }
     r->force = r->active ? impulse : r->impulse;
+    return r->active != before;
+}
+
+/* The impulse of a row that its penalty has changed from what it was. */
+static double penalised(const td_direct_row *r, double impulse) {
+    return impulse - r->weight * (r->speed - r->wanted);
 }
 
 static void set_weight(const td_direct *d, td_direct_constraint *c) {
@@ -139,7 +150,7 @@ static bool take_multipliers(td_direct *d, double doubt, bool begins) {
                 r->impulse = clamped(r->impulse, r->most);
             }
             r->base = r->impulse;
-            r->force = r->active ? r->base - r->weight * (r->speed - r->wanted) : r->base;
+            r->force = r->active ? penalised(r, r->base) : r->base;
             same &= !r->used || r->active == before;
         }
     }
@@ -150,37 +161,43 @@ static bool take_multipliers(td_direct *d, double doubt, bool begins) {
  * where numbers failed. */
 static bool leap(td_direct *d, double doubt, int *turned) {
     td_direct_step(d);
-    double sum = 0.0;
-    for (int i = 0; i < d->body_count; i++) {
-        for (int k = 0; k < 3; k++) {
-            d->bodies[i].velocity[k] += d->step[i][k];
-            sum += d->bodies[i].velocity[k];
-        }
-    }
+    bool done = td_direct_move(d, 1.0);
     *turned = 0;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
-            if (r->used) {
-                bool before = r->active;
-                r->speed += r->change;
-                answer(r, doubt);
-                *turned += r->active != before;
-            }
+            *turned += r->used && answer(r, penalised(r, r->base), doubt);
         }
     }
-    return td_finite(sum);
+    return done;
 }
 
-/* The speed at which something slides whose friction was held back by a bound that has grown since.
- */
+/* How many rows change their mind once they are told what they really push. */
+static int reconsider(td_direct *d, double doubt) {
+    int turned = 0;
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->constraints[i].row[k];
+            turned += r->used && answer(r, r->active ? r->force : penalised(r, r->force), doubt);
+        }
+    }
+    return turned;
+}
+
+/* The speed by which friction is wrong for what pushes now: that at which something slides whose
+ * bound has changed, or what a force beyond its bound gives. */
 static double slip(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {
         const td_direct_constraint *c = &d->constraints[i];
         const td_direct_row *r = &c->row[TD_DIRECT_TANGENT];
-        if (r->used && r->kind == TD_ROW_FRICTION && !r->active &&
-            td_direct_friction(c) > r->most * GROWN) {
+        if (!r->used || r->kind != TD_ROW_FRICTION) {
+            continue;
+        }
+        double most = td_direct_friction(c);
+        if (r->active) {
+            worst = td_max_double(worst, (size_of(r->impulse) - GROWN * most) / r->mass);
+        } else if (most > r->most * GROWN || most * GROWN < r->most) {
             worst = td_max_double(worst, size_of(r->speed - r->wanted));
         }
     }
@@ -237,7 +254,7 @@ static bool settle(td_direct *d, double doubt, int most, bool stands) {
 
 bool td_direct_active(td_direct *d, double tolerance) {
     int most = td_min_int(d->factorings + PATIENCE, d->patience);
-    double doubt = DOUBT * tolerance, before = __builtin_inf();
+    double doubt = DOUBT * tolerance, fine = FINE * tolerance;
     bool stands = false, unbound = d->fresh;
     guess(d, doubt);
     take_multipliers(d, doubt, true);
@@ -245,42 +262,96 @@ bool td_direct_active(td_direct *d, double tolerance) {
         if (!settle(d, doubt, most, stands)) {
             return false;
         }
-        double now = off(d);
-        /* Rounds with the matrix that stands cost little, and a tall column needs them: what each
-         * contact misses, its top leans by. */
-        if (!unbound && now <= tolerance && (now <= FINE * tolerance || now > 0.5 * before)) {
+        double before = off(d), now = before;
+        int turned = 0;
+        if (before > fine) {
+            if (!td_direct_polish(d, fine)) {
+                return false;
+            }
+            turned = reconsider(d, doubt);
+            now = off(d);
+        }
+        if (!turned && !unbound && td_max_double(before, now) <= tolerance) {
             d->factored = true;
             return true;
         }
-        before = now;
-        if (unbound || now > tolerance) {
+        if (unbound || td_max_double(before, now) > tolerance) {
             td_direct_bound(d);
             unbound = false;
         }
-        stands = take_multipliers(d, doubt, false);
+        stands = take_multipliers(d, doubt, false) && !turned;
     }
     return false;
 }
 
-bool td_direct_again(td_direct *d, double tolerance) {
-    if (!d->factored) {
-        return false;
+/* As a leap, but rows keep their minds, which impulses that are far off would change. */
+static bool hold(td_direct *d, double doubt, int *turned) {
+    td_direct_step(d);
+    bool done = td_direct_move(d, 1.0);
+    *turned = 0;
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->constraints[i].row[k];
+            td_direct_row then = *r;
+            double impulse = penalised(r, r->base);
+            *turned += r->used && answer(&then, impulse, doubt);
+            r->impulse = r->active ? then.impulse : r->base;
+            r->force = r->active ? impulse : r->base;
+        }
+    }
+    return done;
+}
+
+/* Notes where it begins, to go back there. */
+static void begin_again(td_direct *d) {
+    for (int i = 0; i < d->body_count; i++) {
+        memcpy(d->bodies[i].begun, d->bodies[i].velocity, sizeof d->bodies[i].begun);
     }
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
-            r->base = r->impulse;
-            r->force = r->active ? r->base - r->weight * (r->speed - r->wanted) : r->base;
+            r->guess = r->base = r->impulse;
+            r->force = r->active ? penalised(r, r->base) : r->base;
         }
     }
-    int turned;
-    bool done = leap(d, DOUBT * tolerance, &turned) && !turned && off(d) <= tolerance;
-    /* Rows that have changed their mind have impulses of penalties, which mean nothing yet; nothing
-     * is to be bounded by them. */
-    for (int i = 0; i < d->constraint_count && !done; i++) {
+}
+
+/* Rows that have changed their mind have impulses that mean nothing yet, and speeds that may be
+ * anything. */
+static void go_back(td_direct *d) {
+    for (int i = 0; i < d->body_count; i++) {
+        memcpy(d->bodies[i].velocity, d->bodies[i].begun, sizeof d->bodies[i].begun);
+    }
+    for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            d->constraints[i].row[k].impulse = d->constraints[i].row[k].base;
+            d->constraints[i].row[k].impulse = d->constraints[i].row[k].guess;
         }
     }
-    return done;
+}
+
+bool td_direct_again(td_direct *d, double tolerance) {
+    double doubt = DOUBT * tolerance, fine = FINE * tolerance;
+    bool goes_on = d->factored;
+    if (goes_on) {
+        begin_again(d);
+    }
+    for (int round = 0; round < AGAIN && goes_on; round++) {
+        int turned;
+        goes_on = hold(d, doubt, &turned);
+        double before = off(d);
+        if (goes_on && (turned || before > fine)) {
+            goes_on = td_direct_polish(d, fine);
+            turned = reconsider(d, doubt);
+        }
+        goes_on = goes_on && !turned;
+        if (goes_on && td_max_double(before, off(d)) <= tolerance) {
+            return true;
+        }
+        td_direct_bound(d);
+        goes_on = goes_on && take_multipliers(d, doubt, false);
+    }
+    if (d->factored) {
+        go_back(d);
+    }
+    return false;
 }

@@ -19,8 +19,8 @@ static void run(ledger *l) {
     } CASES[] = {
         {30, bound_none()},
         {100, bound_at_most(0.05, ON_DEFAULT)},
-        {150, bound_none()},
-        {200, bound_at_most(0.01, ON_EXACT)},
+        {150, bound_at_most(0.05, ON_DEFAULT)},
+        {200, bound_at_most(0.01, ON_DEFAULT | ON_EXACT)},
         /* It stands if it is where it was by half a box. */
         {1000, bound_at_most(0.5, ON_EXACT)},
     };
