@@ -73,9 +73,7 @@ test_native() {
 MEMORY_TESTS="test_determinism test_error test_event_ledger test_failing_memory test_float_mode
     test_islands_bits test_query test_rods test_snapshot test_snapshot_random test_workers
     test_wrong_input"
-# test_workers is missing: worlds of many bodies have what is left of the thread sanitizer's findings,
-# slot 0, which stands for all that does not move, and which every worker writes back as it was.
-THREADS_TESTS="test_error test_islands_bits test_rods"
+THREADS_TESTS="test_determinism test_error test_float_mode test_islands_bits test_rods test_workers"
 
 # test_under PRESET TARGET...: the kept inputs of two targets, and these tests.
 test_under() {

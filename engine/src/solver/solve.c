@@ -91,18 +91,43 @@ typedef struct solving {
     td_tally *tallies; /* by worker */
     td_job *task;
     atomic_bool *bounced; /* in each pass before the substeps */
+    atomic_flag *dummy;   /* set while a worker may write slot 0 */
     td_worker worker;
     pass which;      /* of the pass that is being walked */
     int first_chunk; /* of its phase */
 } solving;
 
+/* Solves blocks of which the last may have empty lanes. These read slot 0, and write it back as it
+ * was, so that of such blocks of several runs in a phase the workers solve one at a time. */
+static void solve_in_turn(const solving *s, td_solve_fn *solve, td_block *const *blocks,
+                          int count) {
+    solve(blocks, count - 1, &s->contacts);
+    while (atomic_flag_test_and_set_explicit(s->dummy, memory_order_acquire)) {
+        td_pause();
+    }
+    solve(blocks + count - 1, 1, &s->contacts);
+    atomic_flag_clear_explicit(s->dummy, memory_order_release);
+}
+
+/* Only the last block of a run has empty lanes. */
+TD_INLINE void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
+                          td_block *const *blocks, int count) {
+    td_block *const *all = s->w->scratch.blocks.data;
+    if (s->worker.phase && blocks + count == all + run->first + run->count) {
+        solve_in_turn(s, solve, blocks, count);
+    } else {
+        solve(blocks, count, &s->contacts);
+    }
+}
+
 /* Blocks are tallied a few at a time, right after their pass, while they are in the cache. */
-static void solve_and_tally(const solving *s, td_solve_fn *solve, td_block *const *blocks,
-                            int count, int points) {
+static void solve_and_tally(const solving *s, const td_run *run, td_solve_fn *solve,
+                            td_block *const *blocks, int count) {
+    int points = td_form_points(s->w->kinds[run->kind]->form);
     td_tally_fn *tally = &TD_PICK_WIDE(s->w, td_tally_points);
     for (int i = 0; i < count; i += TD_CHUNK_BLOCKS) {
         int part = td_min_int(count - i, TD_CHUNK_BLOCKS);
-        solve(blocks + i, part, &s->contacts);
+        solve_part(s, run, solve, blocks + i, part);
         tally(s->contacts.tally, blocks + i, part, points, &s->tally);
     }
 }
@@ -118,12 +143,11 @@ static void solve_chunk(void *work, int index) {
     td_solve_fn *const *fns = s->which == WARM_START ? ops->warm_start
                               : s->which == SOLVE    ? ops->solve
                                                      : ops->relax;
-    if (s->which == BOUNCE) {
-        ops->bounce(blocks, chunk->count, &s->contacts);
-    } else if (s->which == RELAX && s->contacts.last && run->kind < TD_PAIR_COUNT) {
-        solve_and_tally(s, fns[run->fixed], blocks, chunk->count, td_form_points(pair->form));
+    td_solve_fn *solve = s->which == BOUNCE ? ops->bounce : fns[run->fixed];
+    if (s->which == RELAX && s->contacts.last && run->kind < TD_PAIR_COUNT) {
+        solve_and_tally(s, run, solve, blocks, chunk->count);
     } else {
-        fns[run->fixed](blocks, chunk->count, &s->contacts);
+        solve_part(s, run, solve, blocks, chunk->count);
     }
 }
 
@@ -234,6 +258,7 @@ static void substeps(void *argument) {
 void td_solve(thud_world *w) {
     td_tally tallies[THUD_WORKERS_MAX];
     atomic_bool bounced[TD_BOUNCE_PASSES] = {false};
+    atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
     td_job task = td_job_begin(w);
@@ -252,6 +277,7 @@ void td_solve(thud_world *w) {
         .tallies = tallies,
         .task = &task,
         .bounced = bounced,
+        .dummy = &dummy,
     };
     memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
     td_error_begin(w);

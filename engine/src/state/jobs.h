@@ -3,8 +3,8 @@
  * Every worker walks the same phases in the same order. Of each phase it takes chunks that nobody
  * has taken yet, those of its own part first, so that the same data come to the same processor
  * again; when there are none left it waits for those that others have begun. Whoever comes late
- * finds the early phases done. Chunks of a phase touch nothing in common, so it does not matter who
- * does which. */
+ * finds the early phases done. Chunks of a phase touch nothing in common but the dummy, slot 0,
+ * which the solver's take turns at, so it does not matter who does which. */
 #ifndef TD_JOBS_H
 #define TD_JOBS_H
 
