@@ -103,7 +103,7 @@ static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned s
         }
         int marks = own | *td_marks_at(w, hits[i]);
         bool existed = false;
-        if (marks & TD_MARK_WOKEN || w->vast) {
+        if (td_bounds_tell_nothing(w, marks)) {
             if (!stamped) {
                 stamp_partners(w, a);
                 stamped = true;
