@@ -13,11 +13,12 @@ extern "C" {
  * them on in the same order, so that a world does the same, bit for bit, with any of them:
  * contacts, events, what callbacks are asked, and where bodies go.
  *
- * But for crowds. While more than 8,192 pairs, and 64 a shape of the world, overlap of which one
- * moved, a shape that overlaps more than 32 others gets some of those pairs in later steps, and
- * which come first is the broadphase's own. Pairs that may not touch hold no places, and sensors
- * get all that are looked at. Of n shapes in one spot each pair is looked at within n / 64 steps,
- * and has come within 4 n if all of them may touch and stay there. */
+ * But for crowds. From when more than 8,192 pairs, and 64 a shape of the world, overlap of which
+ * one moved, until fewer than half as many do, a shape that overlaps more than 32 others gets some
+ * of those pairs in later steps, and which come first is the broadphase's own. Pairs that may not
+ * touch hold no places, and sensors get all that are looked at. Of n shapes in one spot each pair
+ * is looked at within n / 64 steps, and has come within 4 n if all of them may touch and stay
+ * there. */
 typedef struct thud_broadphase thud_broadphase;
 
 /* A grid with a level for each eightfold of size: cost per shape stays flat as their number grows,

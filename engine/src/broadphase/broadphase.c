@@ -103,7 +103,7 @@ static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned s
         }
         int marks = own | *td_marks_at(w, hits[i]);
         bool existed = false;
-        if (marks & TD_MARK_WOKEN || w->vast) {
+        if (td_bounds_tell_nothing(w, marks)) {
             if (!stamped) {
                 stamp_partners(w, a);
                 stamped = true;
@@ -122,9 +122,15 @@ static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned s
 /* ---- crowds ---- */
 
 /* Where everything overlaps everything, there are as many pairs as the square of the shapes. A
- * world is crowded when more pairs overlap than ENOUGH and ENOUGH_A_SHAPE for each of its shapes;
- * until then all pairs get their contacts at once. */
+ * world becomes crowded when more pairs overlap than ENOUGH and ENOUGH_A_SHAPE for each of its
+ * shapes; until then all pairs get their contacts at once. It stays so until fewer than half as
+ * many overlap: a crowd that comes apart would else get all that are missing in the one step in
+ * which it has just few enough. */
 enum { ENOUGH = 8192, ENOUGH_A_SHAPE = 64 };
+
+static int64_t enough(const thud_world *w) {
+    return ENOUGH + ENOUGH_A_SHAPE * (int64_t)w->shapes.live;
+}
 
 /* In a crowded world, a shape looks in each step at about LOOKS of those that overlap it, which is
  * cheap, and gets new contacts with about PLACES of them, which is not; once it has PLACES contacts
@@ -173,14 +179,14 @@ static bool take_hits(void *context, int shape, const int *hits, int count) {
     if (!add_new(w, shape, hits, count, skipped)) {
         return false;
     }
+    s->looks += count;
     if (s->crowded) {
         if (take_turns(w, shape, first, skipped)) {
             td_push_int(&w->scratch.crowded, shape);
         }
         return true;
     }
-    s->looks += count;
-    s->crowded = s->looks > ENOUGH + ENOUGH_A_SHAPE * (int64_t)w->shapes.live;
+    s->crowded = s->looks > enough(w);
     return !s->crowded;
 }
 
@@ -192,6 +198,7 @@ static bool query(thud_world *w, const td_proxy_set *grid, int shape) {
 
 static bool sweep(search *s) {
     thud_world *w = s->w;
+    s->looks = 0;
     const td_proxy_set *grid = &w->awake_shapes;
     bool every = grid->moved_count * 2 > grid->ids.count;
     w->scratch.hits.count = w->scratch.pairs.count = 0;
@@ -199,12 +206,21 @@ static bool sweep(search *s) {
                                              &w->scratch.hits, take_hits, s);
 }
 
-/* Every pair of awake shapes of which one moved, or, in a crowd, whose turn it is. */
-static bool pair_awake(thud_world *w) {
-    search s = {.w = w};
+/* Shapes of a crowd are the first that moved: look_again. */
+static bool was_crowded(const thud_world *w) {
+    return *td_marks_at(w, td_int_at(&w->moved, 0)) & TD_MARK_CROWDED;
+}
+
+/* Every pair of awake shapes of which one moved, or, in a crowd, whose turn it is. Sets whether the
+ * next search is one in a crowd as well. */
+static bool pair_awake(thud_world *w, bool *crowded) {
+    bool before = was_crowded(w);
+    search s = {.w = w, .crowded = before};
     w->scratch.crowded.count = 0;
-    return td_array_reserve(&w->memory, &w->scratch.crowded, w->awake_shapes.ids.count) &&
-           (sweep(&s) || (s.crowded && sweep(&s)));
+    bool done = td_array_reserve(&w->memory, &w->scratch.crowded, w->awake_shapes.ids.count) &&
+                (sweep(&s) || (s.crowded && !before && sweep(&s)));
+    *crowded = s.crowded && s.looks > enough(w) / 2;
+    return done;
 }
 
 static bool moved(const thud_world *w, int shape) {
@@ -304,12 +320,14 @@ static bool find_internal_edges(thud_world *w) {
     return true;
 }
 
-/* Shapes in a crowd have pairs that are not listed yet. */
-static void look_again(thud_world *w) {
+/* Shapes in a crowd have pairs that are not listed yet. `crowded`: so is the world in the next
+ * step, which a snapshot takes along with their marks. */
+static void look_again(thud_world *w, bool crowded) {
+    int marks = TD_MARK_WOKEN | (crowded ? TD_MARK_CROWDED : 0);
     for (int i = 0; i < w->scratch.crowded.count; i++) {
         int shape = td_int_at(&w->scratch.crowded, i);
         td_shape_mark_moved(w, shape);
-        *td_marks_at(w, shape) |= TD_MARK_WOKEN;
+        *td_marks_at(w, shape) |= (uint8_t)marks;
     }
 }
 
@@ -334,7 +352,8 @@ bool td_broadphase(thud_world *w) {
     /* A body that was far away a step ago may be near now, hence both. */
     bool vast = is_vast(w);
     w->vast |= vast;
-    if (!pair_awake(w) || !pair_across(w)) {
+    bool crowded = false;
+    if (!pair_awake(w, &crowded) || !pair_across(w)) {
         return false;
     }
     td_pairs_filter(w, 0);
@@ -347,7 +366,7 @@ bool td_broadphase(thud_world *w) {
         memset(w->awake_shapes.moved.data, 0, (size_t)w->awake_shapes.ids.count * sizeof(int32_t));
     }
     w->moved.count = 0;
-    look_again(w);
+    look_again(w, crowded);
     w->vast = vast;
     return true;
 }

@@ -82,14 +82,19 @@ bool td_pairs_sort(thud_world *w) {
 
 /* Two that touch keep their contact when their fat bounds part: those reach less far than a
  * manifold that is kept, or than the speculative margin about small shapes. Once the bounds meet
- * again the pair seems to be new; likewise one with a line where bounds tell nothing. Both bodies'
- * contacts are walked in turns: the shorter list decides. */
+ * again the pair seems to be new; likewise one with a line where bounds tell nothing. Where they
+ * tell nothing of two other shapes, the search for pairs has looked through the contacts of one of
+ * them already. Both bodies' contacts are walked in turns: the shorter list decides. In a crowd
+ * both are long. */
 static bool has_contact(const thud_world *w, const td_new_pair *p) {
-    int e = td_body_at(w, td_shape_at(w, p->a)->body)->first_constraint;
-    int f = td_body_at(w, td_shape_at(w, p->b)->body)->first_constraint;
-    if ((*td_marks_at(w, p->a) | *td_marks_at(w, p->b)) & TD_MARK_FRESH) {
+    const td_shape *a = td_shape_at(w, p->a), *b = td_shape_at(w, p->b);
+    bool line = td_kind_is_line(a->kind) || td_kind_is_line(b->kind);
+    int marks = *td_marks_at(w, p->a) | *td_marks_at(w, p->b);
+    if (marks & TD_MARK_FRESH || (!line && td_bounds_tell_nothing(w, marks))) {
         return false;
     }
+    int e = td_body_at(w, a->body)->first_constraint;
+    int f = td_body_at(w, b->body)->first_constraint;
     while (e != TD_NONE && f != TD_NONE) {
         const td_constraint *c = td_constraint_at(w, e / 2);
         if (c->shape_a == p->a && c->shape_b == p->b && c->child == p->child) {

@@ -28,6 +28,12 @@ static inline bool td_senses(const thud_world *w, int shape) {
     return td_shape_at(w, shape)->flags & TD_SHAPE_SENSOR;
 }
 
+/* Whether a pair of shapes with these marks, together, may have a contact or none whatever bounds
+ * they had before: their contacts are to be looked through. */
+static inline bool td_bounds_tell_nothing(const thud_world *w, int marks) {
+    return marks & TD_MARK_WOKEN || w->vast;
+}
+
 /* The bounds that the shape had when pairs were last made. */
 static inline const td_bounds *td_bounds_before(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);

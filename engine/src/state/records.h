@@ -62,9 +62,10 @@ enum {
 
 /* thud_world.marks */
 enum {
-    TD_MARK_MOVED = 1, /* in the moved list; its bounds before are in `was` */
-    TD_MARK_FRESH = 2, /* has no pairs yet: `was` means nothing */
-    TD_MARK_WOKEN = 4  /* pairs may be missing; look each one up */
+    TD_MARK_MOVED = 1,  /* in the moved list; its bounds before are in `was` */
+    TD_MARK_FRESH = 2,  /* has no pairs yet: `was` means nothing */
+    TD_MARK_WOKEN = 4,  /* pairs may be missing; look each one up */
+    TD_MARK_CROWDED = 8 /* likewise, in a world that stays crowded; see broadphase.c */
 };
 
 typedef struct td_shape {

@@ -2,6 +2,8 @@
  * else within a number of steps that grows with the crowd. Pairs that cannot act hold no places. */
 #include "engine_support.h"
 #include "every_choice.h"
+#include "share.h"
+#include "snapshot_support.h"
 
 enum { MOST = 1000 };
 
@@ -109,11 +111,12 @@ static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(voi
     }
 }
 
-/* They let each other through, and so never come apart; also where they sleep in between. */
+/* They let each other through, and so never come apart; also where they sleep in between, which is
+ * the case that a share of them has. */
 static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **state) {
     (void)state;
     enum { COUNT = 220, ALL = COUNT * (COUNT - 1) / 2 };
-    for (int k = 0; k < 4; k++) {
+    for (int k = 4 - share_of(4); k < 4; k++) {
         thud_world_def def = weightless();
         def.broadphase = broadphases[k % 3];
         def.prologue = let_through;
@@ -134,12 +137,46 @@ static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **
     }
 }
 
+/* The square is as wide as to have somewhat too many pairs for its circles. Two steps later they
+ * are few enough, when more than half are still missing: those may not come all at once, which
+ * would be 60 a circle. A world that is restored then goes on alike. */
+static void crowd_that_comes_apart_gets_no_more_pairs_than_there_are_places(void **state) {
+    (void)state;
+    enum { COUNT = 2000, PLACES = 32, STEPS = 12, KEPT = 3 };
+    for (int k = 0; k < 3; k++) {
+        thud_world_def def = weightless();
+        def.broadphase = broadphases[k];
+        thud_world *world = make_world(def);
+        uint64_t seed = 7;
+        for (int i = 0; i < COUNT; i++) {
+            add_ball(world, random_in(&seed, -1.75, 1.75), random_in(&seed, -1.75, 1.75), 0.25f);
+        }
+        saved kept = {0};
+        for (int i = 0; i < STEPS; i++) {
+            run(world, 1);
+            int pairs = thud_world_stats(world).pairs;
+            assert_in_range(pairs, i < KEPT ? PLACES / 2 * COUNT : 1, PLACES * COUNT);
+            if (i == KEPT - 1) {
+                kept = save(world);
+            }
+        }
+        thud_world *twin = make_world(def);
+        back_to(twin, kept);
+        run(twin, STEPS - KEPT);
+        assert_true(digest_of(twin) == digest_of(world));
+        free(kept.bytes);
+        thud_world_destroy(twin);
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sensor_in_a_crowd_of_mates_reports_all),
         cmocka_unit_test(body_flown_through_a_crowd_of_mates_meets_all),
         cmocka_unit_test(sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated),
         cmocka_unit_test(crowd_that_stays_gets_all_pairs_within_steps_that_are_stated),
+        cmocka_unit_test(crowd_that_comes_apart_gets_no_more_pairs_than_there_are_places),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
