@@ -37,6 +37,16 @@ void td_direct_bound(td_direct *d) {
     }
 }
 
+void td_direct_forget(td_direct *d) {
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            d->constraints[i].row[k].impulse = d->constraints[i].row[k].guess;
+        }
+    }
+    td_direct_measure(d);
+    td_direct_bound(d);
+}
+
 /* Of a row that is no friction. */
 static double lack_of(const td_direct_row *r) {
     double lack = r->wanted - r->speed;
@@ -55,6 +65,17 @@ double td_direct_miss(const td_direct *d) {
         }
     }
     return worst;
+}
+
+double td_direct_sum(td_direct *d, td_row_fn *each, double x, double y) {
+    double sum = 0.0;
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->constraints[i].row[k];
+            sum += r->used && r->active ? each(r, x, y) : 0.0;
+        }
+    }
+    return sum;
 }
 
 /* ---- a Newton step ---- */

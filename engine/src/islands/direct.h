@@ -30,7 +30,6 @@ typedef struct td_direct_body {
     double inverse_mass, inverse_inertia; /* inertia 0: does not turn */
     double free[3];                       /* velocity without contacts: x, y, turn */
     double velocity[3];                   /* in: a guess; out: the solution */
-    double begun[3];                      /* the guess, as it came in */
 } td_direct_body;
 
 typedef struct td_direct_row {
@@ -82,13 +81,17 @@ double td_direct_solve(td_direct *d, double tolerance);
 /* True where the active rows were found in a few steps. */
 bool td_direct_active(td_direct *d, double tolerance);
 /* The same rows once more, for other free velocities and wanted speeds that leave them as they are,
- * without another matrix; impulses may be far off. False, and nothing has changed, where that will
- * not do. */
+ * without another matrix; impulses may be far off. False, with the impulses as they were, where
+ * that will not do. */
 bool td_direct_again(td_direct *d, double tolerance);
 /* False where numbers failed, or steps ran out. */
 bool td_direct_interior(td_direct *d, double tolerance);
 
 /* ---- what they share ---- */
+
+/* What something is for an active row, or 0 of what is done to it. */
+typedef double td_row_fn(td_direct_row *, double, double);
+double td_direct_sum(td_direct *d, td_row_fn *each, double x, double y); /* over the active rows */
 
 void td_direct_measure(td_direct *d); /* speeds of all rows */
 /* The matrix of masses and active rows, factored; false where numbers failed. */
@@ -117,5 +120,8 @@ static inline double td_direct_load(const td_direct_constraint *c) {
 double td_direct_friction(const td_direct_constraint *c);
 /* Gives the tangents of all contacts that bound. */
 void td_direct_bound(td_direct *d);
+/* Impulses as they came in, with the bounds and speeds that they give: what a method has made of
+ * them tells nothing where it has failed. */
+void td_direct_forget(td_direct *d);
 
 #endif

@@ -8,8 +8,6 @@
  * y takes the impulses, friction gets its bounds, and it goes on until nothing is missed. */
 #include "islands/direct.h"
 
-#include <string.h>
-
 /* The penalty of a contact is the mass that it feels times so much, or the load it carries where
  * that is more; and never more than the second, or rounding ends it. */
 #define STIFFNESS 1e5
@@ -157,31 +155,35 @@ static bool take_multipliers(td_direct *d, double doubt, bool begins) {
     return same;
 }
 
-/* A whole Newton step, of the matrix as factored. *turned: how many rows changed their mind. False
- * where numbers failed. */
-static bool leap(td_direct *d, double doubt, int *turned) {
-    td_direct_step(d);
-    bool done = td_direct_move(d, 1.0);
-    *turned = 0;
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->constraints[i].row[k];
-            *turned += r->used && answer(r, penalised(r, r->base), doubt);
-        }
-    }
-    return done;
-}
-
-/* How many rows change their mind once they are told what they really push. */
-static int reconsider(td_direct *d, double doubt) {
+/* How many rows change their mind by what their penalties say; they keep it all the same where
+ * `keeps` is set. */
+static int judge(td_direct *d, double doubt, bool keeps) {
     int turned = 0;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
-            turned += r->used && answer(r, r->active ? r->force : penalised(r, r->force), doubt);
+            double impulse = penalised(r, r->base);
+            if (!r->used || !answer(r, impulse, doubt)) {
+                continue;
+            }
+            turned++;
+            if (keeps) {
+                r->active = !r->active;
+                r->impulse = r->active ? r->impulse : r->base;
+                r->force = r->active ? impulse : r->base;
+            }
         }
     }
     return turned;
+}
+
+/* A whole Newton step, of the matrix as factored. *turned: how many rows change their mind. False
+ * where numbers failed. */
+static bool leap(td_direct *d, double doubt, bool keeps, int *turned) {
+    td_direct_step(d);
+    bool done = td_direct_move(d, 1.0);
+    *turned = judge(d, doubt, keeps);
+    return done;
 }
 
 /* The speed by which friction is wrong for what pushes now: that at which something slides whose
@@ -244,7 +246,7 @@ static bool settle(td_direct *d, double doubt, int most, bool stands) {
         if (!stands && (d->factorings >= most || !td_direct_factor(d))) {
             return false;
         }
-        if (!leap(d, doubt, &turned) || turned > hopeless) {
+        if (!leap(d, doubt, false, &turned) || turned > hopeless) {
             return false;
         }
         stands = false;
@@ -268,7 +270,7 @@ bool td_direct_active(td_direct *d, double tolerance) {
             if (!td_direct_polish(d, fine)) {
                 return false;
             }
-            turned = reconsider(d, doubt);
+            turned = judge(d, doubt, false);
             now = off(d);
         }
         if (!turned && !unbound && td_max_double(before, now) <= tolerance) {
@@ -284,29 +286,7 @@ bool td_direct_active(td_direct *d, double tolerance) {
     return false;
 }
 
-/* As a leap, but rows keep their minds, which impulses that are far off would change. */
-static bool hold(td_direct *d, double doubt, int *turned) {
-    td_direct_step(d);
-    bool done = td_direct_move(d, 1.0);
-    *turned = 0;
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->constraints[i].row[k];
-            td_direct_row then = *r;
-            double impulse = penalised(r, r->base);
-            *turned += r->used && answer(&then, impulse, doubt);
-            r->impulse = r->active ? then.impulse : r->base;
-            r->force = r->active ? impulse : r->base;
-        }
-    }
-    return done;
-}
-
-/* Notes where it begins, to go back there. */
-static void begin_again(td_direct *d) {
-    for (int i = 0; i < d->body_count; i++) {
-        memcpy(d->bodies[i].begun, d->bodies[i].velocity, sizeof d->bodies[i].begun);
-    }
+static void take_impulses(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
@@ -316,32 +296,18 @@ static void begin_again(td_direct *d) {
     }
 }
 
-/* Rows that have changed their mind have impulses that mean nothing yet, and speeds that may be
- * anything. */
-static void go_back(td_direct *d) {
-    for (int i = 0; i < d->body_count; i++) {
-        memcpy(d->bodies[i].velocity, d->bodies[i].begun, sizeof d->bodies[i].begun);
-    }
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            d->constraints[i].row[k].impulse = d->constraints[i].row[k].guess;
-        }
-    }
-}
-
 bool td_direct_again(td_direct *d, double tolerance) {
     double doubt = DOUBT * tolerance, fine = FINE * tolerance;
     bool goes_on = d->factored;
-    if (goes_on) {
-        begin_again(d);
-    }
+    take_impulses(d);
     for (int round = 0; round < AGAIN && goes_on; round++) {
         int turned;
-        goes_on = hold(d, doubt, &turned);
+        /* Impulses may be so far off that rows would change their minds for nothing. */
+        goes_on = leap(d, doubt, true, &turned);
         double before = off(d);
         if (goes_on && (turned || before > fine)) {
             goes_on = td_direct_polish(d, fine);
-            turned = reconsider(d, doubt);
+            turned = judge(d, doubt, false);
         }
         goes_on = goes_on && !turned;
         if (goes_on && td_max_double(before, off(d)) <= tolerance) {
@@ -350,8 +316,6 @@ bool td_direct_again(td_direct *d, double tolerance) {
         td_direct_bound(d);
         goes_on = goes_on && take_multipliers(d, doubt, false);
     }
-    if (d->factored) {
-        go_back(d);
-    }
+    td_direct_forget(d);
     return false;
 }

@@ -12,83 +12,57 @@ enum { ROUNDS = 12 };
 #define PART_MOST 100.0
 
 static double lack_of(const td_direct_row *r) {
-    return r->used && r->active ? r->wanted - r->speed : 0.0;
+    return r->wanted - r->speed;
 }
 
-static double worst_lack(const td_direct *d) {
-    double worst = 0.0;
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            double lack = lack_of(&d->constraints[i].row[k]);
-            worst = td_max_double(worst, td_max_double(lack, -lack));
-        }
-    }
-    return worst;
+static double misses(td_direct_row *r, double enough, double unused) {
+    (void)unused;
+    double lack = lack_of(r);
+    return lack > enough || -lack > enough ? 1.0 : 0.0;
 }
 
-/* What the rows miss, times the penalties. */
-static double product(const td_direct *d) {
-    double sum = 0.0;
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            const td_direct_row *r = &d->constraints[i].row[k];
-            double lack = lack_of(r);
-            sum += lack * r->weight * lack;
-        }
-    }
-    return sum;
+/* What the row misses, times the penalties. */
+static double product(td_direct_row *r, double unused, double nor_this) {
+    (void)unused, (void)nor_this;
+    return lack_of(r) * r->weight * lack_of(r);
 }
 
 /* The next direction, in `push`: the penalties, and a share of the direction before. It acts beside
  * the forces that are there. */
-static void aim(td_direct *d, double share) {
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->constraints[i].row[k];
-            if (r->used && r->active) {
-                r->push[0] = r->weight * lack_of(r) + (share > 0.0 ? share * r->push[0] : 0.0);
-                r->force += r->push[0];
-            }
-        }
-    }
+static double aim(td_direct_row *r, double share, double unused) {
+    (void)unused;
+    r->push[0] = r->weight * lack_of(r) + (share > 0.0 ? share * r->push[0] : 0.0);
+    r->force += r->push[0];
+    return 0.0;
 }
 
-static double curvature(const td_direct *d) {
-    double sum = 0.0;
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            const td_direct_row *r = &d->constraints[i].row[k];
-            sum += r->used && r->active ? r->push[0] * r->change : 0.0;
-        }
-    }
-    return sum;
+static double curvature(td_direct_row *r, double unused, double nor_this) {
+    (void)unused, (void)nor_this;
+    return r->push[0] * r->change;
 }
 
-/* Forces that balance the velocities again, a part of the step further. */
-static void balance(td_direct *d, double part) {
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->constraints[i].row[k];
-            if (r->used && r->active) {
-                r->force += part * (r->push[0] - r->weight * r->change) - r->push[0];
-            }
-        }
-    }
+/* Forces that balance the velocities again, a part of the step further; and the impulses that have
+ * these for their penalties. */
+static double balance(td_direct_row *r, double part, double unused) {
+    (void)unused;
+    r->force += part * (r->push[0] - r->weight * r->change) - r->push[0];
+    r->base = r->force - r->weight * lack_of(r);
+    return 0.0;
 }
 
 bool td_direct_polish(td_direct *d, double enough) {
     double before = 0.0;
-    for (int round = 0; round < ROUNDS && worst_lack(d) > enough; round++) {
-        double now = product(d);
-        aim(d, before > 0.0 ? now / before : 0.0);
+    for (int round = 0; round < ROUNDS && td_direct_sum(d, misses, enough, 0.0) > 0.0; round++) {
+        double now = td_direct_sum(d, product, 0.0, 0.0);
+        td_direct_sum(d, aim, before > 0.0 ? now / before : 0.0, 0.0);
         td_direct_step(d);
-        double bent = curvature(d);
+        double bent = td_direct_sum(d, curvature, 0.0, 0.0);
         bool contradict = now >= PART_MOST * bent;
         double part = contradict ? 0.0 : now / bent;
         if (!td_direct_move(d, part)) {
             return false;
         }
-        balance(d, part);
+        td_direct_sum(d, balance, part, 0.0);
         if (contradict) {
             break;
         }

@@ -19,17 +19,6 @@ static void weigh(td_direct *d) {
     }
 }
 
-/* What the active set has made of impulses and bounds tells nothing where it has failed. */
-static void forget(td_direct *d) {
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            d->constraints[i].row[k].impulse = d->constraints[i].row[k].guess;
-        }
-    }
-    td_direct_measure(d);
-    td_direct_bound(d);
-}
-
 enum { LEAST_STEPS = 8 }; /* with fewer the interior point need not begin */
 
 double td_direct_solve(td_direct *d, double tolerance) {
@@ -37,7 +26,7 @@ double td_direct_solve(td_direct *d, double tolerance) {
     td_direct_bound(d);
     d->factored = false;
     if (!td_direct_active(d, tolerance)) {
-        forget(d);
+        td_direct_forget(d);
         /* Bounds of friction come from a first pass; the second one heeds them. */
         for (int pass = 0; pass < 2; pass++) {
             if (d->patience - d->factorings < LEAST_STEPS || !td_direct_interior(d, tolerance)) {

@@ -110,8 +110,8 @@ static void solve_in_turn(const solving *s, td_solve_fn *solve, td_block *const 
 }
 
 /* Only the last block of a run has empty lanes. */
-TD_INLINE void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
-                          td_block *const *blocks, int count) {
+static void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
+                       td_block *const *blocks, int count) {
     td_block *const *all = s->w->scratch.blocks.data;
     if (s->worker.phase && blocks + count == all + run->first + run->count) {
         solve_in_turn(s, solve, blocks, count);
