@@ -67,17 +67,6 @@ double td_direct_miss(const td_direct *d) {
     return worst;
 }
 
-double td_direct_sum(td_direct *d, td_row_fn *each, double x, double y) {
-    double sum = 0.0;
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->constraints[i].row[k];
-            sum += r->used && r->active ? each(r, x, y) : 0.0;
-        }
-    }
-    return sum;
-}
-
 /* ---- a Newton step ---- */
 
 static double inertia_of(const td_direct_body *b) {

@@ -89,10 +89,6 @@ bool td_direct_interior(td_direct *d, double tolerance);
 
 /* ---- what they share ---- */
 
-/* What something is for an active row, or 0 of what is done to it. */
-typedef double td_row_fn(td_direct_row *, double, double);
-double td_direct_sum(td_direct *d, td_row_fn *each, double x, double y); /* over the active rows */
-
 void td_direct_measure(td_direct *d); /* speeds of all rows */
 /* The matrix of masses and active rows, factored; false where numbers failed. */
 bool td_direct_factor(td_direct *d);

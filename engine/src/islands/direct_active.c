@@ -130,20 +130,27 @@ static bool slides_on(const td_direct_row *r, double doubt) {
     return slip > doubt && size_of(r->impulse) > SLID * r->most;
 }
 
-/* The multipliers take the impulses: of the step before, when it `begins`. Friction that had
- * reached a bound, which has grown by much since, sticks for now. True where no row has changed its
- * mind. */
-static bool take_multipliers(td_direct *d, double doubt, bool begins) {
+typedef enum taking {
+    BEGINS, /* they are of the step before */
+    GOES_ON,
+    KEEPS /* nobody changes his mind; they are noted, to go back to */
+} taking;
+
+/* The multipliers take the impulses. Friction that had reached a bound, which has grown by much
+ * since, sticks for now. True where no row has changed its mind. */
+static bool take_multipliers(td_direct *d, double doubt, taking how) {
     bool same = true;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
             bool before = r->active;
-            if (r->kind == TD_ROW_FRICTION && slides_on(r, doubt)) {
+            if (how == KEEPS) {
+                r->guess = r->impulse;
+            } else if (r->kind == TD_ROW_FRICTION && slides_on(r, doubt)) {
                 r->active = false;
                 r->impulse = r->impulse < 0.0 ? -r->most : r->most;
             } else if (r->kind == TD_ROW_FRICTION) {
-                double most = (begins ? ROUNDED : AT_BOUND) * r->most;
+                double most = (how == BEGINS ? ROUNDED : AT_BOUND) * r->most;
                 r->active = size_of(r->impulse) < most;
                 r->impulse = clamped(r->impulse, r->most);
             }
@@ -259,7 +266,7 @@ bool td_direct_active(td_direct *d, double tolerance) {
     double doubt = DOUBT * tolerance, fine = FINE * tolerance;
     bool stands = false, unbound = d->fresh;
     guess(d, doubt);
-    take_multipliers(d, doubt, true);
+    take_multipliers(d, doubt, BEGINS);
     for (int round = 0; round < ROUNDS; round++) {
         if (!settle(d, doubt, most, stands)) {
             return false;
@@ -281,25 +288,14 @@ bool td_direct_active(td_direct *d, double tolerance) {
             td_direct_bound(d);
             unbound = false;
         }
-        stands = take_multipliers(d, doubt, false) && !turned;
+        stands = take_multipliers(d, doubt, GOES_ON) && !turned;
     }
     return false;
 }
 
-static void take_impulses(td_direct *d) {
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            td_direct_row *r = &d->constraints[i].row[k];
-            r->guess = r->base = r->impulse;
-            r->force = r->active ? penalised(r, r->base) : r->base;
-        }
-    }
-}
-
 bool td_direct_again(td_direct *d, double tolerance) {
     double doubt = DOUBT * tolerance, fine = FINE * tolerance;
-    bool goes_on = d->factored;
-    take_impulses(d);
+    bool goes_on = d->factored && take_multipliers(d, doubt, KEEPS);
     for (int round = 0; round < AGAIN && goes_on; round++) {
         int turned;
         /* Impulses may be so far off that rows would change their minds for nothing. */
@@ -314,8 +310,10 @@ bool td_direct_again(td_direct *d, double tolerance) {
             return true;
         }
         td_direct_bound(d);
-        goes_on = goes_on && take_multipliers(d, doubt, false);
+        goes_on = goes_on && take_multipliers(d, doubt, GOES_ON);
     }
-    td_direct_forget(d);
+    if (d->factored) {
+        td_direct_forget(d);
+    }
     return false;
 }

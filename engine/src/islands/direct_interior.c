@@ -78,43 +78,45 @@ static void start(td_direct *d) {
     }
 }
 
-static double products_of(td_direct_row *r, double unused, double nor_this) {
-    (void)unused, (void)nor_this;
-    return r->kind == TD_ROW_EQUAL ? 0.0 : r->kind == TD_ROW_PUSH ? 1.0 : 2.0;
-}
-
-/* The row's products per mass, after a part of the step. */
-static double product(td_direct_row *r, double part, double unused) {
-    (void)unused;
-    double impulse = part * r->push[0], first = r->slack[0] + part * r->push[1];
-    double second = r->slack[1] + part * r->push[2];
-    return r->kind == TD_ROW_EQUAL ? 0.0
-           : r->kind == TD_ROW_PUSH
-               ? first * (r->impulse + impulse) / r->mass
-               : (first * (room(r, 0) + impulse) + second * (room(r, 1) - impulse)) / r->mass;
-}
-
 /* Mean product per mass, after a part of the step. */
-static double gap(td_direct *d, double part) {
-    double products = td_direct_sum(d, products_of, 0.0, 0.0);
-    return products > 0.0 ? td_direct_sum(d, product, part, 0.0) / products : 0.0;
+static double gap(const td_direct *d, double part) {
+    double sum = 0.0;
+    int products = 0;
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            if (!r->active || r->kind == TD_ROW_EQUAL) {
+                continue;
+            }
+            double impulse = part * r->push[0], first = r->slack[0] + part * r->push[1];
+            if (r->kind == TD_ROW_PUSH) {
+                sum += first * (r->impulse + impulse) / r->mass;
+                products++;
+            } else {
+                double second = r->slack[1] + part * r->push[2];
+                sum += (first * (room(r, 0) + impulse) + second * (room(r, 1) - impulse)) / r->mass;
+                products += 2;
+            }
+        }
+    }
+    return products ? sum / products : 0.0;
 }
 
 /* Sets what the row gives to matrix and right side. The products aim at `aim` per mass; with `mend`
  * they heed what the steps of the predictor, in `push`, did to them. */
-static double prepare_row(td_direct_row *r, double aim, double mend) {
+static void prepare_row(td_direct_row *r, double aim, double mend) {
     double over = r->speed - r->wanted;
     if (r->kind == TD_ROW_EQUAL) {
         r->weight = STIFFNESS * r->mass;
         r->force = r->impulse - r->weight * over;
-        return 0.0;
+        return;
     }
     if (r->kind == TD_ROW_PUSH) {
         double lack = over - r->slack[0];
         double product = aim * r->mass - r->slack[0] * r->impulse - mend * r->push[0] * r->push[1];
         r->weight = r->impulse / r->slack[0];
         r->force = r->impulse + product / r->slack[0] - r->weight * lack;
-        return 0.0;
+        return;
     }
     double low = room(r, 0), high = room(r, 1);
     double lack = over - (r->slack[0] - r->slack[1]);
@@ -122,26 +124,24 @@ static double prepare_row(td_direct_row *r, double aim, double mend) {
     double second = aim * r->mass - r->slack[1] * high + mend * r->push[0] * r->push[2];
     r->weight = 1.0 / (r->slack[0] / low + r->slack[1] / high);
     r->force = r->impulse + r->weight * (first / low - second / high - lack);
-    return 0.0;
 }
 
 /* The row's own steps, from the change of its speed. */
-static double follow_row(td_direct_row *r, double aim, double mend) {
+static void follow_row(td_direct_row *r, double aim, double mend) {
     double over = r->speed - r->wanted, old = r->push[0];
     r->push[0] = r->force - r->impulse - r->weight * r->change;
     if (r->kind == TD_ROW_EQUAL) {
-        return 0.0;
+        return;
     }
     if (r->kind == TD_ROW_PUSH) {
         r->push[1] = r->change + over - r->slack[0];
-        return 0.0;
+        return;
     }
     double low = room(r, 0), high = room(r, 1);
     double first = aim * r->mass - r->slack[0] * low - mend * old * r->push[1];
     double second = aim * r->mass - r->slack[1] * high + mend * old * r->push[2];
     r->push[1] = (first - r->slack[0] * r->push[0]) / low;
     r->push[2] = (second + r->slack[1] * r->push[0]) / high;
-    return 0.0;
 }
 
 static double cut(double part, double value, double change) {
@@ -170,18 +170,29 @@ static double reach(const td_direct *d, double most) {
     return part;
 }
 
-static double advance_row(td_direct_row *r, double part, double unused) {
+static void for_rows(td_direct *d, void (*each)(td_direct_row *, double, double), double aim,
+                     double mend) {
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->constraints[i].row[k];
+            if (r->active) {
+                each(r, aim, mend);
+            }
+        }
+    }
+}
+
+static void advance_row(td_direct_row *r, double part, double unused) {
     (void)unused;
     r->impulse += part * r->push[0];
     r->slack[0] += part * r->push[1];
     r->slack[1] += part * r->push[2];
-    return 0.0;
 }
 
 /* Forward by a part of the step; false where numbers failed. */
 static bool advance(td_direct *d, double part) {
-    td_direct_sum(d, advance_row, part, 0.0);
     bool done = td_direct_move(d, part);
+    for_rows(d, advance_row, part, 0.0);
     td_direct_measure(d);
     return done;
 }
@@ -203,35 +214,34 @@ static double lack(const td_direct *d) {
 }
 
 /* What is nearer to opening than to pushing does not push. */
-static double decide(td_direct_row *r, double unused, double nor_this) {
+static void decide(td_direct_row *r, double unused, double nor_this) {
     (void)unused, (void)nor_this;
     if (r->kind == TD_ROW_PUSH && !(r->impulse > r->mass * r->slack[0])) {
         r->impulse = 0.0;
     }
-    return 0.0;
 }
 
 bool td_direct_interior(td_direct *d, double tolerance) {
     double close = CLOSE * tolerance * CLOSE * tolerance;
     start(d);
     for (int n = 0; n < STEPS && d->factorings < d->patience; n++) {
-        td_direct_sum(d, prepare_row, 0.0, 0.0);
+        for_rows(d, prepare_row, 0.0, 0.0);
         if (!td_direct_factor(d)) {
             return false;
         }
         td_direct_step(d);
-        td_direct_sum(d, follow_row, 0.0, 0.0);
+        for_rows(d, follow_row, 0.0, 0.0);
         double now = gap(d, 0.0), after = gap(d, reach(d, 1.0)),
                share = now > 0.0 ? after / now : 0.0;
         double aim = share * share * share * now;
-        td_direct_sum(d, prepare_row, aim, 1.0);
+        for_rows(d, prepare_row, aim, 1.0);
         td_direct_step(d);
-        td_direct_sum(d, follow_row, aim, 1.0);
+        for_rows(d, follow_row, aim, 1.0);
         if (!advance(d, NEARLY * reach(d, 1.0 / NEARLY))) {
             return false;
         }
         if (gap(d, 0.0) <= close && lack(d) <= tolerance) {
-            td_direct_sum(d, decide, 0.0, 0.0);
+            for_rows(d, decide, 0.0, 0.0);
             return true;
         }
     }

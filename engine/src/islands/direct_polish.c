@@ -15,57 +15,65 @@ static double lack_of(const td_direct_row *r) {
     return r->wanted - r->speed;
 }
 
-static double misses(td_direct_row *r, double enough, double unused) {
-    (void)unused;
-    double lack = lack_of(r);
-    return lack > enough || -lack > enough ? 1.0 : 0.0;
-}
+/* ---- of a row ---- */
 
-/* What the row misses, times the penalties. */
-static double product(td_direct_row *r, double unused, double nor_this) {
-    (void)unused, (void)nor_this;
+/* What it misses, times the penalty. */
+static double product(td_direct_row *r, double unused) {
+    (void)unused;
     return lack_of(r) * r->weight * lack_of(r);
 }
 
-/* The next direction, in `push`: the penalties, and a share of the direction before. It acts beside
+/* The next direction, in `push`: the penalty, and a share of the direction before. It acts beside
  * the forces that are there. */
-static double aim(td_direct_row *r, double share, double unused) {
-    (void)unused;
+static double aim(td_direct_row *r, double share) {
     r->push[0] = r->weight * lack_of(r) + (share > 0.0 ? share * r->push[0] : 0.0);
     r->force += r->push[0];
-    return 0.0;
+    return r->push[0];
 }
 
-static double curvature(td_direct_row *r, double unused, double nor_this) {
-    (void)unused, (void)nor_this;
+static double curvature(td_direct_row *r, double unused) {
+    (void)unused;
     return r->push[0] * r->change;
 }
 
-/* Forces that balance the velocities again, a part of the step further; and the impulses that have
- * these for their penalties. */
-static double balance(td_direct_row *r, double part, double unused) {
-    (void)unused;
+/* A force that balances the velocities again, a part of the step further; and the impulse that has
+ * it for its penalty. */
+static double balance(td_direct_row *r, double part) {
     r->force += part * (r->push[0] - r->weight * r->change) - r->push[0];
     r->base = r->force - r->weight * lack_of(r);
     return 0.0;
 }
 
+static double misses(td_direct_row *r, double enough) {
+    return lack_of(r) > enough || -lack_of(r) > enough;
+}
+
+/* ---- of all ---- */
+
+/* The sum over the active rows. */
+static double sum(td_direct *d, double (*each)(td_direct_row *, double), double x) {
+    double all = 0.0;
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->constraints[i].row[k];
+            all += r->used && r->active ? each(r, x) : 0.0;
+        }
+    }
+    return all;
+}
+
 bool td_direct_polish(td_direct *d, double enough) {
-    double before = 0.0;
-    for (int round = 0; round < ROUNDS && td_direct_sum(d, misses, enough, 0.0) > 0.0; round++) {
-        double now = td_direct_sum(d, product, 0.0, 0.0);
-        td_direct_sum(d, aim, before > 0.0 ? now / before : 0.0, 0.0);
+    double before = 0.0, part = 1.0;
+    for (int n = 0; n < ROUNDS && part > 0.0 && sum(d, misses, enough) > 0.0; n++) {
+        double now = sum(d, product, 0.0);
+        sum(d, aim, before > 0.0 ? now / before : 0.0);
         td_direct_step(d);
-        double bent = td_direct_sum(d, curvature, 0.0, 0.0);
-        bool contradict = now >= PART_MOST * bent;
-        double part = contradict ? 0.0 : now / bent;
+        double bent = sum(d, curvature, 0.0);
+        part = now < PART_MOST * bent ? now / bent : 0.0;
         if (!td_direct_move(d, part)) {
             return false;
         }
-        td_direct_sum(d, balance, part, 0.0);
-        if (contradict) {
-            break;
-        }
+        sum(d, balance, part);
         before = now;
     }
     return true;
