@@ -90,11 +90,8 @@ static void set_weight(const td_direct *d, td_direct_constraint *c) {
 /* Nothing is known from a step before. */
 static bool is_new(const td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            const td_direct_row *r = &d->constraints[i].row[k];
-            if (r->kind == TD_ROW_PUSH && r->impulse > 0.0) {
-                return false;
-            }
+        if (td_direct_load(&d->constraints[i]) > 0.0) {
+            return false;
         }
     }
     return true;
@@ -103,8 +100,9 @@ static bool is_new(const td_direct *d) {
 /* What pushed before does so again, and so does what is about to meet. In an island that is new, or
  * that the soft solver has had so far, all that touches and does not part pushes; and of the
  * latter, whose impulses are still on their way, friction that hardly slides holds whatever it
- * takes. */
-static void guess(td_direct *d, double doubt) {
+ * takes. Returns how many rows there are. */
+static int guess(td_direct *d, double doubt) {
+    int rows = 0;
     double parting = d->fresh || is_new(d) ? doubt : -doubt;
     td_direct_measure(d);
     for (int i = 0; i < d->constraint_count; i++) {
@@ -112,6 +110,7 @@ static void guess(td_direct *d, double doubt) {
         set_weight(d, c);
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
+            rows += r->used;
             if (r->kind == TD_ROW_PUSH) {
                 r->active = r->impulse > 0.0 || r->speed < r->wanted + parting;
             } else if (r->kind == TD_ROW_EQUAL) {
@@ -122,6 +121,7 @@ static void guess(td_direct *d, double doubt) {
             }
         }
     }
+    return rows;
 }
 
 /* Friction that has slid all the way to its bound slides on where that has grown a little since. */
@@ -176,8 +176,10 @@ static int judge(td_direct *d, double doubt, bool keeps) {
             turned++;
             if (keeps) {
                 r->active = !r->active;
-                r->impulse = r->active ? r->impulse : r->base;
-                r->force = r->active ? impulse : r->base;
+                r->force = impulse;
+                if (!r->active) {
+                    r->force = r->impulse = r->base;
+                }
             }
         }
     }
@@ -234,20 +236,9 @@ static double off(const td_direct *d) {
     return td_max_double(td_direct_miss(d), td_max_double(overshoot(d), slip(d)));
 }
 
-static int rows_of(const td_direct *d) {
-    int rows = 0;
-    for (int i = 0; i < d->constraint_count; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            rows += d->constraints[i].row[k].used;
-        }
-    }
-    return rows;
-}
-
 /* Newton steps until no row changes its mind; the matrix may stand already for the rows that are
- * active. False where that is not to be had. */
-static bool settle(td_direct *d, double doubt, int most, bool stands) {
-    int rows = rows_of(d), hopeless = rows < MANY ? rows : rows / HOPELESS;
+ * active. False where that is not to be had, or more than `hopeless` change it at once. */
+static bool settle(td_direct *d, double doubt, int most, int hopeless, bool stands) {
     int turned = 1;
     while (turned) {
         if (!stands && (d->factorings >= most || !td_direct_factor(d))) {
@@ -261,30 +252,37 @@ static bool settle(td_direct *d, double doubt, int most, bool stands) {
     return true;
 }
 
+/* Polishes what is missed, where it is not too little, and has the rows judge anew. *turned: how
+ * many change their mind; *worst: how far anything is off, or was. False where numbers failed. */
+static bool refine(td_direct *d, double tolerance, int *turned, double *worst) {
+    double fine = FINE * tolerance;
+    *worst = off(d);
+    if (!*turned && *worst <= fine) {
+        return true;
+    }
+    bool done = td_direct_polish(d, fine);
+    *turned = judge(d, DOUBT * tolerance, false);
+    *worst = td_max_double(*worst, off(d));
+    return done;
+}
+
 bool td_direct_active(td_direct *d, double tolerance) {
     int most = td_min_int(d->factorings + PATIENCE, d->patience);
-    double doubt = DOUBT * tolerance, fine = FINE * tolerance;
+    double doubt = DOUBT * tolerance;
     bool stands = false, unbound = d->fresh;
-    guess(d, doubt);
+    int rows = guess(d, doubt), hopeless = rows < MANY ? rows : rows / HOPELESS;
     take_multipliers(d, doubt, BEGINS);
     for (int round = 0; round < ROUNDS; round++) {
-        if (!settle(d, doubt, most, stands)) {
+        int turned = 0;
+        double worst;
+        if (!settle(d, doubt, most, hopeless, stands) || !refine(d, tolerance, &turned, &worst)) {
             return false;
         }
-        double before = off(d), now = before;
-        int turned = 0;
-        if (before > fine) {
-            if (!td_direct_polish(d, fine)) {
-                return false;
-            }
-            turned = judge(d, doubt, false);
-            now = off(d);
+        bool well = worst <= tolerance && !unbound;
+        if (well && !turned) {
+            return d->factored = true;
         }
-        if (!turned && !unbound && td_max_double(before, now) <= tolerance) {
-            d->factored = true;
-            return true;
-        }
-        if (unbound || td_max_double(before, now) > tolerance) {
+        if (!well) {
             td_direct_bound(d);
             unbound = false;
         }
@@ -294,19 +292,13 @@ bool td_direct_active(td_direct *d, double tolerance) {
 }
 
 bool td_direct_again(td_direct *d, double tolerance) {
-    double doubt = DOUBT * tolerance, fine = FINE * tolerance;
+    double doubt = DOUBT * tolerance, worst;
     bool goes_on = d->factored && take_multipliers(d, doubt, KEEPS);
     for (int round = 0; round < AGAIN && goes_on; round++) {
         int turned;
         /* Impulses may be so far off that rows would change their minds for nothing. */
-        goes_on = leap(d, doubt, true, &turned);
-        double before = off(d);
-        if (goes_on && (turned || before > fine)) {
-            goes_on = td_direct_polish(d, fine);
-            turned = judge(d, doubt, false);
-        }
-        goes_on = goes_on && !turned;
-        if (goes_on && td_max_double(before, off(d)) <= tolerance) {
+        goes_on = leap(d, doubt, true, &turned) && refine(d, tolerance, &turned, &worst) && !turned;
+        if (goes_on && worst <= tolerance) {
             return true;
         }
         td_direct_bound(d);
