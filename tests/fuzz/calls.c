@@ -3,6 +3,8 @@
 
 #include "base/simd.h"
 
+#include <stdlib.h>
+
 uint64_t fuzz_calls_made;
 
 /* ---- the caller's floating-point mode ---- */
@@ -49,11 +51,39 @@ static long allowed(fuzz_session *s) {
     return all || dice >> 28 == 0 ? (long)(dice >> 16 & 7) : -1;
 }
 
+/* One in so many calls has the whole world compared should it be refused. */
+enum { IMAGE_EVERY = 8 };
+
+/* The world's bytes, in one half of the image; 0 where there are none to be had. */
+static size_t take_image(fuzz_session *s, bool after) {
+    size_t bytes = 0;
+    if (thud_world_snapshot_size(s->world, &bytes) != THUD_OK) {
+        return 0;
+    }
+    if (2 * bytes > s->image_room && !after) {
+        s->image_room = 2 * bytes;
+        s->image = realloc(s->image, s->image_room);
+    }
+    size_t half = s->image_room / 2;
+    bool taken = bytes <= half && thud_world_snapshot(s->world, s->image + (after ? half : 0), half,
+                                                      NULL) == THUD_OK;
+    return taken ? bytes : 0;
+}
+
+static void compare_images(fuzz_session *s, const session_call *call) {
+    if (call->image && (take_image(s, true) != call->image ||
+                        memcmp(s->image, s->image + s->image_room / 2, call->image) != 0)) {
+        fuzz_fail(s, "%s: %s, and yet a snapshot of the world has changed", call->text,
+                  thud_result_text(s->result));
+    }
+}
+
 void call_begin(fuzz_session *s, const char *text) {
     session_call *call = &s->calls[s->depth];
     fuzz_calls_made++;
     call->again = call->text == text && call->again;
     call->text = text;
+    call->image = s->depth == 0 && fuzz_calls_made % IMAGE_EVERY == 0 ? take_image(s, false) : 0;
     call->told = s->told;
     call->hash = thud_world_hash(s->world);
     call->stats = thud_world_stats(s->world);
@@ -77,6 +107,7 @@ static void check_refusal(fuzz_session *s, const session_call *call) {
         fuzz_fail(s, "%s: %s, and yet the world has changed", call->text,
                   thud_result_text(s->result));
     }
+    compare_images(s, call);
 }
 
 /* Of a call that may fail, memory may be short once; it is then made again with all there is. */

@@ -56,8 +56,9 @@ typedef struct session_call {
     uint64_t hash;
     thud_stats stats;
     int told;
-    bool again; /* memory was refused to it once */
-    long outer; /* memory that the call around it is allowed */
+    bool again;   /* memory was refused to it once */
+    long outer;   /* memory that the call around it is allowed */
+    size_t image; /* bytes of the session's image that are the world before it; 0: none was taken */
 } session_call;
 
 typedef struct fuzz_session {
@@ -71,6 +72,8 @@ typedef struct fuzz_session {
     unsigned gone;
     char *snapshot; /* `kept` belongs to it */
     size_t snapshot_bytes;
+    char *image; /* of the world before a call, now and then, in the first half */
+    size_t image_room;
     double unit, shift_x, shift_y;
 
     fuzz_bytes bytes;

@@ -31,10 +31,10 @@ typedef struct thud_quality {
     float sag_limit;     /* >= 0: an island in which a contact gives way under its load by more than
                             this share of the smaller body's size goes to `islands`; 0: each does */
     int island_limit;    /* 1..16384: islands of more bodies stay with the soft solver */
-    int64_t island_work; /* >= 0: operations on 3 x 3 blocks (some 20 ns each) that all islands
+    int64_t island_work; /* >= 0: operations on 3 x 3 blocks (some 15 ns each) that all islands
                             together may take a step: those of each matrix, one more a body and two
                             a contact. Those for which there is no more stay with the soft solver.
-                            A column takes 6 a body at rest, a pyramid of 500 bodies 65 a body; in
+                            A column takes 6 a body at rest, a pyramid of 500 bodies 140 a body; in
                             motion it is 20 to 100 times as much */
     int island_patience; /* 0..1000: steps in succession in which an island may need more than eight
                             matrices, or twenty times as many while it hardly moves, before it is
