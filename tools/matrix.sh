@@ -72,11 +72,11 @@ check_matrix_options() {
     reference=$(matrix_names | head -n 1)
 }
 
-# matrix_tools ROW: what need_matrix asks for.
+# matrix_tools ROW: what need_matrix asks for: compiler, runner and build.
 matrix_tools() {
     build_name=$(matrix_field rows "$1" 2)
     compiler=$(matrix_field builds "$build_name" 2)
-    echo "${compiler:-${build_name%% *}} $(matrix_field rows "$1" 3)"
+    echo "${compiler:-${build_name%% *}} $(matrix_field rows "$1" 3) $build_name"
 }
 
 # ---- building and running one row ----

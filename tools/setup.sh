@@ -88,6 +88,8 @@ need_matrix() {
             clang | *-clang) need "clang" "clang-16|clang" have_any clang-16 clang ;;
             emcc) need_demo ;;
             qemu-*) need "emulators of processors" qemu-user-static have "$tool-static" ;;
+            clang-lto) need "an archiver that knows what clang 16 writes" llvm-16 \
+                have llvm-ar-16 ;;
             wine)
                 need "Wine" wine have wine
                 need "Wine for programs of 64 bits" wine64 have_wine64
