@@ -23,8 +23,7 @@ are named:
   js         any calls of the JavaScript package, in Node
 
   --minutes N  altogether; 10 if not given
-  --keep       afterwards adds to tests/fuzz/corpus, which ./run test plays, what reaches something
-               new
+  --keep       afterwards makes the packed inputs of tests/fuzz/corpus, which ./run test plays, anew
 
 What it comes upon on its way is in build/fuzz/corpus, and the next call goes on from there.
 Findings are in build/fuzz/findings. Ends with 1 if there is any.
@@ -75,7 +74,15 @@ fuzz_command() {
     fi
     "build/fuzz/tests/fuzz/fuzz-$1" -max_total_time="$2" -max_len=4096 -timeout=120 \
         -rss_limit_mb=2048 -seed="$3" -artifact_prefix="build/fuzz/findings/$1-" \
-        "build/fuzz/corpus/$1" "tests/fuzz/corpus/$1"
+        "build/fuzz/corpus/$1"
+}
+
+# fuzz_seed TARGET: what is kept, to go on from.
+fuzz_seed() {
+    mkdir -p "build/fuzz/corpus/$1"
+    [ "$1" != js ] || return 0
+    python3 -B tests/fuzz/pack.py unpack "tests/fuzz/corpus/$1.pack" "build/fuzz/corpus/$1"
+    [ ! -d "tests/fuzz/corpus/$1" ] || cp "tests/fuzz/corpus/$1"/* "build/fuzz/corpus/$1"
 }
 
 # fuzz_worker TARGET NUMBER END: begins anew after each finding.
@@ -145,13 +152,15 @@ fuzz_reproduce() {
 }
 
 fuzz_keep() {
-    say "Adding to tests/fuzz/corpus"
+    say "Packing what reaches anything, into tests/fuzz/corpus"
     for target in $targets; do
         [ "$target" != js ] || continue
-        mkdir -p "tests/fuzz/corpus/$target"
+        rm -rf "build/fuzz/kept/$target"
+        mkdir -p "build/fuzz/kept/$target"
         # By edges alone and no longer than this, so that few and short inputs are kept.
         "build/fuzz/tests/fuzz/fuzz-$target" -merge=1 -use_counters=0 -max_len=700 \
-            "tests/fuzz/corpus/$target" "build/fuzz/corpus/$target" >"build/fuzz/log/$target.keep" 2>&1
+            "build/fuzz/kept/$target" "build/fuzz/corpus/$target" >"build/fuzz/log/$target.keep" 2>&1
+        python3 -B tests/fuzz/pack.py pack "build/fuzz/kept/$target" "tests/fuzz/corpus/$target.pack"
     done
     du -sb tests/fuzz/corpus/*
 }
@@ -191,7 +200,7 @@ fuzz() {
     mkdir -p build/fuzz/findings build/fuzz/progress build/fuzz/log
     weights=0
     for target in $targets; do
-        mkdir -p "build/fuzz/corpus/$target"
+        fuzz_seed "$target"
         weights=$((weights + $(fuzz_weight "$target")))
     done
     trap 'trap - TERM; kill -TERM 0' INT HUP
@@ -205,6 +214,7 @@ fuzz() {
     printf '%s\n' "$summary"
     found=0
     for target in $targets; do
+        [ "$(fuzz_calls "$target")" -gt 0 ] || die "$target has played nothing: build/fuzz/log/$target.0"
         for input in $(fuzz_findings "$target"); do
             printf 'to see it again: %s\n' "$(fuzz_reproduce "$target" "$input")"
             found=$((found + 1))

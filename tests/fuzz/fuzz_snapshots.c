@@ -108,6 +108,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     thud_world_destroy(session.world);
     thud_world_destroy(session.other);
     free(session.snapshot);
+    free(session.image);
     if (session.memory_held != 0) {
         fuzz_fail(&session, "%ld blocks of memory were not given back", session.memory_held);
     }

@@ -13,9 +13,6 @@ static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int i
         return thud_volume_around_shape(kind, &placed, out);
     }
     thud_terrain line = td_terrain_view(w, index);
-    if (line.kind == THUD_TERRAIN_FLAT) {
-        return THUD_ERROR_INVALID; /* it has no end */
-    }
     bool uniform = line.kind == THUD_TERRAIN_UNIFORM;
     double first = uniform ? line.x0 : line.points[0].x;
     double last =
@@ -26,6 +23,23 @@ static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int i
         out->y += placed.y;
     }
     return result;
+}
+
+/* Whether there is such a volume around what the body has once its changes are in effect: they do
+ * not take effect for a call that is refused. */
+static bool has_volume(const thud_world *w, thud_shape_kind kind, td_body_index index) {
+    bool any = false;
+    for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        const td_shape *shape = td_shape_at(w, i);
+        if (!(shape->flags & TD_SHAPE_LIVE) || (w->locked && shape->flags & TD_SHAPE_WAITS)) {
+            continue;
+        }
+        if (td_kind_is_line(shape->kind) && td_terrain_view(w, i).kind == THUD_TERRAIN_FLAT) {
+            return false; /* it has no end */
+        }
+        any = true;
+    }
+    return any && td_kind_is_volume(kind);
 }
 
 thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kind, thud_pos origin,
@@ -39,12 +53,16 @@ thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kin
     if (result != THUD_OK) {
         return result;
     }
-    if (!w->locked && !td_changes_apply(w)) {
-        return td_refuse(w, THUD_ERROR_MEMORY, "body volume: out of memory");
-    }
     double most = TD_PLACE_MAX * (double)w->unit;
     if (!(origin.x >= -most && origin.x <= most && origin.y >= -most && origin.y <= most)) {
         return td_refuse(w, THUD_ERROR_INVALID, "body volume: origin is out of range");
+    }
+    if (!has_volume(w, kind, index)) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "body volume: no such volume, no shapes, or a line without end");
+    }
+    if (!w->locked && !td_changes_apply(w)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "body volume: out of memory");
     }
     int i = td_body_at(w, index)->first_shape;
     thud_volume volume, shape;

@@ -72,13 +72,17 @@ static void bound(thud_world *w, int index, td_shape_proxy *proxy) {
     }
 }
 
+/* Of what goes so far that it may be anywhere, as bounds wrap around. */
+static int32_t coarse_reach(const thud_world *w, double length) {
+    return (int32_t)td_min_double(length * w->to_coarse, 0x1p30) + 2;
+}
+
 td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *p, td_position origin,
                            double slack) {
     double x = td_half_along(p, 1.0, 0.0), y = td_half_along(p, 0.0, 1.0);
     td_position center = {origin.x + td_round64(p->x * w->to_fixed),
                           origin.y + td_round64(p->y * w->to_fixed)};
-    return td_bounds_about(center, (int32_t)((x + slack) * w->to_coarse) + 2,
-                           (int32_t)((y + slack) * w->to_coarse) + 2);
+    return td_bounds_about(center, coarse_reach(w, x + slack), coarse_reach(w, y + slack));
 }
 
 /* Motion beyond this is not looked for so early: bounds wrap around. */
