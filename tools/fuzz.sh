@@ -73,8 +73,8 @@ fuzz_command() {
         return
     fi
     "build/fuzz/tests/fuzz/fuzz-$1" -max_total_time="$2" -max_len=4096 -timeout=120 \
-        -rss_limit_mb=2048 -seed="$3" -artifact_prefix="build/fuzz/findings/$1-" \
-        "build/fuzz/corpus/$1"
+        -report_slow_units=60 -rss_limit_mb=2048 -seed="$3" \
+        -artifact_prefix="build/fuzz/findings/$1-" "build/fuzz/corpus/$1"
 }
 
 # fuzz_seed TARGET: what is kept, to go on from.
