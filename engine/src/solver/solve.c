@@ -90,7 +90,7 @@ typedef struct solving {
     td_tally_context tally;
     td_tally *tallies; /* by worker */
     td_job *task;
-    atomic_bool *bounced; /* in each pass before the substeps */
+    atomic_bool *bounced; /* in each pass before the substeps, and in the last one */
     atomic_flag *dummy;   /* set while a worker may write slot 0 */
     td_worker worker;
     pass which;      /* of the pass that is being walked */
@@ -251,13 +251,15 @@ static void substeps(void *argument) {
     }
     if (bounced) {
         s->contacts.bounce = TD_BOUNCE_LAST;
+        /* Who comes late still asks how the passes before went. */
+        s->contacts.bounced = &s->bounced[TD_BOUNCE_PASSES];
         walk(s, BOUNCE);
     }
 }
 
 void td_solve(thud_world *w) {
     td_tally tallies[THUD_WORKERS_MAX];
-    atomic_bool bounced[TD_BOUNCE_PASSES] = {false};
+    atomic_bool bounced[TD_BOUNCE_PASSES + 1] = {false};
     atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
