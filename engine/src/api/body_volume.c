@@ -6,6 +6,8 @@
 
 #include "thud/thud_queries.h"
 
+#define NO_VOLUME "body volume: no such volume, no shapes, or a line without end"
+
 static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int index,
                                 td_position origin, thud_volume *out) {
     thud_shape_instance placed = td_shape_instance(w, index, origin);
@@ -58,15 +60,14 @@ thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kin
         return td_refuse(w, THUD_ERROR_INVALID, "body volume: origin is out of range");
     }
     if (!has_volume(w, kind, index)) {
-        return td_refuse(w, THUD_ERROR_INVALID,
-                         "body volume: no such volume, no shapes, or a line without end");
+        return td_refuse(w, THUD_ERROR_INVALID, NO_VOLUME);
     }
     if (!w->locked && !td_changes_apply(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "body volume: out of memory");
     }
-    int i = td_body_at(w, index)->first_shape;
     thud_volume volume, shape;
     bool first = true;
+    int i = td_body_at(w, index)->first_shape;
     for (; i != TD_NONE && result == THUD_OK; i = td_shape_at(w, i)->next) {
         if (td_shape_at(w, i)->flags & TD_SHAPE_WAITS) {
             continue;
@@ -79,10 +80,8 @@ thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kin
         }
         first = false;
     }
-    result = result == THUD_OK && first ? THUD_ERROR_INVALID : result;
     if (result != THUD_OK) {
-        return td_refuse(w, result,
-                         "body volume: no such volume, no shapes, or a line without end");
+        return td_refuse(w, result, NO_VOLUME);
     }
     *out = volume;
     return THUD_OK;

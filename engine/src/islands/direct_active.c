@@ -297,12 +297,14 @@ bool td_direct_again(td_direct *d, double tolerance) {
     for (int round = 0; round < AGAIN && goes_on; round++) {
         int turned;
         /* Impulses may be so far off that rows would change their minds for nothing. */
-        goes_on = leap(d, doubt, true, &turned) && refine(d, tolerance, &turned, &worst) && !turned;
-        if (goes_on && worst <= tolerance) {
+        if (!leap(d, doubt, true, &turned) || !refine(d, tolerance, &turned, &worst) || turned) {
+            break;
+        }
+        if (worst <= tolerance) {
             return true;
         }
         td_direct_bound(d);
-        goes_on = goes_on && take_multipliers(d, doubt, GOES_ON);
+        goes_on = take_multipliers(d, doubt, GOES_ON);
     }
     if (d->factored) {
         td_direct_forget(d);
