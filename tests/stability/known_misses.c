@@ -27,7 +27,7 @@ static const miss MISSES[] = {
     {"energy", "smash: " RISE, ENTRANT_DRAFT, 0.716, 0.716, PUSHED_OUT},
     {"energy", "smash: " RISE, ENTRANT_DEFAULT, 5.01, 5.01, PUSHED_OUT},
     {"energy", "smash: " RISE, ENTRANT_HIGH, 5.11, 5.11, PUSHED_OUT},
-    {"energy", "smash: " RISE, ENTRANT_EXACT, 3.68, 3.68, PUSHED_OUT},
+    {"energy", "smash: " RISE, ENTRANT_EXACT, 3.70, 3.70, PUSHED_OUT},
     {"energy", "tall_stack: " RISE, ENTRANT_DRAFT, KEPT, 0.356, SETTLES},
     {"energy", "heavy_on_light: " RISE, ENTRANT_DRAFT, KEPT, 0.302, SETTLES},
     {"energy", "heavy_on_light: " RISE, ENTRANT_DEFAULT, 0.395, 0.397,

@@ -231,9 +231,10 @@ thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e,
     return td_contact_between(w, a, b, place, normal, at->distance);
 }
 
-/* Others lean on it, or it on them: more than one, or a pair would gain by giving way to itself. */
-static bool is_in_touch(const side *s, bool pair_touches) {
-    return s->trajectory && s->trajectory->touching > pair_touches + 1;
+/* Others lean on it, or it on them; more than one where the pair bounces, or it would gain by
+ * giving way to itself. */
+static bool is_in_touch(const side *s, bool pair_touches, bool bounces) {
+    return s->trajectory && s->trajectory->touching > pair_touches + bounces;
 }
 
 /* A body in touch with others would hand its new motion on to them at once, and they to others: a
@@ -241,9 +242,10 @@ static bool is_in_touch(const side *s, bool pair_touches) {
  * solver made with all of them in sight, and what met it gives way; its new velocity is for the
  * next step to hand on. Of two such bodies the one that gave way already keeps what it has, or else
  * the slower one. */
-static void choose_who_stays(side *a, side *b, bool pair_touches, double nx, double ny) {
-    bool touch_a = is_in_touch(a, pair_touches);
-    bool touch_b = is_in_touch(b, pair_touches);
+static void choose_who_stays(side *a, side *b, bool pair_touches, const surface *u) {
+    bool bounces = u->restitution > 0.0;
+    bool touch_a = is_in_touch(a, pair_touches, bounces);
+    bool touch_b = is_in_touch(b, pair_touches, bounces);
     bool fixed =
         !gives_way(a, true) || !gives_way(b, true) || a->inv_mass == 0.0 || b->inv_mass == 0.0;
     if (fixed || (!touch_a && !touch_b)) {
@@ -251,8 +253,8 @@ static void choose_who_stays(side *a, side *b, bool pair_touches, double nx, dou
     }
     bool b_stays = touch_b;
     if (touch_a && touch_b) {
-        double speed_a = td_abs(a->motion[0] * nx + a->motion[1] * ny);
-        double speed_b = td_abs(b->motion[0] * nx + b->motion[1] * ny);
+        double speed_a = td_abs(a->motion[0] * u->nx + a->motion[1] * u->ny);
+        double speed_b = td_abs(b->motion[0] * u->nx + b->motion[1] * u->ny);
         bool yielded_a = a->trajectory->yielded, yielded_b = b->trajectory->yielded;
         b_stays = yielded_a == yielded_b ? speed_b < speed_a : yielded_b;
     }
@@ -281,7 +283,7 @@ void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact
     u.bounce_speed = bounce_speed(w, &a, &b, &u);
     impact->approach = (float)-speed_along(&a, &b, false, u.nx, u.ny);
     if (u.restitution < 1.0) {
-        choose_who_stays(&a, &b, impact->touching, u.nx, u.ny);
+        choose_who_stays(&a, &b, impact->touching, &u);
         impact->stayed[0] = a.stays;
         impact->stayed[1] = b.stays;
     }
