@@ -64,6 +64,37 @@ typedef struct td_manifold_cache {
     f8 reach;          /* greatest half extent: what a turn moves */
 } td_manifold_cache;
 
+/* What a joint gave in this substep, in the world: substeps begin with what the one before gave
+ * (motion.h), and a joint that has turned since takes it back, and gives it along where it is now.
+ */
+typedef struct td_given {
+    f8 x, y, moment_a, moment_b;
+} td_given;
+
+/* The rest of a joint's locked directions. Its points are `along` and `across`, off by their
+ * separations, and its tangent is `turn`. */
+typedef struct td_hold_rows {
+    td_given given;
+    f8 frame;      /* 1: the directions turn with a; 0: they stay in the step as they are */
+    f8 turn_base;  /* angle by which it is off at the start of the step */
+    f8 turn_sign;  /* 1, or -1 where sides have changed places */
+    f8 turn_apart; /* like separation, now */
+} td_hold_rows;
+
+/* The rest of a joint's driven direction. Both its points have the crosses of its frame; the first
+ * one's impulse is that of the limits, the second one's of the spring, the tangent's of the motor.
+ */
+typedef struct td_drive_rows {
+    td_given given;
+    f8 gap_u, gap_v;      /* where b's anchor is from a's, at the start of the step */
+    f8 value_base;        /* of turn: the angle then */
+    f8 turn_sign;         /* as above */
+    f8 limit, limit_side; /* the nearer one; 1: it is the lower, -1: the upper, 0: none */
+    f8 locked;            /* 1: both are the same */
+    f8 target, frequency, damping, spring_most; /* spring_most: a force */
+    f8 motor_speed, motor_most;                 /* motor_most: a force */
+} td_drive_rows;
+
 /* Behind its points, a block has one td_point_history for each of them, a td_surface, and, where
  * its form says so, a td_manifold_cache. */
 typedef struct td_block {
@@ -122,6 +153,26 @@ static inline td_manifold_cache *td_manifold_cache_of(td_block *block, int point
     return (td_manifold_cache *)(td_surface_at(block, points) + 1);
 }
 
+static inline td_hold_rows *td_hold_rows_of(td_block *block) {
+    return (td_hold_rows *)(td_surface_at(block, 2) + 1);
+}
+
+static inline const td_hold_rows *td_hold_rows_at(const td_block *block) {
+    const td_surface *surface =
+        (const td_surface *)((const td_point_history *)&block->point[2] + 2);
+    return (const td_hold_rows *)(surface + 1);
+}
+
+static inline td_drive_rows *td_drive_rows_of(td_block *block) {
+    return (td_drive_rows *)(td_surface_at(block, 2) + 1);
+}
+
+static inline const td_drive_rows *td_drive_rows_at(const td_block *block) {
+    const td_surface *surface =
+        (const td_surface *)((const td_point_history *)&block->point[2] + 2);
+    return (const td_drive_rows *)(surface + 1);
+}
+
 /* Blocks lie where their constraints began, and the passes over them are bound by memory: the
  * solver's rows of the one after the next are asked for early. */
 TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int points) {
@@ -134,22 +185,26 @@ TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int poi
     }
 }
 
-/* The forms of blocks: how many points they have, and whether they keep manifolds. */
+/* The forms of blocks: how many points they have, and what stands behind their surface. */
 typedef enum td_block_form {
     TD_FORM_ONE,
     TD_FORM_ONE_CACHED,
     TD_FORM_TWO_CACHED,
+    TD_FORM_HOLD,
+    TD_FORM_DRIVE,
     TD_FORM_COUNT
 } td_block_form;
 
 static inline int td_form_points(td_block_form form) {
-    return form == TD_FORM_TWO_CACHED ? 2 : 1;
+    return form == TD_FORM_ONE || form == TD_FORM_ONE_CACHED ? 1 : 2;
 }
 
 static inline size_t td_form_bytes(td_block_form form) {
+    static const size_t behind[] = {0, sizeof(td_manifold_cache), sizeof(td_manifold_cache),
+                                    sizeof(td_hold_rows), sizeof(td_drive_rows)};
     size_t points = (size_t)td_form_points(form);
     return sizeof(td_block) + points * (sizeof(td_point) + sizeof(td_point_history)) +
-           sizeof(td_surface) + (form == TD_FORM_ONE ? 0 : sizeof(td_manifold_cache));
+           sizeof(td_surface) + behind[form];
 }
 
 /* ---- what the wide kernels are given ---- */
@@ -184,6 +239,7 @@ typedef struct td_solve_context {
     float fall;          /* a length: gravity times the square of time_step */
     float bias_rate[2];  /* soft contact against a moving [0] and a static body [1] */
     float mass_scale[2], impulse_scale[2];
+    float joint_bias_rate, joint_mass_scale, joint_impulse_scale; /* soft joints */
     bool keep_totals;       /* somebody will read td_point_history.total */
     bool keep_tangents;     /* somebody will read td_surface.total */
     bool surface_speeds;    /* a lane has a surface speed */

@@ -11,6 +11,8 @@ typedef struct td_joining_ops {
     bool (*engage)(thud_world *w);
     /* The joints of a body give their lanes back, and wait until it is enabled. */
     void (*suspend)(thud_world *w, td_body_index body);
+    /* Whether a joint of both has their shapes pass through each other. */
+    bool (*keeps_apart)(const thud_world *w, td_body_index a, td_body_index b);
 } td_joining_ops;
 
 extern const td_joining_ops td_joining;

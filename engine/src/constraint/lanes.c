@@ -251,7 +251,7 @@ bool td_lanes_reserve_sleeping(thud_world *w) {
             grown[kind][TD_SLEEPING] += w->bins[kind][bin].lanes;
         }
     }
-    return td_array_reserve(&w->memory, &w->scratch.lane_bins, w->touching + w->joints.live) &&
+    return td_array_reserve(&w->memory, &w->scratch.lane_bins, w->touching + td_tie_count(w)) &&
            reserve_grown(w, grown);
 }
 

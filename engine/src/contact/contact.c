@@ -3,6 +3,7 @@
 
 #include "state/body.h"
 #include "state/handles.h"
+#include "constraint/joining.h"
 #include "constraint/lanes.h"
 
 static td_body *body_of_shape(const thud_world *w, int shape) {
@@ -41,6 +42,9 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
     int least = (a->flags | b->flags) & TD_SHAPE_SENSOR ? THUD_KINEMATIC : THUD_DYNAMIC;
     if (td_same_body(a->body, b->body) || (body_a->kind < least && body_b->kind < least) ||
         ((body_a->flags | body_b->flags) & TD_BODY_DISABLED)) {
+        return false;
+    }
+    if (w->joining && least == THUD_DYNAMIC && w->joining->keeps_apart(w, a->body, b->body)) {
         return false;
     }
     if (a->filter.group == b->filter.group && a->filter.group != 0) {

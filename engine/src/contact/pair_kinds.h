@@ -64,7 +64,14 @@ enum { TD_PAIR_TOUCH_COUNT = TD_PAIR_SENSOR, TD_PAIR_COUNT = TD_PAIR_SENSOR + 1 
 /* The kinds of all constraints (constraint/constraint.h): first the pair kinds, which are those of
  * contacts, and then a number for each kind of joint. They are one range because each is an index
  * into thud_world.kinds, .bins and .waiting. */
-enum { TD_CONSTRAINT_ROD = TD_PAIR_COUNT, TD_CONSTRAINT_KINDS };
+enum {
+    TD_CONSTRAINT_ROD = TD_PAIR_COUNT, /* a distance, locked */
+    TD_CONSTRAINT_HOLD,                /* other directions, locked */
+    TD_CONSTRAINT_DRIVE_LINE,          /* a distance, driven */
+    TD_CONSTRAINT_DRIVE_AXIS,          /* a direction, driven */
+    TD_CONSTRAINT_DRIVE_TURN,
+    TD_CONSTRAINT_KINDS
+};
 
 /* Stands in a wide file, below the functions that a row names, and defines the operations of that
  * row. */

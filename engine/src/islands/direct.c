@@ -27,13 +27,16 @@ void td_direct_measure(td_direct *d) {
 
 double td_direct_friction(const td_direct_constraint *c) {
     const td_direct_row *tangent = &c->row[TD_DIRECT_TANGENT];
-    return td_friction_bound(c->friction, td_direct_load(c), tangent->speed - tangent->wanted);
+    double load = c->friction > 0.0 ? td_direct_load(c) : 0.0;
+    return c->bound + td_friction_bound(c->friction, load, tangent->speed - tangent->wanted);
 }
 
 void td_direct_bound(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];
-        c->row[TD_DIRECT_TANGENT].most = td_direct_friction(c);
+        if (c->row[TD_DIRECT_TANGENT].kind == TD_ROW_FRICTION) {
+            c->row[TD_DIRECT_TANGENT].most = td_direct_friction(c);
+        }
     }
 }
 
@@ -47,9 +50,9 @@ void td_direct_forget(td_direct *d) {
     td_direct_bound(d);
 }
 
-/* Of a row that is no friction. */
+/* Of a row that is no friction; a soft one has what it wants. */
 static double lack_of(const td_direct_row *r) {
-    double lack = r->wanted - r->speed;
+    double lack = r->kind == TD_ROW_SOFT ? 0.0 : r->wanted - r->speed;
     return r->kind == TD_ROW_EQUAL && lack < 0.0 ? -lack : lack;
 }
 

@@ -23,13 +23,17 @@ typedef enum td_row_kind {
     TD_ROW_PUSH, /* never the last row: impulse >= 0, speed >= wanted, and one of both with equality
                   */
     TD_ROW_FRICTION, /* |impulse| <= most, and less only where speed = wanted */
-    TD_ROW_EQUAL     /* speed = wanted, whatever impulse that takes */
+    TD_ROW_EQUAL,    /* speed = wanted, whatever impulse that takes */
+    TD_ROW_SOFT      /* impulse = weight * (wanted - speed), and |impulse| <= most: a spring */
 } td_row_kind;
 
 typedef struct td_direct_body {
     double inverse_mass, inverse_inertia; /* inertia 0: does not turn */
     double free[3];                       /* velocity without contacts: x, y, turn */
     double velocity[3];                   /* in: a guess; out: the solution */
+    double before[3];                     /* velocity at the start of this part of the step ... */
+    double moved[3];                      /* ... and motion until then */
+    double stiff, own_inverse_inertia, own_free; /* of joints: island_solve.c */
 } td_direct_body;
 
 typedef struct td_direct_row {
@@ -42,11 +46,11 @@ typedef struct td_direct_row {
     bool used;         /* there is such a row */
     bool active;       /* stands in the matrix, with `weight` */
     double mass;       /* that it feels */
-    double weight;
-    double base, most;        /* of a tangent: |impulse| <= most */
-    double speed;             /* J v + known */
-    double force;             /* impulse that goes to the right side */
-    double change;            /* of the speed by a Newton step */
+    double weight;     /* of a soft row: given */
+    double base, most; /* of a tangent or a soft row: |impulse| <= most */
+    double speed;      /* J v + known */
+    double force;      /* impulse that goes to the right side */
+    double change;     /* of the speed by a Newton step */
     double slack[2], push[3]; /* interior point: slacks; steps of the impulse and the slacks */
 } td_direct_row;
 
@@ -55,6 +59,8 @@ typedef struct td_direct_constraint {
     int entry;       /* of the matrix, where both are */
     bool b_later;    /* it has b's rows */
     double friction; /* of the last row, where it is friction: times all that pushes */
+    double bound;    /* ... and this on top, whatever pushes: a motor's */
+    double stiff[2]; /* of a joint: moment that its impulses lose as a side turns */
     td_direct_row row[TD_DIRECT_ROWS];
 } td_direct_constraint;
 

@@ -54,6 +54,9 @@ static bool answer(td_direct_row *r, double impulse, double doubt) {
     if (r->kind == TD_ROW_PUSH) {
         r->active = r->active ? impulse > -little : r->speed < r->wanted - doubt;
         r->impulse = r->active && impulse > 0.0 ? impulse : 0.0;
+    } else if (r->kind == TD_ROW_SOFT) {
+        r->active = size_of(impulse) < r->most;
+        r->impulse = clamped(impulse, r->most);
     } else if (r->kind == TD_ROW_FRICTION) {
         /* From one bound to the other it sticks in between. */
         double against = r->impulse < 0.0 ? -impulse : impulse;
@@ -76,14 +79,15 @@ static void set_weight(const td_direct *d, td_direct_constraint *c) {
     double load = 0.0;
     for (int k = 0; k < TD_DIRECT_ROWS && d->unit_speed > 0.0; k++) {
         const td_direct_row *r = &c->row[k];
-        if (r->used && r->kind != TD_ROW_FRICTION) {
+        if (r->used && (r->kind == TD_ROW_EQUAL || r->kind == TD_ROW_PUSH)) {
             load += (r->kind == TD_ROW_EQUAL ? size_of(r->impulse) : r->impulse) / d->unit_speed;
         }
     }
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
         double weight = STIFFNESS * td_max_double(load, r->mass), most = STIFFNESS_MOST * r->mass;
-        r->weight = weight < most ? weight : most;
+        weight = weight < most ? weight : most;
+        r->weight = r->kind == TD_ROW_SOFT ? r->weight : weight;
     }
 }
 
@@ -113,7 +117,7 @@ static int guess(td_direct *d, double doubt) {
             rows += r->used;
             if (r->kind == TD_ROW_PUSH) {
                 r->active = r->impulse > 0.0 || r->speed < r->wanted + parting;
-            } else if (r->kind == TD_ROW_EQUAL) {
+            } else if (r->kind == TD_ROW_EQUAL || r->kind == TD_ROW_SOFT) {
                 r->active = true;
             } else if (d->fresh && c->friction > 0.0 &&
                        size_of(r->speed - r->wanted) <= d->unit_speed) {
@@ -154,8 +158,8 @@ static bool take_multipliers(td_direct *d, double doubt, taking how) {
                 r->active = size_of(r->impulse) < most;
                 r->impulse = clamped(r->impulse, r->most);
             }
-            r->base = r->impulse;
-            r->force = r->active ? penalised(r, r->base) : r->base;
+            r->base = r->kind == TD_ROW_SOFT ? 0.0 : r->impulse;
+            r->force = r->active ? penalised(r, r->base) : r->impulse;
             same &= !r->used || r->active == before;
         }
     }
@@ -178,7 +182,7 @@ static int judge(td_direct *d, double doubt, bool keeps) {
                 r->active = !r->active;
                 r->force = impulse;
                 if (!r->active) {
-                    r->force = r->impulse = r->base;
+                    r->force = r->impulse = r->kind == TD_ROW_SOFT ? r->impulse : r->base;
                 }
             }
         }

@@ -24,6 +24,11 @@ enum { STEPS = 40 };
 /* Impulses at least so strong, against what gravity gives the row's mass, are worth a tangent. */
 #define FRICTION_LEAST 1e-9
 
+/* It has neither slack nor bound. */
+static bool is_unbound(const td_direct_row *r) {
+    return r->kind == TD_ROW_EQUAL || r->kind == TD_ROW_SOFT;
+}
+
 static bool slides_free(const td_direct *d, const td_direct_row *r) {
     return !(r->most > FRICTION_LEAST * r->mass * d->unit_speed);
 }
@@ -46,7 +51,7 @@ static void start(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &d->constraints[i].row[k];
-            if (r->kind == TD_ROW_FRICTION) {
+            if (r->kind == TD_ROW_FRICTION || r->kind == TD_ROW_SOFT) {
                 continue;
             }
             bool misses = r->speed < r->wanted || r->kind == TD_ROW_EQUAL;
@@ -62,7 +67,7 @@ static void start(td_direct *d) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             double over = r->speed - r->wanted;
-            if (r->kind == TD_ROW_EQUAL) {
+            if (is_unbound(r)) {
                 r->slack[0] = r->slack[1] = r->push[1] = r->push[2] = r->impulse = 0.0;
             } else if (r->kind == TD_ROW_PUSH) {
                 r->slack[0] = td_max_double(over, typical);
@@ -85,7 +90,7 @@ static double gap(const td_direct *d, double part) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &d->constraints[i].row[k];
-            if (!r->active || r->kind == TD_ROW_EQUAL) {
+            if (!r->active || is_unbound(r)) {
                 continue;
             }
             double impulse = part * r->push[0], first = r->slack[0] + part * r->push[1];
@@ -106,6 +111,10 @@ static double gap(const td_direct *d, double part) {
  * they heed what the steps of the predictor, in `push`, did to them. */
 static void prepare_row(td_direct_row *r, double aim, double mend) {
     double over = r->speed - r->wanted;
+    if (r->kind == TD_ROW_SOFT) {
+        r->force = -r->weight * over;
+        return;
+    }
     if (r->kind == TD_ROW_EQUAL) {
         r->weight = STIFFNESS * r->mass;
         r->force = r->impulse - r->weight * over;
@@ -130,7 +139,7 @@ static void prepare_row(td_direct_row *r, double aim, double mend) {
 static void follow_row(td_direct_row *r, double aim, double mend) {
     double over = r->speed - r->wanted, old = r->push[0];
     r->push[0] = r->force - r->impulse - r->weight * r->change;
-    if (r->kind == TD_ROW_EQUAL) {
+    if (is_unbound(r)) {
         return;
     }
     if (r->kind == TD_ROW_PUSH) {
@@ -154,7 +163,7 @@ static double reach(const td_direct *d, double most) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &d->constraints[i].row[k];
-            if (!r->active || r->kind == TD_ROW_EQUAL) {
+            if (!r->active || is_unbound(r)) {
                 continue;
             }
             part = cut(part, r->slack[0], r->push[1]);
@@ -203,7 +212,7 @@ static double lack(const td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &d->constraints[i].row[k];
-            if (r->kind == TD_ROW_FRICTION) {
+            if (r->kind == TD_ROW_FRICTION || r->kind == TD_ROW_SOFT) {
                 continue;
             }
             double off = r->used ? r->slack[0] - (r->speed - r->wanted) : 0.0;

@@ -42,7 +42,7 @@ void td_islands_free(td_memory *memory, td_islands *s) {
 /* Room in each list for all bodies and constraints that there are, where that takes little. */
 static bool room_for_all(thud_world *w) {
     td_islands *s = &w->islands;
-    int bodies = w->body_of.count, constraints = w->touching + w->joints.live;
+    int bodies = w->body_of.count, constraints = w->touching + td_tie_count(w);
     return td_islands_room(w, &s->local, bodies) && td_islands_room(w, &s->island, bodies) &&
            td_islands_room(w, &s->slots, bodies) && td_islands_room(w, &s->before, bodies) &&
            td_islands_room(w, &s->constraints, constraints) &&
@@ -248,31 +248,34 @@ static bool is_calm(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     return x * x + y * y < most * most;
 }
 
-static float magnitude(float x) {
-    return x < 0.0f ? -x : x;
+static td_load load_of_contact(const thud_world *w, const td_block *block, int lane, int points,
+                               float light) {
+    td_load found = {0.0f, 0.0f};
+    for (int k = 0; k < points; k++) {
+        found.load += block->point[k].normal_impulse[lane];
+        found.off = td_max_float(found.off, -(block->point[k].separation[lane] + w->skin));
+    }
+    found.load *= light;
+    return found;
 }
 
-/* A joint is off where it is too long as well as too short, and its impulse may pull. */
 static void watch_block(thud_world *w, td_block *block, int kind) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
     int points = td_form_points(w->kinds[kind]->form);
-    bool contact = kind < TD_PAIR_COUNT;
     for (int lane = 0; lane < block->used; lane++) {
-        float impulse = 0.0f, depth = 0.0f;
-        for (int k = 0; k < points; k++) {
-            impulse += magnitude(block->point[k].normal_impulse[lane]);
-            float separation = block->point[k].separation[lane];
-            depth = td_max_float(depth, contact ? -(separation + w->skin) : magnitude(separation));
-        }
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
-        float load = impulse * light,
-              most = td_islands_most(w, td_min_float(size_of(w, a), size_of(w, b)));
+        float size = td_min_float(size_of(w, a), size_of(w, b)), most = td_islands_most(w, size);
+        td_load found = kind < TD_PAIR_COUNT ? load_of_contact(w, block, lane, points, light)
+                                             : w->kinds[kind]->lanes->load(w, block, lane, size);
+        float load = found.load;
         bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
         int direct = block->loaded[lane] & TD_DIRECT, before = block->loaded[lane] - direct;
-        bool gives_way = (load > most && is_calm(w, a, b)) || depth > deep;
+        /* Joints stay: their load is none of an impact that passes. */
+        bool passes = kind < TD_PAIR_COUNT && !is_calm(w, a, b);
+        bool gives_way = (load > most && !passes) || found.off > deep;
         int seen = gives_way ? td_min_int(before + 1, OFTEN) : 0;
         if (sinks || seen >= OFTEN) {
             mark_direct(w, block->a[lane]);

@@ -17,15 +17,18 @@ static double lack_of(const td_direct_row *r) {
 
 /* ---- of a row ---- */
 
-/* What it misses, times the penalty. */
+/* What it misses, times the penalty. A soft row misses nothing. */
 static double product(td_direct_row *r, double unused) {
     (void)unused;
-    return lack_of(r) * r->weight * lack_of(r);
+    return r->kind == TD_ROW_SOFT ? 0.0 : lack_of(r) * r->weight * lack_of(r);
 }
 
 /* The next direction, in `push`: the penalty, and a share of the direction before. It acts beside
  * the forces that are there. */
 static double aim(td_direct_row *r, double share) {
+    if (r->kind == TD_ROW_SOFT) {
+        return r->push[0] = 0.0;
+    }
     r->push[0] = r->weight * lack_of(r) + (share > 0.0 ? share * r->push[0] : 0.0);
     r->force += r->push[0];
     return r->push[0];
@@ -40,12 +43,12 @@ static double curvature(td_direct_row *r, double unused) {
  * it for its penalty. */
 static double balance(td_direct_row *r, double part) {
     r->force += part * (r->push[0] - r->weight * r->change) - r->push[0];
-    r->base = r->force - r->weight * lack_of(r);
+    r->base = r->kind == TD_ROW_SOFT ? 0.0 : r->force - r->weight * lack_of(r);
     return 0.0;
 }
 
 static double misses(td_direct_row *r, double enough) {
-    return lack_of(r) > enough || -lack_of(r) > enough;
+    return r->kind != TD_ROW_SOFT && (lack_of(r) > enough || -lack_of(r) > enough);
 }
 
 /* ---- of all ---- */

@@ -12,15 +12,18 @@ typedef struct td_island_work {
     const td_awake_slot *slots;
     const int *constraints;
     double (*moved)[3];
-    double time;   /* of a step */
+    double time;   /* of a step, or of the part of it that is being solved */
     bool bounces;  /* something closes in so fast that it is going to bounce */
     double pushed; /* greatest speed at which something is pushed apart */
+    int joints;    /* so many constraints are no contacts */
 } td_island_work;
 
 /* island_rows.c: notes velocities and impulses, before the soft solver changes them. */
 void td_island_note(thud_world *w);
 /* How many matrices it may take. */
 int td_island_patience(const thud_world *w, const td_island *island);
+/* The free velocity of a body from `before`, for one of so many parts of the step. */
+void td_island_free(td_island_work *work, int body, int parts);
 /* The problem as it was then. */
 td_island_work td_island_take(thud_world *w, const td_island *island);
 

@@ -127,11 +127,33 @@ typedef struct td_constraint {
 /* A constraint whose kind is a pair kind. */
 typedef td_constraint td_contact;
 
-/* What a constraint that is no contact holds: see rod.h. */
+/* The parts of a joint, each a constraint: what drives it in either direction, and what it locks.
+ */
+enum { TD_JOINT_DIRECTIONS = 3, TD_JOINT_HOLD = TD_JOINT_DIRECTIONS, TD_JOINT_PARTS };
+
+/* thud_drive, without padding. */
+typedef struct td_drive {
+    uint32_t limited;
+    float lower, upper, frequency, damping, target, spring_force, motor_speed, motor_force;
+} td_drive;
+
+/* Fields without padding between them, which snapshots would take along unwritten. */
 typedef struct td_joint {
     int32_t next_free;
-    float anchor[2][2]; /* on either body, from its origin and in its frame */
+    uint32_t generation;
+    td_body_index body[2];        /* as its parts have them: a static one first */
+    int32_t part[TD_JOINT_PARTS]; /* TD_NONE: none; a joint has one at least */
+    uint8_t kind;                 /* thud_joint_kind */
+    uint8_t live, disabled, collides;
+    uint8_t swapped; /* the first body is the caller's b */
+    uint8_t unused[3];
+    float anchor[2][2];   /* on either body, from its origin and in its frame */
+    float axis_c, axis_s; /* of `along`, in the first body's frame */
+    uint32_t turn;        /* of the second body against the first where `turn` is 0 */
     float length;
+    td_drive drive[TD_JOINT_DIRECTIONS];
+    float unused_too;
+    uint64_t user_data;
 } td_joint;
 
 typedef struct td_bin {

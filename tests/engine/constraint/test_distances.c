@@ -1,17 +1,36 @@
-/* test_rods.c: the graph of constraints with one sort that is no contact: rods are solved soft and
- * directly, coloured, put to sleep, disabled, destroyed, drawn and restored as contacts are. */
+/* test_distances.c: the graph of constraints with one sort that is no contact: rods are solved soft
+ * and directly, coloured, put to sleep, disabled, destroyed, drawn and restored as contacts are. */
 #include "island_support.h"
 
-#include "constraint/rod.h"
+#include "state/world.h"
+#include "thud/thud_joint.h"
 #include "pool.h"
 #include "snapshot_support.h"
 
-static int tie(thud_world *world, thud_body_id a, thud_body_id b, thud_vec2 at_a, thud_vec2 at_b,
-               float length) {
-    td_rod_def def = {a, b, at_a, at_b, length};
-    int rod = -1;
-    OK(td_rod_create(world, &def, &rod));
+static thud_joint_def rod_of(thud_body_id a, thud_body_id b, thud_vec2 at_a, thud_vec2 at_b,
+                             float length) {
+    thud_joint_def def = thud_default_joint_def(THUD_DISTANCE);
+    def.body_a = a;
+    def.body_b = b;
+    def.frame_a.position = at_a;
+    def.frame_b.position = at_b;
+    def.length = length;
+    def.collide_connected = true;
+    return def;
+}
+
+static thud_joint_id tie(thud_world *world, thud_body_id a, thud_body_id b, thud_vec2 at_a,
+                         thud_vec2 at_b, float length) {
+    thud_joint_def def = rod_of(a, b, at_a, at_b, length);
+    thud_joint_id rod;
+    OK(thud_joint_create(world, &def, &rod));
     return rod;
+}
+
+static double stretch_of(thud_world *world, thud_joint_id rod) {
+    thud_joint_state state;
+    OK(thud_joint_get(world, rod, &state));
+    return state.gap;
 }
 
 static const thud_vec2 middle = {0, 0};
@@ -22,12 +41,12 @@ static thud_world *world_at(const thud_quality *quality) {
     return make_world(def);
 }
 
-static double stretch_after(thud_world *world, const int *rods, int count, int steps) {
+static double stretch_after(thud_world *world, const thud_joint_id *rods, int count, int steps) {
     double worst = 0;
     for (int i = 0; i < steps; i++) {
         run(world, 1);
         for (int k = 0; k < count; k++) {
-            worst = fmax(worst, fabs(td_rod_stretch(world, rods[k])));
+            worst = fmax(worst, stretch_of(world, rods[k]));
         }
     }
     return worst;
@@ -40,7 +59,7 @@ static double swing(const thud_quality *quality, double *least) {
     thud_body_id hook = add_body(world, THUD_STATIC, 0, 10, 0);
     thud_body_id bob = add_body(world, THUD_DYNAMIC, 2, 10, 0);
     add_shape(world, bob, 0.2f, 0, false, NULL);
-    int rod = tie(world, hook, bob, middle, middle, 2);
+    thud_joint_id rod = tie(world, hook, bob, middle, middle, 2);
     double worst = 0;
     *least = 10;
     for (int i = 0; i < 300; i++) {
@@ -66,7 +85,7 @@ static double chain(const thud_quality *quality, int *direct) {
     enum { LINKS = 10 };
     thud_world *world = world_at(quality);
     thud_body_id last = add_body(world, THUD_STATIC, 0, 0, 0);
-    int rods[LINKS + 1];
+    thud_joint_id rods[LINKS + 1];
     for (int i = 0; i < LINKS; i++) {
         thud_body_id next = add_body(world, THUD_DYNAMIC, 0, -1.0 - i, 0);
         add_shape(world, next, 0.1f, 0, false, NULL);
@@ -105,10 +124,10 @@ static void rod_at_the_end_of_a_plank_turns_it(void **state) {
         thud_body_id hook = add_body(world, THUD_STATIC, -1, 3, 0);
         thud_body_id plank = add_body(world, THUD_DYNAMIC, 0, 0, 0);
         add_shape(world, plank, 1, 0.1f, false, NULL);
-        int rod = tie(world, plank, hook, (thud_vec2){-1, 0}, middle, 3);
+        thud_joint_id rod = tie(world, plank, hook, (thud_vec2){-1, 0}, middle, 3);
         run(world, 10);
         assert_true(state_of(world, plank).angle < -0.05);
-        assert_true(fabs(td_rod_stretch(world, rod)) < 0.02);
+        assert_true(stretch_of(world, rod) < 0.02);
         thud_world_destroy(world);
     }
 }
@@ -119,12 +138,12 @@ static void rods_and_contacts_share_an_island_in_the_direct_solver(void **state)
     thud_body_id ids[3];
     add_column(world, 0, 3, ids);
     thud_body_id beside = add_box(world, 3, 0.5, 0.5f, 0.5f);
-    int rod = tie(world, ids[0], beside, middle, middle, 3);
+    thud_joint_id rod = tie(world, ids[0], beside, middle, middle, 3);
     run(world, 120);
     thud_stats stats = thud_world_stats(world);
     assert_int_equal(stats.direct_islands, 1);
     assert_int_equal(stats.direct_bodies, 4);
-    assert_true(fabs(td_rod_stretch(world, rod)) < 1e-5);
+    assert_true(stretch_of(world, rod) < 1e-5);
     thud_world_destroy(world);
 }
 
@@ -212,7 +231,7 @@ static void bodies_that_a_rod_ties_fall_asleep_and_wake_together(void **state) {
     thud_world *world = make_world(def_of(&thud_quality_default));
     add_floor(world, NULL);
     thud_body_id a = add_box(world, -2, 0.5, 0.5f, 0.5f), b = add_box(world, 2, 0.5, 0.5f, 0.5f);
-    int rod = tie(world, a, b, middle, middle, 4);
+    thud_joint_id rod = tie(world, a, b, middle, middle, 4);
     run(world, 120);
     assert_true(sleeps(world, a) && sleeps(world, b));
     OK(thud_body_set_velocity(world, a, (thud_vec2){-3, 0}, 0));
@@ -220,7 +239,7 @@ static void bodies_that_a_rod_ties_fall_asleep_and_wake_together(void **state) {
     assert_true(!sleeps(world, a) && !sleeps(world, b));
     run(world, 20);
     assert_true(state_of(world, b).position.x < 1.9);
-    assert_true(fabs(td_rod_stretch(world, rod)) < 0.02);
+    assert_true(stretch_of(world, rod) < 0.02);
     thud_world_destroy(world);
 }
 
@@ -233,7 +252,7 @@ static void rod_to_a_disabled_body_lets_go_until_it_is_enabled(void **state) {
     add_shape(world, hook, 0.1f, 0, false, NULL);
     add_shape(world, bob, 0.1f, 0, false, NULL);
     tie(world, nail, hook, middle, middle, 1);
-    int rod = tie(world, hook, bob, middle, middle, 1);
+    thud_joint_id rod = tie(world, hook, bob, middle, middle, 1);
     run(world, 30);
     near_to(state_of(world, bob).position.y, -1, 0.02);
     OK(thud_body_set_enabled(world, hook, false));
@@ -241,7 +260,7 @@ static void rod_to_a_disabled_body_lets_go_until_it_is_enabled(void **state) {
     assert_true(state_of(world, bob).position.y < -1.03);
     OK(thud_body_set_enabled(world, hook, true));
     run(world, 120);
-    assert_true(fabs(td_rod_stretch(world, rod)) < 0.02);
+    assert_true(stretch_of(world, rod) < 0.02);
     near_to(state_of(world, hook).position.y, 0, 0.05);
     thud_world_destroy(world);
 }
@@ -252,12 +271,12 @@ static void body_that_is_destroyed_takes_its_rods_away(void **state) {
     thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
     thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
     add_shape(world, bob, 0.1f, 0, false, NULL);
-    int rod = tie(world, hook, bob, middle, middle, 1);
+    thud_joint_id rod = tie(world, hook, bob, middle, middle, 1);
     run(world, 10);
     OK(thud_body_destroy(world, hook));
     run(world, 30);
     assert_true(state_of(world, bob).position.y < -2);
-    assert_int_equal(td_rod_destroy(world, rod), THUD_ERROR_STALE);
+    assert_int_equal(thud_joint_destroy(world, rod), THUD_ERROR_STALE);
     assert_int_equal(world->joints.live, 0);
     thud_world_destroy(world);
 }
@@ -268,10 +287,10 @@ static void rod_that_is_destroyed_lets_go_of_sleepers(void **state) {
     thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
     thud_body_id bob = add_body(world, THUD_DYNAMIC, 0, -1, 0);
     add_shape(world, bob, 0.1f, 0, false, NULL);
-    int rod = tie(world, hook, bob, middle, middle, 1);
+    thud_joint_id rod = tie(world, hook, bob, middle, middle, 1);
     run(world, 120);
     assert_true(sleeps(world, bob));
-    OK(td_rod_destroy(world, rod));
+    OK(thud_joint_destroy(world, rod));
     run(world, 30);
     assert_true(state_of(world, bob).position.y < -2);
     thud_world_destroy(world);
@@ -352,17 +371,17 @@ static void wrong_rods_are_refused(void **state) {
     thud_body_id a = add_body(world, THUD_STATIC, 0, 0, 0),
                  b = add_body(world, THUD_STATIC, 1, 0, 0);
     thud_body_id c = add_body(world, THUD_DYNAMIC, 2, 0, 0);
-    const td_rod_def wrong[] = {{a, b, middle, middle, 1},
-                                {c, c, middle, middle, 1},
-                                {a, c, middle, middle, 0},
-                                {a, c, middle, middle, NAN},
-                                {a, c, {INFINITY, 0}, middle, 1}};
+    const thud_joint_def wrong[] = {rod_of(a, b, middle, middle, 1),
+                                    rod_of(c, c, middle, middle, 1),
+                                    rod_of(a, c, middle, middle, 0),
+                                    rod_of(a, c, middle, middle, NAN),
+                                    rod_of(a, c, (thud_vec2){INFINITY, 0}, middle, 1)};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        assert_int_equal(td_rod_create(world, &wrong[i], NULL), THUD_ERROR_INVALID);
+        assert_int_equal(thud_joint_create(world, &wrong[i], NULL), THUD_ERROR_INVALID);
     }
-    assert_int_equal(td_rod_create(world, NULL, NULL), THUD_ERROR_NULL);
-    td_rod_def stale = {c, (thud_body_id){77, 1}, middle, middle, 1};
-    assert_int_equal(td_rod_create(world, &stale, NULL), THUD_ERROR_STALE);
+    assert_int_equal(thud_joint_create(world, NULL, NULL), THUD_ERROR_NULL);
+    thud_joint_def stale = rod_of(c, (thud_body_id){77, 1}, middle, middle, 1);
+    assert_int_equal(thud_joint_create(world, &stale, NULL), THUD_ERROR_STALE);
     assert_int_equal(world->constraints.live, 0);
     thud_world_destroy(world);
 }

@@ -1,0 +1,493 @@
+/* test_joints.c: each kind of joint against a formula, at every quality; and what joints meet:
+ * shapes that touch, sleep, snapshots, edits, input that is wrong. */
+#include "island_support.h"
+
+#include "snapshot_support.h"
+#include "state/world.h"
+#include "thud/thud_joint.h"
+
+#define PI 3.14159265358979323846
+
+static thud_world *world_at(const thud_quality *quality) {
+    thud_world_def def = def_of(quality);
+    def.sleeping = false;
+    return make_world(def);
+}
+
+static thud_joint_def between(thud_joint_kind kind, thud_body_id a, thud_body_id b, thud_vec2 at_a,
+                              thud_vec2 at_b) {
+    thud_joint_def def = thud_default_joint_def(kind);
+    def.body_a = a;
+    def.body_b = b;
+    def.frame_a.position = at_a;
+    def.frame_b.position = at_b;
+    return def;
+}
+
+static thud_joint_id make(thud_world *world, thud_joint_def def) {
+    thud_joint_id id;
+    OK(thud_joint_create(world, &def, &id));
+    return id;
+}
+
+static thud_joint_state joint_of(const thud_world *world, thud_joint_id id) {
+    thud_joint_state state;
+    OK(thud_joint_get(world, id, &state));
+    return state;
+}
+
+static const thud_vec2 middle = {0, 0};
+
+/* ---- hinges ---- */
+
+/* A box of 1 by 0.2 that hangs by its end: T = 2 pi sqrt(I / (m g l)), for a swing of a twentieth
+ * of a radian longer by a 6,400th. */
+static void hinged_bar_swings_as_its_formula_says(void **state) {
+    (void)state;
+    double wanted = 2 * PI * sqrt((1.0 / 12 * (1 + 0.04) + 0.25) / (G * 0.5));
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world *world = world_at(qualities[i]);
+        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id bar = add_body(world, THUD_DYNAMIC, 0.5 * sin(0.05), -0.5 * cos(0.05), 0.05);
+        add_shape(world, bar, 0.1f, 0.5f, false, NULL);
+        thud_joint_id hinge =
+            make(world, between(THUD_HINGE, hook, bar, middle, (thud_vec2){0, 0.5f}));
+        int crossings = 0;
+        double first = 0, last = 0, before = 0.05;
+        for (int k = 1; k <= 1200; k++) {
+            run(world, 1);
+            double angle = state_of(world, bar).angle;
+            if (before > 0 && angle <= 0) {
+                last = (k - angle / (angle - before)) * STEP;
+                first = crossings++ ? first : last;
+            }
+            before = angle;
+        }
+        near_to((last - first) / (crossings - 1), wanted, 0.01 * wanted);
+        assert_true(joint_of(world, hinge).gap < 1e-3);
+        thud_world_destroy(world);
+    }
+}
+
+/* From level, for a minute: where it is solved directly nothing is lost. */
+static void pendulum_keeps_its_energy(void **state) {
+    (void)state;
+    const double most[QUALITIES] = {0.2, 0.02, 1e-5, 1e-5};
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world *world = world_at(qualities[i]);
+        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id bar = add_box(world, 0.5, 0, 0.5f, 0.1f);
+        make(world, between(THUD_HINGE, hook, bar, middle, (thud_vec2){-0.5f, 0}));
+        thud_measure before = thud_world_measure(world);
+        double full = state_of(world, bar).mass * G * 0.5;
+        run(world, 3600);
+        thud_measure after = thud_world_measure(world);
+        double gained = after.kinetic_energy + after.potential_energy - before.kinetic_energy -
+                        before.potential_energy;
+        near_to(gained / full, 0, most[i]);
+        thud_world_destroy(world);
+    }
+}
+
+static void hinge_stops_at_its_limits_and_turns_by_its_motor(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        for (int swapped = 0; swapped < 2; swapped++) {
+            thud_world *world = world_at(qualities[i]);
+            thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+            thud_body_id bar = add_box(world, 0.5, 0, 0.5f, 0.1f);
+            thud_vec2 end = {-0.5f, 0};
+            thud_joint_def def = swapped ? between(THUD_HINGE, bar, hook, end, middle)
+                                         : between(THUD_HINGE, hook, bar, middle, end);
+            float sign = swapped ? -1.0f : 1.0f;
+            def.drive[THUD_TURN].limited = true;
+            def.drive[THUD_TURN].lower = -1;
+            def.drive[THUD_TURN].upper = 1;
+            thud_joint_id hinge = make(world, def);
+            run(world, 240);
+            near_to(state_of(world, bar).angle, -1, 0.02);
+            near_to(joint_of(world, hinge).value[THUD_TURN], -sign, 0.02);
+            near_to(sign * joint_of(world, hinge).torque, 0.2 * G * 0.5 * cos(1), 0.05);
+            def.drive[THUD_TURN].motor_speed = sign * 0.5f;
+            def.drive[THUD_TURN].motor_force = 10;
+            OK(thud_joint_set_drive(world, hinge, THUD_TURN, &def.drive[THUD_TURN]));
+            run(world, 60);
+            near_to(state_of(world, bar).angle, -0.5, 0.03);
+            near_to(state_of(world, bar).angular_velocity, 0.5, 0.02);
+            run(world, 240);
+            near_to(state_of(world, bar).angle, 1, 0.02);
+            thud_world_destroy(world);
+        }
+    }
+}
+
+/* ---- welds ---- */
+
+/* The force of a weld at rest carries the weight, and its torque the lever. */
+static void welded_beam_carries_itself(void **state) {
+    (void)state;
+    for (int i = 1; i < QUALITIES; i++) {
+        thud_world *world = world_at(qualities[i]);
+        thud_body_id last = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_joint_id first = {0, 0};
+        for (int k = 0; k < 10; k++) {
+            thud_body_id next = add_box(world, 0.25 + 0.5 * k, 0, 0.25f, 0.25f);
+            thud_joint_id weld =
+                make(world, between(THUD_WELD, last, next, (thud_vec2){k ? 0.25f : 0, 0},
+                                    (thud_vec2){-0.25f, 0}));
+            first = k ? first : weld;
+            last = next;
+        }
+        run(world, 240);
+        near_to(state_of(world, last).angle, 0, 0.01);
+        near_to(joint_of(world, first).force.y, 2.5 * G, 0.05 * G);
+        near_to(joint_of(world, first).force.x, 0, 0.1 * G);
+        thud_world_destroy(world);
+    }
+}
+
+static void weld_with_a_spring_sags_by_its_formula(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world *world = world_at(qualities[i]);
+        thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id box = add_box(world, 0, 0, 0.5f, 0.5f);
+        thud_joint_def def = between(THUD_WELD, wall, box, middle, middle);
+        def.drive[THUD_ACROSS].frequency = 2;
+        thud_joint_id weld = make(world, def);
+        run(world, 600);
+        near_to(state_of(world, box).position.y, -G / (16 * PI * PI), 2e-3);
+        near_to(state_of(world, box).position.x, 0, 1e-4);
+        near_to(joint_of(world, weld).value[THUD_ACROSS], -G / (16 * PI * PI), 2e-3);
+        near_to(joint_of(world, weld).force.y, G, 0.01 * G);
+        assert_true(joint_of(world, weld).angle_gap < 1e-4);
+        thud_world_destroy(world);
+    }
+}
+
+/* ---- sliders and wheels ---- */
+
+static void slider_stays_on_its_line_and_stops_at_its_limit(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world *world = world_at(qualities[i]);
+        thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id box = add_box(world, 0, 0, 0.5f, 0.5f);
+        thud_joint_def def = between(THUD_SLIDER, wall, box, middle, middle);
+        def.frame_a.angle = def.frame_b.angle = -PI / 6;
+        def.frame_b.angle = -PI / 6;
+        def.drive[THUD_ALONG].limited = true;
+        def.drive[THUD_ALONG].lower = -1;
+        def.drive[THUD_ALONG].upper = 3;
+        thud_joint_id slider = make(world, def);
+        run(world, 30);
+        /* s = g sin(30 degrees) t^2 / 2 */
+        near_to(joint_of(world, slider).value[THUD_ALONG], 0.25 * G * 0.25, 0.06);
+        run(world, 240);
+        near_to(joint_of(world, slider).value[THUD_ALONG], 3, 0.02);
+        assert_true(joint_of(world, slider).gap < 2e-3);
+        assert_true(joint_of(world, slider).angle_gap < 2e-3);
+        thud_world_destroy(world);
+    }
+}
+
+/* A frame that floats without weight, and slides and turns: momentum stays. */
+static void slider_of_two_free_bodies_keeps_momentum(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world_def def = weightless();
+        def.quality = qualities[i];
+        thud_world *world = make_world(def);
+        thud_body_id a = add_box(world, 0, 0, 1, 0.2f), b = add_box(world, 0, 0.5, 0.3f, 0.3f);
+        thud_joint_id slider =
+            make(world, between(THUD_SLIDER, a, b, middle, (thud_vec2){0, -0.5f}));
+        OK(thud_body_set_velocity(world, b, (thud_vec2){1, 0}, 1));
+        run(world, 120);
+        thud_body_state s = state_of(world, a), t = state_of(world, b);
+        near_to(s.mass * s.velocity.x + t.mass * t.velocity.x, t.mass, 1e-3);
+        near_to(s.mass * s.velocity.y + t.mass * t.velocity.y, 0, 1e-3);
+        near_to(joint_of(world, slider).angle_gap, 0, 1e-2);
+        near_to(joint_of(world, slider).gap, 0, 2e-2);
+        thud_world_destroy(world);
+    }
+}
+
+/* A cart of two wheels on springs: it sags by m g / k, and its motors drive it. */
+static void cart_sags_on_its_springs_and_drives(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world *world = world_of(qualities[i]);
+        thud_body_id cart = add_box(world, 0, 1.2, 1, 0.2f);
+        thud_joint_id joint[2];
+        for (int k = 0; k < 2; k++) {
+            float x = k ? 0.8f : -0.8f;
+            thud_body_id wheel = add_ball(world, (double)x, 0.7, 0.3f);
+            thud_joint_def def = between(THUD_WHEEL, cart, wheel, (thud_vec2){x, -0.5f}, middle);
+            def.frame_a.angle = def.frame_b.angle = PI / 2;
+            def.drive[THUD_ALONG].frequency = 4;
+            joint[k] = make(world, def);
+        }
+        run(world, 240);
+        double load = joint_of(world, joint[0]).force.y;
+        near_to(load + joint_of(world, joint[1]).force.y, -state_of(world, cart).mass * G, 0.5);
+        assert_true(joint_of(world, joint[0]).value[THUD_ALONG] > 0.01);
+        thud_drive motor = thud_default_joint_def(THUD_WHEEL).drive[THUD_TURN];
+        motor.motor_speed = -4;
+        motor.motor_force = 20;
+        for (int k = 0; k < 2; k++) {
+            OK(thud_joint_set_drive(world, joint[k], THUD_TURN, &motor));
+        }
+        run(world, 240);
+        near_to(state_of(world, cart).velocity.x, 4 * 0.3, 0.1);
+        thud_world_destroy(world);
+    }
+}
+
+/* ---- distances and targets ---- */
+
+static void rope_is_slack_until_it_is_taut(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world *world = world_at(qualities[i]);
+        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id ball = add_ball(world, 0, -0.5, 0.1f);
+        thud_joint_def def = between(THUD_DISTANCE, hook, ball, middle, middle);
+        def.drive[THUD_ALONG].limited = true;
+        def.drive[THUD_ALONG].upper = 2;
+        thud_joint_id rope = make(world, def);
+        run(world, 18);
+        near_to(state_of(world, ball).position.y, -0.5 - 0.5 * G * 0.09, 0.03);
+        run(world, 240);
+        near_to(joint_of(world, rope).value[THUD_ALONG], 2, 0.01);
+        thud_world_destroy(world);
+    }
+}
+
+/* An undamped spring of 2 Hz about its rest: T = 0.5 s. */
+static void spring_swings_at_its_frequency(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        thud_world_def def = weightless();
+        def.quality = qualities[i];
+        thud_world *world = make_world(def);
+        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id ball = add_ball(world, 2.5, 0, 0.1f);
+        thud_joint_def spring = between(THUD_DISTANCE, hook, ball, middle, middle);
+        spring.drive[THUD_ALONG].frequency = 2;
+        spring.drive[THUD_ALONG].damping = 0;
+        spring.drive[THUD_ALONG].target = 2;
+        make(world, spring);
+        int crossings = 0;
+        double first = 0, last = 0, before = 0.5;
+        for (int k = 1; k <= 150; k++) {
+            run(world, 1);
+            double x = state_of(world, ball).position.x - 2;
+            if (before > 0 && x <= 0) {
+                last = (k - x / (x - before)) * STEP;
+                first = crossings++ ? first : last;
+            }
+            before = x;
+        }
+        near_to((last - first) / (crossings - 1), 0.5, 0.01);
+        thud_world_destroy(world);
+    }
+}
+
+static void target_drags_with_no_more_than_its_force(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES; i++) {
+        for (int strong = 0; strong < 2; strong++) {
+            thud_world *world = world_at(qualities[i]);
+            thud_body_id hand = add_body(world, THUD_STATIC, 0, 0, 0);
+            thud_body_id box = add_box(world, 1, 0, 0.5f, 0.5f);
+            thud_joint_def def = between(THUD_TARGET, hand, box, middle, middle);
+            for (int k = 0; k < 2; k++) {
+                def.drive[k].frequency = 4;
+                def.drive[k].damping = 1;
+                def.drive[k].spring_force = strong ? 100.0f : 5.0f;
+            }
+            make(world, def);
+            run(world, 120);
+            double y = state_of(world, box).position.y;
+            if (strong) {
+                near_to(y, -G / (64 * PI * PI), 3e-3);
+                near_to(state_of(world, box).position.x, 0, 1e-3);
+            } else {
+                near_to(y, -0.5 * (G - 5) * 4, 0.3);
+            }
+            thud_world_destroy(world);
+        }
+    }
+}
+
+/* ---- the graph ---- */
+
+static void joined_bodies_do_not_meet_unless_they_shall(void **state) {
+    (void)state;
+    for (int meets = 0; meets < 2; meets++) {
+        thud_world *world = world_at(&thud_quality_default);
+        thud_body_id a = add_body(world, THUD_STATIC, 0, 0, 0),
+                     b = add_box(world, 0.6, 0, 0.5f, 0.5f);
+        add_shape(world, a, 0.5f, 0.5f, false, NULL);
+        run(world, 1);
+        assert_int_equal(thud_world_stats(world).contacts, 1);
+        thud_joint_def def = between(THUD_HINGE, a, b, middle, (thud_vec2){-0.6f, 0});
+        def.collide_connected = meets;
+        thud_joint_id hinge = make(world, def);
+        run(world, 1);
+        assert_int_equal(thud_world_stats(world).contacts, meets);
+        assert_int_equal(thud_world_events(world).end_count, !meets);
+        run(world, 5);
+        assert_int_equal(thud_world_stats(world).contacts, meets);
+        OK(thud_joint_destroy(world, hinge));
+        run(world, 1);
+        assert_int_equal(thud_world_stats(world).contacts, 1);
+        assert_int_equal(thud_world_events(world).begin_count, !meets);
+        assert_false(thud_joint_is_valid(world, hinge));
+        assert_int_equal(thud_joint_destroy(world, hinge), THUD_ERROR_STALE);
+        thud_world_destroy(world);
+    }
+}
+
+static void joint_lets_go_while_it_is_disabled(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_default);
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ball = add_ball(world, 0, -1, 0.1f);
+    thud_joint_id hinge = make(world, between(THUD_HINGE, hook, ball, middle, (thud_vec2){0, 1}));
+    run(world, 30);
+    near_to(state_of(world, ball).position.y, -1, 1e-3);
+    OK(thud_joint_set_enabled(world, hinge, false));
+    run(world, 6);
+    assert_true(state_of(world, ball).position.y < -1.03);
+    assert_false(joint_of(world, hinge).enabled);
+    OK(thud_joint_set_enabled(world, hinge, true));
+    run(world, 120);
+    near_to(joint_of(world, hinge).gap, 0, 2e-2);
+    thud_world_destroy(world);
+}
+
+/* ---- everything at once ---- */
+
+/* Random trees and loops of all kinds, over a floor. */
+static thud_world *linkage(thud_world_def def, uint64_t seed) {
+    enum { BODIES = 14 };
+    thud_world *world = make_world(def);
+    thud_body_id body[BODIES];
+    add_floor(world, NULL);
+    body[0] = add_body(world, THUD_STATIC, 0, 6, 0);
+    for (int i = 1; i < BODIES; i++) {
+        body[i] = add_box(world, random_in(&seed, -4, 4), random_in(&seed, 1, 8),
+                          (float)random_in(&seed, 0.1, 0.5), (float)random_in(&seed, 0.1, 0.5));
+        for (int n = 0; n < (i % 4 ? 1 : 2); n++) {
+            int other = (int)random_in(&seed, 0, i - 1e-9);
+            bool turned = random_in(&seed, 0, 1) < 0.5;
+            thud_joint_kind kind =
+                (thud_joint_kind)random_in(&seed, 0, THUD_JOINT_KIND_COUNT - 1e-9);
+            bool as_b = kind == THUD_WHEEL || kind == THUD_TARGET || !turned;
+            thud_vec2 at = {(float)random_in(&seed, -1, 1), (float)random_in(&seed, -1, 1)};
+            thud_joint_def j = as_b ? between(kind, body[other], body[i], at, middle)
+                                    : between(kind, body[i], body[other], middle, at);
+            j.length = (float)random_in(&seed, 0.5, 3);
+            for (int k = 0; k < THUD_DIRECTION_COUNT; k++) {
+                thud_drive *d = &j.drive[k];
+                d->limited = random_in(&seed, 0, 1) < 0.3;
+                d->lower = kind == THUD_DISTANCE ? 0.5f : -1.0f;
+                d->upper = random_in(&seed, 0, 1) < 0.1 ? d->lower : 1.5f;
+                d->frequency = random_in(&seed, 0, 1) < 0.3 ? (float)random_in(&seed, 1, 20) : 0;
+                d->target = kind == THUD_DISTANCE ? 1.0f : 0.2f;
+                d->motor_speed = 1;
+                d->motor_force = random_in(&seed, 0, 1) < 0.2 ? 10.0f : 0.0f;
+            }
+            j.collide_connected = random_in(&seed, 0, 1) < 0.3;
+            make(world, j);
+        }
+    }
+    return world;
+}
+
+static void check_finite(const thud_world *world) {
+    assert_int_equal(thud_world_events(world).quarantined_count, 0);
+    thud_measure m = thud_world_measure(world);
+    assert_true(isfinite(m.kinetic_energy) && m.kinetic_energy < 1e6);
+}
+
+static void random_linkages_stay_finite_and_restore_to_the_same_bits(void **state) {
+    (void)state;
+    const thud_detection *const detections[] = {NULL, &thud_detection_overlap,
+                                                &thud_detection_swept, &thud_detection_bisect};
+    for (int i = 0; i < 4 * QUALITIES; i++) {
+        thud_world_def def = def_of(qualities[i % QUALITIES]);
+        def.detection = detections[i / QUALITIES];
+        uint64_t seed = 0x9e3779b97f4a7c15u + (uint64_t)i;
+        thud_world *world = linkage(def, seed);
+        def.baseline_simd = true;
+        thud_world *twin = linkage(def, seed);
+        for (int k = 0; k < 90; k++) {
+            run(world, 1);
+            run(twin, 1);
+            check_finite(world);
+        }
+        assert_true(thud_world_hash(world) == thud_world_hash(twin));
+        saved then = save(world);
+        run(world, 60);
+        back_to(twin, then);
+        run(twin, 60);
+        assert_true(digest_of(world) == digest_of(twin));
+        free(then.bytes);
+        thud_world_destroy(twin);
+        thud_world_destroy(world);
+    }
+}
+
+static void wrong_joints_are_refused(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_default);
+    thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0), box = add_box(world, 1, 0, 1, 1);
+    thud_joint_def good = between(THUD_HINGE, wall, box, middle, middle), wrong[9];
+    for (int i = 0; i < 9; i++) {
+        wrong[i] = good;
+    }
+    wrong[0].kind = THUD_JOINT_KIND_COUNT;
+    wrong[1].body_a = box;
+    wrong[2].frame_a.position.x = NAN;
+    wrong[3].frame_b.angle = INFINITY;
+    wrong[4].drive[THUD_TURN].frequency = -1;
+    wrong[5].drive[THUD_TURN] = (thud_drive){.limited = true, .lower = 1, .upper = -1};
+    wrong[6].drive[THUD_TURN].motor_force = NAN;
+    wrong[7] = between(THUD_WHEEL, box, wall, middle, middle);
+    wrong[8] = between(THUD_DISTANCE, wall, box, middle, middle);
+    wrong[8].length = 0;
+    for (int i = 0; i < 9; i++) {
+        assert_int_equal(thud_joint_create(world, &wrong[i], NULL), THUD_ERROR_INVALID);
+    }
+    assert_int_equal(world->constraints.live + world->joints.live, 0);
+    thud_joint_id hinge = make(world, good);
+    assert_int_equal(thud_joint_set_drive(world, hinge, THUD_ALONG, &good.drive[0]),
+                     THUD_ERROR_INVALID);
+    assert_int_equal(thud_joint_set_drive(world, hinge, THUD_TURN, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_joint_set_length(world, hinge, 1), THUD_ERROR_INVALID);
+    assert_int_equal(thud_joint_get(world, hinge, NULL), THUD_ERROR_NULL);
+    thud_world_destroy(world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(hinged_bar_swings_as_its_formula_says),
+        cmocka_unit_test(pendulum_keeps_its_energy),
+        cmocka_unit_test(hinge_stops_at_its_limits_and_turns_by_its_motor),
+        cmocka_unit_test(welded_beam_carries_itself),
+        cmocka_unit_test(weld_with_a_spring_sags_by_its_formula),
+        cmocka_unit_test(slider_stays_on_its_line_and_stops_at_its_limit),
+        cmocka_unit_test(slider_of_two_free_bodies_keeps_momentum),
+        cmocka_unit_test(cart_sags_on_its_springs_and_drives),
+        cmocka_unit_test(rope_is_slack_until_it_is_taut),
+        cmocka_unit_test(spring_swings_at_its_frequency),
+        cmocka_unit_test(target_drags_with_no_more_than_its_force),
+        cmocka_unit_test(joined_bodies_do_not_meet_unless_they_shall),
+        cmocka_unit_test(joint_lets_go_while_it_is_disabled),
+        cmocka_unit_test(random_linkages_stay_finite_and_restore_to_the_same_bits),
+        cmocka_unit_test(wrong_joints_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
