@@ -55,7 +55,7 @@ static bool engage(thud_world *w, int index) {
     return true;
 }
 
-static bool engage_all(thud_world *w) {
+bool td_joints_engage(thud_world *w) {
     for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
         for (int i = 0; i < w->waiting[kind].count;) {
             int index = td_int_at(&w->waiting[kind], i);
@@ -72,7 +72,7 @@ static bool engage_all(thud_world *w) {
     return true;
 }
 
-static void suspend(thud_world *w, td_body_index body) {
+void td_joints_suspend(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (!td_is_contact(constraint) && constraint->state == TD_TOUCHING) {
@@ -83,7 +83,7 @@ static void suspend(thud_world *w, td_body_index body) {
 }
 
 /* Both bodies' constraints are walked in turns: the shorter list decides. */
-static bool keeps_apart(const thud_world *w, td_body_index a, td_body_index b) {
+bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b) {
     int e = td_body_at(w, a)->first_constraint, f = td_body_at(w, b)->first_constraint;
     td_body_index other = b;
     while (e != TD_NONE && f != TD_NONE) {
@@ -99,5 +99,3 @@ static bool keeps_apart(const thud_world *w, td_body_index a, td_body_index b) {
     }
     return false;
 }
-
-const td_joining_ops td_joining = {engage_all, suspend, keeps_apart};

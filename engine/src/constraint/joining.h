@@ -5,6 +5,8 @@
 
 #include "state/world.h"
 
+struct td_island_work;
+
 typedef struct td_joining_ops {
     /* Gives lanes to those that wait, where their bodies are in the world and enabled. False when
      * memory is short: the rest goes on waiting. */
@@ -13,8 +15,14 @@ typedef struct td_joining_ops {
     void (*suspend)(thud_world *w, td_body_index body);
     /* Whether a joint of both has their shapes pass through each other. */
     bool (*keeps_apart)(const thud_world *w, td_body_index a, td_body_index b);
+    /* island_joints.c: see island_solve.h. */
+    double (*solve)(struct td_island_work *work, double tolerance);
+    bool (*explodes)(const struct td_island_work *work);
 } td_joining_ops;
 
-extern const td_joining_ops td_joining;
+/* joining.c */
+bool td_joints_engage(thud_world *w);
+void td_joints_suspend(thud_world *w, td_body_index body);
+bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b);
 
 #endif

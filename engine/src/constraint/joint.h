@@ -2,7 +2,7 @@
  *
  * A joint is a td_joint and up to four constraints of the graph, each with a lane of its own: what
  * it locks (hold.c, or rod.c for a distance), and what drives it in each direction that is driven
- * (drive.c). The caller's side of it is api/joint.c. */
+ * (drive.c). The caller's side of it is joint_make.c and joint_state.c. */
 #ifndef TD_JOINT_H
 #define TD_JOINT_H
 
@@ -17,6 +17,10 @@ static inline td_joint *td_joint_at(const thud_world *w, int index) {
 static inline td_joint *td_joint_of(const thud_world *w, const td_constraint *part) {
     return td_joint_at(w, part->joint);
 }
+
+/* joint_state.c: THUD_ERROR_NULL, THUD_ERROR_STALE, or, where it `edits` inside a callback,
+ * THUD_ERROR_LOCKED through td_refuse; *index is the slot. */
+thud_result td_find_joint(const thud_world *w, thud_joint_id id, bool edits, int *index);
 
 static inline bool td_drive_acts(const td_drive *d) {
     return d->limited || d->frequency > 0.0f || d->motor_force > 0.0f;

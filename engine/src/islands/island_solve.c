@@ -9,6 +9,7 @@
  * speed back, would gain energy. */
 #include "islands/island_solve.h"
 
+#include "constraint/joining.h"
 #include "solver/error.h"
 #include "solver/motion.h"
 #include "state/shape.h"
@@ -40,10 +41,6 @@ static void limit(const thud_world *w, double velocity[3]) {
     }
 }
 
-static bool is_joints_alone(const td_island_work *work) {
-    return work->joints == work->island->constraints;
-}
-
 /* How far a row's gap is open after the motion. */
 static double gap_after(const td_island_work *work, const td_direct_constraint *c, int k,
                         double before) {
@@ -56,14 +53,10 @@ static double gap_after(const td_island_work *work, const td_direct_constraint *
     return gap;
 }
 
-static td_lane lane_of(const td_island_work *work, int i) {
-    return td_lane_of(work->w, td_constraint_at(work->w, work->constraints[i]));
-}
-
 /* Sets the speeds that a constraint wants of the velocities at the end of the step. */
 static void want_velocity(td_island_work *work, int i) {
     td_direct_constraint *c = &work->problem.constraints[i];
-    td_lane at = lane_of(work, i);
+    td_lane at = td_island_lane(work, i);
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
         if (r->used && r->kind == TD_ROW_PUSH) {
@@ -98,7 +91,7 @@ static double soft_miss(const td_island_work *work) {
     double worst = 0.0;
     for (int i = 0; i < work->island->constraints; i++) {
         const td_direct_constraint *c = &work->problem.constraints[i];
-        td_lane at = lane_of(work, i);
+        td_lane at = td_island_lane(work, i);
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &c->row[k];
             if (!r->used || (r->kind != TD_ROW_PUSH && r->kind != TD_ROW_EQUAL) ||
@@ -124,38 +117,13 @@ static bool rolls_alone(const td_island_work *work) {
            td_kind_is_round(td_shape_at(work->w, shape)->kind);
 }
 
-/* Twice the kinetic energy at velocities that `of` gives. */
-static double energy_of(const td_island_work *work, bool free) {
-    double sum = 0.0;
-    for (int i = 0; i < work->island->bodies; i++) {
-        const td_direct_body *b = &work->problem.bodies[i];
-        double v[3];
-        for (int k = 0; k < 3; k++) {
-            v[k] = free ? td_max_double(td_abs(b->free[k]), td_abs(b->before[k])) : b->velocity[k];
-        }
-        sum += (v[0] * v[0] + v[1] * v[1]) / b->inverse_mass;
-        sum += b->inverse_inertia > 0.0 ? v[2] * v[2] / b->inverse_inertia : 0.0;
-    }
-    return sum;
-}
-
-/* What only locks takes no energy, nor gives any but by closing gaps. */
-static bool explodes(const td_island_work *work) {
-    double mass = 0.0, pushed = work->pushed + work->problem.unit_speed;
-    for (int i = 0; i < work->island->bodies; i++) {
-        mass += 1.0 / work->problem.bodies[i].inverse_mass;
-    }
-    double most = energy_of(work, true) + mass * pushed * pushed * work->island->bodies;
-    return !(energy_of(work, false) <= SPEED_MOST * SPEED_MOST * most);
-}
-
 /* Contacts are taken as they are at the start of the step; arms that swing far by its end, and most
  * of all a body that spins, are a matter for substeps. So is what is wedged in where it cannot be
  * pushed apart: it would leave sideways, at any speed. */
 static bool goes_too_far(const td_island_work *work) {
     double fastest = 0.0, furthest = 0.0;
-    if (is_joints_alone(work)) {
-        return explodes(work);
+    if (td_island_is_joints(work)) {
+        return work->w->joining->explodes(work);
     }
     for (int i = 0; i < work->island->bodies; i++) {
         double turn = work->moved[i][2];
@@ -190,18 +158,7 @@ static bool presses_too_hard(const td_island_work *work) {
     return greatest > LEVERAGE_MOST * mass * fastest;
 }
 
-/* A spring goes on pushing as it did on the way. */
-static void keep_springs(td_direct_constraint *c) {
-    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-        td_direct_row *r = &c->row[k];
-        if (r->used && r->kind == TD_ROW_SOFT) {
-            r->wanted = r->speed + r->impulse / r->weight;
-        }
-    }
-}
-
-/* From the mean velocity of the step to the one at its end: what went on evenly goes on so. */
-static void carry_on(td_island_work *work) {
+void td_island_carry_on(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &d->bodies[i];
@@ -221,113 +178,9 @@ static void carry_on(td_island_work *work) {
     }
     td_direct_measure(d);
     td_direct_bound(d);
-    for (int i = 0; i < work->island->constraints; i++) {
-        keep_springs(&d->constraints[i]);
-    }
 }
 
-/* ---- joints ---- */
-
-/* Rounds in which the rows of joints follow the motion that they make. */
-enum { ROUNDS = 12 };
-/* A body is not taken to turn more lightly than by so much of its inertia less. */
-#define SOFTEST (-0.5)
-/* What gaps may be left, in parts of the tolerance: where each island is direct, and elsewhere. */
-#define FINE 1e-3
-#define FINE_ENOUGH 0.05
-/* Velocities at the end that miss what joints want by no more than so many times what gravity gives
- * in a step are left as they are: to take that out would take energy from whatever swings. */
-#define AMISS 0.5
-
-/* How far a side has moved by the start of a part of the step, and by its end at mean velocities.
- */
-static void span_of_side(const td_island_work *work, int body, uint32_t record, double start,
-                         double motion[2][3]) {
-    const float *v = td_row(&work->w->velocity, td_slot_of_side(record));
-    for (int k = 0; k < 3; k++) {
-        const td_direct_body *b = body == TD_NONE ? NULL : &work->problem.bodies[body];
-        double speed = b ? b->velocity[k] : (double)v[k];
-        motion[0][k] = b ? b->moved[k] : start * (double)v[k];
-        motion[1][k] = motion[0][k] + work->time * speed;
-    }
-}
-
-/* Turns the rows of joints to where the velocities as known take them; in an instant at the end of
- * the part, where `ended` is set. */
-static void turn_rows(td_island_work *work, double start, bool ended) {
-    for (int i = 0; i < work->island->constraints; i++) {
-        td_direct_constraint *c = &work->problem.constraints[i];
-        int kind = td_constraint_at(work->w, work->constraints[i])->kind;
-        if (kind < TD_PAIR_COUNT) {
-            continue;
-        }
-        td_lane at = lane_of(work, i);
-        td_span span = {.time = ended ? 0.0 : work->time};
-        span_of_side(work, c->a, at.block->a[at.lane], start, span.a);
-        span_of_side(work, c->b, at.block->b[at.lane], start, span.b);
-        for (int k = 0; k < 3 && ended; k++) {
-            span.a[1][k] = span.a[0][k];
-            span.b[1][k] = span.b[0][k];
-        }
-        work->w->kinds[kind]->lanes->turn_rows(work->w, at.block, at.lane, &span, c);
-    }
-    td_direct_measure(&work->problem);
-}
-
-/* Impulses that turn with a body resist its turn, or help it, by so much about the turn that is
- * known: as if it were so much harder to turn away from there. Without that a light link between
- * heavy ones would turn too far, and back, in each round. */
-static void stiffen(td_island_work *work) {
-    td_direct *d = &work->problem;
-    for (int i = 0; i < work->island->constraints; i++) {
-        const td_direct_constraint *c = &d->constraints[i];
-        const int side[2] = {c->a, c->b};
-        for (int k = 0; k < 2; k++) {
-            if (side[k] != TD_NONE) {
-                d->bodies[side[k]].stiff += c->stiff[k];
-            }
-        }
-    }
-    for (int i = 0; i < work->island->bodies; i++) {
-        td_direct_body *b = &d->bodies[i];
-        if (b->inverse_inertia > 0.0) {
-            double own = 1.0 / b->own_inverse_inertia;
-            double more = td_max_double(b->stiff, SOFTEST * own);
-            b->inverse_inertia = 1.0 / (own + more);
-            b->free[2] = (own * b->own_free + more * b->velocity[2]) * b->inverse_inertia;
-        }
-        b->stiff = 0.0;
-    }
-}
-
-static void loosen(td_island_work *work) {
-    for (int i = 0; i < work->island->bodies; i++) {
-        td_direct_body *b = &work->problem.bodies[i];
-        b->inverse_inertia = b->own_inverse_inertia;
-        b->free[2] = b->own_free;
-    }
-}
-
-/* Mean velocities with the rows of joints as the motion turns them. Returns what is missed. */
-static double solve_turning(td_island_work *work, double start, double tolerance) {
-    td_direct *d = &work->problem;
-    double missing = __builtin_inf();
-    double fine = (work->w->quality.sag_limit == 0.0f ? FINE : FINE_ENOUGH) * tolerance;
-    for (int round = 0; round < ROUNDS; round++) {
-        turn_rows(work, start, false);
-        if (round && td_direct_miss(d) <= fine) {
-            return missing;
-        }
-        stiffen(work);
-        missing = td_direct_solve(d, tolerance);
-        if (!td_finite(missing)) {
-            break;
-        }
-    }
-    return missing;
-}
-
-static void move_on(td_island_work *work) {
+void td_island_move_on(td_island_work *work) {
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &work->problem.bodies[i];
         limit(work->w, b->velocity);
@@ -337,89 +190,16 @@ static void move_on(td_island_work *work) {
     }
 }
 
-/* Velocities at the end. Where nothing but joints acts they follow from the mean ones, and are
- * mended only where something else has set them amiss. */
-static double end_turning(td_island_work *work, double start, double tolerance) {
-    td_direct *d = &work->problem;
-    carry_on(work);
-    turn_rows(work, start, true);
-    if (is_joints_alone(work) && td_direct_miss(d) <= AMISS * d->unit_speed) {
-        return 0.0;
-    }
-    return td_direct_solve(d, tolerance);
-}
-
 static double solve_contacts(td_island_work *work, double tolerance) {
     td_direct *d = &work->problem;
     double missing = td_direct_solve(d, tolerance);
-    move_on(work);
+    td_island_move_on(work);
     if (td_finite(missing)) {
-        carry_on(work);
+        td_island_carry_on(work);
         double then =
             td_direct_again(d, tolerance) ? td_direct_miss(d) : td_direct_solve(d, tolerance);
         missing = td_max_double(missing, then);
     }
-    return missing;
-}
-
-/* Arms that turn by more than this in a part of a step, rad, get more parts. */
-#define TURN_PART 0.1
-enum { PARTS = 16 };
-
-/* In how many parts a step of joints is solved: by how far anything turns, as it came and as the
- * soft solver has it. Contacts are taken as they are at the start of the step, in one part. */
-static int parts_of(const td_island_work *work) {
-    double fastest = 0.0;
-    for (int i = 0; i < work->island->bodies; i++) {
-        double soft = (double)td_row(&work->w->velocity, work->slots[i])[2];
-        double before = work->problem.bodies[i].before[2];
-        fastest = td_max_double(fastest, td_max_double(td_abs(soft), td_abs(before)));
-    }
-    double parts = fastest * work->time / TURN_PART;
-    return !is_joints_alone(work) || !(parts > 1.0) ? 1
-           : parts < PARTS - 1                      ? (int)parts + 1
-                                                    : PARTS;
-}
-
-/* The next part begins with the velocities, and guesses the impulses, of the one before. */
-static void begin_part(td_island_work *work, int parts) {
-    for (int i = 0; i < work->island->bodies; i++) {
-        td_direct_body *b = &work->problem.bodies[i];
-        for (int k = 0; k < 3; k++) {
-            b->before[k] = b->velocity[k];
-        }
-        td_island_free(work, i, parts);
-        b->own_free = b->free[2];
-        b->own_inverse_inertia = b->inverse_inertia;
-    }
-}
-
-static void scale_impulses(td_island_work *work, double by) {
-    for (int i = 0; i < work->island->constraints; i++) {
-        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            work->problem.constraints[i].row[k].impulse *= by;
-        }
-    }
-}
-
-static double solve_joints(td_island_work *work, double tolerance) {
-    double missing = 0.0, whole = work->time;
-    int parts = parts_of(work);
-    work->time = whole / parts;
-    scale_impulses(work, 1.0 / parts);
-    for (int part = 0; part < parts && td_finite(missing); part++) {
-        begin_part(work, parts);
-        double then = solve_turning(work, part * work->time, tolerance);
-        loosen(work);
-        move_on(work);
-        missing = td_max_double(missing, then);
-        if (td_finite(missing)) {
-            then = end_turning(work, (part + 1) * work->time, tolerance);
-            missing = td_max_double(missing, then);
-        }
-        scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
-    }
-    work->time = whole;
     return missing;
 }
 
@@ -428,7 +208,8 @@ static bool work_out(td_island_work *work) {
     td_direct *d = &work->problem;
     double tolerance =
         td_max_double(TOLERANCE * d->unit_speed, TOLERANCE_LEAST * (double)work->w->unit);
-    double missing = work->joints ? solve_joints(work, tolerance) : solve_contacts(work, tolerance);
+    double missing =
+        work->joints ? work->w->joining->solve(work, tolerance) : solve_contacts(work, tolerance);
     for (int i = 0; i < work->island->bodies; i++) {
         limit(work->w, d->bodies[i].velocity);
         for (int k = 0; k < 3; k++) {
@@ -447,7 +228,7 @@ static void write_constraint(const td_island_work *work, int i) {
     thud_world *w = work->w;
     const td_direct_constraint *c = &work->problem.constraints[i];
     const td_direct_row *tangent = &c->row[TD_DIRECT_TANGENT];
-    td_lane at = lane_of(work, i);
+    td_lane at = td_island_lane(work, i);
     int points = td_island_points(w, td_constraint_at(w, work->constraints[i]));
     float part = 1.0f / (float)w->substeps;
     for (int k = 0; k < points; k++) {
@@ -505,7 +286,7 @@ static bool is_slow(const td_island_work *work) {
         *slow_steps = easy ? 0 : steps < TD_SLOW_STEPS ? *slow_steps + 1 : *slow_steps;
         most = easy ? 0 : td_max_int(most, steps + 1);
     }
-    return patience > 0 && !is_joints_alone(work) && most > td_min_int(patience, TD_SLOW_STEPS);
+    return patience > 0 && !td_island_is_joints(work) && most > td_min_int(patience, TD_SLOW_STEPS);
 }
 
 static void write(const td_island_work *work) {

@@ -27,6 +27,25 @@ void td_island_free(td_island_work *work, int body, int parts);
 /* The problem as it was then. */
 td_island_work td_island_take(thud_world *w, const td_island *island);
 
+/* island_solve.c: by the motion of the part, at mean velocities. */
+void td_island_move_on(td_island_work *work);
+/* From mean velocities to those at the end: what went on evenly goes on so. */
+void td_island_carry_on(td_island_work *work);
+
+/* island_joints.c, which a world has from its first joint on: solves an island with joints as
+ * td_direct_solve does one without; and whether that went wrong, where there are no contacts. */
+double td_island_solve_joints(td_island_work *work, double tolerance);
+bool td_island_explodes(const td_island_work *work);
+
+static inline td_lane td_island_lane(const td_island_work *work, int i) {
+    return td_lane_of(work->w, td_constraint_at(work->w, work->constraints[i]));
+}
+
+/* It has no contacts. */
+static inline bool td_island_is_joints(const td_island_work *work) {
+    return work->joints == work->island->constraints;
+}
+
 static inline int td_island_points(const thud_world *w, const td_constraint *constraint) {
     return td_form_points(w->kinds[constraint->kind]->form);
 }
