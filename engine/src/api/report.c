@@ -88,7 +88,10 @@ thud_stats thud_world_stats(const thud_world *w) {
     stats.bodies = w->bodies.live;
     stats.shapes = w->shapes.live;
     stats.awake_bodies = w->body_of.count - 1;
-    stats.pairs = w->constraints.live - td_tie_count(w);
+    stats.pairs = 0;
+    for (int kind = 0; kind < TD_PAIR_COUNT; kind++) {
+        stats.pairs += w->constraint_count[kind];
+    }
     stats.contacts = w->touching;
     stats.bytes = w->memory.bytes;
     return stats;

@@ -200,11 +200,13 @@ static inline int td_form_points(td_block_form form) {
 }
 
 static inline size_t td_form_bytes(td_block_form form) {
-    static const size_t behind[] = {0, sizeof(td_manifold_cache), sizeof(td_manifold_cache),
-                                    sizeof(td_hold_rows), sizeof(td_drive_rows)};
     size_t points = (size_t)td_form_points(form);
+    size_t behind = form == TD_FORM_ONE     ? 0
+                    : form == TD_FORM_HOLD  ? sizeof(td_hold_rows)
+                    : form == TD_FORM_DRIVE ? sizeof(td_drive_rows)
+                                            : sizeof(td_manifold_cache);
     return sizeof(td_block) + points * (sizeof(td_point) + sizeof(td_point_history)) +
-           sizeof(td_surface) + behind[form];
+           sizeof(td_surface) + behind;
 }
 
 /* ---- what the wide kernels are given ---- */

@@ -1,6 +1,7 @@
 /* constraint.c: see constraint.h. */
 #include "constraint/constraint.h"
 
+#include "constraint/joining.h"
 #include "constraint/lanes.h"
 
 bool td_constraints_reserve(thud_world *w, const int more[TD_CONSTRAINT_KINDS]) {
@@ -79,21 +80,6 @@ int td_constraint_create(thud_world *w, int kind, td_body_index body_a, td_body_
     return index;
 }
 
-/* A joint is gone with its last part. */
-static void leave_joint(thud_world *w, int index, int part) {
-    td_joint *joint = td_slot_at(&w->joints, index);
-    bool any = false;
-    for (int i = 0; i < TD_JOINT_PARTS; i++) {
-        joint->part[i] = joint->part[i] == part ? TD_NONE : joint->part[i];
-        any |= joint->part[i] != TD_NONE;
-    }
-    if (!any) {
-        joint->live = 0;
-        joint->generation++;
-        td_slots_give(&w->joints, index);
-    }
-}
-
 void td_constraint_destroy(thud_world *w, int index) {
     td_constraint *constraint = td_constraint_at(w, index);
     if (constraint->state == TD_TOUCHING) {
@@ -105,7 +91,7 @@ void td_constraint_destroy(thud_world *w, int index) {
     unlink_edge(w, index, 1);
     w->constraint_count[constraint->kind]--;
     if (!td_is_contact(constraint)) {
-        leave_joint(w, constraint->joint, index);
+        w->joining->leave(w, constraint->joint, index);
     }
     constraint->live = 0;
     td_slots_give(&w->constraints, index);

@@ -43,7 +43,8 @@ typedef struct td_lane_ops {
      * one; null for contacts, which error.c counts itself. */
     void (*count)(struct thud_world *world, const td_block *block);
     /* Null for contacts. */
-    td_load (*load)(const struct thud_world *world, const td_block *block, int lane, float size);
+    void (*load)(const struct thud_world *world, const td_block *block, int lane, float size,
+                 td_load *load);
     /* The rows of a lane for the direct solver; null for contacts, whose rows it knows itself, so
      * that a program without it does not link them: islands/rows.h. */
     td_take_rows_fn *take_rows;

@@ -148,7 +148,7 @@ static void wake(thud_world *w, const td_joint *joint) {
 }
 
 static const td_joining_ops joining = {td_joints_engage, td_joints_suspend, td_joints_keep_apart,
-                                       td_island_solve_joints, td_island_explodes};
+                                       td_joints_leave,  td_joints_soften,  td_island_solve_joints};
 
 /* Gives it the parts that it needs, and takes the others away; room is reserved. */
 static void settle_parts(thud_world *w, int index) {

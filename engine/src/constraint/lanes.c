@@ -251,7 +251,8 @@ bool td_lanes_reserve_sleeping(thud_world *w) {
             grown[kind][TD_SLEEPING] += w->bins[kind][bin].lanes;
         }
     }
-    return td_array_reserve(&w->memory, &w->scratch.lane_bins, w->touching + td_tie_count(w)) &&
+    return td_array_reserve(&w->memory, &w->scratch.lane_bins,
+                            w->touching + TD_JOINT_PARTS * w->joints.live) &&
            reserve_grown(w, grown);
 }
 

@@ -32,12 +32,12 @@ static float size_of(float x) {
     return x < 0.0f ? -x : x;
 }
 
-static td_load load(const thud_world *w, const td_block *block, int lane, float size) {
+static void load(const thud_world *w, const td_block *block, int lane, float size, td_load *found) {
     const td_point *p = &block->point[0];
     float mass = td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
                               td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3]);
     (void)size;
-    return (td_load){size_of(p->normal_impulse[lane]) * mass, size_of(p->separation[lane])};
+    *found = (td_load){size_of(p->normal_impulse[lane]) * mass, size_of(p->separation[lane])};
 }
 
 static void count(thud_world *w, const td_block *block) {

@@ -22,8 +22,9 @@ enum {
 typedef enum td_row_kind {
     TD_ROW_PUSH, /* never the last row: impulse >= 0, speed >= wanted, and one of both with equality
                   */
+    TD_ROW_EQUAL, /* speed = wanted, whatever impulse that takes */
+    /* From here on a row may miss what is wanted. */
     TD_ROW_FRICTION, /* |impulse| <= most, and less only where speed = wanted */
-    TD_ROW_EQUAL,    /* speed = wanted, whatever impulse that takes */
     TD_ROW_SOFT      /* impulse = weight * (wanted - speed), and |impulse| <= most: a spring */
 } td_row_kind;
 
@@ -33,7 +34,7 @@ typedef struct td_direct_body {
     double velocity[3];                   /* in: a guess; out: the solution */
     double before[3];                     /* velocity at the start of this part of the step ... */
     double moved[3];                      /* ... and motion until then */
-    double stiff, own_inverse_inertia, own_free; /* of joints: island_solve.c */
+    double stiff, own_inverse_inertia, gain[3]; /* of joints: island_joints.c */
 } td_direct_body;
 
 typedef struct td_direct_row {

@@ -54,10 +54,7 @@ static bool answer(td_direct_row *r, double impulse, double doubt) {
     if (r->kind == TD_ROW_PUSH) {
         r->active = r->active ? impulse > -little : r->speed < r->wanted - doubt;
         r->impulse = r->active && impulse > 0.0 ? impulse : 0.0;
-    } else if (r->kind == TD_ROW_SOFT) {
-        r->active = size_of(impulse) < r->most;
-        r->impulse = clamped(impulse, r->most);
-    } else if (r->kind == TD_ROW_FRICTION) {
+    } else if (r->kind >= TD_ROW_FRICTION) {
         /* From one bound to the other it sticks in between. */
         double against = r->impulse < 0.0 ? -impulse : impulse;
         r->active = r->active ? size_of(impulse) < r->most + little : against < r->most - little;
@@ -79,7 +76,7 @@ static void set_weight(const td_direct *d, td_direct_constraint *c) {
     double load = 0.0;
     for (int k = 0; k < TD_DIRECT_ROWS && d->unit_speed > 0.0; k++) {
         const td_direct_row *r = &c->row[k];
-        if (r->used && (r->kind == TD_ROW_EQUAL || r->kind == TD_ROW_PUSH)) {
+        if (r->used && r->kind < TD_ROW_FRICTION) {
             load += (r->kind == TD_ROW_EQUAL ? size_of(r->impulse) : r->impulse) / d->unit_speed;
         }
     }
@@ -182,7 +179,7 @@ static int judge(td_direct *d, double doubt, bool keeps) {
                 r->active = !r->active;
                 r->force = impulse;
                 if (!r->active) {
-                    r->force = r->impulse = r->kind == TD_ROW_SOFT ? r->impulse : r->base;
+                    r->force = r->impulse = r->base;
                 }
             }
         }

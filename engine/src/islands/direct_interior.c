@@ -51,7 +51,7 @@ static void start(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &d->constraints[i].row[k];
-            if (r->kind == TD_ROW_FRICTION || r->kind == TD_ROW_SOFT) {
+            if (r->kind >= TD_ROW_FRICTION) {
                 continue;
             }
             bool misses = r->speed < r->wanted || r->kind == TD_ROW_EQUAL;
@@ -111,13 +111,10 @@ static double gap(const td_direct *d, double part) {
  * they heed what the steps of the predictor, in `push`, did to them. */
 static void prepare_row(td_direct_row *r, double aim, double mend) {
     double over = r->speed - r->wanted;
-    if (r->kind == TD_ROW_SOFT) {
-        r->force = -r->weight * over;
-        return;
-    }
-    if (r->kind == TD_ROW_EQUAL) {
-        r->weight = STIFFNESS * r->mass;
-        r->force = r->impulse - r->weight * over;
+    if (is_unbound(r)) {
+        bool soft = r->kind == TD_ROW_SOFT;
+        r->weight = soft ? r->weight : STIFFNESS * r->mass;
+        r->force = (soft ? 0.0 : r->impulse) - r->weight * over;
         return;
     }
     if (r->kind == TD_ROW_PUSH) {
@@ -212,7 +209,7 @@ static double lack(const td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &d->constraints[i].row[k];
-            if (r->kind == TD_ROW_FRICTION || r->kind == TD_ROW_SOFT) {
+            if (r->kind >= TD_ROW_FRICTION) {
                 continue;
             }
             double off = r->used ? r->slack[0] - (r->speed - r->wanted) : 0.0;

@@ -24,15 +24,15 @@ void td_islands_init(td_islands *s, bool wide) {
     s->impulses.stride = (int)sizeof(float[TD_DIRECT_ROWS + 1]);
     s->rows.stride = (int)sizeof(td_direct_constraint);
     s->bodies.stride = (int)sizeof(td_direct_body);
-    s->moved.stride = (int)sizeof(double[3]);
     s->step.stride = s->work.stride = (int)sizeof(double[4]);
     td_sparse_init(&s->matrix, wide);
 }
 
 void td_islands_free(td_memory *memory, td_islands *s) {
-    td_array *const arrays[] = {&s->island,   &s->slots, &s->constraints,  &s->local,  &s->before,
-                                &s->impulses, &s->rows,  &s->bodies,       &s->step,   &s->work,
-                                &s->moved,    &s->shape, &s->shape_before, &s->systems};
+    td_array *const arrays[] = {&s->island, &s->slots,    &s->constraints, &s->local,
+                                &s->before, &s->impulses, &s->rows,        &s->bodies,
+                                &s->step,   &s->work,     &s->shape,       &s->shape_before,
+                                &s->systems};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         td_array_free(memory, arrays[i]);
     }
@@ -42,7 +42,7 @@ void td_islands_free(td_memory *memory, td_islands *s) {
 /* Room in each list for all bodies and constraints that there are, where that takes little. */
 static bool room_for_all(thud_world *w) {
     td_islands *s = &w->islands;
-    int bodies = w->body_of.count, constraints = w->touching + td_tie_count(w);
+    int bodies = w->body_of.count, constraints = w->touching + TD_JOINT_PARTS * w->joints.live;
     return td_islands_room(w, &s->local, bodies) && td_islands_room(w, &s->island, bodies) &&
            td_islands_room(w, &s->slots, bodies) && td_islands_room(w, &s->before, bodies) &&
            td_islands_room(w, &s->constraints, constraints) &&
@@ -248,33 +248,31 @@ static bool is_calm(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     return x * x + y * y < most * most;
 }
 
-static td_load load_of_contact(const thud_world *w, const td_block *block, int lane, int points,
-                               float light) {
-    td_load found = {0.0f, 0.0f};
-    for (int k = 0; k < points; k++) {
-        found.load += block->point[k].normal_impulse[lane];
-        found.off = td_max_float(found.off, -(block->point[k].separation[lane] + w->skin));
-    }
-    found.load *= light;
-    return found;
-}
-
 static void watch_block(thud_world *w, td_block *block, int kind) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
     int points = td_form_points(w->kinds[kind]->form);
+    bool contact = kind < TD_PAIR_COUNT;
     for (int lane = 0; lane < block->used; lane++) {
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
         float size = td_min_float(size_of(w, a), size_of(w, b)), most = td_islands_most(w, size);
-        td_load found = kind < TD_PAIR_COUNT ? load_of_contact(w, block, lane, points, light)
-                                             : w->kinds[kind]->lanes->load(w, block, lane, size);
+        td_load found = {0.0f, 0.0f};
+        if (contact) {
+            for (int k = 0; k < points; k++) {
+                found.load += block->point[k].normal_impulse[lane];
+                found.off = td_max_float(found.off, -(block->point[k].separation[lane] + w->skin));
+            }
+            found.load *= light;
+        } else {
+            w->kinds[kind]->lanes->load(w, block, lane, size, &found);
+        }
         float load = found.load;
         bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
         int direct = block->loaded[lane] & TD_DIRECT, before = block->loaded[lane] - direct;
         /* Joints stay: their load is none of an impact that passes. */
-        bool passes = kind < TD_PAIR_COUNT && !is_calm(w, a, b);
+        bool passes = contact && !is_calm(w, a, b);
         bool gives_way = (load > most && !passes) || found.off > deep;
         int seen = gives_way ? td_min_int(before + 1, OFTEN) : 0;
         if (sinks || seen >= OFTEN) {

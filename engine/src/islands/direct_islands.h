@@ -27,7 +27,6 @@ typedef struct td_islands {
         rows; /* td_direct_constraint: of the island that is being solved, as are the next four */
     td_array bodies;              /* td_direct_body */
     td_array step, work;          /* double[4] */
-    td_array moved;               /* double[3]: motion of the bodies */
     td_array shape, shape_before; /* int: what the order of all islands follows from, and what the
                                      order that stands was made for */
     td_array systems;             /* td_system, as `island`: the order that stands */

@@ -17,18 +17,15 @@ static double lack_of(const td_direct_row *r) {
 
 /* ---- of a row ---- */
 
-/* What it misses, times the penalty. A soft row misses nothing. */
+/* What it misses, times the penalty. */
 static double product(td_direct_row *r, double unused) {
     (void)unused;
-    return r->kind == TD_ROW_SOFT ? 0.0 : lack_of(r) * r->weight * lack_of(r);
+    return lack_of(r) * r->weight * lack_of(r);
 }
 
 /* The next direction, in `push`: the penalty, and a share of the direction before. It acts beside
  * the forces that are there. */
 static double aim(td_direct_row *r, double share) {
-    if (r->kind == TD_ROW_SOFT) {
-        return r->push[0] = 0.0;
-    }
     r->push[0] = r->weight * lack_of(r) + (share > 0.0 ? share * r->push[0] : 0.0);
     r->force += r->push[0];
     return r->push[0];
@@ -43,15 +40,21 @@ static double curvature(td_direct_row *r, double unused) {
  * it for its penalty. */
 static double balance(td_direct_row *r, double part) {
     r->force += part * (r->push[0] - r->weight * r->change) - r->push[0];
-    r->base = r->kind == TD_ROW_SOFT ? 0.0 : r->force - r->weight * lack_of(r);
+    r->base = r->force - r->weight * lack_of(r);
     return 0.0;
 }
 
 static double misses(td_direct_row *r, double enough) {
-    return r->kind != TD_ROW_SOFT && (lack_of(r) > enough || -lack_of(r) > enough);
+    return lack_of(r) > enough || -lack_of(r) > enough;
 }
 
 /* ---- of all ---- */
+
+/* A soft row misses nothing, and just follows. */
+static double follow(td_direct_row *r, double part) {
+    r->force -= part * r->weight * r->change;
+    return 0.0;
+}
 
 /* The sum over the active rows. */
 static double sum(td_direct *d, double (*each)(td_direct_row *, double), double x) {
@@ -59,7 +62,8 @@ static double sum(td_direct *d, double (*each)(td_direct_row *, double), double 
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
-            all += r->used && r->active ? each(r, x) : 0.0;
+            bool counts = r->used && r->active && (r->kind == TD_ROW_SOFT) == (each == follow);
+            all += counts ? each(r, x) : 0.0;
         }
     }
     return all;
@@ -77,6 +81,7 @@ bool td_direct_polish(td_direct *d, double enough) {
             return false;
         }
         sum(d, balance, part);
+        sum(d, follow, part);
         before = now;
     }
     return true;

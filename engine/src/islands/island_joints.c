@@ -76,7 +76,8 @@ static void stiffen(td_island_work *work) {
             double own = 1.0 / b->own_inverse_inertia;
             double more = td_max_double(b->stiff, SOFTEST * own);
             b->inverse_inertia = 1.0 / (own + more);
-            b->free[2] = (own * b->own_free + more * b->velocity[2]) * b->inverse_inertia;
+            b->free[2] =
+                (own * (b->before[2] + b->gain[2]) + more * b->velocity[2]) * b->inverse_inertia;
         }
         b->stiff = 0.0;
     }
@@ -86,7 +87,7 @@ static void loosen(td_island_work *work) {
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &work->problem.bodies[i];
         b->inverse_inertia = b->own_inverse_inertia;
-        b->free[2] = b->own_free;
+        b->free[2] = (b->before[2] + b->gain[2]);
     }
 }
 
@@ -109,11 +110,15 @@ static double solve_turning(td_island_work *work, double start, double tolerance
     return missing;
 }
 
-/* A spring goes on pushing as it did on the way. */
-static void keep_springs(td_direct_constraint *c) {
+/* A spring goes on pushing as it did on the way, and bounds are those of the whole part. */
+static void keep_drives(td_direct_constraint *c) {
+    c->bound *= 2.0;
+    c->row[TD_DIRECT_TANGENT].most +=
+        c->row[TD_DIRECT_TANGENT].kind == TD_ROW_FRICTION ? 0.5 * c->bound : 0.0;
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
         if (r->used && r->kind == TD_ROW_SOFT) {
+            r->most *= 2.0;
             r->wanted = r->speed + r->impulse / r->weight;
         }
     }
@@ -125,7 +130,7 @@ static double end_turning(td_island_work *work, double start, double tolerance) 
     td_direct *d = &work->problem;
     td_island_carry_on(work);
     for (int i = 0; i < work->island->constraints; i++) {
-        keep_springs(&d->constraints[i]);
+        keep_drives(&d->constraints[i]);
     }
     turn_rows(work, start, true);
     if (td_island_is_joints(work) && td_direct_miss(d) <= AMISS * d->unit_speed) {
@@ -153,16 +158,25 @@ static int parts_of(const td_island_work *work) {
                                                         : PARTS;
 }
 
+/* What gravity, forces and damping give in one of so many parts. */
+static void begin(td_island_work *work, int parts) {
+    for (int i = 0; i < work->island->bodies; i++) {
+        td_direct_body *b = &work->problem.bodies[i];
+        for (int k = 0; k < 3; k++) {
+            b->gain[k] = (b->free[k] - b->before[k]) / parts;
+        }
+        b->own_inverse_inertia = b->inverse_inertia;
+    }
+}
+
 /* The next part begins with the velocities, and guesses the impulses, of the one before. */
-static void begin_part(td_island_work *work, int parts) {
+static void begin_part(td_island_work *work) {
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &work->problem.bodies[i];
         for (int k = 0; k < 3; k++) {
             b->before[k] = b->velocity[k];
+            b->free[k] = b->before[k] + b->gain[k];
         }
-        td_island_free(work, i, parts);
-        b->own_free = b->free[2];
-        b->own_inverse_inertia = b->inverse_inertia;
     }
 }
 
@@ -172,27 +186,6 @@ static void scale_impulses(td_island_work *work, double by) {
             work->problem.constraints[i].row[k].impulse *= by;
         }
     }
-}
-
-double td_island_solve_joints(td_island_work *work, double tolerance) {
-    double missing = 0.0, whole = work->time;
-    int parts = parts_of(work);
-    work->time = whole / parts;
-    scale_impulses(work, 1.0 / parts);
-    for (int part = 0; part < parts && td_finite(missing); part++) {
-        begin_part(work, parts);
-        double then = solve_turning(work, part * work->time, tolerance);
-        loosen(work);
-        td_island_move_on(work);
-        missing = td_max_double(missing, then);
-        if (td_finite(missing)) {
-            then = end_turning(work, (part + 1) * work->time, tolerance);
-            missing = td_max_double(missing, then);
-        }
-        scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
-    }
-    work->time = whole;
-    return missing;
 }
 
 /* Twice the kinetic energy at velocities that `of` gives. */
@@ -211,11 +204,33 @@ static double energy_of(const td_island_work *work, bool free) {
 }
 
 /* What only locks takes no energy, nor gives any but by closing gaps. */
-bool td_island_explodes(const td_island_work *work) {
+static bool explodes(const td_island_work *work) {
     double mass = 0.0, pushed = work->pushed + work->problem.unit_speed;
     for (int i = 0; i < work->island->bodies; i++) {
         mass += 1.0 / work->problem.bodies[i].inverse_mass;
     }
     double most = energy_of(work, true) + mass * pushed * pushed * work->island->bodies;
     return !(energy_of(work, false) <= ENERGY_MOST * most);
+}
+
+double td_island_solve_joints(td_island_work *work, double tolerance) {
+    double missing = 0.0, whole = work->time;
+    int parts = parts_of(work);
+    work->time = whole / parts;
+    scale_impulses(work, 1.0 / parts);
+    begin(work, parts);
+    for (int part = 0; part < parts && td_finite(missing); part++) {
+        begin_part(work);
+        double then = solve_turning(work, part * work->time, tolerance);
+        loosen(work);
+        td_island_move_on(work);
+        missing = td_max_double(missing, then);
+        if (td_finite(missing)) {
+            then = end_turning(work, (part + 1) * work->time, tolerance);
+            missing = td_max_double(missing, then);
+        }
+        scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
+    }
+    work->time = whole;
+    return td_island_is_joints(work) && explodes(work) ? __builtin_inf() : missing;
 }

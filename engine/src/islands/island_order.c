@@ -99,7 +99,6 @@ bool td_islands_order(thud_world *w) {
         if (!td_islands_room(w, &s->rows, island->constraints) ||
             !td_islands_room(w, &s->bodies, island->bodies) ||
             !td_islands_room(w, &s->step, island->bodies) ||
-            !td_islands_room(w, &s->moved, island->bodies) ||
             !td_islands_room(w, &s->work, island->bodies)) {
             return false;
         }

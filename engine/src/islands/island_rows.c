@@ -32,41 +32,26 @@ void td_island_note(thud_world *w) {
 
 /* ---- the problem ---- */
 
-/* Mean velocity of a step without contacts, whose end is as the substeps would have it; or of one
- * of so many equal parts of it. */
-void td_island_free(td_island_work *work, int i, int parts) {
-    const thud_world *w = work->w;
-    const td_body *body = td_body_at(w, td_body_of(w, work->slots[i]));
-    const float *push = td_row(&w->push, work->slots[i]);
-    double h = w->def.time_step / w->substeps;
+/* Mean velocity of a step without contacts, whose end is as the substeps would have it. */
+static void take_body(td_island_work *work, int i) {
+    thud_world *w = work->w;
+    td_awake_slot slot = work->slots[i];
+    const td_body *body = td_body_at(w, td_body_of(w, slot));
+    const float *before = td_at(&w->islands.before, work->island->first_body + i);
+    const float *push = td_row(&w->push, slot);
+    double h = work->time / w->substeps;
     double linear = 1.0 / (1.0 + h * (double)body->linear_damping);
     double angular = 1.0 / (1.0 + h * (double)body->angular_damping);
     td_direct_body *b = &work->problem.bodies[i];
+    *b = (td_direct_body){.inverse_mass = (double)body->inv_mass,
+                          .inverse_inertia = (double)body->inv_inertia};
     for (int k = 0; k < 3; k++) {
-        double after = b->before[k];
+        double after = b->velocity[k] = b->before[k] = (double)before[k];
         for (int n = 0; n < w->substeps; n++) {
             after = after * (k < 2 ? linear : angular) + (double)push[k];
         }
         b->free[k] = 0.5 * (b->before[k] + after);
-        if (parts > 1) {
-            b->free[k] = b->before[k] + (b->free[k] - b->before[k]) / parts;
-        }
     }
-}
-
-static void take_body(td_island_work *work, int i) {
-    thud_world *w = work->w;
-    const td_body *body = td_body_at(w, td_body_of(w, work->slots[i]));
-    const float *before = td_at(&w->islands.before, work->island->first_body + i);
-    td_direct_body *b = &work->problem.bodies[i];
-    b->inverse_mass = (double)body->inv_mass;
-    b->inverse_inertia = (double)body->inv_inertia;
-    for (int k = 0; k < 3; k++) {
-        b->velocity[k] = b->before[k] = (double)before[k];
-        b->moved[k] = 0.0;
-    }
-    b->stiff = 0.0;
-    td_island_free(work, i, 1);
 }
 
 /* The body's number in the island; TD_NONE where the solver does not move it. Its velocity then
@@ -111,7 +96,7 @@ static void take_constraint(td_island_work *work, int i) {
             continue;
         }
         set_known(c, r, known);
-        if (r->kind == TD_ROW_PUSH || r->kind == TD_ROW_EQUAL) {
+        if (r->kind < TD_ROW_FRICTION) {
             double speed = r->kind == TD_ROW_EQUAL ? td_abs(r->wanted) : r->wanted;
             work->pushed = td_max_double(work->pushed, speed);
         }
@@ -149,7 +134,6 @@ td_island_work td_island_take(thud_world *w, const td_island *island) {
                            .slots = (const td_awake_slot *)s->slots.data + island->first_body,
                            .constraints =
                                (const int *)s->constraints.data + island->first_constraint,
-                           .moved = s->moved.data,
                            .time = w->def.time_step};
     for (int i = 0; i < island->bodies; i++) {
         take_body(&work, i);

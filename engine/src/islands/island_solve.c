@@ -62,8 +62,6 @@ static void want_velocity(td_island_work *work, int i) {
         if (r->used && r->kind == TD_ROW_PUSH) {
             double gap = gap_after(work, c, k, (double)at.block->point[k].base[at.lane]);
             r->wanted = gap > 0.0 ? -gap / work->time : 0.0;
-        } else if (r->kind == TD_ROW_EQUAL) {
-            r->wanted = 0.0;
         }
     }
 }
@@ -94,8 +92,7 @@ static double soft_miss(const td_island_work *work) {
         td_lane at = td_island_lane(work, i);
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &c->row[k];
-            if (!r->used || (r->kind != TD_ROW_PUSH && r->kind != TD_ROW_EQUAL) ||
-                is_apart(r, at, k)) {
+            if (!r->used || r->kind >= TD_ROW_FRICTION || is_apart(r, at, k)) {
                 continue;
             }
             double speed = soft_speed(work, c, r);
@@ -122,16 +119,13 @@ static bool rolls_alone(const td_island_work *work) {
  * pushed apart: it would leave sideways, at any speed. */
 static bool goes_too_far(const td_island_work *work) {
     double fastest = 0.0, furthest = 0.0;
-    if (td_island_is_joints(work)) {
-        return work->w->joining->explodes(work);
-    }
     for (int i = 0; i < work->island->bodies; i++) {
-        double turn = work->moved[i][2];
+        double turn = work->problem.bodies[i].moved[2];
         if (td_abs(turn) > TURN_MOST && !rolls_alone(work)) {
             return true;
         }
         fastest = td_max_double(fastest, speed_of(work->problem.bodies[i].free));
-        furthest = td_max_double(furthest, speed_of(work->moved[i]));
+        furthest = td_max_double(furthest, speed_of(work->problem.bodies[i].moved));
     }
     /* A column whose contacts all open grows by all of that at its top. */
     double pushed = work->pushed * work->island->bodies;
@@ -171,9 +165,7 @@ void td_island_carry_on(td_island_work *work) {
         td_direct_constraint *c = &d->constraints[i];
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             c->row[k].impulse *= 2.0;
-            c->row[k].most *= 2.0;
         }
-        c->bound *= 2.0;
         want_velocity(work, i);
     }
     td_direct_measure(d);
@@ -212,13 +204,10 @@ static bool work_out(td_island_work *work) {
         work->joints ? work->w->joining->solve(work, tolerance) : solve_contacts(work, tolerance);
     for (int i = 0; i < work->island->bodies; i++) {
         limit(work->w, d->bodies[i].velocity);
-        for (int k = 0; k < 3; k++) {
-            work->moved[i][k] = d->bodies[i].moved[k];
-        }
     }
     work->w->stats.factorings += d->factorings;
     work->w->stats.island_work += d->factorings * td_island_cost(work->island);
-    if (goes_too_far(work) || presses_too_hard(work)) {
+    if ((!td_island_is_joints(work) && goes_too_far(work)) || presses_too_hard(work)) {
         return false;
     }
     return missing <= tolerance || (td_finite(missing) && missing < soft_miss(work));
@@ -302,7 +291,7 @@ static void write(const td_island_work *work) {
         uint8_t *direct_steps = td_direct_steps_at(w, work->slots[i]);
         for (int k = 0; k < 3; k++) {
             velocity[k] = (float)work->problem.bodies[i].velocity[k];
-            delta[k] = (float)work->moved[i][k];
+            delta[k] = (float)work->problem.bodies[i].moved[k];
         }
         *direct_steps = loaded ? TD_DIRECT_STEPS : *direct_steps ? *direct_steps - 1 : 0;
     }

@@ -11,7 +11,6 @@ typedef struct td_island_work {
     td_direct problem;
     const td_awake_slot *slots;
     const int *constraints;
-    double (*moved)[3];
     double time;   /* of a step, or of the part of it that is being solved */
     bool bounces;  /* something closes in so fast that it is going to bounce */
     double pushed; /* greatest speed at which something is pushed apart */
@@ -22,8 +21,6 @@ typedef struct td_island_work {
 void td_island_note(thud_world *w);
 /* How many matrices it may take. */
 int td_island_patience(const thud_world *w, const td_island *island);
-/* The free velocity of a body from `before`, for one of so many parts of the step. */
-void td_island_free(td_island_work *work, int body, int parts);
 /* The problem as it was then. */
 td_island_work td_island_take(thud_world *w, const td_island *island);
 
@@ -33,9 +30,8 @@ void td_island_move_on(td_island_work *work);
 void td_island_carry_on(td_island_work *work);
 
 /* island_joints.c, which a world has from its first joint on: solves an island with joints as
- * td_direct_solve does one without; and whether that went wrong, where there are no contacts. */
+ * td_direct_solve does one without. */
 double td_island_solve_joints(td_island_work *work, double tolerance);
-bool td_island_explodes(const td_island_work *work);
 
 static inline td_lane td_island_lane(const td_island_work *work, int i) {
     return td_lane_of(work->w, td_constraint_at(work->w, work->constraints[i]));

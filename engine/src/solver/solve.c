@@ -5,26 +5,25 @@
 #include "state/jobs.h"
 #include "solver/error.h"
 #include "state/kinds.h"
+#include "constraint/joining.h"
 #include "constraint/lanes.h"
 #include "api/step.h"
 
 #include <string.h>
-#include <stdlib.h>
 
 /* Pairs of restitution 1 that close in more slowly than so many times the speed that gravity gives
  * in a step do not bounce, or a stack of them would never come to rest. */
 #define ELASTIC_REST 4.0f
 
 /* Soft constraint of Catto's "Soft Constraints" (2011) for frequency `hertz` and damping ratio. */
-static void soften(float hertz, float damping, float h, float *bias_rate, float *mass_scale,
-                   float *impulse_scale) {
+static void soften(td_solve_context *c, int which, float hertz, float damping, float h) {
     float omega = 2.0f * (float)TD_PI * hertz;
     float a1 = 2.0f * damping + h * omega;
     float a2 = h * omega * a1;
     float a3 = 1.0f / (1.0f + a2);
-    *bias_rate = omega / a1;
-    *mass_scale = a2 * a3;
-    *impulse_scale = a3;
+    c->bias_rate[which] = omega / a1;
+    c->mass_scale[which] = a2 * a3;
+    c->impulse_scale[which] = a3;
 }
 
 static td_solve_context solve_context(const thud_world *w, float h) {
@@ -47,14 +46,12 @@ static td_solve_context solve_context(const thud_world *w, float h) {
     c.keep_tangents = w->def.epilogue != NULL;
     c.surface_speeds = w->surface_speeds > 0;
     /* Against static bodies twice as stiff: nothing gives way there. */
-    float hertz = w->quality.contact_stiffness / h, damping = w->quality.contact_damping;
-    for (int fixed = 0; fixed < 2; fixed++) {
-        soften(fixed ? 2.0f * hertz : hertz, damping, h, &c.bias_rate[fixed], &c.mass_scale[fixed],
-               &c.impulse_scale[fixed]);
+    float hertz = w->quality.contact_stiffness / h;
+    soften(&c, 0, hertz, w->quality.contact_damping, h);
+    soften(&c, 1, 2.0f * hertz, w->quality.contact_damping, h);
+    if (w->joining) {
+        w->joining->soften(&c, h);
     }
-    float jh = getenv("JH") ? (float)atof(getenv("JH")) : 0.5f,
-          jd = getenv("JD") ? (float)atof(getenv("JD")) : 1.0f;
-    soften(jh / h, jd, h, &c.joint_bias_rate, &c.joint_mass_scale, &c.joint_impulse_scale);
     return c;
 }
 

@@ -112,15 +112,6 @@ static inline bool td_is_contact(const td_constraint *constraint) {
     return constraint->kind < TD_PAIR_COUNT;
 }
 
-/* Constraints that are no contacts. */
-static inline int td_tie_count(const thud_world *w) {
-    int count = 0;
-    for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
-        count += w->constraint_count[kind];
-    }
-    return count;
-}
-
 static inline td_contact *td_contact_at(const thud_world *w, int i) {
     assert(td_is_contact(td_constraint_at(w, i)));
     return td_slot_of(&w->constraints, i, sizeof(td_contact));
