@@ -71,9 +71,9 @@ test_native() {
 # What clang's memory and thread sanitizers look at: nothing that uses a library but cmocka and libc's,
 # which they would have to be part of. Replays are the kept inputs of ./run fuzz.
 MEMORY_TESTS="test_determinism test_error test_event_ledger test_failing_memory test_float_mode
-    test_islands_bits test_query test_rods test_snapshot test_snapshot_random test_workers
+    test_distances test_islands_bits test_joints_edits test_query test_snapshot test_snapshot_random test_workers
     test_wrong_input"
-THREADS_TESTS="test_determinism test_error test_float_mode test_islands_bits test_rods test_workers"
+THREADS_TESTS="test_determinism test_error test_distances test_float_mode test_islands_bits test_workers"
 
 # test_under PRESET TARGET...: the kept inputs of two targets, and these tests.
 test_under() {

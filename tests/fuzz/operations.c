@@ -82,6 +82,10 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(line_impact),
     PLAYS(line_ray),
     PLAYS(foot),
+    PLAYS(joint),
+    PLAYS(joint_destroy),
+    PLAYS(joint_edit),
+    PLAYS(joint_get),
 };
 
 void session_play(fuzz_session *s) {

@@ -128,6 +128,7 @@ static void make_world(fuzz_session *s, thud_world **out) {
     if (result != THUD_OK) {
         fuzz_fail(s, "no world: %s", thud_result_text(result));
     }
+    COUNTED(thud_world_use_joints(*out));
 }
 
 static void make_foreign_handles(fuzz_session *s) {

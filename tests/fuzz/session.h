@@ -6,6 +6,7 @@
 #include "decoder.h"
 
 #include <thud/thud.h>
+#include <thud/thud_joint.h>
 #include <thud/thud_minkowski.h>
 #include <thud/thud_mover.h>
 #include <thud/thud_snapshot.h>
@@ -27,6 +28,7 @@ typedef enum twin_kind {
 enum {
     SESSION_BODIES = 48,
     SESSION_SHAPES = 64,
+    SESSION_JOINTS = 24,
     SESSION_GONE = 16,
     SESSION_SHAPES_MOST = 64, /* in the world */
     SESSION_OPEN = 4096,      /* pairs, all of which may end and begin again in a step */
@@ -45,7 +47,8 @@ typedef struct pair_ledger {
 typedef struct session_state {
     thud_body_id bodies[SESSION_BODIES];
     thud_shape_id shapes[SESSION_SHAPES];
-    int next_body, next_shape;
+    thud_joint_id joints[SESSION_JOINTS];
+    int next_body, next_shape, next_joint;
     pair_ledger touches, sensed;
     thud_mover mover;
 } session_state;

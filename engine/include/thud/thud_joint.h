@@ -116,6 +116,10 @@ THUD_API thud_result thud_joint_set_enabled(thud_world *world, thud_joint_id joi
 THUD_API thud_result thud_joint_set_user_data(thud_world *world, thud_joint_id joint,
                                               uint64_t user_data);
 
+/* A world that never made a joint refuses to be restored from a snapshot that has some: this makes
+ * it ready, as making one does. */
+THUD_API thud_result thud_world_use_joints(thud_world *world);
+
 #ifdef __cplusplus
 }
 #endif

@@ -34,7 +34,7 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
     double most = w ? TD_PLACE_MAX * (double)w->unit : -1.0;
     if (!(origin.x >= -most && origin.x <= most && origin.y >= -most && origin.y <= most &&
           alpha >= 0.0 && alpha <= 1.0)) {
-        td_refuse(w, THUD_ERROR_INVALID, "poses: origin or alpha is not finite or out of range");
+        td_refuse(w, THUD_ERROR_INVALID, "poses: origin or alpha is out of range");
         return NULL;
     }
     if (!td_array_reserve(&w->memory, &w->poses, td_max_int(w->bodies.count, 1))) {

@@ -241,7 +241,6 @@ typedef struct td_solve_context {
     float fall;          /* a length: gravity times the square of time_step */
     float bias_rate[2];  /* soft contact against a moving [0] and a static body [1] */
     float mass_scale[2], impulse_scale[2];
-    float joint_bias_rate, joint_mass_scale, joint_impulse_scale; /* soft joints */
     bool keep_totals;       /* somebody will read td_point_history.total */
     bool keep_tangents;     /* somebody will read td_surface.total */
     bool surface_speeds;    /* a lane has a surface speed */

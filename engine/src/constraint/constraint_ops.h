@@ -24,12 +24,6 @@ typedef struct td_span {
 typedef void td_turn_rows_fn(const struct thud_world *world, const td_block *block, int lane,
                              const td_span *span, struct td_direct_constraint *constraint);
 
-/* What a lane of a joint carries: impulse a substep over the lighter side's mass; and by what
- * length it is off. `size` is the smaller body's. */
-typedef struct td_load {
-    float load, off;
-} td_load;
-
 /* How a kind fills, empties and counts its lanes; the passes of the solver are td_solve_ops. The
  * bodies' awake slots and inverse inertias in a lane are set for all kinds alike. */
 typedef struct td_lane_ops {
@@ -42,9 +36,10 @@ typedef struct td_lane_ops {
     /* Adds what the lanes miss to the step's errors, once the direct solver has overruled the soft
      * one; null for contacts, which error.c counts itself. */
     void (*count)(struct thud_world *world, const td_block *block);
-    /* Null for contacts. */
-    void (*load)(const struct thud_world *world, const td_block *block, int lane, float size,
-                 td_load *load);
+    /* What a lane carries: impulse a substep over the lighter side's mass; and by what length it is
+     * *off. `size` is the smaller body's. Null for contacts. */
+    float (*load)(const struct thud_world *world, const td_block *block, int lane, float size,
+                  float *off);
     /* The rows of a lane for the direct solver; null for contacts, whose rows it knows itself, so
      * that a program without it does not link them: islands/rows.h. */
     td_take_rows_fn *take_rows;

@@ -81,7 +81,7 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
 }
 
 /* Springs and motors give way as they should; limits should not. */
-static void load(const thud_world *w, const td_block *block, int lane, float size, td_load *found) {
+static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;
     float mass = td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
@@ -90,8 +90,8 @@ static void load(const thud_world *w, const td_block *block, int lane, float siz
     float beyond = td_max_float(-p->separation[lane], 0.0f);
     float impulse =
         p->normal_impulse[lane] < 0.0f ? -p->normal_impulse[lane] : p->normal_impulse[lane];
-    *found =
-        turns ? (td_load){impulse * turn * size, beyond * size} : (td_load){impulse * mass, beyond};
+    *off = turns ? beyond * size : beyond;
+    return impulse * (turns ? turn * size : mass);
 }
 
 /* A limit misses what it wants by how fast it is passed. */

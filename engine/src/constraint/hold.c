@@ -54,7 +54,7 @@ static float size_of(float x) {
     return x < 0.0f ? -x : x;
 }
 
-static void load(const thud_world *w, const td_block *block, int lane, float size, td_load *found) {
+static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = block->point;
     const td_hold_rows *rows = td_hold_rows_at(block);
     float mass_a = td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3];
@@ -62,10 +62,10 @@ static void load(const thud_world *w, const td_block *block, int lane, float siz
     float turn = td_max_float(block->inv_inertia_a[lane], block->inv_inertia_b[lane]);
     float linear = size_of(p[0].normal_impulse[lane]) + size_of(p[1].normal_impulse[lane]);
     float gap = size_of(p[0].separation[lane]) + size_of(p[1].separation[lane]);
-    float off = block->tangent_mass[lane] > 0.0f ? size_of(rows->turn_apart[lane]) * size : 0.0f;
-    *found = (td_load){linear * td_max_float(mass_a, mass_b) +
-                           size_of(block->tangent_impulse[lane]) * turn * size,
-                       td_max_float(gap, off)};
+    float apart = block->tangent_mass[lane] > 0.0f ? size_of(rows->turn_apart[lane]) * size : 0.0f;
+    *off = td_max_float(gap, apart);
+    return linear * td_max_float(mass_a, mass_b) +
+           size_of(block->tangent_impulse[lane]) * turn * size;
 }
 
 /* What is locked misses what it wants by its speed, either way. */

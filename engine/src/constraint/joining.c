@@ -113,16 +113,3 @@ void td_joints_leave(thud_world *w, int index, int part) {
         td_slots_give(&w->joints, index);
     }
 }
-
-/* Over the substep rate, and a ratio: what swings loses less energy the stiffer joints are, and
- * long chains of them sway the longer. */
-#define STIFFNESS 0.5f
-#define DAMPING 1.0f
-
-/* Catto's "Soft Constraints" (2011), as solve.c has it for contacts. */
-void td_joints_soften(td_solve_context *c, float h) {
-    float angle = 2.0f * (float)TD_PI * STIFFNESS, a1 = 2.0f * DAMPING + angle, a2 = angle * a1;
-    c->joint_bias_rate = angle / a1 / h;
-    c->joint_impulse_scale = 1.0f / (1.0f + a2);
-    c->joint_mass_scale = a2 * c->joint_impulse_scale;
-}

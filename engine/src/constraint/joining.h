@@ -17,8 +17,6 @@ typedef struct td_joining_ops {
     bool (*keeps_apart)(const thud_world *w, td_body_index a, td_body_index b);
     /* A part is no more; the joint is gone with its last one. */
     void (*leave)(thud_world *w, int joint, int part);
-    /* How soft it is in substeps of h seconds. */
-    void (*soften)(struct td_solve_context *context, float h);
     /* island_joints.c: see island_solve.h. */
     double (*solve)(struct td_island_work *work, double tolerance);
 } td_joining_ops;
@@ -27,7 +25,6 @@ typedef struct td_joining_ops {
 bool td_joints_engage(thud_world *w);
 void td_joints_suspend(thud_world *w, td_body_index body);
 void td_joints_leave(thud_world *w, int joint, int part);
-void td_joints_soften(struct td_solve_context *context, float h);
 bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b);
 
 #endif

@@ -127,12 +127,6 @@ static bool has_part(const td_joint *joint, int part) {
     return part == TD_JOINT_HOLD ? td_joint_locked(joint) || !driven : driven >> part & 1u;
 }
 
-static const td_constraint_ops *ops_of(const thud_world *w, int kind) {
-    return kind == TD_CONSTRAINT_ROD    ? td_rod_ops(w)
-           : kind == TD_CONSTRAINT_HOLD ? td_hold_ops(w)
-                                        : td_drive_ops(w, kind);
-}
-
 static bool reserve_parts(thud_world *w, int kind) {
     int more[TD_CONSTRAINT_KINDS] = {0};
     td_joint joint = {.kind = (uint8_t)kind};
@@ -148,7 +142,27 @@ static void wake(thud_world *w, const td_joint *joint) {
 }
 
 static const td_joining_ops joining = {td_joints_engage, td_joints_suspend, td_joints_keep_apart,
-                                       td_joints_leave,  td_joints_soften,  td_island_solve_joints};
+                                       td_joints_leave, td_island_solve_joints};
+
+static void plug(thud_world *w) {
+    w->kinds[TD_CONSTRAINT_ROD] = td_rod_ops(w);
+    w->kinds[TD_CONSTRAINT_HOLD] = td_hold_ops(w);
+    for (int kind = TD_CONSTRAINT_DRIVE_LINE; kind < TD_CONSTRAINT_KINDS; kind++) {
+        w->kinds[kind] = td_drive_ops(w, kind);
+    }
+    w->joining = &joining;
+}
+
+thud_result thud_world_use_joints(thud_world *w) {
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "use joints: not inside a callback");
+    }
+    plug(w);
+    return THUD_OK;
+}
 
 /* Gives it the parts that it needs, and takes the others away; room is reserved. */
 static void settle_parts(thud_world *w, int index) {
@@ -159,7 +173,6 @@ static void settle_parts(thud_world *w, int index) {
             int made = td_constraint_create(w, kind, joint->body[0], joint->body[1]);
             td_constraint_at(w, made)->joint = index;
             joint->part[part] = made;
-            w->kinds[kind] = ops_of(w, kind);
         }
     }
     for (int part = 0; part < TD_JOINT_PARTS; part++) {
@@ -167,7 +180,7 @@ static void settle_parts(thud_world *w, int index) {
             td_constraint_destroy(w, joint->part[part]);
         }
     }
-    w->joining = &joining;
+    plug(w);
     wake(w, joint);
 }
 

@@ -32,12 +32,13 @@ static float size_of(float x) {
     return x < 0.0f ? -x : x;
 }
 
-static void load(const thud_world *w, const td_block *block, int lane, float size, td_load *found) {
+static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     float mass = td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
                               td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3]);
     (void)size;
-    *found = (td_load){size_of(p->normal_impulse[lane]) * mass, size_of(p->separation[lane])};
+    *off = size_of(p->separation[lane]);
+    return size_of(p->normal_impulse[lane]) * mass;
 }
 
 static void count(thud_world *w, const td_block *block) {

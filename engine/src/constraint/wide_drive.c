@@ -95,9 +95,9 @@ TD_INLINE void stop(td_block *block, const td_drive_rows *r, const td_solve_cont
     i8 apart = (gap > zero) & ~locked;
     f8 most = f8_all(c->push_speed), bias = zero, scale = one, keep = zero;
     if (soft) {
-        bias = f8_clamp(gap * f8_all(c->joint_bias_rate), -most, most);
-        scale = f8_pick(apart, one, f8_all(c->joint_mass_scale));
-        keep = f8_keep(~apart, f8_all(c->joint_impulse_scale));
+        bias = f8_clamp(gap * f8_all(PULL * c->inv_h), -most, most);
+        scale = f8_pick(apart, one, f8_all(1.0f - LOST));
+        keep = f8_keep(~apart, f8_all(LOST));
     }
     bias = f8_pick(apart, gap * inv_h, bias);
     f8 old = p->normal_impulse;

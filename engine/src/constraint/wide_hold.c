@@ -11,8 +11,8 @@ typedef struct softness {
 #define TURN_MOST 10.0f
 
 TD_INLINE softness soft_of(const td_solve_context *c) {
-    return (softness){f8_all(c->joint_bias_rate), f8_all(c->joint_mass_scale),
-                      f8_all(c->joint_impulse_scale), f8_all(c->push_speed), f8_all(TURN_MOST)};
+    return (softness){f8_all(PULL * c->inv_h), f8_all(1.0f - LOST), f8_all(LOST),
+                      f8_all(c->push_speed), f8_all(TURN_MOST)};
 }
 
 TD_INLINE softness rigid(void) {

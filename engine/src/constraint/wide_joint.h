@@ -7,6 +7,15 @@
 #include "base/rotation.h"
 #include "solver/wide_solve.h"
 
+/* How soft a joint is: its angle in a substep, and a damping ratio of 1, as solve.c has them for
+ * contacts. What swings loses less energy the stiffer joints are, and long chains of them sway the
+ * longer. */
+#define ANGLE (float)TD_PI
+#define PULL (ANGLE / (2.0f + ANGLE)) /* part of a gap that closes in a substep */
+#define LOST                                                                             \
+    (1.0f / (1.0f + ANGLE * (2.0f + ANGLE))) /* part of its impulse that it loses in one \
+                                              */
+
 /* Cosine and sine of a turn within a step; good to the last bits up to a radian or so. */
 TD_INLINE void cosine_and_sine(f8 x, f8 *c, f8 *s) {
     f8 xx = x * x;

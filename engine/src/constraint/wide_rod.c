@@ -18,9 +18,9 @@ TD_INLINE void pull_block(td_block *block, const td_solve_context *c, bool fixed
     f8 bias = zero, scale = one, keep = zero;
     if (soft) {
         f8 most = f8_all(c->push_speed);
-        bias = f8_clamp(p->separation * f8_all(c->joint_bias_rate), -most, most);
-        scale = f8_all(c->joint_mass_scale);
-        keep = f8_all(c->joint_impulse_scale);
+        bias = f8_clamp(p->separation * f8_all(PULL * c->inv_h), -most, most);
+        scale = f8_all(1.0f - LOST);
+        keep = f8_all(LOST);
     }
     f8 speed = speed_now(&v, fixed, f.x, f.y, f.a_u, f.b_u), old = p->normal_impulse;
     f8 now = old - scale * mass * (speed + bias) - keep * old;

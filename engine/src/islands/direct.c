@@ -27,16 +27,14 @@ void td_direct_measure(td_direct *d) {
 
 double td_direct_friction(const td_direct_constraint *c) {
     const td_direct_row *tangent = &c->row[TD_DIRECT_TANGENT];
-    double load = c->friction > 0.0 ? td_direct_load(c) : 0.0;
-    return c->bound + td_friction_bound(c->friction, load, tangent->speed - tangent->wanted);
+    return c->bound +
+           td_friction_bound(c->friction, td_direct_load(c), tangent->speed - tangent->wanted);
 }
 
 void td_direct_bound(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];
-        if (c->row[TD_DIRECT_TANGENT].kind == TD_ROW_FRICTION) {
-            c->row[TD_DIRECT_TANGENT].most = td_direct_friction(c);
-        }
+        c->row[TD_DIRECT_TANGENT].most = td_direct_friction(c);
     }
 }
 
@@ -50,21 +48,19 @@ void td_direct_forget(td_direct *d) {
     td_direct_bound(d);
 }
 
-/* Of a row that is no friction; a soft one has what it wants. */
+/* Of a row that may not miss what is wanted. */
 static double lack_of(const td_direct_row *r) {
-    double lack = r->kind == TD_ROW_SOFT ? 0.0 : r->wanted - r->speed;
+    double lack = r->wanted - r->speed;
     return r->kind == TD_ROW_EQUAL && lack < 0.0 ? -lack : lack;
 }
 
 double td_direct_miss(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {
-        const td_direct_row *row = d->constraints[i].row, *last = &row[TD_DIRECT_TANGENT];
-        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            worst = row[k].used ? td_max_double(worst, lack_of(&row[k])) : worst;
-        }
-        if (last->kind == TD_ROW_EQUAL && last->used) {
-            worst = td_max_double(worst, lack_of(last));
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &d->constraints[i].row[k];
+            bool counts = r->used && r->kind < TD_ROW_FRICTION;
+            worst = counts ? td_max_double(worst, lack_of(r)) : worst;
         }
     }
     return worst;

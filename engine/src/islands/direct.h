@@ -19,6 +19,7 @@ enum {
     TD_DIRECT_TANGENT = 2
 };
 
+/* Odd ones begin active, and have neither slack nor bound for the interior point. */
 typedef enum td_row_kind {
     TD_ROW_PUSH, /* never the last row: impulse >= 0, speed >= wanted, and one of both with equality
                   */

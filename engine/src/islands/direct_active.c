@@ -114,7 +114,7 @@ static int guess(td_direct *d, double doubt) {
             rows += r->used;
             if (r->kind == TD_ROW_PUSH) {
                 r->active = r->impulse > 0.0 || r->speed < r->wanted + parting;
-            } else if (r->kind == TD_ROW_EQUAL || r->kind == TD_ROW_SOFT) {
+            } else if (r->kind % 2) {
                 r->active = true;
             } else if (d->fresh && c->friction > 0.0 &&
                        size_of(r->speed - r->wanted) <= d->unit_speed) {

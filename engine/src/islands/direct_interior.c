@@ -26,7 +26,7 @@ enum { STEPS = 40 };
 
 /* It has neither slack nor bound. */
 static bool is_unbound(const td_direct_row *r) {
-    return r->kind == TD_ROW_EQUAL || r->kind == TD_ROW_SOFT;
+    return r->kind % 2;
 }
 
 static bool slides_free(const td_direct *d, const td_direct_row *r) {

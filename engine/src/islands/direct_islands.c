@@ -258,22 +258,17 @@ static void watch_block(thud_world *w, td_block *block, int kind) {
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
         float size = td_min_float(size_of(w, a), size_of(w, b)), most = td_islands_most(w, size);
-        td_load found = {0.0f, 0.0f};
-        if (contact) {
-            for (int k = 0; k < points; k++) {
-                found.load += block->point[k].normal_impulse[lane];
-                found.off = td_max_float(found.off, -(block->point[k].separation[lane] + w->skin));
-            }
-            found.load *= light;
-        } else {
-            w->kinds[kind]->lanes->load(w, block, lane, size, &found);
+        float load = 0.0f, off = 0.0f;
+        for (int k = 0; contact && k < points; k++) {
+            load += block->point[k].normal_impulse[lane];
+            off = td_max_float(off, -(block->point[k].separation[lane] + w->skin));
         }
-        float load = found.load;
+        load = contact ? load * light : w->kinds[kind]->lanes->load(w, block, lane, size, &off);
         bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
         int direct = block->loaded[lane] & TD_DIRECT, before = block->loaded[lane] - direct;
         /* Joints stay: their load is none of an impact that passes. */
         bool passes = contact && !is_calm(w, a, b);
-        bool gives_way = (load > most && !passes) || found.off > deep;
+        bool gives_way = (load > most && !passes) || off > deep;
         int seen = gives_way ? td_min_int(before + 1, OFTEN) : 0;
         if (sinks || seen >= OFTEN) {
             mark_direct(w, block->a[lane]);

@@ -11,8 +11,9 @@ enum { ROUNDS = 12 };
  * other, and no velocities are right. */
 #define PART_MOST 100.0
 
+/* A soft row misses nothing. */
 static double lack_of(const td_direct_row *r) {
-    return r->wanted - r->speed;
+    return r->kind == TD_ROW_SOFT ? 0.0 : r->wanted - r->speed;
 }
 
 /* ---- of a row ---- */
@@ -40,7 +41,7 @@ static double curvature(td_direct_row *r, double unused) {
  * it for its penalty. */
 static double balance(td_direct_row *r, double part) {
     r->force += part * (r->push[0] - r->weight * r->change) - r->push[0];
-    r->base = r->force - r->weight * lack_of(r);
+    r->base = r->kind == TD_ROW_SOFT ? 0.0 : r->force - r->weight * lack_of(r);
     return 0.0;
 }
 
@@ -50,20 +51,13 @@ static double misses(td_direct_row *r, double enough) {
 
 /* ---- of all ---- */
 
-/* A soft row misses nothing, and just follows. */
-static double follow(td_direct_row *r, double part) {
-    r->force -= part * r->weight * r->change;
-    return 0.0;
-}
-
 /* The sum over the active rows. */
 static double sum(td_direct *d, double (*each)(td_direct_row *, double), double x) {
     double all = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
-            bool counts = r->used && r->active && (r->kind == TD_ROW_SOFT) == (each == follow);
-            all += counts ? each(r, x) : 0.0;
+            all += r->used && r->active ? each(r, x) : 0.0;
         }
     }
     return all;
@@ -81,7 +75,6 @@ bool td_direct_polish(td_direct *d, double enough) {
             return false;
         }
         sum(d, balance, part);
-        sum(d, follow, part);
         before = now;
     }
     return true;

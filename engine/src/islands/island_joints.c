@@ -232,5 +232,13 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
         scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
     }
     work->time = whole;
-    return td_island_is_joints(work) && explodes(work) ? __builtin_inf() : missing;
+    if (td_island_is_joints(work)) {
+        missing = explodes(work) ? __builtin_inf() : missing;
+        work->turn_most = work->pushed = __builtin_inf();
+        /* They take as many matrices as they turn by, which is no sign of more to come. */
+        work->w->stats.factorings += work->problem.factorings;
+        work->w->stats.island_work += work->problem.factorings * td_island_cost(work->island);
+        work->problem.factorings = 0;
+    }
+    return missing;
 }

@@ -5,6 +5,8 @@
 
 enum { PATIENCE = 200 };
 
+#define TURN_MOST 0.4 /* by which arms may swing that are taken as they were at the start */
+
 /* The soft solver begins without the direct one's impulses, which would be too much for it to take
  * back: a light body between heavy ones would leave at any speed. */
 void td_island_note(thud_world *w) {
@@ -134,7 +136,8 @@ td_island_work td_island_take(thud_world *w, const td_island *island) {
                            .slots = (const td_awake_slot *)s->slots.data + island->first_body,
                            .constraints =
                                (const int *)s->constraints.data + island->first_constraint,
-                           .time = w->def.time_step};
+                           .time = w->def.time_step,
+                           .turn_most = TURN_MOST};
     for (int i = 0; i < island->bodies; i++) {
         take_body(&work, i);
     }

@@ -18,12 +18,11 @@
 #define EASY 8
 /* A calm island may be slow for so many times as many steps as the quality allows others. */
 #define CALM_PATIENCE 20
-/* A result is refused where a body that does not roll by itself turns by more than TURN_MOST
+/* A result is refused where a body that does not roll by itself turns by more than TD_TURN_MOST
  * radians in the step, where one is faster than SPEED_MOST times the greatest speed that is there
  * or wanted, or where a contact presses harder than LEVERAGE_MOST times all the momentum that is
  * there or wanted.
  */
-#define TURN_MOST 0.4
 #define SPEED_MOST 4.0
 #define LEVERAGE_MOST 10.0
 /* The speed that may be missing, in multiples of what gravity gives in a step, and at least so many
@@ -51,6 +50,10 @@ static double gap_after(const td_island_work *work, const td_direct_constraint *
         gap += c->b == TD_NONE ? 0.0 : r->b[j] * work->problem.bodies[c->b].moved[j];
     }
     return gap;
+}
+
+td_lane td_island_lane(const td_island_work *work, int i) {
+    return td_lane_of(work->w, td_constraint_at(work->w, work->constraints[i]));
 }
 
 /* Sets the speeds that a constraint wants of the velocities at the end of the step. */
@@ -121,7 +124,7 @@ static bool goes_too_far(const td_island_work *work) {
     double fastest = 0.0, furthest = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
         double turn = work->problem.bodies[i].moved[2];
-        if (td_abs(turn) > TURN_MOST && !rolls_alone(work)) {
+        if (td_abs(turn) > work->turn_most && !rolls_alone(work)) {
             return true;
         }
         fastest = td_max_double(fastest, speed_of(work->problem.bodies[i].free));
@@ -207,7 +210,7 @@ static bool work_out(td_island_work *work) {
     }
     work->w->stats.factorings += d->factorings;
     work->w->stats.island_work += d->factorings * td_island_cost(work->island);
-    if ((!td_island_is_joints(work) && goes_too_far(work)) || presses_too_hard(work)) {
+    if (goes_too_far(work) || presses_too_hard(work)) {
         return false;
     }
     return missing <= tolerance || (td_finite(missing) && missing < soft_miss(work));
@@ -263,8 +266,7 @@ static bool is_calm(const td_island_work *work) {
 }
 
 /* An island that takes many matrices step after step moves, and would do so for long; one that is
- * calm may be just being pushed apart, and gets more time. Joints alone take as many as they turn
- * by, which is no sign of more to come. */
+ * calm may be just being pushed apart, and gets more time. */
 static bool is_slow(const td_island_work *work) {
     int patience = work->w->quality.island_patience * (is_calm(work) ? CALM_PATIENCE : 1);
     bool easy = work->problem.factorings <= EASY;
@@ -275,7 +277,7 @@ static bool is_slow(const td_island_work *work) {
         *slow_steps = easy ? 0 : steps < TD_SLOW_STEPS ? *slow_steps + 1 : *slow_steps;
         most = easy ? 0 : td_max_int(most, steps + 1);
     }
-    return patience > 0 && !td_island_is_joints(work) && most > td_min_int(patience, TD_SLOW_STEPS);
+    return patience > 0 && most > td_min_int(patience, TD_SLOW_STEPS);
 }
 
 static void write(const td_island_work *work) {

@@ -11,10 +11,11 @@ typedef struct td_island_work {
     td_direct problem;
     const td_awake_slot *slots;
     const int *constraints;
-    double time;   /* of a step, or of the part of it that is being solved */
-    bool bounces;  /* something closes in so fast that it is going to bounce */
-    double pushed; /* greatest speed at which something is pushed apart */
-    int joints;    /* so many constraints are no contacts */
+    double time;      /* of a step, or of the part of it that is being solved */
+    bool bounces;     /* something closes in so fast that it is going to bounce */
+    double pushed;    /* greatest speed at which something is pushed apart */
+    int joints;       /* so many constraints are no contacts */
+    double turn_most; /* a body that turns by more in the step, rad, is a matter for substeps */
 } td_island_work;
 
 /* island_rows.c: notes velocities and impulses, before the soft solver changes them. */
@@ -33,9 +34,8 @@ void td_island_carry_on(td_island_work *work);
  * td_direct_solve does one without. */
 double td_island_solve_joints(td_island_work *work, double tolerance);
 
-static inline td_lane td_island_lane(const td_island_work *work, int i) {
-    return td_lane_of(work->w, td_constraint_at(work->w, work->constraints[i]));
-}
+/* island_solve.c: where a constraint of it lives. */
+td_lane td_island_lane(const td_island_work *work, int i);
 
 /* It has no contacts. */
 static inline bool td_island_is_joints(const td_island_work *work) {

@@ -5,7 +5,6 @@
 #include "state/jobs.h"
 #include "solver/error.h"
 #include "state/kinds.h"
-#include "constraint/joining.h"
 #include "constraint/lanes.h"
 #include "api/step.h"
 
@@ -49,9 +48,6 @@ static td_solve_context solve_context(const thud_world *w, float h) {
     float hertz = w->quality.contact_stiffness / h;
     soften(&c, 0, hertz, w->quality.contact_damping, h);
     soften(&c, 1, 2.0f * hertz, w->quality.contact_damping, h);
-    if (w->joining) {
-        w->joining->soften(&c, h);
-    }
     return c;
 }
 

@@ -23,7 +23,7 @@ static const char *def_error(const thud_world *w, const thud_body_def *def) {
         return "body def: kind is none of static, kinematic, dynamic";
     }
     if (!place_valid(w, def->position)) {
-        return "body def: position is not finite or further than 1e9 length scales";
+        return "body def: position is beyond 1e9 length scales";
     }
     if (!(def->angle >= -1e6 && def->angle <= 1e6)) {
         return "body def: angle is not finite or beyond 1e6";

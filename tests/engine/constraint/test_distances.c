@@ -1,19 +1,14 @@
 /* test_distances.c: the graph of constraints with one sort that is no contact: rods are solved soft
  * and directly, coloured, put to sleep, disabled, destroyed, drawn and restored as contacts are. */
-#include "island_support.h"
+#include "joint_support.h"
 
 #include "state/world.h"
-#include "thud/thud_joint.h"
 #include "pool.h"
 #include "snapshot_support.h"
 
 static thud_joint_def rod_of(thud_body_id a, thud_body_id b, thud_vec2 at_a, thud_vec2 at_b,
                              float length) {
-    thud_joint_def def = thud_default_joint_def(THUD_DISTANCE);
-    def.body_a = a;
-    def.body_b = b;
-    def.frame_a.position = at_a;
-    def.frame_b.position = at_b;
+    thud_joint_def def = between(THUD_DISTANCE, a, b, at_a, at_b);
     def.length = length;
     def.collide_connected = true;
     return def;
@@ -21,25 +16,14 @@ static thud_joint_def rod_of(thud_body_id a, thud_body_id b, thud_vec2 at_a, thu
 
 static thud_joint_id tie(thud_world *world, thud_body_id a, thud_body_id b, thud_vec2 at_a,
                          thud_vec2 at_b, float length) {
-    thud_joint_def def = rod_of(a, b, at_a, at_b, length);
-    thud_joint_id rod;
-    OK(thud_joint_create(world, &def, &rod));
-    return rod;
+    return make(world, rod_of(a, b, at_a, at_b, length));
 }
 
 static double stretch_of(thud_world *world, thud_joint_id rod) {
-    thud_joint_state state;
-    OK(thud_joint_get(world, rod, &state));
-    return state.gap;
+    return joint_of(world, rod).gap;
 }
 
 static const thud_vec2 middle = {0, 0};
-
-static thud_world *world_at(const thud_quality *quality) {
-    thud_world_def def = def_of(quality);
-    def.sleeping = false;
-    return make_world(def);
-}
 
 static double stretch_after(thud_world *world, const thud_joint_id *rods, int count, int steps) {
     double worst = 0;

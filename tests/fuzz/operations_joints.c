@@ -1,0 +1,107 @@
+/* operations_joints.c: joints and their edits. */
+#include "operations.h"
+
+#include <thud/thud_joint.h>
+
+static thud_joint_id pick_joint(fuzz_session *s) {
+    unsigned byte = next_byte(&s->bytes);
+    return byte < FIRST_WRONG_HANDLE ? s->now.joints[byte % SESSION_JOINTS]
+                                     : (thud_joint_id){byte % 4, byte * 0x01010101u};
+}
+
+/* Mostly valid; what it does not say is as it comes. */
+static thud_drive pick_drive(fuzz_session *s) {
+    thud_drive drive = thud_default_joint_def(THUD_WELD).drive[THUD_ALONG];
+    unsigned byte = next_byte(&s->bytes);
+    drive.limited = byte & 1;
+    drive.lower = byte & 2 ? 0 : next_float(&s->bytes, -3, 0.015625);
+    drive.upper = byte & 4 ? drive.lower : drive.lower + next_float(&s->bytes, 0, 0.015625);
+    drive.target = byte & 8 ? 0 : next_float(&s->bytes, -2, 0.015625);
+    drive.frequency = byte & 16 ? next_float(&s->bytes, 0, 0.25) : 0;
+    drive.damping = byte & 32 ? next_float(&s->bytes, 0, 0.0625) : drive.damping;
+    drive.motor_force = byte & 64 ? next_float(&s->bytes, 0, 8) : 0;
+    drive.motor_speed = byte & 128 ? next_float(&s->bytes, -16, 0.125) : 0;
+    return drive;
+}
+
+static thud_joint_frame pick_frame(fuzz_session *s) {
+    thud_joint_frame frame = {{next_float(&s->bytes, -2, 0.015625), 0}, 0};
+    frame.position.x *= (float)s->unit;
+    frame.angle = next_choice(&s->bytes, 2) ? pick_angle(s) : 0;
+    return frame;
+}
+
+void play_joint(fuzz_session *s) {
+    unsigned byte = next_byte(&s->bytes);
+    thud_joint_def def =
+        COUNTED(thud_default_joint_def((thud_joint_kind)(byte % THUD_JOINT_KIND_COUNT)));
+    def.body_a = pick_body(s);
+    def.body_b = pick_body(s);
+    def.frame_a = pick_frame(s);
+    def.frame_b = pick_frame(s);
+    def.collide_connected = next_choice(&s->bytes, 2);
+    def.disabled = next_choice(&s->bytes, 8) == 7;
+    def.length = pick_size(s);
+    def.drive[next_choice(&s->bytes, THUD_DIRECTION_COUNT)] = pick_drive(s);
+    if (s->bytes.hostile && next_chance(&s->bytes, 16)) {
+        def.kind = (thud_joint_kind)next_count(&s->bytes, THUD_JOINT_KIND_COUNT + 2);
+    }
+    thud_joint_id joint = {0, 0};
+    TRY(s, thud_joint_create(s->world, &def, &joint));
+    if (s->result == THUD_OK) {
+        note_bits(s, joint.index1);
+        s->now.joints[s->now.next_joint++ % SESSION_JOINTS] = joint;
+    } else if (joint.index1 || joint.generation) {
+        fuzz_fail(s, "a joint that was refused has a handle");
+    }
+}
+
+void play_joint_destroy(fuzz_session *s) {
+    thud_joint_id joint = pick_joint(s);
+    bool valid = COUNTED(thud_joint_is_valid(s->world, joint));
+    TRY(s, thud_joint_destroy(s->world, joint));
+    bool gone = s->result == THUD_OK;
+    if (s->result != THUD_ERROR_LOCKED &&
+        (valid != gone || COUNTED(thud_joint_is_valid(s->world, joint)))) {
+        fuzz_fail(s, "a joint that is %s cannot go, or has gone and is valid: %s",
+                  valid ? "valid" : "stale", thud_result_text(s->result));
+    }
+}
+
+void play_joint_edit(fuzz_session *s) {
+    thud_joint_id joint = pick_joint(s);
+    unsigned byte = next_byte(&s->bytes);
+    if (byte % 5 == 0) {
+        float length = pick_size(s);
+        TRY(s, thud_joint_set_length(s->world, joint, length));
+    } else if (byte % 5 == 1) {
+        TRY(s, thud_joint_set_enabled(s->world, joint, byte & 128));
+    } else if (byte % 5 == 2) {
+        TRY(s, thud_joint_set_user_data(s->world, joint, byte));
+    } else {
+        thud_direction direction = (thud_direction)next_choice(&s->bytes, THUD_DIRECTION_COUNT);
+        thud_drive drive = pick_drive(s);
+        TRY(s, thud_joint_set_drive(s->world, joint, direction, &drive));
+    }
+}
+
+/* Forces of the last substep may be anything that a float can hold. */
+void play_joint_get(fuzz_session *s) {
+    thud_joint_id joint = pick_joint(s);
+    thud_joint_state state;
+    memset(&state, CALL_FILL, sizeof state);
+    TRY(s, thud_joint_get(s->world, joint, &state));
+    if (s->result != THUD_OK) {
+        call_untouched(s, &state, sizeof state);
+        return;
+    }
+    note_bits(s, (uint64_t)(state.kind + 8 * state.enabled));
+    note_bits(s, state.user_data);
+    note_bits(s, state.body_a.index1);
+    note_bits(s, state.body_b.index1);
+    note_number(s, state.gap);
+    note_number(s, state.angle_gap);
+    for (int i = 0; i < THUD_DIRECTION_COUNT; i++) {
+        note_number(s, state.value[i]);
+    }
+}
