@@ -147,7 +147,7 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
         return "restore: the snapshot is of another version or build of thud";
     }
     if (head->bytes != bytes) {
-        return "restore: the snapshot is cut short, or too long";
+        return "restore: the snapshot is cut short, or has something after it";
     }
     if (head->checksum != td_snapshot_checksum(from + SUMMED_FROM, bytes - SUMMED_FROM)) {
         return "restore: the snapshot is damaged";
@@ -162,7 +162,7 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
         return "restore: the snapshot is of a world whose def has other settings";
     }
     if (head->plugged & ~own.plugged & TD_SNAPSHOT_ALL_JOINTS) {
-        return "restore: the snapshot has joints, and the world never had";
+        return "restore: the snapshot has joints that this world never had";
     }
     if (!counts_valid(head) || !lengths_valid(w, head) || td_snapshot_bytes_of(w, head) != bytes ||
         !table_valid(head, from + sizeof *head)) {

@@ -66,14 +66,14 @@ static const char *def_error(const thud_world_def *d) {
         return "world def: a damping ratio or speed is out of range";
     }
     if (!between(d->time_budget, 0.0, 1.0) || (d->time_budget > 0.0 && !d->clock)) {
-        return "world def: time_budget is not in [0, 1], or there is no clock";
+        return "world def: time_budget is not in [0, 1], or lacks a clock";
     }
     if (d->job_system.workers < 0 || d->job_system.workers > THUD_WORKERS_MAX ||
         (d->job_system.workers > 1 && !d->job_system.run)) {
-        return "world def: job_system.workers is not in 0..64, or there is nobody to run them";
+        return "world def: job_system.workers is not in 0..64, or nobody runs them";
     }
     if (!d->allocator.allocate != !d->allocator.release) {
-        return "world def: the allocator lacks one of its two functions";
+        return "world def: the allocator lacks a function";
     }
     return NULL;
 }

@@ -34,7 +34,7 @@ static const char *def_error(const thud_world *w, const thud_body_def *def) {
     }
     if (def->kind == THUD_STATIC &&
         !(def->velocity.x == 0.0f && def->velocity.y == 0.0f && def->angular_velocity == 0.0f)) {
-        return "body def: a static body has no velocity; what moves at one is kinematic";
+        return "body def: a static body has no velocity; a kinematic one does";
     }
     if (!td_finite((double)def->gravity_scale)) {
         return "body def: gravity_scale is not finite";

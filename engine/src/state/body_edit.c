@@ -140,8 +140,7 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
     double most = TD_PLACE_MAX * (double)w->unit;
     if (!(position.x >= -most && position.x <= most && position.y >= -most && position.y <= most &&
           angle >= -1e6 && angle <= 1e6)) {
-        return td_refuse(w, THUD_ERROR_INVALID,
-                         "set transform: position or angle is out of range");
+        return td_refuse(w, THUD_ERROR_INVALID, "set transform: position or angle is out of range");
     }
     const td_body *body = td_body_at(w, index);
     bool upright = body->aabbs > 0;

@@ -115,7 +115,7 @@ static thud_result finish(thud_world *w, td_body_index body_index, const thud_sh
         *out = td_shape_handle(w, index);
     }
     if (!(def->filter.category | def->filter.mask | (uint32_t)def->filter.group)) {
-        td_refuse(w, THUD_OK, "shape create: made, but meets nothing: its filter is all zero");
+        td_refuse(w, THUD_OK, "shape create: made, but meets nothing: its filter is zero");
     }
     return THUD_OK;
 }

@@ -224,9 +224,8 @@ thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
     for (int i = 0; i < count; i++) {
         *TD_AT(thud_pos, &points, i) = (thud_pos){line.points[first + i].x, heights[i]};
     }
-    result =
-        apply(w, shape, (splice){first, count, count, points.data},
-              "set heights: a height is out of range", "set heights: out of memory");
+    result = apply(w, shape, (splice){first, count, count, points.data},
+                   "set heights: a height is out of range", "set heights: out of memory");
     td_array_free(&w->memory, &points);
     return result;
 }
@@ -255,7 +254,7 @@ thud_result thud_shape_replace_range(thud_world *w, thud_shape_id id, double x0,
         s.removed++;
     }
     return apply(w, shape, s,
-                 "replace range: points are out of range, or fewer than 2 are left",
+                 "replace range: not finite, x does not rise, or fewer than 2 points are left",
                  "replace range: out of memory");
 }
 
@@ -293,8 +292,7 @@ static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const 
 
 thud_result thud_shape_dig(thud_world *w, thud_shape_id id, thud_pos center, double radius) {
     return reshape(w, id, (td_tool){true, center.x, center.y, radius, 0.0},
-                   "dig: the ground is flat, or the circle is out of range",
-                   "dig: out of memory");
+                   "dig: the ground is flat, or the circle is out of range", "dig: out of memory");
 }
 
 thud_result thud_shape_raise(thud_world *w, thud_shape_id id, double x, double radius,
