@@ -124,13 +124,27 @@ static bool apart_until(const ground *g, thud_motion m, real least, real end) {
     return true;
 }
 
-static void check_turning(const ground *g, thud_motion m, double target) {
-    double size = g->shape.hx + g->shape.hy, time, longest = 0.0;
-    for (int i = 0; i + 1 < g->terrain.count; i++) {
-        vec p = vertex_from(&g->terrain, &g->shape, i),
-            q = vertex_from(&g->terrain, &g->shape, i + 1);
-        longest = fmax(longest, (double)length_of(minus(q, p)));
+/* The longest straight piece of the outline that a motion may meet, which the engine's tolerance
+ * goes by: a segment, an end's upright side, or what a flat slope has beside the motion. */
+static double longest_piece(const ground *g, thud_motion m, double reach) {
+    const thud_terrain *t = &g->terrain;
+    if (t->kind == THUD_TERRAIN_FLAT) {
+        return (fabs(m.dx) + 2.0 * reach) * sqrt(1.0 + t->slope * t->slope);
     }
+    double longest = 0.0, low = fmin(m.dy, 0.0) - reach;
+    for (int i = 0; i < t->count; i++) {
+        vec p = vertex_from(t, &g->shape, i);
+        if (i + 1 < t->count) {
+            longest = fmax(longest, (double)length_of(minus(vertex_from(t, &g->shape, i + 1), p)));
+        }
+        longest = i == 0 || i + 1 == t->count ? fmax(longest, (double)p.y - low) : longest;
+    }
+    return longest;
+}
+
+static void check_turning(const ground *g, thud_motion m, double target) {
+    double size = g->shape.hx + g->shape.hy, time;
+    double longest = longest_piece(g, m, size + target);
     double slack =
         1.1e-10 * (size + longest + fabs(m.dx) + fabs(m.dy)) + BOUND * motion_rounding(g, m);
     bool hit;
@@ -241,7 +255,7 @@ static void impact_on_ground_with_turning_comes_no_later_and_no_earlier(void **s
     (void)state;
     totals t = each_ground(161, case_count(QUICK_TURNING), turning_case);
     assert_true(t.hits > t.cases / 10);
-    assert_true(t.stopped_early * 5000 <= t.hits);
+    assert_true(t.stopped_early * 20000 <= t.hits);
 }
 
 static void collision_with_ground_is_between_apart_and_together(void **state) {
