@@ -154,8 +154,9 @@ thud_measure thud_world_measure(const thud_world *w) {
         double x = (double)v[0], y = (double)v[1], turn = (double)v[2];
         double mass = (double)body->mass * (double)body->gravity_scale;
         thud_pos center = td_place_to(w, td_pose_at(w, i)->center);
-        m.kinetic_energy +=
+        double energy =
             0.5 * (double)body->mass * (x * x + y * y) + 0.5 * (double)body->inertia * turn * turn;
+        m.kinetic_energy += td_finite(energy) ? energy : 0.0; /* the next step stops what is not */
         m.potential_energy -=
             mass * ((double)w->def.gravity.x * center.x + (double)w->def.gravity.y * center.y);
     }

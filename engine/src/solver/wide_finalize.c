@@ -195,7 +195,8 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
         i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
         f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
         i8 finite = sum - sum == zero;
-        f8 fallen = f8_load(weight + at) * (gx * d.x + gy * d.y);
+        f8 most = f8_all(TD_ENERGY_MAX);
+        f8 fallen = f8_clamp(f8_load(weight + at) * (gx * d.x + gy * d.y), -most, most);
         f8 moving = td_kinetic_of(&v, mass + at, inertia + at);
         kinetic += d4_folded(f8_keep(here & finite, moving));
         gained += d4_folded(f8_keep(here & finite, fallen));

@@ -146,6 +146,28 @@ static void energy_counts_anew_after_a_collision_within_the_step(void **state) {
     thud_world_destroy(world);
 }
 
+/* Valid as numbers, and far beyond what a float's square or product holds. */
+static void energies_are_told_whatever_acts(void **state) {
+    (void)state;
+    for (int pushed = 0; pushed < 2; pushed++) {
+        thud_world *world = make_world(thud_default_world_def());
+        thud_body_def def = thud_default_body_def();
+        def.kind = THUD_DYNAMIC;
+        def.gravity_scale = pushed ? 1.0f : 1e35f;
+        thud_body_id body;
+        OK(thud_body_create(world, &def, &body));
+        run(world, 1);
+        assert_true(isfinite(thud_world_error(world).energy_change));
+        for (int i = 0; i < 3 * pushed; i++) {
+            OK(thud_body_apply_impulse(world, body, (thud_vec2){3e38f, 3e38f}, (thud_pos){0, 0}));
+        }
+        assert_true(isfinite(thud_world_measure(world).kinetic_energy));
+        run(world, 1);
+        assert_true(isfinite(thud_world_error(world).energy_change));
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_flight_changes_no_energy_at_all),
@@ -154,6 +176,7 @@ int main(void) {
         cmocka_unit_test(slide_loses_what_friction_works),
         cmocka_unit_test(energy_change_leaves_edits_out),
         cmocka_unit_test(energy_counts_anew_after_a_collision_within_the_step),
+        cmocka_unit_test(energies_are_told_whatever_acts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
