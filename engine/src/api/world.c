@@ -56,7 +56,7 @@ static const char *def_error(const thud_world_def *d) {
     }
     if (d->contact_stiffness != 0.0f &&
         !between((double)d->contact_stiffness, (double)0.01f, 0.5)) {
-        return "world def: contact_stiffness is neither 0 nor in [0.01, 0.5]";
+        return "world def: contact_stiffness is out of range";
     }
     if (!between((double)d->contact_damping, 0.0, 100.0) ||
         !between((double)d->push_speed, 0.0, 1e6) ||
@@ -66,7 +66,7 @@ static const char *def_error(const thud_world_def *d) {
         return "world def: a damping ratio or speed is out of range";
     }
     if (!between(d->time_budget, 0.0, 1.0) || (d->time_budget > 0.0 && !d->clock)) {
-        return "world def: time_budget is not in [0, 1], or lacks a clock";
+        return "world def: time_budget is out of range, or lacks a clock";
     }
     if (d->job_system.workers < 0 || d->job_system.workers > THUD_WORKERS_MAX ||
         (d->job_system.workers > 1 && !d->job_system.run)) {
@@ -227,7 +227,7 @@ void thud_world_destroy(thud_world *w) {
         return;
     }
     if (w->locked) {
-        td_refuse(w, THUD_ERROR_LOCKED, "world destroy: not inside a callback; it lives on");
+        td_refuse(w, THUD_ERROR_LOCKED, "world destroy: not inside a callback");
         return;
     }
     for (int i = 0; i < w->terrains.count; i++) {

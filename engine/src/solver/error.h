@@ -15,7 +15,8 @@ void td_error_add(thud_world *w, const td_tally *found);
 /* Detection takes (x, y) from the motion of a body, which lacks that fall then. */
 static inline void td_error_follow(thud_world *w, td_awake_slot slot, float x, float y) {
     float fall = w->def.gravity.x * x + w->def.gravity.y * y;
-    w->errors.energy_change += (double)(*TD_AT(float, &w->weight, slot.at) * fall);
+    float taken = *TD_AT(float, &w->weight, slot.at) * fall, most = 1e37f; /* as TD_ENERGY_MAX */
+    w->errors.energy_change += (double)td_max_float(td_min_float(taken, most), -most);
 }
 
 /* After all of that: adds up the kinetic energy anew, and leaves points to td_error_of_step. */

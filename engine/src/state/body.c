@@ -20,7 +20,7 @@ static bool place_valid(const thud_world *w, thud_pos p) {
 
 static const char *def_error(const thud_world *w, const thud_body_def *def) {
     if ((int)def->kind < 0 || def->kind >= THUD_BODY_KIND_COUNT) {
-        return "body def: kind is none of static, kinematic, dynamic";
+        return "body def: kind is none";
     }
     if (!place_valid(w, def->position)) {
         return "body def: position is beyond 1e9 length scales";

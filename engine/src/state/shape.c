@@ -31,7 +31,7 @@ static const char *def_error(const thud_world *w, const thud_shape_def *def) {
         return "shape def: restitution is not in [0, 1]";
     }
     if (!(def->surface_speed >= -fastest && def->surface_speed <= fastest)) {
-        return "shape def: surface_speed is beyond 1e6 length scales a second";
+        return "shape def: surface_speed is out of range";
     }
     return NULL;
 }
