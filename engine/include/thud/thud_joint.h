@@ -16,7 +16,9 @@
  * spring or a motor: a rope has limits (0, length), a spring a frequency and its rest as target.
  *
  * Joints are solved softly with all else, and give way under a load; an island in which they would
- * by more than its quality allows is solved directly, with its contacts. */
+ * by more than its quality allows, while it has work left for that, is solved directly, with its
+ * contacts. A body that its detection stops on its way opens its joints by as much, until the next
+ * step closes them. */
 #ifndef THUD_JOINT_H
 #define THUD_JOINT_H
 
@@ -100,7 +102,7 @@ typedef struct thud_joint_state {
     double value[THUD_DIRECTION_COUNT]; /* where b is, seen from a; value[THUD_TURN] in (-pi, pi] */
     double gap;                         /* length by which locked directions are off */
     double angle_gap;                   /* likewise, rad; both >= 0 */
-    thud_vec2 force;                    /* on b, in the world, in the mean over the last step */
+    thud_vec2 force;                    /* on b, in the world, as it was last solved */
     float torque; /* on b, about its centre of mass less that of `force`: of turn alone */
     uint64_t user_data;
 } thud_joint_state;

@@ -76,7 +76,7 @@ typedef struct td_given {
 typedef struct td_hold_rows {
     td_given given;
     f8 frame;      /* 1: the directions turn with a; 0: they stay in the step as they are */
-    f8 turn_base;  /* angle by which it is off at the start of the step */
+    f8 turn_base;  /* angle by which it is off at the start of the step; of a rod its length */
     f8 turn_sign;  /* 1, or -1 where sides have changed places */
     f8 turn_apart; /* like separation, now */
 } td_hold_rows;

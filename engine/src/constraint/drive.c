@@ -94,7 +94,8 @@ static float load(const thud_world *w, const td_block *block, int lane, float si
     return impulse * (turns ? turn * size : mass);
 }
 
-/* A limit misses what it wants by how fast it is passed. */
+/* Nothing of it is in the residual: springs and motors give way as they should, and limits are
+ * judged by their gaps. */
 static void count(thud_world *w, const td_block *block) {
     (void)w, (void)block;
 }
