@@ -35,7 +35,8 @@ typedef struct thud_quality {
                             together may take a step: those of each matrix, one more a body and two
                             a contact. Those for which there is no more stay with the soft solver.
                             A column takes 6 a body at rest, a pyramid of 500 bodies 140 a body; in
-                            motion it is 20 to 100 times as much */
+                            motion it is 20 to 100 times as much. An island of joints alone may
+                            take eight times what is left */
     int island_patience; /* 0..1000: steps in succession in which an island may need more than eight
                             matrices, or twenty times as many while it hardly moves, before it is
                             left to the soft solver for 120 steps, as it is where the direct

@@ -10,6 +10,8 @@
 
 /* A result is refused whose kinetic energy is so many times what was there or could come. */
 #define ENERGY_MOST 16.0
+/* Joints alone may take so many times the matrices: softly a chain under load would come apart. */
+enum { MORE_WORK = 8 };
 /* Rounds in which the rows of joints follow the motion that they make. */
 enum { ROUNDS = 12 };
 /* A body is not taken to turn more lightly than by so much of its inertia less. */
@@ -19,7 +21,7 @@ enum { ROUNDS = 12 };
 #define FINE_ENOUGH 0.05
 /* Velocities at the end that miss what joints want by no more than so many times what gravity gives
  * in a step are left as they are: to take that out would take energy from whatever swings. */
-#define AMISS 0.5
+#define AMISS 4.0
 
 /* How far a side has moved by the start of a part of the step, and by its end at mean velocities.
  */
@@ -124,7 +126,19 @@ static void keep_drives(td_direct_constraint *c) {
     }
 }
 
-/* Velocities at the end. Where nothing but joints acts they follow from the mean ones, and are
+/* Nothing pushes or drives: all there is locks, or springs. */
+static bool swings(const td_island_work *work) {
+    bool any = false;
+    for (int i = 0; i < work->island->constraints; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &work->problem.constraints[i].row[k];
+            any |= r->used && (r->kind == TD_ROW_PUSH || r->kind == TD_ROW_FRICTION);
+        }
+    }
+    return !any;
+}
+
+/* Velocities at the end. Of what swings they follow from the mean ones, and are
  * mended only where something else has set them amiss. */
 static double end_turning(td_island_work *work, double start, double tolerance) {
     td_direct *d = &work->problem;
@@ -133,7 +147,7 @@ static double end_turning(td_island_work *work, double start, double tolerance) 
         keep_drives(&d->constraints[i]);
     }
     turn_rows(work, start, true);
-    if (td_island_is_joints(work) && td_direct_miss(d) <= AMISS * d->unit_speed) {
+    if (swings(work) && td_direct_miss(d) <= AMISS * d->unit_speed) {
         return 0.0;
     }
     return td_direct_solve(d, tolerance);
@@ -216,6 +230,7 @@ static bool explodes(const td_island_work *work) {
 double td_island_solve_joints(td_island_work *work, double tolerance) {
     double missing = 0.0, whole = work->time;
     int parts = parts_of(work);
+    work->problem.patience *= td_island_is_joints(work) ? MORE_WORK : 1;
     work->time = whole / parts;
     scale_impulses(work, 1.0 / parts);
     begin(work, parts);
