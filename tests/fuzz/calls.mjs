@@ -13,8 +13,7 @@ import { thud } from "../web/support/package.mjs";
 
 const CALLS_OF_A_SEED = 300;
 const HOSTILE = [NaN, Infinity, -Infinity, -0, 5e-324, 1e-30, 1e-4, 16384, 1e9, -1e12, 3e38, 1e308];
-// What the step has not seen yet need not be finite: impulses may add up to anything.
-const MAY_BE_INFINITE = new Set(["bisectionLimit", "bodyState"]);
+const MAY_BE_INFINITE = new Set(["bisectionLimit"]);
 
 /** What a seed plays with. */
 class Session {
@@ -265,10 +264,14 @@ export function play(engine, seed) {
   const s = new Session(engine, seed);
   const ground = s.keep(s.bodies, s.world.createBody());
   s.keep(s.shapes, s.world.createTerrain(ground, { kind: "irregular", points: [[-9, 0], [9, 1]] }));
+  let unseen = false;
   for (let i = 0; i < CALLS_OF_A_SEED; i++) {
     const name = s.below(4) === 0 ? "step" : s.pick(NAMES);
     try {
-      checkFinite(CALLS[name](s), name);
+      const told = CALLS[name](s);
+      // What the step has not seen yet need not be finite: impulses may add up to anything.
+      unseen = name === "applyImpulse" || (unseen && name !== "step");
+      if (!unseen || name !== "bodyState") checkFinite(told, name);
     } catch (error) {
       if (!(error instanceof thud.ThudError) || !error.message)
         throw new Error(`seed ${seed}, call ${i}, ${name}: ${error}`, { cause: error });

@@ -72,24 +72,17 @@ static void prepare_lane(const thud_world *w, td_block *block, int lane) {
 static void prepare(thud_world *w, td_block *const *blocks, int count,
                     const td_collide_context *context) {
     (void)context;
-    for (int i = 0; i < count; i++) {
-        for (int lane = 0; lane < blocks[i]->used; lane++) {
-            prepare_lane(w, blocks[i], lane);
-        }
-        blocks[i]->touching = (1u << blocks[i]->used) - 1u;
-    }
+    td_joint_prepare(w, blocks, count, prepare_lane);
 }
 
 /* Springs and motors give way as they should; limits should not. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;
-    float mass = td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
-                              td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3]);
+    float mass = td_joint_lighter(w, block, lane);
     float turn = td_max_float(block->inv_inertia_a[lane], block->inv_inertia_b[lane]);
     float beyond = td_max_float(-p->separation[lane], 0.0f);
-    float impulse =
-        p->normal_impulse[lane] < 0.0f ? -p->normal_impulse[lane] : p->normal_impulse[lane];
+    float impulse = td_joint_size(p->normal_impulse[lane]);
     *off = turns ? beyond * size : beyond;
     return impulse * (turns ? turn * size : mass);
 }

@@ -38,34 +38,24 @@ static void prepare_lane(const thud_world *w, td_block *block, int lane) {
     block->tangent_impulse[lane] = holds ? block->tangent_impulse[lane] : 0.0f;
 }
 
-/* Joints never part. */
 static void prepare(thud_world *w, td_block *const *blocks, int count,
                     const td_collide_context *context) {
     (void)context;
-    for (int i = 0; i < count; i++) {
-        for (int lane = 0; lane < blocks[i]->used; lane++) {
-            prepare_lane(w, blocks[i], lane);
-        }
-        blocks[i]->touching = (1u << blocks[i]->used) - 1u;
-    }
-}
-
-static float size_of(float x) {
-    return x < 0.0f ? -x : x;
+    td_joint_prepare(w, blocks, count, prepare_lane);
 }
 
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = block->point;
     const td_hold_rows *rows = td_hold_rows_at(block);
-    float mass_a = td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3];
-    float mass_b = td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3];
     float turn = td_max_float(block->inv_inertia_a[lane], block->inv_inertia_b[lane]);
-    float linear = size_of(p[0].normal_impulse[lane]) + size_of(p[1].normal_impulse[lane]);
-    float gap = size_of(p[0].separation[lane]) + size_of(p[1].separation[lane]);
-    float apart = block->tangent_mass[lane] > 0.0f ? size_of(rows->turn_apart[lane]) * size : 0.0f;
+    float linear =
+        td_joint_size(p[0].normal_impulse[lane]) + td_joint_size(p[1].normal_impulse[lane]);
+    float gap = td_joint_size(p[0].separation[lane]) + td_joint_size(p[1].separation[lane]);
+    float apart =
+        block->tangent_mass[lane] > 0.0f ? td_joint_size(rows->turn_apart[lane]) * size : 0.0f;
     *off = td_max_float(gap, apart);
-    return linear * td_max_float(mass_a, mass_b) +
-           size_of(block->tangent_impulse[lane]) * turn * size;
+    return linear * td_joint_lighter(w, block, lane) +
+           td_joint_size(block->tangent_impulse[lane]) * turn * size;
 }
 
 /* What is locked misses what it wants by its speed, either way. */
@@ -83,7 +73,7 @@ static void count(thud_world *w, const td_block *block) {
                           td_joint_speed(w, block, lane, 0.0, 0.0, sign, sign)};
         bool locked[] = {p[0].normal_mass[lane] > 0.0f, p[1].normal_mass[lane] > 0.0f, false};
         for (int k = 0; k < 3; k++) {
-            float speed = locked[k] ? size_of(missed[k]) : 0.0f;
+            float speed = locked[k] ? td_joint_size(missed[k]) : 0.0f;
             w->errors.residual = td_max_float(speed, w->errors.residual);
         }
     }

@@ -81,6 +81,27 @@ void td_joint_set_frame(td_block *block, int lane, const td_joint_place *place, 
 void td_joint_fill(thud_world *w, td_block *block, int lane, int index);
 void td_joint_let_be(thud_world *w, td_block *block, int lane, int index);
 
+/* Joints never part: each lane is prepared, and all go on touching. */
+static inline void td_joint_prepare(thud_world *w, td_block *const *blocks, int count,
+                                    void lane(const thud_world *w, td_block *block, int lane)) {
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k < blocks[i]->used; k++) {
+            lane(w, blocks[i], k);
+        }
+        blocks[i]->touching = (1u << blocks[i]->used) - 1u;
+    }
+}
+
+/* Inverse mass of the lighter side. */
+static inline float td_joint_lighter(const thud_world *w, const td_block *block, int lane) {
+    return td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
+                        td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3]);
+}
+
+static inline float td_joint_size(float x) {
+    return x < 0.0f ? -x : x;
+}
+
 #define TD_JOINT_OPS(block_form, lane_ops, prepare, solve_ops)                  \
     {                                                                           \
         .form = (block_form), .lanes = &(lane_ops), .collide_world = (prepare), \

@@ -84,8 +84,9 @@ thud_joint_def thud_default_joint_def(thud_joint_kind kind) {
 
 static td_drive drive_of(const thud_drive *d) {
     return (td_drive){.limited = d->limited,
-                      .lower = d->lower,
-                      .upper = d->upper,
+                      /* Of what is not limited nobody looked at the limits. */
+                      .lower = d->limited ? d->lower : 0.0f,
+                      .upper = d->limited ? d->upper : 0.0f,
                       .frequency = d->frequency,
                       .damping = d->damping,
                       .target = d->target,

@@ -20,25 +20,15 @@ static void prepare_lane(const thud_world *w, td_block *block, int lane) {
 static void prepare(thud_world *w, td_block *const *blocks, int count,
                     const td_collide_context *context) {
     (void)context;
-    for (int i = 0; i < count; i++) {
-        for (int lane = 0; lane < blocks[i]->used; lane++) {
-            prepare_lane(w, blocks[i], lane);
-        }
-        blocks[i]->touching = (1u << blocks[i]->used) - 1u;
-    }
-}
-
-static float size_of(float x) {
-    return x < 0.0f ? -x : x;
+    td_joint_prepare(w, blocks, count, prepare_lane);
 }
 
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
-    float mass = td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
-                              td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3]);
+    float mass = td_joint_lighter(w, block, lane);
     (void)size;
-    *off = size_of(p->separation[lane]);
-    return size_of(p->normal_impulse[lane]) * mass;
+    *off = td_joint_size(p->separation[lane]);
+    return td_joint_size(p->normal_impulse[lane]) * mass;
 }
 
 static void count(thud_world *w, const td_block *block) {
@@ -49,7 +39,7 @@ static void count(thud_world *w, const td_block *block) {
         td_joint_motion(w, block, lane, a, b);
         td_joint_frame f = td_joint_line_after(block, lane, length, 0.0, a, b);
         float speed = td_joint_speed(w, block, lane, f.x, f.y, f.a_u, f.b_u);
-        w->errors.residual = td_max_float(size_of(speed), w->errors.residual);
+        w->errors.residual = td_max_float(td_joint_size(speed), w->errors.residual);
     }
 }
 

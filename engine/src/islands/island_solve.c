@@ -18,10 +18,10 @@
 #define EASY 8
 /* A calm island may be slow for so many times as many steps as the quality allows others. */
 #define CALM_PATIENCE 20
-/* A result is refused where a body that does not roll by itself turns by more than TD_TURN_MOST
- * radians in the step, where one is faster than SPEED_MOST times the greatest speed that is there
- * or wanted, or where a contact presses harder than LEVERAGE_MOST times all the momentum that is
- * there or wanted.
+/* A result is refused where a body that does not roll by itself turns by more than
+ * td_island_work.turn_most radians in the step, where one is faster than SPEED_MOST times the
+ * greatest speed that is there or wanted, or where a contact presses harder than LEVERAGE_MOST
+ * times all the momentum that is there or wanted.
  */
 #define SPEED_MOST 4.0
 #define LEVERAGE_MOST 10.0
