@@ -15,7 +15,8 @@ options every scene, as a table.
   --profile            the time of a step by stage, scene by scene
   --scenes, --all      every scene (also beside the above); all five
   --scene NAME[:SIZE]  only this scene; may be given several times
-  --against ENGINE     only this rival, box2d or rapier; may be given several times
+  --against ENGINE     only this rival, box2d, rapier or, where its library is found, chipmunk; may
+                       be given several times
   --steps N            times N steps instead of the scene's own number
   --repeat N           repetitions of every scene (default 3)
   --quick              shows that it runs, compares little

@@ -10,6 +10,7 @@ import struct
 import zlib
 
 from adventure_level import adventure
+from playground_level import playground
 from tiled_map import ASSETS, BRICK, GRASS, ICE, LEVELS, STONE, TILE, Map
 
 
@@ -247,3 +248,4 @@ if __name__ == "__main__":
     towers()
     mountain()
     adventure()
+    playground()

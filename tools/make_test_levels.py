@@ -268,6 +268,111 @@ def wrong():
         {"firstgid": 50, "source": "tiles/missing.tsx"}])
 
 
+def joint(objects, kind, x, y, a=None, b=None, **rest):
+    """An object that ties two others, told by their ids."""
+    custom = rest.pop("custom", {})
+    shape = {} if {"polyline", "width"} & rest.keys() else {"point": True}
+    objects.add(x, y, type=kind, **shape, **rest, custom=custom)
+    refers = [{"name": name, "type": "object", "value": value}
+              for name, value in (("a", a), ("b", b)) if value is not None]
+    objects.list[-1]["properties"] = refers + objects.list[-1].get("properties", [])
+    return len(objects.list)
+
+
+def row(objects, y, count=2, **rest):
+    """Boxes beside each other from x = 40 on; the ids of the last ones."""
+    for i in range(count):
+        objects.add(40 + 50 * i, y, width=30, height=16, **rest, custom={"body": "dynamic"})
+    return range(len(objects.list) - count + 1, len(objects.list) + 1)
+
+
+def joints():
+    """Every kind, held by the world, by what stands and by what moves, and drawn in every way."""
+    objects = Objects()
+    objects.add(0, 460, width=640, height=20)
+    ground = 1
+    first, second = row(objects, 40)
+    joint(objects, "hinge", 40, 48, b=first)
+    joint(objects, "hinge", 80, 48, first, second, custom={
+        "turn_lower": -0.5, "turn_upper": 0.5, "turn_frequency": 3.0, "turn_target": 0.25})
+    first, second = row(objects, 90, rotation=20)
+    joint(objects, "weld", 76, 105, first, second)
+    joint(objects, "slider", 40, 100, b=first, width=20, height=8, rotation=60, custom={
+        "along_lower": -2.0, "along_motor_speed": -1.0, "along_motor_force": "30"})
+    first, second, third = row(objects, 150, 3)
+    joint(objects, "distance", 55, 120, b=first, polyline=points((0, 0), (0, 30)))
+    joint(objects, "distance", 70, 158, first, second, polyline=points((0, 0), (20, 0)),
+          custom={"along_frequency": 4.0, "along_damping": 0.1})
+    joint(objects, "distance", 105, 158, second, third, rotation=-3,
+          polyline=points((0, 0), (50, 3)), custom={"along_lower": 0.0})
+    first, second = row(objects, 200)
+    joint(objects, "target", 60, 208, b=first, custom={
+        "along_frequency": 5.0, "across_frequency": 5.0, "along_spring_force": 400.0,
+        "across_spring_force": 400.0, "turn_motor_force": 2.0})
+    joint(objects, "filter", 0, 0, first, second)
+    objects.add(300, 380, width=120, height=24, custom={"body": "dynamic"})
+    chassis = len(objects.list)
+    for x in (310, 410):
+        objects.add(x - 16, 400, width=32, height=32, ellipse=True,
+                    custom={"body": "dynamic", "friction": 1.0})
+        joint(objects, "wheel", x, 416, chassis, len(objects.list),
+              polyline=points((0, 0), (0, -30)), custom={
+                  "along_frequency": 4.0, "along_lower": -0.3, "along_upper": 0.3,
+                  "turn_motor_speed": -12.0, "turn_motor_force": 8.0})
+    objects.add(500, 200, width=90, height=12, custom={"body": "dynamic"})
+    plank = len(objects.list)
+    later = plank + 3
+    joint(objects, "hinge", 505, 206, later, plank, custom={
+        "break_torque": 500.0, "collide_connected": True})
+    joint(objects, "weld", 590, 206, b=plank, custom={
+        "turn_frequency": 2.0, "across_frequency": 3.0, "break_force": 60.0})
+    objects.add(490, 180, width=20, height=20, custom={"body": "dynamic"})
+    joint(objects, "hinge", 500, 190, ground, later)
+    axles = []
+    for x, radius, speed in ((420, 16, 2.0), (452, 14, 0.0), (500, 10, 0.0)):
+        objects.add(x - radius, 100, width=2 * radius, height=2 * radius, ellipse=True,
+                    custom={"body": "dynamic"})
+        axles.append(joint(objects, "hinge", x, 100 + radius, b=len(objects.list), custom={
+            "turn_motor_speed": speed, "turn_motor_force": 5.0 * speed}))
+    joint(objects, "gear", 430, 120, axles[0], axles[1], custom={"ratio": 0.875})
+    joint(objects, "gear", 0, 0, axles[1], axles[2], polyline=points((9, 0), (19, 0)),
+          custom={"ratio": -0.5})
+    return map_of([object_layer(objects, turn_damping=0.9)])
+
+
+def loose():
+    """One of each thing that is wrong with a joint, beside a hinge that holds."""
+    objects = Objects()
+    objects.add(0, 460, width=640, height=20)
+    objects.add(100, 100, width=60, height=20, custom={"body": "dynamic"})
+    objects.add(200, 100, width=60, height=20, custom={"body": "dynamic"})
+    joint(objects, "hinge", 110, 110, b=2)
+    joint(objects, "hinge", 110, 110)
+    joint(objects, "hinge", 110, 110, 2, 2)
+    joint(objects, "hinge", 110, 110, 99, 98)
+    joint(objects, "hinge", 110, 110, 2, "three")
+    joint(objects, "wheel", 110, 110, 2, 1)
+    joint(objects, "weld", 110, 110, b=1)
+    joint(objects, "filter", 110, 110, b=2)
+    joint(objects, "distance", 110, 110, 2, 3)
+    joint(objects, "distance", 110, 110, 2, 3, polyline=points((0, 0), (5, 5), (9, 9)))
+    joint(objects, "distance", 110, 110, 2, 3, polyline=points((4, 4), (4, 4)))
+    joint(objects, "distance", 110, 110, 2, 3, polyline=points((0, 0), (32, 0)),
+          custom={"along_lower": 2.0})
+    joint(objects, "hinge", 9e8, 110, 2, 3)
+    joint(objects, "hinge", 110, 110, 2, 3, custom={
+        "turn_lower": 4.0, "turn_damping": "much", "break_force": -1.0, "along_target": 1.0})
+    joint(objects, "slider", 110, 110, 2, 3, custom={"along_lower": 1.0, "along_upper": -1.0})
+    joint(objects, "gear", 0, 0, 4, 1)
+    joint(objects, "gear", 0, 0, 4, custom={"ratio": 0.0})
+    objects.add(300, 100, width=20, height=20, ellipse=True, type="wheel",
+                custom={"body": "dynamic"})
+    other = joint(objects, "slider", 300, 100, 1, 2)
+    joint(objects, "gear", 0, 0, 4, other)
+    joint(objects, "gear", 0, 0, other, joint(objects, "weld", 110, 110, 2, 3))
+    return map_of([object_layer(objects)])
+
+
 def write_json(name, content):
     path = FOLDER / name
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -282,7 +387,7 @@ def write_xml(name, content):
 
 def main():
     maps = {"shapes": shapes(), "hills": hills(), "props": props(), "infinite": infinite_map(),
-            "unmarked": unmarked(), "wrong": wrong(), "csv": packed_map(None)}
+            "unmarked": unmarked(), "wrong": wrong(), "joints": joints(), "loose": loose(), "csv": packed_map(None)}
     for packing in PACKINGS:
         maps[packing or "base64"] = packed_map(packing)
     for name, content in maps.items():

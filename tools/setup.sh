@@ -59,6 +59,8 @@ need_play() {
 
 need_bench() {
     need_native
+    # The envelope goes without Chipmunk where no apt-get brings it.
+    ! have apt-get || need "Chipmunk's headers" libchipmunk-dev has_header chipmunk/chipmunk.h
     need "cmocka's headers" libcmocka-dev has_header cmocka.h
     need "clang, which builds Box2D" "clang-16|clang" have_any clang-16 clang
 }

@@ -26,8 +26,8 @@ Builds and tests everything, or only the parts that are named:
               and the kept inputs of ./run fuzz under its thread sanitizer, and measures anew what
               the generated pages in docs/ say, more than an hour; belongs to native
 
-Two lanes run side by side: wasm and page, which often wait, and all others, which give way to
-them. What a part prints is in build/test/PART.log and shown as it ends.
+Two lanes run side by side: wasm, page and baseline, of which the page often waits, and all others,
+which give way to them. What a part prints is in build/test/PART.log and shown as it ends.
 END
 }
 
@@ -228,11 +228,11 @@ test_everything() {
     # An interrupted shell would leave its lanes behind.
     trap 'trap - TERM; kill -TERM 0' INT HUP
     say "Testing:$parts"
-    run_lane wasm page &
+    run_lane wasm page baseline &
     (
-        # Where both lanes want a processor, the one that measures time gets most of it.
+        # Where both lanes want a processor, the one in which a browser waits for it gets most of it.
         renice -n 5 -p "$(exec sh -c 'echo "$PPID"')" >/dev/null 2>&1 || :
-        run_lane native clang sanitizers baseline
+        run_lane native clang sanitizers
     ) &
     ticks=0
     while [ -n "$waiting" ]; do

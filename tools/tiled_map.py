@@ -51,7 +51,7 @@ class Map:
                             "x": 0, "y": 0})
 
     def add(self, layer, x, y, width=0, height=0, rotation=0, name="", kind="", **rest):
-        """An object whose upper left corner (before rotation) is at (x, y)."""
+        """An object whose upper left corner (before rotation) is at (x, y); its number."""
         custom = rest.pop("custom", {})
         px, py = self.pixel(x, y)
         entry = {"height": round(height * self.tile, 3), "id": self.next_object, "name": name,
@@ -61,25 +61,38 @@ class Map:
             entry["properties"] = properties(**custom)
         self.next_object += 1
         layer.append(entry)
+        return entry["id"]
 
     def box(self, layer, x, y, width, height, degrees=0, **rest):
         """A box about (x, y), turned clockwise: Tiled wants the corner it is turned about."""
         a = math.radians(-degrees)
         corner_x = -width / 2 * math.cos(a) - height / 2 * math.sin(a)
         corner_y = -width / 2 * math.sin(a) + height / 2 * math.cos(a)
-        self.add(layer, x + corner_x, y + corner_y, width, height, degrees, **rest)
+        return self.add(layer, x + corner_x, y + corner_y, width, height, degrees, **rest)
 
     def circle(self, layer, x, y, radius, **rest):
-        self.add(layer, x - radius, y + radius, 2 * radius, 2 * radius, ellipse=True, **rest)
+        return self.add(layer, x - radius, y + radius, 2 * radius, 2 * radius, ellipse=True, **rest)
 
     def spawn(self, layer, x, y):
         self.add(layer, x, y, name="spawn", kind="spawn", point=True)
 
-    def line(self, layer, points, **rest):
+    def line(self, layer, points, shape="polyline", **rest):
         x0, y0 = points[0]
-        polyline = [{"x": round((x - x0) * self.tile, 3), "y": round((y0 - y) * self.tile, 3)}
-                    for x, y in points]
-        self.add(layer, x0, y0, polyline=polyline, **rest)
+        line = [{"x": round((x - x0) * self.tile, 3), "y": round((y0 - y) * self.tile, 3)}
+                for x, y in points]
+        return self.add(layer, x0, y0, **{shape: line}, **rest)
+
+    def tie(self, layer, kind, places, a=None, b=None, name="", **custom):
+        """A joint of two objects, or of the world and b: at a place, or along a line of two."""
+        if len(places) == 1:
+            self.add(layer, *places[0], name=name, kind=kind, point=True)
+        else:
+            self.line(layer, places, name=name, kind=kind)
+        refers = [{"name": key, "type": "object", "value": value}
+                  for key, value in (("a", a), ("b", b)) if value is not None]
+        layer[-1]["properties"] = sorted(refers + properties(**custom),
+                                         key=lambda entry: entry["name"])
+        return layer[-1]["id"]
 
     def write(self, name):
         uses_tiles = any(layer["type"] == "tilelayer" for layer in self.layers)

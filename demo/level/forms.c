@@ -254,6 +254,8 @@ static scene_body *add_body(level_reader *r, const level_physics *physics, uint3
     body->angle = 0.0 - rotation * RADIANS;
     body->id = id;
     level_apply_body(physics, body);
+    if (id != 0)
+        level_place_body(r, id, rotation);
     return body;
 }
 

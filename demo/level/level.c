@@ -31,7 +31,7 @@ static void read_layer(level_reader *r, const level_layer *parent, const cJSON *
         layer.oy = level_required(&v, json, "offsety", -far, far);
     layer.ox = parent->ox + layer.ox;
     layer.oy = parent->oy + layer.oy;
-    level_note_unknown(r->report, json, 0, layer.name);
+    level_note_unknown(r->report, json, 0, layer.name, LEVEL_ANY_JOINT);
     if (v.bad)
         return;
     if (strcmp(kind, "objectgroup") == 0)
@@ -121,12 +121,13 @@ static void read_map(level_reader *r, const cJSON *json, const char *name) {
     }
     level_layer map = {.json = json, .name = "map", .chain = {.links = {json}, .count = 1}};
     r->s->failed = !level_list_tilesets(&r->tilesets, level_field(json, "tilesets"), "");
-    level_note_unknown(r->report, json, 0, "map");
+    level_note_unknown(r->report, json, 0, "map", LEVEL_ANY_JOINT);
     if (!read_map_values(r, &map, name)) {
         level_problem_add(r->report, LEVEL_FATAL, 0, "the map's own values cannot be used");
         return;
     }
     read_layers(r, &map);
+    level_tie_joints(r);
 }
 
 /* More cells than this are read of no map, in all its layers. */
@@ -140,6 +141,8 @@ static bool read_once(level_library *library, const cJSON *json, const char *nam
         .s = s, .report = report, .library = library, .cells = MOST_CELLS, .all_solid = all_solid};
     read_map(&reader, json, name);
     free(reader.tilesets.items);
+    free(reader.placed);
+    free(reader.joints);
     return s->body_count == 0 && reader.unmarked > 0 && report->fatal == 0 && !s->failed;
 }
 

@@ -30,10 +30,20 @@
  *               (ox + x, oy + y)
  *   cell        column i, row j: body at ((ox + i * tilewidth) + offx * sx) + dw * 0.5,
  *               ((oy + (j + 1) * tileheight) + offy * sy) - dh * 0.5
+ *   joint       its places in a and in b are turned about (ox + x, oy + y) as a form is: (0, 0) of
+ *               a point, (width * 0.5, height * 0.5) of a rectangle, the ends of a line, of which
+ *               the first counts twice unless it is a distance. They become (px, py) as bodies do,
+ *               rounded by scene_grid; in a body at (bx, by) with c, s of its rotation, and with
+ *               dx = px - bx, dy = py - by, they are (c * dx - s * dy, s * dx + c * dy).
+ *               A distance between places dx, dy apart is sqrt(dx * dx + dy * dy) long
+ *   axis        has the rotation r of the joint's object, of a wheel less 90, or of its line
+ *               (level_direction, in polygon.c); in a body its angle is
+ *               (0 - level_turn(r) * (pi / 180)) - the body's
  *
  * Positions of bodies are then rounded by scene_grid. Layers come in the order of the file, within
  * them objects in the order of the file and tiles row by row from the top left. Lines have a body
- * each, after that of the other forms. */
+ * each, after that of the other forms. Joints follow, in the order of the file, gears after all
+ * others; one that holds to the world brings a static body, without shapes, at its place in a. */
 #ifndef THUD_DEMO_LEVEL_H
 #define THUD_DEMO_LEVEL_H
 
@@ -51,7 +61,8 @@ typedef struct level_problem {
     char text[200];  /* says what and where; already names the object or layer */
 } level_problem;
 
-/* All that a reader has to say about a file, in the order of the file. Only a file made to fill
+/* All that a reader has to say about a file, in the order of the file; what joints refer to comes
+ * last, since it may stand after them. Only a file made to fill
  * the memory has more than LEVEL_PROBLEMS: those are counted, and not in words. */
 enum { LEVEL_PROBLEMS = 100000 };
 typedef struct level_report {

@@ -186,8 +186,16 @@ static level_solid add_tile(level_reader *r, level_values *v, const thing *o, in
 
 /* ---- layers ---- */
 
+/* What joint an object is. A shape may be called a wheel, too: it is one if it says what it holds.
+ */
+static int joint_of(const level_values *v, const cJSON *object) {
+    int kind = level_joint_kind(class_of(object));
+    bool refers = level_property(v->chain, "a") || level_property(v->chain, "b");
+    return refers || cJSON_IsTrue(level_field(object, "point")) ? kind : LEVEL_NO_JOINT;
+}
+
 static level_solid read_thing(level_reader *r, level_values *v, const thing *o,
-                              const level_layer *layer, int own) {
+                              const level_layer *layer, int own, int joint) {
     const char *what = level_field(o->json, "text")      ? "a text"
                        : level_field(o->json, "capsule") ? "a capsule"
                                                          : NULL;
@@ -200,6 +208,12 @@ static level_solid read_thing(level_reader *r, level_values *v, const thing *o,
     double degrees = level_optional(v, o->json, "rotation", 0, -LEVEL_DEGREES, LEVEL_DEGREES);
     if (v->bad)
         return LEVEL_OPEN;
+    if (joint >= 0) {
+        level_read_joint(r, v, o->json, joint, x, y, degrees);
+        return LEVEL_OPEN;
+    }
+    if (level_joint_kind(class_of(o->json)) >= 0)
+        level_complain(v, LEVEL_NOTE, "without a or b it is no joint, but what it is drawn as");
     if (level_field(o->json, "gid"))
         return add_tile(r, v, o, own, x, y, degrees);
     if (cJSON_IsTrue(level_field(o->json, "point")))
@@ -219,11 +233,14 @@ static level_solid read_object(level_reader *r, const level_layer *layer, const 
     level_chain chain = layer->chain;
     chain.links[chain.count++] = object;
     level_values v = {.report = r->report, .chain = &chain, .object = (uint32_t)id->valuedouble};
-    level_note_unknown(r->report, object, v.object, "");
     thing o;
-    if (!resolve(r, &v, object, &chain, &o))
+    if (!resolve(r, &v, object, &chain, &o)) {
+        level_note_unknown(r->report, object, v.object, "", LEVEL_ANY_JOINT);
         return LEVEL_OPEN;
-    level_solid solid = read_thing(r, &v, &o, layer, chain.count - layer->chain.count);
+    }
+    int joint = joint_of(&v, o.json);
+    level_note_unknown(r->report, object, v.object, "", joint);
+    level_solid solid = read_thing(r, &v, &o, layer, chain.count - layer->chain.count, joint);
     thing_free(&o);
     return solid;
 }

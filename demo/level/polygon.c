@@ -19,9 +19,9 @@ static double extent(const scene_point *p, int count) {
     return fmax(x1 - x0, y1 - y0);
 }
 
-/* The rotation of (x, y), in degrees, by operations that every language has alike: from the
- * nearest quarter turn each round takes off the sine of what is left, which triples the digits. */
-static double direction(double x, double y) {
+/* By operations that every language has alike: from the nearest quarter turn each round takes off
+ * the sine of what is left, which triples the digits. */
+double level_direction(double x, double y) {
     double length = sqrt(x * x + y * y), c, s;
     double degrees = fabs(x) >= fabs(y) ? (x > 0 ? 0 : 180) : y > 0 ? 90 : -90;
     for (int i = 0; i < 6; i++) {
@@ -46,7 +46,7 @@ static bool read_turned_box(const scene_point *p, int count, double near, level_
     form->y = (p[0].y + p[2].y) * 0.5;
     form->hx = a * 0.5;
     form->hy = b * 0.5;
-    form->rotation = direction(ax, ay);
+    form->rotation = level_direction(ax, ay);
     return true;
 }
 

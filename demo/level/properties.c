@@ -169,18 +169,24 @@ const char *level_text(level_values *v, const char *name, const char *fallback) 
     return string_or(value, fallback);
 }
 
-void level_note_unknown(level_report *report, const cJSON *json, uint32_t object,
-                        const char *where) {
+static bool means_something(const char *name, int joint) {
+    bool known = level_joint_knows(joint, name);
+    for (size_t i = 0; joint < 0 && i < sizeof KNOWN / sizeof KNOWN[0]; i++)
+        known = known || strcmp(KNOWN[i], name) == 0;
+    return known;
+}
+
+void level_note_unknown(level_report *report, const cJSON *json, uint32_t object, const char *where,
+                        int joint) {
     const cJSON *property;
     cJSON_ArrayForEach(property, level_field(json, "properties")) {
         const char *name = string_or(level_field(property, "name"), "");
-        bool known = false;
-        for (size_t i = 0; i < sizeof KNOWN / sizeof KNOWN[0]; i++)
-            known = known || strcmp(KNOWN[i], name) == 0;
-        if (!known && object != 0)
+        if (means_something(name, joint))
+            continue;
+        if (object != 0)
             level_problem_add(report, LEVEL_NOTE, object, "property '%.40s' has no meaning here",
                               name);
-        else if (!known)
+        else
             level_problem_add(report, LEVEL_NOTE, 0, "%.60s: property '%.40s' has no meaning here",
                               where, name);
     }
@@ -197,8 +203,8 @@ static scene_body_kind read_kind(level_values *v) {
     return SCENE_STATIC;
 }
 
-static double whole_number(level_values *v, const char *name, double fallback, double low,
-                           double high) {
+double level_whole_number(level_values *v, const char *name, double fallback, double low,
+                          double high) {
     double value = level_number(v, name, fallback, low, high);
     if (value != floor(value))
         complain(v, name, "is not a whole number");
@@ -221,9 +227,9 @@ level_physics level_read_physics(level_values *v) {
     p.material.density = level_number(v, "density", 1, 1e-6, huge);
     p.material.friction = level_number(v, "friction", 0.6, 0, huge);
     p.material.restitution = level_number(v, "restitution", 0, 0, 1);
-    p.category = (uint32_t)whole_number(v, "category", 1, 0, UINT32_MAX);
-    p.mask = (uint32_t)whole_number(v, "mask", UINT32_MAX, 0, UINT32_MAX);
-    p.group = (int32_t)whole_number(v, "group", 0, INT32_MIN, INT32_MAX);
+    p.category = (uint32_t)level_whole_number(v, "category", 1, 0, UINT32_MAX);
+    p.mask = (uint32_t)level_whole_number(v, "mask", UINT32_MAX, 0, UINT32_MAX);
+    p.group = (int32_t)level_whole_number(v, "group", 0, INT32_MIN, INT32_MAX);
     return p;
 }
 

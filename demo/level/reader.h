@@ -24,6 +24,22 @@ typedef struct level_tilesets {
 
 typedef struct level_library level_library;
 
+/* A body of an object. */
+typedef struct level_placed {
+    uint32_t id;
+    int index;       /* in scene.bodies */
+    double rotation; /* degrees, clockwise, in [-180, 180) */
+} level_placed;
+
+/* An object that is a joint, until all that it may refer to is read. */
+typedef struct level_joint {
+    scene_joint joint; /* but for its bodies and frames */
+    uint32_t id, a, b; /* of objects; a is 0 if it holds to the world */
+    double x[2], y[2]; /* pixels: where it is in a and in b */
+    double rotation;   /* of its axis, degrees, clockwise */
+    int made;          /* its index in scene.joints, or -1 */
+} level_joint;
+
 typedef struct level_reader {
     scene *s;
     level_report *report;
@@ -35,6 +51,10 @@ typedef struct level_reader {
     double cells;   /* that may still be read, in all layers: a small file can claim any number */
     bool all_solid; /* nothing in the map says what collides, so that every tile does */
     int unmarked;   /* tiles of which nothing says whether they do */
+    level_placed *placed; /* bodies of objects, in the order of the map */
+    int placed_count, placed_capacity;
+    level_joint *joints; /* likewise */
+    int joint_count, joint_capacity;
 } level_reader;
 
 /* Where properties are looked up: from the innermost link (an object, a tile) to the map. */
@@ -93,10 +113,16 @@ const char *level_text(level_values *v, const char *name, const char *fallback);
 /* True, and *value, if the whole text is a number as JSON writes it. */
 bool level_number_of(const char *text, double *value);
 
-/* Notes every property of one JSON object that the reader does not know: a misspelt name ought
- * not to pass in silence. */
-void level_note_unknown(level_report *report, const cJSON *json, uint32_t object,
-                        const char *where);
+double level_whole_number(level_values *v, const char *name, double fallback, double low,
+                          double high);
+
+/* What an object is where it is no joint, and what it may be where that is not known. */
+enum { LEVEL_NO_JOINT = -1, LEVEL_ANY_JOINT = -2 };
+
+/* Notes every property of one JSON object that means nothing to what it is, `joint` (a
+ * scene_joint_kind or one of the above): a misspelt name ought not to pass in silence. */
+void level_note_unknown(level_report *report, const cJSON *json, uint32_t object, const char *where,
+                        int joint);
 
 /* The physical properties of an object or a tile. */
 typedef struct level_physics {
@@ -155,6 +181,9 @@ typedef struct level_cells {
 bool level_read_cells(level_reader *r, const level_layer *layer, level_cells *cells);
 
 /* ---- forms.c, polygon.c: outlines of objects ---- */
+
+/* The rotation of (x, y), which is not (0, 0), in degrees. */
+double level_direction(double x, double y);
 
 typedef enum level_form_kind { LEVEL_BOX, LEVEL_CIRCLE, LEVEL_LINE, LEVEL_POLYGON } level_form_kind;
 
@@ -244,6 +273,26 @@ typedef enum level_solid {
 level_solid level_read_tile_forms(level_reader *r, const level_values *v, const level_tile *tile,
                                   uint32_t gid, double width, double height, int outer,
                                   level_physics *physics, level_forms *forms);
+
+/* ---- joints.c, tie.c ---- */
+
+/* The kind that a class of objects is, or LEVEL_NO_JOINT. */
+int level_joint_kind(const char *name);
+const char *level_joint_name(scene_joint_kind kind);
+/* Whether a property means something to a kind, or to any. */
+bool level_joint_knows(int kind, const char *name);
+/* Whether the engine takes a length of either sign. */
+bool level_joint_fits(const level_reader *r, double length);
+/* Where a side of a joint is, in the world. */
+scene_point level_joint_place(const level_reader *r, const level_joint *o, int side);
+/* Keeps the joint that an object at (x, y) pixels is, or reports why it is none. */
+void level_read_joint(level_reader *r, level_values *v, const cJSON *object, int kind, double x,
+                      double y, double degrees);
+
+/* The scene's latest body is of this object. */
+void level_place_body(level_reader *r, uint32_t id, double rotation);
+/* Adds to the scene the joints that were kept, or reports why not: gears after all others. */
+void level_tie_joints(level_reader *r);
 
 /* ---- objects.c, tiles.c ---- */
 

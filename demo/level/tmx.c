@@ -133,7 +133,9 @@ static void put_typed_value(tmx *t, cJSON *property) {
     double number;
     if (!value)
         return;
-    if ((strcmp(type, "int") == 0 || strcmp(type, "float") == 0) && level_number_of(value, &number))
+    bool is_number = strcmp(type, "int") == 0 || strcmp(type, "float") == 0 ||
+                     strcmp(type, "object") == 0; /* another's id */
+    if (is_number && level_number_of(value, &number))
         typed = cJSON_CreateNumber(number);
     else if (strcmp(type, "bool") == 0)
         typed = cJSON_CreateBool(strcmp(value, "true") == 0);

@@ -1,4 +1,4 @@
-/* grab.h: pulls a body towards the pointer, by impulses at the point where it was taken. */
+/* grab.h: pulls a body towards the pointer by the point where it was taken, with a target joint. */
 #ifndef THUD_PLAY_GRAB_H
 #define THUD_PLAY_GRAB_H
 
@@ -7,17 +7,20 @@
 typedef struct grab {
     bool held;
     thud_body_id body;
-    thud_vec2 local;      /* the point taken, in the body's frame */
-    thud_pos target;      /* where it is pulled to */
-    uint64_t pulled_step; /* number of the last step that was given an impulse, plus one */
+    thud_body_id pin; /* stands where the body was taken; the joint's frame in it is the target */
+    thud_joint_id joint;
+    thud_vec2 local; /* the point taken, in the body's frame */
+    thud_pos from;   /* where the pin stands */
+    thud_pos target;
 } grab;
 
+/* False where no moving body is there, or where the world refuses. */
 bool grab_start(grab *g, session *s, thud_pos at, double margin);
-void grab_move(grab *g, thud_pos to);
-void grab_end(grab *g);
-/* Call before every advance. Lets go when the body is gone. */
-void grab_pull(grab *g, session *s);
-/* Where the point taken is now, at the session's alpha-less present. False if nothing is held. */
+/* Lets go when the body is gone. */
+void grab_move(grab *g, session *s, thud_pos to);
+/* Call before the world goes; fine where nothing is held. */
+void grab_end(grab *g, session *s);
+/* Where the point taken is after the last step. False if nothing is held. */
 bool grab_anchor(const grab *g, const session *s, thud_pos *out);
 
 #endif

@@ -20,6 +20,7 @@ const char INPUT_HELP[] =
     "  Delete             remove the body under the pointer\n"
     "  1 to 9, 0          contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
     "                     pairs, motions\n"
+    "  J K                joints; their forces and gaps\n"
     "  E F                next detection, next broadphase; the scene starts anew\n"
     "  Up Down PgUp PgDn  previous, next scene or level\n"
     "  Tab                hide and show panel and texts\n"
@@ -64,7 +65,7 @@ static void release(viewer *v, int button) {
     v->panning = false;
     if (button == SDL_BUTTON_LEFT) {
         v->ui.down = false;
-        grab_end(&v->grab);
+        grab_end(&v->grab, &v->session);
     }
 }
 
@@ -117,10 +118,11 @@ static void toggle_full_screen(SDL_Window *window) {
 
 /* Keys that do something once however long they are held. */
 static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
-    if (key >= SDLK_0 && key <= SDLK_9) {
-        viewer_toggle_overlay(v, (overlay)((key - SDLK_0 + 9) % 10));
-        return;
-    }
+    for (int i = 0; i < OVERLAY_COUNT; i++)
+        if (key == SDL_tolower(overlay_key((overlay)i))) {
+            viewer_toggle_overlay(v, (overlay)i);
+            return;
+        }
     switch (key) {
     case SDLK_ESCAPE:
         v->quit = true;
@@ -267,5 +269,5 @@ void input_poll(viewer *v, SDL_Window *window) {
     steer_character(v);
     /* Also while the pointer rests and the view or the body moves. */
     if (v->grab.held)
-        grab_move(&v->grab, pointer_place(v));
+        grab_move(&v->grab, &v->session, pointer_place(v));
 }

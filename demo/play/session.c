@@ -37,6 +37,7 @@ void session_free(session *s) {
     scene_free(&s->scene);
     free(s->bodies);
     free(s->shapes);
+    free(s->joints);
     *s = (session){0};
 }
 
@@ -105,6 +106,19 @@ static bool list_bodies(session *s, const thud_body_id *ids, int count) {
     return true;
 }
 
+/* They are told in the order in which the scene made them. */
+static bool list_joints(session *s) {
+    free(s->joints);
+    s->joint_count = 0;
+    s->joints = malloc((size_t)s->scene.joint_count * sizeof *s->joints + 1);
+    if (!s->joints) {
+        snprintf(s->message, sizeof s->message, "Out of memory while listing the joints.");
+        return false;
+    }
+    s->joint_count = thud_world_joints(s->world, s->joints, s->scene.joint_count);
+    return true;
+}
+
 bool session_load(session *s, const catalog_entry *entry) {
     scene fresh;
     s->message[0] = '\0';
@@ -135,7 +149,7 @@ bool session_load(session *s, const catalog_entry *entry) {
     s->time_step = def.time_step;
     s->alpha = 1;
     s->missed = (session_missed){0};
-    bool listed = list_bodies(s, ids, fresh.body_count);
+    bool listed = list_bodies(s, ids, fresh.body_count) && list_joints(s);
     free(ids);
     return listed;
 }

@@ -5,7 +5,7 @@
 #include "panel/catalog.h"
 
 #include <choices.h>
-#include <thud/thud.h>
+#include <thud/thud_joint.h>
 
 /* What drawing needs of a shape, read once: shapes of thud do not change in their body. */
 typedef struct session_shape {
@@ -41,6 +41,8 @@ struct session {
     session_body *bodies;
     session_shape *shapes;
     int body_count, body_capacity, shape_count, shape_capacity;
+    thud_joint_id *joints; /* of scene.joints */
+    int joint_count;
     int quality;               /* of QUALITIES in choices.h */
     int detection, broadphase; /* of DETECTIONS and BROADPHASES; the next load heeds them */
     bool paused;

@@ -2,6 +2,7 @@
 #include "viewer.h"
 
 #include "draw/draw_character.h"
+#include "draw/draw_joints.h"
 #include "draw/draw_overlays.h"
 #include "draw/draw_sums.h"
 #include "draw/draw_world.h"
@@ -33,9 +34,9 @@ static void stepped(session *s, void *context) {
 }
 
 static bool load(viewer *v, int entry) {
+    grab_end(&v->grab, &v->session); /* its joint goes with the world */
     if (!session_load(&v->session, &v->catalog.entries[entry]))
         return false;
-    grab_end(&v->grab);
     character_start(&v->character, &v->session);
     v->session.stepped = v->character.present ? stepped : NULL;
     v->session.stepped_context = &v->character;
@@ -64,10 +65,10 @@ void viewer_look_home(viewer *v) {
     const scene *s = &v->session.scene;
     thud_pos center = {s->camera_x, s->camera_y};
     if (v->character.present)
-        camera_look(&v->camera, character_place(&v->character, 1),
-                    CHARACTER_VIEW * s->length_scale);
+        camera_look(&v->camera, character_place(&v->character, 1), CHARACTER_VIEW * s->length_scale,
+                    0);
     else
-        camera_look(&v->camera, center, s->camera_height);
+        camera_look(&v->camera, center, s->camera_height, s->camera_width);
 }
 
 void viewer_toggle_overlay(viewer *v, overlay which) {
@@ -140,7 +141,6 @@ static void follow_character(viewer *v, double elapsed) {
 
 void viewer_advance(viewer *v, double elapsed) {
     uint64_t before = v->session.world ? thud_world_stats(v->session.world).steps : 0;
-    grab_pull(&v->grab, &v->session);
     session_advance(&v->session, elapsed);
     follow_character(v, elapsed);
     record_timings(v, before);
@@ -159,8 +159,12 @@ void viewer_draw(viewer *v) {
         draw_world(c, &v->camera, &v->session, v->overlays);
         if (v->character.present)
             draw_character(c, &v->camera, &v->character, v->session.alpha);
+        if (overlays_have(v->overlays, OVERLAY_JOINTS))
+            draw_joints(c, &v->camera, &v->session);
         draw_sums(c, &v->camera, &v->session);
         draw_overlays(c, &v->camera, &v->session, v->overlays, v->bare ? 0 : hud_footer(c));
+        if (overlays_have(v->overlays, OVERLAY_FORCES))
+            draw_joint_forces(c, &v->camera, &v->session);
         thud_pos anchor;
         if (grab_anchor(&v->grab, &v->session, &anchor))
             draw_pull(c, &v->camera, anchor, v->grab.target);

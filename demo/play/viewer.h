@@ -52,7 +52,7 @@ void viewer_spawn_at_home(viewer *v, thud_shape_kind kind);
 /* Divides the output between panel and world. Call when either changes. */
 void viewer_layout(viewer *v);
 
-/* Moves time on by `elapsed` seconds, pulling what is held. */
+/* Moves time on by `elapsed` seconds. */
 void viewer_advance(viewer *v, double elapsed);
 /* One step and no clock: for pictures that must come out the same every time. */
 void viewer_step_once(viewer *v);

@@ -114,6 +114,8 @@ static void keep_worst(thud_step_error *worst, thud_step_error step, bool first)
     worst->penetration_max = fmax(worst->penetration_max, step.penetration_max);
     worst->penetration_mean = fmax(worst->penetration_mean, step.penetration_mean);
     worst->residual = fmax(worst->residual, step.residual);
+    worst->joint_gap_max = fmax(worst->joint_gap_max, step.joint_gap_max);
+    worst->joint_angle_max = fmax(worst->joint_angle_max, step.joint_angle_max);
     if (first || step.energy_change > worst->energy_change)
         worst->energy_change = step.energy_change;
     if (step.overlaps > worst->overlaps)

@@ -29,6 +29,9 @@ void run_print_text(const run_outcome *o, const scene *s, const run_options *opt
            o->penetration_max, o->measure.penetration_max, o->measure.penetration_mean);
     printf("worst step   penetration %.6g in the mean, residual %.6g, %d overlaps, energy %+.6g\n",
            o->worst.penetration_mean, o->worst.residual, o->worst.overlaps, o->worst.energy_change);
+    if (s->joint_count > 0)
+        printf("joints       %d, open by %.6g and %.6g rad at worst\n", s->joint_count,
+               o->worst.joint_gap_max, o->worst.joint_angle_max);
     printf("energy       %.9g (kinetic %.9g, potential %.9g)\n", energy_of(o),
            o->measure.kinetic_energy, o->measure.potential_energy);
     printf("memory       %" PRIu64 " bytes\n", o->stats.bytes);
@@ -61,6 +64,8 @@ bool run_print_json(const run_outcome *o, const scene *s, const run_options *opt
     cJSON_AddNumberToObject(worst, "residual", o->worst.residual);
     cJSON_AddNumberToObject(worst, "energy_change", o->worst.energy_change);
     cJSON_AddNumberToObject(worst, "overlaps", o->worst.overlaps);
+    cJSON_AddNumberToObject(worst, "joint_gap_max", o->worst.joint_gap_max);
+    cJSON_AddNumberToObject(worst, "joint_angle_max", o->worst.joint_angle_max);
     cJSON_AddNumberToObject(json, "energy", energy_of(o));
     cJSON_AddNumberToObject(json, "bytes", (double)o->stats.bytes);
     cJSON_AddNumberToObject(json, "quarantined", (double)o->quarantined);

@@ -5,6 +5,7 @@
 #include "choices.h"
 
 #include <stdlib.h>
+#include <thud/thud_joint.h>
 
 static thud_vec2 vec2(double x, double y) {
     return (thud_vec2){(float)x, (float)y};
@@ -87,6 +88,52 @@ static thud_result add_body(thud_world *world, const scene *s, const scene_body 
     return result;
 }
 
+static thud_drive drive_of(const scene_drive *d) {
+    return (thud_drive){.limited = d->limited,
+                        .lower = (float)d->lower,
+                        .upper = (float)d->upper,
+                        .frequency = (float)d->frequency,
+                        .damping = (float)d->damping,
+                        .target = (float)d->target,
+                        .spring_force = (float)d->spring_force,
+                        .motor_speed = (float)d->motor_speed,
+                        .motor_force = (float)d->motor_force};
+}
+
+static thud_result add_joint(thud_world *world, const scene_joint *joint,
+                             const thud_body_id *bodies, thud_joint_id *joints, int index) {
+    thud_joint_def def = thud_default_joint_def((thud_joint_kind)joint->kind);
+    for (int side = 0; side < 2; side++) {
+        thud_joint_frame *frame = side == 0 ? &def.frame_a : &def.frame_b;
+        *frame = (thud_joint_frame){vec2(joint->x[side], joint->y[side]), joint->angle[side]};
+        if (joint->kind == SCENE_GEAR)
+            def.gear[side] = joints[joint->body[side]];
+    }
+    if (joint->kind != SCENE_GEAR) {
+        def.body_a = bodies[joint->body[0]];
+        def.body_b = bodies[joint->body[1]];
+    }
+    for (int i = 0; i < SCENE_DIRECTIONS; i++)
+        def.drive[i] = drive_of(&joint->drive[i]);
+    def.length = (float)joint->length;
+    def.ratio = (float)joint->ratio;
+    def.collide_connected = joint->collide_connected;
+    def.break_force = (float)joint->break_force;
+    def.break_torque = (float)joint->break_torque;
+    return thud_joint_create(world, &def, &joints[index]);
+}
+
+static thud_result add_joints(thud_world *world, const scene *s, const thud_body_id *bodies) {
+    thud_joint_id *joints = malloc((size_t)s->joint_count * sizeof *joints);
+    if (!joints)
+        return THUD_ERROR_MEMORY;
+    thud_result result = THUD_OK;
+    for (int i = 0; result == THUD_OK && i < s->joint_count; i++)
+        result = add_joint(world, &s->joints[i], bodies, joints, i);
+    free(joints);
+    return result;
+}
+
 thud_result scene_build_thud(const scene *s, const thud_world_def *settings, thud_world **out,
                              thud_body_id *bodies, int *failed_body) {
     *out = NULL;
@@ -97,16 +144,21 @@ thud_result scene_build_thud(const scene *s, const thud_world_def *settings, thu
     thud_world_def def = settings ? *settings : thud_default_world_def();
     def.gravity = vec2(s->gravity_x, s->gravity_y);
     def.length_scale = (float)s->length_scale;
+    thud_body_id *ids = malloc((size_t)s->body_count * sizeof *ids + 1);
+    if (!ids)
+        return THUD_ERROR_MEMORY;
     thud_world *world = NULL;
     thud_result result = thud_world_create(&def, &world);
     for (int i = 0; result == THUD_OK && i < s->body_count; i++) {
-        thud_body_id id;
-        result = add_body(world, s, &s->bodies[i], &id);
+        result = add_body(world, s, &s->bodies[i], &ids[i]);
         if (result != THUD_OK && failed_body)
             *failed_body = i;
         if (result == THUD_OK && bodies)
-            bodies[i] = id;
+            bodies[i] = ids[i];
     }
+    if (result == THUD_OK && s->joint_count > 0)
+        result = add_joints(world, s, ids);
+    free(ids);
     if (result != THUD_OK) {
         thud_world_destroy(world);
         return result;

@@ -7,7 +7,7 @@
 #include <thud/thud.h>
 
 /* Creates a world from `settings` (null: the defaults) with the scene's gravity and length scale,
- * and every body and shape in the scene's order. `bodies`, if not null, has room for
+ * and every body, shape and joint in the scene's order. `bodies`, if not null, has room for
  * scene.body_count handles. When it fails there is no world, *out is null, and *failed_body (if
  * not null) is the index of the body that was refused, or -1. */
 thud_result scene_build_thud(const scene *s, const thud_world_def *settings, thud_world **out,

@@ -22,6 +22,7 @@ void scene_free(scene *s) {
     free(s->bodies);
     free(s->shapes);
     free(s->points);
+    free(s->joints);
     free(s->owned_text);
     scene_init(s);
 }
@@ -162,6 +163,65 @@ scene_body *scene_dynamic_circle(scene *s, double x, double y, double radius) {
     scene_body *body = scene_add_body(s, SCENE_DYNAMIC, x, y);
     scene_add_circle(s, radius);
     return body;
+}
+
+static scene_joint *add_joint(scene *s, scene_joint_kind kind, int a, int b) {
+    scene_joint *joint = &s->spare_joint;
+    void *joints = s->joints;
+    if (!s->failed &&
+        make_room(&joints, &s->joint_capacity, s->joint_count, 1, sizeof *s->joints)) {
+        s->joints = joints;
+        joint = &s->joints[s->joint_count++];
+    } else {
+        s->failed = true;
+    }
+    *joint = (scene_joint){
+        .kind = kind,
+        .body = {a, b},
+        .length = 1,
+        .ratio = 1,
+        .collide_connected = kind == SCENE_GEAR,
+        .break_force = 1e30,
+        .break_torque = 1e30,
+    };
+    for (int i = 0; i < SCENE_DIRECTIONS; i++)
+        joint->drive[i] = (scene_drive){.damping = 0.7, .spring_force = 1e30};
+    return joint;
+}
+
+static void see(const scene *s, scene_joint *joint, int side, double x, double y, double angle) {
+    const scene_body *body = &s->bodies[joint->body[side]];
+    joint->x[side] = scene_grid(x) - body->x;
+    joint->y[side] = scene_grid(y) - body->y;
+    joint->angle[side] = angle;
+}
+
+scene_joint *scene_tie(scene *s, scene_joint_kind kind, int a, int b, double x, double y,
+                       double angle) {
+    scene_joint *joint = add_joint(s, kind, a, b);
+    if (!s->failed) {
+        see(s, joint, 0, x, y, angle);
+        see(s, joint, 1, x, y, angle);
+    }
+    return joint;
+}
+
+scene_joint *scene_tie_distance(scene *s, int a, int b, double ax, double ay, double bx,
+                                double by) {
+    scene_joint *joint = add_joint(s, SCENE_DISTANCE, a, b);
+    if (!s->failed) {
+        see(s, joint, 0, ax, ay, 0);
+        see(s, joint, 1, bx, by, 0);
+        double dx = scene_grid(bx) - scene_grid(ax), dy = scene_grid(by) - scene_grid(ay);
+        joint->length = sqrt(dx * dx + dy * dy);
+    }
+    return joint;
+}
+
+scene_joint *scene_tie_gear(scene *s, int first, int second, double ratio) {
+    scene_joint *joint = add_joint(s, SCENE_GEAR, first, second);
+    joint->ratio = ratio;
+    return joint;
 }
 
 void scene_shift(scene *s, double dx, double dy) {

@@ -83,6 +83,38 @@ typedef struct scene_body {
     int first_shape, shape_count; /* in scene.shapes */
 } scene_body;
 
+/* As thud_joint.h has them. */
+typedef enum scene_joint_kind {
+    SCENE_DISTANCE = 0,
+    SCENE_HINGE,
+    SCENE_SLIDER,
+    SCENE_WELD,
+    SCENE_WHEEL,
+    SCENE_TARGET,
+    SCENE_FILTER,
+    SCENE_GEAR
+} scene_joint_kind;
+
+enum { SCENE_ALONG, SCENE_ACROSS, SCENE_TURN, SCENE_DIRECTIONS };
+
+typedef struct scene_drive {
+    bool limited;
+    double lower, upper;
+    double frequency, damping, target, spring_force; /* defaults 0, 0.7, 0, 1e30 */
+    double motor_speed, motor_force;
+} scene_drive;
+
+typedef struct scene_joint {
+    scene_joint_kind kind;
+    int body[2];                 /* indices of scene.bodies; of a gear: of scene.joints */
+    double x[2], y[2], angle[2]; /* frames, from the bodies' origins and in their frames */
+    scene_drive drive[SCENE_DIRECTIONS];
+    double length;                    /* of a distance */
+    double ratio;                     /* of a gear; default 1 */
+    bool collide_connected;           /* default false; of a gear true */
+    double break_force, break_torque; /* default 1e30: never */
+} scene_joint;
+
 typedef struct scene {
     const char *name;  /* the registry's, or the level's file name without folder and suffix */
     const char *title; /* for a menu */
@@ -90,7 +122,8 @@ typedef struct scene {
     double gravity_x, gravity_y; /* default 0, -10 */
     double length_scale;         /* of a typical body; default 1 */
     double camera_x, camera_y;   /* what to look at first ... */
-    double camera_height;        /* ... and how many metres of it from top to bottom */
+    double camera_height;        /* ... and how many metres of it from top to bottom, */
+    double camera_width;         /* and at least from left to right; default 0 */
     double spawn_x, spawn_y;     /* where a viewer drops new bodies */
     bool character;              /* played with one, which starts there */
     unsigned show;               /* scene_show */
@@ -99,12 +132,14 @@ typedef struct scene {
     scene_body *bodies;
     scene_shape *shapes;
     scene_point *points;
-    int body_count, shape_count, point_count;
-    int body_capacity, shape_capacity, point_capacity;
+    scene_joint *joints;
+    int body_count, shape_count, point_count, joint_count;
+    int body_capacity, shape_capacity, point_capacity, joint_capacity;
     scene_material material; /* given to every shape that is added from now on */
     bool failed;             /* memory ran out while filling: the scene is incomplete */
     scene_body spare_body;   /* what the helpers hand out once memory has run out */
     scene_shape spare_shape;
+    scene_joint spare_joint;
     char *owned_text; /* storage behind name, title and about of a level; else null */
 } scene;
 
@@ -132,6 +167,16 @@ scene_shape *scene_add_irregular(scene *s, const scene_point *points, int count)
 scene_body *scene_static_box(scene *s, double x, double y, double hx, double hy);
 scene_body *scene_dynamic_box(scene *s, double x, double y, double hx, double hy);
 scene_body *scene_dynamic_circle(scene *s, double x, double y, double radius);
+
+/* Ties two bodies, by their indices, at a place in the world, where both frames are, with their x
+ * axes along `angle`. The bodies stand at angle 0 (shapes may be at any); for others set the frames
+ * through the pointer. */
+scene_joint *scene_tie(scene *s, scene_joint_kind kind, int a, int b, double x, double y,
+                       double angle);
+/* From a place of body a to one of body b, in the world, locked at what is between them. */
+scene_joint *scene_tie_distance(scene *s, int a, int b, double ax, double ay, double bx, double by);
+/* Of two joints, by their indices. */
+scene_joint *scene_tie_gear(scene *s, int first, int second, double ratio);
 
 /* Moves everything, and the camera, by (dx, dy): exact for whole numbers up to 10^7. */
 void scene_shift(scene *s, double dx, double dy);

@@ -25,6 +25,9 @@ typedef struct engine_settings {
     bool baseline_simd;              /* thud: never takes AVX2, the same bits */
     int substeps;                    /* Box2D; 0: 4, as its manual recommends */
     double contact_hertz;            /* Box2D: b2WorldDef.contactHertz; 0: its default */
+    double joint_hertz;              /* Box2D: constraintHertz of all joints; 0: its default */
+    int iterations;                  /* Chipmunk; 0: 10, its default */
+    double joint_damping;            /* Box2D: constraintDampingRatio; 0: its default */
     bool bullets;                    /* Box2D: bodies for which the scene wants swept detection are
                                         bullets, and no speed is cut */
 } engine_settings;
@@ -46,7 +49,9 @@ typedef struct engine_events {
 /* The operations on a world. Those from `events` on are null where an engine has not got them. */
 typedef struct physics_engine {
     const char *name;
-    bool needs_avx2; /* on x86-64: its library was built for it */
+    bool needs_avx2;                   /* on x86-64: its library was built for it */
+    bool only_by_name;                 /* runs where it is asked for by name alone */
+    bool (*can_build)(const scene *s); /* whether it has all that is in the scene; null: it has */
     /* For engine_create, which fills in the defaults that have a number here. Null when it fails.
      */
     void *(*create)(const scene *s, const engine_settings *settings);
@@ -66,14 +71,18 @@ typedef struct physics_engine {
 } physics_engine;
 
 extern const physics_engine engine_thud;
-extern const physics_engine engine_box2d;  /* only where THUD_BOX2D_BUILD is defined */
-extern const physics_engine engine_rapier; /* only where THUD_RAPIER_BUILD is defined */
+extern const physics_engine engine_box2d;    /* only where THUD_BOX2D_BUILD is defined */
+extern const physics_engine engine_rapier;   /* only where THUD_RAPIER_BUILD is defined */
+extern const physics_engine engine_chipmunk; /* only where THUD_CHIPMUNK_BUILD is defined */
 
 /* Those of this build, thud first. */
 extern const physics_engine *const BUILT_ENGINES[];
 extern const int BUILT_ENGINE_COUNT;
 
 const physics_engine *engine_find(const char *name); /* null if this build has none */
+
+/* Whether the engine has all that is in the scene, such as joints. */
+bool engine_can_build(const physics_engine *engine, const scene *s);
 
 /* Null when it fails, and a line on stderr says why. The scene must outlive the world. */
 void *engine_create(const physics_engine *engine, const scene *s, engine_settings settings);

@@ -6,6 +6,7 @@
  *   from right to left. A chain's first and last edge do not collide, so that each end gets a
  *   ghost point that continues the last edge.
  * - Friction mixes as sqrt(a * b) and restitution as the larger in both engines. */
+#include "box2d_joints.h"
 #include "engine.h"
 #include "misuse_box2d.h"
 
@@ -170,7 +171,7 @@ static void *create(const scene *s, const engine_settings *settings) {
     bool ok = B2_IS_NON_NULL(own->id);
     for (int i = 0; ok && i < s->body_count; i++)
         ok = add_body(own, s, i, settings);
-    if (ok)
+    if (ok && box2d_add_joints(own->id, s, own->bodies, settings))
         return own;
     destroy(own);
     return NULL;
@@ -252,6 +253,7 @@ static bool misuse_body(void *state, int body, misuse call, double value) {
 const physics_engine engine_box2d = {
     .name = "box2d",
     .needs_avx2 = true,
+    .can_build = box2d_has_joints,
     .create = create,
     .destroy = destroy,
     .step = step,

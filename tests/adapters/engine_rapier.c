@@ -148,8 +148,14 @@ static uint64_t bytes(void *state) {
     return rapier_bytes();
 }
 
+/* Its joints are not translated. */
+static bool has_no_joints(const scene *s) {
+    return s->joint_count == 0;
+}
+
 const physics_engine engine_rapier = {
     .name = "rapier",
+    .can_build = has_no_joints,
     .needs_avx2 = true,
     .create = create,
     .destroy = destroy,

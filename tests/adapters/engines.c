@@ -12,6 +12,9 @@ const physics_engine *const BUILT_ENGINES[] = {
 #ifdef THUD_RAPIER_BUILD
     &engine_rapier,
 #endif
+#ifdef THUD_CHIPMUNK_BUILD
+    &engine_chipmunk,
+#endif
 };
 const int BUILT_ENGINE_COUNT = sizeof BUILT_ENGINES / sizeof BUILT_ENGINES[0];
 
@@ -34,12 +37,18 @@ static bool can_run(const physics_engine *engine) {
     return !lacking;
 }
 
+bool engine_can_build(const physics_engine *engine, const scene *s) {
+    return !engine->can_build || engine->can_build(s);
+}
+
 void *engine_create(const physics_engine *engine, const scene *s, engine_settings settings) {
     if (settings.time_step == 0)
         settings.time_step = ENGINE_TIME_STEP;
     if (settings.substeps == 0)
         settings.substeps = 4;
-    void *world = !s->failed && can_run(engine) ? engine->create(s, &settings) : NULL;
+    void *world = !s->failed && engine_can_build(engine, s) && can_run(engine)
+                      ? engine->create(s, &settings)
+                      : NULL;
     if (!world)
         fprintf(stderr, "%s: scene %s could not be built\n", engine->name, s->name);
     return world;

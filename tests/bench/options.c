@@ -21,14 +21,14 @@ void options_print_help(void) {
            "  --all                all five\n\n"
            "how:\n"
            "  --scene NAME[:SIZE]  only this scene; may be given several times\n"
-           "  --against ENGINE     only this rival; may be given several times. Here: box2d%s\n"
+           "  --against ENGINE     only this rival; may be given several times. Here: box2d%s%s\n"
            "  --steps N            times N steps instead of the scene's own number\n"
            "  --repeat N           repetitions of every scene (default 3)\n"
            "  --quick              40 steps and 1 repetition: shows that it runs, compares little\n"
            "  --json FILE          also writes everything to FILE\n"
            "  --list               lists the scenes, and which steps of each are timed\n"
            "  --help               this text\n",
-           engine_find("rapier") ? ", rapier" : "");
+           engine_find("rapier") ? ", rapier" : "", engine_find("chipmunk") ? ", chipmunk" : "");
 }
 
 void options_print_list(void) {
@@ -163,10 +163,9 @@ static void fill_in_defaults(options *o) {
     if (o->scene_count == 0)
         add_default_scenes(o);
     if (o->engine_count == 1)
-        while (o->engine_count < BUILT_ENGINE_COUNT) {
-            o->engines[o->engine_count] = BUILT_ENGINES[o->engine_count];
-            o->engine_count++;
-        }
+        for (int i = 1; i < BUILT_ENGINE_COUNT; i++)
+            if (!BUILT_ENGINES[i]->only_by_name)
+                o->engines[o->engine_count++] = BUILT_ENGINES[i];
     if (o->parts == 0)
         o->parts = BENCH_SCENES;
     if (o->repetitions == 0)

@@ -20,6 +20,10 @@ static const bench_plan PLANS[] = {
     {"one_spot", 0, 1, 300, true, false, 5, 0, "the collapse itself"},
     {"overlapping", 0, 0, 100, true, false, 0, 50, "from the first step, which finds every pair"},
     {"asleep", 0, 180, 300, true, true, 1, 0, "starts when the stacks sleep; the circles do not"},
+    {"ragdolls", 200, 10, 600, true, false, 3, 0, "fall, impact, and rest in a heap"},
+    {"joint_grid", 100, 10, 300, true, false, 3, 0, "hangs, and swings on"},
+    {"swinging_chains", 0, 10, 600, true, false, 3, 0, "never rest"},
+    {"bridges", 0, 10, 600, true, false, 3, 0, "impacts, and swinging out"},
 };
 
 enum { PLAN_COUNT = sizeof PLANS / sizeof PLANS[0] };
@@ -63,7 +67,7 @@ bench_plan bench_plan_quick(bench_plan plan) {
 }
 
 const scene_info *bench_scene(const char *name) {
-    const scene_info *own[] = {&bench_rubble, &bench_overlapping};
+    const scene_info *own[] = {&bench_rubble, &bench_overlapping, &bench_chains, &bench_bridges};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++)
         if (strcmp(own[i]->name, name) == 0)
             return own[i];

@@ -31,7 +31,7 @@ bench_plan bench_plan_quick(bench_plan plan);
 /* A scene by its name: a built-in one or one of the benchmark's own. Null if there is none. */
 const scene_info *bench_scene(const char *name);
 
-/* The benchmark's own, in extra_scenes.c. */
-extern const scene_info bench_rubble, bench_overlapping;
+/* The benchmark's own, in extra_scenes.c and joint_scenes.c. */
+extern const scene_info bench_rubble, bench_overlapping, bench_chains, bench_bridges;
 
 #endif

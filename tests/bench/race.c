@@ -12,7 +12,7 @@
  * short against the machine's moods. */
 enum { TURN = 8 };
 
-/* Samples of penetration per run, between turns. */
+/* Samples of overlap and of gaps per run, between turns. */
 enum { SAMPLES = 32 };
 
 typedef struct race {
@@ -22,6 +22,7 @@ typedef struct race {
     void *worlds[RACE_MAX_ENGINES];
     series times[RACE_MAX_ENGINES];
     penetration overlap[RACE_MAX_ENGINES];
+    joint_gaps gaps[RACE_MAX_ENGINES];
     uint64_t bytes[RACE_MAX_ENGINES];
     penetration_meter *meter;
     engine_body *bodies;
@@ -60,10 +61,11 @@ static bool take_turn(race *r, int engine, int repetition, int first, int count)
     return true;
 }
 
-static void sample_overlap(race *r) {
+static void sample_errors(race *r) {
     for (int e = 0; e < r->settings->engine_count; e++) {
         r->settings->engines[e]->read(r->worlds[e], r->bodies);
         penetration_sample(r->meter, r->bodies, &r->overlap[e]);
+        joint_gaps_sample(r->scene, r->bodies, &r->gaps[e]);
     }
 }
 
@@ -79,7 +81,7 @@ static bool take_all_turns(race *r, int repetition) {
                 return false;
         /* A repetition repeats the same motion: one measurement of it is enough. */
         if (repetition == 0 && (first + TURN) % sample_every == 0)
-            sample_overlap(r);
+            sample_errors(r);
         double done = (double)(first + count) / r->plan.steps;
         progress_show(r->scene->name, (repetition + done) / r->settings->repetitions);
     }
@@ -123,6 +125,7 @@ static void conclude(const race *r, int size, race_result *out) {
             .engine = r->settings->engines[e]->name,
             .time = series_summarize(&r->times[e]),
             .overlap = r->overlap[e],
+            .gaps = r->gaps[e],
             .bytes = r->bytes[e],
         };
         for (int i = 0; i < r->settings->repetitions; i++) {

@@ -3,6 +3,7 @@
 #define THUD_BENCH_RACE_H
 
 #include "engine.h"
+#include "joint_gaps.h"
 #include "penetration.h"
 #include "plan.h"
 #include "series.h"
@@ -19,6 +20,7 @@ typedef struct race_entry {
     const char *engine;
     series_summary time; /* ms per step */
     penetration overlap;
+    joint_gaps gaps;
     uint64_t bytes;
     /* Time of this engine over the first one's: the lowest and the highest ratio of medians that
      * a single repetition gave. */

@@ -44,9 +44,20 @@ static void print_rival(FILE *out, const race_result *r, const race_entry *rival
     fputc('\n', out);
 }
 
+/* Of scenes with joints alone. */
+static void print_gaps(FILE *out, const race_result *r, const race_entry *rival) {
+    const joint_gaps *own = &r->entries[0].gaps, *its = &rival->gaps;
+    if (own->joints > 0)
+        fprintf(out, "  widest joint %.1f mm in %s, %.1f in thud; mean %.3f and %.3f\n",
+                its->worst.length * 1e3, rival->engine, own->worst.length * 1e3,
+                joint_gaps_mean(its) * 1e3, joint_gaps_mean(own) * 1e3);
+}
+
 void report_table_row(FILE *out, const race_result *r) {
-    for (int e = 1; e < r->entry_count; e++)
+    for (int e = 1; e < r->entry_count; e++) {
         print_rival(out, r, &r->entries[e]);
+        print_gaps(out, r, &r->entries[e]);
+    }
     for (int e = 0; e < r->entry_count; e++)
         if (r->entries[e].overlap.lost > 0)
             fprintf(out, "  %s lost %d shapes: their pose is no longer finite\n",
@@ -60,7 +71,8 @@ void report_table_foot(FILE *out, int repetitions) {
         "\nms: the median step. ratio: its time over thud's, above 1 thud is faster; (spread)\n"
         "of the median over %d repetition%s. One thread, every engine at its defaults; overlap\n"
         "measured by separate double-precision geometry. A scene holds when median, p99 and\n"
-        "worst step all reach what is asked of it against Box2D, with no deeper overlap.\n",
+        "worst step all reach what is asked of it against Box2D, with no deeper overlap and no\n"
+        "wider joints.\n",
         repetitions, repetitions == 1 ? "" : "s");
 }
 
@@ -74,6 +86,8 @@ static void write_entry(json *out, const race_entry *entry) {
     json_number(out, "ratio_high", entry->ratio_high);
     json_number(out, "penetration_max", entry->overlap.worst);
     json_number(out, "penetration_mean", penetration_mean(&entry->overlap));
+    json_number(out, "gap_max", entry->gaps.worst.length);
+    json_number(out, "gap_mean", joint_gaps_mean(&entry->gaps));
     json_number(out, "lost", entry->overlap.lost);
     json_number(out, "bytes", (double)entry->bytes);
     json_end(out);

@@ -48,6 +48,17 @@ static void verdict_below_the_target_names_each_part_that_misses(void **state) {
     assert_verdict(&r, "misses: p99");
 }
 
+static void verdict_with_wider_joints_misses_however_fast(void **state) {
+    (void)state;
+    race_result r = even();
+    r.entries[0].gaps = r.entries[2].gaps = (joint_gaps){{.length = 0.01}, .sum = 1, .joints = 200};
+    assert_verdict(&r, "holds");
+    r.entries[0].gaps.worst.length = 0.0101;
+    assert_verdict(&r, "misses: gap");
+    r.entries[0].gaps = (joint_gaps){{.length = 0.005}, .sum = 1.1, .joints = 200};
+    assert_verdict(&r, "misses: gap");
+}
+
 static void verdict_with_deeper_overlap_misses_however_fast(void **state) {
     (void)state;
     race_result r = even();
@@ -85,6 +96,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(verdict_at_the_target_holds),
         cmocka_unit_test(verdict_below_the_target_names_each_part_that_misses),
+        cmocka_unit_test(verdict_with_wider_joints_misses_however_fast),
         cmocka_unit_test(verdict_with_deeper_overlap_misses_however_fast),
         cmocka_unit_test(verdict_on_a_limit_needs_no_rival),
         cmocka_unit_test(verdict_without_the_rival_of_the_target_is_silent),

@@ -18,16 +18,17 @@ static bench_plan plan_of(const options *o, const chosen_scene *chosen) {
 }
 
 static bool run_scene(const options *o, const chosen_scene *chosen, race_result *out) {
-    race_settings settings = {
-        .engines = o->engines,
-        .engine_count = o->engine_count,
-        .repetitions = o->repetitions,
-    };
+    const physics_engine *able[RACE_MAX_ENGINES];
+    race_settings settings = {.engines = able, .repetitions = o->repetitions};
     scene s;
     if (!scenes_fill(chosen->info, chosen->size, &s)) {
         fprintf(stderr, "thud-bench: out of memory for scene %s\n", chosen->info->name);
         return false;
     }
+    /* Who has no joints, say, is left out. */
+    for (int i = 0; i < o->engine_count; i++)
+        if (engine_can_build(o->engines[i], &s))
+            able[settings.engine_count++] = o->engines[i];
     bool ok = race_run(&s, chosen->size, plan_of(o, chosen), &settings, out);
     out->scene = chosen->info->name;
     scene_free(&s);

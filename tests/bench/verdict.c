@@ -1,11 +1,11 @@
-/* verdict.c: see verdict.h. Speed that costs accuracy does not count, so that overlap is judged
- * wherever speed is. */
+/* verdict.c: see verdict.h. Speed that costs accuracy does not count, so that overlap and gaps are
+ * judged wherever speed is. */
 #include "verdict.h"
 
 #include <stdio.h>
 #include <string.h>
 
-static const double SAME_OVERLAP = 1e-5; /* m */
+static const double SAME = 1e-5; /* m */
 
 const race_entry *verdict_rival(const race_result *result) {
     for (int e = 1; e < result->entry_count; e++)
@@ -21,16 +21,17 @@ verdict verdict_of(const race_result *result) {
         v.median = rival->time.median < result->target * own->time.median;
         v.p99 = rival->time.p99 < result->target * own->time.p99;
         v.worst = rival->time.max < result->target * own->time.max;
-        v.overlap =
-            own->overlap.worst > rival->overlap.worst + SAME_OVERLAP ||
-            penetration_mean(&own->overlap) > penetration_mean(&rival->overlap) + SAME_OVERLAP ||
-            own->overlap.lost > 0;
+        v.overlap = own->overlap.worst > rival->overlap.worst + SAME ||
+                    penetration_mean(&own->overlap) > penetration_mean(&rival->overlap) + SAME ||
+                    own->overlap.lost > 0;
+        v.gap = own->gaps.worst.length > rival->gaps.worst.length + SAME ||
+                joint_gaps_mean(&own->gaps) > joint_gaps_mean(&rival->gaps) + SAME;
     }
     return v;
 }
 
 bool verdict_holds(verdict v) {
-    return !(v.median || v.p99 || v.worst || v.overlap || v.limit);
+    return !(v.median || v.p99 || v.worst || v.overlap || v.gap || v.limit);
 }
 
 void verdict_text(const race_result *result, char *out, size_t size) {
@@ -45,11 +46,8 @@ void verdict_text(const race_result *result, char *out, size_t size) {
     const struct {
         bool missed;
         const char *name;
-    } parts[] = {{v.median, "median"},
-                 {v.p99, "p99"},
-                 {v.worst, "worst"},
-                 {v.overlap, "overlap"},
-                 {v.limit, "limit"}};
+    } parts[] = {{v.median, "median"},   {v.p99, "p99"}, {v.worst, "worst"},
+                 {v.overlap, "overlap"}, {v.gap, "gap"}, {v.limit, "limit"}};
     size_t used = (size_t)snprintf(out, size, "misses:");
     const char *between = " ";
     for (size_t i = 0; i < sizeof parts / sizeof parts[0] && used < size; i++) {

@@ -10,10 +10,11 @@
 typedef struct verdict {
     bool median, p99, worst; /* the ratio to Box2D's is below the target */
     bool overlap;            /* deeper than Box2D's, worst or mean */
+    bool gap;                /* joints are further open than Box2D's, worst or mean */
     bool limit;              /* a step took longer than the plan allows */
 } verdict;
 
-/* Overlaps count as equal within a hundredth of a millimetre. */
+/* Overlaps and gaps count as equal within a hundredth of a millimetre. */
 verdict verdict_of(const race_result *result);
 bool verdict_holds(verdict v);
 

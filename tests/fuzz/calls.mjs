@@ -10,6 +10,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { thud } from "../web/support/package.mjs";
+import { JOINT_CALLS } from "./joint_calls.mjs";
 
 const CALLS_OF_A_SEED = 300;
 const HOSTILE = [NaN, Infinity, -Infinity, -0, 5e-324, 1e-30, 1e-4, 16384, 1e9, -1e12, 3e38, 1e308];
@@ -24,6 +25,7 @@ class Session {
     this.world = engine.createWorld(this.worldOptions());
     this.bodies = [];
     this.shapes = [];
+    this.joints = [];
     this.movers = [];
     this.snapshot = null;
   }
@@ -59,6 +61,11 @@ class Session {
   shape() {
     if (this.shapes.length && this.below(12)) return this.pick(this.shapes);
     return { kind: "shape", index: this.below(5), generation: this.below(3) };
+  }
+
+  joint() {
+    if (this.joints.length && this.below(12)) return this.pick(this.joints);
+    return { kind: "joint", index: this.below(5), generation: this.below(3) };
   }
 
   solid() {
@@ -118,6 +125,7 @@ class Session {
 
 /** By name: each calls what it is named for, and gives what that gave. */
 export const CALLS = {
+  ...JOINT_CALLS,
   createBody: (s) =>
     s.keep(
       s.bodies,
@@ -144,8 +152,8 @@ export const CALLS = {
     return s.keep(s.shapes, s.world.createObb(s.body(), { ...s.shapeOptions(), ...box }));
   },
   createTerrain: (s) => s.keep(s.shapes, s.world.createTerrain(s.body(), s.line())),
-  destroy: (s) => s.world.destroy(s.below(3) ? s.body() : s.shape()),
-  isValid: (s) => s.world.isValid(s.below(2) ? s.body() : s.shape()),
+  destroy: (s) => s.world.destroy(s.pick([s.body(), s.shape(), s.joint()])),
+  isValid: (s) => s.world.isValid(s.pick([s.body(), s.shape(), s.joint()])),
   bodyState: (s) => s.world.bodyState(s.body()),
   shapeState: (s) => s.world.shapeState(s.shape()),
   shapesOf: (s) => s.world.shapesOf(s.body()),

@@ -86,6 +86,9 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(joint_destroy),
     PLAYS(joint_edit),
     PLAYS(joint_get),
+    PLAYS(joint_frame),
+    PLAYS(joint_breaking),
+    PLAYS(joint_lists),
 };
 
 void session_play(fuzz_session *s) {

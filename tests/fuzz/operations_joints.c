@@ -43,6 +43,11 @@ void play_joint(fuzz_session *s) {
     def.disabled = next_choice(&s->bytes, 8) == 7;
     def.length = pick_size(s);
     def.drive[next_choice(&s->bytes, THUD_DIRECTION_COUNT)] = pick_drive(s);
+    if (def.kind == THUD_GEAR) {
+        def.gear[0] = pick_joint(s);
+        def.gear[1] = pick_joint(s);
+        def.ratio = next_float(&s->bytes, -4, 0.0625);
+    }
     if (s->bytes.hostile && next_chance(&s->bytes, 16)) {
         def.kind = (thud_joint_kind)next_count(&s->bytes, THUD_JOINT_KIND_COUNT + 2);
     }
@@ -85,6 +90,23 @@ void play_joint_edit(fuzz_session *s) {
     }
 }
 
+/* What it says makes another. */
+static void read_def(fuzz_session *s, thud_joint_id joint) {
+    thud_joint_def def;
+    memset(&def, CALL_FILL, sizeof def);
+    TRY(s, thud_joint_get_def(s->world, joint, &def));
+    if (s->result != THUD_OK) {
+        call_untouched(s, &def, sizeof def);
+        return;
+    }
+    note_number(s, def.frame_a.angle);
+    note_number(s, (double)def.frame_b.position.x);
+    note_number(s, (double)def.length);
+    for (int i = 0; i < THUD_DIRECTION_COUNT; i++) {
+        note_number(s, (double)(def.drive[i].target + def.drive[i].motor_force));
+    }
+}
+
 /* Forces of the last substep may be anything that a float can hold. */
 void play_joint_get(fuzz_session *s) {
     thud_joint_id joint = pick_joint(s);
@@ -103,5 +125,44 @@ void play_joint_get(fuzz_session *s) {
     note_number(s, state.angle_gap);
     for (int i = 0; i < THUD_DIRECTION_COUNT; i++) {
         note_number(s, state.value[i]);
+    }
+    read_def(s, joint);
+}
+
+void play_joint_frame(fuzz_session *s) {
+    thud_joint_id joint = pick_joint(s);
+    unsigned byte = next_byte(&s->bytes);
+    thud_joint_frame frame = pick_frame(s);
+    TRY(s, thud_joint_set_frame(s->world, joint, byte < 8 ? (int)byte : (int)(byte % 2), frame));
+}
+
+void play_joint_breaking(fuzz_session *s) {
+    thud_joint_id joint = pick_joint(s);
+    unsigned byte = next_byte(&s->bytes);
+    float force = byte & 1 ? THUD_JOINT_FORCE_MAX : next_float(&s->bytes, 0, 4);
+    float torque = byte & 2 ? THUD_JOINT_FORCE_MAX : next_float(&s->bytes, 0, 4);
+    TRY(s, thud_joint_set_breaking(s->world, joint, force, torque, byte & 4));
+}
+
+/* Lists say how long they are, whatever room there is. */
+void play_joint_lists(fuzz_session *s) {
+    enum { ROOM = 4 };
+    thud_joint_id list[ROOM];
+    int room = (int)next_choice(&s->bytes, ROOM + 1), broken = 0;
+    thud_body_id body = pick_body(s);
+    int all = COUNTED(thud_world_joints(s->world, room ? list : NULL, room));
+    for (int i = 0; i < all && i < room; i++) {
+        note_bits(s, list[i].index1);
+    }
+    int of_body = COUNTED(thud_body_joints(s->world, body, list, room));
+    for (int i = 0; i < of_body && i < room; i++) {
+        note_bits(s, list[i].index1);
+    }
+    if (of_body > all) {
+        fuzz_fail(s, "a body has %d joints, and its world %d", of_body, all);
+    }
+    const thud_joint_event *events = COUNTED(thud_world_joint_events(s->world, &broken));
+    for (int i = 0; i < broken; i++) {
+        note_bits(s, events[i].joint.index1 + events[i].broken);
     }
 }

@@ -2,6 +2,7 @@
 #include "guarantee.h"
 #include "yard.h"
 
+#include <thud/thud_joint.h>
 #include <fenv.h>
 #include <thud/thud_snapshot.h>
 
@@ -121,6 +122,7 @@ static void same_bits_after_restore(trial *t) {
     def.baseline_simd = true;
     def.job_system = trial_jobs(3 - settings_workers(t->set));
     thud_world *other = trial_make(t, def);
+    DO(t, thud_world_use_joints(other));
     kept = y;
     trial_bytes s = trial_snapshot(t, y.world);
     walk(&y, first);

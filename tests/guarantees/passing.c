@@ -179,7 +179,7 @@ static void swept_bodies_keep_apart(trial *t) {
 
 static void nothing_is_lost(trial *t) {
     yard y;
-    yard_make(&y, t, trial_def(t), 0);
+    yard_make_loose(&y, t, trial_def(t), 0);
     for (int k = 0; k < 2 * trial_steps(t, 0.5) && !trial_failed(t); k++) {
         yard_step(&y);
         for (int i = 0; i < YARD_BODIES && !trial_failed(t); i++) {

@@ -1,6 +1,8 @@
 /* yard.c: see yard.h. */
 #include "yard.h"
 
+#include <thud/thud_joint.h>
+
 enum { LINE = 7 };
 
 thud_pos yard_origin(const yard *y) {
@@ -66,7 +68,36 @@ static void add_floor(yard *y) {
                  &y->line));
 }
 
+/* Kinds by turns, some with a drive or a limit. */
+static void tie(yard *y, int i, thud_body_id a, thud_body_id b) {
+    static const thud_joint_kind kinds[] = {THUD_DISTANCE, THUD_HINGE, THUD_WHEEL, THUD_SLIDER,
+                                            THUD_FILTER,   THUD_WELD,  THUD_TARGET};
+    thud_joint_def def = thud_default_joint_def(kinds[i % 7]);
+    def.body_a = a;
+    def.body_b = b;
+    def.frame_a.position = trial_speed(y->t, 0.5, 0.3);
+    def.frame_b.position = trial_speed(y->t, -0.4, 0.1);
+    def.length = (float)(1.5 * y->t->scale);
+    if (i % 2) {
+        def.drive[THUD_TURN].limited = true;
+        def.drive[THUD_TURN].lower = -1;
+        def.drive[THUD_TURN].upper = 0.5f;
+    }
+    if (def.kind == THUD_WHEEL || def.kind == THUD_TARGET) {
+        def.drive[THUD_ALONG].frequency = def.drive[THUD_ACROSS].frequency = 3;
+    }
+    DO(y->t, thud_joint_create(y->world, &def, NULL));
+}
+
 void yard_make(yard *y, trial *t, thud_world_def def, double away) {
+    yard_make_loose(y, t, def, away);
+    y->tied = true;
+    for (int i = 0; i < YARD_JOINTS && y->world; i++) {
+        tie(y, i, i == 2 ? y->plate : y->body[i], y->body[i + 4]);
+    }
+}
+
+void yard_make_loose(yard *y, trial *t, thud_world_def def, double away) {
     *y = (yard){.t = t, .away = away, .random = {t->random.state ^ 0x5deece66du}};
     y->world = trial_make(t, def);
     if (!y->world) {
@@ -129,6 +160,8 @@ void yard_edit(yard *y) {
     } else if (what == 7) {
         DO(y->t, thud_shape_raise(y->world, y->line, place(y, x, 0).x, 0.6 * y->t->scale,
                                   0.2 * y->t->scale));
+    } else if (what == 8 && y->tied) {
+        tie(y, i, y->body[i], y->body[(i + 5) % YARD_BODIES]);
     }
 }
 

@@ -1,6 +1,6 @@
 /* yard.h: a lively world for guarantees: a closed box with tiles and a hill for its floor, balls
- * and boxes, a plate that moves to and fro, sensors; and edits of it by a seed, the same for each
- * yard of a trial. */
+ * and boxes, a plate that moves to and fro, sensors, joints of all kinds; and edits of it by a
+ * seed, the same for each yard of a trial. */
 #ifndef YARD_H
 #define YARD_H
 
@@ -8,7 +8,7 @@
 
 #include <thud/thud_terrain.h>
 
-enum { YARD_BODIES = 12 };
+enum { YARD_BODIES = 12, YARD_JOINTS = 7 };
 
 typedef struct yard {
     trial *t;
@@ -18,10 +18,13 @@ typedef struct yard {
     source random; /* of the edits */
     double away;   /* by how many units all is shifted to the right, and up by as many */
     int steps;
+    bool tied;
 } yard;
 
 /* Its world made by this def, but for gravity, which stays. */
 void yard_make(yard *y, trial *t, thud_world_def def, double away);
+/* The same without joints, which pull bodies to each other through whatever is in the way. */
+void yard_make_loose(yard *y, trial *t, thud_world_def def, double away);
 /* A few random edits; most often none. */
 void yard_edit(yard *y);
 /* Edits, and then one step. */

@@ -32,11 +32,29 @@ static void assert_same_shapes(const scene *a, const scene *b) {
         assert_true(a->points[i].x == b->points[i].x && a->points[i].y == b->points[i].y);
 }
 
+static void assert_same_joints(const scene *a, const scene *b) {
+    assert_int_equal(a->joint_count, b->joint_count);
+    for (int i = 0; i < a->joint_count; i++) {
+        const scene_joint *p = &a->joints[i], *q = &b->joints[i];
+        assert_int_equal(p->kind, q->kind);
+        for (int side = 0; side < 2; side++)
+            assert_true(p->body[side] == q->body[side] && p->x[side] == q->x[side] &&
+                        p->y[side] == q->y[side] && p->angle[side] == q->angle[side]);
+        for (int way = 0; way < SCENE_DIRECTIONS; way++)
+            assert_true(p->drive[way].limited == q->drive[way].limited &&
+                        p->drive[way].lower == q->drive[way].lower &&
+                        p->drive[way].frequency == q->drive[way].frequency &&
+                        p->drive[way].motor_force == q->drive[way].motor_force);
+        assert_true(p->length == q->length && p->break_torque == q->break_torque &&
+                    p->collide_connected == q->collide_connected);
+    }
+}
+
 static void map_is_the_same_as_json_and_as_xml(void **state) {
     (void)state;
-    static const char *const NAMES[] = {"shapes",   "hills", "props", "infinite",
-                                        "unmarked", "wrong", "csv",   "base64",
-                                        "zlib",     "gzip",  "zstd"};
+    static const char *const NAMES[] = {"shapes", "hills",  "props",  "infinite", "unmarked",
+                                        "wrong",  "csv",    "base64", "zlib",     "gzip",
+                                        "zstd",   "joints", "loose"};
     for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++) {
         char json[32], xml[32];
         level_report of_json, of_xml;
@@ -44,6 +62,7 @@ static void map_is_the_same_as_json_and_as_xml(void **state) {
         snprintf(xml, sizeof xml, "%s.tmx", NAMES[i]);
         scene a = read_file(json, &of_json), b = read_file(xml, &of_xml);
         assert_same_shapes(&a, &b);
+        assert_same_joints(&a, &b);
         assert_int_equal(of_json.count, of_xml.count);
         for (int k = 0; k < of_json.count; k++)
             assert_string_equal(of_json.problems[k].text, of_xml.problems[k].text);

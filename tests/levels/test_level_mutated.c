@@ -1,6 +1,7 @@
 /* test_level_mutated.c: maps of every form, and the files that they refer to, with bytes changed,
  * cut out or doubled: the reader refuses them, or gives numbers that an engine takes. The
  * sanitizers watch the rest. THUD_MUTATIONS sets how many are tried. */
+#include "build_thud.h"
 #include "level.h"
 
 #include <setjmp.h>
@@ -19,15 +20,17 @@ typedef struct text_file {
 } text_file;
 
 static text_file files[] = {
-    {"shapes.tmj", NULL, 0},       {"shapes.tmx", NULL, 0},         {"hills.tmj", NULL, 0},
-    {"hills.tmx", NULL, 0},        {"props.tmj", NULL, 0},          {"props.tmx", NULL, 0},
-    {"infinite.tmj", NULL, 0},     {"infinite.tmx", NULL, 0},       {"unmarked.tmj", NULL, 0},
-    {"unmarked.tmx", NULL, 0},     {"wrong.tmj", NULL, 0},          {"wrong.tmx", NULL, 0},
-    {"csv.tmx", NULL, 0},          {"base64.tmj", NULL, 0},         {"gzip.tmx", NULL, 0},
-    {"zlib.tmj", NULL, 0},         {"zstd.tmj", NULL, 0},           {"tiles/ground.tsx", NULL, 0},
-    {"tiles/things.tsj", NULL, 0}, {"templates/crate.tx", NULL, 0}, {"templates/plank.tj", NULL, 0},
+    {"shapes.tmj", NULL, 0},         {"shapes.tmx", NULL, 0},       {"hills.tmj", NULL, 0},
+    {"hills.tmx", NULL, 0},          {"props.tmj", NULL, 0},        {"props.tmx", NULL, 0},
+    {"infinite.tmj", NULL, 0},       {"infinite.tmx", NULL, 0},     {"unmarked.tmj", NULL, 0},
+    {"unmarked.tmx", NULL, 0},       {"wrong.tmj", NULL, 0},        {"wrong.tmx", NULL, 0},
+    {"joints.tmj", NULL, 0},         {"joints.tmx", NULL, 0},       {"loose.tmj", NULL, 0},
+    {"loose.tmx", NULL, 0},          {"csv.tmx", NULL, 0},          {"base64.tmj", NULL, 0},
+    {"gzip.tmx", NULL, 0},           {"zlib.tmj", NULL, 0},         {"zstd.tmj", NULL, 0},
+    {"tiles/ground.tsx", NULL, 0},   {"tiles/things.tsj", NULL, 0}, {"templates/crate.tx", NULL, 0},
+    {"templates/plank.tj", NULL, 0},
 };
-enum { FILES = sizeof files / sizeof files[0], MAPS = 17 };
+enum { FILES = sizeof files / sizeof files[0], MAPS = 21 };
 
 static int read_files(void **state) {
     (void)state;
@@ -107,7 +110,7 @@ static void check_scene(const scene *s) {
     for (int i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         assert_true(is_finite(b->x) && is_finite(b->y) && is_finite(b->angle));
-        assert_true(b->shape_count > 0);
+        assert_true(b->shape_count > 0 || b->kind == SCENE_STATIC);
     }
     for (int i = 0; i < s->shape_count; i++) {
         const scene_shape *shape = &s->shapes[i];
@@ -117,6 +120,28 @@ static void check_scene(const scene *s) {
             const scene_point *p = &s->points[shape->first_point + k];
             assert_true(p->x > p[-1].x && is_finite(p->y));
         }
+    }
+}
+
+/* What the reader takes of joints the engine takes; bodies may stand too far out for it. */
+static void check_joints(const scene *s) {
+    for (int i = 0; i < s->joint_count; i++) {
+        const scene_joint *joint = &s->joints[i];
+        int most = joint->kind == SCENE_GEAR ? i : s->body_count;
+        for (int side = 0; side < 2; side++) {
+            assert_true(joint->body[side] >= 0 && joint->body[side] < most);
+            assert_true(is_finite(joint->x[side]) && is_finite(joint->y[side]) &&
+                        is_finite(joint->angle[side]));
+        }
+    }
+    if (s->joint_count > 0) {
+        thud_world *world = NULL;
+        int failed = -1;
+        thud_result result = scene_build_thud(s, NULL, &world, NULL, &failed);
+        assert_true(result == THUD_OK || failed >= 0);
+        if (result == THUD_OK)
+            assert_int_equal(thud_world_step(world), THUD_OK);
+        thud_world_destroy(world);
     }
 }
 
@@ -134,6 +159,7 @@ static void map_or_its_files_with_something_wrong_are_refused_or_finite(void **s
         level_report report;
         if (level_read_with("m", content->text, content->length, &opener, true, &s, &report)) {
             check_scene(&s);
+            check_joints(&s);
             read++;
         } else {
             assert_true(report.fatal > 0 && report.count > 0);

@@ -100,23 +100,48 @@ static void pass_shape(tape *t, scene_shape *s) {
     s->group = group;
 }
 
+static void pass_drive(tape *t, scene_drive *d) {
+    double *const values[] = {&d->lower,  &d->upper,        &d->frequency,   &d->damping,
+                              &d->target, &d->spring_force, &d->motor_speed, &d->motor_force};
+    pass_bool(t, &d->limited);
+    pass_doubles(t, values, sizeof values / sizeof *values);
+}
+
+static void pass_joint(tape *t, scene_joint *j) {
+    double *const values[] = {&j->x[0],        &j->y[0],        &j->angle[0], &j->x[1],
+                              &j->y[1],        &j->angle[1],    &j->length,   &j->ratio,
+                              &j->break_force, &j->break_torque};
+    int kind = (int)j->kind;
+    pass_int(t, &kind);
+    pass_int(t, &j->body[0]);
+    pass_int(t, &j->body[1]);
+    pass_doubles(t, values, sizeof values / sizeof *values);
+    for (int i = 0; i < SCENE_DIRECTIONS; i++)
+        pass_drive(t, &j->drive[i]);
+    pass_bool(t, &j->collide_connected);
+    j->kind = (scene_joint_kind)kind;
+}
+
 /* Room for what the counts say; a file that lies about them is short of words anyway. */
 static void make_room(tape *t, scene *s) {
     const int most = 1 << 20;
     bool fits = s->body_count >= 0 && s->body_count <= most && s->shape_count >= 0 &&
-                s->shape_count <= most && s->point_count >= 0 && s->point_count <= most;
+                s->shape_count <= most && s->point_count >= 0 && s->point_count <= most &&
+                s->joint_count >= 0 && s->joint_count <= most;
     t->failed = t->failed || !fits;
     if (t->failed) {
-        s->body_count = s->shape_count = s->point_count = 0;
+        s->body_count = s->shape_count = s->point_count = s->joint_count = 0;
         return;
     }
     s->bodies = calloc((size_t)s->body_count + 1, sizeof *s->bodies);
     s->shapes = calloc((size_t)s->shape_count + 1, sizeof *s->shapes);
     s->points = calloc((size_t)s->point_count + 1, sizeof *s->points);
+    s->joints = calloc((size_t)s->joint_count + 1, sizeof *s->joints);
     s->body_capacity = s->body_count;
     s->shape_capacity = s->shape_count;
     s->point_capacity = s->point_count;
-    t->failed = !s->bodies || !s->shapes || !s->points;
+    s->joint_capacity = s->joint_count;
+    t->failed = !s->bodies || !s->shapes || !s->points || !s->joints;
 }
 
 static void pass_scene(tape *t, scene *s) {
@@ -125,6 +150,7 @@ static void pass_scene(tape *t, scene *s) {
     pass_int(t, &s->body_count);
     pass_int(t, &s->shape_count);
     pass_int(t, &s->point_count);
+    pass_int(t, &s->joint_count);
     if (!t->writes)
         make_room(t, s);
     for (int i = 0; i < s->body_count && !t->failed; i++)
@@ -135,6 +161,8 @@ static void pass_scene(tape *t, scene *s) {
         pass_double(t, &s->points[i].x);
         pass_double(t, &s->points[i].y);
     }
+    for (int i = 0; i < s->joint_count && !t->failed; i++)
+        pass_joint(t, &s->joints[i]);
 }
 
 bool plain_write(FILE *file, const plain_title *title, scene *s) {
@@ -156,6 +184,12 @@ static bool consistent(const scene *s) {
         const scene_shape *shape = &s->shapes[i];
         fits = fits && shape->first_point >= 0 && shape->point_count >= 0 &&
                shape->point_count <= s->point_count - shape->first_point;
+    }
+    for (int i = 0; i < s->joint_count; i++) {
+        const scene_joint *joint = &s->joints[i];
+        int most = joint->kind == SCENE_GEAR ? i : s->body_count;
+        fits = fits && joint->body[0] >= 0 && joint->body[0] < most && joint->body[1] >= 0 &&
+               joint->body[1] < most;
     }
     return fits;
 }

@@ -5,6 +5,7 @@
 #include "penetration.h"
 
 #include "depth.h"
+#include "tied_pairs.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -28,7 +29,9 @@ struct penetration_meter {
     size_t bucket_mask;
     depth_ground *grounds;
     const scene_shape **ground_sources;
+    int *ground_bodies;
     int ground_count;
+    tied_pairs tied;
     scene_point *ground_points;
 };
 
@@ -45,8 +48,9 @@ static int ground_vertices(const scene_shape *shape) {
 }
 
 /* Terrain stands still, so that its vertices are placed once. */
-static void place_ground(penetration_meter *meter, const scene_body *body, const scene_shape *shape,
+static void place_ground(penetration_meter *meter, int index, const scene_shape *shape,
                          scene_point *points) {
+    const scene_body *body = &meter->scene->bodies[index];
     int count = ground_vertices(shape);
     for (int i = 0; i < count; i++) {
         double flat_x = i == 0 ? -FLAT_HALF_WIDTH : FLAT_HALF_WIDTH;
@@ -56,6 +60,7 @@ static void place_ground(penetration_meter *meter, const scene_body *body, const
         points[i] = (scene_point){body->x + p.x, body->y + p.y};
     }
     meter->ground_sources[meter->ground_count] = shape;
+    meter->ground_bodies[meter->ground_count] = index;
     meter->grounds[meter->ground_count++] = (depth_ground){points, count};
 }
 
@@ -76,7 +81,7 @@ static void collect_shapes(penetration_meter *meter) {
             if (shape->sensor)
                 continue;
             if (is_ground(shape)) {
-                place_ground(meter, body, shape, points);
+                place_ground(meter, b, shape, points);
                 points += ground_vertices(shape);
                 continue;
             }
@@ -110,9 +115,10 @@ penetration_meter *penetration_meter_create(const scene *s) {
     meter->buckets = calloc(buckets, sizeof *meter->buckets);
     meter->grounds = calloc(ground_count + 1, sizeof *meter->grounds);
     meter->ground_sources = calloc(ground_count + 1, sizeof *meter->ground_sources);
+    meter->ground_bodies = calloc(ground_count + 1, sizeof *meter->ground_bodies);
     meter->ground_points = calloc(point_count + 1, sizeof *meter->ground_points);
-    if (!meter->placed || !meter->buckets || !meter->grounds || !meter->ground_sources ||
-        !meter->ground_points) {
+    if (!tied_pairs_init(&meter->tied, s) || !meter->ground_bodies || !meter->placed ||
+        !meter->buckets || !meter->grounds || !meter->ground_sources || !meter->ground_points) {
         penetration_meter_destroy(meter);
         return NULL;
     }
@@ -133,7 +139,9 @@ void penetration_meter_destroy(penetration_meter *meter) {
     free(meter->buckets);
     free(meter->grounds);
     free(meter->ground_sources);
+    free(meter->ground_bodies);
     free(meter->ground_points);
+    tied_pairs_free(&meter->tied);
     free(meter);
 }
 
@@ -162,7 +170,11 @@ static size_t bucket_of(const penetration_meter *meter, int64_t cell_x, int64_t 
     return (size_t)(mixed ^ mixed >> 29) & meter->bucket_mask;
 }
 
-static bool may_collide(const scene_shape *a, const scene_shape *b) {
+static bool may_collide(const penetration_meter *meter, const placed *p, const scene_shape *b,
+                        int body) {
+    const scene_shape *a = p->source;
+    if (tied_pairs_have(&meter->tied, p->body, body))
+        return false;
     if (a->group == b->group && a->group != 0)
         return a->group > 0;
     return (a->category & b->mask) != 0 && (b->category & a->mask) != 0;
@@ -176,11 +188,12 @@ static void count_depth(penetration *seen, double depth) {
     seen->pairs++;
 }
 
-static void test_pair(const placed *a, const placed *b, penetration *seen) {
+static void test_pair(const penetration_meter *meter, const placed *a, const placed *b,
+                      penetration *seen) {
     double reach = a->reach + b->reach;
     if ((!a->dynamic && !b->dynamic) || a->body == b->body ||
         !(fabs(a->shape.x - b->shape.x) <= reach && fabs(a->shape.y - b->shape.y) <= reach) ||
-        !may_collide(a->source, b->source))
+        !may_collide(meter, a, b->source, b->body))
         return;
     count_depth(seen, depth_of_pair(&a->shape, &b->shape));
 }
@@ -190,12 +203,12 @@ static void test_cell(const penetration_meter *meter, int index, int64_t cell_x,
     const placed *p = meter->placed;
     for (int i = meter->buckets[bucket_of(meter, cell_x, cell_y)]; i >= 0; i = p[i].next)
         if (i < index && p[i].cell_x == cell_x && p[i].cell_y == cell_y)
-            test_pair(&p[index], &p[i], seen);
+            test_pair(meter, &p[index], &p[i], seen);
 }
 
 static void test_grounds(const penetration_meter *meter, const placed *p, penetration *seen) {
     for (int i = 0; p->dynamic && i < meter->ground_count; i++)
-        if (may_collide(p->source, meter->ground_sources[i]))
+        if (may_collide(meter, p, meter->ground_sources[i], meter->ground_bodies[i]))
             count_depth(seen, depth_in_ground(&meter->grounds[i], &p->shape));
 }
 
@@ -214,7 +227,7 @@ void penetration_sample(penetration_meter *meter, const engine_body *bodies, pen
         test_grounds(meter, &p[i], seen);
         if (i >= meter->small_count) {
             for (int j = 0; j < i; j++)
-                test_pair(&p[i], &p[j], seen);
+                test_pair(meter, &p[i], &p[j], seen);
             continue;
         }
         p[i].cell_x = (int64_t)floor(p[i].shape.x / meter->cell);

@@ -20,7 +20,7 @@ penetration_meter *penetration_meter_create(const scene *s);
 void penetration_meter_destroy(penetration_meter *meter);
 
 /* Adds one sample. Pairs that cannot collide do not count: two shapes of one body, two bodies of
- * which none is dynamic, sensors, and what the filters keep apart. */
+ * which none is dynamic, sensors, and what filters and joints keep apart. */
 void penetration_sample(penetration_meter *meter, const engine_body *bodies, penetration *seen);
 
 double penetration_mean(const penetration *seen);

@@ -104,7 +104,13 @@ static void meter_pairs_that_cannot_collide_do_not_count(void **state) {
     scene_dynamic_circle(&s, 40, 0, 1);
     s.shapes[s.shape_count - 1].sensor = true;
     scene_dynamic_circle(&s, 40, 0.5, 1);
+    scene_dynamic_circle(&s, 50, 0, 1);
+    scene_dynamic_circle(&s, 50, 0.5, 1);
+    scene_joint *tie = scene_tie(&s, SCENE_FILTER, s.body_count - 1, s.body_count - 2, 50, 0, 0);
     assert_int_equal(measure_at_start(&s).pairs, 0);
+    tie->collide_connected = true;
+    assert_int_equal(measure_at_start(&s).pairs, 1);
+    tie->collide_connected = false;
     s.bodies[1].kind = SCENE_DYNAMIC; /* and the meter is not simply blind */
     assert_int_equal(measure_at_start(&s).pairs, 1);
     scene_free(&s);

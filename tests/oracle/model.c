@@ -111,7 +111,7 @@ bool model_init(model *m, const scene *s) {
         .shapes = calloc((size_t)s->shape_count + 1, sizeof *m->shapes),
         .points = calloc(point_count + 1, sizeof *m->points),
     };
-    if (!m->bodies || !m->shapes || !m->points) {
+    if (!tied_pairs_init(&m->tied, s) || !m->bodies || !m->shapes || !m->points) {
         model_free(m);
         return false;
     }
@@ -125,6 +125,7 @@ void model_free(model *m) {
     free(m->bodies);
     free(m->shapes);
     free(m->points);
+    tied_pairs_free(&m->tied);
     *m = (model){0};
 }
 
@@ -163,7 +164,8 @@ void model_place(model *m, int body, model_pose pose) {
 
 bool model_may_collide(const model *m, const model_shape *a, const model_shape *b) {
     const scene_shape *one = a->source, *other = b->source;
-    if (a->body == b->body || (!m->bodies[a->body].dynamic && !m->bodies[b->body].dynamic))
+    if (a->body == b->body || (!m->bodies[a->body].dynamic && !m->bodies[b->body].dynamic) ||
+        tied_pairs_have(&m->tied, a->body, b->body))
         return false;
     if (one->group == other->group && one->group != 0)
         return one->group > 0;

@@ -4,6 +4,7 @@
 
 #include "depth.h"
 #include "scene.h"
+#include "tied_pairs.h"
 
 /* Of a body's origin. */
 typedef struct model_pose {
@@ -33,6 +34,7 @@ typedef struct model {
     model_body *bodies;
     model_shape *shapes;
     scene_point *points; /* of the lines */
+    tied_pairs tied;
     int shape_count;
 } model;
 

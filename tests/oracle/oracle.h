@@ -28,6 +28,9 @@ typedef struct oracle_score {
     double approach_max;     /* m/s, fastest approach at a touching point: the velocity residual.
                  A pair that met within the last step may approach rightly */
     double approach_rms;     /* m/s, over the touching points; parting counts as 0 */
+    double gap_max;          /* m, by which a joint is open in what it locks */
+    double gap_mean;         /* m, over all joints that are not of lost bodies */
+    double gap_angle;        /* rad, likewise, and past limits of turns */
     double kinetic_energy;   /* J, of dynamic bodies, like all below */
     double potential_energy; /* J, 0 at the world's origin */
     double energy;           /* J, the sum of both */
@@ -47,7 +50,7 @@ void oracle_meter_destroy(oracle_meter *meter); /* null is fine */
 
 /* Scores one state, of the scene's bodies in their order. False, and *score is all zero, if memory
  * runs out. Pairs that cannot collide do not count: two shapes of one body, two bodies of which
- * none is dynamic, sensors, and what the filters keep apart. */
+ * none is dynamic, sensors, and what filters and joints keep apart. */
 bool oracle_measure(oracle_meter *meter, const engine_body *bodies, oracle_score *score);
 
 /* How far one state is from another, over the dynamic bodies of the scene. A body that is lost in

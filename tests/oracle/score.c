@@ -1,7 +1,8 @@
-/* score.c: judges a state by geometry and masses alone. Depths come from bench/depth.c, with which
- * the reference simulation shares nothing, so that it can be judged as well. */
+/* score.c: judges a state by geometry and masses alone. Depths and gaps come from ../measure, with
+ * which the reference simulation shares nothing, so that it can be judged as well. */
 #include "oracle.h"
 
+#include "joint_gaps.h"
 #include "model.h"
 #include "pairs.h"
 #include "touch.h"
@@ -132,6 +133,11 @@ bool oracle_measure(oracle_meter *meter, const engine_body *bodies, oracle_score
         *score = (oracle_score){0};
         return false;
     }
+    joint_gaps gaps = {0};
+    joint_gaps_sample(m->scene, bodies, &gaps);
+    score->gap_max = gaps.worst.length;
+    score->gap_mean = joint_gaps_mean(&gaps);
+    score->gap_angle = fmax(gaps.worst.angle, gaps.worst.beyond_angle);
     tally sums = {0};
     for (int i = 0; i < meter->near.count; i++)
         measure_pair(m, meter->near.pairs[i], bodies, score, &sums);

@@ -162,7 +162,12 @@ static void score_pairs_that_cannot_collide_do_not_count(void **state) {
         scene_dynamic_circle(&s, 40 + 0.5 * i, 0, 1);
         s.shapes[s.shape_count - 1].sensor = i == 0;
     }
+    scene_dynamic_circle(&s, 50, 0, 1);
+    scene_dynamic_circle(&s, 50.5, 0, 1);
+    scene_joint *tie = scene_tie(&s, SCENE_HINGE, s.body_count - 2, s.body_count - 1, 50, 0, 0);
     assert_int_equal(score_at_start(&s).touching, 0);
+    tie->x[1] += 0.125;
+    assert_near(score_at_start(&s).gap_max, 0.125, 1e-12);
     s.bodies[1].kind = SCENE_DYNAMIC; /* and the meter is not simply blind */
     assert_int_equal(score_at_start(&s).touching, 1);
     scene_free(&s);

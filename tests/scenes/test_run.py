@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -30,10 +31,18 @@ class ThudRun(unittest.TestCase):
         self.assertGreater(result["ms_per_step"], 0)
         self.assertGreater(result["contacts"], 0)
         worst = result["worst_step_error"]
-        self.assertEqual(sorted(worst), ["energy_change", "overlaps", "penetration_max",
-                                         "penetration_mean", "residual"])
+        self.assertEqual(sorted(worst), ["energy_change", "joint_angle_max", "joint_gap_max",
+                                         "overlaps", "penetration_max", "penetration_mean",
+                                         "residual"])
         self.assertAlmostEqual(worst["penetration_max"], result["penetration_max"], delta=1e-6)
         self.assertGreater(worst["residual"], 0)
+
+    def test_gap_of_joints_is_told_where_there_are_some(self):
+        chain, stack = (run(scene, "--steps", "5", "--quality", "draft").stdout
+                        for scene in ("chain", "tall_stack"))
+        gap = float(re.search(r"joints +101, open by ([0-9.e-]+) and", chain).group(1))
+        self.assertTrue(0 < gap < 0.1, gap)
+        self.assertNotIn("joints", stack)
 
     def test_level_runs_and_hash_repeats(self):
         first, second = (json.loads(run(LEVEL, "--steps", "30", "--json").stdout)

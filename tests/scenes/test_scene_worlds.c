@@ -12,9 +12,9 @@
 
 #include <cmocka.h>
 
-static const char *const LEVELS[] = {"assets/levels/platform.tmj", "assets/levels/quarry.tmj",
-                                     "assets/levels/towers.tmj", "assets/levels/mountain.tmj",
-                                     "assets/levels/adventure.tmj"};
+static const char *const LEVELS[] = {"assets/levels/platform.tmj",  "assets/levels/quarry.tmj",
+                                     "assets/levels/towers.tmj",    "assets/levels/mountain.tmj",
+                                     "assets/levels/adventure.tmj", "assets/levels/playground.tmj"};
 enum { LEVEL_COUNT = sizeof LEVELS / sizeof LEVELS[0] };
 
 /* Builds and runs; every body stays finite. Returns the hash. */

@@ -28,7 +28,8 @@ def parse(arguments):
     parser.add_argument("--only", action="append", default=[], metavar="ROW",
                         help="only this extreme, to standard output; may be given several times: "
                         "mass-ratio, columns, far-away, speed, sizes, time-step, energy, slopes, "
-                        "long-run, crowding, wrong-input")
+                        "long-run, crowding, chains, linkages, springs, joint-crowds, "
+                        "wrong-input")
     parser.add_argument("--quick", action="store_true",
                         help="seconds of simulated time, as in the tests: shows that it runs")
     parser.add_argument("--without-box2d", action="store_true", help="thud alone")

@@ -6,7 +6,8 @@
 #include <stdio.h>
 
 const char *entrant_name(entrant e) {
-    static const char *const NAMES[ENTRANTS] = {"draft", "default", "high", "exact", "Box2D"};
+    static const char *const NAMES[ENTRANTS] = {"draft", "default",     "high",     "exact",
+                                                "Box2D", "Box2D stiff", "Chipmunk", "Chipmunk 160"};
     return NAMES[e];
 }
 

@@ -6,8 +6,9 @@ import page_figures
 import measured
 import prose
 
-ENTRANTS = ["draft", "default", "high", "exact", "Box2D"]
-THUD = ENTRANTS[:-1]
+THUD = ["draft", "default", "high", "exact"]
+USUAL = THUD + ["Box2D"]
+ENTRANTS = USUAL + ["Box2D stiff", "Chipmunk", "Chipmunk 160"]
 HEADING = re.compile(r"^## (.+)\n", re.MULTILINE)
 
 
@@ -43,11 +44,18 @@ def verdict(figure):
     return "**no**: " + ", ".join(missed) if missed else "yes"
 
 
+def entrants_of(extreme):
+    """The columns: the usual ones, and whoever else was measured."""
+    return [e for e in ENTRANTS
+            if e in USUAL or any(e in figure["reached"] for figure in extreme["figures"])]
+
+
 def table(extreme):
-    lines = ["| extreme | bound | " + " | ".join(ENTRANTS) + " | holds? |",
-             "|---" * (len(ENTRANTS) + 3) + "|"]
+    entrants = entrants_of(extreme)
+    lines = ["| extreme | bound | " + " | ".join(entrants) + " | holds? |",
+             "|---" * (len(entrants) + 3) + "|"]
     for figure in extreme["figures"]:
-        reached = [number(figure["reached"][e]) if e in figure["reached"] else "–" for e in ENTRANTS]
+        reached = [number(figure["reached"][e]) if e in figure["reached"] else "–" for e in entrants]
         lines.append(" | ".join(["| " + figure["what"], bound_text(figure), *reached,
                                  verdict(figure) + " |"]))
     return "\n".join(lines)

@@ -47,6 +47,12 @@ class Page(unittest.TestCase):
     def test_figure_without_bound_is_only_told(self):
         self.assertEqual(row(figure({"draft": 3})), "| box | – | 3 | – | – | – | – | – |")
 
+    def test_who_is_measured_in_one_extreme_alone_has_a_column_there_alone(self):
+        stiff = figure({"Box2D": 2, "Box2D stiff": 1.5})
+        self.assertIn("| Box2D | Box2D stiff | holds? |", page.table({"figures": [stiff]}))
+        self.assertEqual(row(stiff), "| box | – | – | – | – | – | 2 | 1.5 | – |")
+        self.assertNotIn("Box2D stiff", page.table({"figures": [figure({"Box2D": 2})]}))
+
     def test_notes_stand_below_their_extreme_with_their_figures(self):
         notes = "Opening.\n\n{{measured}}\n\n## b\n\nNone.\n\n## a\n\nIt is {{a > box > draft | .1f}}.\n"
         text = page.fill(notes, results(figure({"draft": 3})))

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+static const double PI = 3.14159265358979323846;
+
 struct trial {
     ledger *ledger;
     const physics_engine *engine;
@@ -22,12 +24,30 @@ static const thud_quality *const QUALITIES[ENTRANTS] = {
     [ENTRANT_EXACT] = &thud_quality_exact,
 };
 
+static const char *engine_of(entrant e) {
+    return e >= ENTRANT_CHIPMUNK ? "chipmunk" : e >= ENTRANT_BOX2D ? "box2d" : "thud";
+}
+
+/* Box2D lowers it to what its substeps allow. */
+static const double MOST_HERTZ = 1000;
+
+bool trial_is_possible(entrant e, const scene *s) {
+    const physics_engine *engine = engine_find(engine_of(e));
+    return !engine || engine_can_build(engine, s);
+}
+
 trial *trial_begin(ledger *l, entrant e, const scene *s, engine_settings settings) {
     settings.quality = QUALITIES[e];
+    if (e == ENTRANT_BOX2D_STIFF) {
+        settings.substeps = 16;
+        settings.contact_hertz = settings.joint_hertz = MOST_HERTZ;
+        settings.joint_damping = 10;
+    }
+    settings.iterations = e == ENTRANT_CHIPMUNK_160 ? 160 : 0;
     settings.baseline_simd = l->baseline_simd;
     trial *t = calloc(1, sizeof *t);
     if (t) {
-        const physics_engine *engine = engine_find(e == ENTRANT_BOX2D ? "box2d" : "thud");
+        const physics_engine *engine = engine_find(engine_of(e));
         *t = (trial){.ledger = l, .engine = engine, .scene = s};
         t->bodies = calloc((size_t)s->body_count + 1, sizeof *t->bodies);
         t->world = engine ? engine_create(engine, s, settings) : NULL;
@@ -112,6 +132,40 @@ void trial_penetration(trial *t, penetration *seen) {
         seen->worst = INFINITY;
 }
 
+void trial_joint_gaps(trial *t, joint_gaps *seen) {
+    joint_gaps_sample(t->scene, trial_read(t), seen);
+}
+
+static double kinetic_of(const engine_body *b) {
+    return 0.5 * b->mass * (b->vx * b->vx + b->vy * b->vy) +
+           0.5 * b->inertia * b->angular_velocity * b->angular_velocity;
+}
+
+double trial_kinetic_energy(trial *t) {
+    const engine_body *bodies = trial_read(t);
+    double energy = 0;
+    for (int i = 0; i < t->scene->body_count; i++)
+        if (t->scene->bodies[i].kind == SCENE_DYNAMIC)
+            energy += kinetic_of(&bodies[i]);
+    return energy;
+}
+
+/* In its body's frame. */
+static scene_point center_of(const scene *s, const scene_body *body) {
+    scene_point sum = {0, 0};
+    double mass = 0;
+    for (int i = 0; i < body->shape_count; i++) {
+        const scene_shape *shape = &s->shapes[body->first_shape + i];
+        double area =
+            shape->kind == SCENE_CIRCLE ? PI * shape->hx * shape->hx : 4 * shape->hx * shape->hy;
+        double kg = shape->material.density * area;
+        mass += kg;
+        sum.x += kg * shape->x;
+        sum.y += kg * shape->y;
+    }
+    return mass > 0 ? (scene_point){sum.x / mass, sum.y / mass} : sum;
+}
+
 double trial_energy(trial *t, double floor) {
     const engine_body *bodies = trial_read(t);
     const scene *s = t->scene;
@@ -122,9 +176,10 @@ double trial_energy(trial *t, double floor) {
         const engine_body *b = &bodies[i];
         double gx = s->gravity_x * s->bodies[i].gravity_scale;
         double gy = s->gravity_y * s->bodies[i].gravity_scale;
-        energy += 0.5 * b->mass * (b->vx * b->vx + b->vy * b->vy) +
-                  0.5 * b->inertia * b->angular_velocity * b->angular_velocity -
-                  b->mass * (gx * b->x + gy * (b->y - floor));
+        scene_point center = center_of(s, &s->bodies[i]);
+        double x = b->x + b->cosine * center.x - b->sine * center.y;
+        double y = b->y + b->sine * center.x + b->cosine * center.y;
+        energy += kinetic_of(b) - b->mass * (gx * x + gy * (y - floor));
     }
     return energy;
 }

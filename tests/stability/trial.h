@@ -4,9 +4,13 @@
 
 #include "engine.h"
 #include "extremes/extreme.h"
+#include "joint_gaps.h"
 #include "penetration.h"
 
 typedef struct trial trial;
+
+/* Whether the entrant has all that is in the scene: Box2D has no gears. */
+bool trial_is_possible(entrant e, const scene *s);
 
 /* Null, and the ledger has failed, when the world cannot be made. The scene must outlive it. The
  * entrant's quality is filled in. */
@@ -36,8 +40,11 @@ void trial_pose(trial *t, int body, float out[4]);
 /* Overlaps as of now, by exact geometry in double precision: no engine's own measure. `seen` adds
  * up what several calls saw. */
 void trial_penetration(trial *t, penetration *seen);
+/* By how much joints are open as of now, by geometry likewise. */
+void trial_joint_gaps(trial *t, joint_gaps *seen);
 /* Kinetic and potential, the latter above `floor` (y, relative to where it is looked from). */
 double trial_energy(trial *t, double floor);
+double trial_kinetic_energy(trial *t);
 /* The largest speed of any body; infinite when a body's state is not finite. */
 double trial_speed(trial *t);
 uint64_t trial_bytes(trial *t); /* memory held by the world */

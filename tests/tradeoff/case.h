@@ -10,11 +10,12 @@
 
 /* What can be seen of a world after a step, by no engine's own measure. Nothing is lost. */
 typedef struct sighting {
-    const scene *scene;        /* as it began */
-    const engine_body *bodies; /* as of now, in the scene's order */
-    double time;               /* s since the start */
-    oracle_score score;        /* of this step */
-    const oracle_score *start; /* ... and of the scene as it began */
+    const scene *scene;          /* as it began */
+    const engine_body *bodies;   /* as of now, in the scene's order */
+    double time;                 /* s since the start */
+    oracle_score score;          /* of this step */
+    const oracle_score *start;   /* ... and of the scene as it began */
+    const engine_body *expected; /* as the oracle's linkage has them now; null without one */
 } sighting;
 
 /* How the errors of the single steps make the one of the whole run. */
@@ -37,6 +38,7 @@ typedef struct tradeoff_case {
     bool (*fill)(scene *s, int size); /* ... which has an empty one, and gives false, and a line on
                                          stderr, when something is missing */
     double (*error_of)(const sighting *now);
+    bool has_linkage; /* the oracle's linkage runs beside it */
 } tradeoff_case;
 
 /* An error that more than one case has: of what overlaps now, the deepest. */
@@ -50,6 +52,7 @@ const tradeoff_case *cases_at(int index);
 const tradeoff_case *cases_find(const char *name); /* null if there is none */
 
 extern const tradeoff_case case_column_30, case_column_100, case_pyramid, case_heavy_on_light,
-    case_rubble, case_slope, case_rolling, case_gas, case_cradle, case_bullets, case_pit;
+    case_rubble, case_slope, case_rolling, case_gas, case_cradle, case_bullets, case_pit,
+    case_chain, case_bridge, case_ragdolls, case_cars;
 
 #endif

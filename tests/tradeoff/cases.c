@@ -8,7 +8,8 @@
 static const tradeoff_case *const CASES[] = {
     &case_column_30, &case_column_100, &case_pyramid, &case_heavy_on_light,
     &case_rubble,    &case_pit,        &case_slope,   &case_rolling,
-    &case_gas,       &case_cradle,     &case_bullets,
+    &case_gas,       &case_cradle,     &case_bullets, &case_chain,
+    &case_bridge,    &case_ragdolls,   &case_cars,
 };
 
 int cases_count(void) {

@@ -17,17 +17,27 @@ import time
 from xml.etree import ElementTree
 
 import tradeoff_figures as figures
+import tradeoff_picture as picture
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 QUALITIES = ["draft", "default", "high", "exact", "soft 4", "soft 8", "soft 16", "default swept"]
 SUBSTEPS = ["1", "2", "4", "8", "16", "8 stiff", "16 stiff"]
+ITERATIONS = ["10", "40", "160"]
+JOINTS = ["chain", "bridge", "ragdolls", "cars"]
 MEASURES = ["ms_median", "ms_mean", "ms_total", "penetration_worst", "penetration_mean",
             "energy_gained"]
 # Where a finer quality still errs more than a coarser one: case, coarser and finer, the worst error of
 # the finer that is known of the small and short run, rounded up, and the reason.
 RARE_LOSS = "the gas loses energy in a few rare pairs, and which quality meets one is chance"
+BOTH_EXACT = "both are as near to the reference as it is to the truth"
 KNOWN_MISSES = {("gas", "draft", "high"): (7.21e-4, RARE_LOSS),
-                ("gas", "default", "high"): (7.21e-4, RARE_LOSS)}
+                ("gas", "default", "high"): (7.21e-4, RARE_LOSS),
+                ("cars", "high", "exact"): (2.14e-6, BOTH_EXACT),
+                ("ragdolls", "high", "exact"): (2.79e-4, BOTH_EXACT)}
+# Energy that thud gains beyond a hundredth: case and setting, the most that is known, and the reason.
+KNOWN_GAINS = {}
+DRIVEN = ["cars"]  # motors put energy in
+LINE = 43  # characters that one picture of the overview has room for
 
 
 def run(program, *words):
@@ -43,7 +53,9 @@ def results_in(folder):
 def check_points(case):
     names = [(p["engine"], p["setting"]) for p in case["points"]]
     thud = [("thud", q) for q in QUALITIES]
-    assert names in (thud, thud + [("box2d", s) for s in SUBSTEPS]), names
+    rivals = [("box2d", s) for s in SUBSTEPS]
+    joints = [("chipmunk", n) for n in ITERATIONS] if case["case"] in JOINTS else []
+    assert names in (thud, thud + rivals, thud + rivals + joints), names
     for p in case["points"]:
         assert all(math.isfinite(p[f]) and p[f] >= 0 for f in MEASURES), (case["case"], p)
         assert 0 < p["ms_median"] and p["ms_mean"] > 0, p
@@ -51,7 +63,13 @@ def check_points(case):
         assert p["penetration_mean"] <= p["penetration_worst"], p
     for p in figures.own(case):
         assert p["lost"] == 0 and math.isfinite(p["error"]), (case["case"], p)
-        assert p["energy_gained"] < 0.01, (case["case"], p)
+        check_gain(case["case"], p)
+
+
+def check_gain(case, p):
+    known, reason = KNOWN_GAINS.get((case, p["setting"]), (0.01, ""))
+    assert p["energy_gained"] < known or case in DRIVEN, (case, p)
+    assert not reason or p["energy_gained"] >= 0.01, ("leaves the list of known gains", case, p)
 
 
 def check_monotone(cases):
@@ -81,7 +99,11 @@ def check_files(folder, cases):
         assert f"({name})" in page and f"## {case['title']}\n" in page, name
         words = "".join(ElementTree.parse(os.path.join(folder, name)).getroot().itertext())
         assert all(figures.label(p) in words for p in case["points"]), (name, words)
-    ElementTree.parse(os.path.join(folder, "tradeoff", "overview.svg"))
+    overview = ElementTree.parse(os.path.join(folder, "tradeoff", "overview.svg"))
+    words = [text.text for text in overview.iter("{http://www.w3.org/2000/svg}text")]
+    for case in cases:
+        line = case["error"] + picture.unit(case)
+        assert line in words and len(line) <= LINE, (line, "is cut off in the overview")
 
 
 def check_quick_run(program, folder):

@@ -21,7 +21,8 @@ typedef struct run {
     engine_body *bodies;
     void *worlds[SETTINGS_MAX];
     series times[SETTINGS_MAX];
-    double done, all; /* steps of any world, for the progress */
+    int used[SETTINGS_MAX], count; /* settings that go through the case */
+    double done, all;              /* steps of any world, for the progress */
 } run;
 
 static double now_ms(void) {
@@ -100,13 +101,13 @@ static bool take_turn(run *r, int which, double *ms, int count) {
 
 static bool repeat_once(run *r, int repetition) {
     bool ok = true;
-    for (int i = 0; ok && i < SETTING_COUNT; i++)
-        ok = open_world(r, i);
+    for (int i = 0; ok && i < r->count; i++)
+        ok = open_world(r, r->used[i]);
     for (int first = 0; ok && first < r->steps; first += TURN) {
         int count = r->steps - first < TURN ? r->steps - first : TURN;
         /* Going first goes round. */
-        for (int i = 0; ok && i < SETTING_COUNT; i++) {
-            int which = (first / TURN + repetition + i) % SETTING_COUNT;
+        for (int i = 0; ok && i < r->count; i++) {
+            int which = r->used[(first / TURN + repetition + i) % r->count];
             ok = take_turn(r, which, r->times[which].ms + repetition * r->steps + first, count);
         }
     }
@@ -129,25 +130,28 @@ static cost cost_of(const series *times) {
 
 static bool take_all(run *r, measurement *out) {
     int repetitions = r->plan->repetitions;
-    r->all = (double)SETTING_COUNT * r->steps * (1 + repetitions);
+    for (int i = 0; i < SETTING_COUNT; i++)
+        if (setting_goes_through(&SETTINGS[i], &r->scene))
+            r->used[r->count++] = i;
+    r->all = (double)r->count * r->steps * (1 + repetitions);
     *out = (measurement){.c = r->c,
                          .bodies = r->scene.body_count,
                          .steps = r->steps,
                          .repetitions = repetitions,
-                         .point_count = SETTING_COUNT};
+                         .point_count = r->count};
     r->bodies = calloc((size_t)r->scene.body_count + 1, sizeof *r->bodies);
     bool ok = r->bodies != NULL;
-    for (int i = 0; ok && i < SETTING_COUNT; i++)
-        ok = series_init(&r->times[i], r->steps, repetitions);
+    for (int i = 0; ok && i < r->count; i++)
+        ok = series_init(&r->times[r->used[i]], r->steps, repetitions);
     if (!ok)
         fprintf(stderr, "thud-tradeoff: %s: out of memory\n", r->c->name);
-    for (int i = 0; ok && i < SETTING_COUNT; i++)
-        ok = take_errors(r, i, &out->points[i].errors);
+    for (int i = 0; ok && i < r->count; i++)
+        ok = take_errors(r, r->used[i], &out->points[i].errors);
     for (int i = 0; ok && i < repetitions; i++)
         ok = repeat_once(r, i);
-    for (int i = 0; ok && i < SETTING_COUNT; i++) {
-        out->points[i].how = &SETTINGS[i];
-        out->points[i].cost = cost_of(&r->times[i]);
+    for (int i = 0; ok && i < r->count; i++) {
+        out->points[i].how = &SETTINGS[r->used[i]];
+        out->points[i].cost = cost_of(&r->times[r->used[i]]);
     }
     for (int i = 0; i < SETTING_COUNT; i++)
         series_free(&r->times[i]);

@@ -2,15 +2,19 @@
  * alone at more substeps; and at the default quality with swept detection, which is what to choose
  * where all that matters is impacts.
  *
+ * Chipmunk 7 at its default of 10 iterations, and more.
+ *
  * Box2D v3.2 at 1 to 16 substeps, with its default contact stiffness and with one that is scaled
  * with the substeps. Its step lowers b2WorldDef.contactHertz to an eighth of the substep rate
  * (b2World_Step), and takes twice that against static bodies. The default is 30 Hz: at 60 steps a
  * second it is lowered to 7.5 and 15 Hz at one and two substeps, just allowed at four, and keeps
  * contacts from getting stiffer beyond. Scaled means the most that it allows, 7.5 Hz a substep: the
  * same settings as the default's up to four substeps, so that these three are run once and belong
- * to both curves. Bodies for which a scene wants swept detection are its bullets, which it stops at
- * moving shapes too. Its highest speed, 400 m/s by default, is lifted: what is cut to it errs in
- * speed, and would be compared at something else than the trial asks. */
+ * to both curves. Its joints are then as stiff as it allows, too, at a quarter of the substep rate
+ * and a damping ratio of 10; 60 Hz and 2 are their defaults. Bodies for which a scene wants swept
+ * detection are its bullets, which it stops at moving shapes too. Its highest speed, 400 m/s by
+ * default, is lifted: what is cut to it errs in speed, and would be compared at something else than
+ * the trial asks. */
 #include "settings.h"
 
 /* The soft solver alone, as it would be at more substeps: beside Box2D's, which is soft at all of
@@ -29,8 +33,15 @@
         .engine = &engine_box2d, .name = #n suffix, .curve = "box2d" suffix, .with = { \
             .substeps = n,                                                             \
             .contact_hertz = hertz,                                                    \
+            .joint_hertz = (hertz) > 30 ? 2 * (hertz) : 0,                             \
+            .joint_damping = (hertz) > 30 ? 10 : 0,                                    \
             .bullets = true                                                            \
         }                                                                              \
+    }
+
+#define CHIPMUNK(n)                                                                             \
+    {                                                                                           \
+        .engine = &engine_chipmunk, .name = #n, .curve = "chipmunk", .with = {.iterations = n } \
     }
 
 const setting SETTINGS[] = {
@@ -54,6 +65,16 @@ const setting SETTINGS[] = {
     BOX2D(8, " stiff", 8 * 7.5),
     BOX2D(16, " stiff", 16 * 7.5),
 #endif
+#ifdef THUD_CHIPMUNK_BUILD
+    CHIPMUNK(10),
+    CHIPMUNK(40),
+    CHIPMUNK(160),
+#endif
 };
 const int SETTING_COUNT = sizeof SETTINGS / sizeof SETTINGS[0];
+
+bool setting_goes_through(const setting *how, const scene *s) {
+    return !how->engine->only_by_name || (s->joint_count > 0 && engine_can_build(how->engine, s));
+}
+
 _Static_assert(sizeof SETTINGS / sizeof SETTINGS[0] <= SETTINGS_MAX, "SETTINGS_MAX");

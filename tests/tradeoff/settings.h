@@ -11,10 +11,13 @@ typedef struct setting {
     engine_settings with;
 } setting;
 
-enum { SETTINGS_MAX = 16 };
+enum { SETTINGS_MAX = 24 };
 
-/* Those of thud, and then those of Box2D where the build has it. */
+/* Those of thud, and then those of Box2D and Chipmunk where the build has them. */
 extern const setting SETTINGS[];
 extern const int SETTING_COUNT;
+
+/* Chipmunk is asked of joints alone. */
+bool setting_goes_through(const setting *how, const scene *s);
 
 #endif

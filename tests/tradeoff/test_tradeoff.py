@@ -72,6 +72,16 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(figures.error(case, figures.rivals(case)[0]), math.inf)
         self.assertTrue(figures.holds(case))
 
+    def test_chipmunk_has_a_sentence_of_its_own(self):
+        case = made([(1, 0.1), (2, 0.01)], [(2, 0.5), (8, 0.02)])
+        self.assertEqual(page.beside_chipmunk(case), "")
+        before = page.verdict(case)
+        case["points"].append(point("chipmunk", "10", 3, 0.2))
+        self.assertIn("At the errors of Chipmunk's 1 points thud is 3", page.beside_chipmunk(case))
+        self.assertEqual(page.verdict(case), before)
+        case["points"].append(point("chipmunk", "160", 0.5, 0.001))
+        self.assertIn("thud does not beat** Chipmunk 160", page.beside_chipmunk(case))
+
     def test_without_box2d_nothing_is_claimed(self):
         case = made([(1, 0.1), (2, 0.01)], [])
         self.assertFalse(figures.holds(case))

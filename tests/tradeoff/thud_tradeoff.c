@@ -21,7 +21,7 @@ static const char USAGE[] =
     "usage: thud-tradeoff [OPTION...]\n"
     "\n"
     "Runs every case, or the named ones, in thud at each quality and, where this build has it, in\n"
-    "Box2D v3.2, and writes cost and error as JSON to stdout.\n"
+    "Box2D v3.2 and, for joints, Chipmunk 7, and writes cost and error as JSON to stdout.\n"
     "\n"
     "  --case NAME    only this case; may be given several times\n"
     "  --repeat N     timed repetitions, 1 to 100 (default 3, with --quick 1)\n"
@@ -94,6 +94,8 @@ static void write_point(json *out, const point *p) {
     json_text(out, "curve", p->how->curve);
     json_text(out, "setting", p->how->name);
     json_number(out, "substeps", with->quality ? with->quality->substeps : with->substeps);
+    if (with->iterations > 0)
+        json_number(out, "iterations", with->iterations);
     json_number(out, "contact_hertz",
                 with->quality
                     ? with->quality->contact_stiffness * with->quality->substeps / ENGINE_TIME_STEP

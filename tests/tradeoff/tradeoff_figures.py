@@ -3,7 +3,7 @@
 import math
 
 # A picture's curves; the second one's start is the first one's, see settings.c.
-CURVES = ["thud", "thud soft", "thud swept", "box2d", "box2d stiff"]
+CURVES = ["thud", "thud soft", "thud swept", "box2d", "box2d stiff", "chipmunk"]
 SHARED_SUBSTEPS = 4
 
 
@@ -34,12 +34,18 @@ def rivals(case):
     return [p for p in case["points"] if p["engine"] == "box2d"]
 
 
+def chipmunks(case):
+    """Points of Chipmunk, which joints alone have; what is said of rivals is not said of them."""
+    return [p for p in case["points"] if p["engine"] == "chipmunk"]
+
+
 def own(case):
     return [p for p in case["points"] if p["engine"] == "thud"]
 
 
 def label(point):
-    return point["setting"] if point["engine"] == "thud" else "Box2D " + point["setting"]
+    engine = {"thud": "", "box2d": "Box2D ", "chipmunk": "Chipmunk "}[point["engine"]]
+    return engine + point["setting"]
 
 
 def cheapest_as_accurate(case, rival):

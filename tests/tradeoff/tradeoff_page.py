@@ -107,6 +107,18 @@ def verdict(case):
            "the same cost."
 
 
+def beside_chipmunk(case):
+    """Whether thud's curve lies left of and below Chipmunk's, where that was asked."""
+    points = figures.chipmunks(case)
+    unbeaten = [p for p in points if not figures.is_beaten(case, p)]
+    if not points:
+        return ""
+    if unbeaten:
+        return f" **Of Chipmunk's points thud does not beat** {named(case, unbeaten)}."
+    cheaper = [figures.times_cheaper(case, p) for p in points]
+    return f" At the errors of Chipmunk's {len(points)} points thud is {span(cheaper)} times as fast."
+
+
 def monotony(case):
     worse = figures.not_monotone(case)
     if not worse:
@@ -133,7 +145,7 @@ def section(case, folder):
         f"Error: {case['error']}; up to {case['floor']:g} {case['unit']}".rstrip()
         + " it counts as none.",
         f"![{case['title']}: error over cost]({folder}/{case['case']}.svg)",
-        f"{verdict(case)} {monotony(case)}",
+        f"{verdict(case)}{beside_chipmunk(case)} {monotony(case)}",
         table(head, [row(case, p) for p in case["points"]])])
 
 

@@ -9,16 +9,16 @@ import tradeoff_figures as figures
 # Colours that stay apart for the colour-blind, and signs that do so without colours. The pictures
 # bring their own white ground, so that a dark page does not matter.
 COLOURS = {"thud": "#00734d", "thud soft": "#3fae86", "thud swept": "#00734d", "box2d": "#c4541c",
-           "box2d stiff": "#3a5bbf"}
+           "box2d stiff": "#3a5bbf", "chipmunk": "#8a4fa3"}
 SIGNS = {"thud": "circle", "thud soft": "circle", "thud swept": "ring", "box2d": "square",
-         "box2d stiff": "triangle"}
+         "box2d stiff": "triangle", "chipmunk": "square"}
 KEY_WORDS = {"thud": "thud: draft, default, high, exact", "thud soft": "soft 4, 8, 16",
              "thud swept": "default swept",
-             "box2d": "Box2D v3.2: 1, 2, 4, 8, 16 substeps", "box2d stiff": "8, 16 stiffer"}
+             "box2d": "Box2D v3.2: 1, 2, 4, 8, 16 substeps", "box2d stiff": "8, 16 stiffer", "chipmunk": "Chipmunk: 10, 40, 160 iterations, of joints"}
 INK, GREY, PALE = "#202020", "#6b6b6b", "#e4e4e4"
 # Pixels.
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 900, 540, 92, 40, 92, 64
-PANEL_WIDTH, PANEL_HEIGHT, PANEL_COLUMNS, KEY = 300, 236, 3, 78
+PANEL_WIDTH, PANEL_HEIGHT, PANEL_COLUMNS, KEY = 300, 236, 3, 96
 LABEL, SMALL_LABEL, CHARACTER = 14, 11, 0.63
 
 
@@ -219,10 +219,12 @@ def key(width):
     """Names of the curves beside the signs themselves."""
     parts = [text(20, 34, "What accuracy costs: error over time a step", 18, weight="bold"),
              text(width - 20, 34, "better: to the left and further down", 13, "end", GREY)]
-    at = 20
+    at, line = 20, 56
     for name, words in KEY_WORDS.items():
-        parts.append(sign(SIGNS[name], at + 6, 56, 5, COLOURS[name]))
-        parts.append(text(at + 16, 60, words, 12, colour=COLOURS[name],
+        if at + 16 + 0.58 * 12 * len(words) > width - 20:
+            at, line = 20, line + 17
+        parts.append(sign(SIGNS[name], at + 6, line, 5, COLOURS[name]))
+        parts.append(text(at + 16, line + 4, words, 12, colour=COLOURS[name],
                           weight="bold" if name == "thud" else "normal"))
         at += 16 + 0.58 * 12 * len(words) + 14
     return parts

@@ -2,6 +2,8 @@
  * of its own errors counts. */
 #include "yardstick.h"
 
+#include "linkage.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,12 +13,15 @@ struct yardstick {
     const tradeoff_case *c;
     const scene *scene;
     oracle_meter *meter;
+    linkage *linkage; /* null: the case has none */
+    engine_body *expected;
     double fall; /* J: everything's fall by a length scale */
     oracle_score start;
     double kinetic_most, energy_most;
     double penetration_worst, penetration_sum; /* m; the sum over all touching pairs and steps */
     double touching;                           /* so many */
     double folded; /* so far: the worst, the sum or the last of the steps' errors */
+    double time;   /* s, of the linkage */
     long steps;
     int lost;
 };
@@ -35,7 +40,11 @@ yardstick *yardstick_create(const tradeoff_case *c, const scene *s) {
     y->c = c;
     y->scene = s;
     y->meter = oracle_meter_create(s);
-    if (!y->meter) {
+    if (c->has_linkage) {
+        y->linkage = linkage_create(s, 0);
+        y->expected = calloc((size_t)s->body_count, sizeof *y->expected);
+    }
+    if (!y->meter || (c->has_linkage && !(y->linkage && y->expected))) {
         yardstick_destroy(y);
         return NULL;
     }
@@ -50,6 +59,8 @@ void yardstick_destroy(yardstick *y) {
     if (!y)
         return;
     oracle_meter_destroy(y->meter);
+    linkage_destroy(y->linkage);
+    free(y->expected);
     free(y);
 }
 
@@ -68,6 +79,13 @@ bool yardstick_look(yardstick *y, const engine_body *bodies, double time) {
         .start = &y->start,
     };
     y->steps++;
+    if (y->linkage) {
+        if (!linkage_advance(y->linkage, time - y->time))
+            return false;
+        linkage_read(y->linkage, y->expected);
+        now.expected = y->expected;
+        y->time = time;
+    }
     if (!oracle_measure(y->meter, bodies, &now.score))
         return false;
     if (now.score.lost > 0) {

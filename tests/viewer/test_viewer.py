@@ -117,6 +117,27 @@ class Viewer(unittest.TestCase):
                 self.assertGreater(shown.count_near(color, distance),
                                    plain.count_near(color, distance) + 30)
 
+    def test_joints_are_drawn_and_so_is_what_they_bear(self):
+        """A load hangs from a crane: by ropes, from a trolley on its rail."""
+        plain, joints, forces = (
+            self.shoot_bare("crane", "--frames", 60, "--overlay", overlay)
+            for overlay in ("none", "joints", "forces"))
+        for shown, color in ((joints, "COLOR_JOINT"), (forces, "COLOR_FORCE")):
+            with self.subTest(color=color):
+                self.assertGreater(shown.count_near(palette(color), 60),
+                                   plain.count_near(palette(color), 60) + 100)
+
+    def test_joint_that_broke_is_drawn_no_more_and_nothing_complains(self):
+        """The sling of the trebuchet."""
+        picture = self.shoot("trebuchet", "--frames", 150)
+        self.assertLess(picture.count_near(palette("COLOR_ERROR"), 60), 20)  # bricks' edges
+
+    def test_scene_wider_than_the_window_is_seen_whole(self):
+        picture = self.shoot_bare("chain", "--frames", 1, size="400x600")
+        rightmost = max(x for row in picture.rows for x, pixel in enumerate(row)
+                        if colourful(pixel))
+        self.assertTrue(350 < rightmost < 395, rightmost)
+
     def changed_by(self, overlay, *arguments):
         """Places of the pixels that an overlay changes."""
         plain = self.shoot_bare(*arguments, "--overlay", "none").rows

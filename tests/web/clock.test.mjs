@@ -1,19 +1,15 @@
-/**
- * The scene's time goes with the clock at any rate of the display, or the page says why not. Run by
- * itself, before the other tests of the page: whatever else the machine does takes that time.
- */
+/** The scene's time goes with the clock at any rate of the display, or the page says why not. */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { boxes } from "./support/code.mjs";
-import { display as displayOf } from "./support/contexts.mjs";
+import { display } from "./support/contexts.mjs";
 import { BROWSERS, DESKTOP, openVisitor, untilRunning, untilTold } from "./support/page.mjs";
 import { until } from "./support/wait.mjs";
 
-/** Milliseconds between two pictures here: longer than a machine needs for a small step. */
-const PAUSE = 120;
-
-/** A display of so many pictures a second, whatever the machine's is. */
-const display = (hertz) => displayOf(hertz, PAUSE);
+/** Milliseconds of a step that is too slow, and between two pictures of a display that does not wait
+ * for it: a machine that is slow to draw must not be slower still. */
+const SLOW_STEP = 200;
+const PAUSE = 30;
 
 const GAMES = [
   [20, "artillery", 3, 1],
@@ -76,13 +72,13 @@ describe("slow motion", () => {
   }
 
   test("scene_whose_own_code_takes_too_long_runs_on_and_says_so_until_it_is_paused", async () => {
-    const update = "for (const t = performance.now(); performance.now() < t + 200;);";
+    const update = `for (const t = performance.now(); performance.now() < t + ${SLOW_STEP};);`;
     const body = boxes(3, { update });
     const { page, close } = await visitor.open("?scene=sketch", DESKTOP, async (opened) => {
       await opened.route("**/scenes/sketch.js", (route) =>
         route.fulfill({ contentType: "text/javascript", body }),
       );
-      await display(60)(opened);
+      await display(60, PAUSE)(opened);
     });
     const told = await toldOf(page);
     assert.match(told, /^Slow motion, 0\.\d+×: a step takes \d+(\.\d)? ms, 16\.7 ms would keep up\./);

@@ -9,7 +9,7 @@ import { byId, make } from "./page/dom";
 import { readDraft } from "./page/drafts";
 import { Figures } from "./page/figures";
 import { addHint } from "./page/hint";
-import { howToPlay } from "./page/how";
+import { howToPlay, isTouch } from "./page/how";
 import { Hud } from "./page/hud";
 import { fail, notice, say, type WayOn } from "./page/messages";
 import type { Brought } from "./page/own-level";
@@ -131,6 +131,9 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
       pad.show(keys);
       change();
     },
+    frame({ paint }) {
+      if (pad.name(paint?.buttons)) change();
+    },
   });
 
   onTheme((dark) => stage.view.setTheme(dark));
@@ -228,13 +231,14 @@ function listenToScenes(
   { dock, hud, figures, hinted }: { dock: Dock; hud: Hud; figures: Figures; hinted: boolean },
 ): void {
   let announced = "";
-  /** A scene has begun of which nothing is told yet; its first frame is there; it speaks itself. */
-  let [untold, framed, speaks] = [false, false, false];
+  /** A scene has begun of which nothing is told yet; its first frame is there; it speaks itself;
+   * its buttons do. */
+  let [untold, framed, speaks, worded] = [false, false, false, false];
   const tell = () => {
     if (!untold || !framed || !app.abouts) return;
     untold = false;
     const { about } = app;
-    const how = howToPlay(app.scene!.keys);
+    const how = worded && isTouch() ? "" : howToPlay(app.scene!.keys);
     const text = `${speaks ? "" : about} ${how}`.trim();
     if ((speaks || (hinted && !how)) && about) say(about);
     // To whom a hint is shown, the first scene tells nothing more but how it is played.
@@ -274,6 +278,7 @@ function listenToScenes(
       framed = true;
       // A scene that has a message of its own says by itself what to do.
       speaks = Boolean(paint?.message);
+      worded = Boolean(paint?.buttons);
       tell();
     },
     state: tell,

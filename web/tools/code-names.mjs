@@ -10,6 +10,9 @@ const path = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));
 const SCENE = path("src/scene/scene.ts");
 const PACKAGE = path("package/dist/index.d.ts");
 
+/** Those that together have every option, each with the comment that fits most. */
+const JOINTS = ["HingeOptions", "DistanceOptions", "TargetOptions", "GearOptions"];
+
 /**
  * `completes` says where the names of a group are offered: as they are, or only after a dot. `of`
  * takes the methods of one layer of a class alone, which has them from several.
@@ -18,11 +21,15 @@ const GROUPS = [
   { title: "The function is given", types: ["SceneSetting"] },
   { title: "Options of createWorld", types: ["WorldOptions"] },
   { title: "A world: bodies and shapes", types: ["World"], of: "World" },
+  { title: "A world: joints", types: ["World"], of: "WorldJoints" },
   { title: "A world: what is where", types: ["World"], of: "WorldQueries" },
   { title: "A world: what happens", types: ["World"], of: "WorldViews" },
   { title: "A world: time and settings", types: ["World"], of: "WorldBase" },
   { title: "Options of createBody", types: ["BodyOptions"] },
   { title: "Options of shapes", types: ["CircleOptions", "ObbOptions"] },
+  { title: "Kinds of joints", types: ["AnyJointOptions"], kinds: true },
+  { title: "Options of createJoint", types: JOINTS },
+  { title: "What drives a joint", types: ["Drive"] },
   { title: "The function returns", types: ["Scene"] },
   { title: "What update is given", types: ["Input"] },
   { title: "What paint returns", types: ["Paint"] },

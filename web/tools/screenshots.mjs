@@ -3,6 +3,7 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { DESKTOP, launchChromium, PHONE, servePage, stepBy } from "./browser.mjs";
+import { LEVELS, placeOf, VIEW } from "../public/scenes/bridge_builder/levels.js";
 import { cleanCommit } from "./commit.mjs";
 
 const USAGE = `usage: node screenshots.mjs [NAME...]
@@ -34,6 +35,8 @@ const PICTURES = [
   { name: "platformer", search: "scene=platformer_game", steps: 90, options: LIGHT },
   { name: "detection", search: "scene=detection", steps: 120 },
   { name: "phone", search: "scene=hourglass", steps: 90, options: PHONE },
+  { name: "joints", search: "scene=walker", steps: 90 },
+  { name: "bridge", search: "scene=bridge_builder", steps: 0, options: PHONE, after: cross },
 ];
 
 /** Until Box2D is there. */
@@ -71,6 +74,42 @@ async function shoot(page) {
   await hold("ArrowUp", 20);
   await hold("Space", 2);
   await stepBy(page, 100);
+}
+
+/** A truss of the first gorge of the bridge builder: strokes from place to place of its grid. */
+const TRUSS = [
+  [[0, 0], [4, 0]], [[0, -1], [1, 0]], [[4, -1], [3, 0]], [[1, 0], [2, -1]], [[2, -1], [3, 0]],
+  [[2, -1], [2, 0]],
+];
+
+/** Builds it, and drives until the van is on it. */
+async function cross(page) {
+  const [gorge] = LEVELS;
+  const { top, bottom, width } = await page.evaluate(() => {
+    const boxOf = (id) => document.getElementById(id).getBoundingClientRect();
+    return { top: boxOf("top").bottom + 8, bottom: boxOf("bottom").top - 8, width: innerWidth };
+  });
+  const scale = Math.min((width - 32) / VIEW.width, (bottom - top) / VIEW.height);
+  const moveTo = async (place) => {
+    const [x, y] = placeOf(gorge, place);
+    const across = scale * (x - gorge.x - gorge.width / 2);
+    await page.mouse.move(width / 2 + across, (top + bottom) / 2 - scale * (y - VIEW.y));
+    await stepBy(page, 1);
+  };
+  await stepBy(page, 30);
+  for (const [from, to] of TRUSS) {
+    await moveTo(from);
+    await page.mouse.down();
+    await stepBy(page, 1);
+    await moveTo(to);
+    await page.mouse.up();
+    await stepBy(page, 1);
+  }
+  await page.locator("[data-key=fire]").hover();
+  await page.mouse.down();
+  await stepBy(page, 2);
+  await page.mouse.up();
+  await stepBy(page, 150);
 }
 
 const wanted = process.argv.slice(2);

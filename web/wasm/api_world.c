@@ -225,6 +225,9 @@ void api_world_error(const thud_world *world) {
     api_slots.step_error.energy_change = error.energy_change;
     api_slots.step_error.overlaps = error.overlaps;
     api_slots.step_error.shortfall = error.shortfall;
+    api_slots.step_error.joint_gap_max = error.joint_gap_max;
+    api_slots.step_error.joint_gap_mean = error.joint_gap_mean;
+    api_slots.step_error.joint_angle_max = error.joint_angle_max;
 }
 
 /* Slots out: measure. */

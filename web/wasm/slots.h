@@ -40,6 +40,24 @@ struct solid {
     double kind, half_extents[2], angle;
 };
 
+/* What acts in a direction of a joint. Infinite limits are none. */
+struct drive_options {
+    double lower, upper, frequency, damping, target, spring_force, motor_speed, motor_force;
+};
+
+struct frame_options {
+    double position[2], angle;
+};
+
+/* Of a joint, what is told in other words than the C API's. Places are in the world, as are
+ * `turned`, the angle of the joint's x axis, and `axis`, its direction. `worked_out` is a sum: 1
+ * frame a and 2 frame b from these, 4 the length of a rod from what is between both ends, 8
+ * `turned` from `axis`.
+ */
+struct joint_making {
+    double kind, rod, ratio, worked_out, place_a[2], place_b[2], turned, axis[2];
+};
+
 /* ---- slots ---- */
 
 struct world_options {
@@ -63,6 +81,7 @@ struct stats {
 
 struct step_error {
     double penetration_max, penetration_mean, residual, energy_change, overlaps, shortfall;
+    double joint_gap_max, joint_gap_mean, joint_angle_max;
 };
 
 struct measure {
@@ -91,6 +110,25 @@ struct shape_options {
 struct shape_state {
     double kind, body[2], offset[2], half_extents[2], angle, density, friction, restitution;
     double category, mask, group, sensor, user_data, surface_speed;
+};
+
+/* The pair is of bodies, or of a gear's joints. */
+struct joint_options {
+    double collide_connected, break_force, break_torque, only_reports, enabled, user_data;
+    struct handle pair_a, pair_b;
+    struct frame_options frame_a, frame_b;
+    struct drive_options along, across, turn;
+    struct joint_making making;
+};
+
+struct joint_state {
+    double kind, body_a[2], body_b[2], enabled, value[3], gap, angle_gap, force[2], torque;
+    double user_data;
+};
+
+/* The rows are joint_row and joint_handles. */
+struct joint_table {
+    double rows, handles, count;
 };
 
 /* The points are thud's own: pairs of doubles. */
@@ -198,6 +236,23 @@ struct shape_handles {
     uint32_t shape[2], body[2];
 };
 
+/* Slots are the bodies'. Anchors, and the axis by cosine and sine, are in the bodies' frames, the
+ * axis in a's; places, direction and centres of mass in the world. Directions: along, across, turn;
+ * limits are equal where one is locked, infinite where it is free. */
+struct joint_row {
+    float kind, slot_a, slot_b, enabled, awake, anchor_a[2], anchor_b[2], axis[2], place_a[2];
+    float place_b[2], direction[2], center_a[2], center_b[2], value[3], lower[3], upper[3];
+    float gap, angle_gap, force[2], torque;
+};
+
+struct joint_handles {
+    uint32_t joint[2], body_a[2], body_b[2];
+};
+
+struct joint_event {
+    double joint[2], body_a[2], body_b[2], user_data, force, torque, broken;
+};
+
 struct draw_shape {
     float center[2], half_extents[2], cosine, sine, round, style, island;
 };
@@ -212,7 +267,7 @@ struct draw_point {
 
 /* What a call takes or gives, under the name of what it is. */
 union api_slots {
-    double all[32];
+    double all[64];
     struct list list;
     struct handle handle;
     struct world_options world_options;
@@ -225,6 +280,9 @@ union api_slots {
     struct body_state body_state;
     struct shape_options shape_options;
     struct shape_state shape_state;
+    struct joint_options joint_options;
+    struct joint_state joint_state;
+    struct joint_table joint_table;
     struct terrain terrain;
     struct ground ground;
     struct foot foot;
@@ -239,6 +297,6 @@ union api_slots {
     struct minkowski_pair minkowski_pair;
     struct minkowski_sum minkowski_sum;
 };
-_Static_assert(sizeof(union api_slots) == 32 * sizeof(double), "JavaScript sees 32 slots");
+_Static_assert(sizeof(union api_slots) == 64 * sizeof(double), "JavaScript sees 64 slots");
 
 #endif

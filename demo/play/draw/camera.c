@@ -6,9 +6,12 @@
 /* Beyond these, pixels or double precision run out. */
 static const double SCALE_MIN = 1e-4, SCALE_MAX = 1e6;
 
-void camera_look(camera *c, thud_pos center, double height) {
+void camera_look(camera *c, thud_pos center, double height, double width) {
+    double scale = c->view.h / height;
+    if (width > 0)
+        scale = fmin(scale, c->view.w / width);
     c->center = center;
-    c->scale = fmin(fmax(c->view.h / height, SCALE_MIN), SCALE_MAX);
+    c->scale = fmin(fmax(scale, SCALE_MIN), SCALE_MAX);
 }
 
 void camera_set_view(camera *c, SDL_FRect view) {

@@ -13,8 +13,9 @@ typedef struct camera {
     SDL_FRect view; /* pixels of the screen that show the world */
 } camera;
 
-/* Shows `height` units of the world from top to bottom, about `center`. */
-void camera_look(camera *c, thud_pos center, double height);
+/* Shows `height` units of the world from top to bottom about `center`, or more, so that `width` of
+ * them are to be seen from left to right. */
+void camera_look(camera *c, thud_pos center, double height, double width);
 /* Keeps the centre and the height in units when the view changes its size. */
 void camera_set_view(camera *c, SDL_FRect view);
 SDL_FPoint camera_to_screen(const camera *c, thud_pos p);

@@ -41,6 +41,10 @@ enum { COLOR_BODY_COUNT = 6 };
 #define COLOR_MOTION RGB(0xF78FB3)
 #define COLOR_SUM RGB(0x7CF5C4)
 #define COLOR_GRAB RGB(0xFFFFFF)
+#define COLOR_JOINT RGB(0xF4E9CD)
+#define COLOR_JOINT_SPRING RGB(0xB9D8C2)
+#define COLOR_FORCE RGB(0xFFC857)
+#define COLOR_OPEN RGB(0xFF6B6B)
 
 /* One per stage, in the order of thud_stage. */
 #define COLOR_STAGES                                                                              \

@@ -9,17 +9,21 @@
 
 static const char *const NAMES[OVERLAY_COUNT] = {"contacts", "normals",  "bounds",  "cells",
                                                  "islands",  "sleeping", "timings", "axes",
-                                                 "pairs",    "motions"};
+                                                 "pairs",    "motions",  "joints",  "forces"};
 
 const char *overlay_name(overlay which) {
     return NAMES[which];
+}
+
+char overlay_key(overlay which) {
+    return "1234567890JK"[which];
 }
 
 SDL_Color overlay_color(overlay which) {
     static const SDL_Color colors[OVERLAY_COUNT] = {COLOR_CONTACT, COLOR_NORMAL,   COLOR_BOUNDS,
                                                     COLOR_CELL,    COLOR_ISLAND,   COLOR_SLEEPING,
                                                     COLOR_TIMINGS, COLOR_INTERVAL, COLOR_PAIR,
-                                                    COLOR_MOTION};
+                                                    COLOR_MOTION,  COLOR_JOINT,    COLOR_FORCE};
     return colors[which];
 }
 

@@ -16,14 +16,17 @@ typedef enum overlay {
     OVERLAY_AXES,    /* the plane sweep's sorted intervals */
     OVERLAY_PAIRS,   /* whose bounds overlap */
     OVERLAY_MOTIONS, /* swept volumes of what is fast */
+    OVERLAY_JOINTS,
+    OVERLAY_FORCES, /* of joints, and where they are open */
     OVERLAY_COUNT
 } overlay;
 
 typedef unsigned overlay_set; /* bit 1 << overlay */
 
-static const overlay_set OVERLAYS_DEFAULT = 1u << OVERLAY_SLEEPING;
+static const overlay_set OVERLAYS_DEFAULT = 1u << OVERLAY_SLEEPING | 1u << OVERLAY_JOINTS;
 
 const char *overlay_name(overlay which);
+char overlay_key(overlay which); /* a digit, or a capital letter */
 SDL_Color overlay_color(overlay which);
 
 static inline bool overlays_have(overlay_set set, overlay which) {

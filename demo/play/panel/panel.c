@@ -86,7 +86,7 @@ static float draw_toggles(viewer *v, float y) {
     y = label(v, y, "Show");
     for (int i = 0; i < OVERLAY_COUNT; i++) {
         char text[32];
-        snprintf(text, sizeof text, "%d %s", (i + 1) % 10, overlay_name((overlay)i));
+        snprintf(text, sizeof text, "%c %s", overlay_key((overlay)i), overlay_name((overlay)i));
         SDL_FRect r = cell(v, y + (float)(i / 2) * (ROW + GAP) * v->canvas.unit, i % 2, 2);
         if (ui_toggle(&v->ui, &v->canvas, r, text, overlay_color((overlay)i),
                       overlays_have(v->overlays, (overlay)i)))

@@ -368,6 +368,9 @@ typedef struct thud_step_error {
     double shortfall; /* length: how far the body that detection held back the most, of
                          thud_stats.held_bodies, ended from where its motion would have taken it; 0
                          where none was held */
+    double joint_gap_max, joint_gap_mean; /* lengths: by how much joints of awake bodies are open at
+                                             the end of the step, as thud_joint_state.gap has it */
+    double joint_angle_max;               /* likewise, angle_gap, rad */
 } thud_step_error;
 
 /* All 0 before the first step. */

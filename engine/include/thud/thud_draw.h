@@ -32,6 +32,12 @@ typedef enum thud_draw_style {
                                        lighter of the two bodies in a second */
     THUD_DRAW_COLOUR, /* line from centre to centre of a pair of the solver's colour 0 */
     THUD_DRAW_COLOUR_LAST = THUD_DRAW_COLOUR + 15, /* ... 15, and of all further ones */
+    THUD_DRAW_JOINT,       /* line from a body's centre to where a joint has it, or between both
+                              places; points there */
+    THUD_DRAW_JOINT_AXIS,  /* line: the x axis of frame a, where the joint has one */
+    THUD_DRAW_JOINT_LIMIT, /* lines: between which places or angles b may be */
+    THUD_DRAW_JOINT_FORCE, /* line from b's place: as far as the joint's force would move b alone
+                              in a second, from rest */
     THUD_DRAW_STYLE_COUNT
 } thud_draw_style;
 
@@ -55,7 +61,9 @@ enum {
                                    overlap,  so do the true bounds, shapes touch */
     THUD_DRAW_COLOURS = 1 << 9, /* touching pairs by the solver's graph colour: no two pairs of one
                                    colour share a moving body, so that they are solved at once */
-    THUD_DRAW_MANIFOLDS = 1 << 10 /* every point of every contact, its depth and its impulse */
+    THUD_DRAW_MANIFOLDS = 1 << 10, /* every point of every contact, its depth and its impulse */
+    THUD_DRAW_JOINTS = 1 << 11,    /* places, axes and limits */
+    THUD_DRAW_JOINT_FORCES = 1 << 12
 };
 
 /* Null callbacks are skipped. `island` is -1 unless THUD_DRAW_ISLANDS is asked for. Coordinates

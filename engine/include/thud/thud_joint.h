@@ -11,14 +11,19 @@
  *     THUD_WELD       locked, or driven where it has a spring, each by itself
  *     THUD_WHEEL      driven              locked     driven    likewise
  *     THUD_TARGET     driven              driven     driven    likewise
+ *     THUD_FILTER     free                free       free      does not count
+ *     THUD_GEAR       ties two joints together: see `gear` of the def
  *
  * (*) the distance between both positions: locked at `length`, or driven where it has limits, a
  * spring or a motor: a rope has limits (0, length), a spring a frequency and its rest as target.
  *
  * Joints are solved softly with all else, and give way under a load; an island in which they would
  * by more than its quality allows, while it has work left for that, is solved directly, with its
- * contacts. A body that its detection stops on its way opens its joints by as much, until the next
- * step closes them. */
+ * contacts.
+ *
+ * Where its detection stops a body on its way through a step, all that locked directions tie to it
+ * stop as far on their ways, so that no joint opens by that; the statistics tell. Under `bisect`
+ * and `swept` such bodies stop at what they meet, and bounce off as contacts do. */
 #ifndef THUD_JOINT_H
 #define THUD_JOINT_H
 
@@ -41,6 +46,8 @@ typedef enum thud_joint_kind {
     THUD_WELD,
     THUD_WHEEL,
     THUD_TARGET,
+    THUD_FILTER, /* their shapes do not meet, and that is all */
+    THUD_GEAR,
     THUD_JOINT_KIND_COUNT
 } thud_joint_kind;
 
@@ -80,16 +87,32 @@ typedef struct thud_joint_def {
     thud_body_id body_a, body_b; /* two, of which one is dynamic; of wheels and targets body b */
     thud_joint_frame frame_a, frame_b;
     thud_drive drive[THUD_DIRECTION_COUNT]; /* those that the kind drives */
-    float length;           /* of a distance, > 0, at most 1e6 length scales; default 1 */
-    bool collide_connected; /* default false: the bodies' shapes do not meet */
-    bool disabled;          /* default false */
+    float length; /* of a distance, > 0, at most 1e6 length scales; default 1 */
+    /* Of a gear: two joints, each a hinge, a wheel, a slider or a distance between a static body
+     * and a dynamic one; the dynamic ones, which must not be the same, are the gear's bodies, and
+     * body_a, body_b and the frames do not count. It keeps the value of the first (turn of a hinge
+     * or a wheel, along of the others) plus `ratio` times that of the second as it is when the gear
+     * is made, over any number of turns. While either is disabled it lets go, and goes on from
+     * where they are then; with either it is gone. Directions of rows are those at the start of a
+     * step: what a gear of distances keeps is off by the square of their turn in it. */
+    thud_joint_id gear[2];
+    float ratio;            /* of a gear, 1e-4 <= |ratio| <= 1e4; default 1: they turn against
+                               each other, as two wheels that mesh */
+    bool collide_connected; /* default false: the bodies' shapes do not meet; of a gear true */
+    /* Beyond either the joint breaks: it is destroyed at the end of that step, or, where
+     * `only_reports`, goes on. Either way there is an event. >= 0; default THUD_JOINT_FORCE_MAX:
+     * never */
+    float break_force, break_torque;
+    bool only_reports; /* default false */
+    bool disabled;     /* default false */
     uint64_t user_data;
 } thud_joint_def;
 
 THUD_API thud_joint_def thud_default_joint_def(thud_joint_kind kind);
 
-/* A joint takes effect with the next step, and wakes both bodies then; it is gone with either, and
- * lets go while either is disabled. None of these inside a callback: THUD_ERROR_LOCKED. */
+/* A joint takes effect with the next step, and wakes both bodies then; it is gone with either, when
+ * the body leaves as a step begins, and lets go while either is disabled. None of these inside a
+ * callback: THUD_ERROR_LOCKED. */
 THUD_API thud_result thud_joint_create(thud_world *world, const thud_joint_def *def,
                                        thud_joint_id *out);
 THUD_API thud_result thud_joint_destroy(thud_world *world, thud_joint_id joint);
@@ -102,21 +125,50 @@ typedef struct thud_joint_state {
     double value[THUD_DIRECTION_COUNT]; /* where b is, seen from a; value[THUD_TURN] in (-pi, pi] */
     double gap;                         /* length by which locked directions are off */
     double angle_gap;                   /* likewise, rad; both >= 0 */
-    thud_vec2 force;                    /* on b, in the world, as it was last solved */
+    thud_vec2 force;                    /* on b, in the world, as it was last solved; it and
+                                           the torque are within THUD_JOINT_FORCE_MAX */
     float torque; /* on b, about its centre of mass less that of `force`: of turn alone */
     uint64_t user_data;
 } thud_joint_state;
 
 THUD_API thud_result thud_joint_get(const thud_world *world, thud_joint_id joint,
                                     thud_joint_state *out);
+/* What makes another like it, as it is now. Angles are in (-pi, pi]; of directions that the kind
+ * does not drive, and of what it has none of, the defaults. */
+THUD_API thud_result thud_joint_get_def(const thud_world *world, thud_joint_id joint,
+                                        thud_joint_def *out);
 /* A direction that the kind drives; wakes the bodies, as the next two do. */
 THUD_API thud_result thud_joint_set_drive(thud_world *world, thud_joint_id joint,
                                           thud_direction direction, const thud_drive *drive);
 /* Of a distance. */
 THUD_API thud_result thud_joint_set_length(thud_world *world, thud_joint_id joint, float length);
 THUD_API thud_result thud_joint_set_enabled(thud_world *world, thud_joint_id joint, bool enabled);
+/* Where it is in a body (0: body_a, 1: body_b). Not of gears and filters. */
+THUD_API thud_result thud_joint_set_frame(thud_world *world, thud_joint_id joint, int side,
+                                          thud_joint_frame frame);
+THUD_API thud_result thud_joint_set_breaking(thud_world *world, thud_joint_id joint, float force,
+                                             float torque, bool only_reports);
 THUD_API thud_result thud_joint_set_user_data(thud_world *world, thud_joint_id joint,
                                               uint64_t user_data);
+
+/* A joint whose force or torque went beyond what it bears, in the last step. */
+typedef struct thud_joint_event {
+    thud_joint_id joint;
+    thud_body_id body_a, body_b;
+    uint64_t user_data;
+    float force, torque; /* magnitudes */
+    bool broken;         /* it is gone */
+} thud_joint_event;
+
+/* In the order of their making; valid until the next step. *count may be null. */
+THUD_API const thud_joint_event *thud_world_joint_events(const thud_world *world, int *count);
+
+/* Joints of the world, or of a body, in a deterministic order. Writes no more than `capacity` of
+ * them to `out` (which may be null where that is 0) and returns how many there are; 0 where the
+ * body is stale. */
+THUD_API int thud_world_joints(const thud_world *world, thud_joint_id *out, int capacity);
+THUD_API int thud_body_joints(const thud_world *world, thud_body_id body, thud_joint_id *out,
+                              int capacity);
 
 /* A world that never made a joint refuses to be restored from a snapshot that has some: this makes
  * it ready, as making one does. */

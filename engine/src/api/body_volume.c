@@ -55,8 +55,7 @@ thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kin
     if (result != THUD_OK) {
         return result;
     }
-    double most = TD_PLACE_MAX * (double)w->unit;
-    if (!(origin.x >= -most && origin.x <= most && origin.y >= -most && origin.y <= most)) {
+    if (!td_place_valid(w, origin.x, origin.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "body volume: origin is out of range");
     }
     if (!has_volume(w, kind, index)) {

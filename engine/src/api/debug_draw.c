@@ -1,4 +1,5 @@
 /* debug_draw.c: the world drawn through the caller's functions, for viewers and tests. */
+#include "constraint/joining.h"
 #include "state/body.h"
 #include "api/debug_draw.h"
 #include "state/handles.h"
@@ -94,13 +95,10 @@ thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw) {
     if (!w || !draw) {
         return td_refuse(w, THUD_ERROR_NULL, "draw: world or draw is null");
     }
-    double most = TD_PLACE_MAX * (double)w->unit;
-    const double all[] = {draw->origin.x, draw->origin.y, draw->lower.x,
-                          draw->lower.y,  draw->upper.x,  draw->upper.y};
-    for (int i = 0; i < 6; i++) {
-        if (!(all[i] >= -most && all[i] <= most)) {
-            return td_refuse(w, THUD_ERROR_INVALID, "draw: origin or box is out of range");
-        }
+    if (!td_place_valid(w, draw->origin.x, draw->origin.y) ||
+        !td_place_valid(w, draw->lower.x, draw->lower.y) ||
+        !td_place_valid(w, draw->upper.x, draw->upper.y)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "draw: origin or box is out of range");
     }
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "draw: not inside a callback");
@@ -111,7 +109,7 @@ thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw) {
     }
     td_drawing d = {w, draw, td_place_from(w, draw->origin), td_place_from(w, draw->lower),
                     td_place_from(w, draw->upper)};
-    const struct {
+    static const struct {
         unsigned flags;
         void (*run)(const td_drawing *d);
     } parts[] = {
@@ -131,6 +129,9 @@ thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw) {
         if (draw->flags & parts[i].flags) {
             parts[i].run(&d);
         }
+    }
+    if (w->joining) {
+        w->joining->draw(&d);
     }
     w->locked = false;
     return THUD_OK;

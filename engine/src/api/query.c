@@ -19,14 +19,9 @@ bool td_query_passes(const thud_world *w, int index, const thud_query_filter *fi
            (shape->filter.mask & f.category);
 }
 
-bool td_query_in_range(const thud_world *w, double x, double y) {
-    double most = TD_PLACE_MAX * (double)w->unit;
-    return x >= -most && x <= most && y >= -most && y <= most;
-}
-
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape) {
-    bool valid = thud_placed_check(shape) == THUD_OK && td_query_in_range(w, center.x, center.y) &&
-                 td_query_in_range(w, center.x + shape->x, center.y + shape->y);
+    bool valid = thud_placed_check(shape) == THUD_OK && td_place_valid(w, center.x, center.y) &&
+                 td_place_valid(w, center.x + shape->x, center.y + shape->y);
     return valid ? THUD_OK : THUD_ERROR_INVALID;
 }
 

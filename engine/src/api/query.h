@@ -7,8 +7,6 @@
 
 bool td_query_passes(const thud_world *w, int shape, const thud_query_filter *filter);
 
-bool td_query_in_range(const thud_world *w, double x, double y);
-
 /* THUD_OK if a query's own shape, about `center`, is one that the world can meet. */
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape);
 

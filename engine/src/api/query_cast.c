@@ -198,8 +198,8 @@ static bool cast(thud_world *w, const path *way, bool first, kept *k) {
 }
 
 static bool way_in_range(const thud_world *w, const path *way) {
-    return td_query_in_range(w, way->origin.x, way->origin.y) &&
-           td_query_in_range(w, way->origin.x + way->dx, way->origin.y + way->dy);
+    return td_place_valid(w, way->origin.x, way->origin.y) &&
+           td_place_valid(w, way->origin.x + way->dx, way->origin.y + way->dy);
 }
 
 static thud_result cast_first(thud_world *w, path *way, bool *hit, thud_ray_hit *out) {

@@ -1,4 +1,5 @@
 /* report.c: what a world tells of itself: events, poses, statistics, measures, its hash. */
+#include "constraint/joining.h"
 #include "solver/error.h"
 #include "state/body.h"
 #include "state/handles.h"
@@ -31,9 +32,7 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
     if (count) {
         *count = 0;
     }
-    double most = w ? TD_PLACE_MAX * (double)w->unit : -1.0;
-    if (!(origin.x >= -most && origin.x <= most && origin.y >= -most && origin.y <= most &&
-          alpha >= 0.0 && alpha <= 1.0)) {
+    if (!w || !td_place_valid(w, origin.x, origin.y) || !(alpha >= 0.0 && alpha <= 1.0)) {
         td_refuse(w, THUD_ERROR_INVALID, "poses: origin or alpha is out of range");
         return NULL;
     }
@@ -102,6 +101,10 @@ thud_step_error thud_world_error(const thud_world *w) {
         return (thud_step_error){0};
     }
     td_errors step = td_error_of_step(w), *e = &step;
+    td_joint_gaps gaps = {0};
+    if (w->joining) {
+        w->joining->measure(w, &gaps);
+    }
     return (thud_step_error){
         .penetration_max = (double)e->deepest,
         .penetration_mean = e->points ? e->depth / w->to_fixed / (double)e->points : 0.0,
@@ -109,6 +112,9 @@ thud_step_error thud_world_error(const thud_world *w) {
         .energy_change = e->energy_change,
         .overlaps = (int)e->overlaps,
         .shortfall = __builtin_sqrt((double)e->shortfall),
+        .joint_gap_max = gaps.worst,
+        .joint_gap_mean = gaps.mean,
+        .joint_angle_max = gaps.angle,
     };
 }
 

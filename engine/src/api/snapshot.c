@@ -161,7 +161,8 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
     if (memcmp(&head->settings, &own.settings, sizeof own.settings) != 0) {
         return "restore: the snapshot is of a world whose def has other settings";
     }
-    if (head->plugged & ~own.plugged & TD_SNAPSHOT_ALL_JOINTS) {
+    if (head->slots[TD_SNAPSHOT_JOINTS].live > 0 &&
+        (head->plugged & ~own.plugged & TD_SNAPSHOT_ALL_JOINTS)) {
         return "restore: the snapshot has joints that this world never had";
     }
     if (!counts_valid(head) || !lengths_valid(w, head) || td_snapshot_bytes_of(w, head) != bytes ||

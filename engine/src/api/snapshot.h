@@ -11,7 +11,7 @@
 
 #define TD_SNAPSHOT_MAGIC "thudsnap"
 
-enum { TD_SNAPSHOT_VERSION = 4 }; /* rises when what the bytes mean changes */
+enum { TD_SNAPSHOT_VERSION = 6 }; /* rises when what the bytes mean changes */
 
 /* in td_snapshot_head.slots */
 enum {
@@ -55,7 +55,8 @@ enum {
     TD_SNAPSHOT_WAITING, /* by kind of constraint */
     TD_SNAPSHOT_EVENTS = TD_SNAPSHOT_WAITING + TD_CONSTRAINT_KINDS,
     TD_SNAPSHOT_PUBLISHED = TD_SNAPSHOT_EVENTS + TD_EVENT_LIST_COUNT,
-    TD_SNAPSHOT_PROXY_SETS = TD_SNAPSHOT_PUBLISHED + TD_EVENT_LIST_COUNT,
+    TD_SNAPSHOT_BROKEN = TD_SNAPSHOT_PUBLISHED + TD_EVENT_LIST_COUNT,
+    TD_SNAPSHOT_PROXY_SETS,
     TD_SNAPSHOT_PARTS = TD_SNAPSHOT_PROXY_SETS + 2 * TD_SNAPSHOT_PROXY_SET_PARTS
 };
 

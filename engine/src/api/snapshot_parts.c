@@ -78,6 +78,7 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     }
     list_events(&w->events, parts + TD_SNAPSHOT_EVENTS);
     list_events(&w->published, parts + TD_SNAPSHOT_PUBLISHED);
+    parts[TD_SNAPSHOT_BROKEN] = list_of(&w->broken, 0);
     list_proxy_set(w, &w->awake_shapes, parts + TD_SNAPSHOT_PROXY_SETS);
     list_proxy_set(w, &w->rest_shapes,
                    parts + TD_SNAPSHOT_PROXY_SETS + TD_SNAPSHOT_PROXY_SET_PARTS);

@@ -37,6 +37,7 @@ static const struct {
     FIELD(bouncy),
     FIELD(surface_speeds),
     FIELD(mobile_sensors),
+    FIELD(breakable),
     FIELD(damped),
     FIELD(push_stale),
     FIELD(kinetic),
@@ -340,7 +341,7 @@ static void take_counts(thud_world *w, const td_snapshot_head *head) {
     td_snapshot_list_slots(w, slots);
     for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
         const td_snapshot_slots *to = &head->slots[i];
-        for (int k = to->count; k < slots[i]->count && i <= TD_SNAPSHOT_SHAPES; k++) {
+        for (int k = to->count; k < slots[i]->count && i <= TD_SNAPSHOT_JOINTS; k++) {
             memset(td_slot_at(slots[i], k), 0, (size_t)slots[i]->stride);
         }
         slots[i]->count = to->count;

@@ -1,4 +1,5 @@
 /* step.c: the whole engine at a glance. Data flows one way; stages meet in the world's state. */
+#include "constraint/joining.h"
 #include "solver/budget.h"
 #include "state/handles.h"
 #include "api/step.h"
@@ -111,6 +112,9 @@ static thud_result run_stages(thud_world *w) {
     detect(w, TD_AFTER_MOVING);
     mark(w, THUD_STAGE_CONTINUOUS, &last);
     td_contacts_tell(w);
+    if (w->joining) {
+        w->joining->break_up(w);
+    }
     mark(w, THUD_STAGE_EVENTS, &last);
     td_sleep(w);
     mark(w, THUD_STAGE_SLEEP, &last);

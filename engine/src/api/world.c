@@ -1,4 +1,5 @@
 /* world.c: making and ending worlds, and their settings. */
+#include "thud/thud_joint.h"
 #include "state/world.h"
 
 #include "state/awake.h"
@@ -142,8 +143,10 @@ static const struct {
     ARRAY(scratch.fast, td_awake_slot),
     ARRAY(scratch.odd, td_awake_slot),
     ARRAY(scratch.order, int32_t),
+    ARRAY(scratch.rings, td_awake_slot),
     EVENTS(events),
     EVENTS(published),
+    ARRAY(broken, thud_joint_event),
 };
 enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 

@@ -46,6 +46,7 @@ typedef int64_t l4 __attribute__((vector_size(32)));
 typedef double d2 __attribute__((vector_size(16)));
 typedef int64_t l2 __attribute__((vector_size(16)));
 typedef uint64_t v2 __attribute__((vector_size(16)));
+typedef uint64_t v4 __attribute__((vector_size(32)));
 
 /* Kernels are made of small pieces; where size counts more than time, the compiler may share them.
  */

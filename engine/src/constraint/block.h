@@ -71,6 +71,15 @@ typedef struct td_given {
     f8 x, y, moment_a, moment_b;
 } td_given;
 
+/* Where a joint is fixed on its bodies. It follows from the joint and its bodies' centres of mass
+ * alone, and is looked up anew where td_block.armed is set: joints/anchors.c. */
+typedef struct td_anchor_rows {
+    i8 body_a, body_b;     /* td_body_index, of a static side too */
+    f8 a_x, a_y, b_x, b_y; /* from the centre of mass to the anchor, in the body's frame */
+    f8 axis_c, axis_s;     /* td_joint.axis_c and .axis_s */
+    i8 turn;               /* td_joint.turn */
+} td_anchor_rows;
+
 /* The rest of a joint's locked directions. Its points are `along` and `across`, off by their
  * separations, and its tangent is `turn`. */
 typedef struct td_hold_rows {
@@ -79,6 +88,8 @@ typedef struct td_hold_rows {
     f8 turn_base;  /* angle by which it is off at the start of the step; of a rod its length */
     f8 turn_sign;  /* 1, or -1 where sides have changed places */
     f8 turn_apart; /* like separation, now */
+    i8 locked;     /* td_joint.locked */
+    td_anchor_rows anchor;
 } td_hold_rows;
 
 /* The rest of a joint's driven direction. Both its points have the crosses of its frame; the first
@@ -93,7 +104,15 @@ typedef struct td_drive_rows {
     f8 locked;            /* 1: both are the same */
     f8 target, frequency, damping, spring_most; /* spring_most: a force */
     f8 motor_speed, motor_most;                 /* motor_most: a force */
+    f8 lower, upper;
+    i8 limited, across; /* masks; across: it drives THUD_ACROSS */
+    td_anchor_rows anchor;
 } td_drive_rows;
+
+/* The rest of a gear's one row, whose side b has the directions of its block: that of side a. */
+typedef struct td_gear_rows {
+    f8 a_x, a_y;
+} td_gear_rows;
 
 /* Behind its points, a block has one td_point_history for each of them, a td_surface, and, where
  * its form says so, a td_manifold_cache. */
@@ -106,7 +125,8 @@ typedef struct td_block {
     int32_t used;          /* lanes 0 .. used - 1 are in use */
     uint32_t touching;     /* lanes with a point, by the last narrowphase */
     int32_t bouncy;        /* a lane has restitution */
-    int32_t armed;         /* a lane's shape may be off its body's centre of mass */
+    int32_t armed;         /* a lane's shape may be off its body's centre of mass; of joints: what
+                              a lane keeps of its joint is to be looked up anew */
     int32_t shared;        /* a lane has a kinematic body, which other blocks may have as well */
     uint8_t internal_edges[TD_LANES]; /* td_shape.internal_edges of shape_a, where that is static */
     uint8_t loaded[TD_LANES];         /* how often in succession it was found to carry too much, see
@@ -173,6 +193,10 @@ static inline const td_drive_rows *td_drive_rows_at(const td_block *block) {
     return (const td_drive_rows *)(surface + 1);
 }
 
+static inline td_gear_rows *td_gear_rows_of(td_block *block) {
+    return (td_gear_rows *)(td_surface_at(block, 1) + 1);
+}
+
 /* Blocks lie where their constraints began, and the passes over them are bound by memory: the
  * solver's rows of the one after the next are asked for early. */
 TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int points) {
@@ -192,11 +216,12 @@ typedef enum td_block_form {
     TD_FORM_TWO_CACHED,
     TD_FORM_HOLD,
     TD_FORM_DRIVE,
+    TD_FORM_GEAR,
     TD_FORM_COUNT
 } td_block_form;
 
 static inline int td_form_points(td_block_form form) {
-    return form == TD_FORM_ONE || form == TD_FORM_ONE_CACHED ? 1 : 2;
+    return form == TD_FORM_ONE || form == TD_FORM_ONE_CACHED || form == TD_FORM_GEAR ? 1 : 2;
 }
 
 static inline size_t td_form_bytes(td_block_form form) {
@@ -204,6 +229,7 @@ static inline size_t td_form_bytes(td_block_form form) {
     size_t behind = form == TD_FORM_ONE     ? 0
                     : form == TD_FORM_HOLD  ? sizeof(td_hold_rows)
                     : form == TD_FORM_DRIVE ? sizeof(td_drive_rows)
+                    : form == TD_FORM_GEAR  ? sizeof(td_gear_rows)
                                             : sizeof(td_manifold_cache);
     return sizeof(td_block) + points * (sizeof(td_point) + sizeof(td_point_history)) +
            sizeof(td_surface) + behind;

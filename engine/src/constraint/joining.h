@@ -6,6 +6,12 @@
 #include "state/world.h"
 
 struct td_island_work;
+struct td_drawing;
+
+/* As thud_step_error has them. */
+typedef struct td_joint_gaps {
+    double worst, mean, angle;
+} td_joint_gaps;
 
 typedef struct td_joining_ops {
     /* Gives lanes to those that wait, where their bodies are in the world and enabled. False when
@@ -17,14 +23,40 @@ typedef struct td_joining_ops {
     bool (*keeps_apart)(const thud_world *w, td_body_index a, td_body_index b);
     /* A part is no more; the joint is gone with its last one. */
     void (*leave)(thud_world *w, int joint, int part);
+    /* Makes the rings of this step, if nobody has; rings.h. */
+    void (*ring)(thud_world *w);
+    /* A body was held at a part of its motion: those that joints tie to it go back as far. */
+    void (*hold_back)(thud_world *w, td_awake_slot slot, double time);
+    /* After the epilogue: events of the joints that bear too much, which are destroyed. */
+    void (*break_up)(thud_world *w);
+    /* Adds up how far joints of awake bodies are open. */
+    void (*measure)(const thud_world *w, td_joint_gaps *gaps);
+    /* joint_draw.c; of a td_drawing: api/debug_draw.h */
+    void (*draw)(const struct td_drawing *drawing);
     /* island_joints.c: see island_solve.h. */
     double (*solve)(struct td_island_work *work, double tolerance);
+    /* late_islands.c: room for what comes late; what there is before the soft solver; and the
+     * islands whose joints have given way under it. */
+    bool (*reserve_late)(thud_world *w);
+    void (*note_late)(thud_world *w);
+    void (*solve_late)(thud_world *w);
 } td_joining_ops;
 
 /* joining.c */
 bool td_joints_engage(thud_world *w);
 void td_joints_suspend(thud_world *w, td_body_index body);
+void td_joints_ring(thud_world *w);
+void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
+void td_joints_break_up(thud_world *w);
+void td_joints_draw(const struct td_drawing *drawing);
+void td_joints_measure(const thud_world *w, td_joint_gaps *gaps);
 void td_joints_leave(thud_world *w, int joint, int part);
 bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b);
+
+/* The bit of a body in td_body.passes. Sixteen bits are few, and none is ever cleared: both bodies
+ * have the bit of the other if they pass through each other, and seldom else. */
+static inline uint16_t td_passing_bit(td_body_index body) {
+    return (uint16_t)(1u << (body.at & 15));
+}
 
 #endif

@@ -70,6 +70,7 @@ enum {
     TD_CONSTRAINT_DRIVE_LINE,          /* a distance, driven */
     TD_CONSTRAINT_DRIVE_AXIS,          /* a direction, driven */
     TD_CONSTRAINT_DRIVE_TURN,
+    TD_CONSTRAINT_GEAR, /* two joints against each other */
     TD_CONSTRAINT_KINDS
 };
 

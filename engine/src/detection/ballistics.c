@@ -2,6 +2,7 @@
  * their impacts heed them. */
 #include "detection/ballistics.h"
 
+#include "constraint/constraint.h"
 #include "detection/trajectory.h"
 
 /* Contacts do not bear a body to which they gave no more than this share of what gravity gives it
@@ -56,6 +57,17 @@ static void fly(thud_world *w, td_awake_slot slot, bool touched) {
     }
 }
 
+/* What a joint gives may be little, and still be what keeps the joint whole. */
+static bool is_joined(const thud_world *w, const td_body *body) {
+    bool joined = false;
+    for (int e = w->joining ? body->first_constraint : TD_NONE; e != TD_NONE && !joined;
+         e = td_next_edge(w, e)) {
+        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        joined = !td_is_contact(constraint) && constraint->state == TD_TOUCHING;
+    }
+    return joined;
+}
+
 void td_ballistics_fly(thud_world *w) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
@@ -68,8 +80,8 @@ void td_ballistics_fly(thud_world *w) {
         double x = (double)push[0], y = (double)push[1];
         double gain = w->substeps * __builtin_sqrt(x * x + y * y);
         /* A parabola steeper than the highest speed is not flown. */
-        f->free =
-            gain <= (double)(w->def.maximum_speed * w->unit) && is_free(w, slot, LITTLE * gain);
+        f->free = gain <= (double)(w->def.maximum_speed * w->unit) &&
+                  is_free(w, slot, LITTLE * gain) && !is_joined(w, body);
         if (f->free && gain > 0.0) {
             fly(w, slot, !is_free(w, slot, 0.0));
         }

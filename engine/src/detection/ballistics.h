@@ -1,5 +1,5 @@
-/* ballistics.h: bodies that nothing touches fly exact parabolas, x + v t + g t^2 / 2, where
- * substeps would take them along a polygon. */
+/* ballistics.h: bodies that nothing touches or joins fly exact parabolas, x + v t + g t^2 / 2,
+ * where substeps would take them along a polygon. */
 #ifndef TD_BALLISTICS_H
 #define TD_BALLISTICS_H
 

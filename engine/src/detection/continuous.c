@@ -5,6 +5,7 @@
  * contact solver takes over in the next. The swept shapes are a little smaller, so that sliding
  * along a floor is no impact. Where even the smaller shape overlaps at the start, the middle of the
  * body is swept alone: it may rub along, but never change sides. */
+#include "constraint/joining.h"
 #include "state/body.h"
 #include "contact/contact.h"
 #include "solver/error.h"
@@ -261,53 +262,62 @@ static void find_next(sweep *s, int first, float c, float sine) {
     }
 }
 
-/* A body that was stopped does not fall on in the rest of the step, so that the velocity which
- * gravity and forces give it there is taken back. */
-static void hold(sweep *s, uint32_t start_angle) {
-    thud_world *w = s->w;
-    double time = s->next.time, rest = 1.0 - time;
-    td_pose *pose = td_pose_at(w, s->body);
-    float *delta = td_row(&w->delta, s->slot), *velocity = td_row(&w->velocity, s->slot);
-    const float *push = td_row(&w->push, s->slot);
+/* Where the body's motion began. */
+static td_pose start_of(const thud_world *w, td_awake_slot slot) {
+    td_pose pose = *td_pose_at(w, td_body_of(w, slot));
+    const float *delta = td_row(&w->delta, slot);
+    pose.center.x -= td_length_from(w, delta[0]);
+    pose.center.y -= td_length_from(w, delta[1]);
+    pose.angle -= td_angle_between(delta[2]);
+    return pose;
+}
+
+void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
+    double rest = 1.0 - time;
+    td_body_index body = td_body_of(w, slot);
+    td_pose pose = start_of(w, slot);
+    float *delta = td_row(&w->delta, slot), *velocity = td_row(&w->velocity, slot);
+    const float *push = td_row(&w->push, slot);
     float x = (float)rest * delta[0], y = (float)rest * delta[1];
     td_error_fall_short(w, x, y);
-    td_error_follow(w, s->slot, x, y);
+    td_error_follow(w, slot, x, y);
     for (int k = 0; k < 3; k++) {
         delta[k] = (float)((double)delta[k] * time);
         velocity[k] -= (float)(w->substeps * rest) * push[k];
     }
-    pose->center = (td_position){s->start.x + td_length_from(w, delta[0]),
-                                 s->start.y + td_length_from(w, delta[1])};
-    pose->angle = start_angle + td_angle_between(delta[2]);
-    td_angle_turn(pose->angle, &pose->c, &pose->s);
+    pose.center.x += td_length_from(w, delta[0]);
+    pose.center.y += td_length_from(w, delta[1]);
+    pose.angle += td_angle_between(delta[2]);
+    td_angle_turn(pose.angle, &pose.c, &pose.s);
+    *td_pose_at(w, body) = pose;
     w->stats.held_bodies++;
     w->stats.held_seconds += rest * w->def.time_step;
-    td_body_place_shapes(w, s->body);
+    td_body_place_shapes(w, body);
 }
 
 /* The prologue is asked in the order of time, whichever order the broadphase has, up to the first
  * that stops the body. */
 static void sweep_body(thud_world *w, td_awake_slot slot) {
     td_body_index index = td_body_of(w, slot);
-    const td_pose *pose = td_pose_at(w, index);
-    const float *delta = td_row(&w->delta, slot);
-    td_position start = {pose->center.x - td_length_from(w, delta[0]),
-                         pose->center.y - td_length_from(w, delta[1])};
-    sweep swept = {.w = w, .slot = slot, .body = index, .start = start, .next = {.time = -1.0}};
-    swept.bounds = swept_bounds(&swept, pose->center);
+    td_pose start = start_of(w, slot);
+    sweep swept = {
+        .w = w, .slot = slot, .body = index, .start = start.center, .next = {.time = -1.0}};
+    swept.bounds = swept_bounds(&swept, td_pose_at(w, index)->center);
     if (!looks_around(&swept)) {
         return;
     }
-    uint32_t angle = pose->angle - td_angle_between(delta[2]);
     float c, s;
-    td_angle_turn(angle, &c, &s);
+    td_angle_turn(start.angle, &c, &s);
     int first = td_body_at(w, index)->first_shape;
     do {
         swept.last = swept.next;
         find_next(&swept, first, c, s);
     } while (swept.next.time < 1.0 && passes(&swept, (int)swept.next.pair, swept.next.time));
     if (swept.next.time < 1.0) {
-        hold(&swept, angle);
+        td_hold_at(w, slot, swept.next.time);
+        if (w->joining) {
+            w->joining->hold_back(w, slot, swept.next.time);
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 #ifndef TD_DETECTION_H
 #define TD_DETECTION_H
 
+#include "base/indices.h"
 #include "geometry/shape_instance.h"
 #include "thud/thud_detection.h"
 
@@ -45,6 +46,11 @@ typedef struct td_detection_stage {
 extern const td_detection_stage td_stage_continuous;
 /* impacts.c: bodies that are bisected or swept move on from each collision. */
 extern const td_detection_stage td_stage_impacts;
+
+/* continuous.c: brings a body back to a part, in [0, 1], of the motion that it has made. It does
+ * not fall on in the rest of the step, so that the velocity which gravity and forces give it there
+ * is taken back. */
+void td_hold_at(struct thud_world *w, td_awake_slot slot, double time);
 
 struct thud_detection {
     const char *name;

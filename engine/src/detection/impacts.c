@@ -6,6 +6,8 @@
  * whose bounds reach as far as the bodies were expected to move; who strays from that looks around
  * for himself. The work is bounded: a body that met others too often is held where it is for the
  * rest of the step, which the statistics tell. */
+#include "constraint/joining.h"
+#include "constraint/rings.h"
 #include "detection/ballistics.h"
 #include "state/body.h"
 #include "solver/bounces.h"
@@ -45,6 +47,26 @@ static void hold(thud_world *w, td_trajectory *f) {
     f->changed = true;
 }
 
+/* Where joints tie it to others, all of them stop: one that went on alone would open them. */
+static void hold_tied(thud_world *w, td_trajectory *f) {
+    td_awake_slot slot = td_body_at(w, f->body)->awake;
+    hold(w, f);
+    for (td_awake_slot i = slot; td_is_tied(w, i) && td_next_tied(w, i)->at != slot.at;) {
+        i = *td_next_tied(w, i);
+        td_trajectory *other = td_trajectory_at(w, i);
+        if (!other->held) {
+            td_trajectory_advance(w, other, f->since);
+            hold(w, other);
+            td_agenda_renew(w, other);
+        }
+    }
+}
+
+static bool ties_any(const thud_world *w, const td_toi_candidate *e) {
+    return td_is_tied(w, td_body_at(w, e->body[0])->awake) ||
+           td_is_tied(w, td_body_at(w, e->body[1])->awake);
+}
+
 /* The prologue has been asked about what touched at the start of the step. */
 static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const thud_contact *seen,
                    thud_contact_settings *settings) {
@@ -74,7 +96,7 @@ static void look_again(thud_world *w, int number, td_trajectory *const trajector
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
         if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && ++f->impacts > MOST_IMPACTS) {
-            hold(w, f);
+            hold_tied(w, f);
             td_agenda_renew(w, f);
         }
     }
@@ -103,8 +125,9 @@ static void collide(thud_world *w, int number, double time) {
     if (vetoes(w, number, &e, &impact.seen, &settings)) {
         return;
     }
-    bool sleeper = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]);
-    if (!sleeper) {
+    /* What is tied to others meets in the next step, as sleepers do. */
+    bool later = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]) || ties_any(w, &e);
+    if (!later) {
         impact.touching =
             number < w->constraints.count && td_contact_at(w, number)->state == TD_TOUCHING;
         td_impact_resolve(w, &e, &at, time, &settings, &impact);
@@ -114,8 +137,8 @@ static void collide(thud_world *w, int number, double time) {
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
         if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && !impact.stayed[side] &&
-            (sleeper || f->impacts > most || !td_toi_candidates_around(w, f))) {
-            hold(w, f);
+            (later || f->impacts > most || !td_toi_candidates_around(w, f))) {
+            hold_tied(w, f);
         }
     }
     w->stats.impacts++;
@@ -264,6 +287,9 @@ static bool reserve(thud_world *w) {
 
 /* Before the solver: what it is to leave alone. */
 static void prepare(thud_world *w) {
+    if (w->joining) {
+        w->joining->ring(w);
+    }
     td_ballistics_note(w);
     td_bounces_take(w);
 }

@@ -54,7 +54,8 @@ bool td_contact_take_rows(const thud_world *w, td_block *block, int lane, const 
     }
     /* Arms end in the middle of the gap. Where that is open, as it is about a skin, a disc would
      * roll as if it were greater: beside what does not move, friction acts at the surface. */
-    double gap = (double)(block->point[0].base[lane] + w->skin);
+    bool second = points > 1 && block->point[0].normal_mass[lane] == 0.0f;
+    double gap = (double)(block->point[second].base[lane] + w->skin);
     double outside = c->a == TD_NONE && gap > 0.0 ? 0.5 * gap : 0.0;
     td_direct_row *tangent = &c->row[TANGENT];
     td_row_set(tangent, TD_ROW_FRICTION, y, -x, turns_a * (double)block->tangent_cross_a[lane],

@@ -36,6 +36,7 @@ typedef struct td_direct_body {
     double before[3];                     /* velocity at the start of this part of the step ... */
     double moved[3];                      /* ... and motion until then */
     double stiff, own_inverse_inertia, gain[3]; /* of joints: island_joints.c */
+    bool sweeps, rubs; /* its turn moves what joints hold; and what others touch: not a wheel's */
 } td_direct_body;
 
 typedef struct td_direct_row {
@@ -45,6 +46,10 @@ typedef struct td_direct_row {
     double known;      /* speed that sides without a variable give it */
     double impulse;    /* in: as known; out: the solution's */
     double guess;      /* the impulse as it came in */
+    double closing;    /* of a joint: speed at which the gap of the part's start closes in it; of a
+                          contact: at which what overlaps at the start of the step is pushed apart */
+    double given;      /* of a joint: what it gave on the way, while velocities at the end of a part
+                          are mended: island_joints.c */
     bool used;         /* there is such a row */
     bool active;       /* stands in the matrix, with `weight` */
     double mass;       /* that it feels */

@@ -17,7 +17,7 @@
 #define CLOSE 0.1
 
 /* The penalty of an equality, in multiples of the mass that it feels. */
-#define STIFFNESS 1e5
+#define STIFFNESS 1e9
 
 enum { STEPS = 40 };
 

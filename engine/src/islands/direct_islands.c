@@ -5,36 +5,54 @@
  * is looked for in an eighth of the blocks a step, and must be found twice in succession, and where
  * the two bodies are calm: an impact is as heavy but passes, and of a heap in motion the soft
  * solver makes as much for less. Where a heavy body lies on a light one, which sinks in at once,
- * half the load found once will do. Where the limit is 0 every island is direct. */
+ * half the load found once will do. A joint is found once, and its island is solved directly in
+ * that very step (late_islands.c). Where the limit is 0 every island is direct. */
 #include "islands/direct_islands.h"
 
 #include "constraint/constraint.h"
+#include "constraint/joining.h"
 #include "constraint/lanes.h"
 #include "islands/island_order.h"
 
 #include <string.h>
 
+#define ARRAY(name, element) \
+    { offsetof(td_islands, name), sizeof(element) }
+
+static const struct {
+    uint16_t at, stride;
+} ARRAYS[] = {
+    ARRAY(island, td_island),
+    ARRAY(slots, td_awake_slot),
+    ARRAY(constraints, int),
+    ARRAY(local, int),
+    ARRAY(before, float[4]),
+    ARRAY(impulses, float[TD_DIRECT_ROWS + 1]),
+    ARRAY(rows, td_direct_constraint),
+    ARRAY(bodies, td_direct_body),
+    ARRAY(step, double[4]),
+    ARRAY(work, double[4]),
+    ARRAY(shape, int),
+    ARRAY(shape_before, int),
+    ARRAY(systems, td_system),
+    ARRAY(start, float[4]),
+};
+enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
+
+static td_array *array_at(td_islands *s, int i) {
+    return (td_array *)((char *)s + ARRAYS[i].at);
+}
+
 void td_islands_init(td_islands *s, bool wide) {
-    s->island.stride = (int)sizeof(td_island);
-    s->slots.stride = (int)sizeof(td_awake_slot);
-    s->constraints.stride = s->local.stride = s->shape.stride = s->shape_before.stride =
-        (int)sizeof(int);
-    s->systems.stride = (int)sizeof(td_system);
-    s->before.stride = (int)sizeof(float[4]);
-    s->impulses.stride = (int)sizeof(float[TD_DIRECT_ROWS + 1]);
-    s->rows.stride = (int)sizeof(td_direct_constraint);
-    s->bodies.stride = (int)sizeof(td_direct_body);
-    s->step.stride = s->work.stride = (int)sizeof(double[4]);
+    for (int i = 0; i < ARRAY_COUNT; i++) {
+        array_at(s, i)->stride = ARRAYS[i].stride;
+    }
     td_sparse_init(&s->matrix, wide);
 }
 
 void td_islands_free(td_memory *memory, td_islands *s) {
-    td_array *const arrays[] = {&s->island, &s->slots,    &s->constraints, &s->local,
-                                &s->before, &s->impulses, &s->rows,        &s->bodies,
-                                &s->step,   &s->work,     &s->shape,       &s->shape_before,
-                                &s->systems};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        td_array_free(memory, arrays[i]);
+    for (int i = 0; i < ARRAY_COUNT; i++) {
+        td_array_free(memory, array_at(s, i));
     }
     td_sparse_free(memory, &s->matrix);
 }
@@ -81,8 +99,8 @@ static bool any_direct(const thud_world *w) {
 
 enum { MOST_TIMES = 5 }; /* left alone for half a minute then, at 60 steps a second */
 
-static void cool_down(thud_world *w, td_awake_slot slot, int times) {
-    *td_direct_steps_at(w, slot) = TD_DIRECT_COOLDOWN + TD_COOLDOWN_STEPS;
+static void cool_down(thud_world *w, td_awake_slot slot, int steps, int times) {
+    *td_direct_steps_at(w, slot) = (uint8_t)(TD_DIRECT_COOLDOWN + steps);
     *td_slow_steps_at(w, slot) = (uint16_t)(td_min_int(times, MOST_TIMES) * TD_SLOW_ONCE);
 }
 
@@ -96,11 +114,11 @@ static int direct_after_step(const thud_world *w, td_awake_slot slot) {
     return left == TD_DIRECT_COOLDOWN ? 0 : left;
 }
 
-void td_islands_leave(thud_world *w, const td_island *island, bool for_long) {
+void td_islands_leave(thud_world *w, const td_island *island, int steps, bool for_long) {
     for (int i = 0; i < island->bodies; i++) {
         td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + i);
         int times = TD_SLOW_LEFT(*td_slow_steps_at(w, slot)) + 1;
-        cool_down(w, slot, for_long ? MOST_TIMES : times);
+        cool_down(w, slot, steps, for_long ? MOST_TIMES : times);
     }
 }
 
@@ -109,7 +127,7 @@ void td_islands_settle(thud_world *w) {
     for (td_awake_slot slot = {1}; slot.at < w->islands.local.count; slot.at++) {
         direct_steps[slot.at] = (uint8_t)direct_after_step(w, slot);
         if (*local_at(w, slot) == TOO_MANY) {
-            cool_down(w, slot, 1);
+            cool_down(w, slot, TD_COOLDOWN_STEPS, 1);
         } else if (*local_at(w, slot) == ALONE) {
             direct_steps[slot.at] = 0;
         }
@@ -166,8 +184,7 @@ static bool cools_down(const thud_world *w, const td_island *island) {
     return 2 * cooling > island->bodies;
 }
 
-/* Lists the island of a body, unless it has no contacts, or too many bodies, or is left alone. */
-static void follow(thud_world *w, td_awake_slot seed) {
+void td_islands_follow(thud_world *w, td_awake_slot seed) {
     td_islands *s = &w->islands;
     td_island island = {.first_body = s->slots.count, .first_constraint = s->constraints.count};
     bool whole = true;
@@ -193,7 +210,7 @@ bool td_islands_find(thud_world *w) {
     int slots = w->body_of.count;
     s->island.count = s->slots.count = s->constraints.count = 0;
     s->local.count = 0;
-    if (w->quality.sag_limit > 0.0f && !any_direct(w)) {
+    if (w->quality.sag_limit > 0.0f && !any_direct(w) && !w->joints.live) {
         return true;
     }
     if (!room_for_all(w)) {
@@ -203,10 +220,10 @@ bool td_islands_find(thud_world *w) {
     memset(s->local.data, 0, (size_t)slots * sizeof(int));
     for (td_awake_slot slot = {1}; slot.at < slots; slot.at++) {
         if (is_seed(w, slot)) {
-            follow(w, slot);
+            td_islands_follow(w, slot);
         }
     }
-    return td_islands_order(w);
+    return td_islands_order(w) && (!w->joints.live || w->joining->reserve_late(w));
 }
 
 /* ---- load ---- */
@@ -248,10 +265,10 @@ static bool is_calm(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     return x * x + y * y < most * most;
 }
 
-static void watch_block(thud_world *w, td_block *block, int kind) {
+static bool watch_block(thud_world *w, td_block *block, int kind) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
     int points = td_form_points(w->kinds[kind]->form);
-    bool contact = kind < TD_PAIR_COUNT;
+    bool contact = kind < TD_PAIR_COUNT, late = false;
     for (int lane = 0; lane < block->used; lane++) {
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
@@ -270,24 +287,28 @@ static void watch_block(thud_world *w, td_block *block, int kind) {
         bool passes = contact && !is_calm(w, a, b);
         bool gives_way = (load > most && !passes) || off > deep;
         int seen = gives_way ? td_min_int(before + 1, OFTEN) : 0;
-        if (sinks || seen >= OFTEN) {
+        if (sinks || seen >= (contact ? OFTEN : 1)) {
             mark_direct(w, block->a[lane]);
             mark_direct(w, block->b[lane]);
+            late |= !contact;
         }
         block->loaded[lane] = (uint8_t)(seen | direct);
     }
+    return late;
 }
 
-void td_islands_watch(thud_world *w) {
+bool td_islands_watch(thud_world *w) {
+    bool late = false;
     if (w->quality.sag_limit == 0.0f) {
-        return;
+        return late;
     }
     int stride = w->scratch.blocks.count < FEW ? 1 : 8;
     for (int i = (int)(w->steps % (uint64_t)stride); i < w->scratch.blocks.count; i += stride) {
         td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
         if (block->used) {
             int kind = td_constraint_at(w, block->constraint[0])->kind;
-            watch_block(w, block, kind);
+            late |= watch_block(w, block, kind);
         }
     }
+    return late;
 }

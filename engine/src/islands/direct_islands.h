@@ -3,6 +3,7 @@
 #ifndef TD_ISLANDS_H
 #define TD_ISLANDS_H
 
+#include "base/indices.h"
 #include "islands/direct.h"
 
 struct thud_world;
@@ -30,6 +31,8 @@ typedef struct td_islands {
     td_array shape, shape_before; /* int: what the order of all islands follows from, and what the
                                      order that stands was made for */
     td_array systems;             /* td_system, as `island`: the order that stands */
+    td_array start; /* float[4], by awake slot, where there are joints: velocity before the soft
+                       solver, for late_islands.c */
     td_sparse matrix;
 } td_islands;
 
@@ -55,14 +58,16 @@ void td_islands_settle(struct thud_world *w);
  * the world's max_error allows, or the quality: at its own number of substeps, where the world
  * takes fewer, for whoever asks for less is not to pay for more. `size` is the smaller body's. */
 float td_islands_most(const struct thud_world *w, float size);
-/* Looks for contacts that give way too much, a part of them each step. */
-void td_islands_watch(struct thud_world *w);
+/* Looks for constraints that give way too much, a part of them each step. True where joints do. */
+bool td_islands_watch(struct thud_world *w);
+/* Lists the island of a body, unless it has no contacts, or too many bodies, or is left alone. */
+void td_islands_follow(struct thud_world *w, td_awake_slot seed);
 
 /* The speed below which bodies are calm: a few times what gravity gives them in a step. */
 float td_calm_speed(const struct thud_world *w);
-/* The direct solver was of no use to the island, and is not tried again for a while. That doubles
- * each time; `for_long`, it is as long as it can be at once. */
-void td_islands_leave(struct thud_world *w, const td_island *island, bool for_long);
+/* The direct solver was of no use to the island, and is not tried again for so many steps. That
+ * doubles each time; `for_long`, it is as long as it can be at once. */
+void td_islands_leave(struct thud_world *w, const td_island *island, int steps, bool for_long);
 /* Operations that a matrix of the island takes, with what goes before and after it. */
 int64_t td_island_cost(const td_island *island);
 
@@ -75,6 +80,7 @@ int64_t td_island_cost(const td_island *island);
  * down to it. */
 #define TD_DIRECT_COOLDOWN 128
 #define TD_COOLDOWN_STEPS 120
+#define TD_PAUSE_STEPS 8 /* the same of what joints hold, which cannot be left for long */
 /* thud_world.slow_steps holds two counts: up to TD_SLOW_STEPS, the steps in succession that took
  * the island's solver long; and, in multiples of TD_SLOW_ONCE, how often the island was left alone
  * since a step that did not. */

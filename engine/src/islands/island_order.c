@@ -4,6 +4,7 @@
 
 #include "constraint/constraint.h"
 
+#include <limits.h>
 #include <string.h>
 
 bool td_islands_room(thud_world *w, td_array *array, int count) {
@@ -57,7 +58,7 @@ static bool order(thud_world *w, const td_island *island, const int *shape) {
             td_sparse_tie(&s->matrix, shape[2 * i], shape[2 * i + 1]);
         }
     }
-    return td_sparse_order(&w->memory, &s->matrix);
+    return td_sparse_order(&w->memory, &s->matrix, INT_MAX);
 }
 
 /* The order of islands that are tied as they were in the step before stands. */

@@ -137,6 +137,8 @@ td_island_work td_island_take(thud_world *w, const td_island *island) {
                            .constraints =
                                (const int *)s->constraints.data + island->first_constraint,
                            .time = w->def.time_step,
+                           .elapsed = w->def.time_step,
+                           .next = w->def.time_step,
                            .turn_most = TURN_MOST};
     for (int i = 0; i < island->bodies; i++) {
         take_body(&work, i);

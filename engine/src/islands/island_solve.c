@@ -40,11 +40,10 @@ static void limit(const thud_world *w, double velocity[3]) {
     }
 }
 
-/* How far a row's gap is open after the motion. */
-static double gap_after(const td_island_work *work, const td_direct_constraint *c, int k,
-                        double before) {
+double td_island_gap(const td_island_work *work, const td_direct_constraint *c, int k,
+                     double before) {
     const td_direct_row *r = &c->row[k];
-    double gap = before + work->time * r->known;
+    double gap = before + work->elapsed * r->known;
     for (int j = 0; j < 3; j++) {
         gap += c->a == TD_NONE ? 0.0 : r->a[j] * work->problem.bodies[c->a].moved[j];
         gap += c->b == TD_NONE ? 0.0 : r->b[j] * work->problem.bodies[c->b].moved[j];
@@ -63,8 +62,8 @@ static void want_velocity(td_island_work *work, int i) {
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
         if (r->used && r->kind == TD_ROW_PUSH) {
-            double gap = gap_after(work, c, k, (double)at.block->point[k].base[at.lane]);
-            r->wanted = gap > 0.0 ? -gap / work->time : 0.0;
+            double gap = td_island_gap(work, c, k, (double)at.block->point[k].base[at.lane]);
+            r->wanted = gap > 0.0 ? -gap / work->next : 0.0;
         }
     }
 }
@@ -109,12 +108,14 @@ static double speed_of(const double velocity[3]) {
     return __builtin_sqrt(velocity[0] * velocity[0] + velocity[1] * velocity[1]);
 }
 
-/* A circle about its body's centre of mass has the same arms however far it turns; by itself, as it
- * rolls, it has nobody to turn past. */
+bool td_island_is_disc(const td_island_work *work, int body) {
+    int shape = td_int_at(&work->w->lone, work->slots[body].at);
+    return shape >= 0 && td_kind_is_round(td_shape_at(work->w, shape)->kind);
+}
+
+/* By itself, as it rolls, it has nobody to turn past. */
 static bool rolls_alone(const td_island_work *work) {
-    int shape = td_int_at(&work->w->lone, work->slots[0].at);
-    return work->island->bodies == 1 && shape >= 0 &&
-           td_kind_is_round(td_shape_at(work->w, shape)->kind);
+    return work->island->bodies == 1 && td_island_is_disc(work, 0);
 }
 
 /* Contacts are taken as they are at the start of the step; arms that swing far by its end, and most
@@ -228,7 +229,7 @@ static void write_constraint(const td_island_work *work, int i) {
             td_point *p = &at.block->point[k];
             float impulse = (float)c->row[k].impulse;
             p->normal_impulse[at.lane] = part * impulse;
-            p->separation[at.lane] = (float)gap_after(work, c, k, (double)p->base[at.lane]);
+            p->separation[at.lane] = (float)td_island_gap(work, c, k, (double)p->base[at.lane]);
             td_history_of(at.block, points)[k].total[at.lane] = impulse;
         }
     }
@@ -299,45 +300,56 @@ static void write(const td_island_work *work) {
     }
 }
 
+/* Small islands that joints hold are tried again soon. */
+enum { FEW_BODIES = 128 };
+
 /* An island for which even a few matrices cost more than the work of a whole step is left alone for
  * long. */
-static void leave(thud_world *w, const td_island *island) {
+static void leave(thud_world *w, const td_island *island, bool joints) {
     if (w->quality.island_patience > 0) {
-        td_islands_leave(w, island, EASY * td_island_cost(island) > w->quality.island_work);
+        bool dear = EASY * td_island_cost(island) > w->quality.island_work;
+        td_islands_leave(w, island, joints ? TD_PAUSE_STEPS : TD_COOLDOWN_STEPS, !joints && dear);
     }
 }
 
-static void solve_island(thud_world *w, const td_island *island) {
-    bool bounces = false;
+void td_island_solve(thud_world *w, const td_island *island) {
+    bool bounces = false, joints = false;
     w->stats.direct_islands++;
     w->stats.direct_bodies += island->bodies;
     if (td_island_patience(w, island) > 0) {
         td_island_work work = td_island_take(w, island);
         bounces = work.bounces;
-        if (!bounces && work_out(&work) && !is_slow(&work)) {
+        joints = work.joints > 0 && island->bodies <= FEW_BODIES;
+        /* What joints hold goes on however slow it is: softly they would give way. */
+        if (!bounces && work_out(&work) && (!is_slow(&work) || joints)) {
             write(&work);
             return;
         }
     }
     w->stats.soft_islands++;
     if (!bounces) {
-        leave(w, island);
+        leave(w, island, joints);
     }
 }
 
 static void begin(thud_world *w) {
     td_islands_settle(w);
     td_island_note(w);
+    if (w->joints.live) {
+        w->joining->note_late(w);
+    }
 }
 
 static void end(thud_world *w) {
     for (int i = 0; i < w->islands.island.count; i++) {
-        solve_island(w, TD_AT(td_island, &w->islands.island, i));
+        td_island_solve(w, TD_AT(td_island, &w->islands.island, i));
+    }
+    if (td_islands_watch(w)) {
+        w->joining->solve_late(w);
     }
     if (w->stats.direct_islands > w->stats.soft_islands) {
         td_error_recount(w);
     }
-    td_islands_watch(w);
 }
 
 const thud_island_solver thud_islands_direct = {td_islands_find, begin, end};

@@ -12,6 +12,8 @@ typedef struct td_island_work {
     const td_awake_slot *slots;
     const int *constraints;
     double time;      /* of a step, or of the part of it that is being solved */
+    double elapsed;   /* of the step, by the end of the part */
+    double next;      /* what comes after the part: another one, or a step */
     bool bounces;     /* something closes in so fast that it is going to bounce */
     double pushed;    /* greatest speed at which something is pushed apart */
     int joints;       /* so many constraints are no contacts */
@@ -25,14 +27,26 @@ int td_island_patience(const thud_world *w, const td_island *island);
 /* The problem as it was then. */
 td_island_work td_island_take(thud_world *w, const td_island *island);
 
-/* island_solve.c: by the motion of the part, at mean velocities. */
+/* island_solve.c: solves it directly, and keeps the better result. */
+void td_island_solve(thud_world *w, const td_island *island);
+/* By the motion of the part, at mean velocities. */
 void td_island_move_on(td_island_work *work);
+/* How far a row's gap is open once `elapsed` has passed; at its start it was `before`. */
+double td_island_gap(const td_island_work *work, const td_direct_constraint *c, int k,
+                     double before);
+/* It is nothing but a circle about its centre of mass, whose arms stay as it turns. */
+bool td_island_is_disc(const td_island_work *work, int body);
 /* From mean velocities to those at the end: what went on evenly goes on so. */
 void td_island_carry_on(td_island_work *work);
 
 /* island_joints.c, which a world has from its first joint on: solves an island with joints as
  * td_direct_solve does one without. */
 double td_island_solve_joints(td_island_work *work, double tolerance);
+
+/* late_islands.c, which a world has from its first joint on: see joining.h. */
+bool td_late_reserve(thud_world *w);
+void td_late_note(thud_world *w);
+void td_late_solve(thud_world *w);
 
 /* island_solve.c: where a constraint of it lives. */
 td_lane td_island_lane(const td_island_work *work, int i);

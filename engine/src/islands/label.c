@@ -3,17 +3,9 @@
 
 #include "constraint/lanes.h"
 
-static td_awake_slot find_root(td_awake_slot *parents, td_awake_slot i) {
-    while (parents[i.at].at != i.at) {
-        parents[i.at] = parents[parents[i.at].at];
-        i = parents[i.at];
-    }
-    return i;
-}
-
 static void join(td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
-    a = find_root(parents, a);
-    b = find_root(parents, b);
+    a = td_root_of(parents, a);
+    b = td_root_of(parents, b);
     /* The lower slot leads, so that roots do not depend on the order of contacts. */
     if (a.at < b.at) {
         parents[b.at] = a;
@@ -63,7 +55,7 @@ bool td_islands_label(thud_world *w) {
         }
     }
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        parent[slot.at] = find_root(parent, slot);
+        parent[slot.at] = td_root_of(parent, slot);
     }
     return true;
 }

@@ -5,6 +5,15 @@
 
 #include "state/world.h"
 
+/* In a forest of parents, each of which may be its own; ways there get shorter. */
+static inline td_awake_slot td_root_of(td_awake_slot *parents, td_awake_slot i) {
+    while (parents[i.at].at != i.at) {
+        parents[i.at] = parents[parents[i.at].at];
+        i = parents[i.at];
+    }
+    return i;
+}
+
 /* scratch.parents gets the island of each awake slot, named by its lowest slot; false when memory
  * is short. Whom a moving kinematic body touches is not at rest: his idle time starts over. */
 bool td_islands_label(thud_world *w);

@@ -33,23 +33,33 @@ static bool roomy(td_memory *memory, td_array *array, int count) {
     return td_array_reserve(memory, array, td_max_int(count, 128));
 }
 
+#define ARRAY(name, element) \
+    { offsetof(td_sparse, name), sizeof(element) }
+
+static const struct {
+    uint16_t at, stride;
+} ARRAYS[] = {
+    ARRAY(ties, uint64_t), ARRAY(degree, int),         ARRAY(next, int),        ARRAY(prev, int),
+    ARRAY(head, int),      ARRAY(place, int),          ARRAY(node, int),        ARRAY(column, int),
+    ARRAY(row, int),       ARRAY(diagonal, td_block3), ARRAY(entry, td_block3), ARRAY(map, int),
+    ARRAY(walk, int),      ARRAY(chain, int),
+};
+enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
+
+static td_array *array_at(td_sparse *s, int i) {
+    return (td_array *)((char *)s + ARRAYS[i].at);
+}
+
 void td_sparse_init(td_sparse *s, bool wide) {
     s->wide = wide;
-    td_array *const lists[] = {&s->degree, &s->next, &s->prev, &s->head, &s->place, &s->node,
-                               &s->column, &s->row,  &s->map,  &s->walk, &s->chain};
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
-        lists[i]->stride = (int)sizeof(int);
+    for (int i = 0; i < ARRAY_COUNT; i++) {
+        array_at(s, i)->stride = ARRAYS[i].stride;
     }
-    s->ties.stride = (int)sizeof(uint64_t);
-    s->diagonal.stride = s->entry.stride = (int)sizeof(td_block3);
 }
 
 void td_sparse_free(td_memory *memory, td_sparse *s) {
-    td_array *const arrays[] = {&s->ties,  &s->degree, &s->next,   &s->prev, &s->head,
-                                &s->place, &s->node,   &s->column, &s->row,  &s->diagonal,
-                                &s->entry, &s->map,    &s->walk,   &s->chain};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        td_array_free(memory, arrays[i]);
+    for (int i = 0; i < ARRAY_COUNT; i++) {
+        td_array_free(memory, array_at(s, i));
     }
 }
 
@@ -160,7 +170,7 @@ static void settle_column(td_sparse *s, int first, int end) {
     }
 }
 
-bool td_sparse_order(td_memory *memory, td_sparse *s) {
+bool td_sparse_order(td_memory *memory, td_sparse *s, int most) {
     int size = s->now.size;
     for (int degree = 0; degree <= size; degree++) {
         ints(&s->head)[degree] = TD_NONE;
@@ -179,7 +189,8 @@ bool td_sparse_order(td_memory *memory, td_sparse *s) {
         columns(s)[place] = s->row.count - s->now.row;
         nodes(s)[place] = node;
         places(s)[node] = place;
-        if (!eliminate(memory, s, node)) {
+        int entries = columns(s)[place] + ints(&s->degree)[node];
+        if (entries > most || !eliminate(memory, s, node)) {
             return false;
         }
         least = td_max_int(least - 1, 0); /* a neighbour has lost one at most */

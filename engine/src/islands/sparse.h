@@ -55,8 +55,9 @@ void td_sparse_forget(td_sparse *s); /* all systems */
 bool td_sparse_begin(td_memory *memory, td_sparse *s, int size);
 /* There will be a block between the two nodes. */
 void td_sparse_tie(td_sparse *s, int a, int b);
-/* Order, and room for all blocks of L; false when memory is short. */
-bool td_sparse_order(td_memory *memory, td_sparse *s);
+/* Order, and room for all blocks of L; false when memory is short, or when there would be more than
+ * `most` of them below the diagonal. */
+bool td_sparse_order(td_memory *memory, td_sparse *s, int most);
 
 /* The block between two tied nodes: its index; its rows belong to the one that is eliminated later.
  */

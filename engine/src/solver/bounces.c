@@ -2,6 +2,7 @@
  * has just bounced: both change its energy. It keeps what rests on each other. */
 #include "solver/bounces.h"
 
+#include "constraint/rings.h"
 #include "detection/trajectory.h"
 #include "constraint/lanes.h"
 #include "state/surface.h"
@@ -122,7 +123,9 @@ static void stay(const thud_world *w, const lane *l) {
 static void take(thud_world *w, td_block *block, int index) {
     const td_contact *contact = td_contact_at(w, block->constraint[index]);
     const thud_detection *detection = td_detection_of(w, contact->body[0], contact->body[1]);
-    if (!detection->meet) {
+    /* What joints tie is held where it meets, and bounces off as the solver has it. */
+    if (!detection->meet || td_is_tied(w, td_body_at(w, contact->body[0])->awake) ||
+        td_is_tied(w, td_body_at(w, contact->body[1])->awake)) {
         return;
     }
     lane l = lane_of(w, block, index);

@@ -13,16 +13,16 @@ thud_body_def thud_default_body_def(void) {
     return (thud_body_def){.gravity_scale = 1.0f, .may_sleep = true};
 }
 
-static bool place_valid(const thud_world *w, thud_pos p) {
+bool td_place_valid(const thud_world *w, double x, double y) {
     double most = TD_PLACE_MAX * (double)w->unit;
-    return p.x >= -most && p.x <= most && p.y >= -most && p.y <= most;
+    return x >= -most && x <= most && y >= -most && y <= most;
 }
 
 static const char *def_error(const thud_world *w, const thud_body_def *def) {
     if ((int)def->kind < 0 || def->kind >= THUD_BODY_KIND_COUNT) {
         return "body def: kind is none";
     }
-    if (!place_valid(w, def->position)) {
+    if (!td_place_valid(w, def->position.x, def->position.y)) {
         return "body def: position is beyond 1e9 length scales";
     }
     if (!(def->angle >= -1e6 && def->angle <= 1e6)) {

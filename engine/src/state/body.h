@@ -7,6 +7,9 @@
 /* Puts the body on the change list; `change` is a td_change_kind. */
 void td_body_mark(thud_world *w, td_body_index body, td_change_kind change);
 
+/* Finite, and no farther out than a body may be. */
+bool td_place_valid(const thud_world *w, double x, double y);
+
 /* A new setting changes what every resting body would do. */
 void td_wake_all(thud_world *w);
 

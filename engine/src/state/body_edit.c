@@ -137,9 +137,7 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
     if (result != THUD_OK) {
         return result;
     }
-    double most = TD_PLACE_MAX * (double)w->unit;
-    if (!(position.x >= -most && position.x <= most && position.y >= -most && position.y <= most &&
-          angle >= -1e6 && angle <= 1e6)) {
+    if (!td_place_valid(w, position.x, position.y) || !(angle >= -1e6 && angle <= 1e6)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set transform: position or angle is out of range");
     }
     const td_body *body = td_body_at(w, index);

@@ -47,6 +47,8 @@ typedef struct td_body {
     float gravity_scale, linear_damping, angular_damping;
     uint32_t rest_epoch;  /* world's, when it fell asleep */
     uint8_t direct_steps; /* while there is no awake slot: see awake_arrays.h */
+    uint8_t unused;       /* 0: in place of padding */
+    uint16_t passes;      /* bits of the bodies that it passes through, joined to them: joining.c */
     const thud_detection *detection;
     uint64_t user_data;
 } td_body;
@@ -137,6 +139,18 @@ typedef struct td_drive {
     float lower, upper, frequency, damping, target, spring_force, motor_speed, motor_force;
 } td_drive;
 
+/* Two joints that turn or move each other, each by its second body, whose first one never moves by
+ * itself: first value + ratio * second value - rest is 0. Turns are counted. */
+typedef struct td_gear {
+    int32_t joint[2];
+    uint32_t generation[2]; /* of those joints, as they were */
+    uint32_t last[2];       /* turns as they were last looked at */
+    float ratio;
+    int32_t apart; /* 1: a joint of it is disabled, and nothing holds */
+    int64_t turned[2];
+    double rest;
+} td_gear;
+
 /* Fields without padding between them, which snapshots would take along unwritten. */
 typedef struct td_joint {
     int32_t next_free;
@@ -146,13 +160,21 @@ typedef struct td_joint {
     uint8_t kind;                 /* thud_joint_kind */
     uint8_t live, disabled, collides;
     uint8_t swapped; /* the first body is the caller's b */
-    uint8_t unused[3];
-    float anchor[2][2];   /* on either body, from its origin and in its frame */
-    float axis_c, axis_s; /* of `along`, in the first body's frame */
-    uint32_t turn;        /* of the second body against the first where `turn` is 0 */
+    uint8_t only_reports;
+    uint8_t locked, driven; /* bits of its directions */
+    float anchor[2][2];     /* on either body, from its origin and in its frame */
+    float axis_c, axis_s;   /* of `along`, in the first body's frame */
+    uint32_t angle[2];      /* of the frames */
+    uint32_t turn;          /* of the second body against the first where `turn` is 0 */
     float length;
-    td_drive drive[TD_JOINT_DIRECTIONS];
-    float unused_too;
+    union {
+        struct {
+            td_drive drive[TD_JOINT_DIRECTIONS];
+            uint32_t unused_too;
+        };
+        td_gear gear;
+    };
+    float break_force, break_torque;
     uint64_t user_data;
 } td_joint;
 

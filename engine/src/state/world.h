@@ -80,6 +80,8 @@ struct thud_world {
     int narrowed;
     td_event_lists events;    /* since the last whole step */
     td_event_lists published; /* of the last whole step: what callers read */
+    td_array broken;          /* thud_joint_event, of the last whole step */
+    int breakable;            /* joints that may break */
 
     /* Rebuilt by every step. */
     td_scratch scratch;

@@ -4,6 +4,8 @@
 #include "build_thud.h"
 #include "scenes.h"
 
+#include <thud/thud_joint.h>
+
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
 
 static thud_world *scene_world(const scene_info *info, const thud_world_def *def, float *scale) {
@@ -34,6 +36,7 @@ static void restored_anywhere(const scene_info *info, const thud_world_def *sett
     thud_world_destroy(other);
     def.length_scale = scale;
     other = make_world(def);
+    OK(thud_world_use_joints(other));
     back_to(other, snapshot);
     walks_again(other, &first, what);
     thud_world_destroy(other);
@@ -54,6 +57,7 @@ static thud_world *wild_world(thud_world_def def, int steps) {
     def.sleeping = steps % 2 == 0;
     def.gravity = (thud_vec2){1, -3};
     thud_world *world = make_world(def);
+    OK(thud_world_use_joints(world));
     thud_shape_def belt = thud_default_shape_def();
     belt.surface_speed = 2 * def.length_scale;
     belt.restitution = 0.8f;

@@ -90,6 +90,64 @@ static void chain_with_a_weight_swings_without_stretching(void **state) {
     }
 }
 
+static thud_quality soft_alone(void) {
+    thud_quality soft = thud_quality_default;
+    soft.islands = NULL;
+    soft.island_limit = 1;
+    return soft;
+}
+
+/* Solved softly it gives way a little, and comes to rest. */
+static void hung_chain_hangs_still(void **state) {
+    (void)state;
+    thud_quality soft = soft_alone();
+    const thud_quality *const both[] = {&soft, &thud_quality_draft};
+    const double gap[] = {0.002, 0.008};
+    for (int i = 0; i < 2; i++) {
+        enum { LINKS = 10 };
+        thud_world *world = world_at(both[i]);
+        thud_body_id last = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_joint_id hinge[LINKS];
+        for (int k = 0; k < LINKS; k++) {
+            thud_body_id next = add_body(world, THUD_DYNAMIC, 0, -0.25 - 0.5 * k, 0);
+            add_shape(world, next, 0.0625f, 0.25f, false, NULL);
+            hinge[k] = make(world, between(THUD_HINGE, last, next, (thud_vec2){0, k ? -0.25f : 0},
+                                           (thud_vec2){0, 0.25f}));
+            last = next;
+        }
+        run(world, 300);
+        for (int k = 0; k < LINKS; k++)
+            assert_true(joint_of(world, hinge[k]).gap < gap[i]);
+        thud_body_state tip = state_of(world, last);
+        near_to(hypot(tip.velocity.x, tip.velocity.y), 0, 0.01);
+        thud_world_destroy(world);
+    }
+}
+
+/* Its gap is what it pulls with, also where push_speed would not close that in a substep. */
+static void soft_joint_gives_way_to_a_heavy_load_by_little(void **state) {
+    (void)state;
+    thud_quality soft = soft_alone();
+    const double times[] = {200, 1000}, gap[] = {0.02, 0.2}, past[] = {0.05, 0.6};
+    for (int i = 0; i < 2; i++) {
+        thud_world *world = world_at(&soft);
+        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id bar = add_box(world, 0.5, 0, 0.5f, 0.1f);
+        thud_body_id load = add_body(world, THUD_DYNAMIC, 1, 0, 0);
+        thud_shape_def heavy = thud_default_shape_def();
+        heavy.density = (float)times[i];
+        add_shape(world, load, 0.25f, 0.25f, false, &heavy);
+        thud_joint_def def = between(THUD_HINGE, hook, bar, middle, (thud_vec2){-0.5f, 0});
+        def.drive[THUD_TURN] = (thud_drive){.limited = true, .upper = 1};
+        thud_joint_id hinge = make(world, def);
+        make(world, between(THUD_HINGE, bar, load, (thud_vec2){0.5f, 0}, middle));
+        run(world, 600);
+        assert_true(joint_of(world, hinge).gap < gap[i]);
+        near_to(joint_of(world, hinge).value[THUD_TURN], 0, past[i]);
+        thud_world_destroy(world);
+    }
+}
+
 static void hinge_stops_at_its_limits_and_turns_by_its_motor(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES; i++) {
@@ -326,6 +384,8 @@ int main(void) {
         cmocka_unit_test(hinged_bar_swings_as_its_formula_says),
         cmocka_unit_test(pendulum_keeps_its_energy),
         cmocka_unit_test(chain_with_a_weight_swings_without_stretching),
+        cmocka_unit_test(hung_chain_hangs_still),
+        cmocka_unit_test(soft_joint_gives_way_to_a_heavy_load_by_little),
         cmocka_unit_test(hinge_stops_at_its_limits_and_turns_by_its_motor),
         cmocka_unit_test(welded_beam_carries_itself),
         cmocka_unit_test(weld_with_a_spring_sags_by_its_formula),

@@ -54,6 +54,54 @@ static void joint_lets_go_while_it_is_disabled(void **state) {
     thud_world_destroy(world);
 }
 
+/* One edit after another, of each that a joint is to follow: its length, either frame, its drive,
+ * and the centre of mass of its body. */
+static void edit(thud_world *world, thud_body_id body, thud_joint_id joint, int which) {
+    thud_drive spring = {.frequency = 5, .damping = 1, .target = 1, .spring_force = 1e6f};
+    thud_shape_def shape = thud_default_shape_def();
+    switch (which) {
+    case 0:
+        OK(thud_joint_set_length(world, joint, 2));
+        break;
+    case 1:
+    case 2:
+        OK(thud_joint_set_frame(world, joint, which - 1, (thud_joint_frame){{0.3f, 0.8f}, 0}));
+        break;
+    case 3:
+        OK(thud_joint_set_drive(world, joint, THUD_ALONG, &spring));
+        break;
+    default:
+        OK(thud_shape_create_circle(world, body, &shape, (thud_vec2){1, 0}, 0.3f, NULL));
+    }
+}
+
+static void joints_follow_every_edit_awake_and_asleep(void **state) {
+    (void)state;
+    for (int i = 0; i < 10; i++) {
+        int which = i / 2;
+        bool asleep = i % 2;
+        thud_joint_kind kind = which == 0 ? THUD_DISTANCE : which == 3 ? THUD_SLIDER : THUD_HINGE;
+        thud_world_def def = def_of(&thud_quality_default);
+        def.sleeping = asleep;
+        thud_world *world = make_world(def);
+        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id ball = add_ball(world, 0, which == 3 ? 0 : -1, 0.1f);
+        thud_joint_def joint =
+            between(kind, hook, ball, middle, (thud_vec2){0, kind == THUD_HINGE ? 1 : 0});
+        joint.drive[THUD_ALONG].motor_force = which == 3 ? 10 : 0;
+        thud_joint_id id = make(world, joint);
+        run(world, asleep ? 200 : 10);
+        assert_int_equal(thud_world_stats(world).awake_bodies, !asleep);
+        edit(world, ball, id, which);
+        run(world, 240);
+        near_to(joint_of(world, id).gap, 0, 1e-2);
+        if (which == 3) {
+            near_to(joint_of(world, id).value[THUD_ALONG], 1, 1e-2);
+        }
+        thud_world_destroy(world);
+    }
+}
+
 /* ---- everything at once ---- */
 
 /* Random trees and loops of all kinds, over a floor. */
@@ -69,8 +117,7 @@ static thud_world *linkage(thud_world_def def, uint64_t seed) {
         for (int n = 0; n < (i % 4 ? 1 : 2); n++) {
             int other = (int)random_in(&seed, 0, i - 1e-9);
             bool turned = random_in(&seed, 0, 1) < 0.5;
-            thud_joint_kind kind =
-                (thud_joint_kind)random_in(&seed, 0, THUD_JOINT_KIND_COUNT - 1e-9);
+            thud_joint_kind kind = (thud_joint_kind)random_in(&seed, 0, THUD_GEAR - 1e-9);
             bool as_b = kind == THUD_WHEEL || kind == THUD_TARGET || !turned;
             thud_vec2 at = {(float)random_in(&seed, -1, 1), (float)random_in(&seed, -1, 1)};
             thud_joint_def j = as_b ? between(kind, body[other], body[i], at, middle)
@@ -127,6 +174,79 @@ static void random_linkages_stay_finite_and_restore_to_the_same_bits(void **stat
     }
 }
 
+/* With either body first, as a static one is kept first. */
+static void def_of_a_joint_is_read_as_it_was_set(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_default);
+    thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0), box = add_box(world, 1, 0, 1, 1);
+    for (int i = 0; i < 2; i++) {
+        thud_joint_def def = between(THUD_SLIDER, i ? box : wall, i ? wall : box, middle, middle);
+        def.frame_a = (thud_joint_frame){{0.25f, 0.5f}, 0.75};
+        def.frame_b.position = (thud_vec2){-0.5f, 1};
+        def.drive[THUD_ALONG] = (thud_drive){true, -1, 2, 3, 0.5f, 0.25f, 4, 5, 6};
+        def.collide_connected = def.only_reports = def.disabled = true;
+        def.break_force = 7;
+        def.break_torque = 8;
+        def.user_data = 9;
+        thud_joint_id joint = make(world, def);
+        thud_joint_def read;
+        memset(&read, -1, sizeof read);
+        OK(thud_joint_get_def(world, joint, &read));
+        assert_int_equal(read.kind, THUD_SLIDER);
+        assert_int_equal(read.body_a.index1, def.body_a.index1);
+        assert_int_equal(read.body_b.index1, def.body_b.index1);
+        near_to(read.frame_a.angle, 0.75, 1e-8);
+        assert_memory_equal(&read.frame_a.position, &def.frame_a.position, sizeof(thud_vec2));
+        assert_memory_equal(&read.frame_b, &def.frame_b, sizeof def.frame_b);
+        assert_memory_equal(&read.drive[0].lower, &def.drive[0].lower, 8 * sizeof(float));
+        assert_true(read.drive[0].limited && !read.drive[THUD_TURN].limited);
+        assert_true(read.collide_connected && read.only_reports && read.disabled);
+        assert_true(read.break_force == 7 && read.break_torque == 8 && read.user_data == 9);
+        OK(thud_joint_destroy(world, joint));
+        assert_int_equal(thud_joint_get_def(world, joint, &read), THUD_ERROR_STALE);
+    }
+    thud_joint_id rod = make(world, between(THUD_DISTANCE, wall, box, middle, middle));
+    OK(thud_joint_set_length(world, rod, 3));
+    thud_joint_def read;
+    OK(thud_joint_get_def(world, rod, &read));
+    assert_true(read.length == 3);
+    assert_int_equal(thud_joint_get_def(world, rod, NULL), THUD_ERROR_NULL);
+    thud_world_destroy(world);
+}
+
+/* Of an impulse it makes a force without end. */
+static void load_is_finite_after_a_time_step_next_to_nothing(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_default);
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ball = add_ball(world, 0, -1, 0.1f);
+    thud_joint_id hinge = make(world, between(THUD_HINGE, hook, ball, middle, (thud_vec2){0, 1}));
+    run(world, 10);
+    OK(thud_world_set_time_step(world, 5e-324));
+    run(world, 1);
+    thud_joint_state joint = joint_of(world, hinge);
+    assert_true(isfinite(joint.force.x) && isfinite(joint.force.y) && isfinite(joint.torque));
+    thud_world_destroy(world);
+}
+
+/* Whatever was made and destroyed since. */
+static void joints_made_after_going_back_have_the_handles_of_the_first_time(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_default);
+    thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0), box = add_box(world, 1, 0, 1, 1);
+    OK(thud_world_use_joints(world));
+    saved then = save(world);
+    thud_joint_def def = between(THUD_HINGE, wall, box, middle, middle);
+    thud_joint_id first = make(world, def);
+    OK(thud_joint_destroy(world, first));
+    make(world, def);
+    back_to(world, then);
+    thud_joint_id again = make(world, def);
+    assert_memory_equal(&again, &first, sizeof first);
+    free(then.bytes);
+    thud_world_destroy(world);
+}
+
 static void wrong_joints_are_refused(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
@@ -158,12 +278,107 @@ static void wrong_joints_are_refused(void **state) {
     thud_world_destroy(world);
 }
 
+/* ---- loops ---- */
+
+/* A node in the middle of four bars to walls: ends are off by what single precision makes of them,
+ * which is no reason to pull. */
+static void loop_with_more_locks_than_it_needs_is_not_strained(void **state) {
+    (void)state;
+    static const double ends[][2] = {{-2, 0}, {2, 0}, {-2, -2.1}, {2.3, -1.7}};
+    for (int q = 0; q < QUALITIES; q++) {
+        thud_world *world = world_at(qualities[q]);
+        thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id node = add_ball(world, 0, 0, 0.16f);
+        thud_joint_id pins[8];
+        double mass = state_of(world, node).mass;
+        for (int i = 0; i < 4; i++) {
+            double x = ends[i][0], y = ends[i][1], length = hypot(x, y);
+            thud_body_id bar = add_body(world, THUD_DYNAMIC, x / 2, y / 2, atan2(y, x));
+            thud_shape_def light = thud_default_shape_def();
+            light.density = 0.2f;
+            light.filter.mask = 0;
+            add_shape(world, bar, (float)(length / 2), 0.11f, false, &light);
+            mass += state_of(world, bar).mass;
+            thud_vec2 half = {(float)(length / 2), 0};
+            pins[2 * i] =
+                make(world, between(THUD_HINGE, node, bar, middle, (thud_vec2){-half.x, 0}));
+            pins[2 * i + 1] =
+                make(world, between(THUD_HINGE, wall, bar, (thud_vec2){(float)x, (float)y}, half));
+        }
+        for (int step = 0; step < 60; step++) {
+            run(world, 1);
+            for (int i = 0; i < 8; i++) {
+                thud_vec2 force = joint_of(world, pins[i]).force;
+                assert_true(hypot((double)force.x, (double)force.y) < 2 * 10 * mass);
+            }
+        }
+        thud_world_destroy(world);
+    }
+}
+
+/* ---- drawing ---- */
+
+typedef struct drawn {
+    int lines[THUD_DRAW_STYLE_COUNT], points[THUD_DRAW_STYLE_COUNT];
+    double length[THUD_DRAW_STYLE_COUNT];
+} drawn;
+
+static void count_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+    drawn *d = context;
+    d->lines[style]++;
+    d->length[style] += hypot((double)(b.x - a.x), (double)(b.y - a.y));
+}
+
+static void count_point(thud_vec2 p, thud_draw_style style, void *context) {
+    (void)p;
+    ((drawn *)context)->points[style]++;
+}
+
+static void joints_are_drawn_with_their_places_limits_and_forces(void **state) {
+    (void)state;
+    thud_world *world = world_at(&thud_quality_exact);
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ball = add_ball(world, 0, -2, 0.5f);
+    thud_joint_def def = between(THUD_HINGE, hook, ball, middle, (thud_vec2){0, 2});
+    def.drive[THUD_TURN].limited = true;
+    def.drive[THUD_TURN].lower = -1;
+    def.drive[THUD_TURN].upper = 1;
+    make(world, def);
+    run(world, 60);
+    drawn d = {0};
+    thud_debug_draw draw = {.flags = THUD_DRAW_JOINTS | THUD_DRAW_JOINT_FORCES,
+                            .lower = {-5, -5},
+                            .upper = {5, 5},
+                            .context = &d,
+                            .line = count_line,
+                            .point = count_point};
+    OK(thud_world_draw(world, &draw));
+    assert_int_equal(d.points[THUD_DRAW_JOINT], 2);
+    assert_int_equal(d.lines[THUD_DRAW_JOINT_AXIS], 1);
+    assert_int_equal(d.lines[THUD_DRAW_JOINT_LIMIT], 2);
+    assert_int_equal(d.lines[THUD_DRAW_JOINT_FORCE], 1);
+    near_to(d.length[THUD_DRAW_JOINT], 2, 1e-3);
+    near_to(d.length[THUD_DRAW_JOINT_FORCE], 0.5 * 10, 1e-2); /* its weight, for a second */
+    assert_int_equal(d.lines[THUD_DRAW_STATIC], 0);
+    draw.flags = THUD_DRAW_SHAPES;
+    drawn without = d;
+    OK(thud_world_draw(world, &draw));
+    assert_memory_equal(&d, &without, sizeof d);
+    thud_world_destroy(world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(joined_bodies_do_not_meet_unless_they_shall),
         cmocka_unit_test(joint_lets_go_while_it_is_disabled),
+        cmocka_unit_test(joints_follow_every_edit_awake_and_asleep),
         cmocka_unit_test(random_linkages_stay_finite_and_restore_to_the_same_bits),
+        cmocka_unit_test(def_of_a_joint_is_read_as_it_was_set),
+        cmocka_unit_test(load_is_finite_after_a_time_step_next_to_nothing),
+        cmocka_unit_test(joints_made_after_going_back_have_the_handles_of_the_first_time),
+        cmocka_unit_test(loop_with_more_locks_than_it_needs_is_not_strained),
         cmocka_unit_test(wrong_joints_are_refused),
+        cmocka_unit_test(joints_are_drawn_with_their_places_limits_and_forces),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,9 +3,20 @@
 
 #include <math.h>
 
+/* Springs hold energy that nobody counts here, and motors give some. */
+static bool is_driven(const scene_joint *j) {
+    for (int i = 0; i < SCENE_DIRECTIONS; i++)
+        if (j->drive[i].frequency > 0 || j->drive[i].motor_force > 0)
+            return true;
+    return false;
+}
+
 /* Something moves, and only by what it started with. */
 static bool is_closed(const scene *s) {
     bool moves = false;
+    for (int i = 0; i < s->joint_count; i++)
+        if (is_driven(&s->joints[i]))
+            return false;
     for (int i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_KINEMATIC)
             return false;
@@ -33,13 +44,15 @@ typedef struct gain {
 } gain;
 
 /* In % of what there was to lose: all that it had above where its lowest body started, or more
- * where it came to lie lower still. */
+ * where it came to lie lower still. What hangs by joints falls from there and comes back: of that,
+ * in % of the most that ever was kinetic. */
 static gain most_gained(ledger *l, entrant e, const scene *s) {
     trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)
         return (gain){NAN, NAN};
     double floor = lowest_start(s), start = trial_energy(t, floor), least = start;
     gain g = {0, 0};
+    double kinetic = 0;
     int steps = l->quick ? 30 : 600;
     for (int i = 0; i < steps && trial_step(t); i++) {
         double now = trial_energy(t, floor);
@@ -48,9 +61,10 @@ static gain most_gained(ledger *l, entrant e, const scene *s) {
         g.above_start = fmax(g.above_start, now - start);
         g.rise = fmax(g.rise, now - least);
         least = fmin(least, now);
+        kinetic = s->joint_count > 0 ? fmax(kinetic, trial_kinetic_energy(t)) : 0;
     }
     trial_end(t);
-    double scale = fmax(start, start - least);
+    double scale = fmax(kinetic, fmax(start, start - least));
     if (scale > 0)
         return (gain){100 * g.above_start / scale, 100 * g.rise / scale};
     return g.rise > 0 ? (gain){INFINITY, INFINITY} : g;
@@ -71,7 +85,7 @@ void energy_of_scenes(ledger *l) {
                                       "%s: energy above its lowest before, %%", info->name);
             for (entrant e = 0; e < ENTRANTS; e++) {
                 ledger_progress(l, above->what, 0.5 + 0.5 * i / scenes_count());
-                if (!ledger_has(l, e))
+                if (!ledger_has(l, e) || !trial_is_possible(e, &s))
                     continue;
                 gain g = most_gained(l, e, &s);
                 figure_tell(above, e, g.above_start);

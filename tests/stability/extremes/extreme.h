@@ -10,13 +10,18 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Who goes through an extreme: thud at a quality, or Box2D v3.2 at its defaults. */
+/* Who goes through an extreme: thud at a quality, Box2D v3.2 at its defaults, and at 16
+ * substeps with contacts and joints as stiff as it allows, Chipmunk 7 at its default of 10
+ * iterations, and at 160. */
 typedef enum entrant {
     ENTRANT_DRAFT = 0,
     ENTRANT_DEFAULT,
     ENTRANT_HIGH,
     ENTRANT_EXACT,
     ENTRANT_BOX2D,
+    ENTRANT_BOX2D_STIFF,
+    ENTRANT_CHIPMUNK,
+    ENTRANT_CHIPMUNK_160,
     ENTRANTS
 } entrant;
 
@@ -29,6 +34,9 @@ enum {
     ON_HIGH = 1 << ENTRANT_HIGH,
     ON_EXACT = 1 << ENTRANT_EXACT,
     ON_THUD = (1 << ENTRANT_BOX2D) - 1, /* at every quality */
+    ON_USUAL = ON_THUD | 1 << ENTRANT_BOX2D,
+    ON_BOX2D = 1 << ENTRANT_BOX2D | 1 << ENTRANT_BOX2D_STIFF,
+    ON_CHIPMUNK = 1 << ENTRANT_CHIPMUNK | 1 << ENTRANT_CHIPMUNK_160,
     ON_ALL = (1 << ENTRANTS) - 1
 };
 
@@ -48,7 +56,7 @@ typedef struct figure {
     double reached[ENTRANTS]; /* infinite: it fell, or something was lost */
 } figure;
 
-enum { LEDGER_FIGURES = 64 };
+enum { LEDGER_FIGURES = 96 };
 
 /* Where an extreme writes down what it measures. */
 typedef struct ledger {
@@ -66,6 +74,7 @@ typedef struct extreme {
     const char *title; /* as a heading */
     const char *about; /* a sentence or two: the scene, and what the figures mean */
     void (*run)(ledger *l);
+    unsigned also; /* who goes through it beyond ON_USUAL */
 } extreme;
 
 extern const extreme *const EXTREMES[];

@@ -5,12 +5,14 @@
 
 extern const extreme extreme_mass_ratio, extreme_columns, extreme_far_away, extreme_sizes,
     extreme_time_step, extreme_energy, extreme_long_run, extreme_crowding, extreme_slopes,
-    extreme_speed, extreme_wrong_input;
+    extreme_speed, extreme_wrong_input, extreme_chains, extreme_linkages, extreme_springs,
+    extreme_joint_crowds;
 
 const extreme *const EXTREMES[] = {
-    &extreme_mass_ratio, &extreme_columns,   &extreme_far_away,    &extreme_speed,
-    &extreme_sizes,      &extreme_time_step, &extreme_energy,      &extreme_slopes,
-    &extreme_long_run,   &extreme_crowding,  &extreme_wrong_input,
+    &extreme_mass_ratio, &extreme_columns,      &extreme_far_away,    &extreme_speed,
+    &extreme_sizes,      &extreme_time_step,    &extreme_energy,      &extreme_slopes,
+    &extreme_long_run,   &extreme_crowding,     &extreme_chains,      &extreme_linkages,
+    &extreme_springs,    &extreme_joint_crowds, &extreme_wrong_input,
 };
 const int EXTREME_COUNT = sizeof EXTREMES / sizeof EXTREMES[0];
 

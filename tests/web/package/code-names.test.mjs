@@ -28,7 +28,7 @@ function propertiesOf(file, type) {
 }
 
 test("list_has_every_public_method_of_a_world", () => {
-  const files = ["world", "world-base", "world-queries", "world-views"];
+  const files = ["world", "world-base", "world-joints", "world-queries", "world-views"];
   const methods = files.flatMap((file) =>
     bodyOf(`package/dist/${file}.d.ts`, /export declare class \w+ /).flatMap(
       (line) => /^    (?!constructor)(\w+)\(/.exec(line)?.[1] ?? [],
@@ -47,6 +47,24 @@ for (const [title, file, types] of [
     "package/dist/types.d.ts",
     ["ShapeOptions", "CircleOptions", "BoxOptions", "ObbOptions"],
   ],
+  [
+    "Options of createJoint",
+    "package/dist/joint-types.d.ts",
+    [
+      "JointOptions",
+      "PairOptions",
+      "PlacedOptions",
+      "DistanceOptions",
+      "HingeOptions",
+      "SliderOptions",
+      "WeldOptions",
+      "WheelOptions",
+      "TargetOptions",
+      "FilterOptions",
+      "GearOptions",
+    ],
+  ],
+  ["What drives a joint", "package/dist/joint-types.d.ts", ["Drive"]],
   ["The function is given", "src/scene/scene.ts", ["SceneSetting"]],
   ["The function returns", "src/scene/scene.ts", ["Scene"]],
   ["What update is given", "src/scene/scene.ts", ["Input"]],
@@ -64,6 +82,11 @@ test("list_has_every_kind_of_mark", () => {
   const kinds = [...text.matchAll(/^ {2}kind: "(\w+)";$/gm)].map(([, kind]) => kind);
   assert.equal(kinds.length, 5);
   assert.deepEqual(entriesOf("Marks").map(({ name }) => name), kinds);
+});
+
+test("list_has_every_kind_of_joint", async () => {
+  const { JOINT_KINDS } = await import(`${root}web/package/dist/node.js`);
+  assert.deepEqual(entriesOf("Kinds of joints").map(({ name }) => name).sort(), [...JOINT_KINDS].sort());
 });
 
 test("every_name_of_the_list_has_a_form_and_a_comment", () => {

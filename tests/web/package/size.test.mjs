@@ -8,14 +8,17 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync } from "node:f
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { root } from "../support/package.mjs";
+import { buildLinkage } from "../support/linkage.mjs";
+import { root, thud } from "../support/package.mjs";
 
 /** Kilobytes (1000 bytes) of the gzipped module: what is reached, and what is aimed at. */
 const PROGRAMS = [
   { name: "circles", bound: 46, aim: 12 },
   { name: "boxes", bound: 56, aim: 18 },
-  { name: "islands", bound: 57, aim: 18 },
-  { name: "everything", bound: 88, aim: 40 },
+  // Solving joints in the step in which they give way costs islands without joints 0.14 kB of hooks.
+  { name: "islands", bound: 57.2, aim: 18 },
+  { name: "everything", bound: 88.2, aim: 40 },
+  { name: "joints", bound: 80, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`, { recursive: true })
@@ -66,6 +69,22 @@ async function run(bytes) {
   return instance.exports;
 }
 
+const STEPS = 240;
+
+function hashOf(program) {
+  const half = (upper) => program.linkage_hash(STEPS, upper).toString(16).padStart(8, "0");
+  return half(1) + half(0);
+}
+
+/** Of the same linkage, built with the package. */
+async function linkageHash() {
+  const { world } = buildLinkage((await thud.load()).createWorld());
+  for (let i = 0; i < STEPS; i++) world.step();
+  const hash = world.hash();
+  world.close();
+  return hash;
+}
+
 for (const { name, bound, aim } of PROGRAMS)
   test(`program_of_${name}_behaves_and_links_no_more_than_${bound}_kB`, async () => {
     const bytes = link(name);
@@ -78,6 +97,7 @@ for (const { name, bound, aim } of PROGRAMS)
     if (made.box_height) assert.ok(Math.abs(made.box_height(300) - 0.5) < 0.02);
     if (made.oriented_height) assert.ok(Math.abs(made.oriented_height(300) - 0.5) < 0.02);
     if (made.ray_fraction) assert.ok(Math.abs(made.ray_fraction() - 0.5) < 1e-6);
+    if (made.linkage_hash) assert.equal(hashOf(made), await linkageHash());
     assert.ok(zipped <= bound * 1000, `${name}: ${zipped} bytes`);
   });
 

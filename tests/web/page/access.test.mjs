@@ -163,8 +163,8 @@ test("failure_comes_over_an_open_dialog_and_gives_the_focus_back", async () => {
 });
 
 test("running_scene_says_nothing_by_itself_and_what_is_noticed_is_said", async () => {
-  // A machine that cannot keep up would say so.
-  const { page, close } = await open("", DESKTOP, display(60, 100));
+  // A machine that cannot keep up would say so: this display waits for it.
+  const { page, close } = await open("", DESKTOP, display(60));
   // What the scene is about is said once, after the first picture.
   await untilTold(page, "As many balls leave");
   await page.evaluate(() => {
@@ -204,7 +204,7 @@ test("reader_s_own_text_size_enlarges_controls_with_it", async () => {
     const style = new CSSStyleSheet();
     // Half as large again as usual.
     style.replaceSync(":root { font-size: 93.75% }");
-    document.adoptedStyleSheets = [style];
+    document.adoptedStyleSheets.push(style);
     dispatchEvent(new Event("resize"));
   });
   for (const [i, [text, height]] of (await sizes()).entries()) {

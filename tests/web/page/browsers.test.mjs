@@ -7,11 +7,13 @@ import { after, before, describe, test } from "node:test";
 import { createStaticServer } from "../../../web/tools/static-server.mjs";
 import { copyOfPage, serve, untilOffline } from "../support/built-page.mjs";
 import { boxes, type } from "../support/code.mjs";
+import { drawLightly } from "../support/contexts.mjs";
 import {
   BROWSERS,
   choose,
   DESKTOP,
   drawn,
+  near,
   openLevel,
   openVisitor,
   PATIENCE,
@@ -68,6 +70,35 @@ for (const browser of BROWSERS)
       await hold(page, "Space");
       await untilSaid(page, /A miss|Hit|out of the field/);
       await untilSaid(page, /computer aims/);
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
+    test("ball_on_a_rod_is_pulled_by_the_mouse_as_far_as_the_rod_lets_it", async () => {
+      const { page, errors, close } = await visitor.open("?scene=cradle&paused=1");
+      const rod = {
+        ...{ id: 3, type: "distance", x: 320, y: 32 },
+        polyline: [{ x: 0, y: 0 }, { x: 0, y: 128 }],
+        properties: [{ name: "b", type: "object", value: 2 }],
+      };
+      await openLevel(page, "ball.tmj", ballLevel([rod]));
+      await untilTitle(page, /^ball/);
+      await stepBy(page, 1);
+      await untilOverlay(page, (count) => count > 100, "the rod is drawn");
+      const start = await drawn(page);
+      await page.mouse.move(start.x, start.y);
+      await page.mouse.down();
+      await page.waitForSelector("#overlay[data-mode=pull]");
+      await page.mouse.move(start.x + 400, start.y, { steps: 4 });
+      await stepBy(page, 120);
+      const held = await drawn(page);
+      const pixels = Math.sqrt(start.count / Math.PI);
+      // As far to the side as up to the rod's upper end: it points to the mouse.
+      const length = 4 * pixels;
+      const reach = Math.hypot(400, length);
+      near(held.x - start.x, (400 * length) / reach, 0.15 * length, "x");
+      near(start.y - held.y, length - length ** 2 / reach, 0.15 * length, "y");
+      await page.mouse.up();
       assert.deepEqual(errors, []);
       await close();
     });
@@ -142,6 +173,7 @@ for (const browser of BROWSERS)
       const context = await visitor.browser.newContext();
       t.after(() => context.close());
       context.setDefaultTimeout(PATIENCE);
+      await drawLightly(context);
       const page = await context.newPage();
       await page.goto(url);
       await untilOffline(page);

@@ -62,8 +62,11 @@ test("missing_second_file_of_the_engine_is_said_and_loading_again_offered", asyn
     page.route("**/thud-rest*.wasm", (route) => route.fulfill({ status: 404, body: "not here" }));
   const { page, close } = await visitor.open("", DESKTOP, block);
   assert.match(await failureText(page), /part of the engine is missing/i);
+  // The scene runs behind the failure until it needs what is missing. The visitor has not paused it.
+  await page.waitForSelector("#pause[aria-pressed=true]");
+  assert.equal(await page.evaluate(() => location.search), "?scene=brick_wall");
   await page.unroute("**/thud-rest*.wasm");
-  // The scene runs behind the failure: only a new page counts.
+  // Only a new page counts.
   const loaded = page.waitForEvent("load");
   const rest = page.waitForResponse("**/thud-rest*.wasm");
   await page.click("#failure button");

@@ -1,4 +1,4 @@
-/** The two games, by keys and by touch: what a player holds is what happens. */
+/** The games, by keys and by touch: what a player holds is what happens. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { DESKTOP, figure, openVisitor, PHONE, stepBy, untilRunning } from "../support/page.mjs";
@@ -186,6 +186,64 @@ test("artillery_with_another_tool_than_the_hand_takes_that", async () => {
     bodies + 1,
   );
   assert.match(await message(page), /two players/, "nothing is chosen by that");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+/** A place of the world on the canvas; the bridge builder's view is 18 by 15.5 around (4, 1.2). */
+async function onScreen(page, x, y) {
+  const { top, bottom, width } = await page.evaluate(() => {
+    const boxOf = (id) => document.getElementById(id).getBoundingClientRect();
+    return { top: boxOf("top").bottom + 8, bottom: boxOf("bottom").top - 8, width: innerWidth };
+  });
+  const scale = Math.min((width - 32) / 18, (bottom - top) / 15.5);
+  return { x: width / 2 + scale * (x - 4), y: (top + bottom) / 2 - scale * (y - 1.2) };
+}
+
+test("bridge_builder_by_touch_a_road_is_drawn_driven_on_and_breaks", async () => {
+  const { page, errors, close } = await openGame("bridge_builder", PHONE);
+  assert.doesNotMatch(await page.innerText("#words"), /Buttons:/, "they say it themselves");
+  const touch = await page.context().newCDPSession(page);
+  const finger = async (type, ...place) => {
+    const touchPoints = place.length > 0 ? [await onScreen(page, ...place)] : [];
+    await touch.send("Input.dispatchTouchEvent", { type, touchPoints });
+    await stepBy(page, 1);
+  };
+  await finger("touchStart", 0, 0);
+  await finger("touchMove", 8, 0);
+  await finger("touchEnd");
+  assert.equal(await figureOf(page, "Money"), "600");
+  const { hold, letGo } = await fingers(page);
+  await hold("fire");
+  await stepBy(page, 2);
+  await letGo();
+  await page.locator("[data-key=fire][data-word=Stop]").waitFor();
+  assert.equal(await page.locator("[data-key=left]").isVisible(), false, "nothing to undo now");
+  await untilSaid(page, /gave way/);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("buttons_with_words_are_there_for_the_mouse_and_take_no_space_bar", async () => {
+  const { page, errors, close } = await openGame("bridge_builder");
+  await page.mouse.move(...Object.values(await onScreen(page, 0, 0)));
+  await page.mouse.down();
+  await stepBy(page, 1);
+  await page.mouse.move(...Object.values(await onScreen(page, 8, 0)));
+  await stepBy(page, 1);
+  await page.mouse.up();
+  await stepBy(page, 1);
+  assert.equal(await figureOf(page, "Money"), "600");
+  const undo = page.getByRole("button", { name: "Undo" });
+  await undo.hover();
+  await page.mouse.down();
+  await stepBy(page, 1);
+  await page.mouse.up();
+  assert.equal(await figureOf(page, "Money"), "1000");
+  await page.keyboard.down("Space");
+  await stepBy(page, 2);
+  await page.keyboard.up("Space");
+  await page.getByRole("button", { name: "Stop" }).waitFor();
   assert.deepEqual(errors, []);
   await close();
 });

@@ -44,7 +44,7 @@ function boxes(page) {
 }
 
 for (const [size, options] of SIZES)
-  for (const scene of ["brick_wall", "platformer_game", "artillery"])
+  for (const scene of ["brick_wall", "platformer_game", "artillery", "bridge_builder"])
     test(`controls_of_${scene}_on_a_${size}_lie_in_sight_and_on_none_other`, async () => {
       const { page, errors, close } = await visitor.open(`?scene=${scene}&paused=1`, options);
       await stepBy(page, 1);
@@ -143,7 +143,7 @@ for (const [size, options, gliding] of [["desktop", DESKTOP, "hint"], ["phone", 
           opened.addInitScript((duration) => {
             const style = new CSSStyleSheet();
             style.replaceSync(`#hint, #dock { animation-duration: ${duration}s !important; }`);
-            document.adoptedStyleSheets = [style];
+            document.adoptedStyleSheets.push(style);
           }, seconds),
       );
       await stepBy(page, 1);

@@ -7,6 +7,7 @@ import { launch, launchChromium } from "../../../web/tools/browser.mjs";
 import { writeServiceWorker } from "../../../web/tools/offline-plugin.mjs";
 import { createStaticServer } from "../../../web/tools/static-server.mjs";
 import { copyOfPage, createPlainServer, serve, untilOffline } from "../support/built-page.mjs";
+import { drawLightly } from "../support/contexts.mjs";
 import { PATIENCE, untilRunning } from "../support/page.mjs";
 import { untilMeasured } from "../support/versus.mjs";
 import { until } from "../support/wait.mjs";
@@ -25,6 +26,7 @@ async function newVisitor(t) {
   const context = await browser.newContext();
   t.after(() => context.close());
   context.setDefaultTimeout(PATIENCE);
+  await drawLightly(context);
   return context.newPage();
 }
 

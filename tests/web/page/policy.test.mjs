@@ -10,6 +10,7 @@ import { writeServiceWorker } from "../../../web/tools/offline-plugin.mjs";
 import { listenFrom } from "../../../web/tools/serve.mjs";
 import { createStaticServer } from "../../../web/tools/static-server.mjs";
 import { copyOfPage, createPlainServer, serve, untilOffline } from "../support/built-page.mjs";
+import { drawLightly } from "../support/contexts.mjs";
 import { PATIENCE, untilRunning } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
@@ -24,6 +25,7 @@ async function openWatched(t, browser = "chromium") {
   const context = await browsers[browser].newContext();
   t.after(() => context.close());
   context.setDefaultTimeout(PATIENCE);
+  await drawLightly(context);
   const page = await context.newPage();
   const requests = [];
   const troubles = [];

@@ -1,7 +1,7 @@
 /** What the page says: how to play, by keys or by touch, and labels that a stranger understands. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { DESKTOP, openVisitor, PHONE, stepBy, untilRunning } from "../support/page.mjs";
+import { DESKTOP, openVisitor, PHONE, stepBy } from "../support/page.mjs";
 
 let visitor;
 before(async () => {
@@ -26,7 +26,7 @@ for (const [scene, deeds] of PLAYED)
       [DESKTOP, /Keys: ← → or A D to .*Space to/, /buttons/i],
       [PHONE, /Buttons: ← → to /, OF_KEYBOARDS],
     ]) {
-      const { page, errors, close } = await visitor.open(`?scene=${scene}`, options);
+      const { page, errors, close } = await visitor.open(`?scene=${scene}&paused=1`, options);
       // It goes by itself, and its words stay.
       await page.locator("#notice", { hasText: deeds }).waitFor({ state: "attached" });
       const notice = await page.textContent("#notice");
@@ -59,8 +59,8 @@ test("panel_inside_on_a_phone_asks_for_no_key", async () => {
 });
 
 test("help_says_how_to_move_jump_fire_and_pause_and_what_a_touch_screen_has", async () => {
-  const { page, close } = await visitor.open("?scene=towers");
-  await untilRunning(page);
+  const { page, close } = await visitor.open("?scene=towers&paused=1");
+  await stepBy(page, 1);
   await page.keyboard.press("h");
   const help = await page.innerText("#help");
   for (const told of [/A D move/, /Space jumps/, /drops/, /Space fires/, /P pauses/, /touch screen/])

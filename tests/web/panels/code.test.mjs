@@ -15,6 +15,7 @@ import {
 import {
   DESKTOP,
   failureText,
+  impatiently,
   openVisitor,
   PHONE,
   runAxeInBothThemes,
@@ -146,8 +147,10 @@ test("loop_without_an_end_leads_back_and_keeps_the_text", async () => {
   const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
   const text = boxes(3, { update: "for (;;);" });
   await type(page, text);
-  await run(page);
-  assert.match(await failureText(page), /does not answer/);
+  await impatiently(page, async () => {
+    await run(page);
+    assert.match(await failureText(page), /does not answer/);
+  });
   // No frame has come of the loop, so that the figures are still those of the scene before it.
   await page.evaluate(() => (document.querySelector("#hud").dataset.steps = "none"));
   await page.click("#failure button");

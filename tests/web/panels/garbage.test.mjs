@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { linkOf, openCode, run, troubleOf, type, untilStatus } from "../support/code.mjs";
-import { figure, openVisitor, untilRunning, untilTold } from "../support/page.mjs";
+import { figure, impatiently, openVisitor, untilRunning, untilTold } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
 let visitor;
@@ -40,6 +40,7 @@ test("scene_that_returns_nonsense_is_told_what_is_wrong", async () => {
     ["state: { act() {} }", /state is plain data/],
     ["keys: 'left'", /keys is a list/],
     ["paint: () => ({ marks: [{ kind: 'blob' }] })", /kind of a mark is one of line/],
+    ["paint: () => ({ buttons: { shoot: 'Fire' } })", /buttons has a word for each key/],
   ]) {
     await type(
       page,
@@ -54,7 +55,7 @@ test("scene_that_returns_nonsense_is_told_what_is_wrong", async () => {
 
 test("scene_that_is_slow_and_not_stuck_runs_in_the_end_without_a_click", async () => {
   const code = `export default ({ createWorld }) => {
-    for (const end = Date.now() + 11_000; Date.now() < end; );
+    for (const end = Date.now() + 2500; Date.now() < end; );
     return { world: createWorld() };
   };`;
   const { page, errors, close } = await visitor.open(linkOf(code));
@@ -64,8 +65,10 @@ test("scene_that_is_slow_and_not_stuck_runs_in_the_end_without_a_click", async (
     const observer = new MutationObserver(() => (failure.dataset.seen = "true"));
     observer.observe(failure, { attributes: true, attributeFilter: ["hidden"] });
   });
-  await page.locator(".code-offer button").first().click();
-  await page.waitForSelector("#failure[data-seen][hidden]", { state: "attached" });
+  await impatiently(page, async () => {
+    await page.locator(".code-offer button").first().click();
+    await page.waitForSelector("#failure[data-seen][hidden]", { state: "attached" });
+  });
   await untilStatus(page, "Your code runs");
   assert.ok(await page.isHidden(".code-trouble"));
   assert.deepEqual(errors, []);

@@ -4,22 +4,19 @@ import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { buildScene, runScene, USUAL_OPTIONS } from "../../../web/tools/scenes.mjs";
 import {
-  choose,
   DESKTOP,
-  drawn,
   figure,
   near,
-  openLevel,
   openVisitor,
   PHONE,
   runAxeInBothThemes,
   stepBy,
 } from "../support/page.mjs";
+import { hoverBall, listed, openPanel, RESTING, show } from "../support/inside.mjs";
 import { ballLevel, root, thud } from "../support/package.mjs";
 import { overlay, until, untilOverlay } from "../support/wait.mjs";
 
 const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
-const RESTING = 240;
 
 let visitor;
 before(async () => {
@@ -27,17 +24,7 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** Opens the panel beside a scene that stands still, at one of its parts. */
-async function openInside(part, search, options) {
-  const opened = await visitor.open(`?${search}&panel=inside`, options);
-  await opened.page.waitForSelector("[name=inside]", { state: "attached" });
-  await show(opened.page, part);
-  return opened;
-}
-
-function show(page, part) {
-  return choose(page, "inside", part);
-}
+const openInside = (part, search, options) => openPanel(visitor, part, search, options);
 
 const OF_STACK = ["bounds", "cells", "pairs", "stages", "contacts", "normals", "impulses", "islands", "colours"];
 
@@ -110,28 +97,8 @@ test("sleeping_bodies_are_dimmed_while_that_is_ticked", async () => {
   await close();
 });
 
-/** The one ball of a level, at rest, with the pointer over it. */
-async function hoverBall() {
-  const opened = await openInside("body", "scene=cradle&paused=1", DESKTOP);
-  const { page } = opened;
-  await openLevel(page, "ball.tmj", ballLevel());
-  await page.waitForFunction(() => document.title.startsWith("ball"));
-  await stepBy(page, RESTING);
-  const ball = await drawn(page);
-  await page.mouse.move(ball.x, ball.y);
-  await page.waitForSelector("#body-card:not([hidden])");
-  return { ...opened, ball };
-}
-
-/** Names and values of a list. */
-function listed(page, selector) {
-  return page.$$eval(`${selector} > div`, (rows) =>
-    Object.fromEntries(rows.map((row) => [...row.children].map((cell) => cell.textContent))),
-  );
-}
-
 test("body_under_the_mouse_has_the_package_s_numbers", async () => {
-  const { page, errors, close } = await hoverBall();
+  const { page, errors, close } = await hoverBall(visitor);
   const { scene } = await buildScene(await thud.load(), "own_level", {
     choices: USUAL_OPTIONS,
     readText: async () => ballLevel(),
@@ -165,8 +132,25 @@ test("body_under_the_mouse_has_the_package_s_numbers", async () => {
   await close();
 });
 
+test("body_under_the_mouse_has_a_row_for_each_of_its_joints", async () => {
+  const properties = [{ name: "b", type: "object", value: 2 }];
+  const hinge = { id: 3, type: "hinge", point: true, x: 320, y: 160, properties };
+  const { page, errors, close } = await hoverBall(visitor, [hinge]);
+  const cells = await page.$$eval("#body-joints tbody tr *", (found) =>
+    found.map((cell) => cell.textContent),
+  );
+  const [other, kind, gap, , force] = cells;
+  assert.match(other, /^body \d$/);
+  assert.equal(kind, "hinge");
+  near(Number(gap), 0, 0.01, "gap");
+  near(Number(force), Math.PI * 10, 0.5, "its weight");
+  assert.equal(await page.isVisible("#body-contacts"), false);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("clicked_body_stays_in_the_panel_until_it_is_let_go", async () => {
-  const { page, errors, ball, close } = await hoverBall();
+  const { page, errors, ball, close } = await hoverBall(visitor);
   await page.mouse.move(ball.x - 250, ball.y - 250);
   await page.waitForSelector("#body-card", { state: "hidden" });
   assert.equal(await page.textContent(".inside section:not([hidden]) h3"), "No body");

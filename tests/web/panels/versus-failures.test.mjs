@@ -93,7 +93,14 @@ test("link_to_the_panel_runs_without_box2d_when_that_takes_long", async () => {
   const { page, errors, close } = await visitor.open(
     "?scene=tall_stack&panel=versus",
     DESKTOP,
-    async (page) => (letGo = await holdBox2D(page)),
+    async (page) => {
+      letGo = await holdBox2D(page);
+      // The page waits for a tenth of its five seconds.
+      await page.addInitScript(() => {
+        const { setTimeout } = window;
+        window.setTimeout = (act, after) => setTimeout(act, after === 5000 ? 500 : after);
+      });
+    },
   );
   await untilRunning(page);
   await page.locator("#versus .verdict", { hasText: /Loading Box2D.*alone/ }).waitFor();
@@ -144,7 +151,10 @@ test("world_too_wide_for_box2d_is_told_of", async () => {
   await close();
 });
 
-for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
+/** The processor draws what WebGL does: less of it. */
+const SMALL_DESKTOP = { viewport: { width: 1024, height: 640 } };
+
+for (const [size, options] of [["desktop", SMALL_DESKTOP], ["phone", PHONE]])
   test(`lost_webgl_leaves_both_views_to_canvas_2d_until_it_comes_back_on_${size}`, async () => {
     const withWebgl = await openVisitor({ webgl: true });
     const { page, close } = await openBoth(withWebgl, options);

@@ -143,12 +143,16 @@ test("table_tells_times_overlap_energy_and_bodies_of_both", async () => {
 });
 
 test("world_far_from_the_origin_is_moved_for_box2d_and_the_panel_says_so", async () => {
-  const { page, errors, close } = await visitor.open("?scene=far_away&size=7&panel=versus");
+  const { page, errors, close } = await visitor.open("?scene=far_away&size=7&panel=versus&paused=1");
+  await untilBox2D(page);
+  await stepBy(page, STEPS_THAT_COUNT);
   await untilMeasured(page);
   assert.match(await page.textContent("#versus .moved"), /10,000 km.* 1 m apart.*moved/);
   const [thud, box2d] = (await table(page)).Bodies;
   assert.equal(box2d, thud);
-  await page.goto(`${page.url().split("?")[0]}?scene=far_away&size=2&panel=versus`);
+  await page.goto(`${page.url().split("?")[0]}?scene=far_away&size=2&panel=versus&paused=1`);
+  await untilBox2D(page);
+  await stepBy(page, STEPS_THAT_COUNT);
   await untilMeasured(page);
   assert.ok(await page.isHidden("#versus .moved"));
   assert.deepEqual(errors, []);

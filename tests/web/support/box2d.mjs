@@ -11,7 +11,7 @@ const require = createRequire(createRequire(`${root}web/package.json`).resolve("
 export async function importRival(folder) {
   const bundle = `${folder}/rival-${process.pid}.mjs`;
   const sources = ["load", "ruler", "world"].map((name) => `box2d/${name}`);
-  sources.push(...["hands", "stage", "watch"].map((name) => `worker/${name}`));
+  sources.push(...["hands", "hold", "stage", "watch"].map((name) => `worker/${name}`));
   await require("esbuild").build({
     stdin: {
       contents: sources.map((name) => `export * from "./${name}";`).join(""),

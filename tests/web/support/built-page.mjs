@@ -17,6 +17,8 @@ export function copyOfPage(t) {
 
 /** Serves a folder until the test ends or `cut` is called. */
 export async function serve(t, server, under = "/") {
+  // Each server would pack all files anew, of which a service worker keeps copies.
+  server.prependListener("request", ({ headers }) => delete headers["accept-encoding"]);
   const port = await listenFrom(server, 0);
   const cut = () => {
     server.closeAllConnections();

@@ -5,7 +5,7 @@
  */
 
 /** Pictures a second of the tests' display: to draw by software is most of what a scene costs. */
-const HERTZ = 30;
+const HERTZ = 20;
 
 /** Calls what asks for pictures only so often. Runs in the page, before its own scripts. */
 function slowDisplay(hertz) {
@@ -36,31 +36,63 @@ function slowDisplay(hertz) {
 }
 
 /**
- * A display of so many pictures a second by its own clock, `window.clock`, whatever the machine's is:
- * no picture is late, and a scene is in time, however slow the machine is. There are so many
- * milliseconds from one to the next in truth.
+ * A display of so many pictures a second by its own clock, `window.clock`, whatever the machine's is.
+ * The next picture is due when the physics worker has answered all that it was asked: no picture is
+ * late, and a scene is in time, however slow the machine is. With `pause` it waits for nobody, and
+ * there are so many milliseconds from one to the next in truth.
  */
-export function display(hertz, pause) {
-  return (page) =>
-    page.addInitScript(
-      ([rate, milliseconds]) => {
-        let asked = new Map();
-        let count = 0;
-        window.clock = 0;
-        window.requestAnimationFrame = (act) => {
-          asked.set(++count, act);
-          return count;
-        };
-        window.cancelAnimationFrame = (number) => asked.delete(number);
-        setInterval(() => {
-          window.clock += 1000 / rate;
-          const acts = asked;
-          asked = new Map();
-          for (const act of acts.values()) act(window.clock);
-        }, milliseconds);
-      },
-      [hertz, pause],
-    );
+export function display(hertz, pause = null) {
+  return (page) => page.addInitScript(ownDisplay, [hertz, pause]);
+}
+
+/** Runs in the page, before its own scripts. */
+function ownDisplay([hertz, pause]) {
+  /** What the worker has not answered yet. */
+  let open = 0;
+  const { Worker: Real } = window;
+  window.Worker = class extends Real {
+    constructor(...settings) {
+      super(...settings);
+      this.addEventListener("message", ({ data }) => {
+        if (data.kind !== "progress") open--;
+      });
+    }
+    postMessage(message, ...more) {
+      if (message.kind !== "command") open++;
+      super.postMessage(message, ...more);
+    }
+  };
+  let asked = new Map();
+  let count = 0;
+  window.clock = 0;
+  window.requestAnimationFrame = (act) => {
+    asked.set(++count, act);
+    return count;
+  };
+  window.cancelAnimationFrame = (number) => asked.delete(number);
+  setInterval(() => {
+    if (pause === null && open > 0) return;
+    window.clock += 1000 / hertz;
+    const acts = asked;
+    asked = new Map();
+    for (const act of acts.values()) act(window.clock);
+  }, pause ?? 0);
+}
+
+/**
+ * Panels let the scene shine through them blurred: by software that is as much work as all else of a
+ * picture, and no test looks at it. Runs in the page, before its own scripts.
+ */
+function withoutBlur() {
+  const style = new CSSStyleSheet();
+  style.replaceSync(".panel, dialog { backdrop-filter: none !important; isolation: isolate; }");
+  document.adoptedStyleSheets.push(style);
+}
+
+/** Makes pictures of a context's pages cheap: before any page of it is opened. */
+export async function drawLightly(context) {
+  await context.addInitScript(slowDisplay, HERTZ);
+  await context.addInitScript(withoutBlur);
 }
 
 /** Takes contexts of `browser` for the page at `url`, whose waits may take so many milliseconds. */
@@ -73,7 +105,7 @@ export function contextsOf(browser, url, patience) {
     context.setDefaultTimeout(patience);
     // When a first visit's service worker takes over is chance: page/offline.test.mjs waits for it.
     await context.addInitScript(() => delete Navigator.prototype.serviceWorker);
-    await context.addInitScript(slowDisplay, HERTZ);
+    await drawLightly(context);
     return context;
   }
 

@@ -108,7 +108,7 @@ export class Engine {
   }
 
   private memoryGrew(): void {
-    this.slots = new Float64Array(this.#memory.buffer, this.#slotsAddress, 32);
+    this.slots = new Float64Array(this.#memory.buffer, this.#slotsAddress, 64);
   }
 }
 

@@ -12,9 +12,12 @@
  */
 import type { Engine } from "./engine.js";
 import { messageOf, ThudError } from "./error.js";
+import type { AnyJointOptions } from "./joint-types.js";
 import { MOST_CELLS } from "./level/cells.js";
 import { type FileContent, type FileOpener, Library, parseDocument } from "./level/library.js";
+import type { Tie } from "./level/joints.js";
 import { readObjects } from "./level/objects.js";
+import { type Placed, tieJoints } from "./level/tie.js";
 import { readTiles } from "./level/tiles.js";
 import { listTilesets, type Tileset } from "./level/tilesets.js";
 import {
@@ -26,7 +29,7 @@ import {
   Values,
 } from "./level/values.js";
 import { checkNames } from "./names.js";
-import type { BodyOptions, ShapeOptions, Vec2, WorldOptions } from "./types.js";
+import type { BodyId, BodyOptions, JointId, ShapeOptions, Vec2, WorldOptions } from "./types.js";
 import type { World } from "./world.js";
 
 export type { FileContent, FileOpener } from "./level/library.js";
@@ -40,10 +43,23 @@ export type LevelShape = { material: ShapeOptions } & (
   | { kind: "terrain"; points: Vec2[] }
 );
 
-/** A body with its shapes, one at least; `body.userData` is the object's id, none of a tile. */
+/**
+ * A body with its shapes, none where a joint holds to the world; `body.userData` is the object's
+ * id, none of a tile.
+ */
 export interface LevelBody {
   body: BodyOptions;
   shapes: LevelShape[];
+}
+
+type Untied<T> = T extends unknown ? Omit<T, "bodyA" | "bodyB" | "jointA" | "jointB"> : never;
+
+/** A joint, by the places of its bodies in `Level.bodies`; of a gear of joints in `Level.joints`. */
+export interface LevelJoint {
+  a: number;
+  b: number;
+  /** What World.createJoint takes beside them. */
+  options: Untied<AnyJointOptions>;
 }
 
 /** A map as it was read, in world units: plain data for `buildLevel`. */
@@ -61,6 +77,7 @@ export interface Level {
   /** Whether it is played with a character, which starts there. */
   character: boolean;
   bodies: LevelBody[];
+  joints: LevelJoint[];
   /** What the world does without; see `ReadOptions.skip`. */
   problems: Problem[];
 }
@@ -103,6 +120,10 @@ export interface Reader {
   cells: number;
   /** Tiles of which nothing says whether they collide. */
   unmarked: number;
+  /** The first body of each object, by its id. */
+  readonly placed: Map<number, Placed>;
+  /** Objects that are joints. */
+  readonly ties: Tie[];
 }
 
 /** A layer on the way from the map, through its groups. */
@@ -153,12 +174,13 @@ export async function readLevel(
   return read.level;
 }
 
-/** Makes a world of a level. Throws, and leaves nothing behind, if the engine refuses a body. */
+/** Makes a world of a level. Throws, and leaves nothing behind, if the engine refuses a part. */
 export function buildLevel(engine: Engine, level: Level, options: WorldOptions = {}): World {
   const { gravity, lengthScale } = level;
   const world = engine.createWorld({ ...options, gravity, lengthScale });
   try {
-    for (const item of level.bodies) addBody(world, item);
+    const bodies = level.bodies.map((item) => addBody(world, item));
+    addJoints(world, level.joints, bodies);
   } catch (error) {
     world.close();
     throw error;
@@ -166,7 +188,7 @@ export function buildLevel(engine: Engine, level: Level, options: WorldOptions =
   return world;
 }
 
-function addBody(world: World, { body, shapes }: LevelBody): void {
+function addBody(world: World, { body, shapes }: LevelBody): BodyId {
   const id = world.createBody(body);
   for (const shape of shapes) {
     const { material } = shape;
@@ -182,6 +204,18 @@ function addBody(world: World, { body, shapes }: LevelBody): void {
     const { halfWidth, halfHeight } = shape;
     if (shape.kind === "aabb") world.createAabb(id, { ...material, offset, halfWidth, halfHeight });
     else world.createObb(id, { ...material, offset, halfWidth, halfHeight, angle: shape.angle });
+  }
+  return id;
+}
+
+function addJoints(world: World, list: readonly LevelJoint[], bodies: readonly BodyId[]): void {
+  const joints: JointId[] = [];
+  for (const { a, b, options } of list) {
+    const made =
+      options.kind === "gear"
+        ? world.createJoint({ ...options, jointA: joints[a], jointB: joints[b] })
+        : world.createJoint({ ...options, bodyA: bodies[a], bodyB: bodies[b] });
+    joints.push(made);
   }
 }
 
@@ -200,13 +234,14 @@ async function readMap(
     report.add("fatal", 0, `the map is ${json.orientation}; only orthogonal maps are read`);
     return null;
   }
-  report.noteUnknown(json, 0, "map");
+  report.noteUnknown(json, 0, "map", "any");
   const reader = readMapValues(name, json, report, library, allSolid);
   if (!reader) {
     report.add("fatal", 0, "the map's own values cannot be used");
     return null;
   }
   await readLayers(reader, { json, chain: [json], ox: 0, oy: 0, name: "map" });
+  tieJoints(reader);
   return reader;
 }
 
@@ -252,6 +287,7 @@ function readMapValues(
     spawn: camera,
     character,
     bodies: [],
+    joints: [],
     problems: report.problems,
   };
   return {
@@ -266,6 +302,8 @@ function readMapValues(
     allSolid,
     cells: MOST_CELLS,
     unmarked: 0,
+    placed: new Map(),
+    ties: [],
   };
 }
 
@@ -292,7 +330,7 @@ async function readLayer(reader: Reader, parent: Layer, value: Json): Promise<vo
   const v = new Values(report, chain, 0, name);
   const ox = parent.ox + ("offsetx" in json ? v.required(json, "offsetx", -1e9, 1e9) : 0);
   const oy = parent.oy + ("offsety" in json ? v.required(json, "offsety", -1e9, 1e9) : 0);
-  report.noteUnknown(json, 0, name);
+  report.noteUnknown(json, 0, name, "any");
   if (v.bad) return;
   const layer: Layer = { json, chain, ox, oy, name };
   if (type === "objectgroup") readObjects(reader, layer);

@@ -8,6 +8,7 @@ import {
   type BodyId,
   BROADPHASES,
   DETECTIONS,
+  type JointId,
   QUALITIES,
   type Quality,
   type QualityOptions,
@@ -77,6 +78,10 @@ export function shapeId(index1: number, generation: number): ShapeId {
   return Object.freeze({ kind: "shape", index: index1 - 1, generation });
 }
 
+export function jointId(index1: number, generation: number): JointId {
+  return Object.freeze({ kind: "joint", index: index1 - 1, generation });
+}
+
 /** Of two numbers among slots or in a row. */
 export function bodyAt(numbers: Numbers, at: number): BodyId {
   return bodyId(numbers[at], numbers[at + 1]);
@@ -84,6 +89,10 @@ export function bodyAt(numbers: Numbers, at: number): BodyId {
 
 export function shapeAt(numbers: Numbers, at: number): ShapeId {
   return shapeId(numbers[at], numbers[at + 1]);
+}
+
+export function jointAt(numbers: Numbers, at: number): JointId {
+  return jointId(numbers[at], numbers[at + 1]);
 }
 
 export function vecAt(numbers: Numbers, at: number): Vec2 {

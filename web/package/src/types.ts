@@ -19,6 +19,13 @@ export interface ShapeId {
   readonly generation: number;
 }
 
+/** Names a joint. */
+export interface JointId {
+  readonly kind: "joint";
+  readonly index: number;
+  readonly generation: number;
+}
+
 export const DETECTIONS = ["overlap", "continuous", "bisect", "swept"] as const;
 /**
  * How moving shapes are tested: where they stand at the start of a step ("overlap"); that, and fast

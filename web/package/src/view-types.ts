@@ -94,6 +94,11 @@ export interface StepError {
    * have taken it; 0 where none of `Stats.heldBodies` was.
    */
   shortfall: number;
+  /** Lengths: by how much joints of awake bodies are open at the end; see JointState.gap. */
+  jointGapMax: number;
+  jointGapMean: number;
+  /** Likewise of turns, radians. */
+  jointAngleMax: number;
 }
 
 /** Error and energy of the present state; lengths, and mass times (length/s)². */
@@ -137,6 +142,10 @@ export interface DrawOptions {
   colours?: boolean;
   /** Every point of every contact, its depth and its impulse. */
   manifolds?: boolean;
+  /** Where joints have their bodies, their axes, and between which limits they let them be. */
+  joints?: boolean;
+  /** Lines as long as a joint's force would move its body b alone in a second, from rest. */
+  jointForces?: boolean;
   /** The swept volumes of the last step, of what moved further than a quarter of its size. */
   motions?: boolean;
   /** Coordinates are relative to it. Default [0, 0]. */
@@ -187,6 +196,10 @@ export const DRAW_STYLES = [
   "colour 13",
   "colour 14",
   "colour 15",
+  "joint",
+  "joint axis",
+  "joint limit",
+  "joint force",
 ] as const;
 
 /** Views into wasm memory, valid until the next call of `debugDraw`. */

@@ -55,6 +55,8 @@ const DRAWN = [
   "stages",
   "colours",
   "manifolds",
+  "joints",
+  "jointForces",
 ] as const;
 
 export class WorldViews extends WorldQueries {
@@ -159,6 +161,9 @@ export class WorldViews extends WorldQueries {
       energyChange: s[StepErrorAt.energyChange],
       overlaps: s[StepErrorAt.overlaps],
       shortfall: s[StepErrorAt.shortfall],
+      jointGapMax: s[StepErrorAt.jointGapMax],
+      jointGapMean: s[StepErrorAt.jointGapMean],
+      jointAngleMax: s[StepErrorAt.jointAngleMax],
     };
   }
 

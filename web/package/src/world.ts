@@ -2,7 +2,7 @@
  * A world: bodies and shapes that advance in fixed steps. Handles are checked by the engine in
  * every call; a stale one throws, as does whatever is out of range, and nothing has changed then.
  * Built in layers, each in a file of its own: world-base (its life, time and settings),
- * world-queries, world-views (what is read of it), and here what is put into it.
+ * world-queries, world-views (what is read of it), world-joints, and here what is put into it.
  */
 import { ThudError } from "./error.js";
 import {
@@ -36,6 +36,7 @@ import {
   type CircleOptions,
   type Foot,
   type Ground,
+  type JointId,
   type ObbOptions,
   SHAPE_KINDS,
   type ShapeId,
@@ -45,7 +46,7 @@ import {
   type Terrain,
   type Vec2,
 } from "./types.js";
-import { WorldViews } from "./world-views.js";
+import { WorldJoints } from "./world-joints.js";
 
 const TERRAIN_KINDS = ["flat", "uniform", "irregular"] as const;
 const TERRAINS = {
@@ -61,7 +62,7 @@ const SOLIDS = {
   obb: [...FORMS.obb, "offset"],
 };
 
-export class World extends WorldViews {
+export class World extends WorldJoints {
   // ---- bodies ----
 
   /**
@@ -79,20 +80,18 @@ export class World extends WorldViews {
   }
 
   /**
-   * Removes a body with its shapes, or one shape.
+   * Removes a body with its shapes and joints, or one shape, or one joint.
    * @example world.destroy(ball)
    */
-  destroy(id: BodyId | ShapeId): void {
-    const { exports } = this.engine;
-    const destroy = id.kind === "body" ? exports.api_body_destroy : exports.api_shape_destroy;
+  destroy(id: BodyId | ShapeId | JointId): void {
+    const destroy = this.engine.exports[`api_${id.kind}_destroy`];
     this.engine.check(destroy(this.address, id.index + 1, id.generation));
-    this.shapesRevision++;
+    if (id.kind !== "joint") this.shapesRevision++;
   }
 
-  /** False once it was destroyed. */
-  isValid(id: BodyId | ShapeId): boolean {
-    const { exports } = this.engine;
-    const isValid = id.kind === "body" ? exports.api_body_is_valid : exports.api_shape_is_valid;
+  /** False once it was destroyed, or broke. */
+  isValid(id: BodyId | ShapeId | JointId): boolean {
+    const isValid = this.engine.exports[`api_${id.kind}_is_valid`];
     return isValid(this.address, id.index + 1, id.generation) !== 0;
   }
 

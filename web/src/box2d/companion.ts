@@ -6,7 +6,7 @@
 import type { Vec2 } from "thud";
 import type { Box2DSample, Compared } from "../scene/frame";
 import { messageOf } from "../shared/error";
-import { type Blast, explode, type Pull, pull } from "../worker/hands";
+import { type Blast, explode } from "../worker/hands";
 import type { Box2DRequest } from "../worker/protocol";
 import type { Companion, Session } from "../worker/session";
 import type { Watched } from "../worker/watch";
@@ -92,10 +92,6 @@ export class Box2DCompanion implements Companion {
     this.known.apart(act);
   }
 
-  pull(held: Pull): void {
-    this.#use(({ box2dWorld }) => pull(box2dWorld, held, this.session.lengthScale));
-  }
-
   explode(blast: Blast): void {
     this.#use(({ box2dWorld }) => {
       const bodies = box2dWorld.within(blast.x, blast.y, blast.radius);
@@ -112,11 +108,14 @@ export class Box2DCompanion implements Companion {
       const { box2dWorld, since } = pair;
       const milliseconds = box2dWorld.step();
       const { awakeBodies: awake, origin } = box2dWorld;
-      const sample: Box2DSample = { milliseconds, awake, since, origin };
+      const { gears } = box2dWorld;
+      const sample: Box2DSample = { milliseconds, awake, since, origin, gears };
       const { step } = this.session;
       if (step < pair.nextComparison) return sample;
       const start = performance.now();
       const compared = { thud: this.#measureWorld(pair), box2d: measureBox2D(pair) };
+      const [ours, theirs] = box2dWorld.jointGaps();
+      if (ours) [compared.thud.jointGap, compared.box2d.jointGap] = [ours, theirs];
       const pause = Math.ceil((performance.now() - start) / COMPARING);
       pair.nextComparison = step + Math.min(LONGEST, Math.max(1, pause));
       return { ...sample, compared };

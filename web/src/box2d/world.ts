@@ -9,21 +9,19 @@
 import type {
   BodyId,
   BodyState,
+  JointId,
   ShapeId,
   ShapeState,
   Terrain,
   Vec2,
   World,
 } from "thud";
-import type {
-  b2BodyId,
-  b2ChainId,
-  b2ShapeId,
-  b2Vec2,
-  b2WorldId,
-} from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
+import type { b2BodyId, b2Vec2, b2WorldId } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
 import type { Hands, Held } from "../worker/hands";
 import type { Known } from "../worker/watch";
+import { type Entry, weigh } from "./entry";
+import type { Gap } from "./joint-gap";
+import { Joints } from "./joints";
 import type { Box2D } from "./load";
 import { type Common, createWorld, makeBody, makeChain, makeShape } from "./make";
 import { Mirror, type Twin } from "./mirror";
@@ -42,34 +40,17 @@ export interface Box2DOptions extends Partial<Known> {
   contactHertz?: number;
 }
 
-type Made = { shape: b2ShapeId } | { chain: b2ChainId };
-
-interface Weight {
-  mass: number;
-  /** About the centre of mass; 0 if it cannot turn. */
-  inertia: number;
-  /** Centre of mass in the body's frame. */
-  center: Vec2;
-}
-
-interface Entry {
-  id: BodyId;
-  body: b2BodyId;
-  kind: BodyState["kind"];
-  turns: boolean;
-  gravityScale: number;
-  /** By the index of the shape. */
-  made: Map<number, Made>;
-  /** Null after its shapes changed. */
-  weight: Weight | null;
-}
-
 export class Box2DWorld implements Hands, Twin {
   readonly #source: World;
   readonly #settings: Box2DOptions;
   readonly #common: Common;
   readonly #world: b2WorldId;
   readonly #mirror: Mirror;
+  readonly #joints: Joints;
+  /** Bodies without shapes, which joints have. */
+  readonly #bare = new Map<number, BodyId>();
+  /** A body came, whose joints may have been waiting for it. */
+  #cameBody = false;
   readonly #moves: Moves;
   /** By slot of the thud world. */
   readonly #entries = new Map<number, Entry>();
@@ -102,8 +83,9 @@ export class Box2DWorld implements Hands, Twin {
     this.#world = createWorld(this.#common, options, settings.contactHertz);
     this.#moves = new Moves(box2d);
     this.#mirror = new Mirror(source, this);
+    this.#joints = new Joints(this.#common, source, this.#world, (id) => this.#bodyOf(id));
     this.#changes = settings.changes?.();
-    this.#mirror.sync();
+    this.#follow();
   }
 
   /** Frees everything. It must not be used afterwards. */
@@ -130,9 +112,29 @@ export class Box2DWorld implements Hands, Twin {
    */
   sync(): void {
     const changes = this.#settings.changes?.();
-    if (changes === undefined || changes !== this.#changes) this.#mirror.sync();
+    if (changes === undefined || changes !== this.#changes) this.#follow();
     this.#changes = changes;
     for (const entry of this.#entries.values()) if (entry.kind === "kinematic") this.#steer(entry);
+  }
+
+  #follow(): void {
+    this.#cameBody = false;
+    this.#mirror.sync();
+    for (const id of this.#bare.values()) if (!this.#source.isValid(id)) this.removeBody(id);
+    if (this.#cameBody) this.#joints.touchAll();
+    this.#joints.follow();
+  }
+
+  /** Null of one that is switched off. */
+  #bodyOf(id: BodyId): b2BodyId | null {
+    if (!this.isValid(id)) {
+      const state = this.#source.bodyState(id);
+      if (!state.enabled) return null;
+      this.addBody(id, state);
+      this.finishBody(id, state);
+      this.#bare.set(id.index, id);
+    }
+    return this.#entry(id).body;
   }
 
   #steer({ id }: Entry): void {
@@ -156,6 +158,7 @@ export class Box2DWorld implements Hands, Twin {
     this.#moves.read(this.#world);
     for (let i = 0; i < this.#moves.count; i++)
       this.#moves.copyPose(i, this.#places.now, 4 * this.#slots[this.#moves.index1(i)]);
+    this.#joints.breakThem();
     return milliseconds;
   }
 
@@ -191,9 +194,20 @@ export class Box2DWorld implements Hands, Twin {
     return [kinetic, potential];
   }
 
-  /** Bodies that Box2D has. */
+  /** The joint that is open the most, in thud's poses and in Box2D's. */
+  jointGaps(): Gap[] {
+    const [x, y] = this.origin;
+    return this.#joints.gaps([this.#source.poses(1, x, y).slice(), this.poses(1, x, y)]);
+  }
+
+  /** Gears of the thud world, which Box2D does not have. */
+  get gears(): number {
+    return this.#joints.gears.size;
+  }
+
+  /** Bodies that Box2D has, but for those without shapes. */
   get bodies(): number {
-    return this.#entries.size;
+    return this.#entries.size - this.#bare.size;
   }
 
   get awakeBodies(): number {
@@ -279,6 +293,10 @@ export class Box2DWorld implements Hands, Twin {
     this.#box2d.b2World_EnableSleeping(this.#world, sleeping);
   }
 
+  touchJoint(joint: JointId): void {
+    this.#joints.touch(joint);
+  }
+
   #withMetres([x, y]: Vec2, use: (vector: b2Vec2) => void): void {
     const { unit } = this.#common;
     this.#withVector([x / unit, y / unit], use);
@@ -304,7 +322,7 @@ export class Box2DWorld implements Hands, Twin {
   #held(entry: Entry): Held {
     const { unit } = this.#common;
     const [x, y, c, s] = this.#places.pose(entry.id.index);
-    const { mass, inertia } = (entry.weight ??= this.#weigh(entry));
+    const { mass, inertia } = (entry.weight ??= weigh(this.#common, entry));
     const velocity = this.#box2d.b2Body_GetLinearVelocity(entry.body);
     const [vx, vy] = [velocity.x * unit, velocity.y * unit];
     velocity.delete();
@@ -322,26 +340,16 @@ export class Box2DWorld implements Hands, Twin {
 
   #centerOf(entry: Entry): Vec2 {
     const [x, y, c, s] = this.#places.pose(entry.id.index);
-    const { center } = (entry.weight ??= this.#weigh(entry));
+    const { center } = (entry.weight ??= weigh(this.#common, entry));
     return [x + c * center[0] - s * center[1], y + s * center[0] + c * center[1]];
-  }
-
-  #weigh({ body, turns }: Entry): Weight {
-    const { unit } = this.#common;
-    const data = this.#box2d.b2Body_GetMassData(body);
-    const { mass, rotationalInertia, center } = data;
-    const weight: Weight = {
-      mass,
-      inertia: turns ? rotationalInertia * unit * unit : 0,
-      center: [center.x * unit, center.y * unit],
-    };
-    data.delete();
-    return weight;
   }
 
   // ---- Twin ----
 
   addBody(id: BodyId, state: BodyState): void {
+    // It had no shapes before.
+    if (this.isValid(id)) return void this.#bare.delete(id.index);
+    this.#cameBody = true;
     const options = this.#settings.bodyOptions?.(id) ?? {};
     const body = makeBody(this.#common, this.#world, state, options);
     this.#entries.set(id.index, {
@@ -383,6 +391,8 @@ export class Box2DWorld implements Hands, Twin {
   }
 
   removeBody(body: BodyId): void {
+    this.#joints.forget(body);
+    this.#bare.delete(body.index);
     this.#box2d.b2DestroyBody(this.#entry(body).body);
     this.#entries.delete(body.index);
     this.#places.remove(body.index);

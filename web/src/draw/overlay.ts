@@ -1,5 +1,5 @@
 /**
- * What lies over the bodies: the engine's debug drawing, Minkowski sums, a scene's marks, the body
+ * What lies over the bodies: joints, the engine's debug drawing, Minkowski sums, a scene's marks, the body
  * that is held, the line that pulls it, and which engine a pane shows.
  */
 import type { Vec2 } from "thud";
@@ -9,6 +9,7 @@ import type { Mark } from "../scene/scene";
 import { CIRCLE, HALF, OFFSET, ROW, SHAPE, SLOT, TURN } from "../scene/shape-table";
 import type { Camera, Pane } from "./camera";
 import { drawLists } from "./debug";
+import type { Joints } from "./joints";
 import { drawLabels } from "./labels";
 import { Layer } from "./layer";
 import { drawMarks } from "./marks";
@@ -21,6 +22,10 @@ export interface OverlayPicture {
   frame: Frame;
   shapes: Shapes | null;
   poses: Poses;
+  /** In a pane of its own, of another engine. */
+  otherPoses: Poses | null;
+  joints: Joints | null;
+  bearings?: Float32Array;
   marks: readonly Mark[];
   /** The slot of a body to be outlined. */
   held: number | null;
@@ -46,16 +51,21 @@ export class Overlay {
     theme: Theme,
     on: ReadonlySet<OverlayName>,
   ): void {
-    const { frame, shapes, poses, marks, held, split } = picture;
+    const { frame, shapes, poses, otherPoses, joints, bearings, marks, held, split } = picture;
     const { drawing, sums, pull } = frame;
-    const empty =
-      !drawing && !sums?.length && !pull && marks.length === 0 && held === null && split === "none";
+    const still = !drawing && !sums?.length && !pull && !joints;
+    const empty = still && marks.length === 0 && held === null && split === "none";
     if (empty && this.#clean) return;
     this.#layer.clear();
     this.#clean = empty;
     if (empty) return;
-    const [pane] = camera.panes;
+    const [pane, otherPane] = camera.panes;
+    if (joints && otherPoses)
+      this.#layer.inPane(otherPane, (context) =>
+        joints.draw(context, camera, otherPane, theme.joints, otherPoses),
+      );
     this.#layer.inPane(pane, (context) => {
+      joints?.draw(context, camera, pane, theme.joints, poses, bearings);
       const [originX, originY] = camera.toScreen(...frame.origin, pane);
       context.translate(originX, originY);
       if (drawing) drawLists(context, drawing, camera.scale, theme, on);

@@ -29,9 +29,24 @@ export interface Theme {
   readonly halo: string;
   /** By the name of the engine's drawing style; others get a colour of their own. */
   readonly styles: Readonly<Record<string, string>>;
+  readonly joints: JointInks;
   /** A Minkowski sum without and with overlap. */
   readonly sum: string;
   readonly sumOverlapping: string;
+}
+
+/** What bodies are tied with. */
+export interface JointInks {
+  /** Rods, pins, plates and rails, and what sets them off from any body. */
+  readonly metal: string;
+  readonly edge: string;
+  readonly rope: string;
+  readonly spring: string;
+  readonly gear: string;
+  /** A rubber band, what is open, and how hard it pulls. */
+  readonly band: string;
+  readonly open: string;
+  readonly force: string;
 }
 
 /** Moving bodies, from the first one created to the last. */
@@ -90,6 +105,19 @@ export const DARK: Theme = {
     depth: "#ff6b6b",
     impulse: "#7cf5c4",
     motion: "#f78fb3",
+    joint: "rgba(226, 234, 247, 0.7)",
+    "joint axis": "#7dd3fc",
+    "joint limit": "#ffd166",
+  },
+  joints: {
+    metal: "#dbe4f2",
+    edge: "#0f1521",
+    rope: "#e6c68f",
+    spring: "#8fd8ff",
+    gear: "rgba(226, 234, 247, 0.55)",
+    band: "#ff9468",
+    open: "#ff5f7a",
+    force: "#7cf5c4",
   },
   sum: "#7cf5c4",
   sumOverlapping: "#ff8fa3",
@@ -138,6 +166,19 @@ export const LIGHT: Theme = {
     depth: "#c92a2a",
     impulse: "#087f5b",
     motion: "#c2255c",
+    joint: "rgba(27, 34, 48, 0.7)",
+    "joint axis": "#0264aa",
+    "joint limit": "#a35200",
+  },
+  joints: {
+    metal: "#2b3546",
+    edge: "#fbfaf7",
+    rope: "#7a4f16",
+    spring: "#14599c",
+    gear: "rgba(27, 34, 48, 0.6)",
+    band: "#b8431f",
+    open: "#c8102e",
+    force: "#087f5b",
   },
   sum: "#087f5b",
   sumOverlapping: "#d6336c",

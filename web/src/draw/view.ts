@@ -10,6 +10,7 @@ import { Backdrop } from "./backdrop";
 import { Bodies, type RendererChange } from "./bodies";
 import { Camera } from "./camera";
 import { smoothFollow, smoothMarks } from "./marks";
+import type { Joints } from "./joints";
 import { Overlay } from "./overlay";
 import { DARK, LIGHT, type Theme } from "./palette";
 import type { Poses } from "./poses";
@@ -42,6 +43,10 @@ export class View {
   #frame: Frame | null = null;
   #shapes: Shapes | null = null;
   #awake: Uint8Array | null = null;
+  /** Brought by the first joints. */
+  #joints: Joints | null = null;
+  #jointRows: Float32Array | null = null;
+  #bearings: Float32Array | undefined;
   /** Whether the bodies' colours showed sleep last. */
   #sleepShown = false;
   #stale = true;
@@ -95,6 +100,17 @@ export class View {
     }
     this.#stale ||= differs(this.#awake, frame.awake);
     this.#awake = frame.awake ?? this.#awake;
+    if (frame.joints) this.#setJoints(frame.joints);
+    this.#bearings = frame.bearings ?? this.#bearings;
+  }
+
+  #setJoints(rows: Float32Array): void {
+    if (!this.#jointRows && rows.length > 0 && !this.#joints)
+      void import("./joints").then(({ Joints }) => {
+        this.#joints = new Joints();
+        this.#stale = true;
+      });
+    this.#jointRows = rows.length > 0 ? rows : null;
   }
 
   /** `alpha` from 0, the frame's `before`, to 1, its `now`. */
@@ -113,13 +129,16 @@ export class View {
     const { renderer } = this.#bodies;
     const offset = [frame.origin[0] - camera.x, frame.origin[1] - camera.y] as const;
     const { before, now, box2d } = frame;
+    let otherPoses: Poses | null = null;
     const poses: Poses = { engine: "thud", before, now, alpha, offset };
     renderer.clear();
     renderer.draw(poses, camera, panes[0], { kind: "state" });
     if (box2d && split !== "none") {
       const others: Poses = { ...poses, engine: "box2d", before: box2d.before, now: box2d.now };
-      if (split === "side") renderer.draw(others, camera, panes[1], { kind: "plain" });
-      else {
+      if (split === "side") {
+        otherPoses = others;
+        renderer.draw(others, camera, panes[1], { kind: "plain" });
+      } else {
         const look = { kind: "outline", colour: this.#theme.box2d } as const;
         renderer.draw(others, camera, panes[0], look);
       }
@@ -128,9 +147,12 @@ export class View {
     const marks = frame.paint
       ? smoothMarks(this.#paint?.paint ?? null, frame.paint, this.#part(alpha))
       : [];
-    const picture = {
-      frame, shapes: this.#shapes, poses, marks, held: options.held, split,
-    };
+    const joints = this.#jointRows && this.#joints;
+    joints?.set(this.#jointRows!, this.#shapes);
+    const bearings = this.shown.has("joints") ? this.#bearings : undefined;
+    const { held } = options;
+    const shapes = this.#shapes;
+    const picture = { frame, shapes, poses, otherPoses, joints, bearings, marks, held, split };
     this.#overlay.draw(picture, camera, this.#theme, this.shown);
   }
 
@@ -149,6 +171,8 @@ export class View {
   #forget(): void {
     this.#shapes = null;
     this.#awake = null;
+    this.#jointRows = null;
+    this.#bearings = undefined;
     this.#backdrop.setTerrains([]);
     this.#bodies.setShapes(NOTHING);
     this.#stale = true;

@@ -246,10 +246,7 @@ export class App {
   }
 
   #stop(trouble: Trouble, running: boolean): void {
-    if (running && !this.state.paused) {
-      this.setPaused(true);
-      this.#halted = true;
-    }
+    if (running && !this.state.paused) this.#stand(true, true);
     this.#tell((listener) => listener.trouble?.(trouble, running));
   }
 
@@ -276,8 +273,12 @@ export class App {
   }
 
   setPaused(paused: boolean): void {
+    this.#stand(paused, false);
+  }
+
+  #stand(paused: boolean, halted: boolean): void {
     this.state.paused = this.player.paused = paused;
-    this.#halted = false;
+    this.#halted = halted;
     if (paused) this.player.settle();
     this.chosen();
   }
@@ -287,7 +288,9 @@ export class App {
     this.#tell((listener) => listener.state?.(this.state));
     const number = ++this.#addresses;
     const code = this.state.code ?? this.offeredCode;
-    void writeState({ ...this.state, code }).then((address) => {
+    // What an error stopped runs when the page is loaded again.
+    const paused = this.state.paused && !this.#halted;
+    void writeState({ ...this.state, code, paused }).then((address) => {
       if (number === this.#addresses && !this.#left) this.#write(address);
     });
   }

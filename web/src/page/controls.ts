@@ -28,6 +28,7 @@ const OVERLAY_KEYS: Readonly<Record<OverlayName, readonly [cap: string, what: st
   motions: ["M", "swept volumes"],
   colours: ["J", "solver colours"],
   sums: ["Y", "Minkowski sums"],
+  joints: [";", "joints: forces, and what is open"],
   impulses: ["U", "depths and impulses"],
 };
 

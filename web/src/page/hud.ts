@@ -20,6 +20,7 @@ const VALUES = [
     `99 of 100 of the last 120 steps were quicker; a scene’s first ${START_UP} do not count.`,
   ],
   ["deepest", "overlap", "How deep the worst pair of bodies overlaps, in world units."],
+  ["gap", "joint gap", "How far the joint that is open the most is open, in world units."],
   ["bodies", "bodies", "All bodies in the world, those that never move included."],
   ["awake", "awake", "Bodies that are simulated. Those that rest sleep, at next to no cost."],
   ["contacts", "contacts", "Pairs of shapes that touch."],
@@ -50,6 +51,7 @@ export class Hud {
         .querySelector("dl")!
         .append(make("div", { title, class: name }, make("dt", {}, label), value));
     }
+    this.#showGap();
     this.#canvas.title = COURSE_TITLE;
     byId("legend").append(
       ...VALUES.map(([, label, title]) => legendRow(label, title)),
@@ -89,6 +91,7 @@ export class Hud {
     this.#put("ms", this.#times.length > 0 ? duration(middle) : "–");
     this.#put("slowest", counted.length > 0 ? duration(percentile(counted, 0.99)) : "–");
     this.#put("deepest", length(error.penetrationMax));
+    this.#showGap();
     this.#put("bodies", count(stats.bodies));
     this.#put("awake", count(stats.awakeBodies));
     this.#put("contacts", count(stats.contacts));
@@ -96,6 +99,13 @@ export class Hud {
     this.#root.dataset.over = String(middle > BUDGET);
     this.#pictures = this.#seconds = this.#sinceRefresh = 0;
     this.#drawCourse();
+  }
+
+  /** Only where there are joints. */
+  #showGap(): void {
+    const gaps = this.#frame?.gaps;
+    this.#values.get("gap")!.parentElement!.hidden = !gaps;
+    if (gaps) this.#put("gap", length(gaps.worst));
   }
 
   #put(name: ValueName, text: string): void {

@@ -109,6 +109,9 @@ export class Player {
 function handOver(passed: Frame, next: Frame): void {
   next.shapes ??= passed.shapes;
   next.terrains ??= passed.terrains;
+  // What joints bear follows the joints that they came with.
+  if (!next.joints) next.bearings ??= passed.bearings;
+  next.joints ??= passed.joints;
   // Awake flags follow the rows of the shapes that they came with.
   if (next.shapes === passed.shapes || !next.shapes) next.awake ??= passed.awake;
 }

@@ -4,6 +4,7 @@
  * display, whatever the step is.
  */
 import type { Stats, StepError, Terrain, Vec2 } from "thud";
+import type { Gaps } from "./joint-rows";
 import type { Paint } from "./scene";
 
 export interface Frame {
@@ -24,6 +25,12 @@ export interface Frame {
   /** The engine's debug drawing, relative to `origin`, when asked for. */
   drawing?: Drawing;
   sums?: Sum[];
+  /** When joints came, went or were set: JOINT numbers each, as joint-rows.ts has them. */
+  joints?: Float32Array;
+  /** Of each of the last joints how far it is open and what it bears, BEARING numbers; if asked for. */
+  bearings?: Float32Array;
+  /** While there are joints. */
+  gaps?: Gaps;
   /** The line from a held body to the pointer. */
   pull: readonly [Vec2, Vec2] | null;
   paint: Paint | null;
@@ -62,6 +69,8 @@ export interface Box2DSample {
   since: number;
   /** Where in the world it has its own origin. */
   origin: Vec2;
+  /** Of the scene's joints, which it has not. */
+  gears: number;
   /** Both engines after this step, by the same code; every few steps where that takes long. */
   compared?: { thud: Compared; box2d: Compared };
 }
@@ -73,6 +82,8 @@ export interface Compared {
   energy: number;
   /** Those that have shapes. */
   bodies: number;
+  /** Of the joint that is open the most: a length, and radians; where there are joints. */
+  jointGap?: readonly [length: number, angle: number];
 }
 
 /** Copies of DrawLists. */

@@ -13,5 +13,6 @@ export const OVERLAYS = [
   "colours",
   "sums",
   "impulses",
+  "joints",
 ] as const;
 export type OverlayName = (typeof OVERLAYS)[number];

@@ -231,6 +231,12 @@ export interface Paint {
    * @example message: "You won."
    */
   message?: string;
+  /**
+   * Words on the keys' buttons in place of arrows. Such buttons are there beside a keyboard too, and
+   * those without a word are not.
+   * @example buttons: { left: "Undo", fire: "Drive" }
+   */
+  buttons?: KeyWords;
 }
 
 /**

@@ -39,7 +39,7 @@ export function checkScene(scene: Scene): void {
 }
 
 export function checkPaint(paint: Paint): void {
-  const { follow, marks = [], figures = [], message = "" } = paint;
+  const { follow, marks = [], figures = [], message = "", buttons = {} } = paint;
   if (follow !== undefined && !isPlace(follow)) wrong("paint: follow is a place: follow: [x, y]");
   if (!Array.isArray(marks)) wrong("paint: marks is a list of marks.");
   if (!Array.isArray(figures)) wrong("paint: figures is a list of { label, value }.");
@@ -48,6 +48,9 @@ export function checkPaint(paint: Paint): void {
     if (typeof figure?.label !== "string" || typeof figure.value !== "string")
       wrong("paint: a figure has two texts: { label: \"Score\", value: \"3\" }");
   if (typeof message !== "string") wrong("paint: message is a text.");
+  for (const [name, word] of Object.entries(buttons))
+    if (!KEY_NAMES.includes(name as KeyName) || typeof word !== "string")
+      wrong('paint: buttons has a word for each key: buttons: { fire: "Drive" }');
 }
 
 function checkMark(mark: Mark): void {

@@ -4,8 +4,8 @@
  */
 import type { BodyId, Vec2, World } from "thud";
 import type { KeyName } from "../scene/scene";
-import type { Blast, Pull } from "./hands";
-import { bodyInSlot, groundLines } from "./lookup";
+import type { Blast } from "./hands";
+import { groundLines } from "./lookup";
 import type { Choices } from "./protocol";
 
 /** What can be chosen for a world that runs. */
@@ -22,22 +22,6 @@ export type Command =
   | { kind: "keys"; held: Readonly<Record<KeyName, boolean>> }
   | { kind: "pointer"; x: number; y: number; down: boolean }
   | ({ kind: "choose" } & Adjustment);
-
-/** Null if no body has the slot any more. */
-export function takeHold(
-  world: World,
-  { slot, anchor, x, y }: Extract<Command, { kind: "grab" }>,
-): Pull | null {
-  const body = bodyInSlot(world, slot);
-  return body && { body, anchor, target: [x, y] };
-}
-
-/** Whether there is still something to be pulled. */
-export function canPull(world: World, { body }: Pull): boolean {
-  if (!world.isValid(body)) return false;
-  const { kind, enabled, quarantined } = world.bodyState(body);
-  return kind === "dynamic" && enabled && !quarantined;
-}
 
 /** A new body; its size and angle vary a little with the number that exist. */
 export function spawn(

@@ -1,17 +1,31 @@
 /** Makes the frames that the page draws: copies of what the world has, and only of what is new. */
-import type { StepError, World } from "thud";
+import type { Stats, StepError, World } from "thud";
 import type { Drawing, Frame, PlacedTerrain, Shapes, Sum } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import { BODY, DYNAMIC, HALF, ROW, SHAPE, SLOT, TERRAIN } from "../scene/shape-table";
 import { checkPaint } from "./check";
 import { inWorld } from "./hands";
+import type { JointFrames } from "./joint-frames";
 import { groundLines } from "./lookup";
 import type { Look } from "./protocol";
 import type { Session } from "./session";
 import { sumsOfBody, sumsOfPairs } from "./sums";
+import { knownOf } from "./watch";
 
 /** Sleeping bodies are looked for this often, in steps. */
 const AWAKE_EVERY = 6;
+
+/** Brought by the first joint. */
+let jointReader: typeof JointFrames | null = null;
+
+async function bringJoints(): Promise<void> {
+  jointReader = (await import("./joint-frames")).JointFrames;
+}
+
+/** Before the first frame of a world, which may be the only one for long. */
+export async function readyFor(world: World): Promise<void> {
+  if (knownOf(world)?.tied && !jointReader) await bringJoints();
+}
 
 export class Frames {
   #shapeRevision = -1;
@@ -24,6 +38,7 @@ export class Frames {
   #step = 0;
   /** The last step of which the page knows who sleeps. */
   #awakeStep = 0;
+  #joints: JointFrames | null = null;
 
   constructor(private readonly session: Session) {}
 
@@ -46,7 +61,7 @@ export class Frames {
           ? [inWorld(world.bodyState(pull.body), pull.anchor), pull.target]
           : null,
       paint: session.paint,
-      stats: world.stats(),
+      stats: this.#stats(),
       error: this.#error(),
       samples,
       history: { first: session.history.first, last: session.history.last },
@@ -62,9 +77,18 @@ export class Frames {
     const on = new Set(look.overlays);
     frame.drawing = draw(world, look, on);
     if (on.has("sums")) frame.sums = this.#sums(look);
+    if (knownOf(world)?.tied) this.#addJoints(frame, standing, on.has("joints"));
     frame.box2d = session.companion?.poses(look.origin);
     frame.box2dTrouble = session.box2dTrouble ?? undefined;
     return frame;
+  }
+
+  /** The visitor's hand, which is a body too, is not counted. */
+  #stats(): Stats {
+    const { world, pull } = this.session;
+    const stats = world.stats();
+    if (pull) stats.bodies--;
+    return stats;
   }
 
   /** The step tells of what is awake: where some sleep, the others are looked at too. */
@@ -91,6 +115,12 @@ export class Frames {
     this.#terrainRevision = terrains;
   }
 
+  #addJoints(frame: Frame, standing: boolean, open: boolean): void {
+    if (jointReader) this.#joints ??= new jointReader(this.session);
+    else void bringJoints();
+    this.#joints?.add(frame, standing, open);
+  }
+
   /** What the scene is about, and the body that the visitor points at. */
   #sums({ origin, focus }: Look): Sum[] {
     const { world, scene } = this.session;
@@ -115,6 +145,8 @@ export function transferables(frame: Frame): ArrayBuffer[] {
     drawing?.shapes,
     drawing?.lines,
     drawing?.points,
+    frame.joints,
+    frame.bearings,
     box2d?.before,
     box2d?.now,
   ];
@@ -135,6 +167,7 @@ function draw(world: World, look: Look, on: ReadonlySet<OverlayName>): Drawing |
     manifolds: on.has("impulses"),
     motions: on.has("motions"),
     axes: on.has("axes"),
+    joints: on.has("joints"),
   };
   if (!Object.values(flags).includes(true)) return undefined;
   const { shapes, lines, points } = world.debugDraw({

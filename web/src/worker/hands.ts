@@ -16,14 +16,6 @@ export interface Hands {
   applyImpulse(body: BodyId, impulse: Vec2, point: Vec2): void;
 }
 
-export interface Pull {
-  body: BodyId;
-  /** Where it was taken, in the body's frame. */
-  anchor: Vec2;
-  /** The pointer. */
-  target: Vec2;
-}
-
 export interface Blast {
   x: number;
   y: number;
@@ -46,46 +38,6 @@ export interface Push {
   most: number;
   /** A body whose anchor is further than this from where it was met is not in the way. */
   reach: number;
-}
-
-/** How hard a pulled body follows, as speed per distance (1/s). */
-const PULL_RATE = 14;
-/** Largest change of speed per step by pulling, in length scales a second. */
-const PULL_LIMIT = 60;
-/** What is left of the spin after each step: a body on a short line swings for ever without. */
-const PULL_SPIN = 0.92;
-
-/**
- * An impulse at the anchor that gives it the speed of an exponential approach to the pointer:
- * J = K⁻¹·(wanted - actual), with K the inverse mass that the anchor has. It does not overshoot.
- * Before each step.
- */
-export function pull(hands: Hands, { body, anchor, target }: Pull, lengthScale = 1): void {
-  if (!hands.isValid(body)) return;
-  const state = hands.bodyState(body);
-  if (state.mass <= 0) return;
-  const point = inWorld(state, anchor);
-  const rx = point[0] - state.center[0];
-  const ry = point[1] - state.center[1];
-  const inverseMass = 1 / state.mass;
-  const inverseInertia = state.inertia > 0 ? 1 / state.inertia : 0;
-  const spin = state.angularVelocity;
-  let dx = (target[0] - point[0]) * PULL_RATE - (state.velocity[0] - spin * ry);
-  let dy = (target[1] - point[1]) * PULL_RATE - (state.velocity[1] + spin * rx);
-  const change = Math.hypot(dx, dy);
-  const most = PULL_LIMIT * lengthScale;
-  if (change > most) {
-    dx *= most / change;
-    dy *= most / change;
-  }
-  const kxx = inverseMass + inverseInertia * ry * ry;
-  const kyy = inverseMass + inverseInertia * rx * rx;
-  const kxy = -inverseInertia * rx * ry;
-  const determinant = kxx * kyy - kxy * kxy;
-  const impulse: Vec2 = [(kyy * dx - kxy * dy) / determinant, (kxx * dy - kxy * dx) / determinant];
-  hands.applyImpulse(body, impulse, point);
-  const after = hands.bodyState(body);
-  hands.setVelocity(body, after.velocity, after.angularVelocity * PULL_SPIN);
 }
 
 /**

@@ -1,5 +1,5 @@
 /** What the world knows of one body, for the card of a body that the visitor points at. */
-import type { BodyState, ShapeState, Vec2, World } from "thud";
+import type { BodyState, JointKind, ShapeState, Vec2, World } from "thud";
 import { shapesOf } from "./lookup";
 
 /** Plain data: everything that stands on the card. */
@@ -10,6 +10,21 @@ export interface BodyReport {
   state: BodyState;
   shapes: ShapeState[];
   contacts: Touch[];
+  joints: Tie[];
+}
+
+/** A joint of the body. */
+export interface Tie {
+  kind: JointKind;
+  /** The slot of the other body. */
+  other: number;
+  enabled: boolean;
+  /** By how much it is open, a length and radians. */
+  gap: number;
+  angleGap: number;
+  /** What it bears, without a direction. */
+  force: number;
+  torque: number;
 }
 
 /** A contact as seen from the body. */
@@ -48,5 +63,11 @@ export function inspect(world: World, step: number, slot: number): BodyReport | 
       direct,
     };
   });
-  return { step, slot, state: world.bodyState(body), shapes, contacts };
+  const joints = world.jointsOf(body).map((joint): Tie => {
+    const { kind, bodyA, bodyB, enabled, gap, angleGap, force, torque } = world.jointState(joint);
+    const other = (bodyA.index === slot ? bodyB : bodyA).index;
+    const bears = { force: Math.hypot(...force), torque: Math.abs(torque) };
+    return { kind, other, enabled, gap, angleGap, ...bears };
+  });
+  return { step, slot, state: world.bodyState(body), shapes, contacts, joints };
 }

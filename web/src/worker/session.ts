@@ -10,17 +10,10 @@ import {
   type Scene,
   type SceneSize,
 } from "../scene/scene";
-import {
-  type Adjustment,
-  canPull,
-  type Command,
-  dig,
-  reachedBy,
-  spawn,
-  takeHold,
-} from "./commands";
-import { type Blast, explode, type Pull, pull } from "./hands";
+import { type Adjustment, type Command, dig, reachedBy, spawn } from "./commands";
+import { type Blast, explode } from "./hands";
 import { History, type Moment } from "./history";
+import { aimHold, holds, letGo, moveHold, type Pull, takeHold } from "./hold";
 import type { Choices, Rerun, StateHash } from "./protocol";
 import { SceneError } from "./trouble";
 
@@ -37,7 +30,6 @@ export interface Companion {
   begin(): void;
   /** Does something to the world that it does to its own bodies in its own way. */
   apart(act: () => void): void;
-  pull(held: Pull): void;
   explode(blast: Blast): void;
   /** Just before the world's step: follows what the scene did. */
   sync(): void;
@@ -205,8 +197,8 @@ export class Session {
 
   #advance(companion: Companion | null): void {
     const hands = this.#hands;
-    if (hands.pull && !canPull(this.world, hands.pull)) hands.pull = null;
-    if (hands.pull) this.#pull(hands.pull);
+    if (hands.pull && !holds(this.world, hands.pull)) this.#release();
+    if (hands.pull) aimHold(this.world, hands.pull, this.lengthScale);
     this.scene.update?.({ step: this.step, held: hands.held, pointer: hands.pointer });
     companion?.sync();
     this.world.step();
@@ -219,13 +211,14 @@ export class Session {
     const hands = this.#hands;
     switch (command.kind) {
       case "grab":
-        hands.pull = takeHold(world, command);
+        this.#release();
+        hands.pull = takeHold(world, command, this.lengthScale);
         break;
       case "drag":
-        if (hands.pull) hands.pull.target = [command.x, command.y];
+        if (hands.pull) moveHold(world, hands.pull, [command.x, command.y]);
         break;
       case "release":
-        hands.pull = null;
+        this.#release();
         break;
       case "spawn":
         spawn(world, command);
@@ -249,9 +242,10 @@ export class Session {
     }
   }
 
-  #pull(held: Pull): void {
-    this.#apart(() => pull(this.world, held, this.lengthScale));
-    this.companion?.pull(held);
+  #release(): void {
+    const { pull } = this.#hands;
+    this.#hands.pull = null;
+    if (pull) letGo(this.world, pull);
   }
 
   /** By hand each engine's bodies are taken as they are there. */

@@ -10,6 +10,7 @@ import type {
   BodyId,
   BodyOptions,
   Engine,
+  JointId,
   Mover,
   MoverOptions,
   MoverReport,
@@ -25,6 +26,8 @@ export interface Known {
   options: WorldOptions;
   /** What its bodies were made with: their damping, sleep and detection count. */
   bodyOptions(body: BodyId): BodyOptions | undefined;
+  /** Whether there ever was a joint. */
+  readonly tied: boolean;
   /** Another number whenever bodies, shapes or ground changed. */
   changes(): number;
 }
@@ -34,7 +37,10 @@ export type Follower = Hands &
   Pick<
     World,
     "setTransform" | "applyForce" | "setAwake" | "setGravity" | "setTimeStep" | "setSleeping"
-  >;
+  > & {
+    /** A joint was made, set or destroyed. */
+    touchJoint(joint: JointId): void;
+  };
 
 export interface Watched extends Known {
   /** What is done to the thud world's bodies from now on is done to the follower's. Null ends it. */
@@ -67,6 +73,7 @@ export function watch(world: World, made: WorldOptions): Watched {
   const options = { ...made };
   const bodies = new Map<number, { body: BodyId; options: BodyOptions }>();
   let changes = 0;
+  let tied = false;
   let follower: Follower | null = null;
   /** A refused call throws before `then`, and changes nothing. */
   const after = <Name extends Watchable>(name: Name, then: Then<Name>) => {
@@ -85,6 +92,12 @@ export function watch(world: World, made: WorldOptions): Watched {
 
   for (const name of CHANGES) after(name, () => void changes++);
   after("createBody", (body, given = {}) => bodies.set(body.index, { body, options: given }));
+  after("createJoint", (joint) => {
+    tied = true;
+    follower?.touchJoint(joint);
+  });
+  for (const name of OF_JOINTS) after(name, (_, ...args) => follower?.touchJoint(args[0]));
+  after("destroy", (_, id) => id.kind === "joint" && follower?.touchJoint(id));
   after("setTransform", (_, id, ...pose) => onBody(id, (f) => f.setTransform(id, ...pose)));
   after("setVelocity", (_, id, ...speed) => onBody(id, (f) => f.setVelocity(id, ...speed)));
   after("applyImpulse", (_, id, ...impulse) => onBody(id, (f) => f.applyImpulse(id, ...impulse)));
@@ -108,6 +121,9 @@ export function watch(world: World, made: WorldOptions): Watched {
     bodyOptions(id) {
       const found = bodies.get(id.index);
       return found?.body.generation === id.generation ? found.options : undefined;
+    },
+    get tied() {
+      return tied;
     },
     changes: () => changes,
     forwardTo(other) {
@@ -160,7 +176,17 @@ function pushesOf(
   return [...pushes.values()];
 }
 
+const OF_JOINTS = [
+  "setDrive",
+  "setJointLength",
+  "setJointFrame",
+  "setJointBreaking",
+  "setJointEnabled",
+] as const;
+
 const CHANGES = [
+  ...OF_JOINTS,
+  "createJoint",
   "createCircle",
   "createAabb",
   "createObb",

@@ -4,7 +4,7 @@
  */
 import { type Engine, load } from "thud";
 import { Companions } from "./companions";
-import { Frames, transferables } from "./frames";
+import { Frames, readyFor, transferables } from "./frames";
 import { inspect } from "./inspect";
 import { importScene } from "./module";
 import type { Progress, QuestionName, Questions, SceneRequest, ToPage, ToWorker } from "./protocol";
@@ -42,6 +42,7 @@ const answers: Answers = {
   async run(request) {
     const run = ++runs;
     const next = await open(request, run);
+    await readyFor(next.world);
     if (run !== runs) {
       next.close();
       throw new Error("Another scene was asked for meanwhile.");

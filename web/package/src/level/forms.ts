@@ -221,13 +221,15 @@ export function addBody(
   y: number,
   degrees: number,
 ): void {
-  const { pixelsPerUnit: ppu, level, mapHeight } = reader;
+  const { pixelsPerUnit: ppu, level, mapHeight, placed } = reader;
   const { r: rotation } = turn(degrees);
   const unturned = rotation === 0 && (kind === "static" || body.fixedRotation === true);
-  const add = (px: number, py: number, angle: number, shapes: LevelShape[]) => {
+  const add = (px: number, py: number, turned: number, shapes: LevelShape[]) => {
+    const angle = 0 - turned * RADIANS;
     const fixed = shapes.some((shape) => shape.kind === "aabb") || body.fixedRotation;
     const position: Vec2 = [grid(px / ppu), grid((mapHeight - py) / ppu)];
     const userData = id === 0 ? undefined : id;
+    if (id !== 0 && !placed.has(id)) placed.set(id, { index: level.bodies.length, rotation: turned });
     level.bodies.push({ body: { ...body, fixedRotation: fixed, position, angle, userData }, shapes });
   };
   const shapes = forms.flatMap((f): LevelShape[] => {
@@ -241,7 +243,7 @@ export function addBody(
     const angle = 0 - f.rotation * RADIANS;
     return [{ kind: "obb", material, offset, halfWidth, halfHeight, angle }];
   });
-  if (shapes.length > 0) add(x, y, 0 - rotation * RADIANS, shapes);
+  if (shapes.length > 0) add(x, y, rotation, shapes);
   for (const { points, material, ground, x: fx, y: fy } of forms) {
     if (!points || (ground && !withGround)) continue;
     const inUnits = points.map(([px, py]): Vec2 => [px / ppu, 0 - py / ppu]);

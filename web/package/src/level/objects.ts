@@ -1,8 +1,10 @@
 /** Objects of a Tiled map: a body for each. Follows demo/level/objects.c. */
+import type { JointKind } from "../joint-types.js";
 import type { Layer, Reader } from "../level.js";
 import { addBody, DEGREES, FAR, readForms, settleForms, turn, turnForm } from "./forms.js";
+import { jointKind, readJoint } from "./joints.js";
 import { findTile, listTilesets, readTileForms, type Tileset } from "./tilesets.js";
-import { isRecord, type JsonRecord, readPhysics, Values } from "./values.js";
+import { isRecord, type Json, type JsonRecord, readPhysics, Values } from "./values.js";
 
 /** An object with what its template says. */
 interface Thing {
@@ -38,11 +40,15 @@ function readObject(reader: Reader, layer: Layer, object: JsonRecord): boolean {
     return false;
   }
   const plain = new Values(report, [...layer.chain, object], Math.floor(id), "");
-  report.noteUnknown(object, plain.object, "");
   const thing = resolve(reader, plain, object);
-  if (!thing) return false;
+  if (!thing) {
+    report.noteUnknown(object, plain.object, "", "any");
+    return false;
+  }
   const { json, links } = thing;
   const v = plain.within([...layer.chain, ...links]);
+  const joint = jointOf(v, json);
+  report.noteUnknown(object, plain.object, "", joint);
   const what = json.text !== undefined ? "a text" : json.capsule !== undefined ? "a capsule" : null;
   if (what) {
     v.complain("skip", `${what} cannot be modelled`);
@@ -52,6 +58,12 @@ function readObject(reader: Reader, layer: Layer, object: JsonRecord): boolean {
   const y = layer.oy + v.required(json, "y", -FAR, FAR);
   const degrees = v.optional(json, "rotation", 0, -DEGREES, DEGREES);
   if (v.bad) return false;
+  if (joint) {
+    readJoint(reader, v, json, joint, x, y, degrees);
+    return false;
+  }
+  if (jointKind(classOf(json)))
+    v.complain("note", "without a or b it is no joint, but what it is drawn as");
   if (json.gid !== undefined) return addTile(reader, layer, v, thing, x, y, degrees);
   if (json.point === true) readPoint(reader, v, json, x, y);
   else addShape(reader, v, json, x, y, degrees);
@@ -75,11 +87,20 @@ function resolve(reader: Reader, v: Values, object: JsonRecord): Thing | null {
   return { json: { ...own, ...object }, links: [own, object], tilesets };
 }
 
+/** The class of an object: `type`, but `class` in files of Tiled 1.9. */
+function classOf(object: JsonRecord): Json {
+  return typeof object.type === "string" ? object.type : object.class;
+}
+
+/** What joint an object is. A shape may be called a wheel, too: it is one if it says what it holds. */
+function jointOf(v: Values, object: JsonRecord): JointKind | null {
+  const refers = v.find("a") !== undefined || v.find("b") !== undefined;
+  return refers || object.point === true ? jointKind(classOf(object)) : null;
+}
+
 function readPoint(reader: Reader, v: Values, object: JsonRecord, x: number, y: number): void {
   const { pixelsPerUnit: ppu, mapHeight, level } = reader;
-  // `class` in Tiled 1.9.
-  const name = typeof object.type === "string" ? object.type : object.class;
-  if (name === "spawn") level.spawn = [x / ppu, (mapHeight - y) / ppu];
+  if (classOf(object) === "spawn") level.spawn = [x / ppu, (mapHeight - y) / ppu];
   else v.complain("note", "a point has no meaning here, unless its class is 'spawn'");
 }
 

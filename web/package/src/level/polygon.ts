@@ -20,10 +20,10 @@ function extent(points: Vec2[]): number {
 }
 
 /**
- * The rotation of (x, y), in degrees, by operations that every language has alike: from the nearest
+ * The rotation of (x, y), which is not (0, 0), in degrees, by operations that every language has alike: from the nearest
  * quarter turn each round takes off the sine of what is left, which triples the digits.
  */
-function direction(x: number, y: number): number {
+export function direction(x: number, y: number): number {
   const length = Math.sqrt(x * x + y * y);
   let degrees = Math.abs(x) >= Math.abs(y) ? (x > 0 ? 0 : 180) : y > 0 ? 90 : -90;
   for (let i = 0; i < 6; i++) {

@@ -155,7 +155,8 @@ function enter(around: JsonRecord, parent: string, child: XmlElement, depth: num
 function putTypedValue(property: JsonRecord): void {
   const { type, value } = property;
   if (typeof value !== "string") return;
-  if (type === "int" || type === "float") property.value = numberOf(value) ?? value;
+  // An object is told by its id.
+  if (type === "int" || type === "float" || type === "object") property.value = numberOf(value) ?? value;
   else if (type === "bool") property.value = value === "true";
 }
 

@@ -1,5 +1,7 @@
 /** Values of a Tiled map: fields of the format, and custom properties that objects inherit. */
+import type { JointKind } from "../joint-types.js";
 import type { BodyKind, BodyOptions, ShapeOptions } from "../types.js";
+import { jointKnows } from "./joints.js";
 
 export type Json = null | boolean | number | string | Json[] | JsonRecord | undefined;
 export interface JsonRecord {
@@ -48,10 +50,14 @@ export class Report {
     });
   }
 
-  /** Notes every property that means nothing: a misspelt name ought not to pass in silence. */
-  noteUnknown(json: JsonRecord, object: number, where: string): void {
+  /**
+   * Notes every property that means nothing to what the object is: a joint, none (null), or what
+   * may be either ("any"). A misspelt name ought not to pass in silence.
+   */
+  noteUnknown(json: JsonRecord, object: number, where: string, joint: JointKind | null | "any"): void {
+    const isShape = joint === null || joint === "any";
     for (const [name] of ownProperties(json)) {
-      if (KNOWN.has(name)) continue;
+      if ((isShape && KNOWN.has(name)) || (joint && jointKnows(joint, name))) continue;
       const place = object !== 0 ? "" : `${where}: `;
       this.add("note", object, `${place}property '${name}' has no meaning here`);
     }
@@ -108,9 +114,14 @@ export class Values {
     this.report.add(severity, this.object, place + text);
   }
 
-  #complain(name: string, what: string): void {
+  /** What it is about cannot be used. */
+  refuse(text: string): void {
     this.bad = true;
-    this.complain("skip", `${name} ${what}`);
+    this.complain("skip", text);
+  }
+
+  #complain(name: string, what: string): void {
+    this.refuse(`${name} ${what}`);
   }
 
   #checked(value: Json, name: string, low: number, high: number): number {

@@ -18,6 +18,8 @@ const CODES: Readonly<Record<string, KeyName>> = {
 export class Pad {
   #wanted = new Set<KeyName>();
   readonly #held = noKeys();
+  /** What the buttons say, as text; "" where they have arrows. */
+  #words = "";
   readonly #changed: (held: Readonly<Record<KeyName, boolean>>) => void;
 
   /** Heeds keys before the page's own do, while a scene wants them. */
@@ -32,7 +34,7 @@ export class Pad {
     // A click leaves no button in focus, where Space would press it again instead of playing, or of
     // pausing the scene.
     document.addEventListener("mousedown", (event) => {
-      const button = (event.target as HTMLElement).closest("#top button, #controls button");
+      const button = (event.target as HTMLElement).closest(":is(#top, #pad, #controls) button");
       if (button) event.preventDefault();
     });
     for (const button of byId("pad").querySelectorAll<HTMLElement>("[data-key]"))
@@ -43,12 +45,32 @@ export class Pad {
   show(keys: KeyWords): void {
     this.#letGo();
     this.#wanted = new Set(Object.keys(keys) as KeyName[]);
+    this.name();
     byId("pad").hidden = this.#wanted.size === 0;
     for (const button of byId("pad").querySelectorAll<HTMLElement>("[data-key]")) {
       const name = button.dataset.key as KeyName;
       button.hidden = !this.#wanted.has(name);
       button.ariaLabel = keys[name] ? `${name}: ${keys[name]}` : name;
     }
+  }
+
+  /** Words on the buttons, or none; true if buttons came or went by that. */
+  name(words?: KeyWords): boolean {
+    const text = words ? JSON.stringify(words) : "";
+    if (text === this.#words) return false;
+    const changed = (text === "") !== (this.#words === "");
+    this.#words = text;
+    const pad = byId("pad");
+    pad.toggleAttribute("data-words", text !== "");
+    for (const button of pad.querySelectorAll<HTMLElement>("[data-key]")) {
+      const name = button.dataset.key as KeyName;
+      const word = words?.[name];
+      if (word) button.dataset.word = button.ariaLabel = word;
+      else delete button.dataset.word;
+      // A finger that rests where a button goes no longer presses it.
+      if (words && !word) this.#hold(name, false);
+    }
+    return changed;
   }
 
   #nameOf({ code }: KeyboardEvent): KeyName | undefined {

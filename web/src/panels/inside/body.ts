@@ -5,29 +5,20 @@ import { byId, make } from "../../page/dom";
 import { isTouch } from "../../page/how";
 import { say } from "../../page/messages";
 import type { Hovered, Stage } from "../../page/stage";
-import type { BodyReport, Touch } from "../../worker/inspect";
+import type { BodyReport, Tie, Touch } from "../../worker/inspect";
 import { degreesText, fillList, numberText, placeText, type Row } from "./values";
 
 /** CSS pixels from the pointer to the card. */
 const AWAY = 16;
 
 const ALL_BITS = 0xffffffff;
-/** Rows that the list of contacts has. */
-const MOST_CONTACTS = 12;
+/** Rows that the lists of contacts and of joints have. */
+const MOST_ROWS = 12;
 const HOW = isTouch()
   ? "Tap a body to see its state."
   : "Point at a body to see its state; a click keeps it here. Q takes the body at the crosshair.";
-const CONTACT_HEAD = make(
-  "thead",
-  {},
-  make(
-    "tr",
-    {},
-    ...["Touches", "Points", "Depth", "Impulse", "Friction"].map((text) =>
-      make("th", { scope: "col" }, text),
-    ),
-  ),
-);
+const CONTACT_HEAD = headOf("Touches", "Points", "Depth", "Impulse", "Friction");
+const JOINT_HEAD = headOf("Tied to", "By", "Gap", "Turned", "Force", "Torque");
 
 export class BodyPart {
   readonly element: HTMLElement;
@@ -40,6 +31,7 @@ export class BodyPart {
   readonly #state = make("dl", { class: "facts", id: "body-state" });
   readonly #shapes = make("div");
   readonly #contacts = make("table", { id: "body-contacts" });
+  readonly #joints = make("table", { id: "body-joints" });
   readonly #release = make("button", { class: "wide" }, "Let go of it");
   #hovered: Hovered | null = null;
   #pinned: number | null = null;
@@ -58,6 +50,7 @@ export class BodyPart {
       this.#title,
       this.#hint,
       this.#state,
+      this.#joints,
       this.#contacts,
       this.#shapes,
       this.#release,
@@ -149,23 +142,28 @@ export class BodyPart {
     this.#release.hidden = this.#pinned === null;
     fillList(this.#state, rowsOf(report));
     this.#showContacts(report.contacts);
+    this.#showJoints(report.joints);
     this.#showShapes(report.shapes);
   }
 
   #showContacts(contacts: readonly Touch[]): void {
-    this.#contacts.hidden = contacts.length === 0;
-    const rows = contacts.slice(0, MOST_CONTACTS).map((touch) => {
-      const { other, points, depth, impulse, friction } = touch;
-      const texts = [String(points), ...[depth, impulse, friction].map(numberText)];
-      const cells = texts.map((text) => make("td", {}, text));
-      return make("tr", {}, make("th", { scope: "row" }, `body ${other}`), ...cells);
-    });
-    const more = contacts.length - rows.length;
-    this.#contacts.replaceChildren(
-      make("caption", { class: "quiet" }, more > 0 ? `And ${more} more.` : ""),
-      CONTACT_HEAD,
-      make("tbody", {}, ...rows),
-    );
+    const rows = contacts.map(({ other, points, depth, impulse, friction }) => [
+      `body ${other}`,
+      String(points),
+      ...[depth, impulse, friction].map(numberText),
+    ]);
+    fillTable(this.#contacts, CONTACT_HEAD, rows);
+  }
+
+  #showJoints(joints: readonly Tie[]): void {
+    const rows = joints.map(({ kind, other, enabled, gap, angleGap, force, torque }) => [
+      `body ${other}`,
+      enabled ? kind : `${kind}, off`,
+      numberText(gap),
+      degreesText(angleGap),
+      ...[force, torque].map(numberText),
+    ]);
+    fillTable(this.#joints, JOINT_HEAD, rows);
   }
 
   #showShapes(shapes: readonly ShapeState[]): void {
@@ -209,8 +207,28 @@ export class BodyPart {
     this.#release.hidden = true;
     this.#state.replaceChildren();
     this.#shapes.replaceChildren();
-    this.#contacts.hidden = true;
+    this.#contacts.hidden = this.#joints.hidden = true;
   }
+}
+
+function headOf(...texts: string[]): HTMLElement {
+  const cells = texts.map((text) => make("th", { scope: "col" }, text));
+  return make("thead", {}, make("tr", {}, ...cells));
+}
+
+/** Hidden where there is no row; the first cell of each is its head. */
+function fillTable(table: HTMLElement, head: HTMLElement, rows: readonly string[][]): void {
+  table.hidden = rows.length === 0;
+  const shown = rows.slice(0, MOST_ROWS).map(([first, ...others]) => {
+    const cells = others.map((text) => make("td", {}, text));
+    return make("tr", {}, make("th", { scope: "row" }, first), ...cells);
+  });
+  const more = rows.length - shown.length;
+  table.replaceChildren(
+    make("caption", { class: "quiet" }, more > 0 ? `And ${more} more.` : ""),
+    head,
+    make("tbody", {}, ...shown),
+  );
 }
 
 function wordsOf({ state }: BodyReport): string {

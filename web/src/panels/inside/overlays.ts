@@ -97,9 +97,22 @@ const GROUPS: readonly { title: string; overlays: readonly Text[] }[] = [
         ],
       },
       {
+        name: "joints",
+        title: "Joints",
+        about:
+          "Axes, limits and forces, of which the largest is the longest; a ring where one is open by " +
+          "more than a hundredth of a body.",
+        key: [
+          [style("joint axis"), "axis"],
+          [style("joint limit"), "limit"],
+          [(theme) => theme.joints.force, "force"],
+          [(theme) => theme.joints.open, "open"],
+        ],
+      },
+      {
         name: "islands",
         title: "Islands",
-        about: "Bodies that are joined by contacts have one colour.",
+        about: "Bodies that are joined by contacts or joints have one colour.",
         key: [[style("solved directly"), "solved directly"]],
       },
       {

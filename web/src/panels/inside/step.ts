@@ -5,7 +5,7 @@ import type { App } from "../../page/app";
 import { make } from "../../page/dom";
 import { percentile } from "../../shared/step-times";
 import type { Frame } from "../../scene/frame";
-import { bytesText, fillList, numberText } from "./values";
+import { bytesText, degreesText, fillList, numberText, type Row } from "./values";
 
 /** Steps that are kept. */
 const KEPT = 120;
@@ -186,6 +186,7 @@ export class StepPart {
       ["bisection’s speed limit", Number.isFinite(this.#limit) ? numberText(this.#limit) : "none"],
       ["deepest overlap", numberText(error.penetrationMax)],
       ["overlapping points", count(error.overlaps)],
+      ...jointRows(this.#frame!),
       ["memory of the world", bytesText(stats.bytes)],
       ["allocations in the step", count(stats.stepAllocations)],
     ]);
@@ -230,6 +231,16 @@ export class StepPart {
 
 function sum(times: Times): number {
   return times.reduce((a, b) => a + b, 0);
+}
+
+function jointRows({ gaps }: Frame): Row[] {
+  if (!gaps) return [];
+  return [
+    ["joints", count(gaps.joints)],
+    ["widest gap of a joint", numberText(gaps.worst)],
+    ["gap of joints, mean", numberText(gaps.mean)],
+    ["joint turned the furthest", degreesText(gaps.angle)],
+  ];
 }
 
 function islandsText({ directIslands, directBodies }: Stats): string {

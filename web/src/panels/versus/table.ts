@@ -10,6 +10,8 @@ interface Row {
   text(figures: Figures): string;
   /** Whether one of two is the better. */
   compare?(thud: Figures, box2d: Figures, lengthScale: number): Comparison | null;
+  /** Whether there is anything to tell; without it there is. */
+  shown?(figures: Figures): boolean;
 }
 
 const NOTHING = "–";
@@ -18,6 +20,32 @@ const ENERGY = new Intl.NumberFormat("en", {
   maximumSignificantDigits: 3,
   signDisplay: "exceptZero",
 });
+
+/** Of the joints that both engines have. */
+const JOINT_ROWS: readonly Row[] = [
+  {
+    label: "Joint gap now",
+    hint: "By how much the joint that is open the most is open, in the world’s unit",
+    text: ({ joints }) => depth(joints?.gap ?? 0),
+    compare: (thud, box2d, scale) =>
+      compareDepths(thud.joints?.gap ?? 0, box2d.joints?.gap ?? 0, scale),
+    shown: ({ joints }) => joints !== null,
+  },
+  {
+    label: "Joint gap, worst",
+    hint: "The widest gap of a joint since both began",
+    text: ({ joints }) => depth(joints?.ever ?? 0),
+    compare: (thud, box2d, scale) =>
+      compareDepths(thud.joints?.ever ?? 0, box2d.joints?.ever ?? 0, scale),
+    shown: ({ joints }) => joints !== null,
+  },
+  {
+    label: "Joint turned now",
+    hint: "By how much a joint is turned that lets its bodies not turn, or only so far",
+    text: ({ joints }) => `${(((joints?.angle ?? 0) * 180) / Math.PI).toFixed(2)}°`,
+    shown: ({ joints }) => joints !== null,
+  },
+];
 
 function rowsOf(fineClock: boolean): Row[] {
   const share = ({ typical }: Figures) =>
@@ -56,6 +84,7 @@ function rowsOf(fineClock: boolean): Row[] {
       text: ({ ever }) => depth(ever),
       compare: (thud, box2d, scale) => compareDepths(thud.ever, box2d.ever, scale),
     },
+    ...JOINT_ROWS,
     {
       label: "Energy since start",
       hint: "Change of kinetic and potential energy; only hands and motors may add any",
@@ -114,6 +143,8 @@ export class Table {
   /** The better of two stands out. Null: nothing has been measured. */
   show(figures: { [engine in Engine]: Figures } | null, lengthScale: number): void {
     this.#rows.forEach((row, i) => {
+      const shown = !row.shown || (figures !== null && row.shown(figures.thud));
+      this.element.tBodies[0].rows[i].hidden = !shown;
       const better =
         figures && row.compare?.(figures.thud, figures.box2d, lengthScale)?.better;
       for (const engine of ENGINES) {

@@ -28,6 +28,9 @@ export interface Figures {
   energyChange: number;
   bodies: number;
   awake: number;
+  /** Of the joint that is open the most: now a length and radians, and the length at worst. Null
+   * without joints. */
+  joints: { gap: number; angle: number; ever: number } | null;
 }
 
 /** Against simulated seconds; one array an engine, in the order of ENGINES. */
@@ -46,6 +49,7 @@ interface Sums {
   energy: number;
   bodies: number;
   awake: number;
+  joints: Figures["joints"];
 }
 
 export class Tally {
@@ -56,6 +60,8 @@ export class Tally {
   since: number | null = null;
   /** Box2D's origin in the world. */
   origin: Vec2 = [0, 0];
+  /** Of thud's, which Box2D has not. */
+  gears = 0;
   #counted = 0;
   #sums: { [engine in Engine]: Sums } = { thud: newSums(), box2d: newSums() };
 
@@ -65,6 +71,7 @@ export class Tally {
   clear(): void {
     this.since = null;
     this.origin = [0, 0];
+    this.gears = 0;
     this.#counted = 0;
     this.#sums = { thud: newSums(), box2d: newSums() };
     for (const course of [this.times, this.penetrations, this.energies]) {
@@ -79,6 +86,7 @@ export class Tally {
       if (box2d.since !== this.since) this.clear();
       this.since = box2d.since;
       this.origin = box2d.origin;
+      this.gears = box2d.gears;
       const seconds = step * timeStep;
       this.#sums.thud.awake = awake;
       this.#sums.box2d.awake = box2d.awake;
@@ -88,7 +96,7 @@ export class Tally {
   }
 
   figures(engine: Engine): Figures {
-    const { times, sum, count, now, ever, bodies, awake } = this.#sums[engine];
+    const { times, sum, count, now, ever, bodies, awake, joints } = this.#sums[engine];
     const some = times.length > 0;
     return {
       typical: !some ? null : this.fineClock ? percentile(times, 0.5) : mean(times),
@@ -99,6 +107,7 @@ export class Tally {
       energyChange: this.#energyChange(engine),
       bodies,
       awake,
+      joints,
     };
   }
 
@@ -122,13 +131,16 @@ export class Tally {
   #compare(seconds: number, compared: NonNullable<NonNullable<Sample["box2d"]>["compared"]>): void {
     for (const engine of ENGINES) {
       const sums = this.#sums[engine];
-      const { penetration, energy, bodies } = compared[engine];
+      const { penetration, energy, bodies, jointGap } = compared[engine];
       if (sums.count === 0) sums.firstEnergy = energy;
       sums.count++;
       sums.sum += penetration;
       sums.now = penetration;
       sums.ever = Math.max(sums.ever, penetration);
       Object.assign(sums, { energy, bodies });
+      const [gap, angle] = jointGap ?? [];
+      const widest = Math.max(sums.joints?.ever ?? 0, gap ?? 0);
+      sums.joints = gap === undefined ? null : { gap, angle: angle ?? 0, ever: widest };
     }
     const { thud, box2d } = compared;
     addTo(this.penetrations, seconds, [thud.penetration, box2d.penetration]);
@@ -138,7 +150,7 @@ export class Tally {
 
 function newSums(): Sums {
   const zeros = { now: 0, sum: 0, count: 0, ever: 0, firstEnergy: 0, energy: 0, bodies: 0 };
-  return { times: [], ...zeros, awake: 0 };
+  return { times: [], ...zeros, awake: 0, joints: null };
 }
 
 function newCourse(): Course {

@@ -15,7 +15,7 @@ import { askForBox2D, endBox2D } from "../box2d-wish";
 import { engineColour, Plots, themeNow } from "./plots";
 import { Table } from "./table";
 import { ENGINES, Tally } from "./tally";
-import { MEANING, movedText, verdict } from "./words";
+import { gearsText, MEANING, movedText, verdict } from "./words";
 
 /** Milliseconds between two showings: courses run, figures must be readable. */
 const PLOTS_EVERY = 150;
@@ -41,6 +41,7 @@ class VersusPanel implements Panel {
   readonly #tryAgain = make("button", { class: "wide" }, "Try again");
   readonly #since = make("p", { class: "quiet" });
   readonly #moved = make("p", { class: "moved" });
+  readonly #gears = make("p", { class: "moved" });
   readonly #measured = make("div");
   #open = false;
   #loading = false;
@@ -117,7 +118,7 @@ class VersusPanel implements Panel {
     again.addEventListener("click", () => void app.restart());
     this.#tryAgain.addEventListener("click", () => void this.#restart());
     const table = this.#table.element;
-    this.#measured.append(table, this.#moved, this.#since, again, this.#plots.element);
+    this.#measured.append(table, this.#moved, this.#gears, this.#since, again, this.#plots.element);
     // The verdict changes its number of lines: what stands below it would move under a finger.
     this.element.append(
       layout.element,
@@ -194,6 +195,9 @@ class VersusPanel implements Panel {
     const moved = movedText(Math.hypot(...tally.origin) / lengthScale);
     this.#moved.hidden = moved === "";
     if (this.#moved.textContent !== moved) this.#moved.textContent = moved;
+    const gears = gearsText(tally.gears);
+    this.#gears.hidden = gears === "";
+    if (this.#gears.textContent !== gears) this.#gears.textContent = gears;
     this.#since.hidden = !tally.since;
     const seconds = ((tally.since ?? 0) * (scene?.timeStep ?? 1 / 60)).toFixed(2);
     this.#since.textContent =
@@ -215,8 +219,11 @@ function notes(): HTMLElement {
     "Overlap is measured for both by the same code, sleeping bodies included. Where that takes " +
       "long it is done every few steps.",
     "Times are of steps in which both engines have bodies awake, after the first 30.",
-    "Both get the same bodies and the same pulls, explosions and craters, each by where its own " +
+    "Both get the same bodies, joints, pulls, explosions and craters, each by where its own " +
       "bodies are. A game’s character is moved in thud and pushes bodies in both.",
+    "Box2D gets the same joints, springs and motors, but for gears, which it has not, and what its " +
+      "welds and wheels do not do: limits and motors of a weld, a spring on a wheel’s axle. A joint " +
+      "that can break does so in each engine by what it bears there.",
     "After going back in time Box2D begins anew, as a copy of thud’s world.",
   ];
   return make(

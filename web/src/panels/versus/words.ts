@@ -63,6 +63,13 @@ export function movedText(metres: number): string {
   );
 }
 
+/** What Box2D has not; "" where nothing is missing. */
+export function gearsText(gears: number): string {
+  if (gears === 0) return "";
+  const which = gears === 1 ? "the gear of this scene is" : `the ${gears} gears of this scene are`;
+  return `Box2D has no gears: ${which} in thud alone, and what they tie turns freely in Box2D.`;
+}
+
 export interface Comparison {
   /** Null: about the same. */
   better: Engine | null;

@@ -1,0 +1,93 @@
+/* anchors.c: what the lanes of a joint keep of it until it changes. */
+#include "joints/joint.h"
+
+void td_joint_fill(thud_world *w, td_block *block, int lane, int index) {
+    (void)w, (void)index;
+    block->shape_a[lane] = block->shape_b[lane] = TD_NONE;
+    block->armed = 1;
+}
+
+void td_joint_renew(thud_world *w, td_block *block, int lane, int index) {
+    (void)w, (void)lane, (void)index;
+    block->armed = 1;
+}
+
+void td_joint_let_be(thud_world *w, td_block *block, int lane, int index) {
+    (void)w, (void)block, (void)lane, (void)index;
+}
+
+static void set_anchors(const thud_world *w, const td_joint *joint, td_anchor_rows *rows,
+                        int lane) {
+    const td_body *a = td_body_at(w, joint->body[0]), *b = td_body_at(w, joint->body[1]);
+    rows->body_a[lane] = joint->body[0].at;
+    rows->body_b[lane] = joint->body[1].at;
+    rows->a_x[lane] = joint->anchor[0][0] - a->center_x;
+    rows->a_y[lane] = joint->anchor[0][1] - a->center_y;
+    rows->b_x[lane] = joint->anchor[1][0] - b->center_x;
+    rows->b_y[lane] = joint->anchor[1][1] - b->center_y;
+    rows->axis_c[lane] = joint->axis_c;
+    rows->axis_s[lane] = joint->axis_s;
+    rows->turn[lane] = (int32_t)joint->turn;
+}
+
+static float sign_of(const td_joint *joint) {
+    return joint->swapped ? -1.0f : 1.0f;
+}
+
+/* What holds both ways stays in the world's axes, so that impulses that carry a weight go on doing
+ * so. */
+static void set_hold(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
+    td_hold_rows *rows = td_hold_rows_of(block);
+    float sign = sign_of(joint);
+    set_anchors(w, joint, &rows->anchor, lane);
+    rows->locked[lane] = joint->locked;
+    rows->frame[lane] = (joint->locked & 3u) != 3u ? 1.0f : 0.0f;
+    rows->turn_sign[lane] = sign;
+    block->tangent_cross_a[lane] = block->tangent_cross_b[lane] =
+        joint->locked >> THUD_TURN & 1u ? sign : 0.0f;
+}
+
+static void set_rod(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
+    td_hold_rows *rows = td_hold_rows_of(block);
+    set_anchors(w, joint, &rows->anchor, lane);
+    rows->turn_base[lane] = joint->length;
+}
+
+/* The direction of the part that drives it. */
+static int direction_of(const td_joint *joint, int constraint) {
+    int direction = 0;
+    while (joint->part[direction] != constraint) {
+        direction++;
+    }
+    return direction;
+}
+
+static void set_drive(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
+    td_drive_rows *rows = td_drive_rows_of(block);
+    int direction = direction_of(joint, block->constraint[lane]);
+    const td_drive *d = &joint->drive[direction];
+    set_anchors(w, joint, &rows->anchor, lane);
+    rows->across[lane] = direction == THUD_ACROSS ? -1 : 0;
+    rows->turn_sign[lane] = sign_of(joint);
+    rows->limited[lane] = d->limited ? -1 : 0;
+    rows->lower[lane] = d->lower;
+    rows->upper[lane] = d->upper;
+    rows->locked[lane] = d->limited && d->lower == d->upper ? 1.0f : 0.0f;
+    rows->target[lane] = d->target;
+    rows->frequency[lane] = d->frequency;
+    rows->damping[lane] = d->damping;
+    rows->spring_most[lane] = d->spring_force;
+    rows->motor_speed[lane] = d->motor_speed;
+    rows->motor_most[lane] = d->motor_force;
+}
+
+void td_joint_look_up(const thud_world *w, td_block *block) {
+    for (int lane = 0; lane < block->used; lane++) {
+        const td_constraint *constraint = td_constraint_at(w, block->constraint[lane]);
+        const td_joint *joint = td_joint_of(w, constraint);
+        (constraint->kind == TD_CONSTRAINT_HOLD  ? set_hold
+         : constraint->kind == TD_CONSTRAINT_ROD ? set_rod
+                                                 : set_drive)(w, block, lane, joint);
+    }
+    block->armed = 0;
+}

@@ -1,0 +1,36 @@
+/* drive.c: the lanes of what drives joints. */
+#include "joints/joint.h"
+
+TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_line);
+TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_axis);
+TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_turn);
+
+/* Springs and motors give way as they should; limits should not. */
+static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
+    const td_point *p = &block->point[0];
+    bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;
+    float mass = td_joint_lighter(w, block, lane);
+    float turn = td_max_float(block->inv_inertia_a[lane], block->inv_inertia_b[lane]);
+    float beyond = td_max_float(-p->separation[lane], 0.0f);
+    float impulse = td_joint_size(p->normal_impulse[lane]);
+    *off = turns ? beyond * size : beyond;
+    return impulse * (turns ? turn * size : mass);
+}
+
+/* Nothing of it is in the residual: springs and motors give way as they should, and limits are
+ * judged by their gaps. */
+static void count(thud_world *w, const td_block *block) {
+    (void)w, (void)block;
+}
+
+TD_DEFINE_JOINT_LANES(td_drive_take_rows, td_drive_turn_rows)
+TD_DEFINE_JOINT_OPS(line, TD_FORM_DRIVE, td_place_joints, td_solve_drive_line)
+TD_DEFINE_JOINT_OPS(axis, TD_FORM_DRIVE, td_place_joints, td_solve_drive_axis)
+TD_DEFINE_JOINT_OPS(turn, TD_FORM_DRIVE, td_place_joints, td_solve_drive_turn)
+
+const td_constraint_ops *td_drive_ops(const thud_world *w, int kind) {
+    (void)w;
+    return kind == TD_CONSTRAINT_DRIVE_LINE   ? &TD_PICK_WIDE(w, line)
+           : kind == TD_CONSTRAINT_DRIVE_AXIS ? &TD_PICK_WIDE(w, axis)
+                                              : &TD_PICK_WIDE(w, turn);
+}

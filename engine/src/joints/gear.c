@@ -1,0 +1,209 @@
+/* gear.c: gears: two joints, each of a body that moves and one that does not, of which one turns or
+ * moves as the other does. */
+#include "joints/gear.h"
+
+#include "base/rotation.h"
+#include "islands/rows.h"
+#include "state/handles.h"
+
+TD_DECLARE_WIDE(const td_solve_ops, td_solve_gear);
+
+static const td_joint *member(const thud_world *w, const td_joint *gear, int i) {
+    return td_joint_at(w, gear->gear.joint[i]);
+}
+
+bool td_gear_turns(const td_joint *joint) {
+    return joint->kind == THUD_HINGE || joint->kind == THUD_WHEEL;
+}
+
+bool td_gear_whole(const thud_world *w, const td_joint *joint) {
+    for (int i = 0; i < 2; i++) {
+        const td_joint *of = member(w, joint, i);
+        if (!of->live || of->generation != joint->gear.generation[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- values ---- */
+
+static uint32_t turn_of(const thud_world *w, const td_joint *joint) {
+    uint32_t turn =
+        td_pose_at(w, joint->body[1])->angle - td_pose_at(w, joint->body[0])->angle - joint->turn;
+    return joint->swapped ? 0u - turn : turn;
+}
+
+static int64_t turned_of(const thud_world *w, const td_joint *gear, int i) {
+    uint32_t since = turn_of(w, member(w, gear, i)) - gear->gear.last[i];
+    return gear->gear.turned[i] + (int32_t)since;
+}
+
+static double value_of(const thud_world *w, const td_joint *gear, int i) {
+    const td_joint *joint = member(w, gear, i);
+    if (td_gear_turns(joint)) {
+        return (double)turned_of(w, gear, i) * (TD_PI / 2147483648.0);
+    }
+    td_joint_place place = td_joint_place_of(w, joint);
+    double x = (double)place.x, y = (double)place.y;
+    return joint->kind == THUD_DISTANCE ? __builtin_sqrt(x * x + y * y)
+                                        : x * (double)place.axis_x + y * (double)place.axis_y;
+}
+
+double td_gear_gap(const thud_world *w, const td_joint *gear) {
+    double first = value_of(w, gear, 0), second = value_of(w, gear, 1);
+    return first + (double)gear->gear.ratio * second - gear->gear.rest;
+}
+
+void td_gear_begin(const thud_world *w, td_joint *gear) {
+    td_gear *g = &gear->gear;
+    for (int i = 0; i < 2; i++) {
+        g->turned[i] = 0;
+        g->last[i] = turn_of(w, member(w, gear, i));
+    }
+    g->rest = 0.0;
+    g->rest = td_gear_gap(w, gear);
+}
+
+/* Seen once a step, no turn is missed: a body turns by less than half of one. */
+static void count_turns(const thud_world *w, td_joint *gear) {
+    for (int i = 0; i < 2; i++) {
+        gear->gear.turned[i] = turned_of(w, gear, i);
+        gear->gear.last[i] = turn_of(w, member(w, gear, i));
+    }
+}
+
+/* ---- lanes ---- */
+
+/* How the value of a joint follows its second body: x, y, turn. */
+static void direction_of(const thud_world *w, const td_joint *joint, float out[3]) {
+    td_joint_place place = td_joint_place_of(w, joint);
+    float sign = joint->swapped ? -1.0f : 1.0f;
+    out[0] = out[1] = 0.0f;
+    out[2] = sign;
+    if (td_gear_turns(joint)) {
+        return;
+    }
+    float x = place.axis_x, y = place.axis_y;
+    if (joint->kind == THUD_DISTANCE) {
+        td_joint_line_of(&place, &x, &y);
+    }
+    out[0] = x;
+    out[1] = y;
+    out[2] = td_cross(place.arm[1], x, y);
+}
+
+/* While a joint of it is disabled it lets go, and then goes on from where they are. */
+static bool is_apart(const thud_world *w, td_joint *gear) {
+    bool apart = member(w, gear, 0)->disabled || member(w, gear, 1)->disabled;
+    if (!apart && gear->gear.apart) {
+        td_gear_begin(w, gear);
+    }
+    gear->gear.apart = apart;
+    return apart;
+}
+
+static void prepare_lane(const thud_world *w, td_block *block, int lane) {
+    td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
+    td_point *p = &block->point[0];
+    td_gear_rows *rows = td_gear_rows_of(block);
+    float a[3], b[3], ratio = gear->gear.ratio;
+    direction_of(w, member(w, gear, 0), a);
+    direction_of(w, member(w, gear, 1), b);
+    rows->a_x[lane] = a[0];
+    rows->a_y[lane] = a[1];
+    p->cross_a[lane] = a[2];
+    block->nx[lane] = ratio * b[0];
+    block->ny[lane] = ratio * b[1];
+    p->cross_b[lane] = ratio * b[2];
+    float k = td_gear_inverse_mass(w, block, lane);
+    count_turns(w, gear);
+    bool acts = !is_apart(w, gear) && k > 0.0f;
+    p->normal_mass[lane] = acts ? 1.0f / k : 0.0f;
+    p->normal_impulse[lane] = acts ? p->normal_impulse[lane] : 0.0f;
+    p->base[lane] = p->separation[lane] = acts ? (float)td_gear_gap(w, gear) : 0.0f;
+}
+
+float td_gear_inverse_mass(const thud_world *w, const td_block *block, int lane) {
+    const td_gear_rows *rows = td_gear_rows_of((td_block *)block);
+    const td_point *p = &block->point[0];
+    float a = td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3];
+    float b = td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3];
+    float x = rows->a_x[lane], y = rows->a_y[lane], u = block->nx[lane], v = block->ny[lane];
+    return a * (x * x + y * y) + block->inv_inertia_a[lane] * p->cross_a[lane] * p->cross_a[lane] +
+           b * (u * u + v * v) + block->inv_inertia_b[lane] * p->cross_b[lane] * p->cross_b[lane];
+}
+
+/* As lengths: by what moves, or by what turns times its size. */
+static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
+    const td_point *p = &block->point[0];
+    const td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
+    float length = td_gear_turns(member(w, gear, 0)) ? size : 1.0f;
+    *off = td_joint_size(p->separation[lane]) * length;
+    return td_joint_size(p->normal_impulse[lane]) * td_gear_inverse_mass(w, block, lane) * length;
+}
+
+static void count(thud_world *w, const td_block *block) {
+    const td_gear_rows *rows = td_gear_rows_of((td_block *)block);
+    const td_point *p = &block->point[0];
+    for (int lane = 0; lane < block->used; lane++) {
+        const float *a = td_row(&w->velocity, td_slot_of_side(block->a[lane]));
+        const float *b = td_row(&w->velocity, td_slot_of_side(block->b[lane]));
+        float speed = rows->a_x[lane] * a[0] + rows->a_y[lane] * a[1] + p->cross_a[lane] * a[2] +
+                      block->nx[lane] * b[0] + block->ny[lane] * b[1] + p->cross_b[lane] * b[2];
+        speed = p->normal_mass[lane] > 0.0f ? td_joint_size(speed) : 0.0f;
+        w->errors.residual = td_max_float(speed, w->errors.residual);
+    }
+}
+
+/* ---- for the direct solver ---- */
+
+static bool take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
+                      td_direct_constraint *c) {
+    const td_gear_rows *rows = td_gear_rows_of(block);
+    const td_point *p = &block->point[0];
+    c->row[0] = (td_direct_row){
+        .kind = TD_ROW_EQUAL,
+        .a = {(double)rows->a_x[lane], (double)rows->a_y[lane], (double)p->cross_a[lane]},
+        .b = {(double)block->nx[lane], (double)block->ny[lane], (double)p->cross_b[lane]},
+        .impulse = 0.5 * (double)impulses[0],
+        .wanted = td_joint_closing_speed(w, (double)p->base[lane], w->def.time_step),
+        .used = p->normal_mass[lane] > 0.0f};
+    return false;
+}
+
+static void turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                      td_direct_constraint *c) {
+    td_direct_row *row = &c->row[0];
+    double gap = (double)block->point[0].base[lane];
+    for (int k = 0; k < 3; k++) {
+        gap += row->a[k] * s->a[0][k] + row->b[k] * s->b[0][k];
+    }
+    row->wanted = s->time > 0.0 ? td_joint_closing_speed(w, gap, s->time) : 0.0;
+    row->closing = s->time > 0.0 ? td_abs(row->wanted) : row->closing;
+}
+
+/* Gears never part, and follow their joints as they are in each step. */
+static void prepare(thud_world *w, td_block *const *blocks, int count,
+                    const td_collide_context *context) {
+    (void)context;
+    for (int i = 0; i < count; i++) {
+        for (int lane = 0; lane < blocks[i]->used; lane++) {
+            prepare_lane(w, blocks[i], lane);
+        }
+        blocks[i]->touching = (1u << blocks[i]->used) - 1u;
+        blocks[i]->armed = 0;
+    }
+}
+
+/* They are the same for every instruction set. */
+#define prepare_base prepare
+#define prepare_avx2 prepare
+
+TD_DEFINE_JOINT_LANES(take_rows, turn_rows)
+TD_DEFINE_JOINT_OPS(ops, TD_FORM_GEAR, prepare, td_solve_gear)
+
+const td_constraint_ops *td_gear_ops(const thud_world *w) {
+    (void)w;
+    return &TD_PICK_WIDE(w, ops);
+}

@@ -1,0 +1,194 @@
+/* joint.h: joints as their parts see them.
+ *
+ * A joint is a td_joint and up to four constraints of the graph, each with a lane of its own: what
+ * it locks (hold.c, or rod.c for a distance), and what drives it in each direction that is driven
+ * (drive.c). The caller's side of it is joint_make.c and joint_state.c. */
+#ifndef TD_JOINT_H
+#define TD_JOINT_H
+
+#include "constraint/constraint.h"
+#include "constraint/lanes.h"
+#include "thud/thud_joint.h"
+
+static inline td_joint *td_joint_at(const thud_world *w, int index) {
+    return td_slot_of(&w->joints, index, sizeof(td_joint));
+}
+
+static inline td_joint *td_joint_of(const thud_world *w, const td_constraint *part) {
+    return td_joint_at(w, part->joint);
+}
+
+/* joint_state.c: THUD_ERROR_NULL, THUD_ERROR_STALE, or, where it `edits` inside a callback,
+ * THUD_ERROR_LOCKED through td_refuse; *index is the slot. */
+thud_result td_find_joint(const thud_world *w, thud_joint_id id, bool edits, int *index);
+
+thud_joint_id td_joint_handle(const thud_world *w, int index);
+
+/* joint_def.c */
+#define TD_JOINT_LENGTH_MOST 1e6f /* length scales */
+bool td_joint_is_frame(const thud_world *w, const thud_joint_frame *f);
+bool td_joint_is_drive(const thud_world *w, thud_joint_kind kind, int direction,
+                       const thud_drive *d);
+/* Why not, or null. */
+const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
+                               td_body_index b);
+td_drive td_drive_of(const thud_drive *d);
+td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_index a,
+                         td_body_index b);
+/* Where it is in its first or second body. */
+void td_joint_set_place(td_joint *joint, int side, const thud_joint_frame *f);
+
+/* joint_make.c: room for all parts that a kind may have; and the parts that it needs, of those. */
+bool td_joint_reserve(thud_world *w, int kind);
+void td_joint_settle(thud_world *w, int index);
+
+/* joint_end.c */
+/* It has changed: its bodies wake, and its lanes look it up anew. */
+void td_joint_wake(thud_world *w, const td_joint *joint);
+/* Destroys it, and wakes its bodies. */
+void td_joint_end(thud_world *w, int index);
+
+/* joint_measure.c: as thud_joint_state has it. */
+typedef struct td_joint_reading {
+    double value[TD_JOINT_DIRECTIONS], gap, angle_gap;
+} td_joint_reading;
+
+typedef struct td_joint_load {
+    thud_vec2 force;
+    float torque;
+} td_joint_load;
+
+td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint);
+td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint);
+/* It has lanes, and is awake. */
+bool td_joint_acts(const thud_world *w, const td_joint *joint);
+
+static inline bool td_is_break(float x) {
+    return x >= 0.0f && x <= THUD_JOINT_FORCE_MAX;
+}
+
+static inline bool td_joint_breaks(const td_joint *joint) {
+    return joint->break_force < THUD_JOINT_FORCE_MAX || joint->break_torque < THUD_JOINT_FORCE_MAX;
+}
+
+static inline bool td_drive_acts(const td_drive *d) {
+    return d->limited || d->frequency > 0.0f || d->motor_force > 0.0f;
+}
+
+/* Which of its directions are locked, and which driven, by its kind and its drives. */
+void td_joint_sort_directions(td_joint *joint);
+/* Directions that its kind lets the caller drive. */
+unsigned td_joint_drivable(int kind);
+/* The kind of constraint that its part has. */
+int td_joint_part_kind(const td_joint *joint, int part);
+
+/* Where the sides of a part are: the arms of both anchors about the centres of mass, in the world;
+ * the way from a's anchor to b's; and by how much b is turned against a. */
+typedef struct td_joint_place {
+    float arm[2][2];
+    float x, y;
+    float turn;           /* in (-pi, pi], as the caller has it */
+    float turn_sign;      /* -1 where its sides have changed places */
+    float axis_x, axis_y; /* of `along`, in the world */
+} td_joint_place;
+
+td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint);
+
+/* How far apart both anchors are, and the direction from a's to b's; where they meet, any. */
+float td_joint_line_of(const td_joint_place *place, float *x, float *y);
+
+/* The speed at which a gap goes within so much time, as far as the world's push_speed allows. */
+double td_joint_closing_speed(const thud_world *w, double gap, double time);
+
+static inline float td_cross(const float arm[2], float x, float y) {
+    return arm[0] * y - arm[1] * x;
+}
+
+/* A lane's frame after a motion of its sides (x, y, turn) from the start of the step, as
+ * wide_joint.h has it, in double precision: u = (x, y), v = (-y, x), and the crosses of the arms
+ * with both. The gap is from a's anchor to b's. Where `turns` is set the frame turns with a, whose
+ * arm ends at b's anchor then. */
+typedef struct td_joint_frame {
+    double x, y, a_u, a_v, b_u, b_v, gap_u, gap_v;
+} td_joint_frame;
+
+void td_joint_sincos(double angle, double *s, double *c);
+td_joint_frame td_joint_frame_after(const td_block *block, int lane, double gap_u, double gap_v,
+                                    bool turns, const double a[3], const double b[3]);
+/* The same with u along the gap. */
+td_joint_frame td_joint_line_after(const td_block *block, int lane, double gap_u, double gap_v,
+                                   const double a[3], const double b[3]);
+/* By the motion of its sides in this step, as far as it has got. */
+void td_joint_motion(const thud_world *w, const td_block *block, int lane, double a[3],
+                     double b[3]);
+/* Speed of b past a along a direction with these crosses. */
+float td_joint_speed(const thud_world *w, const td_block *block, int lane, double x, double y,
+                     double cross_a, double cross_b);
+
+/* 1 / the mass that a lane's row feels. */
+float td_joint_inverse_mass(const thud_world *w, const td_block *block, int lane, float linear,
+                            float cross_a, float cross_b);
+/* For td_lane_ops: what is no contact has no shapes, and what a lane keeps of its joint is to be
+ * looked up anew, after changes too. */
+void td_joint_fill(thud_world *w, td_block *block, int lane, int index);
+void td_joint_renew(thud_world *w, td_block *block, int lane, int index);
+void td_joint_let_be(thud_world *w, td_block *block, int lane, int index);
+
+/* anchors.c: what lanes keep of their joints. */
+void td_joint_look_up(const thud_world *w, td_block *block);
+
+/* wide_place.c: the rows of rods, holds and drives from the present poses; for
+ * td_constraint_ops.collide_world. Joints never part: all lanes go on touching. */
+typedef void td_place_fn(thud_world *w, td_block *const *blocks, int count,
+                         const td_collide_context *context);
+TD_DECLARE_WIDE(td_place_fn, td_place_joints);
+
+/* Inverse mass of the lighter side. */
+static inline float td_joint_lighter(const thud_world *w, const td_block *block, int lane) {
+    return td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
+                        td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3]);
+}
+
+static inline float td_joint_size(float x) {
+    return x < 0.0f ? -x : x;
+}
+
+/* Stands in the file of a kind of part, below its count and load; defines `lanes`. */
+#define TD_DEFINE_JOINT_LANES(take, turn)                       \
+    static const td_lane_ops lanes = {.fill = td_joint_fill,    \
+                                      .clear = td_joint_let_be, \
+                                      .renew = td_joint_renew,  \
+                                      .count = count,           \
+                                      .load = load,             \
+                                      .take_rows = (take),      \
+                                      .turn_rows = (turn)};
+
+#define TD_JOINT_OPS(block_form, prepare, solve_ops)                                              \
+    {                                                                                             \
+        .form = (block_form), .lanes = &lanes, .collide_world = (prepare), .solve = &(solve_ops), \
+        .solve_unarmed = &(solve_ops)                                                             \
+    }
+
+/* Below those: the operations `ops` for TD_PICK_WIDE, of passes that are `solve`. */
+#if defined(TD_HAS_AVX2)
+#define TD_DEFINE_JOINT_OPS(ops, form, prepare, solve)                    \
+    static const td_constraint_ops ops##_base =                           \
+        TD_JOINT_OPS(form, TD_JOIN(prepare, base), TD_JOIN(solve, base)); \
+    static const td_constraint_ops ops##_avx2 =                           \
+        TD_JOINT_OPS(form, TD_JOIN(prepare, avx2), TD_JOIN(solve, avx2));
+#else
+#define TD_DEFINE_JOINT_OPS(ops, form, prepare, solve) \
+    static const td_constraint_ops ops##_base =        \
+        TD_JOINT_OPS(form, TD_JOIN(prepare, base), TD_JOIN(solve, base));
+#endif
+
+/* The operations of the kinds, for this world's instruction set. */
+const td_constraint_ops *td_rod_ops(const thud_world *w);
+const td_constraint_ops *td_hold_ops(const thud_world *w);
+const td_constraint_ops *td_drive_ops(const thud_world *w, int kind);
+
+/* Their rows for the direct solver. */
+td_take_rows_fn td_rod_take_rows, td_hold_take_rows, td_drive_take_rows;
+td_turn_rows_fn td_rod_turn_rows, td_hold_turn_rows, td_drive_turn_rows;
+
+#endif

@@ -1,0 +1,70 @@
+/* joint_break.c: joints that bear no more than so much. */
+#include "constraint/joining.h"
+#include "joints/joint.h"
+#include "state/handles.h"
+
+static float size_of(thud_vec2 v) {
+    double x = (double)v.x, y = (double)v.y;
+    return (float)__builtin_sqrt(x * x + y * y);
+}
+
+static void judge(thud_world *w, int index) {
+    const td_joint *joint = td_joint_at(w, index);
+    if (!joint->live || !td_joint_breaks(joint) || !td_joint_acts(w, joint)) {
+        return;
+    }
+    td_joint_load load = td_joint_load_of(w, joint);
+    float force = size_of(load.force), torque = td_joint_size(load.torque);
+    if (force > joint->break_force || torque > joint->break_torque) {
+        /* Bytes between its members go into snapshots as well. */
+        thud_joint_event *event = td_at(&w->broken, w->broken.count++);
+        __builtin_memset(event, 0, sizeof *event);
+        event->joint = td_joint_handle(w, index);
+        event->body_a = td_body_handle(w, joint->body[joint->swapped]);
+        event->body_b = td_body_handle(w, joint->body[!joint->swapped]);
+        event->user_data = joint->user_data;
+        event->force = force;
+        event->torque = torque;
+        event->broken = !joint->only_reports;
+    }
+}
+
+void td_joints_break_up(thud_world *w) {
+    w->broken.count = 0;
+    for (int i = 0; i < w->joints.count && w->breakable > 0; i++) {
+        judge(w, i);
+    }
+    for (int i = 0; i < w->broken.count; i++) {
+        const thud_joint_event *event = td_at(&w->broken, i);
+        if (event->broken) {
+            td_joint_end(w, (int)(event->joint.index1 - 1));
+        }
+    }
+}
+
+const thud_joint_event *thud_world_joint_events(const thud_world *w, int *count) {
+    if (count) {
+        *count = w ? w->broken.count : 0;
+    }
+    return w && w->broken.count ? td_at(&w->broken, 0) : NULL;
+}
+
+thud_result thud_joint_set_breaking(thud_world *w, thud_joint_id id, float force, float torque,
+                                    bool only_reports) {
+    int index = 0;
+    thud_result result = td_find_joint(w, id, true, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!td_is_break(force) || !td_is_break(torque)) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "joint set breaking: force or torque is out of range");
+    }
+    td_joint *joint = td_joint_at(w, index);
+    w->breakable -= td_joint_breaks(joint);
+    joint->break_force = force;
+    joint->break_torque = torque;
+    joint->only_reports = only_reports;
+    w->breakable += td_joint_breaks(joint);
+    return THUD_OK;
+}

@@ -1,0 +1,187 @@
+/* joint_def.c: what callers may ask of a joint, and what becomes of it. */
+#include "joints/joint.h"
+#include "state/handles.h"
+
+#include "base/rotation.h"
+#include "base/trig.h"
+
+#define FREQUENCY_MOST 1e4f
+#define DAMPING_MOST 1e3f
+#define ANGLE_MOST 1e6
+
+static bool within(float x, float least, float most) {
+    return x >= least && x <= most;
+}
+
+bool td_joint_is_frame(const thud_world *w, const thud_joint_frame *f) {
+    float most = TD_JOINT_LENGTH_MOST * w->unit;
+    return within(f->position.x, -most, most) && within(f->position.y, -most, most) &&
+           f->angle >= -ANGLE_MOST && f->angle <= ANGLE_MOST;
+}
+
+bool td_joint_is_drive(const thud_world *w, thud_joint_kind kind, int direction,
+                       const thud_drive *d) {
+    float most = TD_JOINT_LENGTH_MOST * w->unit, least = kind == THUD_DISTANCE ? 0.0f : -most;
+    float furthest = direction == THUD_TURN ? 3.14159f : most;
+    least = direction == THUD_TURN ? -furthest : least;
+    bool limits = d->lower <= d->upper && within(d->lower, least, furthest) &&
+                  within(d->upper, least, furthest);
+    float fastest = direction == THUD_TURN ? TD_JOINT_LENGTH_MOST : most;
+    return (limits || !d->limited) && within(d->frequency, 0.0f, FREQUENCY_MOST) &&
+           within(d->damping, 0.0f, DAMPING_MOST) && within(d->target, least, furthest) &&
+           within(d->spring_force, 0.0f, THUD_JOINT_FORCE_MAX) &&
+           within(d->motor_speed, -fastest, fastest) &&
+           within(d->motor_force, 0.0f, THUD_JOINT_FORCE_MAX);
+}
+
+static bool is_dynamic(const thud_world *w, td_body_index body) {
+    return td_body_at(w, body)->kind == THUD_DYNAMIC;
+}
+
+const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
+                               td_body_index b) {
+    if ((int)d->kind < 0 || d->kind >= THUD_JOINT_KIND_COUNT) {
+        return "joint create: kind is none";
+    }
+    if (d->kind == THUD_GEAR && td_same_body(a, b)) {
+        return "joint create: both joints of a gear move the same body";
+    }
+    float ratio = d->ratio < 0.0f ? -d->ratio : d->ratio;
+    if (d->kind == THUD_GEAR && !within(ratio, 1e-4f, 1e4f)) {
+        return "joint create: ratio is out of range";
+    }
+    if (td_same_body(a, b) || (!is_dynamic(w, a) && !is_dynamic(w, b))) {
+        return "joint create: needs two bodies, one of them dynamic";
+    }
+    if ((d->kind == THUD_WHEEL || d->kind == THUD_TARGET) && !is_dynamic(w, b)) {
+        return "joint create: body b of a wheel or a target must be dynamic";
+    }
+    if (!td_joint_is_frame(w, &d->frame_a) || !td_joint_is_frame(w, &d->frame_b)) {
+        return "joint create: a frame is out of range";
+    }
+    if (d->kind == THUD_DISTANCE &&
+        !(d->length > 0.0f && d->length <= TD_JOINT_LENGTH_MOST * w->unit)) {
+        return "joint create: length is out of range";
+    }
+    if (!td_is_break(d->break_force) || !td_is_break(d->break_torque)) {
+        return "joint create: break_force or break_torque is out of range";
+    }
+    for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
+        if ((td_joint_drivable((int)d->kind) >> i & 1u) &&
+            !td_joint_is_drive(w, d->kind, i, &d->drive[i])) {
+            return "joint create: a drive is out of range";
+        }
+    }
+    return NULL;
+}
+
+thud_joint_def thud_default_joint_def(thud_joint_kind kind) {
+    thud_joint_def def = {.kind = kind,
+                          .length = 1.0f,
+                          .ratio = 1.0f,
+                          .collide_connected = kind == THUD_GEAR,
+                          .break_force = THUD_JOINT_FORCE_MAX,
+                          .break_torque = THUD_JOINT_FORCE_MAX};
+    for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
+        def.drive[i].damping = 0.7f;
+        def.drive[i].spring_force = THUD_JOINT_FORCE_MAX;
+    }
+    return def;
+}
+
+td_drive td_drive_of(const thud_drive *d) {
+    return (td_drive){.limited = d->limited,
+                      /* Of what is not limited nobody looked at the limits. */
+                      .lower = d->limited ? d->lower : 0.0f,
+                      .upper = d->limited ? d->upper : 0.0f,
+                      .frequency = d->frequency,
+                      .damping = d->damping,
+                      .target = d->target,
+                      .spring_force = d->spring_force,
+                      .motor_speed = d->motor_speed,
+                      .motor_force = d->motor_force};
+}
+
+void td_joint_set_place(td_joint *joint, int side, const thud_joint_frame *f) {
+    joint->anchor[side][0] = f->position.x;
+    joint->anchor[side][1] = f->position.y;
+    uint32_t angle = td_angle_from(f->angle);
+    joint->turn += side == 0 ? angle - joint->angle[0] : joint->angle[1] - angle;
+    joint->angle[side] = angle;
+    if (side == 0) {
+        double s, c, sign = joint->swapped ? -1.0 : 1.0;
+        td_sincos(f->angle, &s, &c);
+        joint->axis_c = (float)(sign * c);
+        joint->axis_s = (float)(sign * s);
+    }
+}
+
+td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_index a,
+                         td_body_index b) {
+    bool swapped = td_body_at(w, b)->kind == THUD_STATIC;
+    td_joint joint = {.body = {swapped ? b : a, swapped ? a : b},
+                      .part = {TD_NONE, TD_NONE, TD_NONE, TD_NONE},
+                      .kind = (uint8_t)d->kind,
+                      .live = 1,
+                      .disabled = d->disabled,
+                      .collides = d->collide_connected,
+                      .swapped = swapped,
+                      .length = d->length,
+                      .only_reports = d->only_reports,
+                      .break_force = d->break_force,
+                      .break_torque = d->break_torque,
+                      .user_data = d->user_data};
+    for (int i = 0; i < TD_JOINT_DIRECTIONS && d->kind != THUD_GEAR; i++) {
+        joint.drive[i] = td_drive_of(&d->drive[i]);
+    }
+    td_joint_set_place(&joint, swapped, &d->frame_a);
+    td_joint_set_place(&joint, !swapped, &d->frame_b);
+    return joint;
+}
+
+/* ---- reading ---- */
+
+static thud_joint_frame frame_of(const td_joint *joint, int side) {
+    return (thud_joint_frame){{joint->anchor[side][0], joint->anchor[side][1]},
+                              td_angle_radians(joint->angle[side])};
+}
+
+static void read_drives(const td_joint *joint, thud_joint_def *def) {
+    for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
+        const td_drive *d = &joint->drive[i];
+        if (td_joint_drivable(joint->kind) >> i & 1u) {
+            def->drive[i] =
+                (thud_drive){d->limited, d->lower,        d->upper,       d->frequency,  d->damping,
+                             d->target,  d->spring_force, d->motor_speed, d->motor_force};
+        }
+    }
+}
+
+thud_result thud_joint_get_def(const thud_world *w, thud_joint_id id, thud_joint_def *out) {
+    int index = 0;
+    thud_result result = td_find_joint(w, id, false, &index);
+    if (result != THUD_OK || !out) {
+        return result != THUD_OK ? result : td_refuse(w, THUD_ERROR_NULL, "joint get: out is null");
+    }
+    const td_joint *joint = td_joint_at(w, index);
+    thud_joint_def def = thud_default_joint_def((thud_joint_kind)joint->kind);
+    def.body_a = td_body_handle(w, joint->body[joint->swapped]);
+    def.body_b = td_body_handle(w, joint->body[!joint->swapped]);
+    def.frame_a = frame_of(joint, joint->swapped);
+    def.frame_b = frame_of(joint, !joint->swapped);
+    read_drives(joint, &def);
+    if (joint->kind == THUD_GEAR) {
+        def.gear[0] = td_joint_handle(w, joint->gear.joint[0]);
+        def.gear[1] = td_joint_handle(w, joint->gear.joint[1]);
+        def.ratio = joint->gear.ratio;
+    }
+    def.length = joint->length;
+    def.collide_connected = joint->collides;
+    def.break_force = joint->break_force;
+    def.break_torque = joint->break_torque;
+    def.only_reports = joint->only_reports;
+    def.disabled = joint->disabled;
+    def.user_data = joint->user_data;
+    *out = def;
+    return THUD_OK;
+}

@@ -1,0 +1,126 @@
+/* joint_draw.c: joints drawn through the caller's functions. */
+#include "joints/gear.h"
+
+#include "api/debug_draw.h"
+#include "base/rotation.h"
+#include "base/trig.h"
+#include "constraint/joining.h"
+
+#define AXIS 0.5f /* length scales: as far as axes and angles are drawn */
+
+/* A joint in the coordinates of a drawing: side 0 is the caller's a. */
+typedef struct drawn {
+    thud_vec2 centre[2], place[2];
+    float x, y; /* the axis */
+} drawn;
+
+static thud_vec2 plus(thud_vec2 p, float x, float y) {
+    return (thud_vec2){p.x + x, p.y + y};
+}
+
+static drawn drawn_of(const td_drawing *d, const td_joint *joint) {
+    td_joint_place place = td_joint_place_of(d->w, joint);
+    drawn out = {.x = place.axis_x, .y = place.axis_y};
+    for (int side = 0; side < 2; side++) {
+        int of = side ^ joint->swapped;
+        out.centre[side] = td_drawing_local(d, td_pose_at(d->w, joint->body[of])->center);
+        out.place[side] = plus(out.centre[side], place.arm[of][0], place.arm[of][1]);
+    }
+    return out;
+}
+
+static void point(const td_drawing *d, thud_vec2 p) {
+    if (d->draw->point) {
+        d->draw->point(p, THUD_DRAW_JOINT, d->draw->context);
+    }
+}
+
+/* A ray from a's place at an angle against the axis. */
+static void angle_line(const td_drawing *d, const drawn *j, double angle, float length,
+                       thud_draw_style style) {
+    double s, c;
+    td_sincos(angle, &s, &c);
+    float x = (float)c * j->x - (float)s * j->y, y = (float)s * j->x + (float)c * j->y;
+    td_drawing_line(d, j->place[0], plus(j->place[0], length * x, length * y), style);
+}
+
+/* Across the line of a direction, at both ends of what it may be. */
+static void limit_marks(const td_drawing *d, thud_vec2 from, float x, float y, const td_drive *of) {
+    float half = 0.25f * AXIS * d->w->unit, at[2] = {of->lower, of->upper};
+    thud_vec2 end[2];
+    for (int i = 0; i < 2; i++) {
+        end[i] = plus(from, at[i] * x, at[i] * y);
+        td_drawing_line(d, plus(end[i], half * y, -half * x), plus(end[i], -half * y, half * x),
+                        THUD_DRAW_JOINT_LIMIT);
+    }
+    td_drawing_line(d, end[0], end[1], THUD_DRAW_JOINT_LIMIT);
+}
+
+static void draw_limits(const td_drawing *d, const td_joint *joint, const drawn *j) {
+    float length = AXIS * d->w->unit, x = j->x, y = j->y;
+    if (joint->kind == THUD_DISTANCE) {
+        float u = j->place[1].x - j->place[0].x, v = j->place[1].y - j->place[0].y;
+        float size = __builtin_sqrtf(u * u + v * v);
+        x = size > 0.0f ? u / size : 1.0f;
+        y = size > 0.0f ? v / size : 0.0f;
+    }
+    for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
+        const td_drive *of = &joint->drive[i];
+        if (!(joint->driven >> i & 1u) || !of->limited) {
+            continue;
+        }
+        if (i == THUD_TURN) {
+            angle_line(d, j, (double)of->lower, length, THUD_DRAW_JOINT_LIMIT);
+            angle_line(d, j, (double)of->upper, length, THUD_DRAW_JOINT_LIMIT);
+        } else {
+            bool across = i == THUD_ACROSS;
+            limit_marks(d, j->place[0], across ? -y : x, across ? x : y, of);
+        }
+    }
+}
+
+static void draw_joint(const td_drawing *d, const td_joint *joint) {
+    drawn j = drawn_of(d, joint);
+    if (joint->kind == THUD_GEAR || joint->kind == THUD_FILTER) {
+        td_drawing_line(d, j.centre[0], j.centre[1], THUD_DRAW_JOINT);
+        return;
+    }
+    for (int side = 0; side < 2; side++) {
+        if (td_body_at(d->w, joint->body[side ^ joint->swapped])->kind != THUD_STATIC) {
+            td_drawing_line(d, j.centre[side], j.place[side], THUD_DRAW_JOINT);
+        }
+        point(d, j.place[side]);
+    }
+    td_drawing_line(d, j.place[0], j.place[1], THUD_DRAW_JOINT);
+    if (joint->kind != THUD_DISTANCE) {
+        angle_line(d, &j, 0.0, AXIS * d->w->unit, THUD_DRAW_JOINT_AXIS);
+    }
+    draw_limits(d, joint, &j);
+}
+
+/* b is the side whose mass counts, but where it has none. */
+static void draw_force(const td_drawing *d, const td_joint *joint) {
+    drawn j = drawn_of(d, joint);
+    td_joint_load load = td_joint_load_of(d->w, joint);
+    int b = 1 ^ joint->swapped;
+    float mass = td_body_at(d->w, joint->body[b])->inv_mass;
+    mass = mass > 0.0f ? mass : td_body_at(d->w, joint->body[1 - b])->inv_mass;
+    float part = 0.5f * mass;
+    td_drawing_line(d, j.place[1], plus(j.place[1], part * load.force.x, part * load.force.y),
+                    THUD_DRAW_JOINT_FORCE);
+}
+
+void td_joints_draw(const td_drawing *d) {
+    for (int i = 0; i < d->w->joints.count; i++) {
+        const td_joint *joint = td_joint_at(d->w, i);
+        if (!joint->live || joint->disabled) {
+            continue;
+        }
+        if (d->draw->flags & THUD_DRAW_JOINTS) {
+            draw_joint(d, joint);
+        }
+        if (d->draw->flags & THUD_DRAW_JOINT_FORCES) {
+            draw_force(d, joint);
+        }
+    }
+}

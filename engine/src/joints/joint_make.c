@@ -1,0 +1,148 @@
+/* joint_make.c: making joints, of parts; see thud_joint.h. */
+#include "joints/gear.h"
+#include "constraint/joining.h"
+#include "islands/island_solve.h"
+#include "state/handles.h"
+
+static bool has_part(const td_joint *joint, int part) {
+    unsigned driven = joint->driven;
+    /* One part is always there, so that the bodies know of the joint. */
+    return part == TD_JOINT_HOLD ? joint->locked || !driven : driven >> part & 1u;
+}
+
+bool td_joint_reserve(thud_world *w, int kind) {
+    int more[TD_CONSTRAINT_KINDS] = {0};
+    td_joint joint = {.kind = (uint8_t)kind};
+    for (int i = 0; i < TD_JOINT_PARTS; i++) {
+        more[td_joint_part_kind(&joint, i)]++;
+    }
+    return td_constraints_reserve(w, more);
+}
+
+static const td_joining_ops joining = {td_joints_engage,     td_joints_suspend,
+                                       td_joints_keep_apart, td_joints_leave,
+                                       td_joints_ring,       td_joints_hold_back,
+                                       td_joints_break_up,   td_joints_measure,
+                                       td_joints_draw,       td_island_solve_joints,
+                                       td_late_reserve,      td_late_note,
+                                       td_late_solve};
+
+static void plug(thud_world *w) {
+    w->kinds[TD_CONSTRAINT_ROD] = td_rod_ops(w);
+    w->kinds[TD_CONSTRAINT_HOLD] = td_hold_ops(w);
+    for (int kind = TD_CONSTRAINT_DRIVE_LINE; kind <= TD_CONSTRAINT_DRIVE_TURN; kind++) {
+        w->kinds[kind] = td_drive_ops(w, kind);
+    }
+    w->kinds[TD_CONSTRAINT_GEAR] = td_gear_ops(w);
+    w->joining = &joining;
+}
+
+thud_result thud_world_use_joints(thud_world *w) {
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "use joints: not inside a callback");
+    }
+    plug(w);
+    return THUD_OK;
+}
+
+/* Gives it the parts that it needs, and takes the others away; room is reserved. */
+void td_joint_settle(thud_world *w, int index) {
+    td_joint *joint = td_joint_at(w, index);
+    td_joint_sort_directions(joint);
+    for (int part = TD_JOINT_PARTS - 1; part >= 0; part--) {
+        if (has_part(joint, part) && joint->part[part] == TD_NONE) {
+            int kind = td_joint_part_kind(joint, part);
+            int made = td_constraint_create(w, kind, joint->body[0], joint->body[1]);
+            td_constraint_at(w, made)->joint = index;
+            joint->part[part] = made;
+        }
+    }
+    for (int part = 0; part < TD_JOINT_PARTS; part++) {
+        if (!has_part(joint, part) && joint->part[part] != TD_NONE) {
+            td_constraint_destroy(w, joint->part[part]);
+        }
+    }
+    plug(w);
+    td_joint_wake(w, joint);
+}
+
+/* A gear's bodies are those that its joints move. */
+static thud_result find_moved(const thud_world *w, thud_joint_id id, td_body_index *body) {
+    int index = 0;
+    thud_result result = td_find_joint(w, id, false, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    const td_joint *joint = td_joint_at(w, index);
+    if ((!td_gear_turns(joint) && joint->kind != THUD_SLIDER && joint->kind != THUD_DISTANCE) ||
+        td_body_at(w, joint->body[0])->kind != THUD_STATIC) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "joint create: a gear is of hinges, wheels, sliders or distances between "
+                         "a static body and a dynamic one");
+    }
+    *body = joint->body[1];
+    return THUD_OK;
+}
+
+static thud_result find_sides(const thud_world *w, const thud_joint_def *def, td_body_index *a,
+                              td_body_index *b) {
+    if (def->kind == THUD_GEAR) {
+        thud_result result = find_moved(w, def->gear[0], a);
+        return result == THUD_OK ? find_moved(w, def->gear[1], b) : result;
+    }
+    thud_result result = td_find_body(w, def->body_a, a);
+    return result == THUD_OK ? td_find_body(w, def->body_b, b) : result;
+}
+
+static void set_members(const thud_world *w, td_joint *gear, const thud_joint_def *def) {
+    gear->gear = (td_gear){.ratio = def->ratio};
+    for (int i = 0; i < 2; i++) {
+        int member = (int)(def->gear[i].index1 - 1);
+        gear->gear.joint[i] = member;
+        gear->gear.generation[i] = td_joint_at(w, member)->generation;
+    }
+    td_gear_begin(w, gear);
+}
+
+thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joint_id *out) {
+    TD_IN_OWN_MODE;
+    td_body_index a, b;
+    if (!w || !def) {
+        return td_refuse(w, THUD_ERROR_NULL, "joint create: world or def is null");
+    }
+    thud_result result = find_sides(w, def, &a, &b);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "joint create: not inside a callback");
+    }
+    const char *error = td_joint_def_error(w, def, a, b);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    if (!td_slots_reserve(&w->memory, &w->joints, 1) || !td_joint_reserve(w, (int)def->kind)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "joint create: out of memory");
+    }
+    int index = td_slots_take(&w->joints);
+    td_joint *joint = td_joint_at(w, index);
+    uint32_t generation = joint->generation;
+    *joint = td_joint_of_def(w, def, a, b);
+    joint->generation = generation;
+    w->breakable += td_joint_breaks(joint);
+    if (!joint->collides) {
+        td_body_at(w, a)->passes |= td_passing_bit(b);
+        td_body_at(w, b)->passes |= td_passing_bit(a);
+    }
+    if (joint->kind == THUD_GEAR) {
+        set_members(w, joint, def);
+    }
+    td_joint_settle(w, index);
+    if (out) {
+        *out = td_joint_handle(w, index);
+    }
+    return THUD_OK;
+}

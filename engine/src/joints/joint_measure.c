@@ -1,0 +1,128 @@
+/* joint_measure.c: where a joint is, by how much it is off, and what it bears. */
+#include "constraint/joining.h"
+#include "joints/gear.h"
+
+/* By how much a value is off: from 0 where it is locked, from the limits where it has some. */
+static double miss_of(const td_joint *joint, int direction, double value) {
+    const td_drive *d = &joint->drive[direction];
+    if (joint->locked >> direction & 1u) {
+        return value;
+    }
+    if (!d->limited || !(td_joint_drivable(joint->kind) >> direction & 1u)) {
+        return 0.0;
+    }
+    return td_max_double(value - (double)d->upper, 0.0) +
+           td_min_double(value - (double)d->lower, 0.0);
+}
+
+static td_joint_reading read_gear(const thud_world *w, const td_joint *joint) {
+    if (!td_gear_whole(w, joint) || joint->gear.apart) {
+        return (td_joint_reading){0};
+    }
+    double gap = td_gear_gap(w, joint);
+    bool turns = td_gear_turns(td_joint_at(w, joint->gear.joint[0]));
+    td_joint_reading r = {.gap = turns ? 0.0 : td_abs(gap), .angle_gap = turns ? td_abs(gap) : 0.0};
+    r.value[turns ? THUD_TURN : THUD_ALONG] = gap;
+    return r;
+}
+
+td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint) {
+    if (joint->kind == THUD_GEAR) {
+        return read_gear(w, joint);
+    }
+    td_joint_place place = td_joint_place_of(w, joint);
+    double x = (double)place.x, y = (double)place.y;
+    double u = (double)place.axis_x, v = (double)place.axis_y;
+    td_joint_reading r = {.value = {x * u + y * v, y * u - x * v, (double)place.turn}};
+    if (joint->kind == THUD_DISTANCE) {
+        r.value[THUD_ALONG] = __builtin_sqrt(x * x + y * y);
+        r.value[THUD_ACROSS] = 0.0;
+        double off = joint->locked ? r.value[THUD_ALONG] - (double)joint->length
+                                   : miss_of(joint, THUD_ALONG, r.value[THUD_ALONG]);
+        r.gap = td_abs(off);
+        return r;
+    }
+    double along = miss_of(joint, THUD_ALONG, r.value[THUD_ALONG]);
+    double across = miss_of(joint, THUD_ACROSS, r.value[THUD_ACROSS]);
+    r.gap = __builtin_sqrt(along * along + across * across);
+    r.angle_gap = td_abs(miss_of(joint, THUD_TURN, r.value[THUD_TURN]));
+    return r;
+}
+
+/* Adds what a part gave b's side in the last substep. */
+static void add_impulse(const thud_world *w, const td_constraint *part, double impulse[3]) {
+    if (part->state != TD_TOUCHING) {
+        return;
+    }
+    td_lane at = td_lane_of(w, part);
+    double first = (double)at.block->point[0].normal_impulse[at.lane];
+    double x = (double)at.block->nx[at.lane], y = (double)at.block->ny[at.lane];
+    double third = (double)at.block->tangent_impulse[at.lane];
+    if (part->kind == TD_CONSTRAINT_ROD) {
+        impulse[0] += x * first;
+        impulse[1] += y * first;
+        return;
+    }
+    if (part->kind == TD_CONSTRAINT_GEAR) {
+        impulse[0] += x * first;
+        impulse[1] += y * first;
+        impulse[2] += (double)at.block->point[0].cross_b[at.lane] * first;
+        return;
+    }
+    double second = (double)at.block->point[1].normal_impulse[at.lane];
+    if (part->kind == TD_CONSTRAINT_HOLD) {
+        impulse[0] += x * first - y * second;
+        impulse[1] += y * first + x * second;
+        impulse[2] += (double)td_hold_rows_at(at.block)->turn_sign[at.lane] * third;
+        return;
+    }
+    const td_drive_rows *rows = td_drive_rows_at(at.block);
+    double along = (double)rows->limit_side[at.lane] * first + second + third;
+    bool turns = part->kind == TD_CONSTRAINT_DRIVE_TURN;
+    impulse[0] += turns ? 0.0 : x * along;
+    impulse[1] += turns ? 0.0 : y * along;
+    impulse[2] += turns ? (double)rows->turn_sign[at.lane] * along : 0.0;
+}
+
+/* A time step next to nothing makes a force without end of any impulse. */
+static float as_force(double x) {
+    double most = (double)THUD_JOINT_FORCE_MAX;
+    return x > most ? (float)most : x < -most ? (float)-most : x == x ? (float)x : 0.0f;
+}
+
+td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint) {
+    double impulse[3] = {0.0, 0.0, 0.0};
+    for (int i = 0; i < TD_JOINT_PARTS; i++) {
+        if (joint->part[i] != TD_NONE) {
+            add_impulse(w, td_constraint_at(w, joint->part[i]), impulse);
+        }
+    }
+    double rate = (joint->swapped ? -1.0 : 1.0) * w->substeps / w->def.time_step;
+    return (td_joint_load){{as_force(rate * impulse[0]), as_force(rate * impulse[1])},
+                           as_force(rate * impulse[2])};
+}
+
+bool td_joint_acts(const thud_world *w, const td_joint *joint) {
+    bool awake = false;
+    for (int i = 0; i < TD_JOINT_PARTS; i++) {
+        const td_constraint *part =
+            joint->part[i] == TD_NONE ? NULL : td_constraint_at(w, joint->part[i]);
+        awake |= part && part->state == TD_TOUCHING && part->bin != TD_SLEEPING;
+    }
+    return awake;
+}
+
+void td_joints_measure(const thud_world *w, td_joint_gaps *gaps) {
+    int count = 0;
+    for (int i = 0; i < w->joints.count; i++) {
+        const td_joint *joint = td_joint_at(w, i);
+        if (joint->live && td_joint_acts(w, joint)) {
+            td_joint_reading r = td_joint_read(w, joint);
+            gaps->worst = td_max_double(gaps->worst, r.gap);
+            gaps->angle = td_max_double(gaps->angle, r.angle_gap);
+            gaps->mean += r.gap;
+            count++;
+        }
+    }
+    gaps->mean /= count ? count : 1;
+}

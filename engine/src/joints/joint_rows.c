@@ -1,0 +1,316 @@
+/* joint_rows.c: the rows of joints for the direct solver. */
+#include "joints/joint.h"
+
+#include "islands/rows.h"
+
+static void hold(const thud_world *w, td_direct_row *row, const float *impulses, int k,
+                 double gap) {
+    row->impulse = 0.5 * (double)impulses[k];
+    row->wanted = td_joint_closing_speed(w, gap, w->def.time_step);
+}
+
+/* ---- a part of the step ---- */
+
+static void set_direction(td_direct_row *row, double x, double y, double cross_a, double cross_b) {
+    double a[3] = {-x, -y, -cross_a}, b[3] = {x, y, cross_b};
+    for (int k = 0; k < 3; k++) {
+        row->a[k] = a[k];
+        row->b[k] = b[k];
+    }
+}
+
+/* What the row's direction makes of the motion of the part. */
+static double way_of(const td_direct_row *row, const td_span *s) {
+    double way = 0.0;
+    for (int k = 0; k < 3; k++) {
+        way += row->a[k] * (s->a[1][k] - s->a[0][k]) + row->b[k] * (s->b[1][k] - s->b[0][k]);
+    }
+    return way;
+}
+
+/* Gaps of so many length scales, or radians, are what single precision makes of places: they stay
+ * as they are. Where a loop has more locks than it needs, closing all of them would strain it for
+ * nothing. */
+#define NOTHING 1e-6
+
+/* Wider ones close by so much of them in a step, as those of contacts do: a chain in which many are
+ * open would leap otherwise. */
+#define CLOSING 0.2
+#define LITTLE 1e-4 /* length scales, or radians, on top */
+
+/* The mean speed for which a gap that goes from `before` to `after` by the motion as known closes
+ * by the end as far as it should, and the world's push_speed allows. */
+static double wanted_of(const thud_world *w, td_direct_row *row, const td_span *s, double before,
+                        double after) {
+    double most = (double)(w->def.push_speed * w->unit) * s->time, off = td_abs(before);
+    double part = off * (CLOSING * s->time / w->def.time_step) + LITTLE * (double)w->unit;
+    most = td_min_double(most, part);
+    double left = off <= NOTHING * (double)w->unit ? before
+                  : before > most                  ? before - most
+                  : before < -most                 ? before + most
+                                                   : 0.0;
+    row->closing = s->time > 0.0 ? td_abs(before - left) / s->time : row->closing;
+    return s->time > 0.0 ? (way_of(row, s) - (after - left)) / s->time : 0.0;
+}
+
+typedef struct middle {
+    double a[3], b[3];
+    double chord_a, chord_b; /* of an arm's end, over the way along its circle */
+} middle;
+
+/* sin(x) / x, for turns within a part of a step */
+static double chord(double turn) {
+    double half = 0.5 * turn, s, c;
+    if (half * half < 1e-12) {
+        return 1.0;
+    }
+    td_joint_sincos(half, &s, &c);
+    return s / half;
+}
+
+static middle middle_of(const td_span *s) {
+    middle m;
+    for (int k = 0; k < 3; k++) {
+        m.a[k] = 0.5 * (s->a[0][k] + s->a[1][k]);
+        m.b[k] = 0.5 * (s->b[0][k] + s->b[1][k]);
+    }
+    m.chord_a = chord(s->a[1][2] - s->a[0][2]);
+    m.chord_b = chord(s->b[1][2] - s->b[0][2]);
+    return m;
+}
+
+/* The frame in the middle of the part. One that stays as it is has the mean arms instead. */
+static td_joint_frame frame_between(const td_block *block, int lane, double gap_u, double gap_v,
+                                    bool turns, const td_span *s) {
+    middle m = middle_of(s);
+    td_joint_frame f = td_joint_frame_after(block, lane, gap_u, gap_v, turns, m.a, m.b);
+    if (!turns) {
+        f.a_u *= m.chord_a;
+        f.a_v *= m.chord_a;
+        f.b_u *= m.chord_b;
+        f.b_v *= m.chord_b;
+    }
+    return f;
+}
+
+/* Along a line that turns: its mean, over the mean of both lengths. */
+static td_joint_frame line_between(const td_block *block, int lane, double gap_u, double gap_v,
+                                   const td_span *s, double length[2]) {
+    td_joint_frame f = frame_between(block, lane, gap_u, gap_v, false, s), end[2];
+    for (int i = 0; i < 2; i++) {
+        end[i] = td_joint_frame_after(block, lane, gap_u, gap_v, false, s->a[i], s->b[i]);
+        length[i] = __builtin_sqrt(end[i].gap_u * end[i].gap_u + end[i].gap_v * end[i].gap_v);
+    }
+    double both = length[0] + length[1];
+    double u = both > 0.0 ? (end[0].gap_u + end[1].gap_u) / both : 1.0;
+    double v = both > 0.0 ? (end[0].gap_v + end[1].gap_v) / both : 0.0;
+    return (td_joint_frame){.x = u * f.x - v * f.y,
+                            .y = u * f.y + v * f.x,
+                            .a_u = u * f.a_u + v * f.a_v,
+                            .a_v = u * f.a_v - v * f.a_u,
+                            .b_u = u * f.b_u + v * f.b_v,
+                            .b_v = u * f.b_v - v * f.b_u};
+}
+
+/* What impulses along u and v do about either side as it turns by the mean motion of the part, of
+ * which half is done in its middle. */
+static void set_stiffness(td_direct_constraint *c, const td_joint_frame *f, const td_span *s,
+                          double u, double v) {
+    double half = 0.5 * s->time;
+    c->stiff[0] = -half * (f->a_v * u - f->a_u * v);
+    c->stiff[1] = half * (f->b_v * u - f->b_u * v);
+}
+
+/* A line that pulls is stiff across, too. */
+static void set_line_stiffness(td_direct_constraint *c, const td_joint_frame *f, const td_span *s,
+                               double impulse, double length, td_direct_row *across) {
+    set_stiffness(c, f, s, impulse, 0.0);
+    set_direction(across, -f->y, f->x, f->a_v, f->b_v);
+    across->kind = TD_ROW_SOFT;
+    across->used = impulse < 0.0 && length > 0.0 && s->time > 0.0;
+    across->weight = across->used ? -0.5 * s->time * impulse / length : 0.0;
+    across->wanted = s->time > 0.0 ? way_of(across, s) / s->time : 0.0;
+    across->most = __builtin_inf();
+    across->impulse = 0.0;
+}
+
+/* ---- locked directions ---- */
+
+bool td_rod_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
+                      td_direct_constraint *c) {
+    const td_point *p = &block->point[0];
+    td_row_set(&c->row[0], TD_ROW_EQUAL, (double)block->nx[lane], (double)block->ny[lane],
+               (double)p->cross_a[lane], (double)p->cross_b[lane]);
+    hold(w, &c->row[0], impulses, 0, (double)p->base[lane]);
+    return false;
+}
+
+void td_rod_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                      td_direct_constraint *c) {
+    double wanted = (double)td_hold_rows_at(block)->turn_base[lane], length[2];
+    td_joint_frame f =
+        line_between(block, lane, (double)block->point[0].base[lane] + wanted, 0.0, s, length);
+    set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
+    c->row[0].wanted = wanted_of(w, &c->row[0], s, length[0] - wanted, length[1] - wanted);
+    set_line_stiffness(c, &f, s, c->row[0].impulse, length[0], &c->row[1]);
+}
+
+void td_hold_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                       td_direct_constraint *c) {
+    const td_hold_rows *rows = td_hold_rows_at(block);
+    double u = (double)block->point[0].base[lane], v = (double)block->point[1].base[lane];
+    double sign = (double)rows->turn_sign[lane];
+    bool turns = rows->frame[lane] > 0.0f;
+    td_joint_frame end[2];
+    double turned[2];
+    for (int i = 0; i < 2; i++) {
+        bool stays = i == 1 && s->time == 0.0;
+        end[i] = stays ? end[0] : td_joint_frame_after(block, lane, u, v, turns, s->a[i], s->b[i]);
+        turned[i] = (double)rows->turn_base[lane] + sign * (s->b[i][2] - s->a[i][2]);
+    }
+    td_joint_frame f = s->time == 0.0 ? end[0] : frame_between(block, lane, u, v, turns, s);
+    set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
+    set_direction(&c->row[1], -f.y, f.x, f.a_v, f.b_v);
+    c->row[0].wanted = wanted_of(w, &c->row[0], s, end[0].gap_u, end[1].gap_u);
+    c->row[1].wanted = wanted_of(w, &c->row[1], s, end[0].gap_v, end[1].gap_v);
+    c->row[2].wanted = wanted_of(w, &c->row[2], s, turned[0], turned[1]);
+    set_stiffness(c, &f, s, c->row[0].impulse, c->row[1].impulse);
+}
+
+bool td_hold_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
+                       td_direct_constraint *c) {
+    const td_hold_rows *rows = td_hold_rows_of(block);
+    const td_point *p = block->point;
+    double still[3] = {0.0, 0.0, 0.0}, sign = (double)rows->turn_sign[lane];
+    td_joint_frame f =
+        td_joint_frame_after(block, lane, (double)p[0].base[lane], (double)p[1].base[lane],
+                             rows->frame[lane] > 0.0f, still, still);
+    td_row_set(&c->row[0], TD_ROW_EQUAL, f.x, f.y, f.a_u, f.b_u);
+    td_row_set(&c->row[1], TD_ROW_EQUAL, -f.y, f.x, f.a_v, f.b_v);
+    td_row_set(&c->row[2], TD_ROW_EQUAL, 0.0, 0.0, sign, sign);
+    hold(w, &c->row[0], impulses, 0, f.gap_u);
+    hold(w, &c->row[1], impulses, 1, f.gap_v);
+    hold(w, &c->row[2], impulses, 2, (double)rows->turn_base[lane]);
+    c->row[0].used = p[0].normal_mass[lane] > 0.0f;
+    c->row[1].used = p[1].normal_mass[lane] > 0.0f;
+    c->row[2].used = block->tangent_mass[lane] > 0.0f;
+    return false;
+}
+
+/* ---- driven directions ---- */
+
+/* Limits that are not reached must not be passed by the end of the step. */
+static void take_limit(const thud_world *w, const td_block *block, int lane, const float *impulses,
+                       td_direct_row *row, const td_direct_row *along) {
+    const td_drive_rows *r = td_drive_rows_at(block);
+    double side = (double)r->limit_side[lane], gap = (double)block->point[0].base[lane];
+    bool locked = r->locked[lane] > 0.0f;
+    *row = *along;
+    for (int k = 0; k < 3; k++) {
+        row->a[k] *= side;
+        row->b[k] *= side;
+    }
+    row->kind = locked ? TD_ROW_EQUAL : TD_ROW_PUSH;
+    row->used = side != 0.0;
+    hold(w, row, impulses, 0, gap);
+    row->wanted = gap > 0.0 && !locked ? -gap / w->def.time_step : row->wanted;
+}
+
+static double mass_of(const thud_world *w, const td_block *block, int lane) {
+    const td_drive_rows *r = td_drive_rows_at(block);
+    int kind = td_constraint_at(w, block->constraint[lane])->kind;
+    bool turns = kind == TD_CONSTRAINT_DRIVE_TURN;
+    float lever = kind == TD_CONSTRAINT_DRIVE_AXIS ? r->gap_v[lane] : 0.0f;
+    float cross_a = turns ? r->turn_sign[lane] : block->point[0].cross_a[lane] - lever;
+    float cross_b = turns ? r->turn_sign[lane] : block->point[0].cross_b[lane];
+    float inverse = td_joint_inverse_mass(w, block, lane, turns ? 0.0f : 1.0f, cross_a, cross_b);
+    return inverse > 0.0f ? 1.0 / (double)inverse : 0.0;
+}
+
+/* Sets a spring's weight for a part of the step, and returns the speed at which it would not push:
+ * its mean force is the one in the middle of the part, which keeps its energy. The impulses of the
+ * problem are half of those of the part. `moved`: how far it is from where the step began. */
+static double spring_speed(const thud_world *w, const td_block *block, int lane, td_direct_row *row,
+                           double moved, double time) {
+    const td_drive_rows *r = td_drive_rows_at(block);
+    double omega = 2.0 * TD_PI * (double)r->frequency[lane], mass = mass_of(w, block, lane);
+    double stiffness = mass * omega * omega, drag = 2.0 * (double)r->damping[lane] * mass * omega;
+    double both = 0.5 * time * stiffness + drag;
+    row->weight = 0.5 * time * both;
+    row->most = 0.5 * time * (double)r->spring_most[lane];
+    return both > 0.0 ? -stiffness * ((double)block->point[1].base[lane] + moved) / both : 0.0;
+}
+
+static void take_spring(const thud_world *w, const td_block *block, int lane, const float *impulses,
+                        td_direct_row *row) {
+    row->kind = TD_ROW_SOFT;
+    row->impulse = 0.5 * (double)impulses[1];
+    row->wanted = spring_speed(w, block, lane, row, 0.0, w->def.time_step);
+    row->used = row->weight > 0.0;
+}
+
+bool td_drive_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
+                        td_direct_constraint *c) {
+    const td_drive_rows *r = td_drive_rows_of(block);
+    bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;
+    bool line = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_LINE;
+    double still[3] = {0.0, 0.0, 0.0}, sign = (double)r->turn_sign[lane];
+    double gap_u = (double)r->gap_u[lane], gap_v = (double)r->gap_v[lane];
+    td_joint_frame f = {.a_u = sign, .b_u = sign};
+    if (!turns) {
+        f = line ? td_joint_line_after(block, lane, gap_u, gap_v, still, still)
+                 : td_joint_frame_after(block, lane, gap_u, gap_v, true, still, still);
+    }
+    td_direct_row along;
+    td_row_set(&along, TD_ROW_FRICTION, f.x, f.y, f.a_u, f.b_u);
+    c->row[1] = c->row[2] = along;
+    take_limit(w, block, lane, impulses, &c->row[0], &along);
+    take_spring(w, block, lane, impulses, &c->row[1]);
+    c->bound = 0.5 * w->def.time_step * (double)r->motor_most[lane];
+    c->row[2].used = c->bound > 0.0;
+    c->row[2].wanted = (double)r->motor_speed[lane];
+    c->row[2].impulse = 0.5 * (double)impulses[TD_DIRECT_TANGENT];
+    return false;
+}
+
+/* Where b is along a driven direction at the start and at the end of the part, and the direction.
+ */
+static td_joint_frame drive_between(const thud_world *w, const td_block *block, int lane,
+                                    const td_span *s, double value[2]) {
+    const td_drive_rows *r = td_drive_rows_at(block);
+    int kind = td_constraint_at(w, block->constraint[lane])->kind;
+    double u = (double)r->gap_u[lane], v = (double)r->gap_v[lane];
+    double sign = (double)r->turn_sign[lane];
+    if (kind == TD_CONSTRAINT_DRIVE_LINE) {
+        return line_between(block, lane, u, v, s, value);
+    }
+    for (int i = 0; i < 2; i++) {
+        value[i] = kind == TD_CONSTRAINT_DRIVE_TURN
+                       ? (double)r->value_base[lane] + sign * (s->b[i][2] - s->a[i][2])
+                       : td_joint_frame_after(block, lane, u, v, true, s->a[i], s->b[i]).gap_u;
+    }
+    return kind == TD_CONSTRAINT_DRIVE_TURN ? (td_joint_frame){.a_u = sign, .b_u = sign}
+                                            : frame_between(block, lane, u, v, true, s);
+}
+
+void td_drive_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                        td_direct_constraint *c) {
+    const td_drive_rows *r = td_drive_rows_at(block);
+    double side = (double)r->limit_side[lane], value[2], gap[2];
+    td_joint_frame f = drive_between(w, block, lane, s, value);
+    set_direction(&c->row[1], f.x, f.y, f.a_u, f.b_u);
+    set_direction(&c->row[2], f.x, f.y, f.a_u, f.b_u);
+    set_direction(&c->row[0], side * f.x, side * f.y, side * f.a_u, side * f.b_u);
+    for (int i = 0; i < 2; i++) {
+        gap[i] = side * (value[i] - (double)r->limit[lane]);
+    }
+    bool open = gap[0] > 0.0 && c->row[0].kind == TD_ROW_PUSH;
+    c->row[0].wanted = !open           ? wanted_of(w, &c->row[0], s, gap[0], gap[1])
+                       : s->time > 0.0 ? (way_of(&c->row[0], s) - gap[1]) / s->time
+                                       : -gap[1] / w->def.time_step;
+    if (s->time > 0.0) {
+        c->bound = 0.5 * s->time * (double)r->motor_most[lane];
+        double moved = value[0] - (double)r->value_base[lane];
+        c->row[1].wanted = spring_speed(w, block, lane, &c->row[1], moved, s->time);
+    }
+}

@@ -1,0 +1,98 @@
+/* joint_set.c: changing joints; see thud_joint.h. */
+#include "joints/gear.h"
+#include "state/handles.h"
+
+thud_result thud_joint_set_drive(thud_world *w, thud_joint_id id, thud_direction direction,
+                                 const thud_drive *drive) {
+    int index = 0;
+    thud_result result = td_find_joint(w, id, true, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!drive) {
+        return td_refuse(w, THUD_ERROR_NULL, "joint set drive: drive is null");
+    }
+    td_joint *joint = td_joint_at(w, index);
+    if ((int)direction < 0 || direction >= THUD_DIRECTION_COUNT ||
+        !(td_joint_drivable(joint->kind) >> direction & 1u)) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "joint set drive: this kind of joint drives no such direction");
+    }
+    if (!td_joint_is_drive(w, (thud_joint_kind)joint->kind, (int)direction, drive)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "joint set drive: the drive is out of range");
+    }
+    if (!td_joint_reserve(w, joint->kind)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "joint set drive: out of memory");
+    }
+    joint->drive[direction] = td_drive_of(drive);
+    td_joint_settle(w, index);
+    return THUD_OK;
+}
+
+thud_result thud_joint_set_length(thud_world *w, thud_joint_id id, float length) {
+    int index = 0;
+    thud_result result = td_find_joint(w, id, true, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    td_joint *joint = td_joint_at(w, index);
+    if (joint->kind != THUD_DISTANCE ||
+        !(length > 0.0f && length <= TD_JOINT_LENGTH_MOST * w->unit)) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "joint set length: the joint is no distance, or length is out of range");
+    }
+    joint->length = length;
+    td_joint_wake(w, joint);
+    return THUD_OK;
+}
+
+thud_result thud_joint_set_enabled(thud_world *w, thud_joint_id id, bool enabled) {
+    int index = 0;
+    thud_result result = td_find_joint(w, id, true, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    td_joint *joint = td_joint_at(w, index);
+    if (joint->disabled == !enabled) {
+        return THUD_OK;
+    }
+    joint->disabled = !enabled;
+    if (enabled && joint->kind == THUD_GEAR && td_gear_whole(w, joint)) {
+        td_gear_begin(w, joint);
+    }
+    for (int i = 0; i < TD_JOINT_PARTS; i++) {
+        int part = joint->part[i];
+        if (!enabled && part != TD_NONE && td_constraint_at(w, part)->state == TD_TOUCHING) {
+            td_lane_remove(w, part);
+            td_constraint_wait(w, part);
+        }
+    }
+    td_joint_wake(w, joint);
+    return THUD_OK;
+}
+
+thud_result thud_joint_set_frame(thud_world *w, thud_joint_id id, int side,
+                                 thud_joint_frame frame) {
+    int index = 0;
+    thud_result result = td_find_joint(w, id, true, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    td_joint *joint = td_joint_at(w, index);
+    if (joint->kind >= THUD_FILTER || side < 0 || side > 1 || !td_joint_is_frame(w, &frame)) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "joint set frame: the joint has none, or side or frame is out of range");
+    }
+    td_joint_set_place(joint, side != (int)joint->swapped, &frame);
+    td_joint_wake(w, joint);
+    return THUD_OK;
+}
+
+thud_result thud_joint_set_user_data(thud_world *w, thud_joint_id id, uint64_t user_data) {
+    int index = 0;
+    thud_result result = td_find_joint(w, id, true, &index);
+    if (result == THUD_OK) {
+        td_joint_at(w, index)->user_data = user_data;
+    }
+    return result;
+}

@@ -1,0 +1,105 @@
+/* joint_state.c: what callers read of a joint; see thud_joint.h. */
+#include "joints/gear.h"
+#include "state/handles.h"
+
+/* Of a gear its joints count as well: it goes with them, in the next step. */
+static bool is_there(const thud_world *w, int index) {
+    const td_joint *joint = td_joint_at(w, index);
+    return joint->live && (joint->kind != THUD_GEAR || td_gear_whole(w, joint));
+}
+
+static bool is_live(const thud_world *w, thud_joint_id id) {
+    return id.index1 > 0 && id.index1 <= (uint32_t)w->joints.count &&
+           is_there(w, (int)(id.index1 - 1)) &&
+           td_tag(w, td_joint_at(w, (int)(id.index1 - 1))->generation) == id.generation;
+}
+
+thud_result td_find_joint(const thud_world *w, thud_joint_id id, bool edits, int *index) {
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (!is_live(w, id)) {
+        return td_refuse(w, THUD_ERROR_STALE, "this joint is destroyed, or of another world");
+    }
+    if (edits && w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "joint: not inside a callback");
+    }
+    *index = (int)(id.index1 - 1);
+    return THUD_OK;
+}
+
+bool thud_joint_is_valid(const thud_world *w, thud_joint_id id) {
+    return w && is_live(w, id);
+}
+
+thud_result thud_joint_get(const thud_world *w, thud_joint_id id, thud_joint_state *out) {
+    TD_IN_OWN_MODE;
+    int index = 0;
+    thud_result result = td_find_joint(w, id, false, &index);
+    if (result != THUD_OK || !out) {
+        return result != THUD_OK ? result : td_refuse(w, THUD_ERROR_NULL, "joint get: out is null");
+    }
+    const td_joint *joint = td_joint_at(w, index);
+    td_joint_reading r = td_joint_read(w, joint);
+    td_joint_load load = td_joint_load_of(w, joint);
+    *out = (thud_joint_state){.kind = (thud_joint_kind)joint->kind,
+                              .body_a = td_body_handle(w, joint->body[joint->swapped]),
+                              .body_b = td_body_handle(w, joint->body[!joint->swapped]),
+                              .enabled = !joint->disabled,
+                              .value = {r.value[0], r.value[1], r.value[2]},
+                              .gap = r.gap,
+                              .angle_gap = r.angle_gap,
+                              .force = load.force,
+                              .torque = load.torque,
+                              .user_data = joint->user_data};
+    return THUD_OK;
+}
+
+/* ---- lists ---- */
+
+thud_joint_id td_joint_handle(const thud_world *w, int index) {
+    return (thud_joint_id){(uint32_t)index + 1, td_tag(w, td_joint_at(w, index)->generation)};
+}
+
+static int list(const thud_world *w, int index, thud_joint_id *out, int capacity, int count) {
+    if (!is_there(w, index)) {
+        return count;
+    }
+    if (count < capacity && out) {
+        out[count] = td_joint_handle(w, index);
+    }
+    return count + 1;
+}
+
+int thud_world_joints(const thud_world *w, thud_joint_id *out, int capacity) {
+    int count = 0;
+    for (int i = 0; w && i < w->joints.count; i++) {
+        count = list(w, i, out, capacity, count);
+    }
+    return count;
+}
+
+/* The part of a joint by which lists name it. */
+static int first_part(const td_joint *joint) {
+    for (int i = 0; i < TD_JOINT_PARTS; i++) {
+        if (joint->part[i] != TD_NONE) {
+            return joint->part[i];
+        }
+    }
+    return TD_NONE;
+}
+
+int thud_body_joints(const thud_world *w, thud_body_id body, thud_joint_id *out, int capacity) {
+    td_body_index index;
+    if (!w || td_find_body(w, body, &index) != THUD_OK) {
+        return 0;
+    }
+    int count = 0;
+    for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_constraint *part = td_constraint_at(w, e / 2);
+        if (!td_is_contact(part) && first_part(td_joint_of(w, part)) == e / 2) {
+            count = list(w, part->joint, out, capacity, count);
+        }
+    }
+    return count;
+}

@@ -1,0 +1,32 @@
+/* rod.c: the lanes of distances that are locked. */
+#include "joints/joint.h"
+
+TD_DECLARE_WIDE(const td_solve_ops, td_solve_rod);
+
+static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
+    const td_point *p = &block->point[0];
+    float mass = td_joint_lighter(w, block, lane);
+    (void)size;
+    *off = td_joint_size(p->separation[lane]);
+    return td_joint_size(p->normal_impulse[lane]) * mass;
+}
+
+static void count(thud_world *w, const td_block *block) {
+    const td_point *p = &block->point[0];
+    for (int lane = 0; lane < block->used; lane++) {
+        double a[3], b[3];
+        double length = (double)(p->base[lane] + td_hold_rows_at(block)->turn_base[lane]);
+        td_joint_motion(w, block, lane, a, b);
+        td_joint_frame f = td_joint_line_after(block, lane, length, 0.0, a, b);
+        float speed = td_joint_speed(w, block, lane, f.x, f.y, f.a_u, f.b_u);
+        w->errors.residual = td_max_float(td_joint_size(speed), w->errors.residual);
+    }
+}
+
+TD_DEFINE_JOINT_LANES(td_rod_take_rows, td_rod_turn_rows)
+TD_DEFINE_JOINT_OPS(ops, TD_FORM_HOLD, td_place_joints, td_solve_rod)
+
+const td_constraint_ops *td_rod_ops(const thud_world *w) {
+    (void)w;
+    return &TD_PICK_WIDE(w, ops);
+}

@@ -1,0 +1,162 @@
+/* wide_drive.c: solver passes for driven directions of joints: a spring, a motor and limits, which
+ * all push along the same direction, one after the other. */
+#include "joints/wide_joint.h"
+
+typedef enum way { LINE, AXIS, TURN } way;
+
+/* A direction as it stands now, and where b is along it. */
+typedef struct direction8 {
+    f8 x, y, cross_a, cross_b, value, mass;
+} direction8;
+
+TD_INLINE direction8 direction_now(const td_block *block, const td_drive_rows *r,
+                                   const td_solve_context *c, bool fixed, way which,
+                                   const sides *v) {
+    f8 zero = f8_all(0.0f), one = f8_all(1.0f);
+    sides d = read_sides(c->delta, block, fixed);
+    direction8 now = {zero, zero, r->turn_sign, r->turn_sign, zero, zero};
+    if (which == TURN) {
+        now.value = r->value_base + r->turn_sign * (fixed ? d.b.z : d.b.z - d.a.z);
+    } else {
+        frame8 f = which == LINE ? line_now(block, &d, fixed, r->gap_u, r->gap_v, &now.value)
+                                 : frame_now(block, &d, fixed, r->gap_u, r->gap_v, one);
+        now.value = which == LINE ? now.value : f.gap_u;
+        now = (direction8){f.x, f.y, f.a_u, f.b_u, now.value, zero};
+    }
+    f8 linear = which == TURN ? zero : one;
+    now.mass = inverse_or_zero(
+        yield(block, v, fixed, linear, now.cross_a, now.cross_b, now.cross_a, now.cross_b));
+    return now;
+}
+
+TD_INLINE f8 speed_along(const direction8 *n, const sides *v, bool fixed) {
+    return speed_now(v, fixed, n->x, n->y, n->cross_a, n->cross_b);
+}
+
+TD_INLINE void push_along(td_block *block, const direction8 *n, bool fixed, sides *v, f8 change) {
+    give(block, fixed, v, &td_drive_rows_of(block)->given, n->x * change, n->y * change,
+         n->cross_a * change, n->cross_b * change);
+}
+
+/* Impulses of the substep before, along the direction as it is now. */
+TD_INLINE void push_again(td_block *block, const direction8 *n, bool fixed, sides *v) {
+    td_drive_rows *r = td_drive_rows_of(block);
+    f8 all = block->point[1].normal_impulse + block->tangent_impulse +
+             r->limit_side * block->point[0].normal_impulse;
+    give_anew(block, fixed, v, &r->given, n->x * all, n->y * all, n->cross_a * all,
+              n->cross_b * all);
+}
+
+/* Catto's "Soft Constraints" (2011), as contacts have it, with a frequency for each lane. */
+TD_INLINE void spring(td_block *block, const td_drive_rows *r, const td_solve_context *c,
+                      const direction8 *n, bool fixed, sides *v) {
+    td_point *q = &block->point[1];
+    f8 zero = f8_all(0.0f), one = f8_all(1.0f), h = one / f8_all(c->inv_h);
+    i8 some = r->frequency > zero;
+    q->separation = f8_keep(some, n->value - r->target);
+    if (!i8_bits(some)) {
+        return;
+    }
+    f8 omega = f8_all(2.0f * (float)TD_PI) * r->frequency;
+    f8 a1 = f8_all(2.0f) * r->damping + h * omega, a2 = h * omega * a1, a3 = one / (one + a2);
+    f8 speed =
+        speed_along(n, v, fixed) + q->separation * f8_keep(some, omega / f8_pick(some, a1, one));
+    f8 old = q->normal_impulse, most = r->spring_most * h;
+    f8 now = f8_clamp(old - a2 * a3 * n->mass * speed - a3 * old, -most, most);
+    now = f8_keep(some, now);
+    q->normal_impulse = now;
+    push_along(block, n, fixed, v, now - old);
+}
+
+TD_INLINE void motor(td_block *block, const td_drive_rows *r, const td_solve_context *c,
+                     const direction8 *n, bool fixed, sides *v) {
+    f8 most = r->motor_most / f8_all(c->inv_h);
+    if (!i8_bits(most > f8_all(0.0f))) {
+        return;
+    }
+    f8 old = block->tangent_impulse;
+    f8 now = f8_clamp(old - n->mass * (speed_along(n, v, fixed) - r->motor_speed), -most, most);
+    block->tangent_impulse = now;
+    push_along(block, n, fixed, v, now - old);
+}
+
+/* What keeps a direction from `limit`: a contact with it, or, where both limits are the same, a
+ * lock. */
+TD_INLINE void stop(td_block *block, const td_drive_rows *r, const td_solve_context *c,
+                    const direction8 *n, bool fixed, bool soft, sides *v) {
+    td_point *p = &block->point[0];
+    f8 zero = f8_all(0.0f), one = f8_all(1.0f), inv_h = f8_all(c->inv_h);
+    i8 locked = r->locked > zero, some = (r->limit_side > zero) | (r->limit_side < zero);
+    f8 gap = f8_keep(some, r->limit_side * (n->value - r->limit));
+    p->separation = gap;
+    if (!i8_bits(some)) {
+        return;
+    }
+    i8 apart = (gap > zero) & ~locked;
+    f8 most = f8_all(HASTE * c->push_speed), bias = zero, scale = one, keep = zero;
+    if (soft) {
+        bias = f8_clamp(gap * f8_all(PULL * c->inv_h), -most, most);
+        scale = f8_pick(apart, one, f8_all(1.0f - LOST));
+        keep = f8_keep(~apart, f8_all(LOST));
+    }
+    bias = f8_pick(apart, gap * inv_h, bias);
+    f8 old = p->normal_impulse;
+    f8 speed = r->limit_side * speed_along(n, v, fixed) + bias;
+    f8 now = old - scale * n->mass * speed - keep * old;
+    now = f8_keep(some, f8_pick(locked, now, f8_max(now, zero)));
+    p->normal_impulse = now;
+    push_along(block, n, fixed, v, r->limit_side * (now - old));
+}
+
+TD_INLINE void drive(td_block *const *blocks, int count, const td_solve_context *c, bool fixed,
+                     way which, bool soft) {
+    for (int i = 0; i < count; i++) {
+        td_block *block = blocks[i];
+        const td_drive_rows *r = td_drive_rows_of(block);
+        sides v = read_sides(c->velocity, block, fixed);
+        direction8 n = direction_now(block, r, c, fixed, which, &v);
+        if (soft && !c->first) {
+            push_again(block, &n, fixed, &v);
+        }
+        spring(block, r, c, &n, fixed, &v);
+        motor(block, r, c, &n, fixed, &v);
+        stop(block, r, c, &n, fixed, soft, &v);
+        write_sides(c, block, fixed, &v);
+    }
+}
+
+TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_context *c, bool fixed,
+                          way which) {
+    for (int i = 0; i < count; i++) {
+        td_block *block = blocks[i];
+        td_drive_rows *r = td_drive_rows_of(block);
+        sides v = read_sides(c->velocity, block, fixed);
+        direction8 n = direction_now(block, r, c, fixed, which, &v);
+        forget_given(&r->given);
+        push_again(block, &n, fixed, &v);
+        write_sides(c, block, fixed, &v);
+    }
+}
+
+/* Nothing bounces off a joint. */
+static void rest(td_block *const *blocks, int count, const td_solve_context *c) {
+    (void)blocks, (void)count, (void)c;
+}
+
+#define WAY(name, which)                                                        \
+    TD_PASS(warm_start_##name, warm_start, false, which)                        \
+    TD_PASS(warm_start_fixed_##name, warm_start, true, which)                   \
+    TD_PASS(solve_##name, drive, false, which, true)                            \
+    TD_PASS(solve_fixed_##name, drive, true, which, true)                       \
+    TD_PASS(relax_##name, drive, false, which, false)                           \
+    TD_PASS(relax_fixed_##name, drive, true, which, false)                      \
+    extern const td_solve_ops TD_WIDE(td_solve_drive_##name);                   \
+    const td_solve_ops TD_WIDE(                                                 \
+        td_solve_drive_##name) = {{warm_start_##name, warm_start_fixed_##name}, \
+                                  {solve_##name, solve_fixed_##name},           \
+                                  {relax_##name, relax_fixed_##name},           \
+                                  rest};
+
+WAY(line, LINE)
+WAY(axis, AXIS)
+WAY(turn, TURN)

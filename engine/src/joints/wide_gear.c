@@ -1,0 +1,74 @@
+/* wide_gear.c: solver passes for gears: one row, with a direction of its own for either side. Both
+ * stay in the step as they are. */
+#include "joints/wide_joint.h"
+
+TD_INLINE f8 along_row(const td_block *block, const sides *s) {
+    const td_gear_rows *r = td_gear_rows_of((td_block *)block);
+    const td_point *p = &block->point[0];
+    return r->a_x * s->a.x + r->a_y * s->a.y + p->cross_a * s->a.z + block->nx * s->b.x +
+           block->ny * s->b.y + p->cross_b * s->b.z;
+}
+
+TD_INLINE void give_row(const td_block *block, sides *v, f8 impulse) {
+    const td_gear_rows *r = td_gear_rows_of((td_block *)block);
+    const td_point *p = &block->point[0];
+    v->a.x += v->a.w * r->a_x * impulse;
+    v->a.y += v->a.w * r->a_y * impulse;
+    v->a.z += block->inv_inertia_a * p->cross_a * impulse;
+    v->b.x += v->b.w * block->nx * impulse;
+    v->b.y += v->b.w * block->ny * impulse;
+    v->b.z += block->inv_inertia_b * p->cross_b * impulse;
+}
+
+TD_INLINE void mesh(td_block *const *blocks, int count, const td_solve_context *c, bool soft) {
+    f8 zero = f8_all(0.0f);
+    for (int i = 0; i < count; i++) {
+        td_block *block = blocks[i];
+        td_point *p = &block->point[0];
+        sides v = read_sides(c->velocity, block, false), d = read_sides(c->delta, block, false);
+        p->separation = f8_keep(p->normal_mass > zero, p->base + along_row(block, &d));
+        f8 bias = zero, scale = f8_all(1.0f), keep = zero;
+        if (soft) {
+            f8 most = f8_all(HASTE * c->push_speed);
+            bias = f8_clamp(p->separation * f8_all(PULL * c->inv_h), -most, most);
+            scale = f8_all(1.0f - LOST);
+            keep = f8_all(LOST);
+        }
+        f8 speed = along_row(block, &v), old = p->normal_impulse;
+        p->normal_impulse = old - scale * p->normal_mass * (speed + bias) - keep * old;
+        give_row(block, &v, p->normal_impulse - old);
+        write_sides(c, block, false, &v);
+        if (c->last) {
+            f8 missed = f8_keep(p->normal_mass > zero, -f8_abs(speed));
+            c->tally->slowest = f8_min(missed, c->tally->slowest);
+        }
+    }
+}
+
+static void warm_start(td_block *const *blocks, int count, const td_solve_context *c) {
+    for (int i = 0; i < count; i++) {
+        sides v = read_sides(c->velocity, blocks[i], false);
+        give_row(blocks[i], &v, blocks[i]->point[0].normal_impulse);
+        write_sides(c, blocks[i], false, &v);
+    }
+}
+
+static void pull(td_block *const *blocks, int count, const td_solve_context *c) {
+    mesh(blocks, count, c, true);
+}
+
+static void ease(td_block *const *blocks, int count, const td_solve_context *c) {
+    mesh(blocks, count, c, false);
+}
+
+/* Nothing bounces off a joint. */
+static void rest(td_block *const *blocks, int count, const td_solve_context *c) {
+    (void)blocks, (void)count, (void)c;
+}
+
+/* Neither side of a gear is ever static. */
+extern const td_solve_ops TD_WIDE(td_solve_gear);
+const td_solve_ops TD_WIDE(td_solve_gear) = {{warm_start, warm_start},
+                                             {pull, pull},
+                                             {ease, ease},
+                                             rest};

@@ -1,0 +1,160 @@
+/* wide_joint.h: where eight joints are in a substep, and how they push. The arms and axes of a
+ * joint turn with its bodies in each substep: a hinge that swings would open by the square of its
+ * turn in a step otherwise. */
+#ifndef TD_WIDE_JOINT_H
+#define TD_WIDE_JOINT_H
+
+#include "base/rotation.h"
+#include "solver/wide_solve.h"
+
+/* How soft a joint is: its angle in a substep, and a damping ratio of 1, as solve.c has them for
+ * contacts. What swings loses less energy the stiffer joints are; from some 2.2 on chains and
+ * lattices that hang never come to rest, and shake the harder. */
+#define ANGLE 2.0f
+#define PULL (ANGLE / (2.0f + ANGLE)) /* part of a gap that closes in a substep */
+#define LOST                                                                             \
+    (1.0f / (1.0f + ANGLE * (2.0f + ANGLE))) /* part of its impulse that it loses in one \
+                                              */
+
+/* What was torn open closes at up to so many times the world's push_speed. With less of it a joint
+ * would bear no more than so much: what it is open by is what it pulls with. */
+#define HASTE 30.0f
+
+/* Adding and taking away 1.5 * 2^23 rounds to whole numbers. */
+#define WHOLE 12582912.0f
+#define WILD 1e5f /* rad in a step: whoever turns so much is anywhere */
+
+/* Cosine and sine of a turn within a step; good to the last bits up to a radian or so, and never
+ * far from 1 at most. */
+TD_INLINE void cosine_and_sine(f8 x, f8 *c, f8 *s) {
+    f8 turns = f8_clamp(x, f8_all(-WILD), f8_all(WILD));
+    f8 whole = turns * f8_all((float)(0.5 / TD_PI)) + f8_all(WHOLE) - f8_all(WHOLE);
+    x = turns - whole * f8_all((float)(2.0 * TD_PI));
+    f8 xx = x * x;
+    *s = x + x * xx * (TD_SIN3 + xx * (TD_SIN5 + xx * (TD_SIN7 + xx * TD_SIN9)));
+    *c = f8_all(1.0f) + xx * (TD_COS2 + xx * (TD_COS4 + xx * (TD_COS6 + xx * TD_COS8)));
+}
+
+/* A joint's frame u, v = (-u.y, u.x), as it stands now. */
+typedef struct frame8 {
+    f8 x, y;               /* u */
+    f8 a_u, a_v, b_u, b_v; /* arms x u, arms x v, so that arm . u = a_v and arm . v = -a_u */
+    f8 gap_u, gap_v;       /* from a's anchor to b's */
+} frame8;
+
+/* Arms that turned with their body, against a frame that did not: *u, *v are the arms' crosses. */
+TD_INLINE void turn_arms(f8 angle, f8 *u, f8 *v) {
+    f8 c, s, x = *u, y = *v;
+    cosine_and_sine(angle, &c, &s);
+    *u = c * x - s * y;
+    *v = c * y + s * x;
+}
+
+/* From the frame at the start of the step and the motion since. Where `turns` is 1, the frame turns
+ * with a, whose arm then ends at b's anchor. */
+TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool fixed, f8 gap_u, f8 gap_v,
+                           f8 turns) {
+    const td_point *p = &block->point[0], *q = &block->point[1];
+    frame8 f = {block->nx, block->ny, p->cross_a, q->cross_a, p->cross_b, q->cross_b, gap_u, gap_v};
+    turn_arms(d->b.z, &f.b_u, &f.b_v);
+    f.gap_u += centres_along(d, fixed, f.x, f.y) + (f.b_v - q->cross_b);
+    f.gap_v += centres_along(d, fixed, -f.y, f.x) - (f.b_u - p->cross_b);
+    if (fixed) {
+        return f;
+    }
+    turn_arms(d->a.z, &f.a_u, &f.a_v);
+    f.gap_u -= f.a_v - q->cross_a;
+    f.gap_v += f.a_u - p->cross_a;
+    /* a x u = -(a . v), a x v = a . u */
+    f8 c, s, one = f8_all(1.0f);
+    cosine_and_sine(d->a.z, &c, &s);
+    c = one + turns * (c - one);
+    s = turns * s;
+    f8 a_u = f.a_u - turns * f.gap_v, a_v = f.a_v + turns * f.gap_u;
+    f.a_u = c * a_u + s * a_v;
+    f.a_v = c * a_v - s * a_u;
+    f8 b_u = f.b_u, b_v = f.b_v, x = f.x, y = f.y, u = f.gap_u, v = f.gap_v;
+    f.b_u = c * b_u + s * b_v;
+    f.b_v = c * b_v - s * b_u;
+    f.gap_u = c * u + s * v;
+    f.gap_v = c * v - s * u;
+    f.x = c * x - s * y;
+    f.y = c * y + s * x;
+    return f;
+}
+
+/* The same with u along the gap, whose length *length gets. */
+TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool fixed, f8 gap_u, f8 gap_v,
+                          f8 *length) {
+    f8 zero = f8_all(0.0f), one = f8_all(1.0f);
+    frame8 f = frame_now(block, d, fixed, gap_u, gap_v, zero);
+    *length = f8_sqrt(f.gap_u * f.gap_u + f.gap_v * f.gap_v);
+    /* Where both ends meet any direction will do. */
+    i8 apart = *length > zero;
+    f8 divisor = f8_pick(apart, *length, one);
+    f8 c = f8_pick(apart, f.gap_u / divisor, one), s = f8_keep(apart, f.gap_v / divisor);
+    f8 x = f.x, y = f.y;
+    f.x = c * x - s * y;
+    f.y = c * y + s * x;
+    f.a_u = c * f.a_u + s * f.a_v;
+    f.b_u = c * f.b_u + s * f.b_v;
+    return f;
+}
+
+/* Speed of b past a in a direction. */
+TD_INLINE f8 speed_now(const sides *v, bool fixed, f8 x, f8 y, f8 cross_a, f8 cross_b) {
+    return at_arms(centres_along(v, fixed, x, y), v, fixed, cross_a, cross_b);
+}
+
+/* What one unit of impulse along one direction of a frame gives in another one's speed; `linear`
+ * is the product of both directions. */
+TD_INLINE f8 yield(const td_block *block, const sides *v, bool fixed, f8 linear, f8 from_a,
+                   f8 from_b, f8 to_a, f8 to_b) {
+    f8 mass = fixed ? v->b.w : v->a.w + v->b.w;
+    return mass * linear + coupling(block, fixed, from_a, from_b, to_a, to_b);
+}
+
+/* Gives both sides an impulse, and its moments. */
+TD_INLINE void give(const td_block *block, bool fixed, sides *v, td_given *given, f8 x, f8 y,
+                    f8 moment_a, f8 moment_b) {
+    given->x += x;
+    given->y += y;
+    given->moment_a += moment_a;
+    given->moment_b += moment_b;
+    if (!fixed) {
+        v->a.x -= v->a.w * x;
+        v->a.y -= v->a.w * y;
+        v->a.z -= block->inv_inertia_a * moment_a;
+    }
+    v->b.x += v->b.w * x;
+    v->b.y += v->b.w * y;
+    v->b.z += block->inv_inertia_b * moment_b;
+}
+
+/* Gives both sides these instead of what they were given. */
+TD_INLINE void give_anew(const td_block *block, bool fixed, sides *v, td_given *given, f8 x, f8 y,
+                         f8 moment_a, f8 moment_b) {
+    give(block, fixed, v, given, x - given->x, y - given->y, moment_a - given->moment_a,
+         moment_b - given->moment_b);
+}
+
+TD_INLINE void forget_given(td_given *given) {
+    f8 zero = f8_all(0.0f);
+    *given = (td_given){zero, zero, zero, zero};
+}
+
+TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, bool fixed,
+                           const sides *v) {
+    if (!fixed) {
+        td_scatter(c->velocity, block->a, v->a);
+    }
+    td_scatter(c->velocity, block->b, v->b);
+}
+
+/* 1 / x, and 0 for 0. */
+TD_INLINE f8 inverse_or_zero(f8 x) {
+    i8 some = x > f8_all(0.0f);
+    return f8_keep(some, f8_all(1.0f) / f8_pick(some, x, f8_all(1.0f)));
+}
+
+#endif

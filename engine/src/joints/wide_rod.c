@@ -1,0 +1,74 @@
+/* wide_rod.c: solver passes for distances that are locked: one row that pulls as well as it pushes,
+ * along the line between both anchors as it turns. */
+#include "joints/wide_joint.h"
+
+TD_INLINE void pull_block(td_block *block, const td_solve_context *c, bool fixed, bool soft) {
+    td_point *p = &block->point[0];
+    f8 zero = f8_all(0.0f), one = f8_all(1.0f), length;
+    f8 wanted = td_hold_rows_of(block)->turn_base;
+    sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
+    frame8 f = line_now(block, &d, fixed, p->base + wanted, zero, &length);
+    p->separation = f8_keep(p->normal_mass > zero, length - wanted);
+    td_given *given = &td_hold_rows_of(block)->given;
+    if (soft && !c->first) {
+        f8 old = p->normal_impulse;
+        give_anew(block, fixed, &v, given, f.x * old, f.y * old, f.a_u * old, f.b_u * old);
+    }
+    f8 mass = inverse_or_zero(yield(block, &v, fixed, one, f.a_u, f.b_u, f.a_u, f.b_u));
+    f8 bias = zero, scale = one, keep = zero;
+    if (soft) {
+        f8 most = f8_all(HASTE * c->push_speed);
+        bias = f8_clamp(p->separation * f8_all(PULL * c->inv_h), -most, most);
+        scale = f8_all(1.0f - LOST);
+        keep = f8_all(LOST);
+    }
+    f8 speed = speed_now(&v, fixed, f.x, f.y, f.a_u, f.b_u), old = p->normal_impulse;
+    f8 now = old - scale * mass * (speed + bias) - keep * old;
+    p->normal_impulse = now;
+    f8 change = now - old;
+    give(block, fixed, &v, given, f.x * change, f.y * change, f.a_u * change, f.b_u * change);
+    write_sides(c, block, fixed, &v);
+    if (c->last) {
+        c->tally->slowest = f8_min(f8_keep(mass > zero, -f8_abs(speed)), c->tally->slowest);
+    }
+}
+
+TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_context *c,
+                          bool fixed) {
+    for (int i = 0; i < count; i++) {
+        td_block *block = blocks[i];
+        const td_point *p = &block->point[0];
+        f8 impulse = p->normal_impulse;
+        td_given *given = &td_hold_rows_of(block)->given;
+        sides v = read_sides(c->velocity, block, fixed);
+        forget_given(given);
+        give(block, fixed, &v, given, block->nx * impulse, block->ny * impulse,
+             p->cross_a * impulse, p->cross_b * impulse);
+        write_sides(c, block, fixed, &v);
+    }
+}
+
+TD_INLINE void pull(td_block *const *blocks, int count, const td_solve_context *c, bool fixed,
+                    bool soft) {
+    for (int i = 0; i < count; i++) {
+        pull_block(blocks[i], c, fixed, soft);
+    }
+}
+
+/* Nothing bounces off a joint. */
+static void rest(td_block *const *blocks, int count, const td_solve_context *c) {
+    (void)blocks, (void)count, (void)c;
+}
+
+TD_PASS(warm_start_moving, warm_start, false)
+TD_PASS(warm_start_fixed, warm_start, true)
+TD_PASS(pull_moving, pull, false, true)
+TD_PASS(pull_fixed, pull, true, true)
+TD_PASS(ease_moving, pull, false, false)
+TD_PASS(ease_fixed, pull, true, false)
+
+extern const td_solve_ops TD_WIDE(td_solve_rod);
+const td_solve_ops TD_WIDE(td_solve_rod) = {{warm_start_moving, warm_start_fixed},
+                                            {pull_moving, pull_fixed},
+                                            {ease_moving, ease_fixed},
+                                            rest};

@@ -1,0 +1,27 @@
+/* joint_scenes.c: more scenes of joints than are worth looking at, from what the envelope and the
+ * trade-off have. */
+#include "plan.h"
+
+#include "tied_scenes.h"
+
+const scene_info bench_chains = {
+    .name = "swinging_chains",
+    .title = "Swinging chains",
+    .about = "Chains of 50 links with a ball of ten links' mass swing from level.",
+    .size_means = "chains",
+    .default_size = 20,
+    .min_size = 1,
+    .max_size = 2000,
+    .fill = fill_chains,
+};
+
+const scene_info bench_bridges = {
+    .name = "bridges",
+    .title = "Bridges",
+    .about = "Boxes fall on bridges of 50 planks.",
+    .size_means = "bridges",
+    .default_size = 20,
+    .min_size = 1,
+    .max_size = 2000,
+    .fill = fill_bridges,
+};

@@ -1,0 +1,77 @@
+/* test_joints_energy.c: what swings and spins keeps its energy, whatever else its joints have. */
+#include "joint_support.h"
+
+#include <thud/thud_detection.h>
+
+static const thud_vec2 middle = {0, 0};
+static const thud_quality *const second_order[] = {&thud_quality_high, &thud_quality_exact};
+
+static thud_world *calm_world(const thud_quality *quality, float gravity) {
+    thud_world_def def = def_of(quality);
+    def.gravity = (thud_vec2){0, gravity};
+    def.sleeping = false;
+    def.detection = &thud_detection_overlap; /* swept paths are straight */
+    return make_world(def);
+}
+
+/* Three balls in a row, on rods or hinges, turn about the middle one. */
+static void what_spins_goes_on_spinning(void **state) {
+    (void)state;
+    const double rates[] = {5, 40, 300}; /* the last one 5 rad a step */
+    for (int i = 0; i < 2 * 2 * 3; i++) {
+        bool rods = i % 2;
+        double rate = rates[i / 4];
+        thud_world *world = calm_world(second_order[i / 2 % 2], 0);
+        thud_body_id ball[3];
+        for (int k = 0; k < 3; k++) {
+            double x = 0.6 * (k - 1);
+            ball[k] = add_ball(world, x, 0, 0.2f);
+            OK(thud_body_set_velocity(world, ball[k], (thud_vec2){0, (float)(rate * x)},
+                                      rods ? 0 : (float)rate));
+            if (k) {
+                thud_joint_def def =
+                    between(rods ? THUD_DISTANCE : THUD_HINGE, ball[k - 1], ball[k],
+                            (thud_vec2){rods ? 0 : 0.3f, 0}, (thud_vec2){rods ? 0 : -0.3f, 0});
+                def.length = 0.6f;
+                make(world, def);
+            }
+        }
+        double before = thud_world_measure(world).kinetic_energy;
+        run(world, 200);
+        near_to(thud_world_measure(world).kinetic_energy / before, 1, rate < 100 ? 1e-3 : 5e-3);
+        near_to(thud_world_error(world).joint_gap_max, 0, 1e-5);
+        thud_world_destroy(world);
+    }
+}
+
+/* Limits that are never reached, and a motor without a force to speak of, take none. */
+static void limits_and_idle_motors_take_no_energy(void **state) {
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        thud_world *world = calm_world(second_order[i % 2], -10);
+        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id bar = add_box(world, 0.5, 0, 0.5f, 0.05f);
+        thud_joint_def def = between(THUD_HINGE, hook, bar, middle, (thud_vec2){-0.5f, 0});
+        def.drive[THUD_TURN].limited = true;
+        def.drive[THUD_TURN].lower = -3.14f;
+        def.drive[THUD_TURN].upper = 1;
+        def.drive[THUD_TURN].motor_force = i / 2 ? 1e-6f : 0;
+        make(world, def);
+        thud_measure start = thud_world_measure(world);
+        double weight = 10 * state_of(world, bar).mass * 0.5;
+        run(world, 600);
+        thud_measure m = thud_world_measure(world);
+        double change =
+            m.kinetic_energy + m.potential_energy - start.kinetic_energy - start.potential_energy;
+        near_to(change / weight, 0, 5e-3);
+        thud_world_destroy(world);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_spins_goes_on_spinning),
+        cmocka_unit_test(limits_and_idle_motors_take_no_energy),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

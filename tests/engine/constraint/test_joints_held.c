@@ -1,0 +1,131 @@
+/* test_joints_held.c: bodies that detection stops on their way take along what joints tie to them.
+ */
+#include "joint_support.h"
+
+#include <thud/thud_detection.h>
+
+static const thud_vec2 middle = {0, 0};
+static const thud_detection *const detections[] = {&thud_detection_continuous,
+                                                   &thud_detection_bisect, &thud_detection_swept};
+
+/* Three balls on rods fly at a wall, at 150 m/s: in the
+ * step in which the first ball of a row stops, two metres of the motion are left. */
+static void joints_stay_closed_where_a_body_is_stopped(void **state) {
+    (void)state;
+    for (int i = 0; i < 3 * QUALITIES; i++) {
+        thud_world_def def = def_of(qualities[i % QUALITIES]);
+        def.detection = detections[i / QUALITIES];
+        def.gravity = middle;
+        thud_world *world = make_world(def);
+        thud_body_id wall = add_body(world, THUD_STATIC, 10, 0, 0);
+        add_shape(world, wall, 0.1f, 5, false, NULL);
+        thud_body_id last = {0};
+        for (int k = 0; k < 3; k++) {
+            thud_body_id ball = add_ball(world, 0.1 - 0.3 * k, 0.6 * k, 0.2f);
+            OK(thud_body_set_velocity(world, ball, (thud_vec2){150, 0}, 0));
+            if (k) {
+                thud_joint_def rod = between(THUD_DISTANCE, last, ball, middle, middle);
+                rod.length = (float)hypot(0.3, 0.6);
+                make(world, rod);
+            }
+            last = ball;
+        }
+        int held = 0;
+        for (int step = 0; step < 6 && !held; step++) {
+            run(world, 1);
+            held = (int)thud_world_stats(world).held_bodies;
+        }
+        assert_int_equal(held, 3);
+        near_to(thud_world_error(world).joint_gap_max, 0, 1e-4);
+        /* The balls hit each other as they whirl; between that the rods are closed again. */
+        run(world, 60);
+        double least = 1;
+        for (int step = 0; step < 10; step++) {
+            run(world, 1);
+            least = fmin(least, thud_world_error(world).joint_gap_max);
+        }
+        near_to(least, 0, 3e-3);
+        thud_world_destroy(world);
+    }
+}
+
+/* What only a spring ties goes on alone. */
+static void springs_hold_nobody_back(void **state) {
+    (void)state;
+    thud_world_def def = def_of(&thud_quality_default);
+    def.gravity = middle;
+    thud_world *world = make_world(def);
+    thud_body_id wall = add_body(world, THUD_STATIC, 10, 0, 0);
+    add_shape(world, wall, 0.1f, 5, false, NULL);
+    thud_body_id a = add_ball(world, 0, 0, 0.2f), b = add_ball(world, -0.5, 0.8, 0.2f);
+    OK(thud_body_set_velocity(world, a, (thud_vec2){150, 0}, 0));
+    OK(thud_body_set_velocity(world, b, (thud_vec2){150, 0}, 0));
+    thud_joint_def spring = between(THUD_DISTANCE, a, b, middle, middle);
+    spring.drive[THUD_ALONG].frequency = 2;
+    spring.drive[THUD_ALONG].target = 1;
+    make(world, spring);
+    int held = 0;
+    for (int step = 0; step < 6 && !held; step++) {
+        run(world, 1);
+        held = (int)thud_world_stats(world).held_bodies;
+    }
+    assert_int_equal(held, 1);
+    thud_world_destroy(world);
+}
+
+enum { BARS = 6 };
+
+/* Five light bars that swing from a hook, and a sixth that hangs from the last one by a spring. */
+static thud_world *swinging(const thud_quality *quality, const thud_detection *detection,
+                            thud_body_id bar[BARS]) {
+    thud_world_def def = def_of(quality);
+    def.detection = detection;
+    def.gravity = (thud_vec2){0, -10};
+    thud_world *world = make_world(def);
+    thud_body_id last = add_body(world, THUD_STATIC, 0, 0, 0);
+    for (int i = 0; i < BARS; i++) {
+        bool spring = i == BARS - 1;
+        bar[i] = add_box(world, i + 0.5, 0, 0.5f, 0.05f);
+        thud_joint_def joint =
+            between(spring ? THUD_DISTANCE : THUD_HINGE, last, bar[i], (thud_vec2){i ? 0.5f : 0, 0},
+                    (thud_vec2){spring ? -0.4f : -0.5f, 0});
+        if (spring) {
+            joint.drive[THUD_ALONG].frequency = 1;
+            joint.drive[THUD_ALONG].target = 0.1f;
+        }
+        make(world, joint);
+        last = bar[i];
+    }
+    return world;
+}
+
+/* What joints give may be less than a sixteenth of gravity, and is not to be taken for nothing. */
+static void detections_that_stop_nobody_leave_what_swings_alone(void **state) {
+    (void)state;
+    for (int i = 0; i < 3 * QUALITIES; i++) {
+        thud_body_id bar[BARS], other[BARS];
+        const thud_quality *quality = qualities[i % QUALITIES];
+        thud_world *world = swinging(quality, &thud_detection_overlap, bar);
+        thud_world *twin = swinging(quality, detections[i / QUALITIES], other);
+        for (int step = 0; step < 40; step++) {
+            run(world, 1);
+            run(twin, 1);
+            for (int k = 0; k < BARS; k++) {
+                thud_body_state a = state_of(world, bar[k]), b = state_of(twin, other[k]);
+                assert_memory_equal(&a.position, &b.position, sizeof a.position);
+                assert_memory_equal(&a.velocity, &b.velocity, sizeof a.velocity);
+            }
+        }
+        thud_world_destroy(world);
+        thud_world_destroy(twin);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(joints_stay_closed_where_a_body_is_stopped),
+        cmocka_unit_test(springs_hold_nobody_back),
+        cmocka_unit_test(detections_that_stop_nobody_leave_what_swings_alone),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,150 @@
+/* joints.c: guarantees of joints: what they lock, tie, bear and let through. */
+#include "guarantee.h"
+#include "trial.h"
+
+#include <thud/thud_joint.h>
+
+static thud_joint_def between(trial *t, thud_joint_kind kind, thud_body_id a, thud_body_id b,
+                              double x) {
+    thud_joint_def def = thud_default_joint_def(kind);
+    def.body_a = a;
+    def.body_b = b;
+    def.frame_a.position = trial_speed(t, x, 0);
+    def.frame_b.position = trial_speed(t, -x, 0);
+    return def;
+}
+
+static thud_joint_id make(trial *t, thud_world *world, const thud_joint_def *def) {
+    thud_joint_id joint = {0, 0};
+    DO(t, thud_joint_create(world, def, &joint));
+    return joint;
+}
+
+static thud_joint_state state_of(trial *t, const thud_world *world, thud_joint_id joint) {
+    thud_joint_state state = {.gap = 0};
+    DO(t, thud_joint_get(world, joint, &state));
+    state.gap /= t->scale;
+    return state;
+}
+
+static thud_body_id hook_at(trial *t, thud_world *world, double x, double y) {
+    thud_body_def def = thud_default_body_def();
+    thud_body_id hook = {0, 0};
+    def.position = trial_place(t, x, y);
+    DO(t, thud_body_create(world, &def, &hook));
+    return hook;
+}
+
+/* Three links of 0.8 swing from level. */
+static void joints_hold_what_they_lock(trial *t) {
+    thud_world *world = trial_make(t, trial_def(t));
+    thud_joint_id joint[3];
+    if (!world) {
+        return;
+    }
+    thud_body_id last = hook_at(t, world, 0, 5);
+    for (int i = 0; i < 3; i++) {
+        thud_body_id link = trial_drop(t, world, TURNED, 0.4 + 0.8 * i, 5, 0.1);
+        thud_joint_kind kind = i == 1 ? THUD_WELD : THUD_HINGE;
+        thud_joint_def def = between(t, kind, last, link, 0.4);
+        if (i == 0) {
+            def.frame_a.position = (thud_vec2){0, 0};
+        }
+        joint[i] = make(t, world, &def);
+        last = link;
+    }
+    for (int k = 0; k < trial_steps(t, 2) && !trial_failed(t); k++) {
+        DO(t, thud_world_step(world));
+        for (int i = 0; i < 3; i++) {
+            thud_joint_state s = state_of(t, world, joint[i]);
+            if (!(s.gap < 0.1) || !(s.angle_gap < 0.3)) {
+                trial_fault(t, "step %d: joint %d is open by %g and %g rad", k, i, s.gap,
+                            s.angle_gap);
+            }
+        }
+    }
+}
+
+/* A box rests on what it is not tied to, and falls through what it is. */
+static void tied_bodies_pass_through_each_other(trial *t) {
+    thud_joint_kind kind = trial_pick(t, 2) ? THUD_FILTER : THUD_DISTANCE;
+    thud_world *world = trial_make(t, trial_def(t));
+    if (!world) {
+        return;
+    }
+    trial_wall(t, world, 0, -1, 5, 1);
+    thud_body_id shelf = trial_wall(t, world, 0, 1.5, 2, 0.25);
+    thud_body_id tied = trial_drop(t, world, TURNED, -0.6, 2.2, 0.3);
+    thud_body_id other = trial_drop(t, world, TURNED, 0.6, 2.2, 0.3);
+    thud_joint_def def = between(t, kind, shelf, tied, 0);
+    def.drive[THUD_ALONG].limited = true; /* a rope, which is never taut */
+    def.drive[THUD_ALONG].upper = (float)(5 * t->scale);
+    make(t, world, &def);
+    trial_run(t, world, trial_steps(t, 2));
+    double low = trial_state(t, world, tied).position.y;
+    double high = trial_state(t, world, other).position.y;
+    if (fabs(low - 0.3) > 0.05 || fabs(high - 2.05) > 0.05) {
+        trial_fault(t, "the tied one is at %g, the other one at %g", low, high);
+    }
+}
+
+/* Of two that hang side by side, the one that bears less than its weight falls, with an event. */
+static void joints_break_where_they_bear_too_much(trial *t) {
+    thud_world *world = trial_make(t, trial_def(t));
+    if (!world) {
+        return;
+    }
+    int events = 0;
+    thud_joint_id joint[2];
+    for (int i = 0; i < 2; i++) {
+        thud_body_id body = trial_drop(t, world, BALL, 2 * i, 4, 0.3);
+        thud_body_state state = {.mass = 0};
+        DO(t, thud_body_get(world, body, &state));
+        thud_joint_def def = between(t, THUD_DISTANCE, hook_at(t, world, 2 * i, 5), body, 0);
+        double weight = state.mass * (double)hypotf(0, trial_def(t).gravity.y);
+        def.length = (float)t->scale;
+        def.break_force = (float)((i ? 3 : 0.3) * weight);
+        joint[i] = make(t, world, &def);
+    }
+    for (int k = 0; k < trial_steps(t, 1) && !trial_failed(t); k++) {
+        int count = 0;
+        DO(t, thud_world_step(world));
+        thud_world_joint_events(world, &count);
+        events += count;
+    }
+    if (events != 1 || thud_joint_is_valid(world, joint[0]) ||
+        !thud_joint_is_valid(world, joint[1])) {
+        trial_fault(t, "%d events; the weak one is %s, the strong one %s", events,
+                    thud_joint_is_valid(world, joint[0]) ? "there" : "gone",
+                    thud_joint_is_valid(world, joint[1]) ? "there" : "gone");
+    }
+}
+
+/* ... and lets the other one go. */
+static void joints_are_gone_with_their_bodies(trial *t) {
+    thud_world *world = trial_make(t, trial_weightless(t));
+    if (!world) {
+        return;
+    }
+    thud_body_id a = trial_drop(t, world, BALL, -0.5, 3, 0.3);
+    thud_body_id b = trial_drop(t, world, BALL, 0.5, 3, 0.3);
+    thud_joint_def def = between(t, THUD_HINGE, a, b, 0.5);
+    thud_joint_id joint = make(t, world, &def);
+    trial_run(t, world, 3);
+    DO(t, thud_body_destroy(world, trial_pick(t, 2) ? a : b));
+    trial_run(t, world, 1);
+    if (thud_joint_is_valid(world, joint) || thud_world_joints(world, NULL, 0) != 0) {
+        trial_fault(t, "the joint is %s, and %d are listed",
+                    thud_joint_is_valid(world, joint) ? "valid" : "gone",
+                    thud_world_joints(world, NULL, 0));
+    }
+    trial_run(t, world, 3);
+}
+
+const guarantee guarantees_of_joints[] = {
+    {"joints_are_gone_with_their_bodies", joints_are_gone_with_their_bodies, {{0}}},
+    {"joints_break_where_they_bear_too_much", joints_break_where_they_bear_too_much, {{0}}},
+    {"joints_hold_what_they_lock", joints_hold_what_they_lock, {{0}}},
+    {"tied_bodies_pass_through_each_other", tied_bodies_pass_through_each_other, {{0}}},
+    {NULL, NULL, {{0}}},
+};

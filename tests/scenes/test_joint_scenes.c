@@ -1,0 +1,244 @@
+/* test_joint_scenes.c: the scenes of joints do what they are to show. Bodies are told by their
+ * places in the scenes' lists, which the scenes' files name. */
+#include "engine_support.h"
+
+#include "build_thud.h"
+#include "scenes.h"
+
+#include <thud/thud_joint.h>
+
+typedef struct stage {
+    scene scene;
+    thud_world *world;
+    thud_body_id *bodies;
+} stage;
+
+static stage open_stage(const char *name, int size, const thud_quality *quality) {
+    stage t;
+    thud_world_def def = thud_default_world_def();
+    def.quality = quality;
+    assert_true(scenes_fill(scenes_find(name), size, &t.scene));
+    t.bodies = malloc((size_t)t.scene.body_count * sizeof *t.bodies);
+    OK(scene_build_thud(&t.scene, &def, &t.world, t.bodies, NULL));
+    return t;
+}
+
+static void close_stage(stage *t) {
+    thud_world_destroy(t->world);
+    free(t->bodies);
+    scene_free(&t->scene);
+}
+
+static thud_body_state body(const stage *t, int index) {
+    return state_of(t->world, t->bodies[index]);
+}
+
+static double angle(thud_body_state state) {
+    return atan2(state.sine, state.cosine);
+}
+
+static double moved(const stage *t, int index) {
+    thud_pos now = body(t, index).position;
+    return hypot(now.x - t->scene.bodies[index].x, now.y - t->scene.bodies[index].y);
+}
+
+/* The widest gap of all steps. */
+static double run_for_gap(const stage *t, int steps) {
+    double widest = 0;
+    for (int i = 0; i < steps; i++) {
+        OK(thud_world_step(t->world));
+        widest = fmax(widest, thud_world_error(t->world).joint_gap_max);
+    }
+    return widest;
+}
+
+static const thud_quality *const firm[] = {&thud_quality_default, &thud_quality_high,
+                                           &thud_quality_exact};
+
+enum { FIRM = sizeof firm / sizeof firm[0] };
+
+static void chain_swings_without_stretching(void **state) {
+    (void)state;
+    stage t = open_stage("chain", 0, &thud_quality_default);
+    assert_true(run_for_gap(&t, 400) < 1e-3);
+    assert_true(body(&t, 101).position.x < -20); /* on the other side */
+    close_stage(&t);
+}
+
+static void lorry_crosses_the_bridge(void **state) {
+    (void)state;
+    for (int i = 0; i < FIRM; i++) {
+        stage t = open_stage("bridge", 0, firm[i]);
+        int lorry = 31;
+        assert_true(run_for_gap(&t, 700) < (i ? 3e-4 : 2e-3));
+        assert_true(body(&t, lorry).position.x > 15);
+        assert_true(fabs(angle(body(&t, lorry))) < 0.3);
+        close_stage(&t);
+    }
+}
+
+static void ball_breaks_the_wall(void **state) {
+    (void)state;
+    for (int i = 1; i < FIRM; i++) {
+        stage t = open_stage("wrecking_ball", 50, firm[i]);
+        assert_true(run_for_gap(&t, 200) < 0.05);
+        int first_brick = t.scene.body_count - 50, fallen = 0;
+        for (int k = first_brick; k < t.scene.body_count; k++)
+            fallen += moved(&t, k) > 1;
+        assert_true(fallen >= 25);
+        close_stage(&t);
+    }
+}
+
+static void crane_lays_the_lintel_on_both_piers(void **state) {
+    (void)state;
+    stage t = open_stage("crane", 0, &thud_quality_default);
+    run(t.world, 1200);
+    thud_body_state lintel = body(&t, t.scene.body_count - 1);
+    assert_true(fabs(lintel.position.y - (6 * 0.8 + 0.3)) < 0.02);
+    assert_true(fabs(lintel.position.x - 3) < 1);
+    assert_true(fabs(angle(lintel)) < 0.01);
+    close_stage(&t);
+}
+
+static void cars_get_over_the_mountain(void **state) {
+    (void)state;
+    stage t = open_stage("cars", 0, &thud_quality_default);
+    run(t.world, 650);
+    for (int car = 0; car < 5; car++) {
+        thud_body_state car_body = body(&t, 1 + 3 * car);
+        assert_true(car_body.position.x > 10);
+        assert_true(fabs(angle(car_body)) < 1);
+    }
+    close_stage(&t);
+}
+
+static void trebuchet_hits_the_tower(void **state) {
+    (void)state;
+    const thud_quality *const good[] = {&thud_quality_default, &thud_quality_high,
+                                        &thud_quality_exact};
+    for (int q = 0; q < 3; q++) {
+        stage t = open_stage("trebuchet", 0, good[q]);
+        int broken = 0, hit = 0;
+        for (int i = 0; i < 400; i++) {
+            int count = 0;
+            OK(thud_world_step(t.world));
+            thud_world_joint_events(t.world, &count);
+            broken += count;
+        }
+        for (int i = t.scene.body_count - 40; i < t.scene.body_count; i++)
+            hit += moved(&t, i) > 0.5;
+        assert_int_equal(broken, 1);
+        assert_true(hit > 5);
+        close_stage(&t);
+    }
+}
+
+static void both_walkers_walk(void **state) {
+    (void)state;
+    for (int i = 0; i < FIRM; i++) {
+        stage t = open_stage("walker", 0, firm[i]);
+        assert_true(run_for_gap(&t, 500) < (i ? 1e-3 : 0.15));
+        const int frames[] = {1, 1 + 2 + 6 * 6};
+        for (int k = 0; k < 2; k++) {
+            assert_true(body(&t, frames[k]).position.x > t.scene.bodies[frames[k]].x + 5);
+            assert_true(fabs(angle(body(&t, frames[k]))) < 0.4);
+        }
+        close_stage(&t);
+    }
+}
+
+/* Each of n stages has bars of 3 that stand 2.7 apart when the motor is at its limit. */
+static void scissor_lift_reaches_its_height(void **state) {
+    (void)state;
+    for (int i = 0; i < FIRM; i++) {
+        stage t = open_stage("scissor", 0, firm[i]);
+        assert_true(run_for_gap(&t, 420) < (i ? 1e-6 : 1.5e-3));
+        double height = 0.3 + 20 * sqrt(9 - 2.7 * 2.7);
+        double reached = body(&t, t.scene.body_count - 2).position.y;
+        assert_true(fabs(reached - height) < (i ? 1e-3 : 0.1));
+        close_stage(&t);
+    }
+}
+
+/* The pendulum swings in 5.2 s; in each swing a tooth passes. The minute hand turns half as far as
+ * the escape wheel and the hour hand a twelfth of that, both with it. */
+static void clock_lets_a_tooth_pass_in_each_swing(void **state) {
+    (void)state;
+    enum { ANCHOR = 1, ESCAPE = 2, MINUTE = 5, HOUR = 6 };
+    const double turn = 6.283185307179586;
+    stage t = open_stage("clock", 0, &thud_quality_default);
+    double escape = 0, last = 0, widest = 0;
+    for (int i = 0; i < 3600; i++) {
+        OK(thud_world_step(t.world));
+        double now = angle(body(&t, ESCAPE));
+        escape += remainder(now - last, turn);
+        last = now;
+        widest = fmax(widest, fabs(angle(body(&t, ANCHOR))));
+    }
+    assert_true(escape < -11 * turn / 15 && escape > -13 * turn / 15);
+    assert_true(widest < 0.3);
+    assert_true(fabs(remainder(angle(body(&t, MINUTE)) - escape / 2, turn)) < 1e-3);
+    assert_true(fabs(remainder(angle(body(&t, HOUR)) - escape / 24, turn)) < 1e-3);
+    close_stage(&t);
+}
+
+/* A twelfth of the rim lies between each two circles, and the hub in their middle. */
+static void blobs_keep_their_shape(void **state) {
+    (void)state;
+    stage t = open_stage("blobs", 0, &thud_quality_default);
+    run(t.world, 500);
+    for (int hub = 3; hub < t.scene.body_count; hub += 13) {
+        double wanted = t.scene.bodies[hub + 1].x - t.scene.bodies[hub].x, mean = 0;
+        thud_pos center = body(&t, hub).position;
+        for (int i = 1; i <= 12; i++) {
+            thud_pos rim = body(&t, hub + i).position;
+            mean += hypot(rim.x - center.x, rim.y - center.y) / 12;
+        }
+        assert_true(mean > 0.75 * wanted && mean < 1.1 * wanted);
+    }
+    close_stage(&t);
+}
+
+static void grid_of_hinges_is_rigid(void **state) {
+    (void)state;
+    stage t = open_stage("joint_grid", 12, &thud_quality_exact);
+    run(t.world, 60);
+    for (int i = 0; i < t.scene.body_count; i++)
+        assert_true(moved(&t, i) < 1e-4);
+    close_stage(&t);
+}
+
+static void dolls_bend_no_further_than_their_limits(void **state) {
+    (void)state;
+    stage t = open_stage("ragdolls", 4, &thud_quality_high);
+    run(t.world, 400);
+    thud_joint_id joints[40];
+    assert_int_equal(thud_world_joints(t.world, joints, 40), 40);
+    for (int i = 0; i < 40; i++) {
+        thud_joint_state joint;
+        OK(thud_joint_get(t.world, joints[i], &joint));
+        const scene_drive *turn = &t.scene.joints[i].drive[SCENE_TURN];
+        assert_true(joint.value[THUD_TURN] > turn->lower - 0.05);
+        assert_true(joint.value[THUD_TURN] < turn->upper + 0.05);
+    }
+    close_stage(&t);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(chain_swings_without_stretching),
+        cmocka_unit_test(lorry_crosses_the_bridge),
+        cmocka_unit_test(ball_breaks_the_wall),
+        cmocka_unit_test(crane_lays_the_lintel_on_both_piers),
+        cmocka_unit_test(cars_get_over_the_mountain),
+        cmocka_unit_test(trebuchet_hits_the_tower),
+        cmocka_unit_test(both_walkers_walk),
+        cmocka_unit_test(scissor_lift_reaches_its_height),
+        cmocka_unit_test(clock_lets_a_tooth_pass_in_each_swing),
+        cmocka_unit_test(blobs_keep_their_shape),
+        cmocka_unit_test(grid_of_hinges_is_rigid),
+        cmocka_unit_test(dolls_bend_no_further_than_their_limits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,176 @@
+/* joint_crowds.c: many joints at once, and joints far from the origin. */
+#include "extremes/tied.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int by_size(const void *left, const void *right) {
+    const double *a = left, *b = right;
+    return *a < *b ? -1 : *a > *b;
+}
+
+/* Worst gap, the 99th percentile over all joints and steps, in mm, and the angle past a limit. */
+static tied_outcome ragdoll_gaps(ledger *l, entrant e, const void *how) {
+    scene s;
+    scene_init(&s);
+    fill_ragdolls(&s, *(const int *)how);
+    int steps = l->quick ? 90 : 600;
+    long seen = 0;
+    joint_gaps gaps = {0};
+    tied_outcome o = {{INFINITY, INFINITY}};
+    double *all = calloc((size_t)steps * (size_t)s.joint_count + 1, sizeof *all);
+    trial *t = all ? trial_begin(l, e, &s, (engine_settings){0}) : NULL;
+    for (int i = 0; t && i < steps && trial_step(t); i++) {
+        const engine_body *now = trial_read(t);
+        for (int k = 0; k < s.joint_count; k++)
+            all[seen++] = joint_gap_of(&s, k, now).length;
+        trial_joint_gaps(t, &gaps);
+    }
+    if (seen > 0 && gaps.lost == 0) {
+        qsort(all, (size_t)seen, sizeof *all, by_size);
+        o = (tied_outcome){{1000 * all[seen * 99 / 100], 1000 * gaps.worst.length,
+                            57.295779513082321 * gaps.worst.beyond_angle}};
+    }
+    trial_end(t);
+    free(all);
+    scene_free(&s);
+    return o;
+}
+
+/* How much lower the lower corner is than the grid is high, in %, and the worst gap in mm, of the
+ * second half of the run. */
+static tied_outcome grid_gaps(ledger *l, entrant e, const void *how) {
+    int side = *(const int *)how, steps = l->quick ? 60 : 600;
+    scene s;
+    scene_init(&s);
+    fill_joint_grid(&s, side);
+    joint_gaps gaps = {0};
+    double open = INFINITY;
+    trial *t = trial_begin(l, e, &s, (engine_settings){0});
+    if (t && trial_steps(t, steps / 2)) {
+        for (int i = 0; i < steps / 2 && trial_step(t); i++)
+            trial_joint_gaps(t, &gaps);
+        /* Down the column in the middle, from what holds it to the end. */
+        const engine_body *now = trial_read(t);
+        open = 0;
+        for (int i = 0; i < s.joint_count; i++) {
+            const scene_joint *j = &s.joints[i];
+            if (j->body[1] / side == side / 2 && j->body[0] == j->body[1] - 1)
+                open += joint_gap_of(&s, i, now).length;
+        }
+    }
+    trial_end(t);
+    scene_free(&s);
+    bool whole = gaps.lost == 0 && isfinite(open);
+    return (tied_outcome){
+        {whole ? 100 * open / (side - 1) : INFINITY, whole ? 1000 * gaps.worst.length : INFINITY}};
+}
+
+static void tell_crowds(ledger *l) {
+    static const tied_row RAGDOLLS[] = {{"gap, 99th percentile, mm", 0, 0},
+                                        {"worst gap, mm", 0, 0},
+                                        {"past a limit, degrees", 0, 0}};
+    static const tied_row GRID[] = {{"stretch of its middle, %", 0, 0}, {"worst gap, mm", 0, 0}};
+    const int ragdolls = l->quick ? 5 : 50, small = l->quick ? 10 : 40, large = 100;
+    ledger_progress(l, "ragdolls", 0);
+    tied_tell(l, RAGDOLLS, 3, "50 ragdolls on stairs", ragdoll_gaps, &ragdolls);
+    ledger_progress(l, "grid", 0.2);
+    tied_tell(l, GRID, 2, "grid of 40 x 40", grid_gaps, &small);
+    ledger_progress(l, "larger grid", 0.4);
+    /* In Chipmunk it tears, and what is left flies so far that memory runs out. */
+    unsigned all = l->entrants;
+    l->entrants &= ~(unsigned)ON_CHIPMUNK;
+    if (!l->quick)
+        tied_tell(l, GRID, 2, "grid of 100 x 100", grid_gaps, &large);
+    l->entrants = all;
+}
+
+static void fill_swinging_chain(scene *s, int count) {
+    fill_chain(s, &(chain_scene){count, 100, true});
+}
+
+static void fill_loaded_bridge(scene *s, int count) {
+    fill_bridge(s, &(bridge_scene){count, count - 2, count / 3, 40});
+}
+
+typedef struct place {
+    void (*fill)(scene *s, int size);
+    int size;
+} place;
+
+static trial *run_at(ledger *l, entrant e, const scene *s, double x, double y) {
+    trial *t = trial_begin(l, e, s, (engine_settings){0});
+    if (t) {
+        trial_look_from(t, x, y);
+        trial_steps(t, l->quick ? 60 : 600);
+    }
+    return t;
+}
+
+/* Bodies that differ in a bit of their pose 10^7 away, and there the worst gap in mm at the end. */
+static tied_outcome far_from_near(ledger *l, entrant e, const void *how) {
+    static const double AWAY = 1e7;
+    const place *p = how;
+    scene near, far;
+    scene_init(&near);
+    scene_init(&far);
+    p->fill(&near, p->size);
+    p->fill(&far, p->size);
+    scene_shift(&far, AWAY, -AWAY);
+    trial *a = run_at(l, e, &near, 0, 0), *b = run_at(l, e, &far, AWAY, -AWAY);
+    tied_outcome o = {{INFINITY, INFINITY}};
+    if (a && b) {
+        joint_gaps gaps = {0};
+        trial_joint_gaps(b, &gaps);
+        o = (tied_outcome){{0, gaps.lost > 0 ? INFINITY : 1000 * gaps.worst.length}};
+        for (int i = 0; i < near.body_count; i++) {
+            float at_a[4], at_b[4];
+            trial_pose(a, i, at_a);
+            trial_pose(b, i, at_b);
+            o.value[0] += memcmp(at_a, at_b, sizeof at_a) != 0;
+        }
+    }
+    trial_end(a);
+    trial_end(b);
+    scene_free(&near);
+    scene_free(&far);
+    return o;
+}
+
+static void tell_far_away(ledger *l) {
+    static const place PLACES[] = {{fill_ragdolls, 10},
+                                   {fill_swinging_chain, 30},
+                                   {fill_loaded_bridge, 20}};
+    static const char *const NAMES[] = {"10 ragdolls, 10^7 away", "swinging chain, 10^7 away",
+                                        "bridge, 10^7 away"};
+    for (int i = 0; i < 3; i++) {
+        ledger_progress(l, NAMES[i], 0.8 + i / 15.0);
+        figure *differ =
+            ledger_add(l, bound_at_most(0, ON_THUD), "%s: bodies that differ in a bit", NAMES[i]);
+        figure *gap = ledger_add(l, bound_none(), "%s: worst gap at the end, mm", NAMES[i]);
+        for (entrant e = 0; e < ENTRANTS; e++) {
+            if (!ledger_has(l, e))
+                continue;
+            tied_outcome o = far_from_near(l, e, &PLACES[i]);
+            figure_tell(differ, e, o.value[0]);
+            figure_tell(gap, e, o.value[1]);
+        }
+    }
+}
+
+static void run(ledger *l) {
+    tell_crowds(l);
+    tell_far_away(l);
+}
+
+const extreme extreme_joint_crowds = {
+    .name = "joint-crowds",
+    .title = "Many joints, and joints far away",
+    .about =
+        "Ragdolls of 11 bodies and 10 hinges with limits fall on stairs, for 10 s; a grid of "
+        "hinged circles hangs from the middle of its upper row, measured in the last 5 of 10 s; "
+        "and scenes with joints, run for 10 s at the origin and far from it.",
+    .run = run,
+    .also = ON_BOX2D | ON_CHIPMUNK,
+};

@@ -1,0 +1,130 @@
+/**
+ * Ties the bodies that a map's joints refer to, when all of the map is read. Follows
+ * demo/level/tie.c.
+ */
+import type { JointFrame } from "../joint-types.js";
+import type { LevelJoint, Reader } from "../level.js";
+import { RADIANS, turn } from "./forms.js";
+import { jointFits, jointPlace, type Tie } from "./joints.js";
+
+/** A body of an object. */
+export interface Placed {
+  /** In Level.bodies. */
+  index: number;
+  /** Degrees, clockwise, in [-180, 180). */
+  rotation: number;
+}
+
+const VALUED = ["hinge", "wheel", "slider", "distance"];
+
+function complain(reader: Reader, { id, kind }: Tie, what: string): void {
+  reader.report.add("skip", id, `a ${kind} ${what}`);
+}
+
+/** What both sides refer to, undefined for the world; null after a report. */
+function findBoth<T>(
+  reader: Reader,
+  tie: Tie,
+  found: ReadonlyMap<number, T>,
+  what: string,
+): [a: T | undefined, b: T] | null {
+  for (const name of ["a", "b"] as const)
+    if (tie[name] !== 0 && !found.has(tie[name]))
+      reader.report.add("skip", tie.id, `${name} refers to object ${tie[name]}, which is no ${what}`);
+  const b = found.get(tie.b);
+  const isWhole = b !== undefined && (tie.a === 0 || found.has(tie.a));
+  return isWhole ? [found.get(tie.a), b] : null;
+}
+
+function kindOf({ level }: Reader, index: number): string | undefined {
+  return level.bodies[index].body.kind;
+}
+
+/** False after a report: the engine would refuse it. */
+function mayTie(reader: Reader, tie: Tie, a: Placed | undefined, b: Placed): boolean {
+  const aMoves = a !== undefined && kindOf(reader, a.index) === "dynamic";
+  const bMoves = kindOf(reader, b.index) === "dynamic";
+  if ((tie.kind === "wheel" || tie.kind === "target") && !bMoves)
+    complain(reader, tie, "needs a b that is dynamic");
+  else if (!aMoves && !bMoves) complain(reader, tie, "needs one dynamic body, a or b");
+  else return true;
+  return false;
+}
+
+/**
+ * Where a side of a joint is in its body, or in the world's where there is none; null if that is
+ * further than the engine takes.
+ */
+function frameOf(
+  reader: Reader,
+  tie: Tie,
+  side: 0 | 1,
+  placed: Placed | undefined,
+): JointFrame | null {
+  const axis = 0 - turn(tie.rotation).r * RADIANS;
+  if (!placed) return { position: [0, 0], angle: axis };
+  const { position: [bx, by] = [0, 0], angle = 0 } = reader.level.bodies[placed.index].body;
+  const [px, py] = jointPlace(reader, tie, side);
+  const { c, s } = turn(placed.rotation);
+  const [dx, dy] = [px - bx, py - by];
+  const [x, y] = [c * dx - s * dy, s * dx + c * dy];
+  const fits = jointFits(reader, x) && jointFits(reader, y);
+  return fits ? { position: [x, y], angle: axis - angle } : null;
+}
+
+/** What holds to the world holds to a body without shapes. */
+function addAnchor(reader: Reader, tie: Tie): number {
+  const position = jointPlace(reader, tie, 0);
+  reader.level.bodies.push({ body: { kind: "static", position, userData: tie.id }, shapes: [] });
+  return reader.level.bodies.length - 1;
+}
+
+/** The joint's place in Level.joints, or null after a report. */
+function tieBodies(reader: Reader, tie: Tie): number | null {
+  const { level, placed } = reader;
+  const both = findBoth(reader, tie, placed, "body");
+  if (!both || !mayTie(reader, tie, ...both)) return null;
+  const [a, b] = both;
+  const frameA = frameOf(reader, tie, 0, a);
+  const frameB = frameOf(reader, tie, 1, b);
+  if (!frameA || !frameB) {
+    complain(reader, tie, "is too far from its bodies");
+    return null;
+  }
+  const { kind } = tie;
+  const frames = kind === "filter" ? {} : { frameA, frameB };
+  const own = kind === "filter" ? {} : tie.options;
+  const options = { kind, ...frames, ...own } as LevelJoint["options"];
+  level.joints.push({ a: a ? a.index : addAnchor(reader, tie), b: b.index, options });
+  return level.joints.length - 1;
+}
+
+/** The body that a joint moves, which a gear can tie to another; or -1. */
+function movedBy(reader: Reader, { a, b, options }: LevelJoint): number {
+  if (!VALUED.includes(options.kind)) return -1;
+  if (kindOf(reader, a) === "static") return b;
+  return kindOf(reader, b) === "static" ? a : -1;
+}
+
+function mesh(reader: Reader, tie: Tie, made: ReadonlyMap<number, number>): void {
+  const both = findBoth(reader, tie, made, "joint");
+  if (!both) return;
+  const { joints } = reader.level;
+  const [a = 0, b] = both;
+  const moved = [movedBy(reader, joints[a]), movedBy(reader, joints[b])];
+  const valued = "each a hinge, a wheel, a slider or a distance";
+  const between = "between a body that is static and one that is dynamic";
+  if (moved.includes(-1)) complain(reader, tie, `needs two joints, ${valued} ${between}`);
+  else if (moved[0] === moved[1]) complain(reader, tie, "needs joints of two bodies");
+  else joints.push({ a, b, options: { kind: "gear", ...tie.options } });
+}
+
+/** Adds to the level the joints that were kept, or reports why not: gears after all others. */
+export function tieJoints(reader: Reader): void {
+  const made = new Map<number, number>();
+  for (const tie of reader.ties) {
+    const index = tie.kind === "gear" ? null : tieBodies(reader, tie);
+    if (index !== null && !made.has(tie.id)) made.set(tie.id, index);
+  }
+  for (const tie of reader.ties) if (tie.kind === "gear") mesh(reader, tie, made);
+}

@@ -1,0 +1,201 @@
+/** The strokes of which joints are made, gathered by look, in paths that browsers draw quickly. */
+import type { JointInks } from "./palette";
+import { Paths, pathsOf } from "./paths";
+
+type Ink = "metal" | "rope" | "spring" | "band";
+
+/** Lines of about one width are one path: widths are multiples of it, in CSS pixels. */
+const WIDTH_STEP = 0.5;
+/** Of a spring: turns at least and at most, pixels a turn, and its straight ends' part of it. */
+const TURNS = [2, 7] as const;
+const TURN = 9;
+const STRAIGHT = 0.1;
+/** So much wider is what sets a line off from what lies under it. */
+const EDGE = 1.5;
+/** CSS pixels: how wide the largest force is, and how long an arrow's head, at most. */
+const STRONGEST = 5;
+const HEAD = 8;
+/** How many times as long as wide an arrow is at least. */
+const SLIM = 6;
+
+interface Stroke {
+  ink: Ink;
+  width: number;
+  paths: Paths;
+}
+
+export class JointPaths {
+  readonly #strokes = new Map<string, Stroke>();
+  readonly #dots = new Map<Ink, Paths>();
+  readonly #pins = new Paths();
+  readonly #plates = new Paths();
+  readonly #dashes = new Paths();
+  /** By their width. */
+  readonly #forces = new Map<number, Paths>();
+  readonly #gaps = new Paths();
+
+  /** A path for one line, which the caller begins with moveTo. */
+  line(ink: Ink, width: number): Path2D {
+    const rounded = Math.max(1, WIDTH_STEP * Math.round(width / WIDTH_STEP));
+    const name = `${ink} ${rounded}`;
+    let stroke = this.#strokes.get(name);
+    if (!stroke) this.#strokes.set(name, (stroke = { ink, width: rounded, paths: new Paths() }));
+    return stroke.paths.next();
+  }
+
+  segment(ink: Ink, width: number, ax: number, ay: number, bx: number, by: number): void {
+    const path = this.line(ink, width);
+    path.moveTo(ax, ay);
+    path.lineTo(bx, by);
+  }
+
+  dot(ink: Ink, radius: number, x: number, y: number): void {
+    let paths = this.#dots.get(ink);
+    if (!paths) this.#dots.set(ink, (paths = new Paths()));
+    addCircle(paths.next(), radius, x, y);
+  }
+
+  pin(radius: number, x: number, y: number): void {
+    addCircle(this.#pins.next(), radius, x, y);
+  }
+
+  plate(): Path2D {
+    return this.#plates.next();
+  }
+
+  dash(ax: number, ay: number, bx: number, by: number): void {
+    const path = this.#dashes.next();
+    path.moveTo(ax, ay);
+    path.lineTo(bx, by);
+  }
+
+  /** An arrow: the largest force is a unit, and `reach` pixels long. Smaller ones are narrower too. */
+  force(x: number, y: number, fx: number, fy: number, reach: number): void {
+    const share = Math.hypot(fx, fy);
+    const length = reach * share;
+    if (length < 1) return;
+    const width = Math.max(1, Math.round(Math.min(STRONGEST, reach / SLIM) * share));
+    const path = pathsOf(this.#forces, width).next();
+    const [tipX, tipY] = [x + reach * fx, y + reach * fy];
+    const head = Math.min(HEAD, 0.4 * length) / share;
+    path.moveTo(x, y);
+    path.lineTo(tipX, tipY);
+    path.moveTo(tipX - head * (fx - 0.6 * fy), tipY - head * (fy + 0.6 * fx));
+    path.lineTo(tipX, tipY);
+    path.lineTo(tipX - head * (fx + 0.6 * fy), tipY - head * (fy - 0.6 * fx));
+  }
+
+  /** A ring around what is open, and a line from end to end. */
+  gap(radius: number, { ax, ay, bx, by }: { ax: number; ay: number; bx: number; by: number }): void {
+    const path = this.#gaps.next();
+    addCircle(path, radius, bx, by);
+    path.moveTo(ax, ay);
+    path.lineTo(bx, by);
+  }
+
+  draw(context: CanvasRenderingContext2D, inks: JointInks): void {
+    context.lineCap = "round";
+    context.lineJoin = "round";
+    context.setLineDash([2, 5]);
+    context.lineWidth = 1.5;
+    context.strokeStyle = inks.gear;
+    this.#dashes.stroke(context);
+    context.setLineDash([]);
+    for (const { width, paths } of this.#strokes.values()) {
+      context.lineWidth = width + EDGE;
+      context.strokeStyle = inks.edge;
+      paths.stroke(context);
+    }
+    for (const { ink, width, paths } of this.#strokes.values()) {
+      context.lineWidth = width;
+      context.strokeStyle = inks[ink];
+      paths.stroke(context);
+    }
+    for (const [ink, paths] of this.#dots) {
+      context.fillStyle = inks[ink];
+      paths.fill(context);
+    }
+    context.lineWidth = 1;
+    context.strokeStyle = inks.edge;
+    context.fillStyle = inks.metal;
+    for (const paths of [this.#plates, this.#pins]) {
+      paths.fill(context);
+      paths.stroke(context);
+    }
+    context.strokeStyle = inks.force;
+    for (const [width, paths] of this.#forces) {
+      context.lineWidth = width;
+      paths.stroke(context);
+    }
+    context.lineWidth = 2.5;
+    context.strokeStyle = inks.open;
+    this.#gaps.stroke(context);
+  }
+}
+
+function addCircle(path: Path2D, radius: number, x: number, y: number): void {
+  path.moveTo(x + radius, y);
+  path.arc(x, y, radius, 0, 2 * Math.PI);
+}
+
+/** A zigzag about `half` to each side, with straight ends. */
+export function addSpring(
+  path: Path2D,
+  ax: number,
+  ay: number,
+  bx: number,
+  by: number,
+  half: number,
+): void {
+  const [dx, dy] = [bx - ax, by - ay];
+  const length = Math.hypot(dx, dy);
+  path.moveTo(ax, ay);
+  if (length > 0) {
+    const side = Math.min(Math.max(half, 2), 9) / length;
+    const turns = Math.min(TURNS[1], Math.max(TURNS[0], Math.round(length / TURN)));
+    for (let i = 0; i < 2 * turns; i++) {
+      const t = STRAIGHT + ((1 - 2 * STRAIGHT) * (i + 0.5)) / (2 * turns);
+      const out = i % 2 === 0 ? side : -side;
+      path.lineTo(ax + t * dx - out * dy, ay + t * dy + out * dx);
+    }
+  }
+  path.lineTo(bx, by);
+}
+
+/**
+ * A rope of that length. One that is slack hangs as a parabola, whose sag is exact for a rope that
+ * is nearly taut and for one that hangs down double.
+ */
+export function addRope(
+  path: Path2D,
+  ax: number,
+  ay: number,
+  bx: number,
+  by: number,
+  length: number,
+): void {
+  const chord = Math.hypot(bx - ax, by - ay);
+  const sag = 0.5 * Math.sqrt(Math.max(0, length - chord) * (length + 0.5 * chord));
+  path.moveTo(ax, ay);
+  // A curve goes half as far as its middle point is away.
+  if (sag > 0.5) path.quadraticCurveTo(0.5 * (ax + bx), 0.5 * (ay + by) + 2 * sag, bx, by);
+  else path.lineTo(bx, by);
+}
+
+/** About x, y, along a unit; `stretch` times as long as wide. */
+export function addSquare(
+  path: Path2D,
+  x: number,
+  y: number,
+  ux: number,
+  uy: number,
+  half: number,
+  stretch: number,
+): void {
+  const [ax, ay, bx, by] = [stretch * half * ux, stretch * half * uy, -half * uy, half * ux];
+  path.moveTo(x - ax - bx, y - ay - by);
+  path.lineTo(x + ax - bx, y + ay - by);
+  path.lineTo(x + ax + bx, y + ay + by);
+  path.lineTo(x - ax + bx, y - ay + by);
+  path.closePath();
+}
