@@ -35,11 +35,7 @@ typedef struct td_joining_ops {
     void (*draw)(const struct td_drawing *drawing);
     /* island_joints.c: see island_solve.h. */
     double (*solve)(struct td_island_work *work, double tolerance);
-    /* late_islands.c: room for what comes late; what there is before the soft solver; and the
-     * islands whose joints have given way under it. */
-    bool (*reserve_late)(thud_world *w);
-    void (*note_late)(thud_world *w);
-    void (*solve_late)(thud_world *w);
+    const thud_island_solver *islands; /* joint_islands.c: in place of thud_islands_direct */
 } td_joining_ops;
 
 /* joining.c */

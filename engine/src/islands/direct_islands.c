@@ -6,11 +6,10 @@
  * the two bodies are calm: an impact is as heavy but passes, and of a heap in motion the soft
  * solver makes as much for less. Where a heavy body lies on a light one, which sinks in at once,
  * half the load found once will do. A joint is found once, and its island is solved directly in
- * that very step (late_islands.c). Where the limit is 0 every island is direct. */
+ * that very step (linkages/late_islands.c). Where the limit is 0 every island is direct. */
 #include "islands/direct_islands.h"
 
 #include "constraint/constraint.h"
-#include "constraint/joining.h"
 #include "constraint/lanes.h"
 #include "islands/island_order.h"
 
@@ -223,7 +222,7 @@ bool td_islands_find(thud_world *w) {
             td_islands_follow(w, slot);
         }
     }
-    return td_islands_order(w) && (!w->joints.live || w->joining->reserve_late(w));
+    return td_islands_order(w);
 }
 
 /* ---- load ---- */
@@ -259,6 +258,10 @@ static float size_of(const thud_world *w, td_awake_slot slot) {
     return slot.at ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
 }
 
+float td_islands_size(const thud_world *w, td_awake_slot a, td_awake_slot b) {
+    return td_min_float(size_of(w, a), size_of(w, b));
+}
+
 static bool is_calm(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
     float x = u[0] - v[0], y = u[1] - v[1], most = td_calm_speed(w);
@@ -274,7 +277,7 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
-        float size = td_min_float(size_of(w, a), size_of(w, b)), most = td_islands_most(w, size);
+        float size = td_islands_size(w, a, b), most = td_islands_most(w, size);
         float load = 0.0f, off = 0.0f;
         for (int k = 0; contact && k < points; k++) {
             load += block->point[k].normal_impulse[lane];

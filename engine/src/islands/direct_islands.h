@@ -32,7 +32,8 @@ typedef struct td_islands {
                                      order that stands was made for */
     td_array systems;             /* td_system, as `island`: the order that stands */
     td_array start; /* float[4], by awake slot, where there are joints: velocity before the soft
-                       solver, for late_islands.c */
+                       solver */
+    bool adds_up;   /* the soft solver is to keep what contacts give in the step, for linkages.c */
     td_sparse matrix;
 } td_islands;
 
@@ -58,6 +59,8 @@ void td_islands_settle(struct thud_world *w);
  * the world's max_error allows, or the quality: at its own number of substeps, where the world
  * takes fewer, for whoever asks for less is not to pay for more. `size` is the smaller body's. */
 float td_islands_most(const struct thud_world *w, float size);
+/* The size of the smaller of two bodies, of which slot 0 counts for none. */
+float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);
 /* Looks for constraints that give way too much, a part of them each step. True where joints do. */
 bool td_islands_watch(struct thud_world *w);
 /* Lists the island of a body, unless it has no contacts, or too many bodies, or is left alone. */

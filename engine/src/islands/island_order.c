@@ -17,8 +17,20 @@ td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *cons
     return moves ? other->awake : (td_awake_slot){0};
 }
 
-/* Lists the sizes of all islands and the pairs of bodies that constraints tie, which is all that
- * their order follows from. */
+void td_island_list_ties(thud_world *w, const td_island *island) {
+    td_islands *s = &w->islands;
+    for (int i = 0; i < island->constraints; i++) {
+        const td_constraint *constraint =
+            td_constraint_at(w, td_int_at(&s->constraints, island->first_constraint + i));
+        td_awake_slot a = td_island_neighbour(w, constraint, 1),
+                      b = td_island_neighbour(w, constraint, 0);
+        bool tied = a.at && b.at;
+        td_push_int(&s->shape, tied ? td_int_at(&s->local, a.at) - 1 : TD_NONE);
+        td_push_int(&s->shape, tied ? td_int_at(&s->local, b.at) - 1 : TD_NONE);
+    }
+}
+
+/* Lists the sizes of all islands and their ties, which is all that their order follows from. */
 static bool list_shape(thud_world *w) {
     td_islands *s = &w->islands;
     if (!td_islands_room(w, &s->shape, 2 * (s->island.count + s->constraints.count))) {
@@ -29,15 +41,7 @@ static bool list_shape(thud_world *w) {
         const td_island *island = TD_AT(td_island, &s->island, n);
         td_push_int(&s->shape, island->bodies);
         td_push_int(&s->shape, island->constraints);
-        for (int i = 0; i < island->constraints; i++) {
-            const td_constraint *constraint =
-                td_constraint_at(w, td_int_at(&s->constraints, island->first_constraint + i));
-            td_awake_slot a = td_island_neighbour(w, constraint, 1),
-                          b = td_island_neighbour(w, constraint, 0);
-            bool tied = a.at && b.at;
-            td_push_int(&s->shape, tied ? td_int_at(&s->local, a.at) - 1 : TD_NONE);
-            td_push_int(&s->shape, tied ? td_int_at(&s->local, b.at) - 1 : TD_NONE);
-        }
+        td_island_list_ties(w, island);
     }
     return true;
 }
@@ -47,18 +51,17 @@ static bool is_same_shape(const td_islands *s) {
            memcmp(s->shape.data, s->shape_before.data, (size_t)s->shape.count * sizeof(int)) == 0;
 }
 
-/* `shape` is the island's part of the list, behind its sizes. */
-static bool order(thud_world *w, const td_island *island, const int *shape) {
+bool td_island_order(thud_world *w, const td_island *island, const int *ties, int most) {
     td_islands *s = &w->islands;
     if (!td_sparse_begin(&w->memory, &s->matrix, island->bodies)) {
         return false;
     }
     for (int i = 0; i < island->constraints; i++) {
-        if (shape[2 * i] != TD_NONE) {
-            td_sparse_tie(&s->matrix, shape[2 * i], shape[2 * i + 1]);
+        if (ties[2 * i] != TD_NONE) {
+            td_sparse_tie(&s->matrix, ties[2 * i], ties[2 * i + 1]);
         }
     }
-    return td_sparse_order(&w->memory, &s->matrix, INT_MAX);
+    return td_sparse_order(&w->memory, &s->matrix, most);
 }
 
 /* The order of islands that are tied as they were in the step before stands. */
@@ -75,7 +78,7 @@ static bool order_all(thud_world *w) {
     const int *shape = s->shape.data;
     for (int i = 0; i < s->island.count; i++) {
         const td_island *island = TD_AT(td_island, &s->island, i);
-        if (!order(w, island, shape + 2)) {
+        if (!td_island_order(w, island, shape + 2, INT_MAX)) {
             return false;
         }
         *TD_AT(td_system, &s->systems, i) = s->matrix.now;

@@ -10,6 +10,12 @@ bool td_islands_room(thud_world *w, td_array *array, int count);
 
 /* The awake slot of a dynamic body on the other side of a constraint, or 0. */
 td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *constraint, int side);
+/* Adds the pairs of bodies that constraints tie, by their numbers in the island, to
+ * td_islands.shape, which has room: two ints a constraint, TD_NONE where it ties none. */
+void td_island_list_ties(thud_world *w, const td_island *island);
+/* Orders the island by these pairs, as a further system. False when memory is short, or when it
+ * would fill in more blocks than `most`. */
+bool td_island_order(thud_world *w, const td_island *island, const int *ties, int most);
 /* Orders the islands that are listed, and makes room for solving them; false when memory is short.
  */
 bool td_islands_order(thud_world *w);

@@ -15,21 +15,28 @@ void td_island_note(thud_world *w) {
         memcpy(td_at(&s->before, i), td_row(&w->velocity, td_slot_in(&s->slots, i)),
                sizeof(float[4]));
     }
-    float steps = (float)w->substeps;
     for (int i = 0; i < s->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, td_int_at(&s->constraints, i));
         td_lane at = td_lane_of(w, constraint);
-        float *impulses = td_at(&s->impulses, i);
         float kept = at.block->loaded[at.lane] & TD_DIRECT ? 0.0f : 1.0f;
+        td_island_guess(w, i, kept);
         for (int k = 0; k < td_island_points(w, constraint); k++) {
-            impulses[k] = steps * at.block->point[k].normal_impulse[at.lane];
             at.block->point[k].normal_impulse[at.lane] *= kept;
         }
-        impulses[TD_DIRECT_ROWS] = kept;
-        impulses[TD_DIRECT_TANGENT] = steps * at.block->tangent_impulse[at.lane];
         at.block->tangent_impulse[at.lane] *= kept;
         at.block->loaded[at.lane] &= TD_DIRECT - 1;
     }
+}
+
+void td_island_guess(thud_world *w, int i, float soft) {
+    const td_constraint *constraint = td_constraint_at(w, td_int_at(&w->islands.constraints, i));
+    td_lane at = td_lane_of(w, constraint);
+    float *impulses = td_at(&w->islands.impulses, i), steps = (float)w->substeps;
+    for (int k = 0; k < td_island_points(w, constraint); k++) {
+        impulses[k] = steps * at.block->point[k].normal_impulse[at.lane];
+    }
+    impulses[TD_DIRECT_TANGENT] = steps * at.block->tangent_impulse[at.lane];
+    impulses[TD_DIRECT_ROWS] = soft;
 }
 
 /* ---- the problem ---- */

@@ -199,8 +199,7 @@ static double solve_contacts(td_island_work *work, double tolerance) {
     return missing;
 }
 
-/* False: the soft solver's result is as good. */
-static bool work_out(td_island_work *work) {
+bool td_island_work_out(td_island_work *work) {
     td_direct *d = &work->problem;
     double tolerance =
         td_max_double(TOLERANCE * d->unit_speed, TOLERANCE_LEAST * (double)work->w->unit);
@@ -281,21 +280,26 @@ static bool is_slow(const td_island_work *work) {
     return patience > 0 && most > td_min_int(patience, TD_SLOW_STEPS);
 }
 
+void td_island_write_bodies(const td_island_work *work) {
+    for (int i = 0; i < work->island->bodies; i++) {
+        float *velocity = td_row(&work->w->velocity, work->slots[i]);
+        float *delta = td_row(&work->w->delta, work->slots[i]);
+        for (int k = 0; k < 3; k++) {
+            velocity[k] = (float)work->problem.bodies[i].velocity[k];
+            delta[k] = (float)work->problem.bodies[i].moved[k];
+        }
+    }
+}
+
 static void write(const td_island_work *work) {
-    thud_world *w = work->w;
     bool loaded = false;
     for (int i = 0; i < work->island->constraints; i++) {
         write_constraint(work, i);
         loaded |= is_loaded(work, &work->problem.constraints[i]);
     }
+    td_island_write_bodies(work);
     for (int i = 0; i < work->island->bodies; i++) {
-        float *velocity = td_row(&w->velocity, work->slots[i]);
-        float *delta = td_row(&w->delta, work->slots[i]);
-        uint8_t *direct_steps = td_direct_steps_at(w, work->slots[i]);
-        for (int k = 0; k < 3; k++) {
-            velocity[k] = (float)work->problem.bodies[i].velocity[k];
-            delta[k] = (float)work->problem.bodies[i].moved[k];
-        }
+        uint8_t *direct_steps = td_direct_steps_at(work->w, work->slots[i]);
         *direct_steps = loaded ? TD_DIRECT_STEPS : *direct_steps ? *direct_steps - 1 : 0;
     }
 }
@@ -312,7 +316,7 @@ static void leave(thud_world *w, const td_island *island, bool joints) {
     }
 }
 
-void td_island_solve(thud_world *w, const td_island *island) {
+bool td_island_solve(thud_world *w, const td_island *island) {
     bool bounces = false, joints = false;
     w->stats.direct_islands++;
     w->stats.direct_bodies += island->bodies;
@@ -321,35 +325,31 @@ void td_island_solve(thud_world *w, const td_island *island) {
         bounces = work.bounces;
         joints = work.joints > 0 && island->bodies <= FEW_BODIES;
         /* What joints hold goes on however slow it is: softly they would give way. */
-        if (!bounces && work_out(&work) && (!is_slow(&work) || joints)) {
+        if (!bounces && td_island_work_out(&work) && (!is_slow(&work) || joints)) {
             write(&work);
-            return;
+            return true;
         }
     }
     w->stats.soft_islands++;
     if (!bounces) {
         leave(w, island, joints);
     }
+    return false;
 }
 
-static void begin(thud_world *w) {
+void td_islands_begin(thud_world *w) {
     td_islands_settle(w);
     td_island_note(w);
-    if (w->joints.live) {
-        w->joining->note_late(w);
-    }
 }
 
 static void end(thud_world *w) {
     for (int i = 0; i < w->islands.island.count; i++) {
         td_island_solve(w, TD_AT(td_island, &w->islands.island, i));
     }
-    if (td_islands_watch(w)) {
-        w->joining->solve_late(w);
-    }
+    td_islands_watch(w);
     if (w->stats.direct_islands > w->stats.soft_islands) {
         td_error_recount(w);
     }
 }
 
-const thud_island_solver thud_islands_direct = {td_islands_find, begin, end};
+const thud_island_solver thud_islands_direct = {td_islands_find, td_islands_begin, end};

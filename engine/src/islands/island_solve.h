@@ -22,13 +22,23 @@ typedef struct td_island_work {
 
 /* island_rows.c: notes velocities and impulses, before the soft solver changes them. */
 void td_island_note(thud_world *w);
+/* The impulses of a constraint as its lane has them, for a whole step, into td_islands.impulses;
+ * `soft`: 1 where they are the soft solver's. */
+void td_island_guess(thud_world *w, int i, float soft);
 /* How many matrices it may take. */
 int td_island_patience(const thud_world *w, const td_island *island);
 /* The problem as it was then. */
 td_island_work td_island_take(thud_world *w, const td_island *island);
 
-/* island_solve.c: solves it directly, and keeps the better result. */
-void td_island_solve(thud_world *w, const td_island *island);
+/* island_solve.c: solves it directly; false where the soft solver's result is as good, and stands.
+ */
+bool td_island_solve(thud_world *w, const td_island *island);
+/* The same of a problem that is there, with nothing written yet. */
+bool td_island_work_out(td_island_work *work);
+/* Writes velocities and motions over. */
+void td_island_write_bodies(const td_island_work *work);
+/* What thud_islands_direct does before the soft solver. */
+void td_islands_begin(thud_world *w);
 /* By the motion of the part, at mean velocities. */
 void td_island_move_on(td_island_work *work);
 /* How far a row's gap is open once `elapsed` has passed; at its start it was `before`. */
@@ -42,11 +52,6 @@ void td_island_carry_on(td_island_work *work);
 /* island_joints.c, which a world has from its first joint on: solves an island with joints as
  * td_direct_solve does one without. */
 double td_island_solve_joints(td_island_work *work, double tolerance);
-
-/* late_islands.c, which a world has from its first joint on: see joining.h. */
-bool td_late_reserve(thud_world *w);
-void td_late_note(thud_world *w);
-void td_late_solve(thud_world *w);
 
 /* island_solve.c: where a constraint of it lives. */
 td_lane td_island_lane(const td_island_work *work, int i);

@@ -1,7 +1,7 @@
 /* joint_make.c: making joints, of parts; see thud_joint.h. */
 #include "joints/gear.h"
 #include "constraint/joining.h"
-#include "islands/island_solve.h"
+#include "linkages/joint_islands.h"
 #include "state/handles.h"
 
 static bool has_part(const td_joint *joint, int part) {
@@ -24,8 +24,7 @@ static const td_joining_ops joining = {td_joints_engage,     td_joints_suspend,
                                        td_joints_ring,       td_joints_hold_back,
                                        td_joints_break_up,   td_joints_measure,
                                        td_joints_draw,       td_island_solve_joints,
-                                       td_late_reserve,      td_late_note,
-                                       td_late_solve};
+                                       &td_islands_of_joints};
 
 static void plug(thud_world *w) {
     w->kinds[TD_CONSTRAINT_ROD] = td_rod_ops(w);
