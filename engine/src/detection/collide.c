@@ -7,6 +7,9 @@
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
 
+/* In any unit: what single precision holds. */
+#define VELOCITY_MOST 3e38
+
 /* One of the two bodies, at the point where they meet. */
 typedef struct side {
     td_body_index index;
@@ -182,8 +185,10 @@ static void write_back(const thud_world *w, const side *s) {
     float *velocity = td_row(&w->velocity, s->body->awake);
     for (int k = 0; k < 3; k++) {
         double fall = k < 2 ? f->fall[k] : 0.0;
-        velocity[k] = (float)(s->velocity[k] + fall * (1.0 - f->since) / w->def.time_step);
-        f->motion[k] = s->stays ? f->motion[k] : s->motion[k] * w->def.time_step;
+        double ends = s->velocity[k] + fall * (1.0 - f->since) / w->def.time_step;
+        velocity[k] = (float)td_clamp(ends, -VELOCITY_MOST, VELOCITY_MOST);
+        f->motion[k] =
+            s->stays ? f->motion[k] : td_motion_held(w, k, s->motion[k] * w->def.time_step);
     }
     f->changed = true;
     if (s->stays) {
@@ -267,7 +272,8 @@ static void choose_who_stays(side *a, side *b, bool pair_touches, const surface 
 static void give_back(const thud_world *w, side *s, double time) {
     const float *push = td_row(&w->push, s->body->awake);
     for (int k = 0; k < 2; k++) {
-        s->velocity[k] -= w->substeps * (1.0 - time) * (double)push[k];
+        double given = w->substeps * (1.0 - time) * (double)push[k];
+        s->velocity[k] -= td_gain_held(w, k, given);
     }
 }
 

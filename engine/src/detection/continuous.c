@@ -10,6 +10,7 @@
 #include "contact/contact.h"
 #include "solver/error.h"
 #include "detection/detection.h"
+#include "detection/trajectory.h"
 #include "state/kinds.h"
 #include "geometry/shape_instance.h"
 #include "base/rotation.h"
@@ -283,7 +284,7 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     td_error_follow(w, slot, x, y);
     for (int k = 0; k < 3; k++) {
         delta[k] = (float)((double)delta[k] * time);
-        velocity[k] -= (float)(w->substeps * rest) * push[k];
+        velocity[k] -= (float)td_gain_held(w, k, (double)((float)(w->substeps * rest) * push[k]));
     }
     pose.center.x += td_length_from(w, delta[0]);
     pose.center.y += td_length_from(w, delta[1]);

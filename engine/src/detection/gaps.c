@@ -68,6 +68,16 @@ int td_gaps_room(const thud_world *w) {
     return (int)(bytes / (size_t)w->scratch.impacts.stride) + 1;
 }
 
+/* What spins under a contact pushes as far as its turn would take it. */
+static void hold_motions(thud_world *w) {
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+        float *delta = td_row(&w->delta, slot);
+        for (int k = 0; k < 3; k++) {
+            delta[k] = (float)td_motion_held(w, k, (double)delta[k]);
+        }
+    }
+}
+
 void td_gaps_project(thud_world *w) {
     td_project_context context = context_of(w);
     int passes = 0;
@@ -79,6 +89,9 @@ void td_gaps_project(thud_world *w) {
     context.over = 1.0f;
     for (int i = 0; i < LAST_PASSES && passes > FIRST_PASSES; i++) {
         project_once(w, &context);
+    }
+    if (passes > 0) {
+        hold_motions(w);
     }
     w->errors.moved = passes > 0;
 }

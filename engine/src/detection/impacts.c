@@ -51,9 +51,14 @@ static void hold(thud_world *w, td_trajectory *f) {
 static void hold_tied(thud_world *w, td_trajectory *f) {
     td_awake_slot slot = td_body_at(w, f->body)->awake;
     hold(w, f);
+    if (f->all_held) {
+        return;
+    }
+    f->all_held = true;
     for (td_awake_slot i = slot; td_is_tied(w, i) && td_next_tied(w, i)->at != slot.at;) {
         i = *td_next_tied(w, i);
         td_trajectory *other = td_trajectory_at(w, i);
+        other->all_held = true;
         if (!other->held) {
             td_trajectory_advance(w, other, f->since);
             hold(w, other);

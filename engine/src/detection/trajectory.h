@@ -3,6 +3,7 @@
 #define TD_TRAJECTORY_H
 
 #include "detection/detection.h"
+#include "solver/motion.h"
 #include "state/world.h"
 
 /* Shapes that touch may be pressed into each other by load, by so many TD_MEET in a step, before it
@@ -24,7 +25,8 @@ typedef struct td_trajectory {
     int32_t touching; /* contacts that it began the step with */
     bool borne;       /* contacts pushed it in the step before */
     bool changed;     /* its way is no more the one that finalize.c took */
-    bool held;        /* stays where it is for the rest of the step */
+    bool held;        /* stays where it is for the rest of the step ... */
+    bool all_held;    /* ... and so do all that joints tie to it */
     int32_t strays;   /* first of its shapes in scratch.strays, or TD_NONE */
 } td_trajectory;
 
@@ -44,6 +46,24 @@ typedef struct td_toi_candidate {
     int32_t next[2]; /* extra: edges of the same bodies */
     bool vetoed;
 } td_toi_candidate;
+
+/* Of motion in a step, x, y and angle, what places and angles can follow: a length as far as a
+ * world reaches, so that what is in it leaves the range of 64 bits in no step, and turns likewise.
+ * What spins, or pulls with no measure, may drive others at any speed. Not-a-number stays what it
+ * is. */
+#define TD_MOTION_TURN_MOST 1e9
+
+static inline double td_motion_held(const thud_world *w, int axis, double motion) {
+    double most = axis < 2 ? TD_PLACE_MAX * (double)w->unit : TD_MOTION_TURN_MOST;
+    return td_clamp(motion, -most, most);
+}
+
+/* What is taken back of the velocity that gravity and forces give in a step: no more than it can
+ * have been, since substeps hold a velocity to the greatest. */
+static inline double td_gain_held(const thud_world *w, int axis, double gain) {
+    double most = axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)TD_SPIN_MOST;
+    return td_clamp(gain, -2.0 * most, 2.0 * most);
+}
 
 /* The trajectory of an awake body, by its slot. */
 static inline td_trajectory *td_trajectory_at(const thud_world *w, td_awake_slot slot) {

@@ -1,0 +1,116 @@
+/* test_far_motion.c: gravity scales, forces and spins beyond all measure, under every detection:
+ * what they drive others to stays within what places can follow in a step. A conversion that
+ * overflowed threw bodies half the way around the world. */
+#include "joint_support.h"
+
+#include <thud/thud_detection.h>
+
+enum { HEAPS = 1500, MOST = 16, RUNS = 12 };
+
+static const thud_detection *const detections[] = {&thud_detection_swept, &thud_detection_bisect,
+                                                   &thud_detection_continuous};
+
+/* One in `many` of what is dealt. */
+static bool one_in(uint64_t *seed, double many) {
+    return random_in(seed, 0, many) < 1;
+}
+
+static float either_sign(uint64_t *seed, double value) {
+    return (float)(one_in(seed, 2) ? value : -value);
+}
+
+typedef struct heap {
+    thud_world *world;
+    thud_body_id body[MOST];
+    double size, extreme; /* force or gravity scale */
+    int what;
+} heap;
+
+static thud_body_def body_def(const heap *h, int i, uint64_t *seed) {
+    thud_body_def def = thud_default_body_def();
+    def.kind = one_in(seed, 8) ? THUD_KINEMATIC : THUD_DYNAMIC;
+    def.position = (thud_pos){(i % 4 - 2) * 2.02 * h->size,
+                              (0.5 + i / 4) * 2 * h->size + random_in(seed, 0, 0.02)};
+    if (h->what == 0 && one_in(seed, 3)) {
+        def.gravity_scale = either_sign(seed, h->extreme);
+    } else if (h->what == 1 && one_in(seed, 3)) {
+        def.angular_velocity = either_sign(seed, 1e8);
+    }
+    double fast = one_in(seed, 6) ? 1e6 : 100;
+    def.velocity =
+        (thud_vec2){(float)random_in(seed, -fast, fast), (float)random_in(seed, -fast, 0)};
+    return def;
+}
+
+static heap make_heap(uint64_t *seed, int number) {
+    static const double steps[] = {1.0 / 60, 0.1, 1};
+    bool joined = number % 2;
+    thud_world_def def = def_of(qualities[number / 2 % QUALITIES]);
+    def.gravity = (thud_vec2){0, -10};
+    def.detection = detections[number / 8 % 3];
+    def.time_step = steps[number / 24 % 3];
+    heap h = {.world = make_world(def),
+              .size = one_in(seed, 3) ? pow(10, random_in(seed, 0, 3)) : 0.5,
+              .extreme = pow(10, random_in(seed, 0, 36)),
+              .what = number / 72 % 3};
+    add_floor(h.world, NULL);
+    for (int i = 0; i < MOST; i++) {
+        thud_body_def body = body_def(&h, i, seed);
+        thud_shape_def shape = thud_default_shape_def();
+        shape.density = (float)pow(10, random_in(seed, -6, 6));
+        shape.restitution = one_in(seed, 2) ? 0 : (float)random_in(seed, 0, 1);
+        OK(thud_body_create(h.world, &body, &h.body[i]));
+        add_shape(h.world, h.body[i], (float)h.size, one_in(seed, 2) ? 0 : (float)h.size, false,
+                  &shape);
+        if (joined && i && one_in(seed, 3) && body.kind == THUD_DYNAMIC) {
+            make(h.world,
+                 between(one_in(seed, 2) ? THUD_HINGE : THUD_WELD, h.body[i - 1], h.body[i],
+                         (thud_vec2){(float)h.size, 0}, (thud_vec2){-(float)h.size, 0}));
+        }
+    }
+    return h;
+}
+
+static void push_some(const heap *h, uint64_t *seed) {
+    for (int i = 0; i < MOST && h->what == 2; i++) {
+        if (one_in(seed, 5) && state_of(h->world, h->body[i]).kind == THUD_DYNAMIC &&
+            !state_of(h->world, h->body[i]).quarantined) {
+            thud_vec2 force = {either_sign(seed, h->extreme), either_sign(seed, h->extreme)};
+            OK(thud_body_apply_force(h->world, h->body[i], force, 0));
+        }
+    }
+}
+
+static void nothing_is_driven_further_than_places_can_follow(void **state) {
+    (void)state;
+    uint64_t seed = 11;
+    for (int number = 0; number < HEAPS; number++) {
+        heap h = make_heap(&seed, number);
+        for (int step = 0; step < RUNS; step++) {
+            thud_body_state before[MOST];
+            for (int i = 0; i < MOST; i++) {
+                before[i] = state_of(h.world, h.body[i]);
+            }
+            push_some(&h, &seed);
+            run(h.world, 1);
+            for (int i = 0; i < MOST; i++) {
+                thud_body_state now = state_of(h.world, h.body[i]);
+                double x = now.center.x - before[i].center.x, y = now.center.y - before[i].center.y;
+                if (!now.quarantined && !(fabs(x) < 1.01e9 && fabs(y) < 1.01e9)) {
+                    fail_msg("heap %d, step %d: body %d moved by (%g, %g)", number, step, i, x, y);
+                }
+                if (!isfinite(now.velocity.x) || !isfinite(now.velocity.y)) {
+                    fail_msg("heap %d, step %d: body %d is not finite", number, step, i);
+                }
+            }
+        }
+        thud_world_destroy(h.world);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_is_driven_further_than_places_can_follow),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
