@@ -1,7 +1,7 @@
 /* linkages.c: what joints hold in islands that are left to the soft solver, because they are too
  * dear for the quality or something in them bounces. Where joints give way there, the bodies that
  * they tie are solved directly without their contacts, which give what the soft solver has made of
- * them. */
+ * them. That is for machines among a heap: in the thick of one contacts rule, and do not answer. */
 #include "linkages/joint_islands.h"
 
 #include "constraint/constraint.h"
@@ -10,8 +10,11 @@
 /* Matrices that a linkage may take whatever else the step has taken; island_joints.c gives it
  * more. */
 enum { PATIENCE = 4 };
-/* The value of td_islands.local where a linkage has too many bodies. */
-enum { TOO_LARGE = -5 };
+/* Where more joints than this give way they are a crowd, which this would cost much and mend
+ * little. */
+enum { FEW = 64 };
+/* The value of td_islands.local where a linkage has too many bodies, or as many contacts. */
+enum { UNFIT = -5 };
 
 static int *local_at(const thud_world *w, td_awake_slot slot) {
     return TD_AT(int, &w->islands.local, slot.at);
@@ -31,7 +34,7 @@ bool td_linkages_may_come(const thud_world *w) {
 
 static bool is_soft(const thud_world *w, td_awake_slot slot) {
     int local = *local_at(w, slot);
-    bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != TOO_LARGE;
+    bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != UNFIT;
     return td_row(&w->velocity, slot)[3] > 0.0f && local <= 0 && (left || local == TD_ISLAND_SOFT);
 }
 
@@ -47,16 +50,21 @@ static void add_body(thud_world *w, td_island *linkage, td_awake_slot slot) {
     *local_at(w, slot) = ++linkage->bodies;
 }
 
-/* Adds the joints of a body, and whom they bring. False: it is too large. */
-static bool spread(thud_world *w, td_island *linkage, td_awake_slot slot) {
+/* Adds the joints of a body, and whom they bring; counts its contacts with others that move. False:
+ * the linkage is too large. */
+static bool spread(thud_world *w, td_island *linkage, td_awake_slot slot, int *contacts) {
     td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
-        if (constraint->state != TD_TOUCHING || td_is_contact(constraint)) {
+        if (constraint->state != TD_TOUCHING) {
             continue;
         }
         td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
-        if (other.at && *local_at(w, other) == TOO_LARGE) {
+        if (td_is_contact(constraint)) {
+            *contacts += other.at > 0;
+            continue;
+        }
+        if (other.at && *local_at(w, other) == UNFIT) {
             return false;
         }
         if (other.at && *local_at(w, other) <= 0) {
@@ -70,17 +78,20 @@ static bool spread(thud_world *w, td_island *linkage, td_awake_slot slot) {
     return linkage->bodies <= TD_LATE_BODIES && linkage->constraints <= TD_LATE_CONSTRAINTS;
 }
 
+/* False: it is too large, or in the thick of a heap. */
 static bool follow(thud_world *w, td_awake_slot seed, td_island *linkage) {
     td_islands *s = &w->islands;
     bool whole = true;
+    int contacts = 0;
     s->slots.count = s->constraints.count = 0;
     *linkage = (td_island){0};
     add_body(w, linkage, seed);
     for (int i = 0; whole && i < s->slots.count; i++) {
-        whole = spread(w, linkage, td_slot_in(&s->slots, i));
+        whole = spread(w, linkage, td_slot_in(&s->slots, i), &contacts);
     }
+    whole = whole && contacts <= linkage->bodies;
     for (int i = 0; !whole && i < s->slots.count; i++) {
-        *local_at(w, td_slot_in(&s->slots, i)) = TOO_LARGE;
+        *local_at(w, td_slot_in(&s->slots, i)) = UNFIT;
     }
     return whole;
 }
@@ -169,23 +180,36 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
     }
 }
 
-void td_linkages_solve(thud_world *w, td_system last) {
-    td_islands *s = &w->islands;
-    int rows = s->matrix.row.count;
+/* Lists the bodies by which joints give way; false where there are more than FEW. */
+static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
+    *count = 0;
     for (int i = 0; i < w->scratch.blocks.count; i++) {
         td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
         int kind = block->used ? td_constraint_at(w, block->constraint[0])->kind : 0;
-        if (kind < TD_PAIR_COUNT) {
-            continue;
-        }
-        for (int lane = 0; lane < block->used; lane++) {
+        for (int lane = 0; kind >= TD_PAIR_COUNT && lane < block->used; lane++) {
             td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
             td_awake_slot seed = is_soft(w, a) ? a : b;
             if (is_soft(w, seed) && gives_way(w, block, lane, kind)) {
-                s->matrix.now = last;
-                solve_one(w, seed);
-                s->matrix.row.count = rows;
+                if (*count == FEW) {
+                    return false;
+                }
+                seeds[(*count)++] = seed;
             }
+        }
+    }
+    return true;
+}
+
+void td_linkages_solve(thud_world *w, td_system last) {
+    td_islands *s = &w->islands;
+    int rows = s->matrix.row.count, count = 0;
+    td_awake_slot seeds[FEW];
+    bool few = list_seeds(w, seeds, &count);
+    for (int i = 0; few && i < count; i++) {
+        if (is_soft(w, seeds[i])) {
+            s->matrix.now = last;
+            solve_one(w, seeds[i]);
+            s->matrix.row.count = rows;
         }
     }
 }
