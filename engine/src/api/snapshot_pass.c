@@ -1,6 +1,7 @@
 /* snapshot_pass.c: every value of a snapshot, in the one order in which it is written and read. */
 #include "api/snapshot.h"
 
+#include "constraint/joining.h"
 #include "state/kinds.h"
 
 #include <string.h>
@@ -331,7 +332,7 @@ static void plug_in(thud_world *w, const td_snapshot_head *head) {
             head->plugged & (uint32_t)TD_SNAPSHOT_DETECTIONS << rank ? DETECTIONS[rank] : NULL;
     }
     w->quality.detection = DETECTIONS[head->detection];
-    w->quality.islands = head->plugged & TD_SNAPSHOT_ISLANDS ? &thud_islands_direct : NULL;
+    w->quality.islands = head->plugged & TD_SNAPSHOT_ISLANDS ? td_direct_solver_of(w) : NULL;
 }
 
 /* The counts of the head. What lies beyond them is as if it had never been: handles of new bodies

@@ -62,13 +62,8 @@ static void forget_motions(thud_world *w) {
     w->stats.held_seconds = 0.0;
 }
 
-static const thud_island_solver *islands_of(const thud_world *w) {
-    return w->quality.islands && w->joints.live ? w->joining->islands : w->quality.islands;
-}
-
 static bool find_islands(thud_world *w) {
-    const thud_island_solver *islands = islands_of(w);
-    return !islands || islands->find(w);
+    return !w->quality.islands || w->quality.islands->find(w);
 }
 
 /* Direct islands are solved twice: by the soft solver like all others, and then as a whole. */
@@ -76,13 +71,12 @@ static void solve(thud_world *w) {
     w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings =
         0;
     w->stats.island_work = 0;
-    const thud_island_solver *islands = islands_of(w);
-    if (islands) {
-        islands->begin(w);
+    if (w->quality.islands) {
+        w->quality.islands->begin(w);
     }
     td_solve(w);
-    if (islands) {
-        islands->end(w);
+    if (w->quality.islands) {
+        w->quality.islands->end(w);
     }
 }
 

@@ -35,8 +35,14 @@ typedef struct td_joining_ops {
     void (*draw)(const struct td_drawing *drawing);
     /* island_joints.c: see island_solve.h. */
     double (*solve)(struct td_island_work *work, double tolerance);
-    const thud_island_solver *islands; /* joint_islands.c: in place of thud_islands_direct */
+    const thud_island_solver
+        *islands; /* joint_islands.c: where the quality has one, in its place */
 } td_joining_ops;
+
+/* What solves a world's islands directly. */
+static inline const thud_island_solver *td_direct_solver_of(const thud_world *w) {
+    return w->joining ? w->joining->islands : &thud_islands_direct;
+}
 
 /* joining.c */
 bool td_joints_engage(thud_world *w);

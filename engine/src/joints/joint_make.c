@@ -34,6 +34,9 @@ static void plug(thud_world *w) {
     }
     w->kinds[TD_CONSTRAINT_GEAR] = td_gear_ops(w);
     w->joining = &joining;
+    if (w->quality.islands) {
+        w->quality.islands = joining.islands;
+    }
 }
 
 thud_result thud_world_use_joints(thud_world *w) {

@@ -1,6 +1,7 @@
 /* quality.c: see quality.h. */
 #include "solver/quality.h"
 
+#include "constraint/joining.h"
 #include "state/body.h"
 #include "state/handles.h"
 #include "constraint/lanes.h"
@@ -92,6 +93,9 @@ void td_quality_take(thud_world *w, const thud_quality *quality) {
     }
     if (w->def.detection) {
         w->quality.detection = w->def.detection;
+    }
+    if (w->joining && w->quality.islands) {
+        w->quality.islands = w->joining->islands;
     }
     td_substeps_set(w, td_substeps_asked(w));
     detect_by(w, w->quality.detection);

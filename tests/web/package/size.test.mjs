@@ -18,7 +18,8 @@ const PROGRAMS = [
   // Solving joints in the step in which they give way costs islands without joints 0.14 kB of hooks.
   { name: "islands", bound: 57.2, aim: 18 },
   { name: "everything", bound: 88.2, aim: 40 },
-  { name: "joints", bound: 80, aim: 40 },
+  // What joints tie is solved alone where its island is too dear: 1.2 kB.
+  { name: "joints", bound: 81.2, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`, { recursive: true })
