@@ -13,7 +13,9 @@ enum { PATIENCE = 4 };
 /* Where more joints than this give way they are a crowd, which this would cost much and mend
  * little. */
 enum { FEW = 64 };
-/* The value of td_islands.local where a linkage has too many bodies, or as many contacts. */
+/* At least one in so many of a linkage's joints gives way. */
+enum { WEAK = 2 };
+/* The value of td_islands.local where a linkage is left as it is. */
 enum { UNFIT = -5 };
 
 static int *local_at(const thud_world *w, td_awake_slot slot) {
@@ -50,9 +52,10 @@ static void add_body(thud_world *w, td_island *linkage, td_awake_slot slot) {
     *local_at(w, slot) = ++linkage->bodies;
 }
 
-/* Adds the joints of a body, and whom they bring; counts its contacts with others that move. False:
- * the linkage is too large. */
-static bool spread(thud_world *w, td_island *linkage, td_awake_slot slot, int *contacts) {
+/* Adds the joints of a body, and whom they bring; counts its contacts with others that move, and
+ * joints that give way. False: the linkage is too large. */
+static bool spread(thud_world *w, td_island *linkage, td_awake_slot slot, int *contacts,
+                   int *weak) {
     td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
@@ -71,25 +74,28 @@ static bool spread(thud_world *w, td_island *linkage, td_awake_slot slot, int *c
             add_body(w, linkage, other);
         }
         if (!other.at || !(e & 1)) {
+            td_lane at = td_lane_of(w, constraint);
             td_push_int(&w->islands.constraints, e / 2);
             linkage->constraints++;
+            *weak += gives_way(w, at.block, at.lane, constraint->kind);
         }
     }
     return linkage->bodies <= TD_LATE_BODIES && linkage->constraints <= TD_LATE_CONSTRAINTS;
 }
 
-/* False: it is too large, or in the thick of a heap. */
+/* False: it is too large, in the thick of a heap, or gives way in few places, which is nothing that
+ * the soft solver will not mend. */
 static bool follow(thud_world *w, td_awake_slot seed, td_island *linkage) {
     td_islands *s = &w->islands;
     bool whole = true;
-    int contacts = 0;
+    int contacts = 0, weak = 0;
     s->slots.count = s->constraints.count = 0;
     *linkage = (td_island){0};
     add_body(w, linkage, seed);
     for (int i = 0; whole && i < s->slots.count; i++) {
-        whole = spread(w, linkage, td_slot_in(&s->slots, i), &contacts);
+        whole = spread(w, linkage, td_slot_in(&s->slots, i), &contacts, &weak);
     }
-    whole = whole && contacts <= linkage->bodies;
+    whole = whole && contacts <= linkage->bodies && WEAK * weak >= linkage->constraints;
     for (int i = 0; !whole && i < s->slots.count; i++) {
         *local_at(w, td_slot_in(&s->slots, i)) = UNFIT;
     }
