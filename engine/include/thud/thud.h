@@ -327,7 +327,7 @@ typedef struct thud_stats {
     uint64_t step_allocations;              /* made by the last step */
     double stage_seconds[THUD_STAGE_COUNT]; /* of the last step; 0 without a clock */
     double step_seconds;
-    /* Islands solved at once in the last step. */
+    /* Islands solved at once in the last step, and what joints tie, see thud_joint.h. */
     int direct_islands, direct_bodies;
     int soft_islands;    /* of them, that stayed as the soft solver had them */
     int factorings;      /* of matrices ... */
