@@ -172,6 +172,7 @@ static bool gains(const td_island_work *work, double pushed) {
 /* The joints' own impulses stay the soft solver's, which goes on from them. */
 static void solve_one(thud_world *w, td_awake_slot seed) {
     td_island linkage;
+    bool counted = *local_at(w, seed) == TD_ISLAND_SOFT; /* among those that were tried */
     if (!follow(w, seed, &linkage) || !td_joint_island_begin(w, &linkage)) {
         return;
     }
@@ -182,7 +183,7 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
     if (td_island_work_out(&work) && !gains(&work, pushed)) {
         td_island_write_bodies(&work);
         w->stats.direct_islands++;
-        w->stats.direct_bodies += linkage.bodies;
+        w->stats.direct_bodies += counted ? 0 : linkage.bodies;
     }
 }
 

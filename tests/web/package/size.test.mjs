@@ -19,7 +19,7 @@ const PROGRAMS = [
   { name: "islands", bound: 57.2, aim: 18 },
   { name: "everything", bound: 88.2, aim: 40 },
   // What joints tie is solved alone where its island is too dear: 1.2 kB.
-  { name: "joints", bound: 81.2, aim: 40 },
+  { name: "joints", bound: 81.3, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`, { recursive: true })
