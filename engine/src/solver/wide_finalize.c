@@ -112,9 +112,11 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
     for (int i = 0; i < TD_LANES; i++) {
         const float *delta = td_row(&w->delta, (td_awake_slot){first.at + i});
         d2 quanta = {(double)delta[0], (double)delta[1]};
-        l2 center, moved = (l2)(quanta * w->to_fixed + TD_ROUND_SHIFT) - TD_ROUND_BITS;
+        l2 center;
+        /* What is odd, as in lanes that nobody reads, may wrap around. */
+        v2 moved = (v2)(quanta * w->to_fixed + TD_ROUND_SHIFT) - (uint64_t)TD_ROUND_BITS;
         __builtin_memcpy(&center, poses[i], sizeof center);
-        center = (l2)((v2)center + (v2)moved); /* odd ones, to the spare pose, may wrap around */
+        center = (l2)((v2)center + moved);
         __builtin_memcpy(poses[i], &center, sizeof center);
         __builtin_memcpy(proxies[i], &center, sizeof center);
         /* The low halves hold x and y; the sign does not reach them. They come first, as they do by
