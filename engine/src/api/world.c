@@ -100,18 +100,16 @@ static double power_below(double x) {
     return p;
 }
 
-/* The arrays of a world, and what is in them; those by awake slot stand in awake_arrays.h. */
-#define ARRAY(name, element) \
-    { offsetof(thud_world, name), sizeof(element) }
+/* The arrays of a world, and what is in them. */
+#define ARRAY(name, element) TD_ARRAY_PLACE(thud_world, name, element)
+#define BY_SLOT(name, element, kept) ARRAY(name, element),
 #define EVENTS(list)                                                                              \
     ARRAY(list.begin, thud_contact_event), ARRAY(list.end, thud_contact_event),                   \
         ARRAY(list.sensor_begin, thud_contact_event), ARRAY(list.sensor_end, thud_contact_event), \
         ARRAY(list.hit, thud_hit_event), ARRAY(list.quarantined, thud_body_id)
 
-static const struct {
-    uint16_t at, stride;
-} ARRAYS[] = {
-    ARRAY(pose, td_pose),
+static const td_array_place ARRAYS[] = {
+    TD_AWAKE_ARRAYS(BY_SLOT) ARRAY(pose, td_pose),
     ARRAY(proxy, td_shape_proxy),
     ARRAY(was, td_bounds),
     ARRAY(marks, uint8_t),
@@ -150,24 +148,28 @@ static const struct {
 };
 enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 
-static td_array *array_at(thud_world *w, int i) {
-    return (td_array *)((char *)w + ARRAYS[i].at);
+static const td_array_place SLOTS[] = {
+    ARRAY(bodies, td_body),
+    ARRAY(shapes, td_shape),
+    ARRAY(joints, td_joint),
+    ARRAY(constraints, td_contact),
+    ARRAY(terrains, td_terrain_record),
+};
+enum { SLOTS_COUNT = sizeof SLOTS / sizeof *SLOTS };
+
+static td_slots *slots_at(thud_world *w, int i) {
+    return (td_slots *)((char *)w + SLOTS[i].at);
 }
 
 static void set_strides(thud_world *w) {
     static_assert(sizeof *w <= UINT16_MAX, "offsets of arrays are 16 bits");
-    for (int i = 0; i < ARRAY_COUNT; i++) {
-        array_at(w, i)->stride = ARRAYS[i].stride;
-    }
-    td_awake_init(w);
+    td_arrays_init(w, ARRAYS, ARRAY_COUNT);
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         w->waiting[kind].stride = (int)sizeof(int);
     }
-    td_slots_init(&w->bodies, (int)sizeof(td_body));
-    td_slots_init(&w->shapes, (int)sizeof(td_shape));
-    td_slots_init(&w->constraints, (int)sizeof(td_contact));
-    td_slots_init(&w->joints, (int)sizeof(td_joint));
-    td_slots_init(&w->terrains, (int)sizeof(td_terrain_record));
+    for (int i = 0; i < SLOTS_COUNT; i++) {
+        td_slots_init(slots_at(w, i), SLOTS[i].stride);
+    }
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         td_slots_init(&w->pool[form], (int)td_form_bytes((td_block_form)form));
     }
@@ -236,14 +238,10 @@ void thud_world_destroy(thud_world *w) {
     for (int i = 0; i < w->terrains.count; i++) {
         td_array_free(&w->memory, &td_terrain_record_at(w, i)->points);
     }
-    for (int i = 0; i < ARRAY_COUNT; i++) {
-        td_array_free(&w->memory, array_at(w, i));
-    }
-    td_awake_free(w);
+    td_arrays_free(&w->memory, w, ARRAYS, ARRAY_COUNT);
     td_array_free(&w->memory, &w->scratch.test_blocks); /* as wide as a block, see narrowphase.c */
-    td_slots *slots[] = {&w->bodies, &w->shapes, &w->constraints, &w->joints, &w->terrains};
-    for (size_t i = 0; i < sizeof slots / sizeof *slots; i++) {
-        td_slots_free(&w->memory, slots[i]);
+    for (int i = 0; i < SLOTS_COUNT; i++) {
+        td_slots_free(&w->memory, slots_at(w, i));
     }
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         td_slots_free(&w->memory, &w->pool[form]);

@@ -1,20 +1,21 @@
 /* event_queue.c: see event_queue.h. */
 #include "base/event_queue.h"
 
+#define ARRAY(name, element) TD_ARRAY_PLACE(td_event_queue, name, element)
+
+static const td_array_place ARRAYS[] = {ARRAY(time, double), ARRAY(spot, int), ARRAY(heap, int)};
+enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
+
 void td_event_queue_init(td_event_queue *a) {
-    a->time.stride = (int)sizeof(double);
-    a->spot.stride = a->heap.stride = (int)sizeof(int);
+    td_arrays_init(a, ARRAYS, ARRAY_COUNT);
 }
 
 bool td_event_queue_reserve(td_memory *memory, td_event_queue *a, int count) {
-    return td_array_reserve(memory, &a->time, count) && td_array_reserve(memory, &a->spot, count) &&
-           td_array_reserve(memory, &a->heap, count);
+    return td_arrays_reserve(memory, a, ARRAYS, ARRAY_COUNT, count);
 }
 
 void td_event_queue_free(td_memory *memory, td_event_queue *a) {
-    td_array_free(memory, &a->time);
-    td_array_free(memory, &a->spot);
-    td_array_free(memory, &a->heap);
+    td_arrays_free(memory, a, ARRAYS, ARRAY_COUNT);
 }
 
 void td_event_queue_clear(td_event_queue *a, int count) {

@@ -88,6 +88,32 @@ void td_array_free(td_memory *memory, td_array *array) {
     array->capacity = 0;
 }
 
+static td_array *array_at(void *owner, td_array_place place) {
+    return (td_array *)((char *)owner + place.at);
+}
+
+void td_arrays_init(void *owner, const td_array_place *places, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        array_at(owner, places[i])->stride = places[i].stride;
+    }
+}
+
+bool td_arrays_reserve(td_memory *memory, void *owner, const td_array_place *places, size_t count,
+                       int capacity) {
+    for (size_t i = 0; i < count; i++) {
+        if (!td_array_reserve(memory, array_at(owner, places[i]), capacity)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void td_arrays_free(td_memory *memory, void *owner, const td_array_place *places, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        td_array_free(memory, array_at(owner, places[i]));
+    }
+}
+
 void td_slots_init(td_slots *slots, int stride) {
     slots->chunks.stride = (int)sizeof(void *);
     slots->stride = stride;

@@ -30,6 +30,20 @@ void td_memory_put(td_memory *memory, void *block, size_t bytes);
 bool td_array_reserve(td_memory *memory, td_array *array, int capacity);
 void td_array_free(td_memory *memory, td_array *array);
 
+/* Where in its owner an array is, and how many bytes its elements have. */
+typedef struct td_array_place {
+    uint16_t at, stride;
+} td_array_place;
+
+#define TD_ARRAY_PLACE(owner, name, element) \
+    { offsetof(owner, name), sizeof(element) }
+
+/* Sets the strides of all arrays of an owner; makes room in all; frees them all. */
+void td_arrays_init(void *owner, const td_array_place *places, size_t count);
+bool td_arrays_reserve(td_memory *memory, void *owner, const td_array_place *places, size_t count,
+                       int capacity);
+void td_arrays_free(td_memory *memory, void *owner, const td_array_place *places, size_t count);
+
 enum { TD_CHUNK = 64 };
 
 /* Elements that are handed out one by one, the lowest freed last, and never move: they lie in

@@ -3,34 +3,31 @@
 
 #include "state/world.h"
 
+#define ARRAY(name, element) TD_ARRAY_PLACE(td_proxy_set, name, element)
+
+/* The first ones are what every broadphase fills, in its order. */
+static const td_array_place ARRAYS[] = {
+    ARRAY(ids, int32_t),       ARRAY(min_x, int32_t),    ARRAY(min_y, int32_t),
+    ARRAY(max_x, int32_t),     ARRAY(max_y, int32_t),    ARRAY(moved, int32_t),
+    ARRAY(list, int32_t),      ARRAY(cells, int32_t),    ARRAY(starts, int32_t),
+    ARRAY(spot, int32_t),      ARRAY(anchor_x, int32_t), ARRAY(anchor_y, int32_t),
+    ARRAY(keys, td_sweep_key),
+};
+enum { FILLED = 6, ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
+
 void td_proxy_set_init(td_proxy_set *p) {
-    td_array *ints[] = {&p->list,  &p->ids,   &p->min_x,  &p->min_y, &p->max_x,    &p->max_y,
-                        &p->moved, &p->cells, &p->starts, &p->spot,  &p->anchor_x, &p->anchor_y};
-    for (size_t i = 0; i < sizeof ints / sizeof *ints; i++) {
-        ints[i]->stride = (int)sizeof(int32_t);
-    }
-    p->keys.stride = (int)sizeof(td_sweep_key);
+    td_arrays_init(p, ARRAYS, ARRAY_COUNT);
 }
 
 bool td_proxy_set_reserve(thud_world *w, td_proxy_set *p) {
-    td_array *arrays[] = {&p->ids, &p->min_x, &p->min_y, &p->max_x, &p->max_y, &p->moved};
     int count = p->list.count;
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        if (!td_array_reserve(&w->memory, arrays[i], count + TD_LANES)) {
-            return false;
-        }
-        arrays[i]->count = count;
-    }
-    return true;
+    bool room = td_arrays_reserve(&w->memory, p, ARRAYS, FILLED, count + TD_LANES);
+    p->ids.count = room ? count : 0;
+    return room;
 }
 
 void td_proxy_set_free(td_memory *memory, td_proxy_set *p) {
-    td_array *arrays[] = {&p->list,     &p->ids,      &p->min_x, &p->min_y, &p->max_x,
-                          &p->max_y,    &p->moved,    &p->cells, &p->spot,  &p->keys,
-                          &p->anchor_x, &p->anchor_y, &p->starts};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        td_array_free(memory, arrays[i]);
-    }
+    td_arrays_free(memory, p, ARRAYS, ARRAY_COUNT);
 }
 
 const char *thud_broadphase_name(const thud_broadphase *broadphase) {

@@ -15,12 +15,9 @@
 
 #include <string.h>
 
-#define ARRAY(name, element) \
-    { offsetof(td_islands, name), sizeof(element) }
+#define ARRAY(name, element) TD_ARRAY_PLACE(td_islands, name, element)
 
-static const struct {
-    uint16_t at, stride;
-} ARRAYS[] = {
+static const td_array_place ARRAYS[] = {
     ARRAY(island, td_island),
     ARRAY(slots, td_awake_slot),
     ARRAY(constraints, int),
@@ -38,21 +35,13 @@ static const struct {
 };
 enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 
-static td_array *array_at(td_islands *s, int i) {
-    return (td_array *)((char *)s + ARRAYS[i].at);
-}
-
 void td_islands_init(td_islands *s, bool wide) {
-    for (int i = 0; i < ARRAY_COUNT; i++) {
-        array_at(s, i)->stride = ARRAYS[i].stride;
-    }
+    td_arrays_init(s, ARRAYS, ARRAY_COUNT);
     td_sparse_init(&s->matrix, wide);
 }
 
 void td_islands_free(td_memory *memory, td_islands *s) {
-    for (int i = 0; i < ARRAY_COUNT; i++) {
-        td_array_free(memory, array_at(s, i));
-    }
+    td_arrays_free(memory, s, ARRAYS, ARRAY_COUNT);
     td_sparse_free(memory, &s->matrix);
 }
 
@@ -76,15 +65,11 @@ enum {
     COOLING = -3   /* its island is left alone for now */
 };
 
-static int *local_at(const thud_world *w, td_awake_slot slot) {
-    return TD_AT(int, &w->islands.local, slot.at);
-}
-
 static bool is_seed(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     return direct_steps <= TD_DIRECT_COOLDOWN &&
-           (direct_steps > 0 || w->quality.sag_limit == 0.0f) && *local_at(w, slot) == 0 &&
-           td_row(&w->velocity, slot)[3] > 0.0f;
+           (direct_steps > 0 || w->quality.sag_limit == 0.0f) &&
+           *td_island_local_at(w, slot) == 0 && td_row(&w->velocity, slot)[3] > 0.0f;
 }
 
 static bool any_direct(const thud_world *w) {
@@ -125,17 +110,12 @@ void td_islands_settle(thud_world *w) {
     uint8_t *direct_steps = w->direct_steps.data;
     for (td_awake_slot slot = {1}; slot.at < w->islands.local.count; slot.at++) {
         direct_steps[slot.at] = (uint8_t)direct_after_step(w, slot);
-        if (*local_at(w, slot) == TOO_MANY) {
+        if (*td_island_local_at(w, slot) == TOO_MANY) {
             cool_down(w, slot, TD_COOLDOWN_STEPS, 1);
-        } else if (*local_at(w, slot) == ALONE) {
+        } else if (*td_island_local_at(w, slot) == ALONE) {
             direct_steps[slot.at] = 0;
         }
     }
-}
-
-static void add_body(thud_world *w, td_island *island, td_awake_slot slot) {
-    td_push_slot(&w->islands.slots, slot);
-    *local_at(w, slot) = ++island->bodies;
 }
 
 /* Adds the contacts of a body, and whom they bring; each contact once, by its first side that is a
@@ -148,8 +128,8 @@ static bool spread(thud_world *w, td_island *island, td_awake_slot slot) {
             continue;
         }
         td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
-        bool is_new = other.at && *local_at(w, other) == 0;
-        if (other.at && (*local_at(w, other) == TOO_MANY ||
+        bool is_new = other.at && *td_island_local_at(w, other) == 0;
+        if (other.at && (*td_island_local_at(w, other) == TOO_MANY ||
                          (is_new && island->bodies == w->quality.island_limit))) {
             return false;
         }
@@ -157,7 +137,7 @@ static bool spread(thud_world *w, td_island *island, td_awake_slot slot) {
             td_push_int(&w->islands.constraints, e / 2);
         }
         if (is_new) {
-            add_body(w, island, other);
+            td_island_add(w, island, other);
         }
     }
     return true;
@@ -187,7 +167,7 @@ void td_islands_follow(thud_world *w, td_awake_slot seed) {
     td_islands *s = &w->islands;
     td_island island = {.first_body = s->slots.count, .first_constraint = s->constraints.count};
     bool whole = true;
-    add_body(w, &island, seed);
+    td_island_add(w, &island, seed);
     for (int i = island.first_body; whole && i < s->slots.count; i++) {
         whole = spread(w, &island, td_slot_in(&s->slots, i));
     }
@@ -198,7 +178,9 @@ void td_islands_follow(thud_world *w, td_awake_slot seed) {
         return;
     }
     for (int i = island.first_body; i < s->slots.count; i++) {
-        *local_at(w, td_slot_in(&s->slots, i)) = !whole ? TOO_MANY : cooling ? COOLING : ALONE;
+        *td_island_local_at(w, td_slot_in(&s->slots, i)) = !whole    ? TOO_MANY
+                                                           : cooling ? COOLING
+                                                                     : ALONE;
     }
     s->slots.count = island.first_body;
     s->constraints.count = island.first_constraint;

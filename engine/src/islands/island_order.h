@@ -8,6 +8,17 @@
  * memory is short. */
 bool td_islands_room(thud_world *w, td_array *array, int count);
 
+/* A body's number in its island, from 1, or one of the values that tell why it has none. */
+static inline int *td_island_local_at(const thud_world *w, td_awake_slot slot) {
+    return TD_AT(int, &w->islands.local, slot.at);
+}
+
+/* Adds a body to the island that is being listed, which has room. */
+static inline void td_island_add(thud_world *w, td_island *island, td_awake_slot slot) {
+    td_push_slot(&w->islands.slots, slot);
+    *td_island_local_at(w, slot) = ++island->bodies;
+}
+
 /* The awake slot of a dynamic body on the other side of a constraint, or 0. */
 td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *constraint, int side);
 /* Adds the pairs of bodies that constraints tie, by their numbers in the island, to

@@ -33,12 +33,9 @@ static bool roomy(td_memory *memory, td_array *array, int count) {
     return td_array_reserve(memory, array, td_max_int(count, 128));
 }
 
-#define ARRAY(name, element) \
-    { offsetof(td_sparse, name), sizeof(element) }
+#define ARRAY(name, element) TD_ARRAY_PLACE(td_sparse, name, element)
 
-static const struct {
-    uint16_t at, stride;
-} ARRAYS[] = {
+static const td_array_place ARRAYS[] = {
     ARRAY(ties, uint64_t), ARRAY(degree, int),         ARRAY(next, int),        ARRAY(prev, int),
     ARRAY(head, int),      ARRAY(place, int),          ARRAY(node, int),        ARRAY(column, int),
     ARRAY(row, int),       ARRAY(diagonal, td_block3), ARRAY(entry, td_block3), ARRAY(map, int),
@@ -46,21 +43,13 @@ static const struct {
 };
 enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 
-static td_array *array_at(td_sparse *s, int i) {
-    return (td_array *)((char *)s + ARRAYS[i].at);
-}
-
 void td_sparse_init(td_sparse *s, bool wide) {
     s->wide = wide;
-    for (int i = 0; i < ARRAY_COUNT; i++) {
-        array_at(s, i)->stride = ARRAYS[i].stride;
-    }
+    td_arrays_init(s, ARRAYS, ARRAY_COUNT);
 }
 
 void td_sparse_free(td_memory *memory, td_sparse *s) {
-    for (int i = 0; i < ARRAY_COUNT; i++) {
-        td_array_free(memory, array_at(s, i));
-    }
+    td_arrays_free(memory, s, ARRAYS, ARRAY_COUNT);
 }
 
 /* A column more than nodes in each system, which has a node at least. */

@@ -37,6 +37,6 @@ void td_joint_island_solve(thud_world *w, const td_island *island) {
     bool solved = td_island_solve(w, island);
     for (int i = 0; i < island->bodies && !solved; i++) {
         td_awake_slot slot = td_slot_in(&s->slots, island->first_body + i);
-        *TD_AT(int, &s->local, slot.at) = TD_ISLAND_SOFT;
+        *td_island_local_at(w, slot) = TD_ISLAND_SOFT;
     }
 }

@@ -3,10 +3,11 @@
 #include "linkages/joint_islands.h"
 
 #include "constraint/constraint.h"
+#include "islands/island_order.h"
 
 static bool is_late(const thud_world *w, td_awake_slot slot) {
     return *td_direct_steps_at(w, slot) == TD_DIRECT_STEPS &&
-           td_row(&w->velocity, slot)[3] > 0.0f && *TD_AT(int, &w->islands.local, slot.at) == 0;
+           td_row(&w->velocity, slot)[3] > 0.0f && *td_island_local_at(w, slot) == 0;
 }
 
 static bool has_joints(const thud_world *w, const td_island *island) {

@@ -18,10 +18,6 @@ enum { WEAK = 2 };
 /* The value of td_islands.local where a linkage is left as it is. */
 enum { UNFIT = -5 };
 
-static int *local_at(const thud_world *w, td_awake_slot slot) {
-    return TD_AT(int, &w->islands.local, slot.at);
-}
-
 bool td_linkages_may_come(const thud_world *w) {
     const uint8_t *direct_steps = w->direct_steps.data;
     const uint16_t *slow_steps = w->slow_steps.data;
@@ -35,7 +31,7 @@ bool td_linkages_may_come(const thud_world *w) {
 /* ---- which ---- */
 
 static bool is_soft(const thud_world *w, td_awake_slot slot) {
-    int local = *local_at(w, slot);
+    int local = *td_island_local_at(w, slot);
     bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != UNFIT;
     return td_row(&w->velocity, slot)[3] > 0.0f && local <= 0 && (left || local == TD_ISLAND_SOFT);
 }
@@ -45,11 +41,6 @@ static bool gives_way(const thud_world *w, const td_block *block, int lane, int 
     float size = td_islands_size(w, a, b), off = 0.0f;
     float load = w->kinds[kind]->lanes->load(w, block, lane, size, &off);
     return load > td_islands_most(w, size);
-}
-
-static void add_body(thud_world *w, td_island *linkage, td_awake_slot slot) {
-    td_push_slot(&w->islands.slots, slot);
-    *local_at(w, slot) = ++linkage->bodies;
 }
 
 /* Adds the joints of a body, and whom they bring; counts its contacts with others that move, and
@@ -67,11 +58,11 @@ static bool spread(thud_world *w, td_island *linkage, td_awake_slot slot, int *c
             *contacts += other.at > 0;
             continue;
         }
-        if (other.at && *local_at(w, other) == UNFIT) {
+        if (other.at && *td_island_local_at(w, other) == UNFIT) {
             return false;
         }
-        if (other.at && *local_at(w, other) <= 0) {
-            add_body(w, linkage, other);
+        if (other.at && *td_island_local_at(w, other) <= 0) {
+            td_island_add(w, linkage, other);
         }
         if (!other.at || !(e & 1)) {
             td_lane at = td_lane_of(w, constraint);
@@ -91,13 +82,13 @@ static bool follow(thud_world *w, td_awake_slot seed, td_island *linkage) {
     int contacts = 0, weak = 0;
     s->slots.count = s->constraints.count = 0;
     *linkage = (td_island){0};
-    add_body(w, linkage, seed);
+    td_island_add(w, linkage, seed);
     for (int i = 0; whole && i < s->slots.count; i++) {
         whole = spread(w, linkage, td_slot_in(&s->slots, i), &contacts, &weak);
     }
     whole = whole && contacts <= linkage->bodies && WEAK * weak >= linkage->constraints;
     for (int i = 0; !whole && i < s->slots.count; i++) {
-        *local_at(w, td_slot_in(&s->slots, i)) = UNFIT;
+        *td_island_local_at(w, td_slot_in(&s->slots, i)) = UNFIT;
     }
     return whole;
 }
@@ -172,7 +163,7 @@ static bool gains(const td_island_work *work, double pushed) {
 /* The joints' own impulses stay the soft solver's, which goes on from them. */
 static void solve_one(thud_world *w, td_awake_slot seed) {
     td_island linkage;
-    bool counted = *local_at(w, seed) == TD_ISLAND_SOFT; /* among those that were tried */
+    bool counted = *td_island_local_at(w, seed) == TD_ISLAND_SOFT; /* among those that were tried */
     if (!follow(w, seed, &linkage) || !td_joint_island_begin(w, &linkage)) {
         return;
     }

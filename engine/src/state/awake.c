@@ -5,17 +5,6 @@
 
 #include <string.h>
 
-void td_awake_init(thud_world *w) {
-#define STRIDE(name, element, kept) w->name.stride = (int)sizeof(element);
-    TD_AWAKE_ARRAYS(STRIDE)
-}
-
-void td_awake_free(thud_world *w) {
-    for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
-        td_array_free(&w->memory, &w->awake[i]);
-    }
-}
-
 int td_awake_capacity(int bodies) {
     return 1 + bodies + TD_LANES;
 }

@@ -4,9 +4,6 @@
 
 #include "state/world.h"
 
-void td_awake_init(thud_world *w); /* of a world that is all zero: sets the strides */
-void td_awake_free(thud_world *w);
-
 /* Elements that the arrays need for so many bodies, all awake: the dummy and a last eight in full
  * come on top, since the wide kernels work on whole eights. */
 int td_awake_capacity(int bodies);

@@ -47,17 +47,15 @@ static bool offset_valid(const thud_world *w, thud_vec2 offset) {
     return offset.x >= -most && offset.x <= most && offset.y >= -most && offset.y <= most;
 }
 
+#define ARRAY(name, element) TD_ARRAY_PLACE(thud_world, name, element)
+
+static const td_array_place BY_SHAPE[] = {ARRAY(proxy, td_shape_proxy), ARRAY(was, td_bounds),
+                                          ARRAY(marks, uint8_t), ARRAY(moved, int)};
+
 static bool reserve(thud_world *w) {
-    td_array *arrays[] = {&w->proxy, &w->was, &w->marks, &w->moved};
-    if (!td_slots_reserve(&w->memory, &w->shapes, 1) || !td_deferred_reserve(w)) {
-        return false;
-    }
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-        if (!td_array_reserve(&w->memory, arrays[i], td_slots_capacity(&w->shapes))) {
-            return false;
-        }
-    }
-    return true;
+    return td_slots_reserve(&w->memory, &w->shapes, 1) && td_deferred_reserve(w) &&
+           td_arrays_reserve(&w->memory, w, BY_SHAPE, sizeof BY_SHAPE / sizeof *BY_SHAPE,
+                             td_slots_capacity(&w->shapes));
 }
 
 /* The checks that all kinds share. On success *body is the slot, and memory is there. */
