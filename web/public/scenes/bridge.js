@@ -1,7 +1,7 @@
 // A lorry crosses a bridge of planks that are hinged to each other and to both sides of a valley.
 // It weighs some hundred times as much as one of them. Drive it back with the arrow keys.
 
-import { partsOf } from "./joints/parts.js";
+import { drive, DRIVING, partsOf } from "./joints/parts.js";
 
 export const title = "Bridge";
 export const about =
@@ -34,16 +34,9 @@ export default function ({ createWorld, grid, size }) {
     world,
     view: { x: 0, y: -0.5, height: 0.5 * size + 16, width: size + 24 },
     spawn: [0, 6],
-    keys: { left: "drive back", right: "drive on" },
+    keys: DRIVING,
     state: { direction: 1 },
-    update({ held }) {
-      const { state } = scene;
-      const wanted = held.left ? -1 : held.right ? 1 : state.direction;
-      if (wanted === state.direction) return;
-      state.direction = wanted;
-      for (const { joint, radius } of lorry)
-        world.setDrive(joint, "turn", { motorSpeed: (-SPEED * wanted) / radius });
-    },
+    update: ({ held }) => drive(world, scene.state, lorry, held),
   };
   return scene;
 }
@@ -96,7 +89,8 @@ function addLorry({ moving, addBox, wheel }, x) {
   const radius = 0.62;
   return [-2.7, -1.25, 2.5].map((place) => {
     const motorForce = ((0.3 * body.mass) / 3) * 10 * radius;
-    const turn = { motorSpeed: -SPEED / radius, motorForce };
-    return { ...wheel(body, 3, [x + place, radius], radius, turn, rubber), radius };
+    const speed = SPEED / radius;
+    const turn = { motorSpeed: -speed, motorForce };
+    return { ...wheel(body, 3, [x + place, radius], radius, turn, rubber), speed };
   });
 }

@@ -1,7 +1,7 @@
 // Cars of several makes climb over a mountain, with a motor on each axle. How their springs are tuned
 // stands with `wheel` in scenes/joints/parts.js. Drive them with the arrow keys.
 
-import { partsOf } from "./joints/parts.js";
+import { drive, DRIVING, partsOf } from "./joints/parts.js";
 
 export const title = "Cars on the mountain";
 export const about =
@@ -31,16 +31,9 @@ export default function ({ createWorld, grid, random, size }) {
     world,
     view: { x: 0, y: 8, height: 40, width: 70 },
     spawn: [0, 16],
-    keys: { left: "drive back", right: "drive on" },
+    keys: DRIVING,
     state: { direction: 1 },
-    update({ held }) {
-      const { state } = scene;
-      const wanted = held.left ? -1 : held.right ? 1 : state.direction;
-      if (wanted === state.direction) return;
-      state.direction = wanted;
-      for (const { joint, speed } of axles)
-        world.setDrive(joint, "turn", { motorSpeed: -wanted * speed });
-    },
+    update: ({ held }) => drive(world, scene.state, axles, held),
   };
   return scene;
 }

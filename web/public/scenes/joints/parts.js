@@ -28,6 +28,18 @@ export function meeting(a, radiusA, b, radiusB) {
   return [a[0] + along * dx - aside * dy, a[1] + along * dy + aside * dx];
 }
 
+/** The keys of what `drive` drives. */
+export const DRIVING = { left: "drive back", right: "drive on" };
+
+/** Motors turn as the keys say, and go on so; `axles` are joints and their speeds ahead. */
+export function drive(world, state, axles, held) {
+  const wanted = held.left ? -1 : held.right ? 1 : state.direction;
+  if (wanted === state.direction) return;
+  state.direction = wanted;
+  for (const { joint, speed } of axles)
+    world.setDrive(joint, "turn", { motorSpeed: -wanted * speed });
+}
+
 /** Makes parts of one world, and joints between them. */
 export function partsOf(world, grid) {
   const create = (kind, [x, y], options) => {
