@@ -124,17 +124,16 @@ static void turn_arm(double angle, double *u, double *v) {
     *v = c * y + s * x;
 }
 
-/* Into a frame that is turned by (c, s). */
-static void turn_frame(td_joint_frame *f, double c, double s) {
-    double pairs[3][2] = {{f->a_u, f->a_v}, {f->b_u, f->b_v}, {f->gap_u, f->gap_v}};
-    double *to[3][2] = {{&f->a_u, &f->a_v}, {&f->b_u, &f->b_v}, {&f->gap_u, &f->gap_v}};
-    for (int i = 0; i < 3; i++) {
-        *to[i][0] = c * pairs[i][0] + s * pairs[i][1];
-        *to[i][1] = c * pairs[i][1] - s * pairs[i][0];
-    }
-    double x = f->x, y = f->y;
-    f->x = c * x - s * y;
-    f->y = c * y + s * x;
+/* The same in a frame that is turned by (c, s). */
+static td_joint_frame turn_frame(td_joint_frame f, double c, double s) {
+    return (td_joint_frame){.x = c * f.x - s * f.y,
+                            .y = c * f.y + s * f.x,
+                            .a_u = c * f.a_u + s * f.a_v,
+                            .a_v = c * f.a_v - s * f.a_u,
+                            .b_u = c * f.b_u + s * f.b_v,
+                            .b_v = c * f.b_v - s * f.b_u,
+                            .gap_u = c * f.gap_u + s * f.gap_v,
+                            .gap_v = c * f.gap_v - s * f.gap_u};
 }
 
 td_joint_frame td_joint_frame_after(const td_block *block, int lane, double gap_u, double gap_v,
@@ -154,7 +153,7 @@ td_joint_frame td_joint_frame_after(const td_block *block, int lane, double gap_
         f.a_u -= f.gap_v;
         f.a_v += f.gap_u;
         td_joint_sincos(a[2], &s, &c);
-        turn_frame(&f, c, s);
+        f = turn_frame(f, c, s);
     }
     return f;
 }
@@ -164,7 +163,7 @@ td_joint_frame td_joint_line_after(const td_block *block, int lane, double gap_u
     td_joint_frame f = td_joint_frame_after(block, lane, gap_u, gap_v, false, a, b);
     double length = __builtin_sqrt(f.gap_u * f.gap_u + f.gap_v * f.gap_v);
     if (length > 0.0) {
-        turn_frame(&f, f.gap_u / length, f.gap_v / length);
+        f = turn_frame(f, f.gap_u / length, f.gap_v / length);
     }
     return f;
 }

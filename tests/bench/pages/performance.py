@@ -67,10 +67,11 @@ def measure(part, arguments, commit):
 
 
 def add_rival(scenes, others):
-    """The rival of a second race goes beside that of the first, with thud's times beside it."""
+    """The rival of a second race goes beside that of the first, with thud's times beside it; of
+    scenes that it does not run, thud's times of that race count for nothing."""
     for scene, other in zip(scenes, others):
-        own, rival = other["engines"]
-        scene["engines"].append({**rival, "beside": own})
+        own, *rivals = other["engines"]
+        scene["engines"] += [{**rival, "beside": own} for rival in rivals]
 
 
 def has_rapier(bench):

@@ -66,6 +66,17 @@ def overlaps(results):
                   for s in results["scenes"]])
 
 
+def gaps(results):
+    """How far joints are open, of the scenes that have any, in the order thud, Box2D."""
+    def each(scene, field, digits):
+        found = [engine(scene, name) for name in ("thud", "box2d")]
+        return " / ".join(number(e[field] * 1e3, digits) for e in found if e)
+
+    return table(["scene", "widest joint, mm", "mean joint, mm"],
+                 [[label(s), each(s, "gap_max", 1), each(s, "gap_mean", 2)]
+                  for s in results["scenes"] if any(e.get("gap_max") for e in s["engines"])])
+
+
 def holds(value, at_most):
     return f"at most {at_most:g}: " + ("holds" if value <= at_most else "**misses**")
 
@@ -144,7 +155,8 @@ def wasm(results):
 
 
 # Placeholder, what of the results it needs, and what makes its text of them.
-SECTIONS = {"races": ("scenes", races), "overlaps": ("scenes", overlaps), "alone": ("alone", alone),
+SECTIONS = {"races": ("scenes", races), "overlaps": ("scenes", overlaps),
+            "gaps": ("scenes", gaps), "alone": ("alone", alone),
             "growth": ("growth", growth), "memory": ("memory", memory), "pay": ("pay", pay),
             "workers": ("workers", workers), "profile": ("profile", profile),
             "wasm": ("wasm", wasm)}

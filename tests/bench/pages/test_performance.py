@@ -72,6 +72,19 @@ class Tables(unittest.TestCase):
         row = page.races({"scenes": [scene(rapier=False)]}).split("\n")[2]
         self.assertTrue(row.endswith("| holds |  |  |"), row)
 
+    def test_rival_that_does_not_run_a_scene_adds_nothing_to_it(self):
+        own = [scene(rapier=False), scene(rapier=False)]
+        race = [{"engines": [engine("thud", 2)]}, {"engines": [engine("thud", 2), engine("rapier", 6)]}]
+        performance.add_rival(own, race)
+        self.assertEqual([len(s["engines"]) for s in own], [2, 3])
+        self.assertEqual(page.ratio(own[1], "rapier", "ms_median"), 3)
+
+    def test_gaps_are_told_of_scenes_with_joints_alone(self):
+        joined = {**scene(), "scene": "chain", "engines": [
+            engine("thud", 1, gap_max=0, gap_mean=0), engine("box2d", 4, gap_max=0.0123, gap_mean=0.004)]}
+        rows = page.gaps({"scenes": [scene(), joined]}).split("\n")[2:]
+        self.assertEqual(rows, ["| chain, 100 | 0.0 / 12.3 | 0.00 / 4.00 |"])
+
     def test_miss_and_limit_are_plain_to_see(self):
         self.assertEqual(page.promise(scene("misses: p99")), "**misses: p99**")
         self.assertEqual(page.promise(scene("holds", limit=50)), "no step over 50 ms: holds")
