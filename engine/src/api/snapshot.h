@@ -11,7 +11,7 @@
 
 #define TD_SNAPSHOT_MAGIC "thudsnap"
 
-enum { TD_SNAPSHOT_VERSION = 6 }; /* rises when what the bytes mean changes */
+enum { TD_SNAPSHOT_VERSION = 7 }; /* rises when what the bytes mean changes */
 
 /* in td_snapshot_head.slots */
 enum {

@@ -18,7 +18,7 @@ bool td_place_valid(const thud_world *w, double x, double y) {
     return x >= -most && x <= most && y >= -most && y <= most;
 }
 
-static const char *def_error(const thud_world *w, const thud_body_def *def) {
+const char *td_body_def_error(const thud_world *w, const thud_body_def *def) {
     if ((int)def->kind < 0 || def->kind >= THUD_BODY_KIND_COUNT) {
         return "body def: kind is none";
     }
@@ -60,7 +60,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "body create: world or def is null");
     }
-    const char *error = def_error(w, def);
+    const char *error = td_body_def_error(w, def);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
@@ -142,8 +142,7 @@ static float reach_of(const td_shape *shape) {
                : __builtin_sqrtf(shape->half_x * shape->half_x + shape->half_y * shape->half_y);
 }
 
-/* Moves the centre of mass to (x, y) of the body's frame while the origin stays where it is. */
-static void set_center(thud_world *w, td_body_index index, double x, double y) {
+void td_body_set_center(thud_world *w, td_body_index index, double x, double y) {
     td_body *body = td_body_at(w, index);
     td_pose *pose = td_pose_at(w, index);
     td_position origin = td_body_origin(w, index);
@@ -157,11 +156,12 @@ static void set_center(thud_world *w, td_body_index index, double x, double y) {
 void td_body_weigh(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
-    bool dynamic = body->kind == THUD_DYNAMIC;
+    bool dynamic = body->kind == THUD_DYNAMIC, given = body->flags & TD_BODY_MASS_GIVEN;
     if (body->aabbs) {
         td_body_velocity(w, body)[2] = 0.0f; /* it keeps its axes */
     }
-    for (int i = body->first_shape; dynamic && i != TD_NONE; i = td_shape_at(w, i)->next) {
+    for (int i = body->first_shape; dynamic && !given && i != TD_NONE;
+         i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
         double area, moment;
         double density = shape->flags & TD_SHAPE_WAITS ? 0.0 : (double)shape->density;
@@ -174,16 +174,22 @@ void td_body_weigh(thud_world *w, td_body_index index) {
     }
     double cx = mass > 0.0 ? mx / mass : 0.0, cy = mass > 0.0 ? my / mass : 0.0;
     inertia -= mass * (cx * cx + cy * cy);
+    if (given) {
+        mass = (double)body->mass;
+        inertia = (double)body->inertia;
+        cx = (double)body->center_x;
+        cy = (double)body->center_y;
+    }
     if (dynamic && !(mass > 0.0)) {
         mass = 1.0; /* without shapes or density it still has to fall */
     }
     bool turns = dynamic && inertia > 0.0 && !(body->flags & TD_BODY_FIXED) && !body->aabbs;
     body->mass = (float)mass;
-    body->inertia = turns ? (float)inertia : 0.0f;
+    body->inertia = turns || given ? (float)inertia : 0.0f; /* given, it outlasts fixing */
     body->inv_mass = dynamic ? (float)(1.0 / mass) : 0.0f;
     body->inv_inertia = turns ? (float)(1.0 / inertia) : 0.0f;
     if ((float)cx != body->center_x || (float)cy != body->center_y) {
-        set_center(w, index, cx, cy);
+        td_body_set_center(w, index, cx, cy);
     }
     if (body->kind == THUD_STATIC) {
         return;
@@ -228,7 +234,7 @@ thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state 
         .velocity = {velocity[0], velocity[1]},
         .angular_velocity = velocity[2],
         .mass = body->mass,
-        .inertia = body->inertia,
+        .inertia = body->inv_inertia > 0.0f ? body->inertia : 0.0f,
         .gravity_scale = body->gravity_scale,
         .awake = body->awake.at > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)),
         .enabled = !(body->flags & TD_BODY_DISABLED),

@@ -4,6 +4,11 @@
 
 #include "state/world.h"
 
+/* What of a def is out of its range; null: nothing. */
+const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def);
+/* Whether a shape of such a body may have this radius or half extent. */
+bool td_shape_size_valid(const thud_world *w, int body_kind, float size);
+
 /* Recomputes offsets from the centre of mass; after td_body_weigh. */
 void td_shape_settle(thud_world *w, int shape);
 

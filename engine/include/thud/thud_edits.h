@@ -1,0 +1,91 @@
+/* thud_edits.h: changing bodies and shapes after they were made; places, velocities, awake and
+ * enabled have their setters in thud.h. A program that changes nothing links none of this.
+ *
+ * Values have the ranges that the defs of thud.h give them. A change holds from the next step on,
+ * and wakes the body and what touches it: also what sleeps on a static body that changes. A static
+ * shape that is changed so that it now meets what sleeps in its place is found by the sleeper when
+ * that wakes, as one that is made there. Contacts go on, with their impulses, unless said
+ * otherwise; where a body gets lighter, impulses that bore its old weight shrink with it.
+ *
+ * All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE for a handle that names nothing,
+ * THUD_ERROR_INVALID for a value out of range, and THUD_ERROR_LOCKED inside a callback: then
+ * nothing has changed. A snapshot that is taken after a change has it. */
+#ifndef THUD_EDITS_H
+#define THUD_EDITS_H
+
+#include "thud.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- shapes ---- */
+
+/* Contacts with what it meets no more end, with an event; those that it meets now begin with the
+ * next step. THUD_ERROR_MEMORY. */
+THUD_API thud_result thud_shape_set_filter(thud_world *world, thud_shape_id shape,
+                                           thud_filter filter);
+/* A prologue has the last word on these three. */
+THUD_API thud_result thud_shape_set_friction(thud_world *world, thud_shape_id shape,
+                                             float friction);
+THUD_API thud_result thud_shape_set_restitution(thud_world *world, thud_shape_id shape,
+                                                float restitution);
+THUD_API thud_result thud_shape_set_surface_speed(thud_world *world, thud_shape_id shape,
+                                                  float surface_speed);
+/* Its body is weighed anew at once, and its centre of mass moves; the body's velocity, which is
+ * that of the centre, stays the same number. */
+THUD_API thud_result thud_shape_set_density(thud_world *world, thud_shape_id shape, float density);
+/* Its contacts end, with events of what it was, and what it overlaps begins anew as what it is.
+ * THUD_ERROR_MEMORY. */
+THUD_API thud_result thud_shape_set_sensor(thud_world *world, thud_shape_id shape, bool sensor);
+/* Of a circle, and of an AABB or OBB: about the same centre. Its body is weighed anew, see
+ * thud_shape_set_density. What it then overlaps is pushed apart, no faster than the world's
+ * push_speed. */
+THUD_API thud_result thud_shape_set_radius(thud_world *world, thud_shape_id shape, float radius);
+THUD_API thud_result thud_shape_set_half_extents(thud_world *world, thud_shape_id shape,
+                                                 thud_vec2 half_extents);
+/* Wakes nobody; inside a callback, too. */
+THUD_API thud_result thud_shape_set_user_data(thud_world *world, thud_shape_id shape,
+                                              uint64_t user_data);
+
+/* ---- bodies ---- */
+
+/* What becomes static stands still, and loses its velocity; what becomes kinematic keeps it, and
+ * goes on so; what becomes dynamic is weighed by its shapes. All its contacts end, and those that
+ * still touch begin with the next step; forces that wait for it are gone. The sizes of its shapes
+ * must fit the new kind, and a body with terrain is static. THUD_ERROR_INVALID too for a body that
+ * is quarantined, and for one with joints, unless it changes between kinematic and dynamic, and
+ * each of them goes on joining what such a joint may (thud_joint.h). THUD_ERROR_MEMORY. */
+THUD_API thud_result thud_body_set_kind(thud_world *world, thud_body_id body, thud_body_kind kind);
+THUD_API thud_result thud_body_set_damping(thud_world *world, thud_body_id body, float linear,
+                                           float angular);
+THUD_API thud_result thud_body_set_gravity_scale(thud_world *world, thud_body_id body,
+                                                 float gravity_scale);
+/* True stops a dynamic body's turning at once; kinematic ones turn as they are told. */
+THUD_API thud_result thud_body_set_fixed_rotation(thud_world *world, thud_body_id body, bool fixed);
+/* Null: the world's, now and whenever that changes. */
+THUD_API thud_result thud_body_set_detection(thud_world *world, thud_body_id body,
+                                             const thud_detection *detection);
+THUD_API thud_result thud_body_set_may_sleep(thud_world *world, thud_body_id body, bool may_sleep);
+
+#define THUD_MASS_MIN 1e-30f
+#define THUD_MASS_MAX 1e30f
+
+typedef struct thud_mass {
+    float mass;       /* [THUD_MASS_MIN, THUD_MASS_MAX] */
+    float inertia;    /* mass length^2, about the centre; likewise, or 0: it does not turn */
+    thud_vec2 center; /* of mass, from the origin, in the body's frame; |x|, |y| <= 16384 length
+                         scales */
+} thud_mass;
+
+/* Of a dynamic body: these hold whatever shapes come, go and change, until they are set again, the
+ * body changes its kind, or `mass` is null: then it is what its shapes weigh. While its rotation is
+ * fixed the inertia waits. The velocity, of the centre, stays the same number. */
+THUD_API thud_result thud_body_set_mass(thud_world *world, thud_body_id body,
+                                        const thud_mass *mass);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

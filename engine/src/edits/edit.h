@@ -1,0 +1,33 @@
+/* edit.h: what changes of bodies and shapes share; see thud_edits.h. They act at once on the
+ * records and on what hangs on them, and leave the rest to the change list, as joints do. */
+#ifndef TD_EDIT_H
+#define TD_EDIT_H
+
+#include "state/world.h"
+
+/* As td_find_body and td_find_shape; THUD_ERROR_LOCKED inside a callback. */
+thud_result td_edit_body(const thud_world *w, thud_body_id id, td_body_index *index);
+thud_result td_edit_shape(const thud_world *w, thud_shape_id id, int *index);
+
+/* Whether a constraint is a contact of this shape; TD_NONE: of any. */
+static inline bool td_edit_concerns(const td_constraint *constraint, int shape) {
+    return td_is_contact(constraint) &&
+           (shape == TD_NONE || constraint->shape_a == shape || constraint->shape_b == shape);
+}
+
+/* The body wakes with the next step, and so does whatever touches this shape of it. */
+void td_edit_wake(thud_world *w, td_body_index body, int shape);
+
+/* Ends contacts of a body's shape, of all its shapes where it is TD_NONE: those that may not be any
+ * more, or, where `all` is set, each. Whom it touched wakes. False when memory is short, and
+ * nothing has changed. */
+bool td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all);
+
+/* Its shape looks for pairs that it has not got. */
+void td_edit_look_around(thud_world *w, int shape);
+
+/* Weighs the body anew; `mass` and `inertia` are what it had. Impulses that bore a weight which it
+ * no longer has would throw it, so they shrink with it. */
+void td_edit_weigh(thud_world *w, td_body_index body);
+
+#endif

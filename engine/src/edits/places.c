@@ -1,0 +1,108 @@
+/* places.c: points and directions of a body; see thud_forces.h. */
+#include "thud/thud_forces.h"
+
+#include "state/body.h"
+#include "state/handles.h"
+
+static thud_result find(const thud_world *w, thud_body_id id, const void *out,
+                        td_body_index *index) {
+    thud_result result = td_find_body(w, id, index);
+    return result == THUD_OK && !out ? td_refuse(w, THUD_ERROR_NULL, "point of a body: out is null")
+                                     : result;
+}
+
+static thud_result refuse(const thud_world *w) {
+    return td_refuse(w, THUD_ERROR_INVALID, "point of a body: it is not finite or out of range");
+}
+
+static bool reaches(const thud_world *w, thud_vec2 v) {
+    return td_place_valid(w, (double)v.x, (double)v.y);
+}
+
+thud_result thud_body_velocity_at(const thud_world *w, thud_body_id id, thud_pos point,
+                                  thud_vec2 *out) {
+    TD_IN_OWN_MODE;
+    td_body_index index;
+    thud_result result = find(w, id, out, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!td_place_valid(w, point.x, point.y)) {
+        return refuse(w);
+    }
+    const float *velocity = td_body_velocity(w, td_body_at(w, index));
+    const td_pose *pose = td_pose_at(w, index);
+    td_position place = td_place_from(w, point);
+    double x = (double)(place.x - pose->center.x) / w->to_fixed;
+    double y = (double)(place.y - pose->center.y) / w->to_fixed;
+    out->x = (float)((double)velocity[0] - (double)velocity[2] * y);
+    out->y = (float)((double)velocity[1] + (double)velocity[2] * x);
+    return THUD_OK;
+}
+
+/* By the rotation of the pose, or against it. */
+static thud_vec2 turned(const td_pose *pose, double x, double y, double sign) {
+    double c = (double)pose->c, s = sign * (double)pose->s;
+    return (thud_vec2){(float)(c * x - s * y), (float)(s * x + c * y)};
+}
+
+thud_result thud_body_world_point(const thud_world *w, thud_body_id id, thud_vec2 point,
+                                  thud_pos *out) {
+    TD_IN_OWN_MODE;
+    td_body_index index;
+    thud_result result = find(w, id, out, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!reaches(w, point)) {
+        return refuse(w);
+    }
+    td_position at = td_body_origin(w, index);
+    thud_vec2 arm = turned(td_pose_at(w, index), (double)point.x, (double)point.y, 1.0);
+    at.x += td_length_from(w, arm.x);
+    at.y += td_length_from(w, arm.y);
+    *out = td_place_to(w, at);
+    return THUD_OK;
+}
+
+thud_result thud_body_local_point(const thud_world *w, thud_body_id id, thud_pos point,
+                                  thud_vec2 *out) {
+    TD_IN_OWN_MODE;
+    td_body_index index;
+    thud_result result = find(w, id, out, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!td_place_valid(w, point.x, point.y)) {
+        return refuse(w);
+    }
+    td_position origin = td_body_origin(w, index), at = td_place_from(w, point);
+    *out = turned(td_pose_at(w, index), (double)(at.x - origin.x) / w->to_fixed,
+                  (double)(at.y - origin.y) / w->to_fixed, -1.0);
+    return THUD_OK;
+}
+
+static thud_result turn(const thud_world *w, thud_body_id id, thud_vec2 vector, double sign,
+                        thud_vec2 *out) {
+    TD_IN_OWN_MODE;
+    td_body_index index;
+    thud_result result = find(w, id, out, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!td_finite((double)vector.x) || !td_finite((double)vector.y)) {
+        return refuse(w);
+    }
+    *out = turned(td_pose_at(w, index), (double)vector.x, (double)vector.y, sign);
+    return THUD_OK;
+}
+
+thud_result thud_body_world_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
+                                   thud_vec2 *out) {
+    return turn(w, id, vector, 1.0, out);
+}
+
+thud_result thud_body_local_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
+                                   thud_vec2 *out) {
+    return turn(w, id, vector, -1.0, out);
+}

@@ -1,0 +1,94 @@
+/* reads.c: see thud_reads.h. */
+#include "thud/thud_reads.h"
+
+#include "base/rotation.h"
+#include "state/body.h"
+#include "state/handles.h"
+
+thud_result thud_body_position(const thud_world *w, thud_body_id id, thud_pos *position) {
+    td_body_index index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result == THUD_OK && position) {
+        *position = td_place_to(w, td_body_origin(w, index));
+    }
+    return result;
+}
+
+thud_result thud_body_rotation(const thud_world *w, thud_body_id id, double *angle, float *cosine,
+                               float *sine) {
+    td_body_index index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    const td_pose *pose = td_pose_at(w, index);
+    if (angle) {
+        *angle = td_angle_radians(pose->angle);
+    }
+    if (cosine) {
+        *cosine = pose->c;
+    }
+    if (sine) {
+        *sine = pose->s;
+    }
+    return THUD_OK;
+}
+
+thud_result thud_body_velocity(const thud_world *w, thud_body_id id, thud_vec2 *velocity,
+                               float *angular_velocity) {
+    td_body_index index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    const float *now = td_body_velocity(w, td_body_at(w, index));
+    if (velocity) {
+        *velocity = (thud_vec2){now[0], now[1]};
+    }
+    if (angular_velocity) {
+        *angular_velocity = now[2];
+    }
+    return THUD_OK;
+}
+
+thud_result thud_body_user_data(const thud_world *w, thud_body_id id, uint64_t *user_data) {
+    td_body_index index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result == THUD_OK && user_data) {
+        *user_data = td_body_at(w, index)->user_data;
+    }
+    return result;
+}
+
+thud_result thud_shape_user_data(const thud_world *w, thud_shape_id id, uint64_t *user_data) {
+    int index = 0;
+    thud_result result = td_find_shape(w, id, &index);
+    if (result == THUD_OK && user_data) {
+        *user_data = td_shape_at(w, index)->user_data;
+    }
+    return result;
+}
+
+thud_result thud_shape_body(const thud_world *w, thud_shape_id id, thud_body_id *body) {
+    int index = 0;
+    thud_result result = td_find_shape(w, id, &index);
+    if (result == THUD_OK && body) {
+        *body = td_body_handle(w, td_shape_at(w, index)->body);
+    }
+    return result;
+}
+
+thud_result thud_world_step_settings(const thud_world *w, thud_step_settings *out) {
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (out) {
+        *out = (thud_step_settings){.gravity = w->def.gravity,
+                                    .time_step = w->def.time_step,
+                                    .max_error = w->def.max_error,
+                                    .substeps = w->substeps,
+                                    .sleeping = w->def.sleeping,
+                                    .quality = w->quality};
+    }
+    return THUD_OK;
+}

@@ -1,0 +1,58 @@
+/* shape_meets.c: changing what a shape meets, and whether it stops that; see thud_edits.h. */
+#include "thud/thud_edits.h"
+
+#include "contact/internal_edges.h"
+#include "edits/edit.h"
+#include "state/body.h"
+#include "state/handles.h"
+#include "state/shape.h"
+
+/* Of filters that differ neighbours do not hide each other's faces: the change of shapes has
+ * internal edges looked for anew. */
+thud_result thud_shape_set_filter(thud_world *w, thud_shape_id id, thud_filter filter) {
+    TD_IN_OWN_MODE;
+    int index = 0;
+    thud_result result = td_edit_shape(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    td_shape *shape = td_shape_at(w, index);
+    thud_filter before = shape->filter;
+    shape->filter = filter;
+    if (!td_edit_end_contacts(w, shape->body, index, false)) {
+        shape->filter = before;
+        return td_refuse(w, THUD_ERROR_MEMORY, "set filter: out of memory");
+    }
+    td_edit_look_around(w, index);
+    td_body_mark(w, shape->body, TD_CHANGE_SHAPES);
+    if (!(filter.category | filter.mask | (uint32_t)filter.group)) {
+        td_refuse(w, THUD_OK, "set filter: done, but the shape meets nothing: its filter is zero");
+    }
+    return THUD_OK;
+}
+
+thud_result thud_shape_set_sensor(thud_world *w, thud_shape_id id, bool sensor) {
+    TD_IN_OWN_MODE;
+    int index = 0;
+    thud_result result = td_edit_shape(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    td_shape *shape = td_shape_at(w, index);
+    if (sensor == ((shape->flags & TD_SHAPE_SENSOR) != 0)) {
+        return THUD_OK;
+    }
+    if (!td_edit_end_contacts(w, shape->body, index, true)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "set sensor: out of memory");
+    }
+    int kind = td_body_at(w, shape->body)->kind;
+    shape->flags ^= TD_SHAPE_SENSOR;
+    w->mobile_sensors += kind == THUD_DYNAMIC ? (sensor ? 1 : -1) : 0;
+    if (kind != THUD_STATIC) {
+        shape->internal_edges = shape->hidden =
+            0; /* its body's others are looked at as it changes */
+    }
+    *td_marks_at(w, index) |= TD_MARK_FRESH;
+    td_body_mark(w, shape->body, TD_CHANGE_SHAPES);
+    return THUD_OK;
+}

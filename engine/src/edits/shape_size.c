@@ -1,0 +1,76 @@
+/* shape_size.c: changing a shape's density and size, and with them what its body weighs; see
+ * thud_edits.h. */
+#include "thud/thud_edits.h"
+
+#include "edits/edit.h"
+#include "state/body.h"
+#include "state/handles.h"
+#include "state/shape.h"
+
+thud_result thud_shape_set_density(thud_world *w, thud_shape_id id, float density) {
+    TD_IN_OWN_MODE;
+    int index = 0;
+    thud_result result = td_edit_shape(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    thud_shape_def def = {.density = density};
+    const char *error = td_shape_def_error(w, &def);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    td_shape *shape = td_shape_at(w, index);
+    shape->density = density;
+    td_edit_weigh(w, shape->body);
+    return THUD_OK;
+}
+
+/* Bounds that are too large would never shrink: at a point they are left by all that it is. */
+static void resize(thud_world *w, int index, float half_x, float half_y) {
+    td_shape *shape = td_shape_at(w, index);
+    shape->half_x = half_x;
+    shape->half_y = half_y;
+    w->thinnest_stale = true;
+    if (!(*td_marks_at(w, index) & TD_MARK_FRESH)) {
+        td_shape_mark_moved(w, index);
+        *td_fat_at(w, index) = td_bounds_about(td_shape_proxy_at(w, index)->center, 0, 0);
+    }
+    td_edit_weigh(w, shape->body);
+}
+
+thud_result thud_shape_set_radius(thud_world *w, thud_shape_id id, float radius) {
+    TD_IN_OWN_MODE;
+    int index = 0;
+    thud_result result = td_edit_shape(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    const td_shape *shape = td_shape_at(w, index);
+    if (!td_kind_is_round(shape->kind)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set radius: the shape is no circle");
+    }
+    if (!td_shape_size_valid(w, td_body_at(w, shape->body)->kind, radius)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set radius: it is out of range");
+    }
+    resize(w, index, radius, 0.0f);
+    return THUD_OK;
+}
+
+thud_result thud_shape_set_half_extents(thud_world *w, thud_shape_id id, thud_vec2 half) {
+    TD_IN_OWN_MODE;
+    int index = 0;
+    thud_result result = td_edit_shape(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    const td_shape *shape = td_shape_at(w, index);
+    int kind = td_body_at(w, shape->body)->kind;
+    if (!td_kind_is_box(shape->kind)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set half extents: the shape is no box");
+    }
+    if (!td_shape_size_valid(w, kind, half.x) || !td_shape_size_valid(w, kind, half.y)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set half extents: they are out of range");
+    }
+    resize(w, index, half.x, half.y);
+    return THUD_OK;
+}

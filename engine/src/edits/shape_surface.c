@@ -1,0 +1,71 @@
+/* shape_surface.c: changing how a shape's surface acts, and what its user has with it; see
+ * thud_edits.h. */
+#include "thud/thud_edits.h"
+
+#include "constraint/lanes.h"
+#include "edits/edit.h"
+#include "state/handles.h"
+#include "state/shape.h"
+#include "state/surface.h"
+
+/* Lanes, asleep ones too, have settings of their own, which a prologue changes for a step. */
+static void renew_lanes(thud_world *w, int shape) {
+    td_body_index body = td_shape_at(w, shape)->body;
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE;) {
+        const td_constraint *contact = td_constraint_at(w, e / 2);
+        if (td_edit_concerns(contact, shape) && contact->state == TD_TOUCHING) {
+            td_lane at = td_lane_of(w, contact);
+            thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
+            td_surface_set(w, at.block, td_form_points(w->kinds[contact->kind]->form), at.lane,
+                           &own);
+            td_lane_renew(w, e / 2);
+        }
+        e = contact->next[e & 1];
+    }
+}
+
+typedef enum surface_field { FRICTION, RESTITUTION, SURFACE_SPEED } surface_field;
+
+/* The check is that of a def of which all but this value is the default. */
+static thud_result set(thud_world *w, thud_shape_id id, surface_field field, float value) {
+    TD_IN_OWN_MODE;
+    int index = 0;
+    thud_result result = td_edit_shape(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    thud_shape_def def = {.friction = field == FRICTION ? value : 0.0f,
+                          .restitution = field == RESTITUTION ? value : 0.0f,
+                          .surface_speed = field == SURFACE_SPEED ? value : 0.0f};
+    const char *error = td_shape_def_error(w, &def);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    td_shape *shape = td_shape_at(w, index);
+    float *fields[] = {&shape->friction, &shape->restitution, &shape->surface_speed};
+    *fields[field] = value;
+    renew_lanes(w, index);
+    td_edit_wake(w, shape->body, index);
+    return THUD_OK;
+}
+
+thud_result thud_shape_set_friction(thud_world *w, thud_shape_id id, float friction) {
+    return set(w, id, FRICTION, friction);
+}
+
+thud_result thud_shape_set_restitution(thud_world *w, thud_shape_id id, float restitution) {
+    return set(w, id, RESTITUTION, restitution);
+}
+
+thud_result thud_shape_set_surface_speed(thud_world *w, thud_shape_id id, float surface_speed) {
+    return set(w, id, SURFACE_SPEED, surface_speed);
+}
+
+thud_result thud_shape_set_user_data(thud_world *w, thud_shape_id id, uint64_t user_data) {
+    int index = 0;
+    thud_result result = td_find_shape(w, id, &index);
+    if (result == THUD_OK) {
+        td_shape_at(w, index)->user_data = user_data;
+    }
+    return result;
+}

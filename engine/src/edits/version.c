@@ -1,0 +1,6 @@
+/* version.c: see thud_version.h. */
+#include "thud/thud_version.h"
+
+int thud_version(void) {
+    return THUD_VERSION;
+}
