@@ -89,6 +89,11 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(joint_frame),
     PLAYS(joint_breaking),
     PLAYS(joint_lists),
+    PLAYS(shape_edit),
+    PLAYS(body_edit),
+    PLAYS(push),
+    PLAYS(points),
+    PLAYS(reads),
 };
 
 void session_play(fuzz_session *s) {

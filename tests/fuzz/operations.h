@@ -47,6 +47,8 @@ fuzz_operation play_volume_fit, play_volume_points, play_volume_merge, play_volu
 /* operations_joints.c */
 fuzz_operation play_joint, play_joint_destroy, play_joint_edit, play_joint_get, play_joint_frame,
     play_joint_breaking, play_joint_lists;
+/* operations_edits.c */
+fuzz_operation play_shape_edit, play_body_edit, play_push, play_points, play_reads;
 /* operations_lines.c: terrain without a world */
 fuzz_operation play_line_sample, play_line_shape, play_line_impact, play_line_ray, play_foot;
 
