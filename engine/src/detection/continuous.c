@@ -34,7 +34,8 @@ typedef struct sweep {
     thud_motion motion;
     double shrink;
     meeting last, next; /* the one let through last, and the first after it so far */
-    td_bounds bounds;   /* of the whole sweep, about start */
+    td_bounds bounds;   /* of the whole sweep, about start ... */
+    bool far;           /* ... which is longer than they can tell */
 } sweep;
 
 /* The ground below the middle of the shape stands for where they meet. */
@@ -143,6 +144,9 @@ static void against_shape(sweep *s, int other) {
 /* Whether the bounds of the sweep come down to any segment at all; most falling bodies' do not. */
 static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terrain) {
     int first, last;
+    if (s->far) {
+        return true;
+    }
     if (td_terrain_below(s->w, other, s->start, &s->bounds)) {
         return false;
     }
@@ -225,7 +229,7 @@ static bool looks_around(sweep *s) {
     thud_world *w = s->w;
     td_array *hits = &w->scratch.ahead;
     hits->count = 0;
-    td_find_fn *find = w->def.broadphase->find[w->wide];
+    td_find_fn *find = s->far ? td_proxy_set_find_all : w->def.broadphase->find[w->wide];
     bool near_any =
         find(&w->rest_shapes, &w->memory, &s->bounds, s->start, hits) && hits->count > 0;
     for (int t = 0; t < w->terrains.count && !near_any; t++) {
@@ -304,6 +308,8 @@ static void sweep_body(thud_world *w, td_awake_slot slot) {
     sweep swept = {
         .w = w, .slot = slot, .body = index, .start = start.center, .next = {.time = -1.0}};
     swept.bounds = swept_bounds(&swept, td_pose_at(w, index)->center);
+    const float *delta = td_row(&w->delta, slot);
+    swept.far = (td_abs((double)delta[0]) + td_abs((double)delta[1])) * w->to_coarse > 0x1p29;
     if (!looks_around(&swept)) {
         return;
     }

@@ -3,6 +3,7 @@
 
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
+#include "state/body.h"
 #include "state/shape.h"
 
 /* Whether the pair is a candidate already: where both stray, each may find the other. */
@@ -46,23 +47,92 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b) {
     return true;
 }
 
+/* ---- bounds ---- */
+
+/* The bounds that the broadphase knew at the start of the step, unwrapped about where the body was.
+ */
+static td_far_bounds bounds_at_start(const thud_world *w, int shape) {
+    const td_bounds *b =
+        *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
+    td_body_index body = td_shape_at(w, shape)->body;
+    td_awake_slot slot = td_body_at(w, body)->awake;
+    td_position p = td_pose_at(w, body)->center;
+    if (slot.at > 0) {
+        const float *delta = td_row(&w->delta, slot);
+        p.x -= td_length_from(w, delta[0]);
+        p.y -= td_length_from(w, delta[1]);
+    }
+    return (td_far_bounds){(double)td_unwrap(b->min_x, p.x), (double)td_unwrap(b->min_y, p.y),
+                           (double)td_unwrap(b->max_x, p.x), (double)td_unwrap(b->max_y, p.y)};
+}
+
+static bool overlap(const td_far_bounds *a, const td_far_bounds *b) {
+    return a->min_x <= b->max_x && b->min_x <= a->max_x && a->min_y <= b->max_y &&
+           b->min_y <= a->max_y;
+}
+
+static bool contain(const td_far_bounds *outer, const td_far_bounds *inner) {
+    return outer->min_x <= inner->min_x && inner->max_x <= outer->max_x &&
+           outer->min_y <= inner->min_y && inner->max_y <= outer->max_y;
+}
+
+/* Whether these and those of any shape reach less than half the way around td_bounds. */
+static bool fits(const td_far_bounds *b) {
+    return td_max_double(b->max_x - b->min_x, b->max_y - b->min_y) < 0x1p30;
+}
+
+static int32_t wrapped(double x) {
+    return (int32_t)(uint32_t)(uint64_t)(int64_t)x;
+}
+
+static td_bounds wrap(const td_far_bounds *b) {
+    return (td_bounds){wrapped(b->min_x), wrapped(b->min_y), wrapped(b->max_x), wrapped(b->max_y)};
+}
+
+/* A half extent in bounds quanta, never too small. */
+static double reach_of(const thud_world *w, double length) {
+    return (double)(int64_t)td_min_double(length * w->to_coarse, 0x1p60) + 2.0;
+}
+
+/* Widens the bounds by a shape, as td_placed_bounds has it. */
+static void widen(const thud_world *w, const thud_shape_instance *p, td_position origin,
+                  double slack, td_far_bounds *b) {
+    double x = (double)((origin.x + td_round64(p->x * w->to_fixed)) >> TD_COARSE_SHIFT);
+    double y = (double)((origin.y + td_round64(p->y * w->to_fixed)) >> TD_COARSE_SHIFT);
+    double half_x = reach_of(w, td_half_along(p, 1.0, 0.0) + slack);
+    double half_y = reach_of(w, td_half_along(p, 0.0, 1.0) + slack);
+    b->min_x = td_min_double(b->min_x, x - half_x);
+    b->min_y = td_min_double(b->min_y, y - half_y);
+    b->max_x = td_max_double(b->max_x, x + half_x + 1.0);
+    b->max_y = td_max_double(b->max_y, y + half_y + 1.0);
+}
+
 /* Bounds of one of the body's shapes on the rest of its way. While it turns, nothing of it is
  * further out than at one of both ends, but for what the turn moves its furthest corner. */
-static td_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int index) {
+static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int index) {
     thud_shape_instance now = td_trajectory_shape(w, f, index, f->since, f->place);
     thud_shape_instance end = td_trajectory_shape(w, f, index, 1.0, f->place);
     double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
     double slack = (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn +
                    (double)(TD_MEET * w->unit) +
                    td_trajectories_bend(&(td_trajectory){.body = {TD_NONE}}, f, 1.0 - f->since);
-    td_bounds a = td_placed_bounds(w, &now, f->place, slack);
-    td_bounds b = td_placed_bounds(w, &end, f->place, slack);
-    return td_bounds_around(&a, &b);
+    double huge = (double)__builtin_inf();
+    td_far_bounds b = {huge, huge, -huge, -huge};
+    widen(w, &now, f->place, slack, &b);
+    widen(w, &end, f->place, slack, &b);
+    return b;
 }
 
-static const td_bounds *bounds_at_start(const thud_world *w, int shape) {
-    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
+/* Appends to scratch.hits whatever may be on that way. */
+static bool find(thud_world *w, const td_proxy_set *set, const td_far_bounds *ahead,
+                 td_position near_place) {
+    td_bounds bounds = wrap(ahead);
+    bool told = fits(ahead);
+    td_find_fn *search = told ? w->def.broadphase->find[w->wide] : td_proxy_set_find_all;
+    return search(set, &w->memory, &bounds, near_place, &w->scratch.hits);
 }
+
+/* ---- candidates ---- */
 
 /* Whether a detection sees to it that the two do not pass each other. */
 static bool is_looked_at(const thud_world *w, int shape, int other) {
@@ -72,15 +142,15 @@ static bool is_looked_at(const thud_world *w, int shape, int other) {
 }
 
 /* Adds what was found, in the order of shapes, so that it is the same whichever order a broadphase
- * finds it in. */
-static bool add_found(thud_world *w, int shape, const td_bounds *ahead) {
+ * finds it in; and whichever takes what is once around the bounds for near. */
+static bool add_found(thud_world *w, const td_stray *s) {
     const td_array *hits = &w->scratch.hits;
     td_sort_ints(&w->scratch.hits);
     for (int i = 0; i < hits->count; i++) {
         int other = td_int_at(hits, i);
-        if (!td_bounds_overlap(bounds_at_start(w, shape), bounds_at_start(w, other)) &&
-            td_bounds_overlap(ahead, bounds_at_start(w, other)) && is_looked_at(w, shape, other) &&
-            !add_extra(w, shape, other)) {
+        td_far_bounds there = bounds_at_start(w, other);
+        if (!overlap(&s->start, &there) && overlap(&s->ahead, &there) &&
+            is_looked_at(w, s->shape, other) && !add_extra(w, s->shape, other)) {
             return false;
         }
     }
@@ -88,53 +158,49 @@ static bool add_found(thud_world *w, int shape, const td_bounds *ahead) {
 }
 
 /* Looks among the shapes that strayed, since those are not where the broadphase has them. */
-static bool add_strays(thud_world *w, int shape, const td_bounds *ahead, bool chose) {
+static bool add_strays(thud_world *w, const td_stray *s) {
     const td_array *strays = &w->scratch.strays;
     for (int i = 0; i < strays->count; i++) {
-        const td_stray *s = TD_AT(td_stray, strays, i);
-        if ((chose || s->chose) && td_bounds_overlap(ahead, &s->ahead) &&
-            !td_bounds_overlap(bounds_at_start(w, shape), bounds_at_start(w, s->shape)) &&
-            is_looked_at(w, shape, s->shape) && !add_extra(w, shape, s->shape)) {
+        const td_stray *other = TD_AT(td_stray, strays, i);
+        if ((s->chose || other->chose) && overlap(&s->ahead, &other->ahead) &&
+            !overlap(&s->start, &other->start) && is_looked_at(w, s->shape, other->shape) &&
+            !add_extra(w, s->shape, other->shape)) {
             return false;
         }
     }
     return true;
 }
 
-static bool note_stray(thud_world *w, td_trajectory *f, int shape, const td_bounds *ahead,
-                       bool chose) {
+static bool note_stray(thud_world *w, td_trajectory *f, const td_stray *s) {
     td_array *strays = &w->scratch.strays;
     int i = f->strays;
-    while (i != TD_NONE && TD_AT(td_stray, strays, i)->shape != shape) {
+    while (i != TD_NONE && TD_AT(td_stray, strays, i)->shape != s->shape) {
         i = TD_AT(td_stray, strays, i)->next;
     }
-    if (i == TD_NONE) {
-        if (!td_array_reserve(&w->memory, strays, strays->count + 1)) {
-            return false;
-        }
-        i = strays->count++;
-        *TD_AT(td_stray, strays, i) = (td_stray){.shape = shape, .next = f->strays, .chose = chose};
-        f->strays = i;
+    if (i != TD_NONE) {
+        TD_AT(td_stray, strays, i)->ahead = s->ahead;
+        return true;
     }
-    TD_AT(td_stray, strays, i)->ahead = *ahead;
+    if (!td_array_reserve(&w->memory, strays, strays->count + 1)) {
+        return false;
+    }
+    f->strays = strays->count;
+    TD_PUSH(td_stray, strays) = *s;
     return true;
 }
 
 bool td_toi_candidates_around(thud_world *w, td_trajectory *f) {
-    td_find_fn *find = w->def.broadphase->find[w->wide];
     const td_body *body = td_body_at(w, f->body);
     bool chose = body->kind == THUD_DYNAMIC && body->detection->meet;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        td_bounds ahead = bounds_ahead(w, f, i);
-        if (td_bounds_contain(bounds_at_start(w, i), &ahead) ||
-            (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
+        td_stray s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->strays, chose};
+        if (contain(&s.start, &s.ahead) || (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
             continue;
         }
         w->scratch.hits.count = 0;
-        if (!find(&w->awake_shapes, &w->memory, &ahead, f->place, &w->scratch.hits) ||
-            !find(&w->rest_shapes, &w->memory, &ahead, f->place, &w->scratch.hits) ||
-            !add_found(w, i, &ahead) || !add_strays(w, i, &ahead, chose) ||
-            !note_stray(w, f, i, &ahead, chose)) {
+        if (!find(w, &w->awake_shapes, &s.ahead, f->place) ||
+            !find(w, &w->rest_shapes, &s.ahead, f->place) || !add_found(w, &s) ||
+            !add_strays(w, &s) || !note_stray(w, f, &s)) {
             return false;
         }
     }
@@ -146,11 +212,12 @@ bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *f) {
         const td_terrain_record *record = td_terrain_record_at(w, t);
         int i = record->shape == TD_NONE ? TD_NONE : td_body_at(w, f->body)->first_shape;
         for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
-            td_bounds ahead = bounds_ahead(w, f, i);
+            td_far_bounds far = bounds_ahead(w, f, i);
+            td_bounds ahead = wrap(&far);
             if (!((td_shape_at(w, record->shape)->flags | td_shape_at(w, i)->flags) &
                   TD_SHAPE_HOLLOW) &&
                 td_pair_allowed(w, record->shape, i) &&
-                !td_terrain_below(w, record->shape, f->place, &ahead) &&
+                !(fits(&far) && td_terrain_below(w, record->shape, f->place, &ahead)) &&
                 !add_extra(w, record->shape, i)) {
                 return false;
             }

@@ -30,11 +30,16 @@ typedef struct td_trajectory {
     int32_t strays;   /* first of its shapes in scratch.strays, or TD_NONE */
 } td_trajectory;
 
+/* Of ways that are too long for td_bounds, which wrap around: bounds quanta, whole numbers. */
+typedef struct td_far_bounds {
+    double min_x, min_y, max_x, max_y;
+} td_far_bounds;
+
 /* A shape that may leave the bounds that it had at the start of the step. */
 typedef struct td_stray {
-    td_bounds ahead;     /* of the rest of its way */
-    int32_t shape, next; /* of the same body */
-    bool chose;          /* its body's own detection looks for what it meets */
+    td_far_bounds start, ahead; /* those bounds, and what contains the rest of its way */
+    int32_t shape, next;        /* of the same body */
+    bool chose;                 /* its body's own detection looks for what it meets */
 } td_stray;
 
 /* Two shapes that may meet; a terrain comes first. Numbers below w->constraints.count are

@@ -108,9 +108,70 @@ static void nothing_is_driven_further_than_places_can_follow(void **state) {
     }
 }
 
+/* ---- ways longer than the bounds of the broadphase can tell ---- */
+
+static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
+                                                     &thud_broadphase_all};
+
+typedef struct flight {
+    thud_stats stats;
+    thud_pos end;
+    uint64_t hash;
+} flight;
+
+/* A second long step of a ball that flies 1e6 length scales towards a wall or a body, among others
+ * that it flies past. */
+static flight fly(const thud_detection *detection, const thud_broadphase *broadphase,
+                  thud_body_kind kind, double distance, double angle) {
+    thud_world_def def = def_of(&thud_quality_default);
+    def.gravity = (thud_vec2){0, 0};
+    def.time_step = 1;
+    def.broadphase = broadphase;
+    def.detection = detection;
+    thud_world *world = make_world(def);
+    double c = cos(angle), s = sin(angle);
+    thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    add_shape(world, ball, 0.5f, 0, false, NULL);
+    for (int i = 0; i < 9; i++) {
+        double along = i < 8 ? 1e5 * (i + 1) : distance, beside = i < 8 ? 3e4 : 0;
+        thud_body_id other = add_body(world, i < 8 ? THUD_STATIC : kind, c * along - s * beside,
+                                      s * along + c * beside, 0);
+        add_shape(world, other, 50, 0, false, NULL);
+    }
+    thud_vec2 velocity = {(float)(9.9e5 * c), (float)(9.9e5 * s)};
+    OK(thud_body_set_velocity(world, ball, velocity, 0));
+    run(world, 1);
+    flight f = {thud_world_stats(world), state_of(world, ball).position, thud_world_hash(world)};
+    thud_world_destroy(world);
+    return f;
+}
+
+/* Bounds wrap around at 262144 length scales. */
+static void nothing_is_passed_on_the_longest_way_in_any_broadphase(void **state) {
+    (void)state;
+    static const double distances[] = {1e3, 4e4, 7e4, 1.3e5, 1.4e5, 2.6e5, 2.7e5, 5.3e5, 9e5};
+    for (int n = 0; n < 9 * 12 * 4; n++) {
+        const thud_detection *detection = detections[n % 4 == 3 ? 2 : 0];
+        thud_body_kind kind = n % 4 == 1 ? THUD_DYNAMIC : THUD_STATIC;
+        double distance = distances[n / 4 % 9], angle = n / 36 * 0.55;
+        flight first = fly(detection, broadphases[0], kind, distance, angle);
+        double gone = hypot(first.end.x, first.end.y);
+        if (kind == THUD_STATIC && !(gone < distance - 50)) {
+            fail_msg("flight %d: a wall at %g is passed, to %g", n, distance, gone);
+        }
+        for (int b = 1; b < 3; b++) {
+            flight other = fly(detection, broadphases[b], kind, distance, angle);
+            assert_int_equal(first.hash, other.hash);
+            assert_int_equal(first.stats.motion_pairs, other.stats.motion_pairs);
+            assert_int_equal(first.stats.impacts, other.stats.impacts);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_is_driven_further_than_places_can_follow),
+        cmocka_unit_test(nothing_is_passed_on_the_longest_way_in_any_broadphase),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
