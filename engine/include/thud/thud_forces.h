@@ -3,14 +3,14 @@
  * of this does not link it.
  *
  * A force acts through the next step, all of its substeps alike, and is gone then: what it gives in
- * velocity is force * time_step / mass. An impulse changes the velocity at once. Either wakes the
- * body, and with it what it touches, where it sleeps; a disabled body keeps what an impulse gave it
- * and forgets forces; a static or kinematic one is refused, by THUD_ERROR_INVALID. Inside a
- * callback they act with the next step, from where the body is then.
+ * velocity is force * time_step / mass. An impulse changes the velocity at once; inside a callback
+ * it is the force through the next step that gives the same. Either wakes the body, and with it
+ * what it touches, where it sleeps; a disabled body keeps what an impulse gave it and forgets
+ * forces; a static or kinematic one is refused, by THUD_ERROR_INVALID.
  *
- * All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE, and THUD_ERROR_INVALID for a value
- * that is not finite or beyond its range, or a place beyond 1e9 length scales; then nothing has
- * changed. */
+ * All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE, THUD_ERROR_INVALID for a value
+ * that is not finite or beyond its range, or a place beyond 1e9 length scales, and, inside a
+ * callback, THUD_ERROR_MEMORY; then nothing has changed. */
 #ifndef THUD_FORCES_H
 #define THUD_FORCES_H
 
@@ -20,11 +20,11 @@
 extern "C" {
 #endif
 
-/* Largest component of a force, torque, impulse or angular impulse; and of the change of velocity
- * that an impulse makes. */
+/* Largest component of a force, torque, impulse or angular impulse; of the force that an impulse is
+ * inside a callback; and of the change of velocity that an impulse makes. */
 #define THUD_PUSH_MAX 1e30f
 
-/* At a point of the world, about which it also turns the body. */
+/* At a point of the world: it also turns the body about its centre of mass, by its torque now. */
 THUD_API thud_result thud_body_apply_force_at(thud_world *world, thud_body_id body, thud_vec2 force,
                                               thud_pos point);
 /* At the centre of mass. */

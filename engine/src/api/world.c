@@ -34,7 +34,7 @@ static bool between(double x, double low, double high) {
 }
 
 static const char *def_error(const thud_world_def *d) {
-    if (!td_finite((double)d->gravity.x) || !td_finite((double)d->gravity.y)) {
+    if (!td_finite((double)d->gravity.x + (double)d->gravity.y)) {
         return "world def: gravity is not finite";
     }
     if (!(d->time_step > 0.0 && d->time_step <= 1.0)) {
@@ -46,11 +46,10 @@ static const char *def_error(const thud_world_def *d) {
     if (!d->quality) {
         return "world def: quality is null";
     }
-    if (td_quality_error(d->quality)) {
-        return td_quality_error(d->quality);
-    }
-    if (td_max_error_error(d->max_error, d->quality)) {
-        return td_max_error_error(d->max_error, d->quality);
+    const char *error = td_quality_error(d->quality);
+    error = error ? error : td_max_error_error(d->max_error, d->quality);
+    if (error) {
+        return error;
     }
     if (d->substeps < 0 || d->substeps > 64) {
         return "world def: substeps is not in 0..64";
@@ -88,16 +87,14 @@ static bool wide_here(bool baseline) {
 #endif
 }
 
-/* The power of two nearest below, so that scaling by it is exact. */
+/* The power of two nearest below, so that scaling by it is exact: the number without its fraction.
+ */
 static double power_below(double x) {
-    double p = 1.0;
-    while (p > x) {
-        p *= 0.5;
-    }
-    while (p * 2.0 <= x) {
-        p *= 2.0;
-    }
-    return p;
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bits &= (uint64_t)0x7ff << 52;
+    memcpy(&x, &bits, sizeof x);
+    return x;
 }
 
 /* The arrays of a world, and what is in them. */
@@ -263,7 +260,7 @@ thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (!td_finite((double)gravity.x) || !td_finite((double)gravity.y)) {
+    if (!td_finite((double)gravity.x + (double)gravity.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set gravity: not finite");
     }
     if (w->locked) {

@@ -30,18 +30,6 @@ void td_proxy_set_free(td_memory *memory, td_proxy_set *p) {
     td_arrays_free(memory, p, ARRAYS, ARRAY_COUNT);
 }
 
-bool td_proxy_set_find_all(const td_proxy_set *set, td_memory *memory, const td_bounds *bounds,
-                           td_position near_place, td_array *hits) {
-    (void)bounds, (void)near_place;
-    if (!td_array_reserve(memory, hits, hits->count + set->ids.count)) {
-        return false;
-    }
-    for (int i = 0; i < set->ids.count; i++) {
-        td_push_int(hits, td_int_at(&set->ids, i));
-    }
-    return true;
-}
-
 const char *thud_broadphase_name(const thud_broadphase *broadphase) {
     return broadphase ? broadphase->name : "";
 }

@@ -81,9 +81,6 @@ void td_proxy_set_init(td_proxy_set *set); /* proxy_set.c */
 bool td_proxy_set_reserve(struct thud_world *w, td_proxy_set *set);
 void td_proxy_set_free(td_memory *memory, td_proxy_set *set);
 
-/* proxy_set.c: appends every shape: where bounds cannot tell. */
-td_find_fn td_proxy_set_find_all;
-
 /* Its shapes have changed. */
 static inline void td_proxy_set_forget(td_proxy_set *set) {
     set->listed = set->valid = set->loose = false;

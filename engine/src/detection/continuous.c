@@ -33,9 +33,9 @@ typedef struct sweep {
     thud_shape_instance core;   /* a small circle in its middle */
     thud_motion motion;
     double shrink;
-    meeting last, next; /* the one let through last, and the first after it so far */
-    td_bounds bounds;   /* of the whole sweep, about start ... */
-    bool far;           /* ... which is longer than they can tell */
+    meeting last, next;     /* the one let through last, and the first after it so far */
+    td_bounds bounds;       /* of the whole sweep, about start */
+    const td_array *shapes; /* int: all static ones near it, and others */
 } sweep;
 
 /* The ground below the middle of the shape stands for where they meet. */
@@ -144,7 +144,7 @@ static void against_shape(sweep *s, int other) {
 /* Whether the bounds of the sweep come down to any segment at all; most falling bodies' do not. */
 static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terrain) {
     int first, last;
-    if (s->far) {
+    if (s->shapes != &s->w->scratch.ahead) {
         return true;
     }
     if (td_terrain_below(s->w, other, s->start, &s->bounds)) {
@@ -224,12 +224,19 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
                       turns ? (double)delta[2] : 0.0};
 }
 
-/* Whether the sweep comes near anything that it might hit; scratch.ahead gets the static shapes. */
+/* Whether the sweep comes near anything that it might hit. */
 static bool looks_around(sweep *s) {
     thud_world *w = s->w;
     td_array *hits = &w->scratch.ahead;
+    const float *delta = td_row(&w->delta, s->slot);
+    float most = 0x1p15f * w->unit;
+    if (delta[0] * delta[0] + delta[1] * delta[1] > most * most) {
+        s->shapes = &w->rest_shapes.ids; /* it is longer than bounds can tell */
+        return true;
+    }
+    s->shapes = hits;
     hits->count = 0;
-    td_find_fn *find = s->far ? td_proxy_set_find_all : w->def.broadphase->find[w->wide];
+    td_find_fn *find = w->def.broadphase->find[w->wide];
     bool near_any =
         find(&w->rest_shapes, &w->memory, &s->bounds, s->start, hits) && hits->count > 0;
     for (int t = 0; t < w->terrains.count && !near_any; t++) {
@@ -245,15 +252,14 @@ static bool looks_around(sweep *s) {
 /* The first meeting after the last one, of all shapes of the body; and puts that shape in place. */
 static void find_next(sweep *s, int first, float c, float sine) {
     const thud_world *w = s->w;
-    const td_array *hits = &w->scratch.ahead;
     s->next = (meeting){.time = 1.0};
     for (int i = first; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW) {
             continue;
         }
         set_shape(s, i, td_row(&w->delta, s->slot), c, sine);
-        for (int k = 0; k < hits->count; k++) {
-            against_shape(s, td_int_at(hits, k));
+        for (int k = 0; k < s->shapes->count; k++) {
+            against_shape(s, td_int_at(s->shapes, k));
         }
         for (int t = 0; t < w->terrains.count; t++) {
             const td_terrain_record *record = td_terrain_record_at(w, t);
@@ -308,8 +314,6 @@ static void sweep_body(thud_world *w, td_awake_slot slot) {
     sweep swept = {
         .w = w, .slot = slot, .body = index, .start = start.center, .next = {.time = -1.0}};
     swept.bounds = swept_bounds(&swept, td_pose_at(w, index)->center);
-    const float *delta = td_row(&w->delta, slot);
-    swept.far = (td_abs((double)delta[0]) + td_abs((double)delta[1])) * w->to_coarse > 0x1p29;
     if (!looks_around(&swept)) {
         return;
     }

@@ -123,13 +123,18 @@ static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, i
     return b;
 }
 
-/* Appends to scratch.hits whatever may be on that way. */
+/* Appends to scratch.hits, which have room for all, whatever may be on that way. */
 static bool find(thud_world *w, const td_proxy_set *set, const td_far_bounds *ahead,
                  td_position near_place) {
-    td_bounds bounds = wrap(ahead);
-    bool told = fits(ahead);
-    td_find_fn *search = told ? w->def.broadphase->find[w->wide] : td_proxy_set_find_all;
-    return search(set, &w->memory, &bounds, near_place, &w->scratch.hits);
+    td_array *hits = &w->scratch.hits;
+    if (fits(ahead)) {
+        td_bounds bounds = wrap(ahead);
+        return w->def.broadphase->find[w->wide](set, &w->memory, &bounds, near_place, hits);
+    }
+    for (int i = 0; i < set->ids.count; i++) {
+        td_push_int(hits, td_int_at(&set->ids, i));
+    }
+    return true;
 }
 
 /* ---- candidates ---- */

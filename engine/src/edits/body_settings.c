@@ -6,43 +6,54 @@
 #include "state/body.h"
 #include "state/handles.h"
 
-/* The check is that of a def of which all but what is changed is the default. */
-static thud_result find(const thud_world *w, thud_body_id id, const thud_body_def *def,
-                        td_body_index *index) {
-    thud_result result = td_edit_body(w, id, index);
-    const char *error = result == THUD_OK ? td_body_def_error(w, def) : NULL;
-    return error ? td_refuse(w, THUD_ERROR_INVALID, error) : result;
-}
-
 thud_result thud_body_set_damping(thud_world *w, thud_body_id id, float linear, float angular) {
     TD_IN_OWN_MODE;
     td_body_index index;
-    thud_body_def def = {.linear_damping = linear, .angular_damping = angular};
-    thud_result result = find(w, id, &def, &index);
-    if (result == THUD_OK) {
-        td_body_at(w, index)->linear_damping = linear;
-        td_body_at(w, index)->angular_damping = angular;
-        td_awake_refresh(w, index);
-        td_body_mark(w, index, TD_CHANGE_WAKE);
+    thud_result result = td_edit_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
     }
-    return result;
+    if (!(linear >= 0.0f && angular >= 0.0f) || !td_finite((double)linear) ||
+        !td_finite((double)angular)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set damping: it is negative or not finite");
+    }
+    td_body_at(w, index)->linear_damping = linear;
+    td_body_at(w, index)->angular_damping = angular;
+    td_awake_refresh(w, index);
+    td_body_mark(w, index, TD_CHANGE_WAKE);
+    return THUD_OK;
 }
 
 thud_result thud_body_set_gravity_scale(thud_world *w, thud_body_id id, float gravity_scale) {
     TD_IN_OWN_MODE;
     td_body_index index;
-    thud_body_def def = {.gravity_scale = gravity_scale};
-    thud_result result = find(w, id, &def, &index);
-    if (result == THUD_OK) {
-        td_body_at(w, index)->gravity_scale = gravity_scale;
-        td_awake_refresh(w, index);
-        td_body_mark(w, index, TD_CHANGE_WAKE);
+    thud_result result = td_edit_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
     }
-    return result;
+    if (!td_finite((double)gravity_scale)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set gravity scale: it is not finite");
+    }
+    td_body_at(w, index)->gravity_scale = gravity_scale;
+    td_awake_refresh(w, index);
+    td_body_mark(w, index, TD_CHANGE_WAKE);
+    return THUD_OK;
 }
 
 static void flag(td_body *body, int bit, bool on) {
     body->flags = (uint8_t)(on ? body->flags | bit : body->flags & ~bit);
+}
+
+/* A mass that was given is not looked at by td_body_weigh, but what fixes the rotation is. */
+static void weigh(thud_world *w, td_body_index index) {
+    td_body *body = td_body_at(w, index);
+    float inv_mass = body->inv_mass, inv_inertia = body->inv_inertia;
+    if (body->flags & TD_BODY_MASS_GIVEN) {
+        bool turns = body->inertia > 0.0f && !(body->flags & TD_BODY_FIXED);
+        body->inv_mass = 1.0f / body->mass;
+        body->inv_inertia = turns ? 1.0f / body->inertia : 0.0f;
+    }
+    td_edit_weigh(w, index, inv_mass, inv_inertia);
 }
 
 thud_result thud_body_set_fixed_rotation(thud_world *w, thud_body_id id, bool fixed) {
@@ -55,7 +66,7 @@ thud_result thud_body_set_fixed_rotation(thud_world *w, thud_body_id id, bool fi
         if (fixed && body->kind == THUD_DYNAMIC) {
             td_body_velocity(w, body)[2] = 0.0f;
         }
-        td_edit_weigh(w, index);
+        weigh(w, index);
     }
     return result;
 }
@@ -89,8 +100,14 @@ static bool within(float x, float least, float most) {
     return x >= least && x <= most;
 }
 
-static const char *mass_error(const thud_world *w, const thud_mass *m) {
+static const char *mass_error(const thud_world *w, const td_body *body, const thud_mass *m) {
     float furthest = (float)TD_SIZE_MAX * w->unit;
+    if (body->kind != THUD_DYNAMIC) {
+        return "set mass: the body is not dynamic";
+    }
+    if (!m) {
+        return NULL;
+    }
     if (!within(m->mass, THUD_MASS_MIN, THUD_MASS_MAX)) {
         return "set mass: mass is not in [1e-30, 1e30]";
     }
@@ -107,10 +124,7 @@ thud_result thud_body_set_mass(thud_world *w, thud_body_id id, const thud_mass *
     TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
-    if (result == THUD_OK) {
-        result = td_body_check_dynamic(w, index, "set mass: the body is not dynamic");
-    }
-    const char *error = result == THUD_OK && mass ? mass_error(w, mass) : NULL;
+    const char *error = result == THUD_OK ? mass_error(w, td_body_at(w, index), mass) : NULL;
     if (result != THUD_OK || error) {
         return error ? td_refuse(w, THUD_ERROR_INVALID, error) : result;
     }
@@ -119,11 +133,16 @@ thud_result thud_body_set_mass(thud_world *w, thud_body_id id, const thud_mass *
     if (mass) {
         body->mass = mass->mass;
         body->inertia = mass->inertia;
-        td_body_set_center(w, index, (double)mass->center.x, (double)mass->center.y);
+        td_position from = td_body_origin(w, index), *center = &td_pose_at(w, index)->center;
+        body->center_x = mass->center.x;
+        body->center_y = mass->center.y;
+        td_position to = td_body_origin(w, index);
+        center->x += from.x - to.x; /* the origin stays where it is */
+        center->y += from.y - to.y;
     }
     if (mass && mass->inertia == 0.0f) {
         td_body_velocity(w, body)[2] = 0.0f;
     }
-    td_edit_weigh(w, index);
+    weigh(w, index);
     return THUD_OK;
 }

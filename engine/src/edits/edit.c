@@ -96,9 +96,9 @@ static void scale_impulses(thud_world *w, td_body_index body, float scale) {
     }
 }
 
-void td_edit_weigh(thud_world *w, td_body_index index) {
-    td_body *body = td_body_at(w, index);
-    float inv_mass = body->inv_mass, inv_inertia = body->inv_inertia, scale = 1.0f;
+void td_edit_weigh(thud_world *w, td_body_index index, float inv_mass, float inv_inertia) {
+    const td_body *body = td_body_at(w, index);
+    float scale = 1.0f;
     td_body_weigh(w, index);
     td_body_mark(w, index, TD_CHANGE_SHAPES);
     if (body->inv_mass > inv_mass) {

@@ -26,8 +26,8 @@ bool td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all
 /* Its shape looks for pairs that it has not got. */
 void td_edit_look_around(thud_world *w, int shape);
 
-/* Weighs the body anew; `mass` and `inertia` are what it had. Impulses that bore a weight which it
- * no longer has would throw it, so they shrink with it. */
-void td_edit_weigh(thud_world *w, td_body_index body);
+/* Weighs the body anew, of which these were the inverse mass and inertia. Impulses that bore a
+ * weight which it no longer has would throw it, so they shrink with it. */
+void td_edit_weigh(thud_world *w, td_body_index body, float inv_mass, float inv_inertia);
 
 #endif

@@ -10,8 +10,8 @@ static bool pushes(double x) {
 
 static thud_result find(const thud_world *w, thud_body_id id, td_body_index *index) {
     thud_result result = td_find_body(w, id, index);
-    return result == THUD_OK
-               ? td_body_check_dynamic(w, *index, "force or impulse: the body is not dynamic")
+    return result == THUD_OK && td_body_at(w, *index)->kind != THUD_DYNAMIC
+               ? td_refuse(w, THUD_ERROR_INVALID, "force or impulse: the body is not dynamic")
                : result;
 }
 
@@ -25,32 +25,47 @@ thud_result thud_body_apply_force_at(thud_world *w, thud_body_id id, thud_vec2 f
     }
     bool valid =
         pushes((double)force.x) && pushes((double)force.y) && td_place_valid(w, point.x, point.y);
+    double torque = 0.0;
     if (valid) {
-        thud_pos center = td_place_to(w, td_pose_at(w, index)->center);
-        valid = pushes((point.x - center.x) * (double)force.y) &&
-                pushes((point.y - center.y) * (double)force.x);
+        td_position place = td_place_from(w, point), center = td_pose_at(w, index)->center;
+        double x = (double)(place.x - center.x) / w->to_fixed * (double)force.y;
+        double y = (double)(place.y - center.y) / w->to_fixed * (double)force.x;
+        valid = pushes(x) && pushes(y) && pushes(x - y);
+        torque = x - y;
     }
     if (!valid) {
         return td_refuse(w, THUD_ERROR_INVALID,
                          "apply force at: force, its torque or point is out of range");
     }
-    return td_body_edit(w, index, TD_PUT_FORCE_AT,
-                        (double[4]){(double)force.x, (double)force.y, point.x, point.y});
+    return thud_body_apply_force(w, id, force, (float)torque);
 }
 
+/* Inside a callback, as a force. */
 static thud_result push(thud_world *w, thud_body_id id, double x, double y, double turn) {
     td_body_index index;
     thud_result result = find(w, id, &index);
     if (result != THUD_OK) {
         return result;
     }
-    double inv_mass = (double)td_body_at(w, index)->inv_mass;
-    double inv_inertia = (double)td_body_at(w, index)->inv_inertia;
-    if (!(pushes(x) && pushes(y) && pushes(turn) && pushes(x * inv_mass) && pushes(y * inv_mass) &&
-          pushes(turn * inv_inertia))) {
+    td_body *body = td_body_at(w, index);
+    double time = w->locked ? w->def.time_step : 1.0;
+    double inv_mass = (double)body->inv_mass, inv_inertia = (double)body->inv_inertia;
+    if (!(pushes(x / time) && pushes(y / time) && pushes(turn / time) && pushes(x * inv_mass) &&
+          pushes(y * inv_mass) && pushes(turn * inv_inertia))) {
         return td_refuse(w, THUD_ERROR_INVALID, "apply impulse: it is out of range");
     }
-    return td_body_edit(w, index, TD_PUT_PUSH, (double[4]){x, y, turn, 0.0});
+    if (w->locked) {
+        thud_vec2 force = {(float)(x / time), (float)(y / time)};
+        return thud_body_apply_force(w, id, force, (float)(turn / time));
+    }
+    if (!(body->flags & TD_BODY_QUARANTINED)) {
+        float *velocity = td_body_velocity(w, body);
+        velocity[0] += body->inv_mass * (float)x;
+        velocity[1] += body->inv_mass * (float)y;
+        velocity[2] += body->inv_inertia * (float)turn;
+        td_body_mark(w, index, TD_CHANGE_WAKE);
+    }
+    return THUD_OK;
 }
 
 thud_result thud_body_apply_center_impulse(thud_world *w, thud_body_id id, thud_vec2 impulse) {

@@ -7,6 +7,12 @@
 #include "state/handles.h"
 #include "state/shape.h"
 
+static void weigh(thud_world *w, int shape) {
+    td_body_index body = td_shape_at(w, shape)->body;
+    const td_body *was = td_body_at(w, body);
+    td_edit_weigh(w, body, was->inv_mass, was->inv_inertia);
+}
+
 thud_result thud_shape_set_density(thud_world *w, thud_shape_id id, float density) {
     TD_IN_OWN_MODE;
     int index = 0;
@@ -14,14 +20,11 @@ thud_result thud_shape_set_density(thud_world *w, thud_shape_id id, float densit
     if (result != THUD_OK) {
         return result;
     }
-    thud_shape_def def = {.density = density};
-    const char *error = td_shape_def_error(w, &def);
-    if (error) {
-        return td_refuse(w, THUD_ERROR_INVALID, error);
+    if (!(density >= 0.0f && density <= TD_DENSITY_MOST)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "set density: it is not in [0, 1e12]");
     }
-    td_shape *shape = td_shape_at(w, index);
-    shape->density = density;
-    td_edit_weigh(w, shape->body);
+    td_shape_at(w, index)->density = density;
+    weigh(w, index);
     return THUD_OK;
 }
 
@@ -35,7 +38,7 @@ static void resize(thud_world *w, int index, float half_x, float half_y) {
         td_shape_mark_moved(w, index);
         *td_fat_at(w, index) = td_bounds_about(td_shape_proxy_at(w, index)->center, 0, 0);
     }
-    td_edit_weigh(w, shape->body);
+    weigh(w, index);
 }
 
 thud_result thud_shape_set_radius(thud_world *w, thud_shape_id id, float radius) {

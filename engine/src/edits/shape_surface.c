@@ -8,6 +8,9 @@
 #include "state/shape.h"
 #include "state/surface.h"
 
+#include <stddef.h>
+#include <string.h>
+
 /* Lanes, asleep ones too, have settings of their own, which a prologue changes for a step. */
 static void renew_lanes(thud_world *w, int shape) {
     td_body_index body = td_shape_at(w, shape)->body;
@@ -24,41 +27,38 @@ static void renew_lanes(thud_world *w, int shape) {
     }
 }
 
-typedef enum surface_field { FRICTION, RESTITUTION, SURFACE_SPEED } surface_field;
-
-/* The check is that of a def of which all but this value is the default. */
-static thud_result set(thud_world *w, thud_shape_id id, surface_field field, float value) {
+static thud_result set(thud_world *w, thud_shape_id id, size_t field, float value, float least,
+                       float most, const char *error) {
     TD_IN_OWN_MODE;
     int index = 0;
     thud_result result = td_edit_shape(w, id, &index);
     if (result != THUD_OK) {
         return result;
     }
-    thud_shape_def def = {.friction = field == FRICTION ? value : 0.0f,
-                          .restitution = field == RESTITUTION ? value : 0.0f,
-                          .surface_speed = field == SURFACE_SPEED ? value : 0.0f};
-    const char *error = td_shape_def_error(w, &def);
-    if (error) {
+    if (!(value >= least && value <= most)) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
     td_shape *shape = td_shape_at(w, index);
-    float *fields[] = {&shape->friction, &shape->restitution, &shape->surface_speed};
-    *fields[field] = value;
+    memcpy((char *)shape + field, &value, sizeof value);
     renew_lanes(w, index);
     td_edit_wake(w, shape->body, index);
     return THUD_OK;
 }
 
 thud_result thud_shape_set_friction(thud_world *w, thud_shape_id id, float friction) {
-    return set(w, id, FRICTION, friction);
+    return set(w, id, offsetof(td_shape, friction), friction, 0.0f, THUD_FRICTION_MAX,
+               "set friction: it is not in [0, 1e6]");
 }
 
 thud_result thud_shape_set_restitution(thud_world *w, thud_shape_id id, float restitution) {
-    return set(w, id, RESTITUTION, restitution);
+    return set(w, id, offsetof(td_shape, restitution), restitution, 0.0f, 1.0f,
+               "set restitution: it is not in [0, 1]");
 }
 
 thud_result thud_shape_set_surface_speed(thud_world *w, thud_shape_id id, float surface_speed) {
-    return set(w, id, SURFACE_SPEED, surface_speed);
+    float most = w ? THUD_SURFACE_SPEED_MAX * w->unit : 0.0f;
+    return set(w, id, offsetof(td_shape, surface_speed), surface_speed, -most, most,
+               "set surface speed: it is out of range");
 }
 
 thud_result thud_shape_set_user_data(thud_world *w, thud_shape_id id, uint64_t user_data) {

@@ -42,7 +42,7 @@ thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos positi
     }
     double time = time_of(w, body->linear_damping);
     double most = (double)(w->def.maximum_speed * w->unit);
-    double v[4] = {x / time, y / time, turn / time_of(w, body->angular_damping), 0.0};
+    double v[3] = {x / time, y / time, turn / time_of(w, body->angular_damping)};
     if (!(td_abs(v[0]) <= most && td_abs(v[1]) <= most && td_abs(v[2]) <= (double)TD_SPIN_MOST)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set target: the body would be too fast");
     }
@@ -51,5 +51,5 @@ thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos positi
     if (!w->locked && stands && x == 0.0 && y == 0.0 && turn == 0.0) {
         return THUD_OK;
     }
-    return td_body_edit(w, index, TD_PUT_VELOCITY, v);
+    return thud_body_set_velocity(w, id, (thud_vec2){(float)v[0], (float)v[1]}, (float)v[2]);
 }

@@ -15,7 +15,7 @@ const char *td_quality_error(const thud_quality *q) {
         return "quality: substeps is not in 1..64";
     }
     if (!between(q->contact_stiffness, 0.01f, 0.5f) || !between(q->contact_damping, 0.0f, 100.0f)) {
-        return "quality: contact_stiffness is not in [0.01, 0.5], or contact_damping in [0, 100]";
+        return "quality: contact_stiffness or contact_damping is out of range";
     }
     if (!q->detection) {
         return "quality: detection is null";

@@ -18,7 +18,7 @@ bool td_place_valid(const thud_world *w, double x, double y) {
     return x >= -most && x <= most && y >= -most && y <= most;
 }
 
-const char *td_body_def_error(const thud_world *w, const thud_body_def *def) {
+static const char *def_error(const thud_world *w, const thud_body_def *def) {
     if ((int)def->kind < 0 || def->kind >= THUD_BODY_KIND_COUNT) {
         return "body def: kind is none";
     }
@@ -26,21 +26,19 @@ const char *td_body_def_error(const thud_world *w, const thud_body_def *def) {
         return "body def: position is beyond 1e9 length scales";
     }
     if (!(def->angle >= -1e6 && def->angle <= 1e6)) {
-        return "body def: angle is not finite or beyond 1e6";
+        return "body def: angle is beyond 1e6";
     }
-    if (!td_finite((double)def->velocity.x) || !td_finite((double)def->velocity.y) ||
-        !td_finite((double)def->angular_velocity)) {
-        return "body def: velocity is not finite";
+    /* In double precision no sum of them overflows. */
+    if (!td_finite((double)def->velocity.x + (double)def->velocity.y +
+                   (double)def->angular_velocity + (double)def->gravity_scale)) {
+        return "body def: velocity or gravity_scale is not finite";
     }
     if (def->kind == THUD_STATIC &&
         !(def->velocity.x == 0.0f && def->velocity.y == 0.0f && def->angular_velocity == 0.0f)) {
-        return "body def: a static body has no velocity; a kinematic one does";
-    }
-    if (!td_finite((double)def->gravity_scale)) {
-        return "body def: gravity_scale is not finite";
+        return "body def: a static body has no velocity";
     }
     if (!(def->linear_damping >= 0.0f && def->angular_damping >= 0.0f) ||
-        !td_finite((double)def->linear_damping) || !td_finite((double)def->angular_damping)) {
+        !td_finite((double)def->linear_damping + (double)def->angular_damping)) {
         return "body def: damping is negative or not finite";
     }
     return NULL;
@@ -60,7 +58,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "body create: world or def is null");
     }
-    const char *error = td_body_def_error(w, def);
+    const char *error = def_error(w, def);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
@@ -142,7 +140,8 @@ static float reach_of(const td_shape *shape) {
                : __builtin_sqrtf(shape->half_x * shape->half_x + shape->half_y * shape->half_y);
 }
 
-void td_body_set_center(thud_world *w, td_body_index index, double x, double y) {
+/* Moves the centre of mass to (x, y) of the body's frame while the origin stays where it is. */
+static void set_center(thud_world *w, td_body_index index, double x, double y) {
     td_body *body = td_body_at(w, index);
     td_pose *pose = td_pose_at(w, index);
     td_position origin = td_body_origin(w, index);
@@ -153,15 +152,11 @@ void td_body_set_center(thud_world *w, td_body_index index, double x, double y) 
     pose->center = (td_position){2 * origin.x - offset.x, 2 * origin.y - offset.y};
 }
 
-void td_body_weigh(thud_world *w, td_body_index index) {
+static void weigh_shapes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
-    bool dynamic = body->kind == THUD_DYNAMIC, given = body->flags & TD_BODY_MASS_GIVEN;
-    if (body->aabbs) {
-        td_body_velocity(w, body)[2] = 0.0f; /* it keeps its axes */
-    }
-    for (int i = body->first_shape; dynamic && !given && i != TD_NONE;
-         i = td_shape_at(w, i)->next) {
+    bool dynamic = body->kind == THUD_DYNAMIC;
+    for (int i = body->first_shape; dynamic && i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
         double area, moment;
         double density = shape->flags & TD_SHAPE_WAITS ? 0.0 : (double)shape->density;
@@ -174,22 +169,26 @@ void td_body_weigh(thud_world *w, td_body_index index) {
     }
     double cx = mass > 0.0 ? mx / mass : 0.0, cy = mass > 0.0 ? my / mass : 0.0;
     inertia -= mass * (cx * cx + cy * cy);
-    if (given) {
-        mass = (double)body->mass;
-        inertia = (double)body->inertia;
-        cx = (double)body->center_x;
-        cy = (double)body->center_y;
-    }
     if (dynamic && !(mass > 0.0)) {
         mass = 1.0; /* without shapes or density it still has to fall */
     }
     bool turns = dynamic && inertia > 0.0 && !(body->flags & TD_BODY_FIXED) && !body->aabbs;
     body->mass = (float)mass;
-    body->inertia = turns || given ? (float)inertia : 0.0f; /* given, it outlasts fixing */
+    body->inertia = turns ? (float)inertia : 0.0f;
     body->inv_mass = dynamic ? (float)(1.0 / mass) : 0.0f;
     body->inv_inertia = turns ? (float)(1.0 / inertia) : 0.0f;
     if ((float)cx != body->center_x || (float)cy != body->center_y) {
-        td_body_set_center(w, index, cx, cy);
+        set_center(w, index, cx, cy);
+    }
+}
+
+void td_body_weigh(thud_world *w, td_body_index index) {
+    td_body *body = td_body_at(w, index);
+    if (body->aabbs) {
+        td_body_velocity(w, body)[2] = body->inv_inertia = 0.0f; /* it keeps its axes */
+    }
+    if (!(body->flags & TD_BODY_MASS_GIVEN)) {
+        weigh_shapes(w, index);
     }
     if (body->kind == THUD_STATIC) {
         return;

@@ -7,9 +7,6 @@
 /* Puts the body on the change list; `change` is a td_change_kind. */
 void td_body_mark(thud_world *w, td_body_index body, td_change_kind change);
 
-/* What of a def is out of its range; null: nothing. */
-const char *td_body_def_error(const thud_world *w, const thud_body_def *def);
-
 /* Finite, and no farther out than a body may be. */
 bool td_place_valid(const thud_world *w, double x, double y);
 
@@ -18,9 +15,6 @@ void td_wake_all(thud_world *w);
 
 /* Mass, centre of mass and reach from the shapes that it has now. */
 void td_body_weigh(thud_world *w, td_body_index body);
-
-/* Moves the centre of mass to (x, y) of the body's frame while the origin stays where it is. */
-void td_body_set_center(thud_world *w, td_body_index body, double x, double y);
 
 /* Where the body's origin stands. */
 td_position td_body_origin(const thud_world *w, td_body_index body);
@@ -56,16 +50,8 @@ typedef enum td_deferred_kind {
     TD_PUT_FORCE,
     TD_PUT_AWAKE,
     TD_PUT_ENABLED,
-    TD_PUT_SHAPE,    /* value[0]: it has been made, and counts from now on */
-    TD_PUT_FORCE_AT, /* as an impulse */
-    TD_PUT_PUSH      /* an impulse at the centre of mass, and an angular one */
+    TD_PUT_SHAPE /* value[0]: it has been made, and counts from now on */
 } td_deferred_kind;
-
-/* Acts at once, or, inside a callback, with the next step; THUD_ERROR_MEMORY. */
-thud_result td_body_edit(thud_world *w, td_body_index body, td_deferred_kind what,
-                         const double value[4]);
-/* Refuses by the message what is asked of bodies that are not dynamic. */
-thud_result td_body_check_dynamic(const thud_world *w, td_body_index body, const char *message);
 
 /* Room for one more, where there are any: inside a callback. */
 bool td_deferred_reserve(thud_world *w);

@@ -26,26 +26,17 @@ static void set_velocity(thud_world *w, td_body_index index, const double v[4]) 
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-/* Of a force or an impulse (v[0], v[1]) at the place (v[2], v[3]), about the centre of mass. */
-static float moment(const thud_world *w, td_body_index index, const double v[4]) {
+static void impulse(thud_world *w, td_body_index index, const double v[4]) {
+    td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
+    float *velocity = td_body_velocity(w, body);
     td_position point = td_place_from(w, (thud_pos){v[2], v[3]});
     float x = (float)(point.x - pose->center.x) * w->quantum;
     float y = (float)(point.y - pose->center.y) * w->quantum;
-    return x * (float)v[1] - y * (float)v[0];
-}
-
-static void push(thud_world *w, td_body_index index, const double v[4]) {
-    td_body *body = td_body_at(w, index);
-    float *velocity = td_body_velocity(w, body);
     velocity[0] += body->inv_mass * (float)v[0];
     velocity[1] += body->inv_mass * (float)v[1];
-    velocity[2] += body->inv_inertia * (float)v[2];
+    velocity[2] += body->inv_inertia * (x * (float)v[1] - y * (float)v[0]);
     td_body_mark(w, index, TD_CHANGE_WAKE);
-}
-
-static void impulse(thud_world *w, td_body_index index, const double v[4]) {
-    push(w, index, (double[4]){v[0], v[1], (double)moment(w, index, v)});
 }
 
 static void force(thud_world *w, td_body_index index, const double v[4]) {
@@ -55,10 +46,6 @@ static void force(thud_world *w, td_body_index index, const double v[4]) {
     body->force[2] += (float)v[2];
     w->push_stale = true;
     td_body_mark(w, index, TD_CHANGE_WAKE);
-}
-
-static void force_at(thud_world *w, td_body_index index, const double v[4]) {
-    force(w, index, (double[4]){v[0], v[1], (double)moment(w, index, v)});
 }
 
 static void set_awake(thud_world *w, td_body_index index, const double v[4]) {
@@ -84,9 +71,8 @@ static void add_shape(thud_world *w, td_body_index index, const double v[4]) {
 
 static void act(thud_world *w, td_body_index index, td_deferred_kind what, const double v[4]) {
     static void (*const acts[])(thud_world *, td_body_index,
-                                const double[4]) = {transform, set_velocity, impulse,
-                                                    force,     set_awake,    set_enabled,
-                                                    add_shape, force_at,     push};
+                                const double[4]) = {transform, set_velocity, impulse,  force,
+                                                    set_awake, set_enabled,  add_shape};
     if (what == TD_PUT_SHAPE || !(td_body_at(w, index)->flags & TD_BODY_QUARANTINED)) {
         acts[what](w, index, v);
     }
@@ -125,8 +111,8 @@ bool td_deferred_turns(const thud_world *w, td_body_index index) {
     return turns;
 }
 
-thud_result td_body_edit(thud_world *w, td_body_index index, td_deferred_kind what,
-                         const double v[4]) {
+static thud_result edit(thud_world *w, td_body_index index, td_deferred_kind what,
+                        const double v[4]) {
     if (!w->locked) {
         act(w, index, what, v);
         return THUD_OK;
@@ -138,7 +124,7 @@ thud_result td_body_edit(thud_world *w, td_body_index index, td_deferred_kind wh
     return THUD_OK;
 }
 
-thud_result td_body_check_dynamic(const thud_world *w, td_body_index index, const char *message) {
+static thud_result check_dynamic(const thud_world *w, td_body_index index, const char *message) {
     return td_body_at(w, index)->kind == THUD_DYNAMIC ? THUD_OK
                                                       : td_refuse(w, THUD_ERROR_INVALID, message);
 }
@@ -163,8 +149,7 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
         return td_refuse(w, THUD_ERROR_INVALID,
                          "set transform: a body with an AABB or terrain keeps angle 0");
     }
-    return td_body_edit(w, index, TD_PUT_TRANSFORM,
-                        (double[4]){position.x, position.y, angle, 0.0});
+    return edit(w, index, TD_PUT_TRANSFORM, (double[4]){position.x, position.y, angle, 0.0});
 }
 
 thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 velocity,
@@ -186,9 +171,8 @@ thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 vel
     if (body->kind == THUD_KINEMATIC && body->aabbs && angular_velocity != 0.0f) {
         return td_refuse(w, THUD_ERROR_INVALID, "set velocity: a body with an AABB cannot turn");
     }
-    return td_body_edit(w, index, TD_PUT_VELOCITY,
-                        (double[4]){(double)velocity.x, (double)velocity.y,
-                                    (double)angular_velocity, 0.0});
+    return edit(w, index, TD_PUT_VELOCITY,
+                (double[4]){(double)velocity.x, (double)velocity.y, (double)angular_velocity, 0.0});
 }
 
 thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 value,
@@ -204,11 +188,11 @@ thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 va
         !(point.x >= -most && point.x <= most && point.y >= -most && point.y <= most)) {
         return td_refuse(w, THUD_ERROR_INVALID, "apply impulse: not finite or out of range");
     }
-    result = td_body_check_dynamic(w, index, "apply impulse: the body is not dynamic");
+    result = check_dynamic(w, index, "apply impulse: the body is not dynamic");
     return result != THUD_OK
                ? result
-               : td_body_edit(w, index, TD_PUT_IMPULSE,
-                              (double[4]){(double)value.x, (double)value.y, point.x, point.y});
+               : edit(w, index, TD_PUT_IMPULSE,
+                      (double[4]){(double)value.x, (double)value.y, point.x, point.y});
 }
 
 thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque) {
@@ -221,11 +205,11 @@ thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 valu
     if (!td_finite((double)value.x) || !td_finite((double)value.y) || !td_finite((double)torque)) {
         return td_refuse(w, THUD_ERROR_INVALID, "apply force: not finite");
     }
-    result = td_body_check_dynamic(w, index, "apply force: the body is not dynamic");
+    result = check_dynamic(w, index, "apply force: the body is not dynamic");
     return result != THUD_OK
                ? result
-               : td_body_edit(w, index, TD_PUT_FORCE,
-                              (double[4]){(double)value.x, (double)value.y, (double)torque, 0.0});
+               : edit(w, index, TD_PUT_FORCE,
+                      (double[4]){(double)value.x, (double)value.y, (double)torque, 0.0});
 }
 
 thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake) {
@@ -234,15 +218,14 @@ thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake) {
     if (result != THUD_OK) {
         return result;
     }
-    result = td_body_check_dynamic(w, index, "set awake: the body is not dynamic");
+    result = check_dynamic(w, index, "set awake: the body is not dynamic");
     return result != THUD_OK ? result
-                             : td_body_edit(w, index, TD_PUT_AWAKE, (double[4]){awake ? 1.0 : 0.0});
+                             : edit(w, index, TD_PUT_AWAKE, (double[4]){awake ? 1.0 : 0.0});
 }
 
 thud_result thud_body_set_enabled(thud_world *w, thud_body_id id, bool enabled) {
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
-    return result != THUD_OK
-               ? result
-               : td_body_edit(w, index, TD_PUT_ENABLED, (double[4]){enabled ? 1.0 : 0.0});
+    return result != THUD_OK ? result
+                             : edit(w, index, TD_PUT_ENABLED, (double[4]){enabled ? 1.0 : 0.0});
 }

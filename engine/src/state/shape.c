@@ -16,12 +16,9 @@ thud_shape_def thud_default_shape_def(void) {
                             .filter = {.category = 1, .mask = UINT32_MAX}};
 }
 
-/* Denser is taken for a mistake in the units. */
-#define DENSITY_MOST 1e12f
-
-const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def) {
+static const char *def_error(const thud_world *w, const thud_shape_def *def) {
     float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
-    if (!(def->density >= 0.0f && def->density <= DENSITY_MOST)) {
+    if (!(def->density >= 0.0f && def->density <= TD_DENSITY_MOST)) {
         return "shape def: density is not in [0, 1e12]";
     }
     if (!(def->friction >= 0.0f && def->friction <= THUD_FRICTION_MAX)) {
@@ -34,12 +31,6 @@ const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def) {
         return "shape def: surface_speed is out of range";
     }
     return NULL;
-}
-
-bool td_shape_size_valid(const thud_world *w, int body_kind, float size) {
-    double s = (double)size / (double)w->unit;
-    bool rests = body_kind == THUD_STATIC;
-    return s >= TD_SIZE_MIN && s <= (rests ? TD_STATIC_SIZE_MAX : TD_SIZE_MAX);
 }
 
 static bool size_valid(const thud_world *w, td_body_index body, float size) {
@@ -72,7 +63,7 @@ static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *d
     if (!def) {
         return td_refuse(w, THUD_ERROR_NULL, "shape create: def is null");
     }
-    const char *error = td_shape_def_error(w, def);
+    const char *error = def_error(w, def);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }

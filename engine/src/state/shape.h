@@ -4,10 +4,14 @@
 
 #include "state/world.h"
 
-/* What of a def is out of its range; null: nothing. */
-const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def);
+/* Denser is taken for a mistake in the units. */
+#define TD_DENSITY_MOST 1e12f
+
 /* Whether a shape of such a body may have this radius or half extent. */
-bool td_shape_size_valid(const thud_world *w, int body_kind, float size);
+static inline bool td_shape_size_valid(const thud_world *w, int body_kind, float size) {
+    double s = (double)size / (double)w->unit;
+    return s >= TD_SIZE_MIN && s <= (body_kind == THUD_STATIC ? TD_STATIC_SIZE_MAX : TD_SIZE_MAX);
+}
 
 /* Recomputes offsets from the centre of mass; after td_body_weigh. */
 void td_shape_settle(thud_world *w, int shape);
