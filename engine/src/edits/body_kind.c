@@ -114,14 +114,12 @@ thud_result thud_body_set_kind(thud_world *w, thud_body_id id, thud_body_kind ki
     if (body->kind == kind) {
         return THUD_OK;
     }
-    /* Internal edges that it lost are looked for anew, whether it goes or not. */
-    if ((w->internal_edges && !w->internal_edges->lose(w, index)) ||
-        !td_edit_end_contacts(w, index, TD_NONE, true)) {
-        for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-            td_shape_mark_moved(w, i); /* its edges are found again */
-        }
+    /* Internal edges are lost only once there is room for all: the last that may fail. */
+    if (!td_edit_ends_reserve(w, index, TD_NONE, true) ||
+        (w->internal_edges && !w->internal_edges->lose(w, index))) {
         return td_refuse(w, THUD_ERROR_MEMORY, "set kind: out of memory");
     }
+    td_edit_end_contacts(w, index, TD_NONE, true);
     td_deferred_apply(w); /* what callbacks asked for was asked of the body as it was */
     if (w->joining) {
         w->joining->suspend(w, index);

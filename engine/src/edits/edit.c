@@ -44,14 +44,15 @@ static bool ends(const thud_world *w, int edge, int shape, bool all) {
     return td_edit_concerns(c, shape) && (all || !td_pair_allowed(w, c->shape_a, c->shape_b));
 }
 
-bool td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all) {
+bool td_edit_ends_reserve(thud_world *w, td_body_index body, int shape, bool all) {
     int count = 0;
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         count += ends(w, e, shape, all);
     }
-    if (!td_contact_end_reserve(w, count)) {
-        return false;
-    }
+    return td_contact_end_reserve(w, count);
+}
+
+void td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
         if (ends(w, e, shape, all)) {
@@ -60,7 +61,6 @@ bool td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all
         }
         e = next;
     }
-    return true;
 }
 
 /* Bounds tell lines nothing of what stands on them: all that may looks for them. */

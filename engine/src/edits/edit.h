@@ -19,9 +19,10 @@ static inline bool td_edit_concerns(const td_constraint *constraint, int shape) 
 void td_edit_wake(thud_world *w, td_body_index body, int shape);
 
 /* Ends contacts of a body's shape, of all its shapes where it is TD_NONE: those that may not be any
- * more, or, where `all` is set, each. Whom it touched wakes. False when memory is short, and
- * nothing has changed. */
-bool td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all);
+ * more, or, where `all` is set, each. Whom it touched wakes. There is room for their events. */
+void td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all);
+/* False when memory is short. */
+bool td_edit_ends_reserve(thud_world *w, td_body_index body, int shape, bool all);
 
 /* Its shape looks for pairs that it has not got. */
 void td_edit_look_around(thud_world *w, int shape);

@@ -19,10 +19,11 @@ thud_result thud_shape_set_filter(thud_world *w, thud_shape_id id, thud_filter f
     td_shape *shape = td_shape_at(w, index);
     thud_filter before = shape->filter;
     shape->filter = filter;
-    if (!td_edit_end_contacts(w, shape->body, index, false)) {
+    if (!td_edit_ends_reserve(w, shape->body, index, false)) {
         shape->filter = before;
         return td_refuse(w, THUD_ERROR_MEMORY, "set filter: out of memory");
     }
+    td_edit_end_contacts(w, shape->body, index, false);
     td_edit_look_around(w, index);
     td_body_mark(w, shape->body, TD_CHANGE_SHAPES);
     if (!(filter.category | filter.mask | (uint32_t)filter.group)) {
@@ -42,9 +43,10 @@ thud_result thud_shape_set_sensor(thud_world *w, thud_shape_id id, bool sensor) 
     if (sensor == ((shape->flags & TD_SHAPE_SENSOR) != 0)) {
         return THUD_OK;
     }
-    if (!td_edit_end_contacts(w, shape->body, index, true)) {
+    if (!td_edit_ends_reserve(w, shape->body, index, true)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "set sensor: out of memory");
     }
+    td_edit_end_contacts(w, shape->body, index, true);
     int kind = td_body_at(w, shape->body)->kind;
     shape->flags ^= TD_SHAPE_SENSOR;
     w->mobile_sensors += kind == THUD_DYNAMIC ? (sensor ? 1 : -1) : 0;
