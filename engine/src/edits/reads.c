@@ -6,6 +6,7 @@
 #include "state/handles.h"
 
 thud_result thud_body_position(const thud_world *w, thud_body_id id, thud_pos *position) {
+    TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result == THUD_OK && position) {
@@ -16,6 +17,7 @@ thud_result thud_body_position(const thud_world *w, thud_body_id id, thud_pos *p
 
 thud_result thud_body_rotation(const thud_world *w, thud_body_id id, double *angle, float *cosine,
                                float *sine) {
+    TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {

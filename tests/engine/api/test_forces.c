@@ -96,6 +96,75 @@ static void targets_are_reached_in_one_step(void **state) {
     }
 }
 
+/* ---- inside callbacks ---- */
+
+typedef struct pusher {
+    thud_body_id box, lift;
+    int asked;
+    bool ready;
+} pusher;
+
+static void push_all(thud_world *world, pusher *p) {
+    if (p->ready && p->asked++ == 0) {
+        thud_pos at = get(world, p->box).center;
+        at.x += 0.5;
+        OK(thud_body_apply_center_impulse(world, p->box, (thud_vec2){2, 0}));
+        OK(thud_body_apply_angular_impulse(world, p->box, 0.25f));
+        OK(thud_body_apply_force_at(world, p->box, (thud_vec2){0, 6}, at));
+        OK(thud_body_set_target(world, p->lift, (thud_pos){7.25, -7.5}, 0.125));
+    }
+}
+
+static bool push_before(thud_world *world, const thud_contact *contact,
+                        thud_contact_settings *settings, void *context) {
+    (void)contact, (void)settings;
+    push_all(world, context);
+    return true;
+}
+
+static void push_after(thud_world *world, const thud_contact *contact, void *context) {
+    (void)contact;
+    push_all(world, context);
+}
+
+static void pushes_inside_callbacks_act_through_the_next_step(void **state) {
+    (void)state;
+    for (int i = 0; i < QUALITIES * 2; i++) {
+        pusher p = {.asked = 0};
+        thud_world_def def = weightless();
+        def.quality = qualities[i / 2];
+        def.prologue = i % 2 ? push_before : NULL;
+        def.epilogue = i % 2 ? NULL : push_after;
+        def.callback_context = &p;
+        thud_world *world = make_world(def);
+        p.box = add_body(world, THUD_DYNAMIC, 3, 4, 0);
+        p.lift = add_body(world, THUD_KINEMATIC, 7, -7, 0);
+        add_shape(world, p.box, 0.5f, 0.5f, false, NULL);
+        add_shape(world, add_body(world, THUD_STATIC, -9, 0, 0), 1, 1, false, NULL);
+        add_shape(world, add_body(world, THUD_DYNAMIC, -9, 1.49, 0), 0.5f, 0, false, NULL);
+        OK(thud_world_step(world));
+        p.ready = true;
+        OK(thud_world_step(world));
+        assert_true(p.asked > 0);
+        thud_body_state b = get(world, p.box);
+        near((double)b.velocity.x, 0, 0);
+        near((double)b.angular_velocity, 0, 0);
+        for (int k = 0; k < 2; k++) {
+            OK(thud_world_step(world));
+            thud_body_state now = get(world, p.box);
+            near((double)now.velocity.x, 2 / (double)b.mass, 1e-5);
+            near((double)now.velocity.y, 0.1 / (double)b.mass, 1e-5);
+            near((double)now.angular_velocity, 0.3 / (double)b.inertia, 1e-4);
+            if (k == 0) {
+                near(get(world, p.lift).position.x, 7.25, 1e-6);
+                near(get(world, p.lift).position.y, -7.5, 1e-6);
+                near(get(world, p.lift).angle, 0.125, 1e-6);
+            }
+        }
+        thud_world_destroy(world);
+    }
+}
+
 static void points_go_there_and_back(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -179,6 +248,7 @@ int main(void) {
         cmocka_unit_test(forces_turn_by_their_arm_for_one_step),
         cmocka_unit_test(sleeping_bodies_wake_and_disabled_ones_forget_forces),
         cmocka_unit_test(targets_are_reached_in_one_step),
+        cmocka_unit_test(pushes_inside_callbacks_act_through_the_next_step),
         cmocka_unit_test(points_go_there_and_back),
         cmocka_unit_test(too_much_is_refused_and_changes_nothing),
         cmocka_unit_test(single_values_are_those_of_the_whole),
