@@ -215,6 +215,7 @@ td_position td_body_origin(const thud_world *w, td_body_index index) {
 }
 
 thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state *out) {
+    TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK || !out) {

@@ -285,6 +285,7 @@ bool thud_shape_is_valid(const thud_world *w, thud_shape_id id) {
 }
 
 thud_result thud_shape_get(const thud_world *w, thud_shape_id id, thud_shape_state *out) {
+    TD_IN_OWN_MODE;
     int index;
     thud_result result = td_find_shape(w, id, &index);
     if (result == THUD_OK && out) {
