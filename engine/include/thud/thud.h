@@ -233,7 +233,7 @@ typedef struct thud_filter {
 } thud_filter;         /* all zero meets nothing, which the log hears */
 
 typedef struct thud_shape_def {
-    float density;       /* >= 0; default 1 */
+    float density;       /* [0, 1e12]; default 1 */
     float friction;      /* >= 0; default 0.6; a pair's is the geometric mean */
     float restitution;   /* [0, 1]; default 0; a pair's is the larger */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX; default 0; at which the surface

@@ -1,7 +1,10 @@
 /* thud_edits.h: changing bodies and shapes after they were made; places, velocities, awake and
  * enabled have their setters in thud.h. A program that changes nothing links none of this.
  *
- * Values have the ranges that the defs of thud.h give them. A change holds from the next step on,
+ * Ranges are those of the defs of thud.h: friction in [0, THUD_FRICTION_MAX], restitution in [0,
+ * 1], |surface_speed| <= THUD_SURFACE_SPEED_MAX length scales a second, density in [0, 1e12], sizes
+ * in [1e-4, 16384] length scales, of what is static to 32000, dampings finite and not negative,
+ * gravity_scale finite. A change holds from the next step on,
  * and wakes the body and what touches it: also what sleeps on a static body that changes. A static
  * shape that is changed so that it now meets what sleeps in its place is found by the sleeper when
  * that wakes, as one that is made there. Contacts go on, with their impulses, unless said
@@ -80,7 +83,8 @@ typedef struct thud_mass {
 
 /* Of a dynamic body: these hold whatever shapes come, go and change, until they are set again, the
  * body changes its kind, or `mass` is null: then it is what its shapes weigh. While its rotation is
- * fixed the inertia waits. The velocity, of the centre, stays the same number. */
+ * fixed the inertia waits; a body with an AABB never turns, and has none. The velocity, of the
+ * centre, stays the same number. */
 THUD_API thud_result thud_body_set_mass(thud_world *world, thud_body_id body,
                                         const thud_mass *mass);
 

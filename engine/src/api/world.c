@@ -70,7 +70,7 @@ static const char *def_error(const thud_world_def *d) {
     }
     if (d->job_system.workers < 0 || d->job_system.workers > THUD_WORKERS_MAX ||
         (d->job_system.workers > 1 && !d->job_system.run)) {
-        return "world def: job_system.workers is not in 0..64, or nobody runs them";
+        return "world def: job_system.workers is out of range, or lacks a run";
     }
     if (!d->allocator.allocate != !d->allocator.release) {
         return "world def: the allocator lacks a function";

@@ -44,7 +44,7 @@ static void quarantine(thud_world *w, td_body_index index) {
     if (td_array_reserve(&w->memory, &w->events.quarantined, w->events.quarantined.count + 1)) {
         TD_PUSH(thud_body_id, &w->events.quarantined) = td_body_handle(w, index);
     }
-    td_refuse(w, THUD_ERROR_INVALID, "a body became non-finite and is quarantined");
+    td_refuse(w, THUD_ERROR_INVALID, "a body is not finite and is quarantined");
 }
 
 static void move(thud_world *w, td_body_index index, const float *delta) {

@@ -39,7 +39,7 @@ static const char *def_error(const thud_world *w, const thud_body_def *def) {
     }
     if (!(def->linear_damping >= 0.0f && def->angular_damping >= 0.0f) ||
         !td_finite((double)def->linear_damping + (double)def->angular_damping)) {
-        return "body def: damping is negative or not finite";
+        return "body def: damping is not finite or negative";
     }
     return NULL;
 }
