@@ -94,6 +94,11 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(push),
     PLAYS(points),
     PLAYS(reads),
+    PLAYS(lists),
+    PLAYS(slots),
+    PLAYS(moved),
+    PLAYS(sensed),
+    PLAYS(sides),
 };
 
 void session_play(fuzz_session *s) {

@@ -49,6 +49,8 @@ fuzz_operation play_joint, play_joint_destroy, play_joint_edit, play_joint_get, 
     play_joint_breaking, play_joint_lists;
 /* operations_edits.c */
 fuzz_operation play_shape_edit, play_body_edit, play_push, play_points, play_reads;
+/* operations_lists.c */
+fuzz_operation play_lists, play_slots, play_moved, play_sensed, play_sides;
 /* operations_lines.c: terrain without a world */
 fuzz_operation play_line_sample, play_line_shape, play_line_impact, play_line_ray, play_foot;
 

@@ -7,6 +7,7 @@
 
 #include <thud/thud.h>
 #include <thud/thud_joint.h>
+#include <thud/thud_lists.h>
 #include <thud/thud_minkowski.h>
 #include <thud/thud_mover.h>
 #include <thud/thud_snapshot.h>
@@ -78,6 +79,7 @@ typedef struct fuzz_session {
     char *image; /* of the world before a call, now and then, in the first half */
     size_t image_room;
     double unit, shift_x, shift_y;
+    thud_body_seen seen[SESSION_BODIES]; /* what it was told of bodies that moved */
 
     fuzz_bytes bytes;
     uint8_t script[SESSION_SCRIPT];

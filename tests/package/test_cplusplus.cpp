@@ -6,6 +6,7 @@
 #include <thud/thud_events.h>
 #include <thud/thud_ids.h>
 #include <thud/thud_jobs.h>
+#include <thud/thud_lists.h>
 #include <thud/thud_math.h>
 #include <thud/thud_memory.h>
 #include <thud/thud_minkowski.h>
@@ -53,6 +54,9 @@ static void ball_falls_onto_floor(thud_world *world) {
     bool hit = false;
     EXPECT(thud_world_cast_ray(world, thud_pos{0, 5}, 0, -9, nullptr, &hit, nullptr) == THUD_OK);
     EXPECT(hit);
+    int bodies = 0;
+    EXPECT(thud_world_bodies(world, nullptr, 0, &bodies) == THUD_OK);
+    EXPECT(bodies == 2);
 }
 
 static void geometry_answers(thud_world *world) {

@@ -236,15 +236,12 @@ thud_result thud_body_get(const thud_world *w, thud_body_id id, thud_body_state 
         .mass = body->mass,
         .inertia = body->inv_inertia > 0.0f ? body->inertia : 0.0f,
         .gravity_scale = body->gravity_scale,
-        .awake = body->awake.at > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)),
+        .awake = td_body_is_awake(body),
         .enabled = !(body->flags & TD_BODY_DISABLED),
         .quarantined = (body->flags & TD_BODY_QUARANTINED) != 0,
         .user_data = body->user_data,
         .shape_count = body->shape_count,
     };
-    if (body->kind == THUD_STATIC || !out->enabled) {
-        out->awake = false;
-    }
     return THUD_OK;
 }
 

@@ -36,6 +36,12 @@ static inline int64_t td_length_from(const thud_world *w, float length) {
     return quanta < 0x1p51 && quanta > -0x1p51 ? td_round_increment(quanta) : (int64_t)quanta;
 }
 
+/* As callers have it: also where it takes its awake slot with the next step. */
+static inline bool td_body_is_awake(const td_body *body) {
+    return body->kind != THUD_STATIC && !(body->flags & TD_BODY_DISABLED) &&
+           (body->awake.at > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)));
+}
+
 /* The velocity as it is now, awake or not. */
 static inline float *td_body_velocity(const thud_world *w, const td_body *body) {
     return body->awake.at > 0 ? td_row(&w->velocity, body->awake) : (float *)body->velocity;

@@ -1,0 +1,24 @@
+/* lists.h: what all lists share: how they are asked for, and what counts as being there. */
+#ifndef TD_LISTS_H
+#define TD_LISTS_H
+
+#include "state/handles.h"
+
+/* THUD_OK where a list may be written. */
+static inline thud_result td_list_check(const thud_world *w, const void *out, int capacity,
+                                        const int *count) {
+    if (!w || !count || (!out && capacity > 0)) {
+        return td_refuse(w, THUD_ERROR_NULL, "list: world, out or count is null");
+    }
+    return capacity >= 0 ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, "list: capacity is negative");
+}
+
+static inline bool td_body_lives(const thud_world *w, td_body_index body) {
+    return td_body_at(w, body)->flags & TD_BODY_LIVE;
+}
+
+static inline bool td_shape_lives(const thud_world *w, int shape) {
+    return td_shape_at(w, shape)->flags & TD_SHAPE_LIVE;
+}
+
+#endif

@@ -1,0 +1,95 @@
+/* sensor_overlaps.c: what a sensor overlaps, from its open contacts. They stand in no order: the
+ * lowest slots for which there is room are kept in a heap, the highest of them on top, which then
+ * is taken down into rising order. */
+#include "constraint/constraint.h"
+#include "lists/lists.h"
+
+#include "thud/thud_lists.h"
+
+/* The other shape of an open contact of the sensor; TD_NONE where an edge of its body is none. */
+static int overlapped_by(const thud_world *w, int edge, int sensor) {
+    const td_constraint *contact = td_constraint_at(w, edge / 2);
+    if (contact->kind != TD_PAIR_SENSOR || !contact->open ||
+        (contact->shape_a != sensor && contact->shape_b != sensor)) {
+        return TD_NONE;
+    }
+    int other = contact->shape_a == sensor ? contact->shape_b : contact->shape_a;
+    bool there = td_shape_lives(w, other) &&
+                 !(td_body_at(w, td_shape_at(w, other)->body)->flags & TD_BODY_DISABLED);
+    return there ? other : TD_NONE;
+}
+
+/* A line has a contact a segment, and counts by its first one. */
+static bool counts(const thud_world *w, int first, int edge, int sensor, int other) {
+    if (!td_kind_is_line(td_shape_at(w, other)->kind)) {
+        return true;
+    }
+    int e = first;
+    while (e != edge && overlapped_by(w, e, sensor) != other) {
+        e = td_next_edge(w, e);
+    }
+    return e == edge;
+}
+
+static void swap(thud_shape_id *a, thud_shape_id *b) {
+    thud_shape_id t = *a;
+    *a = *b;
+    *b = t;
+}
+
+/* Lets the element at `i` sink to where nothing below it is higher. */
+static void sink(thud_shape_id *heap, int count, int i) {
+    for (int below; (below = 2 * i + 1) < count; i = below) {
+        below += below + 1 < count && heap[below + 1].index1 > heap[below].index1;
+        if (heap[below].index1 <= heap[i].index1) {
+            return;
+        }
+        swap(&heap[below], &heap[i]);
+    }
+}
+
+static void rise(thud_shape_id *heap, int i) {
+    for (int above; i > 0 && heap[above = (i - 1) / 2].index1 < heap[i].index1; i = above) {
+        swap(&heap[above], &heap[i]);
+    }
+}
+
+static void keep(thud_shape_id *heap, int capacity, int kept, thud_shape_id shape) {
+    if (kept < capacity) {
+        heap[kept] = shape;
+        rise(heap, kept);
+    } else if (capacity > 0 && shape.index1 < heap[0].index1) {
+        heap[0] = shape;
+        sink(heap, capacity, 0);
+    }
+}
+
+thud_result thud_sensor_overlaps(const thud_world *w, thud_shape_id id, thud_shape_id *out,
+                                 int capacity, int *count) {
+    int sensor, n = 0;
+    thud_result result = td_list_check(w, out, capacity, count);
+    if (result == THUD_OK) {
+        result = td_find_shape(w, id, &sensor);
+    }
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!(td_shape_at(w, sensor)->flags & TD_SHAPE_SENSOR)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "sensor overlaps: the shape is no sensor");
+    }
+    const td_body *body = td_body_at(w, td_shape_at(w, sensor)->body);
+    int first = body->flags & TD_BODY_DISABLED ? TD_NONE : body->first_constraint;
+    for (int e = first; e != TD_NONE; e = td_next_edge(w, e)) {
+        int other = overlapped_by(w, e, sensor);
+        if (other != TD_NONE && counts(w, first, e, sensor, other)) {
+            keep(out, capacity, n, td_shape_handle(w, other));
+            n++;
+        }
+    }
+    for (int end = td_min_int(n, capacity) - 1; end > 0; end--) {
+        swap(&out[0], &out[end]);
+        sink(out, end, 0);
+    }
+    *count = n;
+    return THUD_OK;
+}

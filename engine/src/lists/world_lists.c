@@ -1,0 +1,102 @@
+/* world_lists.c: all bodies and shapes of a world, those that are awake, and who is in a slot. */
+#include "lists/lists.h"
+#include "state/body.h"
+
+#include "thud/thud_lists.h"
+
+typedef bool wanted_fn(const thud_world *w, td_body_index body);
+
+/* As thud_body_get has it. */
+static bool is_awake(const thud_world *w, td_body_index index) {
+    return td_body_lives(w, index) && td_body_is_awake(td_body_at(w, index));
+}
+
+static thud_result list_bodies(const thud_world *w, wanted_fn *wanted, thud_body_id *out,
+                               int capacity, int *count) {
+    thud_result result = td_list_check(w, out, capacity, count);
+    if (result != THUD_OK) {
+        return result;
+    }
+    int n = 0;
+    for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
+        if (!wanted(w, i)) {
+            continue;
+        }
+        if (n < capacity) {
+            out[n] = td_body_handle(w, i);
+        }
+        n++;
+    }
+    *count = n;
+    return THUD_OK;
+}
+
+thud_result thud_world_bodies(const thud_world *w, thud_body_id *out, int capacity, int *count) {
+    return list_bodies(w, td_body_lives, out, capacity, count);
+}
+
+thud_result thud_world_awake_bodies(const thud_world *w, thud_body_id *out, int capacity,
+                                    int *count) {
+    return list_bodies(w, is_awake, out, capacity, count);
+}
+
+thud_result thud_world_shapes(const thud_world *w, thud_shape_id *out, int capacity, int *count) {
+    thud_result result = td_list_check(w, out, capacity, count);
+    if (result != THUD_OK) {
+        return result;
+    }
+    int n = 0;
+    for (int i = 0; i < w->shapes.count; i++) {
+        if (!td_shape_lives(w, i)) {
+            continue;
+        }
+        if (n < capacity) {
+            out[n] = td_shape_handle(w, i);
+        }
+        n++;
+    }
+    *count = n;
+    return THUD_OK;
+}
+
+/* ---- slots ---- */
+
+thud_result thud_world_slots(const thud_world *w, int *bodies, int *shapes) {
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (bodies) {
+        *bodies = w->bodies.count;
+    }
+    if (shapes) {
+        *shapes = w->shapes.count;
+    }
+    return THUD_OK;
+}
+
+static thud_result check_slot(const thud_world *w, const td_slots *slots, int slot,
+                              const void *out) {
+    if (!out) {
+        return td_refuse(w, THUD_ERROR_NULL, "slot: out is null");
+    }
+    return slot >= 0 && slot < slots->count
+               ? THUD_OK
+               : td_refuse(w, THUD_ERROR_INVALID, "slot: negative, or never used");
+}
+
+thud_result thud_world_body_at(const thud_world *w, int slot, thud_body_id *out) {
+    thud_result result = w ? check_slot(w, &w->bodies, slot, out) : THUD_ERROR_NULL;
+    if (result == THUD_OK) {
+        td_body_index index = {slot};
+        *out = td_body_lives(w, index) ? td_body_handle(w, index) : (thud_body_id){0, 0};
+    }
+    return result;
+}
+
+thud_result thud_world_shape_at(const thud_world *w, int slot, thud_shape_id *out) {
+    thud_result result = w ? check_slot(w, &w->shapes, slot, out) : THUD_ERROR_NULL;
+    if (result == THUD_OK) {
+        *out = td_shape_lives(w, slot) ? td_shape_handle(w, slot) : (thud_shape_id){0, 0};
+    }
+    return result;
+}
