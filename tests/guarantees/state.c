@@ -2,6 +2,8 @@
 #include "guarantee.h"
 #include "yard.h"
 
+#include <thud/thud_lists.h>
+
 /* Poses at 0 and 1 are those of the last two steps; a slot without a body has none. */
 static void poses_are_those_of_two_steps(trial *t) {
     yard y;
@@ -102,9 +104,95 @@ static void contacts_of_a_body_are_its_neighbours(trial *t) {
     }
 }
 
+/* ---- lists ---- */
+
+enum { SLOTS = 64 };
+
+/* Where a slot's body was when it was told last. */
+typedef struct place {
+    thud_body_id body;
+    thud_pos position;
+    double angle;
+} place;
+
+static bool same_place(place a, place b) {
+    return a.body.index1 == b.body.index1 && a.body.generation == b.body.generation &&
+           a.position.x == b.position.x && a.position.y == b.position.y && a.angle == b.angle;
+}
+
+/* The list of moved bodies has those whose position or angle is another, and no other. */
+static void moved_bodies_are_those_elsewhere(trial *t) {
+    static thud_body_seen seen[SLOTS];
+    place last[SLOTS];
+    thud_body_id all[SLOTS], moved[SLOTS];
+    yard y;
+    yard_make(&y, t, trial_def(t), 0);
+    memset(seen, 0, sizeof seen);
+    memset(last, 0, sizeof last);
+    for (int k = 0; k < 60 && !trial_failed(t); k++) {
+        int count = 0, told = 0, next = 0;
+        yard_step(&y);
+        DO(t, thud_world_bodies(y.world, all, SLOTS, &count));
+        DO(t, thud_world_moved_bodies(y.world, seen, SLOTS, moved, SLOTS, &told));
+        for (int i = 0; i < count && !trial_failed(t); i++) {
+            thud_body_state now = trial_state(t, y.world, all[i]);
+            place here = {all[i], now.position, now.angle};
+            bool is_told = next < told && moved[next].index1 == all[i].index1;
+            if (same_place(here, last[all[i].index1 - 1]) == is_told) {
+                trial_fault(t, "step %d: body %d is%s told", k, i, is_told ? "" : " not");
+            }
+            last[all[i].index1 - 1] = here;
+            next += is_told;
+        }
+        if (next != told) {
+            trial_fault(t, "step %d: %d bodies are told, of which %d live", k, told, next);
+        }
+    }
+}
+
+/* What a sensor overlaps is what it told of as begun, and not as ended. */
+static void sensors_list_what_they_told(trial *t) {
+    bool open[SLOTS][SLOTS] = {{false}};
+    thud_shape_id all[SLOTS], list[SLOTS];
+    yard y;
+    yard_make(&y, t, trial_def(t), 0);
+    for (int k = 0; k < 60 && !trial_failed(t); k++) {
+        int count = 0, sensed = 0;
+        yard_step(&y);
+        thud_events e = thud_world_events(y.world);
+        for (int i = 0; i < e.sensor_end_count + e.sensor_begin_count; i++) {
+            bool ends = i < e.sensor_end_count;
+            const thud_contact_event *at =
+                ends ? &e.sensor_end[i] : &e.sensor_begin[i - e.sensor_end_count];
+            open[at->shape_a.index1 - 1][at->shape_b.index1 - 1] = !ends;
+        }
+        DO(t, thud_world_shapes(y.world, all, SLOTS, &count));
+        for (int i = 0; i < count && !trial_failed(t); i++) {
+            const bool *told = open[all[i].index1 - 1];
+            thud_shape_state state;
+            DO(t, thud_shape_get(y.world, all[i], &state));
+            if (!state.sensor) {
+                continue;
+            }
+            DO(t, thud_sensor_overlaps(y.world, all[i], list, SLOTS, &sensed));
+            int expected = 0, found = 0;
+            for (int n = 0; n < SLOTS; n++) {
+                expected += told[n];
+                found += n < sensed && told[list[n].index1 - 1];
+            }
+            if (sensed != expected || found != expected) {
+                trial_fault(t, "step %d: %d are sensed, %d of %d that were told", k, sensed, found,
+                            expected);
+            }
+        }
+    }
+}
+
 const guarantee guarantees_of_state[] = {
     {"contacts_of_a_body_are_its_neighbours", contacts_of_a_body_are_its_neighbours, {{0}}},
     {"dug_ground_lets_down_who_stood_there", dug_ground_lets_down_who_stood_there, {{0}}},
+    {"moved_bodies_are_those_elsewhere", moved_bodies_are_those_elsewhere, {{0}}},
     {"poses_are_those_of_two_steps", poses_are_those_of_two_steps, {{0}}},
+    {"sensors_list_what_they_told", sensors_list_what_they_told, {{0}}},
     {NULL, NULL, {{0}}},
 };

@@ -47,6 +47,27 @@ static void moved_are_those_whose_pose_is_another(void **state) {
     }
 }
 
+static void body_that_turns_in_its_place_is_told(void **state) {
+    (void)state;
+    thud_world *world = make_world(weightless());
+    watch w = {0};
+    thud_body_id mill = add_body(world, THUD_KINEMATIC, 1, 2, 0), post;
+    add_shape(world, mill, 2, 0.1f, false, NULL);
+    post = add_body(world, THUD_STATIC, 9, 9, 0);
+    look(&w, world);
+    OK(thud_body_set_velocity(world, mill, (thud_vec2){0, 0}, 0.5f));
+    for (int i = 0; i < 10; i++) {
+        run(world, 1);
+        assert_int_equal(look(&w, world), 1);
+        assert_true(told(&w, mill));
+    }
+    OK(thud_body_set_transform(world, post, (thud_pos){9, 9}, 1));
+    assert_int_equal(look(&w, world), 1);
+    assert_true(told(&w, post));
+    assert_true(state_of(world, mill).position.x == 1 && state_of(world, mill).position.y == 2);
+    thud_world_destroy(world);
+}
+
 static void quarantined_body_is_listed_and_moves_no_more(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -85,6 +106,12 @@ static void slot_of_another_is_told_as_moved(void **state) {
     assert_true(told(&w, young));
     OK(thud_world_body_at(world, (int)young.index1 - 1, &got));
     assert_true(same_body(got, young));
+    OK(thud_body_destroy(world, young)); /* and nobody asks before its slot is used again */
+    run(world, 1);
+    thud_body_id third = add_ball(world, 0, 0, 0.5f);
+    assert_int_equal(third.index1, old.index1);
+    assert_int_equal(look(&w, world), 1);
+    assert_true(told(&w, third));
     thud_world_destroy(world);
 }
 
@@ -155,6 +182,7 @@ static void restore_tells_who_is_elsewhere(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(moved_are_those_whose_pose_is_another),
+        cmocka_unit_test(body_that_turns_in_its_place_is_told),
         cmocka_unit_test(quarantined_body_is_listed_and_moves_no_more),
         cmocka_unit_test(slot_of_another_is_told_as_moved),
         cmocka_unit_test(moved_without_room_are_told_later_and_beyond_the_seen_never),
