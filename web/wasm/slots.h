@@ -103,6 +103,29 @@ struct body_state {
     double gravity_scale, awake, quarantined, user_data, shape_count, enabled;
 };
 
+struct place {
+    double at[2];
+};
+
+struct rotation {
+    double angle, cosine, sine;
+};
+
+struct motion {
+    double velocity[2], angular_velocity;
+};
+
+struct number {
+    double value;
+};
+
+/* By which the next step is made; `base` and what follows are the quality's, as in
+ * quality_options. */
+struct step_settings {
+    double gravity[2], time_step, max_error, substeps, sleeping, base;
+    struct quality_options quality;
+};
+
 struct shape_options {
     double density, friction, restitution, category, mask, group, sensor, user_data, surface_speed;
 };
@@ -278,6 +301,11 @@ union api_slots {
     struct hash hash;
     struct body_options body_options;
     struct body_state body_state;
+    struct place place;
+    struct rotation rotation;
+    struct motion motion;
+    struct number number;
+    struct step_settings step_settings;
     struct shape_options shape_options;
     struct shape_state shape_state;
     struct joint_options joint_options;

@@ -64,6 +64,12 @@ export class Engine {
     );
   }
 
+  /** Of the engine, such as "0.1.0"; the module's, where that is another one than the package's. */
+  get version(): string {
+    const number = this.exports.api_version();
+    return [number / 1e6, (number / 1e3) % 1e3, number % 1e3].map(Math.floor).join(".");
+  }
+
   /** Throws, and leaves nothing behind, for options out of range. Free it with `close`. */
   createWorld(options: WorldOptions = {}): World {
     return new World(this, options);

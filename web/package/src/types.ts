@@ -158,6 +158,23 @@ export interface BodyOptions {
   userData?: number;
 }
 
+/** What a shape is and meets; see ShapeOptions. */
+export interface Filter {
+  category?: number;
+  mask?: number;
+  group?: number;
+}
+
+/** What a body is given whatever its shapes weigh. */
+export interface Mass {
+  /** [10⁻³⁰, 10³⁰]. */
+  mass: number;
+  /** Mass times length², about the centre, likewise; or 0: it does not turn. */
+  inertia: number;
+  /** Of mass, in the body's frame. Default [0, 0]. */
+  center?: Vec2;
+}
+
 export interface ShapeOptions {
   /** Mass per area, 0 or more. Default 1. */
   density?: number;

@@ -1,5 +1,5 @@
 /** What is read of a whole world: events, statistics, errors, drawing. Units as in types.ts. */
-import type { BodyId, ShapeId, Vec2 } from "./types.js";
+import type { BodyId, QualityOptions, ShapeId, Vec2 } from "./types.js";
 
 /** Two shapes that began or ceased to touch; after an end either may be gone. */
 export interface ContactEvent {
@@ -30,6 +30,20 @@ export interface Events {
   hit: HitEvent[];
   /** Bodies that were frozen because they became non-finite. */
   quarantined: BodyId[];
+}
+
+/** By which the next step is made. */
+export interface StepSettings {
+  /** Length/s². */
+  gravity: Vec2;
+  /** Seconds. */
+  timeStep: number;
+  maxError: number;
+  /** Fewer than the quality's where a time budget says so. */
+  substeps: number;
+  sleeping: boolean;
+  /** The world's copy, with what its options named; `setQuality` takes it. */
+  quality: Required<QualityOptions>;
 }
 
 /** What a world holds, and what its last step did and took. */

@@ -2,7 +2,8 @@
  * A world: bodies and shapes that advance in fixed steps. Handles are checked by the engine in
  * every call; a stale one throws, as does whatever is out of range, and nothing has changed then.
  * Built in layers, each in a file of its own: world-base (its life, time and settings),
- * world-queries, world-views (what is read of it), world-joints, and here what is put into it.
+ * world-queries, world-views (what is read of it), world-joints, world-edits, world-forces, and here
+ * what is put into it.
  */
 import { ThudError } from "./error.js";
 import {
@@ -24,7 +25,6 @@ import {
   numbersOf,
   rowsOf,
   shapeAt,
-  userData,
   vecAt,
 } from "./numbers.js";
 import {
@@ -46,7 +46,7 @@ import {
   type Terrain,
   type Vec2,
 } from "./types.js";
-import { WorldJoints } from "./world-joints.js";
+import { WorldForces } from "./world-forces.js";
 
 const TERRAIN_KINDS = ["flat", "uniform", "irregular"] as const;
 const TERRAINS = {
@@ -62,7 +62,7 @@ const SOLIDS = {
   obb: [...FORMS.obb, "offset"],
 };
 
-export class World extends WorldJoints {
+export class World extends WorldForces {
   // ---- bodies ----
 
   /**
@@ -164,11 +164,6 @@ export class World extends WorldJoints {
   setEnabled(body: BodyId, enabled: boolean): void {
     this.onBody("api_body_set_enabled", body, Number(enabled));
     this.shapesRevision++;
-  }
-
-  /** Keeps a number for your own use: whole, from 0 to 2⁵³ - 1. */
-  setUserData(body: BodyId, data: number): void {
-    this.onBody("api_body_set_user_data", body, userData(data) ?? 0);
   }
 
   /** The shapes of a body. */

@@ -1,0 +1,225 @@
+/** Bodies and shapes of the npm package are changed, pushed at points, and asked for single values. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { root, thud } from "../support/package.mjs";
+
+const engine = await thud.load();
+
+function near(actual, expected, within = 1e-6) {
+  const pairs = [actual].flat().map((value, i) => [value, [expected].flat()[i]]);
+  for (const [value, wanted] of pairs)
+    assert.ok(Math.abs(value - wanted) <= within, `${actual} is not ${expected}`);
+}
+
+function steps(world, count) {
+  for (let i = 0; i < count; i++) world.step();
+}
+
+/** A box of 2 by 1 that stands on a floor, which is wide. */
+function boxOnFloor(options = {}) {
+  const world = engine.createWorld(options);
+  const floor = world.createBody();
+  const ground = world.createAabb(floor, { halfWidth: 50, halfHeight: 1, offset: [0, -1] });
+  const box = world.createBody({ kind: "dynamic", position: [0, 0.5] });
+  const shape = world.createObb(box, { halfWidth: 1, halfHeight: 0.5 });
+  steps(world, 30);
+  return { world, floor, ground, box, shape };
+}
+
+test("filter_that_meets_nothing_lets_the_box_fall_and_what_is_not_named_stays", () => {
+  const { world, box, shape } = boxOnFloor();
+  world.setFilter(shape, { category: 4, group: 7 });
+  steps(world, 30);
+  near(world.positionOf(box)[1], 0.5, 0.01);
+  world.setFilter(shape, { mask: 0, group: 0 });
+  const { category, mask, group } = world.shapeState(shape);
+  assert.deepEqual([category, mask, group], [4, 0, 0]);
+  world.step();
+  assert.equal(world.events().end.length, 1);
+  steps(world, 60);
+  assert.ok(world.positionOf(box)[1] < -2);
+});
+
+test("materials_are_as_they_were_set", () => {
+  const { world, box, shape, ground } = boxOnFloor();
+  world.setFriction(shape, 0);
+  world.setRestitution(shape, 0.25);
+  world.setSurfaceSpeed(ground, 0);
+  world.setVelocity(box, [3, 0]);
+  steps(world, 60);
+  near(world.velocityOf(box).velocity[0], 3, 0.01);
+  world.setFriction(shape, 1);
+  world.setSurfaceSpeed(ground, 2);
+  steps(world, 120);
+  near(world.velocityOf(box).velocity[0], 2, 0.02);
+  const { friction, restitution } = world.shapeState(shape);
+  assert.deepEqual([friction, restitution], [1, 0.25]);
+});
+
+test("density_and_sizes_weigh_the_body_anew", () => {
+  const { world, box, shape } = boxOnFloor();
+  world.setDensity(shape, 3);
+  near(world.bodyState(box).mass, 6);
+  world.setHalfExtents(shape, 0.5, 0.5);
+  near(world.bodyState(box).mass, 3);
+  const ball = world.createBody({ kind: "dynamic", position: [5, 5] });
+  const disc = world.createCircle(ball, { radius: 1 });
+  const { shapes } = world.revision;
+  world.setRadius(disc, 2);
+  assert.ok(world.revision.shapes > shapes);
+  near(world.bodyState(ball).mass, 4 * Math.PI, 1e-4);
+  assert.throws(() => world.setRadius(shape, 1), { code: "invalid" });
+});
+
+test("sensor_that_a_shape_becomes_stops_nothing", () => {
+  const { world, box, shape } = boxOnFloor();
+  world.setSensor(shape, true);
+  steps(world, 60);
+  assert.ok(world.positionOf(box)[1] < -2);
+  assert.equal(world.shapeState(shape).sensor, true);
+});
+
+test("body_of_another_kind_does_what_that_kind_does", () => {
+  const { world, box } = boxOnFloor();
+  world.setKind(box, "kinematic");
+  world.setVelocity(box, [0, 1]);
+  steps(world, 60);
+  near(world.positionOf(box)[1], 1.5, 0.02);
+  world.setKind(box, "static");
+  assert.deepEqual(world.velocityOf(box), { velocity: [0, 0], angularVelocity: 0 });
+  world.setKind(box, "dynamic");
+  steps(world, 120);
+  near(world.positionOf(box)[1], 0.5, 0.02);
+  assert.throws(() => world.setKind(box, "floating"), /kind "floating" is none of static/);
+});
+
+test("settings_of_a_body_hold", () => {
+  const { world, box } = boxOnFloor({ gravity: [0, 0] });
+  world.setTransform(box, [0, 10]);
+  world.setDamping(box, 1, 2);
+  world.setVelocity(box, [1, 0], 1);
+  steps(world, 60);
+  near(world.velocityOf(box).velocity[0], Math.exp(-1), 0.02);
+  near(world.velocityOf(box).angularVelocity, Math.exp(-2), 0.02);
+  world.setFixedRotation(box, true);
+  assert.equal(world.velocityOf(box).angularVelocity, 0);
+  world.setGravity([0, -10]);
+  world.setGravityScale(box, 0);
+  world.setDamping(box, 0, 0);
+  world.setVelocity(box, [0, 0]);
+  steps(world, 60);
+  near(world.positionOf(box)[1], 10, 1e-4);
+  world.setMaySleep(box, false);
+  steps(world, 120);
+  assert.equal(world.bodyState(box).awake, true);
+  world.setDetection(box, "swept");
+  world.setDetection(box, null);
+  assert.throws(() => world.setDetection(box, "sometimes"), { code: "invalid" });
+});
+
+test("mass_that_is_given_holds_until_it_is_taken_back", () => {
+  const { world, box, shape } = boxOnFloor();
+  world.setMass(box, { mass: 10, inertia: 4, center: [0, -0.25] });
+  world.setDensity(shape, 100);
+  const { mass, inertia, center } = world.bodyState(box);
+  near([mass, inertia], [10, 4]);
+  near(center, [0, world.positionOf(box)[1] - 0.25]);
+  world.setMass(box, null);
+  near(world.bodyState(box).mass, 200, 1e-3);
+  assert.throws(() => world.setMass(box, { mass: 0, inertia: 1 }), { code: "invalid" });
+  assert.throws(() => world.setMass(box, { mas: 1 }), /no option is called "mas"/);
+});
+
+test("pushes_move_and_turn_as_formulas_say", () => {
+  const { world, box } = boxOnFloor({ gravity: [0, 0] });
+  world.setTransform(box, [100, 10]);
+  const { mass, inertia } = world.bodyState(box);
+  world.applyCenterImpulse(box, [2, 4]);
+  near(world.velocityOf(box).velocity, [2 / mass, 4 / mass]);
+  world.applyAngularImpulse(box, 0.5);
+  near(world.velocityOf(box).angularVelocity, 0.5 / inertia);
+  world.setVelocity(box, [0, 0], 0);
+  world.applyForceAt(box, [0, 60], [101, 10]);
+  world.step();
+  near(world.velocityOf(box).velocity, [0, 1 / mass], 1e-4);
+  near(world.velocityOf(box).angularVelocity, 1 / inertia, 1e-3);
+});
+
+test("target_is_reached_with_the_next_step", () => {
+  const world = engine.createWorld();
+  const lift = world.createBody({ kind: "kinematic" });
+  world.createObb(lift, { halfWidth: 1, halfHeight: 0.1 });
+  for (let i = 1; i <= 60; i++) {
+    world.setTarget(lift, [0.01 * i, 0.02 * i], 0.005 * i);
+    world.step();
+    near(world.positionOf(lift), [0.01 * i, 0.02 * i], 1e-5);
+  }
+  near(world.rotationOf(lift).angle, 0.3, 1e-5);
+  const ball = world.createBody({ kind: "dynamic" });
+  assert.throws(() => world.setTarget(ball, [0, 1]), { code: "invalid" });
+});
+
+test("points_go_from_body_to_world_and_back", () => {
+  const world = engine.createWorld();
+  const body = world.createBody({ kind: "kinematic", position: [3, 4], angle: Math.PI / 2 });
+  world.setVelocity(body, [1, 0], 2);
+  near(world.worldPoint(body, [1, 0]), [3, 5]);
+  near(world.localPoint(body, [3, 5]), [1, 0]);
+  near(world.worldVector(body, [1, 0]), [0, 1]);
+  near(world.localVector(body, [0, 1]), [1, 0]);
+  near(world.velocityAt(body, [3, 5]), [-1, 0]);
+  const { angle, cosine, sine } = world.rotationOf(body);
+  near([angle, cosine, sine], [Math.PI / 2, 0, 1]);
+});
+
+test("user_data_of_bodies_and_shapes_and_the_body_of_a_shape_are_told", () => {
+  const { world, box, shape } = boxOnFloor();
+  world.setUserData(shape, 2 ** 53 - 1);
+  world.setUserData(box, 42);
+  assert.equal(world.userDataOf(shape), 2 ** 53 - 1);
+  assert.equal(world.userDataOf(box), 42);
+  assert.equal(world.shapeState(shape).userData, 2 ** 53 - 1);
+  assert.deepEqual(world.bodyOf(shape), box);
+  assert.throws(() => world.setUserData(shape, -1), /userData/);
+  world.destroy(shape);
+  assert.throws(() => world.userDataOf(shape), { code: "stale" });
+});
+
+test("settings_tell_by_what_the_next_step_is_made_and_can_be_set_again", () => {
+  const quality = { base: "high", substeps: 6, detection: "bisect", islands: false };
+  const world = engine.createWorld({ gravity: [1, 2], timeStep: 0.01, quality });
+  const now = world.settings();
+  assert.deepEqual(now.gravity, [1, 2]);
+  assert.equal(now.timeStep, 0.01);
+  assert.equal(now.sleeping, true);
+  const { base, substeps, detection, islands } = now.quality;
+  assert.deepEqual({ base, substeps, detection, islands }, quality);
+  const other = engine.createWorld();
+  assert.equal(other.settings().quality.base, "default");
+  assert.equal(other.settings().quality.islands, true);
+  other.setQuality(now.quality);
+  assert.deepEqual(other.settings().quality, now.quality);
+});
+
+test("version_is_the_package_s", () => {
+  const { version } = JSON.parse(readFileSync(`${root}web/package/package.json`, "utf8"));
+  assert.equal(engine.version, version);
+});
+
+test("changes_are_part_of_a_snapshot", () => {
+  const { world, box, shape } = boxOnFloor();
+  const before = world.snapshot();
+  world.setFriction(shape, 0.01);
+  world.setMass(box, { mass: 5, inertia: 1 });
+  world.setVelocity(box, [2, 0]);
+  const changed = world.snapshot();
+  steps(world, 30);
+  const hash = world.hash();
+  world.restore(before);
+  near(world.bodyState(box).mass, 2);
+  world.restore(changed);
+  near(world.bodyState(box).mass, 5);
+  steps(world, 30);
+  assert.equal(world.hash(), hash);
+});
