@@ -58,6 +58,11 @@ struct joint_making {
     double kind, rod, ratio, worked_out, place_a[2], place_b[2], turned, axis[2];
 };
 
+/* Of a pair of shapes; the body is 0, 0 where the shape is gone. */
+struct pair_side {
+    double body[2], body_data, shape_data, sensor;
+};
+
 /* ---- slots ---- */
 
 struct world_options {
@@ -113,6 +118,10 @@ struct rotation {
 
 struct motion {
     double velocity[2], angular_velocity;
+};
+
+struct pair {
+    struct pair_side a, b;
 };
 
 struct number {
@@ -304,6 +313,7 @@ union api_slots {
     struct place place;
     struct rotation rotation;
     struct motion motion;
+    struct pair pair;
     struct number number;
     struct step_settings step_settings;
     struct shape_options shape_options;

@@ -7,6 +7,20 @@ export interface ContactEvent {
   b: ShapeId;
 }
 
+/** Whose a shape of a contact or an event is, and what either keeps for you. */
+export interface PairSide {
+  body: BodyId;
+  bodyData: number;
+  shapeData: number;
+  sensor: boolean;
+}
+
+/** Of two shapes; null for one that was destroyed. */
+export interface Pair {
+  a: PairSide | null;
+  b: PairSide | null;
+}
+
 /** A collision faster than WorldOptions.hitSpeed. */
 export interface HitEvent extends ContactEvent {
   point: Vec2;

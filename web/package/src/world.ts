@@ -2,8 +2,8 @@
  * A world: bodies and shapes that advance in fixed steps. Handles are checked by the engine in
  * every call; a stale one throws, as does whatever is out of range, and nothing has changed then.
  * Built in layers, each in a file of its own: world-base (its life, time and settings),
- * world-queries, world-views (what is read of it), world-joints, world-edits, world-forces, and here
- * what is put into it.
+ * world-queries, world-views (what is read of it), world-joints, world-edits, world-forces, world-lists,
+ * and here what is put into it.
  */
 import { ThudError } from "./error.js";
 import {
@@ -46,7 +46,7 @@ import {
   type Terrain,
   type Vec2,
 } from "./types.js";
-import { WorldForces } from "./world-forces.js";
+import { WorldLists } from "./world-lists.js";
 
 const TERRAIN_KINDS = ["flat", "uniform", "irregular"] as const;
 const TERRAINS = {
@@ -62,7 +62,7 @@ const SOLIDS = {
   obb: [...FORMS.obb, "offset"],
 };
 
-export class World extends WorldForces {
+export class World extends WorldLists {
   // ---- bodies ----
 
   /**

@@ -1,0 +1,100 @@
+/** What there is in a world of the npm package: bodies, shapes, who moved, what a sensor overlaps. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { thud } from "../support/package.mjs";
+
+const engine = await thud.load();
+
+function balls(count, options = {}) {
+  const world = engine.createWorld(options);
+  const floor = world.createBody();
+  const ground = world.createAabb(floor, { halfWidth: 100, halfHeight: 1, offset: [0, -1] });
+  const bodies = Array.from({ length: count }, (_, i) => {
+    const body = world.createBody({ kind: "dynamic", position: [2 * i, 0.5], userData: i });
+    world.createCircle(body, { radius: 0.5, userData: 100 + i });
+    return body;
+  });
+  return { world, floor, ground, bodies };
+}
+
+test("lists_have_what_lives_in_the_order_of_slots", () => {
+  const { world, floor, ground, bodies } = balls(5);
+  assert.deepEqual(world.bodies(), [floor, ...bodies]);
+  assert.deepEqual(world.shapes(), [ground, ...bodies.flatMap((body) => world.shapesOf(body))]);
+  world.destroy(bodies[2]);
+  assert.deepEqual(world.bodies(), [floor, ...bodies.filter((_, i) => i !== 2)]);
+  assert.deepEqual(world.awakeBodies(), bodies.filter((_, i) => i !== 2));
+  for (let i = 0; i < 120; i++) world.step();
+  assert.deepEqual(world.awakeBodies(), []);
+  assert.deepEqual(engine.createWorld().bodies(), []);
+});
+
+test("slots_name_their_body_and_shape", () => {
+  const { world, bodies } = balls(3);
+  assert.deepEqual(world.bodyAtSlot(bodies[1].index), bodies[1]);
+  const [shape] = world.shapesOf(bodies[1]);
+  assert.deepEqual(world.shapeAtSlot(shape.index), shape);
+  world.destroy(bodies[1]);
+  assert.equal(world.bodyAtSlot(bodies[1].index), null);
+  assert.equal(world.shapeAtSlot(shape.index), null);
+  for (const slot of [-1, 4, 0.5 + 1e9, NaN])
+    assert.throws(() => world.bodyAtSlot(slot), { code: "invalid" });
+});
+
+test("moved_bodies_are_those_that_are_elsewhere", () => {
+  const { world, floor, bodies } = balls(3, { gravity: [0, 0] });
+  assert.deepEqual(world.movedBodies(), [floor, ...bodies]);
+  assert.deepEqual(world.movedBodies(), []);
+  world.setVelocity(bodies[1], [1, 0]);
+  assert.deepEqual(world.movedBodies(), []);
+  world.step();
+  assert.deepEqual(world.movedBodies(), [bodies[1]]);
+  world.setTransform(floor, [0, -5]);
+  assert.deepEqual(world.movedBodies(), [floor]);
+  const snapshot = world.snapshot();
+  world.step();
+  assert.deepEqual(world.movedBodies(), [bodies[1]]);
+  world.restore(snapshot);
+  assert.deepEqual(world.movedBodies(), [bodies[1]]);
+  world.destroy(bodies[1]);
+  assert.deepEqual(world.movedBodies(), []);
+});
+
+test("moved_bodies_grow_with_the_world_and_forget_nobody", () => {
+  const { world, floor } = balls(1, { gravity: [0, 0] });
+  world.movedBodies();
+  for (let n = 0; n < 8; n++) {
+    const made = Array.from({ length: 200 }, () => world.createBody({ kind: "dynamic" }));
+    assert.deepEqual(world.movedBodies(), made);
+  }
+  world.setTransform(floor, [1, 0]);
+  assert.deepEqual(world.movedBodies(), [floor]);
+  world.close();
+  assert.throws(() => world.movedBodies(), { code: "stale" });
+});
+
+test("sensor_tells_what_it_overlaps_now", () => {
+  const { world, floor, bodies, ground } = balls(4);
+  const options = { halfWidth: 1.2, halfHeight: 3, offset: [1, 3.1], sensor: true };
+  const sensor = world.createAabb(floor, options);
+  world.step();
+  const inside = [bodies[0], bodies[1]].flatMap((body) => world.shapesOf(body));
+  assert.deepEqual(world.overlapsOf(sensor), inside);
+  world.setTransform(bodies[0], [50, 0.5]);
+  world.step();
+  world.step();
+  assert.deepEqual(world.overlapsOf(sensor), inside.slice(1));
+  assert.throws(() => world.overlapsOf(ground), { code: "invalid" });
+});
+
+test("pair_of_an_event_has_bodies_and_both_user_data", () => {
+  const { world, floor, ground, bodies } = balls(2);
+  world.step();
+  const [event] = world.events().begin;
+  const { a, b } = world.pairOf(event);
+  assert.deepEqual(a, { body: floor, bodyData: 0, shapeData: 0, sensor: false });
+  assert.deepEqual(b, { body: bodies[0], bodyData: 0, shapeData: 100, sensor: false });
+  world.destroy(bodies[0]);
+  assert.equal(world.pairOf(event).b, null);
+  assert.deepEqual(event.a, ground);
+});

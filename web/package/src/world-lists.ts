@@ -1,0 +1,118 @@
+/** What there is in a world, as lists of handles, in the order of their slots. */
+import { ThudError } from "./error.js";
+import { HandleAt, ListAt, PairAt, PairSideAt } from "./generated/slots.js";
+import { bodyAt, rowsOf, shapeAt } from "./numbers.js";
+import type { BodyId, ShapeId } from "./types.js";
+import type { ContactEvent, Pair, PairSide } from "./view-types.js";
+import { WorldForces } from "./world-forces.js";
+
+export class WorldLists extends WorldForces {
+  /** What bodies were last told to be, in wasm memory. */
+  #seen = { address: 0, slots: 0 };
+
+  override close(): void {
+    super.close();
+    this.engine.exports.free(this.#seen.address);
+    this.#seen = { address: 0, slots: 0 };
+  }
+
+  /** Every body, disabled and quarantined ones too. */
+  bodies(): BodyId[] {
+    this.engine.check(this.engine.exports.api_world_bodies(this.address));
+    return this.#bodyIds();
+  }
+
+  /** Those that the next step will move if something has them move. */
+  awakeBodies(): BodyId[] {
+    this.engine.check(this.engine.exports.api_world_awake_bodies(this.address));
+    return this.#bodyIds();
+  }
+
+  /** Every shape, sensors and terrains too. */
+  shapes(): ShapeId[] {
+    this.engine.check(this.engine.exports.api_world_shapes(this.address));
+    return this.shapeIds();
+  }
+
+  /**
+   * Those that are elsewhere than when this was last called, and those that are new: a renderer need
+   * touch no others. One that was created, set elsewhere or brought back by `restore` is told, too;
+   * one that was destroyed is not. Where you draw between two steps, by `poses(alpha)`, touch once
+   * more what was told the time before.
+   * @example for (const body of world.movedBodies()) redraw(body)
+   */
+  movedBodies(): BodyId[] {
+    const { exports } = this.engine;
+    const slots = exports.api_world_body_slots(this.address);
+    if (slots > this.#seen.slots) this.#makeRoom(slots);
+    this.engine.check(exports.api_world_moved_bodies(this.address, this.#seen.address, slots));
+    return this.#bodyIds();
+  }
+
+  /** The body whose pose stands at `4 * slot` in `poses()`; null where none lives there. */
+  bodyAtSlot(slot: number): BodyId | null {
+    this.engine.check(this.engine.exports.api_world_body_at(this.address, slot));
+    const s = this.engine.slots;
+    return s[HandleAt.index1] === 0 ? null : bodyAt(s, HandleAt.index1);
+  }
+
+  /** The shape with this `index`; null where none lives there. */
+  shapeAtSlot(slot: number): ShapeId | null {
+    this.engine.check(this.engine.exports.api_world_shape_at(this.address, slot));
+    const s = this.engine.slots;
+    return s[HandleAt.index1] === 0 ? null : shapeAt(s, HandleAt.index1);
+  }
+
+  /**
+   * What a sensor overlaps now.
+   * @example if (world.overlapsOf(goal).length > 0) score()
+   */
+  overlapsOf(sensor: ShapeId): ShapeId[] {
+    this.onShape("api_sensor_overlaps", sensor);
+    return this.shapeIds();
+  }
+
+  /**
+   * Whose the two shapes of a contact or an event are, with the user data of both; null for one that
+   * was destroyed since.
+   * @example const { a, b } = world.pairOf(hit)
+   */
+  pairOf({ a, b }: Pick<ContactEvent, "a" | "b">): Pair {
+    const { exports, slots: s } = this.engine;
+    const call = exports.api_pair_get;
+    this.engine.check(
+      call(this.address, a.index + 1, a.generation, b.index + 1, b.generation),
+    );
+    return { a: readSide(s, PairAt.a), b: readSide(s, PairAt.b) };
+  }
+
+  #bodyIds(): BodyId[] {
+    const { buffer, slots } = this.engine;
+    return rowsOf(Uint32Array, buffer, slots, ListAt.address, HandleAt.length, bodyAt);
+  }
+
+  /** Room for twice as many slots; what was seen stays. */
+  #makeRoom(least: number): void {
+    const { exports } = this.engine;
+    const bytes = exports.api_body_seen_bytes();
+    const slots = Math.max(64, 2 * least);
+    const address = exports.malloc(slots * bytes);
+    if (address === 0) throw new ThudError("memory", "out of memory");
+    const before = this.#seen;
+    const room = new Uint8Array(this.engine.buffer, address, slots * bytes);
+    room.fill(0);
+    room.set(new Uint8Array(this.engine.buffer, before.address, before.slots * bytes));
+    exports.free(before.address);
+    this.#seen = { address, slots };
+  }
+}
+
+function readSide(s: Float64Array, at: number): PairSide | null {
+  if (s[at + PairSideAt.body] === 0) return null;
+  return {
+    body: bodyAt(s, at + PairSideAt.body),
+    bodyData: s[at + PairSideAt.bodyData],
+    shapeData: s[at + PairSideAt.shapeData],
+    sensor: s[at + PairSideAt.sensor] !== 0,
+  };
+}

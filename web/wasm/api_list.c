@@ -1,0 +1,119 @@
+/* api_list.c: what there is in a world, as lists of handles. */
+#include "api.h"
+
+#include <thud/thud_lists.h>
+
+static api_buffer bodies, shapes;
+
+/* Room for so many handles; their contents are anything. */
+static thud_result make_room(api_buffer *list, int count) {
+    api_buffer_clear(list);
+    for (int i = 0; i < count; i++)
+        api_buffer_push(list, &(thud_body_id){0}, sizeof(thud_body_id));
+    return api_buffer_result(list);
+}
+
+/* Slots out: list. */
+static int told(thud_result result, const api_buffer *list, int count) {
+    api_slots.list.address = (double)(uintptr_t)list->data;
+    api_slots.list.count = count;
+    return result;
+}
+
+/* Two 32-bit numbers each, here and below. Slots out: list. */
+int api_world_bodies(const thud_world *world) {
+    int count = 0;
+    thud_result result = thud_world_bodies(world, NULL, 0, &count);
+    if (result == THUD_OK)
+        result = make_room(&bodies, count);
+    if (result == THUD_OK)
+        result = thud_world_bodies(world, (thud_body_id *)bodies.data, count, &count);
+    return told(result, &bodies, count);
+}
+
+int api_world_awake_bodies(const thud_world *world) {
+    int count = 0;
+    thud_result result = thud_world_awake_bodies(world, NULL, 0, &count);
+    if (result == THUD_OK)
+        result = make_room(&bodies, count);
+    if (result == THUD_OK)
+        result = thud_world_awake_bodies(world, (thud_body_id *)bodies.data, count, &count);
+    return told(result, &bodies, count);
+}
+
+int api_world_shapes(const thud_world *world) {
+    int count = 0;
+    thud_result result = thud_world_shapes(world, NULL, 0, &count);
+    if (result == THUD_OK)
+        result = make_room(&shapes, count);
+    if (result == THUD_OK)
+        result = thud_world_shapes(world, (thud_shape_id *)shapes.data, count, &count);
+    return told(result, &shapes, count);
+}
+
+/* `seen` is room for so many thud_body_seen, zeroed before its first use. */
+int api_world_moved_bodies(const thud_world *world, thud_body_seen *seen, int slots) {
+    int count = 0;
+    thud_result result = make_room(&bodies, slots);
+    if (result == THUD_OK)
+        result = thud_world_moved_bodies(world, seen, slots, (thud_body_id *)bodies.data, slots,
+                                         &count);
+    return told(result, &bodies, count);
+}
+
+int api_body_seen_bytes(void) {
+    return sizeof(thud_body_seen);
+}
+
+/* How many slots bodies have ever used. */
+int api_world_body_slots(const thud_world *world) {
+    int slots = 0;
+    thud_world_slots(world, &slots, NULL);
+    return slots;
+}
+
+/* Slots out: handle, of zeros where nothing lives there. */
+int api_world_body_at(const thud_world *world, double slot) {
+    thud_body_id id = {0};
+    thud_result result = thud_world_body_at(world, api_to_int(slot), &id);
+    api_slots.handle = (struct handle){id.index1, id.generation};
+    return result;
+}
+
+int api_world_shape_at(const thud_world *world, double slot) {
+    thud_shape_id id = {0};
+    thud_result result = thud_world_shape_at(world, api_to_int(slot), &id);
+    api_slots.handle = (struct handle){id.index1, id.generation};
+    return result;
+}
+
+/* Slots out: list. */
+int api_sensor_overlaps(const thud_world *world, uint32_t index1, uint32_t generation) {
+    int count = 0;
+    thud_shape_id sensor = api_shape(index1, generation);
+    thud_result result = thud_sensor_overlaps(world, sensor, NULL, 0, &count);
+    if (result == THUD_OK)
+        result = make_room(&shapes, count);
+    if (result == THUD_OK)
+        result =
+            thud_sensor_overlaps(world, sensor, (thud_shape_id *)shapes.data, count, &count);
+    return told(result, &shapes, count);
+}
+
+static struct pair_side side_of(const thud_pair_side *side) {
+    return (struct pair_side){.body = {side->body.index1, side->body.generation},
+                              .body_data = (double)side->body_data,
+                              .shape_data = (double)side->shape_data,
+                              .sensor = side->sensor};
+}
+
+/* Slots out: pair. */
+int api_pair_get(const thud_world *world, uint32_t index1_a, uint32_t generation_a,
+                 uint32_t index1_b, uint32_t generation_b) {
+    thud_pair pair;
+    thud_result result = thud_pair_get(world, api_shape(index1_a, generation_a),
+                                       api_shape(index1_b, generation_b), &pair);
+    if (result == THUD_OK)
+        api_slots.pair = (struct pair){side_of(&pair.a), side_of(&pair.b)};
+    return result;
+}
