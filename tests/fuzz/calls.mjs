@@ -10,6 +10,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { thud } from "../web/support/package.mjs";
+import { EDIT_CALLS } from "./edit_calls.mjs";
 import { JOINT_CALLS } from "./joint_calls.mjs";
 
 const CALLS_OF_A_SEED = 300;
@@ -126,6 +127,7 @@ class Session {
 /** By name: each calls what it is named for, and gives what that gave. */
 export const CALLS = {
   ...JOINT_CALLS,
+  ...EDIT_CALLS,
   createBody: (s) =>
     s.keep(
       s.bodies,
@@ -164,7 +166,6 @@ export const CALLS = {
   applyForce: (s) => s.world.applyForce(s.body(), s.vector(), s.number(-9, 9)),
   setAwake: (s) => s.world.setAwake(s.body(), s.below(2) === 0),
   setEnabled: (s) => s.world.setEnabled(s.body(), s.below(2) === 0),
-  setUserData: (s) => s.world.setUserData(s.body(), s.number(0, 9)),
   terrain: (s) => s.world.terrain(s.shape()),
   setHeights: (s) => s.world.setHeights(s.shape(), s.below(9) - 1, [s.number(-1, 1)]),
   dig: (s) => s.world.dig(s.shape(), s.place(), s.number(0.1, 2)),

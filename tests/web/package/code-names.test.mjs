@@ -28,7 +28,8 @@ function propertiesOf(file, type) {
 }
 
 test("list_has_every_public_method_of_a_world", () => {
-  const files = ["world", "world-base", "world-joints", "world-queries", "world-views"];
+  const layers = ["base", "queries", "views", "joints", "edits", "forces", "lists"];
+  const files = ["world", ...layers.map((layer) => `world-${layer}`)];
   const methods = files.flatMap((file) =>
     bodyOf(`package/dist/${file}.d.ts`, /export declare class \w+ /).flatMap(
       (line) => /^    (?!constructor)(\w+)\(/.exec(line)?.[1] ?? [],

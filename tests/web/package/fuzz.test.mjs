@@ -13,6 +13,7 @@ const NOT_PLAYED = new Set([
   "onJoint",
   "shapeIds",
   "close",
+  "freeRoom",
   "revision",
 ]);
 

@@ -51,7 +51,11 @@ export class WorldBase {
   close(): void {
     this.engine.exports.api_world_destroy(this.address);
     this.#address = 0;
+    this.freeRoom();
   }
+
+  /** Frees what a layer above this one keeps in wasm memory. */
+  protected freeRoom(): void {}
 
   // ---- going back ----
 

@@ -10,8 +10,7 @@ export class WorldLists extends WorldForces {
   /** What bodies were last told to be, in wasm memory. */
   #seen = { address: 0, slots: 0 };
 
-  override close(): void {
-    super.close();
+  protected override freeRoom(): void {
     this.engine.exports.free(this.#seen.address);
     this.#seen = { address: 0, slots: 0 };
   }

@@ -1,0 +1,50 @@
+/** Random calls that change bodies and shapes, push them, and read of them; see calls.mjs. */
+const WORDS = ["static", "kinematic", "dynamic", "dynamic", "none"];
+const DETECTIONS = [null, "overlap", "continuous", "bisect", "swept", "none"];
+
+export const EDIT_CALLS = {
+  setFilter: (s) =>
+    s.world.setFilter(s.shape(), s.options(s.pick([{}, { mask: s.below(9) }, { group: s.below(5) - 2 }]))),
+  setFriction: (s) => s.world.setFriction(s.shape(), s.number(0, 2)),
+  setRestitution: (s) => s.world.setRestitution(s.shape(), s.number(0, 1)),
+  setSurfaceSpeed: (s) => s.world.setSurfaceSpeed(s.shape(), s.number(-3, 3)),
+  setDensity: (s) => s.world.setDensity(s.shape(), s.number(0, 4)),
+  setSensor: (s) => s.world.setSensor(s.shape(), s.below(3) === 0),
+  setRadius: (s) => s.world.setRadius(s.shape(), s.number(0.1, 1)),
+  setHalfExtents: (s) => s.world.setHalfExtents(s.shape(), s.number(0.1, 1), s.number(0.1, 1)),
+  setUserData: (s) => s.world.setUserData(s.pick([s.body(), s.shape()]), s.number(0, 9)),
+  setKind: (s) => s.world.setKind(s.body(), s.pick(WORDS)),
+  setDamping: (s) => s.world.setDamping(s.body(), s.number(0, 3), s.number(0, 3)),
+  setGravityScale: (s) => s.world.setGravityScale(s.body(), s.number(-1, 2)),
+  setFixedRotation: (s) => s.world.setFixedRotation(s.body(), s.below(2) === 0),
+  setDetection: (s) => s.world.setDetection(s.body(), s.pick(DETECTIONS)),
+  setMaySleep: (s) => s.world.setMaySleep(s.body(), s.below(2) === 0),
+  setMass: (s) => {
+    const center = [s.number(-1, 1), s.number(-1, 1)];
+    const mass = { mass: s.number(0.1, 9), inertia: s.number(0, 9), center };
+    s.world.setMass(s.body(), s.below(4) === 0 ? null : s.options(mass));
+  },
+  applyForceAt: (s) => s.world.applyForceAt(s.body(), s.vector(), s.place()),
+  applyCenterImpulse: (s) => s.world.applyCenterImpulse(s.body(), s.vector()),
+  applyAngularImpulse: (s) => s.world.applyAngularImpulse(s.body(), s.number(-9, 9)),
+  setTarget: (s) => s.world.setTarget(s.body(), s.place(), s.number(-4, 4)),
+  velocityAt: (s) => s.world.velocityAt(s.body(), s.place()),
+  worldPoint: (s) => s.world.worldPoint(s.body(), s.vector()),
+  localPoint: (s) => s.world.localPoint(s.body(), s.place()),
+  worldVector: (s) => s.world.worldVector(s.body(), s.vector()),
+  localVector: (s) => s.world.localVector(s.body(), s.vector()),
+  positionOf: (s) => s.world.positionOf(s.body()),
+  rotationOf: (s) => s.world.rotationOf(s.body()),
+  velocityOf: (s) => s.world.velocityOf(s.body()),
+  userDataOf: (s) => s.world.userDataOf(s.pick([s.body(), s.shape()])),
+  bodyOf: (s) => s.world.bodyOf(s.shape()),
+  settings: (s) => s.world.settings(),
+  bodies: (s) => s.world.bodies(),
+  awakeBodies: (s) => s.world.awakeBodies(),
+  shapes: (s) => s.world.shapes(),
+  movedBodies: (s) => s.world.movedBodies(),
+  bodyAtSlot: (s) => s.world.bodyAtSlot(s.number(-2, 50)),
+  shapeAtSlot: (s) => s.world.shapeAtSlot(s.number(-2, 50)),
+  overlapsOf: (s) => s.world.overlapsOf(s.shape()),
+  pairOf: (s) => s.world.pairOf({ a: s.shape(), b: s.shape() }),
+};
