@@ -10,6 +10,7 @@ from xml.sax.saxutils import escape
 
 # Pixels.
 WIDTH, NAMES, RIGHT, TOP, ROW, BAR = 900, 190, 50, 92, 32, 20
+FIGURE = 40  # a bar that is shorter has its figure beside it
 GREEN, AMBER, INK, GREY = "#2a7f62", "#c9822b", "#202020", "#8a8a8a"
 
 
@@ -48,7 +49,9 @@ def row(scene, y, scale):
         colour = GREEN if box2d >= target else AMBER
         parts.append(f'<rect class="box2d" x="{NAMES}" y="{middle - BAR / 2}" '
                      f'width="{box2d * scale:.1f}" height="{BAR}" fill="{colour}"/>')
-        parts.append(text(NAMES + 8, middle + 5, f"{box2d:.1f}", colour="white", weight="bold"))
+        beside = box2d * scale < FIGURE
+        parts.append(text(NAMES + 8 + beside * box2d * scale, middle + 5, f"{box2d:.1f}",
+                          colour=INK if beside else "white", weight="bold"))
     if target:
         parts.append(line(NAMES + target * scale, middle - 14, middle + 14, INK, 3))
     if rapier:
