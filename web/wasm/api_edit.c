@@ -26,8 +26,7 @@ int api_shape_set_surface_speed(thud_world *world, uint32_t index1, uint32_t gen
     return thud_shape_set_surface_speed(world, api_shape(index1, generation), (float)speed);
 }
 
-int api_shape_set_density(thud_world *world, uint32_t index1, uint32_t generation,
-                          double density) {
+int api_shape_set_density(thud_world *world, uint32_t index1, uint32_t generation, double density) {
     return thud_shape_set_density(world, api_shape(index1, generation), (float)density);
 }
 
@@ -45,8 +44,7 @@ int api_shape_set_half_extents(thud_world *world, uint32_t index1, uint32_t gene
                                        (thud_vec2){(float)x, (float)y});
 }
 
-int api_shape_set_user_data(thud_world *world, uint32_t index1, uint32_t generation,
-                            double data) {
+int api_shape_set_user_data(thud_world *world, uint32_t index1, uint32_t generation, double data) {
     return thud_shape_set_user_data(world, api_shape(index1, generation), (uint64_t)data);
 }
 
@@ -78,8 +76,7 @@ int api_body_set_detection(thud_world *world, uint32_t index1, uint32_t generati
     return thud_body_set_detection(world, api_body(index1, generation), api_detection(detection));
 }
 
-int api_body_set_may_sleep(thud_world *world, uint32_t index1, uint32_t generation,
-                           int may_sleep) {
+int api_body_set_may_sleep(thud_world *world, uint32_t index1, uint32_t generation, int may_sleep) {
     return thud_body_set_may_sleep(world, api_body(index1, generation), may_sleep != 0);
 }
 

@@ -56,8 +56,8 @@ int api_world_moved_bodies(const thud_world *world, thud_body_seen *seen, int sl
     int count = 0;
     thud_result result = make_room(&bodies, slots);
     if (result == THUD_OK)
-        result = thud_world_moved_bodies(world, seen, slots, (thud_body_id *)bodies.data, slots,
-                                         &count);
+        result =
+            thud_world_moved_bodies(world, seen, slots, (thud_body_id *)bodies.data, slots, &count);
     return told(result, &bodies, count);
 }
 
@@ -95,8 +95,7 @@ int api_sensor_overlaps(const thud_world *world, uint32_t index1, uint32_t gener
     if (result == THUD_OK)
         result = make_room(&shapes, count);
     if (result == THUD_OK)
-        result =
-            thud_sensor_overlaps(world, sensor, (thud_shape_id *)shapes.data, count, &count);
+        result = thud_sensor_overlaps(world, sensor, (thud_shape_id *)shapes.data, count, &count);
     return told(result, &shapes, count);
 }
 

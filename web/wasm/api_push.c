@@ -19,8 +19,8 @@ int api_body_apply_force_at(thud_world *world, uint32_t index1, uint32_t generat
                                     (thud_vec2){(float)x, (float)y}, (thud_pos){point_x, point_y});
 }
 
-int api_body_apply_center_impulse(thud_world *world, uint32_t index1, uint32_t generation,
-                                  double x, double y) {
+int api_body_apply_center_impulse(thud_world *world, uint32_t index1, uint32_t generation, double x,
+                                  double y) {
     return thud_body_apply_center_impulse(world, api_body(index1, generation),
                                           (thud_vec2){(float)x, (float)y});
 }
@@ -30,8 +30,8 @@ int api_body_apply_angular_impulse(thud_world *world, uint32_t index1, uint32_t 
     return thud_body_apply_angular_impulse(world, api_body(index1, generation), (float)impulse);
 }
 
-int api_body_set_target(thud_world *world, uint32_t index1, uint32_t generation, double x,
-                        double y, double angle) {
+int api_body_set_target(thud_world *world, uint32_t index1, uint32_t generation, double x, double y,
+                        double angle) {
     return thud_body_set_target(world, api_body(index1, generation), (thud_pos){x, y}, angle);
 }
 
@@ -159,14 +159,15 @@ int api_world_step_settings(const thud_world *world) {
     if (result != THUD_OK)
         return result;
     const thud_quality *q = &now.quality;
-    api_slots.step_settings = (struct step_settings){
-        .gravity = {now.gravity.x, now.gravity.y},
-        .time_step = now.time_step,
-        .max_error = now.max_error,
-        .substeps = now.substeps,
-        .sleeping = now.sleeping,
-        .base = number_of(q->name, qualities),
-        .quality = {q->substeps, q->contact_stiffness, q->contact_damping,
-                    number_of(thud_detection_name(q->detection), detections), q->islands != NULL}};
+    api_slots.step_settings =
+        (struct step_settings){.gravity = {now.gravity.x, now.gravity.y},
+                               .time_step = now.time_step,
+                               .max_error = now.max_error,
+                               .substeps = now.substeps,
+                               .sleeping = now.sleeping,
+                               .base = number_of(q->name, qualities),
+                               .quality = {q->substeps, q->contact_stiffness, q->contact_damping,
+                                           number_of(thud_detection_name(q->detection), detections),
+                                           q->islands != NULL}};
     return result;
 }
