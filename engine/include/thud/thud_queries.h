@@ -23,6 +23,10 @@ extern "C" {
 typedef struct thud_query_filter {
     uint32_t category, mask; /* as in thud_filter; all ones by default */
     bool sensors;            /* sensors too; default false */
+    int32_t group;           /* as in thud_filter: shapes of the same group are met always (> 0) or
+                                never (< 0); default 0: no group */
+    thud_body_id ignore;     /* meets none of its shapes; default null: nobody's. One that is gone,
+                                or of another world, has none */
 } thud_query_filter;
 
 THUD_API thud_query_filter thud_default_query_filter(void);

@@ -2,21 +2,31 @@
 #include "api/query.h"
 
 #include "state/body.h"
+#include "state/handles.h"
 #include "state/shape.h"
 #include "api/step.h"
 #include "base/trig.h"
 
+static const thud_query_filter everything = {.category = UINT32_MAX, .mask = UINT32_MAX};
+
 thud_query_filter thud_default_query_filter(void) {
-    return (thud_query_filter){UINT32_MAX, UINT32_MAX, false};
+    return everything;
 }
 
 bool td_query_passes(const thud_world *w, int index, const thud_query_filter *filter) {
     const td_shape *shape = td_shape_at(w, index);
-    thud_query_filter f = filter ? *filter : thud_default_query_filter();
-    return (shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) == TD_SHAPE_LIVE &&
-           !(td_body_at(w, shape->body)->flags & TD_BODY_DISABLED) &&
-           (f.sensors || !(shape->flags & TD_SHAPE_SENSOR)) && (shape->filter.category & f.mask) &&
-           (shape->filter.mask & f.category);
+    const td_body *body = td_body_at(w, shape->body);
+    const thud_query_filter *f = filter ? filter : &everything;
+    if ((shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) != TD_SHAPE_LIVE ||
+        (body->flags & TD_BODY_DISABLED) || (!f->sensors && shape->flags & TD_SHAPE_SENSOR) ||
+        (f->ignore.index1 == (uint32_t)shape->body.at + 1 &&
+         f->ignore.generation == td_tag(w, body->generation))) {
+        return false;
+    }
+    if (f->group != 0 && f->group == shape->filter.group) {
+        return f->group > 0;
+    }
+    return (shape->filter.category & f->mask) && (shape->filter.mask & f->category);
 }
 
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape) {

@@ -34,6 +34,11 @@ thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_sha
                                   double dx, double dy, const thud_query_filter *filter,
                                   thud_ray_hit *out, int capacity, int *count);
 
+/* From a shape to a point, which is the origin; query_closest.c. */
+void td_query_measure(const thud_world *w, int shape, td_position origin, thud_closest *out);
+thud_closest_hit td_query_closest_hit(const thud_world *w, int shape, thud_pos point,
+                                      const thud_closest *c);
+
 /* Appends every terrain. */
 bool td_query_list_terrains(thud_world *w);
 

@@ -1,174 +1,25 @@
 /* query_cast.c: what a point or a shape meets along a straight way. */
-#include "api/query.h"
+#include "casts/path.h"
 
-#include "state/body.h"
 #include "state/handles.h"
-#include "state/shape.h"
-#include "terrain/terrain.h"
-
-typedef struct path path;
-
-/* Whether the point or the shape meets one of the world's shapes. Each path brings its own test, so
- * that a program that casts rays alone links no other. */
-typedef bool meet_fn(const thud_world *w, int index, const path *way, thud_ray_hit *out);
-
-struct path {
-    meet_fn *meets;
-    thud_pos origin;
-    td_position from; /* the same */
-    double dx, dy;
-    const thud_shape_instance *shape; /* about the origin; null: a point */
-    const thud_query_filter *filter;
-    bool sensors; /* nothing else */
-};
-
-/* The nearest hits so far, in order. */
-typedef struct kept {
-    thud_ray_hit *hits;
-    int capacity, count; /* count: of all */
-} kept;
-
-static bool before(const thud_ray_hit *a, const thud_ray_hit *b) {
-    return a->fraction < b->fraction ||
-           (a->fraction == b->fraction && a->shape.index1 < b->shape.index1);
-}
-
-static void keep(kept *k, const thud_ray_hit *hit) {
-    int at = td_min_int(k->count++, k->capacity);
-    if (at == k->capacity && (at == 0 || !before(hit, &k->hits[--at]))) {
-        return;
-    }
-    for (; at > 0 && before(hit, &k->hits[at - 1]); at--) {
-        k->hits[at] = k->hits[at - 1];
-    }
-    k->hits[at] = *hit;
-}
-
-/* ---- one shape ---- */
-
-static bool point_meets(const thud_world *w, int index, const path *way, thud_ray_hit *out) {
-    thud_shape_instance shape = td_query_instance(w, index, way->from);
-    double nx = 0.0, ny = 0.0;
-    bool hit;
-    if (td_kind_is_line(shape.kind)) {
-        thud_terrain terrain = td_terrain_view(w, index);
-        hit = thud_terrain_cast_ray(&terrain, -shape.x, -shape.y, way->dx, way->dy, &out->fraction,
-                                    &nx, &ny);
-    } else {
-        hit = thud_shape_cast_ray(&shape, 0.0, 0.0, way->dx, way->dy, &out->fraction, &nx, &ny);
-    }
-    out->point = (thud_pos){way->origin.x + out->fraction * way->dx,
-                            way->origin.y + out->fraction * way->dy};
-    out->normal = (thud_vec2){(float)nx, (float)ny};
-    out->depth = 0.0;
-    return hit;
-}
-
-/* How far back from where shapes meet their features are looked at, in sizes of the moving one:
- * where they touch exactly, the way from one to the other has no direction. */
-#define LOOK_BACK 1e-7
-
-static thud_pos gone(const path *way, double fraction) {
-    double length = __builtin_sqrt(way->dx * way->dx + way->dy * way->dy);
-    double before = length > 0.0 ? fraction - LOOK_BACK * td_reach(way->shape) / length : 0.0;
-    before = before > 0.0 ? before : 0.0;
-    return (thud_pos){before * way->dx, before * way->dy};
-}
-
-/* When the moving shape meets `still`, and the closest features then, from `still`. */
-static bool meets_solid(const thud_shape_instance *still, const path *way, double *fraction,
-                        thud_closest *c) {
-    thud_shape_instance moving = *way->shape;
-    td_closest(still, &moving, c);
-    if (c->distance <= 0.0) {
-        *fraction = 0.0;
-        return true;
-    }
-    bool hit;
-    td_time_of_impact(&moving, (thud_motion){way->dx, way->dy, 0.0}, still, (thud_motion){0}, 0.0,
-                      &hit, fraction);
-    if (hit) {
-        thud_pos moved = gone(way, *fraction);
-        moving.x += moved.x;
-        moving.y += moved.y;
-        td_closest(still, &moving, c);
-    }
-    return hit;
-}
-
-/* The same for ground whose origin is at (x, y). */
-static bool meets_ground(const thud_terrain *terrain, double x, double y, const path *way,
-                         double *fraction, thud_closest *c) {
-    thud_shape_instance moving = *way->shape;
-    moving.x -= x;
-    moving.y -= y;
-    bool hit;
-    thud_result result =
-        thud_terrain_time_of_impact(terrain, &moving, (thud_motion){way->dx, way->dy, 0.0}, 0.0,
-                                    &hit, fraction);
-    if (result != THUD_OK || !hit) {
-        return false;
-    }
-    thud_pos moved = gone(way, *fraction);
-    td_terrain_closest(terrain, &moving, moved, c);
-    c->ax += way->shape->x + moved.x;
-    c->ay += way->shape->y + moved.y;
-    return true;
-}
-
-static bool shape_meets(const thud_world *w, int index, const path *way, thud_ray_hit *out) {
-    thud_shape_instance shape = td_query_instance(w, index, way->from);
-    thud_closest c;
-    if (td_kind_is_line(shape.kind)) {
-        thud_terrain terrain = td_terrain_view(w, index);
-        if (!meets_ground(&terrain, shape.x, shape.y, way, &out->fraction, &c)) {
-            return false;
-        }
-    } else if (!meets_solid(&shape, way, &out->fraction, &c)) {
-        return false;
-    }
-    out->point = (thud_pos){way->origin.x + c.ax, way->origin.y + c.ay};
-    out->normal = (thud_vec2){(float)c.nx, (float)c.ny};
-    out->depth = out->fraction == 0.0 && c.distance < 0.0 ? -c.distance : 0.0;
-    return true;
-}
 
 /* ---- all that come into question ---- */
 
 /* Keeps what is met among the candidates at a fraction in (after, until]. */
-static void keep_met(const thud_world *w, const path *way, double after, double until, kept *k) {
+static void keep_met(const thud_world *w, const td_path *way, double after, double until,
+                     td_nearest *k) {
     for (int i = 0; i < w->scratch.hits.count; i++) {
         int index = td_int_at(&w->scratch.hits, i);
         thud_ray_hit hit;
-        if (td_query_passes(w, index, way->filter) &&
-            (!way->sensors || td_shape_at(w, index)->flags & TD_SHAPE_SENSOR) &&
-            way->meets(w, index, way, &hit) && hit.fraction > after && hit.fraction <= until) {
+        if (td_path_meets(w, index, way, &hit) && hit.fraction > after && hit.fraction <= until) {
             hit.shape = td_shape_handle(w, index);
-            keep(k, &hit);
+            td_nearest_keep(k, &hit);
         }
     }
 }
 
-/* The bounding box of a piece of the way. */
-static bool list_piece(thud_world *w, const path *way, double from, double to) {
-    thud_pos lower = way->origin, upper = way->origin;
-    if (way->shape) {
-        td_query_bounds(way->origin, way->shape, &lower, &upper);
-    }
-    double x0 = from * way->dx, x1 = to * way->dx, y0 = from * way->dy, y1 = to * way->dy;
-    lower.x += x0 < x1 ? x0 : x1;
-    lower.y += y0 < y1 ? y0 : y1;
-    upper.x += x0 < x1 ? x1 : x0;
-    upper.y += y0 < y1 ? y1 : y0;
-    return td_query_list(w, lower, upper);
-}
-
-/* A long way is gone piece by piece, since the bounding box of a slanting one is nearly all off the
- * way: pieces grow while they meet few candidates, and shrink while they meet many. A hit counts in
- * the piece in which it lies. `first`: the nearest hit is enough. */
-enum { FEW = 8, MANY = 32, MOST_PIECES = 256 };
-
-static bool cast(thud_world *w, const path *way, bool first, kept *k) {
+/* `first`: the nearest hit is enough. */
+static bool cast(thud_world *w, const td_path *way, bool first, td_nearest *k) {
     if (!td_query_prepare(w)) {
         return false;
     }
@@ -177,34 +28,27 @@ static bool cast(thud_world *w, const path *way, bool first, kept *k) {
         return false;
     }
     keep_met(w, way, -1.0, 1.0, k);
-    double length = __builtin_sqrt(way->dx * way->dx + way->dy * way->dy);
-    double piece = length > 8.0 * (double)w->unit ? 8.0 * (double)w->unit / length : 1.0;
-    double least = 1.0 / MOST_PIECES;
+    double piece = td_piece_first(w, way);
     for (double done = -1.0; done < 1.0;) {
-        double from = done > 0.0 ? done : 0.0, to = from + td_max_double(piece, least);
-        to = to < 1.0 ? to : 1.0;
-        if (!list_piece(w, way, from, to)) {
+        double from = done > 0.0 ? done : 0.0, to = td_piece_end(from, piece);
+        thud_pos lower, upper;
+        td_piece_bounds(way, from, to, &lower, &upper);
+        if (!td_query_list(w, lower, upper)) {
             return false;
         }
         keep_met(w, way, done, to, k);
         if (first && k->count && k->hits[0].fraction <= to) {
             break;
         }
-        int met = w->scratch.hits.count;
-        piece = met < FEW ? 2.0 * piece : met > MANY ? 0.5 * piece : piece;
+        piece = td_piece_next(piece, w->scratch.hits.count);
         done = to;
     }
     return true;
 }
 
-static bool way_in_range(const thud_world *w, const path *way) {
-    return td_place_valid(w, way->origin.x, way->origin.y) &&
-           td_place_valid(w, way->origin.x + way->dx, way->origin.y + way->dy);
-}
-
-static thud_result cast_first(thud_world *w, path *way, bool *hit, thud_ray_hit *out) {
+static thud_result cast_first(thud_world *w, td_path *way, bool *hit, thud_ray_hit *out) {
     thud_ray_hit nearest;
-    kept k = {&nearest, 1, 0};
+    td_nearest k = {&nearest, 1, 0};
     way->from = td_place_from(w, way->origin);
     if (!cast(w, way, true, &k)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");
@@ -218,8 +62,9 @@ static thud_result cast_first(thud_world *w, path *way, bool *hit, thud_ray_hit 
     return THUD_OK;
 }
 
-static thud_result cast_all(thud_world *w, path *way, thud_ray_hit *out, int capacity, int *count) {
-    kept k = {out, capacity, 0};
+static thud_result cast_all(thud_world *w, td_path *way, thud_ray_hit *out, int capacity,
+                            int *count) {
+    td_nearest k = {out, capacity, 0};
     way->from = td_place_from(w, way->origin);
     if (!cast(w, way, false, &k)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");
@@ -232,20 +77,20 @@ static thud_result cast_all(thud_world *w, path *way, thud_ray_hit *out, int cap
 
 /* ---- what callers ask ---- */
 
-static thud_result check_ray(const thud_world *w, const path *way) {
+static thud_result check_ray(const thud_world *w, const td_path *way) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    return way_in_range(w, way)
+    return td_path_in_range(w, way)
                ? THUD_OK
                : td_refuse(w, THUD_ERROR_INVALID, "cast ray: not finite or out of range");
 }
 
-static thud_result check_shape(const thud_world *w, const path *way) {
+static thud_result check_shape(const thud_world *w, const td_path *way) {
     if (!w || !way->shape) {
         return td_refuse(w, THUD_ERROR_NULL, "cast: world or shape is null");
     }
-    if (td_query_check(w, way->origin, way->shape) != THUD_OK || !way_in_range(w, way)) {
+    if (td_query_check(w, way->origin, way->shape) != THUD_OK || !td_path_in_range(w, way)) {
         return td_refuse(w, THUD_ERROR_INVALID, "cast: the shape or its way is invalid");
     }
     return THUD_OK;
@@ -262,7 +107,7 @@ static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int 
 thud_result thud_world_cast_ray(thud_world *w, thud_pos origin, double dx, double dy,
                                 const thud_query_filter *filter, bool *hit, thud_ray_hit *out) {
     TD_IN_OWN_MODE;
-    path way = {point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
+    td_path way = {td_point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
     thud_result result = check_ray(w, &way);
     return result != THUD_OK ? result : cast_first(w, &way, hit, out);
 }
@@ -271,7 +116,7 @@ thud_result thud_world_cast_ray_all(thud_world *w, thud_pos origin, double dx, d
                                     const thud_query_filter *filter, thud_ray_hit *out,
                                     int capacity, int *count) {
     TD_IN_OWN_MODE;
-    path way = {point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
+    td_path way = {td_point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
     thud_result result = check_ray(w, &way);
     result = result != THUD_OK ? result : check_room(w, out, capacity);
     return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
@@ -281,7 +126,7 @@ thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_sha
                                   double dx, double dy, const thud_query_filter *filter, bool *hit,
                                   thud_ray_hit *out) {
     TD_IN_OWN_MODE;
-    path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
+    td_path way = {td_shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
     thud_result result = check_shape(w, &way);
     return result != THUD_OK ? result : cast_first(w, &way, hit, out);
 }
@@ -289,8 +134,8 @@ thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_sha
 thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_shape_instance *shape,
                                   double dx, double dy, const thud_query_filter *filter,
                                   thud_ray_hit *out, int capacity, int *count) {
-    path way = {shape_meets,    center,           .dx = dx,       .dy = dy,
-                .shape = shape, .filter = filter, .sensors = true};
+    td_path way = {td_shape_meets, center,           .dx = dx,       .dy = dy,
+                   .shape = shape, .filter = filter, .sensors = true};
     thud_result result = check_shape(w, &way);
     return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
 }
@@ -300,7 +145,7 @@ thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center,
                                       const thud_query_filter *filter, thud_ray_hit *out,
                                       int capacity, int *count) {
     TD_IN_OWN_MODE;
-    path way = {shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
+    td_path way = {td_shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
     thud_result result = check_shape(w, &way);
     result = result != THUD_OK ? result : check_room(w, out, capacity);
     return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);

@@ -6,8 +6,7 @@
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
-/* From the shape to the point, which is the origin. */
-static void measure(const thud_world *w, int index, td_position origin, thud_closest *out) {
+void td_query_measure(const thud_world *w, int index, td_position origin, thud_closest *out) {
     thud_shape_instance shape = td_query_instance(w, index, origin);
     thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0};
     if (!td_kind_is_line(shape.kind)) {
@@ -16,6 +15,15 @@ static void measure(const thud_world *w, int index, td_position origin, thud_clo
     }
     thud_terrain terrain = td_terrain_view(w, index);
     td_terrain_closest(&terrain, &point, (thud_pos){-shape.x, -shape.y}, out);
+}
+
+thud_closest_hit td_query_closest_hit(const thud_world *w, int index, thud_pos point,
+                                      const thud_closest *c) {
+    return (
+        thud_closest_hit){.shape = td_shape_handle(w, index),
+                          .point = {point.x - c->nx * c->distance, point.y - c->ny * c->distance},
+                          .normal = {(float)c->nx, (float)c->ny},
+                          .distance = c->distance};
 }
 
 /* Keeps the nearest of the candidates; *nearest is its slot. */
@@ -27,7 +35,7 @@ static void keep_nearest(const thud_world *w, td_position at, const thud_query_f
             continue;
         }
         thud_closest found;
-        measure(w, index, at, &found);
+        td_query_measure(w, index, at, &found);
         if (found.distance < best->distance ||
             (found.distance == best->distance && index < *nearest)) {
             *best = found;
@@ -71,11 +79,7 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
         *found = any;
     }
     if (out && any) {
-        *out = (thud_closest_hit){.shape = td_shape_handle(w, nearest),
-                                  .point = {point.x - best.nx * best.distance,
-                                            point.y - best.ny * best.distance},
-                                  .normal = {(float)best.nx, (float)best.ny},
-                                  .distance = best.distance};
+        *out = td_query_closest_hit(w, nearest, point, &best);
     }
     return THUD_OK;
 }

@@ -1,0 +1,127 @@
+/* many.c: many casts at once, shared among workers. Each cast is done by one of them, who writes
+ * nothing but its hit and the candidates in a room of his own. */
+#include "casts/walk.h"
+
+#include "state/handles.h"
+#include "state/jobs.h"
+#include "thud/thud_casts.h"
+
+/* Fewer casts than this are done before another thread has woken. */
+enum { WORTH_SHARING = 64, CHUNK = 16 };
+
+typedef struct batch batch;
+
+struct batch {
+    const thud_world *world;
+    td_path (*path_of)(const batch *b, int i);
+    const void *casts;
+    thud_ray_hit *hits;
+    int count;
+    int *rooms, room_size; /* of each worker */
+    td_job job;
+};
+
+typedef struct hand {
+    const batch *b;
+    int *room;
+} hand;
+
+static td_path ray_path(const batch *b, int i) {
+    const thud_ray *ray = (const thud_ray *)b->casts + i;
+    return (td_path){td_point_meets, ray->origin, td_place_from(b->world, ray->origin),
+                     ray->dx,        ray->dy,     NULL,
+                     ray->filter,    false};
+}
+
+static td_path shape_path(const batch *b, int i) {
+    const thud_shape_cast *cast = (const thud_shape_cast *)b->casts + i;
+    return (td_path){td_shape_meets, cast->center, td_place_from(b->world, cast->center),
+                     cast->dx,       cast->dy,     cast->shape,
+                     cast->filter,   false};
+}
+
+static void cast_chunk(void *work, int chunk) {
+    const hand *h = work;
+    const batch *b = h->b;
+    int end = td_min_int((chunk + 1) * CHUNK, b->count);
+    for (int i = chunk * CHUNK; i < end; i++) {
+        td_path way = b->path_of(b, i);
+        td_nearest k = {&b->hits[i], 1, 0};
+        td_walk walk = td_walk_begin(b->world, &way, h->room, b->room_size);
+        td_walk_next(&walk, 2.0, &k);
+        if (k.count == 0) {
+            thud_pos end_of_way = {way.origin.x + way.dx, way.origin.y + way.dy};
+            b->hits[i] = (thud_ray_hit){.point = end_of_way, .fraction = 1.0};
+        }
+    }
+}
+
+static void cast_chunks(void *argument) {
+    batch *b = argument;
+    td_worker worker = td_worker_arrive(&b->job);
+    hand h = {b, b->rooms + (size_t)worker.index * (size_t)b->room_size};
+    td_worker_walk(&worker, (b->count + CHUNK - 1) / CHUNK, cast_chunk, &h);
+}
+
+static thud_result cast_all(thud_world *w, batch *b) {
+    atomic_int counters[1 + THUD_WORKERS_MAX] = {0};
+    int workers = w->def.job_system.workers;
+    bool shared = workers > 1 && b->count >= WORTH_SHARING && !w->locked;
+    b->job = (td_job){.counters = shared ? counters : NULL, .workers = shared ? workers : 1};
+    b->room_size = td_walk_room(w);
+    if (!td_query_prepare(w) ||
+        !td_array_reserve(&w->memory, &w->scratch.hits, b->room_size * b->job.workers)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "casts: out of memory");
+    }
+    b->rooms = w->scratch.hits.data;
+    td_job_run(w, &b->job, cast_chunks, b);
+    return THUD_OK;
+}
+
+/* ---- what callers ask ---- */
+
+static thud_result check_lists(const batch *b) {
+    if (b->count < 0) {
+        return td_refuse(b->world, THUD_ERROR_INVALID, "casts: their count is negative");
+    }
+    return b->count == 0 || (b->casts && b->hits)
+               ? THUD_OK
+               : td_refuse(b->world, THUD_ERROR_NULL, "casts: there are none, or no room for hits");
+}
+
+thud_result thud_world_cast_rays(thud_world *w, const thud_ray *rays, int count,
+                                 thud_ray_hit *hits) {
+    TD_IN_OWN_MODE;
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    batch b = {w, ray_path, rays, hits, .count = count};
+    thud_result result = check_lists(&b);
+    for (int i = 0; i < count && result == THUD_OK; i++) {
+        td_path way = {.origin = rays[i].origin, .dx = rays[i].dx, .dy = rays[i].dy};
+        if (!td_path_in_range(w, &way)) {
+            result = td_refuse(w, THUD_ERROR_INVALID, "cast rays: not finite or out of range");
+        }
+    }
+    return result != THUD_OK ? result : cast_all(w, &b);
+}
+
+thud_result thud_world_cast_shapes(thud_world *w, const thud_shape_cast *casts, int count,
+                                   thud_ray_hit *hits) {
+    TD_IN_OWN_MODE;
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    batch b = {w, shape_path, casts, hits, .count = count};
+    thud_result result = check_lists(&b);
+    for (int i = 0; i < count && result == THUD_OK; i++) {
+        td_path way = {.origin = casts[i].center, .dx = casts[i].dx, .dy = casts[i].dy};
+        if (!casts[i].shape) {
+            result = td_refuse(w, THUD_ERROR_NULL, "cast shapes: a shape is null");
+        } else if (td_query_check(w, way.origin, casts[i].shape) != THUD_OK ||
+                   !td_path_in_range(w, &way)) {
+            result = td_refuse(w, THUD_ERROR_INVALID, "cast shapes: a shape or way is invalid");
+        }
+    }
+    return result != THUD_OK ? result : cast_all(w, &b);
+}

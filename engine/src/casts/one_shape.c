@@ -1,0 +1,136 @@
+/* one_shape.c: asking one shape where it is. */
+#include "casts/path.h"
+
+#include "api/step.h"
+#include "state/handles.h"
+#include "state/shape.h"
+#include "thud/thud_casts.h"
+
+/* The slot of a shape that has a place, or will have once the edits made so far are in effect. */
+static thud_result find(const thud_world *w, thud_shape_id id, int *index) {
+    thud_result result = td_find_shape(w, id, index);
+    if (result == THUD_OK && w->locked && td_shape_at(w, *index)->flags & TD_SHAPE_WAITS) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "this shape was made inside the callback");
+    }
+    return result;
+}
+
+/* Applies the edits made so far; inside a callback the step is seen as it stands. */
+static thud_result prepare(thud_world *w) {
+    return w->locked || td_changes_apply(w)
+               ? THUD_OK
+               : td_refuse(w, THUD_ERROR_MEMORY, "asking a shape: out of memory");
+}
+
+/* As `find`, for a place that is asked about. */
+static thud_result find_about(const thud_world *w, thud_shape_id id, thud_pos place, int *index) {
+    thud_result result = find(w, id, index);
+    return result != THUD_OK || td_place_valid(w, place.x, place.y)
+               ? result
+               : td_refuse(w, THUD_ERROR_INVALID, "asking a shape: the place is out of range");
+}
+
+thud_result thud_shape_meets_ray(thud_world *w, thud_shape_id id, thud_pos origin, double dx,
+                                 double dy, bool *hit, thud_ray_hit *out) {
+    TD_IN_OWN_MODE;
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    int index;
+    td_path way = {.origin = origin, .dx = dx, .dy = dy};
+    thud_result result = find(w, id, &index);
+    if (result == THUD_OK && !td_path_in_range(w, &way)) {
+        result = td_refuse(w, THUD_ERROR_INVALID, "shape meets ray: not finite or out of range");
+    }
+    result = result != THUD_OK ? result : prepare(w);
+    if (result != THUD_OK) {
+        return result;
+    }
+    thud_ray_hit met = {.shape = id};
+    way.from = td_place_from(w, origin);
+    bool any = td_point_meets(w, index, &way, &met);
+    if (hit) {
+        *hit = any;
+    }
+    if (out && any) {
+        *out = met;
+    }
+    return THUD_OK;
+}
+
+thud_result thud_shape_contains_point(thud_world *w, thud_shape_id id, thud_pos point,
+                                      bool *inside) {
+    TD_IN_OWN_MODE;
+    int index;
+    if (!w || !inside) {
+        return td_refuse(w, THUD_ERROR_NULL, "shape contains point: world or inside is null");
+    }
+    thud_result result = find_about(w, id, point, &index);
+    result = result != THUD_OK ? result : prepare(w);
+    if (result == THUD_OK) {
+        thud_closest c;
+        td_query_measure(w, index, td_place_from(w, point), &c);
+        *inside = c.distance <= 0.0;
+    }
+    return result;
+}
+
+thud_result thud_shape_closest_point(thud_world *w, thud_shape_id id, thud_pos point,
+                                     thud_closest_hit *out) {
+    TD_IN_OWN_MODE;
+    int index;
+    if (!w || !out) {
+        return td_refuse(w, THUD_ERROR_NULL, "shape's closest point: world or out is null");
+    }
+    thud_result result = find_about(w, id, point, &index);
+    result = result != THUD_OK ? result : prepare(w);
+    if (result == THUD_OK) {
+        thud_closest c;
+        td_query_measure(w, index, td_place_from(w, point), &c);
+        *out = td_query_closest_hit(w, index, point, &c);
+    }
+    return result;
+}
+
+/* Around the points of a line, relative to its origin. */
+static void line_bounds(const thud_terrain *line, thud_pos *lower, thud_pos *upper) {
+    *lower = (thud_pos){1e300, 1e300};
+    *upper = (thud_pos){-1e300, -1e300};
+    for (int i = 0; i < line->count; i++) {
+        bool uniform = line->kind == THUD_TERRAIN_UNIFORM;
+        double x = uniform ? line->x0 + i * line->spacing : line->points[i].x;
+        double y = line->points[i].y;
+        *lower = (thud_pos){x < lower->x ? x : lower->x, y < lower->y ? y : lower->y};
+        *upper = (thud_pos){x > upper->x ? x : upper->x, y > upper->y ? y : upper->y};
+    }
+}
+
+thud_result thud_shape_bounds(thud_world *w, thud_shape_id id, thud_pos *lower, thud_pos *upper) {
+    TD_IN_OWN_MODE;
+    int index;
+    if (!w || !lower || !upper) {
+        return td_refuse(w, THUD_ERROR_NULL, "shape bounds: world, lower or upper is null");
+    }
+    thud_result result = find(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    bool line = td_kind_is_line(td_shape_at(w, index)->kind);
+    if (line && td_terrain_view(w, index).kind == THUD_TERRAIN_FLAT) {
+        return td_refuse(w, THUD_ERROR_INVALID, "shape bounds: a line without end");
+    }
+    result = prepare(w);
+    if (result != THUD_OK) {
+        return result;
+    }
+    thud_shape_instance shape = td_query_instance(w, index, (td_position){0, 0});
+    if (line) {
+        thud_terrain terrain = td_terrain_view(w, index);
+        line_bounds(&terrain, lower, upper);
+        *lower = (thud_pos){shape.x + lower->x, shape.y + lower->y};
+        *upper = (thud_pos){shape.x + upper->x, shape.y + upper->y};
+    } else {
+        td_query_bounds((thud_pos){0.0, 0.0}, &shape, lower, upper);
+    }
+    return THUD_OK;
+}

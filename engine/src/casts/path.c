@@ -1,0 +1,106 @@
+/* path.c: what a point or a shape meets of one shape along a straight way. */
+#include "casts/path.h"
+
+#include "state/handles.h"
+#include "state/shape.h"
+#include "terrain/terrain.h"
+
+void td_nearest_keep(td_nearest *k, const thud_ray_hit *hit) {
+    int at = td_min_int(k->count++, k->capacity);
+    if (at == k->capacity && (at == 0 || !td_hit_before(hit, &k->hits[--at]))) {
+        return;
+    }
+    for (; at > 0 && td_hit_before(hit, &k->hits[at - 1]); at--) {
+        k->hits[at] = k->hits[at - 1];
+    }
+    k->hits[at] = *hit;
+}
+
+/* ---- one shape ---- */
+
+bool td_point_meets(const thud_world *w, int index, const td_path *way, thud_ray_hit *out) {
+    thud_shape_instance shape = td_query_instance(w, index, way->from);
+    double nx = 0.0, ny = 0.0;
+    bool hit;
+    if (td_kind_is_line(shape.kind)) {
+        thud_terrain terrain = td_terrain_view(w, index);
+        hit = thud_terrain_cast_ray(&terrain, -shape.x, -shape.y, way->dx, way->dy, &out->fraction,
+                                    &nx, &ny);
+    } else {
+        hit = thud_shape_cast_ray(&shape, 0.0, 0.0, way->dx, way->dy, &out->fraction, &nx, &ny);
+    }
+    out->point = (thud_pos){way->origin.x + out->fraction * way->dx,
+                            way->origin.y + out->fraction * way->dy};
+    out->normal = (thud_vec2){(float)nx, (float)ny};
+    out->depth = 0.0;
+    return hit;
+}
+
+/* How far back from where shapes meet their features are looked at, in sizes of the moving one:
+ * where they touch exactly, the way from one to the other has no direction. */
+#define LOOK_BACK 1e-7
+
+static thud_pos gone(const td_path *way, double fraction) {
+    double length = __builtin_sqrt(way->dx * way->dx + way->dy * way->dy);
+    double before = length > 0.0 ? fraction - LOOK_BACK * td_reach(way->shape) / length : 0.0;
+    before = before > 0.0 ? before : 0.0;
+    return (thud_pos){before * way->dx, before * way->dy};
+}
+
+/* When the moving shape meets `still`, and the closest features then, from `still`. */
+static bool meets_solid(const thud_shape_instance *still, const td_path *way, double *fraction,
+                        thud_closest *c) {
+    thud_shape_instance moving = *way->shape;
+    td_closest(still, &moving, c);
+    if (c->distance <= 0.0) {
+        *fraction = 0.0;
+        return true;
+    }
+    bool hit;
+    td_time_of_impact(&moving, (thud_motion){way->dx, way->dy, 0.0}, still, (thud_motion){0}, 0.0,
+                      &hit, fraction);
+    if (hit) {
+        thud_pos moved = gone(way, *fraction);
+        moving.x += moved.x;
+        moving.y += moved.y;
+        td_closest(still, &moving, c);
+    }
+    return hit;
+}
+
+/* The same for ground whose origin is at (x, y). */
+static bool meets_ground(const thud_terrain *terrain, double x, double y, const td_path *way,
+                         double *fraction, thud_closest *c) {
+    thud_shape_instance moving = *way->shape;
+    moving.x -= x;
+    moving.y -= y;
+    bool hit;
+    thud_result result =
+        thud_terrain_time_of_impact(terrain, &moving, (thud_motion){way->dx, way->dy, 0.0}, 0.0,
+                                    &hit, fraction);
+    if (result != THUD_OK || !hit) {
+        return false;
+    }
+    thud_pos moved = gone(way, *fraction);
+    td_terrain_closest(terrain, &moving, moved, c);
+    c->ax += way->shape->x + moved.x;
+    c->ay += way->shape->y + moved.y;
+    return true;
+}
+
+bool td_shape_meets(const thud_world *w, int index, const td_path *way, thud_ray_hit *out) {
+    thud_shape_instance shape = td_query_instance(w, index, way->from);
+    thud_closest c;
+    if (td_kind_is_line(shape.kind)) {
+        thud_terrain terrain = td_terrain_view(w, index);
+        if (!meets_ground(&terrain, shape.x, shape.y, way, &out->fraction, &c)) {
+            return false;
+        }
+    } else if (!meets_solid(&shape, way, &out->fraction, &c)) {
+        return false;
+    }
+    out->point = (thud_pos){way->origin.x + c.ax, way->origin.y + c.ay};
+    out->normal = (thud_vec2){(float)c.nx, (float)c.ny};
+    out->depth = out->fraction == 0.0 && c.distance < 0.0 ? -c.distance : 0.0;
+    return true;
+}
