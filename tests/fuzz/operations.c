@@ -99,6 +99,13 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(moved),
     PLAYS(sensed),
     PLAYS(sides),
+    PLAYS(ray_each),
+    PLAYS(cast_each),
+    PLAYS(rays),
+    PLAYS(casts),
+    PLAYS(meets_ray),
+    PLAYS(shape_point),
+    PLAYS(shape_bounds),
 };
 
 void session_play(fuzz_session *s) {

@@ -1,7 +1,7 @@
 /* operations_queries.c: asking a world what is where. */
 #include "operations.h"
 
-enum { ROOM = 4 };
+enum { ROOM = 4, MANY = 80 };
 
 typedef struct way {
     thud_pos from;
@@ -16,7 +16,8 @@ static thud_query_filter query_filter(fuzz_session *s, unsigned byte) {
     filter.sensors = byte & 1;
     filter.mask = byte & 2 ? byte : filter.mask;
     filter.category = byte & 4 ? 1 : filter.category;
-    (void)s;
+    filter.group = byte & 32 ? (int32_t)(byte >> 6) - 2 : 0;
+    filter.ignore = byte & 64 ? s->now.bodies[byte % SESSION_BODIES] : filter.ignore;
     return filter;
 }
 
@@ -192,5 +193,119 @@ void play_closest(fuzz_session *s) {
     note_number(s, out.distance);
     if (!(out.distance <= most) || !COUNTED(thud_shape_is_valid(s->world, out.shape))) {
         fuzz_fail(s, "the closest shape, %u, is at %g", out.shape.index1, out.distance);
+    }
+}
+
+/* ---- hit by hit, and many at once ---- */
+
+void play_ray_each(fuzz_session *s) {
+    way w = pick_way(s);
+    TRY(s, thud_world_cast_ray_each(s->world, w.from, w.dx, w.dy, FILTER(w), session_cast, s));
+}
+
+void play_cast_each(fuzz_session *s) {
+    way w = pick_way(s);
+    thud_shape_instance shape = pick_instance(s, true);
+    TRY(s, thud_world_cast_shape_each(s->world, w.from, &shape, w.dx, w.dy, FILTER(w), session_cast,
+                                      s));
+}
+
+static void check_many(fuzz_session *s, const thud_ray_hit *hits, int count) {
+    if (s->result != THUD_OK) {
+        call_untouched(s, hits, (size_t)(count > 0 ? count : 0) * sizeof *hits);
+        return;
+    }
+    for (int i = 0; i < count; i++) {
+        if (hits[i].shape.index1) {
+            check_hit(s, &hits[i]);
+        } else if (hits[i].fraction != 1) {
+            fuzz_fail(s, "cast %d meets nothing at %g", i, hits[i].fraction);
+        }
+    }
+}
+
+static int pick_many(fuzz_session *s) {
+    int count = next_count(&s->bytes, MANY);
+    return count > MANY ? 0 : count;
+}
+
+/* A fan of rays. */
+void play_rays(fuzz_session *s) {
+    way w = pick_way(s);
+    int count = pick_many(s);
+    thud_ray rays[MANY];
+    thud_ray_hit hits[MANY];
+    for (int i = 0; i < MANY; i++) {
+        double part = 0.125 * (i % 17 - 8);
+        rays[i] = (thud_ray){w.from, w.dx * part, w.dy * (1 - part), FILTER(w)};
+    }
+    memset(hits, CALL_FILL, sizeof hits);
+    TRY(s, thud_world_cast_rays(s->world, rays, count, hits));
+    check_many(s, hits, count);
+}
+
+void play_casts(fuzz_session *s) {
+    way w = pick_way(s);
+    int count = pick_many(s);
+    thud_shape_instance shapes[2] = {pick_instance(s, true), pick_instance(s, true)};
+    thud_shape_cast casts[MANY];
+    thud_ray_hit hits[MANY];
+    for (int i = 0; i < MANY; i++) {
+        double part = 0.125 * (i % 17 - 8);
+        casts[i] =
+            (thud_shape_cast){w.from, &shapes[i % 2], w.dx * part, w.dy * (1 - part), FILTER(w)};
+    }
+    memset(hits, CALL_FILL, sizeof hits);
+    TRY(s, thud_world_cast_shapes(s->world, casts, count, hits));
+    check_many(s, hits, count);
+}
+
+/* ---- one shape ---- */
+
+void play_meets_ray(fuzz_session *s) {
+    thud_shape_id shape = pick_shape(s);
+    way w = pick_way(s);
+    thud_ray_hit out;
+    bool hit = false;
+    memset(&out, CALL_FILL, sizeof out);
+    TRY(s, thud_shape_meets_ray(s->world, shape, w.from, w.dx, w.dy, &hit, &out));
+    check_first(s, hit, &out);
+}
+
+void play_shape_point(fuzz_session *s) {
+    thud_shape_id shape = pick_shape(s);
+    thud_pos at = pick_place(s);
+    bool inside = false;
+    thud_closest_hit out;
+    memset(&out, CALL_FILL, sizeof out);
+    TRY(s, thud_shape_contains_point(s->world, shape, at, &inside));
+    note_bits(s, inside);
+    TRY(s, thud_shape_closest_point(s->world, shape, at, &out));
+    if (s->result != THUD_OK) {
+        call_untouched(s, &out, sizeof out);
+        return;
+    }
+    note_place(s, out.point);
+    note_vector(s, out.normal);
+    note_number(s, out.distance);
+    if (inside != (out.distance <= 0)) {
+        fuzz_fail(s, "a point is %s at the distance %g", inside ? "inside" : "outside",
+                  out.distance);
+    }
+}
+
+void play_shape_bounds(fuzz_session *s) {
+    thud_shape_id shape = pick_shape(s);
+    thud_pos box[2];
+    memset(box, CALL_FILL, sizeof box);
+    TRY(s, thud_shape_bounds(s->world, shape, &box[0], &box[1]));
+    if (s->result != THUD_OK) {
+        call_untouched(s, box, sizeof box);
+        return;
+    }
+    note_place(s, box[0]);
+    note_place(s, box[1]);
+    if (!(box[0].x < box[1].x && box[0].y <= box[1].y)) {
+        fuzz_fail(s, "bounds from %g %g to %g %g", box[0].x, box[0].y, box[1].x, box[1].y);
     }
 }

@@ -70,6 +70,19 @@ bool session_overlap(thud_shape_id shape, void *context) {
     return dice(s) % 16 != 3;
 }
 
+double session_cast(const thud_ray_hit *hit, void *context) {
+    fuzz_session *s = context;
+    note_bits(s, hit->shape.index1);
+    note_number(s, hit->fraction);
+    if (!thud_shape_is_valid(s->world, hit->shape)) {
+        fuzz_fail(s, "a cast meets shape %u, which is gone", hit->shape.index1);
+    }
+    session_ask(s);
+    const double answers[] = {THUD_CAST_ON, THUD_CAST_IGNORE, hit->fraction, 0.75, THUD_CAST_END};
+    unsigned byte = dice(s);
+    return byte == 255 && s->bytes.hostile ? NAN : answers[byte % 16 < 5 ? byte % 16 : 0];
+}
+
 bool session_pass(const thud_mover *mover, const thud_mover_hit *hit, thud_vec2 velocity,
                   void *context) {
     fuzz_session *s = context;

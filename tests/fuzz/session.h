@@ -6,6 +6,7 @@
 #include "decoder.h"
 
 #include <thud/thud.h>
+#include <thud/thud_casts.h>
 #include <thud/thud_joint.h>
 #include <thud/thud_lists.h>
 #include <thud/thud_minkowski.h>
@@ -129,6 +130,7 @@ void session_populate(fuzz_session *s, int kind);
 thud_prologue_fn session_prologue;
 thud_epilogue_fn session_epilogue;
 thud_overlap_fn session_overlap;
+thud_cast_fn session_cast;
 thud_mover_pass_fn session_pass;
 /* Plays something of the table within a callback, now and then. */
 void session_ask(fuzz_session *s);

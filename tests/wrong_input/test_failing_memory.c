@@ -5,6 +5,7 @@
 
 #include "hostile_memory.h"
 
+#include <thud/thud_casts.h>
 #include <thud/thud_draw.h>
 
 typedef struct call {
@@ -139,6 +140,33 @@ static thud_result volume(village *v) {
     return thud_body_volume(v->world, v->box, THUD_OBB, (thud_pos){0, 0}, &around);
 }
 
+static double look_again(const thud_ray_hit *hit, void *context) {
+    village *v = context;
+    bool any = false;
+    thud_result result = thud_world_cast_ray(v->world, hit->point, 0, -9, NULL, &any, NULL);
+    if (result != THUD_OK) {
+        v->told = 0; /* it has memory next time, or never asks again */
+    }
+    return THUD_CAST_ON;
+}
+
+static thud_result cast_each(village *v) {
+    return thud_world_cast_ray_each(v->world, (thud_pos){-60, 20}, 120, 1, NULL, look_again, v);
+}
+
+static thud_result cast_rays(village *v) {
+    const thud_ray rays[2] = {{{-20, 0.5}, 60, 0, NULL}, {{-60, 20}, 60, 0, NULL}};
+    thud_ray_hit hits[2] = {{.fraction = 9}};
+    thud_result result = thud_world_cast_rays(v->world, rays, 2, hits);
+    assert_true(result == THUD_OK || hits[0].fraction == 9);
+    return result;
+}
+
+static thud_result bounds(village *v) {
+    thud_pos lower, upper;
+    return thud_shape_bounds(v->world, v->box_shape, &lower, &upper);
+}
+
 static thud_result poses(village *v) {
     int count;
     return thud_world_poses(v->world, (thud_pos){0, 0}, 1, &count) ? THUD_OK : THUD_ERROR_MEMORY;
@@ -170,6 +198,9 @@ static const call calls[] = {
     {"overlap", overlap, 1},
     {"closest", closest, 1},
     {"volume", volume, 1},
+    {"cast ray, each", cast_each, 1},
+    {"cast rays", cast_rays, 1},
+    {"bounds", bounds, 1},
     {"poses", poses, 1},
     {"draw", draw, 1},
     {"walk", walk, 3},
