@@ -10,8 +10,8 @@ typedef void thud_task_fn(void *argument);
 /* Calls task(argument) `workers` times, each on a thread of its own if it can, one of them the
  * calling thread, and returns when all calls have returned. Calls share the work among themselves
  * and never wait for one that has not begun, so that fewer threads make a step slower, not wrong.
- * It is called once or twice a step, from inside thud_world_step, once by the casts that are many at
- * once (thud_casts.h), and never while an earlier call is under way. */
+ * It is called once or twice a step, from inside thud_world_step, and once by calls for many casts
+ * (thud_casts.h), and never while an earlier call is under way. */
 typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, void *context);
 
 typedef struct thud_job_system {
