@@ -79,7 +79,8 @@ class Session {
   }
 
   filter() {
-    return this.pick([{}, { sensors: true }, { mask: 1, category: this.below(9) }]);
+    const some = [{ sensors: true }, { mask: 1, category: this.below(9) }, { group: this.below(5) - 2 }];
+    return this.pick([{}, ...some, { ignore: this.body() }]);
   }
 
   /** Now and then one that nobody knows. */

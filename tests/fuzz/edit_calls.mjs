@@ -46,5 +46,10 @@ export const EDIT_CALLS = {
   bodyAtSlot: (s) => s.world.bodyAtSlot(s.number(-2, 50)),
   shapeAtSlot: (s) => s.world.shapeAtSlot(s.number(-2, 50)),
   overlapsOf: (s) => s.world.overlapsOf(s.shape()),
+  castRays: (s) => s.world.castRays([...s.place(), ...s.vector(), ...s.place(), ...s.vector()], s.filter()),
+  castRayAt: (s) => s.world.castRayAt(s.shape(), s.place(), s.vector()),
+  containsPoint: (s) => s.world.containsPoint(s.shape(), s.place()),
+  closestPointOf: (s) => s.world.closestPointOf(s.shape(), s.place()),
+  boundsOf: (s) => s.world.boundsOf(s.shape()),
   pairOf: (s) => s.world.pairOf({ a: s.shape(), b: s.shape() }),
 };

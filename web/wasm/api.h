@@ -39,6 +39,8 @@ uint32_t api_to_u32(double value);
  * not-a-number, which every call of thud refuses. */
 void api_sincos(double angle, double *s, double *c);
 
+thud_query_filter api_filter(const struct filter_options *options);
+
 /* A query's or mover's shape about the origin. */
 thud_shape_instance api_placed(int kind, double hx, double hy, double angle);
 

@@ -23,7 +23,9 @@ void api_mover_defaults(int kind, double hx, double hy, double angle) {
         .step_height = mover.step_height,
         .snap_distance = mover.snap_distance,
         .push_force = mover.push_force,
-        .filter = {mover.filter.category, mover.filter.mask, mover.filter.sensors},
+        .filter = {.category = mover.filter.category,
+                   .mask = mover.filter.mask,
+                   .sensors = mover.filter.sensors},
     };
 }
 
@@ -44,8 +46,7 @@ api_mover *api_mover_create(int kind, double x, double y, double hx, double hy, 
     made->mover.step_height = s->step_height;
     made->mover.snap_distance = s->snap_distance;
     made->mover.push_force = s->push_force;
-    made->mover.filter = (thud_query_filter){api_to_u32(s->filter.category),
-                                             api_to_u32(s->filter.mask), s->filter.sensors != 0.0};
+    made->mover.filter = api_filter(&s->filter);
     made->mover.body = api_body(body_index1, body_generation);
     made->mover.pass = thud_mover_passes_one_way;
     made->mover.context = &made->one_way;

@@ -1,13 +1,26 @@
 /* api_query.c: what is where in a world: rays, casts, overlaps, the closest shape. A query's
- * own shape is its kind, half extents (a circle's radius is the first) and angle. */
+ * own shape is its kind, half extents (a circle's radius is the first) and angle; its filter stands
+ * in the slots, filter_options. */
 #include "api.h"
+
+#include <thud/thud_casts.h>
 
 enum { ROOM = 64 };
 
 static api_buffer found, hits, rows;
 
-static thud_query_filter query_filter(double category, double mask, int sensors) {
-    return (thud_query_filter){api_to_u32(category), api_to_u32(mask), sensors != 0};
+thud_query_filter api_filter(const struct filter_options *s) {
+    return (thud_query_filter){.category = api_to_u32(s->category),
+                               .mask = api_to_u32(s->mask),
+                               .sensors = s->sensors != 0.0,
+                               .group = api_to_int(s->group),
+                               .ignore = {api_to_u32(s->ignore.index1),
+                                          api_to_u32(s->ignore.generation)}};
+}
+
+/* Of the query that is asked now. */
+static thud_query_filter filter_now(void) {
+    return api_filter(&api_slots.filter_options);
 }
 
 thud_shape_instance api_placed(int kind, double hx, double hy, double angle) {
@@ -37,9 +50,8 @@ static struct ray_hit row_of(const thud_ray_hit *hit) {
 /* ---- rays and casts ---- */
 
 /* Slots out: first_hit. */
-int api_cast_ray(thud_world *world, double x, double y, double dx, double dy, double category,
-                 double mask, int sensors) {
-    thud_query_filter filter = query_filter(category, mask, sensors);
+int api_cast_ray(thud_world *world, double x, double y, double dx, double dy) {
+    thud_query_filter filter = filter_now();
     bool hit = false;
     thud_ray_hit ray = {0};
     thud_result result = thud_world_cast_ray(world, (thud_pos){x, y}, dx, dy, &filter, &hit, &ray);
@@ -49,8 +61,8 @@ int api_cast_ray(thud_world *world, double x, double y, double dx, double dy, do
 
 /* Slots out: first_hit. */
 int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
-                   double angle, double dx, double dy, double category, double mask, int sensors) {
-    thud_query_filter filter = query_filter(category, mask, sensors);
+                   double angle, double dx, double dy) {
+    thud_query_filter filter = filter_now();
     thud_shape_instance shape = api_placed(kind, hx, hy, angle);
     bool hit = false;
     thud_ray_hit met = {0};
@@ -62,8 +74,8 @@ int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, d
 
 /* Every hit of a ray (kind -1) or a shape, nearest first. Slots out: list of ray_hit. */
 int api_cast_all(thud_world *world, int kind, double x, double y, double hx, double hy,
-                 double angle, double dx, double dy, double category, double mask, int sensors) {
-    thud_query_filter filter = query_filter(category, mask, sensors);
+                 double angle, double dx, double dy) {
+    thud_query_filter filter = filter_now();
     thud_shape_instance shape = api_placed(kind, hx, hy, angle);
     static const thud_ray_hit none = {0};
     int count = ROOM, room = 0;
@@ -92,23 +104,49 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
     return api_buffer_result(&rows);
 }
 
+/* The first hit of each ray, four doubles each: origin and way. All have one filter. Slots out:
+ * list of ray_hit, of which those of no shape met nothing. */
+int api_cast_rays(thud_world *world, const double *numbers, int count) {
+    thud_query_filter filter = filter_now();
+    api_buffer_clear(&found);
+    api_buffer_clear(&hits);
+    api_buffer_clear(&rows);
+    for (int i = 0; i < count; i++) {
+        const double *n = numbers + 4 * i;
+        thud_ray ray = {{n[0], n[1]}, n[2], n[3], &filter};
+        api_buffer_push(&found, &ray, sizeof ray);
+        api_buffer_push(&hits, &(thud_ray_hit){0}, sizeof(thud_ray_hit));
+    }
+    if (found.failed || hits.failed)
+        return THUD_ERROR_MEMORY;
+    thud_result result =
+        thud_world_cast_rays(world, (const thud_ray *)found.data, count, (thud_ray_hit *)hits.data);
+    for (int i = 0; i < count && result == THUD_OK; i++) {
+        struct ray_hit row = row_of((const thud_ray_hit *)hits.data + i);
+        api_buffer_push(&rows, &row, sizeof row);
+    }
+    api_slots.list.address = (double)(uintptr_t)rows.data;
+    api_slots.list.count = count;
+    return result != THUD_OK ? result : api_buffer_result(&rows);
+}
+
+static void tell_closest(bool any, const thud_closest_hit *hit) {
+    api_slots.closest_hit =
+        (struct closest_hit){.found = any,
+                             .shape = {hit->shape.index1, hit->shape.generation},
+                             .point = {hit->point.x, hit->point.y},
+                             .normal = {hit->normal.x, hit->normal.y},
+                             .distance = hit->distance};
+}
+
 /* Slots out: closest_hit. */
-int api_closest(thud_world *world, double x, double y, double max_distance, double category,
-                double mask, int sensors) {
-    thud_query_filter filter = query_filter(category, mask, sensors);
+int api_closest(thud_world *world, double x, double y, double max_distance) {
+    thud_query_filter filter = filter_now();
     bool any = false;
     thud_closest_hit hit = {0};
     thud_result result =
         thud_world_closest(world, (thud_pos){x, y}, max_distance, &filter, &any, &hit);
-    struct closest_hit *s = &api_slots.closest_hit;
-    s->found = any;
-    s->shape[0] = hit.shape.index1;
-    s->shape[1] = hit.shape.generation;
-    s->point[0] = hit.point.x;
-    s->point[1] = hit.point.y;
-    s->normal[0] = hit.normal.x;
-    s->normal[1] = hit.normal.y;
-    s->distance = hit.distance;
+    tell_closest(any, &hit);
     return result;
 }
 
@@ -128,8 +166,8 @@ static int collected(thud_result result) {
 
 /* Slots out: list of handles. */
 int api_overlap_aabb(thud_world *world, double lower_x, double lower_y, double upper_x,
-                     double upper_y, double category, double mask, int sensors) {
-    thud_query_filter filter = query_filter(category, mask, sensors);
+                     double upper_y) {
+    thud_query_filter filter = filter_now();
     api_buffer_clear(&found);
     return collected(thud_world_overlap_aabb(world, (thud_pos){lower_x, lower_y},
                                              (thud_pos){upper_x, upper_y}, &filter, collect,
@@ -138,10 +176,51 @@ int api_overlap_aabb(thud_world *world, double lower_x, double lower_y, double u
 
 /* The same for a circle, AABB or OBB with its centre at (x, y). */
 int api_overlap_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
-                      double angle, double category, double mask, int sensors) {
-    thud_query_filter filter = query_filter(category, mask, sensors);
+                      double angle) {
+    thud_query_filter filter = filter_now();
     thud_shape_instance shape = api_placed(kind, hx, hy, angle);
     api_buffer_clear(&found);
     return collected(
         thud_world_overlap_shape(world, (thud_pos){x, y}, &shape, &filter, collect, &found));
+}
+
+/* ---- one shape, whatever its filter ---- */
+
+/* Slots out: first_hit. */
+int api_shape_meets_ray(thud_world *world, uint32_t index1, uint32_t generation, double x, double y,
+                        double dx, double dy) {
+    bool hit = false;
+    thud_ray_hit ray = {0};
+    thud_result result = thud_shape_meets_ray(world, api_shape(index1, generation),
+                                              (thud_pos){x, y}, dx, dy, &hit, &ray);
+    api_slots.first_hit = (struct first_hit){hit, row_of(&ray)};
+    return result;
+}
+
+/* Slots out: number. */
+int api_shape_contains_point(thud_world *world, uint32_t index1, uint32_t generation, double x,
+                             double y) {
+    bool inside = false;
+    thud_result result =
+        thud_shape_contains_point(world, api_shape(index1, generation), (thud_pos){x, y}, &inside);
+    api_slots.number.value = inside;
+    return result;
+}
+
+/* Slots out: closest_hit. */
+int api_shape_closest_point(thud_world *world, uint32_t index1, uint32_t generation, double x,
+                            double y) {
+    thud_closest_hit hit = {0};
+    thud_result result =
+        thud_shape_closest_point(world, api_shape(index1, generation), (thud_pos){x, y}, &hit);
+    tell_closest(true, &hit);
+    return result;
+}
+
+/* Slots out: bounds. */
+int api_shape_bounds(thud_world *world, uint32_t index1, uint32_t generation) {
+    thud_pos lower = {0}, upper = {0};
+    thud_result result = thud_shape_bounds(world, api_shape(index1, generation), &lower, &upper);
+    api_slots.bounds = (struct bounds){{lower.x, lower.y}, {upper.x, upper.y}};
+    return result;
 }

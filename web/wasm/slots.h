@@ -25,8 +25,10 @@ struct handle {
     double index1, generation;
 };
 
+/* `ignore` is a body. */
 struct filter_options {
-    double category, mask, sensors;
+    double category, mask, sensors, group;
+    struct handle ignore;
 };
 
 /* What of a quality is another: 0, and -1 for the last two, takes the quality's own. Islands: 0 the
@@ -122,6 +124,10 @@ struct motion {
 
 struct pair {
     struct pair_side a, b;
+};
+
+struct bounds {
+    double lower[2], upper[2];
 };
 
 struct number {
@@ -314,6 +320,8 @@ union api_slots {
     struct rotation rotation;
     struct motion motion;
     struct pair pair;
+    struct bounds bounds;
+    struct filter_options filter_options;
     struct number number;
     struct step_settings step_settings;
     struct shape_options shape_options;

@@ -7,7 +7,6 @@
  */
 import { ThudError } from "./error.js";
 import {
-  FILTER_OPTIONS,
   HandleAt,
   ListAt,
   MOVER_OPTIONS,
@@ -19,6 +18,7 @@ import {
 import {
   bodyAt,
   fill,
+  filterNumbers,
   numbersOf,
   rowsOf,
   shapeAt,
@@ -57,7 +57,7 @@ export class Mover {
     const [kind, hx, hy, angle] = solidNumbers(options.shape);
     const { filter = {}, body } = options;
     const numbers = numbersOf("mover", options, MOVER_OPTIONS, OTHERS);
-    const filtered = numbersOf("filter", filter, FILTER_OPTIONS);
+    const filtered = filterNumbers(filter);
     exports.api_mover_defaults(kind, hx, hy, angle);
     fill(slots, numbers);
     fill(slots, filtered, MoverOptionsAt.filter);

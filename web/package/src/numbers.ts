@@ -139,9 +139,13 @@ export function userData(value: number | undefined): number | undefined {
   return value;
 }
 
-export function filterNumbers(filter: QueryFilter): [number, number, number] {
-  const [category, mask, sensors = 0] = numbersOf("filter", filter, FILTER_OPTIONS);
-  return [category ?? 0xffffffff, mask ?? 0xffffffff, sensors];
+/** In the order of filter_options. */
+export function filterNumbers(filter: QueryFilter): number[] {
+  const numbers = numbersOf("filter", filter, FILTER_OPTIONS, ["ignore"]);
+  const [category = 0xffffffff, mask = 0xffffffff, sensors = 0, group = 0] = numbers;
+  const { ignore } = filter;
+  const handle = ignore ? [ignore.index + 1, ignore.generation] : [0, 0];
+  return [category, mask, sensors, group, ...handle];
 }
 
 interface ViewClass<T> {

@@ -9,6 +9,16 @@ export interface QueryFilter {
   mask?: number;
   /** Find sensors too. Default false. */
   sensors?: boolean;
+  /** Shapes of the same group are found always (above 0) or never (below). Default 0, no group. */
+  group?: number;
+  /** A body none of whose shapes is found: the one that asks, say. */
+  ignore?: BodyId;
+}
+
+/** The least box around a shape, in the world. */
+export interface Bounds {
+  lower: Vec2;
+  upper: Vec2;
 }
 
 export interface RayHit {

@@ -1,7 +1,16 @@
 /** What a world is asked about places: rays, casts, the closest shape, overlaps. */
-import { ClosestHitAt, FirstHitAt, ListAt, RayHitAt } from "./generated/slots.js";
+import type { Engine } from "./engine.js";
+import {
+  BoundsAt,
+  ClosestHitAt,
+  FirstHitAt,
+  ListAt,
+  NumberAt,
+  RayHitAt,
+} from "./generated/slots.js";
 import { checkNames } from "./names.js";
 import {
+  fill,
   filterNumbers,
   rowsOf,
   shapeAt,
@@ -9,7 +18,14 @@ import {
   solidNumbers,
   vecAt,
 } from "./numbers.js";
-import type { ClosestHit, OverlapQuery, QueryFilter, RayHit, SolidShape } from "./query-types.js";
+import type {
+  Bounds,
+  ClosestHit,
+  OverlapQuery,
+  QueryFilter,
+  RayHit,
+  SolidShape,
+} from "./query-types.js";
 import type { ShapeId, Vec2 } from "./types.js";
 import { WorldBase } from "./world-base.js";
 
@@ -19,18 +35,11 @@ export class WorldQueries extends WorldBase {
    * @example world.castRay([0, 10], [0, -20])
    */
   castRay(origin: Vec2, translation: Vec2, filter: QueryFilter = {}): RayHit | null {
-    const { engine } = this;
-    engine.check(
-      engine.exports.api_cast_ray(
-        this.address,
-        origin[0],
-        origin[1],
-        translation[0],
-        translation[1],
-        ...filterNumbers(filter),
-      ),
+    const { exports } = this.#asked(filter);
+    this.engine.check(
+      exports.api_cast_ray(this.address, origin[0], origin[1], translation[0], translation[1]),
     );
-    return readFirst(engine.slots);
+    return readFirst(this.engine.slots);
   }
 
   /** Every shape along the ray, the nearest first. */
@@ -45,21 +54,12 @@ export class WorldQueries extends WorldBase {
     translation: Vec2,
     filter: QueryFilter = {},
   ): RayHit | null {
-    const { engine } = this;
     const [kind, hx, hy, angle] = solidNumbers(shape);
-    engine.check(
-      engine.exports.api_cast_shape(
-        this.address,
-        kind,
-        ...center,
-        hx,
-        hy,
-        angle,
-        ...translation,
-        ...filterNumbers(filter),
-      ),
+    const { exports } = this.#asked(filter);
+    this.engine.check(
+      exports.api_cast_shape(this.address, kind, ...center, hx, hy, angle, ...translation),
     );
-    return readFirst(engine.slots);
+    return readFirst(this.engine.slots);
   }
 
   /** Every shape that a circle, AABB or OBB meets on its way, the nearest first. */
@@ -74,18 +74,10 @@ export class WorldQueries extends WorldBase {
 
   /** The shape closest to a point, if one is no further than `maxDistance`, or null. */
   closest(point: Vec2, maxDistance: number, filter: QueryFilter = {}): ClosestHit | null {
-    const { engine } = this;
-    engine.check(
-      engine.exports.api_closest(this.address, ...point, maxDistance, ...filterNumbers(filter)),
-    );
-    const s = engine.slots;
-    if (s[ClosestHitAt.found] === 0) return null;
-    return {
-      shape: shapeAt(s, ClosestHitAt.shape),
-      point: vecAt(s, ClosestHitAt.point),
-      normal: vecAt(s, ClosestHitAt.normal),
-      distance: s[ClosestHitAt.distance],
-    };
+    const { exports } = this.#asked(filter);
+    this.engine.check(exports.api_closest(this.address, ...point, maxDistance));
+    const s = this.engine.slots;
+    return s[ClosestHitAt.found] === 0 ? null : readClosest(s);
   }
 
   /**
@@ -94,28 +86,74 @@ export class WorldQueries extends WorldBase {
    */
   overlap(query: OverlapQuery, filter: QueryFilter = {}): ShapeId[] {
     const { engine } = this;
-    const last = filterNumbers(filter);
+    const { exports } = this.#asked(filter);
     if (query.kind === "bounds") {
       const { lower, upper } = query;
       checkNames("bounds", query, ["kind", "lower", "upper"]);
-      engine.check(
-        engine.exports.api_overlap_aabb(this.address, ...lower, ...upper, ...last),
-      );
+      engine.check(exports.api_overlap_aabb(this.address, ...lower, ...upper));
     } else {
       const [kind, hx, hy, angle] = solidNumbers(query, ["center"]);
-      engine.check(
-        engine.exports.api_overlap_shape(
-          this.address,
-          kind,
-          ...query.center,
-          hx,
-          hy,
-          angle,
-          ...last,
-        ),
-      );
+      engine.check(exports.api_overlap_shape(this.address, kind, ...query.center, hx, hy, angle));
     }
     return this.shapeIds();
+  }
+
+  /**
+   * The first hit of each of many rays, or null: four numbers a ray, its origin and its way. One call
+   * for all of them; each hit is the one that `castRay` has.
+   * @example world.castRays([0, 10, 0, -20, 5, 10, 0, -20])
+   */
+  castRays(rays: ArrayLike<number>, filter: QueryFilter = {}): (RayHit | null)[] {
+    const { engine } = this;
+    const { exports } = this.#asked(filter);
+    const count = Math.floor(rays.length / 4);
+    engine.withDoubles(
+      4 * count,
+      (doubles) => {
+        for (let i = 0; i < doubles.length; i++) doubles[i] = rays[i];
+      },
+      (address) => engine.check(exports.api_cast_rays(this.address, address, count)),
+    );
+    const { buffer, slots } = engine;
+    const read = (rows: Float64Array, at: number) =>
+      rows[at + RayHitAt.shape] === 0 ? null : readHit(rows, at);
+    return rowsOf(Float64Array, buffer, slots, ListAt.address, RayHitAt.length, read);
+  }
+
+  // ---- one shape, whatever its filter ----
+
+  /** Where a ray first meets this shape, or null. */
+  castRayAt(shape: ShapeId, origin: Vec2, translation: Vec2): RayHit | null {
+    this.onShape("api_shape_meets_ray", shape, ...origin, ...translation);
+    return readFirst(this.engine.slots);
+  }
+
+  /**
+   * Whether a point is in a shape, or on its edge; below a terrain's line it is.
+   * @example if (world.containsPoint(shape, [x, y])) pick(shape)
+   */
+  containsPoint(shape: ShapeId, point: Vec2): boolean {
+    this.onShape("api_shape_contains_point", shape, ...point);
+    return this.engine.slots[NumberAt.value] !== 0;
+  }
+
+  /** The closest point of a shape's surface, however far. */
+  closestPointOf(shape: ShapeId, point: Vec2): ClosestHit {
+    this.onShape("api_shape_closest_point", shape, ...point);
+    return readClosest(this.engine.slots);
+  }
+
+  /** The least box around a shape as it stands; a flat terrain has none. */
+  boundsOf(shape: ShapeId): Bounds {
+    this.onShape("api_shape_bounds", shape);
+    const s = this.engine.slots;
+    return { lower: vecAt(s, BoundsAt.lower), upper: vecAt(s, BoundsAt.upper) };
+  }
+
+  /** The engine, with what a query finds in its slots. */
+  #asked(filter: QueryFilter): Engine {
+    fill(this.engine.slots, filterNumbers(filter));
+    return this.engine;
   }
 
   #castAll(
@@ -125,13 +163,20 @@ export class WorldQueries extends WorldBase {
     filter: QueryFilter,
   ): RayHit[] {
     const { engine } = this;
-    const last = filterNumbers(filter);
-    engine.check(
-      engine.exports.api_cast_all(this.address, kind, x, y, hx, hy, angle, dx, dy, ...last),
-    );
+    const { exports } = this.#asked(filter);
+    engine.check(exports.api_cast_all(this.address, kind, x, y, hx, hy, angle, dx, dy));
     const { buffer, slots } = engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, RayHitAt.length, readHit);
   }
+}
+
+function readClosest(s: Float64Array): ClosestHit {
+  return {
+    shape: shapeAt(s, ClosestHitAt.shape),
+    point: vecAt(s, ClosestHitAt.point),
+    normal: vecAt(s, ClosestHitAt.normal),
+    distance: s[ClosestHitAt.distance],
+  };
 }
 
 function readFirst(slots: Float64Array): RayHit | null {
