@@ -113,12 +113,18 @@ static void push_all(td_move *m) {
     }
 }
 
+/* However short a time is, velocities stay numbers. */
+static float lead_speed(const td_move *m, double way) {
+    double speed = way / m->dt, most = 1e30;
+    return (float)(speed > most ? most : speed < -most ? -most : speed);
+}
+
 /* The body is where the mover is at the end of the next step. */
 static thud_result lead_body(const td_move *m) {
     thud_body_state body;
     thud_result result = thud_body_get(m->world, m->mover.body, &body);
-    thud_vec2 velocity = {(float)((m->mover.shape.x - body.position.x) / m->dt),
-                          (float)((m->mover.shape.y - body.position.y) / m->dt)};
+    thud_vec2 velocity = {lead_speed(m, m->mover.shape.x - body.position.x),
+                          lead_speed(m, m->mover.shape.y - body.position.y)};
     return result != THUD_OK ? result
                              : thud_body_set_velocity(m->world, m->mover.body, velocity, 0.0f);
 }

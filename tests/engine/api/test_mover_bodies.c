@@ -122,10 +122,27 @@ static void random_moves_in_a_level_never_enter_anything(void **state) {
     scene_free(&s);
 }
 
+static void body_follows_in_the_shortest_of_times_by_a_speed_that_is_a_number(void **state) {
+    (void)state;
+    thud_world *world = make_world(weightless());
+    add_floor(world, NULL);
+    thud_body_id crate = add_box(world, 1, 0.52, 0.5f, 0.5f);
+    thud_mover mover = box_mover(0, 0.6);
+    mover.push_force = 1e9;
+    mover.body = add_body(world, THUD_KINEMATIC, 5, 0.6, 0);
+    OK(thud_mover_move(world, &mover, (thud_vec2){3e38f, 0}, 1e-39, NULL));
+    near_to((double)state_of(world, mover.body).velocity.x, -1e30, 1e24);
+    assert_true(state_of(world, crate).velocity.x > 0);
+    run(world, 1);
+    assert_true(isfinite(state_of(world, mover.body).position.x));
+    thud_world_destroy(world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dynamic_body_is_pushed_by_a_bounded_impulse_if_asked),
         cmocka_unit_test(kinematic_body_follows_and_dynamic_bodies_meet_it),
+        cmocka_unit_test(body_follows_in_the_shortest_of_times_by_a_speed_that_is_a_number),
         cmocka_unit_test(mover_pressed_by_a_moving_wall_is_pushed_out_and_told_where_it_cannot_be),
         cmocka_unit_test(random_moves_in_a_level_never_enter_anything),
     };
