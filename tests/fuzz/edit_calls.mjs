@@ -51,5 +51,11 @@ export const EDIT_CALLS = {
   containsPoint: (s) => s.world.containsPoint(s.shape(), s.place()),
   closestPointOf: (s) => s.world.closestPointOf(s.shape(), s.place()),
   boundsOf: (s) => s.world.boundsOf(s.shape()),
+  eventViews: (s) => {
+    s.world.eventViews();
+  },
+  contactView: (s) => {
+    s.world.contactView(s.body());
+  },
   pairOf: (s) => s.world.pairOf({ a: s.shape(), b: s.shape() }),
 };

@@ -78,7 +78,7 @@ function membersOf(checker, type, of) {
     symbol.flags & ts.SymbolFlags.Method &&
     symbol.parent.name === of &&
     !(ts.getCombinedModifierFlags(symbol.valueDeclaration) & hidden) &&
-    !ts.isPrivateIdentifier(symbol.valueDeclaration.name);
+    ts.isIdentifier(symbol.valueDeclaration.name);
   const members = checker.getPropertiesOfType(type).filter((symbol) => !of || isCalled(symbol));
   return members.map((symbol) => {
     const meaning = meaningOf(checker, symbol);

@@ -98,3 +98,34 @@ test("pair_of_an_event_has_bodies_and_both_user_data", () => {
   assert.equal(world.pairOf(event).b, null);
   assert.deepEqual(event.a, ground);
 });
+
+test("views_of_events_and_contacts_have_what_the_copies_have", () => {
+  const { world, floor, bodies } = balls(3, { hitSpeed: 0.1 });
+  const options = { halfWidth: 9, halfHeight: 3, offset: [1, 3.1], sensor: true };
+  world.createAabb(floor, options);
+  for (const body of bodies) world.setVelocity(body, [0, -3]);
+  world.step();
+  const events = world.events();
+  const handle = (rows, at) => [rows[at] - 1, rows[at + 1]];
+  const pairs = (rows) =>
+    Array.from({ length: rows.length / 4 }, (_, i) => [handle(rows, 4 * i), handle(rows, 4 * i + 2)]);
+  const told = (list) => list.map(({ a, b }) => [a, b].map((id) => [id.index, id.generation]));
+  const views = world.eventViews();
+  assert.ok(events.begin.length === 3 && events.sensorBegin.length === 3 && events.hit.length === 3);
+  for (const name of ["begin", "end", "sensorBegin", "sensorEnd"])
+    assert.deepEqual(pairs(views[name]), told(events[name]), name);
+  const { HIT_ROW, CONTACT_ROW } = thud;
+  assert.equal(views.hit.length, 3 * HIT_ROW.length);
+  for (const [i, { point, normal, speed }] of events.hit.entries()) {
+    const row = views.hit.subarray(i * HIT_ROW.length);
+    assert.deepEqual([...row.subarray(HIT_ROW.point, HIT_ROW.speed + 1)], [...point, ...normal, speed]);
+  }
+  const [contact] = world.contactsOf(bodies[1]);
+  const view = world.contactView(bodies[1]);
+  assert.equal(view.length, CONTACT_ROW.length);
+  assert.deepEqual([...view.subarray(CONTACT_ROW.normal, CONTACT_ROW.normal + 2)], contact.normal);
+  assert.equal(view[CONTACT_ROW.pointCount], contact.points.length);
+  assert.deepEqual(handle(view, CONTACT_ROW.bodyB), [bodies[1].index, bodies[1].generation]);
+  const [x, y, separation] = view.subarray(CONTACT_ROW.points);
+  assert.deepEqual([x, y, separation], [...contact.points[0].point, contact.points[0].separation]);
+});

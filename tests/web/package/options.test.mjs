@@ -120,3 +120,24 @@ test("options_of_an_object_with_inherited_ones_are_read", () => {
   const shape = world.createCircle(ground, new Ball());
   assert.equal(world.shapeState(shape).radius, 0.5);
 });
+
+test("body_is_made_with_its_shapes_or_not_at_all", () => {
+  const world = engine.createWorld();
+  const body = world.createBody({
+    kind: "dynamic",
+    shapes: [
+      { kind: "circle", radius: 0.5, density: 2 },
+      { kind: "obb", halfWidth: 1, halfHeight: 0.25, offset: [0, 1], angle: 0.5 },
+      { kind: "aabb", halfWidth: 1, halfHeight: 1, offset: [3, 0] },
+    ],
+  });
+  const shapes = world.shapesOf(body).map((shape) => world.shapeState(shape));
+  assert.deepEqual(shapes.map(({ kind }) => kind).sort(), ["aabb", "circle", "obb"]);
+  assert.equal(shapes.find(({ kind }) => kind === "circle").density, 2);
+  const before = [world.bodies(), world.shapes()];
+  const make = (shape) => () => world.createBody({ shapes: [{ kind: "circle", radius: 1 }, shape] });
+  assert.throws(make({ kind: "circle", radius: -1 }), { code: "invalid" });
+  assert.throws(make({ kind: "aabb", halfwidth: 1 }), /halfwidth/);
+  assert.throws(make({ kind: "terrain" }), /kind is circle, aabb or obb/);
+  assert.deepEqual([world.bodies(), world.shapes()], before);
+});

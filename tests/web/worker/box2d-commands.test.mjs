@@ -222,6 +222,24 @@ test("what_scene_code_does_to_a_body_is_done_to_the_rival_once", () => {
   });
 });
 
+test("pushes_at_points_and_turns_are_done_to_the_rival_too", () => {
+  const build = (world) => addBall(world, [0, 0]);
+  withRival({ gravity: [0, 0] }, build, (world, rival, ball, known) => {
+    known.forwardTo(rival);
+    const { mass, inertia } = world.bodyState(ball);
+    world.applyCenterImpulse(ball, [2 * mass, mass]);
+    world.applyAngularImpulse(ball, 3 * inertia);
+    assert.deepEqual(rival.bodyState(ball).velocity.map(Math.round), [2, 1]);
+    near(rival.bodyState(ball).angularVelocity, 3, 1e-4);
+    world.setVelocity(ball, [0, 0], 0);
+    world.applyForceAt(ball, [0, 60 * mass], [0.5, 0]);
+    step(world, rival, 1);
+    const [thuds, rivals] = [world, rival].map((hands) => hands.bodyState(ball));
+    near(rivals.velocity[1], 1, 1e-3);
+    near(rivals.angularVelocity, thuds.angularVelocity, 1e-2);
+  });
+});
+
 test("character_pushes_the_rivals_box_as_it_pushes_thuds", () => {
   withRival({ gravity: [0, 0] }, (world) => addBox(world, [1, 0.2]), (world, rival, box, known) => {
     // Without a body of its own: all that moves the box is the push.

@@ -167,6 +167,11 @@ export class Mover {
     this.#world.engine.exports.api_mover_destroy(this.address);
     this.#address = 0;
   }
+
+  /** Closes it, if it is not closed; for `using`. */
+  [Symbol.dispose](): void {
+    if (this.#address !== 0) this.close();
+  }
 }
 
 function readHit(rows: Float64Array, at: number): MoverHit {

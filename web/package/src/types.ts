@@ -154,6 +154,11 @@ export interface BodyOptions {
   maySleep?: boolean;
   /** How its motion is tested. Default: as the world. */
   detection?: Detection;
+  /**
+   * Its shapes, which may be made and destroyed later, too. Default none.
+   * @example shapes: [{ kind: "circle", radius: 0.5 }]
+   */
+  shapes?: readonly SolidOptions[];
   /** For your own use: a whole number from 0 to 2⁵³ - 1. */
   userData?: number;
 }
@@ -246,6 +251,12 @@ export interface ObbOptions extends Omit<BoxOptions, "kind"> {
   /** How far it is turned in the body's frame, radians. Default 0. */
   angle?: number;
 }
+
+/** A circle or a box, by its kind. */
+export type SolidOptions =
+  | (CircleOptions & { kind: "circle" })
+  | (BoxOptions & { kind: "aabb" })
+  | (ObbOptions & { kind: "obb" });
 
 /**
  * A ground line, one-sided: solid below. Coordinates are relative to the body's origin; the points

@@ -1,4 +1,5 @@
 /** What is read of a whole world: events, statistics, errors, drawing. Units as in types.ts. */
+import { ContactPointAt, ContactRowAt, HitEventAt } from "./generated/slots.js";
 import type { BodyId, QualityOptions, ShapeId, Vec2 } from "./types.js";
 
 /** Two shapes that began or ceased to touch; after an end either may be gone. */
@@ -45,6 +46,49 @@ export interface Events {
   /** Bodies that were frozen because they became non-finite. */
   quarantined: BodyId[];
 }
+
+/**
+ * Events as they lie in wasm memory, valid until the next call. Handles are two numbers, index1 (one
+ * above the slot) and generation; HIT_ROW has the places in a row of `hit`.
+ */
+export interface EventViews {
+  /** Four numbers a pair: two handles. */
+  readonly begin: Uint32Array;
+  readonly end: Uint32Array;
+  readonly sensorBegin: Uint32Array;
+  readonly sensorEnd: Uint32Array;
+  readonly hit: Float64Array;
+  /** Two numbers a body. */
+  readonly quarantined: Uint32Array;
+}
+
+/** Where in a row of EventViews.hit its numbers begin; a row has `length` of them. */
+export const HIT_ROW = {
+  shapeA: HitEventAt.shapeA,
+  shapeB: HitEventAt.shapeB,
+  point: HitEventAt.point,
+  normal: HitEventAt.normal,
+  speed: HitEventAt.speed,
+  length: HitEventAt.length,
+} as const;
+
+/**
+ * Where in a row of `World.contactView` its numbers begin; a row has `length` of them. Of `points`
+ * there are two, `pointLength` numbers each: place, separation, impulse along the normal.
+ */
+export const CONTACT_ROW = {
+  shapeA: ContactRowAt.shapeA,
+  shapeB: ContactRowAt.shapeB,
+  bodyA: ContactRowAt.bodyA,
+  bodyB: ContactRowAt.bodyB,
+  normal: ContactRowAt.normal,
+  pointCount: ContactRowAt.pointCount,
+  tangentImpulse: ContactRowAt.tangentImpulse,
+  direct: ContactRowAt.direct,
+  points: ContactRowAt.points,
+  pointLength: ContactPointAt.length,
+  length: ContactRowAt.length,
+} as const;
 
 /** By which the next step is made. */
 export interface StepSettings {

@@ -1,10 +1,19 @@
 /** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
+/// <reference lib="esnext.disposable" preserve="true" />
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import { AdvanceAt, HandleAt, ListAt, WORLD_OPTIONS, WorldOptionsAt } from "./generated/slots.js";
 import { fill, numbersOf, qualityNumbers, rowsOf, shapeAt } from "./numbers.js";
 import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
 import type { BodyId, Quality, QualityOptions, ShapeId, Vec2, WorldOptions } from "./types.js";
+
+/** Tells, once each, of worlds that were forgotten and never closed. */
+const forgotten =
+  typeof FinalizationRegistry === "function"
+    ? new FinalizationRegistry<null>(() =>
+        console.warn("thud: a world was forgotten that was never closed; its memory stays taken"),
+      )
+    : null;
 
 /** As far out as a body can be, in length scales; a little less, for rounding. */
 const EVERYWHERE = 0.999e9;
@@ -29,6 +38,7 @@ export class WorldBase {
     WorldBase.writeOptions(engine, options);
     engine.check(engine.exports.api_world_create());
     this.#address = engine.slots[ListAt.address];
+    forgotten?.register(this, null, this);
   }
 
   /** Fills the slots of api_world_defaults, for code that makes worlds in the module itself. */
@@ -51,7 +61,13 @@ export class WorldBase {
   close(): void {
     this.engine.exports.api_world_destroy(this.address);
     this.#address = 0;
+    forgotten?.unregister(this);
     this.freeRoom();
+  }
+
+  /** Closes it, if it is not closed: `using world = thud.createWorld()` does so by itself. */
+  [Symbol.dispose](): void {
+    if (this.#address !== 0) this.close();
   }
 
   /** Frees what a layer above this one keeps in wasm memory. */

@@ -1,6 +1,6 @@
 /**
  * What is read of a whole world: poses, events, statistics, errors, drawing. Arrays that `poses`,
- * `shapeTable` and `debugDraw` return are views straight into wasm memory: nothing is copied, and
+ * `eventViews`, `contactView`, `shapeTable` and `debugDraw` return are views straight into wasm memory: nothing is copied, and
  * they hold until the next call.
  */
 import {
@@ -32,6 +32,7 @@ import type {
   DrawLists,
   DrawOptions,
   Events,
+  EventViews,
   HitEvent,
   Measure,
   ShapeTable,
@@ -95,6 +96,31 @@ export class WorldViews extends WorldQueries {
       hit: rowsOf(Float64Array, buffer, s, EventsAt.hits, HitEventAt.length, readHit),
       quarantined: rowsOf(Uint32Array, buffer, s, EventsAt.quarantined, HandleAt.length, bodyAt),
     };
+  }
+
+  /** The same without copies: views into wasm memory, valid until the next call. */
+  eventViews(): EventViews {
+    const { engine } = this;
+    engine.check(engine.exports.api_world_events(this.address));
+    const { buffer, slots: s } = engine;
+    const handles = (list: EventsAt, length: number) =>
+      view(Uint32Array, buffer, s[list + ListAt.address], length * s[list + ListAt.count]);
+    const [hits, count] = s.subarray(EventsAt.hits);
+    return {
+      begin: handles(EventsAt.begin, EventPairAt.length),
+      end: handles(EventsAt.end, EventPairAt.length),
+      sensorBegin: handles(EventsAt.sensorBegin, EventPairAt.length),
+      sensorEnd: handles(EventsAt.sensorEnd, EventPairAt.length),
+      hit: view(Float64Array, buffer, hits, HitEventAt.length * count),
+      quarantined: handles(EventsAt.quarantined, HandleAt.length),
+    };
+  }
+
+  /** What a body touches, without copies: rows as CONTACT_ROW has them, valid until the next call. */
+  contactView(body: BodyId): Float64Array {
+    this.onBody("api_body_contacts", body);
+    const { buffer, slots: s } = this.engine;
+    return view(Float64Array, buffer, s[ListAt.address], ContactRowAt.length * s[ListAt.count]);
   }
 
   /** What a body touches, as the last step left it; the latest to touch first. Copied. */

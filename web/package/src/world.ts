@@ -43,6 +43,7 @@ import {
   type ShapeKind,
   type ShapeOptions,
   type ShapeState,
+  type SolidOptions,
   type Terrain,
   type Vec2,
 } from "./types.js";
@@ -66,17 +67,25 @@ export class World extends WorldLists {
   // ---- bodies ----
 
   /**
-   * A body without shapes: it moves, and meets nothing, until it has one.
+   * A body, with the shapes that are named. Without any it moves, and meets nothing, until it has
+   * one. Where one of them is refused nothing is left of the body.
    * @example const ball = world.createBody({ kind: "dynamic", position: [0, 5] })
    */
   createBody(options: BodyOptions = {}): BodyId {
     const { engine } = this;
-    const numbers = numbersOf("body", options, BODY_OPTIONS);
+    const numbers = numbersOf("body", options, BODY_OPTIONS, ["shapes"]);
     engine.exports.api_body_defaults();
     fill(engine.slots, numbers);
     engine.check(engine.exports.api_body_create(this.address));
     this.shapesRevision++;
-    return bodyAt(engine.slots, HandleAt.index1);
+    const body = bodyAt(engine.slots, HandleAt.index1);
+    try {
+      for (const shape of options.shapes ?? []) this.#createKind(body, shape);
+    } catch (refused) {
+      this.destroy(body);
+      throw refused;
+    }
+    return body;
   }
 
   /**
@@ -332,6 +341,13 @@ export class World extends WorldLists {
     this.onShape("api_place_foot", shape, x, width);
     const s = this.engine.slots;
     return { height: s[FootAt.height], x: s[FootAt.x], normal: vecAt(s, FootAt.normal) };
+  }
+
+  #createKind(body: BodyId, shape: SolidOptions): ShapeId {
+    if (shape.kind === "circle") return this.createCircle(body, shape);
+    if (shape.kind === "aabb") return this.createAabb(body, shape);
+    if (shape.kind === "obb") return this.createObb(body, shape);
+    throw new ThudError("invalid", `shapes: a shape's kind is circle, aabb or obb`);
   }
 
   #createSolid(

@@ -102,6 +102,21 @@ export function watch(world: World, made: WorldOptions): Watched {
   after("setVelocity", (_, id, ...speed) => onBody(id, (f) => f.setVelocity(id, ...speed)));
   after("applyImpulse", (_, id, ...impulse) => onBody(id, (f) => f.applyImpulse(id, ...impulse)));
   after("applyForce", (_, id, ...force) => onBody(id, (f) => f.applyForce(id, ...force)));
+  after("applyForceAt", (_, id, [x, y], point) =>
+    onBody(id, (f) => {
+      const { center } = f.bodyState(id);
+      f.applyForce(id, [x, y], (point[0] - center[0]) * y - (point[1] - center[1]) * x);
+    }),
+  );
+  after("applyCenterImpulse", (_, id, impulse) =>
+    onBody(id, (f) => f.applyImpulse(id, impulse, f.bodyState(id).center)),
+  );
+  after("applyAngularImpulse", (_, id, impulse) =>
+    onBody(id, (f) => {
+      const { velocity, angularVelocity, inertia } = f.bodyState(id);
+      if (inertia > 0) f.setVelocity(id, velocity, angularVelocity + impulse / inertia);
+    }),
+  );
   after("setAwake", (_, id, awake) => onBody(id, (f) => f.setAwake(id, awake)));
   after("setGravity", (_, gravity) => {
     options.gravity = gravity;
@@ -206,6 +221,9 @@ type Watchable =
   | "setVelocity"
   | "applyImpulse"
   | "applyForce"
+  | "applyForceAt"
+  | "applyCenterImpulse"
+  | "applyAngularImpulse"
   | "setAwake"
   | "setGravity"
   | "setTimeStep"
