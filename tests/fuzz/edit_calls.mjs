@@ -28,6 +28,21 @@ export const EDIT_CALLS = {
   applyCenterImpulse: (s) => s.world.applyCenterImpulse(s.body(), s.vector()),
   applyAngularImpulse: (s) => s.world.applyAngularImpulse(s.body(), s.number(-9, 9)),
   setTarget: (s) => s.world.setTarget(s.body(), s.place(), s.number(-4, 4)),
+  explode: (s) =>
+    s.world.explode(
+      s.options({
+        center: s.place(),
+        radius: s.number(0, 4),
+        falloff: s.number(0, 4),
+        impulse: s.number(-9, 9),
+        cover: s.pick(["none", "static", "all"]),
+        rays: 1 + s.below(8),
+        filter: s.filter(),
+      }),
+    ),
+  applyWind: (s) => s.world.applyWind(s.body(), s.vector(), { drag: s.number(0, 2), lift: s.number(0, 2) }),
+  applyBuoyancy: (s) => s.world.applyBuoyancy(s.body(), { point: s.place(), density: s.number(0, 3) }),
+  applyRollingResistance: (s) => s.world.applyRollingResistance(s.body(), s.number(0, 1)),
   velocityAt: (s) => s.world.velocityAt(s.body(), s.place()),
   worldPoint: (s) => s.world.worldPoint(s.body(), s.vector()),
   localPoint: (s) => s.world.localPoint(s.body(), s.place()),

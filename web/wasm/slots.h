@@ -130,6 +130,15 @@ struct bounds {
     double lower[2], upper[2];
 };
 
+struct explosion_options {
+    double center[2], radius, falloff, impulse, cover, rays;
+    struct filter_options filter;
+};
+
+struct water_options {
+    double point[2], normal[2], density, flow[2], linear_drag, angular_drag;
+};
+
 struct number {
     double value;
 };
@@ -320,6 +329,8 @@ union api_slots {
     struct rotation rotation;
     struct motion motion;
     struct pair pair;
+    struct explosion_options explosion_options;
+    struct water_options water_options;
     struct bounds bounds;
     struct filter_options filter_options;
     struct number number;

@@ -223,3 +223,56 @@ test("changes_are_part_of_a_snapshot", () => {
   steps(world, 30);
   assert.equal(world.hash(), hash);
 });
+
+test("explosion_pushes_what_has_no_cover", () => {
+  const world = engine.createWorld({ gravity: [0, 0] });
+  const shapes = [{ kind: "circle", radius: 0.5 }];
+  const [near, far, hidden] = [[3, 0], [-6, 0], [0, 6]].map((position) =>
+    world.createBody({ kind: "dynamic", position, shapes }),
+  );
+  world.createBody({ position: [0, 3], shapes: [{ kind: "aabb", halfWidth: 2, halfHeight: 0.2 }] });
+  const blast = { center: [0, 0], radius: 4, falloff: 4, impulse: 3 };
+  assert.equal(world.explode(blast), 2);
+  const speed = (body) => Math.hypot(...world.velocityOf(body).velocity);
+  assert.ok(speed(near) > 2 && speed(far) > 0 && speed(far) < speed(near) && speed(hidden) === 0);
+  assert.equal(world.explode({ ...blast, cover: "none", filter: { ignore: near } }), 2);
+  assert.ok(speed(hidden) > 0);
+  assert.throws(() => world.explode({ rays: 0 }), { code: "invalid" });
+  assert.throws(() => world.explode({ cover: "half" }), /cover "half" is none of none, static, all/);
+  assert.throws(() => world.explode({ centre: [0, 0] }), /the nearest is "center"/);
+});
+
+test("boat_floats_at_the_draught_that_the_densities_say", () => {
+  const world = engine.createWorld();
+  const options = { halfWidth: 2, halfHeight: 0.5, density: 0.25 };
+  const boat = world.createBody({
+    kind: "dynamic",
+    position: [0, 1],
+    shapes: [{ kind: "obb", ...options }],
+  });
+  for (let i = 0; i < 900; i++) {
+    world.applyBuoyancy(boat, { point: [0, 0], density: 1 });
+    world.step();
+  }
+  near(world.positionOf(boat)[1], 0.25, 1e-3);
+  assert.throws(() => world.applyBuoyancy(boat, { normal: [0, 2] }), { code: "invalid" });
+});
+
+test("wind_carries_a_ball_along_and_grass_stops_it", () => {
+  const world = engine.createWorld();
+  const shapes = [{ kind: "circle", radius: 0.5 }];
+  world.createTerrain(world.createBody(), { kind: "flat" });
+  const ball = world.createBody({ kind: "dynamic", position: [0, 0.5], maySleep: false, shapes });
+  for (let i = 0; i < 300; i++) {
+    world.applyWind(ball, [5, 0]);
+    world.step();
+  }
+  const { velocity } = world.velocityOf(ball);
+  assert.ok(velocity[0] > 2 && velocity[0] < 5, `${velocity}`);
+  for (let i = 0; i < 600; i++) {
+    world.applyRollingResistance(ball, 0.1);
+    world.step();
+  }
+  near(world.velocityOf(ball).velocity[0], 0, 0.02);
+  assert.throws(() => world.applyWind(ball, [5, 0], { drag: -1 }), { code: "invalid" });
+});

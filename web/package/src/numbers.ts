@@ -7,6 +7,7 @@ import {
   BODY_KINDS,
   type BodyId,
   BROADPHASES,
+  COVERS,
   DETECTIONS,
   type JointId,
   QUALITIES,
@@ -26,6 +27,7 @@ const WORDS: Readonly<Record<string, readonly string[]>> = {
   detection: DETECTIONS,
   broadphase: BROADPHASES,
   base: QUALITIES,
+  cover: COVERS,
 };
 
 /**

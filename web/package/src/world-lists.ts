@@ -4,9 +4,9 @@ import { HandleAt, ListAt, PairAt, PairSideAt } from "./generated/slots.js";
 import { bodyAt, rowsOf, shapeAt } from "./numbers.js";
 import type { BodyId, ShapeId } from "./types.js";
 import type { ContactEvent, Pair, PairSide } from "./view-types.js";
-import { WorldForces } from "./world-forces.js";
+import { WorldFields } from "./world-fields.js";
 
-export class WorldLists extends WorldForces {
+export class WorldLists extends WorldFields {
   /** What bodies were last told to be, in wasm memory. */
   #seen = { address: 0, slots: 0 };
 

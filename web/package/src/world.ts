@@ -2,8 +2,8 @@
  * A world: bodies and shapes that advance in fixed steps. Handles are checked by the engine in
  * every call; a stale one throws, as does whatever is out of range, and nothing has changed then.
  * Built in layers, each in a file of its own: world-base (its life, time and settings),
- * world-queries, world-views (what is read of it), world-joints, world-edits, world-forces, world-lists,
- * and here what is put into it.
+ * world-queries, world-views (what is read of it), world-joints, world-edits, world-forces,
+ * world-fields, world-lists, and here what is put into it.
  */
 import { ThudError } from "./error.js";
 import {

@@ -1,0 +1,56 @@
+/**
+ * Forces on bodies from what is around them: explosions, wind, water, rolling. All but explosions
+ * act through the next step: ask before each. thud_fields.h has the formulas.
+ */
+import { EXPLOSION_OPTIONS, ExplosionOptionsAt, NumberAt, WATER_OPTIONS } from "./generated/slots.js";
+import { checkNames } from "./names.js";
+import { fill, filterNumbers, numbersOf } from "./numbers.js";
+import type { BodyId, Explosion, Vec2, Water, Wind } from "./types.js";
+import { WorldForces } from "./world-forces.js";
+
+const WIND = ["density", "drag", "lift"] as const;
+
+export class WorldFields extends WorldForces {
+  /**
+   * Pushes the dynamic bodies about a place away from it, at once, but for those that have cover.
+   * Returns how many it pushed.
+   * @example world.explode({ center: [0, 1], radius: 2, falloff: 4, impulse: 20 })
+   */
+  explode(explosion: Explosion): number {
+    const { exports, slots } = this.engine;
+    const numbers = numbersOf("explosion", explosion, EXPLOSION_OPTIONS, ["filter"]);
+    const filter = filterNumbers(explosion.filter ?? {});
+    exports.api_explosion_defaults();
+    fill(slots, numbers);
+    fill(slots, filter, ExplosionOptionsAt.filter);
+    this.engine.check(exports.api_world_explode(this.address));
+    return this.engine.slots[NumberAt.value];
+  }
+
+  /**
+   * Pushes a body by the wind through the next step; it is left alone while it sleeps.
+   * @example world.applyWind(flag, [8, 0], { drag: 1.2 })
+   */
+  applyWind(body: BodyId, velocity: Vec2, wind: Wind = {}): void {
+    checkNames("wind", wind, WIND);
+    const { density = 1, drag = 1, lift = 1 } = wind;
+    this.onBody("api_body_apply_wind", body, velocity[0], velocity[1], density, drag, lift);
+  }
+
+  /**
+   * Lifts and brakes what of a body is below a water line, through the next step.
+   * @example world.applyBuoyancy(boat, { point: [0, 2], density: 3 })
+   */
+  applyBuoyancy(body: BodyId, water: Water): void {
+    const { exports, slots } = this.engine;
+    const numbers = numbersOf("water", water, WATER_OPTIONS);
+    exports.api_water_defaults();
+    fill(slots, numbers);
+    this.onBody("api_body_apply_buoyancy", body);
+  }
+
+  /** Brakes a ball that rolls as on a slope of `coefficient`, through the next step. */
+  applyRollingResistance(body: BodyId, coefficient: number): void {
+    this.onBody("api_body_apply_rolling", body, coefficient);
+  }
+}
