@@ -106,6 +106,11 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(meets_ray),
     PLAYS(shape_point),
     PLAYS(shape_bounds),
+    PLAYS(explosion),
+    PLAYS(wind),
+    PLAYS(water),
+    PLAYS(rolling),
+    PLAYS(below),
 };
 
 void session_play(fuzz_session *s) {

@@ -53,6 +53,8 @@ fuzz_operation play_joint, play_joint_destroy, play_joint_edit, play_joint_get, 
 fuzz_operation play_shape_edit, play_body_edit, play_push, play_points, play_reads;
 /* operations_lists.c */
 fuzz_operation play_lists, play_slots, play_moved, play_sensed, play_sides;
+/* operations_fields.c */
+fuzz_operation play_explosion, play_wind, play_water, play_rolling, play_below;
 /* operations_lines.c: terrain without a world */
 fuzz_operation play_line_sample, play_line_shape, play_line_impact, play_line_ray, play_foot;
 

@@ -4,6 +4,7 @@
 #include <thud/thud_detection.h>
 #include <thud/thud_draw.h>
 #include <thud/thud_events.h>
+#include <thud/thud_fields.h>
 #include <thud/thud_ids.h>
 #include <thud/thud_jobs.h>
 #include <thud/thud_lists.h>

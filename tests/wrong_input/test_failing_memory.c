@@ -7,6 +7,7 @@
 
 #include <thud/thud_casts.h>
 #include <thud/thud_draw.h>
+#include <thud/thud_fields.h>
 
 typedef struct call {
     const char *name;
@@ -167,6 +168,20 @@ static thud_result bounds(village *v) {
     return thud_shape_bounds(v->world, v->box_shape, &lower, &upper);
 }
 
+static thud_result explode(village *v) {
+    thud_explosion blast = thud_default_explosion();
+    int pushed = -7;
+    blast.center.y = 6;
+    blast.radius = 40;
+    thud_result result = thud_world_explode(v->world, &blast, &pushed);
+    assert_true(result == THUD_OK ? pushed > 0 : pushed == -7);
+    return result;
+}
+
+static thud_result roll(village *v) {
+    return thud_body_apply_rolling_resistance(v->world, v->ball, 0.5f);
+}
+
 static thud_result poses(village *v) {
     int count;
     return thud_world_poses(v->world, (thud_pos){0, 0}, 1, &count) ? THUD_OK : THUD_ERROR_MEMORY;
@@ -201,6 +216,8 @@ static const call calls[] = {
     {"cast ray, each", cast_each, 1},
     {"cast rays", cast_rays, 1},
     {"bounds", bounds, 1},
+    {"explode", explode, 2},
+    {"roll", roll, 1},
     {"poses", poses, 1},
     {"draw", draw, 1},
     {"walk", walk, 3},

@@ -126,6 +126,8 @@ int main(void) {
         TABLE(wrong_casts_hit_by_hit),
         TABLE(wrong_many_casts),
         TABLE(wrong_questions_to_a_shape),
+        TABLE(wrong_explosions),
+        TABLE(wrong_fields),
         TABLE(wrong_movers),
         TABLE(wrong_drawings),
         TABLE(wrong_geometry),

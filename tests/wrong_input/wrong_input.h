@@ -86,6 +86,8 @@ void wrong_overlaps_and_closest(void **state);
 void wrong_casts_hit_by_hit(void **state);
 void wrong_many_casts(void **state);
 void wrong_questions_to_a_shape(void **state);
+void wrong_explosions(void **state);
+void wrong_fields(void **state);
 void wrong_movers(void **state);
 void wrong_drawings(void **state);
 void wrong_geometry(void **state);

@@ -1,0 +1,130 @@
+/* thud_fields.h: forces on bodies from what is around them: an explosion, wind, water, and the
+ * ground that a ball rolls on. All are closed forms over circles, AABBs and OBBs; sensors take no
+ * part. A program that uses none of this does not link it.
+ *
+ * Wind, water and rolling resistance are asked for body by body before each step, and act through
+ * that step, as forces do (thud_forces.h). They wake nobody: a sleeping, disabled or quarantined
+ * body is left alone, and one that is at rest in the water falls asleep there. Who wants a rising
+ * wind to wake a body does so by thud_body_set_awake. Inside a callback they are THUD_ERROR_LOCKED.
+ * Where a body has several shapes, each counts as if it stood alone.
+ *
+ * What brakes never adds to the energy of the motion against the air, water or ground, however long
+ * the time step: of the step's push so much is given as takes the most of that energy, and the rest
+ * is left.
+ *
+ * All return THUD_ERROR_NULL for a null pointer where none is allowed, THUD_ERROR_STALE,
+ * THUD_ERROR_INVALID for a value that is not finite or beyond its range, for a body that is not
+ * dynamic, and where a push would be beyond THUD_PUSH_MAX; then nothing has changed. */
+#ifndef THUD_FIELDS_H
+#define THUD_FIELDS_H
+
+#include "thud.h"
+#include "thud_forces.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Largest coefficient of drag, lift and rolling, and largest drag in water, 1/s. */
+#define THUD_DRAG_MAX 1e6f
+/* Largest component of the velocity of wind and water, length scales a second. */
+#define THUD_FLOW_MAX 1e6f
+/* Densest air and water. */
+#define THUD_FLUID_DENSITY_MAX 1e12f
+
+/* ---- explosions ---- */
+
+/* What hides a shape from an explosion; sensors never do, nor does a body hide itself. */
+typedef enum thud_cover {
+    THUD_COVER_NONE = 0, /* nothing */
+    THUD_COVER_STATIC,   /* static and kinematic bodies, terrain */
+    THUD_COVER_ALL       /* every other body */
+} thud_cover;
+
+#define THUD_EXPLOSION_RAYS_MAX 16
+/* Largest impulse of an explosion. */
+#define THUD_EXPLOSION_MAX 1e15f
+
+typedef struct thud_explosion {
+    thud_pos center;  /* |x|, |y| <= 1e9 length scales */
+    double radius;    /* length, [0, 1e9 length scales]; default 0; up to here all of it arrives */
+    double falloff;   /* length, likewise: over so much more it falls to nothing, linearly */
+    float impulse;    /* mass/s: for each length of a shape across the way from the centre; |.| <=
+                         THUD_EXPLOSION_MAX, below 0 it draws in; default 1 */
+    thud_cover cover; /* default THUD_COVER_ALL */
+    int rays;         /* for each shape, [1, THUD_EXPLOSION_RAYS_MAX]; default 5 */
+    thud_query_filter filter; /* who is pushed; sensors never are. Who is to be ignored neither
+                                 hides anything. Default everybody */
+} thud_explosion;
+
+THUD_API thud_explosion thud_default_explosion(void);
+
+/* Pushes the dynamic bodies about the centre away from it, at once; inside a callback through the
+ * next step, as impulses (thud_forces.h) are, and with THUD_ERROR_MEMORY where those give it.
+ * *pushed, which may be null, is how many bodies got something. Sleeping bodies wake.
+ *
+ * The side of a shape that faces the centre is cut into `rays` pieces, as wide as each other across
+ * the way from the centre to the nearest point; what is farther across than the explosion reaches
+ * is left out. Each piece gets its part of the impulse in its middle, away from the centre, unless
+ * something stands between the two: so cover is partial. A shape that has the centre in it gets all
+ * of it, in its own middle. What the centre is in hides nothing: explode a little off a wall, by
+ * the normal of the hit. */
+THUD_API thud_result thud_world_explode(thud_world *world, const thud_explosion *explosion,
+                                        int *pushed);
+
+/* ---- wind ---- */
+
+/* Air of this velocity (length/s) and density (mass/length^2, [0, THUD_FLUID_DENSITY_MAX]) flows
+ * about the body; drag and lift are in [0, THUD_DRAG_MAX], about 1 for plates.
+ *
+ * With u the velocity of a place of the body against the air: each edge of a box that goes into the
+ * wind is pushed by density / 2 * drag * |u| times its length across u, against u, and by
+ * density / 2 * lift * |u| times that, across u, as far as the edge slants. The sum over the edge,
+ * turning included, is exact for drag, and for lift of two points. A circle counts with its
+ * diameter, in its middle; its lift is that of its spin (Magnus). Lift takes no energy, so without
+ * drag there is none to give, and none is given. */
+THUD_API thud_result thud_body_apply_wind(thud_world *world, thud_body_id body, thud_vec2 wind,
+                                          float density, float drag, float lift);
+
+/* ---- water ---- */
+
+typedef struct thud_water {
+    thud_pos point;     /* on the water line; |x|, |y| <= 1e9 length scales; default (0, 0) */
+    thud_vec2 normal;   /* out of the water; of length 1 within 1e-3; default (0, 1) */
+    float density;      /* mass/length^2, [0, THUD_FLUID_DENSITY_MAX]; default 1 */
+    thud_vec2 flow;     /* length/s, |x|, |y| <= THUD_FLOW_MAX length scales; default (0, 0) */
+    float linear_drag;  /* 1/s, [0, THUD_DRAG_MAX]; default 2: the part below the line is braked
+                           by so much of the momentum of the water in whose place it is */
+    float angular_drag; /* 1/s, likewise; default 2: ... of its spin, as of a disc of that area */
+} thud_water;
+
+THUD_API thud_water thud_default_water(void);
+
+/* Lifts the body by the weight of the water in whose place it is, by the world's gravity, at the
+ * middle of the part that is below the line; so it floats at the draught that the densities say.
+ * That part is the one of half a time step later at the velocity now, by which what bobs never
+ * gains height. A body whose draught is below gravity * time_step^2 bobs all the same. */
+THUD_API thud_result thud_body_apply_buoyancy(thud_world *world, thud_body_id body,
+                                              const thud_water *water);
+
+/* Area and centroid of the part of a shape below a line, as thud_water has it; pure. The centroid
+ * is the shape's own centre where there is no such part. Neither output may be null; |x|, |y| of
+ * the point <= 1e15. Exact to 1e-15 of the shape's size, squared for the area; the centroid of a
+ * circle's part, which is so thin that its area drowns in that, lies within the part. */
+THUD_API thud_result thud_shape_below(const thud_shape_instance *shape, thud_pos point,
+                                      thud_vec2 normal, double *area, thud_pos *centroid);
+
+/* ---- rolling resistance ---- */
+
+/* Brakes the turning of a body against what its circles touch, as grass does a ball: by a torque of
+ * coefficient * radius * normal force of the last step. The coefficient, in [0, THUD_DRAG_MAX], is
+ * a slope: a disc that rolls is slowed by 2/3 of it, times gravity. At most the turning stops; what
+ * is touched is not turned. On a slope a ball is slowed, not held. THUD_ERROR_MEMORY as queries. */
+THUD_API thud_result thud_body_apply_rolling_resistance(thud_world *world, thud_body_id body,
+                                                        float coefficient);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,77 @@
+/* buoyancy.c: what floats, and how water brakes it. */
+#include "fields/submerged.h"
+
+#include "state/body.h"
+#include "state/handles.h"
+
+thud_water thud_default_water(void) {
+    return (thud_water){.normal = {0.0f, 1.0f},
+                        .density = 1.0f,
+                        .linear_drag = 2.0f,
+                        .angular_drag = 2.0f};
+}
+
+static bool valid(const thud_world *w, const thud_water *water) {
+    return td_place_valid(w, water->point.x, water->point.y) &&
+           td_within(water->density, 0.0f, THUD_FLUID_DENSITY_MAX) &&
+           td_within(water->linear_drag, 0.0f, THUD_DRAG_MAX) &&
+           td_within(water->angular_drag, 0.0f, THUD_DRAG_MAX);
+}
+
+/* How high above the line the centre of mass is. */
+static double height_of(const thud_world *w, const td_adrift *a, const thud_water *water,
+                        thud_pos up) {
+    td_position line = td_place_from(w, water->point), center = td_pose_at(w, a->index)->center;
+    return up.x * ((double)(center.x - line.x) / w->to_fixed) +
+           up.y * ((double)(center.y - line.y) / w->to_fixed);
+}
+
+/* Steps move by a force that was found before them, through which what bobs would gain energy: by
+ * the place of half a step later it does not, whatever the substeps. */
+static void float_shape(const thud_world *w, const td_adrift *a, const thud_water *water,
+                        double height, thud_pos up, const td_shape *shape, td_push *lift,
+                        td_push *drag) {
+    double later = 0.5 * w->def.time_step;
+    thud_shape_instance placed = td_field_shape(w, a, shape, later * a->turn);
+    double above = height + up.x * placed.x + up.y * placed.y;
+    td_part part = td_part_below(&placed, above, up);
+    double mass = (double)water->density * part.area;
+    td_push_add(lift, part.x, part.y, -mass * (double)w->def.gravity.x,
+                -mass * (double)w->def.gravity.y);
+    thud_pos u = td_adrift_at(a, part.x, part.y);
+    double rate = mass * (double)water->linear_drag;
+    td_push_add(drag, part.x, part.y, -rate * u.x, -rate * u.y);
+    drag->turn -= mass * part.area / (2.0 * TD_PI) * (double)water->angular_drag * a->turn;
+}
+
+thud_result thud_body_apply_buoyancy(thud_world *w, thud_body_id id, const thud_water *water) {
+    TD_IN_OWN_MODE;
+    td_adrift a;
+    thud_pos up;
+    thud_result result = td_adrift_find(w, id, &a);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!water) {
+        return td_refuse(w, THUD_ERROR_NULL, "apply buoyancy: water is null");
+    }
+    double fall_x = a.x, fall_y = a.y;
+    if (!valid(w, water) || !td_line_normal(water->normal, &up) ||
+        !td_adrift_in_flow(w, water->flow, &a)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "apply buoyancy: not finite or out of range");
+    }
+    if (!a.heeds) {
+        return THUD_OK;
+    }
+    double later = 0.5 * w->def.time_step;
+    double height = height_of(w, &a, water, up) + later * (up.x * fall_x + up.y * fall_y);
+    td_push lift = {0}, drag = {0};
+    for (int i = td_body_at(w, a.index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        const td_shape *shape = td_shape_at(w, i);
+        if (td_field_meets(shape)) {
+            float_shape(w, &a, water, height, up, shape, &lift, &drag);
+        }
+    }
+    drag = td_push_braking(w, &a, drag);
+    return td_field_push(w, &a, (td_push){lift.x + drag.x, lift.y + drag.y, lift.turn + drag.turn});
+}

@@ -1,0 +1,222 @@
+/* explosion.c: pushing away from a place whatever is not hidden from it. */
+#include "fields/fields.h"
+
+#include "casts/walk.h"
+#include "state/body.h"
+#include "state/handles.h"
+#include "state/shape.h"
+
+typedef struct blast {
+    thud_world *world;
+    const thud_explosion *def;
+    td_position at;
+    double reach;
+    thud_query_filter cover;
+    td_array push; /* td_push, by body */
+    td_array room; /* int, for walks */
+} blast;
+
+thud_explosion thud_default_explosion(void) {
+    return (thud_explosion){.impulse = 1.0f,
+                            .cover = THUD_COVER_ALL,
+                            .rays = 5,
+                            .filter = thud_default_query_filter()};
+}
+
+/* ---- cover ---- */
+
+/* A ray that leaves what it began on the edge of is not stopped by it. */
+static bool stops(const blast *b, const thud_ray_hit *hit, td_body_index target, thud_pos way) {
+    const thud_world *w = b->world;
+    td_body_index body = td_shape_at(w, (int)hit->shape.index1 - 1)->body;
+    return !td_same_body(body, target) &&
+           (b->def->cover == THUD_COVER_ALL || td_body_at(w, body)->kind != THUD_DYNAMIC) &&
+           (double)hit->normal.x * way.x + (double)hit->normal.y * way.y < 0.0;
+}
+
+static bool covered(const blast *b, td_body_index target, thud_pos place) {
+    if (b->def->cover == THUD_COVER_NONE) {
+        return false;
+    }
+    enum { BATCH = 8 };
+    td_path way = {td_point_meets, b->def->center, b->at, place.x, place.y, .filter = &b->cover};
+    td_walk walk = td_walk_begin(b->world, &way, b->room.data, b->room.capacity);
+    thud_ray_hit hits[BATCH];
+    td_nearest k = {hits, BATCH, 0};
+    do {
+        td_walk_next(&walk, 1.0 - 1e-9, &k);
+        for (int i = 0; i < k.count; i++) {
+            if (stops(b, &hits[i], target, place)) {
+                return true;
+            }
+        }
+    } while (k.count > 0);
+    return false;
+}
+
+/* ---- one shape; places are relative to the centre of the explosion ---- */
+
+static void push_at(const blast *b, td_body_index body, thud_pos place, double x, double y) {
+    const thud_world *w = b->world;
+    td_position center = td_pose_at(w, body)->center;
+    double from_x = (double)(center.x - b->at.x) / w->to_fixed;
+    double from_y = (double)(center.y - b->at.y) / w->to_fixed;
+    td_push_add(TD_AT(td_push, &b->push, body.at), place.x - from_x, place.y - from_y, x, y);
+}
+
+/* How much of it arrives. */
+static double arrives(const blast *b, double distance) {
+    if (distance <= b->def->radius) {
+        return 1.0;
+    }
+    return distance < b->reach ? (b->reach - distance) / b->def->falloff : 0.0;
+}
+
+/* A piece of the side that faces the centre; `dx, dy` is the way to the nearest point, of length 1,
+ * and `across` where the piece's middle is. */
+static void push_piece(const blast *b, td_body_index body, const thud_shape_instance *shape,
+                       double dx, double dy, double across, double length) {
+    double back = 2.0 * td_reach(shape), along = dx * shape->x + dy * shape->y - back;
+    double x = dx * along - dy * across, y = dy * along + dx * across, fraction, nx, ny;
+    if (!thud_shape_cast_ray(shape, x, y, 2.0 * back * dx, 2.0 * back * dy, &fraction, &nx, &ny)) {
+        return;
+    }
+    thud_pos place = {x + fraction * 2.0 * back * dx, y + fraction * 2.0 * back * dy};
+    double distance = __builtin_sqrt(place.x * place.x + place.y * place.y);
+    double impulse = (double)b->def->impulse * length * arrives(b, distance);
+    if (impulse != 0.0 && distance > 0.0 && !covered(b, body, place)) {
+        impulse /= distance;
+        push_at(b, body, place, impulse * place.x, impulse * place.y);
+    }
+}
+
+static void push_from_within(const blast *b, td_body_index body, const thud_shape_instance *shape) {
+    double x = shape->x, y = shape->y, length = __builtin_sqrt(x * x + y * y);
+    double dx = length > 0.0 ? x / length : 0.0, dy = length > 0.0 ? y / length : 1.0;
+    double impulse = 2.0 * td_half_along(shape, -dy, dx) * (double)b->def->impulse;
+    push_at(b, body, (thud_pos){x, y}, impulse * dx, impulse * dy);
+}
+
+static void push_shape(const blast *b, int index) {
+    const thud_world *w = b->world;
+    td_body_index body = td_shape_at(w, index)->body;
+    thud_shape_instance shape = td_query_instance(w, index, b->at);
+    thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0};
+    thud_closest c;
+    td_closest(&shape, &point, &c);
+    if (c.distance > b->reach) {
+        return;
+    }
+    if (c.distance <= 0.0) {
+        push_from_within(b, body, &shape);
+        return;
+    }
+    double dx = -c.nx, dy = -c.ny;
+    double half = td_half_along(&shape, -dy, dx), middle = dx * shape.y - dy * shape.x;
+    double from = td_max_double(middle - half, -b->reach);
+    double to = td_min_double(middle + half, b->reach);
+    double length = (to - from) / b->def->rays;
+    for (int i = 0; i < b->def->rays; i++) {
+        push_piece(b, body, &shape, dx, dy, from + (i + 0.5) * length, length);
+    }
+}
+
+/* ---- all of them ---- */
+
+static bool may_push(const blast *b, int index) {
+    const td_shape *shape = td_shape_at(b->world, index);
+    const td_body *body = td_body_at(b->world, shape->body);
+    return body->kind == THUD_DYNAMIC && !(body->flags & TD_BODY_QUARANTINED) &&
+           !(shape->flags & TD_SHAPE_SENSOR) && td_query_passes(b->world, index, &b->def->filter);
+}
+
+static bool is_pushed(const td_push *push) {
+    return push->x != 0.0 || push->y != 0.0 || push->turn != 0.0;
+}
+
+/* Whether the calls of thud_forces.h take it. */
+static bool acceptable(const thud_world *w, int body, const td_push *p) {
+    const td_body *at = td_body_at(w, (td_body_index){body});
+    double inverse = w->locked ? 1.0 / w->def.time_step : 1.0;
+    double inv_mass = (double)at->inv_mass, inv_inertia = (double)at->inv_inertia;
+    return td_push_valid((td_push){inverse * p->x, inverse * p->y, inverse * p->turn}) &&
+           td_push_valid((td_push){inv_mass * p->x, inv_mass * p->y, inv_inertia * p->turn});
+}
+
+/* All or none: there is room for what a callback defers, and nothing can be refused any more. */
+static thud_result apply(blast *b, int *pushed) {
+    thud_world *w = b->world;
+    int count = 0;
+    for (int i = 0; i < w->bodies.count; i++) {
+        const td_push *push = TD_AT(td_push, &b->push, i);
+        count += is_pushed(push);
+        if (!acceptable(w, i, push)) {
+            return td_refuse(w, THUD_ERROR_INVALID, "explode: an impulse is out of range");
+        }
+    }
+    if (w->locked && !td_array_reserve(&w->memory, &w->deferred, w->deferred.count + 2 * count)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "explode: out of memory");
+    }
+    for (int i = 0; i < w->bodies.count; i++) {
+        const td_push *push = TD_AT(td_push, &b->push, i);
+        if (is_pushed(push)) {
+            thud_body_id body = td_body_handle(w, (td_body_index){i});
+            thud_vec2 impulse = {(float)push->x, (float)push->y};
+            thud_body_apply_center_impulse(w, body, impulse);
+            thud_body_apply_angular_impulse(w, body, (float)push->turn);
+        }
+    }
+    if (pushed) {
+        *pushed = count;
+    }
+    return THUD_OK;
+}
+
+static thud_result explode(blast *b, int *pushed) {
+    thud_world *w = b->world;
+    thud_pos at = b->def->center;
+    thud_pos lower = {at.x - b->reach, at.y - b->reach}, upper = {at.x + b->reach, at.y + b->reach};
+    if (!td_query_prepare(w) || !td_query_list(w, lower, upper) ||
+        !td_array_reserve(&w->memory, &b->room, td_walk_room(w)) ||
+        !td_array_reserve(&w->memory, &b->push, w->bodies.count)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "explode: out of memory");
+    }
+    td_sort_ints(&w->scratch.hits);
+    for (int i = 0; i < w->scratch.hits.count; i++) {
+        int index = td_int_at(&w->scratch.hits, i);
+        if (may_push(b, index)) {
+            push_shape(b, index);
+        }
+    }
+    return apply(b, pushed);
+}
+
+static bool valid(const thud_world *w, const thud_explosion *def) {
+    double most = TD_PLACE_MAX * (double)w->unit;
+    return td_place_valid(w, def->center.x, def->center.y) && def->radius >= 0.0 &&
+           def->radius <= most && def->falloff >= 0.0 && def->falloff <= most &&
+           td_within(def->impulse, -THUD_EXPLOSION_MAX, THUD_EXPLOSION_MAX) && def->rays >= 1 &&
+           def->rays <= THUD_EXPLOSION_RAYS_MAX && (unsigned)def->cover <= THUD_COVER_ALL;
+}
+
+thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *pushed) {
+    TD_IN_OWN_MODE;
+    if (!w || !def) {
+        return td_refuse(w, THUD_ERROR_NULL, "explode: world or explosion is null");
+    }
+    if (!valid(w, def)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "explode: not finite or out of range");
+    }
+    blast b = {.world = w,
+               .def = def,
+               .at = td_place_from(w, def->center),
+               .reach = def->radius + def->falloff,
+               .cover = thud_default_query_filter(),
+               .push = {.stride = (int)sizeof(td_push)},
+               .room = {.stride = (int)sizeof(int)}};
+    b.cover.ignore = def->filter.ignore;
+    thud_result result = explode(&b, pushed);
+    td_array_free(&w->memory, &b.push);
+    td_array_free(&w->memory, &b.room);
+    return result;
+}

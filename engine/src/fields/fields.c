@@ -1,0 +1,93 @@
+/* fields.c: see fields.h. */
+#include "fields/fields.h"
+
+#include "base/trig.h"
+#include "state/body.h"
+#include "state/handles.h"
+
+thud_result td_adrift_find(const thud_world *w, thud_body_id id, td_adrift *out) {
+    td_body_index index;
+    thud_result result = td_find_body(w, id, &index);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (w->locked) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "field: not inside a callback");
+    }
+    const td_body *body = td_body_at(w, index);
+    if (body->kind != THUD_DYNAMIC) {
+        return td_refuse(w, THUD_ERROR_INVALID, "field: the body is not dynamic");
+    }
+    const float *velocity = td_body_velocity(w, body);
+    *out = (td_adrift){
+        .index = index,
+        .x = (double)velocity[0],
+        .y = (double)velocity[1],
+        .turn = body->inv_inertia > 0.0f ? (double)velocity[2] : 0.0,
+        .heeds = td_body_is_awake(body) && !(body->flags & TD_BODY_QUARANTINED),
+    };
+    return THUD_OK;
+}
+
+bool td_adrift_in_flow(const thud_world *w, thud_vec2 flow, td_adrift *a) {
+    double most = (double)THUD_FLOW_MAX * (double)w->unit;
+    a->x -= (double)flow.x;
+    a->y -= (double)flow.y;
+    return td_abs((double)flow.x) <= most && td_abs((double)flow.y) <= most;
+}
+
+thud_shape_instance td_field_shape(const thud_world *w, const td_adrift *a, const td_shape *shape,
+                                   double turn) {
+    const td_body *body = td_body_at(w, a->index);
+    const td_pose *pose = td_pose_at(w, a->index);
+    thud_shape_instance at = {(thud_shape_kind)shape->kind,
+                              0.0,
+                              0.0,
+                              (double)pose->c,
+                              (double)pose->s,
+                              (double)shape->half_x,
+                              (double)shape->half_y};
+    /* Newton's, for 1 / sqrt: single precision leaves a length that is not quite 1. */
+    double scale = 1.5 - 0.5 * (at.c * at.c + at.s * at.s), c, s;
+    td_sincos(td_clamp(turn, -TD_TURN_MOST, TD_TURN_MOST), &s, &c);
+    double turned_c = scale * (at.c * c - at.s * s), turned_s = scale * (at.s * c + at.c * s);
+    double arm_x = (double)shape->x - (double)body->center_x;
+    double arm_y = (double)shape->y - (double)body->center_y;
+    at.x = turned_c * arm_x - turned_s * arm_y;
+    at.y = turned_s * arm_x + turned_c * arm_y;
+    double own_c = (double)shape->angle_c, own_s = (double)shape->angle_s;
+    bool turns = shape->kind == THUD_OBB;
+    at.c = turns ? turned_c * own_c - turned_s * own_s : 1.0;
+    at.s = turns ? turned_s * own_c + turned_c * own_s : 0.0;
+    return at;
+}
+
+td_push td_push_braking(const thud_world *w, const td_adrift *a, td_push force) {
+    const td_body *body = td_body_at(w, a->index);
+    double inv_mass = (double)body->inv_mass, inv_inertia = (double)body->inv_inertia;
+    double power = -(force.x * a->x + force.y * a->y + force.turn * a->turn);
+    double gives =
+        inv_mass * (force.x * force.x + force.y * force.y) + inv_inertia * force.turn * force.turn;
+    /* Of a part of the force the step takes part * time * power, and gives back half of
+     * part^2 * time^2 * gives. */
+    double most = w->def.time_step * gives;
+    if (power >= most) {
+        return force;
+    }
+    double part = power > 0.0 ? power / most : 0.0;
+    return (td_push){part * force.x, part * force.y, part * force.turn};
+}
+
+thud_result td_field_push(thud_world *w, const td_adrift *a, td_push force) {
+    if (!td_push_valid(force)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "field: its force is out of range");
+    }
+    if (force.x != 0.0 || force.y != 0.0 || force.turn != 0.0) {
+        float *sum = td_body_at(w, a->index)->force;
+        sum[0] += (float)force.x;
+        sum[1] += (float)force.y;
+        sum[2] += (float)force.turn;
+        w->push_stale = true;
+    }
+    return THUD_OK;
+}

@@ -1,0 +1,61 @@
+/* rolling.c: what slows a ball that rolls. */
+#include "fields/fields.h"
+
+#include "api/step.h"
+#include "constraint/constraint.h"
+#include "contact/manifold.h"
+#include "state/body.h"
+#include "state/handles.h"
+
+/* Over the contacts of a body's circles. */
+typedef struct rolling {
+    double grip;   /* radius times the step's normal impulse */
+    double turned; /* that times the angular velocity of what is touched */
+} rolling;
+
+static void add_contact(const thud_world *w, td_body_index body, int edge, rolling *sum) {
+    const td_constraint *contact = td_constraint_at(w, edge / 2);
+    if (!td_is_contact(contact) || contact->state != TD_TOUCHING || contact->child == TD_NONE) {
+        return;
+    }
+    bool second = td_same_body(contact->body[1], body);
+    const td_shape *shape = td_shape_at(w, second ? contact->shape_b : contact->shape_a);
+    if (shape->kind != THUD_CIRCLE) {
+        return;
+    }
+    thud_manifold manifold = td_manifold_of(w, contact);
+    double grip = 0.0;
+    for (int i = 0; i < manifold.point_count; i++) {
+        grip += (double)shape->half_x * (double)manifold.normal_impulse[i];
+    }
+    const float *other = td_body_velocity(w, td_body_at(w, td_other_body(w, edge)));
+    sum->grip += grip;
+    sum->turned += grip * (double)other[2];
+}
+
+thud_result thud_body_apply_rolling_resistance(thud_world *w, thud_body_id id, float coefficient) {
+    TD_IN_OWN_MODE;
+    td_adrift a;
+    thud_result result = td_adrift_find(w, id, &a);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!td_within(coefficient, 0.0f, THUD_DRAG_MAX)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "apply rolling resistance: out of range");
+    }
+    if (!td_changes_apply(w)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "apply rolling resistance: out of memory");
+    }
+    const td_body *body = td_body_at(w, a.index);
+    rolling sum = {0};
+    for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        add_contact(w, a.index, e, &sum);
+    }
+    if (!a.heeds || !(sum.grip > 0.0) || !(body->inv_inertia > 0.0f)) {
+        return THUD_OK;
+    }
+    double turn = a.turn - sum.turned / sum.grip; /* against what is touched */
+    double stops = td_abs(turn) / (double)body->inv_inertia;
+    double brakes = td_min_double((double)coefficient * sum.grip, stops) / w->def.time_step;
+    return td_field_push(w, &a, (td_push){.turn = turn > 0.0 ? -brakes : brakes});
+}

@@ -1,0 +1,105 @@
+/* submerged.c: the part of a shape below a line. */
+#include "fields/submerged.h"
+
+#include "base/trig.h"
+
+/* The angle in [0, pi] of this cosine and sine, which is >= 0. Each turn cubes what is left, from
+ * 0.08 at first, and leaves a sixth of it: three end at the error of td_sincos. */
+static double angle_of(double cosine, double sine) {
+    double part = 0.5 * TD_PI * sine / (td_abs(cosine) + sine);
+    double angle = cosine < 0.0 ? TD_PI - part : part;
+    for (int i = 0; i < 3; i++) {
+        double s, c;
+        td_sincos(angle, &s, &c);
+        angle += sine * c - cosine * s;
+    }
+    return angle;
+}
+
+/* Of a circle whose centre is at a height above the line. */
+static td_part part_of_circle(const thud_shape_instance *circle, double height, thud_pos up) {
+    double r = circle->hx;
+    td_part part = {0.0, circle->x, circle->y};
+    if (height >= r) {
+        return part;
+    }
+    if (height <= -r) {
+        part.area = TD_PI * r * r;
+        return part;
+    }
+    double half = __builtin_sqrt((r - height) * (r + height)); /* of the chord */
+    part.area = td_max_double(r * r * angle_of(height / r, half / r) - height * half, 0.0);
+    double thick = 2.0 / 3.0 * half * half * half;
+    double down = thick < r * part.area ? td_max_double(thick / part.area, height) : r;
+    part.x -= down * up.x;
+    part.y -= down * up.y;
+    return part;
+}
+
+/* What is left of a box below the line has up to five corners: cuts their fan of triangles. */
+static td_part part_of_box(const thud_shape_instance *box, double height, thud_pos up) {
+    thud_shape_instance own = *box;
+    thud_pos corner[4], left[5];
+    double above[4];
+    int count = 0;
+    own.x = own.y = 0.0;
+    for (int i = 0; i < 4; i++) {
+        td_corner(&own, i, &corner[i].x, &corner[i].y);
+        above[i] = height + up.x * corner[i].x + up.y * corner[i].y;
+    }
+    for (int i = 0; i < 4; i++) {
+        int j = (i + 1) % 4;
+        if (above[i] <= 0.0 && count < 5) {
+            left[count++] = corner[i];
+        }
+        if ((above[i] < 0.0 && above[j] > 0.0) || (above[i] > 0.0 && above[j] < 0.0)) {
+            double t = above[i] / (above[i] - above[j]);
+            if (count < 5) {
+                left[count++] = (thud_pos){corner[i].x + t * (corner[j].x - corner[i].x),
+                                           corner[i].y + t * (corner[j].y - corner[i].y)};
+            }
+        }
+    }
+    double twice = 0.0, sum_x = 0.0, sum_y = 0.0;
+    for (int i = 2; i < count; i++) {
+        thud_pos p = {left[i - 1].x - left[0].x, left[i - 1].y - left[0].y};
+        thud_pos q = {left[i].x - left[0].x, left[i].y - left[0].y};
+        double cross = p.x * q.y - p.y * q.x;
+        twice += cross;
+        sum_x += cross * (p.x + q.x);
+        sum_y += cross * (p.y + q.y);
+    }
+    if (!(twice > 0.0)) {
+        return (td_part){0.0, box->x, box->y};
+    }
+    return (td_part){0.5 * twice, box->x + left[0].x + sum_x / (3.0 * twice),
+                     box->y + left[0].y + sum_y / (3.0 * twice)};
+}
+
+td_part td_part_below(const thud_shape_instance *shape, double height, thud_pos up) {
+    return shape->kind == THUD_CIRCLE ? part_of_circle(shape, height, up)
+                                      : part_of_box(shape, height, up);
+}
+
+bool td_line_normal(thud_vec2 normal, thud_pos *up) {
+    double x = (double)normal.x, y = (double)normal.y, length = __builtin_sqrt(x * x + y * y);
+    *up = (thud_pos){x / length, y / length};
+    return length >= 0.999 && length <= 1.001;
+}
+
+thud_result thud_shape_below(const thud_shape_instance *shape, thud_pos point, thud_vec2 normal,
+                             double *area, thud_pos *centroid) {
+    if (!shape || !area || !centroid) {
+        return THUD_ERROR_NULL;
+    }
+    thud_pos up;
+    if (thud_placed_check(shape) != THUD_OK || !td_line_normal(normal, &up) ||
+        !(td_abs(point.x) <= 1e15 && td_abs(point.y) <= 1e15)) {
+        return THUD_ERROR_INVALID;
+    }
+    double height = up.x * (shape->x - point.x) + up.y * (shape->y - point.y);
+    td_part part = td_part_below(shape, height, up);
+    *area = part.area;
+    *centroid = (thud_pos){part.x, part.y};
+    return THUD_OK;
+}
