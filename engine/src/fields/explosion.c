@@ -25,13 +25,10 @@ thud_explosion thud_default_explosion(void) {
 
 /* ---- cover ---- */
 
-/* A ray that leaves what it began on the edge of is not stopped by it. */
-static bool stops(const blast *b, const thud_ray_hit *hit, td_body_index target, thud_pos way) {
-    const thud_world *w = b->world;
-    td_body_index body = td_shape_at(w, (int)hit->shape.index1 - 1)->body;
+static bool stops(const blast *b, const thud_ray_hit *hit, td_body_index target) {
+    td_body_index body = td_shape_at(b->world, (int)hit->shape.index1 - 1)->body;
     return !td_same_body(body, target) &&
-           (b->def->cover == THUD_COVER_ALL || td_body_at(w, body)->kind != THUD_DYNAMIC) &&
-           (double)hit->normal.x * way.x + (double)hit->normal.y * way.y < 0.0;
+           (b->def->cover == THUD_COVER_ALL || td_body_at(b->world, body)->kind != THUD_DYNAMIC);
 }
 
 static bool covered(const blast *b, td_body_index target, thud_pos place) {
@@ -46,7 +43,7 @@ static bool covered(const blast *b, td_body_index target, thud_pos place) {
     do {
         td_walk_next(&walk, 1.0 - 1e-9, &k);
         for (int i = 0; i < k.count; i++) {
-            if (stops(b, &hits[i], target, place)) {
+            if (stops(b, &hits[i], target)) {
                 return true;
             }
         }

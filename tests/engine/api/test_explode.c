@@ -96,6 +96,16 @@ static void ground_hides_and_the_edge_of_a_floor_does_not(void **state) {
     assert_int_equal(explode(world, blast_at(6, 0)), 1);
     assert_true(state_of(world, behind).velocity.x < 0);
     thud_world_destroy(world);
+    world = make_world(weightless());
+    add_floor(world, NULL);
+    behind = add_ball(world, 4, 0.5, 0.5f);
+    before = add_ball(world, 4, -2.5, 0.5f);
+    for (int i = -8; i < 15; i++) {
+        OK(thud_body_set_velocity(world, behind, (thud_vec2){0, 0}, 0));
+        assert_int_equal(explode(world, blast_at(0.7 * i, 0)), 1);
+        assert_true(state_of(world, behind).velocity.x != 0);
+    }
+    thud_world_destroy(world);
 }
 
 static void filters_sensors_and_bodies_of_several_shapes(void **state) {
