@@ -243,7 +243,7 @@ test("explosion_pushes_what_has_no_cover", () => {
 });
 
 test("boat_floats_at_the_draught_that_the_densities_say", () => {
-  const world = engine.createWorld();
+  const world = engine.createWorld({ sleeping: false });
   const options = { halfWidth: 2, halfHeight: 0.5, density: 0.25 };
   const boat = world.createBody({
     kind: "dynamic",
