@@ -20,25 +20,24 @@ static int told(thud_result result, const api_buffer *list, int count) {
     return result;
 }
 
-/* Two 32-bit numbers each, here and below. Slots out: list. */
-int api_world_bodies(const thud_world *world) {
+static int list_bodies(const thud_world *world,
+                       thud_result (*find)(const thud_world *, thud_body_id *, int, int *)) {
     int count = 0;
-    thud_result result = thud_world_bodies(world, NULL, 0, &count);
+    thud_result result = find(world, NULL, 0, &count);
     if (result == THUD_OK)
         result = make_room(&bodies, count);
     if (result == THUD_OK)
-        result = thud_world_bodies(world, (thud_body_id *)bodies.data, count, &count);
+        result = find(world, (thud_body_id *)bodies.data, count, &count);
     return told(result, &bodies, count);
 }
 
+/* Two 32-bit numbers each, here and below. Slots out: list. */
+int api_world_bodies(const thud_world *world) {
+    return list_bodies(world, thud_world_bodies);
+}
+
 int api_world_awake_bodies(const thud_world *world) {
-    int count = 0;
-    thud_result result = thud_world_awake_bodies(world, NULL, 0, &count);
-    if (result == THUD_OK)
-        result = make_room(&bodies, count);
-    if (result == THUD_OK)
-        result = thud_world_awake_bodies(world, (thud_body_id *)bodies.data, count, &count);
-    return told(result, &bodies, count);
+    return list_bodies(world, thud_world_awake_bodies);
 }
 
 int api_world_shapes(const thud_world *world) {

@@ -30,6 +30,17 @@ static thud_result find_about(const thud_world *w, thud_shape_id id, thud_pos pl
                : td_refuse(w, THUD_ERROR_INVALID, "asking a shape: the place is out of range");
 }
 
+/* Where the shape is nearest to a place. */
+static thud_result measure(thud_world *w, thud_shape_id id, thud_pos point, int *index,
+                           thud_closest *closest) {
+    thud_result result = find_about(w, id, point, index);
+    result = result != THUD_OK ? result : prepare(w);
+    if (result == THUD_OK) {
+        td_query_measure(w, *index, td_place_from(w, point), closest);
+    }
+    return result;
+}
+
 thud_result thud_shape_meets_ray(thud_world *w, thud_shape_id id, thud_pos origin, double dx,
                                  double dy, bool *hit, thud_ray_hit *out) {
     TD_IN_OWN_MODE;
@@ -65,11 +76,9 @@ thud_result thud_shape_contains_point(thud_world *w, thud_shape_id id, thud_pos 
     if (!w || !inside) {
         return td_refuse(w, THUD_ERROR_NULL, "shape contains point: world or inside is null");
     }
-    thud_result result = find_about(w, id, point, &index);
-    result = result != THUD_OK ? result : prepare(w);
+    thud_closest c;
+    thud_result result = measure(w, id, point, &index, &c);
     if (result == THUD_OK) {
-        thud_closest c;
-        td_query_measure(w, index, td_place_from(w, point), &c);
         *inside = c.distance <= 0.0;
     }
     return result;
@@ -82,11 +91,9 @@ thud_result thud_shape_closest_point(thud_world *w, thud_shape_id id, thud_pos p
     if (!w || !out) {
         return td_refuse(w, THUD_ERROR_NULL, "shape's closest point: world or out is null");
     }
-    thud_result result = find_about(w, id, point, &index);
-    result = result != THUD_OK ? result : prepare(w);
+    thud_closest c;
+    thud_result result = measure(w, id, point, &index, &c);
     if (result == THUD_OK) {
-        thud_closest c;
-        td_query_measure(w, index, td_place_from(w, point), &c);
         *out = td_query_closest_hit(w, index, point, &c);
     }
     return result;

@@ -15,20 +15,20 @@ static thud_result refuse(const thud_world *w) {
     return td_refuse(w, THUD_ERROR_INVALID, "point of a body: it is not finite or out of range");
 }
 
-static bool reaches(const thud_world *w, thud_vec2 v) {
-    return td_place_valid(w, (double)v.x, (double)v.y);
+/* As `find`, with a place that is given: in the world, or in the body's frame. */
+static thud_result find_at(const thud_world *w, thud_body_id id, double x, double y,
+                           const void *out, td_body_index *index) {
+    thud_result result = find(w, id, out, index);
+    return result != THUD_OK || td_place_valid(w, x, y) ? result : refuse(w);
 }
 
 thud_result thud_body_velocity_at(const thud_world *w, thud_body_id id, thud_pos point,
                                   thud_vec2 *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
-    thud_result result = find(w, id, out, &index);
+    thud_result result = find_at(w, id, point.x, point.y, out, &index);
     if (result != THUD_OK) {
         return result;
-    }
-    if (!td_place_valid(w, point.x, point.y)) {
-        return refuse(w);
     }
     const float *velocity = td_body_velocity(w, td_body_at(w, index));
     const td_pose *pose = td_pose_at(w, index);
@@ -50,12 +50,9 @@ thud_result thud_body_world_point(const thud_world *w, thud_body_id id, thud_vec
                                   thud_pos *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
-    thud_result result = find(w, id, out, &index);
+    thud_result result = find_at(w, id, (double)point.x, (double)point.y, out, &index);
     if (result != THUD_OK) {
         return result;
-    }
-    if (!reaches(w, point)) {
-        return refuse(w);
     }
     td_position at = td_body_origin(w, index);
     thud_vec2 arm = turned(td_pose_at(w, index), (double)point.x, (double)point.y, 1.0);
@@ -69,12 +66,9 @@ thud_result thud_body_local_point(const thud_world *w, thud_body_id id, thud_pos
                                   thud_vec2 *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
-    thud_result result = find(w, id, out, &index);
+    thud_result result = find_at(w, id, point.x, point.y, out, &index);
     if (result != THUD_OK) {
         return result;
-    }
-    if (!td_place_valid(w, point.x, point.y)) {
-        return refuse(w);
     }
     td_position origin = td_body_origin(w, index), at = td_place_from(w, point);
     *out = turned(td_pose_at(w, index), (double)(at.x - origin.x) / w->to_fixed,

@@ -50,9 +50,8 @@ thud_result thud_shape_set_sensor(thud_world *w, thud_shape_id id, bool sensor) 
     int kind = td_body_at(w, shape->body)->kind;
     shape->flags ^= TD_SHAPE_SENSOR;
     w->mobile_sensors += kind == THUD_DYNAMIC ? (sensor ? 1 : -1) : 0;
-    if (kind != THUD_STATIC) {
-        shape->internal_edges = shape->hidden =
-            0; /* its body's others are looked at as it changes */
+    if (kind != THUD_STATIC) { /* its body's others are looked at as it changes */
+        shape->internal_edges = shape->hidden = 0;
     }
     *td_marks_at(w, index) |= TD_MARK_FRESH;
     td_body_mark(w, shape->body, TD_CHANGE_SHAPES);
