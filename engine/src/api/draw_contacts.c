@@ -54,7 +54,7 @@ void td_draw_direct(const td_drawing *d) {
     const td_constraint *c;
     for (int i = 0; (c = next_acting(d->w, &i)) != NULL;) {
         td_lane at = td_lane_of(d->w, c);
-        if (at.block->loaded[at.lane] & TD_DIRECT) {
+        if (at.block->mark[at.lane].loaded & TD_DIRECT) {
             td_drawing_pair(d, c, THUD_DRAW_DIRECT);
         }
     }

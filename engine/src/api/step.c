@@ -1,5 +1,6 @@
 /* step.c: the whole engine at a glance. Data flows one way; stages meet in the world's state. */
 #include "constraint/joining.h"
+#include "rules/ruling.h"
 #include "solver/budget.h"
 #include "state/handles.h"
 #include "api/step.h"
@@ -90,7 +91,8 @@ static thud_result run_stages(thud_world *w) {
     w->paired |= done;
     mark(w, THUD_STAGE_BROADPHASE, &last);
     done = done && td_broadphase_refresh(w) && td_narrowphase(w) && find_islands(w) &&
-           td_finalize_reserve(w) && reserve_detection(w) && td_sleep_reserve(w);
+           td_finalize_reserve(w) && reserve_detection(w) && td_sleep_reserve(w) &&
+           (!w->ruling || w->ruling->reserve(w));
     mark(w, THUD_STAGE_NARROWPHASE, &last);
     if (!done) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");

@@ -9,6 +9,7 @@
 #include "constraint/lanes.h"
 #include "solver/quality.h"
 #include "api/step.h"
+#include "rules/ruling.h"
 
 #include <stdatomic.h>
 #include <string.h>
@@ -231,6 +232,9 @@ void thud_world_destroy(thud_world *w) {
     if (w->locked) {
         td_refuse(w, THUD_ERROR_LOCKED, "world destroy: not inside a callback");
         return;
+    }
+    if (w->ruling) {
+        w->ruling->end(w);
     }
     for (int i = 0; i < w->terrains.count; i++) {
         td_array_free(&w->memory, &td_terrain_record_at(w, i)->points);

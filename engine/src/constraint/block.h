@@ -114,6 +114,15 @@ typedef struct td_gear_rows {
     f8 a_x, a_y;
 } td_gear_rows;
 
+/* What a lane keeps beside its rows: as wide as an element of them, so that it is copied like one.
+ */
+typedef struct td_lane_marks {
+    uint8_t internal_edges; /* td_shape.internal_edges of shape_a, where that is static */
+    uint8_t loaded;         /* how often in succession it was found to carry too much, see
+                               direct_islands.c; and the bit TD_DIRECT */
+    uint16_t rule;          /* rules/rules.h; 0: none that a step looks at */
+} td_lane_marks;
+
 /* Behind its points, a block has one td_point_history for each of them, a td_surface, and, where
  * its form says so, a td_manifold_cache. */
 typedef struct td_block {
@@ -128,11 +137,8 @@ typedef struct td_block {
     int32_t armed;         /* a lane's shape may be off its body's centre of mass; of joints: what
                               a lane keeps of its joint is to be looked up anew */
     int32_t shared;        /* a lane has a kinematic body, which other blocks may have as well */
-    uint8_t internal_edges[TD_LANES]; /* td_shape.internal_edges of shape_a, where that is static */
-    uint8_t loaded[TD_LANES];         /* how often in succession it was found to carry too much, see
-                                         direct_islands.c; and the bit TD_DIRECT */
     uint32_t apart; /* lanes that the motion of the step surely keeps apart: detection/gaps.h */
-    int32_t padding[4];
+    td_lane_marks mark[TD_LANES];
     /* The solver's rows begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slots, in bytes of their records of four floats; 0:
                                           that side is static */
@@ -146,7 +152,7 @@ typedef struct td_block {
     td_point point[]; /* one or two */
 } td_block;
 
-enum { TD_DIRECT = 128 }; /* in td_block.loaded: impulses are the direct solver's */
+enum { TD_DIRECT = 128 }; /* in td_lane_marks.loaded: impulses are the direct solver's */
 
 enum { TD_AWAKE_BYTES = 4 * (int)sizeof(float) };
 

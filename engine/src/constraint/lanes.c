@@ -69,26 +69,23 @@ static int take_block(thud_world *w, int kind) {
     return index;
 }
 
-/* A block is rows of eight words, all but the words that are the block's own. */
+/* A block is rows of eight words, all but the one that is the block's own. */
 enum {
     ROW = (int)sizeof(f8),
-    OWN_FIRST = (int)offsetof(td_block, next) / ROW,
-    OWN_END = (int)offsetof(td_block, a) / ROW
+    OWN_ROW = (int)offsetof(td_block, next) / ROW
 };
 
 static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int bytes) {
     uint32_t *t = (uint32_t *)to + to_lane;
     const uint32_t *f = (const uint32_t *)from + from_lane;
     for (int row = 0; row < bytes / ROW; row++) {
-        if (row < OWN_FIRST || row >= OWN_END) {
+        if (row != OWN_ROW) {
             t[row * TD_LANES] = f[row * TD_LANES];
         }
     }
     to->bouncy |= to->restitution[to_lane] > 0.0f;
     to->armed |= from->armed;
     to->shared |= from->shared;
-    to->internal_edges[to_lane] = from->internal_edges[from_lane];
-    to->loaded[to_lane] = from->loaded[from_lane];
     to->touching =
         (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
 }
@@ -97,12 +94,11 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
 static void clear_lane(td_block *block, int lane, int bytes) {
     uint32_t *t = (uint32_t *)block + lane;
     for (int row = 0; row < bytes / ROW; row++) {
-        if (row < OWN_FIRST || row >= OWN_END) {
+        if (row != OWN_ROW) {
             t[row * TD_LANES] = 0;
         }
     }
     block->constraint[lane] = TD_NONE;
-    block->internal_edges[lane] = block->loaded[lane] = 0;
     block->touching &= ~(1u << lane);
 }
 

@@ -5,6 +5,7 @@
 #include "state/handles.h"
 #include "constraint/joining.h"
 #include "constraint/lanes.h"
+#include "rules/ruling.h"
 
 static td_body *body_of_shape(const thud_world *w, int shape) {
     return td_body_at(w, td_shape_at(w, shape)->body);
@@ -47,10 +48,11 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
     if (w->joining && least == THUD_DYNAMIC && w->joining->keeps_apart(w, a->body, b->body)) {
         return false;
     }
+    bool meet = (a->filter.mask & b->filter.category) && (b->filter.mask & a->filter.category);
     if (a->filter.group == b->filter.group && a->filter.group != 0) {
-        return a->filter.group > 0;
+        meet = a->filter.group > 0;
     }
-    return (a->filter.mask & b->filter.category) && (b->filter.mask & a->filter.category);
+    return meet && (!w->ruling || w->ruling->allows(w, shape_a, shape_b));
 }
 
 bool td_pair_meets(const thud_world *w, int a, int b) {
@@ -134,6 +136,7 @@ void td_contact_end(thud_world *w, int contact_index) {
 
 void td_contact_part(thud_world *w, int contact_index) {
     td_lane_remove(w, contact_index);
+    td_contact_at(w, contact_index)->vetoed = 0;
     td_constraint_wait(w, contact_index);
     td_contact_end(w, contact_index);
 }

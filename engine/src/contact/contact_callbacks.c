@@ -4,6 +4,7 @@
 #include "contact/contact.h"
 #include "state/handles.h"
 #include "constraint/lanes.h"
+#include "rules/ruling.h"
 #include "api/step.h"
 #include "state/surface.h"
 
@@ -40,8 +41,7 @@ thud_contact td_contact_view(const thud_world *w, td_block *block, int lane) {
     return seen;
 }
 
-/* How fast a point closes, > 0, at the start of the step. */
-static float closing_of(const thud_world *w, const td_block *block, const td_point *p, int lane) {
+float td_contact_closing(const thud_world *w, const td_block *block, const td_point *p, int lane) {
     const float *a = td_row(&w->velocity, td_slot_of_side(block->a[lane]));
     const float *b = td_row(&w->velocity, td_slot_of_side(block->b[lane]));
     return (a[0] - b[0]) * block->nx[lane] + (a[1] - b[1]) * block->ny[lane] +
@@ -52,7 +52,7 @@ static float closing_of(const thud_world *w, const td_block *block, const td_poi
 static void note_approach(const thud_world *w, td_block *block, int points, int lane) {
     for (int k = 0; k < points; k++) {
         td_history_of(block, points)[k].approach[lane] =
-            -closing_of(w, block, &block->point[k], lane);
+            -td_contact_closing(w, block, &block->point[k], lane);
     }
 }
 
@@ -60,15 +60,19 @@ static void note_approach(const thud_world *w, td_block *block, int points, int 
 static void ask(thud_world *w, td_block *block, int lane) {
     td_contact *contact = td_contact_at(w, block->constraint[lane]);
     int points = td_form_points(w->kinds[contact->kind]->form);
+    if (contact->vetoed & TD_PASSING) {
+        return; /* a rule lets them through */
+    }
     thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
     thud_contact_settings settings = own;
     thud_contact seen = td_contact_view(w, block, lane);
-    contact->vetoed = !td_surface_ask(w, &seen, &settings);
+    bool yes = td_surface_ask(w, &seen, &settings);
+    contact->vetoed = (contact->vetoed & TD_HELD) | !yes;
     td_surface_set(w, block, points, lane, &settings);
     if (settings.restitution != own.restitution) {
         note_approach(w, block, points, lane);
     }
-    if (contact->vetoed) {
+    if (!yes) {
         td_surface_mute(block, points, lane);
     }
 }
@@ -81,6 +85,9 @@ static int contacts_in(const thud_world *w, int i) {
 }
 
 void td_contacts_ask(thud_world *w) {
+    if (w->ruling) {
+        w->ruling->decide(w);
+    }
     for (int i = 0; i < w->scratch.blocks.count && w->def.prologue; i++) {
         td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
         for (int lane = 0, end = contacts_in(w, i); lane < end; lane++) {
@@ -118,6 +125,9 @@ void td_contacts_hit(thud_world *w) {
 }
 
 void td_contacts_tell(thud_world *w) {
+    if (w->ruling) {
+        w->ruling->tell(w);
+    }
     if (!w->def.epilogue) {
         return;
     }

@@ -1,10 +1,21 @@
 /* contact_lanes.c: what contacts keep in their lanes. */
 #include "constraint/lanes.h"
+#include "contact/contact.h"
 #include "contact/internal_edges.h"
+#include "rules/ruling.h"
 #include "state/surface.h"
 
 static int points_of(const thud_world *w, const td_contact *contact) {
     return td_form_points(w->kinds[contact->kind]->form);
+}
+
+void td_contact_settle(thud_world *w, td_block *block, int lane, int index) {
+    const td_contact *contact = td_contact_at(w, index);
+    thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
+    td_surface_set(w, block, points_of(w, contact), lane, &own);
+    if (w->ruling) {
+        block->mark[lane].rule = w->ruling->settle(w, contact->shape_a, contact->shape_b, &own);
+    }
 }
 
 static void fill(thud_world *w, td_block *block, int lane, int index) {
@@ -13,11 +24,10 @@ static void fill(thud_world *w, td_block *block, int lane, int index) {
     const td_shape *b = td_shape_at(w, contact->shape_b);
     block->shape_a[lane] = contact->shape_a;
     block->shape_b[lane] = contact->shape_b;
-    thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
-    td_surface_set(w, block, points_of(w, contact), lane, &own);
+    td_contact_settle(w, block, lane, index);
     block->armed |= !(a->plain && b->plain) || b->internal_edges ||
                     (a->internal_edges && td_body_at(w, a->body)->kind != THUD_STATIC);
-    block->internal_edges[lane] = td_internal_edges_of(a, b);
+    block->mark[lane].internal_edges = td_internal_edges_of(a, b);
 }
 
 /* The world counts lanes that bounce or carry along. */

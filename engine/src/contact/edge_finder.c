@@ -17,7 +17,7 @@ static void set(thud_world *w, int shape, unsigned internal_edges, unsigned hidd
         const td_constraint *contact = td_constraint_at(w, e / 2);
         if (td_is_contact(contact) && contact->state == TD_TOUCHING) {
             td_lane at = td_lane_of(w, contact);
-            at.block->internal_edges[at.lane] =
+            at.block->mark[at.lane].internal_edges =
                 td_internal_edges_of(td_shape_at(w, contact->shape_a),
                                      td_shape_at(w, contact->shape_b));
         }

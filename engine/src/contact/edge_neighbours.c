@@ -3,6 +3,7 @@
 
 #include "contact/box_faces.h"
 #include "contact/contact.h"
+#include "rules/ruling.h"
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
@@ -133,7 +134,9 @@ bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, 
 }
 
 static bool asks(const td_internal_edge *s, int n, td_neighbour_fn *fn, void *context) {
-    return n != s->shape && (s->other == TD_NONE || td_pair_allowed(s->w, n, s->other)) &&
+    return n != s->shape &&
+           (s->other == TD_NONE || (td_pair_allowed(s->w, n, s->other) &&
+                                    (!s->w->ruling || s->w->ruling->hides(s->w, n, s->other)))) &&
            fn(s, n, context);
 }
 

@@ -137,7 +137,7 @@ static bool is_plain(const thud_world *w, const td_block *block, int lane) {
                           : (v > 0.0f ? TD_FACE_TOP : TD_FACE_BOTTOM);
     bool corner = x > 0.5f * (float)STRAIGHT && y > 0.5f * (float)STRAIGHT;
     unsigned bits = corner ? td_corner_bit(u > 0.0f, v > 0.0f) | 1u << face : 1u << face;
-    return !(block->internal_edges[lane] & bits);
+    return !(block->mark[lane].internal_edges & bits);
 }
 
 static bool looks_out(const thud_shape_instance *box, double nx, double ny) {
@@ -333,14 +333,21 @@ static void amend_lane(thud_world *w, td_block *block, int kind, int lane) {
     write_lane(w, block, kind, lane, &contact);
 }
 
+/* Whether a lane has internal edges: two lanes at once, since most blocks have none. */
+static bool has_internal_edges(const td_block *block) {
+    const td_lane_marks each[2] = {{.internal_edges = UINT8_MAX}, {.internal_edges = UINT8_MAX}};
+    uint64_t lanes[TD_LANES / 2], mask;
+    memcpy(lanes, block->mark, sizeof lanes);
+    memcpy(&mask, each, sizeof mask);
+    return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) & mask;
+}
+
 static void amend(thud_world *w, td_block *block, int kind) {
-    uint64_t internal_edges;
-    memcpy(&internal_edges, block->internal_edges, sizeof internal_edges);
-    if (!internal_edges || td_pair_is_on_line(kind)) {
+    if (td_pair_is_on_line(kind) || !has_internal_edges(block)) {
         return; /* a line's sealed ends are known to its manifolds */
     }
     for (int lane = 0; lane < block->used; lane++) {
-        if (block->internal_edges[lane] && (block->touching >> lane & 1) &&
+        if (block->mark[lane].internal_edges && (block->touching >> lane & 1) &&
             !is_plain(w, block, lane)) {
             amend_lane(w, block, kind, lane);
         }

@@ -19,7 +19,7 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
         .body_b = td_body_handle(w, contact->body[1]),
         .normal = {block->nx[lane], block->ny[lane]},
         .tangent_impulse = (float)w->substeps * block->tangent_impulse[lane],
-        .direct = (block->loaded[lane] & TD_DIRECT) != 0,
+        .direct = (block->mark[lane].loaded & TD_DIRECT) != 0,
     };
     float nx = out.normal.x, ny = out.normal.y, ct = block->tangent_cross_b[lane];
     for (int k = 0; k < points; k++) {

@@ -87,8 +87,9 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
             block->constraint[lane] = index;
             block->shape_a[lane] = contact->shape_a;
             block->shape_b[lane] = contact->shape_b;
-            block->internal_edges[lane] = td_internal_edges_of(td_shape_at(w, contact->shape_a),
-                                                               td_shape_at(w, contact->shape_b));
+            block->mark[lane].internal_edges =
+                td_internal_edges_of(td_shape_at(w, contact->shape_a),
+                                     td_shape_at(w, contact->shape_b));
         }
     }
     td_block *parted[TEST_BLOCKS + 1];

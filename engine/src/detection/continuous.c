@@ -80,7 +80,7 @@ static thud_contact view(const sweep *s, int other, double time) {
 static bool passes(const sweep *s, int other, double time) {
     thud_world *w = s->w;
     bool asked = false, vetoed = true;
-    int e = w->def.prologue ? td_body_at(w, s->body)->first_constraint : TD_NONE;
+    int e = td_surface_asks(w) ? td_body_at(w, s->body)->first_constraint : TD_NONE;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *contact = td_constraint_at(w, e / 2);
         if (contact->state == TD_TOUCHING && contact->shape_a == other &&
@@ -89,12 +89,12 @@ static bool passes(const sweep *s, int other, double time) {
             vetoed &= contact->vetoed;
         }
     }
-    if (asked || !w->def.prologue) {
+    if (asked || !td_surface_asks(w)) {
         return asked && vetoed;
     }
     thud_contact seen = view(s, other, time);
     thud_contact_settings settings = td_surface_of_pair(w, other, s->shape);
-    return !td_surface_ask(w, &seen, &settings);
+    return !td_surface_meet(w, &seen, &settings);
 }
 
 static bool is_sooner(const meeting *a, const meeting *b) {

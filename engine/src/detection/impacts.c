@@ -83,12 +83,9 @@ static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const t
         return false;
     }
     *settings = td_surface_of_pair(w, e->shape[0], e->shape[1]);
-    if (!w->def.prologue) {
-        return false;
-    }
-    bool veto = !td_surface_ask(w, seen, settings);
+    bool veto = !td_surface_meet(w, seen, settings);
     if (veto && number < w->constraints.count) {
-        td_contact_at(w, number)->vetoed = 1;
+        td_contact_at(w, number)->vetoed = TD_VETOED;
     } else if (veto) {
         td_extra_at(w, number)->vetoed = true;
     }
@@ -245,7 +242,7 @@ static void schedule_everything(thud_world *w) {
     for (int i = 0; i < w->constraints.count; i++) {
         td_constraint *contact = td_constraint_at(w, i);
         if (contact->live) {
-            contact->vetoed &= contact->state == TD_TOUCHING;
+            contact->vetoed = contact->state == TD_TOUCHING ? contact->vetoed : 0;
             note_touch(w, contact);
         }
     }

@@ -102,7 +102,7 @@ td_toi_candidate td_toi_candidate_at(const thud_world *w, int number) {
     const td_contact *c = td_contact_at(w, number);
     return (td_toi_candidate){.shape = {c->shape_a, c->shape_b},
                               .body = {c->body[0], c->body[1]},
-                              .vetoed = c->vetoed};
+                              .vetoed = c->vetoed & TD_VETOED};
 }
 
 /* ---- tests of rising cost ---- */

@@ -63,6 +63,20 @@ void td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all
     }
 }
 
+void td_edit_settle_contacts(thud_world *w, int shape) {
+    td_body_index body = td_shape_at(w, shape)->body;
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        td_constraint *contact = td_constraint_at(w, e / 2);
+        if (td_edit_concerns(contact, shape) && contact->state == TD_TOUCHING) {
+            td_lane at = td_lane_of(w, contact);
+            uint16_t before = at.block->mark[at.lane].rule;
+            td_contact_settle(w, at.block, at.lane, e / 2);
+            contact->vetoed = before == at.block->mark[at.lane].rule ? contact->vetoed : 0;
+            td_lane_renew(w, e / 2);
+        }
+    }
+}
+
 /* Bounds tell lines nothing of what stands on them: all that may looks for them. */
 static void look_for_line(thud_world *w, int line) {
     for (int i = 0; i < w->shapes.count; i++) {

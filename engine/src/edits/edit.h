@@ -24,6 +24,10 @@ void td_edit_end_contacts(thud_world *w, td_body_index body, int shape, bool all
 /* False when memory is short. */
 bool td_edit_ends_reserve(thud_world *w, td_body_index body, int shape, bool all);
 
+/* Contacts of a shape, also of what sleeps, take the settings of their surfaces and their rules
+ * anew. */
+void td_edit_settle_contacts(thud_world *w, int shape);
+
 /* Its shape looks for pairs that it has not got. */
 void td_edit_look_around(thud_world *w, int shape);
 

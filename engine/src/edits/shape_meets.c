@@ -24,6 +24,7 @@ thud_result thud_shape_set_filter(thud_world *w, thud_shape_id id, thud_filter f
         return td_refuse(w, THUD_ERROR_MEMORY, "set filter: out of memory");
     }
     td_edit_end_contacts(w, shape->body, index, false);
+    td_edit_settle_contacts(w, index); /* rules go by categories */
     td_edit_look_around(w, index);
     td_body_mark(w, shape->body, TD_CHANGE_SHAPES);
     if (!(filter.category | filter.mask | (uint32_t)filter.group)) {

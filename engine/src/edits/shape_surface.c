@@ -2,30 +2,12 @@
  * thud_edits.h. */
 #include "thud/thud_edits.h"
 
-#include "constraint/lanes.h"
 #include "edits/edit.h"
 #include "state/handles.h"
 #include "state/shape.h"
-#include "state/surface.h"
 
 #include <stddef.h>
 #include <string.h>
-
-/* Lanes, asleep ones too, have settings of their own, which a prologue changes for a step. */
-static void renew_lanes(thud_world *w, int shape) {
-    td_body_index body = td_shape_at(w, shape)->body;
-    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE;) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
-        if (td_edit_concerns(contact, shape) && contact->state == TD_TOUCHING) {
-            td_lane at = td_lane_of(w, contact);
-            thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
-            td_surface_set(w, at.block, td_form_points(w->kinds[contact->kind]->form), at.lane,
-                           &own);
-            td_lane_renew(w, e / 2);
-        }
-        e = contact->next[e & 1];
-    }
-}
 
 static thud_result set(thud_world *w, thud_shape_id id, size_t field, float value, float least,
                        float most, const char *error) {
@@ -40,7 +22,7 @@ static thud_result set(thud_world *w, thud_shape_id id, size_t field, float valu
     }
     td_shape *shape = td_shape_at(w, index);
     memcpy((char *)shape + field, &value, sizeof value);
-    renew_lanes(w, index);
+    td_edit_settle_contacts(w, index);
     td_edit_wake(w, shape->body, index);
     return THUD_OK;
 }

@@ -18,13 +18,13 @@ void td_island_note(thud_world *w) {
     for (int i = 0; i < s->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, td_int_at(&s->constraints, i));
         td_lane at = td_lane_of(w, constraint);
-        float kept = at.block->loaded[at.lane] & TD_DIRECT ? 0.0f : 1.0f;
+        float kept = at.block->mark[at.lane].loaded & TD_DIRECT ? 0.0f : 1.0f;
         td_island_guess(w, i, kept);
         for (int k = 0; k < td_island_points(w, constraint); k++) {
             at.block->point[k].normal_impulse[at.lane] *= kept;
         }
         at.block->tangent_impulse[at.lane] *= kept;
-        at.block->loaded[at.lane] &= TD_DIRECT - 1;
+        at.block->mark[at.lane].loaded &= TD_DIRECT - 1;
     }
 }
 

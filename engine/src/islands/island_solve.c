@@ -234,7 +234,7 @@ static void write_constraint(const td_island_work *work, int i) {
     }
     float along = tangent->used ? (float)tangent->impulse : 0.0f;
     at.block->tangent_impulse[at.lane] = part * along;
-    at.block->loaded[at.lane] |= TD_DIRECT;
+    at.block->mark[at.lane].loaded |= TD_DIRECT;
     td_surface_at(at.block, points)->total[at.lane] = along;
 }
 

@@ -108,6 +108,13 @@ enum {
     TD_RESTING      /* waiting, but nobody is awake: in no list */
 };
 
+/* td_constraint.vetoed, of a contact. */
+enum {
+    TD_VETOED = 1,  /* does nothing in this step */
+    TD_PASSING = 2, /* by a one-way rule, until the two part or it has come out; vetoed as well */
+    TD_HELD = 4     /* by a one-way rule, until the two part */
+};
+
 /* An edge of the graph of constraints: constraint.h. */
 typedef struct td_constraint {
     int32_t next_free;
@@ -125,7 +132,7 @@ typedef struct td_constraint {
     uint8_t open;   /* touches, or overlaps a sensor: has begun and not ended */
     uint8_t listed; /* while a list of contacts is being made */
     uint8_t live;
-    uint8_t vetoed; /* by the prologue of this step */
+    uint8_t vetoed; /* by a prologue or a rule, see above */
 } td_constraint;
 
 /* A constraint whose kind is a pair kind. */

@@ -1,13 +1,18 @@
 /* surface.c: see surface.h. */
 #include "state/surface.h"
 
+#include "rules/ruling.h"
 #include "state/handles.h"
 
 thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b) {
     const td_shape *a = td_shape_at(w, shape_a), *b = td_shape_at(w, shape_b);
-    return (thud_contact_settings){.friction = __builtin_sqrtf(a->friction * b->friction),
-                                   .restitution = td_max_float(a->restitution, b->restitution),
-                                   .surface_speed = a->surface_speed + b->surface_speed};
+    thud_contact_settings s = {.friction = __builtin_sqrtf(a->friction * b->friction),
+                               .restitution = td_max_float(a->restitution, b->restitution),
+                               .surface_speed = a->surface_speed + b->surface_speed};
+    if (w->ruling) {
+        w->ruling->settle(w, shape_a, shape_b, &s);
+    }
+    return s;
 }
 
 static bool valid(const thud_world *w, const thud_contact_settings *s) {
@@ -27,6 +32,11 @@ bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settin
                   "prologue: friction, restitution or surface_speed is out of range");
     }
     return yes;
+}
+
+bool td_surface_meet(thud_world *w, const thud_contact *seen, thud_contact_settings *settings) {
+    return !(w->ruling && w->ruling->lets_through(w, seen)) &&
+           (!w->def.prologue || td_surface_ask(w, seen, settings));
 }
 
 void td_surface_set(thud_world *w, td_block *block, int points, int lane,

@@ -27,6 +27,9 @@ struct thud_world {
     const struct td_internal_edge_ops *internal_edges; /* null: nothing has faces */
     const struct td_joining_ops *joining;              /* null: there never was a joint */
     const struct td_ground_ops *ground;                /* null: there are no lines */
+    const struct td_ruling_ops *ruling;                /* null: there never was a rule */
+    struct td_rules *rules;                            /* with it */
+    bool adds_impulses;                                /* a rule asks what contacts bear */
     bool wide;                                         /* AVX2 kernels may run */
     bool locked;                                       /* in a step, or inside a callback */
     float unit;                                        /* L in the caller's unit */

@@ -1,0 +1,58 @@
+/* impulses.c: contacts that gave more than their rule's most_impulse; see thud_rules.h. */
+#include "detection/collide.h"
+#include "constraint/lanes.h"
+#include "contact/contact.h"
+#include "rules/rules.h"
+
+/* Impacts of the step are listed where its detection has reserved room for them. */
+bool td_rules_reserve(thud_world *w) {
+    return !w->adds_impulses || td_array_reserve(&w->memory, &w->rules->impulses,
+                                                 w->touching + w->scratch.impacts.capacity);
+}
+
+static void push(thud_world *w, const thud_contact *seen) {
+    TD_PUSH(thud_impulse_event, &w->rules->impulses) =
+        (thud_impulse_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
+                             seen->normal_impulse};
+}
+
+static float impulse_of(td_block *block, int points, int lane) {
+    float sum = td_history_of(block, points)[0].total[lane];
+    return points == 2 ? sum + td_history_of(block, points)[1].total[lane] : sum;
+}
+
+void td_rules_tell(thud_world *w) {
+    if (!w->adds_impulses) {
+        return;
+    }
+    for (int i = 0; i < w->scratch.blocks.count; i++) {
+        td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
+        for (int lane = 0; lane < block->used; lane++) {
+            const td_rule *rule = td_rule_of_lane(w, block, lane, TD_RULE_IMPULSE);
+            if (!rule) {
+                continue;
+            }
+            const td_contact *contact = td_contact_at(w, block->constraint[lane]);
+            int points = td_form_points(w->kinds[contact->kind]->form);
+            if (impulse_of(block, points, lane) > rule->rule.most_impulse) {
+                thud_contact seen = td_contact_view(w, block, lane);
+                push(w, &seen);
+            }
+        }
+    }
+    for (int i = 0; i < w->scratch.impacts.count; i++) {
+        const thud_contact *seen = &TD_AT(td_impact, &w->scratch.impacts, i)->seen;
+        const td_rule *rule =
+            td_rule_of_pair(w, (int)seen->shape_a.index1 - 1, (int)seen->shape_b.index1 - 1);
+        if (rule && seen->normal_impulse > rule->rule.most_impulse) {
+            push(w, seen);
+        }
+    }
+}
+
+const thud_impulse_event *thud_world_impulses(const thud_world *w, int *count) {
+    if (count) {
+        *count = w && w->rules ? w->rules->impulses.count : 0;
+    }
+    return w && w->rules ? w->rules->impulses.data : NULL;
+}

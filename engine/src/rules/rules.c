@@ -1,0 +1,227 @@
+/* rules.c: the table of rules, and whom they let meet; see thud_rules.h. */
+#include "rules/rules.h"
+
+#include "contact/contact.h"
+#include "edits/edit.h"
+#include "state/body.h"
+#include "state/handles.h"
+#include "state/surface.h"
+
+#define OF_SHAPES __builtin_nanf("")
+
+thud_rule thud_default_rule(void) {
+    return (thud_rule){.meeting = THUD_COLLIDE,
+                       .solid_side = {0.0f, 1.0f},
+                       .friction = OF_SHAPES,
+                       .restitution = OF_SHAPES,
+                       .surface_speed = OF_SHAPES,
+                       .most_impulse = __builtin_inff()};
+}
+
+/* ---- what stages ask ---- */
+
+static bool allows(const thud_world *world, int shape_a, int shape_b) {
+    const td_rules *rules = world->rules;
+    const td_rule *rule = td_rule_of_pair(world, shape_a, shape_b);
+    if (rule && rule->rule.meeting == THUD_IGNORE) {
+        return false;
+    }
+    if (!rules->filter) {
+        return true;
+    }
+    thud_world *w = (thud_world *)world; /* who asks may be about to change it; `locked` is why */
+    bool locked = w->locked;
+    w->locked = true;
+    bool yes = rules->filter(w, td_shape_handle(w, shape_a), td_shape_handle(w, shape_b),
+                             rules->filter_context);
+    w->locked = locked;
+    return yes;
+}
+
+static void take(float *value, float own) {
+    *value = own == own ? own : *value;
+}
+
+static uint16_t settle(const thud_world *w, int shape_a, int shape_b,
+                       thud_contact_settings *settings) {
+    const td_rule *rule = td_rule_of_pair(w, shape_a, shape_b);
+    if (!rule) {
+        return 0;
+    }
+    take(&settings->friction, rule->rule.friction);
+    take(&settings->restitution, rule->rule.restitution);
+    take(&settings->surface_speed, rule->rule.surface_speed);
+    unsigned watched = (rule->rule.meeting == THUD_ONE_WAY ? TD_RULE_ONE_WAY : 0u) |
+                       (td_rule_counts_impulses(rule) ? TD_RULE_IMPULSE : 0u);
+    return (uint16_t)(watched ? watched | (unsigned)(rule - w->rules->table[0]) : 0u);
+}
+
+static void end(thud_world *w) {
+    td_array_free(&w->memory, &w->rules->impulses);
+    td_memory_put(&w->memory, w->rules, sizeof *w->rules);
+}
+
+static const td_ruling_ops RULING = {.allows = allows,
+                                     .settle = settle,
+                                     .hides = td_rules_hide,
+                                     .lets_through = td_rules_let_through,
+                                     .decide = td_rules_decide,
+                                     .reserve = td_rules_reserve,
+                                     .tell = td_rules_tell,
+                                     .end = end};
+
+/* ---- changing them ---- */
+
+static thud_result check(thud_world *w) {
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    return w->locked ? td_refuse(w, THUD_ERROR_LOCKED, "rule or filter: not inside a callback")
+                     : THUD_OK;
+}
+
+/* The world's first. */
+static bool have_rules(thud_world *w) {
+    if (!w->rules) {
+        w->rules = td_memory_get(&w->memory, sizeof *w->rules);
+        if (w->rules) {
+            w->rules->impulses.stride = (int)sizeof(thud_impulse_event);
+            w->ruling = &RULING;
+        }
+    }
+    return w->rules != NULL;
+}
+
+static bool concerns(const thud_world *w, int shape, uint32_t kinds) {
+    const td_shape *s = td_shape_at(w, shape);
+    uint32_t category = s->filter.category;
+    return (s->flags & TD_SHAPE_LIVE) && (kinds == UINT32_MAX || (category & -category & kinds));
+}
+
+/* Shapes of these kinds end what may not be any more, look for what they may meet now, and take the
+ * settings of the rest anew. There is room for the events. */
+static void renew(thud_world *w, uint32_t kinds) {
+    for (int i = 0; i < w->shapes.count; i++) {
+        if (concerns(w, i, kinds)) {
+            td_body_index body = td_shape_at(w, i)->body;
+            td_edit_wake(w, body, i);
+            td_edit_end_contacts(w, body, i, false);
+            td_edit_settle_contacts(w, i);
+            td_edit_look_around(w, i);
+            td_body_mark(w, body, TD_CHANGE_SHAPES);
+        }
+    }
+}
+
+static bool in_range(float value, float least, float most) {
+    return value != value || (value >= least && value <= most);
+}
+
+static const char *error_of(const thud_world *w, uint32_t first, uint32_t second,
+                            const thud_rule *rule) {
+    float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
+    float x = rule->solid_side.x, y = rule->solid_side.y;
+    if (rule->meeting < 0 || (int)rule->meeting >= (int)THUD_MEETING_COUNT) {
+        return "rule: meeting is none";
+    }
+    if (rule->meeting == THUD_ONE_WAY && (first & second)) {
+        return "rule: a kind is one-way to itself";
+    }
+    if (!td_finite((double)x + (double)y) || (x == 0.0f && y == 0.0f)) {
+        return "rule: solid_side is zero or not finite";
+    }
+    if (!in_range(rule->friction, 0.0f, THUD_FRICTION_MAX) ||
+        !in_range(rule->restitution, 0.0f, THUD_BOUNCE_MAX) ||
+        !in_range(rule->surface_speed, -fastest, fastest) || !(rule->most_impulse >= 0.0f)) {
+        return "rule: friction, restitution, surface_speed or most_impulse is out of range";
+    }
+    return NULL;
+}
+
+static void write(td_rules *rules, uint32_t first, uint32_t second, const td_rule *rule) {
+    td_rule reversed = *rule;
+    reversed.reversed = true;
+    for (uint32_t f = first; f; f &= f - 1) {
+        for (uint32_t s = second; s; s &= s - 1) {
+            int a = __builtin_ctz(f), b = __builtin_ctz(s);
+            rules->table[b][a] = reversed;
+            rules->table[a][b] = *rule;
+        }
+    }
+}
+
+/* What steps have to look at. */
+static void look_through(thud_world *w) {
+    w->adds_impulses = w->rules->one_way = false;
+    for (int a = 0; a < TD_RULE_KINDS; a++) {
+        for (int b = a; b < TD_RULE_KINDS; b++) {
+            const td_rule *rule = &w->rules->table[a][b];
+            w->adds_impulses |= rule->is_set && td_rule_counts_impulses(rule);
+            w->rules->one_way |= rule->is_set && rule->rule.meeting == THUD_ONE_WAY;
+        }
+    }
+}
+
+thud_result thud_world_set_rule(thud_world *w, uint32_t first, uint32_t second,
+                                const thud_rule *rule) {
+    TD_IN_OWN_MODE;
+    thud_result result = check(w);
+    if (result != THUD_OK) {
+        return result;
+    }
+    const char *error = first && second ? (rule ? error_of(w, first, second, rule) : NULL)
+                                        : "rule: no kind is named";
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    if (!have_rules(w) || !td_contact_end_reserve(w, w->constraints.live)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "rule: out of memory");
+    }
+    td_rule made = {.rule = rule ? *rule : thud_default_rule(), .is_set = rule != NULL};
+    write(w->rules, first, second, &made);
+    look_through(w);
+    renew(w, first | second);
+    return THUD_OK;
+}
+
+thud_result thud_world_rule(const thud_world *w, uint32_t first, uint32_t second, thud_rule *out,
+                            bool *is_set, bool *reversed) {
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    if (__builtin_popcount(first) != 1 || __builtin_popcount(second) != 1) {
+        return td_refuse(w, THUD_ERROR_INVALID, "rule: a kind is one bit");
+    }
+    td_rule rule = {.is_set = false};
+    if (w->rules) {
+        rule = w->rules->table[__builtin_ctz(first)][__builtin_ctz(second)];
+    }
+    if (!rule.is_set) {
+        rule.rule = thud_default_rule();
+    }
+    if (out) {
+        *out = rule.rule;
+    }
+    if (is_set) {
+        *is_set = rule.is_set;
+    }
+    if (reversed) {
+        *reversed = rule.is_set && rule.reversed;
+    }
+    return THUD_OK;
+}
+
+thud_result thud_world_set_filter(thud_world *w, thud_filter_fn *filter, void *context) {
+    TD_IN_OWN_MODE;
+    thud_result result = check(w);
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!have_rules(w) || !td_contact_end_reserve(w, w->constraints.live)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "filter: out of memory");
+    }
+    w->rules->filter = filter;
+    w->rules->filter_context = context;
+    renew(w, UINT32_MAX);
+    return THUD_OK;
+}

@@ -1,0 +1,62 @@
+/* rules.h: the rules of a world; see thud_rules.h. */
+#ifndef TD_RULES_H
+#define TD_RULES_H
+
+#include "rules/ruling.h"
+#include "thud/thud_rules.h"
+
+enum { TD_RULE_KINDS = 32, TD_RULE_NONE = TD_RULE_KINDS };
+
+/* td_lane_marks.rule: which it is in the table, if a step has to look at it, and for what. */
+enum { TD_RULE_ONE_WAY = 1 << 15, TD_RULE_IMPULSE = 1 << 14 };
+
+/* Of the kinds of a row and a column. */
+typedef struct td_rule {
+    thud_rule rule;
+    bool is_set;
+    bool reversed; /* solid_side is of the column's shape */
+} td_rule;
+
+typedef struct td_rules {
+    td_rule table[TD_RULE_KINDS][TD_RULE_KINDS];
+    thud_filter_fn *filter; /* null: none */
+    void *filter_context;
+    bool one_way;      /* a rule is */
+    td_array impulses; /* thud_impulse_event */
+} td_rules;
+
+/* The kind of a shape, or TD_RULE_NONE. */
+static inline int td_rule_kind_of(const thud_world *w, int shape) {
+    uint32_t category = td_shape_at(w, shape)->filter.category;
+    return category ? __builtin_ctz(category) : TD_RULE_NONE;
+}
+
+/* Of two shapes, a row's first; null where they have none. */
+static inline const td_rule *td_rule_of_pair(const thud_world *w, int shape_a, int shape_b) {
+    int a = td_rule_kind_of(w, shape_a), b = td_rule_kind_of(w, shape_b);
+    const td_rule *rule = a < TD_RULE_KINDS && b < TD_RULE_KINDS ? &w->rules->table[a][b] : NULL;
+    return rule && rule->is_set ? rule : NULL;
+}
+
+/* The rule of a lane, if there is one that is looked at for this. A snapshot that was taken under
+ * other rules has other marks. */
+static inline const td_rule *td_rule_of_lane(const thud_world *w, const td_block *block, int lane,
+                                             int watched) {
+    int mark = block->mark[lane].rule, cell = mark % (TD_RULE_KINDS * TD_RULE_KINDS);
+    const td_rule *rule = &w->rules->table[cell / TD_RULE_KINDS][cell % TD_RULE_KINDS];
+    return mark & watched && rule->is_set ? rule : NULL;
+}
+
+static inline bool td_rule_counts_impulses(const td_rule *rule) {
+    return rule->rule.most_impulse < __builtin_inff();
+}
+
+/* one_way.c */
+bool td_rules_hide(const thud_world *w, int shape, int other);
+bool td_rules_let_through(const thud_world *w, const thud_contact *seen);
+void td_rules_decide(thud_world *w);
+/* impulses.c */
+bool td_rules_reserve(thud_world *w);
+void td_rules_tell(thud_world *w);
+
+#endif
