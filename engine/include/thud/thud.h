@@ -63,17 +63,6 @@ typedef struct thud_contact_settings {
                             slide over a, along (normal.y, -normal.x): on top of a, to +x */
 } thud_contact_settings;
 
-/* Called once a step for every pair that touches or is about to, before it is solved; and where
- * detection finds another one on the way, before each time that it is resolved there (`continuous`
- * asks about static shapes as the body meets them, up to the one that stops it, and heeds only the
- * answer). A terrain makes a pair of its own with each of its segments. False: the pair does
- * nothing. */
-typedef bool thud_prologue_fn(thud_world *world, const thud_contact *contact,
-                              thud_contact_settings *settings, void *context);
-/* Called for every touching pair that was solved, after the step's motion; and for every impact
- * that was resolved within the step. */
-typedef void thud_epilogue_fn(thud_world *world, const thud_contact *contact, void *context);
-
 typedef struct thud_world_def {
     thud_vec2 gravity;  /* length/s^2; default (0, -10) */
     double time_step;   /* s, (0, 1]; default 1/60 */
@@ -96,9 +85,6 @@ typedef struct thud_world_def {
     bool contact_events; /* collect begin, end and hit events; default true. Sensors report
                             either way */
     bool baseline_simd;  /* never AVX2: the same bits, slower; for tests. Default false */
-    thud_prologue_fn *prologue; /* null: none */
-    thud_epilogue_fn *epilogue; /* null: none */
-    void *callback_context;     /* handed to both */
     thud_allocator allocator;
     thud_log_fn *log; /* null: silent */
     void *log_context;

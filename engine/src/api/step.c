@@ -1,5 +1,6 @@
 /* step.c: the whole engine at a glance. Data flows one way; stages meet in the world's state. */
 #include "constraint/joining.h"
+#include "listeners/listening.h"
 #include "rules/ruling.h"
 #include "solver/budget.h"
 #include "state/handles.h"
@@ -81,6 +82,25 @@ static void solve(thud_world *w) {
     }
 }
 
+/* The rules first, so that the prologue has the last word. */
+static void ask(thud_world *w) {
+    if (w->ruling) {
+        w->ruling->decide(w);
+    }
+    if (w->asks) {
+        w->listening->ask(w);
+    }
+}
+
+static void tell(thud_world *w) {
+    if (w->ruling) {
+        w->ruling->tell(w);
+    }
+    if (w->tells) {
+        w->listening->tell(w);
+    }
+}
+
 static thud_result run_stages(thud_world *w) {
     double start = w->def.clock ? w->def.clock(w->def.clock_context) : 0.0, last = start;
 
@@ -92,7 +112,7 @@ static thud_result run_stages(thud_world *w) {
     mark(w, THUD_STAGE_BROADPHASE, &last);
     done = done && td_broadphase_refresh(w) && td_narrowphase(w) && find_islands(w) &&
            td_finalize_reserve(w) && reserve_detection(w) && td_sleep_reserve(w) &&
-           (!w->ruling || w->ruling->reserve(w));
+           (!w->ruling || w->ruling->reserve(w)) && (!w->listening || w->listening->reserve(w));
     mark(w, THUD_STAGE_NARROWPHASE, &last);
     if (!done) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
@@ -100,7 +120,7 @@ static thud_result run_stages(thud_world *w) {
 
     w->paired = false; /* a step that runs out of memory goes on where these two say */
     w->narrowed = 0;
-    td_contacts_ask(w);
+    ask(w);
     detect(w, TD_BEFORE_SOLVING);
     td_contacts_hit(w);
     mark(w, THUD_STAGE_CONTACTS, &last);
@@ -113,7 +133,7 @@ static thud_result run_stages(thud_world *w) {
     forget_motions(w);
     detect(w, TD_AFTER_MOVING);
     mark(w, THUD_STAGE_CONTINUOUS, &last);
-    td_contacts_tell(w);
+    tell(w);
     if (w->joining) {
         w->joining->break_up(w);
     }

@@ -15,15 +15,12 @@ bool td_broadphase(thud_world *w);
 bool td_broadphase_refresh(thud_world *w); /* both grids hold the present bounds */
 /* narrowphase.c: which pairs touch; lanes, begin and end events; manifolds of all lanes. */
 bool td_narrowphase(thud_world *w);
-/* contact_callbacks.c: asks the prologue; hit events of what the solver will stop. */
-void td_contacts_ask(thud_world *w);
+/* contact_view.c: hit events of what the solver will stop. */
 void td_contacts_hit(thud_world *w);
 /* solve.c: substeps. */
 void td_solve(thud_world *w);
 /* finalize.c: motion becomes pose; shapes, bounds, idle times; quarantine. */
 void td_finalize(thud_world *w);
-/* contact_callbacks.c: tells the epilogue. */
-void td_contacts_tell(thud_world *w);
 /* sleep.c: islands at rest fall asleep. */
 void td_sleep(thud_world *w);
 

@@ -9,6 +9,7 @@
 #include "constraint/lanes.h"
 #include "solver/quality.h"
 #include "api/step.h"
+#include "listeners/listening.h"
 #include "rules/ruling.h"
 
 #include <stdatomic.h>
@@ -235,6 +236,9 @@ void thud_world_destroy(thud_world *w) {
     }
     if (w->ruling) {
         w->ruling->end(w);
+    }
+    if (w->listening) {
+        w->listening->end(w);
     }
     for (int i = 0; i < w->terrains.count; i++) {
         td_array_free(&w->memory, &td_terrain_record_at(w, i)->points);

@@ -120,8 +120,11 @@ typedef struct td_lane_marks {
     uint8_t internal_edges; /* td_shape.internal_edges of shape_a, where that is static */
     uint8_t loaded;         /* how often in succession it was found to carry too much, see
                                direct_islands.c; and the bit TD_DIRECT */
-    uint16_t rule;          /* rules/rules.h; 0: none that a step looks at */
+    uint16_t rule;          /* rules/rules.h: what a step is to look at; and the bits below */
 } td_lane_marks;
+
+/* In td_lane_marks.rule: a prologue wanted other settings; or it said no. */
+enum { TD_LANE_ALTERED = 1 << 13, TD_LANE_REFUSED = 1 << 12 };
 
 /* Behind its points, a block has one td_point_history for each of them, a td_surface, and, where
  * its form says so, a td_manifold_cache. */

@@ -126,6 +126,7 @@ static void tell(thud_world *w, td_array *touch, td_array *sensed, int contact_i
 
 void td_contact_begin(thud_world *w, int contact_index) {
     td_contact_at(w, contact_index)->open = 1;
+    td_contact_at(w, contact_index)->vetoed = 0; /* by nobody yet, in this touch */
     tell(w, &w->events.begin, &w->events.sensor_begin, contact_index);
 }
 
@@ -136,7 +137,6 @@ void td_contact_end(thud_world *w, int contact_index) {
 
 void td_contact_part(thud_world *w, int contact_index) {
     td_lane_remove(w, contact_index);
-    td_contact_at(w, contact_index)->vetoed = 0;
     td_constraint_wait(w, contact_index);
     td_contact_end(w, contact_index);
 }

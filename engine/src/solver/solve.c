@@ -40,9 +40,9 @@ static td_solve_context solve_context(const thud_world *w, float h) {
         .fall = gained * time,
     };
     c.elastic_speed = td_max_float(c.bounce_speed, -ELASTIC_REST * gained);
-    c.keep_totals = w->def.epilogue != NULL || w->adds_impulses || w->islands.adds_up;
+    c.keep_tangents = w->tells || w->islands.adds_up;
+    c.keep_totals = c.keep_tangents || w->adds_impulses;
     c.bounces = w->bouncy > 0;
-    c.keep_tangents = c.keep_totals;
     c.surface_speeds = w->surface_speeds > 0;
     /* Against static bodies twice as stiff: nothing gives way there. */
     float hertz = w->quality.contact_stiffness / h;

@@ -32,7 +32,7 @@ void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work)
 /* Most has the solver: two passes over bodies and two over each bin a substep, the warm start, and
  * those of restitution. */
 static int counter_count(const thud_world *w) {
-    int bounces = w->bouncy > 0 || w->def.prologue ? TD_BOUNCE_PASSES + 1 : 0;
+    int bounces = w->bouncy > 0 || w->asks ? TD_BOUNCE_PASSES + 1 : 0;
     int phases = 2 * w->substeps + (2 * w->substeps + 1 + bounces) * w->scratch.chunks.count;
     return phases * (1 + w->def.job_system.workers);
 }

@@ -1,6 +1,7 @@
 /* surface.c: see surface.h. */
 #include "state/surface.h"
 
+#include "listeners/listening.h"
 #include "rules/ruling.h"
 #include "state/handles.h"
 
@@ -15,28 +16,9 @@ thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int s
     return s;
 }
 
-static bool valid(const thud_world *w, const thud_contact_settings *s) {
-    float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
-    return s->friction >= 0.0f && s->friction <= THUD_FRICTION_MAX && s->restitution >= 0.0f &&
-           s->restitution <= THUD_BOUNCE_MAX && s->surface_speed >= -fastest &&
-           s->surface_speed <= fastest;
-}
-
-bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settings *settings) {
-    thud_contact_settings wanted = *settings;
-    bool yes = w->def.prologue(w, seen, &wanted, w->def.callback_context);
-    if (valid(w, &wanted)) {
-        *settings = wanted;
-    } else {
-        td_refuse(w, THUD_ERROR_INVALID,
-                  "prologue: friction, restitution or surface_speed is out of range");
-    }
-    return yes;
-}
-
 bool td_surface_meet(thud_world *w, const thud_contact *seen, thud_contact_settings *settings) {
     return !(w->ruling && w->ruling->lets_through(w, seen)) &&
-           (!w->def.prologue || td_surface_ask(w, seen, settings));
+           (!w->asks || w->listening->ask_one(w, seen, settings));
 }
 
 void td_surface_set(thud_world *w, td_block *block, int points, int lane,

@@ -8,14 +8,11 @@
 /* The settings of a pair as the two shape defs have them. */
 thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b);
 
-/* Asks the world's prologue, which there is; false where it says no. Settings out of range are
- * refused, and stay as they were. */
-bool td_surface_ask(thud_world *w, const thud_contact *seen, thud_contact_settings *settings);
 /* Asks the rules and the prologue, of two that meet on the way. */
 bool td_surface_meet(thud_world *w, const thud_contact *seen, thud_contact_settings *settings);
 /* Whether there is either. */
 static inline bool td_surface_asks(const thud_world *w) {
-    return w->def.prologue || w->ruling;
+    return w->asks || w->ruling;
 }
 
 /* Gives a lane its settings, and counts in the world the lanes that bounce or have a surface speed.

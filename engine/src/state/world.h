@@ -30,6 +30,9 @@ struct thud_world {
     const struct td_ruling_ops *ruling;                /* null: there never was a rule */
     struct td_rules *rules;                            /* with it */
     bool adds_impulses;                                /* a rule asks what contacts bear */
+    const struct td_listening_ops *listening;          /* null: there never was a listener */
+    struct td_listeners *listeners;                    /* with it */
+    bool asks, tells;                                  /* there is a prologue; an epilogue */
     bool wide;                                         /* AVX2 kernels may run */
     bool locked;                                       /* in a step, or inside a callback */
     float unit;                                        /* L in the caller's unit */

@@ -1,12 +1,9 @@
-/* contact_callbacks.c: contacts as callbacks and statistics see them; prologue and epilogue. */
+/* contact_view.c: contacts as callers see them, and hits. */
 #include "state/body.h"
-#include "detection/collide.h"
 #include "contact/contact.h"
 #include "state/handles.h"
 #include "constraint/lanes.h"
-#include "rules/ruling.h"
 #include "api/step.h"
-#include "state/surface.h"
 
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane) {
     const td_contact *contact = td_contact_at(w, block->constraint[lane]);
@@ -48,54 +45,6 @@ float td_contact_closing(const thud_world *w, const td_block *block, const td_po
            a[2] * p->cross_a[lane] - b[2] * p->cross_b[lane];
 }
 
-/* Lanes that did not bounce before may not know how fast they close in. */
-static void note_approach(const thud_world *w, td_block *block, int points, int lane) {
-    for (int k = 0; k < points; k++) {
-        td_history_of(block, points)[k].approach[lane] =
-            -td_contact_closing(w, block, &block->point[k], lane);
-    }
-}
-
-/* Settings are for this step: each time they start from the pair's own. */
-static void ask(thud_world *w, td_block *block, int lane) {
-    td_contact *contact = td_contact_at(w, block->constraint[lane]);
-    int points = td_form_points(w->kinds[contact->kind]->form);
-    if (contact->vetoed & TD_PASSING) {
-        return; /* a rule lets them through */
-    }
-    thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
-    thud_contact_settings settings = own;
-    thud_contact seen = td_contact_view(w, block, lane);
-    bool yes = td_surface_ask(w, &seen, &settings);
-    contact->vetoed = (contact->vetoed & TD_HELD) | !yes;
-    td_surface_set(w, block, points, lane, &settings);
-    if (settings.restitution != own.restitution) {
-        note_approach(w, block, points, lane);
-    }
-    if (!yes) {
-        td_surface_mute(block, points, lane);
-    }
-}
-
-/* Lanes in use of the i-th block, where it holds contacts; else none. */
-static int contacts_in(const thud_world *w, int i) {
-    const td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
-    return block->used && td_is_contact(td_constraint_at(w, block->constraint[0])) ? block->used
-                                                                                   : 0;
-}
-
-void td_contacts_ask(thud_world *w) {
-    if (w->ruling) {
-        w->ruling->decide(w);
-    }
-    for (int i = 0; i < w->scratch.blocks.count && w->def.prologue; i++) {
-        td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
-        for (int lane = 0, end = contacts_in(w, i); lane < end; lane++) {
-            ask(w, block, lane);
-        }
-    }
-}
-
 /* Tells hits of contacts that the solver will stop. Those that detection resolves within the step,
  * and those that do nothing in it, have no points here: see bounces.c. */
 void td_contacts_hit(thud_world *w) {
@@ -121,27 +70,5 @@ void td_contacts_hit(thud_world *w) {
             TD_PUSH(thud_hit_event, &w->events.hit) =
                 (thud_hit_event){seen.shape_a, seen.shape_b, seen.point, seen.normal, -approach};
         }
-    }
-}
-
-void td_contacts_tell(thud_world *w) {
-    if (w->ruling) {
-        w->ruling->tell(w);
-    }
-    if (!w->def.epilogue) {
-        return;
-    }
-    for (int i = 0; i < w->scratch.blocks.count; i++) {
-        td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
-        for (int lane = 0, end = contacts_in(w, i); lane < end; lane++) {
-            thud_contact seen = td_contact_view(w, block, lane);
-            if (seen.point_count) {
-                w->def.epilogue(w, &seen, w->def.callback_context);
-            }
-        }
-    }
-    for (int i = 0; i < w->scratch.impacts.count; i++) {
-        const td_impact *impact = TD_AT(td_impact, &w->scratch.impacts, i);
-        w->def.epilogue(w, &impact->seen, w->def.callback_context);
     }
 }
