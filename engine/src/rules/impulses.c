@@ -16,31 +16,30 @@ static void push(thud_world *w, const thud_contact *seen) {
                              seen->normal_impulse};
 }
 
-static float impulse_of(td_block *block, int points, int lane) {
-    float sum = td_history_of(block, points)[0].total[lane];
-    return points == 2 ? sum + td_history_of(block, points)[1].total[lane] : sum;
-}
-
-void td_rules_tell(thud_world *w) {
-    if (!w->adds_impulses) {
-        return;
-    }
-    for (int i = 0; i < w->scratch.blocks.count; i++) {
-        td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
-        for (int lane = 0; lane < block->used; lane++) {
+/* Lanes that a rule counts, and that gave more than the least that any rule allows: mostly none. */
+static void tell_block(thud_world *w, td_block *block, int points) {
+    const td_point_history *history = td_history_of(block, points);
+    for (int lane = 0; lane < block->used; lane++) {
+        float impulse = history[0].total[lane] + (points == 2 ? history[1].total[lane] : 0.0f);
+        if (impulse > w->rules->least_impulse) {
             const td_rule *rule = td_rule_of_lane(w, block, lane, TD_RULE_IMPULSE);
-            if (!rule) {
-                continue;
-            }
-            const td_contact *contact = td_contact_at(w, block->constraint[lane]);
-            int points = td_form_points(w->kinds[contact->kind]->form);
-            if (impulse_of(block, points, lane) > rule->rule.most_impulse) {
+            if (rule && impulse > rule->rule.most_impulse) {
                 thud_contact seen = td_contact_view(w, block, lane);
                 push(w, &seen);
             }
         }
     }
-    for (int i = 0; i < w->scratch.impacts.count; i++) {
+}
+
+void td_rules_tell(thud_world *w) {
+    for (int r = 0; r < w->scratch.runs.count && w->adds_impulses; r++) {
+        const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
+        int points = td_form_points(w->kinds[run->kind]->form);
+        for (int i = 0; i < run->count && run->kind < TD_PAIR_COUNT; i++) {
+            tell_block(w, *TD_AT(td_block *, &w->scratch.blocks, run->first + i), points);
+        }
+    }
+    for (int i = 0; i < w->scratch.impacts.count && w->adds_impulses; i++) {
         const thud_contact *seen = &TD_AT(td_impact, &w->scratch.impacts, i)->seen;
         const td_rule *rule =
             td_rule_of_pair(w, (int)seen->shape_a.index1 - 1, (int)seen->shape_b.index1 - 1);

@@ -152,14 +152,19 @@ static void write(td_rules *rules, uint32_t first, uint32_t second, const td_rul
 
 /* What steps have to look at. */
 static void look_through(thud_world *w) {
-    w->adds_impulses = w->rules->one_way = false;
+    w->rules->one_way = false;
+    w->rules->least_impulse = __builtin_inff();
     for (int a = 0; a < TD_RULE_KINDS; a++) {
         for (int b = a; b < TD_RULE_KINDS; b++) {
             const td_rule *rule = &w->rules->table[a][b];
-            w->adds_impulses |= rule->is_set && td_rule_counts_impulses(rule);
-            w->rules->one_way |= rule->is_set && rule->rule.meeting == THUD_ONE_WAY;
+            if (rule->is_set) {
+                w->rules->one_way |= rule->rule.meeting == THUD_ONE_WAY;
+                w->rules->least_impulse =
+                    td_min_float(w->rules->least_impulse, rule->rule.most_impulse);
+            }
         }
     }
+    w->adds_impulses = w->rules->least_impulse < __builtin_inff();
 }
 
 thud_result thud_world_set_rule(thud_world *w, uint32_t first, uint32_t second,

@@ -21,8 +21,9 @@ typedef struct td_rules {
     td_rule table[TD_RULE_KINDS][TD_RULE_KINDS];
     thud_filter_fn *filter; /* null: none */
     void *filter_context;
-    bool one_way;      /* a rule is */
-    td_array impulses; /* thud_impulse_event */
+    bool one_way;        /* a rule is */
+    float least_impulse; /* most_impulse of the rule that allows the least */
+    td_array impulses;   /* thud_impulse_event */
 } td_rules;
 
 /* The kind of a shape, or TD_RULE_NONE. */
