@@ -121,7 +121,7 @@ static const char *error_of(const thud_world *w, uint32_t first, uint32_t second
                             const thud_rule *rule) {
     float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
     float x = rule->solid_side.x, y = rule->solid_side.y;
-    if (rule->meeting < 0 || (int)rule->meeting >= (int)THUD_MEETING_COUNT) {
+    if ((unsigned)rule->meeting >= THUD_MEETING_COUNT) {
         return "rule: meeting is none";
     }
     if (rule->meeting == THUD_ONE_WAY && (first & second)) {

@@ -1,0 +1,57 @@
+/* rules_support.h: worlds with kinds of shapes, for tests of thud_rules.h. */
+#ifndef RULES_SUPPORT_H
+#define RULES_SUPPORT_H
+
+#include "engine_support.h"
+#include "every_choice.h"
+
+#include <thud/thud_rules.h>
+
+enum { DETECTIONS = 4, BROADPHASES = 3 };
+enum { GROUND = 1, PLANK = 2, PLAYER = 4, CRATE = 8 };
+
+static inline thud_world *make(const thud_detection *detection, const thud_broadphase *broadphase) {
+    thud_world_def def = thud_default_world_def();
+    def.detection = detection;
+    def.broadphase = broadphase;
+    return make_world(def);
+}
+
+static inline thud_shape_def of_kind(uint32_t category) {
+    thud_shape_def def = thud_default_shape_def();
+    def.filter.category = category;
+    return def;
+}
+
+/* Forms: 0 a circle, 1 an AABB, 2 an OBB. */
+static inline thud_body_id add(thud_world *w, thud_body_kind body_kind, uint32_t category, int form,
+                               double x, double y, float hx, float hy) {
+    thud_shape_def def = of_kind(category);
+    thud_body_id body = add_body(w, body_kind, x, y, 0);
+    add_shape(w, body, hx, form ? hy : 0, form == 1, &def);
+    return body;
+}
+
+static inline thud_body_state get(thud_world *w, thud_body_id body) {
+    thud_body_state state;
+    OK(thud_body_get(w, body, &state));
+    return state;
+}
+
+static inline void steps(thud_world *w, int count) {
+    for (int i = 0; i < count; i++) {
+        OK(thud_world_step(w));
+    }
+}
+
+static inline thud_rule meeting(thud_meeting how) {
+    thud_rule rule = thud_default_rule();
+    rule.meeting = how;
+    return rule;
+}
+
+static inline void throw_up(thud_world *w, thud_body_id body, float vx, float vy) {
+    OK(thud_body_set_velocity(w, body, (thud_vec2){vx, vy}, 0));
+}
+
+#endif
