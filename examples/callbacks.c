@@ -2,7 +2,7 @@
  * trampoline, a platform that lets through from below, a conveyor belt, a coin to collect. */
 #include <math.h>
 #include <stdio.h>
-#include <thud/thud.h>
+#include <thud/thud_listeners.h>
 
 enum { PLAIN, ICE, TRAMPOLINE, ONE_WAY }; /* kept in the shapes' user data */
 
@@ -75,10 +75,9 @@ int main(void) {
     float loudest = 0;
     thud_world *world;
     thud_world_def world_def = thud_default_world_def();
-    world_def.prologue = prologue;
-    world_def.epilogue = epilogue;
-    world_def.callback_context = &loudest;
-    if (thud_world_create(&world_def, &world) != THUD_OK)
+    thud_listeners listeners = {.prologue = prologue, .epilogue = epilogue, .context = &loudest};
+    if (thud_world_create(&world_def, &world) != THUD_OK ||
+        thud_world_set_listeners(world, &listeners) != THUD_OK)
         return 1;
 
     thud_shape_def def = thud_default_shape_def();

@@ -111,6 +111,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(water),
     PLAYS(rolling),
     PLAYS(below),
+    PLAYS(listeners),
 };
 
 void session_play(fuzz_session *s) {

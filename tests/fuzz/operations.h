@@ -25,6 +25,7 @@ extern uint64_t operations_played[OPERATION_BYTES];
 /* operations_worlds.c */
 fuzz_operation play_step, play_advance, play_settings, play_qualities, play_reading, play_names;
 fuzz_operation play_poses, play_drawing, play_refused_worlds, play_nulls, play_limit;
+fuzz_operation play_listeners;
 /* operations_bodies.c */
 fuzz_operation play_body, play_wild_body, play_body_destroy, play_body_get, play_transform;
 fuzz_operation play_velocity, play_impulse, play_force, play_awake, play_enabled, play_user_data;

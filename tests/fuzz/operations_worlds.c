@@ -58,6 +58,25 @@ void play_settings(fuzz_session *s) {
     }
 }
 
+/* Of either none, one of the two forms, or, which is refused, both. */
+void play_listeners(fuzz_session *s) {
+    unsigned byte = next_byte(&s->bytes);
+    thud_listeners listeners = {.prologue = byte & 1 ? session_prologue : NULL,
+                                .epilogue = byte & 4 ? session_epilogue : NULL,
+                                .prologue_all = byte & 2 ? session_prologue_all : NULL,
+                                .epilogue_all = byte & 8 ? session_epilogue_all : NULL,
+                                .context = s};
+    bool none = byte & 128, both = !none && ((byte & 3) == 3 || (byte & 12) == 12);
+    TRY(s, thud_world_set_listeners(s->world, none ? NULL : &listeners));
+    thud_result expected = s->depth ? THUD_ERROR_LOCKED : both ? THUD_ERROR_INVALID : THUD_OK;
+    if (s->result != expected) {
+        fuzz_fail(s, "listeners: %s", thud_result_text(s->result));
+    }
+    if (s->result == THUD_OK) {
+        s->listeners = none ? (thud_listeners){.context = s} : listeners;
+    }
+}
+
 void play_qualities(fuzz_session *s) {
     unsigned byte = next_byte(&s->bytes);
     thud_quality quality = *pick_quality(s, byte);

@@ -32,12 +32,19 @@ static void note_contact(fuzz_session *s, const thud_contact *contact) {
     note_bits(s, (uint64_t)contact->point_count);
 }
 
+static void note_settings(fuzz_session *s, const thud_contact_settings *settings) {
+    note_number(s, (double)settings->friction);
+    note_number(s, (double)settings->restitution);
+    note_number(s, (double)settings->surface_speed);
+}
+
 bool session_prologue(thud_world *world, const thud_contact *contact,
                       thud_contact_settings *settings, void *context) {
     fuzz_session *s = context;
     const char *text = s->calls[s->depth].text;
     (void)world;
     note_contact(s, contact);
+    note_settings(s, settings);
     unsigned byte = dice(s);
     if (byte % 16 == 1) {
         fuzz_bytes one = {&s->script[byte % SESSION_SCRIPT], s->script + SESSION_SCRIPT,
@@ -58,6 +65,23 @@ void session_epilogue(thud_world *world, const thud_contact *contact, void *cont
     note_contact(s, contact);
     session_ask(s);
     s->calls[s->depth].text = text;
+}
+
+void session_prologue_all(thud_world *world, const thud_contact *contacts,
+                          thud_contact_answer *answers, int count, void *context) {
+    for (int i = 0; i < count; i++) {
+        if (!answers[i].collide) {
+            fuzz_fail(context, "answer %d of %d begins with no", i, count);
+        }
+        answers[i].collide = session_prologue(world, &contacts[i], &answers[i].settings, context);
+    }
+}
+
+void session_epilogue_all(thud_world *world, const thud_contact *contacts, int count,
+                          void *context) {
+    for (int i = 0; i < count; i++) {
+        session_epilogue(world, &contacts[i], context);
+    }
 }
 
 bool session_overlap(thud_shape_id shape, void *context) {

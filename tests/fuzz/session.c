@@ -100,9 +100,9 @@ static void take_hooks(fuzz_session *s) {
     s->def.allocator = (thud_allocator){allocate, release, s};
     s->def.log = listen;
     s->def.clock = tell_time;
-    s->def.prologue = s->mood ? session_prologue : NULL;
-    s->def.epilogue = s->mood ? session_epilogue : NULL;
-    s->def.log_context = s->def.clock_context = s->def.callback_context = s;
+    s->def.log_context = s->def.clock_context = s->listeners.context = s;
+    s->listeners.prologue = s->mood ? session_prologue : NULL;
+    s->listeners.epilogue = s->mood ? session_epilogue : NULL;
 }
 
 /* What the second session has otherwise; the first has the grid, or what the byte says. */
@@ -129,6 +129,7 @@ static void make_world(fuzz_session *s, thud_world **out) {
         fuzz_fail(s, "no world: %s", thud_result_text(result));
     }
     COUNTED(thud_world_use_joints(*out));
+    COUNTED(thud_world_set_listeners(*out, &s->listeners));
 }
 
 static void make_foreign_handles(fuzz_session *s) {

@@ -8,6 +8,7 @@
 #include <thud/thud.h>
 #include <thud/thud_casts.h>
 #include <thud/thud_joint.h>
+#include <thud/thud_listeners.h>
 #include <thud/thud_lists.h>
 #include <thud/thud_minkowski.h>
 #include <thud/thud_mover.h>
@@ -69,6 +70,7 @@ typedef struct session_call {
 typedef struct fuzz_session {
     thud_world *world, *other; /* the other one only gives handles */
     thud_world_def def;
+    thud_listeners listeners; /* the world's, of which another one has the same */
     twin_kind twin;
     bool second, closing;
     session_state now, kept;
@@ -129,6 +131,8 @@ void session_populate(fuzz_session *s, int kind);
 
 thud_prologue_fn session_prologue;
 thud_epilogue_fn session_epilogue;
+thud_prologue_all_fn session_prologue_all;
+thud_epilogue_all_fn session_epilogue_all;
 thud_overlap_fn session_overlap;
 thud_cast_fn session_cast;
 thud_mover_pass_fn session_pass;

@@ -74,10 +74,8 @@ static void prologue_asks_each_pair_once(trial *t) {
     thud_world_def def = trial_def(t);
     yard y;
     int in_all = 0;
-    def.prologue = note_asked;
-    def.epilogue = note_told;
-    def.callback_context = &s;
     yard_make(&y, t, def, 0);
+    trial_listen(t, y.world, note_asked, note_told, &s);
     for (int k = 0; k < trial_steps(t, 1.0) && !trial_failed(t); k++) {
         thud_manifold touching[16];
         int count = 0;
@@ -125,10 +123,8 @@ static void vetoed_pairs_do_nothing(trial *t) {
     int calls = 0;
     thud_world_def def = trial_def(t);
     thud_world *empty = trial_make(t, def);
-    def.prologue = refuse_all;
-    def.epilogue = count_epilogues;
-    def.callback_context = &calls;
     thud_world *world = trial_make(t, def);
+    trial_listen(t, world, refuse_all, count_epilogues, &calls);
     if (!world || !empty) {
         return;
     }
@@ -178,9 +174,8 @@ static void one_way_platforms_hold_from_above(trial *t) {
     one_way_platform platform = {.t = t};
     thud_world_def def = trial_def(t);
     double top = -9;
-    def.prologue = one_way;
-    def.callback_context = &platform;
     thud_world *world = trial_make(t, def);
+    trial_listen(t, world, one_way, NULL, &platform);
     if (!world) {
         return;
     }
@@ -226,9 +221,8 @@ static bool set_surface(thud_world *world, const thud_contact *contact,
 static void surfaces_are_what_a_prologue_sets(trial *t) {
     surface ice = {.friction = 0, .steps = 1};
     thud_world_def def = trial_def(t);
-    def.prologue = set_surface;
-    def.callback_context = &ice;
     thud_world *world = trial_make(t, def);
+    trial_listen(t, world, set_surface, NULL, &ice);
     if (!world) {
         return;
     }
@@ -291,9 +285,8 @@ static void intrude(thud_world *world, const thud_contact *contact, void *contex
 static void callbacks_edit_the_next_step(trial *t) {
     intruder s = {.t = t, .to = trial_place(t, 20, 3)};
     thud_world_def def = trial_weightless(t);
-    def.epilogue = intrude;
-    def.callback_context = &s;
     thud_world *world = trial_make(t, def);
+    trial_listen(t, world, NULL, intrude, &s);
     if (!world) {
         return;
     }

@@ -80,10 +80,8 @@ static void add_company(trial *t, thud_world *world, company *c) {
 static void filters_keep_apart(trial *t) {
     company c = {.t = t};
     thud_world_def def = trial_weightless(t);
-    def.prologue = ask;
-    def.epilogue = tell;
-    def.callback_context = &c;
     thud_world *world = trial_make(t, def);
+    trial_listen(t, world, ask, tell, &c);
     if (!world) {
         return;
     }

@@ -110,6 +110,14 @@ thud_world *trial_make(trial *t, thud_world_def def) {
     return world;
 }
 
+void trial_listen(trial *t, thud_world *world, thud_prologue_fn *prologue,
+                  thud_epilogue_fn *epilogue, void *context) {
+    thud_listeners listeners = {.prologue = prologue, .epilogue = epilogue, .context = context};
+    if (world) {
+        DO(t, thud_world_set_listeners(world, &listeners));
+    }
+}
+
 void trial_run(trial *t, thud_world *world, int steps) {
     for (int i = 0; i < steps && !trial_failed(t); i++) {
         DO(t, thud_world_step(world));

@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <thud/thud_listeners.h>
 
 enum { TRIAL_WORLDS = 6 };
 
@@ -48,6 +49,9 @@ thud_world_def trial_def(trial *t);
 thud_world_def trial_weightless(trial *t);
 /* Null where it was refused, which is then the trial's fault. */
 thud_world *trial_make(trial *t, thud_world_def def);
+/* Null: none, and then nothing is done. */
+void trial_listen(trial *t, thud_world *world, thud_prologue_fn *prologue,
+                  thud_epilogue_fn *epilogue, void *context);
 void trial_run(trial *t, thud_world *world, int steps);
 int trial_steps(const trial *t, double seconds);
 

@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 #include <thud/thud.h>
+#include <thud/thud_listeners.h>
 
 #define OK(call) assert_int_equal((call), THUD_OK)
 
@@ -23,6 +24,13 @@ static inline thud_world *make_world(thud_world_def def) {
     thud_world *world = NULL;
     OK(thud_world_create(&def, &world));
     return world;
+}
+
+/* Null: none. */
+static inline void set_listeners(thud_world *world, thud_prologue_fn *prologue,
+                                 thud_epilogue_fn *epilogue, void *context) {
+    OK(thud_world_set_listeners(
+        world, &(thud_listeners){.prologue = prologue, .epilogue = epilogue, .context = context}));
 }
 
 static inline thud_world_def weightless(void) {

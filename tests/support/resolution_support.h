@@ -13,9 +13,9 @@ static inline thud_world *make_world_with(const thud_detection *detection,
                                           thud_prologue_fn *prologue, void *context, bool weighs) {
     thud_world_def def = weighs ? thud_default_world_def() : weightless();
     def.detection = detection;
-    def.prologue = prologue;
-    def.callback_context = context;
-    return make_world(def);
+    thud_world *world = make_world(def);
+    set_listeners(world, prologue, NULL, context);
+    return world;
 }
 
 /* Kinds: 0 a circle of radius 0.5, 1 an AABB, 2 an OBB of half extents 0.5. */

@@ -162,12 +162,10 @@ static void every_change_is_refused_inside_callbacks(void **state) {
     (void)state;
     place here, twin;
     thud_world_def def = thud_default_world_def();
-    def.prologue = prologue;
-    def.epilogue = epilogue;
-    def.callback_context = &here;
     make_place(&here, def);
-    def.callback_context = &twin;
+    set_listeners(here.v.world, prologue, epilogue, &here);
     make_place(&twin, def);
+    set_listeners(twin.v.world, prologue, epilogue, &twin);
     here.asked = 0;
     for (int i = 0; i < 5; i++) {
         village_step(&here.v);

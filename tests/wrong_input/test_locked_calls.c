@@ -181,8 +181,9 @@ static void try_what_cannot_wait(village *v) {
     assert_int_equal(thud_body_apply_buoyancy(v->world, v->ball, &water), THUD_ERROR_LOCKED);
     assert_int_equal(thud_body_apply_wind(v->world, v->ball, wind, 1, 1, 1), THUD_ERROR_LOCKED);
     assert_int_equal(thud_body_apply_rolling_resistance(v->world, v->ball, 1), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_world_set_listeners(v->world, NULL), THUD_ERROR_LOCKED);
     thud_world_destroy(v->world); /* it lives on */
-    assert_int_equal(v->told, told + 17);
+    assert_int_equal(v->told, told + 18);
     v->told = told;
 }
 
@@ -281,10 +282,8 @@ static void make_caller(caller *c, site s, const thud_detection *detection) {
     thud_world_def def = thud_default_world_def();
     *c = (caller){.site = s};
     def.detection = detection;
-    def.prologue = prologue;
-    def.epilogue = epilogue;
-    def.callback_context = c;
     village_make(&c->v, def);
+    set_listeners(c->v.world, prologue, epilogue, c);
     c->v.mover.pass = pass;
     c->v.mover.context = c;
     for (int i = 0; i < 30; i++) { /* until the mover stands on the ground */

@@ -22,11 +22,11 @@ static bool open_all(const scene *s, bool crowded, const thud_detection *detecti
         def.contact_events = false;
         def.broadphase = broadphase_at(k);
         def.detection = detection;
-        if (crowded)
-            crowd_passes_through(&def);
         labs[k].scene = *s; /* borrowed */
         if (!lab_open(&labs[k], &def))
             return false;
+        if (crowded)
+            crowd_passes_through(labs[k].world);
     }
     return true;
 }

@@ -128,9 +128,11 @@ static bool open_worlds(const scene *s, lab_world labs[BROADPHASE_COUNT]) {
     for (int k = 0; k < BROADPHASE_COUNT; k++) {
         thud_world_def def = lab_settings();
         def.broadphase = broadphase_at(k);
-        crowd_passes_through(&def);
         labs[k].scene = *s; /* borrowed */
-        if (!lab_open(&labs[k], &def) || !lab_run(&labs[k], 2, NULL))
+        if (!lab_open(&labs[k], &def))
+            return false;
+        crowd_passes_through(labs[k].world);
+        if (!lab_run(&labs[k], 2, NULL))
             return false;
     }
     return true;

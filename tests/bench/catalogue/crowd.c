@@ -4,6 +4,7 @@
 #include "random.h"
 
 #include <math.h>
+#include <thud/thud_listeners.h>
 
 enum { WALLS = 4, SEED = 9 };
 
@@ -66,8 +67,8 @@ static bool throws_back(thud_world *world, const thud_contact *contact,
     return is_wall(contact->body_a) || is_wall(contact->body_b);
 }
 
-void crowd_passes_through(thud_world_def *def) {
-    def->prologue = throws_back;
+void crowd_passes_through(thud_world *world) {
+    thud_world_set_listeners(world, &(thud_listeners){.prologue = throws_back});
 }
 
 long crowd_overlaps(const scene *s) {

@@ -22,7 +22,7 @@ void crowd_fill(const crowd *c, scene *s);
 double crowd_area_filled(const crowd *c, double part);
 
 /* Pairs stay pairs and are found, tested and reported, but only walls throw anything back. */
-void crowd_passes_through(thud_world_def *def);
+void crowd_passes_through(thud_world *world);
 
 /* How many pairs of circles overlap where the scene puts them: each against each. */
 long crowd_overlaps(const scene *s);

@@ -12,7 +12,9 @@ static bool open_one(const lab_pair *pair, bool with, lab_world *lab) {
     *lab = (lab_world){0};
     scene_init(&lab->scene);
     pair->fill(with, &lab->scene, &def);
-    return lab_open(lab, &def);
+    return lab_open(lab, &def) &&
+           (!with || !pair->listeners ||
+            thud_world_set_listeners(lab->world, pair->listeners) == THUD_OK);
 }
 
 static bool take_turns(const lab_pair *pair, lab_world labs[2], bool quick, lab_price *out) {

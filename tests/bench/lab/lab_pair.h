@@ -5,11 +5,14 @@
 
 #include "lab/lab_world.h"
 
+#include <thud/thud_listeners.h>
+
 typedef struct lab_pair {
     const char *feature;
     const char *with, *without; /* what the two worlds are */
     /* Fills the scene and the settings of one of the two. */
     void (*fill)(bool with, scene *s, thud_world_def *def);
+    const thud_listeners *listeners; /* of the world with; null: none */
 } lab_pair;
 
 /* Seconds of the median step. */

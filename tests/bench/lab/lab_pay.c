@@ -110,13 +110,12 @@ static void fill_events(bool with, scene *s, thud_world_def *def) {
     def->contact_events = with;
 }
 
+static const thud_listeners LISTENERS = {.prologue = allow, .epilogue = hear};
+
 static void fill_listeners(bool with, scene *s, thud_world_def *def) {
+    (void)with, (void)def;
     floor_and_walls(s, 34);
     drop(s, false, false);
-    if (with) {
-        def->prologue = allow;
-        def->epilogue = hear;
-    }
 }
 
 static void fill_static(bool with, scene *s, thud_world_def *def) {
@@ -154,7 +153,7 @@ static const lab_pair PAIRS[] = {
     {"continuous", "gas, continuous", "gas, not continuous", fill_continuous},
     {"fast bodies", "heap, 100 fly at 200 m/s", "heap, they stand still", fill_fast},
     {"events", "gas with events", "gas without", fill_events},
-    {"listeners", "prologue and epilogue", "neither", fill_listeners},
+    {"listeners", "prologue and epilogue", "neither", fill_listeners, &LISTENERS},
     {"all static", "10,000 static boxes", "an empty world", fill_static},
     {"all asleep", "1,000 asleep", "an empty world", fill_asleep},
 };

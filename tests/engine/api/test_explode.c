@@ -175,9 +175,8 @@ static void inside_callbacks_it_acts_through_the_next_step(void **state) {
     (void)state;
     bomb b = {.asked = 0};
     thud_world_def def = weightless();
-    def.epilogue = explode_once;
-    def.callback_context = &b;
     thud_world *world = make_world(def);
+    set_listeners(world, NULL, explode_once, &b);
     b.ball = add_ball(world, 24, 5, 0.5f);
     add_floor(world, NULL);
     add_ball(world, -9, 0.499, 0.5f);

@@ -115,10 +115,10 @@ static void make(side *s, const setting *set, thud_allocator allocator) {
     def.sleeping = set->sleeping;
     def.detection = detections[set->detection];
     def.broadphase = broadphases[set->broadphase];
-    def.prologue = set->callbacks ? prologue : NULL;
-    def.epilogue = set->callbacks ? epilogue : NULL;
-    def.callback_context = s;
     s->world = make_world(def);
+    if (set->callbacks) {
+        set_listeners(s->world, prologue, epilogue, s);
+    }
     if (set->tiles) {
         thud_body_id ground = add_body(s->world, THUD_STATIC, 0, 0, 0);
         thud_shape_def plain = thud_default_shape_def();

@@ -267,9 +267,8 @@ static void callbacks_are_called_in_the_worlds_own_mode(void **state) {
     (void)state;
     bool own = false;
     thud_world_def def = thud_default_world_def();
-    def.prologue = prologue_notes_mode;
-    def.callback_context = &own;
     thud_world *world = make_world(def);
+    set_listeners(world, prologue_notes_mode, NULL, &own);
     add_floor(world, NULL);
     add_ball(world, 0, 0.5, 0.5f);
     callers = MODES[MODE_COUNT > 1].mode;

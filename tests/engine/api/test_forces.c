@@ -133,10 +133,8 @@ static void pushes_inside_callbacks_act_through_the_next_step(void **state) {
         pusher p = {.asked = 0};
         thud_world_def def = weightless();
         def.quality = qualities[i / 2];
-        def.prologue = i % 2 ? push_before : NULL;
-        def.epilogue = i % 2 ? NULL : push_after;
-        def.callback_context = &p;
         thud_world *world = make_world(def);
+        set_listeners(world, i % 2 ? push_before : NULL, i % 2 ? NULL : push_after, &p);
         p.box = add_body(world, THUD_DYNAMIC, 3, 4, 0);
         p.lift = add_body(world, THUD_KINEMATIC, 7, -7, 0);
         add_shape(world, p.box, 0.5f, 0.5f, false, NULL);

@@ -87,8 +87,8 @@ static void make_worlds(worlds *w, source *r) {
     for (int b = 0; b < BROADPHASES; b++) {
         thud_world_def def = weightless();
         def.broadphase = all[b];
-        def.prologue = ignore;
         w->world[b] = make_world(def);
+        set_listeners(w->world[b], ignore, NULL, NULL);
     }
     double shift = draw_below(r, 3) == 0 ? 1e6 : 0;
     w->origin = (thud_pos){shift, -shift};

@@ -20,11 +20,14 @@ static thud_world *scene_world(const scene_info *info, const thud_world_def *def
 }
 
 /* Back in the same world, in a fresh one without anything, and in one that went on elsewhere. */
-static void restored_anywhere(const scene_info *info, const thud_world_def *settings, int before,
-                              int after, const char *what) {
+static void restored_anywhere(const scene_info *info, const thud_world_def *settings,
+                              const thud_listeners *listeners, int before, int after,
+                              const char *what) {
     thud_world_def def = settings ? *settings : thud_default_world_def();
     float scale;
     thud_world *world = scene_world(info, &def, &scale), *other = scene_world(info, &def, &scale);
+    OK(thud_world_set_listeners(world, listeners));
+    OK(thud_world_set_listeners(other, listeners));
     run(world, before);
     saved snapshot = save(world);
     trail first = walk(world, after);
@@ -37,6 +40,7 @@ static void restored_anywhere(const scene_info *info, const thud_world_def *sett
     def.length_scale = scale;
     other = make_world(def);
     OK(thud_world_use_joints(other));
+    OK(thud_world_set_listeners(other, listeners));
     back_to(other, snapshot);
     walks_again(other, &first, what);
     thud_world_destroy(other);
@@ -47,7 +51,7 @@ static void restored_anywhere(const scene_info *info, const thud_world_def *sett
 static void every_scene_restored_goes_the_same_way(void **state) {
     (void)state;
     for (int i = 0; i < scenes_count(); i++) {
-        restored_anywhere(scenes_at(i), NULL, BEFORE, AFTER, scenes_at(i)->name);
+        restored_anywhere(scenes_at(i), NULL, NULL, BEFORE, AFTER, scenes_at(i)->name);
     }
 }
 
@@ -136,9 +140,9 @@ static void every_setting_restored_goes_the_same_way(void **state) {
             def.detection = detections[(i + n) % 4];
             def.broadphase = broadphases[i];
             def.baseline_simd = i == 1;
-            def.prologue = i == 2 ? veto : NULL;
-            def.epilogue = i == 3 || n == 2 ? push : NULL;
-            restored_anywhere(scenes_find(names[n]), &def, 40, 30, names[n]);
+            thud_listeners listeners = {.prologue = i == 2 ? veto : NULL,
+                                        .epilogue = i == 3 || n == 2 ? push : NULL};
+            restored_anywhere(scenes_find(names[n]), &def, &listeners, 40, 30, names[n]);
         }
     }
 }

@@ -242,9 +242,8 @@ static void callback_is_refused(void **state) {
     (void)state;
     inside i = {.asked = 0};
     thud_world_def def = telling();
-    def.prologue = ask;
-    def.callback_context = &i;
     yard y = make_yard(&def);
+    set_listeners(y.world, ask, NULL, &i);
     run(y.world, 60);
     i.snapshot = save(y.world);
     run(y.world, 1);

@@ -188,13 +188,11 @@ static life *live(const thud_broadphase *broadphase, const thud_detection *detec
     thud_world_def def = thud_default_world_def();
     def.broadphase = broadphase;
     def.detection = detection;
-    if (seed % 2) {
-        def.prologue = ask;
-        def.epilogue = tell;
-        def.callback_context = l;
-    }
     l->seed = seed * 7919;
     l->world = make_world(def);
+    if (seed % 2) {
+        set_listeners(l->world, ask, tell, l);
+    }
     add_tiles(l);
     for (int i = 0; i < BODIES; i++) {
         add_random(l, i);

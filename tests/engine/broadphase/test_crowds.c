@@ -44,8 +44,8 @@ static crowd mates(int count, const thud_broadphase *broadphase, bool by_group) 
     thud_world_def def = weightless();
     thud_shape_def shape = thud_default_shape_def();
     def.broadphase = broadphase;
-    def.prologue = let_through;
     crowd c = {.world = make_world(def), .seed = 5};
+    set_listeners(c.world, let_through, NULL, NULL);
     if (by_group) {
         shape.filter.group = -1;
     } else {
@@ -119,9 +119,9 @@ static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **
     for (int k = 4 - share_of(4); k < 4; k++) {
         thud_world_def def = weightless();
         def.broadphase = broadphases[k % 3];
-        def.prologue = let_through;
         def.sleeping = k == 3;
         crowd c = {.world = make_world(def), .seed = 6};
+        set_listeners(c.world, let_through, NULL, NULL);
         fill(&c, COUNT, NULL);
         step(&c);
         assert_true(thud_world_stats(c.world).pairs < 64 * COUNT); /* not all at once */

@@ -141,11 +141,10 @@ static void count_message(thud_result result, const char *message, void *context
 static uint64_t hash_after(const thud_detection *detection, wish *w, bool asks) {
     thud_world_def def = thud_default_world_def();
     def.detection = detection;
-    def.prologue = asks ? wish_for : NULL;
-    def.callback_context = w;
     def.log = count_message;
     def.log_context = &w->heard;
     thud_world *world = make_world(def);
+    set_listeners(world, asks ? wish_for : NULL, NULL, w);
     thud_shape_def belt = surface(0.5f, 1);
     belt.restitution = 0.3f;
     add_floor(world, &belt);
@@ -219,9 +218,8 @@ static void epilogue_hears_all_of_friction_and_weight(void **state) {
             thud_world_def def = thud_default_world_def();
             def.detection = detections[d];
             def.quality = qualities[quality];
-            def.epilogue = add_up;
-            def.callback_context = &p;
             thud_world *world = make_world(def);
+            set_listeners(world, NULL, add_up, &p);
             add_floor(world, NULL);
             thud_body_id box = add_kind(world, 2, 0, 0.5, NULL);
             run(world, 30);

@@ -22,11 +22,9 @@ static void run_chaos(const thud_detection *detection, const thud_broadphase *br
     thud_world_def def = thud_default_world_def();
     def.detection = detection;
     def.broadphase = broadphase;
-    def.prologue = ask;
-    def.epilogue = tell;
-    def.callback_context = c;
     c->seed = seed;
     c->world = make_world(def);
+    set_listeners(c->world, ask, tell, c);
     add_pit(c);
     add_ground(c);
     for (int i = 0; i < BODIES; i++) {

@@ -136,10 +136,9 @@ static void prologue_that_says_no_lets_bodies_through(void **state) {
     (void)state;
     int asked = 0;
     thud_world_def def = thud_default_world_def();
-    def.prologue = veto;
-    def.callback_context = &asked;
     def.detection = &thud_detection_overlap;
     thud_world *world = make_world(def);
+    set_listeners(world, veto, NULL, &asked);
     add_floor(world, NULL);
     thud_body_id ball = add_ball(world, 0, 1, 0.5f);
     run(world, 90);
@@ -162,8 +161,8 @@ static void weigh(thud_world *world, const thud_contact *contact, void *context)
 static void epilogue_hears_the_impulse_that_carries_the_weight(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
-    def.epilogue = weigh;
     thud_world *world = make_world(def);
+    set_listeners(world, NULL, weigh, NULL);
     thud_shape_def smooth = thud_default_shape_def();
     smooth.friction = 0;
     add_floor(world, &smooth);

@@ -23,8 +23,8 @@ static void add_kind(thud_world *world, thud_body_id body, int kind) {
 /* Two shapes of half size 0.5 overlap by 0.1 along x; the first may be static. */
 static void meet(int kind_a, int kind_b, thud_body_kind body_a, bool b_first) {
     thud_world_def def = weightless();
-    def.prologue = look;
     thud_world *world = make_world(def);
+    set_listeners(world, look, NULL, NULL);
     thud_body_id a = {0, 0}, b = {0, 0};
     if (b_first) {
         b = add_body(world, THUD_DYNAMIC, 0.9, 0, 0);
@@ -70,8 +70,8 @@ static void turned_boxes_agree_with_the_closest_features(void **state) {
     int touching = 0;
     for (int i = 0; i < 2000; i++) {
         thud_world_def def = weightless();
-        def.prologue = look;
         thud_world *world = make_world(def);
+        set_listeners(world, look, NULL, NULL);
         thud_shape_instance p[2];
         for (int k = 0; k < 2; k++) {
             double angle = random_in(&seed, -3, 3);
@@ -105,8 +105,8 @@ static void terrain_pushes_along_its_normal(void **state) {
     (void)state;
     for (int kind = 0; kind < KINDS; kind++) {
         thud_world_def def = weightless();
-        def.prologue = look;
         thud_world *world = make_world(def);
+        set_listeners(world, look, NULL, NULL);
         thud_shape_def plain = thud_default_shape_def();
         thud_pos points[2] = {{-5, 1}, {5, 1}};
         thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 2};

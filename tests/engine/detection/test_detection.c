@@ -325,10 +325,8 @@ static void impact_within_a_step_asks_tells_and_hits(void **state) {
     for (int veto = 0; veto < 2; veto++) {
         heard h = {.veto = veto};
         thud_world_def def = with(&thud_detection_swept, weightless());
-        def.prologue = ask;
-        def.epilogue = tell;
-        def.callback_context = &h;
         thud_world *world = make_world(def);
+        set_listeners(world, ask, tell, &h);
         thud_body_id wall = add_body(world, THUD_STATIC, 5, 0, 0);
         add_shape(world, wall, 0.01f, 4, true, NULL);
         thud_body_id ball = add_ball(world, 0, 0, 0.5f);

@@ -126,11 +126,9 @@ static void make_room(room *m, uint64_t seed, bool plain_simd) {
     m->random = (source){seed ^ 0x5555};
     def.detection = bisects ? &thud_detection_bisect : &thud_detection_swept;
     def.baseline_simd = plain_simd;
-    def.callback_context = m;
-    def.prologue = prologue;
-    def.epilogue = epilogue;
     def.allocator = hostile_memory();
     m->world = make_world(def);
+    set_listeners(m->world, prologue, epilogue, m);
     add_walls(m->world);
     for (int i = 0; i < BODIES; i++) {
         bool moves = !m->kinematic || i > 1;

@@ -48,9 +48,8 @@ static forces forces_of_thud(const scene *s, const thud_quality *quality) {
     thud_world *world;
     def.quality = quality;
     def.sleeping = false;
-    def.epilogue = note;
-    def.callback_context = &found;
     OK(scene_build_thud(s, &def, &world, NULL, NULL));
+    set_listeners(world, NULL, note, &found);
     run(world, 180);
     found.count = 0;
     memset(found.at, 0, sizeof found.at);

@@ -171,9 +171,8 @@ static void note(thud_world *world, const thud_contact *contact, void *context) 
 static thud_world *noted_world(const thud_quality *quality, ledger *l) {
     thud_world_def def = def_of(quality);
     def.sleeping = false;
-    def.epilogue = note;
-    def.callback_context = l;
     thud_world *world = make_world(def);
+    set_listeners(world, NULL, note, l);
     add_floor(world, NULL);
     return world;
 }
@@ -300,9 +299,9 @@ static void islands_leave_out_what_a_prologue_vetoes(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
         thud_world_def def = def_of(direct[q]);
-        def.prologue = veto;
         def.sleeping = false;
         thud_world *world = make_world(def);
+        set_listeners(world, veto, NULL, NULL);
         add_floor(world, NULL);
         thud_body_id ids[3];
         add_column(world, 0, 3, ids);

@@ -109,8 +109,8 @@ static void contacts_of_sleepers_and_vetoed_ones_do_not_count(void **state) {
     (void)state;
     for (int vetoed = 0; vetoed < 2; vetoed++) {
         thud_world_def def = thud_default_world_def();
-        def.prologue = vetoed ? never : NULL;
         thud_world *world = make_world(def);
+        set_listeners(world, vetoed ? never : NULL, NULL, NULL);
         add_floor(world, NULL);
         add_box(world, 0, 0.49, 0.5f, 0.5f);
         thud_step_error e = error_of_step(world);

@@ -144,10 +144,9 @@ static void edit_inside_a_callback_is_refused(void **state) {
     (void)state;
     thud_result result = THUD_OK;
     thud_world_def def = thud_default_world_def();
-    def.prologue = dig_inside;
-    def.callback_context = &result;
     ground g = level_ground(THUD_TERRAIN_UNIFORM, def);
     to_dig = g.shape;
+    set_listeners(g.world, dig_inside, NULL, &result);
     add_ball(g.world, 0, 0.25, 0.25f);
     run(g.world, 2);
     assert_int_equal(result, THUD_ERROR_LOCKED);
