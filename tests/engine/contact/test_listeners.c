@@ -1,0 +1,439 @@
+/* test_listeners.c: prologues and epilogues that are set, changed and taken away while a world
+ * runs, called for one contact after the other or for all at once: thud_listeners.h. */
+#include "engine_support.h"
+#include "every_choice.h"
+#include "hostile_memory.h"
+
+#include <thud/thud_terrain.h>
+
+enum { DETECTIONS = 4, BODIES = 70, STEPS = 150, FORMS = 4, HEARD_MOST = 512 };
+
+/* Who listens, and all that it heard in one number. */
+typedef struct ear {
+    bool plain; /* it always says yes, and nothing else */
+    uint64_t digest;
+    int calls, asked, vetoed, changed, told;
+    thud_contact heard[HEARD_MOST]; /* by the epilogue of the last step */
+    int heard_count;
+} ear;
+
+static void mix(ear *e, const void *values, size_t bytes) {
+    const unsigned char *at = values;
+    for (size_t i = 0; i < bytes; i++) {
+        e->digest = (e->digest ^ at[i]) * 0x100000001b3u;
+    }
+}
+
+static void mix_contact(const thud_world *world, ear *e, const thud_contact *c) {
+    const double numbers[] = {(double)c->normal.x,
+                              (double)c->normal.y,
+                              c->point.x,
+                              c->point.y,
+                              (double)c->separation,
+                              (double)c->normal_impulse,
+                              (double)c->tangent_impulse};
+    const uint32_t counts[] = {c->shape_a.index1, c->shape_b.index1, c->body_a.index1,
+                               c->body_b.index1, (uint32_t)c->point_count};
+    mix(e, numbers, sizeof numbers);
+    mix(e, counts, sizeof counts);
+    assert_true(thud_shape_is_valid(world, c->shape_a) && thud_shape_is_valid(world, c->shape_b));
+    assert_true(thud_body_is_valid(world, c->body_a) && thud_body_is_valid(world, c->body_b));
+}
+
+/* ---- what is answered: a pair now does nothing, now is ice, a trampoline, a belt, or nonsense
+ * ----
+ */
+
+static bool opinion(thud_world *world, const thud_contact *contact, thud_contact_settings *s,
+                    ear *e) {
+    int steps = (int)thud_world_stats(world).steps;
+    int which = (int)(contact->shape_a.index1 * 7 + contact->shape_b.index1) + steps / 6;
+    mix_contact(world, e, contact);
+    mix(e, s, sizeof *s);
+    assert_true(s->friction == 0.5f && s->restitution == 0 && s->surface_speed == 0);
+    assert_true(contact->normal_impulse == 0 && contact->tangent_impulse == 0);
+    e->asked++;
+    if (e->plain) {
+        return true;
+    }
+    switch (which % 9) {
+    case 1:
+        e->vetoed++;
+        return false;
+    case 2:
+        s->friction = 0;
+        break;
+    case 3:
+        s->restitution = 0.9f;
+        break;
+    case 4:
+        s->surface_speed = 3;
+        break;
+    case 5:
+        s->friction = NAN;
+        s->restitution = 0.9f;
+        break;
+    case 6: /* vetoed with other settings */
+        s->restitution = 0.5f;
+        e->vetoed++;
+        return false;
+    default:
+        return true;
+    }
+    e->changed++;
+    return true;
+}
+
+static void take_note(thud_world *world, const thud_contact *contact, ear *e) {
+    mix_contact(world, e, contact);
+    e->told++;
+    if (e->heard_count < HEARD_MOST) {
+        e->heard[e->heard_count++] = *contact;
+    }
+    if (!e->plain && e->told % 41 == 0) { /* an edit that waits for the next step */
+        thud_vec2 up = {0, 0.3f};
+        (void)thud_body_apply_impulse(world, contact->body_b, up, contact->point);
+    }
+}
+
+static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                void *context) {
+    ((ear *)context)->calls++;
+    return opinion(world, contact, settings, context);
+}
+
+static void tell(thud_world *world, const thud_contact *contact, void *context) {
+    ((ear *)context)->calls++;
+    take_note(world, contact, context);
+}
+
+static void ask_all(thud_world *world, const thud_contact *contacts, thud_contact_answer *answers,
+                    int count, void *context) {
+    ((ear *)context)->calls++;
+    for (int i = 0; i < count; i++) {
+        assert_true(answers[i].collide);
+        answers[i].collide = opinion(world, &contacts[i], &answers[i].settings, context);
+    }
+}
+
+static void tell_all(thud_world *world, const thud_contact *contacts, int count, void *context) {
+    ((ear *)context)->calls++;
+    for (int i = 0; i < count; i++) {
+        take_note(world, &contacts[i], context);
+    }
+}
+
+/* Bit 0: the prologue for all at once; bit 1: the epilogue. */
+static thud_listeners of_form(int form, ear *e) {
+    return (thud_listeners){.prologue = form & 1 ? NULL : ask,
+                            .epilogue = form & 2 ? NULL : tell,
+                            .prologue_all = form & 1 ? ask_all : NULL,
+                            .epilogue_all = form & 2 ? tell_all : NULL,
+                            .context = e};
+}
+
+/* ---- a mixed scene: every kind of shape and body, some of them fast ---- */
+
+static thud_world *make_scene(thud_world_def def, thud_body_id bodies[BODIES]) {
+    thud_world *world = make_world(def);
+    thud_shape_def plain = thud_default_shape_def();
+    plain.friction = 0.5f;
+    add_floor(world, &plain);
+    thud_pos points[21];
+    for (int i = 0; i <= 20; i++) {
+        points[i] = (thud_pos){i - 10, 0.4 + 0.3 * (i % 3)};
+    }
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 21};
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0), &plain, &line,
+                                 NULL));
+    uint64_t seed = 11;
+    for (int i = 0; i < BODIES; i++) {
+        thud_body_def body = thud_default_body_def();
+        body.kind = i % 20 == 7 ? THUD_KINEMATIC : THUD_DYNAMIC;
+        body.position = (thud_pos){i % 10 * 1.3 - 6, 1.5 + i / 10 * 1.2};
+        body.angle = i % 3 == 2 ? 0 : random_in(&seed, -1, 1);
+        body.velocity.x = (float)(i % 20 == 7 ? 1 : random_in(&seed, -3, 3));
+        body.velocity.y = i % 17 == 3 ? -150.0f : 0.0f;
+        OK(thud_body_create(world, &body, &bodies[i]));
+        float hx = (float)random_in(&seed, 0.2, 0.6), hy = (float)random_in(&seed, 0.2, 0.6);
+        add_shape(world, bodies[i], hx, i % 3 ? hy : 0, i % 3 == 2, &plain);
+    }
+    return world;
+}
+
+static thud_world_def def_with(int detection) {
+    thud_world_def def = thud_default_world_def();
+    def.detection = detections[detection];
+    return def;
+}
+
+static void both_forms_hear_and_do_the_same(void **state) {
+    (void)state;
+    static uint64_t hashes[STEPS];
+    static ear ears[FORMS];
+    thud_body_id bodies[BODIES];
+    for (int d = 0; d < DETECTIONS; d++) {
+        for (int form = 0; form < FORMS; form++) {
+            ear *e = &ears[form];
+            thud_world_def def = def_with(d);
+            def.baseline_simd = form == 3; /* eight lanes at a time, or four and four */
+            thud_world *world = make_scene(def, bodies);
+            thud_listeners listeners = of_form(form, e);
+            *e = (ear){0};
+            OK(thud_world_set_listeners(world, &listeners));
+            for (int i = 0; i < STEPS; i++) {
+                e->heard_count = 0;
+                OK(thud_world_step(world));
+                uint64_t hash = thud_world_hash(world);
+                hashes[i] = form ? hashes[i] : hash;
+                assert_true(hashes[i] == hash);
+            }
+            assert_true(e->digest == ears[0].digest);
+            assert_true(e->asked > 20 * STEPS && e->told > 20 * STEPS);
+            assert_true(e->vetoed > 3 * STEPS && e->changed > 5 * STEPS);
+            thud_world_destroy(world);
+        }
+        assert_int_equal(ears[0].calls, ears[0].asked + ears[0].told);
+        assert_true(ears[3].calls < ears[0].calls / 8);
+    }
+}
+
+/* ---- taken away and put back ---- */
+
+/* From then on the world goes as one whose prologue says yes to everything. */
+static void without_a_prologue_pairs_are_their_own_again(void **state) {
+    (void)state;
+    thud_body_id bodies[BODIES];
+    for (int i = 0; i < 2 * DETECTIONS * FORMS; i++) {
+        static ear here, twin;
+        thud_world_def def = def_with(i % DETECTIONS);
+        int form = i / DETECTIONS % FORMS, before = i < DETECTIONS * FORMS ? 40 : 130;
+        thud_world *one = make_scene(def, bodies), *other = make_scene(def, bodies);
+        thud_listeners listens = of_form(form, &here), listens_too = of_form(form, &twin);
+        here = twin = (ear){0};
+        OK(thud_world_set_listeners(one, &listens));
+        OK(thud_world_set_listeners(other, &listens_too));
+        run(one, before);
+        run(other, before);
+        assert_true(here.vetoed > 0 && here.changed > 0);
+        twin.plain = true;
+        int calls = here.calls;
+        if (form & 1) { /* nothing; or an epilogue that changes nothing */
+            OK(thud_world_set_listeners(one, NULL));
+        } else {
+            here.plain = true;
+            OK(thud_world_set_listeners(one,
+                                        &(thud_listeners){.epilogue = tell, .context = &here}));
+        }
+        for (int k = 0; k < 60; k++) {
+            run(one, 1);
+            run(other, 1);
+            if (thud_world_hash(one) != thud_world_hash(other)) {
+                fail_msg("detection %d, form %d: differs %d steps later", i % DETECTIONS, form, k);
+            }
+        }
+        assert_true(form & 1 ? here.calls == calls : here.told > calls / 9);
+        here.plain = twin.plain = false;
+        here.digest = twin.digest = 0;
+        listens = of_form(FORMS - 1 - form, &here);
+        OK(thud_world_set_listeners(one, &listens));
+        here.told = twin.told = 0;
+        run(one, 60);
+        run(other, 60);
+        assert_true(here.digest == twin.digest && thud_world_hash(one) == thud_world_hash(other));
+        thud_world_destroy(one);
+        thud_world_destroy(other);
+    }
+}
+
+/* ---- what they hear ---- */
+
+static const thud_manifold *manifold_of(const thud_manifold *all, int count,
+                                        const thud_contact *heard) {
+    for (int i = 0; i < count; i++) {
+        if (all[i].shape_a.index1 == heard->shape_a.index1 &&
+            all[i].shape_b.index1 == heard->shape_b.index1 &&
+            (double)fabsf(all[i].normal.x - heard->normal.x) == 0 &&
+            all[i].normal.y == heard->normal.y &&
+            fabs(all[i].point[0].x - heard->point.x) < 2) { /* a terrain has a pair a segment */
+            const thud_manifold *m = &all[i];
+            double x = m->point_count == 2 ? 0.5 * (m->point[0].x + m->point[1].x) : m->point[0].x;
+            double y = m->point_count == 2 ? 0.5 * (m->point[0].y + m->point[1].y) : m->point[0].y;
+            float separation = m->point_count == 2 && m->separation[1] < m->separation[0]
+                                   ? m->separation[1]
+                                   : m->separation[0];
+            if (m->point_count == heard->point_count && fabs(x - heard->point.x) < 1e-5 &&
+                fabs(y - heard->point.y) < 1e-5 && separation == heard->separation) {
+                return m;
+            }
+        }
+    }
+    return NULL;
+}
+
+/* The epilogue hears of the manifolds as they are after the step, and of no others; and what it
+ * hears of impulses is all that has changed a body's motion, but for gravity. */
+static void epilogues_hear_manifolds_and_all_impulses(void **state) {
+    (void)state;
+    for (int i = 0; i < 2 * QUALITIES; i++) {
+        static ear e;
+        static thud_manifold all[64];
+        thud_body_id bodies[BODIES];
+        thud_body_state before[BODIES];
+        thud_world_def def = thud_world_def_of(qualities[i / 2]);
+        def.detection = &thud_detection_overlap;
+        def.sleeping = false;
+        thud_world *world = make_scene(def, bodies);
+        thud_listeners listeners = of_form(i % 2 ? 3 : 0, &e);
+        e = (ear){.plain = true};
+        OK(thud_world_set_listeners(world, &listeners));
+        run(world, 30);
+        for (int step = 0; step < 30; step++) {
+            int ends = 0, moving_ends = 0;
+            for (int k = 0; k < BODIES; k++) {
+                before[k] = state_of(world, bodies[k]);
+            }
+            e.heard_count = 0;
+            run(world, 1);
+            assert_in_range(e.heard_count, 30, HEARD_MOST - 1);
+            for (int k = 0; k < BODIES; k++) {
+                thud_body_state after = state_of(world, bodies[k]);
+                double mass = (double)after.mass, x = 0, y = -10.0 / 60 * mass;
+                int count;
+                OK(thud_body_contacts(world, bodies[k], all, 64, &count));
+                for (int c = 0; c < e.heard_count; c++) {
+                    const thud_contact *heard = &e.heard[c];
+                    bool is_b = heard->body_b.index1 == bodies[k].index1;
+                    if (!is_b && heard->body_a.index1 != bodies[k].index1) {
+                        continue;
+                    }
+                    moving_ends++;
+                    assert_non_null(manifold_of(all, count, heard));
+                    double n = (double)heard->normal_impulse, t = (double)heard->tangent_impulse;
+                    double nx = (double)heard->normal.x, ny = (double)heard->normal.y;
+                    x += (is_b ? 1 : -1) * (n * nx + t * ny);
+                    y += (is_b ? 1 : -1) * (n * ny - t * nx);
+                }
+                for (int c = 0; c < count; c++) {
+                    ends += all[c].point_count > 0;
+                }
+                if (after.kind == THUD_DYNAMIC) {
+                    near_to((double)(after.velocity.x - before[k].velocity.x) * mass, x, 2e-3);
+                    near_to((double)(after.velocity.y - before[k].velocity.y) * mass, y, 2e-3);
+                }
+            }
+            assert_int_equal(ends, moving_ends);
+        }
+        thud_world_destroy(world);
+    }
+}
+
+/* ---- what is refused ---- */
+
+static bool tries_to_go(thud_world *world, const thud_contact *contact,
+                        thud_contact_settings *settings, void *context) {
+    (void)contact, (void)settings;
+    assert_int_equal(thud_world_set_listeners(world, NULL), THUD_ERROR_LOCKED);
+    ++*(int *)context;
+    return true;
+}
+
+static bool overlap_tries(thud_shape_id shape, void *context) {
+    (void)shape;
+    assert_int_equal(thud_world_set_listeners(context, NULL), THUD_ERROR_LOCKED);
+    return true;
+}
+
+static void count_message(thud_result result, const char *message, void *context) {
+    assert_true(result != THUD_OK && message[0]);
+    ++*(int *)context;
+}
+
+static void refused_listeners_leave_those_that_there_are(void **state) {
+    (void)state;
+    int messages = 0, asked = 0;
+    thud_world_def def = thud_default_world_def();
+    def.log = count_message;
+    def.log_context = &messages;
+    thud_world *world = make_world(def);
+    add_floor(world, NULL);
+    add_ball(world, 0, 0.49, 0.5f);
+    set_listeners(world, tries_to_go, NULL, &asked);
+    run(world, 2);
+    assert_int_equal(asked, 2);
+    assert_int_equal(messages, 2);
+    OK(thud_world_overlap_circle(world, (thud_pos){0, 0.5}, 1, NULL, overlap_tries, world));
+    assert_int_equal(messages, 4);
+    thud_listeners both = {.prologue = ask, .prologue_all = ask_all};
+    assert_int_equal(thud_world_set_listeners(world, &both), THUD_ERROR_INVALID);
+    both = (thud_listeners){.epilogue = tell, .epilogue_all = tell_all};
+    assert_int_equal(thud_world_set_listeners(world, &both), THUD_ERROR_INVALID);
+    assert_int_equal(thud_world_set_listeners(NULL, NULL), THUD_ERROR_NULL);
+    assert_int_equal(messages, 6);
+    run(world, 1);
+    assert_int_equal(asked, 3);
+    thud_world_destroy(world);
+}
+
+static void listeners_out_of_memory_change_nothing(void **state) {
+    (void)state;
+    static ear here, twin;
+    thud_body_id bodies[BODIES];
+    thud_world_def def = def_with(1);
+    thud_world *other = make_scene(def, bodies);
+    def.allocator = hostile_memory();
+    memory_allowed = -1;
+    thud_world *world = make_scene(def, bodies);
+    thud_listeners listens = of_form(3, &here), listens_too = of_form(3, &twin);
+    here = twin = (ear){0};
+    run(world, 10);
+    run(other, 10);
+    memory_allowed = 0;
+    assert_int_equal(thud_world_set_listeners(world, &listens), THUD_ERROR_MEMORY);
+    memory_allowed = -1;
+    assert_true(thud_world_hash(world) == thud_world_hash(other));
+    run(world, 10);
+    run(other, 10);
+    assert_int_equal(here.calls, 0);
+    assert_true(thud_world_hash(world) == thud_world_hash(other));
+    OK(thud_world_set_listeners(world, &listens));
+    OK(thud_world_set_listeners(other, &listens_too));
+    int failures = 0; /* of the room for all contacts */
+    for (int i = 0; i < 60; i++) {
+        for (thud_result result = THUD_ERROR_MEMORY; result != THUD_OK;) {
+            int calls = here.calls;
+            memory_allowed = 0;
+            result = thud_world_step(world);
+            memory_allowed = -1;
+            if (result != THUD_OK) {
+                assert_int_equal(result, THUD_ERROR_MEMORY);
+                assert_int_equal(here.calls, calls);
+                failures++;
+                result = thud_world_step(world);
+                OK(result);
+            }
+        }
+        OK(thud_world_step(other));
+        assert_true(thud_world_hash(world) == thud_world_hash(other));
+        assert_true(here.digest == twin.digest);
+    }
+    assert_true(failures >= 1);
+    OK(thud_world_set_listeners(world, NULL));
+    memory_allowed = 0;
+    OK(thud_world_set_listeners(world, &listens)); /* the room is there by now */
+    memory_allowed = -1;
+    thud_world_destroy(world);
+    thud_world_destroy(other);
+    assert_int_equal(memory_held, 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(both_forms_hear_and_do_the_same),
+        cmocka_unit_test(without_a_prologue_pairs_are_their_own_again),
+        cmocka_unit_test(epilogues_hear_manifolds_and_all_impulses),
+        cmocka_unit_test(refused_listeners_leave_those_that_there_are),
+        cmocka_unit_test(listeners_out_of_memory_change_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
