@@ -1,6 +1,5 @@
 /* contact_lanes.c: what contacts keep in their lanes. */
 #include "constraint/lanes.h"
-#include "contact/contact.h"
 #include "contact/internal_edges.h"
 #include "rules/ruling.h"
 #include "state/surface.h"

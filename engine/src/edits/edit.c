@@ -6,6 +6,7 @@
 #include "state/body.h"
 #include "state/handles.h"
 #include "state/shape.h"
+#include "state/surface.h"
 
 static thud_result unlocked(const thud_world *w, thud_result found) {
     return found == THUD_OK && w->locked
@@ -69,9 +70,10 @@ void td_edit_settle_contacts(thud_world *w, int shape) {
         td_constraint *contact = td_constraint_at(w, e / 2);
         if (td_edit_concerns(contact, shape) && contact->state == TD_TOUCHING) {
             td_lane at = td_lane_of(w, contact);
-            uint16_t before = at.block->mark[at.lane].rule;
+            uint16_t *mark = &at.block->mark[at.lane].rule, before = *mark;
             td_contact_settle(w, at.block, at.lane, e / 2);
-            contact->vetoed = before == at.block->mark[at.lane].rule ? contact->vetoed : 0;
+            *mark |= before & (TD_LANE_ALTERED | TD_LANE_REFUSED); /* no rule's */
+            contact->vetoed = before == *mark ? contact->vetoed : 0;
             td_lane_renew(w, e / 2);
         }
     }

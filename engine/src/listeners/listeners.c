@@ -149,7 +149,8 @@ TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpos
     if (purpose != TAKE_ANSWERS) {
         seen = view(w, l);
     }
-    if (purpose < TAKE_ANSWERS) { /* they are of a step before, whichever it was that added them up */
+    if (purpose <
+        TAKE_ANSWERS) { /* they are of a step before, whichever it was that added them up */
         seen.normal_impulse = seen.tangent_impulse = 0.0f;
     }
     switch (purpose) {
@@ -258,8 +259,10 @@ static void restore(thud_world *w) {
         td_constraint *contact = td_constraint_at(w, i);
         if (contact->live && td_is_contact(contact) && contact->state == TD_TOUCHING) {
             td_lane at = td_lane_of(w, contact);
-            if (at.block->mark[at.lane].rule & (TD_LANE_ALTERED | TD_LANE_REFUSED)) {
+            uint16_t *mark = &at.block->mark[at.lane].rule;
+            if (*mark & (TD_LANE_ALTERED | TD_LANE_REFUSED)) {
                 td_contact_settle(w, at.block, at.lane, i);
+                *mark &= (uint16_t) ~(TD_LANE_ALTERED | TD_LANE_REFUSED);
                 contact->vetoed &= TD_HELD | TD_PASSING;
             }
         }

@@ -8,6 +8,9 @@
 /* The settings of a pair as the two shape defs have them. */
 thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b);
 
+/* A lane takes its settings anew. contact/contact_lanes.c */
+void td_contact_settle(thud_world *w, td_block *block, int lane, int contact);
+
 /* Asks the rules and the prologue, of two that meet on the way. */
 bool td_surface_meet(thud_world *w, const thud_contact *seen, thud_contact_settings *settings);
 /* Whether there is either. */

@@ -1,6 +1,8 @@
 /* test_one_way.c: shapes that hold others on one of their sides only: thud_rules.h. */
 #include "rules_support.h"
 
+#include <thud/thud_edits.h>
+
 #include <thud/thud_snapshot.h>
 
 /* The player jumps from the ground through a plank, and stands on it. */
@@ -141,6 +143,40 @@ static void passing_goes_through_a_snapshot(void **unused) {
     thud_world_destroy(twin);
 }
 
+/* What was held and is pushed into the plank comes out again where it came from; whatever a
+ * prologue wants of its friction, and though an edit has the pair settled anew. */
+static bool grease(thud_world *w, const thud_contact *contact, thud_contact_settings *settings,
+                   void *context) {
+    (void)w, (void)contact, (void)context;
+    settings->friction *= 0.5f;
+    return true;
+}
+
+static void what_is_held_stays_so_under_a_prologue_and_an_edit(void **unused) {
+    (void)unused;
+    for (int i = 0; i < 4; i++) {
+        thud_world *w = make(NULL, NULL);
+        thud_rule one_way = meeting(THUD_ONE_WAY);
+        OK(thud_world_set_rule(w, PLANK, PLAYER, &one_way));
+        thud_body_id plank = add(w, THUD_STATIC, PLANK, 1, 0, -0.25, 3, 0.25f);
+        thud_body_id player = add(w, THUD_DYNAMIC, PLAYER, 0, 0, 0.5, 0.5f, 0);
+        set_listeners(w, i & 1 ? grease : NULL, NULL, NULL);
+        steps(w, 30);
+        OK(thud_body_set_transform(w, player, (thud_pos){0, 0.4}, 0));
+        if (i & 2) {
+            thud_shape_id shape;
+            int count;
+            OK(thud_body_shapes(w, plank, &shape, 1, &count));
+            OK(thud_shape_set_friction(w, shape, 0.3f));
+        }
+        steps(w, 60);
+        if (fabs(get(w, player).position.y - 0.5) > 0.02) {
+            fail_msg("%d: it is at %g", i, get(w, player).position.y);
+        }
+        thud_world_destroy(w);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planks_are_jumped_through),
@@ -149,6 +185,7 @@ int main(void) {
         cmocka_unit_test(the_side_is_the_bodys),
         cmocka_unit_test(planks_beside_ground),
         cmocka_unit_test(passing_goes_through_a_snapshot),
+        cmocka_unit_test(what_is_held_stays_so_under_a_prologue_and_an_edit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
