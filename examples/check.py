@@ -11,6 +11,21 @@ SAYS = {
     "the climber stands at 0.50\n"
     "the parcel rides at 2.00 and collected 1 coin\n"
     "the loudest thud: 17\n",
+    "brick_breaker": "0 bricks and 5 lives left after 77.7 s, score 450\n"
+    "hash d95cb9dea33354c5\n",
+    "car": "place 1: car 3 after 31.88 s\n"
+    "place 2: car 2 after 32.70 s\n"
+    "place 3: car 1 after 33.35 s\n"
+    "hash e7c894c92545e0ed\n",
+    "platformer": "8 of 8 coins in 14.25 s; the crate is at 4.60\n"
+    "hash aa98abee0d359829\n",
+    "pool": "11 to 4 balls in 42 shots, 0 and 2 fouls\n"
+    "hash e6d9efd3790017c2\n",
+    "rollback": "2 to 3 rounds in 1214 frames\n"
+    "494 and 462 frames played again\n"
+    "0 unlike, hash eb56a57d52bb52c7\n",
+    "save_load": "0 crates left after 1102 steps, hash 0dec804b7dbf5caa\n"
+    "0 crates left after 1102 steps, hash 0dec804b7dbf5caa\n",
 }
 
 name, program = sys.argv[1:]
