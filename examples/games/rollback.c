@@ -15,7 +15,7 @@ typedef struct score {
 } score;
 
 typedef struct frame {
-    char before[8192]; /* the world's snapshot as the frame begins ... */
+    char before[8192]; /* the world's snapshot as the frame begins, some 5 kB ... */
     size_t bytes;
     score score;   /* ... and the game's own state */
     int input[2];  /* 0 to 8: where to push, as on a number pad */
