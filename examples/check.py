@@ -13,10 +13,10 @@ SAYS = {
     "the loudest thud: 17\n",
     "brick_breaker": "0 bricks and 5 lives left after 77.7 s, score 450\n"
     "hash d95cb9dea33354c5\n",
-    "car": "place 1: car 3 after 31.88 s\n"
-    "place 2: car 2 after 32.70 s\n"
-    "place 3: car 1 after 33.35 s\n"
-    "hash e7c894c92545e0ed\n",
+    "car": "place 1: car 3 after 32.22 s\n"
+    "place 2: car 2 after 32.97 s\n"
+    "place 3: car 1 after 33.62 s\n"
+    "hash fed4dcbbe4b71f83\n",
     "platformer": "8 of 8 coins in 14.25 s; the crate is at 4.60\n"
     "hash aa98abee0d359829\n",
     "pool": "11 to 4 balls in 42 shots, 0 and 2 fouls\n"
