@@ -29,9 +29,9 @@ void td_contact_part(thud_world *w, int contact);
 
 /* Two shapes that have no lane as callers see them: `at` is between where they are nearest. */
 thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, td_position at,
-                                thud_vec2 normal,
-                                double distance); /* contact_view.c: a lane as callers see it; how
-                                                     fast a point of a lane closes, > 0. */
+                                thud_vec2 normal, double distance);
+
+/* A lane as callers see it, and how fast a point of it closes, > 0. contact_view.c */
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane);
 float td_contact_closing(const thud_world *w, const td_block *block, const td_point *p, int lane);
 

@@ -149,8 +149,8 @@ TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpos
     if (purpose != TAKE_ANSWERS) {
         seen = view(w, l);
     }
-    if (purpose <
-        TAKE_ANSWERS) { /* they are of a step before, whichever it was that added them up */
+    if (purpose < TAKE_ANSWERS) {
+        /* Those are of a step before, whichever it was that added them up. */
         seen.normal_impulse = seen.tangent_impulse = 0.0f;
     }
     switch (purpose) {
