@@ -17,6 +17,7 @@ const char INPUT_HELP[] =
     "  , .                slower, faster       Q            next quality\n"
     "  C B                drop a circle, a box at the pointer; with Shift a large one\n"
     "  G                  dig a crater into the ground at the pointer; with Shift raise a mound\n"
+    "  X                  explode at the pointer\n"
     "  Delete             remove the body under the pointer\n"
     "  1 to 9, 0          contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
     "                     pairs, motions\n"
@@ -104,6 +105,11 @@ static void dig_here(viewer *v, bool mound) {
         (mound ? dig_mound : dig_crater)(&v->session, pointer_place(v));
 }
 
+static void explode_here(viewer *v) {
+    if (!over_panel(v))
+        session_explode(&v->session, pointer_place(v));
+}
+
 static void remove_here(viewer *v) {
     thud_body_id body;
     if (!over_panel(v) &&
@@ -148,6 +154,9 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
         break;
     case SDLK_f:
         viewer_set_broadphase(v, (v->session.broadphase + 1) % BROADPHASE_CHOICES);
+        break;
+    case SDLK_x:
+        explode_here(v);
         break;
     case SDLK_DELETE:
     case SDLK_BACKSPACE:

@@ -1,7 +1,10 @@
 /* session.c: see session.h. */
 #include "session.h"
 
+#include <act_thud.h>
 #include <build_thud.h>
+
+#include <thud/thud_fields.h>
 
 #include <SDL.h>
 #include <math.h>
@@ -149,13 +152,17 @@ bool session_load(session *s, const catalog_entry *entry) {
     s->time_step = def.time_step;
     s->alpha = 1;
     s->missed = (session_missed){0};
+    for (int i = 0; i < SESSION_BLASTS; i++)
+        s->blasts[i].step = -1e9;
     bool listed = list_bodies(s, ids, fresh.body_count) && list_joints(s);
+    for (int i = 0; i < s->body_count; i++)
+        s->bodies[i].look = fresh.bodies[i].look;
     free(ids);
     return listed;
 }
 
 static void run_step(session *s) {
-    if (thud_world_step(s->world) != THUD_OK)
+    if (scene_step_thud(&s->scene.fields, s->world) != THUD_OK)
         return;
     thud_stats stats = thud_world_stats(s->world);
     s->missed.held += stats.held_bodies;
@@ -225,6 +232,26 @@ void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {
     }
     if (made != THUD_OK || !list_body(s, id))
         thud_body_destroy(s->world, id);
+}
+
+/* Multiples of the length scale: within the first all of it arrives, and over the second it falls
+ * to nothing; and the speed that a box of density 1 and one length scale gets from it, a second. */
+static const double BLAST_RADIUS = 1.5, BLAST_FALLOFF = 6, BLAST_SPEED = 30;
+
+void session_explode(session *s, thud_pos at) {
+    if (!s->world)
+        return;
+    double unit = s->scene.length_scale;
+    thud_explosion explosion = thud_default_explosion();
+    explosion.center = at;
+    explosion.radius = BLAST_RADIUS * unit;
+    explosion.falloff = BLAST_FALLOFF * unit;
+    explosion.impulse = (float)(BLAST_SPEED * unit * unit);
+    s->message[0] = '\0';
+    if (thud_world_explode(s->world, &explosion, NULL) == THUD_OK) {
+        s->blasts[s->next_blast] = (session_blast){at, (double)thud_world_stats(s->world).steps};
+        s->next_blast = (s->next_blast + 1) % SESSION_BLASTS;
+    }
 }
 
 typedef struct picking {

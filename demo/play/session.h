@@ -19,6 +19,7 @@ typedef struct session_shape {
 typedef struct session_body {
     thud_body_id id;
     thud_body_kind kind;
+    int look;    /* as scene_body has it */
     float reach; /* no shape goes farther from the body's origin; infinite for terrain */
     int first_shape, shape_count;
 } session_body;
@@ -29,6 +30,14 @@ typedef struct session_missed {
     double seconds; /* ... and what those lost, together */
     long fast;      /* times that a body was too fast for bisection */
 } session_missed;
+
+/* What a user set off, as long as it is to be seen. */
+typedef struct session_blast {
+    thud_pos at;
+    double step; /* of the world, after which; below 0 once it is over */
+} session_blast;
+
+enum { SESSION_BLASTS = 8 };
 
 typedef struct session session;
 
@@ -50,6 +59,8 @@ struct session {
     double time_step; /* seconds */
     double alpha;     /* for thud_world_poses */
     session_missed missed;
+    session_blast blasts[SESSION_BLASTS];
+    int next_blast;              /* the place of the oldest one */
     session_stepped_fn *stepped; /* null: nobody asks */
     void *stepped_context;
     char message[256]; /* the last thing that went wrong; empty if nothing did */
@@ -68,6 +79,9 @@ void session_set_quality(session *s, int quality);
 
 /* Drops a new body of `size` times the scene's typical size at a place. */
 void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size);
+
+/* An explosion at a place; what stands in between gives cover. */
+void session_explode(session *s, thud_pos at);
 
 /* The body whose shape lies under a place, within `margin`. False if there is none. */
 bool session_pick(session *s, thud_pos at, double margin, thud_body_kind kind, thud_body_id *out);

@@ -2,6 +2,7 @@
 #include "viewer.h"
 
 #include "draw/draw_character.h"
+#include "draw/draw_fields.h"
 #include "draw/draw_joints.h"
 #include "draw/draw_overlays.h"
 #include "draw/draw_sums.h"
@@ -161,6 +162,7 @@ void viewer_draw(viewer *v) {
             draw_character(c, &v->camera, &v->character, v->session.alpha);
         if (overlays_have(v->overlays, OVERLAY_JOINTS))
             draw_joints(c, &v->camera, &v->session);
+        draw_fields(c, &v->camera, &v->session);
         draw_sums(c, &v->camera, &v->session);
         draw_overlays(c, &v->camera, &v->session, v->overlays, v->bare ? 0 : hud_footer(c));
         if (overlays_have(v->overlays, OVERLAY_FORCES))

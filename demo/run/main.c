@@ -1,6 +1,7 @@
 /* main.c: thud-run runs a scene or a level without a display and reports. */
 #define _POSIX_C_SOURCE 200809L
 
+#include "act_thud.h"
 #include "build_thud.h"
 #include "choices.h"
 #include "level.h"
@@ -122,12 +123,12 @@ static void keep_worst(thud_step_error *worst, thud_step_error step, bool first)
         worst->overlaps = step.overlaps;
 }
 
-static bool run(thud_world *world, const run_options *options, run_outcome *o) {
+static bool run(thud_world *world, const scene *s, const run_options *options, run_outcome *o) {
     bool terminal = isatty(STDERR_FILENO);
     double start = seconds_now(NULL), last_shown = 0;
     *o = (run_outcome){0};
     while (o->steps < options->steps) {
-        thud_result result = thud_world_step(world);
+        thud_result result = scene_step_thud(&s->fields, world);
         if (result != THUD_OK) {
             fprintf(stderr, "thud-run: step %ld failed: %s\n", o->steps + 1,
                     thud_result_text(result));
@@ -163,7 +164,7 @@ static int load_and_run(const run_options *options) {
     if (options->workers > 1 && !threads)
         fprintf(stderr, "thud-run: no threads to be had; going on alone\n");
     thud_world *world = build(options, &s, threads);
-    bool done = world && run(world, options, &outcome);
+    bool done = world && run(world, &s, options, &outcome);
     if (done && options->json)
         done = run_print_json(&outcome, &s, options);
     else if (done)

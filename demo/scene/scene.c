@@ -224,11 +224,29 @@ scene_joint *scene_tie_gear(scene *s, int first, int second, double ratio) {
     return joint;
 }
 
+void scene_add_blast(scene *s, scene_blast blast) {
+    if (s->fields.blast_count < SCENE_BLASTS_MAX)
+        s->fields.blasts[s->fields.blast_count++] = blast;
+    else
+        s->failed = true;
+}
+
+bool scene_has_fields(const scene *s) {
+    const scene_fields *f = &s->fields;
+    return f->water_density > 0 || f->air_density > 0 || f->blast_count > 0;
+}
+
 void scene_shift(scene *s, double dx, double dy) {
     for (int i = 0; i < s->body_count; i++) {
         s->bodies[i].x += dx;
         s->bodies[i].y += dy;
     }
+    for (int i = 0; i < s->fields.blast_count; i++) {
+        s->fields.blasts[i].x += dx;
+        s->fields.blasts[i].y += dy;
+    }
+    s->fields.water_level += dy;
+    s->fields.wind_origin += dx;
     s->camera_x += dx;
     s->camera_y += dy;
     s->spawn_x += dx;

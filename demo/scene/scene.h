@@ -79,6 +79,7 @@ typedef struct scene_body {
     bool fixed_rotation;
     bool may_sleep; /* default true */
     scene_detection detection;
+    int look;                     /* the viewer's colour of that number, from 1 on; 0: by chance */
     uint32_t id;                  /* of the object in a level file; 0 in built-in scenes */
     int first_shape, shape_count; /* in scene.shapes */
 } scene_body;
@@ -115,6 +116,27 @@ typedef struct scene_joint {
     double break_force, break_torque; /* default 1e30: never */
 } scene_joint;
 
+/* An explosion as a step begins, see thud_fields.h. */
+typedef struct scene_blast {
+    int step; /* after so many others, from 0 on */
+    double x, y, radius, falloff, impulse;
+} scene_blast;
+
+enum { SCENE_BLASTS_MAX = 4 };
+
+/* What acts on everything that is awake before each step, see act_thud.h. Zero: nothing does. */
+typedef struct scene_fields {
+    double water_density; /* kg/m^2; 0: no water */
+    double water_level;
+    double water_drag;  /* 1/s, of motion and of spin */
+    double air_density; /* kg/m^2; 0: no wind */
+    double wind;        /* m/s, to the right; gusts make a fifth of it, or nearly twice as much */
+    double wind_origin; /* x at which gusts are on time; farther on in the wind they are later */
+    double air_drag, air_lift;
+    scene_blast blasts[SCENE_BLASTS_MAX];
+    int blast_count;
+} scene_fields;
+
 typedef struct scene {
     const char *name;  /* the registry's, or the level's file name without folder and suffix */
     const char *title; /* for a menu */
@@ -127,8 +149,9 @@ typedef struct scene {
     double spawn_x, spawn_y;     /* where a viewer drops new bodies */
     bool character;              /* played with one, which starts there */
     unsigned show;               /* scene_show */
-    int sum_pairs;               /* so many times two bodies, from the first on, are shown
-              with their Minkowski sum; each has one shape, no terrain */
+    scene_fields fields;
+    int sum_pairs; /* so many times two bodies, from the first on, are shown
+with their Minkowski sum; each has one shape, no terrain */
     scene_body *bodies;
     scene_shape *shapes;
     scene_point *points;
@@ -177,6 +200,11 @@ scene_joint *scene_tie(scene *s, scene_joint_kind kind, int a, int b, double x, 
 scene_joint *scene_tie_distance(scene *s, int a, int b, double ax, double ay, double bx, double by);
 /* Of two joints, by their indices. */
 scene_joint *scene_tie_gear(scene *s, int first, int second, double ratio);
+
+/* An explosion that walls and crates give cover from; a scene has at most SCENE_BLASTS_MAX. */
+void scene_add_blast(scene *s, scene_blast blast);
+/* Whether there is anything but bodies and joints, which other engines have no like of. */
+bool scene_has_fields(const scene *s);
 
 /* Moves everything, and the camera, by (dx, dy): exact for whole numbers up to 10^7. */
 void scene_shift(scene *s, double dx, double dy);

@@ -1,4 +1,5 @@
 /* engine_thud.c: thud, behind engine.h. */
+#include "act_thud.h"
 #include "build_thud.h"
 #include "engine.h"
 #include "misuse_thud.h"
@@ -9,6 +10,7 @@
 
 typedef struct own_world {
     thud_world *world;
+    scene_fields fields;
     int body_count;
     thud_body_id bodies[];
 } own_world;
@@ -35,6 +37,7 @@ static void *create(const scene *s, const engine_settings *settings) {
         return NULL;
     }
     own->body_count = s->body_count;
+    own->fields = s->fields;
     return own;
 }
 
@@ -47,7 +50,7 @@ static void destroy(void *state) {
 
 static bool step(void *state) {
     own_world *own = state;
-    return thud_world_step(own->world) == THUD_OK;
+    return scene_step_thud(&own->fields, own->world) == THUD_OK;
 }
 
 /* A body that is quarantined is lost, too. */

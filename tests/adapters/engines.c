@@ -38,7 +38,8 @@ static bool can_run(const physics_engine *engine) {
 }
 
 bool engine_can_build(const physics_engine *engine, const scene *s) {
-    return !engine->can_build || engine->can_build(s);
+    bool lacks_fields = engine != &engine_thud && scene_has_fields(s);
+    return !lacks_fields && (!engine->can_build || engine->can_build(s));
 }
 
 void *engine_create(const physics_engine *engine, const scene *s, engine_settings settings) {

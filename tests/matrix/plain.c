@@ -122,6 +122,20 @@ static void pass_joint(tape *t, scene_joint *j) {
     j->kind = (scene_joint_kind)kind;
 }
 
+static void pass_fields(tape *t, scene_fields *f) {
+    double *const values[] = {&f->water_density, &f->water_level, &f->water_drag, &f->air_density,
+                              &f->wind,          &f->wind_origin, &f->air_drag,   &f->air_lift};
+    pass_doubles(t, values, sizeof values / sizeof *values);
+    pass_int(t, &f->blast_count);
+    t->failed = t->failed || f->blast_count < 0 || f->blast_count > SCENE_BLASTS_MAX;
+    for (int i = 0; i < f->blast_count && !t->failed; i++) {
+        scene_blast *b = &f->blasts[i];
+        double *const of_blast[] = {&b->x, &b->y, &b->radius, &b->falloff, &b->impulse};
+        pass_int(t, &b->step);
+        pass_doubles(t, of_blast, sizeof of_blast / sizeof *of_blast);
+    }
+}
+
 /* Room for what the counts say; a file that lies about them is short of words anyway. */
 static void make_room(tape *t, scene *s) {
     const int most = 1 << 20;
@@ -163,6 +177,7 @@ static void pass_scene(tape *t, scene *s) {
     }
     for (int i = 0; i < s->joint_count && !t->failed; i++)
         pass_joint(t, &s->joints[i]);
+    pass_fields(t, &s->fields);
 }
 
 bool plain_write(FILE *file, const plain_title *title, scene *s) {

@@ -1,4 +1,5 @@
 /* thud_matrix.c: what every row of ./run matrix runs, so that their lines can be compared. */
+#include "act_thud.h"
 #include "build_thud.h"
 #include "choices.h"
 #include "options.h"
@@ -60,9 +61,9 @@ static thud_world *build(matrix *m, const scene *s, const char *kind) {
     return scene_build_thud(s, &def, &world, NULL, NULL) == THUD_OK ? world : NULL;
 }
 
-static bool make_steps(thud_world *world, int count) {
+static bool make_steps(thud_world *world, const scene *s, int count) {
     for (int i = 0; i < count; i++)
-        if (thud_world_step(world) != THUD_OK)
+        if (scene_step_thud(&s->fields, world) != THUD_OK)
             return false;
     return true;
 }
@@ -101,26 +102,27 @@ static void *next_snapshot(matrix *m, size_t *size) {
 
 /* ---- one line ---- */
 
-static bool run_through(matrix *m, thud_world *world) {
+static bool run_through(matrix *m, thud_world *world, const scene *s) {
     int half = m->options.steps / 2;
-    return make_steps(world, half) && (!m->snapshots || take(m, world)) && make_steps(world, half);
+    return make_steps(world, s, half) && (!m->snapshots || take(m, world)) &&
+           make_steps(world, s, half);
 }
 
 /* False where the snapshot is refused. */
-static bool run_on(matrix *m, thud_world *world) {
+static bool run_on(matrix *m, thud_world *world, const scene *s) {
     size_t size;
     void *bytes = next_snapshot(m, &size);
     if (!bytes)
         snprintf(m->reason, sizeof m->reason, "the file of snapshots ends too early");
     bool restored = bytes && thud_world_restore(world, bytes, size) == THUD_OK;
     free(bytes);
-    return restored && make_steps(world, m->options.steps / 2);
+    return restored && make_steps(world, s, m->options.steps / 2);
 }
 
 static void print_run(matrix *m, const plain_title *title, scene *s) {
     m->reason[0] = 0;
     thud_world *world = build(m, s, title->kind);
-    bool done = world && (m->options.go_on ? run_on(m, world) : run_through(m, world));
+    bool done = world && (m->options.go_on ? run_on(m, world, s) : run_through(m, world, s));
     if (m->kept && !plain_write(m->kept, title, s)) {
         snprintf(m->reason, sizeof m->reason, "its plain form could not be written");
         done = false;

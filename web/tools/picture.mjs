@@ -18,6 +18,7 @@ const INKS = {
   good: "rgb(88 184 150)",
   bad: "rgb(239 83 80)",
   gold: "rgb(240 180 70)",
+  water: "rgb(66 160 222)",
   player: "rgb(245 124 82)",
   rival: "rgb(98 105 200)",
 };
@@ -156,10 +157,11 @@ function markPath(mark, { at, scale, origin, sees }) {
   const from = ([x, y]) => at(x - origin[0], y - origin[1]);
   if (mark.kind === "line") {
     const dashed = mark.dashed ? ' stroke-dasharray="14 10"' : "";
-    return {
-      style: `fill="none" stroke="${ink}" stroke-width="4"${dashed}`,
-      path: `M${mark.points.map((p) => point(from(p))).join("L")}`,
-    };
+    const path = `M${mark.points.map((p) => point(from(p))).join("L")}`;
+    const opacity = mark.opacity ?? 1;
+    if (mark.filled) return { style: `fill="${ink}" fill-opacity="${opacity}"`, path: `${path}z` };
+    const faded = opacity < 1 ? ` stroke-opacity="${opacity}"` : "";
+    return { style: `fill="none" stroke="${ink}" stroke-width="4"${dashed}${faded}`, path };
   }
   if (mark.kind === "text") return null;
   const center = from([mark.x, mark.y]);

@@ -2,6 +2,7 @@
  */
 #include "api.h"
 
+#include <act_thud.h>
 #include <build_thud.h>
 #include <scenes.h>
 
@@ -21,6 +22,9 @@ int api_scene_size(int index) {
     return info == NULL ? 0 : info->default_size;
 }
 
+/* Of the scene that was made last. */
+static scene_fields fields;
+
 /* A world with the scene in it, made from the slots of api_world_defaults; size 0 takes the
  * default. Slots out: its address, as that of a list. */
 int api_scene_create(int index, int size) {
@@ -34,6 +38,12 @@ int api_scene_create(int index, int size) {
     thud_world *world = NULL;
     thud_result result = scene_build_thud(&filled, &def, &world, NULL, NULL);
     api_slots.list.address = (double)(uintptr_t)world;
+    fields = filled.fields;
     scene_free(&filled);
     return result;
+}
+
+/* A step of a world with what acts in the scene that was made last. */
+int api_scene_step(thud_world *world) {
+    return scene_step_thud(&fields, world);
 }

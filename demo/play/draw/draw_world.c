@@ -121,7 +121,8 @@ static SDL_Color body_color(const session *s, const session_body *body, bool dim
         return COLOR_STATIC;
     if (state.quarantined)
         return COLOR_QUARANTINED;
-    SDL_Color color = colors[(body->id.index1 * 2654435761u >> 16) % COLOR_BODY_COUNT];
+    unsigned look = body->look > 0 ? (unsigned)body->look - 1 : body->id.index1 * 2654435761u >> 16;
+    SDL_Color color = colors[look % COLOR_BODY_COUNT];
     return dim && !state.awake ? draw_dimmed(color) : color;
 }
 

@@ -109,7 +109,8 @@ export class Box2DCompanion implements Companion {
       const milliseconds = box2dWorld.step();
       const { awakeBodies: awake, origin } = box2dWorld;
       const { gears } = box2dWorld;
-      const sample: Box2DSample = { milliseconds, awake, since, origin, gears };
+      const fields = [...this.known.fields];
+      const sample: Box2DSample = { milliseconds, awake, since, origin, gears, fields };
       const { step } = this.session;
       if (step < pair.nextComparison) return sample;
       const start = performance.now();

@@ -57,6 +57,7 @@ export function drawMarks(
     context.strokeStyle = colour;
     context.fillStyle = colour;
     if (mark.kind === "line") {
+      if (mark.filled) context.fillStyle = theme.fills[mark.ink] ?? colour;
       drawLine(context, camera, pane, mark);
       continue;
     }
@@ -78,14 +79,17 @@ function drawLine(
   context: CanvasRenderingContext2D,
   camera: Camera,
   pane: Pane,
-  { points, width = OUTLINE, dashed = false }: Of<"line">,
+  { points, width = OUTLINE, dashed = false, opacity = 1, filled = false }: Of<"line">,
 ): void {
   context.beginPath();
   for (const [x, y] of points) context.lineTo(...camera.toScreen(x, y, pane));
+  context.globalAlpha = opacity;
   context.lineWidth = width;
   context.setLineDash(dashed ? [2 * width + 3, 2 * width + 4] : []);
-  context.stroke();
+  if (filled) context.fill();
+  else context.stroke();
   context.setLineDash([]);
+  context.globalAlpha = 1;
 }
 
 /** About the canvas' origin. */

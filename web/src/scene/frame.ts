@@ -71,6 +71,8 @@ export interface Box2DSample {
   origin: Vec2;
   /** Of the scene's joints, which it has not. */
   gears: number;
+  /** What acts on thud's bodies and not on its own, in a word or two each. */
+  fields: readonly string[];
   /** Both engines after this step, by the same code; every few steps where that takes long. */
   compared?: { thud: Compared; box2d: Compared };
 }

@@ -207,6 +207,7 @@ export type Ink =
   | "good"
   | "bad"
   | "gold"
+  | "water"
   | "player" // the first player, the character
   | "rival"; // the second player
 
@@ -246,7 +247,7 @@ export interface Paint {
 export type Mark = LineMark | CircleMark | BoxMark | FigureMark | TextMark;
 
 /**
- * A line from point to point.
+ * A line from point to point; filled, the area that it goes around, without an outline.
  * @example { kind: "line", points: [[0, 0], [1, 2]], ink: "soft" }
  */
 export interface LineMark {
@@ -256,6 +257,9 @@ export interface LineMark {
   /** CSS pixels. Default 2. */
   width?: number;
   dashed?: boolean;
+  /** 0 to 1. */
+  opacity?: number;
+  filled?: boolean;
 }
 
 /**

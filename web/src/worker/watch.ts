@@ -28,6 +28,8 @@ export interface Known {
   bodyOptions(body: BodyId): BodyOptions | undefined;
   /** Whether there ever was a joint. */
   readonly tied: boolean;
+  /** What has acted on bodies that another engine has no like of, in a word or two each. */
+  readonly fields: ReadonlySet<string>;
   /** Another number whenever bodies, shapes or ground changed. */
   changes(): number;
 }
@@ -74,6 +76,7 @@ export function watch(world: World, made: WorldOptions): Watched {
   const bodies = new Map<number, { body: BodyId; options: BodyOptions }>();
   let changes = 0;
   let tied = false;
+  const fields = new Set<string>();
   let follower: Follower | null = null;
   /** A refused call throws before `then`, and changes nothing. */
   const after = <Name extends Watchable>(name: Name, then: Then<Name>) => {
@@ -91,6 +94,7 @@ export function watch(world: World, made: WorldOptions): Watched {
   };
 
   for (const name of CHANGES) after(name, () => void changes++);
+  for (const name of FIELDS) after(name, () => void fields.add(NAMES_OF_FIELDS[name]));
   after("createBody", (body, given = {}) => bodies.set(body.index, { body, options: given }));
   after("createJoint", (joint) => {
     tied = true;
@@ -140,6 +144,7 @@ export function watch(world: World, made: WorldOptions): Watched {
     get tied() {
       return tied;
     },
+    fields,
     changes: () => changes,
     forwardTo(other) {
       follower = other;
@@ -199,6 +204,14 @@ const OF_JOINTS = [
   "setJointEnabled",
 ] as const;
 
+/** By the methods that make them act. */
+const NAMES_OF_FIELDS = {
+  applyBuoyancy: "water",
+  applyWind: "wind",
+  explode: "explosions with cover",
+} as const;
+const FIELDS = Object.keys(NAMES_OF_FIELDS) as (keyof typeof NAMES_OF_FIELDS)[];
+
 const CHANGES = [
   ...OF_JOINTS,
   "createJoint",
@@ -216,6 +229,7 @@ const CHANGES = [
 
 type Watchable =
   | (typeof CHANGES)[number]
+  | keyof typeof NAMES_OF_FIELDS
   | "createBody"
   | "setTransform"
   | "setVelocity"

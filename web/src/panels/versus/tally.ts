@@ -62,6 +62,8 @@ export class Tally {
   origin: Vec2 = [0, 0];
   /** Of thud's, which Box2D has not. */
   gears = 0;
+  /** What acts in thud alone. */
+  fields: readonly string[] = [];
   #counted = 0;
   #sums: { [engine in Engine]: Sums } = { thud: newSums(), box2d: newSums() };
 
@@ -72,6 +74,7 @@ export class Tally {
     this.since = null;
     this.origin = [0, 0];
     this.gears = 0;
+    this.fields = [];
     this.#counted = 0;
     this.#sums = { thud: newSums(), box2d: newSums() };
     for (const course of [this.times, this.penetrations, this.energies]) {
@@ -87,6 +90,7 @@ export class Tally {
       this.since = box2d.since;
       this.origin = box2d.origin;
       this.gears = box2d.gears;
+      this.fields = box2d.fields;
       const seconds = step * timeStep;
       this.#sums.thud.awake = awake;
       this.#sums.box2d.awake = box2d.awake;

@@ -15,7 +15,7 @@ import { askForBox2D, endBox2D } from "../box2d-wish";
 import { engineColour, Plots, themeNow } from "./plots";
 import { Table } from "./table";
 import { ENGINES, Tally } from "./tally";
-import { gearsText, MEANING, movedText, verdict } from "./words";
+import { fieldsText, gearsText, MEANING, movedText, verdict } from "./words";
 
 /** Milliseconds between two showings: courses run, figures must be readable. */
 const PLOTS_EVERY = 150;
@@ -41,7 +41,7 @@ class VersusPanel implements Panel {
   readonly #tryAgain = make("button", { class: "wide" }, "Try again");
   readonly #since = make("p", { class: "quiet" });
   readonly #moved = make("p", { class: "moved" });
-  readonly #gears = make("p", { class: "moved" });
+  readonly #lacks = make("p", { class: "moved" });
   readonly #measured = make("div");
   #open = false;
   #loading = false;
@@ -118,7 +118,7 @@ class VersusPanel implements Panel {
     again.addEventListener("click", () => void app.restart());
     this.#tryAgain.addEventListener("click", () => void this.#restart());
     const table = this.#table.element;
-    this.#measured.append(table, this.#moved, this.#gears, this.#since, again, this.#plots.element);
+    this.#measured.append(table, this.#moved, this.#lacks, this.#since, again, this.#plots.element);
     // The verdict changes its number of lines: what stands below it would move under a finger.
     this.element.append(
       layout.element,
@@ -195,9 +195,9 @@ class VersusPanel implements Panel {
     const moved = movedText(Math.hypot(...tally.origin) / lengthScale);
     this.#moved.hidden = moved === "";
     if (this.#moved.textContent !== moved) this.#moved.textContent = moved;
-    const gears = gearsText(tally.gears);
-    this.#gears.hidden = gears === "";
-    if (this.#gears.textContent !== gears) this.#gears.textContent = gears;
+    const lacks = `${gearsText(tally.gears)} ${fieldsText(tally.fields)}`.trim();
+    this.#lacks.hidden = lacks === "";
+    if (this.#lacks.textContent !== lacks) this.#lacks.textContent = lacks;
     this.#since.hidden = !tally.since;
     const seconds = ((tally.since ?? 0) * (scene?.timeStep ?? 1 / 60)).toFixed(2);
     this.#since.textContent =

@@ -70,6 +70,15 @@ export function gearsText(gears: number): string {
   return `Box2D has no gears: ${which} in thud alone, and what they tie turns freely in Box2D.`;
 }
 
+/** What acts on bodies in thud alone; "" where nothing does. */
+export function fieldsText(fields: readonly string[]): string {
+  if (fields.length === 0) return "";
+  return (
+    `Box2D has no ${fields.join(" and no ")}: here that acts in thud alone, so the two do not ` +
+    "show the same."
+  );
+}
+
 export interface Comparison {
   /** Null: about the same. */
   better: Engine | null;

@@ -1,0 +1,74 @@
+/* act_thud.c: see act_thud.h. */
+#include "act_thud.h"
+
+#include <thud/thud_fields.h>
+#include <thud/thud_lists.h>
+
+#include <math.h>
+
+/* Steps from gust to gust, long ones and short ones, and steps that either takes for a metre. */
+static const double LONG_GUST = 300, SHORT_GUST = 113, STEPS_PER_METRE = 4;
+
+/* From -1 to 1, in parabolas, which look like a sine of period 1. */
+static double wave(double t) {
+    t -= floor(t);
+    return t < 0.5 ? 16 * t * (0.5 - t) : -16 * (t - 0.5) * (1 - t);
+}
+
+double scene_wind_at(const scene_fields *fields, double step, double x) {
+    /* By whole metres: those are exact wherever a scene stands. */
+    double metres = floor(x - fields->wind_origin);
+    double t = step - STEPS_PER_METRE * (fields->wind < 0 ? -metres : metres);
+    return fields->wind * (1 + 0.5 * wave(t / LONG_GUST) + 0.3 * wave(t / SHORT_GUST));
+}
+
+static thud_result explode(const scene_fields *fields, thud_world *world, double step) {
+    thud_result result = THUD_OK;
+    for (int i = 0; i < fields->blast_count && result == THUD_OK; i++) {
+        const scene_blast *blast = &fields->blasts[i];
+        if (blast->step != step)
+            continue;
+        thud_explosion explosion = thud_default_explosion();
+        explosion.center = (thud_pos){blast->x, blast->y};
+        explosion.radius = blast->radius;
+        explosion.falloff = blast->falloff;
+        explosion.impulse = (float)blast->impulse;
+        result = thud_world_explode(world, &explosion, NULL);
+    }
+    return result;
+}
+
+static thud_result act_on(const scene_fields *fields, thud_world *world, double step,
+                          thud_body_id id) {
+    thud_body_state body;
+    thud_result result = thud_body_get(world, id, &body);
+    if (result != THUD_OK || body.kind != THUD_DYNAMIC || !body.awake)
+        return result;
+    if (fields->water_density > 0) {
+        thud_water water = thud_default_water();
+        water.point = (thud_pos){body.position.x, fields->water_level};
+        water.density = (float)fields->water_density;
+        water.linear_drag = water.angular_drag = (float)fields->water_drag;
+        result = thud_body_apply_buoyancy(world, id, &water);
+    }
+    if (fields->air_density > 0 && result == THUD_OK) {
+        thud_vec2 wind = {(float)scene_wind_at(fields, step, body.position.x), 0};
+        result = thud_body_apply_wind(world, id, wind, (float)fields->air_density,
+                                      (float)fields->air_drag, (float)fields->air_lift);
+    }
+    return result;
+}
+
+thud_result scene_step_thud(const scene_fields *fields, thud_world *world) {
+    double step = (double)thud_world_stats(world).steps;
+    thud_result result = explode(fields, world, step);
+    int slots = 0;
+    if (fields->water_density > 0 || fields->air_density > 0)
+        thud_world_slots(world, &slots, NULL);
+    for (int i = 0; i < slots && result == THUD_OK; i++) {
+        thud_body_id id;
+        if (thud_world_body_at(world, i, &id) == THUD_OK && id.index1 != 0)
+            result = act_on(fields, world, step, id);
+    }
+    return result == THUD_OK ? thud_world_step(world) : result;
+}
