@@ -132,6 +132,27 @@ class Viewer(unittest.TestCase):
         picture = self.shoot("trebuchet", "--frames", 150)
         self.assertLess(picture.count_near(palette("COLOR_ERROR"), 60), 20)  # bricks' edges
 
+    def test_water_lies_over_what_is_in_it_and_lets_it_be_seen(self):
+        """The lake of the boats: 800 pixels show 41 m, and its surface is at height 0."""
+        picture = self.shoot_bare("boats", "--frames", 0)
+        deep, sky = picture.rows[300 + 80][420], picture.rows[300 - 150][420]
+        self.assertGreater(deep[2] - deep[0], 40 + sky[2] - sky[0])
+        surface = palette("COLOR_SURFACE_OF_WATER")
+        lines = [y for y in range(350) if sum(abs(a - b) for a, b in
+                                              zip(picture.rows[y][560], surface)) < 350]
+        self.assertTrue(lines and all(abs(y - 312) < 4 for y in lines), lines)
+        # The buoy's upper half is above, the lower one in the water: the same colour, but bluer.
+        x = round(400 + (-1.6 - 0.35) * 800 / 41)
+        above, below = picture.rows[312 - 9][x], picture.rows[312 + 2][x]
+        self.assertTrue(colourful(above) and colourful(below) and above != below)
+
+    def test_explosion_leaves_a_ring_for_a_moment(self):
+        blast = palette("COLOR_BLAST")
+        before, during, over = (self.shoot_bare("explosion", "--frames", frames, "--overlay", "none")
+                                .count_near(blast, 170) for frames in (60, 63, 105))
+        self.assertGreater(during, before + 100)
+        self.assertLess(abs(over - before), 100)
+
     def test_scene_wider_than_the_window_is_seen_whole(self):
         picture = self.shoot_bare("chain", "--frames", 1, size="400x600")
         rightmost = max(x for row in picture.rows for x, pixel in enumerate(row)

@@ -35,6 +35,8 @@ const PICTURES = [
   { name: "platformer", search: "scene=platformer_game", steps: 90, options: LIGHT },
   { name: "detection", search: "scene=detection", steps: 120 },
   { name: "phone", search: "scene=hourglass", steps: 90, options: PHONE },
+  { name: "boats", search: "scene=boats", steps: 45, options: LIGHT },
+  { name: "flags", search: "scene=flags", steps: 290 },
   { name: "joints", search: "scene=walker", steps: 90 },
   { name: "bridge", search: "scene=bridge_builder", steps: 0, options: PHONE, after: cross },
 ];

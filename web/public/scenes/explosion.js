@@ -6,7 +6,7 @@ import { ring } from "./fields/act.js";
 
 export const title = "Explosion";
 export const about =
-  "Crates in the open fly, and those behind the wall have cover: click where it shall explode.";
+  "Crates in the open fly, and those behind the wall have cover: click or tap for more.";
 export const menu = { group: "Water, wind, fire", place: 553 };
 export const size = { means: "crates", usual: 40, least: 2, most: 2000 };
 

@@ -159,7 +159,8 @@ export class CanvasRenderer implements Renderer {
       }
       if (data[at + SHAPE] === CIRCLE) {
         context.moveTo(x + hx, y);
-        context.arc(x, y, hx, 0, 2 * Math.PI);
+        // Around as boxes go: where the two overlap, nothing is left out.
+        context.arc(x, y, hx, 0, 2 * Math.PI, true);
         if (hx > LEAST_BEAD) beads.push(x + 0.58 * hx * c, y - 0.58 * hx * s, 0.15 * hx);
       } else {
         const cosine = c * data[at + TURN] - s * data[at + TURN + 1];

@@ -79,5 +79,5 @@ export function ring([x, y], age) {
     const points = [0.55, 0.8].map((part) => [x + part * radius * dx, y + part * radius * dy]);
     return { kind: "line", points, ink: "accent", opacity: glow };
   });
-  return [circle(0.5, 0.45 * glow, true), circle(0.9, 0.4 * glow), circle(1, glow), ...sparks];
+  return [circle(0.5, 0.5 * glow * glow, true), circle(0.9, 0.4 * glow), circle(1, glow), ...sparks];
 }
