@@ -49,6 +49,18 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
     await close();
   });
 
+test("what_box2d_has_not_is_told_once_the_scene_makes_use_of_it", async () => {
+  const { page, errors, close } = await visitor.open("?scene=flags&panel=versus&paused=1");
+  await untilBox2D(page);
+  const told = () => page.locator("#versus .moved:visible").allTextContents();
+  assert.deepEqual(await told(), []);
+  await stepBy(page, 2);
+  const [text] = await until(told, ({ length }) => length > 0, "it is told");
+  assert.match(text, /^Box2D has no wind: /);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 for (const [name, view] of [["thud", 0], ["box2d", 1]])
   test(`dragging_in_the_view_of_${name}_moves_the_body_in_both`, async () => {
     const { page, errors, close } = await openBoth(visitor);

@@ -36,7 +36,7 @@ export default function ({ createWorld, grid, size }) {
     world,
     view: { x: 0, y: 4.6, height: 12.5, width: 2 * half + 5 },
     spawn: [0, 10],
-    keys: { left: "wind to the left", right: "wind to the right" },
+    keys: { left: "blow to the left", right: "blow to the right" },
     state: { wind: 9, step: 0, blown: 0 },
     update({ step, held }) {
       const { state } = scene;
