@@ -11,9 +11,11 @@ static bool is_driven(const scene_joint *j) {
     return false;
 }
 
-/* Something moves, and only by what it started with. */
+/* Something moves, and only by what it started with: no motor, no wind. */
 static bool is_closed(const scene *s) {
     bool moves = false;
+    if (scene_has_fields(s))
+        return false;
     for (int i = 0; i < s->joint_count; i++)
         if (is_driven(&s->joints[i]))
             return false;
