@@ -27,6 +27,8 @@ import { chooseWasm } from "./wasm/choose";
 const OWN_LEVEL = "own_level";
 /** Where code is shown, and its errors. */
 const CODE_PANEL = "code";
+/** Where a scene's controls are. */
+const VALUES_PANEL = "values";
 /** The part of its time from which on a scene runs in slow motion. */
 const MUCH_LAG = 0.2;
 /** Milliseconds that the first scene stands still for a panel that comes with it. */
@@ -266,6 +268,7 @@ function listenToScenes(
         hinted = false;
       }
       announced = title;
+      showValues(dock, scene.controls.length > 0, untold);
       const { notes } = scene;
       if (notes.length > 0) {
         untold = false;
@@ -320,6 +323,13 @@ function listenToScenes(
     },
     answers: () => takeBack(),
   });
+}
+
+/** The panel Values comes with a scene that has some to set, and goes with it. */
+function showValues(dock: Dock, has: boolean, begins: boolean): void {
+  document.querySelector<HTMLElement>("button[data-panel=values]")!.hidden = !has;
+  if (!has && dock.open === VALUES_PANEL) dock.close();
+  if (has && begins) void dock.show(VALUES_PANEL, false);
 }
 
 /** Fits the scene into what the page leaves free now. */

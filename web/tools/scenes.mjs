@@ -34,20 +34,23 @@ export function readText(file) {
   return readFile(new URL(`../assets/${file}`, web), "utf8");
 }
 
-/** Vite's runner, which is closed by then, would have to import it otherwise. */
-const loadReader = () => import("../package/dist/level.js");
+/** Vite's runner, which is closed by then, would have to import them otherwise. */
+const loaders = {
+  loadReader: () => import("../package/dist/level.js"),
+  loadGeometry: () => import("../package/dist/geometry/index.js"),
+};
 
 /** Builds a scene of the registry: { module, setting, scene }. `options` as for createSetting. */
 export async function buildScene(thud, name, options = {}) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
-  const setting = createSetting(module, { thud, readText, loadReader, ...options });
+  const setting = createSetting(module, { thud, readText, ...loaders, ...options });
   return { module, setting, scene: await module.default(setting) };
 }
 
 /** A running scene of the registry, as the page's worker has it. `options`: size, seed. */
 export async function openSession(thud, name, options = {}) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
-  return setUp(1, module, thud, { name, seed: 0, choices: USUAL, ...options }, readText, loadReader);
+  return setUp(1, module, thud, { name, seed: 0, choices: USUAL, ...options }, readText, loaders);
 }
 
 /** Makes steps as the page does, with nobody at the keys. */

@@ -42,6 +42,12 @@ struct solid {
     double kind, half_extents[2], angle;
 };
 
+/* A shape where it stands. */
+struct placed {
+    struct solid solid;
+    double center[2];
+};
+
 /* What acts in a direction of a joint. Infinite limits are none. */
 struct drive_options {
     double lower, upper, frequency, damping, target, spring_force, motor_speed, motor_force;
@@ -240,6 +246,30 @@ struct minkowski_sum {
     double overlaps, edge[2], radius, count, vertices[16];
 };
 
+/* Motions are x, y and the turn. */
+struct geometry_pair {
+    struct placed a, b;
+    double motion_a[3], motion_b[3];
+};
+
+struct closest_features {
+    double overlaps, distance, normal[2], point_a[2], point_b[2];
+};
+
+/* `sure`: bisection can have missed nothing. */
+struct meeting {
+    double found, time, least, least_time, sure;
+};
+
+struct crossing {
+    double found, fraction, normal[2];
+};
+
+/* Turned by the cosine and the sine. */
+struct volume {
+    double kind, center[2], half_extents[2], turn[2];
+};
+
 /* ---- rows ---- */
 
 struct ray_hit {
@@ -353,6 +383,11 @@ union api_slots {
     struct mover_report mover_report;
     struct minkowski_pair minkowski_pair;
     struct minkowski_sum minkowski_sum;
+    struct geometry_pair geometry_pair;
+    struct closest_features closest_features;
+    struct meeting meeting;
+    struct crossing crossing;
+    struct volume volume;
 };
 _Static_assert(sizeof(union api_slots) == 64 * sizeof(double), "JavaScript sees 64 slots");
 

@@ -4,6 +4,7 @@
  * display, whatever the step is.
  */
 import type { Stats, StepError, Terrain, Vec2 } from "thud";
+import type { Settings } from "./controls";
 import type { Gaps } from "./joint-rows";
 import type { Paint } from "./scene";
 
@@ -34,6 +35,8 @@ export interface Frame {
   /** The line from a held body to the pointer. */
   pull: readonly [Vec2, Vec2] | null;
   paint: Paint | null;
+  /** Of the scene's controls, if it has some. */
+  settings?: Settings;
   stats: Stats;
   /** Its largest penetration is of all pairs, asleep or not. */
   error: StepError;

@@ -5,7 +5,9 @@
  * `state` cross the border of threads.
  */
 import type { Engine, Mover, MoverOptions, Vec2, World, WorldOptions } from "thud";
+import type * as geometry from "thud/geometry";
 import type { Level, readLevel } from "thud/level";
+import type { Control, Readings } from "./controls";
 import type { OverlayName } from "./overlays";
 
 /** A module of web/public/scenes. */
@@ -80,6 +82,12 @@ export interface SceneSetting {
    */
   createMover(world: World, options: MoverOptions): Mover;
   /**
+   * Brings the geometry of two shapes, which needs no world: closest points, times of impact,
+   * Minkowski sums, bounding volumes.
+   * @example const { closestPoints } = await loadGeometry(); closestPoints(thud, a, b)
+   */
+  loadGeometry(): Promise<typeof geometry>;
+  /**
    * The engine itself, without the visitor's choices.
    * @example thud.createWorld()
    */
@@ -139,6 +147,11 @@ export interface Scene {
    * @example show: ["contacts"]
    */
   show?: OverlayName[];
+  /**
+   * What the visitor sets in a panel beside the scene: values of `state`, by their names.
+   * @example controls: [{ kind: "check", name: "wind", label: "Wind", about: "…", group: "Look at" }]
+   */
+  controls?: Control[];
   /**
    * What the visitor should be told: what of a level was left out.
    * @example notes: ["…"]
@@ -232,6 +245,11 @@ export interface Paint {
    * @example message: "You won."
    */
   message?: string;
+  /**
+   * Rows to be read in the panel, by the name of the control under which they stand.
+   * @example readings: { wind: [["Speed", "3 m/s"]] }
+   */
+  readings?: Readings;
   /**
    * Words on the keys' buttons in place of arrows. Such buttons are there beside a keyboard too, and
    * those without a word are not.

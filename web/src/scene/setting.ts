@@ -1,5 +1,6 @@
 /** What a scene module is given: the same in the worker and in Node.js (tests, thumbnails). */
 import { type Engine, Mover, type WorldOptions } from "thud";
+import type * as geometry from "thud/geometry";
 import type * as level from "thud/level";
 import { random } from "./random";
 import type { SceneModule, SceneSetting } from "./scene";
@@ -14,6 +15,8 @@ export interface SettingOptions {
   readText(file: string): Promise<string>;
   /** The reader of levels, which is loaded with the first one. */
   loadReader?(): Promise<typeof level>;
+  /** Geometry, which is loaded with the first scene that is about it. */
+  loadGeometry?(): Promise<typeof geometry>;
 }
 
 export function createSetting(
@@ -25,6 +28,7 @@ export function createSetting(
     seed = 0,
     readText,
     loadReader = () => import("thud/level"),
+    loadGeometry = () => import("thud/geometry"),
   }: SettingOptions,
 ): SceneSetting {
   let reader: typeof level | undefined;
@@ -41,6 +45,7 @@ export function createSetting(
     },
     createMover: (world, options) => new Mover(world, options),
     readText,
+    loadGeometry,
     size: sizeOf(module, size),
     seed,
     random,

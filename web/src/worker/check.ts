@@ -2,11 +2,13 @@
  * What a scene returned, looked over before the page relies on it: a visitor's own text may say
  * anything, and should then be told what is wrong with it.
  */
+import type { Control } from "../scene/controls";
 import { KEY_NAMES, type KeyName, type Mark, type Paint, type Scene } from "../scene/scene";
 import { SceneError } from "./trouble";
 
 const FUNCTIONS = ["restored", "update", "paint", "close"] as const;
-const LISTS = ["notes", "show", "hidden"] as const;
+const LISTS = ["notes", "show", "hidden", "controls"] as const;
+const CONTROLS: readonly Control["kind"][] = ["choice", "check", "slider"];
 
 /** Numbers that each kind of mark has to have. */
 const NUMBERS: Record<Mark["kind"], readonly string[]> = {
@@ -36,10 +38,16 @@ export function checkScene(scene: Scene): void {
       wrong(`There is no key “${String(key)}” for scenes; there are ${KEY_NAMES.join(", ")}.`);
   if (state !== undefined && (typeof state !== "object" || state === null))
     wrong("A scene's state is an object: state: { score: 0 }");
+  for (const control of scene.controls ?? []) {
+    if (!CONTROLS.includes(control?.kind))
+      wrong(`The kind of a control is one of ${CONTROLS.join(", ")}.`);
+    if (!state || !Object.hasOwn(state, control.name))
+      wrong(`A control sets what state has: state: { ${control.name}: … }`);
+  }
 }
 
 export function checkPaint(paint: Paint): void {
-  const { follow, marks = [], figures = [], message = "", buttons = {} } = paint;
+  const { follow, marks = [], figures = [], message = "", buttons = {}, readings = {} } = paint;
   if (follow !== undefined && !isPlace(follow)) wrong("paint: follow is a place: follow: [x, y]");
   if (!Array.isArray(marks)) wrong("paint: marks is a list of marks.");
   if (!Array.isArray(figures)) wrong("paint: figures is a list of { label, value }.");
@@ -48,6 +56,9 @@ export function checkPaint(paint: Paint): void {
     if (typeof figure?.label !== "string" || typeof figure.value !== "string")
       wrong("paint: a figure has two texts: { label: \"Score\", value: \"3\" }");
   if (typeof message !== "string") wrong("paint: message is a text.");
+  for (const rows of Object.values(readings))
+    if (!Array.isArray(rows) || !rows.every((row) => Array.isArray(row) && row.length === 2))
+      wrong('paint: readings has rows of two texts: readings: { wind: [["Speed", "3 m/s"]] }');
   for (const [name, word] of Object.entries(buttons))
     if (!KEY_NAMES.includes(name as KeyName) || typeof word !== "string")
       wrong('paint: buttons has a word for each key: buttons: { fire: "Drive" }');

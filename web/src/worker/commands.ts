@@ -3,6 +3,7 @@
  * journal under that step's number, so that going back in time does the same again.
  */
 import type { BodyId, Vec2, World } from "thud";
+import type { Setting } from "../scene/controls";
 import type { KeyName } from "../scene/scene";
 import type { Blast } from "./hands";
 import { groundLines } from "./lookup";
@@ -21,6 +22,8 @@ export type Command =
   | { kind: "dig"; x: number; y: number; radius: number }
   | { kind: "keys"; held: Readonly<Record<KeyName, boolean>> }
   | { kind: "pointer"; x: number; y: number; down: boolean }
+  /** One of the scene's controls. */
+  | { kind: "set"; name: string; value: Setting }
   | ({ kind: "choose" } & Adjustment);
 
 /** A new body; its size and angle vary a little with the number that exist. */

@@ -1,5 +1,6 @@
 /** Makes the frames that the page draws: copies of what the world has, and only of what is new. */
 import type { Stats, StepError, World } from "thud";
+import { settingsOf } from "../scene/controls";
 import type { Drawing, Frame, PlacedTerrain, Shapes, Sum } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import { BODY, DYNAMIC, HALF, ROW, SHAPE, SLOT, TERRAIN } from "../scene/shape-table";
@@ -66,6 +67,8 @@ export class Frames {
       samples,
       history: { first: session.history.first, last: session.history.last },
     };
+    const { controls, state } = session.scene;
+    if (controls) frame.settings = settingsOf(controls, state);
     this.#addShapes(frame);
     // A picture of a standing scene is asked for rarely, and should be right.
     const standing = session.step === this.#step;

@@ -1,5 +1,6 @@
 /** The messages between the page and the worker in which physics runs. Types only. */
 import type { Broadphase, Detection, Quality, Vec2 } from "thud";
+import type { Control } from "../scene/controls";
 import type { Frame } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import type { KeyWords, SceneSize, View } from "../scene/scene";
@@ -48,6 +49,7 @@ export interface RunningScene {
   keys: KeyWords;
   pointer: boolean;
   notes: readonly string[];
+  controls: readonly Control[];
 }
 
 /** What the page sees, and what it wants drawn there by the engine. */

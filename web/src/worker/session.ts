@@ -236,6 +236,9 @@ export class Session {
       case "pointer":
         hands.pointer = pointerOf(command);
         break;
+      case "set":
+        this.#set(command);
+        break;
       case "choose":
         this.#adjust(command);
         break;
@@ -277,6 +280,14 @@ export class Session {
     this.paint = this.scene.paint?.() ?? null;
   }
 
+  /** Seen also while the scene stands. */
+  #set({ name, value }: Extract<Command, { kind: "set" }>): void {
+    const { controls = [], state } = this.scene;
+    if (!state || !controls.some((control) => control.name === name)) return;
+    Object.assign(state, { [name]: value });
+    this.paint = this.scene.paint?.() ?? null;
+  }
+
   #adjust(choices: Adjustment): void {
     // Between two qualities, one of which may be without what holds a largest error.
     this.world.setMaxError(0);
@@ -289,9 +300,11 @@ function pointerOf({ x, y, down }: Extract<Command, { kind: "pointer" }>): Input
   return { x, y, down };
 }
 
-/** Of two moves without a step between them only the last counts; a press or release is none. */
+/** Of two moves, or settings, without a step between them only the last counts; a press or release
+ * is none. */
 function replaces(command: Command, last: Command): boolean {
   if (command.kind === "pointer") return last.kind === "pointer" && last.down === command.down;
+  if (command.kind === "set") return last.kind === "set" && last.name === command.name;
   return command.kind === "drag" && last.kind === "drag";
 }
 

@@ -28,7 +28,7 @@ export async function setUp(
   engine: Engine,
   request: SceneRequest,
   readText: (file: string) => Promise<string>,
-  loadReader?: SettingOptions["loadReader"],
+  loaders: Pick<SettingOptions, "loadReader" | "loadGeometry"> = {},
 ): Promise<Session> {
   const setting = createSetting(module, {
     thud: engine,
@@ -36,7 +36,7 @@ export async function setUp(
     size: request.size,
     seed: request.seed,
     readText,
-    loadReader,
+    ...loaders,
   });
   // The world that a scene returns is run; others, and movers, are freed with it.
   const worlds = new Map<World, Pick<WorldOptions, "lengthScale" | "timeStep">>();
@@ -93,6 +93,7 @@ export function describe(session: Session): RunningScene {
     keys: keyWords(scene.keys ?? []),
     pointer: scene.pointer ?? false,
     notes: scene.notes ?? [],
+    controls: scene.controls ?? [],
   };
 }
 

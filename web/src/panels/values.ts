@@ -1,0 +1,144 @@
+/** What a scene lets the visitor set, and what it reads out. */
+import type { App } from "../page/app";
+import type { Panel } from "../page/dock";
+import { choiceBar, make } from "../page/dom";
+import { say } from "../page/messages";
+import type {
+  CheckControl,
+  ChoiceControl,
+  Control,
+  Readings,
+  Setting,
+  SliderControl,
+} from "../scene/controls";
+import { fillList } from "./inside/values";
+import "../style/values.css";
+
+/** Milliseconds after the visitor's last change until what came of it is said. */
+const SETTLED = 900;
+
+/** A control's element; `show` puts its value there. */
+interface Made {
+  element: HTMLElement;
+  show(value: Setting): void;
+  read?(rows: Readings[string]): void;
+}
+
+export function createPanel(app: App): Panel {
+  const element = make("div", { class: "values-panel" });
+  let made = new Map<string, Made>();
+  let controls: readonly Control[] = [];
+  let timer = 0;
+
+  /** The first row under each box that is ticked. */
+  const tellRest = () => {
+    const { settings = {}, paint } = app.player.shown?.frame ?? {};
+    const told = controls
+      .filter(({ kind, name }) => kind === "check" && settings[name])
+      .flatMap(({ name }) => paint?.readings?.[name]?.slice(0, 1) ?? [])
+      .map(([name, value]) => `${name}: ${value}`);
+    say(told.join(". "));
+  };
+  const set = (name: string, value: Setting) => {
+    app.do({ kind: "set", name, value });
+    clearTimeout(timer);
+    timer = window.setTimeout(tellRest, SETTLED);
+  };
+
+  const show = () => {
+    const { settings, paint } = app.player.shown?.frame ?? {};
+    if (!settings) return;
+    for (const [name, control] of made) {
+      control.show(settings[name]);
+      control.read?.((settings[name] && paint?.readings?.[name]) || []);
+    }
+  };
+  const begin = () => {
+    const next = app.scene?.controls ?? [];
+    // Begun anew, a scene has the same ones: what has the focus keeps it.
+    if (next.length > 0 && JSON.stringify(next) === JSON.stringify(controls)) return;
+    controls = next;
+    made = new Map(controls.map((control) => [control.name, makeControl(control, set)]));
+    element.replaceChildren(...groupsOf(controls, made));
+    if (controls.length === 0)
+      element.append(make("p", { class: "quiet" }, "This scene has nothing to set."));
+    show();
+  };
+  app.listen({ run: begin, frame: show });
+  begin();
+  return { element, opened: show };
+}
+
+function groupsOf(controls: readonly Control[], made: ReadonlyMap<string, Made>): HTMLElement[] {
+  const names = [...new Set(controls.map(({ group }) => group))];
+  return names.map((group) => {
+    const ofGroup = controls.filter((control) => control.group === group);
+    const elementsOf = (sliders: boolean) =>
+      ofGroup
+        .filter(({ kind }) => (kind === "slider") === sliders)
+        .map(({ name }) => made.get(name)!.element);
+    const sliders = elementsOf(true);
+    const box = make("fieldset", {}, make("legend", {}, group), ...elementsOf(false));
+    if (sliders.length > 0)
+      box.append(make("details", {}, make("summary", {}, "By numbers"), ...sliders));
+    return box;
+  });
+}
+
+type Set = (name: string, value: Setting) => void;
+
+function makeControl(control: Control, set: Set): Made {
+  if (control.kind === "choice") return makeChoice(control, set);
+  return control.kind === "check" ? makeCheck(control, set) : makeSlider(control, set);
+}
+
+function makeChoice({ name, label, options }: ChoiceControl, set: Set): Made {
+  const bar = choiceBar(`set-${name}`, label, "", options, (value) => set(name, value));
+  return { element: bar.element, show: (value) => bar.show(String(value)) };
+}
+
+function makeCheck({ name, label, about }: CheckControl, set: Set): Made {
+  const input = make("input", {
+    type: "checkbox",
+    name: `set-${name}`,
+    "aria-labelledby": `set-${name}-title`,
+    "aria-describedby": `set-${name}-about`,
+  });
+  input.addEventListener("change", () => set(name, input.checked));
+  const list = make("dl", { class: "values", "data-readings": name });
+  const text = make(
+    "span",
+    {},
+    make("b", { id: `set-${name}-title` }, label),
+    make("small", { id: `set-${name}-about` }, about),
+  );
+  return {
+    element: make("div", { class: "check" }, make("label", {}, input, text), list),
+    show: (value) => (input.checked = Boolean(value)),
+    read: (rows) => fillList(list, rows),
+  };
+}
+
+function makeSlider({ name, label, least, most, step }: SliderControl, set: Set): Made {
+  const input = make("input", { type: "range", name: `set-${name}`, min: least, max: most, step });
+  const digits = step < 1 ? 2 : 0;
+  const output = make("output", { "aria-hidden": "true" });
+  const write = (value: number) => {
+    const text = value.toFixed(digits);
+    if (output.textContent === text) return;
+    output.textContent = text;
+    input.setAttribute("aria-valuetext", text);
+  };
+  input.addEventListener("input", () => {
+    set(name, input.valueAsNumber);
+    write(input.valueAsNumber);
+  });
+  return {
+    element: make("label", { class: "slider" }, make("span", {}, label), input, output),
+    show(value) {
+      // While it is pulled, frames of a moment ago come in.
+      if (!input.matches(":active")) input.valueAsNumber = Number(value);
+      write(Number(value));
+    },
+  };
+}

@@ -1,0 +1,141 @@
+/* api_geometry.c: two shapes and no world: what is between them now and on their ways, and what
+ * bounds them. Places and ways are in the slots, geometry_pair. */
+#include "api.h"
+
+#include <thud/thud_minkowski.h>
+
+static thud_shape_instance placed(const struct placed *p) {
+    thud_shape_instance shape = api_placed(api_to_int(p->solid.kind), p->solid.half_extents[0],
+                                           p->solid.half_extents[1], p->solid.angle);
+    shape.x = p->center[0];
+    shape.y = p->center[1];
+    return shape;
+}
+
+static thud_motion motion(const double numbers[3]) {
+    return (thud_motion){numbers[0], numbers[1], numbers[2]};
+}
+
+/* The pair of geometry_pair, and how it moves. */
+typedef struct moving_pair {
+    thud_shape_instance a, b;
+    thud_motion by_a, by_b;
+} moving_pair;
+
+static moving_pair pair_now(void) {
+    const struct geometry_pair *p = &api_slots.geometry_pair;
+    return (moving_pair){placed(&p->a), placed(&p->b), motion(p->motion_a), motion(p->motion_b)};
+}
+
+/* Slots out: closest_features. */
+int api_shapes_closest(void) {
+    moving_pair p = pair_now();
+    thud_closest c;
+    thud_result result = thud_shapes_closest(&p.a, &p.b, &c);
+    if (result == THUD_OK)
+        api_slots.closest_features =
+            (struct closest_features){.overlaps = thud_shapes_overlap(&p.a, &p.b),
+                                      .distance = c.distance,
+                                      .normal = {c.nx, c.ny},
+                                      .point_a = {c.ax, c.ay},
+                                      .point_b = {c.bx, c.by}};
+    return result;
+}
+
+/* Slots out: meeting. */
+int api_shapes_time_of_impact(double target) {
+    moving_pair p = pair_now();
+    bool hit = false;
+    double time = 1.0;
+    thud_result result =
+        thud_shapes_time_of_impact(&p.a, p.by_a, &p.b, p.by_b, target, &hit, &time);
+    if (result == THUD_OK)
+        api_slots.meeting = (struct meeting){.found = hit, .time = time};
+    return result;
+}
+
+/* Slots out: meeting. */
+int api_shapes_time_of_collision(double tolerance) {
+    moving_pair p = pair_now();
+    bool collided = false;
+    double time = 1.0;
+    thud_result result =
+        thud_shapes_time_of_collision(&p.a, p.by_a, &p.b, p.by_b, tolerance, &collided, &time);
+    if (result == THUD_OK)
+        api_slots.meeting = (struct meeting){
+            .found = collided,
+            .time = time,
+            .sure = thud_motion_is_bisectable(&p.a, p.by_a, &p.b, p.by_b),
+        };
+    return result;
+}
+
+/* Slots out: meeting. */
+int api_circles_approach(void) {
+    moving_pair p = pair_now();
+    thud_approach passing;
+    thud_result result = thud_circles_approach(&p.a, p.by_a, &p.b, p.by_b, &passing);
+    if (result == THUD_OK)
+        api_slots.meeting = (struct meeting){.found = passing.hit,
+                                             .time = passing.time,
+                                             .least = passing.least,
+                                             .least_time = passing.least_time};
+    return result;
+}
+
+/* Where b, as a point, meets the sum of both on its way. Slots out: crossing. */
+int api_minkowski_cast(void) {
+    moving_pair p = pair_now();
+    thud_minkowski sum;
+    bool hit = false;
+    double fraction = 1.0, nx = 0.0, ny = 0.0;
+    thud_result result = thud_minkowski_sum(&p.a, &p.b, &sum);
+    if (result == THUD_OK)
+        result = thud_minkowski_cast(&sum, p.b.x - p.a.x, p.b.y - p.a.y, p.by_b.dx - p.by_a.dx,
+                                     p.by_b.dy - p.by_a.dy, &hit, &fraction, &nx, &ny);
+    if (result == THUD_OK)
+        api_slots.crossing = (struct crossing){hit, fraction, {nx, ny}};
+    return result;
+}
+
+/* Around a. Slots out: volume. */
+int api_volume_around_shape(int kind) {
+    moving_pair p = pair_now();
+    thud_volume v;
+    thud_result result = thud_volume_around_shape((thud_shape_kind)kind, &p.a, &v);
+    if (result == THUD_OK)
+        api_slots.volume = (struct volume){v.kind, {v.x, v.y}, {v.hx, v.hy}, {v.c, v.s}};
+    return result;
+}
+
+/* Slots out: number. */
+int api_volumes_overlap(void) {
+    moving_pair p = pair_now();
+    bool overlap = false;
+    thud_result result = thud_volumes_overlap(&p.a, &p.b, &overlap);
+    api_slots.number.value = overlap;
+    return result;
+}
+
+/* The same test so many times, as volumes or (`exact`) as shapes, for a clock outside; in turns from
+ * either side, so that no compiler takes it out of the loop. Slots out: number, of those that
+ * overlap. */
+int api_overlap_often(int exact, int count) {
+    moving_pair p = pair_now();
+    const thud_shape_instance *sides[2] = {&p.a, &p.b};
+    thud_result result = exact ? thud_placed_check(&p.a) : thud_volume_check(&p.a);
+    if (result == THUD_OK)
+        result = exact ? thud_placed_check(&p.b) : thud_volume_check(&p.b);
+    double overlapping = 0.0;
+    for (int i = 0; i < count && result == THUD_OK; i++) {
+        const thud_shape_instance *one = sides[i % 2], *other = sides[1 - i % 2];
+        bool overlap = false;
+        if (exact)
+            overlap = thud_shapes_overlap(one, other);
+        else
+            result = thud_volumes_overlap(one, other, &overlap);
+        overlapping += overlap;
+    }
+    api_slots.number.value = overlapping;
+    return result;
+}
