@@ -11,6 +11,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { thud } from "../web/support/package.mjs";
 import { EDIT_CALLS } from "./edit_calls.mjs";
+import { GEOMETRY_CALLS } from "./geometry_calls.mjs";
 import { JOINT_CALLS } from "./joint_calls.mjs";
 
 const CALLS_OF_A_SEED = 300;
@@ -127,6 +128,7 @@ class Session {
 
 /** By name: each calls what it is named for, and gives what that gave. */
 export const CALLS = {
+  ...GEOMETRY_CALLS,
   ...JOINT_CALLS,
   ...EDIT_CALLS,
   createBody: (s) =>

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { CALLS, play } from "../../fuzz/calls.mjs";
-import { thud } from "../support/package.mjs";
+import { geometry, thud } from "../support/package.mjs";
 
 const SEEDS = 60;
 /** What is called without a name of its own, or by all who have one. */
@@ -30,4 +30,5 @@ test("every method of a world has its call", () => {
   const missing = names.filter((name) => !CALLS[name] && !NOT_PLAYED.has(name) && name !== "address");
   assert.deepEqual(missing, []);
   for (const name of ["Mover", "minkowskiSum"]) assert.ok(CALLS[name] && thud[name]);
+  for (const name of Object.keys(geometry)) assert.ok(CALLS[name], name);
 });

@@ -5,6 +5,7 @@ import { fileURLToPath } from "node:url";
 
 export const root = fileURLToPath(new URL("../../..", import.meta.url));
 export const thud = await import(`${root}web/package/dist/node.js`);
+export const geometry = await import(`${root}web/package/dist/geometry/index.js`);
 export const level = await import(`${root}web/package/dist/level.js`);
 export const demoWasm = new URL("../../../web/generated/thud-demo.wasm", import.meta.url);
 

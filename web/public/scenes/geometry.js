@@ -17,10 +17,9 @@ const KINDS = [
   { value: "obb", label: "OBB" },
 ];
 
-/** What is set of a shape; the letter ends the names in the state. */
-const controlsOf = (letter, group) => [
-  { kind: "choice", name: `kind${letter}`, label: "Kind", options: KINDS, group },
-  ...[
+/** What is set of a shape by number; the letter ends the names in the state. */
+const slidersOf = (letter) =>
+  [
     ["x", "Place, x", -8, 8, 0.05],
     ["y", "Place, y", -5, 5, 0.05],
     ["angle", "Angle, °", -180, 180, 1],
@@ -28,28 +27,33 @@ const controlsOf = (letter, group) => [
     ["height", "Height", 0.4, 5, 0.1],
     ["wayX", "Way, x", -12, 12, 0.1],
     ["wayY", "Way, y", -8, 8, 0.1],
-  ].map(([name, label, least, most, step]) => (
-    { kind: "slider", name: name + letter, label, least, most, step, group }
-  )),
-];
+  ].map(([name, label, least, most, step]) => {
+    const group = `Shape ${letter} by numbers`;
+    return { kind: "slider", name: name + letter, label, least, most, step, group };
+  });
 
+const shape = (letter) => (
+  { kind: "choice", name: `kind${letter}`, label: letter, options: KINDS, group: "Shapes" }
+);
 const check = (name, label, about) => ({ kind: "check", name, label, about, group: "Look at" });
 
 const CONTROLS = [
-  ...controlsOf("A", "Shape A"),
-  ...controlsOf("B", "Shape B"),
+  shape("A"),
+  shape("B"),
   check("overlap", "Overlap",
     "Do they share a point? Asked directly, and by halving their ways until it is found when."),
   check("closest", "Closest points",
     "The shortest way from one to the other, or out of each other."),
   check("ways", "Their ways",
-    "Where they first touch if both go along their arrows, or how near they come."),
+    "Where they first touch if both go along their arrows, and how near they come: below 0, how deep."),
   check("sum", "Minkowski sum",
     "One shape and one point: the point is in the sum while the two overlap, and two ways are one " +
       "segment that enters it."),
-  check("circle", "Bounding circle", "The cheapest to test, and it may turn; it fits loosely."),
-  check("aabb", "Bounding AABB", "Two intervals to compare; it grows as the shape turns."),
+  check("circle", "Bounding circle", "The cheapest to test, and the same however the shape turns; it fits loosely."),
+  check("aabb", "Bounding AABB", "Two intervals to compare; it grows and shrinks as the shape turns."),
   check("obb", "Bounding OBB", "It turns with the shape and fits best; the dearest of the three."),
+  ...slidersOf("A"),
+  ...slidersOf("B"),
 ];
 
 export default async function ({ createWorld, loadGeometry, thud }) {
@@ -61,14 +65,15 @@ export default async function ({ createWorld, loadGeometry, thud }) {
     pointer: true,
     controls: CONTROLS,
     state: {
-      ...{ kindA: "obb", xA: -3, yA: -1.2, angleA: 24, widthA: 3.4, heightA: 1.6, wayXA: 1.6, wayYA: 0.9 },
-      ...{ kindB: "obb", xB: 3, yB: 1.2, angleB: -32, widthB: 2.2, heightB: 1.5, wayXB: -3.4, wayYB: -0.8 },
+      ...{ kindA: "obb", xA: -3.2, yA: -1.6, angleA: -154, widthA: 3.4, heightA: 1.6 },
+      ...{ kindB: "obb", xB: 3, yB: -0.2, angleB: -32, widthB: 2.2, heightB: 1.5 },
+      ...{ wayXA: 2.6, wayYA: 3.2, wayXB: -3, wayYB: 2.4 },
       ...{ overlap: true, closest: true, ways: true },
       ...{ sum: false, circle: false, aabb: false, obb: false },
       grip: null, // what the pointer holds
       near: null, // what it would take
     },
-    update: ({ pointer }) => drag(scene.state, pointer),
+    pointed: (pointer) => drag(scene.state, pointer),
     paint() {
       const seen = look(thud, geometry, scene.state);
       return { ...paintAll(scene.state, seen), ...tell(scene.state, seen, clock.costs(seen)) };

@@ -17,6 +17,9 @@ import "../style/values.css";
 /** Milliseconds after the visitor's last change until what came of it is said. */
 const SETTLED = 900;
 
+/** Milliseconds for which frames from before a change do not undo it in the panel. */
+const ON_ITS_WAY = 1000;
+
 /** A control's element; `show` puts its value there. */
 interface Made {
   element: HTMLElement;
@@ -29,6 +32,8 @@ export function createPanel(app: App): Panel {
   let made = new Map<string, Made>();
   let controls: readonly Control[] = [];
   let timer = 0;
+  /** What was set and has not come back in a frame yet. */
+  const sent = new Map<string, { value: Setting; until: number }>();
 
   /** The first row under each box that is ticked. */
   const tellRest = () => {
@@ -40,6 +45,7 @@ export function createPanel(app: App): Panel {
     say(told.join(". "));
   };
   const set = (name: string, value: Setting) => {
+    sent.set(name, { value, until: performance.now() + ON_ITS_WAY });
     app.do({ kind: "set", name, value });
     clearTimeout(timer);
     timer = window.setTimeout(tellRest, SETTLED);
@@ -49,6 +55,9 @@ export function createPanel(app: App): Panel {
     const { settings, paint } = app.player.shown?.frame ?? {};
     if (!settings) return;
     for (const [name, control] of made) {
+      const wanted = sent.get(name);
+      if (wanted && wanted.value !== settings[name] && performance.now() < wanted.until) continue;
+      sent.delete(name);
       control.show(settings[name]);
       control.read?.((settings[name] && paint?.readings?.[name]) || []);
     }
@@ -73,15 +82,16 @@ function groupsOf(controls: readonly Control[], made: ReadonlyMap<string, Made>)
   const names = [...new Set(controls.map(({ group }) => group))];
   return names.map((group) => {
     const ofGroup = controls.filter((control) => control.group === group);
-    const elementsOf = (sliders: boolean) =>
-      ofGroup
-        .filter(({ kind }) => (kind === "slider") === sliders)
-        .map(({ name }) => made.get(name)!.element);
-    const sliders = elementsOf(true);
-    const box = make("fieldset", {}, make("legend", {}, group), ...elementsOf(false));
-    if (sliders.length > 0)
-      box.append(make("details", {}, make("summary", {}, "By numbers"), ...sliders));
-    return box;
+    const elements = ofGroup.map(({ name }) => made.get(name)!.element);
+    // Numbers are many, and there is another way to set them: by hand.
+    if (ofGroup.every(({ kind }) => kind === "slider"))
+      return make(
+        "details",
+        { class: "section" },
+        make("summary", {}, group),
+        make("div", { role: "group", "aria-label": group }, ...elements),
+      );
+    return make("fieldset", {}, make("legend", {}, group), ...elements);
   });
 }
 
@@ -136,8 +146,7 @@ function makeSlider({ name, label, least, most, step }: SliderControl, set: Set)
   return {
     element: make("label", { class: "slider" }, make("span", {}, label), input, output),
     show(value) {
-      // While it is pulled, frames of a moment ago come in.
-      if (!input.matches(":active")) input.valueAsNumber = Number(value);
+      input.valueAsNumber = Number(value);
       write(Number(value));
     },
   };

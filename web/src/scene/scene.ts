@@ -133,6 +133,12 @@ export interface Scene {
    */
   pointer?: boolean;
   /**
+   * As soon as the pointer moves, also while the scene stands. May change `state` alone, and by the
+   * newest place alone: of several in one step the last is kept.
+   * @example pointed: ({ x, y, down }) => { … }
+   */
+  pointed?(pointer: NonNullable<Input["pointer"]>): void;
+  /**
    * Slots of bodies that the page does not draw, because `paint` does.
    * @example hidden: [ball.index]
    */

@@ -17,6 +17,8 @@ import { aimHold, holds, letGo, moveHold, type Pull, takeHold } from "./hold";
 import type { Choices, Rerun, StateHash } from "./protocol";
 import { SceneError } from "./trouble";
 
+type PointerCommand = Extract<Command, { kind: "pointer" }>;
+
 /** What the visitor's hands hold; plain data, kept with every moment of the past. */
 interface Hands {
   pull: Pull | null;
@@ -96,7 +98,7 @@ export class Session {
 
   #note(command: Command): void {
     const last = this.#done.at(-1);
-    if (last && replaces(command, last)) this.#done.pop();
+    if (last && replaces(command, last, this.#done.at(-2))) this.#done.pop();
     this.#done.push(command);
   }
 
@@ -234,7 +236,7 @@ export class Session {
         Object.assign(hands.held, command.held);
         break;
       case "pointer":
-        hands.pointer = pointerOf(command);
+        this.#point(command);
         break;
       case "set":
         this.#set(command);
@@ -280,6 +282,14 @@ export class Session {
     this.paint = this.scene.paint?.() ?? null;
   }
 
+  #point(command: PointerCommand): void {
+    const pointer = pointerOf(command);
+    this.#hands.pointer = pointer;
+    if (!this.scene.pointed) return;
+    this.scene.pointed(pointer);
+    this.paint = this.scene.paint?.() ?? null;
+  }
+
   /** Seen also while the scene stands. */
   #set({ name, value }: Extract<Command, { kind: "set" }>): void {
     const { controls = [], state } = this.scene;
@@ -296,14 +306,17 @@ export class Session {
   }
 }
 
-function pointerOf({ x, y, down }: Extract<Command, { kind: "pointer" }>): Input["pointer"] {
+function pointerOf({ x, y, down }: PointerCommand): NonNullable<Input["pointer"]> {
   return { x, y, down };
 }
 
-/** Of two moves, or settings, without a step between them only the last counts; a press or release
- * is none. */
-function replaces(command: Command, last: Command): boolean {
-  if (command.kind === "pointer") return last.kind === "pointer" && last.down === command.down;
+/**
+ * Of moves, or settings of one control, without a step between them only the last counts; a press or
+ * release is none, nor is the pointer's first move after it.
+ */
+function replaces(command: Command, last: Command, before?: Command): boolean {
+  if (command.kind === "pointer")
+    return [last, before].every((one) => one?.kind === "pointer" && one.down === command.down);
   if (command.kind === "set") return last.kind === "set" && last.name === command.name;
   return command.kind === "drag" && last.kind === "drag";
 }

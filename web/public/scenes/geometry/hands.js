@@ -12,9 +12,7 @@ const STEM = 0.7;
 const LIMITS = { x: 8, y: 5, wayX: 12, wayY: 8 };
 
 /** The state follows the pointer. */
-export function drag(state, pointer) {
-  if (!pointer) return;
-  const { x, y, down } = pointer;
+export function drag(state, { x, y, down }) {
   if (!down) {
     state.grip = null;
     state.near = takenAt(state, x, y);

@@ -10,7 +10,7 @@ export function paintAll(state, seen) {
   const { shapes, ways, closest } = seen;
   if (state.sum) paintSum(marks, seen);
   for (const kind of VOLUMES.filter((name) => state[name]))
-    for (const side of ["first", "second"]) marks.push(outline(seen.bounds[kind][side], "accent"));
+    for (const side of ["first", "second"]) marks.push({ ...solid(seen.bounds[kind][side]), ink: "ink", opacity: 0.7 });
   const hit = state.overlap && closest.overlaps;
   shapes.forEach((shape, i) => {
     marks.push({ ...solid(shape), ink: INKS[i], filled: true, opacity: 0.38 });
@@ -27,8 +27,6 @@ function solid({ kind, center: [x, y], radius, halfWidth, halfHeight, angle = 0 
   if (kind === "circle") return { kind: "circle", x, y, radius };
   return { kind: "box", x, y, halfWidth, halfHeight, angle };
 }
-
-const outline = (shape, ink) => ({ ...solid(shape), ink, opacity: 0.9 });
 
 const line = (points, ink, more = {}) => ({ kind: "line", points, ink, ...more });
 const dot = ([x, y], ink, radius = 0.09) => (
@@ -77,7 +75,7 @@ function paintClosest(marks, { pointA, pointB, distance, overlaps }) {
 }
 
 /** Both where they first touch, or where they are nearest. */
-function paintWays(marks, { shapes, ways, impact, least }) {
+function paintWays(marks, { shapes, ways, impact, least, passing }) {
   const time = impact ?? least.time;
   shapes.forEach((shape, i) => {
     const there = along(shape, ways[i], time);
@@ -85,6 +83,9 @@ function paintWays(marks, { shapes, ways, impact, least }) {
     const end = along(shape, ways[i], 1);
     marks.push({ ...solid(end), ink: INKS[i], opacity: 0.22 });
   });
+  const { pointA, pointB } = passing;
+  const ink = impact === null ? "good" : "bad";
+  marks.push(line([pointA, pointB], ink, { dashed: true }), dot(pointA, ink), dot(pointB, ink));
 }
 
 /** The sum about A’s centre, B as a point, and both ways as one of the point. */

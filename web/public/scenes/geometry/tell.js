@@ -34,8 +34,8 @@ function overlapRows({ closest, collision }, costs) {
   return [
     ["Direct test", closest.overlaps ? "they overlap" : "apart"],
     [`By ${HALVINGS} halvings`, halved],
-    ["Halving misses nothing", collision.sure ? "sure" : "not sure: too fast"],
-    ["Cost of the exact test", rate(costs.exact)],
+    ["Can halving miss them?", collision.sure ? "no" : "yes, they are fast"],
+    ["Exact tests in 1 µs", rate(costs.exact)],
   ];
 }
 
@@ -73,11 +73,11 @@ function boundRows({ shapes, bounds }, kind, costs) {
     ["A fills", percent(areaOf(shapes[0]) / areaOf(first))],
     ["B fills", percent(areaOf(shapes[1]) / areaOf(second))],
     ["The bounds overlap", yesNo(overlap)],
-    ["Cost of the test", rate(costs[kind])],
+    ["Such tests in 1 µs", rate(costs[kind])],
   ];
 }
 
-const rate = (value) => (value ? `${value.toPrecision(2)} per µs` : "being measured");
+const rate = (value) => (value ? value.toPrecision(2) : "being measured");
 
 function areaOf({ kind, radius, halfWidth, halfHeight }) {
   return kind === "circle" ? Math.PI * radius * radius : 4 * halfWidth * halfHeight;
