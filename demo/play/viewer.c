@@ -164,6 +164,7 @@ void viewer_draw(viewer *v) {
             draw_joints(c, &v->camera, &v->session);
         draw_fields(c, &v->camera, &v->session);
         draw_sums(c, &v->camera, &v->session);
+        draw_texture(c, &v->camera, &v->session, &v->prints);
         draw_overlays(c, &v->camera, &v->session, v->overlays, v->bare ? 0 : hud_footer(c));
         if (overlays_have(v->overlays, OVERLAY_FORCES))
             draw_joint_forces(c, &v->camera, &v->session);

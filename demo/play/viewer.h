@@ -4,6 +4,7 @@
 
 #include "draw/camera.h"
 #include "draw/canvas.h"
+#include "draw/draw_texture.h"
 #include "panel/catalog.h"
 #include "character.h"
 #include "grab.h"
@@ -23,6 +24,7 @@ typedef struct viewer {
     overlay_set overlays;
     overlay_set lent; /* of the overlays those that the scene asked for, and takes along */
     timings timings;
+    texture_prints prints;
     ui ui;
     bool bare; /* the picture alone: no panel, no texts */
     bool panning;

@@ -150,6 +150,7 @@ typedef struct scene {
     bool character;              /* played with one, which starts there */
     unsigned show;               /* scene_show */
     scene_fields fields;
+    bool textured; /* the ground is drawn with a texture, see texture.h */
     int sum_pairs; /* so many times two bodies, from the first on, are shown
 with their Minkowski sum; each has one shape, no terrain */
     scene_body *bodies;

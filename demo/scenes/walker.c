@@ -2,6 +2,8 @@
  * Joe Klann, as his patent (US 6,260,862) draws it. One motor turns the crank, all else are hinges.
  *
  * Bodies: the ground (irregular terrain), then of each walker its frame, its crank and its legs. */
+#include "walker.h"
+
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
@@ -122,7 +124,8 @@ static const make MAKES[] = {
     {HALVES, 2, 2.1, 0.268, 0.82, {{-0.233, 0.616}, {-0.59, -0.176}}, 2.4, add_klann_leg},
 };
 
-static void add_walker(scene *s, const make *m, double x, int number) {
+void walker_add(scene *s, int number, double x) {
+    const make *m = &MAKES[number % 2];
     builder b = {.scene = s, .axle = {x, m->scale * m->height}, .scale = m->scale, .side = 1};
     s->material.density = 60;
     b.frame = s->body_count;
@@ -159,7 +162,7 @@ static void fill(scene *s, int size) {
     scene_add_body(s, SCENE_STATIC, 0, 0);
     scene_add_irregular(s, land, sizeof land / sizeof land[0]);
     for (int i = 0; i < size; i++)
-        add_walker(s, &MAKES[i % 2], 12.0 * (i - 0.5 * (size - 1)), i);
+        walker_add(s, i, 12.0 * (i - 0.5 * (size - 1)));
     s->camera_y = 4;
     s->camera_x = 3;
     s->camera_height = 9 + 6.5 * size;

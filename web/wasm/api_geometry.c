@@ -117,8 +117,8 @@ int api_volumes_overlap(void) {
     return result;
 }
 
-/* The same test so many times, as volumes or (`exact`) as shapes, for a clock outside; in turns from
- * either side, so that no compiler takes it out of the loop. Slots out: number, of those that
+/* The same test so many times, as volumes or (`exact`) as shapes, for a clock outside; in turns
+ * from either side, so that no compiler takes it out of the loop. Slots out: number, of those that
  * overlap. */
 int api_overlap_often(int exact, int count) {
     moving_pair p = pair_now();

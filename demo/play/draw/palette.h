@@ -20,6 +20,10 @@
 #define COLOR_GROUND RGB(0x3A4658)
 #define COLOR_GROUND_DEEP RGB(0x232B38)
 #define COLOR_SURFACE RGB(0x9DB38A)
+/* Of textured ground: rock, grass, ice and sand, and what feet leave. */
+#define COLOR_MATERIALS \
+    { RGB(0x8D99AE), RGB(0x8CC265), RGB(0x5AA9E6), RGB(0xF2B134) }
+#define COLOR_PRINT RGBA(0x10141C, 0xC0)
 #define COLOR_CHARACTER RGB(0xFF8A5C)
 #define COLOR_WATER RGB(0x4AA8E0)
 #define COLOR_WATER_DEEP RGB(0x15457E)

@@ -47,7 +47,7 @@ export default function ({ createWorld, grid, size }) {
   world.createTerrain(parts.fixed().body, { kind: "irregular", points }, { friction: 0.9 });
   const frames = [];
   for (let i = 0; i < size; i++)
-    frames.push(addWalker(world, parts, MAKES[i % 2], 12 * (i - 0.5 * (size - 1)), -1 - i));
+    frames.push(addWalker(world, parts, i, 12 * (i - 0.5 * (size - 1))));
   const view = { x: 3, y: 4, height: 9 + 6.5 * size, width: 14 * size };
   const walked = () => {
     const ways = frames.map(({ body, x }) => world.bodyState(body).position[0] - x);
@@ -61,9 +61,13 @@ export default function ({ createWorld, grid, size }) {
   };
 }
 
-// A leg is described for the left of the crank’s axle, and mirrored for the right. Parts of one
-// group do not meet each other.
-function addWalker(world, parts, make, x, group) {
+/**
+ * By their numbers both makes take turns. A leg is described for the left of the crank’s axle, and
+ * mirrored for the right. Parts of one walker do not meet each other.
+ */
+export function addWalker(world, parts, number, x) {
+  const make = MAKES[number % 2];
+  const group = -1 - number;
   const { scale, radius, hangers, speed, turns, addLeg } = make;
   const axle = [x, scale * make.height];
   const made = [];
