@@ -36,9 +36,10 @@ static void fill(scene *s, int size) {
     add_bands(s, -6.0 * size - 6, 12 + 2 * size);
     for (int i = 0; i < size; i++)
         walker_add(s, i, 12.0 * (i - 0.5 * (size - 1)));
+    s->camera_x = 9; /* which does not go along */
     s->camera_y = 2;
     s->camera_height = 9;
-    s->camera_width = 14 * size;
+    s->camera_width = 24 + 11 * size;
     s->spawn_y = 9;
 }
 

@@ -25,6 +25,9 @@ def palette(name):
     return tuple(bytes.fromhex(hexadecimal))
 
 
+MATERIALS = re.findall("0x([0-9A-F]{6})", PALETTE.split("COLOR_MATERIALS")[1].split("}")[0])
+
+
 def run(*arguments):
     """Also without what a desktop would set."""
     environment = {k: v for k, v in os.environ.items()
@@ -126,6 +129,15 @@ class Viewer(unittest.TestCase):
             with self.subTest(color=color):
                 self.assertGreater(shown.count_near(palette(color), 60),
                                    plain.count_near(palette(color), 60) + 100)
+
+    def test_texture_of_the_ground_is_drawn_and_what_feet_stand_on(self):
+        """Grass and ice lie about the walker's start."""
+        picture = self.shoot_bare("textured", "--frames", 120)
+        grass, ice = (tuple(bytes.fromhex(color)) for color in MATERIALS[1:3])
+        for color in (grass, ice):
+            self.assertGreater(picture.count_near(color, 20), 1000)
+        plain = self.shoot_bare("walker", "--frames", 120)
+        self.assertLess(plain.count_near(ice, 20), picture.count_near(ice, 20) / 2)
 
     def test_joint_that_broke_is_drawn_no_more_and_nothing_complains(self):
         """The sling of the trebuchet."""

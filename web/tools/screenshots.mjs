@@ -34,6 +34,15 @@ const PICTURES = [
   { name: "artillery", search: "scene=artillery", steps: 0, after: shoot },
   { name: "platformer", search: "scene=platformer_game", steps: 90, options: LIGHT },
   { name: "detection", search: "scene=detection", steps: 120 },
+  {
+    name: "geometry",
+    search: "scene=geometry",
+    steps: 12,
+    options: { ...DESKTOP, viewport: { width: 1280, height: 800 } },
+    prepare: untilRead,
+    after: showSum,
+  },
+  { name: "textured", search: "scene=textured", steps: 240, options: LIGHT },
   { name: "phone", search: "scene=hourglass", steps: 90, options: PHONE },
   { name: "boats", search: "scene=boats", steps: 45, options: LIGHT },
   { name: "flags", search: "scene=flags", steps: 290 },
@@ -49,6 +58,18 @@ async function untilBoth(page) {
 /** Until what steps leave in the plane is noted. */
 async function untilPlane(page) {
   await page.getByText("Run the scene for a moment").waitFor();
+}
+
+/** Until the panel beside the scene reads out what there is. */
+async function untilRead(page) {
+  await page.waitForSelector("[data-readings=closest] dd");
+}
+
+async function showSum(page) {
+  for (const name of ["sum", "aabb"]) await page.check(`[name=set-${name}]`);
+  await stepBy(page, 1);
+  const list = page.locator("[data-readings=sum]");
+  await list.evaluate((element) => element.scrollIntoView({ block: "end" }));
 }
 
 /** The series of all settings, to its end. */

@@ -106,12 +106,15 @@ static void draw_touch(canvas *c, const camera *view, const thud_terrain *line, 
     canvas_text(c, label.x + 4 * c->unit, label.y, COLOR_TEXT_STRONG, text);
 }
 
-/* The ground's line that a contact is with, and its row. */
-static int row_of(const session *s, thud_shape_id shape) {
-    const session_body *ground = &s->bodies[0];
-    for (int i = 0; i < ground->shape_count; i++)
-        if (s->shapes[ground->first_shape + i].id.index1 == shape.index1)
-            return i % TEXTURE_ROWS;
+/* The row of a line is that of its friction; -1 for a shape that is none of the texture. */
+static int row_of(const session *s, thud_shape_id shape, thud_terrain *line) {
+    thud_shape_state state;
+    if (thud_shape_terrain(s->world, shape, line) != THUD_OK ||
+        thud_shape_get(s->world, shape, &state) != THUD_OK)
+        return -1;
+    for (int row = 0; row < TEXTURE_ROWS; row++)
+        if (state.friction == (float)TEXTURE[row].friction)
+            return row;
     return -1;
 }
 
@@ -122,8 +125,9 @@ void draw_texture(canvas *c, const camera *view, const session *s, texture_print
     thud_terrain line;
     for (int i = 0; i < ground->shape_count; i++) {
         thud_shape_id shape = s->shapes[ground->first_shape + i].id;
-        if (thud_shape_terrain(s->world, shape, &line) == THUD_OK)
-            draw_stripes(c, view, &line, i % TEXTURE_ROWS);
+        int row = row_of(s, shape, &line);
+        if (row >= 0)
+            draw_stripes(c, view, &line, row);
     }
     thud_manifold all[TEXTURE_FEET], contacts[TEXTURE_FEET];
     int found = 0, count = 0;
@@ -136,8 +140,8 @@ void draw_texture(canvas *c, const camera *view, const session *s, texture_print
     for (int i = 0; i < prints->count && i < TEXTURE_PRINTS; i++)
         draw_print(c, view, &prints->of[i]);
     for (int i = 0; i < count; i++) {
-        int row = row_of(s, contacts[i].shape_a);
-        if (row >= 0 && thud_shape_terrain(s->world, contacts[i].shape_a, &line) == THUD_OK)
+        int row = row_of(s, contacts[i].shape_a, &line);
+        if (row >= 0)
             draw_touch(c, view, &line, row, contacts[i].point[0].x);
     }
 }

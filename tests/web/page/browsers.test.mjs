@@ -63,6 +63,17 @@ for (const browser of BROWSERS)
       await close();
     });
 
+    test("textured_ground_tells_what_a_foot_stands_on", async () => {
+      const { page, errors, close } = await visitor.open("?scene=textured&paused=1");
+      await stepBy(page, 60);
+      assert.match(await figureOf(page, "Under a foot"), /^(Rock|Grass|Ice|Sand), friction/);
+      const weights = (await figureOf(page, "Weights of the vertices")).split(" + ").map(Number);
+      near(weights[0] + weights[1], 1, 0.011, "both weights");
+      assert.match(await figureOf(page, "Texture"), /^u \d\.\d\d, v [0-3]\.5$/);
+      assert.deepEqual(errors, []);
+      await close();
+    });
+
     test("artillery_is_played_by_keys_and_answered", async () => {
       const { page, errors, close } = await openGame(visitor, "artillery");
       await hold(page, "ArrowLeft");

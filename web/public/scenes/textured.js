@@ -38,7 +38,7 @@ export default function ({ createWorld, grid, random, size }) {
       })),
     );
 
-  const view = { x: 0, y: 2, height: 9, width: 14 * size };
+  const view = { x: 0, y: 2, height: 9, width: 11 * size };
   const walked = () => {
     const ways = walkers.map(({ body, x }) => world.bodyState(body).position[0] - x);
     return ways.reduce((sum, way) => sum + way, 0) / size;
@@ -104,7 +104,7 @@ function figuresOf({ row, u, v, weights }, slip) {
   const { name, friction } = TEXTURE[row];
   return [
     { label: "Under a foot", value: `${name}, friction ${friction}` },
-    { label: "Weights", value: weights.map((weight) => weight.toFixed(2)).join(" + ") },
+    { label: "Weights of the vertices", value: weights.map((weight) => weight.toFixed(2)).join(" + ") },
     { label: "Texture", value: `u ${u.toFixed(2)}, v ${v.toFixed(1)}` },
     { label: "It slid", value: `${slip.toFixed(2)} m` },
   ];

@@ -44,6 +44,7 @@ export const THUMBNAILS: Readonly<Record<string, Thumbnail>> = {
   cars: { steps: 250, view: { x: -2, y: 6, height: 18 } },
   trebuchet: { steps: 330 },
   walker: { steps: 100, view: { x: 1, y: 3.6, height: 16 } },
+  textured: { steps: 240, view: { x: 7.5, y: 1.8, height: 7 } },
   scissor: { size: 8, steps: 1 },
   clock: { steps: 90, view: { x: 0, y: 0.6, height: 18.6 } },
   blobs: { size: 10, steps: 90, view: { x: 0, y: 4.5, height: 12 } },

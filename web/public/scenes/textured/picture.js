@@ -64,13 +64,12 @@ const dot = (x, y, radius, ink) => ({ kind: "circle", x, y, radius, ink, filled:
 export function touchMarks(touches) {
   return touches.flatMap(({ x, y, row, weights, from, to }) => {
     const { ink, name } = TEXTURE[row];
-    const share = weights.map((weight) => weight.toFixed(2)).join(" + ");
     return [
-      { kind: "line", points: [[x, y], [x, y - 1.2]], ink, width: 2 },
+      { kind: "line", points: [[x, y], [x, y - 1.15]], ink, width: 2 },
       ...[from, to].map(([vx, vy], i) => dot(vx, vy, 0.06 + 0.14 * weights[i], "accent")),
       dot(x, y, 0.16, ink),
       { ...dot(x, y, 0.16, "ink"), filled: false },
-      { kind: "text", x, y: y - 1.4, text: `${name} ${share}`, ink: "ink" },
+      { kind: "text", x, y: y - 1.35, text: name, ink: "ink", size: 12 },
     ];
   });
 }

@@ -1,0 +1,94 @@
+/* test_textured.c: ground with a texture: what it has at a place, and that feet grip and slip as it
+ * says. */
+#include "engine_support.h"
+
+#include "build_thud.h"
+#include "scenes.h"
+#include "texture.h"
+
+#include <thud/thud_forces.h>
+
+#include <math.h>
+
+static const thud_pos POINTS[] = {{0, 0}, {3, 4}, {4, 4}};
+static const thud_terrain LINE = {.kind = THUD_TERRAIN_IRREGULAR, .points = POINTS, .count = 3};
+
+static void texture_goes_along_the_line_by_its_weights(void **state) {
+    (void)state;
+    texture_place at;
+    assert_true(texture_at(&LINE, 2, 1.5, &at));
+    assert_string_equal(at.row->name, "ice");
+    assert_true(fabs(at.uv.u - 2.5) < 1e-12 && at.uv.v == 2.5);
+    assert_true(at.sample.weight[0] == 0.5 && at.sample.weight[1] == 0.5);
+    assert_true(texture_at(&LINE, 0, 3.25, &at));
+    assert_true(fabs(at.uv.u - 5.25) < 1e-12);
+    assert_true(at.sample.segment == 1 && at.sample.weight[1] == 0.25);
+}
+
+static void place_beside_the_line_is_its_end_and_another_line_has_none(void **state) {
+    (void)state;
+    texture_place at;
+    assert_true(texture_at(&LINE, 1, 4.01, &at));
+    assert_true(fabs(at.uv.u - 6) < 1e-12);
+    assert_true(texture_at(&LINE, 1, -0.01, &at));
+    assert_true(at.uv.u == 0);
+    thud_terrain flat = {.kind = THUD_TERRAIN_FLAT};
+    assert_false(texture_at(&flat, 1, 0, &at));
+}
+
+/* The mean speed of feet along the ground of each row while they are pressed on it. */
+static void walk(double slip[TEXTURE_ROWS]) {
+    scene s;
+    thud_world *world;
+    thud_body_id bodies[64];
+    int count[TEXTURE_ROWS] = {0};
+    assert_true(scenes_fill(scenes_find("textured"), 0, &s));
+    assert_true(s.textured && s.body_count <= 64);
+    OK(scene_build_thud(&s, NULL, &world, bodies, NULL));
+    for (int row = 0; row < TEXTURE_ROWS; row++)
+        slip[row] = 0;
+    for (int step = 0; step < 1200; step++) {
+        thud_manifold feet[16];
+        int found = 0;
+        run(world, 1);
+        OK(thud_body_contacts(world, bodies[0], feet, 16, &found));
+        for (int i = 0; i < found && i < 16; i++) {
+            const thud_manifold *m = &feet[i];
+            if (m->point_count == 0 || !(m->normal_impulse[0] > 0))
+                continue;
+            thud_shape_state ground;
+            thud_vec2 v;
+            OK(thud_shape_get(world, m->shape_a, &ground));
+            OK(thud_body_velocity_at(world, m->body_b, m->point[0], &v));
+            for (int row = 0; row < TEXTURE_ROWS; row++)
+                if (ground.friction == (float)TEXTURE[row].friction) {
+                    slip[row] += fabs((double)v.x * m->normal.y - (double)v.y * m->normal.x);
+                    count[row]++;
+                }
+        }
+    }
+    for (int row = 0; row < TEXTURE_ROWS; row++) {
+        assert_true(count[row] > 50);
+        slip[row] /= count[row];
+    }
+    thud_world_destroy(world);
+    scene_free(&s);
+}
+
+static void feet_grip_on_rock_and_slip_on_ice(void **state) {
+    (void)state;
+    double slip[TEXTURE_ROWS]; /* rock, grass, ice, sand */
+    walk(slip);
+    assert_true(slip[0] < 0.15);
+    assert_true(slip[2] > 0.4 && slip[2] > 3 * slip[0]);
+    assert_true(slip[3] < slip[2]);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(texture_goes_along_the_line_by_its_weights),
+        cmocka_unit_test(place_beside_the_line_is_its_end_and_another_line_has_none),
+        cmocka_unit_test(feet_grip_on_rock_and_slip_on_ice),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,65 @@
+/** The scene of textured ground: what feet stand on is what the ground's weights say. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { coordinatesOf, TEXTURE, textureAt } from "../../../web/public/scenes/textured/texture.js";
+import { buildScene, openSession, runScene } from "../../../web/tools/scenes.mjs";
+import { thud } from "../support/package.mjs";
+
+const engine = await thud.load();
+const near = (actual, expected) =>
+  assert.ok(Math.abs(actual - expected) < 1e-9, `${actual}, not ${expected}`);
+
+test("texture_goes_along_the_line_by_the_engine_s_weights", () => {
+  const world = engine.createWorld();
+  const points = [[0, 0], [3, 4], [4, 4]];
+  const shape = world.createTerrain(world.createBody(), { kind: "irregular", points });
+  const band = { shape, points, coordinates: coordinatesOf(points, 2) };
+  const { u, v, row, weights, y } = textureAt(world, band, 1.5);
+  near(u, 2.5);
+  near(y, 2);
+  assert.deepEqual([v, row, TEXTURE[row].name], [2.5, 2, "Ice"]);
+  assert.deepEqual(weights, [0.5, 0.5]);
+  near(textureAt(world, band, 3.25).u, 5.25);
+  // A foot on the end of a band may touch it a little beyond.
+  near(textureAt(world, band, 4.01).u, 6);
+  world.close();
+});
+
+test("prints_are_long_on_ice_and_short_on_rock", async () => {
+  const { scene } = await buildScene(engine, "textured");
+  const slid = new Map();
+  for (let step = 0; step < 1200; step += 10) {
+    runScene(scene, 10, step);
+    for (const { from, to } of scene.state.prints) {
+      const [shape] = scene.world.overlap({ kind: "circle", center: from, radius: 0.02 });
+      const friction = shape && scene.world.shapeState(shape).friction;
+      const name = TEXTURE.find((row) => Math.fround(row.friction) === friction)?.name;
+      const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+      if (name) slid.set(name, Math.max(slid.get(name) ?? 0, length));
+    }
+  }
+  assert.ok(slid.get("Ice") > 0.3, `${slid.get("Ice")} m on ice`);
+  assert.ok(slid.get("Rock") < 0.6 * slid.get("Ice"), `${slid.get("Rock")} m on rock`);
+  scene.world.close();
+});
+
+test("feet_are_marked_and_prints_come_again_in_the_past", async () => {
+  const session = await openSession(engine, "textured");
+  for (let i = 0; i < 90; i++) session.makeStep();
+  const { marks, figures } = session.paint;
+  assert.deepEqual(
+    figures.map(({ label }) => label),
+    ["Under a foot", "Weights of the vertices", "Texture", "It slid"],
+  );
+  const [first, second] = figures[1].value.split(" + ").map(Number);
+  near(first + second, 1);
+  const names = marks.filter(({ kind, size }) => kind === "text" && size === 12);
+  assert.ok(names.length > 0 && names.every(({ text }) => TEXTURE.some(({ name }) => name === text)));
+  const prints = structuredClone(session.scene.state.prints);
+  assert.ok(prints.length > 2);
+  session.seek(30);
+  assert.ok(session.scene.state.prints.length < prints.length);
+  session.seek(90);
+  assert.deepEqual(session.scene.state.prints, prints);
+  session.close();
+});
