@@ -8,8 +8,14 @@
 
 #include "base/base.h"
 
-#if defined(__AVX2__) || defined(__SSE2__)
+/* Of x86's headers the least: the one that has them all takes longer to read than most files of the
+ * engine take to compile. */
+#if defined(__AVX2__)
 #include <immintrin.h>
+#elif defined(__SSSE3__)
+#include <tmmintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #elif defined(__wasm_simd128__)
 #include <wasm_simd128.h>
 #endif
