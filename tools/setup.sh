@@ -139,6 +139,7 @@ need_test() {
     [ "${full:-no}" = no ] || need_fuzz
     need_play
     need_demo
+    need "Ninja" ninja-build have ninja
     need "clang-format 16" clang-format-16 have clang-format-16
     need "clang" "clang-16|clang" have_any clang-16 clang
     need "cmocka's headers" libcmocka-dev has_header cmocka.h
