@@ -36,11 +36,11 @@ END
 }
 
 # Builds Box2D and what stands beside it. Ends with 77 where Box2D cannot be built, which
-# tests/adapters/build.sh explains.
+# tests/adapters/build.sh explains. Where `built` names a build directory, its engine is taken.
 build_beside_box2d() {
     sh tests/adapters/build.sh build/baseline
     build bench --preset release -DTHUD_WERROR=ON -DTHUD_TESTS=OFF \
-        -DTHUD_BOX2D="$root/build/baseline"
+        -DTHUD_BOX2D="$root/build/baseline" -DTHUD_BUILT="${built:-}"
 }
 
 # Rapier, too; without it the rest goes on.

@@ -194,10 +194,12 @@ tell_progress() {
     done
 }
 
-# What both lanes need is made before they part, so that neither builds it under the other's eyes.
+# What both lanes need is made before they part, so that neither builds it under the other's eyes:
+# thud-run, and with it the engine and the scenes, which the part baseline takes as they are.
 prepare_test() {
+    built=$root/build/release
     case " $parts " in
-        *' native '* | *' wasm '*)
+        *' native '* | *' wasm '* | *' baseline '*)
             say "Building thud-run"
             cmake -B build/release --preset release -DTHUD_WERROR=ON >/dev/null
             cmake --build build/release --parallel "$jobs" --target thud-run
