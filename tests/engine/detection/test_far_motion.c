@@ -2,6 +2,7 @@
  * what they drive others to stays within what places can follow in a step. A conversion that
  * overflowed threw bodies half the way around the world. */
 #include "joint_support.h"
+#include "share.h"
 
 #include <thud/thud_detection.h>
 
@@ -84,7 +85,7 @@ static void push_some(const heap *h, uint64_t *seed) {
 static void nothing_is_driven_further_than_places_can_follow(void **state) {
     (void)state;
     uint64_t seed = 11;
-    for (int number = 0; number < HEAPS; number++) {
+    for (int number = 0; number < share_of(HEAPS); number++) {
         heap h = make_heap(&seed, number);
         for (int step = 0; step < RUNS; step++) {
             thud_body_state before[MOST];
