@@ -2,6 +2,7 @@
  * trampoline, a platform that lets through from below, a conveyor belt, a coin to collect. */
 #include <math.h>
 #include <stdio.h>
+#include <thud/thud_edits.h>
 #include <thud/thud_listeners.h>
 
 enum { PLAIN, ICE, TRAMPOLINE, ONE_WAY }; /* kept in the shapes' user data */
@@ -42,26 +43,22 @@ static void epilogue(thud_world *world, const thud_contact *contact, void *conte
 static thud_shape_id add_box(thud_world *world, double x, double y, float half_width,
                              thud_shape_def def) {
     thud_body_def body_def = thud_default_body_def();
-    thud_body_id body;
     thud_shape_id shape;
     body_def.position = (thud_pos){x, y};
-    thud_body_create(world, &body_def, &body);
-    thud_shape_create_aabb(world, body, &def, (thud_vec2){0, 0}, (thud_vec2){half_width, 0.25f},
-                           &shape);
+    thud_body_shape box = {thud_aabb_at(0, 0, half_width, 0.25), &def};
+    thud_body_create_with_shapes(world, &body_def, &box, 1, NULL, &shape);
     return shape;
 }
 
 /* A crate of 1 by 1 and mass 1. */
 static thud_body_id add_crate(thud_world *world, double x, double y, float vx, float vy) {
     thud_body_def body_def = thud_default_body_def();
-    thud_shape_def shape_def = thud_default_shape_def();
+    thud_body_shape square = {thud_aabb_at(0, 0, 0.5, 0.5), NULL};
     thud_body_id body;
     body_def.kind = THUD_DYNAMIC;
     body_def.position = (thud_pos){x, y};
     body_def.velocity = (thud_vec2){vx, vy};
-    thud_body_create(world, &body_def, &body);
-    thud_shape_create_aabb(world, body, &shape_def, (thud_vec2){0, 0}, (thud_vec2){0.5f, 0.5f},
-                           NULL);
+    thud_body_create_with_shapes(world, &body_def, &square, 1, &body, NULL);
     return body;
 }
 

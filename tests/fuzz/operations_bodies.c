@@ -1,6 +1,8 @@
 /* operations_bodies.c: bodies and their edits. */
 #include "operations.h"
 
+#include <thud/thud_edits.h>
+
 /* Where the table is full the one that stood there goes. */
 static void keep_body(fuzz_session *s, thud_body_id made) {
     thud_body_id *place = &s->now.bodies[s->now.next_body++ % SESSION_BODIES];
@@ -23,6 +25,26 @@ static void create_body(fuzz_session *s, const thud_body_def *def) {
         keep_body(s, body);
     } else if (body.index1 || body.generation) {
         fuzz_fail(s, "a body that was refused has a handle");
+    }
+}
+
+/* With up to three shapes of its own. */
+static void create_whole_body(fuzz_session *s, const thud_body_def *def) {
+    thud_body_shape shapes[3] = {0};
+    thud_shape_id made[3] = {0};
+    thud_body_id body = {0, 0};
+    int room = SESSION_SHAPES_MOST - COUNTED(thud_world_stats(s->world)).shapes;
+    int count = next_choice(&s->bytes, 4);
+    for (int i = 0; i < count; i++) {
+        shapes[i].shape = pick_instance(s, false);
+    }
+    count = count <= room ? count : 0;
+    TRY(s, thud_body_create_with_shapes(s->world, def, shapes, count, &body, made));
+    if (s->result == THUD_OK) {
+        note_bits(s, body.index1 + (count ? made[count - 1].index1 : 0));
+        keep_body(s, body);
+    } else if (body.index1 || made[0].index1) {
+        fuzz_fail(s, "a body that was refused has a handle, or a shape");
     }
 }
 
@@ -56,7 +78,14 @@ void play_wild_body(fuzz_session *s) {
     if (s->bytes.hostile && next_chance(&s->bytes, 16)) {
         def.kind = (thud_body_kind)next_count(&s->bytes, 5);
     }
-    create_body(s, &def);
+    if (s->bytes.hostile && next_chance(&s->bytes, 16)) {
+        def.cookie = next_byte(&s->bytes);
+    }
+    if (def.user_data % 4 == 3) {
+        create_whole_body(s, &def);
+    } else {
+        create_body(s, &def);
+    }
 }
 
 void play_body_destroy(fuzz_session *s) {

@@ -6,10 +6,10 @@
 #include <thud/thud_events.h>
 #include <thud/thud_fields.h>
 #include <thud/thud_ids.h>
-#include <thud/thud_jobs.h>
+#include <thud/thud_hooks.h>
 #include <thud/thud_lists.h>
 #include <thud/thud_math.h>
-#include <thud/thud_memory.h>
+#include <thud/thud_limits.h>
 #include <thud/thud_minkowski.h>
 #include <thud/thud_mover.h>
 #include <thud/thud_quality.h>

@@ -20,13 +20,14 @@ void api_explosion_defaults(void) {
  * many bodies were pushed. */
 int api_world_explode(thud_world *world) {
     const struct explosion_options *s = &api_slots.explosion_options;
-    const thud_explosion explosion = {.center = {s->center[0], s->center[1]},
-                                      .radius = s->radius,
-                                      .falloff = s->falloff,
-                                      .impulse = (float)s->impulse,
-                                      .cover = (thud_cover)api_to_int(s->cover),
-                                      .rays = api_to_int(s->rays),
-                                      .filter = api_filter(&s->filter)};
+    thud_explosion explosion = thud_default_explosion();
+    explosion.center = (thud_pos){s->center[0], s->center[1]};
+    explosion.radius = s->radius;
+    explosion.falloff = s->falloff;
+    explosion.impulse = (float)s->impulse;
+    explosion.cover = (thud_cover)api_to_int(s->cover);
+    explosion.rays = api_to_int(s->rays);
+    explosion.filter = api_filter(&s->filter);
     int pushed = 0;
     thud_result result = thud_world_explode(world, &explosion, &pushed);
     api_slots.number.value = pushed;
@@ -56,12 +57,13 @@ void api_water_defaults(void) {
 /* From the slots of api_water_defaults. */
 int api_body_apply_buoyancy(thud_world *world, uint32_t index1, uint32_t generation) {
     const struct water_options *s = &api_slots.water_options;
-    const thud_water water = {.point = {s->point[0], s->point[1]},
-                              .normal = {(float)s->normal[0], (float)s->normal[1]},
-                              .density = (float)s->density,
-                              .flow = {(float)s->flow[0], (float)s->flow[1]},
-                              .linear_drag = (float)s->linear_drag,
-                              .angular_drag = (float)s->angular_drag};
+    thud_water water = thud_default_water();
+    water.point = (thud_pos){s->point[0], s->point[1]};
+    water.normal = (thud_vec2){(float)s->normal[0], (float)s->normal[1]};
+    water.density = (float)s->density;
+    water.flow = (thud_vec2){(float)s->flow[0], (float)s->flow[1]};
+    water.linear_drag = (float)s->linear_drag;
+    water.angular_drag = (float)s->angular_drag;
     return thud_body_apply_buoyancy(world, api_body(index1, generation), &water);
 }
 

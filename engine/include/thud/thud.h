@@ -4,6 +4,10 @@
  * angles are radians counter-clockwise, masses are density times area. One world is used by one
  * thread at a time; different worlds share nothing.
  *
+ * Every def starts from its thud_default_..., which fills in the defaults and leaves a cookie: a
+ * def without it, zeroed for instance, is refused. Ranges are those of thud_limits.h, vectors as
+ * thud_math.h says.
+ *
  * Every call that can fail returns a thud_result; when it fails, nothing has changed and the log
  * hook has heard why. Output pointers may be null where the answer is not wanted, unless said
  * otherwise.
@@ -17,10 +21,10 @@
 #include "thud_detection.h"
 #include "thud_draw.h"
 #include "thud_events.h"
+#include "thud_hooks.h"
 #include "thud_ids.h"
-#include "thud_jobs.h"
+#include "thud_limits.h"
 #include "thud_math.h"
-#include "thud_memory.h"
 #include "thud_quality.h"
 #include "thud_queries.h"
 #include "thud_shapes.h"
@@ -31,11 +35,6 @@ extern "C" {
 #endif
 
 /* ---- world ---- */
-
-/* Hears why a call was refused; with THUD_OK, that one was done which is hardly meant. No hook of a
- * world (allocator, log, clock, job system) calls any of its functions. */
-typedef void thud_log_fn(thud_result result, const char *message, void *context);
-typedef double thud_clock_fn(void *context); /* seconds, from any start, never backwards */
 
 /* One touching pair, as callbacks see it: of a static and a moving shape, a is the static one. */
 typedef struct thud_contact {
@@ -49,10 +48,6 @@ typedef struct thud_contact {
     int point_count;       /* 1 or 2 */
 } thud_contact;
 
-#define THUD_FRICTION_MAX 1e6f
-#define THUD_BOUNCE_MAX 4.0f
-#define THUD_SURFACE_SPEED_MAX 1e6f /* length scales a second */
-
 /* How the surfaces of a pair act on each other in this step: a prologue finds what the shapes' defs
  * make of it, and may write something else. Values that are not finite or out of range are refused
  * through the log hook, and the pair keeps its own. */
@@ -65,22 +60,24 @@ typedef struct thud_contact_settings {
 
 typedef struct thud_world_def {
     thud_vec2 gravity;  /* length/s^2; default (0, -10) */
-    double time_step;   /* s, (0, 1]; default 1/60 */
-    float length_scale; /* size of a typical body in the caller's unit, [1e-6, 1e6]; default
-                           1 for metres; every tolerance is a multiple of it */
+    double time_step;   /* s, (0, THUD_TIME_STEP_MAX]; default 1/60 */
+    float length_scale; /* size of a typical body in the caller's unit, [THUD_LENGTH_SCALE_MIN,
+                           THUD_LENGTH_SCALE_MAX]; default 1 for metres; every tolerance is a
+                           multiple of it */
     const thud_quality *quality; /* default &thud_quality_default; never null */
-    int substeps;                /* experts: 1..64; 0 (default) takes the quality's */
-    float contact_stiffness;     /* experts: [0.01, 0.5]; 0 (default) takes the quality's */
-    float contact_damping;       /* experts: [0, 100]; 0 (default) takes the quality's */
-    float push_speed;            /* highest speed at which overlap is pushed apart, lengths/s, in
-                                    multiples of length_scale; default 3 */
-    float restitution_threshold; /* slower approaches do not bounce; multiples of length_scale per
-                                    second; default 1. At restitution 1 at most 4 * gravity *
-                                    time_step, swept in free flight gravity * time_step / 8 */
-    float hit_speed;     /* approaches faster than this are hit events; default 1, as above */
-    float maximum_speed; /* multiples of length_scale per second; default 1e6. Steps hold x and y of
-                            a velocity to it, each; an impact on the way may leave more to the next
-                            step */
+    /* For experts; 0 (default) takes the quality's: */
+    int substeps;            /* 1 .. THUD_SUBSTEPS_MAX */
+    float contact_stiffness; /* [THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX] */
+    float contact_damping;   /* [0, THUD_CONTACT_DAMPING_MAX] */
+    /* Speeds, in length scales a second: */
+    float push_speed;            /* [0, THUD_SPEED_MAX], at most which overlap is pushed apart;
+                                    default 3 */
+    float restitution_threshold; /* [0, THUD_SPEED_MAX]; slower approaches do not bounce; default 1.
+                                    At restitution 1 at most 4 * gravity * time_step, swept in free
+                                    flight gravity * time_step / 8 */
+    float hit_speed;     /* [0, THUD_SPEED_MAX]; faster approaches are hit events; default 1 */
+    float maximum_speed; /* (0, THUD_SPEED_MAX]; default that. Steps hold x and y of a velocity to
+                            it, each; an impact on the way may leave more to the next step */
     bool sleeping;       /* default true */
     bool contact_events; /* collect begin, end and hit events; default true. Sensors report
                             either way */
@@ -90,17 +87,18 @@ typedef struct thud_world_def {
     void *log_context;
     thud_clock_fn *clock; /* null: stages are not timed */
     void *clock_context;
-    double max_error;   /* length, >= 0; default 0: none. Islands in which something overlaps by
-                           more, or is going to under its load, go to the quality's island
-                           solver, and back when they can. Needs a quality that has one: take
-                           the one you want and set its `islands` */
-    double time_budget; /* s, [0, 1]; default 0: none. Where steps take longer, substeps are
-                           halved, down to 1, and doubled again when there is time, and the
-                           quality's island_work with them: the clock then decides what
-                           happens, and runs differ. Needs `clock` */
+    double max_error;   /* length, [0, THUD_MAX_ERROR_MAX]; default 0: none. Islands in which
+                           something overlaps by   more, or is going to under its load, go to the
+                           quality's island   solver, and back when they can. Needs a quality that has
+                           one: take   the one you want and set its `islands` */
+    double time_budget; /* s, [0, THUD_TIME_BUDGET_MAX]; default 0: none. Where steps take longer,
+                           substeps are halved, down to 1, and doubled again when there is time, and
+                           the quality's island_work with them: the clock then decides what happens,
+                           and runs differ. Needs `clock` */
     const thud_detection *detection;   /* default null: the quality's */
     const thud_broadphase *broadphase; /* default (also null): &thud_broadphase_grid */
     thud_job_system job_system;        /* threads to work on; default: the calling one alone */
+    uint32_t cookie;                   /* of thud_default_world_def */
 } thud_world_def;
 
 THUD_API thud_world_def thud_default_world_def(void);
@@ -117,11 +115,12 @@ THUD_API void thud_world_destroy(thud_world *world);
  * events. */
 THUD_API thud_result thud_world_step(thud_world *world);
 
-/* The world keeps its own time: runs as many whole steps as `elapsed` seconds (>= 0) allow, at
- * most `max_steps` (>= 1; time beyond that is dropped), and gives in *alpha, in [0, 1), how far
- * the present lies between the last step and the next, for thud_world_poses. Where a step runs out
- * of memory, *steps and *alpha are of those before it, and the time left waits for the next call;
- * if it was the first, `elapsed` is as if never given. THUD_ERROR_LOCKED inside a callback. */
+/* The world keeps its own time: runs as many whole steps as `elapsed` seconds, in [0,
+ * THUD_ADVANCE_MAX], allow, at most `max_steps` (>= 1; time beyond that is dropped), and gives in
+ * *alpha, in [0, 1), how far the present lies between the last step and the next, for
+ * thud_world_poses. Where a step runs out of memory, *steps and *alpha are of those before it, and
+ * the time left waits for the next call; if it was the first, `elapsed` is as if never given.
+ * THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
                                         int *steps, double *alpha);
 
@@ -129,8 +128,9 @@ THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int m
  * since the step under way has begun with the old ones. */
 /* Wakes everything. */
 THUD_API thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity);
+/* (0, THUD_TIME_STEP_MAX]. */
 THUD_API thud_result thud_world_set_time_step(thud_world *world, double time_step);
-/* See thud_world_def. */
+/* [0, THUD_MAX_ERROR_MAX]; see thud_world_def. */
 THUD_API thud_result thud_world_set_max_error(thud_world *world, double max_error);
 /* What the def itself named stays as it is. Wakes everything. */
 THUD_API thud_result thud_world_set_quality(thud_world *world, const thud_quality *quality);
@@ -147,10 +147,10 @@ typedef enum thud_body_kind {
 
 typedef struct thud_body_def {
     thud_body_kind kind;    /* default static */
-    thud_pos position;      /* of the body's origin; |x|, |y| <= 1e9 length scales */
-    double angle;           /* |angle| <= 1e6 */
+    thud_pos position;      /* of the body's origin; |x|, |y| <= THUD_PLACE_MAX length scales */
+    double angle;           /* |angle| <= THUD_ANGLE_MAX */
     thud_vec2 velocity;     /* of the centre of mass; 0 where static, which never moves */
-    float angular_velocity; /* rad/s; likewise; a step holds it to |.| <= 1e8 */
+    float angular_velocity; /* rad/s; likewise; a step holds it to |.| <= THUD_SPIN_MAX */
     float gravity_scale;    /* default 1 */
     float linear_damping;   /* 1/s, >= 0 */
     float angular_damping;  /* 1/s, >= 0 */
@@ -158,6 +158,7 @@ typedef struct thud_body_def {
     bool may_sleep;                  /* default true */
     const thud_detection *detection; /* default null: the world's */
     uint64_t user_data;
+    uint32_t cookie; /* of thud_default_body_def */
 } thud_body_def;
 
 THUD_API thud_body_def thud_default_body_def(void);
@@ -186,9 +187,10 @@ typedef struct thud_body_state {
 THUD_API thud_result thud_body_get(const thud_world *world, thud_body_id body,
                                    thud_body_state *out);
 
-/* Edits wake the body, also the bodies that touch it. Inside a callback they take effect at the
- * start of the next step, or with a query between the two: until then a shape made there takes no
- * part in anything, its mass included. What is destroyed there is stale at once. */
+/* Edits wake the body, also the bodies that touch it; places and angles have the ranges of the def.
+ * Inside a callback they take effect at the start of the next step, or with a query between the
+ * two: until then a shape made there takes no part in anything, its mass included. What is
+ * destroyed there is stale at once. */
 THUD_API thud_result thud_body_set_transform(thud_world *world, thud_body_id body,
                                              thud_pos position, double angle);
 THUD_API thud_result thud_body_set_velocity(thud_world *world, thud_body_id body,
@@ -219,22 +221,25 @@ typedef struct thud_filter {
 } thud_filter;         /* all zero meets nothing, which the log hears */
 
 typedef struct thud_shape_def {
-    float density;       /* [0, 1e12]; default 1 */
-    float friction;      /* >= 0; default 0.6; a pair's is the geometric mean */
-    float restitution;   /* [0, 1]; default 0; a pair's is the larger */
+    float density;       /* [0, THUD_DENSITY_MAX]; default 1 */
+    float friction;      /* [0, THUD_FRICTION_MAX]; default 0.6; a pair's is the geometric mean */
+    float restitution;   /* [0, THUD_RESTITUTION_MAX]; default 0; a pair's is the larger */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX; default 0; at which the surface
                             runs clockwise about the shape, to +x on its top, as a conveyor belt;
                             a pair's is the sum */
     thud_filter filter;
     bool sensor; /* reports overlaps, collides with nothing; see thud_events.h */
     uint64_t user_data;
+    uint32_t cookie; /* of thud_default_shape_def */
 } thud_shape_def;
 
 THUD_API thud_shape_def thud_default_shape_def(void);
 
-/* Offsets are in the body's frame. Sizes (radius, half extents) lie in [1e-4, 16384] length scales,
- * of static bodies in [1e-4, 32000]; longer ground is a terrain, or boxes side by side. Where a
- * large shape is turned, or large both ways, its surface is told to 1e-7 of its size. */
+/* Offsets are in the body's frame, |x|, |y| <= THUD_SIZE_MAX length scales. Sizes (radius, half
+ * extents) lie in [THUD_SIZE_MIN, THUD_SIZE_MAX] length scales, of static bodies in [THUD_SIZE_MIN,
+ * THUD_STATIC_SIZE_MAX]; longer ground is a terrain, or boxes side by side. Where a large shape is
+ * turned, or large both ways, its surface is told to 1e-7 of its size. |angle| <= THUD_ANGLE_MAX.
+ */
 THUD_API thud_result thud_shape_create_circle(thud_world *world, thud_body_id body,
                                               const thud_shape_def *def, thud_vec2 offset,
                                               float radius, thud_shape_id *out);
@@ -283,7 +288,7 @@ typedef struct thud_pose {
 /* Every body's pose at alpha in [0, 1] between the last two steps (0: the one before, 1: the last),
  * by slot (thud_body_id.index1 - 1); slots without a body have x = y = NaN. Belongs to the world,
  * valid until its next call. Null and *count = 0 if memory is short, or |origin.x| or |origin.y| >
- * 1e9 length scales. */
+ * THUD_PLACE_MAX length scales. */
 THUD_API const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha,
                                            int *count);
 

@@ -2,8 +2,9 @@
  * alone. Included by whoever uses it; a program that does not, does not link it.
  *
  * What thud_queries.h says holds here too: edits made before are heeded, places and ends of ways
- * lie within 1e9 length scales of the origin, hits come the nearer first and among equals the lower
- * slot first, and what is refused changes nothing. A way is told to the same bits by every call. */
+ * lie within THUD_PLACE_MAX length scales of the origin, hits come the nearer first and among
+ * equals the lower slot first, and what is refused changes nothing. A way is told to the same bits
+ * by every call. */
 #ifndef THUD_CASTS_H
 #define THUD_CASTS_H
 

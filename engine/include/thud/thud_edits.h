@@ -1,18 +1,20 @@
-/* thud_edits.h: changing bodies and shapes after they were made; places, velocities, awake and
- * enabled have their setters in thud.h. A program that changes nothing links none of this.
+/* thud_edits.h: bodies that are made with their shapes in one call; and changing bodies and shapes
+ * after they were made; places, velocities, awake and enabled have their setters in thud.h. A
+ * program that uses none of this does not link it.
  *
  * Ranges are those of the defs of thud.h: friction in [0, THUD_FRICTION_MAX], restitution in [0,
- * 1], |surface_speed| <= THUD_SURFACE_SPEED_MAX length scales a second, density in [0, 1e12], sizes
- * in [1e-4, 16384] length scales, of what is static to 32000, dampings finite and not negative,
- * gravity_scale finite. A change holds from the next step on,
- * and wakes the body and what touches it: also what sleeps on a static body that changes. A static
- * shape that is changed so that it now meets what sleeps in its place is found by the sleeper when
- * that wakes, as one that is made there. Contacts go on, with their impulses, unless said
- * otherwise; where a body gets lighter, impulses that bore its old weight shrink with it.
+ * THUD_RESTITUTION_MAX], |surface_speed| <= THUD_SURFACE_SPEED_MAX length scales a second, density
+ * in [0, THUD_DENSITY_MAX], sizes in [THUD_SIZE_MIN, THUD_SIZE_MAX] length scales, of what is
+ * static to THUD_STATIC_SIZE_MAX, dampings finite and not negative, gravity_scale finite. A change
+ * holds from the next step on, and wakes the body and what touches it: also what sleeps on a static
+ * body that changes. A static shape that is changed so that it now meets what sleeps in its place
+ * is found by the sleeper when that wakes, as one that is made there. Contacts go on, with their
+ * impulses, unless said otherwise; where a body gets lighter, impulses that bore its old weight
+ * shrink with it.
  *
- * All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE for a handle that names nothing,
- * THUD_ERROR_INVALID for a value out of range, and THUD_ERROR_LOCKED inside a callback: then
- * nothing has changed. A snapshot that is taken after a change has it. */
+ * All changes return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE for a handle that names
+ * nothing, THUD_ERROR_INVALID for a value out of range, and THUD_ERROR_LOCKED inside a callback:
+ * then nothing has changed. A snapshot that is taken after a change has it. */
 #ifndef THUD_EDITS_H
 #define THUD_EDITS_H
 
@@ -21,6 +23,28 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* ---- a body with its shapes ---- */
+
+/* A circle, AABB or OBB in the body's frame; its offset, size and angle have the ranges of
+ * thud_shape_create_circle and its like. The angle is told to 1e-9 of what was asked for. */
+typedef struct thud_body_shape {
+    thud_shape_instance shape;
+    const thud_shape_def *def; /* null: thud_default_shape_def */
+} thud_body_shape;
+
+/* A body and `count` (>= 0) shapes at once: if anything of it is refused, by the result that the
+ * calls for each would have, nothing is made. The handles go to *body and, in the order of
+ * `shapes`, to shape_ids, which has room for `count`; both may be null.
+ *
+ *     thud_body_create_with_shapes(world, &def, &(thud_body_shape){thud_circle_at(0, 0, 0.5)}, 1,
+ *                                  &ball, NULL);
+ *
+ * Terrain has a call of its own: thud_shape_create_terrain. A program that uses this links circles,
+ * AABBs and OBBs. THUD_ERROR_NULL where `shapes` is null and count is not 0. */
+THUD_API thud_result thud_body_create_with_shapes(thud_world *world, const thud_body_def *def,
+                                                  const thud_body_shape *shapes, int count,
+                                                  thud_body_id *body, thud_shape_id *shape_ids);
 
 /* ---- shapes ---- */
 
@@ -71,14 +95,12 @@ THUD_API thud_result thud_body_set_detection(thud_world *world, thud_body_id bod
                                              const thud_detection *detection);
 THUD_API thud_result thud_body_set_may_sleep(thud_world *world, thud_body_id body, bool may_sleep);
 
-#define THUD_MASS_MIN 1e-30f
-#define THUD_MASS_MAX 1e30f
-
 typedef struct thud_mass {
-    float mass;       /* [THUD_MASS_MIN, THUD_MASS_MAX] */
-    float inertia;    /* mass length^2, about the centre; likewise, or 0: it does not turn */
-    thud_vec2 center; /* of mass, from the origin, in the body's frame; |x|, |y| <= 16384 length
-                         scales */
+    float mass;    /* [THUD_MASS_MIN, THUD_MASS_MAX] */
+    float inertia; /* mass length^2, about the centre; [THUD_MASS_MIN, THUD_MASS_MAX], or 0: it does
+                      not turn */
+    thud_vec2 center; /* of mass, from the origin, in the body's frame; |x|, |y| <=
+                         THUD_SIZE_MAX length scales */
 } thud_mass;
 
 /* Of a dynamic body: these hold whatever shapes come, go and change, until they are set again, the

@@ -25,13 +25,6 @@
 extern "C" {
 #endif
 
-/* Largest coefficient of drag, lift and rolling, and largest drag in water, 1/s. */
-#define THUD_DRAG_MAX 1e6f
-/* Largest component of the velocity of wind and water, length scales a second. */
-#define THUD_FLOW_MAX 1e6f
-/* Densest air and water. */
-#define THUD_FLUID_DENSITY_MAX 1e12f
-
 /* ---- explosions ---- */
 
 /* What hides a shape from an explosion; sensors never do, nor does a body hide itself. */
@@ -41,20 +34,19 @@ typedef enum thud_cover {
     THUD_COVER_ALL       /* every other body */
 } thud_cover;
 
-#define THUD_EXPLOSION_RAYS_MAX 16
-/* Largest impulse of an explosion. */
-#define THUD_EXPLOSION_MAX 1e15f
-
 typedef struct thud_explosion {
-    thud_pos center;  /* |x|, |y| <= 1e9 length scales */
-    double radius;    /* length, [0, 1e9 length scales]; default 0; up to here all of it arrives */
-    double falloff;   /* length, likewise: over so much more it falls to nothing, linearly */
+    thud_pos center;  /* |x|, |y| <= THUD_PLACE_MAX length scales */
+    double radius;    /* length, [0, THUD_PLACE_MAX length scales]; default 0; up to here all of it
+                         arrives */
+    double falloff;   /* length, [0, THUD_PLACE_MAX length scales]; default 0: over so much more it
+                         falls to nothing, linearly */
     float impulse;    /* mass/s: for each length of a shape across the way from the centre; |.| <=
                          THUD_EXPLOSION_MAX, below 0 it draws in; default 1 */
     thud_cover cover; /* default THUD_COVER_ALL */
     int rays;         /* for each shape, [1, THUD_EXPLOSION_RAYS_MAX]; default 5 */
     thud_query_filter filter; /* who is pushed; sensors never are. Who is to be ignored neither
                                  hides anything. Default everybody */
+    uint32_t cookie;          /* of thud_default_explosion */
 } thud_explosion;
 
 THUD_API thud_explosion thud_default_explosion(void);
@@ -74,8 +66,9 @@ THUD_API thud_result thud_world_explode(thud_world *world, const thud_explosion 
 
 /* ---- wind ---- */
 
-/* Air of this velocity (length/s) and density (mass/length^2, [0, THUD_FLUID_DENSITY_MAX]) flows
- * about the body; drag and lift are in [0, THUD_DRAG_MAX], about 1 for plates.
+/* Air of this velocity (length/s, |x|, |y| <= THUD_FLOW_MAX length scales) and density
+ * (mass/length^2, [0, THUD_FLUID_DENSITY_MAX]) flows about the body; drag and lift are in [0,
+ * THUD_DRAG_MAX], about 1 for plates.
  *
  * With u the velocity of a place of the body against the air: each edge of a box that goes into the
  * wind is pushed by density / 2 * drag * |u| times its length across u, against u, and by
@@ -89,13 +82,16 @@ THUD_API thud_result thud_body_apply_wind(thud_world *world, thud_body_id body, 
 /* ---- water ---- */
 
 typedef struct thud_water {
-    thud_pos point;     /* on the water line; |x|, |y| <= 1e9 length scales; default (0, 0) */
-    thud_vec2 normal;   /* out of the water; of length 1 within 1e-3; default (0, 1) */
+    thud_pos point;     /* on the water line; |x|, |y| <= THUD_PLACE_MAX length scales;
+                           default (0, 0) */
+    thud_vec2 normal;   /* out of the water; of length 1 within THUD_NORMAL_ERROR; default (0, 1) */
     float density;      /* mass/length^2, [0, THUD_FLUID_DENSITY_MAX]; default 1 */
     thud_vec2 flow;     /* length/s, |x|, |y| <= THUD_FLOW_MAX length scales; default (0, 0) */
     float linear_drag;  /* 1/s, [0, THUD_DRAG_MAX]; default 2: the part below the line is braked
                            by so much of the momentum of the water in whose place it is */
-    float angular_drag; /* 1/s, likewise; default 2: ... of its spin, as of a disc of that area */
+    float angular_drag; /* 1/s, [0, THUD_DRAG_MAX]; default 2: ... of its spin, as of a disc of that
+                           area */
+    uint32_t cookie;    /* of thud_default_water */
 } thud_water;
 
 THUD_API thud_water thud_default_water(void);
@@ -107,12 +103,15 @@ THUD_API thud_water thud_default_water(void);
 THUD_API thud_result thud_body_apply_buoyancy(thud_world *world, thud_body_id body,
                                               const thud_water *water);
 
-/* Area and centroid of the part of a shape below a line, as thud_water has it; pure. The centroid
- * is the shape's own centre where there is no such part. Neither output may be null; |x|, |y| of
- * the point <= 1e15. Exact to 1e-15 of the shape's size, squared for the area; the centroid of a
- * circle's part, which is so thin that its area drowns in that, lies within the part. */
-THUD_API thud_result thud_shape_below(const thud_shape_instance *shape, thud_pos point,
-                                      thud_vec2 normal, double *area, thud_pos *centroid);
+/* Area and centroid of the part of a shape below the line through (x, y), |x|, |y| <=
+ * THUD_COORDINATE_MAX, whose normal (nx, ny) has length 1 within THUD_NORMAL_ERROR; pure. The
+ * centroid is the shape's own centre where there is no such part. No output may be null. Exact to
+ * 1e-15 of the shape's size, squared for the area; the centroid of a circle's part, which is so
+ * thin that its area drowns in that, lies within the part.
+ */
+THUD_API thud_result thud_shape_below(const thud_shape_instance *shape, double x, double y,
+                                      double nx, double ny, double *area, double *center_x,
+                                      double *center_y);
 
 /* ---- rolling resistance ---- */
 

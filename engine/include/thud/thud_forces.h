@@ -9,8 +9,8 @@
  * forces; a static or kinematic one is refused, by THUD_ERROR_INVALID.
  *
  * All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE, THUD_ERROR_INVALID for a value
- * that is not finite or beyond its range, or a place beyond 1e9 length scales, and, inside a
- * callback, THUD_ERROR_MEMORY; then nothing has changed. */
+ * that is not finite, a push beyond THUD_PUSH_MAX, or a place beyond THUD_PLACE_MAX length scales,
+ * and, inside a callback, THUD_ERROR_MEMORY; then nothing has changed. */
 #ifndef THUD_FORCES_H
 #define THUD_FORCES_H
 
@@ -19,10 +19,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Largest component of a force, torque, impulse or angular impulse; of the force that an impulse is
- * inside a callback; and of the change of velocity that an impulse makes. */
-#define THUD_PUSH_MAX 1e30f
 
 /* At a point of the world: it also turns the body about its centre of mass, by its torque now. */
 THUD_API thud_result thud_body_apply_force_at(thud_world *world, thud_body_id body, thud_vec2 force,
@@ -37,9 +33,9 @@ THUD_API thud_result thud_body_apply_angular_impulse(thud_world *world, thud_bod
 /* Gives a kinematic body the velocity by which the next step brings it to a pose, the shorter way
  * round, as near as single precision tells; with damping, too, but for a time budget that changes
  * the substeps. It keeps that velocity: ask before each step. Wakes what it touches, unless it
- * stands there already. |angle| <= 1e6. THUD_ERROR_INVALID too where the body is not kinematic,
- * would have to turn an AABB, or be faster than the world's maximum_speed. Inside a callback it
- * goes from where the body is at the time of the call. */
+ * stands there already. |angle| <= THUD_ANGLE_MAX. THUD_ERROR_INVALID too where the body is not
+ * kinematic, would have to turn an AABB, or be faster than the world's maximum_speed. Inside a
+ * callback it goes from where the body is at the time of the call. */
 THUD_API thud_result thud_body_set_target(thud_world *world, thud_body_id body, thud_pos position,
                                           double angle);
 

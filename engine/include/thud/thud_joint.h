@@ -60,28 +60,30 @@ typedef enum thud_direction {
     THUD_DIRECTION_COUNT
 } thud_direction;
 
-#define THUD_JOINT_FORCE_MAX 1e30f
-
 /* What acts in a direction that is not locked: lengths and forces, or radians and torques. All at
  * once are fine: a spring towards a place, a motor up to its force, and limits that hold both. */
 typedef struct thud_drive {
     bool limited;       /* default false */
-    float lower, upper; /* lower <= upper; of turn within (-pi, pi), of a distance >= 0; |.| of
-                           lengths at most 1e6 length scales. Equal: locked there */
-    float frequency;    /* Hz, of the spring, [0, 1e4]; default 0: none. About the mass that the
-                           bodies have there */
-    float damping;      /* ratio, >= 0, <= 1e3; default 0.7; 1: critical */
-    float target;       /* where the spring pulls to; within the range of limits */
+    float lower, upper; /* lower <= upper; |.| of turn at most THUD_JOINT_TURN_MAX, of lengths
+                           THUD_JOINT_LENGTH_MAX length scales; of a distance >= 0. Equal: locked
+                           there */
+    float frequency;    /* Hz, of the spring, [0, THUD_JOINT_FREQUENCY_MAX]; default 0: none. About
+                           the mass that the bodies have there */
+    float damping;      /* ratio, [0, THUD_JOINT_DAMPING_MAX]; default 0.7; 1: critical */
+    float target;       /* where the spring pulls to; in the range of limits: THUD_JOINT_TURN_MAX,
+                           THUD_JOINT_LENGTH_MAX */
     float spring_force; /* which the spring does not exceed, [0, THUD_JOINT_FORCE_MAX]; default
                            that */
-    float motor_speed;  /* of b seen from a; |.| at most 1e6 length scales, or radians, a second */
-    float motor_force;  /* up to which the motor acts, likewise; default 0: none */
+    float motor_speed;  /* of b seen from a, |.| <= THUD_JOINT_LENGTH_MAX length scales a second, or
+                           THUD_JOINT_SPIN_MAX */
+    float motor_force;  /* up to which the motor acts, [0, THUD_JOINT_FORCE_MAX]; default 0: none */
 } thud_drive;
 
 /* A place and an axis in a body. */
 typedef struct thud_joint_frame {
-    thud_vec2 position; /* from the body's origin, in its frame; |.| at most 1e6 length scales */
-    double angle;       /* of the x axis, against the body's; |angle| <= 1e6 */
+    thud_vec2 position; /* from the body's origin, in its frame; |x|, |y| <= THUD_JOINT_LENGTH_MAX
+                           length scales */
+    double angle;       /* of the x axis, against the body's; |angle| <= THUD_ANGLE_MAX */
 } thud_joint_frame;
 
 typedef struct thud_joint_def {
@@ -89,7 +91,7 @@ typedef struct thud_joint_def {
     thud_body_id body_a, body_b; /* two, of which one is dynamic; of wheels and targets body b */
     thud_joint_frame frame_a, frame_b;
     thud_drive drive[THUD_DIRECTION_COUNT]; /* those that the kind drives */
-    float length; /* of a distance, > 0, at most 1e6 length scales; default 1 */
+    float length; /* of a distance, (0, THUD_JOINT_LENGTH_MAX] length scales; default 1 */
     /* Of a gear: two joints, each a hinge, a wheel, a slider or a distance between a static body
      * and a dynamic one; the dynamic ones, which must not be the same, are the gear's bodies, and
      * body_a, body_b and the frames do not count. It keeps the value of the first (turn of a hinge
@@ -98,16 +100,16 @@ typedef struct thud_joint_def {
      * where they are then; with either it is gone. Directions of rows are those at the start of a
      * step: what a gear of distances keeps is off by the square of their turn in it. */
     thud_joint_id gear[2];
-    float ratio;            /* of a gear, 1e-4 <= |ratio| <= 1e4; default 1: they turn against
-                               each other, as two wheels that mesh */
+    float ratio;            /* of a gear, |ratio| in [THUD_GEAR_RATIO_MIN, THUD_GEAR_RATIO_MAX];
+                               default 1: they turn against each other, as two wheels that mesh */
     bool collide_connected; /* default false: the bodies' shapes do not meet; of a gear true */
     /* Beyond either the joint breaks: it is destroyed at the end of that step, or, where
-     * `only_reports`, goes on. Either way there is an event. >= 0; default THUD_JOINT_FORCE_MAX:
-     * never */
-    float break_force, break_torque;
-    bool only_reports; /* default false */
-    bool disabled;     /* default false */
+     * `only_reports`, goes on. Either way there is an event. */
+    float break_force, break_torque; /* [0, THUD_JOINT_FORCE_MAX]; default that: never */
+    bool only_reports;               /* default false */
+    bool disabled;                   /* default false */
     uint64_t user_data;
+    uint32_t cookie; /* of thud_default_joint_def */
 } thud_joint_def;
 
 THUD_API thud_joint_def thud_default_joint_def(thud_joint_kind kind);

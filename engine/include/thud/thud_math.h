@@ -1,6 +1,11 @@
 /* thud_math.h: the two vector types that every thud header speaks.
- * A thud_pos is a place in the world, in double precision. A thud_vec2 is anything
- * relative: a velocity, an extent, a normal, an offset inside a body. */
+ *
+ * Of a world, a place is a thud_pos by value, and what is relative a thud_vec2: a velocity, force,
+ * normal, an offset or size in a body's frame. Two are numbers of their own, since single precision
+ * is too coarse for them: the way of a ray or cast (dx, dy), and the sizes of a shape that a query
+ * has about a place, which go with thud_shape_instance. Geometry without a world is in double
+ * precision throughout: its functions take and give coordinates as numbers (x, y; dx, dy; nx, ny),
+ * and many points as an array of thud_pos. */
 #ifndef THUD_MATH_H
 #define THUD_MATH_H
 
@@ -48,7 +53,7 @@ typedef enum thud_result {
 THUD_API const char *thud_result_text(thud_result result);
 
 /* Sine and cosine with the same bits from every compiler and processor, which the C library's do
- * not promise. |angle| <= 1e6 radians; the error stays below 1e-15. THUD_ERROR_NULL,
+ * not promise. |angle| <= THUD_ANGLE_MAX; the error stays below 1e-15. THUD_ERROR_NULL,
  * THUD_ERROR_INVALID. */
 THUD_API thud_result thud_sincos(double angle, double *sine, double *cosine);
 

@@ -38,7 +38,7 @@ typedef struct thud_minkowski {
      * 1, and the face's distance from the origin. */
     thud_pos normals[THUD_MINKOWSKI_MAX / 2];
     double offsets[THUD_MINKOWSKI_MAX / 2];
-    double radius; /* of the rounding, 0 to 1e16; a caller may grow it by a margin */
+    double radius; /* of the rounding, [0, THUD_VOLUME_MAX]; a caller may grow it by a margin */
 } thud_minkowski;
 
 /* The sum of a and the reflected b. The centres are not read, but must be valid. Entries beyond
@@ -46,20 +46,20 @@ typedef struct thud_minkowski {
 THUD_API thud_result thud_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,
                                         thud_minkowski *sum);
 
-/* Whether the point (x, y) is in the sum; its edge belongs to it. |x|, |y| <= 1e16. */
+/* Whether the point (x, y) is in the sum; its edge belongs to it. |x|, |y| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y,
                                              bool *inside);
 
 /* The point's signed distance from the edge of the sum, negative inside, and the unit normal along
  * which the point leaves the soonest: thud_shapes_closest's distance and normal, from a to b. Where
- * several faces are as near, it is one of theirs. |x|, |y| <= 1e16. */
+ * several faces are as near, it is one of theirs. |x|, |y| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y,
                                              double *distance, double *nx, double *ny);
 
 /* Where the point, moving by (dx, dy), first is in the sum: *fraction of the motion, in [0, 1], and
  * the outward unit normal there. A point that starts in the sum hits at 0, with the normal of
  * thud_minkowski_distance. Without a hit *fraction is 1 and the normal (0, 0).
- * |x|, |y|, |dx|, |dy| <= 1e16. */
+ * |x|, |y|, |dx|, |dy| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_minkowski_cast(const thud_minkowski *sum, double x, double y, double dx,
                                          double dy, bool *hit, double *fraction, double *nx,
                                          double *ny);

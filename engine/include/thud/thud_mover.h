@@ -59,18 +59,21 @@ THUD_API bool thud_mover_passes_one_way(const thud_mover *mover, const thud_move
 
 struct thud_mover {
     thud_shape_instance shape; /* in the world; what thud_mover_move moves, and the caller may */
-    thud_vec2 up;              /* unit; default (0, 1); (0, 0) for a game from above: no ground */
-    double skin;               /* kept between the mover and what it meets, > 0; default 2 % of the
-                                  smallest half extent */
-    double max_slope;          /* radians, [0, 1.55]; ground any steeper is a wall; default 0.9 (52
-                                  degrees) */
-    double step_height;        /* >= 0; default 60 % of the half height */
-    double snap_distance;      /* how far the ground may fall away under a step, >= 0; default as
-                                  step_height */
-    double push_force;         /* most force on a dynamic body in the way, >= 0; default 0: none */
-    thud_body_id body; /* a kinematic body about the mover's centre that is to follow, so that
-                          dynamic bodies and sensors meet the mover; its velocity is set so
-                          that the next step takes it there; default null: none */
+    thud_vec2 up; /* of length 1, its square within THUD_UNIT_ERROR; default (0, 1); (0, 0) for a
+                     game from above: no ground */
+    double skin;  /* kept between the mover and what it meets, > 0, at most the smallest
+                     half extent; default 2 % of that */
+    double max_slope;   /* radians, [0, THUD_MOVER_SLOPE_MAX]; ground any steeper is a wall; default
+                           0.9 (52   degrees) */
+    double step_height; /* [0, THUD_MOVER_STEP_MAX]; default 60 % of the half height */
+    double snap_distance; /* how far the ground may fall away under a step, [0,
+                             THUD_MOVER_STEP_MAX]; default as
+                             step_height */
+    double push_force;    /* most force on a dynamic body in the way, [0, THUD_MOVER_FORCE_MAX];
+                             default 0: none */
+    thud_body_id body;    /* a kinematic body about the mover's centre that is to follow, so that
+                             dynamic bodies and sensors meet the mover; its velocity is set so
+                             that the next step takes it there; default null: none */
     thud_query_filter filter; /* what the mover meets; default everything but sensors. Those never
                                 stop it: `sensors` has it report which it went through */
     thud_mover_pass_fn *pass; /* null: nothing is passed through */
@@ -103,7 +106,8 @@ typedef struct thud_mover_report {
     thud_shape_id sensors[THUD_MOVER_SENSORS];
 } thud_mover_report;
 
-/* Moves by velocity * dt, |velocity| * dt <= 1e6, dt in (0, 1], and by what the ground moved
+/* Moves by velocity * dt, |velocity| * dt <= THUD_MOVER_WAY_MAX, dt in (0,
+ * THUD_TIME_STEP_MAX], and by what the ground moved
  * since the last move. A velocity with a part along `up` leaves the ground. It takes at most
  * four turns in the air and four on the ground.
  *

@@ -4,9 +4,9 @@
  * every kind of shape, and answers in an order that depends on neither broadphase nor history:
  * the nearer hit first, and among equals the lower slot (thud_shape_id.index1 - 1).
  *
- * Places lie within 1e9 length scales of the origin, and so do the ends of rays and casts;
- * sizes are as thud_placed_check wants them. Anything else is THUD_ERROR_INVALID, a world that
- * is null THUD_ERROR_NULL, and memory that runs short THUD_ERROR_MEMORY: outputs are then as
+ * Places lie within THUD_PLACE_MAX length scales of the origin, and so do the ends of rays and
+ * casts; sizes are as thud_placed_check wants them. Anything else is THUD_ERROR_INVALID, a world
+ * that is null THUD_ERROR_NULL, and memory that runs short THUD_ERROR_MEMORY: outputs are then as
  * they were, and no callback has been called. A filter of null meets everything but sensors. */
 #ifndef THUD_QUERIES_H
 #define THUD_QUERIES_H
@@ -73,7 +73,8 @@ THUD_API thud_result thud_world_cast_circle_all(thud_world *world, thud_pos cent
                                                 const thud_query_filter *filter, thud_ray_hit *out,
                                                 int capacity, int *count);
 
-/* A box of the given half extents, turned by `angle` radians, |angle| <= 1e6; upright at 0. */
+/* A box of the given half extents, turned by `angle` radians, |angle| <= THUD_ANGLE_MAX; upright at
+ * 0. */
 THUD_API thud_result thud_world_cast_box(thud_world *world, thud_pos center, double half_x,
                                          double half_y, double angle, double dx, double dy,
                                          const thud_query_filter *filter, bool *hit,
@@ -114,7 +115,7 @@ typedef struct thud_closest_hit {
 } thud_closest_hit;
 
 /* The shape whose surface is at the least signed distance, if that is at most `max_distance`
- * (>= 0, at most 1e9 length scales); *found = false if none, and *out is then as it was. */
+ * ([0, THUD_PLACE_MAX length scales]); *found = false if none, and *out is then as it was. */
 THUD_API thud_result thud_world_closest(thud_world *world, thud_pos point, double max_distance,
                                         const thud_query_filter *filter, bool *found,
                                         thud_closest_hit *out);

@@ -4,6 +4,7 @@
 #ifndef THUD_SHAPES_H
 #define THUD_SHAPES_H
 
+#include "thud_limits.h"
 #include "thud_math.h"
 
 #ifdef __cplusplus
@@ -24,15 +25,37 @@ enum { THUD_SHAPE_KIND_COUNT = THUD_TERRAIN + 1 };
 /* A circle, AABB or OBB in its place. */
 typedef struct thud_shape_instance {
     thud_shape_kind kind; /* not THUD_TERRAIN */
-    double x, y;          /* centre */
-    double c, s;          /* cosine and sine of the angle; 1, 0 unless OBB; not read of a circle */
-    double hx, hy;        /* half extents, > 0; a circle's radius is hx, its hy is 0 */
+    double x, y;          /* centre; |x|, |y| <= THUD_COORDINATE_MAX */
+    double c, s;          /* cosine and sine of the angle; 1, 0 unless OBB: then c * c + s * s is 1
+                             within THUD_UNIT_ERROR; not read of a circle */
+    double hx, hy;        /* half extents, (0, THUD_COORDINATE_MAX]; a circle's radius is hx, its hy
+                             is 0 */
 } thud_shape_instance;
+
+/* Shapes in their places, each in one expression: for the functions here, for queries and movers,
+ * and for bodies that are made with their shapes (thud_edits.h). Nothing is checked; an OBB whose
+ * angle is beyond THUD_ANGLE_MAX has no direction, by which thud_placed_check refuses it. */
+static inline thud_shape_instance thud_circle_at(double x, double y, double radius) {
+    thud_shape_instance circle = {THUD_CIRCLE, x, y, 1.0, 0.0, radius, 0.0};
+    return circle;
+}
+
+static inline thud_shape_instance thud_aabb_at(double x, double y, double half_x, double half_y) {
+    thud_shape_instance box = {THUD_AABB, x, y, 1.0, 0.0, half_x, half_y};
+    return box;
+}
+
+static inline thud_shape_instance thud_obb_at(double x, double y, double half_x, double half_y,
+                                              double angle) {
+    thud_shape_instance box = {THUD_OBB, x, y, 0.0, 0.0, half_x, half_y};
+    thud_sincos(angle, &box.s, &box.c);
+    return box;
+}
 
 /* Straight motion with turning about the centre, over one unit of time. */
 typedef struct thud_motion {
     double dx, dy;
-    double turn; /* radians; only an OBB heeds it */
+    double turn; /* radians, |turn| <= THUD_ANGLE_MAX; only an OBB heeds it */
 } thud_motion;
 
 /* The closest (or deepest) features of two shapes; (b - a) = distance * normal. */
@@ -69,9 +92,10 @@ THUD_API bool thud_shapes_overlap(const thud_shape_instance *a, const thud_shape
 THUD_API thud_result thud_shapes_closest(const thud_shape_instance *a, const thud_shape_instance *b,
                                          thud_closest *out);
 
-/* The points at which the shapes are within `margin` (>= 0) of each other. The first is that of
- * thud_shapes_closest. Boxes of which one has a face across the normal may have a second: the place
- * furthest from the first along that face where the other box's opposite face lies over it. */
+/* The points at which the shapes are within `margin` ([0, THUD_COORDINATE_MAX]) of each other. The
+ * first is that of thud_shapes_closest. Boxes of which one has a face across the normal may have a
+ * second: the place furthest from the first along that face where the other box's opposite face
+ * lies over it. */
 THUD_API thud_result thud_shapes_contacts(const thud_shape_instance *a,
                                           const thud_shape_instance *b, double margin,
                                           thud_contacts *out);
@@ -81,7 +105,8 @@ THUD_API thud_result thud_shapes_contacts(const thud_shape_instance *a,
 THUD_API bool thud_shape_cast_ray(const thud_shape_instance *shape, double ox, double oy, double dx,
                                   double dy, double *fraction, double *nx, double *ny);
 
-/* First time in [0, 1] at which the moving shapes come within `target` (>= 0) of each other; 1 and
+/* First time in [0, 1] at which the moving shapes come within `target` ([0,
+ * THUD_COORDINATE_MAX]) of each other; 1 and
  * *hit = false if they never do. Shapes that start within the target hit at 0. Without turning the
  * time is in closed form, exact but for rounding; with turning it is found by conservative
  * advancement, as soon as the shapes are within 1e-10 of their size of the target: never late, and
@@ -99,9 +124,9 @@ THUD_API thud_result thud_circles_approach(const thud_shape_instance *a, thud_mo
 
 /* When the moving shapes began to overlap, by bisection over the motion, for shapes that are apart
  * at time 0 and overlap at time 1. At *time, in [0, 1), they are still apart, and within
- * `tolerance` of it they overlap; tolerance is in [1e-15, 1], of the motion, and each halving costs
- * one overlap test. *collided = false and *time = 1 where they are apart at the end, whatever
- * happened in between (see thud_motion_is_bisectable), or overlap at the start. */
+ * `tolerance` of it they overlap; tolerance is in [THUD_TOLERANCE_MIN, 1], of the motion, and each
+ * halving costs one overlap test. *collided = false and *time = 1 where they are apart at the end,
+ * whatever happened in between (see thud_motion_is_bisectable), or overlap at the start. */
 THUD_API thud_result thud_shapes_time_of_collision(const thud_shape_instance *a,
                                                    thud_motion motion_a,
                                                    const thud_shape_instance *b,
@@ -130,10 +155,11 @@ typedef enum thud_terrain_kind {
  * result without a meaning for a line that it would refuse. */
 typedef struct thud_terrain {
     thud_terrain_kind kind;
-    double slope;           /* flat only: rise over run, |slope| <= 100 */
-    double x0, spacing;     /* uniform only; spacing > 0 */
-    const thud_pos *points; /* uniform and irregular */
-    int count;              /* >= 2 */
+    double slope;           /* flat only: rise over run, |slope| <= THUD_TERRAIN_SLOPE_MAX */
+    double x0, spacing;     /* uniform only; |x0| <= THUD_TERRAIN_PLACE_MAX, spacing in (0,
+                               THUD_TERRAIN_PLACE_MAX], and 1e-12 of the furthest x at least */
+    const thud_pos *points; /* uniform and irregular; |x|, |y| <= THUD_TERRAIN_PLACE_MAX */
+    int count;              /* [2, THUD_TERRAIN_COUNT_MAX] */
 } thud_terrain;
 
 /* Height, normal and interpolation weights at one x. */

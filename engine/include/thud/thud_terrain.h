@@ -60,17 +60,17 @@ THUD_API thud_result thud_shape_set_heights(thud_world *world, thud_shape_id sha
 
 /* Takes away the ground inside a circle, and what stands above it, since a line has no caves: under
  * the circle the ground goes down to its lower half. The centre is a place in the world; the radius
- * lies in [1e-4, 16384] length scales. Ground below the circle stays. A uniform line keeps its
- * grid, so that a circle between two of its vertices digs nothing; an irregular one gets up to 19
- * vertices more, and follows the circle within 1 % of the radius, but for walls at its sides, which
- * lean in by 2 %. Not for flat ground. */
+ * lies in [THUD_SIZE_MIN, THUD_SIZE_MAX] length scales. Ground below the circle stays. A uniform
+ * line keeps its grid, so that a circle between two of its vertices digs nothing; an irregular one
+ * gets up to 19 vertices more, and follows the circle within 1 % of the radius, but for walls at
+ * its sides, which lean in by 2 %. Not for flat ground. */
 THUD_API thud_result thud_shape_dig(thud_world *world, thud_shape_id shape, thud_pos center,
                                     double radius);
 
 /* Raises a mound about x, a place in the world, over `radius` (range as above) to either side:
  * heights grow by height * (1 - u^2)^2 at the fraction u of the radius, so that neither foot nor
- * top has an edge. A negative height makes a hollow; |height| <= 1e9 length scales. A uniform line
- * keeps its grid, an irregular one gets vertices as above. Not for flat ground. */
+ * top has an edge. A negative height makes a hollow; |height| <= THUD_PLACE_MAX length scales. A
+ * uniform line keeps its grid, an irregular one gets vertices as above. Not for flat ground. */
 THUD_API thud_result thud_shape_raise(thud_world *world, thud_shape_id shape, double x,
                                       double radius, double height);
 

@@ -27,8 +27,9 @@ extern "C" {
  * volume it is. */
 typedef thud_shape_instance thud_volume;
 
-/* THUD_OK if it is a circle, AABB or OBB, |x|, |y| <= 1e16, extents of 0 to 1e16, and (c, s) of
- * length 1 within 1e-5, (1, 0) for an AABB. Of a circle, c, s and hy are not read. */
+/* THUD_OK if it is a circle, AABB or OBB, |x|, |y| <= THUD_VOLUME_MAX, extents in [0,
+ * THUD_VOLUME_MAX], and (c, s) of length 1, its square within THUD_UNIT_ERROR, (1, 0) for an AABB.
+ * Of a circle, c, s and hy are not read. */
 THUD_API thud_result thud_volume_check(const thud_volume *volume);
 
 /* ---- fit: the volume of the wanted kind around something ---- */
@@ -44,11 +45,11 @@ THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind,
                                                const thud_shape_instance *shape, thud_motion motion,
                                                thud_volume *out);
 
-/* Around count >= 1 points, |x|, |y| <= 1e15; one point, or all on a line, will do. The smallest
- * circle, by exchanging the points that it rests on (Gaertner, Fast and robust smallest enclosing
- * balls, 1999), takes a few passes over the points. The OBB of least area has a side along a side
- * of the convex hull (Freeman and Shapira, Determining the minimum-area encasing rectangle, 1975):
- * two passes for each of the hull's sides, of which the first 512 are tried. */
+/* Around count >= 1 points, |x|, |y| <= THUD_COORDINATE_MAX; one point, or all on a line, will do.
+ * The smallest circle, by exchanging the points that it rests on (Gaertner, Fast and robust
+ * smallest enclosing balls, 1999), takes a few passes over the points. The OBB of least area has a
+ * side along a side of the convex hull (Freeman and Shapira, Determining the minimum-area encasing
+ * rectangle, 1975): two passes for each of the hull's sides, of which the first 512 are tried. */
 THUD_API thud_result thud_volume_around_points(thud_shape_kind kind, const thud_pos *points,
                                                int count, thud_volume *out);
 
@@ -69,7 +70,7 @@ THUD_API thud_result thud_volume_merge(thud_shape_kind kind, const thud_volume *
 THUD_API thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b,
                                           bool *overlap);
 
-/* Whether the point is in the volume; its edge belongs to it. |x|, |y| <= 1e16. */
+/* Whether the point is in the volume; its edge belongs to it. |x|, |y| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_volume_contains_point(const thud_volume *volume, double x, double y,
                                                 bool *inside);
 

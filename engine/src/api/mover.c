@@ -139,13 +139,14 @@ static thud_result check_mover(const thud_world *w, const thud_mover *mover) {
     if (td_query_check(w, (thud_pos){0.0, 0.0}, s) != THUD_OK) {
         return td_refuse(w, THUD_ERROR_INVALID, "mover: the shape or its place is invalid");
     }
-    if (!(up == 0.0 || td_abs(up - 1.0) < 1e-5)) {
+    if (!(up == 0.0 || td_abs(up - 1.0) < THUD_UNIT_ERROR)) {
         return td_refuse(w, THUD_ERROR_INVALID, "mover: up is neither of length 1 nor zero");
     }
     if (!(mover->skin > 0.0 && mover->skin <= least && mover->max_slope >= 0.0 &&
-          mover->max_slope <= 1.55 && mover->step_height >= 0.0 && mover->step_height <= 1e6 &&
-          mover->snap_distance >= 0.0 && mover->snap_distance <= 1e6 && mover->push_force >= 0.0 &&
-          mover->push_force <= 1e30)) {
+          mover->max_slope <= THUD_MOVER_SLOPE_MAX && mover->step_height >= 0.0 &&
+          mover->step_height <= THUD_MOVER_STEP_MAX && mover->snap_distance >= 0.0 &&
+          mover->snap_distance <= THUD_MOVER_STEP_MAX && mover->push_force >= 0.0 &&
+          mover->push_force <= THUD_MOVER_FORCE_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, "mover: a setting is out of range");
     }
     thud_body_state body;
@@ -193,7 +194,7 @@ thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity
         return td_refuse(w, THUD_ERROR_NULL, "mover: world or mover is null");
     }
     td_way asked = {(double)velocity.x, (double)velocity.y};
-    if (!(dt > 0.0 && dt <= 1.0 && td_size(asked) * dt <= 1e6)) {
+    if (!(dt > 0.0 && dt <= THUD_TIME_STEP_MAX && td_size(asked) * dt <= THUD_MOVER_WAY_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, "mover: velocity or dt is out of range");
     }
     thud_result result = check_mover(w, mover);

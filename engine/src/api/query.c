@@ -56,7 +56,7 @@ thud_shape_instance td_query_box(double half_x, double half_y, double angle) {
     if (angle != 0.0) {
         box.kind = THUD_OBB;
         box.c = 0.0;
-        if (angle >= -1e6 && angle <= 1e6) {
+        if (td_abs(angle) <= THUD_ANGLE_MAX) {
             td_sincos(angle, &box.s, &box.c);
         }
     }
@@ -71,7 +71,7 @@ bool td_query_prepare(thud_world *w) {
 
 /* Nothing of the world lies further out; inside, differences of places fit in 64 bits. */
 static td_position place_within(const thud_world *w, double x, double y) {
-    double most = (TD_PLACE_MAX + 2.0 * TD_SIZE_MAX) * (double)w->unit;
+    double most = (THUD_PLACE_MAX + 2.0 * (double)THUD_SIZE_MAX) * (double)w->unit;
     return td_place_from(w, (thud_pos){td_clamp(x, -most, most), td_clamp(y, -most, most)});
 }
 
@@ -92,7 +92,7 @@ bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper) {
     hits->stride = (int)sizeof(int);
     hits->count = 0;
     td_position from = place_within(w, lower.x, lower.y), to = place_within(w, upper.x, upper.y);
-    int64_t most = (int64_t)(TD_SIZE_MAX * TD_FIXED_ONE);
+    int64_t most = (int64_t)((double)THUD_SIZE_MAX * TD_FIXED_ONE);
     if (to.x - from.x > most || to.y - from.y > most) {
         return list_all(w); /* too wide for bounds, which wrap around */
     }

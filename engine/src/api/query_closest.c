@@ -52,7 +52,7 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
         return THUD_ERROR_NULL;
     }
     if (!td_place_valid(w, point.x, point.y) ||
-        !(max_distance >= 0.0 && max_distance <= TD_PLACE_MAX * (double)w->unit)) {
+        !(max_distance >= 0.0 && max_distance <= THUD_PLACE_MAX * (double)w->unit)) {
         return td_refuse(w, THUD_ERROR_INVALID, "closest: not finite or out of range");
     }
     if (!td_query_prepare(w)) {

@@ -173,7 +173,7 @@ thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "advance: not inside a callback");
     }
-    if (!(elapsed >= 0.0 && elapsed <= 1e9) || max_steps < 1) {
+    if (!(elapsed >= 0.0 && elapsed <= THUD_ADVANCE_MAX) || max_steps < 1) {
         return td_refuse(w, THUD_ERROR_INVALID, "advance: elapsed or max_steps is out of range");
     }
     double h = w->def.time_step;

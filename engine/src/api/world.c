@@ -28,22 +28,26 @@ thud_world_def thud_world_def_of(const thud_quality *quality) {
         .sleeping = true,
         .contact_events = true,
         .broadphase = &thud_broadphase_grid,
+        .cookie = TD_COOKIE,
     };
 }
 
-static bool between(double x, double low, double high) {
+static bool between(float x, float low, float high) {
     return x >= low && x <= high;
 }
 
 static const char *def_error(const thud_world_def *d) {
+    if (d->cookie != TD_COOKIE) {
+        return "world_create: the def does not start from thud_default_world_def()";
+    }
     if (!td_finite((double)d->gravity.x + (double)d->gravity.y)) {
         return "world def: gravity is not finite";
     }
-    if (!(d->time_step > 0.0 && d->time_step <= 1.0)) {
+    if (!(d->time_step > 0.0 && d->time_step <= THUD_TIME_STEP_MAX)) {
         return "world def: time_step is not in (0, 1]";
     }
-    if (!between((double)d->length_scale, (double)1e-6f, 1e6)) {
-        return "world def: length_scale is not in [1e-6, 1e6]";
+    if (!between(d->length_scale, THUD_LENGTH_SCALE_MIN, THUD_LENGTH_SCALE_MAX)) {
+        return "world def: length_scale is out of range";
     }
     if (!d->quality) {
         return "world def: quality is null";
@@ -53,21 +57,22 @@ static const char *def_error(const thud_world_def *d) {
     if (error) {
         return error;
     }
-    if (d->substeps < 0 || d->substeps > 64) {
+    if (d->substeps < 0 || d->substeps > THUD_SUBSTEPS_MAX) {
         return "world def: substeps is not in 0..64";
     }
     if (d->contact_stiffness != 0.0f &&
-        !between((double)d->contact_stiffness, (double)0.01f, 0.5)) {
+        !between(d->contact_stiffness, THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX)) {
         return "world def: contact_stiffness is out of range";
     }
-    if (!between((double)d->contact_damping, 0.0, 100.0) ||
-        !between((double)d->push_speed, 0.0, 1e6) ||
-        !between((double)d->restitution_threshold, 0.0, 1e6) ||
-        !between((double)d->hit_speed, 0.0, 1e6) ||
-        !(d->maximum_speed > 0.0f && d->maximum_speed <= 1e6f)) {
+    if (!between(d->contact_damping, 0.0f, THUD_CONTACT_DAMPING_MAX) ||
+        !between(d->push_speed, 0.0f, THUD_SPEED_MAX) ||
+        !between(d->restitution_threshold, 0.0f, THUD_SPEED_MAX) ||
+        !between(d->hit_speed, 0.0f, THUD_SPEED_MAX) ||
+        !(d->maximum_speed > 0.0f && d->maximum_speed <= THUD_SPEED_MAX)) {
         return "world def: a damping ratio or speed is out of range";
     }
-    if (!between(d->time_budget, 0.0, 1.0) || (d->time_budget > 0.0 && !d->clock)) {
+    if (!(d->time_budget >= 0.0 && d->time_budget <= THUD_TIME_BUDGET_MAX) ||
+        (d->time_budget > 0.0 && !d->clock)) {
         return "world def: time_budget is out of range, or lacks a clock";
     }
     if (d->job_system.workers < 0 || d->job_system.workers > THUD_WORKERS_MAX ||
@@ -283,7 +288,7 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (!(time_step > 0.0 && time_step <= 1.0)) {
+    if (!(time_step > 0.0 && time_step <= THUD_TIME_STEP_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set time step: not in (0, 1]");
     }
     if (w->locked) {

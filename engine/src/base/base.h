@@ -5,6 +5,7 @@
 #ifndef TD_BASE_H
 #define TD_BASE_H
 
+#include "thud/thud_limits.h"
 #include "thud/thud_math.h"
 
 #include <assert.h>
@@ -61,11 +62,9 @@
  * time and counts the bodies that reach it; sleep.c asks whether a whole island has; and a body
  * that a caller puts to sleep is given it at once, in changes.c. */
 #define TD_SLEEP_TIME 0.5f
-/* Sizes and places that are accepted. */
-#define TD_SIZE_MIN ((double)1e-4f) /* as callers say it, in single precision */
-#define TD_SIZE_MAX 16384.0
-#define TD_STATIC_SIZE_MAX 32000.0 /* twice that is less than half the way around the bounds */
-#define TD_PLACE_MAX 1e9
+
+/* What default functions leave in defs, and a zeroed one lacks. */
+#define TD_COOKIE 0x74687564u
 
 static inline int td_min_int(int a, int b) {
     return a < b ? a : b;
@@ -89,6 +88,10 @@ static inline double td_min_double(double a, double b) {
 
 static inline double td_max_double(double a, double b) {
     return a > b ? a : b;
+}
+
+static inline double td_abs(double x) {
+    return x < 0.0 ? -x : x;
 }
 
 /* False for infinities and not-a-number, without a call to the library. */

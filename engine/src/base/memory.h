@@ -6,7 +6,7 @@
 #define TD_MEMORY_H
 
 #include "base/base.h"
-#include "thud/thud_memory.h"
+#include "thud/thud_hooks.h"
 
 typedef struct td_memory {
     thud_allocator hooks;

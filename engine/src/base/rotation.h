@@ -20,7 +20,7 @@
 #define TD_COS6 (-1.0f / 720.0f)
 #define TD_COS8 (1.0f / 40320.0f)
 
-/* |radians| <= 1e6 */
+/* |radians| <= THUD_ANGLE_MAX */
 static inline uint32_t td_angle_from(double radians) {
     double turns = radians * (1.0 / (2.0 * TD_PI));
     double whole = (double)(int64_t)turns;

@@ -43,7 +43,7 @@ thud_result thud_sincos(double angle, double *sine, double *cosine) {
     if (!sine || !cosine) {
         return THUD_ERROR_NULL;
     }
-    if (!(angle >= -1e6 && angle <= 1e6)) {
+    if (!(td_abs(angle) <= THUD_ANGLE_MAX)) {
         return THUD_ERROR_INVALID;
     }
     td_sincos(angle, sine, cosine);

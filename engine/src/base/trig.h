@@ -3,7 +3,7 @@
 #ifndef TD_TRIG_H
 #define TD_TRIG_H
 
-/* |angle| <= 1e6 radians; the error stays below 1e-15. */
+/* |angle| <= THUD_ANGLE_MAX; the error stays below 1e-15. */
 void td_sincos(double angle, double *s, double *c);
 
 #endif

@@ -43,7 +43,7 @@ td_walk td_walk_begin(const thud_world *w, const td_path *way, int *room, int si
 
 /* No place of the world lies further out; nearer, differences of places fit in 64 bits. */
 static td_position corner(const thud_world *w, thud_pos at) {
-    double most = (TD_PLACE_MAX + 2.0 * TD_SIZE_MAX) * (double)w->unit;
+    double most = (THUD_PLACE_MAX + 2.0 * (double)THUD_SIZE_MAX) * (double)w->unit;
     return td_place_from(w, (thud_pos){td_clamp(at.x, -most, most), td_clamp(at.y, -most, most)});
 }
 
@@ -54,7 +54,7 @@ static bool list(td_walk *walk, double from) {
     thud_pos lower, upper;
     td_piece_bounds(walk->way, from, walk->to, &lower, &upper);
     td_position low = corner(w, lower), high = corner(w, upper);
-    int64_t most = (int64_t)(TD_SIZE_MAX * TD_FIXED_ONE);
+    int64_t most = (int64_t)((double)THUD_SIZE_MAX * TD_FIXED_ONE);
     if (high.x - low.x > most || high.y - low.y > most) {
         return false;
     }

@@ -59,14 +59,14 @@ typedef struct td_toi_candidate {
 #define TD_MOTION_TURN_MOST 1e9
 
 static inline double td_motion_held(const thud_world *w, int axis, double motion) {
-    double most = axis < 2 ? TD_PLACE_MAX * (double)w->unit : TD_MOTION_TURN_MOST;
+    double most = axis < 2 ? THUD_PLACE_MAX * (double)w->unit : TD_MOTION_TURN_MOST;
     return td_clamp(motion, -most, most);
 }
 
 /* What is taken back of the velocity that gravity and forces give in a step: no more than it can
  * have been, since substeps hold a velocity to the greatest. */
 static inline double td_gain_held(const thud_world *w, int axis, double gain) {
-    double most = axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)TD_SPIN_MOST;
+    double most = axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)THUD_SPIN_MAX;
     return td_clamp(gain, -2.0 * most, 2.0 * most);
 }
 

@@ -101,7 +101,7 @@ static bool within(float x, float least, float most) {
 }
 
 static const char *mass_error(const thud_world *w, const td_body *body, const thud_mass *m) {
-    float furthest = (float)TD_SIZE_MAX * w->unit;
+    float furthest = THUD_SIZE_MAX * w->unit;
     if (body->kind != THUD_DYNAMIC) {
         return "set mass: the body is not dynamic";
     }

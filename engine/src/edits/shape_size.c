@@ -20,7 +20,7 @@ thud_result thud_shape_set_density(thud_world *w, thud_shape_id id, float densit
     if (result != THUD_OK) {
         return result;
     }
-    if (!(density >= 0.0f && density <= TD_DENSITY_MOST)) {
+    if (!(density >= 0.0f && density <= THUD_DENSITY_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set density: it is not in [0, 1e12]");
     }
     td_shape_at(w, index)->density = density;

@@ -33,7 +33,7 @@ thud_result thud_shape_set_friction(thud_world *w, thud_shape_id id, float frict
 }
 
 thud_result thud_shape_set_restitution(thud_world *w, thud_shape_id id, float restitution) {
-    return set(w, id, offsetof(td_shape, restitution), restitution, 0.0f, 1.0f,
+    return set(w, id, offsetof(td_shape, restitution), restitution, 0.0f, THUD_RESTITUTION_MAX,
                "set restitution: it is not in [0, 1]");
 }
 

@@ -29,7 +29,7 @@ thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos positi
     if (body->kind != THUD_KINEMATIC) {
         return td_refuse(w, THUD_ERROR_INVALID, "set target: the body is not kinematic");
     }
-    if (!td_place_valid(w, position.x, position.y) || !(angle >= -1e6 && angle <= 1e6)) {
+    if (!td_place_valid(w, position.x, position.y) || !(td_abs(angle) <= THUD_ANGLE_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set target: position or angle is out of range");
     }
     /* Of what is not dynamic the origin is the centre. */
@@ -43,7 +43,7 @@ thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos positi
     double time = time_of(w, body->linear_damping);
     double most = (double)(w->def.maximum_speed * w->unit);
     double v[3] = {x / time, y / time, turn / time_of(w, body->angular_damping)};
-    if (!(td_abs(v[0]) <= most && td_abs(v[1]) <= most && td_abs(v[2]) <= (double)TD_SPIN_MOST)) {
+    if (!(td_abs(v[0]) <= most && td_abs(v[1]) <= most && td_abs(v[2]) <= (double)THUD_SPIN_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set target: the body would be too fast");
     }
     const float *now = td_body_velocity(w, body);

@@ -8,7 +8,8 @@ thud_water thud_default_water(void) {
     return (thud_water){.normal = {0.0f, 1.0f},
                         .density = 1.0f,
                         .linear_drag = 2.0f,
-                        .angular_drag = 2.0f};
+                        .angular_drag = 2.0f,
+                        .cookie = TD_COOKIE};
 }
 
 static bool valid(const thud_world *w, const thud_water *water) {
@@ -55,8 +56,13 @@ thud_result thud_body_apply_buoyancy(thud_world *w, thud_body_id id, const thud_
     if (!water) {
         return td_refuse(w, THUD_ERROR_NULL, "apply buoyancy: water is null");
     }
+    if (water->cookie != TD_COOKIE) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "apply_buoyancy: the water does not start from thud_default_water()");
+    }
     double fall_x = a.x, fall_y = a.y;
-    if (!valid(w, water) || !td_line_normal(water->normal, &up) ||
+    if (!valid(w, water) ||
+        !td_line_normal((double)water->normal.x, (double)water->normal.y, &up) ||
         !td_adrift_in_flow(w, water->flow, &a)) {
         return td_refuse(w, THUD_ERROR_INVALID, "apply buoyancy: not finite or out of range");
     }

@@ -20,7 +20,8 @@ thud_explosion thud_default_explosion(void) {
     return (thud_explosion){.impulse = 1.0f,
                             .cover = THUD_COVER_ALL,
                             .rays = 5,
-                            .filter = thud_default_query_filter()};
+                            .filter = thud_default_query_filter(),
+                            .cookie = TD_COOKIE};
 }
 
 /* ---- cover ---- */
@@ -189,7 +190,7 @@ static thud_result explode(blast *b, int *pushed) {
 }
 
 static bool valid(const thud_world *w, const thud_explosion *def) {
-    double most = TD_PLACE_MAX * (double)w->unit;
+    double most = THUD_PLACE_MAX * (double)w->unit;
     return td_place_valid(w, def->center.x, def->center.y) && def->radius >= 0.0 &&
            def->radius <= most && def->falloff >= 0.0 && def->falloff <= most &&
            td_within(def->impulse, -THUD_EXPLOSION_MAX, THUD_EXPLOSION_MAX) && def->rays >= 1 &&
@@ -200,6 +201,10 @@ thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *pu
     TD_IN_OWN_MODE;
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "explode: world or explosion is null");
+    }
+    if (def->cookie != TD_COOKIE) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "explode: the explosion does not start from thud_default_explosion()");
     }
     if (!valid(w, def)) {
         return td_refuse(w, THUD_ERROR_INVALID, "explode: not finite or out of range");

@@ -49,7 +49,7 @@ thud_shape_instance td_field_shape(const thud_world *w, const td_adrift *a, cons
                               (double)shape->half_y};
     /* Newton's, for 1 / sqrt: single precision leaves a length that is not quite 1. */
     double scale = 1.5 - 0.5 * (at.c * at.c + at.s * at.s), c, s;
-    td_sincos(td_clamp(turn, -TD_TURN_MOST, TD_TURN_MOST), &s, &c);
+    td_sincos(td_clamp(turn, -THUD_ANGLE_MAX, THUD_ANGLE_MAX), &s, &c);
     double turned_c = scale * (at.c * c - at.s * s), turned_s = scale * (at.s * c + at.c * s);
     double arm_x = (double)shape->x - (double)body->center_x;
     double arm_y = (double)shape->y - (double)body->center_y;

@@ -81,25 +81,25 @@ td_part td_part_below(const thud_shape_instance *shape, double height, thud_pos 
                                       : part_of_box(shape, height, up);
 }
 
-bool td_line_normal(thud_vec2 normal, thud_pos *up) {
-    double x = (double)normal.x, y = (double)normal.y, length = __builtin_sqrt(x * x + y * y);
+bool td_line_normal(double x, double y, thud_pos *up) {
+    double length = __builtin_sqrt(x * x + y * y);
     *up = (thud_pos){x / length, y / length};
-    return length >= 0.999 && length <= 1.001;
+    return td_abs(length - 1.0) <= THUD_NORMAL_ERROR;
 }
 
-thud_result thud_shape_below(const thud_shape_instance *shape, thud_pos point, thud_vec2 normal,
-                             double *area, thud_pos *centroid) {
-    if (!shape || !area || !centroid) {
+thud_result thud_shape_below(const thud_shape_instance *shape, double x, double y, double nx,
+                             double ny, double *area, double *center_x, double *center_y) {
+    if (!shape || !area || !center_x || !center_y) {
         return THUD_ERROR_NULL;
     }
     thud_pos up;
-    if (thud_placed_check(shape) != THUD_OK || !td_line_normal(normal, &up) ||
-        !(td_abs(point.x) <= 1e15 && td_abs(point.y) <= 1e15)) {
+    if (thud_placed_check(shape) != THUD_OK || !td_line_normal(nx, ny, &up) ||
+        !(td_abs(x) <= THUD_COORDINATE_MAX && td_abs(y) <= THUD_COORDINATE_MAX)) {
         return THUD_ERROR_INVALID;
     }
-    double height = up.x * (shape->x - point.x) + up.y * (shape->y - point.y);
-    td_part part = td_part_below(shape, height, up);
+    td_part part = td_part_below(shape, up.x * (shape->x - x) + up.y * (shape->y - y), up);
     *area = part.area;
-    *centroid = (thud_pos){part.x, part.y};
+    *center_x = part.x;
+    *center_y = part.y;
     return THUD_OK;
 }

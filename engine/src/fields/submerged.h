@@ -12,6 +12,6 @@ typedef struct td_part {
 td_part td_part_below(const thud_shape_instance *shape, double height, thud_pos up);
 
 /* False for what is no direction. */
-bool td_line_normal(thud_vec2 normal, thud_pos *up);
+bool td_line_normal(double x, double y, thud_pos *up);
 
 #endif

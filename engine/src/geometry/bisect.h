@@ -11,12 +11,9 @@ typedef bool td_overlap_at_fn(const void *meeting, double time);
  * collide, they are still apart; 1 where they do not collide. */
 bool td_bisect(td_overlap_at_fn *overlap_at, const void *meeting, double tolerance, double *time);
 
-/* The least tolerance, as a share of the motion: halves of less are lost in rounding, and bisection
- * would not end. */
-#define TD_TOLERANCE_LEAST 1e-15
-
+/* Halves of less are lost in rounding, and bisection would not end. */
 static inline bool td_tolerance_valid(double tolerance) {
-    return tolerance >= TD_TOLERANCE_LEAST && tolerance <= 1.0;
+    return tolerance >= THUD_TOLERANCE_MIN && tolerance <= 1.0;
 }
 
 #endif

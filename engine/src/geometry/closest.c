@@ -6,9 +6,10 @@ thud_result thud_placed_check(const thud_shape_instance *p) {
         return THUD_ERROR_NULL;
     }
     bool circle = td_kind_is_round(p->kind), kind = td_kind_has_instances(p->kind);
-    bool place = td_abs(p->x) <= 1e15 && td_abs(p->y) <= 1e15;
-    bool size = p->hx > 0.0 && p->hx <= 1e15 && (circle || (p->hy > 0.0 && p->hy <= 1e15));
-    bool turned = td_abs(p->c * p->c + p->s * p->s - 1.0) < 1e-5;
+    bool place = td_abs(p->x) <= THUD_COORDINATE_MAX && td_abs(p->y) <= THUD_COORDINATE_MAX;
+    bool size = p->hx > 0.0 && p->hx <= THUD_COORDINATE_MAX &&
+                (circle || (p->hy > 0.0 && p->hy <= THUD_COORDINATE_MAX));
+    bool turned = td_abs(p->c * p->c + p->s * p->s - 1.0) < THUD_UNIT_ERROR;
     bool upright = td_kind_turns(p->kind) || (p->c == 1.0 && p->s == 0.0) || circle;
     return kind && place && size && (circle || turned) && upright ? THUD_OK : THUD_ERROR_INVALID;
 }

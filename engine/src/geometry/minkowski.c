@@ -279,16 +279,14 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
 
 /* ---- what a caller may ask ---- */
 
-#define MAX_PLACE 1e16
-
 static bool in_range(double x, double y) {
-    return td_abs(x) <= MAX_PLACE && td_abs(y) <= MAX_PLACE;
+    return td_abs(x) <= THUD_VOLUME_MAX && td_abs(y) <= THUD_VOLUME_MAX;
 }
 
 /* Enough to read the sum without going astray. */
 static bool readable(const thud_minkowski *sum) {
     return (sum->count == 1 || sum->count == 4 || sum->count == 8) && sum->radius >= 0.0 &&
-           sum->radius <= MAX_PLACE;
+           sum->radius <= THUD_VOLUME_MAX;
 }
 
 thud_result thud_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,

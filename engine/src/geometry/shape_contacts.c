@@ -115,7 +115,7 @@ thud_result thud_shapes_contacts(const thud_shape_instance *a, const thud_shape_
         return THUD_ERROR_NULL;
     }
     if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
-        !(margin >= 0.0 && margin <= 1e15)) {
+        !(margin >= 0.0 && margin <= THUD_COORDINATE_MAX)) {
         return THUD_ERROR_INVALID;
     }
     /* Relative to a: far from the origin, places are too coarse to work with. */

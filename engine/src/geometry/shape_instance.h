@@ -5,10 +5,6 @@
 #include "base/base.h"
 #include "geometry/shape_kind.h"
 
-static inline double td_abs(double x) {
-    return x < 0.0 ? -x : x;
-}
-
 static inline double td_clamp(double x, double low, double high) {
     return x < low ? low : x > high ? high : x;
 }
@@ -73,18 +69,13 @@ static inline double td_half_width(const thud_shape_instance *shape) {
     return td_half_along(shape, 1.0, 0.0);
 }
 
-/* What thud_sincos takes, in radians. */
-#define TD_TURN_MOST 1e6
-
 static inline bool td_motion_valid(thud_motion m) {
-    return td_finite(m.dx + m.dy + m.turn) && td_abs(m.turn) <= TD_TURN_MOST;
+    return td_finite(m.dx + m.dy + m.turn) && td_abs(m.turn) <= THUD_ANGLE_MAX;
 }
 
-/* Distances at which shapes count as met go up to this: squares of it are far from overflow. */
-#define TD_TARGET_MOST 1e15
-
+/* Distances at which shapes count as met: squares of the largest are far from overflow. */
 static inline bool td_target_valid(double target) {
-    return target >= 0.0 && target <= TD_TARGET_MOST;
+    return target >= 0.0 && target <= THUD_COORDINATE_MAX;
 }
 
 /* The shape at a time of its motion. */

@@ -1,7 +1,6 @@
 /* volumes.c: bounding volumes of shapes and of their motions, and of two volumes together. */
 #include "geometry/volumes.h"
 
-#define MAX_VOLUME 1e16
 /* The roundings of a fit and of a later test come to no more than this part of place and size. */
 #define ROUNDING 2e-15
 
@@ -10,10 +9,10 @@ thud_result thud_volume_check(const thud_volume *v) {
         return THUD_ERROR_NULL;
     }
     bool circle = td_kind_is_round(v->kind);
-    bool place = td_abs(v->x) <= MAX_VOLUME && td_abs(v->y) <= MAX_VOLUME;
-    bool size =
-        v->hx >= 0.0 && v->hx <= MAX_VOLUME && (circle || (v->hy >= 0.0 && v->hy <= MAX_VOLUME));
-    bool turned = td_kind_turns(v->kind) ? td_abs(v->c * v->c + v->s * v->s - 1.0) < 1e-5
+    bool place = td_abs(v->x) <= THUD_VOLUME_MAX && td_abs(v->y) <= THUD_VOLUME_MAX;
+    bool size = v->hx >= 0.0 && v->hx <= THUD_VOLUME_MAX &&
+                (circle || (v->hy >= 0.0 && v->hy <= THUD_VOLUME_MAX));
+    bool turned = td_kind_turns(v->kind) ? td_abs(v->c * v->c + v->s * v->s - 1.0) < THUD_UNIT_ERROR
                                          : circle || (v->c == 1.0 && v->s == 0.0);
     return td_kind_is_volume(v->kind) && place && size && turned ? THUD_OK : THUD_ERROR_INVALID;
 }

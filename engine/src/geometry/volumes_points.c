@@ -161,7 +161,7 @@ static thud_result around(thud_shape_kind kind, point_set *set, thud_volume *out
     set->origin = place_of(set, 0);
     for (int i = 0; i < set->count; i++) {
         thud_pos p = place_of(set, i);
-        if (!(td_abs(p.x) <= 1e15 && td_abs(p.y) <= 1e15)) {
+        if (!(td_abs(p.x) <= THUD_COORDINATE_MAX && td_abs(p.y) <= THUD_COORDINATE_MAX)) {
             return THUD_ERROR_INVALID;
         }
     }

@@ -8,8 +8,6 @@
 
 struct thud_world;
 
-enum { TD_ISLAND_MOST = 16384 }; /* bodies; ordering them takes the square of that in bits */
-
 /* Bodies and constraints of an island, in the lists of td_islands. */
 typedef struct td_island {
     int first_body, bodies, first_constraint, constraints;

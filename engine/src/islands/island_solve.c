@@ -35,7 +35,7 @@
 static void limit(const thud_world *w, double velocity[3]) {
     double most = (double)(w->def.maximum_speed * w->unit);
     for (int k = 0; k < 3; k++) {
-        double m = k < 2 ? most : (double)TD_SPIN_MOST;
+        double m = k < 2 ? most : (double)THUD_SPIN_MAX;
         velocity[k] = velocity[k] > m ? m : velocity[k] < -m ? -m : velocity[k];
     }
 }

@@ -25,7 +25,6 @@ thud_result td_find_joint(const thud_world *w, thud_joint_id id, bool edits, int
 thud_joint_id td_joint_handle(const thud_world *w, int index);
 
 /* joint_def.c */
-#define TD_JOINT_LENGTH_MOST 1e6f /* length scales */
 bool td_joint_is_frame(const thud_world *w, const thud_joint_frame *f);
 bool td_joint_is_drive(const thud_world *w, thud_joint_kind kind, int direction,
                        const thud_drive *d);

@@ -5,30 +5,26 @@
 #include "base/rotation.h"
 #include "base/trig.h"
 
-#define FREQUENCY_MOST 1e4f
-#define DAMPING_MOST 1e3f
-#define ANGLE_MOST 1e6
-
 static bool within(float x, float least, float most) {
     return x >= least && x <= most;
 }
 
 bool td_joint_is_frame(const thud_world *w, const thud_joint_frame *f) {
-    float most = TD_JOINT_LENGTH_MOST * w->unit;
+    float most = THUD_JOINT_LENGTH_MAX * w->unit;
     return within(f->position.x, -most, most) && within(f->position.y, -most, most) &&
-           f->angle >= -ANGLE_MOST && f->angle <= ANGLE_MOST;
+           td_abs(f->angle) <= THUD_ANGLE_MAX;
 }
 
 bool td_joint_is_drive(const thud_world *w, thud_joint_kind kind, int direction,
                        const thud_drive *d) {
-    float most = TD_JOINT_LENGTH_MOST * w->unit, least = kind == THUD_DISTANCE ? 0.0f : -most;
-    float furthest = direction == THUD_TURN ? 3.14159f : most;
+    float most = THUD_JOINT_LENGTH_MAX * w->unit, least = kind == THUD_DISTANCE ? 0.0f : -most;
+    float furthest = direction == THUD_TURN ? THUD_JOINT_TURN_MAX : most;
     least = direction == THUD_TURN ? -furthest : least;
     bool limits = d->lower <= d->upper && within(d->lower, least, furthest) &&
                   within(d->upper, least, furthest);
-    float fastest = direction == THUD_TURN ? TD_JOINT_LENGTH_MOST : most;
-    return (limits || !d->limited) && within(d->frequency, 0.0f, FREQUENCY_MOST) &&
-           within(d->damping, 0.0f, DAMPING_MOST) && within(d->target, least, furthest) &&
+    float fastest = direction == THUD_TURN ? THUD_JOINT_SPIN_MAX : most;
+    return (limits || !d->limited) && within(d->frequency, 0.0f, THUD_JOINT_FREQUENCY_MAX) &&
+           within(d->damping, 0.0f, THUD_JOINT_DAMPING_MAX) && within(d->target, least, furthest) &&
            within(d->spring_force, 0.0f, THUD_JOINT_FORCE_MAX) &&
            within(d->motor_speed, -fastest, fastest) &&
            within(d->motor_force, 0.0f, THUD_JOINT_FORCE_MAX);
@@ -40,6 +36,9 @@ static bool is_dynamic(const thud_world *w, td_body_index body) {
 
 const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
                                td_body_index b) {
+    if (d->cookie != TD_COOKIE) {
+        return "joint_create: the def does not start from thud_default_joint_def()";
+    }
     if ((int)d->kind < 0 || d->kind >= THUD_JOINT_KIND_COUNT) {
         return "joint create: kind is none";
     }
@@ -47,7 +46,7 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
         return "joint create: both joints of a gear move the same body";
     }
     float ratio = d->ratio < 0.0f ? -d->ratio : d->ratio;
-    if (d->kind == THUD_GEAR && !within(ratio, 1e-4f, 1e4f)) {
+    if (d->kind == THUD_GEAR && !within(ratio, THUD_GEAR_RATIO_MIN, THUD_GEAR_RATIO_MAX)) {
         return "joint create: ratio is out of range";
     }
     if (td_same_body(a, b) || (!is_dynamic(w, a) && !is_dynamic(w, b))) {
@@ -60,7 +59,7 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
         return "joint create: a frame is out of range";
     }
     if (d->kind == THUD_DISTANCE &&
-        !(d->length > 0.0f && d->length <= TD_JOINT_LENGTH_MOST * w->unit)) {
+        !(d->length > 0.0f && d->length <= THUD_JOINT_LENGTH_MAX * w->unit)) {
         return "joint create: length is out of range";
     }
     if (!td_is_break(d->break_force) || !td_is_break(d->break_torque)) {
@@ -81,7 +80,8 @@ thud_joint_def thud_default_joint_def(thud_joint_kind kind) {
                           .ratio = 1.0f,
                           .collide_connected = kind == THUD_GEAR,
                           .break_force = THUD_JOINT_FORCE_MAX,
-                          .break_torque = THUD_JOINT_FORCE_MAX};
+                          .break_torque = THUD_JOINT_FORCE_MAX,
+                          .cookie = TD_COOKIE};
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
         def.drive[i].damping = 0.7f;
         def.drive[i].spring_force = THUD_JOINT_FORCE_MAX;

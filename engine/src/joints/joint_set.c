@@ -37,7 +37,7 @@ thud_result thud_joint_set_length(thud_world *w, thud_joint_id id, float length)
     }
     td_joint *joint = td_joint_at(w, index);
     if (joint->kind != THUD_DISTANCE ||
-        !(length > 0.0f && length <= TD_JOINT_LENGTH_MOST * w->unit)) {
+        !(length > 0.0f && length <= THUD_JOINT_LENGTH_MAX * w->unit)) {
         return td_refuse(w, THUD_ERROR_INVALID,
                          "joint set length: the joint is no distance, or length is out of range");
     }

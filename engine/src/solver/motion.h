@@ -4,10 +4,6 @@
 
 #include "constraint/block.h"
 
-/* rad/s: the fastest spin. Nothing needs it but that values stay finite: circles do not care how
- * far they turn in a step, and free boxes turn by all of it. See thud_body_def. */
-#define TD_SPIN_MOST 1.0e8f
-
 typedef struct td_motion_context {
     float (*velocity)[4], (*delta)[4], (*start)[4];
     const float (*push)[4];    /* velocity that gravity and forces give in a substep */

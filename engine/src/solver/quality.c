@@ -11,24 +11,26 @@ static bool between(float x, float low, float high) {
 }
 
 const char *td_quality_error(const thud_quality *q) {
-    if (q->substeps < 1 || q->substeps > 64) {
+    if (q->substeps < 1 || q->substeps > THUD_SUBSTEPS_MAX) {
         return "quality: substeps is not in 1..64";
     }
-    if (!between(q->contact_stiffness, 0.01f, 0.5f) || !between(q->contact_damping, 0.0f, 100.0f)) {
+    if (!between(q->contact_stiffness, THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX) ||
+        !between(q->contact_damping, 0.0f, THUD_CONTACT_DAMPING_MAX)) {
         return "quality: contact_stiffness or contact_damping is out of range";
     }
     if (!q->detection) {
         return "quality: detection is null";
     }
-    if (!(q->sag_limit >= 0.0f) || q->island_limit < 1 || q->island_limit > TD_ISLAND_MOST ||
-        q->island_work < 0 || q->island_patience < 0 || q->island_patience > 1000) {
+    if (!(q->sag_limit >= 0.0f) || q->island_limit < 1 || q->island_limit > THUD_ISLAND_LIMIT_MAX ||
+        q->island_work < 0 || q->island_patience < 0 ||
+        q->island_patience > THUD_ISLAND_PATIENCE_MAX) {
         return "quality: a limit of islands is out of range";
     }
     return NULL;
 }
 
 const char *td_max_error_error(double max_error, const thud_quality *quality) {
-    if (!(max_error >= 0.0 && max_error <= 1e9)) {
+    if (!(max_error >= 0.0 && max_error <= THUD_MAX_ERROR_MAX)) {
         return "max_error is not in [0, 1e9]";
     }
     return max_error > 0.0 && !quality->islands ? "max_error needs a quality with an island solver"

@@ -26,7 +26,7 @@ TD_INLINE f8 damping_of(const td_motion_context *c, int i) {
  * what it takes off would be taken for something that contacts gave, and come off again in each
  * substep. In this order of operands not-a-number stays what it is, for finalize.c to see. */
 TD_INLINE f8 held(const td_motion_context *c, f8 v) {
-    float s = c->max_speed, t = TD_SPIN_MOST, m = 3.0e38f;
+    float s = c->max_speed, t = THUD_SPIN_MAX, m = 3.0e38f;
     f8 most = {s, s, t, m, s, s, t, m};
     return f8_min(most, f8_max(-most, v));
 }

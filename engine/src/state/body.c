@@ -10,23 +10,26 @@
 #include <string.h>
 
 thud_body_def thud_default_body_def(void) {
-    return (thud_body_def){.gravity_scale = 1.0f, .may_sleep = true};
+    return (thud_body_def){.gravity_scale = 1.0f, .may_sleep = true, .cookie = TD_COOKIE};
 }
 
 bool td_place_valid(const thud_world *w, double x, double y) {
-    double most = TD_PLACE_MAX * (double)w->unit;
+    double most = THUD_PLACE_MAX * (double)w->unit;
     return x >= -most && x <= most && y >= -most && y <= most;
 }
 
-static const char *def_error(const thud_world *w, const thud_body_def *def) {
+const char *td_body_def_error(const thud_world *w, const thud_body_def *def) {
+    if (def->cookie != TD_COOKIE) {
+        return "body_create: the def does not start from thud_default_body_def()";
+    }
     if ((int)def->kind < 0 || def->kind >= THUD_BODY_KIND_COUNT) {
         return "body def: kind is none";
     }
     if (!td_place_valid(w, def->position.x, def->position.y)) {
-        return "body def: position is beyond 1e9 length scales";
+        return "body def: position is out of range";
     }
-    if (!(def->angle >= -1e6 && def->angle <= 1e6)) {
-        return "body def: angle is beyond 1e6";
+    if (!(td_abs(def->angle) <= THUD_ANGLE_MAX)) {
+        return "body def: angle is out of range";
     }
     /* In double precision no sum of them overflows. */
     if (!td_finite((double)def->velocity.x + (double)def->velocity.y +
@@ -58,7 +61,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "body create: world or def is null");
     }
-    const char *error = def_error(w, def);
+    const char *error = td_body_def_error(w, def);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }

@@ -4,6 +4,9 @@
 
 #include "state/world.h"
 
+/* Why there can be no such body; null where there can. */
+const char *td_body_def_error(const thud_world *w, const thud_body_def *def);
+
 /* Puts the body on the change list; `change` is a td_change_kind. */
 void td_body_mark(thud_world *w, td_body_index body, td_change_kind change);
 
@@ -60,7 +63,7 @@ typedef enum td_deferred_kind {
 } td_deferred_kind;
 
 /* Room for one more, where there are any: inside a callback. */
-bool td_deferred_reserve(thud_world *w);
+bool td_deferred_reserve(thud_world *w, int count);
 void td_deferred_add(thud_world *w, td_body_index body, td_deferred_kind what,
                      const double value[4]);
 

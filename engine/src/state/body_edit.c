@@ -89,8 +89,8 @@ void td_deferred_apply(thud_world *w) {
     w->deferred.count = 0;
 }
 
-bool td_deferred_reserve(thud_world *w) {
-    return !w->locked || td_array_reserve(&w->memory, &w->deferred, w->deferred.count + 1);
+bool td_deferred_reserve(thud_world *w, int count) {
+    return !w->locked || td_array_reserve(&w->memory, &w->deferred, w->deferred.count + count);
 }
 
 void td_deferred_add(thud_world *w, td_body_index index, td_deferred_kind what, const double v[4]) {
@@ -117,7 +117,7 @@ static thud_result edit(thud_world *w, td_body_index index, td_deferred_kind wha
         act(w, index, what, v);
         return THUD_OK;
     }
-    if (!td_deferred_reserve(w)) {
+    if (!td_deferred_reserve(w, 1)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "body edit: out of memory");
     }
     td_deferred_add(w, index, what, v);
@@ -137,7 +137,7 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_place_valid(w, position.x, position.y) || !(angle >= -1e6 && angle <= 1e6)) {
+    if (!td_place_valid(w, position.x, position.y) || !(td_abs(angle) <= THUD_ANGLE_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set transform: position or angle is out of range");
     }
     const td_body *body = td_body_at(w, index);
@@ -183,7 +183,7 @@ thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 va
     if (result != THUD_OK) {
         return result;
     }
-    double most = TD_PLACE_MAX * (double)w->unit;
+    double most = THUD_PLACE_MAX * (double)w->unit;
     if (!td_finite((double)value.x) || !td_finite((double)value.y) ||
         !(point.x >= -most && point.x <= most && point.y >= -most && point.y <= most)) {
         return td_refuse(w, THUD_ERROR_INVALID, "apply impulse: not finite or out of range");

@@ -13,18 +13,22 @@
 thud_shape_def thud_default_shape_def(void) {
     return (thud_shape_def){.density = 1.0f,
                             .friction = 0.6f,
-                            .filter = {.category = 1, .mask = UINT32_MAX}};
+                            .filter = {.category = 1, .mask = UINT32_MAX},
+                            .cookie = TD_COOKIE};
 }
 
-static const char *def_error(const thud_world *w, const thud_shape_def *def) {
+const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def) {
+    if (def->cookie != TD_COOKIE) {
+        return "shape_create: the def does not start from thud_default_shape_def()";
+    }
     float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
-    if (!(def->density >= 0.0f && def->density <= TD_DENSITY_MOST)) {
+    if (!(def->density >= 0.0f && def->density <= THUD_DENSITY_MAX)) {
         return "shape def: density is not in [0, 1e12]";
     }
     if (!(def->friction >= 0.0f && def->friction <= THUD_FRICTION_MAX)) {
         return "shape def: friction is not in [0, 1e6]";
     }
-    if (!(def->restitution >= 0.0f && def->restitution <= 1.0f)) {
+    if (!(def->restitution >= 0.0f && def->restitution <= THUD_RESTITUTION_MAX)) {
         return "shape def: restitution is not in [0, 1]";
     }
     if (!(def->surface_speed >= -fastest && def->surface_speed <= fastest)) {
@@ -37,8 +41,8 @@ static bool size_valid(const thud_world *w, td_body_index body, float size) {
     return td_shape_size_valid(w, td_body_at(w, body)->kind, size);
 }
 
-static bool offset_valid(const thud_world *w, thud_vec2 offset) {
-    float most = (float)TD_SIZE_MAX * w->unit;
+bool td_shape_offset_valid(const thud_world *w, thud_vec2 offset) {
+    float most = THUD_SIZE_MAX * w->unit;
     return offset.x >= -most && offset.x <= most && offset.y >= -most && offset.y <= most;
 }
 
@@ -47,8 +51,8 @@ static bool offset_valid(const thud_world *w, thud_vec2 offset) {
 static const td_array_place BY_SHAPE[] = {ARRAY(proxy, td_shape_proxy), ARRAY(was, td_bounds),
                                           ARRAY(marks, uint8_t), ARRAY(moved, int)};
 
-static bool reserve(thud_world *w) {
-    return td_slots_reserve(&w->memory, &w->shapes, 1) && td_deferred_reserve(w) &&
+bool td_shape_reserve(thud_world *w, int count) {
+    return td_slots_reserve(&w->memory, &w->shapes, count) && td_deferred_reserve(w, count) &&
            td_arrays_reserve(&w->memory, w, BY_SHAPE, sizeof BY_SHAPE / sizeof *BY_SHAPE,
                              td_slots_capacity(&w->shapes));
 }
@@ -63,11 +67,12 @@ static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *d
     if (!def) {
         return td_refuse(w, THUD_ERROR_NULL, "shape create: def is null");
     }
-    const char *error = def_error(w, def);
+    const char *error = td_shape_def_error(w, def);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
-    return reserve(w) ? THUD_OK : td_refuse(w, THUD_ERROR_MEMORY, "shape create: out of memory");
+    return td_shape_reserve(w, 1) ? THUD_OK
+                                  : td_refuse(w, THUD_ERROR_MEMORY, "shape create: out of memory");
 }
 
 static thud_result finish(thud_world *w, td_body_index body_index, const thud_shape_def *def,
@@ -121,7 +126,7 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
     if (result != THUD_OK) {
         return result;
     }
-    if (!offset_valid(w, offset) || !size_valid(w, body, radius)) {
+    if (!td_shape_offset_valid(w, offset) || !size_valid(w, body, radius)) {
         return td_refuse(w, THUD_ERROR_INVALID, "circle: offset or radius is out of range");
     }
     td_kind_circle(w);
@@ -143,7 +148,8 @@ thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_sh
     if (result != THUD_OK) {
         return result;
     }
-    if (!offset_valid(w, offset) || !size_valid(w, body, half.x) || !size_valid(w, body, half.y)) {
+    if (!td_shape_offset_valid(w, offset) || !size_valid(w, body, half.x) ||
+        !size_valid(w, body, half.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: offset or half extents are out of range");
     }
     if (td_pose_at(w, body)->angle != 0 || td_deferred_turns(w, body)) {
@@ -173,11 +179,12 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
     if (result != THUD_OK) {
         return result;
     }
-    if (!offset_valid(w, offset) || !size_valid(w, body, half.x) || !size_valid(w, body, half.y)) {
+    if (!td_shape_offset_valid(w, offset) || !size_valid(w, body, half.x) ||
+        !size_valid(w, body, half.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, "OBB: offset or half extents are out of range");
     }
-    if (!(angle >= -TD_TURN_MOST && angle <= TD_TURN_MOST)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "OBB: angle is not finite or beyond 1e6");
+    if (!(td_abs(angle) <= THUD_ANGLE_MAX)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "OBB: angle is out of range");
     }
     td_kind_obb(w);
     td_shape made = {.kind = THUD_OBB,

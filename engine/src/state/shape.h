@@ -4,14 +4,21 @@
 
 #include "state/world.h"
 
-/* Denser is taken for a mistake in the units. */
-#define TD_DENSITY_MOST 1e12f
-
 /* Whether a shape of such a body may have this radius or half extent. */
 static inline bool td_shape_size_valid(const thud_world *w, int body_kind, float size) {
-    double s = (double)size / (double)w->unit;
-    return s >= TD_SIZE_MIN && s <= (body_kind == THUD_STATIC ? TD_STATIC_SIZE_MAX : TD_SIZE_MAX);
+    float s = size / w->unit,
+          most = body_kind == THUD_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
+    return s >= THUD_SIZE_MIN && s <= most;
 }
+
+/* Why there can be no such def; null where there can. */
+const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def);
+
+/* Whether a shape may be so far from its body's origin. */
+bool td_shape_offset_valid(const thud_world *w, thud_vec2 offset);
+
+/* Room for so many more; false where memory is short. */
+bool td_shape_reserve(thud_world *w, int count);
 
 /* Recomputes offsets from the centre of mass; after td_body_weigh. */
 void td_shape_settle(thud_world *w, int shape);

@@ -268,9 +268,10 @@ static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const 
         return result;
     }
     thud_terrain line = td_terrain_view(w, shape);
-    double most = TD_PLACE_MAX * (double)w->unit, size = tool.radius / (double)w->unit;
+    double most = THUD_PLACE_MAX * (double)w->unit, size = tool.radius / (double)w->unit;
     if (line.kind == THUD_TERRAIN_FLAT || !(td_abs(tool.x) <= most && td_abs(tool.y) <= most) ||
-        !(size >= TD_SIZE_MIN && size <= TD_SIZE_MAX) || !(td_abs(tool.rise) <= most)) {
+        !(size >= (double)THUD_SIZE_MIN && size <= (double)THUD_SIZE_MAX) ||
+        !(td_abs(tool.rise) <= most)) {
         return td_refuse(w, THUD_ERROR_INVALID, wrong);
     }
     td_position center = td_place_from(w, (thud_pos){tool.x, tool.y});

@@ -3,20 +3,17 @@
 
 #include "thud/thud_terrain.h"
 
-#define MAX_SLOPE 100.0
-#define MAX_PLACE 1e9
-enum { MAX_COUNT = 100000000 };
-
 thud_result td_terrain_readable(const thud_terrain *t) {
     if (!t) {
         return THUD_ERROR_NULL;
     }
     switch (t->kind) {
     case THUD_TERRAIN_FLAT:
-        return td_abs(t->slope) <= MAX_SLOPE ? THUD_OK : THUD_ERROR_INVALID;
+        return td_abs(t->slope) <= THUD_TERRAIN_SLOPE_MAX ? THUD_OK : THUD_ERROR_INVALID;
     case THUD_TERRAIN_UNIFORM:
         /* The last of the vertices must still be a place of its own. */
-        if (!(t->spacing > 0.0 && t->spacing <= MAX_PLACE && td_abs(t->x0) <= MAX_PLACE &&
+        if (!(t->spacing > 0.0 && t->spacing <= THUD_TERRAIN_PLACE_MAX &&
+              td_abs(t->x0) <= THUD_TERRAIN_PLACE_MAX &&
               t->spacing > 1e-12 * (td_abs(t->x0) + t->spacing * (double)t->count))) {
             return THUD_ERROR_INVALID;
         }
@@ -29,14 +26,14 @@ thud_result td_terrain_readable(const thud_terrain *t) {
     if (!t->points) {
         return THUD_ERROR_NULL;
     }
-    return t->count >= 2 && t->count <= MAX_COUNT ? THUD_OK : THUD_ERROR_INVALID;
+    return t->count >= 2 && t->count <= THUD_TERRAIN_COUNT_MAX ? THUD_OK : THUD_ERROR_INVALID;
 }
 
 bool td_terrain_vertex_valid(thud_terrain_kind kind, const thud_pos *before,
                              const thud_pos *vertex) {
-    bool placed = kind == THUD_TERRAIN_UNIFORM ||
-                  (td_abs(vertex->x) <= MAX_PLACE && (!before || vertex->x > before->x));
-    return placed && td_abs(vertex->y) <= MAX_PLACE;
+    bool placed = kind == THUD_TERRAIN_UNIFORM || (td_abs(vertex->x) <= THUD_TERRAIN_PLACE_MAX &&
+                                                   (!before || vertex->x > before->x));
+    return placed && td_abs(vertex->y) <= THUD_TERRAIN_PLACE_MAX;
 }
 
 thud_result thud_terrain_check(const thud_terrain *t) {

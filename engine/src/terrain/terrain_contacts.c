@@ -143,7 +143,7 @@ thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_shape_
     }
     thud_result readable = td_terrain_readable(terrain);
     if (readable != THUD_OK || thud_placed_check(shape) != THUD_OK ||
-        !(margin >= 0.0 && margin <= 1e15)) {
+        !(margin >= 0.0 && margin <= THUD_COORDINATE_MAX)) {
         return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
     }
     *out = (thud_contacts){.count = 1};

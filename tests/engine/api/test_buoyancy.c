@@ -3,6 +3,13 @@
 
 #include <thud/thud_fields.h>
 
+/* As a water def has its line. */
+static thud_result below(const thud_shape_instance *shape, thud_pos point, thud_vec2 normal,
+                         double *area, thud_pos *centroid) {
+    return thud_shape_below(shape, point.x, point.y, (double)normal.x, (double)normal.y, area,
+                            &centroid->x, &centroid->y);
+}
+
 static const double pi = 3.14159265358979323846;
 
 /* ---- area and centroid ---- */
@@ -61,7 +68,7 @@ static void parts_are_as_slices_sum_them(void **state) {
         double nx = (double)normal.x / length, ny = (double)normal.y / length;
         double height = random_in(&seed, -1.2, 1.2) * (shape.hx + shape.hy), area, wanted;
         thud_pos point = {shape.x - height * nx, shape.y - height * ny}, centroid, middle;
-        OK(thud_shape_below(&shape, point, normal, &area, &centroid));
+        OK(below(&shape, point, normal, &area, &centroid));
         sum_slices(&shape, height, nx, ny, &wanted, &middle);
         near_to(area, wanted, 2e-4);
         if (wanted > 1e-3) {
@@ -77,7 +84,7 @@ static void parts_of_circles_are_exact(void **state) {
         double h = i / 1000.0, area;
         thud_shape_instance circle = {.kind = THUD_CIRCLE, .c = 1, .hx = 1};
         thud_pos centroid;
-        OK(thud_shape_below(&circle, (thud_pos){3, -h}, (thud_vec2){0, 1}, &area, &centroid));
+        OK(below(&circle, (thud_pos){3, -h}, (thud_vec2){0, 1}, &area, &centroid));
         double half = sqrt((1 - h) * (1 + h));
         near_to(area, atan2(half, h) - h * half, 3e-15);
         assert_true(centroid.y <= 0 && centroid.y >= -1 && (area == 0 || centroid.y <= -h));
@@ -94,18 +101,16 @@ static void wrong_lines_are_refused(void **state) {
     thud_pos here = {0, 0}, centroid = {7, 7};
     double area = 7;
     for (int i = 0; i < 5; i++) {
-        assert_int_equal(thud_shape_below(&disc, here, no_direction[i], &area, &centroid),
-                         THUD_ERROR_INVALID);
+        assert_int_equal(below(&disc, here, no_direction[i], &area, &centroid), THUD_ERROR_INVALID);
     }
     thud_vec2 up = {0, 1};
-    assert_int_equal(thud_shape_below(&none, here, up, &area, &centroid), THUD_ERROR_INVALID);
-    assert_int_equal(thud_shape_below(&disc, (thud_pos){0, NAN}, up, &area, &centroid),
-                     THUD_ERROR_INVALID);
-    assert_int_equal(thud_shape_below(&disc, (thud_pos){2e15, 0}, up, &area, &centroid),
-                     THUD_ERROR_INVALID);
-    assert_int_equal(thud_shape_below(NULL, here, up, &area, &centroid), THUD_ERROR_NULL);
-    assert_int_equal(thud_shape_below(&disc, here, up, NULL, &centroid), THUD_ERROR_NULL);
-    assert_int_equal(thud_shape_below(&disc, here, up, &area, NULL), THUD_ERROR_NULL);
+    assert_int_equal(below(&none, here, up, &area, &centroid), THUD_ERROR_INVALID);
+    assert_int_equal(below(&disc, (thud_pos){0, NAN}, up, &area, &centroid), THUD_ERROR_INVALID);
+    assert_int_equal(below(&disc, (thud_pos){2e15, 0}, up, &area, &centroid), THUD_ERROR_INVALID);
+    assert_int_equal(below(NULL, here, up, &area, &centroid), THUD_ERROR_NULL);
+    assert_int_equal(below(&disc, here, up, NULL, &centroid), THUD_ERROR_NULL);
+    assert_int_equal(thud_shape_below(&disc, 0, 0, 0, 1, &area, NULL, &area), THUD_ERROR_NULL);
+    assert_int_equal(thud_shape_below(&disc, 0, 0, 0, 1, &area, &area, NULL), THUD_ERROR_NULL);
     assert_true(area == 7 && centroid.x == 7 && centroid.y == 7);
 }
 
@@ -158,7 +163,7 @@ static void boxes_and_circles_float_at_their_draught_and_sleep_there(void **stat
         thud_shape_instance disc = {.kind = THUD_CIRCLE, .y = s.position.y, .c = 1, .hx = 0.5};
         double area;
         thud_pos centroid;
-        OK(thud_shape_below(&disc, water.point, water.normal, &area, &centroid));
+        OK(below(&disc, water.point, water.normal, &area, &centroid));
         near_to(area, (double)d * pi * 0.25, 1e-5);
         falls_asleep(world, ball, &water);
         thud_world_destroy(world);
@@ -194,7 +199,7 @@ static double energy_of(thud_world *world, thud_body_id body, const thud_shape_i
     placed.y = s.position.y;
     placed.c = cos(s.angle);
     placed.s = sin(s.angle);
-    OK(thud_shape_below(&placed, water->point, water->normal, &area, &centroid));
+    OK(below(&placed, water->point, water->normal, &area, &centroid));
     return m.kinetic_energy + m.potential_energy - area * 10 * centroid.y;
 }
 

@@ -84,7 +84,7 @@ static void note_zero_filter(thud_result result, const char *message, void *cont
     ++*(int *)context;
 }
 
-static void shape_whose_def_is_zeroed_is_made_and_told_to_meet_nothing(void **state) {
+static void shape_whose_filter_is_zeroed_is_made_and_told_to_meet_nothing(void **state) {
     (void)state;
     int told = 0;
     thud_world_def def = thud_default_world_def();
@@ -92,8 +92,11 @@ static void shape_whose_def_is_zeroed_is_made_and_told_to_meet_nothing(void **st
     def.log_context = &told;
     thud_world *world = make_world(def);
     thud_body_id body = add_body(world, THUD_DYNAMIC, 0, 0, 0);
-    thud_shape_def zeroed = {.density = 1}, grouped = {.density = 1, .filter.group = 3};
-    thud_shape_def shy = {.density = 1, .filter.category = 1};
+    thud_shape_def zeroed = thud_default_shape_def();
+    zeroed.filter = (thud_filter){0};
+    thud_shape_def grouped = zeroed, shy = zeroed;
+    grouped.filter.group = 3;
+    shy.filter.category = 1;
     add_shape(world, body, 1, 0, false, &zeroed);
     assert_int_equal(told, 1);
     add_shape(world, body, 1, 0, false, &grouped);
@@ -244,7 +247,7 @@ int main(void) {
         cmocka_unit_test(handle_of_another_world_is_refused),
         cmocka_unit_test(handle_is_refused_however_many_worlds_are_made_after_its_own),
         cmocka_unit_test(static_body_with_a_velocity_is_refused),
-        cmocka_unit_test(shape_whose_def_is_zeroed_is_made_and_told_to_meet_nothing),
+        cmocka_unit_test(shape_whose_filter_is_zeroed_is_made_and_told_to_meet_nothing),
         cmocka_unit_test(shapes_die_with_their_body),
         cmocka_unit_test(bad_worlds_are_refused),
         cmocka_unit_test(bad_calls_change_nothing),

@@ -1,0 +1,96 @@
+/* body_with_shapes.c: a body with its shapes in one call; see thud_edits.h. All that may be refused
+ * is looked at, and all memory taken, before anything is made. */
+#include "thud/thud_edits.h"
+
+#include "base/rotation.h"
+#include "base/trig.h"
+#include "geometry/shape_instance.h"
+#include "state/body.h"
+#include "state/handles.h"
+#include "state/shape.h"
+
+/* The angle in (-pi, pi] whose cosine and sine these are, with the same bits everywhere: from one
+ * that is off by at most 0.08, by Newton's steps, each of which leaves no more than a cube of that.
+ */
+static double angle_of(double c, double s) {
+    double ahead = 1.0 - c / (td_abs(c) + td_abs(s));
+    double angle = (s < 0.0 ? -0.5 : 0.5) * TD_PI * ahead;
+    for (int i = 0; i < 4; i++) {
+        double sine, cosine;
+        td_sincos(angle, &sine, &cosine);
+        angle += s * cosine - c * sine;
+    }
+    return angle;
+}
+
+/* What the calls for single shapes refuse, of a body that is not there yet. */
+static const char *shape_error(const thud_world *w, const thud_body_def *def,
+                               const thud_body_shape *one) {
+    const thud_shape_instance *at = &one->shape;
+    if (thud_placed_check(at) != THUD_OK) {
+        return "body create with shapes: a shape is no circle, AABB or OBB, or not finite";
+    }
+    if (!td_shape_offset_valid(w, (thud_vec2){(float)at->x, (float)at->y}) ||
+        !td_shape_size_valid(w, (int)def->kind, (float)at->hx) ||
+        !(td_kind_is_round(at->kind) || td_shape_size_valid(w, (int)def->kind, (float)at->hy))) {
+        return "body create with shapes: offset or size of a shape is out of range";
+    }
+    bool turns = def->kind == THUD_KINEMATIC && def->angular_velocity != 0.0f;
+    if (at->kind == THUD_AABB && (turns || td_angle_from(def->angle) != 0)) {
+        return "body create with shapes: with an AABB its angle must be 0, and it must not turn";
+    }
+    return one->def ? td_shape_def_error(w, one->def) : NULL;
+}
+
+static thud_result create(thud_world *w, thud_body_id body, const thud_body_shape *one,
+                          thud_shape_id *out) {
+    const thud_shape_instance *at = &one->shape;
+    thud_shape_def usual = thud_default_shape_def();
+    const thud_shape_def *def = one->def ? one->def : &usual;
+    thud_vec2 offset = {(float)at->x, (float)at->y}, half = {(float)at->hx, (float)at->hy};
+    switch (at->kind) {
+    case THUD_CIRCLE:
+        return thud_shape_create_circle(w, body, def, offset, half.x, out);
+    case THUD_AABB:
+        return thud_shape_create_aabb(w, body, def, offset, half, out);
+    case THUD_OBB:
+        return thud_shape_create_obb(w, body, def, offset, half, angle_of(at->c, at->s), out);
+    case THUD_TERRAIN:
+        break;
+    }
+    return THUD_ERROR_INVALID;
+}
+
+thud_result thud_body_create_with_shapes(thud_world *w, const thud_body_def *def,
+                                         const thud_body_shape *shapes, int count,
+                                         thud_body_id *body, thud_shape_id *shape_ids) {
+    TD_IN_OWN_MODE;
+    if (!w || !def || (!shapes && count > 0)) {
+        return td_refuse(w, THUD_ERROR_NULL,
+                         "body create with shapes: world, def or shapes is null");
+    }
+    const char *error =
+        count < 0 ? "body create with shapes: count is negative" : td_body_def_error(w, def);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
+    }
+    for (int i = 0; i < count; i++) {
+        error = shape_error(w, def, &shapes[i]);
+        if (error) {
+            return td_refuse(w, THUD_ERROR_INVALID, error);
+        }
+    }
+    if (!td_shape_reserve(w, count)) {
+        return td_refuse(w, THUD_ERROR_MEMORY, "body create with shapes: out of memory");
+    }
+    thud_body_id made = {0};
+    thud_result result = thud_body_create(w, def, &made);
+    for (int i = 0; i < count && result == THUD_OK; i++) {
+        result = create(w, made, &shapes[i], shape_ids ? &shape_ids[i] : NULL);
+        assert(result == THUD_OK);
+    }
+    if (body && result == THUD_OK) {
+        *body = made;
+    }
+    return result;
+}
