@@ -113,7 +113,7 @@ for (const browser of BROWSERS)
       const { page, errors, close } = await openRoom(visitor, browser, DESKTOP);
       // Around a box its OBB would be the box itself.
       await choose(page, "set-kindA", "circle");
-      await untilRead(page, "ways", "Time of impact", /^0\.(?!61)\d\d$/);
+      await untilRead(page, "closest", "Distance", /^(?!3\.27)\d\.\d\d$/);
       await stepBy(page, 1);
       const { count: plain } = await untilOverlay(page, (count) => count > 500, "two shapes");
       for (const name of ["circle", "aabb", "obb", "sum"]) {
