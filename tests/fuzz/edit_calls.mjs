@@ -1,4 +1,6 @@
 /** Random calls that change bodies and shapes, push them, and read of them; see calls.mjs. */
+import { thud } from "../web/support/package.mjs";
+
 const WORDS = ["static", "kinematic", "dynamic", "dynamic", "none"];
 const DETECTIONS = [null, "overlap", "continuous", "bisect", "swept", "none"];
 
@@ -71,6 +73,30 @@ export const EDIT_CALLS = {
   },
   contactView: (s) => {
     s.world.contactView(s.body());
+  },
+  meetings: (s) => [...s.world.meetings(s.below(16), s.pick([3, 9, s.number(0, 9)]))],
+  whatIf: (s) => {
+    const hash = s.world.hash();
+    const there = s.world.whatIf(() => {
+      s.world.step();
+      return s.world.bodies();
+    });
+    if (s.world.hash() !== hash) throw new Error("what might be has changed what is");
+    return there;
+  },
+  Rollback: (s) => {
+    const body = s.body();
+    const play = ([push]) => {
+      s.world.applyForce(body, [push, 0]);
+      s.world.step();
+    };
+    const given = { idle: [0], step: play, depth: 1 + s.below(9) };
+    const rollback = new thud.Rollback(s.world, s.options(given));
+    for (let i = 0; i < 12; i++) {
+      if (s.below(2)) rollback.input(s.below(8) === 0 ? 1 : 0, s.below(12), s.below(3));
+      rollback.advance();
+    }
+    return [rollback.steps, rollback.confirmed, rollback.replayed, rollback.settle()];
   },
   pairOf: (s) => s.world.pairOf({ a: s.shape(), b: s.shape() }),
 };

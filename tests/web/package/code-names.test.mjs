@@ -32,7 +32,7 @@ test("list_has_every_public_method_of_a_world", () => {
   const files = ["world", ...layers.map((layer) => `world-${layer}`)];
   const methods = files.flatMap((file) =>
     bodyOf(`package/dist/${file}.d.ts`, /export declare class \w+ /).flatMap(
-      (line) => /^    (?!constructor)(\w+)\(/.exec(line)?.[1] ?? [],
+      (line) => /^    (?!constructor)(\w+)(?:<\w+>)?\(/.exec(line)?.[1] ?? [],
     ),
   );
   assert.ok(methods.length > 50, `${methods}`);

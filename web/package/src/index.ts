@@ -15,6 +15,7 @@ export { type ErrorCode, ThudError } from "./error.js";
 export * from "./joint-types.js";
 export { type MinkowskiSum, minkowskiSum } from "./minkowski.js";
 export { Mover, type MoverState } from "./mover.js";
+export { Rollback, type RollbackOptions } from "./net/rollback.js";
 export * from "./query-types.js";
 export * from "./types.js";
 export * from "./view-types.js";

@@ -22,6 +22,12 @@ export interface Pair {
   b: PairSide | null;
 }
 
+/** Of two shapes, of the kinds that `World.meetings` was asked for. */
+export interface Meeting {
+  a: PairSide & { shape: ShapeId };
+  b: PairSide & { shape: ShapeId };
+}
+
 /** A collision faster than WorldOptions.hitSpeed. */
 export interface HitEvent extends ContactEvent {
   point: Vec2;

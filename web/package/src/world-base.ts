@@ -92,6 +92,20 @@ export class WorldBase {
   }
 
   /**
+   * Returns what a function does that plays on in this world, which is then as it was before: to
+   * look ahead, for a computer player or a line that shows the way. What it throws is thrown.
+   * @example const points = world.whatIf(() => shoot(angle))
+   */
+  whatIf<T>(play: () => T): T {
+    const before = this.snapshot();
+    try {
+      return play();
+    } finally {
+      this.restore(before);
+    }
+  }
+
+  /**
    * Two numbers that rise when bodies or shapes came, went or were enabled or disabled, and when
    * the ground changed: whoever draws reads the shape table and the terrains anew then.
    */

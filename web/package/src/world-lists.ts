@@ -1,9 +1,9 @@
 /** What there is in a world, as lists of handles, in the order of their slots. */
 import { ThudError } from "./error.js";
-import { HandleAt, ListAt, PairAt, PairSideAt } from "./generated/slots.js";
+import { HandleAt, ListAt, PairAt, PairSideAt, ShapeStateAt } from "./generated/slots.js";
 import { bodyAt, rowsOf, shapeAt } from "./numbers.js";
 import type { BodyId, ShapeId } from "./types.js";
-import type { ContactEvent, Pair, PairSide } from "./view-types.js";
+import type { ContactEvent, Events, Meeting, Pair, PairSide } from "./view-types.js";
 import { WorldFields } from "./world-fields.js";
 
 export class WorldLists extends WorldFields {
@@ -83,6 +83,41 @@ export class WorldLists extends WorldFields {
       call(this.address, a.index + 1, a.generation, b.index + 1, b.generation),
     );
     return { a: readSide(s, PairAt.a), b: readSide(s, PairAt.b) };
+  }
+
+  /**
+   * Who of two kinds, by the categories of shapes, met in the last step: those that began to touch or
+   * hit each other, be they apart again, and those that a sensor began to overlap. `a` is of the
+   * first kind, whatever the event's order. A step tells a pair once; a bounce that hits in one step
+   * and touches in the next is told in both. Where one was destroyed since, also by you and between
+   * two meetings, there was none.
+   * @example for (const { b: brick } of world.meetings(BALL, BRICK)) world.destroy(brick.body)
+   */
+  meetings(categoryA: number, categoryB: number): Generator<Meeting> {
+    for (const category of [categoryA, categoryB])
+      if (category >>> 0 !== category && (category | 0) !== category)
+        throw new ThudError("invalid", "meetings: a category is bits, 0 to 0xffffffff");
+    return this.#meetingsOf(this.events(), categoryA, categoryB);
+  }
+
+  *#meetingsOf(events: Events, kindA: number, kindB: number): Generator<Meeting> {
+    const told = new Set<string>();
+    for (const pair of [...events.begin, ...events.hit, ...events.sensorBegin]) {
+      const { a, b } = this.pairOf(pair);
+      const key = `${pair.a.index} ${pair.b.index}`;
+      if (!a || !b || told.has(key)) continue;
+      told.add(key);
+      const [ofA, ofB] = [this.#categoryOf(pair.a), this.#categoryOf(pair.b)];
+      const one = { shape: pair.a, ...a };
+      const two = { shape: pair.b, ...b };
+      if (ofA & kindA && ofB & kindB) yield { a: one, b: two };
+      else if (ofB & kindA && ofA & kindB) yield { a: two, b: one };
+    }
+  }
+
+  #categoryOf(shape: ShapeId): number {
+    this.onShape("api_shape_get", shape);
+    return this.engine.slots[ShapeStateAt.category];
   }
 
   #bodyIds(): BodyId[] {
