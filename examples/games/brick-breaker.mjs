@@ -16,7 +16,8 @@ const box = (category, halfWidth, halfHeight, offset = [0, 0], sensor = false) =
   return { kind: "aabb", halfWidth, halfHeight, offset, ...material };
 };
 const sides = [-8.5, 8.5].map((x) => box(WALL, 0.5, 12, [x, 0]));
-world.createBody({ shapes: [...sides, box(WALL, 9, 0.5, [0, 12]), box(PIT, 9, 1, [0, -13], true)] });
+const pit = box(PIT, 9, 1, [0, -13], true);
+world.createBody({ shapes: [...sides, box(WALL, 9, 0.5, [0, 12]), pit] });
 const bricks = Array.from({ length: 40 }, (_, i) => {
   const position = [(i % 8) * 2 - 7, 4 + Math.floor(i / 8)];
   return world.createBody({ position, shapes: [box(BRICK, 0.9, 0.4)] });
@@ -63,3 +64,4 @@ while (left > 0 && balls > 0) {
 }
 console.log(`${left} bricks and ${balls} balls left, ${caught} capsules caught`);
 console.log(`${(world.stats().steps / 60).toFixed(1)} s, ${world.hash()}`);
+process.exitCode = left === 0 ? 0 : 1;

@@ -1,6 +1,6 @@
 /**
- * A race seen from above: three cars, two laps, an oil slick and cones in the way. Every wheel grips
- * across its way only so hard: who is too fast slides.
+ * A race seen from above: three cars, two laps, an oil slick and cones in the way. Every wheel
+ * grips across its way only so hard: who is too fast slides.
  */
 import { load } from "thud";
 

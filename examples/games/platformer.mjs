@@ -53,8 +53,10 @@ while (!at.won && world.stats().steps < 3600) {
   const report = hero.move([held.includes("right") ? 5 : 0, vy], 1 / 60);
   ({ ground, position: [at.x, at.y], velocity: [, vy] } = report);
   for (const shape of report.sensors) {
-    if (world.shapeState(shape).category === FLAG) at.won = true;
-    else coins++, world.destroy(world.bodyOf(shape));
+    const { body, category } = world.shapeState(shape);
+    at.won ||= category === FLAG;
+    if (category === COIN) coins++;
+    world.destroy(body);
   }
   if (until(at)) leg++;
 }

@@ -73,5 +73,6 @@ for (let turn = 0; world.bodies().length > 2; shots++) {
   players[turn].score += points;
   if (points <= 0) turn = 1 - turn;
 }
-console.log(players.map(({ name, score }) => `${name} ${score}`).join(", "), `after ${shots} shots`);
+const [ada, bob] = players.map(({ name, score }) => `${name} ${score}`);
+console.log(`${ada}, ${bob} after ${shots} shots`);
 console.log(world.hash());

@@ -1,6 +1,6 @@
 /**
- * A saved game: bombs fall on a castle, the game is saved to a file in the middle, and another world
- * loads it, as a program that starts anew would. Both play on, and end alike to the bit.
+ * A saved game: bombs fall on a castle, the game is saved to a file in the middle, and another
+ * world loads it, as a program that starts anew would. Both play on, and end alike to the bit.
  */
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

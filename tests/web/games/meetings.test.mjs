@@ -18,9 +18,10 @@ function meet(world, a, b) {
 
 test("meetings_are_of_the_kinds_asked_for_in_their_order", () => {
   const world = engine.createWorld({ gravity: [0, 0] });
-  const [one, two] = [disc(world, BALL, 0, 1), disc(world, WALL, 1, 0)];
-  const other = disc(world, BALL, -1, 1);
+  const [one, two] = [disc(world, BALL, 0, 2), disc(world, WALL, 1, 0)];
+  const other = disc(world, BALL, -1, 2);
   world.step();
+  assert.deepEqual([world.events().begin.length, world.events().hit.length], [2, 1]);
   const shape = (body) => world.shapesOf(body)[0];
   const side = (body, category) => {
     return { shape: shape(body), body, bodyData: 70 + category, shapeData: 7, sensor: false };

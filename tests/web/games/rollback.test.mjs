@@ -16,7 +16,7 @@ function randomBy(seed) {
   };
 }
 
-/** Two bodies that are pushed about among others, a hero that runs, and a count of their meetings. */
+/** Two bodies pushed about among others, a hero that runs, and a count of who met. */
 function createPeer(options = {}) {
   const world = engine.createWorld();
   const floor = { kind: "aabb", halfWidth: 20, halfHeight: 1, offset: [0, -1] };

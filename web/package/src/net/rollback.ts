@@ -102,7 +102,7 @@ export class Rollback<Input = number, State = undefined> {
 
   /**
    * What a player held in a step, from 0 on: in any order, late, early, or once more. Throws for one
-   * that is more than `depth` steps off, or another than was told before.
+   * more than `depth` steps ahead, or another than was told before.
    */
   input(player: number, step: number, input: Input): void {
     const known = this.#known[player] as Known<Input> | undefined;
