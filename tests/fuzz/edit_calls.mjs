@@ -45,6 +45,25 @@ export const EDIT_CALLS = {
   applyWind: (s) => s.world.applyWind(s.body(), s.vector(), { drag: s.number(0, 2), lift: s.number(0, 2) }),
   applyBuoyancy: (s) => s.world.applyBuoyancy(s.body(), { point: s.place(), density: s.number(0, 3) }),
   applyRollingResistance: (s) => s.world.applyRollingResistance(s.body(), s.number(0, 1)),
+  setRule: (s) => {
+    const meeting = s.pick(["collide", "ignore", "oneWay", "oneWay", "none"]);
+    const rule = { meeting, solidSide: s.vector(), friction: s.number(0, 2), mostImpulse: s.number(0, 2) };
+    s.world.setRule(s.below(9), 1 + s.below(9), s.below(4) === 0 ? null : s.options(rule));
+  },
+  rule: (s) => s.world.rule(1 << s.below(4), 1 << s.below(4)),
+  impulses: (s) => s.world.impulses(),
+  impulseView: (s) => s.world.impulseView(),
+  setListeners: (s) => {
+    const veto = s.number(0, 3), friction = s.number(0, 2);
+    const prologue = (rows, count) => {
+      for (let i = 0; i < count; i += 2) [rows[20 * i + 16], rows[20 * i + 17]] = [veto, friction];
+    };
+    s.world.setListeners(s.below(3) === 0 ? null : { prologue, epilogue() {} });
+  },
+  setPairFilter: (s) => {
+    const kept = s.below(5);
+    s.world.setPairFilter(s.below(3) === 0 ? null : (a, b) => (a.index + b.index) % 5 !== kept);
+  },
   velocityAt: (s) => s.world.velocityAt(s.body(), s.place()),
   worldPoint: (s) => s.world.worldPoint(s.body(), s.vector()),
   localPoint: (s) => s.world.localPoint(s.body(), s.place()),

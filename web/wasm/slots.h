@@ -145,6 +145,16 @@ struct water_options {
     double point[2], normal[2], density, flow[2], linear_drag, angular_drag;
 };
 
+/* Not-a-number: what the shapes make of it. */
+struct rule_options {
+    double meeting, solid_side[2], friction, restitution, surface_speed, most_impulse;
+};
+
+struct rule_found {
+    struct rule_options rule;
+    double is_set, reversed;
+};
+
 struct number {
     double value;
 };
@@ -285,6 +295,17 @@ struct hit_event {
     double shape_a[2], shape_b[2], point[2], normal[2], speed;
 };
 
+struct impulse_event {
+    double shape_a[2], shape_b[2], point[2], normal[2], impulse;
+};
+
+/* A contact as listeners see it; the last four are what a prologue answers. */
+struct listened_row {
+    double shape_a[2], shape_b[2], body_a[2], body_b[2], normal[2], point[2], separation;
+    double normal_impulse, tangent_impulse, point_count;
+    double collide, friction, restitution, surface_speed;
+};
+
 struct event_pair {
     uint32_t shape_a[2], shape_b[2];
 };
@@ -361,6 +382,8 @@ union api_slots {
     struct pair pair;
     struct explosion_options explosion_options;
     struct water_options water_options;
+    struct rule_options rule_options;
+    struct rule_found rule_found;
     struct bounds bounds;
     struct filter_options filter_options;
     struct number number;

@@ -24,12 +24,15 @@ function throwsCode(code, act, text = /./) {
   });
 }
 
-test("module_imports_only_clock_and_memory_growth", async () => {
+test("module_imports_only_clock_callbacks_and_memory_growth", async () => {
   const bytes = readFileSync(`${root}web/package/dist/thud.wasm`);
   const imports = WebAssembly.Module.imports(await WebAssembly.compile(bytes));
   assert.deepEqual(imports.map(({ name }) => name).sort(), [
     "emscripten_notify_memory_growth",
+    "thud_asked",
     "thud_clock",
+    "thud_filtered",
+    "thud_told",
   ]);
 });
 

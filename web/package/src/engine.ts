@@ -4,6 +4,7 @@
  */
 import { messageOf, RESULT_CODES, ThudError } from "./error.js";
 import { Rest, type RestSource } from "./rest.js";
+import { CallbackTable } from "./rules/callbacks.js";
 import type { WorldOptions } from "./types.js";
 import { World } from "./world.js";
 
@@ -28,7 +29,9 @@ export class Engine {
   /** Instantiates a compiled module; with `source`, the first file of an engine in two. */
   static async instantiate(module: WebAssembly.Module, source?: RestSource): Promise<Engine> {
     const engine: { current?: Engine } = {};
+    const callbacks = new CallbackTable();
     const env = {
+      ...callbacks.imports(() => engine.current!.buffer),
       emscripten_notify_memory_growth: () => engine.current?.memoryGrew(),
       thud_clock: () => performance.now() / 1000,
     };
@@ -37,11 +40,15 @@ export class Engine {
     if (rest) imports.placeholder = rest.placeholders;
     const instance = await WebAssembly.instantiate(module, imports);
     rest?.attach(instance);
-    engine.current = new Engine(instance, rest);
+    engine.current = new Engine(instance, rest, callbacks);
     return engine.current;
   }
 
-  private constructor(instance: WebAssembly.Instance, rest: Rest | null) {
+  private constructor(
+    instance: WebAssembly.Instance,
+    rest: Rest | null,
+    readonly callbacks: CallbackTable,
+  ) {
     const { memory, _initialize } = instance.exports as {
       memory?: WebAssembly.Memory;
       _initialize?: () => void;
@@ -87,6 +94,7 @@ export class Engine {
 
   /** Throws unless `result` is THUD_OK. */
   check(result: number): void {
+    this.callbacks.rethrow();
     if (result === 0) return;
     const code = RESULT_CODES[result] as ThudError["code"] | undefined;
     const summary = this.text(this.exports.api_result_text(result));

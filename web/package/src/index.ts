@@ -17,6 +17,7 @@ export { type MinkowskiSum, minkowskiSum } from "./minkowski.js";
 export { Mover, type MoverState } from "./mover.js";
 export { Rollback, type RollbackOptions } from "./net/rollback.js";
 export * from "./query-types.js";
+export * from "./rules/rule-types.js";
 export * from "./types.js";
 export * from "./view-types.js";
 export { World } from "./world.js";

@@ -2,6 +2,7 @@
 import { ThudError } from "./error.js";
 import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./generated/slots.js";
 import { checkNames } from "./names.js";
+import { MEETINGS } from "./rules/rule-types.js";
 import type { QueryFilter, SolidShape } from "./query-types.js";
 import {
   BODY_KINDS,
@@ -28,6 +29,7 @@ const WORDS: Readonly<Record<string, readonly string[]>> = {
   broadphase: BROADPHASES,
   base: QUALITIES,
   cover: COVERS,
+  meeting: MEETINGS,
 };
 
 /**

@@ -60,6 +60,7 @@ export class WorldBase {
   /** Frees the world. Using it afterwards throws. */
   close(): void {
     this.engine.exports.api_world_destroy(this.address);
+    this.engine.callbacks.forget(this.#address);
     this.#address = 0;
     forgotten?.unregister(this);
     this.freeRoom();

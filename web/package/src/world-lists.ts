@@ -3,10 +3,10 @@ import { ThudError } from "./error.js";
 import { HandleAt, ListAt, PairAt, PairSideAt, ShapeStateAt } from "./generated/slots.js";
 import { bodyAt, rowsOf, shapeAt } from "./numbers.js";
 import type { BodyId, ShapeId } from "./types.js";
+import { WorldRules } from "./rules/world-rules.js";
 import type { ContactEvent, Events, Meeting, Pair, PairSide } from "./view-types.js";
-import { WorldFields } from "./world-fields.js";
 
-export class WorldLists extends WorldFields {
+export class WorldLists extends WorldRules {
   /** What bodies were last told to be, in wasm memory. */
   #seen = { address: 0, slots: 0 };
 

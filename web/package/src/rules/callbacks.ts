@@ -1,0 +1,67 @@
+/** Calls from the module into JavaScript, by the address of the world that makes them. */
+import { ListenedRowAt } from "../generated/slots.js";
+import { shapeId } from "../numbers.js";
+import type { Listener, Listeners, PairFilter } from "./rule-types.js";
+
+interface Callbacks extends Listeners {
+  filter?: PairFilter;
+}
+
+/**
+ * Of one engine. What a callback throws would leave its world locked if it went through the module:
+ * it is kept, the others of the step are not called any more, and who called the module throws it.
+ */
+export class CallbackTable {
+  readonly #worlds = new Map<number, Callbacks>();
+  #thrown: { readonly cause: unknown } | null = null;
+
+  /** Some of a world's; undefined takes one away. */
+  set(world: number, callbacks: Callbacks): void {
+    this.#worlds.set(world, { ...this.of(world), ...callbacks });
+  }
+
+  of(world: number): Readonly<Callbacks> {
+    return this.#worlds.get(world) ?? {};
+  }
+
+  forget(world: number): void {
+    this.#worlds.delete(world);
+  }
+
+  /** Throws what a callback has thrown since. */
+  rethrow(): void {
+    if (this.#thrown === null) return;
+    const { cause } = this.#thrown;
+    this.#thrown = null;
+    throw cause;
+  }
+
+  /** What the module imports. */
+  imports(buffer: () => ArrayBuffer): WebAssembly.ModuleImports {
+    const listen = (listener: Listener | undefined, address: number, count: number) =>
+      this.#call(undefined, () =>
+        listener?.(new Float64Array(buffer(), address, count * ListenedRowAt.length), count),
+      );
+    return {
+      thud_asked: (world: number, rows: number, count: number) =>
+        listen(this.of(world).prologue, rows, count),
+      thud_told: (world: number, rows: number, count: number) =>
+        listen(this.of(world).epilogue, rows, count),
+      thud_filtered: (world: number, a: number, ofA: number, b: number, ofB: number) => {
+        const filter = this.of(world).filter;
+        const meet = this.#call(true, () => filter?.(shapeId(a, ofA >>> 0), shapeId(b, ofB >>> 0)));
+        return Number(meet ?? true);
+      },
+    };
+  }
+
+  #call<T>(otherwise: T, callback: () => T | undefined): T | undefined {
+    if (this.#thrown !== null) return otherwise;
+    try {
+      return callback();
+    } catch (cause) {
+      this.#thrown = { cause };
+      return otherwise;
+    }
+  }
+}
