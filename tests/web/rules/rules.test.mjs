@@ -45,7 +45,7 @@ test("rules_are_read_back_taken_away_and_refused_by_name", () => {
   const rule = world.rule(PLAYER, GROUND);
   assert.deepEqual(
     [rule.meeting, rule.friction, rule.restitution, rule.surfaceSpeed, rule.mostImpulse],
-    ["collide", 0, NaN, 2, 3],
+    ["collide", 0, undefined, 2, 3],
   );
   assert.ok(rule.reversed);
   world.setRule(GROUND, PLAYER, { meeting: "ignore" });

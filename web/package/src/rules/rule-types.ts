@@ -31,8 +31,10 @@ export interface Rule {
   mostImpulse?: number;
 }
 
-/** A rule as it is kept. Not-a-number: what the two shapes make of it. */
-export interface RuleFound extends Required<Rule> {
+/** A rule as it is kept; what is not in it is as the two shapes make it. */
+export interface RuleFound extends Rule {
+  meeting: Meeting;
+  solidSide: Vec2;
   /** It was set with the second kind first: `solidSide` is of that. */
   reversed: boolean;
 }

@@ -40,10 +40,10 @@ export class WorldRules extends WorldFields {
     return {
       meeting: MEETINGS[s[RuleOptionsAt.meeting]],
       solidSide: vecAt(s, RuleOptionsAt.solidSide),
-      friction: s[RuleOptionsAt.friction],
-      restitution: s[RuleOptionsAt.restitution],
-      surfaceSpeed: s[RuleOptionsAt.surfaceSpeed],
-      mostImpulse: s[RuleOptionsAt.mostImpulse],
+      friction: given(s[RuleOptionsAt.friction]),
+      restitution: given(s[RuleOptionsAt.restitution]),
+      surfaceSpeed: given(s[RuleOptionsAt.surfaceSpeed]),
+      mostImpulse: given(s[RuleOptionsAt.mostImpulse]),
       reversed: s[RuleFoundAt.reversed] !== 0,
     };
   }
@@ -92,6 +92,11 @@ export class WorldRules extends WorldFields {
     if (result !== 0) callbacks.set(this.address, { filter: before });
     this.engine.check(result);
   }
+}
+
+/** Not-a-number, and for an impulse infinite, is what was not given. */
+function given(value: number): number | undefined {
+  return Number.isFinite(value) ? value : undefined;
 }
 
 function readImpulse(rows: Float64Array, at: number): ImpulseEvent {
