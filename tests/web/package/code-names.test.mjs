@@ -29,7 +29,7 @@ function propertiesOf(file, type) {
 
 test("list_has_every_public_method_of_a_world", () => {
   const layers = ["base", "queries", "views", "joints", "edits", "forces", "fields", "lists"];
-  const files = ["world", ...layers.map((layer) => `world-${layer}`)];
+  const files = ["world", "rules/world-rules", ...layers.map((layer) => `world-${layer}`)];
   const methods = files.flatMap((file) =>
     bodyOf(`package/dist/${file}.d.ts`, /export declare class \w+ /).flatMap(
       (line) => /^    (?!constructor)(\w+)(?:<\w+>)?\(/.exec(line)?.[1] ?? [],

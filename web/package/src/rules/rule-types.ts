@@ -33,7 +33,7 @@ export interface Rule {
 
 /** A rule as it is kept; what is not in it is as the two shapes make it. */
 export interface RuleFound extends Rule {
-  meeting: Meeting;
+  meeting: RuleMeeting;
   solidSide: Vec2;
   /** It was set with the second kind first: `solidSide` is of that. */
   reversed: boolean;
