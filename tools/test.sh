@@ -16,7 +16,7 @@ Builds and tests everything, or only the parts that are named:
               their random cases and settings
   sanitizers  the same tests under the address and undefined-behaviour sanitizers; long ones run
               one of 7 of their cases, too. All cases: cmake -DTHUD_TEST_SHARE=1
-  wasm        the engine as WebAssembly, in Node
+  wasm        the engine as WebAssembly, in Node; the package in bundlers and other runtimes
   page        the page in Chromium and Firefox
   baseline    the comparison with Box2D
 
@@ -132,9 +132,13 @@ test_sanitizers() {
     ctest --preset sanitize --label-exclude '^once$' --parallel "$jobs"
 }
 
+# The bundlers, most of whose time is waiting for the network, come while the page is built.
 test_wasm() {
+    npm_packages tests/web/bundlers "bundlers to try the package with" &
+    bundlers=$!
     build_page
-    (cd web && npm run test:node)
+    wait "$bundlers"
+    (cd web && npm run test:node && npm run test:bundlers)
 }
 
 test_page() {

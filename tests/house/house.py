@@ -11,7 +11,7 @@
   length      no C file, and no text of web/ or tests/web, is longer than 400 lines
   sources     the C files that the CMakeLists name are those that are there; demo/scenes alone
               takes all of its own, so that a scene needs no line
-  lock        web/package-lock.json says what is installed and not from which host
+  lock        a package-lock.json says what is installed and not from which host
   elsewhere   no text of web/ or tests/web names a folder of the machine that it was written on
 
 Prints one line per breach and exits with 1 if there is any.
@@ -29,7 +29,7 @@ FULLEST = 25
 SOURCES = "engine/src"
 WEB_TREES = ("web", "tests/web")
 WEB_TEXTS = (".c", ".css", ".h", ".html", ".js", ".json", ".md", ".mjs", ".sh", ".ts")
-LOCK_FILE = "web/package-lock.json"
+LOCK_FILES = ("web/package-lock.json", "tests/web/bundlers/package-lock.json")
 FROM_A_HOST = re.compile(r'"resolved": "\w+://')
 ELSEWHERE = re.compile(r"(?<![\w.}])/(?:home|root|tmp|work)/")
 WHOLE_FOLDER = "demo/scenes"
@@ -184,7 +184,7 @@ def check_intrinsics(root, files):
 
 
 def check_length(root, files):
-    written = [file for file in web_texts(root) if file.as_posix() != LOCK_FILE]
+    written = [file for file in web_texts(root) if file.as_posix() not in LOCK_FILES]
     for file in sorted({*files, *written}):
         lines = len(read(root / file).splitlines())
         if lines > LONGEST:
@@ -216,9 +216,10 @@ def check_sources(root, files):
 
 
 def check_lock(root):
-    lock = root / LOCK_FILE
-    if lock.is_file() and FROM_A_HOST.search(read(lock)):
-        yield f"lock: {LOCK_FILE} names a host; see omit-lockfile-registry-resolved in web/.npmrc"
+    for name in LOCK_FILES:
+        lock = root / name
+        if lock.is_file() and FROM_A_HOST.search(read(lock)):
+            yield f"lock: {name} names a host; see omit-lockfile-registry-resolved in web/.npmrc"
 
 
 def check_elsewhere(root):

@@ -143,8 +143,8 @@ class HouseTest(unittest.TestCase):
         self.assertEqual(self.breaches({"web/node_modules/a/a.js": "\n" * 401}), [])
 
     def test_host_in_the_lock_file_is_noticed(self):
-        self.assert_noticed("lock: web/package-lock.json", {
-            "web/package-lock.json": f'"resolved": "{HOST}/a.tgz"\n'})
+        for name in house.LOCK_FILES:
+            self.assert_noticed(f"lock: {name}", {name: f'"resolved": "{HOST}/a.tgz"\n'})
         self.assertEqual(self.breaches({"web/package-lock.json": '"resolved": "package"\n'}), [])
 
     def test_folder_of_another_machine_is_noticed(self):

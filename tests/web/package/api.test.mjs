@@ -42,6 +42,8 @@ test("load_of_missing_file_throws_load_error", async () => {
 
 test("load_of_bytes_that_are_no_wasm_throws_load_error", async () => {
   await assert.rejects(thud.load(new Uint8Array([1, 2, 3])), { code: "load" });
+  const page = new Response("<!doctype html>", { headers: { "content-type": "text/html" } });
+  await assert.rejects(thud.load(page), { code: "load", message: /is a page .text.html./ });
 });
 
 test("load_of_foreign_module_throws_load_error", async () => {

@@ -126,6 +126,19 @@ export class Engine {
   }
 }
 
+/**
+ * The thud.wasm that lies beside this file, or beside what a bundler made of it: written so that
+ * bundlers see what is meant.
+ */
+export function besideModule(): URL {
+  try {
+    return new URL("./thud.wasm", import.meta.url);
+  } catch (cause) {
+    const why = "a script does not know where it lies";
+    throw new ThudError("load", `${why}: give load the address of thud.wasm, or its bytes`, { cause });
+  }
+}
+
 /** Compiles and starts a module from wherever it is. Files are added to that by node.ts. */
 export async function instantiate(
   source: Exclude<WasmSource, URL | string>,
@@ -151,6 +164,8 @@ async function compileResponse(response: Response): Promise<WebAssembly.Module> 
   if (!response.ok)
     throw new ThudError("load", `${response.url}: ${response.status} ${response.statusText}`);
   const type = response.headers.get("content-type") ?? "";
+  if (type.startsWith("text/html"))
+    throw new ThudError("load", `${response.url || "the source"} is a page (text/html), no wasm module`);
   // Streaming refuses any other type, which simple hosts are wont to send.
   if (type.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());

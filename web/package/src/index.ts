@@ -5,7 +5,7 @@
  *     const thud = await load();
  *     const world = thud.createWorld();
  */
-import { type Engine, instantiate, type WasmSource } from "./engine.js";
+import { besideModule, type Engine, instantiate, type WasmSource } from "./engine.js";
 import { ThudError } from "./error.js";
 import type { RestSource } from "./rest.js";
 
@@ -28,7 +28,7 @@ export { World } from "./world.js";
  * as the source, thud-rest.wasm as the rest, and call `complete` once the first picture is there.
  */
 export async function load(
-  source: WasmSource = new URL("./thud.wasm", import.meta.url),
+  source: WasmSource = besideModule(),
   rest?: RestSource,
 ): Promise<Engine> {
   if (typeof source !== "string" && !(source instanceof URL)) return instantiate(source, rest);

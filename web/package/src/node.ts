@@ -1,6 +1,6 @@
 /** The package as Node.js sees it: the same, but that `load` also reads files. */
 import { readFile } from "node:fs/promises";
-import { type Engine, instantiate, type WasmSource } from "./engine.js";
+import { besideModule, type Engine, instantiate, type WasmSource } from "./engine.js";
 import { messageOf, ThudError } from "./error.js";
 import { load as loadFromWeb } from "./index.js";
 import type { RestSource } from "./rest.js";
@@ -9,7 +9,7 @@ export * from "./index.js";
 
 /** Loads the engine; without a source, the thud.wasm that lies beside this file. */
 export async function load(
-  source: WasmSource = new URL("./thud.wasm", import.meta.url),
+  source: WasmSource = besideModule(),
   rest?: RestSource,
 ): Promise<Engine> {
   const isFile = source instanceof URL ? source.protocol === "file:" : isPath(source);

@@ -5,7 +5,8 @@
 import type { Direction, Drive, JointKind } from "../joint-types.js";
 import type { Reader } from "../level.js";
 import type { Vec2 } from "../types.js";
-import { FAR, turn } from "./forms.js";
+import { FAR, turn } from "./form.js";
+import { KINDS } from "./joint-names.js";
 import { direction } from "./polygon.js";
 import { grid, isRecord, type Json, type JsonRecord, type Values } from "./values.js";
 
@@ -14,30 +15,6 @@ const LONGEST = 999999;
 const SHORTEST = 1e-6;
 const LARGEST_TURN = 3.14159;
 const LARGEST_FORCE = 1e30;
-
-/** Which directions each kind drives. */
-const KINDS: Record<JointKind, Direction[]> = {
-  distance: ["along"],
-  hinge: ["turn"],
-  slider: ["along"],
-  weld: ["along", "across", "turn"],
-  wheel: ["along", "turn"],
-  target: ["along", "across", "turn"],
-  filter: [],
-  gear: [],
-};
-const DRIVE = "lower upper frequency damping target spring_force motor_speed motor_force".split(" ");
-const COMMON = ["break_force", "break_torque", "collide_connected"];
-
-/** What the properties of an object mean something to. */
-const MEANINGS = new Map(
-  Object.entries(KINDS).map(([kind, directions]) => {
-    const drives = directions.flatMap((one) => DRIVE.map((name) => `${one}_${name}`));
-    const own = kind === "distance" ? ["length"] : kind === "gear" ? ["ratio"] : [];
-    const common = kind === "filter" ? [] : COMMON;
-    return [kind, new Set(["a", "b", ...own, ...common, ...drives])];
-  }),
-);
 
 /** The options of World.createJoint that stand in a map. */
 export interface TieOptions {
@@ -63,17 +40,6 @@ export interface Tie {
   places: [Vec2, Vec2];
   /** Of its axis, degrees, clockwise. */
   rotation: number;
-}
-
-/** The kind that a class of objects is, or null. */
-export function jointKind(name: Json): JointKind | null {
-  return typeof name === "string" && Object.hasOwn(KINDS, name) ? (name as JointKind) : null;
-}
-
-/** Whether a property means something to a kind, or to any. */
-export function jointKnows(kind: JointKind | "any", name: string): boolean {
-  if (kind === "any") return [...MEANINGS.values()].some((names) => names.has(name));
-  return MEANINGS.get(kind)?.has(name) === true;
 }
 
 /** Whether the engine takes a length of either sign. */

@@ -1,8 +1,10 @@
 /** Objects of a Tiled map: a body for each. Follows demo/level/objects.c. */
 import type { JointKind } from "../joint-types.js";
 import type { Layer, Reader } from "../level.js";
-import { addBody, DEGREES, FAR, readForms, settleForms, turn, turnForm } from "./forms.js";
-import { jointKind, readJoint } from "./joints.js";
+import { DEGREES, FAR, turn } from "./form.js";
+import { addBody, readForms, settleForms, turnForm } from "./forms.js";
+import { jointKind } from "./joint-names.js";
+import { readJoint } from "./joints.js";
 import { findTile, listTilesets, readTileForms, type Tileset } from "./tilesets.js";
 import { isRecord, type Json, type JsonRecord, readPhysics, Values } from "./values.js";
 

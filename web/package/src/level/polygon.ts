@@ -2,7 +2,7 @@
  * Which polygons the engine has shapes for: those that boxes make up, and ground. Follows
  * demo/level/polygon.c.
  */
-import { type Form, form, RADIANS, turn } from "./forms.js";
+import { type Form, form, RADIANS, turn } from "./form.js";
 import type { Values } from "./values.js";
 import type { Vec2 } from "../types.js";
 

@@ -4,7 +4,7 @@
  */
 import type { JointFrame } from "../joint-types.js";
 import type { LevelJoint, Reader } from "../level.js";
-import { RADIANS, turn } from "./forms.js";
+import { RADIANS, turn } from "./form.js";
 import { jointFits, jointPlace, type Tie } from "./joints.js";
 
 /** A body of an object. */

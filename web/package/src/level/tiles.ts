@@ -6,7 +6,8 @@
  */
 import type { Layer, Reader } from "../level.js";
 import { type Cells, readCells } from "./cells.js";
-import { addBody, type Form, NUMBER, settleForms } from "./forms.js";
+import type { Form } from "./form.js";
+import { addBody, NUMBER, settleForms } from "./forms.js";
 import { findTile, isTurned, readTileForms, type Tile } from "./tilesets.js";
 import { flagOf, ownProperty, type Physics, Values } from "./values.js";
 

@@ -2,7 +2,8 @@
  * What a tile number stands for, and what of that tile collides. Follows demo/level/tilesets.c.
  */
 import type { Reader } from "../level.js";
-import { DEGREES, FAR, flipForm, type Form, form, NUMBER, readForms, scaleForm, turnForm } from "./forms.js";
+import { DEGREES, FAR, type Form, form } from "./form.js";
+import { flipForm, NUMBER, readForms, scaleForm, turnForm } from "./forms.js";
 import {
   flagOf,
   isRecord,

@@ -1,7 +1,7 @@
 /** Values of a Tiled map: fields of the format, and custom properties that objects inherit. */
 import type { JointKind } from "../joint-types.js";
 import type { BodyKind, BodyOptions, ShapeOptions } from "../types.js";
-import { jointKnows } from "./joints.js";
+import { jointKnows } from "./joint-names.js";
 
 export type Json = null | boolean | number | string | Json[] | JsonRecord | undefined;
 export interface JsonRecord {

@@ -1,0 +1,186 @@
+/**
+ * The npm package as a stranger gets it: packed, installed into a project of its own, bundled by
+ * whatever is tried, run in Node or in a browser, and asked for its bits.
+ */
+import { execFileSync, spawnSync } from "node:child_process";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { dirname, extname, join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { launch } from "../../../web/tools/browser.mjs";
+import { listenFrom } from "../../../web/tools/serve.mjs";
+import { PATIENCE } from "./page.mjs";
+import { root } from "./package.mjs";
+
+/** What a page of the package needs to be allowed, and no more. */
+export const POLICY =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; worker-src 'self'; " +
+  "img-src data:";
+
+/** A ball falls onto a box: one module for every host, and what it says of the world. */
+const RUN = `import { load, ThudError } from "thud";
+import { buildLevel, readLevel } from "thud/level";
+
+export async function run(source) {
+  const thud = await load(source);
+  const world = thud.createWorld();
+  const ground = world.createBody();
+  world.createObb(ground, { halfWidth: 4, halfHeight: 1, angle: 0.1 });
+  const ball = world.createBody({ kind: "dynamic", position: [0.25, 3] });
+  world.createCircle(ball, { radius: 0.5, restitution: 0.25 });
+  for (let i = 0; i < 60; i++) world.step();
+  const level = buildLevel(thud, await readLevel("empty", LEVEL));
+  const told = { hash: world.hash(), height: world.positionOf(ball)[1], bodies: level.stats().bodies };
+  if (!(ThudError.prototype instanceof Error)) throw new Error("no ThudError");
+  level.close();
+  world.close();
+  return told;
+}
+
+const LEVEL = JSON.stringify({
+  type: "map",
+  orientation: "orthogonal",
+  width: 4,
+  height: 4,
+  tilewidth: 32,
+  tileheight: 32,
+  layers: [],
+});
+`;
+
+/** In a page: once beside it and once in a worker. */
+const MAIN = `import { run } from "./run.js";
+
+const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+const inWorker = new Promise((done) => {
+  worker.onmessage = ({ data }) => done(data);
+  worker.onerror = ({ message }) => done({ refused: message ?? "the worker does not start" });
+});
+const inPage = run().catch((error) => ({ refused: String(error) }));
+globalThis.told = Promise.all([inPage, inWorker]);
+`;
+
+const WORKER = `import { run } from "./run.js";
+
+run().then(postMessage, (error) => postMessage({ refused: String(error) }));
+`;
+
+const NODE = `import { run } from "./run.js";
+
+run().then((told) => console.log(JSON.stringify(told)));
+`;
+
+const PAGE = `<!doctype html>
+<meta charset="utf-8" />
+<link rel="icon" href="data:," />
+<title>thud</title>
+<script type="module" src="main.js"></script>
+`;
+
+/** A folder with the package installed in it from its tarball, and with the programs above. */
+export function makeProject() {
+  const folder = mkdtempSync(join(tmpdir(), "thud-packed-"));
+  const npm = (words, cwd) =>
+    execFileSync("npm", words, { cwd, encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] });
+  const [{ filename, files }] = JSON.parse(
+    npm(["pack", "--json", "--pack-destination", folder], `${root}web/package`),
+  );
+  write(folder, { "package.json": JSON.stringify({ name: "try", private: true, type: "module" }) });
+  // Its optional packages are those that the page has.
+  npm(["install", "--offline", "--omit=optional", "--no-audit", "--no-fund", filename], folder);
+  for (const name of ["fzstd", "@rgrove/parse-xml"])
+    cpSync(`${root}web/node_modules/${name}`, join(folder, "node_modules", name), { recursive: true });
+  write(folder, {
+    "run.js": RUN,
+    "main.js": MAIN,
+    "worker.js": WORKER,
+    "node.js": NODE,
+    "index.html": PAGE,
+  });
+  return { folder, files: files.map(({ path }) => path), remove: () => rmSync(folder, { recursive: true }) };
+}
+
+export function write(folder, texts) {
+  for (const [name, text] of Object.entries(texts)) {
+    mkdirSync(dirname(join(folder, name)), { recursive: true });
+    writeFileSync(join(folder, name), text);
+  }
+}
+
+/** What the program says where a command runs it. */
+export function tell(command, words, folder) {
+  const { status, stdout, stderr, error } = spawnSync(command, words, { cwd: folder, encoding: "utf8" });
+  if (status !== 0) throw new Error(`${command} ${words.join(" ")}: ${error ?? stderr.slice(-2000)}`);
+  return JSON.parse(stdout);
+}
+
+const TYPES = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".json": "application/json",
+  ".wasm": "application/wasm",
+};
+
+/** A host of one folder that sends every file with the policy. */
+export async function host(folder, policy = POLICY) {
+  const server = createServer((request, response) => {
+    const path = new URL(request.url, "http://any").pathname;
+    const file = join(folder, path.endsWith("/") ? `${path}index.html` : path);
+    if (!existsSync(file)) return response.writeHead(404).end();
+    response.writeHead(200, {
+      "Content-Type": TYPES[extname(file)] ?? "application/octet-stream",
+      "Content-Security-Policy": policy,
+    });
+    response.end(readFileSync(file));
+  });
+  const port = await listenFrom(server, 0);
+  const close = () => {
+    server.closeAllConnections();
+    return new Promise((done) => server.close(done));
+  };
+  return { url: `http://127.0.0.1:${port}/`, close };
+}
+
+/** Opens pages and hears what they say, and what they complain of. */
+export async function openBrowser(name) {
+  const browser = await launch(name, { webgl: false });
+  return {
+    async tell(url) {
+      const page = await browser.newPage();
+      page.setDefaultTimeout(PATIENCE);
+      const troubles = [];
+      page.on("pageerror", (error) => troubles.push(error.message));
+      page.on("console", (message) => {
+        if (["error", "warning"].includes(message.type())) troubles.push(message.text());
+      });
+      await page.goto(url);
+      await page.waitForFunction(() => globalThis.told !== undefined).catch(() => {
+        throw new Error(`the page says nothing: ${troubles.join("; ")}`);
+      });
+      const told = await page.evaluate(() => globalThis.told);
+      await page.close();
+      return { told, troubles };
+    },
+    close: () => browser.close(),
+  };
+}
+
+/** Of tests/web/bundlers, and installed there. */
+export const bundlers = fileURLToPath(new URL("../bundlers/", import.meta.url));
+const require = createRequire(`${bundlers}package.json`);
+
+export function bring(name) {
+  return import(pathToFileURL(require.resolve(name)).href);
+}
+
+/** The code that the package's README has for a host, in the row of its table that names it. */
+export function recipeOf(name) {
+  const readme = readFileSync(`${root}web/package/README.md`, "utf8");
+  const row = [...readme.matchAll(/^\| ([^|]+) \| (.+) \|$/gm)].find(([, who]) =>
+    who.split(", ").includes(name),
+  );
+  if (!row) throw new Error(`the README has no row for ${name}`);
+  return [...row[2].matchAll(/`([^`]+)`/g)].map(([, code]) => code);
+}
