@@ -61,7 +61,7 @@ test("box_on_a_conveyor_belt_gets_its_speed", () => {
   assert.ok(Math.abs(world.bodyState(box).velocity[0] - 2) < 0.01);
   assert.equal(world.shapeState(shape).surfaceSpeed, 2);
   const tooFast = { halfWidth: 1, halfHeight: 1, surfaceSpeed: 1e9 };
-  throwsCode("invalid", () => world.createAabb(belt, tooFast), /surface_speed/);
+  throwsCode("invalid", () => world.createAabb(belt, tooFast), /surfaceSpeed/);
   throwsCode("invalid", () => world.createBody({ velocity: [1, 0] }), /static/);
   world.close();
 });
@@ -384,7 +384,7 @@ test("time_budget_that_no_step_meets_leaves_one_substep", () => {
   for (let i = 0; i < 60; i++) world.step();
   assert.equal(world.stats().substeps, 1);
   world.close();
-  throwsCode("invalid", () => engine.createWorld({ timeBudget: -1 }), /time_budget/);
+  throwsCode("invalid", () => engine.createWorld({ timeBudget: -1 }), /timeBudget/);
 });
 
 test("hash_is_16_hex_digits_and_equal_for_equal_runs", () => {

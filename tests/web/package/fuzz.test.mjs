@@ -14,6 +14,8 @@ const NOT_PLAYED = new Set([
   "shapeIds",
   "close",
   "freeRoom",
+  "createKind",
+  "lengthScale",
   "revision",
 ]);
 

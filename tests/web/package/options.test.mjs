@@ -108,7 +108,7 @@ test("shape_is_read_by_the_names_that_it_was_made_with", () => {
 });
 
 test("shape_made_of_a_state_of_another_kind_is_refused", () => {
-  assert.throws(() => world.createAabb(ground, { kind: "obb", ...box }), /aabb: its kind is "obb"/);
+  assert.throws(() => world.createAabb(ground, { kind: "obb", ...box }), /createAabb: its kind is "obb"/);
 });
 
 test("options_of_an_object_with_inherited_ones_are_read", () => {

@@ -154,7 +154,7 @@ test("mover_out_of_range_is_refused_with_the_message_of_the_log", () => {
   const mover = new thud.Mover(world, {
     shape: { kind: "circle", radius: 0.5 },
     position: [0, 0],
-    maxSlope: 3,
+    skin: 3,
   });
   assert.throws(() => mover.move([0, 0], 1 / 60), { code: "invalid", message: /mover/ });
   assert.throws(() => mover.move([NaN, 0], 1 / 60), { code: "invalid" });

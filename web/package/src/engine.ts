@@ -98,7 +98,10 @@ export class Engine {
     if (result === 0) return;
     const code = RESULT_CODES[result] as ThudError["code"] | undefined;
     const summary = this.text(this.exports.api_result_text(result));
-    const message = this.text(this.#messageAddress);
+    // Of defs it tells in C's spelling.
+    const message = this.text(this.#messageAddress).replace(/_([a-z])/g, (_, letter) =>
+      letter.toUpperCase(),
+    );
     new Uint8Array(this.buffer)[this.#messageAddress] = 0;
     throw new ThudError(code ?? "invalid", message ? `${summary}: ${message}` : summary);
   }

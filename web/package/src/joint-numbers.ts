@@ -1,4 +1,5 @@
 /** How the options of joints become the numbers that the module takes, and back. */
+import { FRAME_RANGES, JOINT_RANGES, whyNot } from "./checks/ranges.js";
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import {
@@ -167,6 +168,7 @@ export function named<T>(what: string, options: object, furthest: number, act: (
       for (const [name, value] of Object.entries(options))
         if (DIRECTIONS.some((one) => one === name)) checkRanges(what, value as Drive, furthest, name);
       checkRanges(what, options, furthest, "");
+      checkBodies(what, options, error.message);
     }
     throw error;
   }
@@ -174,6 +176,7 @@ export function named<T>(what: string, options: object, furthest: number, act: (
 
 function checkRanges(what: string, options: object, furthest: number, direction: string): void {
   const path = direction && `${direction}.`;
+  checkPlaces(what, options, furthest);
   const { lower = -Infinity, upper = Infinity } = options as Drive;
   if (lower > upper) refuse(what, `${path}lower is above ${path}upper`);
   for (const [name, value] of Object.entries(options)) {
@@ -185,6 +188,28 @@ function checkRanges(what: string, options: object, furthest: number, direction:
     if (!(value >= least && value <= most * (1 + 1e-6)))
       refuse(what, `${path}${name} must be from ${least} to ${most}: ${value}`);
   }
+}
+
+/** Places in the world, and those in the bodies. */
+function checkPlaces(what: string, options: object, furthest: number): void {
+  const scale = furthest / 999_000;
+  const why = whyNot(options, JOINT_RANGES, scale);
+  if (why) refuse(what, why);
+  for (const name of ["frameA", "frameB"] as const) {
+    const frame = (options as Given)[name];
+    const wrong = frame && whyNot(frame, FRAME_RANGES, scale, `${name}.`);
+    if (wrong) refuse(what, wrong);
+  }
+}
+
+/** What the engine tells of both bodies and of frames that it has worked out. */
+function checkBodies(what: string, options: object, told: string): void {
+  const places = ["at", "from", "to", "frameA", "frameB"].filter((name) => name in options);
+  if (told.includes("a frame is out of range"))
+    refuse(what, `${places.join(" or ")} is too far from its body`);
+  if (told.includes("needs two bodies"))
+    refuse(what, "bodyA and bodyB must be two bodies, one of them dynamic");
+  if (told.includes("body b of a")) refuse(what, "bodyB must be dynamic");
 }
 
 function refuse(what: string, why: string): never {

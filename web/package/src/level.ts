@@ -28,7 +28,7 @@ import {
   Report,
   Values,
 } from "./level/values.js";
-import { checkNames } from "./names.js";
+import { checkNames } from "./checks/names.js";
 import type { BodyId, BodyOptions, JointId, ShapeOptions, Vec2, WorldOptions } from "./types.js";
 import type { World } from "./world.js";
 

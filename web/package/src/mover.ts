@@ -5,6 +5,7 @@
  *     const mover = new Mover(world, { shape: { kind: "circle", radius: 0.5 }, position: [0, 3] });
  *     const { velocity, ground } = mover.move([5, -1], 1 / 60);
  */
+import { ASKER_RANGES, blame, checkRanges, MOVE_RANGES, MOVER_RANGES } from "./checks/ranges.js";
 import { ThudError } from "./error.js";
 import {
   HandleAt,
@@ -56,7 +57,9 @@ export class Mover {
     const { exports, slots } = world.engine;
     const [kind, hx, hy, angle] = solidNumbers(options.shape);
     const { filter = {}, body } = options;
-    const numbers = numbersOf("mover", options, MOVER_OPTIONS, OTHERS);
+    const numbers = numbersOf("Mover", options, MOVER_OPTIONS, OTHERS);
+    checkRanges("Mover", options, MOVER_RANGES);
+    checkRanges("Mover", options.shape, ASKER_RANGES[options.shape.kind], "shape.");
     const filtered = filterNumbers(filter);
     exports.api_mover_defaults(kind, hx, hy, angle);
     fill(slots, numbers);
@@ -83,9 +86,12 @@ export class Mover {
   move(velocity: Vec2, dt: number, options: { drop?: boolean } = {}): MoverReport {
     const { engine, address } = this.#world;
     const [drop = 0] = numbersOf("move", options, ["drop"]);
-    engine.check(
-      engine.exports.api_mover_move(address, this.address, ...velocity, dt, drop),
-    );
+    const [vx, vy] = velocity;
+    try {
+      engine.check(engine.exports.api_mover_move(address, this.address, vx, vy, dt, drop));
+    } catch (refused) {
+      throw blame(refused, "move", { velocity, dt }, MOVE_RANGES);
+    }
     const { buffer, slots: s } = engine;
     const hits = rowsOf(Float64Array, buffer, s, MoverReportAt.hits, MoverHitAt.length, readHit);
     const behind = s[MoverReportAt.hits + ListAt.address] + 8 * MoverHitAt.length * hits.length;

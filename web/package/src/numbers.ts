@@ -1,7 +1,7 @@
 /** How options become the numbers that the module takes, and numbers from it become handles. */
 import { ThudError } from "./error.js";
 import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./generated/slots.js";
-import { checkNames } from "./names.js";
+import { checkNames } from "./checks/names.js";
 import { MEETINGS } from "./rules/rule-types.js";
 import type { QueryFilter, SolidShape } from "./query-types.js";
 import {
@@ -14,7 +14,6 @@ import {
   QUALITIES,
   type Quality,
   type QualityOptions,
-  SHAPE_KINDS,
   type ShapeId,
   type ShapeKind,
   type Vec2,
@@ -48,19 +47,22 @@ export function numbersOf(
   const numbers: (number | undefined)[] = [];
   for (let i = 0; i < names.length; i++) {
     const value = given[names[i]];
+    const isPair = names[i + 1] === ".";
+    if (isPair && value === null)
+      throw new ThudError("invalid", `${what}: ${names[i]} must be two numbers: null`);
     if (value === undefined) numbers.push(undefined);
-    else numbers.push(numberOf(names[i], names[i + 1] === "." ? (value as Vec2)[0] : value));
-    if (names[i + 1] !== ".") continue;
+    else numbers.push(numberOf(what, names[i], isPair ? (value as Vec2)[0] : value));
+    if (!isPair) continue;
     numbers.push(value === undefined ? undefined : Number((value as Vec2)[1]));
     i++;
   }
   return numbers;
 }
 
-function numberOf(name: string, value: unknown): number | undefined {
+function numberOf(what: string, name: string, value: unknown): number | undefined {
   if (typeof value === "number" && name !== "userData") return value;
-  if (name === "userData") return userData(value as number);
-  return WORDS[name] ? indexOf(WORDS[name], value as string, name) : Number(value);
+  if (name === "userData") return userData(value as number, `${what}: userData`);
+  return WORDS[name] ? indexOf(WORDS[name], value as string, `${what}: ${name}`) : Number(value);
 }
 
 const QUALITY = ["base", ...QUALITY_OPTIONS] as const;
@@ -70,6 +72,7 @@ export function qualityNumbers(
   quality: Quality | QualityOptions = "default",
 ): [base: number, ...changes: (number | undefined)[]] {
   const options: QualityOptions = typeof quality === "string" ? { base: quality } : quality;
+  if (typeof quality === "string") indexOf(QUALITIES, quality, "quality");
   const [base = QUALITIES.indexOf("default"), ...changes] = numbersOf("quality", options, QUALITY);
   return [base, ...changes];
 }
@@ -106,6 +109,8 @@ export function vecAt(numbers: Numbers, at: number): Vec2 {
 /** Kind, half extents (a circle's radius is the first) and angle, as the module takes them. */
 export type SolidNumbers = [kind: number, hx: number, hy: number, angle: number];
 
+const SOLID_KINDS = ["circle", "aabb", "obb"] as const;
+
 /** What gives a shape of each kind its form, after the kind. */
 export const FORMS: Readonly<Record<ShapeKind, readonly string[]>> = {
   circle: ["kind", "radius"],
@@ -116,7 +121,7 @@ export const FORMS: Readonly<Record<ShapeKind, readonly string[]>> = {
 
 /** `others` is what a shape may have beside its form. */
 export function solidNumbers(shape: SolidShape, others: readonly string[] = []): SolidNumbers {
-  const kind = indexOf(SHAPE_KINDS, shape.kind, "shape kind");
+  const kind = indexOf(SOLID_KINDS, shape.kind, "shape kind");
   checkNames(shape.kind, shape, FORMS[shape.kind], others);
   if (shape.kind === "circle") return [kind, shape.radius, 0, 0];
   return [kind, shape.halfWidth, shape.halfHeight, shape.kind === "obb" ? shape.angle : 0];
@@ -137,9 +142,9 @@ export function indexOf<T extends string>(names: readonly T[], name: T, what: st
   return index;
 }
 
-export function userData(value: number | undefined): number | undefined {
+export function userData(value: number | undefined, what = "userData"): number | undefined {
   if (value !== undefined && !(Number.isSafeInteger(value) && value >= 0))
-    throw new ThudError("invalid", `userData must be a whole number from 0 to 2^53 - 1: ${value}`);
+    throw new ThudError("invalid", `${what} must be a whole number from 0 to 2^53 - 1: ${value}`);
   return value;
 }
 

@@ -1,5 +1,6 @@
 /** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
 /// <reference lib="esnext.disposable" preserve="true" />
+import { blame, QUALITY_RANGES, WORLD_RANGES } from "./checks/ranges.js";
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import { AdvanceAt, HandleAt, ListAt, WORLD_OPTIONS, WorldOptionsAt } from "./generated/slots.js";
@@ -36,14 +37,23 @@ export class WorldBase {
     this.reach = EVERYWHERE * (options.lengthScale ?? 1);
     if (address !== 0) return;
     WorldBase.writeOptions(engine, options);
-    engine.check(engine.exports.api_world_create());
+    try {
+      engine.check(engine.exports.api_world_create());
+    } catch (refused) {
+      throw blameWorld(refused, options);
+    }
     this.#address = engine.slots[ListAt.address];
     forgotten?.register(this, null, this);
   }
 
+  /** Of the options. */
+  protected get lengthScale(): number {
+    return this.reach / EVERYWHERE;
+  }
+
   /** Fills the slots of api_world_defaults, for code that makes worlds in the module itself. */
   static writeOptions(engine: Engine, options: WorldOptions): void {
-    const numbers = numbersOf("world", options, WORLD_OPTIONS);
+    const numbers = numbersOf("createWorld", options, WORLD_OPTIONS);
     const [base, ...changes] = qualityNumbers(options.quality);
     numbers[WorldOptionsAt.quality] = base;
     engine.exports.api_world_defaults();
@@ -155,17 +165,16 @@ export class WorldBase {
   setQuality(quality: Quality | QualityOptions, substeps = 0): void {
     const [base, own = 0, stiffness = 0, damping = 0, detection = -1, islands = -1] =
       qualityNumbers(quality);
-    this.engine.check(
-      this.engine.exports.api_world_set_quality(
-        this.address,
-        base,
-        substeps || own,
-        stiffness,
-        damping,
-        detection,
-        islands,
-      ),
-    );
+    const set = this.engine.exports.api_world_set_quality;
+    const made = substeps || own;
+    const result = set(this.address, base, made, stiffness, damping, detection, islands);
+    try {
+      this.engine.check(result);
+    } catch (refused) {
+      const options = typeof quality === "object" ? quality : {};
+      const told = blame(refused, "setQuality", options, QUALITY_RANGES);
+      throw blame(told, "setQuality", { substeps }, QUALITY_RANGES);
+    }
   }
 
   /** Sets the overlap from which on islands are solved directly; see WorldOptions.maxError. */
@@ -193,4 +202,10 @@ export class WorldBase {
     const { buffer, slots } = this.engine;
     return rowsOf(Uint32Array, buffer, slots, ListAt.address, HandleAt.length, shapeAt);
   }
+}
+
+function blameWorld(refused: unknown, options: WorldOptions): unknown {
+  const quality = typeof options.quality === "object" ? options.quality : {};
+  const told = blame(refused, "createWorld", options, WORLD_RANGES);
+  return blame(told, "createWorld", quality, QUALITY_RANGES, 1, "quality.");
 }

@@ -3,7 +3,8 @@
  * the body and what touches it, and is in snapshots that are taken after it. What is out of range
  * throws, and nothing has changed then; thud_edits.h has the details.
  */
-import { checkNames } from "./names.js";
+import { checkNames } from "./checks/names.js";
+import { blame, MASS_RANGES } from "./checks/ranges.js";
 import { indexOf, numbersOf, userData } from "./numbers.js";
 import {
   BODY_KINDS,
@@ -30,7 +31,7 @@ export class WorldEdits extends WorldJoints {
    * @example world.setFilter(ghost, { mask: 0 })
    */
   setFilter(shape: ShapeId, filter: Filter): void {
-    const [category, mask, group] = numbersOf("filter", filter, FILTER);
+    const [category, mask, group] = numbersOf("setFilter", filter, FILTER);
     this.onShape("api_shape_get", shape);
     const s = this.engine.slots;
     this.onShape(
@@ -143,8 +144,12 @@ export class WorldEdits extends WorldJoints {
       this.onBody("api_body_weigh", body);
       return;
     }
-    checkNames("mass", mass, MASS);
+    checkNames("setMass", mass, MASS);
     const { center = [0, 0] } = mass;
-    this.onBody("api_body_set_mass", body, mass.mass, mass.inertia, center[0], center[1]);
+    try {
+      this.onBody("api_body_set_mass", body, mass.mass, mass.inertia, center?.[0], center?.[1]);
+    } catch (refused) {
+      throw blame(refused, "setMass", mass, MASS_RANGES, this.lengthScale);
+    }
   }
 }

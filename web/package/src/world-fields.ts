@@ -3,7 +3,8 @@
  * act through the next step: ask before each. thud_fields.h has the formulas.
  */
 import { EXPLOSION_OPTIONS, ExplosionOptionsAt, NumberAt, WATER_OPTIONS } from "./generated/slots.js";
-import { checkNames } from "./names.js";
+import { checkNames } from "./checks/names.js";
+import { blame, EXPLOSION_RANGES, WATER_RANGES, WIND_RANGES } from "./checks/ranges.js";
 import { fill, filterNumbers, numbersOf } from "./numbers.js";
 import type { BodyId, Explosion, Vec2, Water, Wind } from "./types.js";
 import { WorldForces } from "./world-forces.js";
@@ -18,12 +19,16 @@ export class WorldFields extends WorldForces {
    */
   explode(explosion: Explosion): number {
     const { exports, slots } = this.engine;
-    const numbers = numbersOf("explosion", explosion, EXPLOSION_OPTIONS, ["filter"]);
+    const numbers = numbersOf("explode", explosion, EXPLOSION_OPTIONS, ["filter"]);
     const filter = filterNumbers(explosion.filter ?? {});
     exports.api_explosion_defaults();
     fill(slots, numbers);
     fill(slots, filter, ExplosionOptionsAt.filter);
-    this.engine.check(exports.api_world_explode(this.address));
+    try {
+      this.engine.check(exports.api_world_explode(this.address));
+    } catch (refused) {
+      throw blame(refused, "explode", explosion, EXPLOSION_RANGES, this.lengthScale);
+    }
     return this.engine.slots[NumberAt.value];
   }
 
@@ -32,9 +37,13 @@ export class WorldFields extends WorldForces {
    * @example world.applyWind(flag, [8, 0], { drag: 1.2 })
    */
   applyWind(body: BodyId, velocity: Vec2, wind: Wind = {}): void {
-    checkNames("wind", wind, WIND);
+    checkNames("applyWind", wind, WIND);
     const { density = 1, drag = 1, lift = 1 } = wind;
-    this.onBody("api_body_apply_wind", body, velocity[0], velocity[1], density, drag, lift);
+    try {
+      this.onBody("api_body_apply_wind", body, velocity[0], velocity[1], density, drag, lift);
+    } catch (refused) {
+      throw blame(refused, "applyWind", wind, WIND_RANGES);
+    }
   }
 
   /**
@@ -43,10 +52,14 @@ export class WorldFields extends WorldForces {
    */
   applyBuoyancy(body: BodyId, water: Water): void {
     const { exports, slots } = this.engine;
-    const numbers = numbersOf("water", water, WATER_OPTIONS);
+    const numbers = numbersOf("applyBuoyancy", water, WATER_OPTIONS);
     exports.api_water_defaults();
     fill(slots, numbers);
-    this.onBody("api_body_apply_buoyancy", body);
+    try {
+      this.onBody("api_body_apply_buoyancy", body);
+    } catch (refused) {
+      throw blame(refused, "applyBuoyancy", water, WATER_RANGES, this.lengthScale);
+    }
   }
 
   /** Brakes a ball that rolls as on a slope of `coefficient`, through the next step. */

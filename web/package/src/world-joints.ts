@@ -106,7 +106,9 @@ export class WorldJoints extends WorldViews {
     const numbers = numbersOf("frame", frame, FRAME_OPTIONS);
     this.onJoint("api_joint_options", joint);
     fill(this.engine.slots, numbers, JointOptionsAt.frameA + FrameOptionsAt.length * i);
-    this.onJoint("api_joint_set_frame", joint, i);
+    named("setJointFrame", { [`frame${side.toUpperCase()}`]: frame }, this.#furthest, () =>
+      this.onJoint("api_joint_set_frame", joint, i),
+    );
   }
 
   /**

@@ -8,7 +8,8 @@ import {
   NumberAt,
   RayHitAt,
 } from "./generated/slots.js";
-import { checkNames } from "./names.js";
+import { checkNames } from "./checks/names.js";
+import { blameQuery, isQueryWrong } from "./checks/parts.js";
 import {
   fill,
   filterNumbers,
@@ -36,15 +37,16 @@ export class WorldQueries extends WorldBase {
    */
   castRay(origin: Vec2, translation: Vec2, filter: QueryFilter = {}): RayHit | null {
     const { exports } = this.#asked(filter);
-    this.engine.check(
-      exports.api_cast_ray(this.address, origin[0], origin[1], translation[0], translation[1]),
-    );
+    const [x, y, dx, dy] = [origin?.[0], origin?.[1], translation?.[0], translation?.[1]];
+    const result = exports.api_cast_ray(this.address, x, y, dx, dy);
+    if (result !== 0) this.#refuse(result, "castRay", { origin, translation });
     return readFirst(this.engine.slots);
   }
 
   /** Every shape along the ray, the nearest first. */
   castRayAll(origin: Vec2, translation: Vec2, filter: QueryFilter = {}): RayHit[] {
-    return this.#castAll([-1, 0, 0, 0], origin, translation, filter);
+    const args = { origin, translation };
+    return this.#castAll([-1, 0, 0, 0], origin, translation, filter, "castRayAll", args);
   }
 
   /** The first shape that a circle, AABB or OBB meets on its way, or null. */
@@ -56,9 +58,9 @@ export class WorldQueries extends WorldBase {
   ): RayHit | null {
     const [kind, hx, hy, angle] = solidNumbers(shape);
     const { exports } = this.#asked(filter);
-    this.engine.check(
-      exports.api_cast_shape(this.address, kind, ...center, hx, hy, angle, ...translation),
-    );
+    const [x, y, dx, dy] = [center?.[0], center?.[1], translation?.[0], translation?.[1]];
+    const result = exports.api_cast_shape(this.address, kind, x, y, hx, hy, angle, dx, dy);
+    if (result !== 0) this.#refuse(result, "castShape", { center, translation }, shape);
     return readFirst(this.engine.slots);
   }
 
@@ -69,13 +71,15 @@ export class WorldQueries extends WorldBase {
     translation: Vec2,
     filter: QueryFilter = {},
   ): RayHit[] {
-    return this.#castAll(solidNumbers(shape), center, translation, filter);
+    const args = { center, translation };
+    return this.#castAll(solidNumbers(shape), center, translation, filter, "castShapeAll", args, shape);
   }
 
   /** The shape closest to a point, if one is no further than `maxDistance`, or null. */
   closest(point: Vec2, maxDistance: number, filter: QueryFilter = {}): ClosestHit | null {
     const { exports } = this.#asked(filter);
-    this.engine.check(exports.api_closest(this.address, ...point, maxDistance));
+    const result = exports.api_closest(this.address, point?.[0], point?.[1], maxDistance);
+    if (result !== 0) this.#refuse(result, "closest", { point, maxDistance });
     const s = this.engine.slots;
     return s[ClosestHitAt.found] === 0 ? null : readClosest(s);
   }
@@ -85,15 +89,18 @@ export class WorldQueries extends WorldBase {
    * @example world.overlap({ kind: "circle", center: [0, 0], radius: 1 })
    */
   overlap(query: OverlapQuery, filter: QueryFilter = {}): ShapeId[] {
-    const { engine } = this;
     const { exports } = this.#asked(filter);
     if (query.kind === "bounds") {
       const { lower, upper } = query;
       checkNames("bounds", query, ["kind", "lower", "upper"]);
-      engine.check(exports.api_overlap_aabb(this.address, ...lower, ...upper));
+      const [left, bottom, right, top] = [lower?.[0], lower?.[1], upper?.[0], upper?.[1]];
+      const result = exports.api_overlap_aabb(this.address, left, bottom, right, top);
+      if (result !== 0) this.#refuse(result, "overlap", query);
     } else {
       const [kind, hx, hy, angle] = solidNumbers(query, ["center"]);
-      engine.check(exports.api_overlap_shape(this.address, kind, ...query.center, hx, hy, angle));
+      const [x, y] = [query.center?.[0], query.center?.[1]];
+      const result = exports.api_overlap_shape(this.address, kind, x, y, hx, hy, angle);
+      if (result !== 0) this.#refuse(result, "overlap", query, query);
     }
     return this.shapeIds();
   }
@@ -112,7 +119,10 @@ export class WorldQueries extends WorldBase {
       (doubles) => {
         for (let i = 0; i < doubles.length; i++) doubles[i] = rays[i];
       },
-      (address) => engine.check(exports.api_cast_rays(this.address, address, count)),
+      (address) => {
+        const result = exports.api_cast_rays(this.address, address, count);
+        if (result !== 0) this.#refuseRays(result, rays);
+      },
     );
     const { buffer, slots } = engine;
     const read = (rows: Float64Array, at: number) =>
@@ -156,15 +166,38 @@ export class WorldQueries extends WorldBase {
     return this.engine;
   }
 
+  /** Throws, and names the argument that was wrong, or what is of the shape that asked. */
+  #refuse(result: number, call: string, args: object, shape?: SolidShape): void {
+    try {
+      this.engine.check(result);
+    } catch (refused) {
+      throw blameQuery(refused, call, args, this.lengthScale, shape);
+    }
+  }
+
+  #refuseRays(result: number, rays: ArrayLike<number>): void {
+    const ends = Array.from({ length: Math.floor(rays.length / 4) }, (_, i) => ({
+      origin: [rays[4 * i], rays[4 * i + 1]],
+      translation: [rays[4 * i + 2], rays[4 * i + 3]],
+    }));
+    const wrong = Math.max(0, ends.findIndex((ray) => isQueryWrong(ray, this.lengthScale)));
+    this.#refuse(result, `castRays: ray ${wrong}`, ends[wrong]);
+  }
+
   #castAll(
     [kind, hx, hy, angle]: SolidNumbers,
-    [x, y]: Vec2,
-    [dx, dy]: Vec2,
+    from: Vec2,
+    translation: Vec2,
     filter: QueryFilter,
+    call: string,
+    args: object,
+    shape?: SolidShape,
   ): RayHit[] {
     const { engine } = this;
     const { exports } = this.#asked(filter);
-    engine.check(exports.api_cast_all(this.address, kind, x, y, hx, hy, angle, dx, dy));
+    const [x, y, dx, dy] = [from?.[0], from?.[1], translation?.[0], translation?.[1]];
+    const result = exports.api_cast_all(this.address, kind, x, y, hx, hy, angle, dx, dy);
+    if (result !== 0) this.#refuse(result, call, args, shape);
     const { buffer, slots } = engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, RayHitAt.length, readHit);
   }

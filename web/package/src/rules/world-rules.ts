@@ -3,7 +3,7 @@
  * and thud_listeners.h say all of it.
  */
 import { ImpulseEventAt, ListAt, RULE_OPTIONS, RuleFoundAt, RuleOptionsAt } from "../generated/slots.js";
-import { checkNames } from "../names.js";
+import { checkNames } from "../checks/names.js";
 import { fill, numbersOf, rowsOf, shapeAt, vecAt } from "../numbers.js";
 import { WorldFields } from "../world-fields.js";
 import {

@@ -1,10 +1,12 @@
 /** Options are known by name: a misspelt one must not be passed over in silence. */
-import { ThudError } from "./error.js";
+import { ThudError } from "../error.js";
 
 type Names = readonly string[];
 
 /** Throws for an option that is not among `names` and `others`, and tells the nearest that is. */
 export function checkNames(what: string, options: object, names: Names, others: Names = []): void {
+  if (typeof options !== "object" || options === null)
+    throw new ThudError("invalid", `${what}: options are an object: ${options}`);
   for (const name of Object.keys(options))
     if (!names.includes(name) && !others.includes(name)) refuse(what, name, [...names, ...others]);
 }

@@ -1,0 +1,228 @@
+/**
+ * Which option was out of range, and what it may be. Looked for only after the engine refused a call,
+ * which tells of groups of values: where nothing is refused this costs nothing. Ranges are those of
+ * the headers in engine/include; tests/web/package/ranges.test.mjs tries both ends of each.
+ */
+import { ThudError } from "../error.js";
+
+interface Range {
+  readonly least: number;
+  readonly most: number;
+  /** Two numbers. */
+  readonly pair?: boolean;
+  /** The least itself is not allowed. */
+  readonly above?: boolean;
+  /** 0 is, whatever the least. */
+  readonly orZero?: boolean;
+  /** The ends are in length scales of the world. */
+  readonly scaled?: boolean;
+  /** It has no default. */
+  readonly needed?: boolean;
+}
+
+export type Ranges = Readonly<Record<string, Range>>;
+
+/** As far as a number in single precision goes. */
+const FINITE = 3.4028234e38;
+const FARTHEST = 1e9;
+const PLACE: Range = { least: -FARTHEST, most: FARTHEST, pair: true, scaled: true };
+const WAY: Range = { ...PLACE, least: -2 * FARTHEST, most: 2 * FARTHEST };
+const ANGLE: Range = { least: -1e6, most: 1e6 };
+const ANY: Range = { least: -FINITE, most: FINITE };
+const VECTOR: Range = { ...ANY, pair: true };
+const POSITIVE: Range = { least: 0, most: FINITE };
+const SPEED: Range = { least: 0, most: 1e6 };
+const STIFFNESS: Range = { least: 0.01, most: 0.5, orZero: true };
+const DAMPING: Range = { least: 0, most: 100 };
+const DISTANCE: Range = { least: 0, most: FARTHEST, scaled: true };
+const FLUID: Range = { least: 0, most: 1e12 };
+const DRAG: Range = { least: 0, most: 1e6 };
+/** Static bodies may be larger; the engine, which refused, knows. */
+const SIZE: Range = { least: 1e-4, most: 16384, scaled: true, needed: true };
+const EXTENT: Range = { least: 0, most: FINITE, above: true, needed: true };
+
+export const WORLD_RANGES: Ranges = {
+  gravity: VECTOR,
+  timeStep: { least: 0, most: 1, above: true },
+  lengthScale: { least: 1e-6, most: 1e6 },
+  substeps: { least: 0, most: 64 },
+  contactStiffness: STIFFNESS,
+  contactDamping: DAMPING,
+  pushSpeed: SPEED,
+  restitutionThreshold: SPEED,
+  hitSpeed: SPEED,
+  maximumSpeed: { ...SPEED, above: true },
+  timeBudget: { least: 0, most: 1 },
+  maxError: { least: 0, most: 1e9 },
+};
+
+export const QUALITY_RANGES: Ranges = {
+  substeps: { least: 1, most: 64, orZero: true },
+  contactStiffness: STIFFNESS,
+  contactDamping: DAMPING,
+};
+
+export const BODY_RANGES: Ranges = {
+  position: PLACE,
+  angle: ANGLE,
+  velocity: VECTOR,
+  angularVelocity: ANY,
+  gravityScale: ANY,
+  linearDamping: POSITIVE,
+  angularDamping: POSITIVE,
+};
+
+const MATERIAL: Ranges = {
+  density: { least: 0, most: 1e12 },
+  friction: { least: 0, most: 1e6 },
+  restitution: { least: 0, most: 1 },
+  surfaceSpeed: { least: -1e6, most: 1e6, scaled: true },
+};
+const OFFSET: Range = { least: -16384, most: 16384, pair: true, scaled: true };
+
+/** By kind. */
+export const SHAPE_RANGES: Readonly<Record<string, Ranges>> = {
+  circle: { ...MATERIAL, offset: OFFSET, radius: SIZE },
+  aabb: { ...MATERIAL, offset: OFFSET, halfWidth: SIZE, halfHeight: SIZE },
+  obb: { ...MATERIAL, offset: OFFSET, angle: ANGLE, halfWidth: SIZE, halfHeight: SIZE },
+  terrain: MATERIAL,
+};
+
+export const TERRAIN_RANGES: Ranges = {
+  slope: ANY,
+  x0: { ...ANY, needed: true },
+  spacing: { ...ANY, least: 0, above: true, needed: true },
+};
+
+export const MASS_RANGES: Ranges = {
+  mass: { least: 1e-30, most: 1e30, needed: true },
+  inertia: { least: 1e-30, most: 1e30, orZero: true, needed: true },
+  center: OFFSET,
+};
+
+/** Of the arguments of queries, and of the shapes that ask. */
+export const QUERY_RANGES: Ranges = {
+  origin: PLACE,
+  center: PLACE,
+  point: PLACE,
+  lower: PLACE,
+  upper: PLACE,
+  translation: WAY,
+  maxDistance: DISTANCE,
+};
+export const ASKER_RANGES: Readonly<Record<string, Ranges>> = {
+  circle: { radius: EXTENT },
+  aabb: { halfWidth: EXTENT, halfHeight: EXTENT },
+  obb: { halfWidth: EXTENT, halfHeight: EXTENT, angle: { ...ANGLE, needed: true } },
+};
+
+export const EXPLOSION_RANGES: Ranges = {
+  center: PLACE,
+  radius: DISTANCE,
+  falloff: DISTANCE,
+  impulse: { least: -1e15, most: 1e15 },
+  rays: { least: 1, most: 16 },
+};
+
+export const WIND_RANGES: Ranges = { density: FLUID, drag: DRAG, lift: DRAG };
+
+export const WATER_RANGES: Ranges = {
+  point: PLACE,
+  normal: { least: -1, most: 1, pair: true },
+  density: FLUID,
+  flow: { least: -1e6, most: 1e6, pair: true, scaled: true },
+  linearDrag: DRAG,
+  angularDrag: DRAG,
+};
+
+/** Lengths of a mover know no scale. */
+export const MOVER_RANGES: Ranges = {
+  skin: { least: 0, most: FINITE, above: true },
+  maxSlope: { least: 0, most: 1.55 },
+  stepHeight: { least: 0, most: 1e6 },
+  snapDistance: { least: 0, most: 1e6 },
+  pushForce: { least: 0, most: 1e30 },
+  up: { least: -1, most: 1, pair: true },
+  position: { ...VECTOR, needed: true },
+};
+export const MOVE_RANGES: Ranges = { velocity: VECTOR, dt: { least: 0, most: 1, above: true } };
+
+/** Where a joint is. */
+export const JOINT_RANGES: Ranges = { at: PLACE, from: PLACE, to: PLACE };
+export const FRAME_RANGES: Ranges = {
+  position: { least: -1e6, most: 1e6, pair: true, scaled: true },
+  angle: ANGLE,
+};
+
+/**
+ * What to throw for `error`: where it says that something was out of range, one that names the first
+ * of these options that is; `path` stands before the names of options inside another.
+ */
+export function blame(
+  error: unknown,
+  call: string,
+  options: object,
+  ranges: Ranges,
+  scale = 1,
+  path = "",
+): unknown {
+  if (!isRefusal(error)) return error;
+  const why = whyNot(options, ranges, scale, path);
+  return why ? new ThudError("invalid", `${call}: ${why}`, { cause: error }) : error;
+}
+
+/** Throws for the first option that is out of range, where the engine would tell of it only later. */
+export function checkRanges(call: string, options: object, ranges: Ranges, path = ""): void {
+  const why = whyNot(options, ranges, 1, path);
+  if (why) throw new ThudError("invalid", `${call}: ${why}`);
+}
+
+/** What is wrong with the first option that is out of range, or null. */
+export function whyNot(options: object, ranges: Ranges, scale: number, path = ""): string | null {
+  const given = options as Readonly<Record<string, unknown>>;
+  for (const [name, range] of Object.entries(ranges)) {
+    const value = given[name];
+    if (value === undefined && !range.needed) continue;
+    if (isWithin(value, range, scale)) continue;
+    const told = value === undefined ? "it is missing" : tell(value);
+    return `${path}${name} must be ${inWords(range, scale)}: ${told}`;
+  }
+  return null;
+}
+
+/** Whether the engine found a value out of range, and nobody has told yet which. */
+export function isRefusal(error: unknown): error is ThudError {
+  return error instanceof ThudError && error.code === "invalid" && error.cause === undefined;
+}
+
+function isWithin(value: unknown, range: Range, scale: number): boolean {
+  if (!range.pair) return isNumberWithin(value, range, scale);
+  const pair = value as ArrayLike<unknown> | null;
+  return [0, 1].every((i) => isNumberWithin(pair?.[i], range, scale));
+}
+
+function isNumberWithin(value: unknown, range: Range, scale: number): boolean {
+  const number = Number(value);
+  const unit = range.scaled ? scale : 1;
+  if (range.orZero && number === 0) return true;
+  const { least, most, above } = range;
+  return number <= most * unit && (above ? number > least * unit : number >= least * unit);
+}
+
+function inWords({ least, most, pair, above, orZero, scaled }: Range, scale: number): string {
+  const unit = scaled ? scale : 1;
+  const [low, high] = [short(least * unit), short(most * unit)];
+  if (least === -FINITE) return pair ? "two finite numbers" : "a finite number";
+  if (above) return most === FINITE ? `above ${low}` : `above ${low} and at most ${high}`;
+  if (most === FINITE) return `${low} or more`;
+  return `${orZero ? "0, or " : ""}${pair ? "two numbers " : ""}from ${low} to ${high}`;
+}
+
+function short(number: number): string {
+  const size = Math.abs(number);
+  return size >= 1e6 ? number.toExponential().replace("+", "") : String(number);
+}
+
+function tell(value: unknown): string {
+  return Array.isArray(value) ? `[${value.join(", ")}]` : String(value);
+}
