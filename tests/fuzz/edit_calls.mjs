@@ -69,6 +69,12 @@ export const EDIT_CALLS = {
   localPoint: (s) => s.world.localPoint(s.body(), s.place()),
   worldVector: (s) => s.world.worldVector(s.body(), s.vector()),
   localVector: (s) => s.world.localVector(s.body(), s.vector()),
+  spawn: (s) => {
+    const number = s.world.spawn(s.options({ kind: s.pick(["static", "dynamic"]), position: s.place() }));
+    s.world.destroy(number, "body");
+  },
+  castRayInto: (s) => s.world.castRayInto(s.place(), s.vector(), []),
+  readMotion: (s) => s.world.readMotion(s.body(), []),
   positionOf: (s) => s.world.positionOf(s.body()),
   rotationOf: (s) => s.world.rotationOf(s.body()),
   velocityOf: (s) => s.world.velocityOf(s.body()),

@@ -20,7 +20,8 @@ const JOINTS = ["HingeOptions", "DistanceOptions", "TargetOptions", "GearOptions
 const GROUPS = [
   { title: "The function is given", types: ["SceneSetting"] },
   { title: "Options of createWorld", types: ["WorldOptions"] },
-  { title: "A world: bodies and shapes", types: ["World"], of: "World" },
+  { title: "A world: bodies", types: ["World"], of: "World" },
+  { title: "A world: shapes", types: ["World"], of: "WorldShapes" },
   { title: "A world: joints", types: ["World"], of: "WorldJoints" },
   { title: "A world: changes", types: ["World"], of: "WorldEdits" },
   { title: "A world: pushes and points", types: ["World"], of: "WorldForces" },

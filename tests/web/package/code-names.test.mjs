@@ -28,7 +28,7 @@ function propertiesOf(file, type) {
 }
 
 test("list_has_every_public_method_of_a_world", () => {
-  const layers = ["base", "queries", "views", "joints", "edits", "forces", "fields", "lists"];
+  const layers = ["base", "queries", "views", "joints", "edits", "forces", "fields", "lists", "shapes"];
   const files = ["world", "rules/world-rules", ...layers.map((layer) => `world-${layer}`)];
   const methods = files.flatMap((file) =>
     bodyOf(`package/dist/${file}.d.ts`, /export declare class \w+ /).flatMap(

@@ -8,13 +8,12 @@ const SEEDS = 60;
 /** What is called without a name of its own, or by all who have one. */
 const NOT_PLAYED = new Set([
   "constructor",
-  "onBody",
-  "onShape",
-  "onJoint",
   "shapeIds",
   "close",
   "freeRoom",
-  "createKind",
+  "makeSolid",
+  "refuse",
+  "on",
   "lengthScale",
   "revision",
 ]);

@@ -5,8 +5,9 @@
  *     const thud = await load();
  *     const world = thud.createWorld();
  */
-import { besideModule, type Engine, instantiate, type WasmSource } from "./engine.js";
-import { ThudError } from "./error.js";
+import { explainErrors } from "./checks/explain.js";
+import { besideModule, type Engine, type WasmSource } from "./engine.js";
+import { load as loadFirst } from "./first.js";
 import type { RestSource } from "./rest.js";
 
 export { Engine, type WasmSource } from "./engine.js";
@@ -20,6 +21,7 @@ export * from "./query-types.js";
 export * from "./rules/rule-types.js";
 export * from "./types.js";
 export * from "./view-types.js";
+export { handleOf, numberAt, numberOf } from "./plain/handles.js";
 export { World } from "./world.js";
 
 /**
@@ -31,12 +33,6 @@ export async function load(
   source: WasmSource = besideModule(),
   rest?: RestSource,
 ): Promise<Engine> {
-  if (typeof source !== "string" && !(source instanceof URL)) return instantiate(source, rest);
-  let response: Response;
-  try {
-    response = await fetch(source);
-  } catch (cause) {
-    throw new ThudError("load", `${source} cannot be fetched`, { cause });
-  }
-  return instantiate(response, rest);
+  explainErrors();
+  return loadFirst(source, rest);
 }

@@ -1,5 +1,5 @@
 /** How the options of joints become the numbers that the module takes, and back. */
-import { FRAME_RANGES, JOINT_RANGES, whyNot } from "./checks/ranges.js";
+import { explained } from "./checks/hook.js";
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import {
@@ -18,9 +18,11 @@ import {
   JOINT_KINDS,
   type JointFrame,
   type JointKind,
+  type Numbered,
 } from "./joint-types.js";
 import { bodyAt, fill, indexOf, jointAt, numbersOf, vecAt } from "./numbers.js";
-import type { BodyId, JointId, Vec2 } from "./types.js";
+import { generationOf, index1Of } from "./plain/handles.js";
+import type { BodyRef, JointRef, Vec2 } from "./types.js";
 
 const PAIR = ["kind", "bodyA", "bodyB"];
 const PLACED = [...PAIR, "frameA", "frameB", "at", "axis", "angle"];
@@ -40,10 +42,10 @@ const OWN: Readonly<Record<JointKind, readonly string[]>> = {
 /** Any kind's. */
 interface Given {
   kind: JointKind;
-  bodyA?: BodyId;
-  bodyB?: BodyId;
-  jointA?: JointId;
-  jointB?: JointId;
+  bodyA?: BodyRef;
+  bodyB?: BodyRef;
+  jointA?: JointRef;
+  jointB?: JointRef;
   frameA?: JointFrame;
   frameB?: JointFrame;
   at?: Vec2;
@@ -61,8 +63,8 @@ interface Given {
 const MAKING = JointOptionsAt.making;
 
 /** Fills the slots of api_joint_create. */
-export function writeJoint(engine: Engine, options: AnyJointOptions): void {
-  const given: Given = options;
+export function writeJoint(engine: Engine, options: AnyJointOptions | Numbered<AnyJointOptions>): void {
+  const given = options as Given;
   const kind = indexOf(JOINT_KINDS, given.kind, "joint kind");
   const numbers = numbersOf(given.kind, given, JOINT_OPTIONS, OWN[given.kind]);
   engine.exports.api_joint_defaults(kind);
@@ -71,8 +73,8 @@ export function writeJoint(engine: Engine, options: AnyJointOptions): void {
   const what = given.kind === "gear" ? "joint" : "body";
   [`${what}A` as const, `${what}B` as const].forEach((name, side) => {
     const id = given[name];
-    if (id?.kind !== what) refuse(given.kind, `${name} must be a ${what}`);
-    s.set([id.index + 1, id.generation], JointOptionsAt.pairA + 2 * side);
+    if (typeof id !== "number" && id?.kind !== what) refuse(given.kind, `${name} must be a ${what}`);
+    s.set([index1Of(id), generationOf(id) >>> 0], JointOptionsAt.pairA + 2 * side);
   });
   (["frameA", "frameB"] as const).forEach((name, side) => {
     const frame = numbersOf(`${given.kind}, ${name}`, given[name] ?? {}, FRAME_OPTIONS);
@@ -147,69 +149,13 @@ function driveAt(s: Float64Array, at: number): Drive {
   return Object.fromEntries(entries.filter(([, value]) => Number.isFinite(value)));
 }
 
-/** Most of an option, and its negative, or 0, the least; the engine refuses without a name. */
-const MOST: Readonly<Record<string, number>> = { frequency: 1e4, damping: 1e3, angle: 1e6, ratio: 1e4 };
-const EITHER_WAY = ["lower", "upper", "target", "motorSpeed", "angle", "ratio"];
-
-/** Undefined of what is no such number. */
-function mostOf(name: string, direction: string, furthest: number): number | undefined {
-  if (name in MOST) return MOST[name];
-  if (name.endsWith("Force") || name === "breakTorque") return 1e30;
-  if (name !== "length" && !EITHER_WAY.includes(name)) return undefined;
-  return direction !== "turn" ? furthest : name === "motorSpeed" ? 1e6 : 3.14159;
-}
-
-/** Does what may be refused; if it is, names the option of a drive or of breaking that is wrong. */
+/** Does what may be refused; if it is, tells the option of a drive or of breaking that is wrong. */
 export function named<T>(what: string, options: object, furthest: number, act: () => T): T {
   try {
     return act();
   } catch (error) {
-    if (error instanceof ThudError && error.code === "invalid") {
-      for (const [name, value] of Object.entries(options))
-        if (DIRECTIONS.some((one) => one === name)) checkRanges(what, value as Drive, furthest, name);
-      checkRanges(what, options, furthest, "");
-      checkBodies(what, options, error.message);
-    }
-    throw error;
+    throw explained(error, what, { joint: options, furthest });
   }
-}
-
-function checkRanges(what: string, options: object, furthest: number, direction: string): void {
-  const path = direction && `${direction}.`;
-  checkPlaces(what, options, furthest);
-  const { lower = -Infinity, upper = Infinity } = options as Drive;
-  if (lower > upper) refuse(what, `${path}lower is above ${path}upper`);
-  for (const [name, value] of Object.entries(options)) {
-    const most = mostOf(name, direction, furthest);
-    const isOpen = name === "lower" ? value === -Infinity : name === "upper" && value === Infinity;
-    if (most === undefined || typeof value !== "number" || isOpen) continue;
-    const least = EITHER_WAY.includes(name) ? -most : 0;
-    // What the engine tells of itself is rounded to its floats.
-    if (!(value >= least && value <= most * (1 + 1e-6)))
-      refuse(what, `${path}${name} must be from ${least} to ${most}: ${value}`);
-  }
-}
-
-/** Places in the world, and those in the bodies. */
-function checkPlaces(what: string, options: object, furthest: number): void {
-  const scale = furthest / 999_000;
-  const why = whyNot(options, JOINT_RANGES, scale);
-  if (why) refuse(what, why);
-  for (const name of ["frameA", "frameB"] as const) {
-    const frame = (options as Given)[name];
-    const wrong = frame && whyNot(frame, FRAME_RANGES, scale, `${name}.`);
-    if (wrong) refuse(what, wrong);
-  }
-}
-
-/** What the engine tells of both bodies and of frames that it has worked out. */
-function checkBodies(what: string, options: object, told: string): void {
-  const places = ["at", "from", "to", "frameA", "frameB"].filter((name) => name in options);
-  if (told.includes("a frame is out of range"))
-    refuse(what, `${places.join(" or ")} is too far from its body`);
-  if (told.includes("needs two bodies"))
-    refuse(what, "bodyA and bodyB must be two bodies, one of them dynamic");
-  if (told.includes("body b of a")) refuse(what, "bodyB must be dynamic");
 }
 
 function refuse(what: string, why: string): never {

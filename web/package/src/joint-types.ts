@@ -1,6 +1,6 @@
 /** What joints are made of, and what is read of them. Units as in types.ts. */
 import { JointRowAt } from "./generated/slots.js";
-import type { BodyId, JointId, Vec2 } from "./types.js";
+import type { BodyId, BodyRef, JointId, JointRef, Vec2 } from "./types.js";
 
 export const JOINT_KINDS = [
   "distance",
@@ -327,3 +327,9 @@ export const JOINT_ROW = {
   torque: JointRowAt.torque,
   length: JointRowAt.length,
 } as const;
+
+type Sides = { bodyA: BodyRef; bodyB: BodyRef; jointA: JointRef; jointB: JointRef };
+/** The same with numbers in the place of handles. */
+export type Numbered<T> = T extends unknown
+  ? Omit<T, keyof Sides> & Pick<Sides, keyof T & keyof Sides>
+  : never;

@@ -5,7 +5,7 @@
  *     const mover = new Mover(world, { shape: { kind: "circle", radius: 0.5 }, position: [0, 3] });
  *     const { velocity, ground } = mover.move([5, -1], 1 / 60);
  */
-import { ASKER_RANGES, blame, checkRanges, MOVE_RANGES, MOVER_RANGES } from "./checks/ranges.js";
+import { explained } from "./checks/hook.js";
 import { ThudError } from "./error.js";
 import {
   HandleAt,
@@ -27,6 +27,7 @@ import {
   vecAt,
   view,
 } from "./numbers.js";
+import { generationOf, index1Of } from "./plain/handles.js";
 import type { MoverHit, MoverOptions, MoverReport } from "./query-types.js";
 import type { BodyId, ShapeId, Vec2 } from "./types.js";
 import type { World } from "./world.js";
@@ -58,13 +59,15 @@ export class Mover {
     const [kind, hx, hy, angle] = solidNumbers(options.shape);
     const { filter = {}, body } = options;
     const numbers = numbersOf("Mover", options, MOVER_OPTIONS, OTHERS);
-    checkRanges("Mover", options, MOVER_RANGES);
-    checkRanges("Mover", options.shape, ASKER_RANGES[options.shape.kind], "shape.");
+    // The engine would refuse every move.
+    const unknown = new ThudError("invalid", "Mover");
+    const wrong = explained(unknown, "Mover", options);
+    if (wrong !== unknown) throw wrong;
     const filtered = filterNumbers(filter);
     exports.api_mover_defaults(kind, hx, hy, angle);
     fill(slots, numbers);
     fill(slots, filtered, MoverOptionsAt.filter);
-    const [index1, generation] = body ? [body.index + 1, body.generation] : [0, 0];
+    const [index1, generation] = body ? [index1Of(body), generationOf(body)] : [0, 0];
     this.#world = world;
     this.#address = exports.api_mover_create(
       kind,
@@ -90,7 +93,7 @@ export class Mover {
     try {
       engine.check(engine.exports.api_mover_move(address, this.address, vx, vy, dt, drop));
     } catch (refused) {
-      throw blame(refused, "move", { velocity, dt }, MOVE_RANGES);
+      throw explained(refused, "move", { velocity, dt });
     }
     const { buffer, slots: s } = engine;
     const hits = rowsOf(Float64Array, buffer, s, MoverReportAt.hits, MoverHitAt.length, readHit);

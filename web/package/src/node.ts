@@ -1,5 +1,6 @@
 /** The package as Node.js sees it: the same, but that `load` also reads files. */
 import { readFile } from "node:fs/promises";
+import { explainErrors } from "./checks/explain.js";
 import { besideModule, type Engine, instantiate, type WasmSource } from "./engine.js";
 import { messageOf, ThudError } from "./error.js";
 import { load as loadFromWeb } from "./index.js";
@@ -16,6 +17,7 @@ export async function load(
   if (!isFile) return loadFromWeb(source, rest);
   const isRestFile =
     rest instanceof URL ? rest.protocol === "file:" : typeof rest === "string" && isPath(rest);
+  explainErrors();
   const bytes = await read(source as URL | string);
   return instantiate(bytes, isRestFile ? await read(rest as URL | string) : rest);
 }

@@ -2,6 +2,7 @@
 import { ThudError } from "./error.js";
 import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./generated/slots.js";
 import { checkNames } from "./checks/names.js";
+import { generationOf, index1Of } from "./plain/handles.js";
 import { MEETINGS } from "./rules/rule-types.js";
 import type { QueryFilter, SolidShape } from "./query-types.js";
 import {
@@ -63,6 +64,37 @@ function numberOf(what: string, name: string, value: unknown): number | undefine
   if (typeof value === "number" && name !== "userData") return value;
   if (name === "userData") return userData(value as number, `${what}: userData`);
   return WORDS[name] ? indexOf(WORDS[name], value as string, `${what}: ${name}`) : Number(value);
+}
+
+/**
+ * Writes those that are given to the slots, in the order of `names`, over the defaults that are there;
+ * otherwise as `numbersOf`, and without a list in between.
+ */
+export function writeOptions(
+  what: string,
+  slots: Float64Array,
+  options: object,
+  names: readonly string[],
+  others: readonly string[],
+): void {
+  checkNames(what, options, names, others);
+  const given = options as Readonly<Record<string, unknown>>;
+  for (let i = 0; i < names.length; i++) {
+    const value = given[names[i]];
+    const isPair = names[i + 1] === ".";
+    if (value === undefined) {
+      if (isPair) i++;
+      continue;
+    }
+    if (!isPair) {
+      slots[i] = numberOf(what, names[i], value) ?? NaN;
+      continue;
+    }
+    if (value === null)
+      throw new ThudError("invalid", `${what}: ${names[i]} must be two numbers: null`);
+    slots[i] = Number((value as Vec2)[0]);
+    slots[++i] = Number((value as Vec2)[1]);
+  }
 }
 
 const QUALITY = ["base", ...QUALITY_OPTIONS] as const;
@@ -153,7 +185,7 @@ export function filterNumbers(filter: QueryFilter): number[] {
   const numbers = numbersOf("filter", filter, FILTER_OPTIONS, ["ignore"]);
   const [category = 0xffffffff, mask = 0xffffffff, sensors = 0, group = 0] = numbers;
   const { ignore } = filter;
-  const handle = ignore ? [ignore.index + 1, ignore.generation] : [0, 0];
+  const handle = ignore ? [index1Of(ignore), generationOf(ignore) >>> 0] : [0, 0];
   return [category, mask, sensors, group, ...handle];
 }
 

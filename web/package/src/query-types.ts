@@ -1,5 +1,5 @@
 /** What queries and movers take and give. Units as in types.ts. */
-import type { BodyId, ShapeId, Vec2 } from "./types.js";
+import type { BodyId, BodyRef, ShapeId, Vec2 } from "./types.js";
 
 /** Which shapes are found: those that the asker's category and mask would collide with. */
 export interface QueryFilter {
@@ -12,7 +12,7 @@ export interface QueryFilter {
   /** Shapes of the same group are found always (above 0) or never (below). Default 0, no group. */
   group?: number;
   /** A body none of whose shapes is found: the one that asks, say. */
-  ignore?: BodyId;
+  ignore?: BodyRef;
 }
 
 /** The least box around a shape, in the world. */
@@ -65,7 +65,7 @@ export interface MoverOptions {
   /** Most force on a dynamic body in the way, mass times length/s². Default 0. */
   pushForce?: number;
   /** A kinematic body about its centre that follows it, so that dynamic bodies and sensors meet it. */
-  body?: BodyId;
+  body?: BodyRef;
   /** What it meets. Sensors never stop it: `sensors` has it report which it went through. */
   filter?: QueryFilter;
   /** Bits: shapes of these categories are passed from below and stood on. Default none. */

@@ -27,6 +27,16 @@ export interface JointId {
   readonly generation: number;
 }
 
+/** Where numbers are written, from its beginning. */
+export type Into = number[] | Float64Array | Float32Array;
+
+/** A body by its handle or by its number: see `numberOf`. */
+export type BodyRef = BodyId | number;
+/** Likewise a shape. */
+export type ShapeRef = ShapeId | number;
+/** Likewise a joint. */
+export type JointRef = JointId | number;
+
 export const DETECTIONS = ["overlap", "continuous", "bisect", "swept"] as const;
 /**
  * How moving shapes are tested: where they stand at the start of a step ("overlap"); that, and fast

@@ -1,12 +1,15 @@
 /** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
 /// <reference lib="esnext.disposable" preserve="true" />
-import { blame, QUALITY_RANGES, WORLD_RANGES } from "./checks/ranges.js";
+import { explained } from "./checks/hook.js";
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import { AdvanceAt, HandleAt, ListAt, WORLD_OPTIONS, WorldOptionsAt } from "./generated/slots.js";
 import { fill, numbersOf, qualityNumbers, rowsOf, shapeAt } from "./numbers.js";
+import { generationOf, index1Of } from "./plain/handles.js";
 import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
-import type { BodyId, Quality, QualityOptions, ShapeId, Vec2, WorldOptions } from "./types.js";
+import type { BodyRef, JointRef, Quality, QualityOptions, ShapeId, ShapeRef, Vec2, WorldOptions } from "./types.js";
+
+type AnyRef = BodyRef | ShapeRef | JointRef;
 
 /** Tells, once each, of worlds that were forgotten and never closed. */
 const forgotten =
@@ -40,7 +43,7 @@ export class WorldBase {
     try {
       engine.check(engine.exports.api_world_create());
     } catch (refused) {
-      throw blameWorld(refused, options);
+      throw explained(refused, "createWorld", options);
     }
     this.#address = engine.slots[ListAt.address];
     forgotten?.register(this, null, this);
@@ -168,13 +171,8 @@ export class WorldBase {
     const set = this.engine.exports.api_world_set_quality;
     const made = substeps || own;
     const result = set(this.address, base, made, stiffness, damping, detection, islands);
-    try {
-      this.engine.check(result);
-    } catch (refused) {
-      const options = typeof quality === "object" ? quality : {};
-      const told = blame(refused, "setQuality", options, QUALITY_RANGES);
-      throw blame(told, "setQuality", { substeps }, QUALITY_RANGES);
-    }
+    const given = substeps ? { substeps } : Object(quality);
+    if (result !== 0) this.refuse(result, "setQuality", given);
   }
 
   /** Sets the overlap from which on islands are solved directly; see WorldOptions.maxError. */
@@ -187,14 +185,29 @@ export class WorldBase {
     this.engine.check(this.engine.exports.api_world_set_sleeping(this.address, Number(sleeping)));
   }
 
-  protected onBody(name: string, body: BodyId, ...args: number[]): void {
-    const call = this.engine.exports[name];
-    this.engine.check(call(this.address, body.index + 1, body.generation, ...args));
+  /** Throws what the engine refused, and tells which of the arguments or options was wrong. */
+  protected refuse(result: number, call: string, given: object): void {
+    try {
+      this.engine.check(result);
+    } catch (refused) {
+      throw explained(refused, call, given, this.lengthScale);
+    }
   }
 
-  protected onShape(name: string, shape: ShapeId, ...args: number[]): void {
+  /** A list of arguments would be an object; what the module does not take of them it passes over. */
+  protected on(
+    name: string,
+    id: AnyRef,
+    a?: number,
+    b?: number,
+    c?: number,
+    d?: number,
+    e?: number,
+    f?: number,
+  ): void {
     const call = this.engine.exports[name];
-    this.engine.check(call(this.address, shape.index + 1, shape.generation, ...args));
+    const result = call(this.address, index1Of(id), generationOf(id), a!, b!, c!, d!, e!, f!);
+    if (result !== 0) this.engine.check(result);
   }
 
   /** Those of the list that the last call gave. */
@@ -202,10 +215,4 @@ export class WorldBase {
     const { buffer, slots } = this.engine;
     return rowsOf(Uint32Array, buffer, slots, ListAt.address, HandleAt.length, shapeAt);
   }
-}
-
-function blameWorld(refused: unknown, options: WorldOptions): unknown {
-  const quality = typeof options.quality === "object" ? options.quality : {};
-  const told = blame(refused, "createWorld", options, WORLD_RANGES);
-  return blame(told, "createWorld", quality, QUALITY_RANGES, 1, "quality.");
 }

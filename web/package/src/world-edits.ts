@@ -4,17 +4,18 @@
  * throws, and nothing has changed then; thud_edits.h has the details.
  */
 import { checkNames } from "./checks/names.js";
-import { blame, MASS_RANGES } from "./checks/ranges.js";
+import { kindOf } from "./plain/handles.js";
+import { explained } from "./checks/hook.js";
 import { indexOf, numbersOf, userData } from "./numbers.js";
 import {
   BODY_KINDS,
-  type BodyId,
+  type BodyRef,
   type BodyKind,
   type Detection,
   DETECTIONS,
   type Filter,
   type Mass,
-  type ShapeId,
+  type ShapeRef,
 } from "./types.js";
 import { ShapeStateAt } from "./generated/slots.js";
 import { WorldJoints } from "./world-joints.js";
@@ -30,11 +31,11 @@ export class WorldEdits extends WorldJoints {
    * end, with an event.
    * @example world.setFilter(ghost, { mask: 0 })
    */
-  setFilter(shape: ShapeId, filter: Filter): void {
+  setFilter(shape: ShapeRef, filter: Filter): void {
     const [category, mask, group] = numbersOf("setFilter", filter, FILTER);
-    this.onShape("api_shape_get", shape);
+    this.on("api_shape_get", shape);
     const s = this.engine.slots;
-    this.onShape(
+    this.on(
       "api_shape_set_filter",
       shape,
       category ?? s[ShapeStateAt.category],
@@ -47,31 +48,31 @@ export class WorldEdits extends WorldJoints {
    * Coefficient of friction, 0 or more.
    * @example world.setFriction(ice, 0)
    */
-  setFriction(shape: ShapeId, friction: number): void {
-    this.onShape("api_shape_set_friction", shape, friction);
+  setFriction(shape: ShapeRef, friction: number): void {
+    this.on("api_shape_set_friction", shape, friction);
   }
 
   /** How much it bounces, [0, 1]. */
-  setRestitution(shape: ShapeId, restitution: number): void {
-    this.onShape("api_shape_set_restitution", shape, restitution);
+  setRestitution(shape: ShapeRef, restitution: number): void {
+    this.on("api_shape_set_restitution", shape, restitution);
   }
 
   /**
    * The speed of a conveyor belt, length/s.
    * @example world.setSurfaceSpeed(belt, -2)
    */
-  setSurfaceSpeed(shape: ShapeId, speed: number): void {
-    this.onShape("api_shape_set_surface_speed", shape, speed);
+  setSurfaceSpeed(shape: ShapeRef, speed: number): void {
+    this.on("api_shape_set_surface_speed", shape, speed);
   }
 
   /** Mass per area, 0 or more. Its body is weighed anew at once, and its centre of mass moves. */
-  setDensity(shape: ShapeId, density: number): void {
-    this.onShape("api_shape_set_density", shape, density);
+  setDensity(shape: ShapeRef, density: number): void {
+    this.on("api_shape_set_density", shape, density);
   }
 
   /** Whether it notes what is there and stops nothing. Its contacts end, and begin anew. */
-  setSensor(shape: ShapeId, sensor: boolean): void {
-    this.onShape("api_shape_set_sensor", shape, Number(sensor));
+  setSensor(shape: ShapeRef, sensor: boolean): void {
+    this.on("api_shape_set_sensor", shape, Number(sensor));
     this.shapesRevision++;
   }
 
@@ -79,24 +80,27 @@ export class WorldEdits extends WorldJoints {
    * Of a circle. Its body is weighed anew; what it then overlaps is pushed apart.
    * @example world.setRadius(balloon, 0.8)
    */
-  setRadius(shape: ShapeId, radius: number): void {
-    this.onShape("api_shape_set_radius", shape, radius);
+  setRadius(shape: ShapeRef, radius: number): void {
+    this.on("api_shape_set_radius", shape, radius);
     this.shapesRevision++;
   }
 
   /** Of a box, about the same centre; as `setRadius`. */
-  setHalfExtents(shape: ShapeId, halfWidth: number, halfHeight: number): void {
-    this.onShape("api_shape_set_half_extents", shape, halfWidth, halfHeight);
+  setHalfExtents(shape: ShapeRef, halfWidth: number, halfHeight: number): void {
+    this.on("api_shape_set_half_extents", shape, halfWidth, halfHeight);
     this.shapesRevision++;
   }
 
   // ---- bodies ----
 
-  /** Keeps a number for your own use with a body or a shape: whole, from 0 to 2⁵³ - 1. */
-  setUserData(id: BodyId | ShapeId, data: number): void {
+  /**
+   * Keeps a number for your own use with a body or a shape: whole, from 0 to 2⁵³ - 1. Where `id` is a
+   * number say whose it is.
+   */
+  setUserData(id: BodyRef | ShapeRef, data: number, kind?: "body" | "shape"): void {
     const number = userData(data) ?? 0;
-    if (id.kind === "shape") this.onShape("api_shape_set_user_data", id, number);
-    else this.onBody("api_body_set_user_data", id, number);
+    if (kindOf(id, kind) === "shape") this.on("api_shape_set_user_data", id, number);
+    else this.on("api_body_set_user_data", id, number);
   }
 
   /**
@@ -104,34 +108,34 @@ export class WorldEdits extends WorldJoints {
    * its contacts end, and those that still touch begin with the next step.
    * @example world.setKind(platform, "dynamic")
    */
-  setKind(body: BodyId, kind: BodyKind): void {
-    this.onBody("api_body_set_kind", body, indexOf(BODY_KINDS, kind, "kind"));
+  setKind(body: BodyRef, kind: BodyKind): void {
+    this.on("api_body_set_kind", body, indexOf(BODY_KINDS, kind, "kind"));
   }
 
   /** What slows its motion and its turning, 1/s, 0 or more. */
-  setDamping(body: BodyId, linear: number, angular: number): void {
-    this.onBody("api_body_set_damping", body, linear, angular);
+  setDamping(body: BodyRef, linear: number, angular: number): void {
+    this.on("api_body_set_damping", body, linear, angular);
   }
 
   /** What it feels of the world's gravity: 0 floats. */
-  setGravityScale(body: BodyId, scale: number): void {
-    this.onBody("api_body_set_gravity_scale", body, scale);
+  setGravityScale(body: BodyRef, scale: number): void {
+    this.on("api_body_set_gravity_scale", body, scale);
   }
 
   /** True stops its turning at once. */
-  setFixedRotation(body: BodyId, fixed: boolean): void {
-    this.onBody("api_body_set_fixed_rotation", body, Number(fixed));
+  setFixedRotation(body: BodyRef, fixed: boolean): void {
+    this.on("api_body_set_fixed_rotation", body, Number(fixed));
   }
 
   /** How its motion is tested; null: as the world's. */
-  setDetection(body: BodyId, detection: Detection | null): void {
+  setDetection(body: BodyRef, detection: Detection | null): void {
     const number = detection === null ? -1 : indexOf(DETECTIONS, detection, "detection");
-    this.onBody("api_body_set_detection", body, number);
+    this.on("api_body_set_detection", body, number);
   }
 
   /** Whether it may sleep once it is at rest. */
-  setMaySleep(body: BodyId, maySleep: boolean): void {
-    this.onBody("api_body_set_may_sleep", body, Number(maySleep));
+  setMaySleep(body: BodyRef, maySleep: boolean): void {
+    this.on("api_body_set_may_sleep", body, Number(maySleep));
   }
 
   /**
@@ -139,17 +143,17 @@ export class WorldEdits extends WorldJoints {
    * the body changes its kind; null: as its shapes weigh.
    * @example world.setMass(boat, { mass: 900, inertia: 400, center: [0, -0.4] })
    */
-  setMass(body: BodyId, mass: Mass | null): void {
+  setMass(body: BodyRef, mass: Mass | null): void {
     if (mass === null) {
-      this.onBody("api_body_weigh", body);
+      this.on("api_body_weigh", body);
       return;
     }
     checkNames("setMass", mass, MASS);
     const { center = [0, 0] } = mass;
     try {
-      this.onBody("api_body_set_mass", body, mass.mass, mass.inertia, center?.[0], center?.[1]);
+      this.on("api_body_set_mass", body, mass.mass, mass.inertia, center?.[0], center?.[1]);
     } catch (refused) {
-      throw blame(refused, "setMass", mass, MASS_RANGES, this.lengthScale);
+      throw explained(refused, "setMass", mass, this.lengthScale);
     }
   }
 }

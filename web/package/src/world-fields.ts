@@ -4,9 +4,9 @@
  */
 import { EXPLOSION_OPTIONS, ExplosionOptionsAt, NumberAt, WATER_OPTIONS } from "./generated/slots.js";
 import { checkNames } from "./checks/names.js";
-import { blame, EXPLOSION_RANGES, WATER_RANGES, WIND_RANGES } from "./checks/ranges.js";
+import { explained } from "./checks/hook.js";
 import { fill, filterNumbers, numbersOf } from "./numbers.js";
-import type { BodyId, Explosion, Vec2, Water, Wind } from "./types.js";
+import type { BodyRef, Explosion, Vec2, Water, Wind } from "./types.js";
 import { WorldForces } from "./world-forces.js";
 
 const WIND = ["density", "drag", "lift"] as const;
@@ -27,7 +27,7 @@ export class WorldFields extends WorldForces {
     try {
       this.engine.check(exports.api_world_explode(this.address));
     } catch (refused) {
-      throw blame(refused, "explode", explosion, EXPLOSION_RANGES, this.lengthScale);
+      throw explained(refused, "explode", explosion, this.lengthScale);
     }
     return this.engine.slots[NumberAt.value];
   }
@@ -36,13 +36,13 @@ export class WorldFields extends WorldForces {
    * Pushes a body by the wind through the next step; it is left alone while it sleeps.
    * @example world.applyWind(flag, [8, 0], { drag: 1.2 })
    */
-  applyWind(body: BodyId, velocity: Vec2, wind: Wind = {}): void {
+  applyWind(body: BodyRef, velocity: Vec2, wind: Wind = {}): void {
     checkNames("applyWind", wind, WIND);
     const { density = 1, drag = 1, lift = 1 } = wind;
     try {
-      this.onBody("api_body_apply_wind", body, velocity[0], velocity[1], density, drag, lift);
+      this.on("api_body_apply_wind", body, velocity[0], velocity[1], density, drag, lift);
     } catch (refused) {
-      throw blame(refused, "applyWind", wind, WIND_RANGES);
+      throw explained(refused, "applyWind", wind, this.lengthScale);
     }
   }
 
@@ -50,20 +50,20 @@ export class WorldFields extends WorldForces {
    * Lifts and brakes what of a body is below a water line, through the next step.
    * @example world.applyBuoyancy(boat, { point: [0, 2], density: 3 })
    */
-  applyBuoyancy(body: BodyId, water: Water): void {
+  applyBuoyancy(body: BodyRef, water: Water): void {
     const { exports, slots } = this.engine;
     const numbers = numbersOf("applyBuoyancy", water, WATER_OPTIONS);
     exports.api_water_defaults();
     fill(slots, numbers);
     try {
-      this.onBody("api_body_apply_buoyancy", body);
+      this.on("api_body_apply_buoyancy", body);
     } catch (refused) {
-      throw blame(refused, "applyBuoyancy", water, WATER_RANGES, this.lengthScale);
+      throw explained(refused, "applyBuoyancy", water, this.lengthScale);
     }
   }
 
   /** Brakes a ball that rolls as on a slope of `coefficient`, through the next step. */
-  applyRollingResistance(body: BodyId, coefficient: number): void {
-    this.onBody("api_body_apply_rolling", body, coefficient);
+  applyRollingResistance(body: BodyRef, coefficient: number): void {
+    this.on("api_body_apply_rolling", body, coefficient);
   }
 }

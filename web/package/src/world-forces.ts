@@ -12,7 +12,8 @@ import {
   StepSettingsAt,
 } from "./generated/slots.js";
 import { bodyAt, vecAt } from "./numbers.js";
-import { type BodyId, DETECTIONS, QUALITIES, type ShapeId, type Vec2 } from "./types.js";
+import { type BodyId, type BodyRef, DETECTIONS, QUALITIES, type ShapeRef, type Vec2, type Into } from "./types.js";
+import { kindOf } from "./plain/handles.js";
 import type { StepSettings } from "./view-types.js";
 import { WorldEdits } from "./world-edits.js";
 
@@ -23,21 +24,21 @@ export class WorldForces extends WorldEdits {
    * Pushes through the next step only, at a place in the world, about which it also turns the body.
    * @example world.applyForceAt(rocket, [0, 20], nozzle)
    */
-  applyForceAt(body: BodyId, force: Vec2, point: Vec2): void {
-    this.onBody("api_body_apply_force_at", body, force[0], force[1], point[0], point[1]);
+  applyForceAt(body: BodyRef, force: Vec2, point: Vec2): void {
+    this.on("api_body_apply_force_at", body, force[0], force[1], point[0], point[1]);
   }
 
   /**
    * Pushes at once at the centre of mass, mass times length/s, and turns nothing.
    * @example world.applyCenterImpulse(ball, [0, 5])
    */
-  applyCenterImpulse(body: BodyId, impulse: Vec2): void {
-    this.onBody("api_body_apply_center_impulse", body, impulse[0], impulse[1]);
+  applyCenterImpulse(body: BodyRef, impulse: Vec2): void {
+    this.on("api_body_apply_center_impulse", body, impulse[0], impulse[1]);
   }
 
   /** Turns at once: mass times length²/s. */
-  applyAngularImpulse(body: BodyId, impulse: number): void {
-    this.onBody("api_body_apply_angular_impulse", body, impulse);
+  applyAngularImpulse(body: BodyRef, impulse: number): void {
+    this.on("api_body_apply_angular_impulse", body, impulse);
   }
 
   /**
@@ -45,38 +46,38 @@ export class WorldForces extends WorldEdits {
    * round; it keeps that velocity, so ask before each step.
    * @example world.setTarget(lift, [0, 3 + Math.sin(time)])
    */
-  setTarget(body: BodyId, position: Vec2, angle = 0): void {
-    this.onBody("api_body_set_target", body, position[0], position[1], angle);
+  setTarget(body: BodyRef, position: Vec2, angle = 0): void {
+    this.on("api_body_set_target", body, position[0], position[1], angle);
   }
 
-  // ---- points ----
+  // ---- points; all write into a list of yours where one is given, and return it ----
 
   /** The velocity of the point of the body that is at this place in the world, length/s. */
-  velocityAt(body: BodyId, point: Vec2): Vec2 {
-    return this.#place("api_body_velocity_at", body, point);
+  velocityAt(body: BodyRef, point: Vec2, into?: Into): Vec2 {
+    return this.#place("api_body_velocity_at", body, point, into);
   }
 
   /**
    * From the body's frame to the world.
    * @example const muzzle = world.worldPoint(gun, [1, 0])
    */
-  worldPoint(body: BodyId, point: Vec2): Vec2 {
-    return this.#place("api_body_world_point", body, point);
+  worldPoint(body: BodyRef, point: Vec2, into?: Into): Vec2 {
+    return this.#place("api_body_world_point", body, point, into);
   }
 
   /** From the world to the body's frame. */
-  localPoint(body: BodyId, point: Vec2): Vec2 {
-    return this.#place("api_body_local_point", body, point);
+  localPoint(body: BodyRef, point: Vec2, into?: Into): Vec2 {
+    return this.#place("api_body_local_point", body, point, into);
   }
 
   /** A direction, from the body's frame to the world. */
-  worldVector(body: BodyId, vector: Vec2): Vec2 {
-    return this.#place("api_body_world_vector", body, vector);
+  worldVector(body: BodyRef, vector: Vec2, into?: Into): Vec2 {
+    return this.#place("api_body_world_vector", body, vector, into);
   }
 
   /** A direction, from the world to the body's frame. */
-  localVector(body: BodyId, vector: Vec2): Vec2 {
-    return this.#place("api_body_local_vector", body, vector);
+  localVector(body: BodyRef, vector: Vec2, into?: Into): Vec2 {
+    return this.#place("api_body_local_vector", body, vector, into);
   }
 
   // ---- single values, for who wants one and not a whole state ----
@@ -85,35 +86,54 @@ export class WorldForces extends WorldEdits {
    * Where its origin is.
    * @example const [x, y] = world.positionOf(ball)
    */
-  positionOf(body: BodyId): Vec2 {
-    this.onBody("api_body_position", body);
-    return vecAt(this.engine.slots, PlaceAt.at);
+  positionOf(body: BodyRef, into?: Into): Vec2 {
+    this.on("api_body_position", body);
+    return this.#pair(PlaceAt.at, into);
   }
 
   /** How far it is turned: radians in (-π, π], and their cosine and sine. */
-  rotationOf(body: BodyId): { angle: number; cosine: number; sine: number } {
-    this.onBody("api_body_rotation", body);
+  rotationOf(body: BodyRef): { angle: number; cosine: number; sine: number } {
+    this.on("api_body_rotation", body);
     const s = this.engine.slots;
     return { angle: s[RotationAt.angle], cosine: s[RotationAt.cosine], sine: s[RotationAt.sine] };
   }
 
   /** Of its centre of mass, length/s, and radians/s. */
-  velocityOf(body: BodyId): { velocity: Vec2; angularVelocity: number } {
-    this.onBody("api_body_velocity", body);
+  velocityOf(body: BodyRef): { velocity: Vec2; angularVelocity: number } {
+    this.on("api_body_velocity", body);
     const s = this.engine.slots;
     return { velocity: vecAt(s, MotionAt.velocity), angularVelocity: s[MotionAt.angularVelocity] };
   }
 
-  /** What `setUserData` or the options gave. */
-  userDataOf(id: BodyId | ShapeId): number {
-    if (id.kind === "shape") this.onShape("api_shape_user_data", id);
-    else this.onBody("api_body_user_data", id);
+  /**
+   * The pose and the motion of a body in a list of yours: x, y, angle; velocity x, y and angular.
+   * @example world.readMotion(ball, numbers)
+   */
+  readMotion(body: BodyRef, into: Into): void {
+    this.on("api_body_position", body);
+    let s = this.engine.slots;
+    into[0] = s[PlaceAt.at];
+    into[1] = s[PlaceAt.at + 1];
+    this.on("api_body_rotation", body);
+    s = this.engine.slots;
+    into[2] = s[RotationAt.angle];
+    this.on("api_body_velocity", body);
+    s = this.engine.slots;
+    into[3] = s[MotionAt.velocity];
+    into[4] = s[MotionAt.velocity + 1];
+    into[5] = s[MotionAt.angularVelocity];
+  }
+
+  /** What `setUserData` or the options gave. Of a number say whose it is. */
+  userDataOf(id: BodyRef | ShapeRef, kind?: "body" | "shape"): number {
+    if (kindOf(id, kind) === "shape") this.on("api_shape_user_data", id);
+    else this.on("api_body_user_data", id);
     return this.engine.slots[NumberAt.value];
   }
 
   /** The body that a shape is of. */
-  bodyOf(shape: ShapeId): BodyId {
-    this.onShape("api_shape_body", shape);
+  bodyOf(shape: ShapeRef): BodyId {
+    this.on("api_shape_body", shape);
     return bodyAt(this.engine.slots, HandleAt.index1);
   }
 
@@ -139,8 +159,16 @@ export class WorldForces extends WorldEdits {
     };
   }
 
-  #place(name: string, body: BodyId, point: Vec2): Vec2 {
-    this.onBody(name, body, point[0], point[1]);
-    return vecAt(this.engine.slots, PlaceAt.at);
+  #place(name: string, body: BodyRef, point: Vec2, into?: Into): Vec2 {
+    this.on(name, body, point[0], point[1]);
+    return this.#pair(PlaceAt.at, into);
+  }
+
+  #pair(at: number, into: Into | undefined): Vec2 {
+    const s = this.engine.slots;
+    if (into === undefined) return vecAt(s, at);
+    into[0] = s[at];
+    into[1] = s[at + 1];
+    return into as unknown as Vec2;
   }
 }

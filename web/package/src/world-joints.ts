@@ -24,9 +24,10 @@ import {
   type JointOptions,
   type JointState,
   type JointTable,
+  type Numbered,
 } from "./joint-types.js";
 import { bodyAt, fill, indexOf, jointAt, numbersOf, rowsOf, userData, vecAt, view } from "./numbers.js";
-import type { BodyId, JointId } from "./types.js";
+import type { BodyRef, JointId, JointRef } from "./types.js";
 import { WorldViews } from "./world-views.js";
 
 const SIDES = ["a", "b"] as const;
@@ -41,7 +42,7 @@ export class WorldJoints extends WorldViews {
    * gone with either body.
    * @example world.createJoint({ kind: "hinge", bodyA, bodyB, at: [0, 5] })
    */
-  createJoint(options: AnyJointOptions): JointId {
+  createJoint(options: AnyJointOptions | Numbered<AnyJointOptions>): JointId {
     const { engine } = this;
     writeJoint(engine, options);
     named(options.kind, options, this.#furthest, () =>
@@ -54,8 +55,8 @@ export class WorldJoints extends WorldViews {
    * Where a joint is, by how much it is off, and what it bears.
    * @example world.jointState(joint).force
    */
-  jointState(joint: JointId): JointState {
-    this.onJoint("api_joint_get", joint);
+  jointState(joint: JointRef): JointState {
+    this.on("api_joint_get", joint);
     const s = this.engine.slots;
     const [along, across, turn] = s.subarray(JointStateAt.value);
     return {
@@ -73,8 +74,8 @@ export class WorldJoints extends WorldViews {
   }
 
   /** What another like it can be made with, as it is now: with its frames in both bodies. */
-  jointOptions(joint: JointId): AnyJointOptions {
-    this.onJoint("api_joint_options", joint);
+  jointOptions(joint: JointRef): AnyJointOptions {
+    this.on("api_joint_options", joint);
     return readJoint(this.engine.slots);
   }
 
@@ -83,31 +84,31 @@ export class WorldJoints extends WorldViews {
    * bodies.
    * @example world.setDrive(joint, "turn", { motorSpeed: -3 })
    */
-  setDrive(joint: JointId, direction: Direction, drive: Drive): void {
+  setDrive(joint: JointRef, direction: Direction, drive: Drive): void {
     const i = indexOf(DIRECTIONS, direction, "direction");
-    this.onJoint("api_joint_options", joint);
+    this.on("api_joint_options", joint);
     writeDrive(this.engine.slots, i, drive, direction);
     named("setDrive", { [direction]: drive }, this.#furthest, () =>
-      this.onJoint("api_joint_set_drive", joint, i, this.#furthest),
+      this.on("api_joint_set_drive", joint, i, this.#furthest),
     );
   }
 
   /** Sets how long a rod is. Wakes its bodies. */
-  setJointLength(joint: JointId, length: number): void {
-    this.onJoint("api_joint_set_length", joint, length);
+  setJointLength(joint: JointRef, length: number): void {
+    this.on("api_joint_set_length", joint, length);
   }
 
   /**
    * Sets where a joint is in its body a or b; what is not named stays. Wakes both.
    * @example world.setJointFrame(joint, "a", { position: [pointer.x, pointer.y] })
    */
-  setJointFrame(joint: JointId, side: "a" | "b", frame: JointFrame): void {
+  setJointFrame(joint: JointRef, side: "a" | "b", frame: JointFrame): void {
     const i = indexOf(SIDES, side, "side");
     const numbers = numbersOf("frame", frame, FRAME_OPTIONS);
-    this.onJoint("api_joint_options", joint);
+    this.on("api_joint_options", joint);
     fill(this.engine.slots, numbers, JointOptionsAt.frameA + FrameOptionsAt.length * i);
     named("setJointFrame", { [`frame${side.toUpperCase()}`]: frame }, this.#furthest, () =>
-      this.onJoint("api_joint_set_frame", joint, i),
+      this.on("api_joint_set_frame", joint, i),
     );
   }
 
@@ -116,25 +117,25 @@ export class WorldJoints extends WorldViews {
    * @example world.setJointBreaking(joint, { breakForce: 500 })
    */
   setJointBreaking(
-    joint: JointId,
+    joint: JointRef,
     options: Pick<JointOptions, "breakForce" | "breakTorque" | "onlyReports">,
   ): void {
     const numbers = numbersOf("setJointBreaking", options, BREAKING);
-    this.onJoint("api_joint_options", joint);
+    this.on("api_joint_options", joint);
     fill(this.engine.slots, numbers, JointOptionsAt.breakForce);
     named("setJointBreaking", options, this.#furthest, () =>
-      this.onJoint("api_joint_set_breaking", joint),
+      this.on("api_joint_set_breaking", joint),
     );
   }
 
   /** False lets go of both bodies, until true. Wakes them. */
-  setJointEnabled(joint: JointId, enabled: boolean): void {
-    this.onJoint("api_joint_set_enabled", joint, Number(enabled));
+  setJointEnabled(joint: JointRef, enabled: boolean): void {
+    this.on("api_joint_set_enabled", joint, Number(enabled));
   }
 
   /** Keeps a number for your own use: whole, from 0 to 2⁵³ - 1. */
-  setJointUserData(joint: JointId, data: number): void {
-    this.onJoint("api_joint_set_user_data", joint, userData(data) ?? 0);
+  setJointUserData(joint: JointRef, data: number): void {
+    this.on("api_joint_set_user_data", joint, userData(data) ?? 0);
   }
 
   /** Every joint of the world. */
@@ -144,8 +145,8 @@ export class WorldJoints extends WorldViews {
   }
 
   /** The joints of a body. */
-  jointsOf(body: BodyId): JointId[] {
-    this.onBody("api_body_joints", body);
+  jointsOf(body: BodyRef): JointId[] {
+    this.on("api_body_joints", body);
     return this.#jointIds();
   }
 
@@ -192,10 +193,6 @@ export class WorldJoints extends WorldViews {
     return rowsOf(Uint32Array, buffer, slots, ListAt.address, HandleAt.length, jointAt);
   }
 
-  protected onJoint(name: string, joint: JointId, ...args: number[]): void {
-    const call = this.engine.exports[name];
-    this.engine.check(call(this.address, joint.index + 1, joint.generation, ...args));
-  }
 }
 
 function readEvent(rows: Float64Array, at: number): JointEvent {

@@ -2,8 +2,8 @@
 import { ThudError } from "./error.js";
 import { HandleAt, ListAt, PairAt, PairSideAt, ShapeStateAt } from "./generated/slots.js";
 import { bodyAt, rowsOf, shapeAt } from "./numbers.js";
-import type { BodyId, ShapeId } from "./types.js";
 import { WorldRules } from "./rules/world-rules.js";
+import type { BodyId, ShapeId, ShapeRef } from "./types.js";
 import type { ContactEvent, Events, Meeting, Pair, PairSide } from "./view-types.js";
 
 export class WorldLists extends WorldRules {
@@ -66,8 +66,8 @@ export class WorldLists extends WorldRules {
    * What a sensor overlaps now.
    * @example if (world.overlapsOf(goal).length > 0) score()
    */
-  overlapsOf(sensor: ShapeId): ShapeId[] {
-    this.onShape("api_sensor_overlaps", sensor);
+  overlapsOf(sensor: ShapeRef): ShapeId[] {
+    this.on("api_sensor_overlaps", sensor);
     return this.shapeIds();
   }
 

@@ -9,7 +9,6 @@ import {
   RayHitAt,
 } from "./generated/slots.js";
 import { checkNames } from "./checks/names.js";
-import { blameQuery, isQueryWrong } from "./checks/parts.js";
 import {
   fill,
   filterNumbers,
@@ -27,8 +26,11 @@ import type {
   RayHit,
   SolidShape,
 } from "./query-types.js";
-import type { ShapeId, Vec2 } from "./types.js";
+import { numberAt } from "./plain/handles.js";
+import type { ShapeId, ShapeRef, Vec2, Into } from "./types.js";
 import { WorldBase } from "./world-base.js";
+
+const EVERYTHING = filterNumbers({});
 
 export class WorldQueries extends WorldBase {
   /**
@@ -39,8 +41,34 @@ export class WorldQueries extends WorldBase {
     const { exports } = this.#asked(filter);
     const [x, y, dx, dy] = [origin?.[0], origin?.[1], translation?.[0], translation?.[1]];
     const result = exports.api_cast_ray(this.address, x, y, dx, dy);
-    if (result !== 0) this.#refuse(result, "castRay", { origin, translation });
+    if (result !== 0) this.refuse(result, "castRay", { origin, translation });
     return readFirst(this.engine.slots);
+  }
+
+  /**
+   * As `castRay`, with what is found in a list of yours: the number of the shape, x and y of the point
+   * and of the normal, the fraction. False where nothing is, and the list is as before.
+   * @example if (world.castRayInto(eye, way, hit)) look(hit[0])
+   */
+  castRayInto(origin: Vec2, translation: Vec2, into: Into, filter?: QueryFilter): boolean {
+    const { exports } = filter === undefined ? this.#askedAll() : this.#asked(filter);
+    const result = exports.api_cast_ray(
+      this.address,
+      origin?.[0],
+      origin?.[1],
+      translation?.[0],
+      translation?.[1],
+    );
+    if (result !== 0) this.refuse(result, "castRayInto", { origin, translation });
+    const s = this.engine.slots;
+    if (s[FirstHitAt.found] === 0) return false;
+    into[0] = numberAt(s, FirstHitAt.hit + RayHitAt.shape);
+    into[1] = s[FirstHitAt.hit + RayHitAt.point];
+    into[2] = s[FirstHitAt.hit + RayHitAt.point + 1];
+    into[3] = s[FirstHitAt.hit + RayHitAt.normal];
+    into[4] = s[FirstHitAt.hit + RayHitAt.normal + 1];
+    into[5] = s[FirstHitAt.hit + RayHitAt.fraction];
+    return true;
   }
 
   /** Every shape along the ray, the nearest first. */
@@ -60,7 +88,7 @@ export class WorldQueries extends WorldBase {
     const { exports } = this.#asked(filter);
     const [x, y, dx, dy] = [center?.[0], center?.[1], translation?.[0], translation?.[1]];
     const result = exports.api_cast_shape(this.address, kind, x, y, hx, hy, angle, dx, dy);
-    if (result !== 0) this.#refuse(result, "castShape", { center, translation }, shape);
+    if (result !== 0) this.refuse(result, "castShape", { center, translation, shape });
     return readFirst(this.engine.slots);
   }
 
@@ -71,15 +99,15 @@ export class WorldQueries extends WorldBase {
     translation: Vec2,
     filter: QueryFilter = {},
   ): RayHit[] {
-    const args = { center, translation };
-    return this.#castAll(solidNumbers(shape), center, translation, filter, "castShapeAll", args, shape);
+    const args = { center, translation, shape };
+    return this.#castAll(solidNumbers(shape), center, translation, filter, "castShapeAll", args);
   }
 
   /** The shape closest to a point, if one is no further than `maxDistance`, or null. */
   closest(point: Vec2, maxDistance: number, filter: QueryFilter = {}): ClosestHit | null {
     const { exports } = this.#asked(filter);
     const result = exports.api_closest(this.address, point?.[0], point?.[1], maxDistance);
-    if (result !== 0) this.#refuse(result, "closest", { point, maxDistance });
+    if (result !== 0) this.refuse(result, "closest", { point, maxDistance });
     const s = this.engine.slots;
     return s[ClosestHitAt.found] === 0 ? null : readClosest(s);
   }
@@ -95,12 +123,12 @@ export class WorldQueries extends WorldBase {
       checkNames("bounds", query, ["kind", "lower", "upper"]);
       const [left, bottom, right, top] = [lower?.[0], lower?.[1], upper?.[0], upper?.[1]];
       const result = exports.api_overlap_aabb(this.address, left, bottom, right, top);
-      if (result !== 0) this.#refuse(result, "overlap", query);
+      if (result !== 0) this.refuse(result, "overlap", query);
     } else {
       const [kind, hx, hy, angle] = solidNumbers(query, ["center"]);
       const [x, y] = [query.center?.[0], query.center?.[1]];
       const result = exports.api_overlap_shape(this.address, kind, x, y, hx, hy, angle);
-      if (result !== 0) this.#refuse(result, "overlap", query, query);
+      if (result !== 0) this.refuse(result, "overlap", { ...query, shape: query });
     }
     return this.shapeIds();
   }
@@ -121,7 +149,7 @@ export class WorldQueries extends WorldBase {
       },
       (address) => {
         const result = exports.api_cast_rays(this.address, address, count);
-        if (result !== 0) this.#refuseRays(result, rays);
+        if (result !== 0) this.refuse(result, "castRays", { rays });
       },
     );
     const { buffer, slots } = engine;
@@ -133,8 +161,8 @@ export class WorldQueries extends WorldBase {
   // ---- one shape, whatever its filter ----
 
   /** Where a ray first meets this shape, or null. */
-  castRayAt(shape: ShapeId, origin: Vec2, translation: Vec2): RayHit | null {
-    this.onShape("api_shape_meets_ray", shape, ...origin, ...translation);
+  castRayAt(shape: ShapeRef, origin: Vec2, translation: Vec2): RayHit | null {
+    this.on("api_shape_meets_ray", shape, ...origin, ...translation);
     return readFirst(this.engine.slots);
   }
 
@@ -142,46 +170,34 @@ export class WorldQueries extends WorldBase {
    * Whether a point is in a shape, or on its edge; below a terrain's line it is.
    * @example if (world.containsPoint(shape, [x, y])) pick(shape)
    */
-  containsPoint(shape: ShapeId, point: Vec2): boolean {
-    this.onShape("api_shape_contains_point", shape, ...point);
+  containsPoint(shape: ShapeRef, point: Vec2): boolean {
+    this.on("api_shape_contains_point", shape, ...point);
     return this.engine.slots[NumberAt.value] !== 0;
   }
 
   /** The closest point of a shape's surface, however far. */
-  closestPointOf(shape: ShapeId, point: Vec2): ClosestHit {
-    this.onShape("api_shape_closest_point", shape, ...point);
+  closestPointOf(shape: ShapeRef, point: Vec2): ClosestHit {
+    this.on("api_shape_closest_point", shape, ...point);
     return readClosest(this.engine.slots);
   }
 
   /** The least box around a shape as it stands; a flat terrain has none. */
-  boundsOf(shape: ShapeId): Bounds {
-    this.onShape("api_shape_bounds", shape);
+  boundsOf(shape: ShapeRef): Bounds {
+    this.on("api_shape_bounds", shape);
     const s = this.engine.slots;
     return { lower: vecAt(s, BoundsAt.lower), upper: vecAt(s, BoundsAt.upper) };
+  }
+
+  /** The engine, with a query of everything in its slots. */
+  #askedAll(): Engine {
+    for (let i = 0; i < EVERYTHING.length; i++) this.engine.slots[i] = EVERYTHING[i];
+    return this.engine;
   }
 
   /** The engine, with what a query finds in its slots. */
   #asked(filter: QueryFilter): Engine {
     fill(this.engine.slots, filterNumbers(filter));
     return this.engine;
-  }
-
-  /** Throws, and names the argument that was wrong, or what is of the shape that asked. */
-  #refuse(result: number, call: string, args: object, shape?: SolidShape): void {
-    try {
-      this.engine.check(result);
-    } catch (refused) {
-      throw blameQuery(refused, call, args, this.lengthScale, shape);
-    }
-  }
-
-  #refuseRays(result: number, rays: ArrayLike<number>): void {
-    const ends = Array.from({ length: Math.floor(rays.length / 4) }, (_, i) => ({
-      origin: [rays[4 * i], rays[4 * i + 1]],
-      translation: [rays[4 * i + 2], rays[4 * i + 3]],
-    }));
-    const wrong = Math.max(0, ends.findIndex((ray) => isQueryWrong(ray, this.lengthScale)));
-    this.#refuse(result, `castRays: ray ${wrong}`, ends[wrong]);
   }
 
   #castAll(
@@ -191,13 +207,12 @@ export class WorldQueries extends WorldBase {
     filter: QueryFilter,
     call: string,
     args: object,
-    shape?: SolidShape,
   ): RayHit[] {
     const { engine } = this;
     const { exports } = this.#asked(filter);
     const [x, y, dx, dy] = [from?.[0], from?.[1], translation?.[0], translation?.[1]];
     const result = exports.api_cast_all(this.address, kind, x, y, hx, hy, angle, dx, dy);
-    if (result !== 0) this.#refuse(result, call, args, shape);
+    if (result !== 0) this.refuse(result, call, args);
     const { buffer, slots } = engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, RayHitAt.length, readHit);
   }

@@ -1,7 +1,6 @@
 /** The shapes of bodies: made, read and, where they are ground, dug. */
 import { checkNames } from "./checks/names.js";
-import { blameTerrain } from "./checks/parts.js";
-import { blame, SHAPE_RANGES } from "./checks/ranges.js";
+import { explained } from "./checks/hook.js";
 import { ThudError } from "./error.js";
 import {
   FootAt,
@@ -11,16 +10,17 @@ import {
   ShapeStateAt,
   TerrainAt,
 } from "./generated/slots.js";
-import { bodyAt, fill, FORMS, indexOf, numbersOf, rowsOf, shapeAt, vecAt } from "./numbers.js";
+import { bodyAt, FORMS, indexOf, rowsOf, shapeAt, vecAt, writeOptions } from "./numbers.js";
+import { generationOf, index1Of } from "./plain/handles.js";
 import {
-  type BodyId,
+  type BodyRef,
   type BoxOptions,
   type CircleOptions,
   type Foot,
   type Ground,
   type ObbOptions,
   SHAPE_KINDS,
-  type ShapeId,
+  type ShapeId, type ShapeRef,
   type ShapeKind,
   type ShapeOptions,
   type ShapeState,
@@ -51,12 +51,29 @@ const CREATE = {
   terrain: "createTerrain",
 } as const;
 
+const MODULE_CREATE = {
+  circle: "api_circle_create",
+  aabb: "api_aabb_create",
+  obb: "api_obb_create",
+} as const;
+type SolidKind = keyof typeof MODULE_CREATE;
+
+/** Of any kind. */
+type SolidLike = ShapeOptions & {
+  kind?: ShapeKind;
+  offset?: Vec2;
+  radius?: number;
+  halfWidth?: number;
+  halfHeight?: number;
+  angle?: number;
+};
+
 export class WorldShapes extends WorldLists {
   /**
    * Gives a body a circle.
    * @example world.createCircle(ball, { radius: 0.5, restitution: 0.4 })
    */
-  createCircle(body: BodyId, options: CircleOptions): ShapeId {
+  createCircle(body: BodyRef, options: CircleOptions): ShapeId {
     return this.#createSolid("circle", body, options);
   }
 
@@ -64,7 +81,7 @@ export class WorldShapes extends WorldLists {
    * Gives a body a box that keeps its axes: the rotation of its body is fixed from then on.
    * @example world.createAabb(ground, { halfWidth: 10, halfHeight: 1 })
    */
-  createAabb(body: BodyId, options: BoxOptions): ShapeId {
+  createAabb(body: BodyRef, options: BoxOptions): ShapeId {
     return this.#createSolid("aabb", body, options);
   }
 
@@ -72,7 +89,7 @@ export class WorldShapes extends WorldLists {
    * Gives a body a box that turns with it.
    * @example world.createObb(body, { halfWidth: 1, halfHeight: 0.5 })
    */
-  createObb(body: BodyId, options: ObbOptions): ShapeId {
+  createObb(body: BodyRef, options: ObbOptions): ShapeId {
     return this.#createSolid("obb", body, options);
   }
 
@@ -80,16 +97,26 @@ export class WorldShapes extends WorldLists {
    * Gives a body ground of any length, solid below. Only on static bodies with angle 0.
    * @example world.createTerrain(body, { kind: "uniform", x0: 0, spacing: 1, heights })
    */
-  createTerrain(body: BodyId, terrain: Terrain, options: ShapeOptions = {}): ShapeId {
+  createTerrain(
+    body: BodyRef,
+    terrain: Terrain,
+    options: ShapeOptions & { kind?: "terrain" } = {},
+  ): ShapeId {
     const kind = indexOf(TERRAIN_KINDS, terrain.kind, "createTerrain: kind");
     checkNames("createTerrain", terrain, TERRAINS[terrain.kind]);
     const create = (points: number, count: number, slope: number, x0: number, spacing: number) => {
-      const numbers = [kind, slope, x0, spacing, points, count];
+      const { exports, slots } = this.engine;
+      exports.api_shape_defaults();
+      writeOptions("createTerrain", slots, options, SHAPE_OPTIONS, FORMS.terrain);
+      if ((options.kind ?? "terrain") !== "terrain")
+        throw new ThudError("invalid", `createTerrain: its kind is "${options.kind}"`);
       try {
-        return this.#createShape("terrain", options, FORMS.terrain, body, ...numbers);
+        this.on("api_terrain_create", body, kind, slope, x0, spacing, points, count);
       } catch (refused) {
-        throw blameTerrain(refused, terrain);
+        throw explained(refused, "createTerrain", { ...options, terrain }, this.lengthScale);
       }
+      this.shapesRevision++;
+      return shapeAt(slots, HandleAt.index1);
     };
     if (terrain.kind === "flat") return create(0, 0, terrain.slope ?? 0, 0, 0);
     const uniform = terrain.kind === "uniform";
@@ -110,8 +137,8 @@ export class WorldShapes extends WorldLists {
   }
 
   /** What a shape was made with, and its body. */
-  shapeState(shape: ShapeId): ShapeState {
-    this.onShape("api_shape_get", shape);
+  shapeState(shape: ShapeRef): ShapeState {
+    this.on("api_shape_get", shape);
     const s = this.engine.slots;
     const kind = SHAPE_KINDS[s[ShapeStateAt.kind]];
     const material = {
@@ -135,8 +162,8 @@ export class WorldShapes extends WorldLists {
   }
 
   /** A copy of a terrain as the world has it. */
-  terrain(shape: ShapeId): Terrain {
-    this.onShape("api_shape_terrain", shape);
+  terrain(shape: ShapeRef): Terrain {
+    this.on("api_shape_terrain", shape);
     const { buffer, slots: s } = this.engine;
     const kind = TERRAIN_KINDS[s[TerrainAt.kind]];
     if (kind === "flat") return { kind, slope: s[TerrainAt.slope] };
@@ -150,11 +177,11 @@ export class WorldShapes extends WorldLists {
   }
 
   /** Replaces the heights of a terrain's vertices from `first` on. */
-  setHeights(shape: ShapeId, first: number, heights: ArrayLike<number>): void {
+  setHeights(shape: ShapeRef, first: number, heights: ArrayLike<number>): void {
     this.engine.withDoubles(
       heights.length,
       (doubles) => doubles.set(heights),
-      (address) => this.onShape("api_shape_set_heights", shape, first, address, heights.length),
+      (address) => this.on("api_shape_set_heights", shape, first, address, heights.length),
     );
     this.terrainsRevision++;
   }
@@ -164,14 +191,14 @@ export class WorldShapes extends WorldLists {
    * rests there wakes in the next step. A uniform line keeps its grid.
    * @example world.dig(shape, [x, y], 2)
    */
-  dig(shape: ShapeId, center: Vec2, radius: number): void {
-    this.onShape("api_shape_dig", shape, center[0], center[1], radius);
+  dig(shape: ShapeRef, center: Vec2, radius: number): void {
+    this.on("api_shape_dig", shape, center[0], center[1], radius);
     this.terrainsRevision++;
   }
 
   /** Raises a smooth mound about x; a negative height makes a hollow. Otherwise as `dig`. */
-  raise(shape: ShapeId, x: number, radius: number, height: number): void {
-    this.onShape("api_shape_raise", shape, x, radius, height);
+  raise(shape: ShapeRef, x: number, radius: number, height: number): void {
+    this.on("api_shape_raise", shape, x, radius, height);
     this.terrainsRevision++;
   }
 
@@ -179,20 +206,20 @@ export class WorldShapes extends WorldLists {
    * Replaces the points of an irregular line at x0 to x1, both included, by others with strictly
    * increasing x in that range. Like those of a new terrain they are relative to the body's origin.
    */
-  replaceRange(shape: ShapeId, x0: number, x1: number, points: ArrayLike<Vec2>): void {
+  replaceRange(shape: ShapeRef, x0: number, x1: number, points: ArrayLike<Vec2>): void {
     const { length } = points;
     const fillPoints = (doubles: Float64Array) => {
       for (let i = 0; i < length; i++) doubles.set(points[i], 2 * i);
     };
     this.engine.withDoubles(2 * length, fillPoints, (address) =>
-      this.onShape("api_shape_replace_range", shape, x0, x1, address, length),
+      this.on("api_shape_replace_range", shape, x0, x1, address, length),
     );
     this.terrainsRevision++;
   }
 
   /** The ground of a terrain at x, a place in the world; throws beyond its ends. */
-  groundAt(shape: ShapeId, x: number): Ground {
-    this.onShape("api_ground_at", shape, x);
+  groundAt(shape: ShapeRef, x: number): Ground {
+    this.on("api_ground_at", shape, x);
     const s = this.engine.slots;
     return {
       height: s[GroundAt.height],
@@ -203,55 +230,40 @@ export class WorldShapes extends WorldLists {
   }
 
   /** Puts a level sole of the given width onto a terrain, with its middle at x. */
-  placeFoot(shape: ShapeId, x: number, width: number): Foot {
-    this.onShape("api_place_foot", shape, x, width);
+  placeFoot(shape: ShapeRef, x: number, width: number): Foot {
+    this.on("api_place_foot", shape, x, width);
     const s = this.engine.slots;
     return { height: s[FootAt.height], x: s[FootAt.x], normal: vecAt(s, FootAt.normal) };
   }
 
   /** By the kind that it names. */
-  protected createKind(body: BodyId, shape: SolidOptions): ShapeId {
-    if (shape?.kind === "circle") return this.createCircle(body, shape);
-    if (shape?.kind === "aabb") return this.createAabb(body, shape);
-    if (shape?.kind === "obb") return this.createObb(body, shape);
-    throw new ThudError("invalid", "a shape's kind is circle, aabb or obb");
+  protected makeSolid(index1: number, generation: number, shape: SolidOptions): void {
+    const kind = shape?.kind;
+    if (kind !== "circle" && kind !== "aabb" && kind !== "obb")
+      throw new ThudError("invalid", "a shape's kind is circle, aabb or obb");
+    this.#makeShape(kind, index1, generation, shape);
   }
 
-  #createSolid(
-    kind: Exclude<ShapeKind, "terrain">,
-    body: BodyId,
-    options: ShapeOptions & { offset?: Vec2 },
-  ): ShapeId {
-    checkNames(CREATE[kind], options, SHAPE_OPTIONS, SOLIDS[kind]);
-    const { offset = [0, 0] } = options;
-    const [x, y] = [offset?.[0] ?? NaN, offset?.[1] ?? NaN];
-    const given = options as Readonly<Record<string, number | undefined>>;
-    const [, ...form] = FORMS[kind];
-    const sizes = form.map((name) => given[name] ?? 0);
-    return this.#createShape(kind, options, SOLIDS[kind], body, x, y, ...sizes);
+  #createSolid(kind: SolidKind, body: BodyRef, options: Omit<SolidOptions, "kind">): ShapeId {
+    this.#makeShape(kind, index1Of(body), generationOf(body), options);
+    return shapeAt(this.engine.slots, HandleAt.index1);
   }
 
-  /** `others` names the options that are no part of the material. */
-  #createShape(
-    kind: ShapeKind,
-    options: ShapeOptions & { kind?: ShapeKind },
-    others: readonly string[],
-    body: BodyId,
-    ...args: number[]
-  ): ShapeId {
-    const { engine } = this;
-    const call = CREATE[kind];
-    const numbers = numbersOf(call, options, SHAPE_OPTIONS, others);
+  /** Leaves the handle in the slots. */
+  #makeShape(kind: SolidKind, index1: number, generation: number, options: SolidLike): void {
+    const { exports, slots } = this.engine;
+    const [call, name] = [CREATE[kind], MODULE_CREATE[kind]];
+    exports.api_shape_defaults();
+    writeOptions(call, slots, options, SHAPE_OPTIONS, SOLIDS[kind]);
     if ((options.kind ?? kind) !== kind)
       throw new ThudError("invalid", `${call}: its kind is "${options.kind}"`);
-    engine.exports.api_shape_defaults();
-    fill(engine.slots, numbers);
-    try {
-      this.onBody(`api_${kind}_create`, body, ...args);
-    } catch (refused) {
-      throw blame(refused, call, options, SHAPE_RANGES[kind], this.lengthScale);
-    }
+    const { offset, radius = 0, halfWidth = 0, halfHeight = 0, angle = 0 } = options;
+    const x = offset === undefined ? 0 : (offset?.[0] ?? NaN);
+    const y = offset === undefined ? 0 : (offset?.[1] ?? NaN);
+    const first = kind === "circle" ? radius : halfWidth;
+    const create = exports[name];
+    const result = create(this.address, index1, generation, x, y, first, halfHeight, angle);
+    if (result !== 0) this.refuse(result, call, options);
     this.shapesRevision++;
-    return shapeAt(engine.slots, HandleAt.index1);
   }
 }

@@ -24,7 +24,7 @@ import {
   StepErrorAt,
 } from "./generated/slots.js";
 import { bodyAt, numbersOf, rowsOf, shapeAt, vecAt, view } from "./numbers.js";
-import type { BodyId } from "./types.js";
+import type { BodyRef } from "./types.js";
 import type {
   Contact,
   ContactEvent,
@@ -42,6 +42,7 @@ import type {
 import { WorldQueries } from "./world-queries.js";
 
 const EMPTY = new Float32Array(0);
+const NO_HANDLES = new Uint32Array(0);
 
 /** In the order of the bits that api_world_draw takes. */
 const DRAWN = [
@@ -62,6 +63,16 @@ const DRAWN = [
 
 export class WorldViews extends WorldQueries {
   #poses = EMPTY;
+  #contacts = new Float64Array(0);
+  /** Each call gives the same object, and the same views while the lists stay where they are. */
+  readonly #events = {
+    begin: NO_HANDLES,
+    end: NO_HANDLES,
+    sensorBegin: NO_HANDLES,
+    sensorEnd: NO_HANDLES,
+    quarantined: NO_HANDLES,
+    hit: new Float64Array(0),
+  };
 
   /**
    * Every body's pose between the last two steps (alpha 0: the one before, 1: the last), four
@@ -103,29 +114,27 @@ export class WorldViews extends WorldQueries {
     const { engine } = this;
     engine.check(engine.exports.api_world_events(this.address));
     const { buffer, slots: s } = engine;
-    const handles = (list: EventsAt, length: number) =>
-      view(Uint32Array, buffer, s[list + ListAt.address], length * s[list + ListAt.count]);
-    const [hits, count] = s.subarray(EventsAt.hits);
-    return {
-      begin: handles(EventsAt.begin, EventPairAt.length),
-      end: handles(EventsAt.end, EventPairAt.length),
-      sensorBegin: handles(EventsAt.sensorBegin, EventPairAt.length),
-      sensorEnd: handles(EventsAt.sensorEnd, EventPairAt.length),
-      hit: view(Float64Array, buffer, hits, HitEventAt.length * count),
-      quarantined: handles(EventsAt.quarantined, HandleAt.length),
-    };
+    const last = this.#events;
+    last.begin = again(last.begin, buffer, s, EventsAt.begin, EventPairAt.length);
+    last.end = again(last.end, buffer, s, EventsAt.end, EventPairAt.length);
+    last.sensorBegin = again(last.sensorBegin, buffer, s, EventsAt.sensorBegin, EventPairAt.length);
+    last.sensorEnd = again(last.sensorEnd, buffer, s, EventsAt.sensorEnd, EventPairAt.length);
+    last.quarantined = again(last.quarantined, buffer, s, EventsAt.quarantined, HandleAt.length);
+    last.hit = again(last.hit, buffer, s, EventsAt.hits, HitEventAt.length);
+    return last;
   }
 
   /** What a body touches, without copies: rows as CONTACT_ROW has them, valid until the next call. */
-  contactView(body: BodyId): Float64Array {
-    this.onBody("api_body_contacts", body);
-    const { buffer, slots: s } = this.engine;
-    return view(Float64Array, buffer, s[ListAt.address], ContactRowAt.length * s[ListAt.count]);
+  contactView(body: BodyRef): Float64Array {
+    this.on("api_body_contacts", body);
+    const { buffer, slots } = this.engine;
+    this.#contacts = again(this.#contacts, buffer, slots, ListAt.address, ContactRowAt.length);
+    return this.#contacts;
   }
 
   /** What a body touches, as the last step left it; the latest to touch first. Copied. */
-  contactsOf(body: BodyId): Contact[] {
-    this.onBody("api_body_contacts", body);
+  contactsOf(body: BodyRef): Contact[] {
+    this.on("api_body_contacts", body);
     const { buffer, slots } = this.engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, ContactRowAt.length, readContact);
   }
@@ -259,6 +268,22 @@ export class WorldViews extends WorldQueries {
       points: list(DrawListsAt.points, DrawPointAt.length),
     };
   }
+}
+
+/** The last view, where it is still that of the list that the slots tell of. */
+function again<T extends Uint32Array | Float64Array>(
+  last: T,
+  buffer: ArrayBuffer,
+  slots: Float64Array,
+  list: number,
+  row: number,
+): T {
+  const length = row * slots[list + ListAt.count];
+  const at = length === 0 ? 0 : slots[list + ListAt.address];
+  if (last.length === length && (length === 0 || (last.byteOffset === at && last.buffer === buffer)))
+    return last;
+  const View = last.constructor as new (buffer: ArrayBuffer, at: number, length: number) => T;
+  return new View(buffer, at, length);
 }
 
 function readContact(rows: Float64Array, at: number): Contact {

@@ -5,21 +5,35 @@
  * world-queries, world-views (what is read of it), world-joints, world-edits, world-forces,
  * world-fields, world-lists, world-shapes, and here the bodies.
  */
-import { within } from "./checks/parts.js";
-import { blame, BODY_RANGES } from "./checks/ranges.js";
+import { within } from "./checks/hook.js";
 import { ThudError } from "./error.js";
 import { BODY_OPTIONS, BodyStateAt, HandleAt } from "./generated/slots.js";
-import { bodyAt, fill, numbersOf, vecAt } from "./numbers.js";
+import { bodyId, vecAt, writeOptions } from "./numbers.js";
 import {
   BODY_KINDS,
-  type BodyId,
+  type BodyId, type BodyRef,
   type BodyOptions,
   type BodyState,
-  type JointId,
+  type JointRef,
   type ShapeId,
+  type ShapeRef,
+  type SolidOptions,
   type Vec2,
 } from "./types.js";
+import { generationOf, index1Of, kindOf, numberOfPair } from "./plain/handles.js";
 import { WorldShapes } from "./world-shapes.js";
+
+const BODY_OTHERS = ["shapes"];
+const DESTROY = {
+  body: "api_body_destroy",
+  shape: "api_shape_destroy",
+  joint: "api_joint_destroy",
+};
+const IS_VALID = {
+  body: "api_body_is_valid",
+  shape: "api_shape_is_valid",
+  joint: "api_joint_is_valid",
+};
 
 export class World extends WorldShapes {
   // ---- bodies ----
@@ -30,52 +44,73 @@ export class World extends WorldShapes {
    * @example const ball = world.createBody({ kind: "dynamic", position: [0, 5] })
    */
   createBody(options: BodyOptions = {}): BodyId {
-    const { engine } = this;
-    const numbers = numbersOf("createBody", options, BODY_OPTIONS, ["shapes"]);
-    const { shapes = [] } = options;
-    if (typeof shapes?.length !== "number")
-      throw new ThudError("invalid", `createBody: shapes must be a list: ${shapes}`);
-    engine.exports.api_body_defaults();
-    fill(engine.slots, numbers);
-    try {
-      engine.check(engine.exports.api_body_create(this.address));
-    } catch (refused) {
-      throw blame(refused, "createBody", options, BODY_RANGES, this.lengthScale);
-    }
-    this.shapesRevision++;
-    const body = bodyAt(engine.slots, HandleAt.index1);
-    let made = 0;
-    try {
-      for (; made < shapes.length; made++) this.createKind(body, shapes[made]);
-    } catch (refused) {
-      this.destroy(body);
-      throw refused instanceof ThudError ? within(refused, `createBody: shapes[${made}]`) : refused;
-    }
-    return body;
+    const index1 = this.#make(options);
+    return bodyId(index1, this.#generation);
   }
 
   /**
-   * Removes a body with its shapes and joints, or one shape, or one joint.
-   * @example world.destroy(ball)
+   * As `createBody`, but returns the body's number: nothing is made in JavaScript. Keep the options
+   * and what is in them, and set them anew for the next.
+   * @example const ball = world.spawn(ballOptions)
    */
-  destroy(id: BodyId | ShapeId | JointId): void {
-    const destroy = this.engine.exports[`api_${id.kind}_destroy`];
-    this.engine.check(destroy(this.address, id.index + 1, id.generation));
-    if (id.kind !== "joint") this.shapesRevision++;
+  spawn(options: BodyOptions): number {
+    const index1 = this.#make(options);
+    return numberOfPair(index1, this.#generation);
   }
 
-  /** False once it was destroyed, or broke. */
-  isValid(id: BodyId | ShapeId | JointId): boolean {
-    const isValid = this.engine.exports[`api_${id.kind}_is_valid`];
-    return isValid(this.address, id.index + 1, id.generation) !== 0;
+  #generation = 0;
+
+  /** Returns the first half of the handle, and leaves the other. */
+  #make(options: BodyOptions): number {
+    const { engine } = this;
+    const shapes = options?.shapes;
+    if (shapes !== undefined && typeof shapes?.length !== "number")
+      throw new ThudError("invalid", `createBody: shapes must be a list: ${shapes}`);
+    engine.exports.api_body_defaults();
+    writeOptions("createBody", engine.slots, options, BODY_OPTIONS, BODY_OTHERS);
+    const result = engine.exports.api_body_create(this.address);
+    if (result !== 0) this.refuse(result, "createBody", options);
+    this.shapesRevision++;
+    const index1 = engine.slots[HandleAt.index1];
+    const generation = engine.slots[HandleAt.index1 + 1];
+    if (shapes !== undefined) this.#makeShapes(index1, generation, shapes);
+    this.#generation = generation;
+    return index1;
+  }
+
+  #makeShapes(index1: number, generation: number, shapes: readonly SolidOptions[]): void {
+    let made = 0;
+    try {
+      for (; made < shapes.length; made++) this.makeSolid(index1, generation, shapes[made]);
+    } catch (refused) {
+      this.destroy(bodyId(index1, generation));
+      throw refused instanceof ThudError ? within(refused, `createBody: shapes[${made}]`) : refused;
+    }
+  }
+
+  /**
+   * Removes a body with its shapes and joints, or one shape, or one joint. Of a number say whose it
+   * is.
+   * @example world.destroy(ball)
+   */
+  destroy(id: BodyRef | ShapeRef | JointRef, kind?: "body" | "shape" | "joint"): void {
+    const whose = kindOf(id, kind);
+    this.on(DESTROY[whose], id);
+    if (whose !== "joint") this.shapesRevision++;
+  }
+
+  /** False once it was destroyed, or broke. Of a number say whose it is. */
+  isValid(id: BodyRef | ShapeRef | JointRef, kind?: "body" | "shape" | "joint"): boolean {
+    const isValid = this.engine.exports[IS_VALID[kindOf(id, kind)]];
+    return isValid(this.address, index1Of(id), generationOf(id)) !== 0;
   }
 
   /**
    * Where a body is, how fast, its mass.
    * @example world.bodyState(ball).position
    */
-  bodyState(body: BodyId): BodyState {
-    this.onBody("api_body_get", body);
+  bodyState(body: BodyRef): BodyState {
+    this.on("api_body_get", body);
     const s = this.engine.slots;
     return {
       kind: BODY_KINDS[s[BodyStateAt.kind]],
@@ -99,51 +134,51 @@ export class World extends WorldShapes {
    * Puts a body elsewhere at once, without a motion in between; radians.
    * @example world.setTransform(ball, [0, 5], 0)
    */
-  setTransform(body: BodyId, position: Vec2, angle = 0): void {
-    this.onBody("api_body_set_transform", body, position[0], position[1], angle);
+  setTransform(body: BodyRef, position: Vec2, angle = 0): void {
+    this.on("api_body_set_transform", body, position[0], position[1], angle);
   }
 
   /**
    * Sets the velocity of the centre of mass, length/s, and the angular one, radians/s. Wakes it.
    * @example world.setVelocity(ball, [3, 0])
    */
-  setVelocity(body: BodyId, velocity: Vec2, angularVelocity = 0): void {
-    this.onBody("api_body_set_velocity", body, velocity[0], velocity[1], angularVelocity);
+  setVelocity(body: BodyRef, velocity: Vec2, angularVelocity = 0): void {
+    this.on("api_body_set_velocity", body, velocity[0], velocity[1], angularVelocity);
   }
 
   /**
    * Pushes at once: mass times length/s, at a place in the world. Wakes it.
    * @example world.applyImpulse(ball, [0, 5], point)
    */
-  applyImpulse(body: BodyId, impulse: Vec2, point: Vec2): void {
-    this.onBody("api_body_apply_impulse", body, impulse[0], impulse[1], point[0], point[1]);
+  applyImpulse(body: BodyRef, impulse: Vec2, point: Vec2): void {
+    this.on("api_body_apply_impulse", body, impulse[0], impulse[1], point[0], point[1]);
   }
 
   /**
    * Pushes through the next step only, at the centre of mass.
    * @example world.applyForce(ball, [10, 0])
    */
-  applyForce(body: BodyId, force: Vec2, torque = 0): void {
-    this.onBody("api_body_apply_force", body, force[0], force[1], torque);
+  applyForce(body: BodyRef, force: Vec2, torque = 0): void {
+    this.on("api_body_apply_force", body, force[0], force[1], torque);
   }
 
   /** Wakes a body. False: it counts as at rest, and sleeps as soon as its whole island does. */
-  setAwake(body: BodyId, awake: boolean): void {
-    this.onBody("api_body_set_awake", body, Number(awake));
+  setAwake(body: BodyRef, awake: boolean): void {
+    this.on("api_body_set_awake", body, Number(awake));
   }
 
   /**
    * False takes the body and its shapes out of the world: nothing moves, meets or finds them. True
    * brings it back, where it is and at the velocity it had.
    */
-  setEnabled(body: BodyId, enabled: boolean): void {
-    this.onBody("api_body_set_enabled", body, Number(enabled));
+  setEnabled(body: BodyRef, enabled: boolean): void {
+    this.on("api_body_set_enabled", body, Number(enabled));
     this.shapesRevision++;
   }
 
   /** The shapes of a body. */
-  shapesOf(body: BodyId): ShapeId[] {
-    this.onBody("api_body_shapes", body);
+  shapesOf(body: BodyRef): ShapeId[] {
+    this.on("api_body_shapes", body);
     return this.shapeIds();
   }
 }

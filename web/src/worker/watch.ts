@@ -6,17 +6,22 @@
  * A character (Mover) pushes bodies inside the engine. It is watched too, and pushes the
  * follower's by the same rule; its own body is kinematic, and the follower reads its pose.
  */
-import type {
-  BodyId,
-  BodyOptions,
-  Engine,
-  JointId,
-  Mover,
-  MoverOptions,
-  MoverReport,
-  Vec2,
-  World,
-  WorldOptions,
+import {
+  type BodyId,
+  type BodyOptions,
+  type BodyRef,
+  type Engine,
+  handleOf,
+  type JointId,
+  type JointRef,
+  type Mover,
+  type MoverOptions,
+  type MoverReport,
+  type ShapeId,
+  type ShapeRef,
+  type Vec2,
+  type World,
+  type WorldOptions,
 } from "thud";
 import { type Hands, inFrame, push, type Push } from "./hands";
 
@@ -83,7 +88,9 @@ export function watch(world: World, made: WorldOptions): Watched {
     const own = world[name].bind(world) as (...args: unknown[]) => unknown;
     const watched = (...args: unknown[]) => {
       const result = own(...args);
-      (then as (...all: unknown[]) => void)(result, ...args);
+      const [first, ...rest] = args;
+      const id = typeof first === "number" ? byNumber(name, first, rest[0]) : first;
+      (then as (...all: unknown[]) => void)(result, ...(args.length > 0 ? [id, ...rest] : []));
       return result;
     };
     world[name] = watched as World[Name];
@@ -95,7 +102,12 @@ export function watch(world: World, made: WorldOptions): Watched {
 
   for (const name of CHANGES) after(name, () => void changes++);
   for (const name of FIELDS) after(name, () => void fields.add(NAMES_OF_FIELDS[name]));
-  after("createBody", (body, given = {}) => bodies.set(body.index, { body, options: given }));
+  const keep = (body: BodyId, given: BodyOptions) => {
+    bodies.set(body.index, { body, options: given });
+    changes++;
+  };
+  after("createBody", (body, given = {}) => keep(body, given));
+  after("spawn", (number, given) => keep(handleOf(number, "body"), { ...given }));
   after("createJoint", (joint) => {
     tied = true;
     follower?.touchJoint(joint);
@@ -231,6 +243,7 @@ type Watchable =
   | (typeof CHANGES)[number]
   | keyof typeof NAMES_OF_FIELDS
   | "createBody"
+  | "spawn"
   | "setTransform"
   | "setVelocity"
   | "applyImpulse"
@@ -242,7 +255,26 @@ type Watchable =
   | "setGravity"
   | "setTimeStep"
   | "setSleeping";
+
+/** Where numbers may stand for handles, handles. */
+type Ids<T> = {
+  [I in keyof T]: BodyRef | ShapeRef | JointRef extends T[I]
+    ? BodyId | ShapeId | JointId
+    : BodyRef extends T[I]
+      ? BodyId
+      : JointRef extends T[I]
+        ? JointId
+        : T[I];
+};
+
 type Then<Name extends Watchable> = (
   result: ReturnType<World[Name]>,
-  ...args: Parameters<World[Name]>
+  ...args: Ids<Parameters<World[Name]>>
 ) => void;
+
+/** The handle that a scene gave by its number; other numbers stay what they are. */
+function byNumber(name: Watchable, number: number, kind: unknown): unknown {
+  if (name === "setTimeStep") return number;
+  if (name === "destroy") return handleOf(number, kind as "body" | "shape" | "joint");
+  return handleOf(number, OF_JOINTS.some((one) => one === name) ? "joint" : "body");
+}

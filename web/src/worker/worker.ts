@@ -2,7 +2,8 @@
  * The worker in which physics runs, so that the page stays alive whatever a scene costs. It makes
  * steps when the page asks for them, and answers questions in the order they come.
  */
-import { type Engine, load } from "thud";
+import type { Engine } from "thud";
+import { load } from "thud/first";
 import { Companions } from "./companions";
 import { Frames, readyFor, transferables } from "./frames";
 import { inspect } from "./inspect";
@@ -37,7 +38,11 @@ const answers: Answers = {
     companions = new Companions(engine);
   },
 
-  complete: () => engine.complete(),
+  async complete() {
+    await engine.complete();
+    const { explainErrors } = await import("thud/explain");
+    explainErrors();
+  },
 
   async run(request) {
     const run = ++runs;

@@ -7,7 +7,8 @@ type Names = readonly string[];
 export function checkNames(what: string, options: object, names: Names, others: Names = []): void {
   if (typeof options !== "object" || options === null)
     throw new ThudError("invalid", `${what}: options are an object: ${options}`);
-  for (const name of Object.keys(options))
+  // Unlike a list of keys this makes nothing.
+  for (const name in options)
     if (!names.includes(name) && !others.includes(name)) refuse(what, name, [...names, ...others]);
 }
 

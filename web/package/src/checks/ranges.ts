@@ -4,6 +4,7 @@
  * the headers in engine/include; tests/web/package/ranges.test.mjs tries both ends of each.
  */
 import { ThudError } from "../error.js";
+import { isRefusal } from "./hook.js";
 
 interface Range {
   readonly least: number;
@@ -171,12 +172,6 @@ export function blame(
   return why ? new ThudError("invalid", `${call}: ${why}`, { cause: error }) : error;
 }
 
-/** Throws for the first option that is out of range, where the engine would tell of it only later. */
-export function checkRanges(call: string, options: object, ranges: Ranges, path = ""): void {
-  const why = whyNot(options, ranges, 1, path);
-  if (why) throw new ThudError("invalid", `${call}: ${why}`);
-}
-
 /** What is wrong with the first option that is out of range, or null. */
 export function whyNot(options: object, ranges: Ranges, scale: number, path = ""): string | null {
   const given = options as Readonly<Record<string, unknown>>;
@@ -188,11 +183,6 @@ export function whyNot(options: object, ranges: Ranges, scale: number, path = ""
     return `${path}${name} must be ${inWords(range, scale)}: ${told}`;
   }
   return null;
-}
-
-/** Whether the engine found a value out of range, and nobody has told yet which. */
-export function isRefusal(error: unknown): error is ThudError {
-  return error instanceof ThudError && error.code === "invalid" && error.cause === undefined;
 }
 
 function isWithin(value: unknown, range: Range, scale: number): boolean {

@@ -1,0 +1,45 @@
+/** Bytes of garbage that each call makes; run by garbage.test.mjs with flags of Node. */
+import { thud } from "../support/package.mjs";
+
+const engine = await thud.load();
+const world = engine.createWorld();
+world.createTerrain(world.createBody(), { kind: "flat" });
+const circle = { kind: "circle", radius: 0.5 };
+const options = { kind: "dynamic", position: [0.5, 100.5], shapes: [circle] };
+const ball = world.spawn({ ...options, position: [0.25, 2.5] });
+const [force, point, origin, way] = [[0.25, 0.5], [0.125, 0.25], [0.25, 90.5], [0.125, -100.5]];
+const into = new Float64Array(8);
+
+const CALLS = {
+  step: () => world.step(),
+  poses: () => world.poses(),
+  eventViews: () => world.eventViews(),
+  contactView: () => world.contactView(ball),
+  setVelocity: () => world.setVelocity(ball, force, 0.5),
+  applyForce: () => world.applyForce(ball, force, 0.5),
+  applyImpulse: () => world.applyImpulse(ball, force, point),
+  applyForceAt: () => world.applyForceAt(ball, force, point),
+  setTransform: () => world.setTransform(ball, force, 0.5),
+  positionOf: () => world.positionOf(ball, into),
+  worldPoint: () => world.worldPoint(ball, point, into),
+  readMotion: () => world.readMotion(ball, into),
+  userDataOf: () => world.userDataOf(ball, "body"),
+  castRayInto: () => world.castRayInto(origin, way, into),
+  castRay: () => world.castRay(origin, way),
+  spawnAndDestroy: () => world.destroy(world.spawn(options), "body"),
+};
+
+const MANY = 10_000;
+const bytes = {};
+for (const [name, call] of Object.entries(CALLS)) {
+  for (let i = 0; i < MANY; i++) call();
+  // What the compiler leaves behind is not there each time.
+  const rounds = Array.from({ length: 4 }, () => {
+    globalThis.gc();
+    const before = process.memoryUsage().heapUsed;
+    for (let i = 0; i < MANY; i++) call();
+    return Math.round((process.memoryUsage().heapUsed - before) / MANY);
+  });
+  bytes[name] = Math.min(...rounds);
+}
+console.log(JSON.stringify(bytes));

@@ -1,0 +1,44 @@
+/**
+ * A loop that keeps its numbers and lists makes no objects. It is counted in bytes a call, in a heap
+ * so large that nothing is collected meanwhile: what is left are the boxes of 16 bytes in which
+ * V8 passes numbers that are not small integers. One object or list more would be 32 bytes at least.
+ */
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { fileURLToPath } from "node:url";
+import { test } from "node:test";
+
+const program = fileURLToPath(new URL("calls.mjs", import.meta.url));
+const BOX = 16;
+
+/** Numbers that pass into and out of a call at most, and once each time an option is read. */
+const BOXES = {
+  step: 0,
+  poses: 0,
+  eventViews: 2,
+  contactView: 4,
+  setVelocity: 5,
+  applyForce: 5,
+  applyImpulse: 7,
+  applyForceAt: 7,
+  setTransform: 5,
+  positionOf: 5,
+  worldPoint: 7,
+  readMotion: 12,
+  userDataOf: 4,
+  castRayInto: 12,
+  spawnAndDestroy: 30,
+};
+
+test("calls_with_numbers_and_lists_that_are_kept_make_no_objects", () => {
+  const flags = ["--expose-gc", "--min-semi-space-size=128", "--max-semi-space-size=128"];
+  const { status, stdout, stderr } = spawnSync(process.execPath, [...flags, program], {
+    encoding: "utf8",
+  });
+  assert.equal(status, 0, stderr);
+  const bytes = JSON.parse(stdout);
+  assert.deepEqual(Object.keys(bytes).sort(), [...Object.keys(BOXES), "castRay"].sort());
+  for (const [name, boxes] of Object.entries(BOXES))
+    assert.ok(bytes[name] < BOX * boxes + 4, `${name}: ${bytes[name]} bytes a call`);
+  assert.ok(bytes.castRay > 300, "objects are seen where they are made");
+});

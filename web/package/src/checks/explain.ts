@@ -1,0 +1,142 @@
+/** What was refused, and why: by the call, for all of them. */
+import { ThudError } from "../error.js";
+import type { SolidShape } from "../query-types.js";
+import type { Terrain, Vec2 } from "../types.js";
+import { explainWith, isRefusal } from "./hook.js";
+import { blameJoint } from "./joints.js";
+import {
+  ASKER_RANGES,
+  blame,
+  BODY_RANGES,
+  EXPLOSION_RANGES,
+  MASS_RANGES,
+  MOVE_RANGES,
+  MOVER_RANGES,
+  QUALITY_RANGES,
+  QUERY_RANGES,
+  type Ranges,
+  SHAPE_RANGES,
+  TERRAIN_RANGES,
+  WATER_RANGES,
+  whyNot,
+  WIND_RANGES,
+  WORLD_RANGES,
+} from "./ranges.js";
+
+/** Of the calls whose options are given as they are. */
+const PLAIN: Readonly<Record<string, Ranges>> = {
+  createBody: BODY_RANGES,
+  createCircle: SHAPE_RANGES.circle,
+  createAabb: SHAPE_RANGES.aabb,
+  createObb: SHAPE_RANGES.obb,
+  setMass: MASS_RANGES,
+  explode: EXPLOSION_RANGES,
+  applyWind: WIND_RANGES,
+  applyBuoyancy: WATER_RANGES,
+  setQuality: QUALITY_RANGES,
+  move: MOVE_RANGES,
+  Mover: MOVER_RANGES,
+};
+
+/** What else a call may be given. */
+interface Given {
+  quality?: unknown;
+  terrain?: Terrain;
+  shape?: SolidShape;
+  rays?: ArrayLike<number>;
+  joint?: object;
+  furthest?: number;
+}
+
+/** Has errors tell which option was wrong, and what it may be. `load` of "thud" does so itself. */
+export function explainErrors(): void {
+  explainWith(explain);
+}
+
+function explain(error: ThudError, call: string, given: object, scale: number): unknown {
+  const { quality, terrain, shape, rays, joint, furthest = 0 } = given as Given;
+  if (joint) {
+    blameJoint(error, call, joint, furthest);
+    return error;
+  }
+  if (call === "castRays" && rays) return blameRays(error, rays, scale);
+  if (terrain)
+    return blameTerrain(blame(error, call, given, SHAPE_RANGES.terrain, scale), terrain);
+  if (call === "createWorld") {
+    const told = blame(error, call, given, WORLD_RANGES);
+    return blame(told, call, Object(quality), QUALITY_RANGES, 1, "quality.");
+  }
+  if (call === "Mover") {
+    const told = blame(error, call, given, MOVER_RANGES);
+    return shape ? blame(told, call, shape, ASKER_RANGES[shape.kind], 1, "shape.") : told;
+  }
+  if (call in PLAIN) return blame(error, call, given, PLAIN[call], scale);
+  return blameQuery(error, call, given, scale, shape);
+}
+
+
+/** As `blame`, of a line of ground: the first vertex that is wrong, if one is. */
+function blameTerrain(error: unknown, terrain: Terrain): unknown {
+  const needed = Object.entries(TERRAIN_RANGES).filter(([name]) =>
+    terrain.kind === "flat" ? name === "slope" : terrain.kind === "uniform" && name !== "slope",
+  );
+  const told = blame(error, "createTerrain", terrain, Object.fromEntries(needed));
+  if (!isRefusal(told) || terrain.kind === "flat") return told;
+  const why = terrain.kind === "uniform" ? whyNotHeights(terrain.heights) : whyNotPoints(terrain.points);
+  return why ? new ThudError("invalid", `createTerrain: ${why}`, { cause: error }) : told;
+}
+
+function whyNotHeights(heights: ArrayLike<number>): string | null {
+  if (heights.length < 2) return `heights must be two or more: ${heights.length}`;
+  const wrong = Array.from(heights).findIndex((height) => !Number.isFinite(Number(height)));
+  return wrong < 0 ? null : `heights[${wrong}] must be a finite number: ${heights[wrong]}`;
+}
+
+function whyNotPoints(points: ArrayLike<Vec2>): string | null {
+  if (points.length < 2) return `points must be two or more: ${points.length}`;
+  const isPlace = (point: Vec2) => Number.isFinite(Number(point[0]) + Number(point[1]));
+  for (let i = 0; i < points.length; i++) {
+    if (!isPlace(points[i])) return `points[${i}] must be two finite numbers: [${points[i]}]`;
+    if (i > 0 && !(points[i][0] > points[i - 1][0]))
+      return `points[${i}] must be right of points[${i - 1}]: [${points[i]}]`;
+  }
+  return null;
+}
+
+/** As `blame`, of a query's arguments, and of the shape that asks. */
+function blameQuery(
+  error: unknown,
+  call: string,
+  args: object,
+  scale: number,
+  shape?: SolidShape,
+): unknown {
+  const told = blame(error, call, args, QUERY_RANGES, scale);
+  const shown = shape ? blame(told, call, shape, ASKER_RANGES[shape.kind]) : told;
+  if (!isRefusal(shown)) return shown;
+  const why = whereTo(args);
+  return why ? new ThudError("invalid", `${call}: ${why}`, { cause: error }) : shown;
+}
+
+/** Whether a ray among many is one that `blameQuery` finds wrong. */
+function isQueryWrong(args: { origin: number[]; translation: number[] }, scale: number): boolean {
+  if (whyNot(args, QUERY_RANGES, scale) !== null) return true;
+  const end = args.origin.map((x, i) => x + args.translation[i]);
+  return whyNot({ point: end }, QUERY_RANGES, scale) !== null;
+}
+
+/** Of arguments that are wrong together. */
+function whereTo(args: object): string | null {
+  if ("translation" in args) return "translation leads out of the world";
+  if ("lower" in args && "upper" in args) return "lower must be below upper";
+  return null;
+}
+
+function blameRays(error: ThudError, rays: ArrayLike<number>, scale: number): unknown {
+  const ends = Array.from({ length: Math.floor(rays.length / 4) }, (_, i) => ({
+    origin: [rays[4 * i], rays[4 * i + 1]],
+    translation: [rays[4 * i + 2], rays[4 * i + 3]],
+  }));
+  const wrong = Math.max(0, ends.findIndex((ray) => isQueryWrong(ray, scale)));
+  return blameQuery(error, `castRays: ray ${wrong}`, ends[wrong], scale);
+}

@@ -1,0 +1,66 @@
+/** What was refused of joints. */
+import { ThudError } from "../error.js";
+import { DIRECTIONS, type Drive, type JointFrame } from "../joint-types.js";
+import { FRAME_RANGES, JOINT_RANGES, whyNot } from "./ranges.js";
+
+/** Most of an option, and its negative, or 0, the least; the engine refuses without a name. */
+const MOST: Readonly<Record<string, number>> = { frequency: 1e4, damping: 1e3, angle: 1e6, ratio: 1e4 };
+const EITHER_WAY = ["lower", "upper", "target", "motorSpeed", "angle", "ratio"];
+
+/** Undefined of what is no such number. */
+function mostOf(name: string, direction: string, furthest: number): number | undefined {
+  if (name in MOST) return MOST[name];
+  if (name.endsWith("Force") || name === "breakTorque") return 1e30;
+  if (name !== "length" && !EITHER_WAY.includes(name)) return undefined;
+  return direction !== "turn" ? furthest : name === "motorSpeed" ? 1e6 : 3.14159;
+}
+
+/** Throws for the option of a joint, of a drive or of breaking that is wrong; returns for none. */
+export function blameJoint(error: ThudError, what: string, options: object, furthest: number): void {
+  for (const [name, value] of Object.entries(options))
+    if (DIRECTIONS.some((one) => one === name)) checkRanges(what, value as Drive, furthest, name);
+  checkRanges(what, options, furthest, "");
+  checkPlaces(what, options, furthest);
+  checkBodies(what, options, error.message);
+}
+
+function checkRanges(what: string, options: object, furthest: number, direction: string): void {
+  const path = direction && `${direction}.`;
+  const { lower = -Infinity, upper = Infinity } = options as Drive;
+  if (lower > upper) refuse(what, `${path}lower is above ${path}upper`);
+  for (const [name, value] of Object.entries(options)) {
+    const most = mostOf(name, direction, furthest);
+    const isOpen = name === "lower" ? value === -Infinity : name === "upper" && value === Infinity;
+    if (most === undefined || typeof value !== "number" || isOpen) continue;
+    const least = EITHER_WAY.includes(name) ? -most : 0;
+    // What the engine tells of itself is rounded to its floats.
+    if (!(value >= least && value <= most * (1 + 1e-6)))
+      refuse(what, `${path}${name} must be from ${least} to ${most}: ${value}`);
+  }
+}
+
+/** Places in the world, and those in the bodies. */
+function checkPlaces(what: string, options: object, furthest: number): void {
+  const scale = furthest / 999_000;
+  const why = whyNot(options, JOINT_RANGES, scale);
+  if (why) refuse(what, why);
+  for (const name of ["frameA", "frameB"] as const) {
+    const frame = (options as { frameA?: JointFrame; frameB?: JointFrame })[name];
+    const wrong = frame && whyNot(frame, FRAME_RANGES, scale, `${name}.`);
+    if (wrong) refuse(what, wrong);
+  }
+}
+
+/** What the engine tells of both bodies and of frames that it has worked out. */
+function checkBodies(what: string, options: object, told: string): void {
+  const places = ["at", "from", "to", "frameA", "frameB"].filter((name) => name in options);
+  if (told.includes("a frame is out of range"))
+    refuse(what, `${places.join(" or ")} is too far from its body`);
+  if (told.includes("needs two bodies"))
+    refuse(what, "bodyA and bodyB must be two bodies, one of them dynamic");
+  if (told.includes("body b of a")) refuse(what, "bodyB must be dynamic");
+}
+
+function refuse(what: string, why: string): never {
+  throw new ThudError("invalid", `${what}: ${why}`);
+}
