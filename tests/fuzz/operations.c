@@ -112,6 +112,10 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(rolling),
     PLAYS(below),
     PLAYS(listeners),
+    PLAYS(rule),
+    PLAYS(rule_get),
+    PLAYS(filter),
+    PLAYS(impulses),
 };
 
 void session_play(fuzz_session *s) {

@@ -56,6 +56,8 @@ fuzz_operation play_shape_edit, play_body_edit, play_push, play_points, play_rea
 fuzz_operation play_lists, play_slots, play_moved, play_sensed, play_sides;
 /* operations_fields.c */
 fuzz_operation play_explosion, play_wind, play_water, play_rolling, play_below;
+/* operations_rules.c */
+fuzz_operation play_rule, play_rule_get, play_filter, play_impulses;
 /* operations_lines.c: terrain without a world */
 fuzz_operation play_line_sample, play_line_shape, play_line_impact, play_line_ray, play_foot;
 

@@ -130,6 +130,7 @@ static void make_world(fuzz_session *s, thud_world **out) {
     }
     COUNTED(thud_world_use_joints(*out));
     COUNTED(thud_world_set_listeners(*out, &s->listeners));
+    session_take_rules(s, *out);
 }
 
 static void make_foreign_handles(fuzz_session *s) {

@@ -12,6 +12,7 @@
 #include <thud/thud_lists.h>
 #include <thud/thud_minkowski.h>
 #include <thud/thud_mover.h>
+#include <thud/thud_rules.h>
 #include <thud/thud_snapshot.h>
 #include <thud/thud_terrain.h>
 
@@ -37,7 +38,8 @@ enum {
     SESSION_OPEN = 4096,      /* pairs, all of which may end and begin again in a step */
     SESSION_MOST = 512,       /* operations of one input */
     SESSION_SCRIPT = 24,      /* bytes that callbacks play */
-    SESSION_DEPTH = 2
+    SESSION_DEPTH = 2,
+    SESSION_KINDS = 4 /* of shapes, by their filter's lowest bit */
 };
 
 /* Pairs that have begun and not ended. */
@@ -70,7 +72,9 @@ typedef struct session_call {
 typedef struct fuzz_session {
     thud_world *world, *other; /* the other one only gives handles */
     thud_world_def def;
-    thud_listeners listeners; /* the world's, of which another one has the same */
+    thud_listeners listeners; /* the world's, of which another one has the same; so are rules */
+    thud_rule rules[SESSION_KINDS][SESSION_KINDS];
+    bool ruled[SESSION_KINDS][SESSION_KINDS], filters;
     twin_kind twin;
     bool second, closing;
     session_state now, kept;
@@ -129,6 +133,9 @@ void session_populate(fuzz_session *s, int kind);
 
 /* ---- script.c: callbacks ---- */
 
+/* Rules and filter of the session's worlds, for another one. */
+void session_take_rules(fuzz_session *s, thud_world *world);
+thud_filter_fn session_filter;
 thud_prologue_fn session_prologue;
 thud_epilogue_fn session_epilogue;
 thud_prologue_all_fn session_prologue_all;

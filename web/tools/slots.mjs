@@ -57,7 +57,9 @@ export function typescriptOf(structs) {
   return [head, ...parts].join("\n");
 }
 
-export const STRUCTS = readStructs(readFileSync(here("wasm/slots.h"), "utf8"));
+export const STRUCTS = readStructs(
+  ["rows", "slots"].map((name) => readFileSync(here(`wasm/${name}.h`), "utf8")).join("\n"),
+);
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   mkdirSync(here("package/src/generated"), { recursive: true });

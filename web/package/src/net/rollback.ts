@@ -9,7 +9,7 @@
  */
 import { ThudError } from "../error.js";
 import type { Mover, MoverState } from "../mover.js";
-import { checkNames } from "../names.js";
+import { checkNames } from "../checks/names.js";
 import type { World } from "../world.js";
 
 const DEEPEST = 1000;

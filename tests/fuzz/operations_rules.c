@@ -1,0 +1,70 @@
+/* operations_rules.c: rules between four kinds, the caller's own filter, and impulses above a
+ * rule's. What a rule does is seen in the next step. */
+#include "operations.h"
+
+void session_take_rules(fuzz_session *s, thud_world *world) {
+    for (int i = 0; i < SESSION_KINDS * SESSION_KINDS; i++) {
+        int a = i / SESSION_KINDS, b = i % SESSION_KINDS;
+        if (s->ruled[a][b]) {
+            COUNTED(thud_world_set_rule(world, 1u << a, 1u << b, &s->rules[a][b]));
+        }
+    }
+    if (s->filters) {
+        COUNTED(thud_world_set_filter(world, session_filter, s));
+    }
+}
+
+bool session_filter(const thud_world *world, thud_shape_id a, thud_shape_id b, void *context) {
+    (void)world, (void)context;
+    return (a.index1 + b.index1) % 7 != 3;
+}
+
+void play_rule(fuzz_session *s) {
+    unsigned byte = next_byte(&s->bytes);
+    int a = byte & 3, b = byte >> 2 & 3;
+    bool none = byte >> 6 == 3;
+    thud_rule rule = thud_default_rule();
+    rule.meeting = (thud_meeting)next_choice(&s->bytes, 4);
+    unsigned wanted = next_byte(&s->bytes);
+    rule.solid_side = wanted & 1 ? pick_velocity(s) : rule.solid_side;
+    rule.friction = wanted & 2 ? next_float(&s->bytes, 0, 0.0078125) : rule.friction;
+    rule.restitution = wanted & 4 ? next_float(&s->bytes, 0, 0.0078125) : rule.restitution;
+    rule.surface_speed = wanted & 8 ? pick_speed(s) : rule.surface_speed;
+    rule.most_impulse = wanted & 16 ? next_float(&s->bytes, 0, 0.03125) : rule.most_impulse;
+    TRY(s, thud_world_set_rule(s->world, 1u << a, 1u << b, none ? NULL : &rule));
+    if (s->result == THUD_OK) {
+        s->ruled[b][a] = false;
+        s->ruled[a][b] = !none;
+        s->rules[a][b] = rule;
+    }
+}
+
+void play_rule_get(fuzz_session *s) {
+    unsigned byte = next_byte(&s->bytes);
+    int a = byte & 3, b = byte >> 2 & 3;
+    thud_rule rule;
+    bool set = false, reversed = false;
+    TRY(s, thud_world_rule(s->world, 1u << a, 1u << b, &rule, &set, &reversed));
+    bool there = s->ruled[a][b] || s->ruled[b][a];
+    if (s->result != THUD_OK || set != there || reversed != (there && !s->ruled[a][b])) {
+        fuzz_fail(s, "rule of %d and %d: %d, %d", a, b, set, reversed);
+    }
+    note_bits(s, (uint64_t)rule.meeting);
+}
+
+void play_filter(fuzz_session *s) {
+    bool filters = next_byte(&s->bytes) & 1;
+    TRY(s, thud_world_set_filter(s->world, filters ? session_filter : NULL, s));
+    s->filters = s->result == THUD_OK ? filters : s->filters;
+}
+
+void play_impulses(fuzz_session *s) {
+    int count = -1;
+    const thud_impulse_event *events = COUNTED(thud_world_impulses(s->world, &count));
+    for (int i = 0; i < count; i++) {
+        if (!(events[i].impulse > 0.0f)) {
+            fuzz_fail(s, "impulse %g is told", (double)events[i].impulse);
+        }
+    }
+    note_bits(s, (uint64_t)count);
+}
