@@ -110,15 +110,11 @@ export class WorldForces extends WorldEdits {
    * @example world.readMotion(ball, numbers)
    */
   readMotion(body: BodyRef, into: Into): void {
-    this.on("api_body_position", body);
-    let s = this.engine.slots;
-    into[0] = s[PlaceAt.at];
-    into[1] = s[PlaceAt.at + 1];
+    this.positionOf(body, into);
     this.on("api_body_rotation", body);
-    s = this.engine.slots;
+    const s = this.engine.slots;
     into[2] = s[RotationAt.angle];
     this.on("api_body_velocity", body);
-    s = this.engine.slots;
     into[3] = s[MotionAt.velocity];
     into[4] = s[MotionAt.velocity + 1];
     into[5] = s[MotionAt.angularVelocity];

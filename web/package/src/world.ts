@@ -29,11 +29,6 @@ const DESTROY = {
   shape: "api_shape_destroy",
   joint: "api_joint_destroy",
 };
-const IS_VALID = {
-  body: "api_body_is_valid",
-  shape: "api_shape_is_valid",
-  joint: "api_joint_is_valid",
-};
 
 export class World extends WorldShapes {
   // ---- bodies ----
@@ -101,7 +96,7 @@ export class World extends WorldShapes {
 
   /** False once it was destroyed, or broke. Of a number say whose it is. */
   isValid(id: BodyRef | ShapeRef | JointRef, kind?: "body" | "shape" | "joint"): boolean {
-    const isValid = this.engine.exports[IS_VALID[kindOf(id, kind)]];
+    const isValid = this.engine.exports[`api_${kindOf(id, kind)}_is_valid`];
     return isValid(this.address, index1Of(id), generationOf(id)) !== 0;
   }
 

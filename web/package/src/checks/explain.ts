@@ -4,6 +4,7 @@ import type { SolidShape } from "../query-types.js";
 import type { Terrain, Vec2 } from "../types.js";
 import { explainWith, isRefusal } from "./hook.js";
 import { blameJoint } from "./joints.js";
+import { tellNearest } from "./nearest.js";
 import {
   ASKER_RANGES,
   blame,
@@ -50,7 +51,7 @@ interface Given {
 
 /** Has errors tell which option was wrong, and what it may be. `load` of "thud" does so itself. */
 export function explainErrors(): void {
-  explainWith(explain);
+  explainWith(explain, tellNearest);
 }
 
 function explain(error: ThudError, call: string, given: object, scale: number): unknown {

@@ -8,9 +8,12 @@ import { ThudError } from "../error.js";
 export type Explainer = (error: ThudError, call: string, given: object, scale: number) => unknown;
 
 let explainer: Explainer | null = null;
+/** What is told of a misspelt option. */
+export let nearest: (name: string, names: readonly string[]) => string = () => "";
 
-export function explainWith(one: Explainer): void {
+export function explainWith(one: Explainer, tellNearest: typeof nearest): void {
   explainer = one;
+  nearest = tellNearest;
 }
 
 /** What to throw where the engine found a value out of range: where known, which one it was. */

@@ -1,5 +1,6 @@
 /** Options are known by name: a misspelt one must not be passed over in silence. */
 import { ThudError } from "../error.js";
+import { nearest } from "./hook.js";
 
 type Names = readonly string[];
 
@@ -13,21 +14,5 @@ export function checkNames(what: string, options: object, names: Names, others: 
 }
 
 function refuse(what: string, name: string, names: Names): never {
-  const edits = names.map((known) => distance(name.toLowerCase(), known.toLowerCase()));
-  const nearest = names[edits.indexOf(Math.min(...edits))];
-  const told = `no option is called "${name}"; the nearest is "${nearest}"`;
-  throw new ThudError("invalid", `${what}: ${told}`);
-}
-
-/** Letters to put in, take out or change between two words (Levenshtein), row by row. */
-function distance(from: string, to: string): number {
-  let row = Array.from({ length: to.length + 1 }, (_, i) => i);
-  for (const letter of from) {
-    let last = row[0] + 1;
-    row = row.map((above, i) => {
-      if (i > 0) last = Math.min(last + 1, above + 1, row[i - 1] + Number(letter !== to[i - 1]));
-      return last;
-    });
-  }
-  return row[to.length];
+  throw new ThudError("invalid", `${what}: no option is called "${name}"${nearest(name, names)}`);
 }
