@@ -29,7 +29,7 @@ const CALLS = {
   spawnAndDestroy: () => world.destroy(world.spawn(options), "body"),
 };
 
-const MANY = 10_000;
+const MANY = 40_000;
 const bytes = {};
 for (const [name, call] of Object.entries(CALLS)) {
   for (let i = 0; i < MANY; i++) call();
