@@ -44,7 +44,9 @@ typedef struct thud_listeners {
     void *context; /* handed to all */
 } thud_listeners;
 
-/* In place of those that the world had, from the next step on. Null: none. The world is locked
+/* In place of those that the world had, from the next step on. Null: none. Where there is or was a
+ * prologue, all bodies wake. A snapshot has what a prologue wanted of the pairs that touched: a
+ * world without one that is restored from it keeps to that until they part. The world is locked
  * while it calls them: edits wait for the next step, or are refused. THUD_ERROR_NULL without a
  * world, THUD_ERROR_INVALID for both forms of one, THUD_ERROR_MEMORY, THUD_ERROR_LOCKED inside a
  * callback: then nothing has changed. */

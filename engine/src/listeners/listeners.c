@@ -9,6 +9,7 @@
 #include "detection/collide.h"
 #include "listeners/listening.h"
 #include "listeners/seen.h"
+#include "state/body.h"
 #include "state/handles.h"
 #include "state/surface.h"
 
@@ -290,9 +291,13 @@ thud_result thud_world_set_listeners(thud_world *w, const thud_listeners *listen
         w->listeners->answers.stride = (int)sizeof(thud_contact_answer);
         w->listening = &LISTENING;
     }
+    bool asked = w->asks;
     restore(w);
     w->listeners->told = *told;
     w->asks = told->prologue || told->prologue_all;
     w->tells = told->epilogue || told->epilogue_all;
+    if (asked || w->asks) {
+        td_wake_all(w);
+    }
     return THUD_OK;
 }

@@ -116,7 +116,7 @@ export class WorldLists extends WorldRules {
   }
 
   #categoryOf(shape: ShapeId): number {
-    this.onShape("api_shape_get", shape);
+    this.on("api_shape_get", shape);
     return this.engine.slots[ShapeStateAt.category];
   }
 
