@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <thud/thud.h>
-#include <thud/thud_lists.h>
 #include <thud/thud_mover.h>
 #include <thud/thud_reads.h>
+#include <thud/thud_rules.h>
 
 enum { SOLID = 1, PLANK = 2, COIN = 4, CRATE = 8 }; /* categories */
 enum { COINS = 8, STEPS = 60 * 60 };
@@ -29,25 +29,14 @@ static thud_body_id add_box(thud_world *world, thud_body_kind kind, uint32_t cat
     return body;
 }
 
-/* Planks let through what comes from below. */
-static bool prologue(thud_world *world, const thud_contact *contact,
-                     thud_contact_settings *settings, void *context) {
-    (void)settings;
-    (void)context;
-    thud_shape_state plank;
-    thud_vec2 velocity;
-    thud_shape_get(world, contact->shape_a, &plank);
-    thud_body_velocity(world, contact->body_b, &velocity, NULL);
-    return plank.filter.category != PLANK ||
-           (contact->normal.y > 0.7f && velocity.y < 0.2f && contact->separation > -0.1f);
-}
-
 int main(void) {
     thud_world *world;
     thud_world_def world_def = thud_default_world_def();
-    world_def.prologue = prologue;
+    thud_rule one_way = thud_default_rule();
     if (thud_world_create(&world_def, &world) != THUD_OK)
         return 1;
+    one_way.meeting = THUD_ONE_WAY;
+    thud_world_set_rule(world, PLANK, CRATE, &one_way);
     add_box(world, THUD_STATIC, SOLID, 4, -0.5, 6, 0.5f, 0);
     add_box(world, THUD_STATIC, SOLID, 16, -0.5, 4, 0.5f, -2);
     add_box(world, THUD_STATIC, SOLID, 30, -0.5, 10, 0.5f, 0);
