@@ -18,7 +18,7 @@ SAYS = {
     "place 3: car 1 after 33.62 s\n"
     "hash fed4dcbbe4b71f83\n",
     "platformer": "8 of 8 coins in 14.25 s; the crate is at 4.60\n"
-    "hash aa98abee0d359829\n",
+    "hash 71ec5ee3e532304c\n",
     "pool": "11 to 4 balls in 42 shots, 0 and 2 fouls\n"
     "hash e6d9efd3790017c2\n",
     "rollback": "2 to 3 rounds in 1214 frames\n"

@@ -24,6 +24,7 @@ static thud_body_id add_box(game *g, thud_body_kind kind, uint32_t category, dou
     thud_body_def body_def = thud_default_body_def();
     thud_shape_def shape_def = thud_default_shape_def();
     thud_body_id body;
+    thud_body_shape box = {thud_aabb_at(0, 0, half_x, half_y), &shape_def};
     body_def.kind = kind;
     body_def.position = (thud_pos){x, y};
     body_def.user_data = category;
@@ -31,15 +32,14 @@ static thud_body_id add_box(game *g, thud_body_kind kind, uint32_t category, dou
     shape_def.filter.mask = category == GIFT ? PADDLE | FLOOR : ~0u;
     shape_def.sensor = category == FLOOR;
     shape_def.friction = 0;
-    thud_body_create(g->world, &body_def, &body);
-    thud_shape_create_aabb(g->world, body, &shape_def, (thud_vec2){0, 0},
-                           (thud_vec2){half_x, half_y}, shape);
+    thud_body_create_with_shapes(g->world, &body_def, &box, 1, &body, shape);
     return body;
 }
 
 static void serve(game *g) {
     thud_body_def body_def = thud_default_body_def();
     thud_shape_def shape_def = thud_default_shape_def();
+    thud_body_shape ball = {thud_circle_at(0, 0, 0.3), &shape_def};
     body_def.kind = THUD_DYNAMIC;
     body_def.position = (thud_pos){0, 6};
     body_def.velocity = (thud_vec2){3, -12};
@@ -49,8 +49,7 @@ static void serve(game *g) {
     shape_def.filter.category = BALL;
     shape_def.friction = 0;
     shape_def.restitution = 1;
-    thud_body_create(g->world, &body_def, &g->ball);
-    thud_shape_create_circle(g->world, g->ball, &shape_def, (thud_vec2){0, 0}, 0.3f, NULL);
+    thud_body_create_with_shapes(g->world, &body_def, &ball, 1, &g->ball, NULL);
 }
 
 static void set_up(game *g) {

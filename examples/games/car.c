@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <thud/thud.h>
 #include <thud/thud_casts.h>
+#include <thud/thud_edits.h>
 #include <thud/thud_forces.h>
 #include <thud/thud_lists.h>
 #include <thud/thud_reads.h>
@@ -20,36 +21,36 @@ typedef struct game {
 } game;
 
 static void lay_track(game *g) {
-    static const float blocks[][4] = {
-        {0, 0, 17, 6}, {-31, 0, 1, 20}, {31, 0, 1, 20}, {0, -19, 30, 1}, {0, 19, 30, 1}};
     thud_body_def body_def = thud_default_body_def();
-    thud_shape_def shape_def = thud_default_shape_def();
+    thud_shape_def wall = thud_default_shape_def();
+    thud_body_shape walls[] = {{thud_aabb_at(0, 0, 17, 6), &wall},
+                               {thud_aabb_at(-31, 0, 1, 20), &wall},
+                               {thud_aabb_at(31, 0, 1, 20), &wall},
+                               {thud_aabb_at(0, -19, 30, 1), &wall},
+                               {thud_aabb_at(0, 19, 30, 1), &wall}};
     thud_body_id track;
-    thud_body_create(g->world, &body_def, &track);
-    shape_def.friction = 0.1f;
-    for (int i = 0; i < 5; i++)
-        thud_shape_create_aabb(g->world, track, &shape_def, (thud_vec2){blocks[i][0], blocks[i][1]},
-                               (thud_vec2){blocks[i][2], blocks[i][3]}, NULL);
-    shape_def.sensor = true;
+    wall.friction = 0.1f;
+    thud_body_create_with_shapes(g->world, &body_def, walls, 5, &track, NULL);
     for (int i = 0; i <= GATES; i++) {
-        shape_def.user_data = i;
-        thud_shape_create_circle(g->world, track, &shape_def, (thud_vec2){places[i].x, places[i].y},
-                                 5, &g->oil); /* the last */
+        thud_shape_def sensor = thud_default_shape_def();
+        sensor.sensor = true;
+        sensor.user_data = i;
+        thud_shape_create_circle(g->world, track, &sensor, (thud_vec2){places[i].x, places[i].y}, 5,
+                                 &g->oil); /* the last */
     }
 }
 
 static void add_car(game *g, int i) {
     thud_body_def body_def = thud_default_body_def();
     thud_shape_def shape_def = thud_default_shape_def();
+    thud_body_shape box = {thud_obb_at(0, 0, 1, 0.5, 0), &shape_def};
     body_def.kind = THUD_DYNAMIC;
     body_def.position = (thud_pos){-4 * i, 2 * i - 12};
     body_def.linear_damping = 0.3f;
     body_def.angular_damping = 1;
     body_def.user_data = i;
     shape_def.friction = 0.1f;
-    thud_body_create(g->world, &body_def, &g->cars[i]);
-    thud_shape_create_obb(g->world, g->cars[i], &shape_def, (thud_vec2){0, 0}, (thud_vec2){1, 0.5f},
-                          0, NULL);
+    thud_body_create_with_shapes(g->world, &body_def, &box, 1, &g->cars[i], NULL);
 }
 
 /* An axle so far ahead of the middle rolls freely the way it is steered, and holds across it as

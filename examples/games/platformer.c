@@ -3,30 +3,46 @@
 #include <math.h>
 #include <stdio.h>
 #include <thud/thud.h>
+#include <thud/thud_edits.h>
 #include <thud/thud_mover.h>
 #include <thud/thud_reads.h>
 #include <thud/thud_rules.h>
 
-enum { SOLID = 1, PLANK = 2, COIN = 4, CRATE = 8 }; /* categories */
+enum { SOLID = 1, PLANK = 2, CRATE = 4 }; /* categories */
 enum { COINS = 8, STEPS = 60 * 60 };
 
 static const thud_pos coins[COINS] = {{4, 1},  {11, 2}, {15, 1}, {18, 3},
                                       {18, 5}, {22, 9}, {28, 9}, {38, 1}};
 
-static thud_body_id add_box(thud_world *world, thud_body_kind kind, uint32_t category, double x,
-                            double y, float half_x, float half_y, float speed) {
+static thud_body_id add_body(thud_world *world, thud_body_kind kind, double x, double y,
+                             uint32_t category, double half_x, double half_y) {
     thud_body_def body_def = thud_default_body_def();
     thud_shape_def shape_def = thud_default_shape_def();
+    thud_body_shape box = {thud_aabb_at(0, 0, half_x, half_y), &shape_def};
     thud_body_id body;
     body_def.kind = kind;
     body_def.position = (thud_pos){x, y};
     shape_def.filter.category = category;
-    shape_def.sensor = category == COIN;
-    shape_def.surface_speed = speed;
-    thud_body_create(world, &body_def, &body);
-    thud_shape_create_aabb(world, body, &shape_def, (thud_vec2){0, 0}, (thud_vec2){half_x, half_y},
-                           NULL);
+    thud_body_create_with_shapes(world, &body_def, &box, 1, &body, NULL);
     return body;
+}
+
+static void lay_level(thud_world *world) {
+    thud_body_def body_def = thud_default_body_def();
+    thud_shape_def belt = thud_default_shape_def(), plank = belt, coin = belt;
+    thud_body_shape level[7 + COINS] = {{thud_aabb_at(4, -0.5, 6, 0.5), NULL},
+                                        {thud_aabb_at(16, -0.5, 4, 0.5), &belt},
+                                        {thud_aabb_at(30, -0.5, 10, 0.5), NULL},
+                                        {thud_aabb_at(27, 7.5, 3, 0.5), NULL},
+                                        {thud_aabb_at(18, 2, 1.2, 0.1), &plank},
+                                        {thud_aabb_at(18, 4, 1.2, 0.1), &plank},
+                                        {thud_aabb_at(34, 4, 1.5, 0.1), &plank}};
+    belt.surface_speed = -2;
+    plank.filter.category = PLANK;
+    coin.sensor = true;
+    for (int i = 0; i < COINS; i++)
+        level[7 + i] = (thud_body_shape){thud_circle_at(coins[i].x, coins[i].y, 0.2), &coin};
+    thud_body_create_with_shapes(world, &body_def, level, 7 + COINS, NULL, NULL);
 }
 
 int main(void) {
@@ -37,20 +53,12 @@ int main(void) {
         return 1;
     one_way.meeting = THUD_ONE_WAY;
     thud_world_set_rule(world, PLANK, CRATE, &one_way);
-    add_box(world, THUD_STATIC, SOLID, 4, -0.5, 6, 0.5f, 0);
-    add_box(world, THUD_STATIC, SOLID, 16, -0.5, 4, 0.5f, -2);
-    add_box(world, THUD_STATIC, SOLID, 30, -0.5, 10, 0.5f, 0);
-    add_box(world, THUD_STATIC, SOLID, 27, 7.5, 3, 0.5f, 0);
-    add_box(world, THUD_STATIC, PLANK, 18, 2, 1.2f, 0.1f, 0);
-    add_box(world, THUD_STATIC, PLANK, 18, 4, 1.2f, 0.1f, 0);
-    add_box(world, THUD_STATIC, PLANK, 34, 4, 1.5f, 0.1f, 0);
-    for (int i = 0; i < COINS; i++)
-        add_box(world, THUD_STATIC, COIN, coins[i].x, coins[i].y, 0.2f, 0.2f, 0);
-    thud_body_id lifts[2] = {add_box(world, THUD_KINEMATIC, PLANK, 22, 0.2, 1.4f, 0.1f, 0),
-                             add_box(world, THUD_KINEMATIC, SOLID, 34, 0.2, 1.0f, 0.1f, 0)};
-    thud_body_id crate = add_box(world, THUD_DYNAMIC, CRATE, 34, 0.8, 0.5f, 0.5f, 0);
+    lay_level(world);
+    thud_body_id lifts[2] = {add_body(world, THUD_KINEMATIC, 22, 0.2, PLANK, 1.4, 0.1),
+                             add_body(world, THUD_KINEMATIC, 34, 0.2, SOLID, 1, 0.1)};
+    thud_body_id crate = add_body(world, THUD_DYNAMIC, 34, 0.8, CRATE, 0.5, 0.5);
 
-    thud_mover hero = thud_default_mover((thud_shape_instance){THUD_AABB, 0, 0.7, 1, 0, 0.4, 0.6});
+    thud_mover hero = thud_default_mover(thud_aabb_at(0, 0.7, 0.4, 0.6));
     thud_one_way planks = {PLANK, false};
     hero.pass = thud_mover_passes_one_way;
     hero.context = &planks;
@@ -68,9 +76,7 @@ int main(void) {
             velocity.y = fabs(x) < 2.5 && y > 0.8 ? 10 : 0;
         thud_mover_move(world, &hero, velocity, 1 / 60.0, &report);
         for (int i = 0; i < report.sensor_count; i++) {
-            thud_body_id coin;
-            thud_shape_body(world, report.sensors[i], &coin);
-            thud_body_destroy(world, coin);
+            thud_shape_destroy(world, report.sensors[i]);
             next++;
         }
     }

@@ -2,11 +2,12 @@
 #include <math.h>
 #include <stdio.h>
 #include <thud/thud.h>
+#include <thud/thud_edits.h>
 #include <thud/thud_lists.h>
 #include <thud/thud_reads.h>
 
 enum { BALLS = 16, CUE = 0, POCKETS = 6, SHOTS = 200 };
-enum { TABLE = 1, BALL = 2 }; /* categories */
+enum { BALL = 2 }; /* category */
 
 static const thud_vec2 pockets[POCKETS] = {{-22, -11}, {0, -11}, {22, -11},
                                            {-22, 11},  {0, 11},  {22, 11}};
@@ -19,25 +20,22 @@ typedef struct game {
 
 static void lay_table(game *g) {
     thud_body_def body_def = thud_default_body_def();
-    thud_shape_def shape_def = thud_default_shape_def();
-    thud_body_id table;
-    shape_def.filter.category = TABLE;
-    shape_def.restitution = 0.8f;
-    thud_body_create(g->world, &body_def, &table);
-    for (int side = -1; side <= 1; side += 2) {
-        thud_shape_create_aabb(g->world, table, &shape_def, (thud_vec2){side * 23, 0},
-                               (thud_vec2){1, 13}, NULL);
-        thud_shape_create_aabb(g->world, table, &shape_def, (thud_vec2){0, side * 12},
-                               (thud_vec2){22, 1}, NULL);
-    }
-    shape_def.sensor = true;
+    thud_shape_def cushion = thud_default_shape_def(), pocket = cushion;
+    thud_body_shape table[4 + POCKETS] = {{thud_aabb_at(-23, 0, 1, 13), &cushion},
+                                          {thud_aabb_at(23, 0, 1, 13), &cushion},
+                                          {thud_aabb_at(0, -12, 22, 1), &cushion},
+                                          {thud_aabb_at(0, 12, 22, 1), &cushion}};
+    cushion.restitution = 0.8f;
+    pocket.sensor = true;
     for (int i = 0; i < POCKETS; i++)
-        thud_shape_create_circle(g->world, table, &shape_def, pockets[i], 0.5f, NULL);
+        table[4 + i] = (thud_body_shape){thud_circle_at(pockets[i].x, pockets[i].y, 0.5), &pocket};
+    thud_body_create_with_shapes(g->world, &body_def, table, 4 + POCKETS, NULL, NULL);
 }
 
 static void add_ball(game *g, int i, double x, double y) {
     thud_body_def body_def = thud_default_body_def();
     thud_shape_def shape_def = thud_default_shape_def();
+    thud_body_shape ball = {thud_circle_at(0, 0, 0.5), &shape_def};
     body_def.kind = THUD_DYNAMIC;
     body_def.position = (thud_pos){x, y};
     body_def.linear_damping = 0.7f;
@@ -47,8 +45,7 @@ static void add_ball(game *g, int i, double x, double y) {
     shape_def.friction = 0.05f;
     shape_def.restitution = 0.95f;
     shape_def.filter.category = BALL;
-    thud_body_create(g->world, &body_def, &g->ball[i]);
-    thud_shape_create_circle(g->world, g->ball[i], &shape_def, (thud_vec2){0, 0}, 0.5f, NULL);
+    thud_body_create_with_shapes(g->world, &body_def, &ball, 1, &g->ball[i], NULL);
 }
 
 /* Whether no other ball stands in the way of this one. */

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <thud/thud.h>
+#include <thud/thud_edits.h>
 #include <thud/thud_forces.h>
 #include <thud/thud_reads.h>
 #include <thud/thud_snapshot.h>
@@ -41,17 +42,15 @@ static bool start(peer *p) {
     thud_world_def world_def = thud_default_world_def();
     thud_body_def body_def = thud_default_body_def();
     thud_shape_def shape_def = thud_default_shape_def();
+    thud_body_shape disc = {thud_circle_at(0, 0, 0.5), &shape_def};
     world_def.gravity = (thud_vec2){0, 0};
     body_def.kind = THUD_DYNAMIC;
     body_def.linear_damping = 1;
     shape_def.restitution = 0.8f;
     if (thud_world_create(&world_def, &p->world) != THUD_OK)
         return false;
-    for (int i = 0; i < 2; i++) {
-        thud_body_create(p->world, &body_def, &p->wrestler[i]);
-        thud_shape_create_circle(p->world, p->wrestler[i], &shape_def, (thud_vec2){0, 0}, 0.5f,
-                                 NULL);
-    }
+    for (int i = 0; i < 2; i++)
+        thud_body_create_with_shapes(p->world, &body_def, &disc, 1, &p->wrestler[i], NULL);
     line_up(p);
     return true;
 }

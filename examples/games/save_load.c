@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <thud/thud.h>
+#include <thud/thud_edits.h>
 #include <thud/thud_lists.h>
 #include <thud/thud_snapshot.h>
 
@@ -14,26 +15,23 @@ static void add_box(thud_world *world, thud_body_kind kind, double x, double y, 
                     float half_y, bool sensor) {
     thud_body_def body_def = thud_default_body_def();
     thud_shape_def shape_def = thud_default_shape_def();
-    thud_body_id body;
+    thud_body_shape box = {thud_obb_at(0, 0, half_x, half_y, 0), &shape_def};
     body_def.kind = kind;
     body_def.position = (thud_pos){x, y};
     body_def.user_data = kind == THUD_DYNAMIC ? CRATE : 0;
     shape_def.sensor = sensor;
-    thud_body_create(world, &body_def, &body);
-    thud_shape_create_obb(world, body, &shape_def, (thud_vec2){0, 0}, (thud_vec2){half_x, half_y},
-                          0, NULL);
+    thud_body_create_with_shapes(world, &body_def, &box, 1, NULL, NULL);
 }
 
 static void throw_ball(thud_world *world, thud_pos target) {
     thud_body_def body_def = thud_default_body_def();
     thud_shape_def shape_def = thud_default_shape_def();
-    thud_body_id ball;
+    thud_body_shape ball = {thud_circle_at(0, 0, 0.4), &shape_def};
     body_def.kind = THUD_DYNAMIC;
     body_def.position = (thud_pos){0, 2};
     body_def.velocity = (thud_vec2){target.x, target.y - 2 + 5}; /* there in a second */
     shape_def.density = 2;
-    thud_body_create(world, &body_def, &ball);
-    thud_shape_create_circle(world, ball, &shape_def, (thud_vec2){0, 0}, 0.4f, NULL);
+    thud_body_create_with_shapes(world, &body_def, &ball, 1, NULL, NULL);
 }
 
 static int count_crates(const thud_world *world, thud_pos *highest) {
