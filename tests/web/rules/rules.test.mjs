@@ -138,6 +138,14 @@ test("a_pair_filter_keeps_apart_and_is_forgotten_with_its_world", () => {
     asked.push(a, b);
     return ![a.index, b.index].includes(player.shape.index);
   });
+  world.setPairFilter(() => {
+    throw new RangeError("mine");
+  });
+  assert.throws(() => (steps(world, 60), world.setFilter(player.shape, { mask: 7 })), /mine/);
+  world.setPairFilter((a, b) => {
+    asked.push(a, b);
+    return ![a.index, b.index].includes(player.shape.index);
+  });
   steps(world, 60);
   assert.ok(asked.some((shape) => shape.index === ground.shape.index));
   assert.ok(world.positionOf(player.body)[1] < -2);

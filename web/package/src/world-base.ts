@@ -207,7 +207,7 @@ export class WorldBase {
   ): void {
     const call = this.engine.exports[name];
     const result = call(this.address, index1Of(id), generationOf(id), a!, b!, c!, d!, e!, f!);
-    if (result !== 0) this.engine.check(result);
+    if (result !== 0 || this.engine.callbacks.hasThrown) this.engine.check(result);
   }
 
   /** Those of the list that the last call gave. */

@@ -28,6 +28,10 @@ export class CallbackTable {
     this.#worlds.delete(world);
   }
 
+  get hasThrown(): boolean {
+    return this.#thrown !== null;
+  }
+
   /** Throws what a callback has thrown since. */
   rethrow(): void {
     if (this.#thrown === null) return;
