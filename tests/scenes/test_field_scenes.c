@@ -70,9 +70,8 @@ static double displaced(const stage *t, int index) {
                                       .s = b.sine * c + b.cosine * s,
                                       .hx = shape->hx,
                                       .hy = shape->hy};
-        thud_pos middle;
-        OK(thud_shape_below(&placed, (thud_pos){0, f->water_level}, (thud_vec2){0, 1}, &area,
-                            &middle));
+        double x, y;
+        OK(thud_shape_below(&placed, 0, f->water_level, 0, 1, &area, &x, &y));
         sum += f->water_density * area;
     }
     return sum;

@@ -64,8 +64,7 @@ static thud_world_def def_of(place *p) {
     thud_world_def def = thud_default_world_def();
     def.length_scale = (float)p->scale;
     def.log = hear;
-    def.log_context = def.callback_context = p;
-    def.prologue = ask;
+    def.log_context = p;
     return def;
 }
 
@@ -84,6 +83,7 @@ static void place_make(place *p, double scale) {
     *p = (place){.scale = scale, .shape = thud_default_shape_def()};
     thud_world_def def = def_of(p);
     OK(thud_world_create(&def, &p->world));
+    set_listeners(p->world, ask, NULL, p);
     p->ball = body_of(p, THUD_DYNAMIC, 0);
     p->stone = body_of(p, THUD_DYNAMIC, 50);
     p->slab = body_of(p, THUD_STATIC, 1);

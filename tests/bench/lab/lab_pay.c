@@ -146,19 +146,20 @@ static void fill_crowd(bool with, scene *s, thud_world_def *def) {
 }
 
 static const lab_pair PAIRS[] = {
-    {"rotation", "boxes that turn", "boxes that do not", fill_rotation},
-    {"friction", "friction 0.6", "friction 0", fill_friction},
-    {"restitution", "restitution 0.1", "restitution 0", fill_restitution},
-    {"terrain", "floor of 79 segments", "floor of one box", fill_terrain},
-    {"continuous", "gas, continuous", "gas, not continuous", fill_continuous},
-    {"fast bodies", "heap, 100 fly at 200 m/s", "heap, they stand still", fill_fast},
-    {"events", "gas with events", "gas without", fill_events},
+    {"rotation", "boxes that turn", "boxes that do not", fill_rotation, NULL},
+    {"friction", "friction 0.6", "friction 0", fill_friction, NULL},
+    {"restitution", "restitution 0.1", "restitution 0", fill_restitution, NULL},
+    {"terrain", "floor of 79 segments", "floor of one box", fill_terrain, NULL},
+    {"continuous", "gas, continuous", "gas, not continuous", fill_continuous, NULL},
+    {"fast bodies", "heap, 100 fly at 200 m/s", "heap, they stand still", fill_fast, NULL},
+    {"events", "gas with events", "gas without", fill_events, NULL},
     {"listeners", "prologue and epilogue", "neither", fill_listeners, &LISTENERS},
-    {"all static", "10,000 static boxes", "an empty world", fill_static},
-    {"all asleep", "1,000 asleep", "an empty world", fill_asleep},
+    {"all static", "10,000 static boxes", "an empty world", fill_static, NULL},
+    {"all asleep", "1,000 asleep", "an empty world", fill_asleep, NULL},
 };
 
-static const lab_pair CROWD = {"asleep", "100 awake, 20,000 asleep", "the 100 alone", fill_crowd};
+static const lab_pair CROWD = {"asleep", "100 awake, 20,000 asleep", "the 100 alone", fill_crowd,
+                               NULL};
 
 bool lab_pay(bool quick, json *out) {
     printf("%-12s %-25s %9s  %-22s %9s  %6s\n", "feature", "with", "ms", "without", "ms", "ratio");

@@ -33,8 +33,8 @@ static void fill_circle_pit(bool with, scene *s, thud_world_def *def) {
 }
 
 static const lab_pair PAIRS[] = {
-    {"pyramid", "2 workers", "1 worker", fill_pyramid},
-    {"circle_pit", "2 workers", "1 worker", fill_circle_pit},
+    {"pyramid", "2 workers", "1 worker", fill_pyramid, NULL},
+    {"circle_pit", "2 workers", "1 worker", fill_circle_pit, NULL},
 };
 
 static bool compare_all(bool quick, json *out) {

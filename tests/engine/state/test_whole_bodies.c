@@ -197,9 +197,8 @@ static void bodies_without_memory_are_not_made(void **state) {
         for (; t.result != THUD_OK; t.allowed++) {
             thud_world_def def = thud_default_world_def();
             def.allocator = hostile_memory();
-            def.prologue = inside ? make_many : NULL;
-            def.callback_context = &t;
             thud_world *w = make_world(def);
+            set_listeners(w, inside ? make_many : NULL, NULL, &t);
             add_shape(w, add_body(w, THUD_DYNAMIC, 0, 0, 0), 1, 0, false, NULL);
             add_shape(w, add_body(w, THUD_STATIC, 0, -1.5, 0), 1, 1, true, NULL);
             if (inside) {
