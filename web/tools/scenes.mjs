@@ -40,17 +40,21 @@ const loaders = {
   loadGeometry: () => import("../package/dist/geometry/index.js"),
 };
 
+const loadMover = async () => (await import("../package/dist/node.js")).Mover;
+
 /** Builds a scene of the registry: { module, setting, scene }. `options` as for createSetting. */
 export async function buildScene(thud, name, options = {}) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
-  const setting = createSetting(module, { thud, readText, ...loaders, ...options });
+  const mover = await loadMover();
+  const setting = createSetting(module, { thud, readText, mover, ...loaders, ...options });
   return { module, setting, scene: await module.default(setting) };
 }
 
 /** A running scene of the registry, as the page's worker has it. `options`: size, seed. */
 export async function openSession(thud, name, options = {}) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
-  return setUp(1, module, thud, { name, seed: 0, choices: USUAL, ...options }, readText, loaders);
+  const request = { name, seed: 0, choices: USUAL, ...options };
+  return setUp(1, module, thud, request, readText, { ...loaders, loadMover });
 }
 
 /** Makes steps as the page does, with nobody at the keys. */

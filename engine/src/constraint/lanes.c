@@ -70,10 +70,7 @@ static int take_block(thud_world *w, int kind) {
 }
 
 /* A block is rows of eight words, all but the one that is the block's own. */
-enum {
-    ROW = (int)sizeof(f8),
-    OWN_ROW = (int)offsetof(td_block, next) / ROW
-};
+enum { ROW = (int)sizeof(f8), OWN_ROW = (int)offsetof(td_block, next) / ROW };
 
 static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int bytes) {
     uint32_t *t = (uint32_t *)to + to_lane;

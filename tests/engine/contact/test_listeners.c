@@ -70,6 +70,7 @@ static void without_a_prologue_pairs_are_their_own_again(void **state) {
             OK(thud_world_set_listeners(one,
                                         &(thud_listeners){.epilogue = tell, .context = &here}));
         }
+        OK(thud_world_set_listeners(other, &listens_too));
         for (int k = 0; k < 60; k++) {
             run(one, 1);
             run(other, 1);
@@ -82,6 +83,7 @@ static void without_a_prologue_pairs_are_their_own_again(void **state) {
         here.digest = twin.digest = 0;
         listens = of_form(FORMS - 1 - form, &here);
         OK(thud_world_set_listeners(one, &listens));
+        OK(thud_world_set_listeners(other, &listens_too)); /* wakes all there as well */
         here.told = twin.told = 0;
         run(one, 60);
         run(other, 60);

@@ -1,6 +1,5 @@
-/** A scene's own marks, and their places between two steps. */
-import type { Vec2 } from "thud";
-import type { Mark, Paint } from "../scene/scene";
+/** A scene's own marks. */
+import type { Mark } from "../scene/scene";
 import type { Camera, Pane } from "./camera";
 import type { Theme } from "./palette";
 
@@ -8,40 +7,6 @@ import type { Theme } from "./palette";
 const OUTLINE = 2;
 const TEXT_SIZE = 14;
 const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", sans-serif';
-
-/** `part` from 0, before, to 1, now. */
-export function smoothMarks(before: Paint | null, now: Paint, part: number): readonly Mark[] {
-  const last = now.marks ?? [];
-  const first = before?.marks ?? [];
-  const alike =
-    first.length === last.length && first.every((mark, i) => mark.kind === last[i].kind);
-  return alike ? last.map((mark, i) => between(first[i], mark, part)) : last;
-}
-
-/** Where the view goes. */
-export function smoothFollow(before: Paint | null, now: Paint, part: number): Vec2 | null {
-  if (!now.follow) return null;
-  return before?.follow ? betweenPoints(before.follow, now.follow, part) : now.follow;
-}
-
-function between(first: Mark, last: Mark, part: number): Mark {
-  if (last.kind === "line") {
-    if (first.kind !== "line" || first.points.length !== last.points.length) return last;
-    const points = last.points.map((point, i) => betweenPoints(first.points[i], point, part));
-    return { ...last, points };
-  }
-  if (first.kind === "line") return last;
-  const [x, y] = betweenPoints([first.x, first.y], [last.x, last.y], part);
-  if (last.kind !== "box" || first.kind !== "box") return { ...last, x, y };
-  const [from, to] = [first.angle ?? 0, last.angle ?? 0];
-  // The short way round.
-  const turn = Math.atan2(Math.sin(to - from), Math.cos(to - from));
-  return { ...last, x, y, angle: from + part * turn };
-}
-
-function betweenPoints(first: Vec2, last: Vec2, part: number): Vec2 {
-  return [first[0] + part * (last[0] - first[0]), first[1] + part * (last[1] - first[1])];
-}
 
 export function drawMarks(
   context: CanvasRenderingContext2D,

@@ -8,14 +8,11 @@ import type { OverlayName } from "../scene/overlays";
 import type { Mark } from "../scene/scene";
 import { CIRCLE, HALF, OFFSET, ROW, SHAPE, SLOT, TURN } from "../scene/shape-table";
 import type { Camera, Pane } from "./camera";
-import { drawLists } from "./debug";
 import type { Joints } from "./joints";
-import { drawLabels } from "./labels";
+import type * as Late from "./late";
 import { Layer } from "./layer";
-import { drawMarks } from "./marks";
 import type { Theme } from "./palette";
 import { poseBetween, type Poses } from "./poses";
-import { drawSums } from "./sums";
 
 /** What there is to draw now. */
 export interface OverlayPicture {
@@ -30,6 +27,19 @@ export interface OverlayPicture {
   /** The slot of a body to be outlined. */
   held: number | null;
   split: "none" | "side" | "over";
+}
+
+/** Brought when there is first something for it to draw: it stands in the next picture. */
+let late: typeof Late | null = null;
+let asked = false;
+
+function bringLate(): void {
+  if (asked) return;
+  asked = true;
+  import("./late").then(
+    (brought) => (late = brought),
+    () => (asked = false),
+  );
 }
 
 export class Overlay {
@@ -59,6 +69,7 @@ export class Overlay {
     this.#layer.clear();
     this.#clean = empty;
     if (empty) return;
+    if (drawing || sums?.length || marks.length > 0 || split !== "none") bringLate();
     const [pane, otherPane] = camera.panes;
     if (joints && otherPoses)
       this.#layer.inPane(otherPane, (context) =>
@@ -68,14 +79,14 @@ export class Overlay {
       joints?.draw(context, camera, pane, theme.joints, poses, bearings);
       const [originX, originY] = camera.toScreen(...frame.origin, pane);
       context.translate(originX, originY);
-      if (drawing) drawLists(context, drawing, camera.scale, theme, on);
-      if (sums) drawSums(context, sums, camera.scale, theme);
+      if (drawing) late?.drawLists(context, drawing, camera.scale, theme, on);
+      if (sums) late?.drawSums(context, sums, camera.scale, theme);
       context.translate(-originX, -originY);
-      drawMarks(context, camera, pane, theme, marks);
+      late?.drawMarks(context, camera, pane, theme, marks);
       if (held !== null && shapes) drawHeld(context, camera, pane, theme, shapes, poses, held);
       if (pull) drawPull(context, camera, pane, theme, pull);
     });
-    if (split !== "none") drawLabels(this.#layer, camera, theme, split);
+    if (split !== "none") late?.drawLabels(this.#layer, camera, theme, split);
   }
 }
 

@@ -9,11 +9,11 @@ import type { Paint } from "../scene/scene";
 import { Backdrop } from "./backdrop";
 import { Bodies, type RendererChange } from "./bodies";
 import { Camera } from "./camera";
-import { smoothFollow, smoothMarks } from "./marks";
 import type { Joints } from "./joints";
 import { Overlay } from "./overlay";
 import { DARK, LIGHT, type Theme } from "./palette";
 import type { Poses } from "./poses";
+import { smoothFollow, smoothMarks } from "./smooth";
 
 export interface DrawOptions {
   /** Box2D's bodies, where a frame has some: in a pane of their own, or as outlines over thud's. */

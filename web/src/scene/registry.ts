@@ -15,7 +15,7 @@ export const SCENES: readonly SceneEntry[] = GROUPS.flatMap((group) =>
 );
 
 /** What a visitor sees first. */
-export const FIRST_SCENE = "brick_wall";
+export { FIRST_SCENE } from "./first";
 
 export function findScene(name: string): SceneEntry | undefined {
   return SCENES.find((scene) => scene.name === name);

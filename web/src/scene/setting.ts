@@ -1,5 +1,5 @@
 /** What a scene module is given: the same in the worker and in Node.js (tests, thumbnails). */
-import { type Engine, Mover, type WorldOptions } from "thud";
+import type { Engine, Mover, WorldOptions } from "thud";
 import type * as geometry from "thud/geometry";
 import type * as level from "thud/level";
 import { random } from "./random";
@@ -15,6 +15,8 @@ export interface SettingOptions {
   readText(file: string): Promise<string>;
   /** The reader of levels, which is loaded with the first one. */
   loadReader?(): Promise<typeof level>;
+  /** Which the page's first scene goes without. */
+  mover?: typeof Mover;
   /** Geometry, which is loaded with the first scene that is about it. */
   loadGeometry?(): Promise<typeof geometry>;
 }
@@ -27,6 +29,7 @@ export function createSetting(
     size,
     seed = 0,
     readText,
+    mover,
     loadReader = () => import("thud/level"),
     loadGeometry = () => import("thud/geometry"),
   }: SettingOptions,
@@ -43,7 +46,10 @@ export function createSetting(
       reader ??= await loadReader();
       return reader.readLevel(...request);
     },
-    createMover: (world, options) => new Mover(world, options),
+    createMover(world, options) {
+      if (!mover) throw new Error("The page's first scene has no movers.");
+      return new mover(world, options);
+    },
     readText,
     loadGeometry,
     size: sizeOf(module, size),

@@ -10,7 +10,7 @@ import type { JointFrames } from "./joint-frames";
 import { groundLines } from "./lookup";
 import type { Look } from "./protocol";
 import type { Session } from "./session";
-import { sumsOfBody, sumsOfPairs } from "./sums";
+import type * as Sums from "./sums";
 import { knownOf } from "./watch";
 
 /** Sleeping bodies are looked for this often, in steps. */
@@ -23,9 +23,17 @@ async function bringJoints(): Promise<void> {
   jointReader = (await import("./joint-frames")).JointFrames;
 }
 
-/** Before the first frame of a world, which may be the only one for long. */
-export async function readyFor(world: World): Promise<void> {
+/** Brought after the first picture, or by the first scene that shows some. */
+let sums: typeof Sums | null = null;
+
+export async function bringSums(): Promise<void> {
+  sums ??= await import("./sums");
+}
+
+/** Before the first frame of a scene, which may be the only one for long. */
+export async function readyFor({ world, scene }: Session): Promise<void> {
   if (knownOf(world)?.tied && !jointReader) await bringJoints();
+  if (scene.sums) await bringSums();
 }
 
 export class Frames {
@@ -127,8 +135,9 @@ export class Frames {
   /** What the scene is about, and the body that the visitor points at. */
   #sums({ origin, focus }: Look): Sum[] {
     const { world, scene } = this.session;
-    const pairs = scene.sums ? sumsOfPairs(world, scene.sums, origin) : [];
-    return focus === null ? pairs : [...pairs, ...sumsOfBody(world, focus, origin)];
+    if (!sums) return [];
+    const pairs = scene.sums ? sums.sumsOfPairs(world, scene.sums, origin) : [];
+    return focus === null ? pairs : [...pairs, ...sums.sumsOfBody(world, focus, origin)];
   }
 
   #awake(): Uint8Array {

@@ -1,6 +1,7 @@
 /** Sets a scene up: gives its module what it asks for and takes the world that it makes. */
 import type { Engine, Mover, World, WorldOptions } from "thud";
 import type { KeyWords, Scene, SceneModule, View } from "../scene/scene";
+import { FIRST_SCENE } from "../scene/first";
 import { createSetting, type SettingOptions } from "../scene/setting";
 import { BODY, DYNAMIC, HALF, ROW, SLOT, STATIC } from "../scene/shape-table";
 import { checkScene } from "./check";
@@ -22,20 +23,30 @@ export function optionsOf(choices: Choices): WorldOptions {
   };
 }
 
+interface Loaders extends Pick<SettingOptions, "loadReader" | "loadGeometry"> {
+  loadMover?(): Promise<typeof Mover>;
+}
+
+async function bringMover(): Promise<typeof Mover> {
+  return (await import("thud")).Mover;
+}
+
 export async function setUp(
   run: number,
   module: SceneModule,
   engine: Engine,
   request: SceneRequest,
   readText: (file: string) => Promise<string>,
-  loaders: Pick<SettingOptions, "loadReader" | "loadGeometry"> = {},
+  { loadMover = bringMover, ...loaders }: Loaders = {},
 ): Promise<Session> {
+  const first = request.name === FIRST_SCENE && request.code === undefined;
   const setting = createSetting(module, {
     thud: engine,
     choices: optionsOf(request.choices),
     size: request.size,
     seed: request.seed,
     readText,
+    mover: first ? undefined : await loadMover(),
     ...loaders,
   });
   // The world that a scene returns is run; others, and movers, are freed with it.

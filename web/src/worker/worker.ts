@@ -5,7 +5,7 @@
 import type { Engine } from "thud";
 import { load } from "thud/first";
 import { Companions } from "./companions";
-import { Frames, readyFor, transferables } from "./frames";
+import { bringSums, Frames, readyFor, transferables } from "./frames";
 import { inspect } from "./inspect";
 import { importScene } from "./module";
 import type { Progress, QuestionName, Questions, SceneRequest, ToPage, ToWorker } from "./protocol";
@@ -40,14 +40,14 @@ const answers: Answers = {
 
   async complete() {
     await engine.complete();
-    const { explainErrors } = await import("thud/explain");
+    const [{ explainErrors }] = await Promise.all([import("thud/explain"), bringSums()]);
     explainErrors();
   },
 
   async run(request) {
     const run = ++runs;
     const next = await open(request, run);
-    await readyFor(next.world);
+    await readyFor(next);
     if (run !== runs) {
       next.close();
       throw new Error("Another scene was asked for meanwhile.");
