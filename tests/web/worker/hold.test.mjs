@@ -19,7 +19,9 @@ async function withSession(build, use, { update, options = {} } = {}) {
       return { world, update: update && (() => update(world, built)) };
     },
   };
-  const session = await setUp(1, module, engine, { name: "own", seed: 0, choices: USUAL });
+  const request = { name: "own", seed: 0, choices: USUAL };
+  const loaders = { loadMover: async () => thud.Mover };
+  const session = await setUp(1, module, engine, request, () => "", loaders);
   use(session, built);
   session.close();
 }

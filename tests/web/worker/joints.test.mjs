@@ -13,7 +13,8 @@ const engine = await thud.load();
 
 function open(scene) {
   const request = { name: "own", seed: 0, choices: USUAL };
-  return setUp(1, { default: scene, title: "", about: "", menu: null }, engine, request, () => "");
+  const module = { default: scene, title: "", about: "", menu: null };
+  return setUp(1, module, engine, request, () => "", { loadMover: async () => thud.Mover });
 }
 
 /** A scene that makes, sets, breaks and destroys joints as it goes. */

@@ -29,25 +29,24 @@ export interface OverlayPicture {
   split: "none" | "side" | "over";
 }
 
-/** Brought when there is first something for it to draw: it stands in the next picture. */
+/** Brought when there is first something for it to draw. */
 let late: typeof Late | null = null;
-let asked = false;
-
-function bringLate(): void {
-  if (asked) return;
-  asked = true;
-  import("./late").then(
-    (brought) => (late = brought),
-    () => (asked = false),
-  );
-}
 
 export class Overlay {
   readonly #layer: Layer;
   #clean = false;
 
-  constructor(canvas: HTMLCanvasElement) {
+  /** `redraw` is called when there is more to draw of the same. */
+  constructor(
+    canvas: HTMLCanvasElement,
+    private readonly redraw: () => void,
+  ) {
     this.#layer = new Layer(canvas);
+  }
+
+  async #bringLate(): Promise<void> {
+    late = await import("./late");
+    this.redraw();
   }
 
   resize(width: number, height: number, ratio: number): void {
@@ -69,7 +68,8 @@ export class Overlay {
     this.#layer.clear();
     this.#clean = empty;
     if (empty) return;
-    if (drawing || sums?.length || marks.length > 0 || split !== "none") bringLate();
+    if (drawing || sums?.length || marks.length > 0 || split !== "none")
+      if (!late) void this.#bringLate();
     const [pane, otherPane] = camera.panes;
     if (joints && otherPoses)
       this.#layer.inPane(otherPane, (context) =>

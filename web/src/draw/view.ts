@@ -58,7 +58,7 @@ export class View {
   /** `changed` is told when a WebGL context was lost or came back. */
   constructor(canvases: Canvases, changed: RendererChange = () => {}) {
     this.#backdrop = new Backdrop(canvases.backdrop);
-    this.#overlay = new Overlay(canvases.overlay);
+    this.#overlay = new Overlay(canvases.overlay, () => (this.#drawn = null));
     this.#bodies = new Bodies(canvases.bodies, (name) => {
       this.resize();
       changed(name);

@@ -18,11 +18,23 @@ export function coordinatesOf(points, row) {
   });
 }
 
+/** A band as it lies now: who digs gives it other vertices, which have coordinates of their own. */
+function present(world, band) {
+  const revision = world.revision.terrains;
+  if (band.revision !== revision) {
+    band.points = world.terrain(band.shape).points;
+    band.coordinates = coordinatesOf(band.points, band.row);
+    band.revision = revision;
+  }
+  return band;
+}
+
 /**
  * The engine’s weights of the two vertices beside a place, and what they make of the coordinates. A
  * foot on the end of a band may touch it a little beyond.
  */
-export function textureAt(world, { shape, points, coordinates }, place) {
+export function textureAt(world, band, place) {
+  const { shape, points, coordinates } = present(world, band);
   const x = Math.min(points.at(-1)[0], Math.max(points[0][0], place));
   const { height, normal, segment, weights } = world.groundAt(shape, x);
   const [a, b] = [coordinates[segment], coordinates[segment + 1]];
