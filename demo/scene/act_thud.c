@@ -3,6 +3,7 @@
 
 #include <thud/thud_fields.h>
 #include <thud/thud_lists.h>
+#include <thud/thud_rules.h>
 
 #include <math.h>
 
@@ -59,9 +60,68 @@ static thud_result act_on(const scene_fields *fields, thud_world *world, double 
     return result;
 }
 
+static bool same(float a, float b) {
+    return a == b || (isnan(a) && isnan(b));
+}
+
+static bool pair_has(const thud_world *world, uint32_t first, uint32_t second,
+                     const thud_rule *rule) {
+    thud_rule old;
+    bool is_set, reversed;
+    return thud_world_rule(world, first, second, &old, &is_set, &reversed) == THUD_OK && is_set &&
+           (!reversed || rule->meeting != THUD_ONE_WAY) && old.meeting == rule->meeting &&
+           same(old.friction, rule->friction) && same(old.restitution, rule->restitution) &&
+           same(old.surface_speed, rule->surface_speed) &&
+           same(old.most_impulse, rule->most_impulse);
+}
+
+/* Setting a rule wakes what is of its kinds: none is set that is there already. */
+static bool is_there(const thud_world *world, uint32_t first, uint32_t second,
+                     const thud_rule *rule) {
+    for (uint32_t f = first; f; f &= f - 1)
+        for (uint32_t s = second; s; s &= s - 1)
+            if (!pair_has(world, f & (~f + 1), s & (~s + 1), rule))
+                return false;
+    return true;
+}
+
+static thud_result set_rule(thud_world *world, const scene_rule *from) {
+    thud_rule rule = thud_default_rule();
+    rule.meeting = (thud_meeting)from->meeting;
+    rule.friction = (float)from->friction;
+    rule.restitution = (float)from->restitution;
+    rule.surface_speed = (float)from->surface_speed;
+    rule.most_impulse = (float)from->most_impulse;
+    if (is_there(world, from->first, from->second, &rule))
+        return THUD_OK;
+    return thud_world_set_rule(world, from->first, from->second, &rule);
+}
+
+/* Whether a rule that comes later in the list holds in its place already. */
+static bool replaced(const scene_fields *fields, int index, double step) {
+    const scene_rule *rule = &fields->rules[index];
+    for (int i = index + 1; i < fields->rule_count; i++) {
+        const scene_rule *later = &fields->rules[i];
+        if (later->step <= step && later->first == rule->first && later->second == rule->second)
+            return true;
+    }
+    return false;
+}
+
+thud_result scene_rule_thud(const scene_fields *fields, thud_world *world) {
+    double step = fields->rule_count > 0 ? (double)thud_world_stats(world).steps : 0;
+    thud_result result = THUD_OK;
+    for (int i = 0; i < fields->rule_count && result == THUD_OK; i++)
+        if (fields->rules[i].step <= step && !replaced(fields, i, step))
+            result = set_rule(world, &fields->rules[i]);
+    return result;
+}
+
 thud_result scene_step_thud(const scene_fields *fields, thud_world *world) {
     double step = (double)thud_world_stats(world).steps;
-    thud_result result = explode(fields, world, step);
+    thud_result result = scene_rule_thud(fields, world);
+    if (result == THUD_OK)
+        result = explode(fields, world, step);
     int slots = 0;
     if (fields->water_density > 0 || fields->air_density > 0)
         thud_world_slots(world, &slots, NULL);

@@ -2,6 +2,7 @@
  * the engine's floats. */
 #include "build_thud.h"
 
+#include "act_thud.h"
 #include "choices.h"
 
 #include <stdlib.h>
@@ -158,6 +159,8 @@ thud_result scene_build_thud(const scene *s, const thud_world_def *settings, thu
     }
     if (result == THUD_OK && s->joint_count > 0)
         result = add_joints(world, s, ids);
+    if (result == THUD_OK)
+        result = scene_rule_thud(&s->fields, world);
     free(ids);
     if (result != THUD_OK) {
         thud_world_destroy(world);

@@ -231,9 +231,25 @@ void scene_add_blast(scene *s, scene_blast blast) {
         s->failed = true;
 }
 
+scene_rule *scene_add_rule(scene *s, uint32_t first, uint32_t second, scene_meeting meeting) {
+    scene_rule *rule = &s->spare_rule;
+    if (s->fields.rule_count < SCENE_RULES_MAX)
+        rule = &s->fields.rules[s->fields.rule_count++];
+    else
+        s->failed = true;
+    *rule = (scene_rule){.first = first,
+                         .second = second,
+                         .meeting = meeting,
+                         .friction = NAN,
+                         .restitution = NAN,
+                         .surface_speed = NAN,
+                         .most_impulse = INFINITY};
+    return rule;
+}
+
 bool scene_has_fields(const scene *s) {
     const scene_fields *f = &s->fields;
-    return f->water_density > 0 || f->air_density > 0 || f->blast_count > 0;
+    return f->water_density > 0 || f->air_density > 0 || f->blast_count > 0 || f->rule_count > 0;
 }
 
 void scene_shift(scene *s, double dx, double dy) {

@@ -124,6 +124,22 @@ typedef struct scene_blast {
 
 enum { SCENE_BLASTS_MAX = 4 };
 
+typedef enum scene_meeting { SCENE_COLLIDE = 0, SCENE_IGNORE, SCENE_ONE_WAY } scene_meeting;
+
+/* What two kinds of shapes are to each other, see thud_rules.h; of several for the same
+ * bits, the last one whose step has come; two whose bits differ share no pair. Not-a-number: as the
+ * shapes have it. */
+typedef struct scene_rule {
+    int step;               /* from which on; 0: from the beginning */
+    uint32_t first, second; /* bits as in scene_shape.category */
+    scene_meeting meeting;  /* one-way: from below */
+    double friction, restitution;
+    double surface_speed; /* m/s, clockwise */
+    double most_impulse;  /* kg m/s in a step; default infinite */
+} scene_rule;
+
+enum { SCENE_RULES_MAX = 16 };
+
 /* What acts on everything that is awake before each step, see act_thud.h. Zero: nothing does. */
 typedef struct scene_fields {
     double water_density; /* kg/m^2; 0: no water */
@@ -135,6 +151,8 @@ typedef struct scene_fields {
     double air_drag, air_lift;
     scene_blast blasts[SCENE_BLASTS_MAX];
     int blast_count;
+    scene_rule rules[SCENE_RULES_MAX]; /* steps ascend */
+    int rule_count;
 } scene_fields;
 
 typedef struct scene {
@@ -164,6 +182,7 @@ with their Minkowski sum; each has one shape, no terrain */
     scene_body spare_body;   /* what the helpers hand out once memory has run out */
     scene_shape spare_shape;
     scene_joint spare_joint;
+    scene_rule spare_rule;
     char *owned_text; /* storage behind name, title and about of a level; else null */
 } scene;
 
@@ -204,6 +223,9 @@ scene_joint *scene_tie_gear(scene *s, int first, int second, double ratio);
 
 /* An explosion that walls and crates give cover from; a scene has at most SCENE_BLASTS_MAX. */
 void scene_add_blast(scene *s, scene_blast blast);
+/* From the beginning on, with what is not default set through the pointer; a scene has at most
+ * SCENE_RULES_MAX. */
+scene_rule *scene_add_rule(scene *s, uint32_t first, uint32_t second, scene_meeting meeting);
 /* Whether there is anything but bodies and joints, which other engines have no like of. */
 bool scene_has_fields(const scene *s);
 

@@ -134,6 +134,21 @@ static void pass_fields(tape *t, scene_fields *f) {
         pass_int(t, &b->step);
         pass_doubles(t, of_blast, sizeof of_blast / sizeof *of_blast);
     }
+    pass_int(t, &f->rule_count);
+    t->failed = t->failed || f->rule_count < 0 || f->rule_count > SCENE_RULES_MAX;
+    for (int i = 0; i < f->rule_count && !t->failed; i++)
+        pass_rule(t, &f->rules[i]);
+}
+
+static void pass_rule(tape *t, scene_rule *r) {
+    double *const values[] = {&r->friction, &r->restitution, &r->surface_speed, &r->most_impulse};
+    int meeting = (int)r->meeting;
+    pass_int(t, &r->step);
+    pass_u32(t, &r->first);
+    pass_u32(t, &r->second);
+    pass_int(t, &meeting);
+    pass_doubles(t, values, sizeof values / sizeof *values);
+    r->meeting = (scene_meeting)meeting;
 }
 
 /* Room for what the counts say; a file that lies about them is short of words anyway. */

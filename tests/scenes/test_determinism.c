@@ -9,7 +9,7 @@
 static const char *const SCENES[] = {"tall_stack", "circle_pit", "mixed_terrain", "tumbler_half",
                                      "smash",      "platformer", "gas",           "slopes",
                                      "bullets",    "sizes",      "one_spot",      "cradle",
-                                     "boats",      "flags",      "explosion"};
+                                     "boats",      "flags",      "explosion",     "planks"};
 
 /* Velocities and angles of all bodies after some steps: what a shift must not change. */
 static uint64_t motion_of(const char *name, int most, const thud_world_def *def, double shift_x,

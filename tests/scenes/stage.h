@@ -1,0 +1,54 @@
+/* stage.h: a scene that was built at one of the qualities, for tests of what scenes promise. */
+#ifndef THUD_TEST_STAGE_H
+#define THUD_TEST_STAGE_H
+
+#include "engine_support.h"
+
+#include "act_thud.h"
+#include "build_thud.h"
+#include "scenes.h"
+
+static const thud_quality *const LEVELS[QUALITIES] = {&thud_quality_draft, &thud_quality_default,
+                                                      &thud_quality_high, &thud_quality_exact};
+
+typedef struct stage {
+    scene scene;
+    thud_world *world;
+    thud_body_id *bodies;
+} stage;
+
+static inline stage open_stage(const char *name, int size, int quality) {
+    stage t;
+    thud_world_def def = thud_default_world_def();
+    def.quality = LEVELS[quality];
+    assert_true(scenes_fill(scenes_find(name), size, &t.scene));
+    t.bodies = malloc((size_t)t.scene.body_count * sizeof *t.bodies);
+    OK(scene_build_thud(&t.scene, &def, &t.world, t.bodies, NULL));
+    return t;
+}
+
+static inline void close_stage(stage *t) {
+    thud_world_destroy(t->world);
+    free(t->bodies);
+    scene_free(&t->scene);
+}
+
+static inline thud_body_state body(const stage *t, int index) {
+    return state_of(t->world, t->bodies[index]);
+}
+
+/* Nothing is lost: all bodies are finite and in the picture, or a little beside it. */
+static inline void run_whole(stage *t, int steps) {
+    const scene *s = &t->scene;
+    for (int i = 0; i < steps; i++) {
+        OK(scene_step_thud(&s->fields, t->world));
+        assert_int_equal(thud_world_events(t->world).quarantined_count, 0);
+    }
+    for (int i = 0; i < s->body_count; i++) {
+        thud_body_state b = body(t, i);
+        assert_true(fabs(b.position.x - s->camera_x) < 2 * fmax(s->camera_width, s->camera_height));
+        assert_true(fabs(b.position.y - s->camera_y) < 2 * s->camera_height);
+    }
+}
+
+#endif
