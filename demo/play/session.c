@@ -5,6 +5,7 @@
 #include <build_thud.h>
 
 #include <thud/thud_fields.h>
+#include <thud/thud_lists.h>
 
 #include <SDL.h>
 #include <math.h>
@@ -161,9 +162,35 @@ bool session_load(session *s, const catalog_entry *entry) {
     return listed;
 }
 
+static bool is_listed(const session *s, thud_body_id id) {
+    for (int i = 0; i < s->body_count; i++)
+        if (s->bodies[i].id.index1 == id.index1)
+            return true;
+    return false;
+}
+
+/* What broke in a step leaves the list, and its pieces come into it. */
+static void list_pieces(session *s) {
+    int kept = 0, count = 0, bodies = (int)thud_world_stats(s->world).bodies;
+    if (s->scene.fields.breaks == 0 || bodies == s->body_count)
+        return;
+    for (int i = 0; i < s->body_count; i++)
+        if (thud_body_is_valid(s->world, s->bodies[i].id))
+            s->bodies[kept++] = s->bodies[i];
+    s->body_count = kept;
+    thud_body_id *ids = malloc((size_t)bodies * sizeof *ids + 1);
+    bool listed = ids && thud_world_bodies(s->world, ids, bodies, &count) == THUD_OK;
+    for (int i = 0; i < count && listed; i++)
+        listed = is_listed(s, ids[i]) || list_body(s, ids[i]);
+    free(ids);
+    if (!listed)
+        snprintf(s->message, sizeof s->message, "Out of memory while listing the bodies.");
+}
+
 static void run_step(session *s) {
     if (scene_step_thud(&s->scene.fields, s->world) != THUD_OK)
         return;
+    list_pieces(s);
     thud_stats stats = thud_world_stats(s->world);
     s->missed.held += stats.held_bodies;
     s->missed.seconds += stats.held_seconds;

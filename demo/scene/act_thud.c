@@ -1,6 +1,8 @@
 /* act_thud.c: see act_thud.h. */
 #include "act_thud.h"
 
+#include "break_thud.h"
+
 #include <thud/thud_fields.h>
 #include <thud/thud_lists.h>
 #include <thud/thud_rules.h>
@@ -130,5 +132,7 @@ thud_result scene_step_thud(const scene_fields *fields, thud_world *world) {
         if (thud_world_body_at(world, i, &id) == THUD_OK && id.index1 != 0)
             result = act_on(fields, world, step, id);
     }
-    return result == THUD_OK ? thud_world_step(world) : result;
+    if (result == THUD_OK)
+        result = thud_world_step(world);
+    return result == THUD_OK ? scene_break_thud(fields, world) : result;
 }

@@ -153,6 +153,7 @@ typedef struct scene_fields {
     int blast_count;
     scene_rule rules[SCENE_RULES_MAX]; /* steps ascend */
     int rule_count;
+    uint32_t breaks, pieces; /* kinds: what a rule's most_impulse breaks, and into what; 0: none */
 } scene_fields;
 
 typedef struct scene {

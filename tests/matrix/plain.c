@@ -138,6 +138,8 @@ static void pass_fields(tape *t, scene_fields *f) {
     t->failed = t->failed || f->rule_count < 0 || f->rule_count > SCENE_RULES_MAX;
     for (int i = 0; i < f->rule_count && !t->failed; i++)
         pass_rule(t, &f->rules[i]);
+    pass_u32(t, &f->breaks);
+    pass_u32(t, &f->pieces);
 }
 
 static void pass_rule(tape *t, scene_rule *r) {

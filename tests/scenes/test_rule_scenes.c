@@ -2,6 +2,7 @@
  * every quality. */
 #include "stage.h"
 
+#include <thud/thud_lists.h>
 #include <thud/thud_rules.h>
 #include <thud/thud_snapshot.h>
 
@@ -68,14 +69,73 @@ static void planks_let_rise_and_hold_and_carry_by_kind(void **state) {
     }
 }
 
+/* ---- crates ---- */
+
+static int body_count(const stage *t) {
+    int count;
+    OK(thud_world_bodies(t->world, NULL, 0, &count));
+    return count;
+}
+
+static double whole_mass(const stage *t) {
+    thud_body_id ids[400];
+    int count;
+    double sum = 0;
+    OK(thud_world_bodies(t->world, ids, 400, &count));
+    for (int i = 0; i < count; i++) {
+        thud_body_state b = state_of(t->world, ids[i]);
+        assert_true(isfinite(b.position.x) && fabs(b.position.x) < 30);
+        assert_true(isfinite(b.position.y) && b.position.y >= -0.5);
+        if (b.kind == THUD_DYNAMIC)
+            sum += (double)b.mass;
+    }
+    return sum;
+}
+
+static void crates_break_into_four_by_the_impulses_that_reached_their_limit(void **state) {
+    (void)state;
+    enum { CRATES = 36, FIRST = 3, LANDING = 40, STACK = 4 };
+    for (int q = 0; q < QUALITIES; q++) {
+        stage t = open_stage("crates", CRATES, q);
+        const float most = (float)t.scene.fields.rules[0].most_impulse;
+        double mass = whole_mass(&t);
+        int breaking = 0;
+        for (int step = 0; step < 900; step++) {
+            int before = body_count(&t), events, whole = 0;
+            OK(scene_step_thud(&t.scene.fields, t.world));
+            const thud_impulse_event *e = thud_world_impulses(t.world, &events);
+            for (int i = 0; i < events; i++)
+                assert_true(e[i].impulse > most);
+            for (int i = 0; i < CRATES; i++)
+                whole += thud_body_is_valid(t.world, t.bodies[FIRST + i]);
+            int now = body_count(&t);
+            assert_int_equal(now, t.scene.body_count + 3 * (CRATES - whole));
+            assert_true(events > 0 || now == before);
+            assert_true(step > LANDING || whole == CRATES); /* stacks bear their own weight */
+            breaking += now > before;
+        }
+        /* Each of the three weights broke something of the stack that it fell onto, and the stacks
+         * in between stand. */
+        assert_true(breaking >= 3);
+        for (int stack = 0; stack < CRATES / STACK; stack += 3)
+            assert_false(thud_body_is_valid(t.world, t.bodies[FIRST + STACK * stack + STACK - 1]));
+        int whole = 0;
+        for (int i = 0; i < CRATES; i++)
+            whole += thud_body_is_valid(t.world, t.bodies[FIRST + i]);
+        assert_true(whole >= CRATES / 6);
+        assert_true(fabs(whole_mass(&t) - mass) < 1e-3 * mass);
+        close_stage(&t);
+    }
+}
+
 /* ---- all of them ---- */
 
 static void restored_scene_goes_on_with_its_rules(void **state) {
     (void)state;
-    static const char *const names[] = {"planks"};
+    static const char *const names[] = {"planks", "crates"};
     for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
         stage a = open_stage(names[n], 0, 1), b = open_stage(names[n], 0, 1);
-        for (int i = 0; i < 300; i++)
+        for (int i = 0; i < 55; i++)
             OK(scene_step_thud(&a.scene.fields, a.world));
         size_t size;
         OK(thud_world_snapshot_size(a.world, &size));
@@ -96,6 +156,7 @@ static void restored_scene_goes_on_with_its_rules(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planks_let_rise_and_hold_and_carry_by_kind),
+        cmocka_unit_test(crates_break_into_four_by_the_impulses_that_reached_their_limit),
         cmocka_unit_test(restored_scene_goes_on_with_its_rules),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

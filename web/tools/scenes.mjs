@@ -62,5 +62,6 @@ export function runScene(scene, steps, from = 0) {
   for (let step = from; step < from + steps; step++) {
     scene.update?.({ step, held: NO_KEYS, pointer: null });
     scene.world.step();
+    scene.stepped?.();
   }
 }

@@ -3,14 +3,14 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { test } from "node:test";
 import { buildScene, openSession, runScene } from "../../../web/tools/scenes.mjs";
-import { step, withRival } from "../support/box2d.mjs";
+import { withRival } from "../support/box2d.mjs";
 import { findThudRun, root, thud } from "../support/package.mjs";
 
 const engine = await thud.load();
 const thudRun = findThudRun();
 const skip = thudRun ? false : "thud-run is not built (./run test builds it)";
 
-for (const name of ["planks"])
+for (const name of ["planks", "crates"])
   test(`scene_${name}_has_the_native_hash_after_ten_seconds`, { skip }, async () => {
     const { scene } = await buildScene(engine, name);
     runScene(scene, 600);
@@ -33,20 +33,28 @@ test("crate_that_a_visitor_drops_is_held_by_the_plank_below_and_rides_to_the_rig
   session.close();
 });
 
-test("what_acts_in_thud_alone_is_told_with_box2d", () => {
-  const build = (world) => {
-    const body = world.createBody({ kind: "dynamic", position: [0, 0] });
-    world.createCircle(body, { radius: 0.5 });
-    return body;
-  };
+test("crate_that_broke_breaks_again_when_time_went_back", async () => {
+  const session = await openSession(engine, "crates");
+  const broken = () => session.scene.state.broken;
+  while (broken() === 0) session.makeStep();
+  const { step } = session;
+  assert.ok(step > 40, `${step}`);
+  assert.equal(session.world.bodies().length, 42 + 3 * broken());
+  for (let i = 0; i < 120; i++) session.makeStep();
+  const [hash, count] = [session.world.hash(), broken()];
+  assert.ok(session.seek(step - 1));
+  assert.equal(broken(), 0);
+  while (session.step < step + 120) session.makeStep();
+  assert.equal(session.world.hash(), hash);
+  assert.equal(broken(), count);
+  session.close();
+});
+
+test("rules_are_told_beside_box2d_which_has_none", () => {
+  const build = (world) => world.createBody({ kind: "dynamic", position: [0, 0] });
   withRival({}, build, (world, rival, body, known) => {
     assert.deepEqual([...known.fields], []);
-    world.applyBuoyancy(body, { density: 2 });
-    world.applyWind(body, [3, 0]);
-    world.applyBuoyancy(body, { density: 2 });
-    step(world, rival, 1);
-    assert.deepEqual([...known.fields], ["water", "wind"]);
-    world.explode({ center: [0, 2], radius: 3 });
-    assert.deepEqual([...known.fields], ["water", "wind", "explosions with cover"]);
+    world.setRule(2, 4, { meeting: "oneWay" });
+    assert.deepEqual([...known.fields], ["rules between kinds"]);
   });
 });

@@ -112,6 +112,11 @@ export interface Scene {
    */
   update?(input: Input): void;
   /**
+   * After each step, with its events; otherwise as `update`.
+   * @example stepped() { for (const { a } of world.impulses()) … }
+   */
+  stepped?(): void;
+  /**
    * After each step: what to draw besides the bodies.
    * @example paint: () => ({ marks, figures, message })
    */

@@ -55,7 +55,7 @@ export class Trial {
     this.#measuresBox2D = setting !== undefined;
     // Box2D follows what the scene's code and thud do to kinematic bodies, so that both must run
     // there; then both do in thud's turn too, because each takes the other's place in the caches.
-    this.#alone = !session.scene.update && !hasKinematic(session.world);
+    this.#alone = !session.scene.update && !session.scene.stepped && !hasKinematic(session.world);
     this.#box2dWorld =
       box2d && (setting || !this.#alone)
         ? new Box2DWorld(box2d, session.world, { ...watched, ...setting })
@@ -93,6 +93,7 @@ export class Trial {
     box2dWorld?.sync();
     if (!this.#measuresBox2D || !this.#alone) world.step();
     const milliseconds = box2dWorld?.step() ?? 0;
+    if (!this.#alone) scene.stepped?.();
     return this.#measuresBox2D ? milliseconds : 1000 * world.stats().stepSeconds;
   }
 

@@ -204,6 +204,7 @@ export class Session {
     this.scene.update?.({ step: this.step, held: hands.held, pointer: hands.pointer });
     companion?.sync();
     this.world.step();
+    this.scene.stepped?.();
     this.step++;
     this.paint = this.scene.paint?.() ?? null;
   }
