@@ -18,6 +18,7 @@ const char INPUT_HELP[] =
     "  C B                drop a circle, a box at the pointer; with Shift a large one\n"
     "  G                  dig a crater into the ground at the pointer; with Shift raise a mound\n"
     "  X                  explode at the pointer\n"
+    "  K M                next pair of kinds; collide, ignore or one-way, where a scene has kinds\n"
     "  Delete             remove the body under the pointer\n"
     "  1 to 9, 0          contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
     "                     pairs, motions\n"
@@ -157,6 +158,12 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
         break;
     case SDLK_x:
         explode_here(v);
+        break;
+    case SDLK_k:
+        session_next_pair(&v->session);
+        break;
+    case SDLK_m:
+        session_next_meeting(&v->session);
         break;
     case SDLK_DELETE:
     case SDLK_BACKSPACE:

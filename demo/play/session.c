@@ -153,6 +153,7 @@ bool session_load(session *s, const catalog_entry *entry) {
     s->time_step = def.time_step;
     s->alpha = 1;
     s->missed = (session_missed){0};
+    s->pair[0] = s->pair[1] = 0;
     for (int i = 0; i < SESSION_BLASTS; i++)
         s->blasts[i].step = -1e9;
     bool listed = list_bodies(s, ids, fresh.body_count) && list_joints(s);

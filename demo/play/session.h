@@ -63,6 +63,7 @@ struct session {
     int next_blast;              /* the place of the oldest one */
     session_stepped_fn *stepped; /* null: nobody asks */
     void *stepped_context;
+    int pair[2];       /* of kinds, the first one not after the second */
     char message[256]; /* the last thing that went wrong; empty if nothing did */
 };
 
@@ -79,6 +80,11 @@ void session_set_quality(session *s, int quality);
 
 /* Drops a new body of `size` times the scene's typical size at a place. */
 void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size);
+
+/* The next pair of kinds is chosen, of those whose rules a user sets, or what the chosen two are to
+ * each other changes; the message tells. */
+void session_next_pair(session *s);
+void session_next_meeting(session *s);
 
 /* An explosion at a place; what stands in between gives cover. */
 void session_explode(session *s, thud_pos at);

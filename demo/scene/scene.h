@@ -170,6 +170,7 @@ typedef struct scene {
     unsigned show;               /* scene_show */
     scene_fields fields;
     bool textured; /* the ground is drawn with a texture, see texture.h */
+    int kinds;     /* so many, from 1 << 1 on, whose rules a viewer lets a user set */
     int sum_pairs; /* so many times two bodies, from the first on, are shown
 with their Minkowski sum; each has one shape, no terrain */
     scene_body *bodies;

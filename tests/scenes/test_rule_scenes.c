@@ -128,11 +128,55 @@ static void crates_break_into_four_by_the_impulses_that_reached_their_limit(void
     }
 }
 
+/* ---- meetings ---- */
+
+static thud_meeting meeting(const stage *t, int a, int b) {
+    thud_rule rule;
+    OK(thud_world_rule(t->world, 2u << a, 2u << b, &rule, NULL, NULL));
+    return rule.meeting;
+}
+
+/* Pairs of bodies of two kinds whose middles are nearer than the thinner of them is wide. */
+static int overlaps(const stage *t, int a, int b) {
+    int count = 0;
+    for (int i = 1 + a; i < t->scene.body_count; i += 4)
+        for (int k = 1 + b; k < t->scene.body_count; k += 4) {
+            thud_pos p = body(t, i).position, q = body(t, k).position;
+            count += i != k && hypot(p.x - q.x, p.y - q.y) < 0.5;
+        }
+    return count;
+}
+
+static void kinds_meet_by_the_timetable(void **state) {
+    (void)state;
+    for (int q = 0; q < QUALITIES; q++) {
+        stage t = open_stage("meetings", 100, q);
+        assert_int_equal(meeting(&t, 0, 1), THUD_IGNORE);
+        assert_int_equal(meeting(&t, 2, 3), THUD_ONE_WAY);
+        run_whole(&t, 61);
+        assert_int_equal(meeting(&t, 0, 1), THUD_COLLIDE);
+        assert_int_equal(meeting(&t, 0, 2), THUD_IGNORE);
+        assert_int_equal(meeting(&t, 1, 1), THUD_COLLIDE);
+        run_whole(&t, 30);
+        assert_int_equal(meeting(&t, 1, 1), THUD_IGNORE);
+        run_whole(&t, 600);
+        assert_int_equal(meeting(&t, 2, 3), THUD_COLLIDE);
+        assert_int_equal(meeting(&t, 1, 3), THUD_ONE_WAY);
+        /* Those that ignore each other lie in one place, and those that collide do not. */
+        int apart = overlaps(&t, 0, 1) + overlaps(&t, 0, 3) + overlaps(&t, 1, 2) +
+                    overlaps(&t, 2, 3) + overlaps(&t, 0, 0) + overlaps(&t, 2, 2);
+        if (overlaps(&t, 0, 2) < 10 || overlaps(&t, 1, 1) < 10 || apart > 6)
+            fail_msg("quality %d: %d and %d overlap, %d do not", q, overlaps(&t, 0, 2),
+                     overlaps(&t, 1, 1), apart);
+        close_stage(&t);
+    }
+}
+
 /* ---- all of them ---- */
 
 static void restored_scene_goes_on_with_its_rules(void **state) {
     (void)state;
-    static const char *const names[] = {"planks", "crates"};
+    static const char *const names[] = {"planks", "crates", "meetings"};
     for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
         stage a = open_stage(names[n], 0, 1), b = open_stage(names[n], 0, 1);
         for (int i = 0; i < 55; i++)
@@ -157,6 +201,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planks_let_rise_and_hold_and_carry_by_kind),
         cmocka_unit_test(crates_break_into_four_by_the_impulses_that_reached_their_limit),
+        cmocka_unit_test(kinds_meet_by_the_timetable),
         cmocka_unit_test(restored_scene_goes_on_with_its_rules),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -10,7 +10,7 @@ const engine = await thud.load();
 const thudRun = findThudRun();
 const skip = thudRun ? false : "thud-run is not built (./run test builds it)";
 
-for (const name of ["planks", "crates"])
+for (const name of ["planks", "crates", "meetings"])
   test(`scene_${name}_has_the_native_hash_after_ten_seconds`, { skip }, async () => {
     const { scene } = await buildScene(engine, name);
     runScene(scene, 600);
@@ -57,4 +57,19 @@ test("rules_are_told_beside_box2d_which_has_none", () => {
     world.setRule(2, 4, { meeting: "oneWay" });
     assert.deepEqual([...known.fields], ["rules between kinds"]);
   });
+});
+
+test("what_a_visitor_sets_of_two_kinds_holds_in_place_of_the_timetable", async () => {
+  const session = await openSession(engine, "meetings", { size: 16 });
+  const { world } = session;
+  const meeting = (a, b) => world.rule(2 << a, 2 << b)?.meeting ?? "collide";
+  for (let i = 0; i < 10; i++) session.makeStep();
+  assert.deepEqual([meeting(0, 1), meeting(2, 3), meeting(1, 1)], ["ignore", "oneWay", "collide"]);
+  session.do({ kind: "set", name: "meetings", value: "1000010000100001" });
+  for (let i = 0; i < 100; i++) session.makeStep();
+  assert.deepEqual([meeting(0, 1), meeting(2, 3), meeting(1, 1)], ["collide", "collide", "ignore"]);
+  assert.ok(session.seek(5));
+  session.makeStep();
+  assert.deepEqual([meeting(0, 1), meeting(2, 3), meeting(1, 1)], ["ignore", "oneWay", "collide"]);
+  session.close();
 });

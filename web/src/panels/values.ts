@@ -12,6 +12,7 @@ import type {
   SliderControl,
 } from "../scene/controls";
 import { fillList } from "./inside/values";
+import { makeMatrix } from "./matrix";
 import "../style/values.css";
 
 /** Milliseconds after the visitor's last change until what came of it is said. */
@@ -99,6 +100,7 @@ type Set = (name: string, value: Setting) => void;
 
 function makeControl(control: Control, set: Set): Made {
   if (control.kind === "choice") return makeChoice(control, set);
+  if (control.kind === "matrix") return makeMatrix(control, set);
   return control.kind === "check" ? makeCheck(control, set) : makeSlider(control, set);
 }
 

@@ -1,7 +1,7 @@
 /** What a visitor sets beside a scene, in the panel Values, and what is read out there. Plain data. */
 
 /** Its value is the one of that name in the scene's `state`. */
-export type Control = ChoiceControl | CheckControl | SliderControl;
+export type Control = ChoiceControl | CheckControl | SliderControl | MatrixControl;
 
 export interface ChoiceControl extends Named {
   kind: "choice";
@@ -19,6 +19,15 @@ export interface SliderControl extends Named {
   least: number;
   most: number;
   step: number;
+}
+
+/** A word for each two of `names`; its value has their numbers as digits, row by row. */
+export interface MatrixControl extends Named {
+  kind: "matrix";
+  names: readonly string[];
+  words: readonly string[];
+  /** Of one with itself: the first so many words. */
+  alone: number;
 }
 
 interface Named {

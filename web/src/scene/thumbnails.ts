@@ -54,6 +54,7 @@ export const THUMBNAILS: Readonly<Record<string, Thumbnail>> = {
   explosion: { steps: 74, view: { x: -1.5, y: 4.2, height: 13 } },
   planks: { size: 20, steps: 250, view: { x: 0, y: 7, height: 19 } },
   crates: { steps: 80, view: { x: 0, y: 3.6, height: 11 } },
+  meetings: { steps: 200 },
   galton_board: { steps: 1500 },
   filters: { size: 300, steps: 90 },
   minkowski: { size: 1 },

@@ -8,7 +8,7 @@ import { SceneError } from "./trouble";
 
 const FUNCTIONS = ["restored", "update", "stepped", "pointed", "paint", "close"] as const;
 const LISTS = ["notes", "show", "hidden", "controls"] as const;
-const CONTROLS: readonly Control["kind"][] = ["choice", "check", "slider"];
+const CONTROLS: readonly Control["kind"][] = ["choice", "check", "slider", "matrix"];
 
 /** Numbers that each kind of mark has to have. */
 const NUMBERS: Record<Mark["kind"], readonly string[]> = {

@@ -1,0 +1,47 @@
+/** A table of buttons in the panel Values: each click takes the next word for two of the names. */
+import { make } from "../page/dom";
+import type { MatrixControl } from "../scene/controls";
+
+export function makeMatrix(
+  { name, label, names, words, alone }: MatrixControl,
+  set: (name: string, value: string) => void,
+) {
+  let digits: string[] = [];
+  const buttons = new Map<number, { button: HTMLButtonElement; title: string }>();
+  const show = (value: unknown) => {
+    digits = [...String(value)];
+    for (const [place, { button, title }] of buttons) {
+      const digit = Number(digits[place]);
+      const word = words[digit];
+      if (button.textContent === word) continue;
+      button.textContent = word;
+      button.setAttribute("aria-label", `${title}: ${word}`);
+      button.setAttribute("aria-pressed", digit === 0 ? "false" : digit === 1 ? "true" : "mixed");
+    }
+  };
+  const cell = (row: number, column: number) => {
+    const button = make("button", { type: "button", "aria-pressed": "false" });
+    const [place, mirror] = [names.length * row + column, names.length * column + row];
+    const both = `${names[column]} and ${names[row]}`;
+    buttons.set(place, { button, title: row === column ? `${names[row]} among itself` : both });
+    button.addEventListener("click", () => {
+      const next = (Number(digits[place]) + 1) % (row === column ? alone : words.length);
+      digits[place] = digits[mirror] = String(next);
+      const value = digits.join("");
+      show(value);
+      set(name, value);
+    });
+    return make("td", {}, button);
+  };
+  const head = make("tr", {}, make("td"), ...names.map((one) => make("th", { scope: "col" }, one)));
+  const rows = names.map((one, row) =>
+    make(
+      "tr",
+      {},
+      make("th", { scope: "row" }, one),
+      ...names.map((_, column) => (column > row ? make("td") : cell(row, column))),
+    ),
+  );
+  const element = make("table", { class: "matrix", "aria-label": label }, head, ...rows);
+  return { element, show };
+}
