@@ -122,6 +122,17 @@ static void pass_joint(tape *t, scene_joint *j) {
     j->kind = (scene_joint_kind)kind;
 }
 
+static void pass_rule(tape *t, scene_rule *r) {
+    double *const values[] = {&r->friction, &r->restitution, &r->surface_speed, &r->most_impulse};
+    int meeting = (int)r->meeting;
+    pass_int(t, &r->step);
+    pass_u32(t, &r->first);
+    pass_u32(t, &r->second);
+    pass_int(t, &meeting);
+    pass_doubles(t, values, sizeof values / sizeof *values);
+    r->meeting = (scene_meeting)meeting;
+}
+
 static void pass_fields(tape *t, scene_fields *f) {
     double *const values[] = {&f->water_density, &f->water_level, &f->water_drag, &f->air_density,
                               &f->wind,          &f->wind_origin, &f->air_drag,   &f->air_lift};
@@ -140,17 +151,6 @@ static void pass_fields(tape *t, scene_fields *f) {
         pass_rule(t, &f->rules[i]);
     pass_u32(t, &f->breaks);
     pass_u32(t, &f->pieces);
-}
-
-static void pass_rule(tape *t, scene_rule *r) {
-    double *const values[] = {&r->friction, &r->restitution, &r->surface_speed, &r->most_impulse};
-    int meeting = (int)r->meeting;
-    pass_int(t, &r->step);
-    pass_u32(t, &r->first);
-    pass_u32(t, &r->second);
-    pass_int(t, &meeting);
-    pass_doubles(t, values, sizeof values / sizeof *values);
-    r->meeting = (scene_meeting)meeting;
 }
 
 /* Room for what the counts say; a file that lies about them is short of words anyway. */
