@@ -13,7 +13,7 @@ test("texture_goes_along_the_line_by_the_engine_s_weights", () => {
   const world = engine.createWorld();
   const points = [[0, 0], [3, 4], [4, 4]];
   const shape = world.createTerrain(world.createBody(), { kind: "irregular", points });
-  const band = { shape, points, coordinates: coordinatesOf(points, 2) };
+  const band = { shape, row: 2, points, coordinates: coordinatesOf(points, 2) };
   const { u, v, row, weights, y } = textureAt(world, band, 1.5);
   near(u, 2.5);
   near(y, 2);
