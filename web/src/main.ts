@@ -1,4 +1,5 @@
 /** The page: puts its parts together and starts the first scene. */
+import { keepOffline } from "./offline/register";
 import { App } from "./page/app";
 import { addControls } from "./page/controls";
 import { describeScene } from "./page/describe";
@@ -83,14 +84,12 @@ function afterFirstPicture(app: App, loadGallery: () => void): void {
     .ask("complete", {})
     .catch((error) => fail("A part of the engine is missing", messageOf(error), [], reload))
     .finally(loadGallery);
-  void import("./offline/register").then(({ keepOffline }) => keepOffline(offerUpdate)).catch(() => {});
-}
-
-function offerUpdate(update: () => void): void {
-  const button = make("button", {}, "Reload");
-  button.addEventListener("click", update);
-  notice("A new version of this page is ready. ", 60);
-  byId("notice").append(button);
+  void keepOffline((update) => {
+    const button = make("button", {}, "Reload");
+    button.addEventListener("click", update);
+    notice("A new version of this page is ready. ", 60);
+    byId("notice").append(button);
+  });
 }
 
 const reload = { label: "Load the page again", go: () => location.reload() };

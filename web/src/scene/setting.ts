@@ -47,7 +47,7 @@ export function createSetting(
       return reader.readLevel(...request);
     },
     createMover(world, options) {
-      if (!mover) throw new Error("The page's first scene has no movers.");
+      if (!mover) throw new Error("Movers could not be loaded.");
       return new mover(world, options);
     },
     readText,

@@ -24,11 +24,12 @@ export function optionsOf(choices: Choices): WorldOptions {
 }
 
 interface Loaders extends Pick<SettingOptions, "loadReader" | "loadGeometry"> {
-  loadMover?(): Promise<typeof Mover>;
+  loadMover?(): Promise<typeof Mover | undefined>;
 }
 
-async function bringMover(): Promise<typeof Mover> {
-  return (await import("thud")).Mover;
+/** Where it cannot be had, scenes without movers run all the same. */
+async function bringMover(): Promise<typeof Mover | undefined> {
+  return import("thud").then(({ Mover }) => Mover).catch(() => undefined);
 }
 
 export async function setUp(
