@@ -19,9 +19,10 @@ static int overlapped_by(const thud_world *w, int edge, int sensor) {
     return there ? other : TD_NONE;
 }
 
-/* A line has a contact a segment, and counts by its first one. */
+/* A line, be it the sensor or the other, has a contact a segment: the first one counts. */
 static bool counts(const thud_world *w, int first, int edge, int sensor, int other) {
-    if (!td_kind_is_line(td_shape_at(w, other)->kind)) {
+    if (!td_kind_is_line(td_shape_at(w, other)->kind) &&
+        !td_kind_is_line(td_shape_at(w, sensor)->kind)) {
         return true;
     }
     int e = first;

@@ -158,6 +158,32 @@ static void sensor_lists_by_slot_what_it_overlaps_now(void **state) {
     thud_world_destroy(world);
 }
 
+/* A box lies over five of its segments, and a ball over two. */
+static void line_that_senses_lists_each_shape_once(void **state) {
+    (void)state;
+    thud_world *world = make_world(weightless());
+    thud_shape_def def = thud_default_shape_def();
+    thud_pos points[9];
+    thud_shape_id sensor, list[4];
+    int count;
+    for (int i = 0; i < 9; i++) {
+        points[i] = (thud_pos){0.5 * (i - 4), 0};
+    }
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 9};
+    def.sensor = true;
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0), &def, &line,
+                                 &sensor));
+    thud_shape_id box =
+        add_shape(world, add_body(world, THUD_DYNAMIC, -0.5, 0, 0), 1, 0.2f, false, NULL);
+    thud_shape_id ball =
+        add_shape(world, add_body(world, THUD_DYNAMIC, 1, 0, 0), 0.3f, 0, false, NULL);
+    run(world, 2);
+    OK(thud_sensor_overlaps(world, sensor, list, 4, &count));
+    assert_int_equal(count, 2);
+    assert_true(same_shape(list[0], box) && same_shape(list[1], ball));
+    thud_world_destroy(world);
+}
+
 /* ---- pairs ---- */
 
 static bool side_is(thud_pair_side side, thud_body_id body, uint64_t body_data,
@@ -280,6 +306,8 @@ int main(void) {
         cmocka_unit_test(sleepers_leave_the_awake_and_come_back),
         cmocka_unit_test(callbacks_read_the_step_under_way),
         cmocka_unit_test(sensor_lists_by_slot_what_it_overlaps_now),
+        cmocka_unit_test(line_that_senses_lists_each_shape_once),
+        cmocka_unit_test(line_that_senses_lists_each_shape_once),
         cmocka_unit_test(pair_tells_whose_shapes_met_and_what_is_gone),
         cmocka_unit_test(wrong_questions_are_refused),
     };
