@@ -51,8 +51,9 @@ static void listen(const thud_world *world, const thud_contact *contacts,
         (answers ? thud_asked : thud_told)(world, all, part);
         for (int i = 0; i < part && answers; i++) {
             answers[first + i].collide = all[i].collide != 0;
-            answers[first + i].settings = (thud_contact_settings){
-                (float)all[i].friction, (float)all[i].restitution, (float)all[i].surface_speed};
+            answers[first + i].settings =
+                (thud_contact_settings){(float)all[i].friction, (float)all[i].restitution,
+                                        (float)all[i].surface_speed};
         }
     }
     free(rows);

@@ -267,7 +267,8 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
         }
         load = contact ? load * light : w->kinds[kind]->lanes->load(w, block, lane, size, &off);
         bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
-        int direct = block->mark[lane].loaded & TD_DIRECT, before = block->mark[lane].loaded - direct;
+        int direct = block->mark[lane].loaded & TD_DIRECT,
+            before = block->mark[lane].loaded - direct;
         /* Joints stay: their load is none of an impact that passes. */
         bool passes = contact && !is_calm(w, a, b);
         bool gives_way = (load > most && !passes) || off > deep;
