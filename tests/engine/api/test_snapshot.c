@@ -5,6 +5,7 @@
 #include "scenes.h"
 
 #include <thud/thud_joint.h>
+#include <thud/thud_rules.h>
 
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
 
@@ -20,6 +21,19 @@ static thud_world *scene_world(const scene_info *info, const thud_world_def *def
 }
 
 /* Back in the same world, in a fresh one without anything, and in one that went on elsewhere. */
+/* Rules are no part of a snapshot: another world goes the same way by the same ones. */
+static void take_rules(thud_world *world, const thud_world *from) {
+    for (int i = 0; i < 32 * 32; i++) {
+        uint32_t first = 1u << i / 32, second = 1u << i % 32;
+        thud_rule rule;
+        bool is_set, reversed;
+        OK(thud_world_rule(from, first, second, &rule, &is_set, &reversed));
+        if (is_set && !reversed) {
+            OK(thud_world_set_rule(world, first, second, &rule));
+        }
+    }
+}
+
 static void restored_anywhere(const scene_info *info, const thud_world_def *settings,
                               const thud_listeners *listeners, int before, int after,
                               const char *what) {
@@ -41,6 +55,7 @@ static void restored_anywhere(const scene_info *info, const thud_world_def *sett
     other = make_world(def);
     OK(thud_world_use_joints(other));
     OK(thud_world_set_listeners(other, listeners));
+    take_rules(other, world);
     back_to(other, snapshot);
     walks_again(other, &first, what);
     thud_world_destroy(other);
@@ -57,11 +72,12 @@ static void every_scene_restored_goes_the_same_way(void **state) {
 
 /* As unlike the scenes as can be: vast; thin, damped and belted bodies, kinematic ones and some at
  * rest; a setting that the next step will find, or not. */
-static thud_world *wild_world(thud_world_def def, int steps) {
+static thud_world *wild_world(thud_world_def def, int steps, const thud_world *rules) {
     def.sleeping = steps % 2 == 0;
     def.gravity = (thud_vec2){1, -3};
     thud_world *world = make_world(def);
     OK(thud_world_use_joints(world));
+    take_rules(world, rules);
     thud_shape_def belt = thud_default_shape_def();
     belt.surface_speed = 2 * def.length_scale;
     belt.restitution = 0.8f;
@@ -96,7 +112,7 @@ static void unlike_worlds_restored_from_each_other_go_the_same_ways(void **state
         thud_world_def def = thud_default_world_def();
         def.broadphase = broadphases[i % 2];
         thud_world *world = scene_world(scenes_at(i / 2), &def, &def.length_scale);
-        thud_world *wild = wild_world(def, 20 + i);
+        thud_world *wild = wild_world(def, 20 + i, world);
         run(world, 16 + i % 9);
         saved of_scene = save(world), of_wild = save(wild);
         trail scene_way = walk(world, 40), wild_way = walk(wild, 40);
@@ -178,7 +194,7 @@ static void every_step_on_the_way_to_sleep_is_restored(void **state) {
     (void)state;
     enum { STEPS = 500, MORE = 3 };
     yard y = make_yard(NULL);
-    thud_world *others[] = {wild_world(thud_default_world_def(), 30),
+    thud_world *others[] = {wild_world(thud_default_world_def(), 30, y.world),
                             make_world(thud_default_world_def())};
     saved kept[STEPS];
     uint64_t digests[STEPS + MORE];
