@@ -61,7 +61,9 @@ export default function ({ createWorld, grid, size }) {
         group: "Who meets whom",
       },
     ],
-    state: { meetings: begun, timetable: begun },
+    state: { meetings: begun, timetable: begun, heeded: begun },
+    // A snapshot has no rules: the world goes back under those that it had then.
+    returning: () => heed(scene.state.heeded),
     update,
     paint: () => ({ marks: bodies.flatMap(mark) }),
   };
@@ -72,7 +74,7 @@ export default function ({ createWorld, grid, size }) {
     const { state } = scene;
     // What the visitor has set stays.
     if (state.meetings === state.timetable) state.meetings = state.timetable = tableAt(step);
-    heed(state.meetings);
+    heed((state.heeded = state.meetings));
   }
 
   function heed(table) {

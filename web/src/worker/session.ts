@@ -274,11 +274,12 @@ export class Session {
 
   #goTo(moment: Moment): void {
     const rest = structuredClone(moment.rest) as { hands: Hands; state: object | null };
+    const { state } = this.scene;
+    if (state && rest.state) replace(state, rest.state);
+    this.scene.returning?.();
     this.world.restore(moment.world);
     this.step = moment.step;
     Object.assign(this.#hands, rest.hands);
-    const { state } = this.scene;
-    if (state && rest.state) replace(state, rest.state);
     this.scene.restored?.();
     this.paint = this.scene.paint?.() ?? null;
   }
