@@ -4,7 +4,7 @@
  * of it does not link it.
  *
  * The kind of a shape is the lowest bit of its filter's category; a shape whose category is zero
- * has none, and no rule. Rules, like gravity, are no part of a snapshot: a world that is restored
+ * has none, and no rule. Rules, like listeners, are no part of a snapshot: a world that is restored
  * goes by those that it has, but what touched then keeps the surfaces that it had until it parts or
  * a rule of its kinds is set. To go back to a time of other rules, set those first, and restore
  * then. Queries and movers have filters of their own (thud_mover has thud_mover_passes_one_way),
