@@ -5,7 +5,6 @@
 #include "scenes.h"
 
 #include <thud/thud_joint.h>
-#include <thud/thud_rules.h>
 
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
 
@@ -21,19 +20,6 @@ static thud_world *scene_world(const scene_info *info, const thud_world_def *def
 }
 
 /* Back in the same world, in a fresh one without anything, and in one that went on elsewhere. */
-/* Rules are no part of a snapshot: another world goes the same way by the same ones. */
-static void take_rules(thud_world *world, const thud_world *from) {
-    for (int i = 0; i < 32 * 32; i++) {
-        uint32_t first = 1u << i / 32, second = 1u << i % 32;
-        thud_rule rule;
-        bool is_set, reversed;
-        OK(thud_world_rule(from, first, second, &rule, &is_set, &reversed));
-        if (is_set && !reversed) {
-            OK(thud_world_set_rule(world, first, second, &rule));
-        }
-    }
-}
-
 static void restored_anywhere(const scene_info *info, const thud_world_def *settings,
                               const thud_listeners *listeners, int before, int after,
                               const char *what) {
