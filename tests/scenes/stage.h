@@ -8,8 +8,7 @@
 #include "build_thud.h"
 #include "scenes.h"
 
-static const thud_quality *const LEVELS[QUALITIES] = {&thud_quality_draft, &thud_quality_default,
-                                                      &thud_quality_high, &thud_quality_exact};
+#include <thud/thud_snapshot.h>
 
 typedef struct stage {
     scene scene;
@@ -17,10 +16,10 @@ typedef struct stage {
     thud_body_id *bodies;
 } stage;
 
-static inline stage open_stage(const char *name, int size, int quality) {
+static inline stage open_stage(const char *name, int size, const thud_quality *quality) {
     stage t;
     thud_world_def def = thud_default_world_def();
-    def.quality = LEVELS[quality];
+    def.quality = quality;
     assert_true(scenes_fill(scenes_find(name), size, &t.scene));
     t.bodies = malloc((size_t)t.scene.body_count * sizeof *t.bodies);
     OK(scene_build_thud(&t.scene, &def, &t.world, t.bodies, NULL));
@@ -49,6 +48,27 @@ static inline void run_whole(stage *t, int steps) {
         assert_true(fabs(b.position.x - s->camera_x) < 2 * fmax(s->camera_width, s->camera_height));
         assert_true(fabs(b.position.y - s->camera_y) < 2 * s->camera_height);
     }
+}
+
+/* One that is restored into another world of its scene goes on as it would have. */
+static inline void restored_goes_on(const char *name, int before, int after) {
+    stage a = open_stage(name, 0, &thud_quality_default);
+    stage b = open_stage(name, 0, &thud_quality_default);
+    for (int i = 0; i < before; i++)
+        OK(scene_step_thud(&a.scene.fields, a.world));
+    size_t size;
+    OK(thud_world_snapshot_size(a.world, &size));
+    void *bytes = malloc(size);
+    OK(thud_world_snapshot(a.world, bytes, size, NULL));
+    OK(thud_world_restore(b.world, bytes, size));
+    free(bytes);
+    for (int i = 0; i < after; i++) {
+        OK(scene_step_thud(&a.scene.fields, a.world));
+        OK(scene_step_thud(&b.scene.fields, b.world));
+    }
+    assert_true(thud_world_hash(a.world) == thud_world_hash(b.world));
+    close_stage(&a);
+    close_stage(&b);
 }
 
 #endif

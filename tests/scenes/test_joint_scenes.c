@@ -1,37 +1,8 @@
 /* test_joint_scenes.c: the scenes of joints do what they are to show. Bodies are told by their
  * places in the scenes' lists, which the scenes' files name. */
-#include "engine_support.h"
-
-#include "build_thud.h"
-#include "scenes.h"
+#include "stage.h"
 
 #include <thud/thud_joint.h>
-
-typedef struct stage {
-    scene scene;
-    thud_world *world;
-    thud_body_id *bodies;
-} stage;
-
-static stage open_stage(const char *name, int size, const thud_quality *quality) {
-    stage t;
-    thud_world_def def = thud_default_world_def();
-    def.quality = quality;
-    assert_true(scenes_fill(scenes_find(name), size, &t.scene));
-    t.bodies = malloc((size_t)t.scene.body_count * sizeof *t.bodies);
-    OK(scene_build_thud(&t.scene, &def, &t.world, t.bodies, NULL));
-    return t;
-}
-
-static void close_stage(stage *t) {
-    thud_world_destroy(t->world);
-    free(t->bodies);
-    scene_free(&t->scene);
-}
-
-static thud_body_state body(const stage *t, int index) {
-    return state_of(t->world, t->bodies[index]);
-}
 
 static double angle(thud_body_state state) {
     return atan2(state.sine, state.cosine);

@@ -4,7 +4,6 @@
 
 #include <thud/thud_lists.h>
 #include <thud/thud_rules.h>
-#include <thud/thud_snapshot.h>
 
 /* ---- planks ---- */
 
@@ -51,7 +50,7 @@ static void planks_let_rise_and_hold_and_carry_by_kind(void **state) {
     (void)state;
     enum { SIZE = 30 };
     for (int q = 0; q < QUALITIES; q++) {
-        stage t = open_stage("planks", SIZE, q);
+        stage t = open_stage("planks", SIZE, qualities[q]);
         crossing crossings[SIZE][PLANKS] = {0};
         tally sum = {0}, early = {0};
         for (int step = 0; step < 1800; step++) {
@@ -96,7 +95,7 @@ static void crates_break_into_four_by_the_impulses_that_reached_their_limit(void
     (void)state;
     enum { CRATES = 36, FIRST = 3, LANDING = 40, STACK = 4 };
     for (int q = 0; q < QUALITIES; q++) {
-        stage t = open_stage("crates", CRATES, q);
+        stage t = open_stage("crates", CRATES, qualities[q]);
         const float most = (float)t.scene.fields.rules[0].most_impulse;
         double mass = whole_mass(&t);
         int breaking = 0;
@@ -150,7 +149,7 @@ static int overlaps(const stage *t, int a, int b) {
 static void kinds_meet_by_the_timetable(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
-        stage t = open_stage("meetings", 100, q);
+        stage t = open_stage("meetings", 100, qualities[q]);
         assert_int_equal(meeting(&t, 0, 1), THUD_IGNORE);
         assert_int_equal(meeting(&t, 2, 3), THUD_ONE_WAY);
         run_whole(&t, 61);
@@ -177,24 +176,8 @@ static void kinds_meet_by_the_timetable(void **state) {
 static void restored_scene_goes_on_with_its_rules(void **state) {
     (void)state;
     static const char *const names[] = {"planks", "crates", "meetings"};
-    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
-        stage a = open_stage(names[n], 0, 1), b = open_stage(names[n], 0, 1);
-        for (int i = 0; i < 55; i++)
-            OK(scene_step_thud(&a.scene.fields, a.world));
-        size_t size;
-        OK(thud_world_snapshot_size(a.world, &size));
-        void *bytes = malloc(size);
-        OK(thud_world_snapshot(a.world, bytes, size, NULL));
-        OK(thud_world_restore(b.world, bytes, size));
-        free(bytes);
-        for (int i = 0; i < 120; i++) {
-            OK(scene_step_thud(&a.scene.fields, a.world));
-            OK(scene_step_thud(&b.scene.fields, b.world));
-        }
-        assert_true(thud_world_hash(a.world) == thud_world_hash(b.world));
-        close_stage(&a);
-        close_stage(&b);
-    }
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++)
+        restored_goes_on(names[n], 55, 120);
 }
 
 int main(void) {

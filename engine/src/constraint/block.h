@@ -13,6 +13,7 @@
 
 #include <stdatomic.h>
 #include <stddef.h>
+#include <string.h>
 
 /* A shape as it stands in the world. It fills one cache line, and has all of the geometry that the
  * wide kernels of td_finalize, of the grids and of the narrowphase read of a shape. */
@@ -154,6 +155,15 @@ typedef struct td_block {
     f8 restitution;
     td_point point[]; /* one or two */
 } td_block;
+
+/* Whether a lane has one of these marks: two lanes at once, since most blocks have none. */
+static inline bool td_any_lane_marked(const td_block *block, td_lane_marks marks) {
+    const td_lane_marks each[2] = {marks, marks};
+    uint64_t lanes[TD_LANES / 2], mask;
+    memcpy(lanes, block->mark, sizeof lanes);
+    memcpy(&mask, each, sizeof mask);
+    return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) & mask;
+}
 
 enum { TD_DIRECT = 128 }; /* in td_lane_marks.loaded: impulses are the direct solver's */
 

@@ -13,8 +13,6 @@
 #include "contact/box_faces.h"
 #include "state/shape.h"
 
-#include <string.h>
-
 /* In length scales: a corner is flat where no neighbour rises further than this above it. */
 #define LEVEL 1e-4
 /* A normal off by less than this, in radians, is a face's. */
@@ -333,17 +331,9 @@ static void amend_lane(thud_world *w, td_block *block, int kind, int lane) {
     write_lane(w, block, kind, lane, &contact);
 }
 
-/* Whether a lane has internal edges: two lanes at once, since most blocks have none. */
-static bool has_internal_edges(const td_block *block) {
-    const td_lane_marks each[2] = {{.internal_edges = UINT8_MAX}, {.internal_edges = UINT8_MAX}};
-    uint64_t lanes[TD_LANES / 2], mask;
-    memcpy(lanes, block->mark, sizeof lanes);
-    memcpy(&mask, each, sizeof mask);
-    return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) & mask;
-}
-
 static void amend(thud_world *w, td_block *block, int kind) {
-    if (td_pair_is_on_line(kind) || !has_internal_edges(block)) {
+    td_lane_marks edged = {.internal_edges = UINT8_MAX};
+    if (td_pair_is_on_line(kind) || !td_any_lane_marked(block, edged)) {
         return; /* a line's sealed ends are known to its manifolds */
     }
     for (int lane = 0; lane < block->used; lane++) {

@@ -9,8 +9,6 @@
 #include "state/handles.h"
 #include "state/surface.h"
 
-#include <string.h>
-
 /* A side is that of normals within some 78 degrees of it: whoever slides down a wall is not on top.
  */
 #define LEAST_COSINE 0.2f
@@ -50,20 +48,13 @@ static void consider(thud_world *w, td_block *block, int lane, const td_rule *ru
     }
 }
 
-/* Whether a lane is one-way: two lanes at once, since most blocks have none. */
-static bool has_one_way(const td_block *block) {
-    const td_lane_marks each[2] = {{.rule = TD_RULE_ONE_WAY}, {.rule = TD_RULE_ONE_WAY}};
-    uint64_t lanes[TD_LANES / 2], mask;
-    memcpy(lanes, block->mark, sizeof lanes);
-    memcpy(&mask, each, sizeof mask);
-    return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) & mask;
-}
-
 void td_rules_decide(thud_world *w) {
+    td_lane_marks one_way = {.rule = TD_RULE_ONE_WAY};
     w->rules->impulses.count = 0;
     for (int i = 0; i < w->scratch.blocks.count && w->rules->one_way; i++) {
         td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
-        for (int lane = has_one_way(block) ? 0 : block->used; lane < block->used; lane++) {
+        int lanes = td_any_lane_marked(block, one_way) ? block->used : 0;
+        for (int lane = 0; lane < lanes; lane++) {
             const td_rule *rule = td_rule_of_lane(w, block, lane, TD_RULE_ONE_WAY);
             if (rule) {
                 consider(w, block, lane, rule);

@@ -1,31 +1,19 @@
 /** Native and wasm, the reader of levels in C and in TypeScript: equal hashes after 300 steps. */
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
 import { test } from "node:test";
+import { nativeHash, skip } from "../support/native.mjs";
 import {
   buildScene,
   demoWasm,
-  findThudRun,
   level,
   levelFiles,
   readLevelFile,
-  root,
   sceneNames,
   thud,
 } from "../support/package.mjs";
 
 const STEPS = 300;
 const engine = await thud.load(demoWasm);
-const thudRun = findThudRun();
-const skip = thudRun ? false : "thud-run is not built (./run test builds it)";
-
-function nativeHash(what, ...options) {
-  const args = [what, "--steps", String(STEPS), "--json", ...options];
-  const output = execFileSync(thudRun, args, { encoding: "utf8", cwd: root });
-  const report = JSON.parse(output);
-  assert.equal(report.steps, STEPS);
-  return String(report.hash).replace(/^0x/, "");
-}
 
 function hashAfterSteps(world, step = () => world.step()) {
   for (let i = 0; i < STEPS; i++) step();
@@ -44,14 +32,14 @@ for (const file of levelFiles)
   test(`level_${file}_has_equal_hash_native_and_wasm`, { skip }, async () => {
     const read = await level.readLevel(file.replace(/\.tmj$/, ""), readLevelFile(file));
     const hash = hashAfterSteps(level.buildLevel(engine, read));
-    assert.equal(hash, nativeHash(`assets/levels/${file}`));
+    assert.equal(hash, nativeHash(`assets/levels/${file}`, STEPS));
   });
 
 names.forEach((name, index) =>
   test(`scene_${name}_has_equal_hash_native_and_wasm`, { skip }, () => {
     const world = buildScene(engine, index);
     const step = () => engine.check(engine.exports.api_scene_step(world.address));
-    assert.equal(hashAfterSteps(world, step), nativeHash(name));
+    assert.equal(hashAfterSteps(world, step), nativeHash(name, STEPS));
   }),
 );
 
@@ -60,5 +48,5 @@ for (const detection of ["overlap", "bisect", "swept"])
     test(`scene_${name}_with_${detection}_has_equal_hash_native_and_wasm`, { skip }, () => {
       const world = buildScene(engine, names.indexOf(name), { detection, broadphase: "sweep" });
       const options = ["--detection", detection, "--broadphase", "all"];
-      assert.equal(hashAfterSteps(world), nativeHash(name, ...options));
+      assert.equal(hashAfterSteps(world), nativeHash(name, STEPS, ...options));
     });

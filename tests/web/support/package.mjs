@@ -1,5 +1,5 @@
-/** What the tests of web/ share: the package as built, the page's module, the native runner. */
-import { existsSync, readdirSync, readFileSync } from "node:fs";
+/** What the tests of web/ share: the package as built, the page's module. */
+import { readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
 
@@ -15,13 +15,6 @@ export const levelFiles = readdirSync(`${root}assets/levels`).filter((name) =>
 
 export function readLevelFile(file) {
   return readFileSync(`${root}assets/levels/${file}`, "utf8");
-}
-
-/** The native thud-run, or null where it has not been built; THUD_RUN names one. */
-export function findThudRun() {
-  if (process.env.THUD_RUN) return process.env.THUD_RUN;
-  const builds = ["release", "release-clang"];
-  return builds.map((name) => `${root}build/${name}/demo/run/thud-run`).find(existsSync) ?? null;
 }
 
 /** Names of the built-in scenes, in the order of the module. */

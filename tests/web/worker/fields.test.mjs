@@ -1,15 +1,13 @@
 /** Scenes of water, wind and explosions: what a visitor does in them, and what Box2D is told of. */
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
 import { test } from "node:test";
 import { buildScene, openSession, runScene } from "../../../web/tools/scenes.mjs";
 import { step, withRival } from "../support/box2d.mjs";
-import { findThudRun, root, thud } from "../support/package.mjs";
+import { nativeHash, skip } from "../support/native.mjs";
+import { thud } from "../support/package.mjs";
 
 const engine = await thud.load();
 const NO_KEYS = { left: false, right: false, up: false, down: false, fire: false, restart: false };
-const thudRun = findThudRun();
-const skip = thudRun ? false : "thud-run is not built (./run test builds it)";
 
 function hold(scene, input, steps, from = 0) {
   for (let step = from; step < from + steps; step++) {
@@ -29,11 +27,7 @@ for (const name of ["boats", "flags", "explosion"])
   test(`scene_${name}_has_the_native_hash_after_ten_seconds`, { skip }, async () => {
     const { scene } = await buildScene(engine, name);
     runScene(scene, 600);
-    const options = ["--steps", "600", "--json"];
-    const report = JSON.parse(
-      execFileSync(thudRun, [name, ...options], { encoding: "utf8", cwd: root }),
-    );
-    assert.equal(scene.world.hash(), String(report.hash).replace(/^0x/, ""));
+    assert.equal(scene.world.hash(), nativeHash(name, 600));
     scene.world.close();
   });
 

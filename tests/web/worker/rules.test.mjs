@@ -1,24 +1,18 @@
 /** Scenes of rules between kinds: equal to those of C, and what a visitor does in them. */
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
 import { test } from "node:test";
 import { buildScene, openSession, runScene } from "../../../web/tools/scenes.mjs";
 import { withRival } from "../support/box2d.mjs";
-import { findThudRun, root, thud } from "../support/package.mjs";
+import { nativeHash, skip } from "../support/native.mjs";
+import { thud } from "../support/package.mjs";
 
 const engine = await thud.load();
-const thudRun = findThudRun();
-const skip = thudRun ? false : "thud-run is not built (./run test builds it)";
 
 for (const name of ["planks", "crates", "meetings"])
   test(`scene_${name}_has_the_native_hash_after_ten_seconds`, { skip }, async () => {
     const { scene } = await buildScene(engine, name);
     runScene(scene, 600);
-    const options = ["--steps", "600", "--json"];
-    const report = JSON.parse(
-      execFileSync(thudRun, [name, ...options], { encoding: "utf8", cwd: root }),
-    );
-    assert.equal(scene.world.hash(), String(report.hash).replace(/^0x/, ""));
+    assert.equal(scene.world.hash(), nativeHash(name, 600));
     scene.world.close();
   });
 
