@@ -58,7 +58,7 @@ export const EDIT_CALLS = {
     const prologue = (rows, count) => {
       for (let i = 0; i < count; i += 2) [rows[20 * i + 16], rows[20 * i + 17]] = [veto, friction];
     };
-    s.world.setListeners(s.below(3) === 0 ? null : { prologue, epilogue() {} });
+    s.world.setListeners(s.below(3) === 0 ? null : { prologue, epilogue() {}, without: [[], ["point"], ["bodies"]][s.below(3)] });
   },
   setPairFilter: (s) => {
     const kept = s.below(5);

@@ -58,17 +58,19 @@ void play_settings(fuzz_session *s) {
     }
 }
 
-/* Of either none, one of the two forms, or, which is refused, both. */
+/* Of either none, one of the two forms, or, which is refused, both; and without
+ * parts, of which only two are known. */
 void play_listeners(fuzz_session *s) {
     unsigned byte = next_byte(&s->bytes);
     thud_listeners listeners = {.prologue = byte & 1 ? session_prologue : NULL,
                                 .epilogue = byte & 4 ? session_epilogue : NULL,
                                 .prologue_all = byte & 2 ? session_prologue_all : NULL,
                                 .epilogue_all = byte & 8 ? session_epilogue_all : NULL,
-                                .context = s};
-    bool none = byte & 128, both = !none && ((byte & 3) == 3 || (byte & 12) == 12);
+                                .context = s,
+                                .without = byte >> 4 & 7};
+    bool none = byte & 128, wrong = !none && ((byte & 3) == 3 || (byte & 12) == 12 || byte & 64);
     TRY(s, thud_world_set_listeners(s->world, none ? NULL : &listeners));
-    thud_result expected = s->depth ? THUD_ERROR_LOCKED : both ? THUD_ERROR_INVALID : THUD_OK;
+    thud_result expected = s->depth ? THUD_ERROR_LOCKED : wrong ? THUD_ERROR_INVALID : THUD_OK;
     if (s->result != expected) {
         fuzz_fail(s, "listeners: %s", thud_result_text(s->result));
     }

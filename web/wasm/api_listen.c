@@ -70,9 +70,10 @@ static void epilogue(thud_world *world, const thud_contact *contacts, int count,
     listen(world, contacts, NULL, count);
 }
 
-int api_world_set_listeners(thud_world *world, int asks, int tells) {
+int api_world_set_listeners(thud_world *world, int asks, int tells, int without) {
     const thud_listeners listeners = {.prologue_all = asks ? prologue : NULL,
-                                      .epilogue_all = tells ? epilogue : NULL};
+                                      .epilogue_all = tells ? epilogue : NULL,
+                                      .without = (uint32_t)without};
     return thud_world_set_listeners(world, &listeners);
 }
 

@@ -13,6 +13,8 @@
 #include "state/handles.h"
 #include "state/surface.h"
 
+#include <string.h>
+
 /* The listeners of a world, and what they are asked and told at once. */
 typedef struct td_listeners {
     thud_listeners told;
@@ -66,7 +68,7 @@ typedef struct lane {
     td_block *block;
     int points, index;         /* points: that the block has */
     const td_seen_block *seen; /* the block */
-    uint32_t tag;
+    uint32_t tag, without;     /* of thud_contact_part */
     double from_fixed;
 } lane;
 
@@ -74,25 +76,31 @@ TD_INLINE thud_body_id body_handle(const thud_world *w, td_body_index body, uint
     return (thud_body_id){(uint32_t)body.at + 1, td_body_at(w, body)->generation + tag};
 }
 
-/* Of td_position a caller's unit is a power of two: products with its inverse are exact. */
-TD_INLINE thud_contact view(const thud_world *w, const lane *l) {
+/* Of td_position a caller's unit is a power of two: products with its inverse are exact. What
+ * listeners do without stays zero, and so do the impulses of who is asked: those that a lane has
+ * are of a step before, whichever it was that added them up. */
+TD_INLINE void view(const thud_world *w, const lane *l, bool solved, thud_contact *c) {
     const td_block *block = l->block;
     int k = l->index, a = block->shape_a[k], b = block->shape_b[k];
     const td_shape *shape_a = td_shape_at(w, a), *shape_b = td_shape_at(w, b);
-    const td_pose *pose = td_pose_at(w, shape_b->body);
-    return (thud_contact){
-        .shape_a = {(uint32_t)a + 1, shape_a->generation + l->tag},
-        .shape_b = {(uint32_t)b + 1, shape_b->generation + l->tag},
-        .body_a = body_handle(w, shape_a->body, l->tag),
-        .body_b = body_handle(w, shape_b->body, l->tag),
-        .normal = {block->nx[k], block->ny[k]},
-        .point = {(double)(pose->center.x + l->seen->x[k / 4][k % 4]) * l->from_fixed,
-                  (double)(pose->center.y + l->seen->y[k / 4][k % 4]) * l->from_fixed},
-        .separation = l->seen->separation[k],
-        .normal_impulse = l->seen->normal_impulse[k],
-        .tangent_impulse = l->seen->tangent_impulse[k],
-        .point_count = l->seen->points[k],
-    };
+    c->shape_a = (thud_shape_id){(uint32_t)a + 1, shape_a->generation + l->tag};
+    c->shape_b = (thud_shape_id){(uint32_t)b + 1, shape_b->generation + l->tag};
+    c->normal = (thud_vec2){block->nx[k], block->ny[k]};
+    c->separation = l->seen->separation[k];
+    c->point_count = l->seen->points[k];
+    if (solved) {
+        c->normal_impulse = l->seen->normal_impulse[k];
+        c->tangent_impulse = l->seen->tangent_impulse[k];
+    }
+    if (!(l->without & THUD_CONTACT_BODIES)) {
+        c->body_a = body_handle(w, shape_a->body, l->tag);
+        c->body_b = body_handle(w, shape_b->body, l->tag);
+    }
+    if (!(l->without & THUD_CONTACT_POINT)) {
+        const td_pose *pose = td_pose_at(w, shape_b->body);
+        c->point.x = (double)(pose->center.x + l->seen->x[k / 4][k % 4]) * l->from_fixed;
+        c->point.y = (double)(pose->center.y + l->seen->y[k / 4][k % 4]) * l->from_fixed;
+    }
 }
 
 TD_INLINE thud_contact_settings own_of(const thud_world *w, const lane *l) {
@@ -110,8 +118,9 @@ static void note_approach(const thud_world *w, const lane *l) {
 }
 
 /* Where this answer or the last one was not just yes. */
-static void heed(thud_world *w, const lane *l, const thud_contact_settings *own,
+static void heed(thud_world *w, lane one, const thud_contact_settings *own,
                  const thud_contact_settings *settings, bool yes) {
+    const lane *l = &one;
     unsigned mark = l->block->mark[l->index].rule & ~(unsigned)(TD_LANE_ALTERED | TD_LANE_REFUSED);
     mark |= (same(settings, own) ? 0u : TD_LANE_ALTERED) | (yes ? 0u : TD_LANE_REFUSED);
     l->block->mark[l->index].rule = (uint16_t)mark;
@@ -129,40 +138,36 @@ static void heed(thud_world *w, const lane *l, const thud_contact_settings *own,
 TD_INLINE void take_answer(thud_world *w, const lane *l, const thud_contact_settings *own,
                            const thud_contact_settings *wanted, bool yes) {
     bool was_yes = !(l->block->mark[l->index].rule & (TD_LANE_ALTERED | TD_LANE_REFUSED));
-    if (!(was_yes && yes && same(own, wanted))) {
+    if (!(was_yes && yes && memcmp(own, wanted, sizeof *own) == 0)) {
         thud_contact_settings settings = *own;
         accept(w, wanted, &settings);
-        heed(w, l, own, &settings, yes);
+        heed(w, *l, own, &settings, yes);
     }
 }
 
 /* What is done with each lane. */
 typedef enum visit_purpose { ASK, LIST_QUESTIONS, TAKE_ANSWERS, TELL, LIST_SOLVED } visit_purpose;
 
-TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpose purpose) {
+TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpose purpose,
+                          thud_contact *seen) {
     td_listeners *listeners = w->listeners;
     const thud_listeners *told = &listeners->told;
     thud_contact_settings own = {0};
-    thud_contact seen;
     if (purpose <= TAKE_ANSWERS) {
         own = own_of(w, l);
     }
     if (purpose != TAKE_ANSWERS) {
-        seen = view(w, l);
-    }
-    if (purpose < TAKE_ANSWERS) {
-        /* Those are of a step before, whichever it was that added them up. */
-        seen.normal_impulse = seen.tangent_impulse = 0.0f;
+        view(w, l, purpose > TAKE_ANSWERS, seen);
     }
     switch (purpose) {
     case ASK: {
         thud_contact_settings wanted = own;
-        bool yes = told->prologue(w, &seen, &wanted, told->context);
+        bool yes = told->prologue(w, seen, &wanted, told->context);
         take_answer(w, l, &own, &wanted, yes);
         break;
     }
     case LIST_QUESTIONS:
-        *TD_AT(thud_contact, &listeners->contacts, number) = seen;
+        *TD_AT(thud_contact, &listeners->contacts, number) = *seen;
         *TD_AT(thud_contact_answer, &listeners->answers, number) = (thud_contact_answer){own, true};
         break;
     case TAKE_ANSWERS: {
@@ -171,10 +176,10 @@ TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpos
         break;
     }
     case TELL:
-        told->epilogue(w, &seen, told->context);
+        told->epilogue(w, seen, told->context);
         break;
     case LIST_SOLVED:
-        *TD_AT(thud_contact, &listeners->contacts, number) = seen;
+        *TD_AT(thud_contact, &listeners->contacts, number) = *seen;
     }
 }
 
@@ -186,19 +191,28 @@ static bool is_passing(const thud_world *w, const td_block *block, int index) {
  * callback may make bodies: arrays of them may move. */
 TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
     td_see_fn *see = &TD_PICK_WIDE(w, td_see_block);
+    unsigned without = w->listeners->told.without;
+    td_seeing how = {.solved = purpose >= TELL,
+                     .places = purpose != TAKE_ANSWERS && !(without & THUD_CONTACT_POINT),
+                     .skin = w->skin,
+                     .to_fixed = w->to_fixed};
     td_seen_block seen;
-    lane l = {.seen = &seen, .tag = td_tag(w, 0), .from_fixed = 1.0 / w->to_fixed};
+    thud_contact contact = {0};
+    lane l = {.seen = &seen,
+              .tag = td_tag(w, 0),
+              .without = without,
+              .from_fixed = 1.0 / w->to_fixed};
     int number = 0;
     for (int r = 0; r < w->scratch.runs.count; r++) {
         td_run run = *TD_AT(td_run, &w->scratch.runs, r);
         l.points = td_form_points(w->kinds[run.kind]->form);
         for (int i = 0; i < run.count && run.kind < TD_PAIR_COUNT; i++) {
             l.block = *TD_AT(td_block *, &w->scratch.blocks, run.first + i);
-            see(l.block, l.points, w->skin, w->to_fixed, &seen);
+            see(l.block, l.points, &how, &seen);
             for (l.index = 0; l.index < l.block->used; l.index++) {
                 /* A rule that lets a pair through leaves it no points. */
                 if (seen.points[l.index] || (purpose < TELL && !is_passing(w, l.block, l.index))) {
-                    visit_lane(w, &l, number++, purpose);
+                    visit_lane(w, &l, number++, purpose, &contact);
                 }
             }
         }
@@ -281,6 +295,9 @@ thud_result thud_world_set_listeners(thud_world *w, const thud_listeners *listen
     }
     if ((told->prologue && told->prologue_all) || (told->epilogue && told->epilogue_all)) {
         return td_refuse(w, THUD_ERROR_INVALID, "listeners: a prologue or epilogue of both forms");
+    }
+    if (told->without & ~(uint32_t)(THUD_CONTACT_BODIES | THUD_CONTACT_POINT)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "listeners: without is of thud_contact_part");
     }
     if (!w->listeners) {
         w->listeners = td_memory_get(&w->memory, sizeof *w->listeners);

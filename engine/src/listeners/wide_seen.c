@@ -12,35 +12,38 @@ TD_INLINE void both_quanta(f8 length, double to_fixed, l4 quanta[2]) {
     quanta[1] = quanta_of(__builtin_shufflevector(length, length, 4, 5, 6, 7), to_fixed);
 }
 
-TD_INLINE void see(td_block *block, int points, float skin, double to_fixed, td_seen_block *seen) {
+TD_INLINE void see(td_block *block, int points, const td_seeing *how, td_seen_block *seen) {
     const td_point_history *history = td_history_of(block, points);
     f8 zero = f8_all(0.0f), separation = f8_all(3.0e38f), along = zero, impulse = zero;
     i8 count = i8_all(0);
     for (int k = 0; k < points; k++) {
         const td_point *p = &block->point[k];
         i8 here = p->normal_mass != zero;
-        separation = f8_pick(here, f8_min(separation, p->separation + skin), separation);
+        separation = f8_pick(here, f8_min(separation, p->separation + how->skin), separation);
         along += f8_keep(here, p->cross_b);
         impulse += f8_keep(here, history[k].total);
         count -= here;
     }
-    /* The crosses of the mean arm with normal and tangent are the arm itself, turned. */
-    f8 cn = f8_pick(count == 2, along * 0.5f, along), ct = block->tangent_cross_b;
-    f8 nx = block->nx, ny = block->ny;
     seen->separation = separation;
-    seen->normal_impulse = impulse;
-    seen->tangent_impulse = td_surface_at(block, points)->total;
     seen->points = count;
-    both_quanta(cn * ny - ct * nx, to_fixed, seen->x);
-    both_quanta(-cn * nx - ct * ny, to_fixed, seen->y);
+    if (how->solved) {
+        seen->normal_impulse = impulse;
+        seen->tangent_impulse = td_surface_at(block, points)->total;
+    }
+    if (how->places) {
+        /* The crosses of the mean arm with normal and tangent are the arm itself, turned. */
+        f8 cn = f8_pick(count == 2, along * 0.5f, along), ct = block->tangent_cross_b;
+        f8 nx = block->nx, ny = block->ny;
+        both_quanta(cn * ny - ct * nx, how->to_fixed, seen->x);
+        both_quanta(-cn * nx - ct * ny, how->to_fixed, seen->y);
+    }
 }
 
 td_see_fn TD_WIDE(td_see_block);
-void TD_WIDE(td_see_block)(td_block *block, int points, float skin, double to_fixed,
-                           td_seen_block *seen) {
+void TD_WIDE(td_see_block)(td_block *block, int points, const td_seeing *how, td_seen_block *seen) {
     if (points == 2) {
-        see(block, 2, skin, to_fixed, seen);
+        see(block, 2, how, seen);
     } else {
-        see(block, 1, skin, to_fixed, seen);
+        see(block, 1, how, seen);
     }
 }

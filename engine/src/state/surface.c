@@ -43,9 +43,3 @@ void td_surface_mute(td_block *block, int points, int lane) {
     }
     block->tangent_mass[lane] = block->tangent_impulse[lane] = 0.0f;
 }
-
-thud_contact_settings td_surface_get(td_block *block, int points, int lane) {
-    return (thud_contact_settings){.friction = block->friction[lane],
-                                   .restitution = block->restitution[lane],
-                                   .surface_speed = td_surface_at(block, points)->speed[lane]};
-}

@@ -24,6 +24,10 @@ void td_surface_set(thud_world *w, td_block *block, int points, int lane,
                     const thud_contact_settings *settings);
 /* Has the lane do nothing in this step. */
 void td_surface_mute(td_block *block, int points, int lane);
-thud_contact_settings td_surface_get(td_block *block, int points, int lane);
+static inline thud_contact_settings td_surface_get(td_block *block, int points, int lane) {
+    return (thud_contact_settings){.friction = block->friction[lane],
+                                   .restitution = block->restitution[lane],
+                                   .surface_speed = td_surface_at(block, points)->speed[lane]};
+}
 
 #endif

@@ -175,6 +175,72 @@ static void epilogues_hear_manifolds_and_all_impulses(void **state) {
     }
 }
 
+/* ---- what they do without ---- */
+
+typedef struct heard_list {
+    thud_contact all[2 * HEARD_MOST];
+    int count;
+} heard_list;
+
+static bool list_asked(thud_world *world, const thud_contact *contact,
+                       thud_contact_settings *settings, void *context) {
+    (void)world;
+    (void)settings;
+    heard_list *list = context;
+    assert_in_range(list->count, 0, 2 * HEARD_MOST - 1);
+    list->all[list->count++] = *contact;
+    return true;
+}
+
+static void list_told(thud_world *world, const thud_contact *contact, void *context) {
+    list_asked(world, contact, NULL, context);
+}
+
+/* And nothing else is different, nor what the world does. */
+static void parts_that_listeners_do_without_are_not_told(void **state) {
+    (void)state;
+    static heard_list whole, lean;
+    thud_body_id bodies[BODIES];
+    for (uint32_t without = 0; without < 4; without++) {
+        thud_world_def def = def_with(0); /* no impacts within the step: those are told whole */
+        thud_world *one = make_scene(def, bodies), *other = make_scene(def, bodies);
+        thud_listeners listens = {.prologue = list_asked, .epilogue = list_told};
+        listens.context = &whole;
+        OK(thud_world_set_listeners(one, &listens));
+        listens.context = &lean;
+        listens.without = without;
+        OK(thud_world_set_listeners(other, &listens));
+        for (int step = 0; step < 40; step++) {
+            whole.count = lean.count = 0;
+            run(one, 1);
+            run(other, 1);
+            assert_true(thud_world_hash(one) == thud_world_hash(other));
+            assert_int_equal(whole.count, lean.count);
+            for (int i = 0; i < whole.count; i++) {
+                const thud_contact *a = &whole.all[i], *b = &lean.all[i];
+                assert_int_equal(a->shape_a.index1, b->shape_a.index1);
+                assert_int_equal(a->shape_b.index1, b->shape_b.index1);
+                assert_true(thud_shape_is_valid(other, b->shape_a));
+                assert_true(a->normal.x == b->normal.x && a->normal.y == b->normal.y);
+                assert_true(a->separation == b->separation && a->point_count == b->point_count);
+                assert_true(a->normal_impulse == b->normal_impulse);
+                assert_true(a->tangent_impulse == b->tangent_impulse);
+                assert_true(thud_body_is_valid(one, a->body_b));
+                if (without & THUD_CONTACT_BODIES) {
+                    assert_true(b->body_a.index1 == 0 && b->body_b.generation == 0);
+                } else {
+                    assert_int_equal(a->body_a.index1, b->body_a.index1);
+                    assert_true(thud_body_is_valid(other, b->body_b));
+                }
+                assert_true(b->point.y == (without & THUD_CONTACT_POINT ? 0 : a->point.y));
+            }
+        }
+        assert_true(whole.count > 60);
+        thud_world_destroy(one);
+        thud_world_destroy(other);
+    }
+}
+
 /* ---- what is refused ---- */
 
 static bool tries_to_go(thud_world *world, const thud_contact *contact,
@@ -215,8 +281,10 @@ static void refused_listeners_leave_those_that_there_are(void **state) {
     assert_int_equal(thud_world_set_listeners(world, &both), THUD_ERROR_INVALID);
     both = (thud_listeners){.epilogue = tell, .epilogue_all = tell_all};
     assert_int_equal(thud_world_set_listeners(world, &both), THUD_ERROR_INVALID);
+    thud_listeners unknown = {.prologue = ask, .without = 4};
+    assert_int_equal(thud_world_set_listeners(world, &unknown), THUD_ERROR_INVALID);
     assert_int_equal(thud_world_set_listeners(NULL, NULL), THUD_ERROR_NULL);
-    assert_int_equal(messages, 6);
+    assert_int_equal(messages, 7);
     run(world, 1);
     assert_int_equal(asked, 3);
     thud_world_destroy(world);
@@ -279,6 +347,7 @@ int main(void) {
         cmocka_unit_test(both_forms_hear_and_do_the_same),
         cmocka_unit_test(without_a_prologue_pairs_are_their_own_again),
         cmocka_unit_test(epilogues_hear_manifolds_and_all_impulses),
+        cmocka_unit_test(parts_that_listeners_do_without_are_not_told),
         cmocka_unit_test(refused_listeners_leave_those_that_there_are),
         cmocka_unit_test(listeners_out_of_memory_change_nothing),
     };

@@ -107,7 +107,19 @@ test("a_prologue_is_called_once_a_step_and_its_answers_hold", () => {
   } });
   steps(world, 60);
   assert.ok(world.positionOf(player.body)[1] < -2);
+  const parts = [];
+  for (const without of [[], ["bodies"], ["point"], ["bodies", "point"]]) {
+    const twin = yard();
+    twin.world.setListeners({ epilogue: (rows) => { parts.push([rows[AT.bodyB], rows[AT.point]]) }, without });
+    twin.world.setTransform(twin.player.body, [1, 0.4]);
+    steps(twin.world, 1);
+    twin.world.close();
+  }
+  const [[body, x]] = parts;
+  assert.ok(body > 0 && Math.abs(x - 1) < 0.5);
+  assert.deepEqual(parts, [[body, x], [0, x], [body, 0], [0, 0]]);
   world.setListeners(null);
+  assert.throws(() => world.setListeners({ without: ["normal"] }), /"normal"/);
   assert.throws(() => world.setListeners({ preSolve() {} }), /no option is called "preSolve"/);
   world.close();
 });

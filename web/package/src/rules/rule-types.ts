@@ -91,11 +91,16 @@ export const LISTENED_ROW = {
  */
 export type Listener = (rows: Float64Array, count: number) => void;
 
+/** Of a row: bodyA and bodyB; point. */
+export type ContactPart = "bodies" | "point";
+
 export interface Listeners {
   /** Before contacts are solved (pre-solve). */
   prologue?: Listener;
   /** After them, and after the step's motion (post-solve). */
   epilogue?: Listener;
+  /** What neither of them looks at: numbers that may be zero then, and take no time. */
+  without?: readonly ContactPart[];
 }
 
 /** False: the two never make a pair. While nothing else changes it must answer the same. */

@@ -4,7 +4,7 @@
  */
 import { ImpulseEventAt, ListAt, RULE_OPTIONS, RuleFoundAt, RuleOptionsAt } from "../generated/slots.js";
 import { checkNames } from "../checks/names.js";
-import { fill, numbersOf, rowsOf, shapeAt, vecAt } from "../numbers.js";
+import { fill, indexOf, numbersOf, rowsOf, shapeAt, vecAt } from "../numbers.js";
 import { WorldFields } from "../world-fields.js";
 import {
   type ImpulseEvent,
@@ -15,7 +15,8 @@ import {
   type RuleFound,
 } from "./rule-types.js";
 
-const LISTENERS = ["prologue", "epilogue"] as const;
+const LISTENERS = ["prologue", "epilogue", "without"] as const;
+const CONTACT_PARTS = ["bodies", "point"] as const;
 
 export class WorldRules extends WorldFields {
   /**
@@ -72,11 +73,12 @@ export class WorldRules extends WorldFields {
    * @example world.setListeners({ prologue: (rows, count) => veto(rows, count) })
    */
   setListeners(listeners: Listeners | null): void {
-    const { prologue, epilogue } = listeners ?? {};
+    const { prologue, epilogue, without = [] } = listeners ?? {};
     checkNames("listeners", listeners ?? {}, LISTENERS);
     const { exports, callbacks } = this.engine;
     const [asks, tells] = [prologue, epilogue].map((listener) => Number(listener !== undefined));
-    this.engine.check(exports.api_world_set_listeners(this.address, asks, tells));
+    const parts = without.reduce((bits, part) => bits | (1 << indexOf(CONTACT_PARTS, part, "part")), 0);
+    this.engine.check(exports.api_world_set_listeners(this.address, asks, tells, parts));
     callbacks.set(this.address, { prologue, epilogue });
   }
 
