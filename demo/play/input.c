@@ -19,6 +19,7 @@ const char INPUT_HELP[] =
     "  G                  dig a crater into the ground at the pointer; with Shift raise a mound\n"
     "  X                  explode at the pointer\n"
     "  K M                next pair of kinds; collide, ignore or one-way, where a scene has kinds\n"
+    "  V                  of scene minkowski's pairs: their sums, closest points, bounds\n"
     "  Delete             remove the body under the pointer\n"
     "  1 to 9, 0          contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
     "                     pairs, motions\n"
@@ -164,6 +165,9 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
         break;
     case SDLK_m:
         session_next_meeting(&v->session);
+        break;
+    case SDLK_v:
+        v->pair_look = (pair_look)((v->pair_look + 1) % PAIR_LOOKS);
         break;
     case SDLK_DELETE:
     case SDLK_BACKSPACE:

@@ -38,6 +38,7 @@ static bool open_first(viewer *v, const options *o) {
         return false;
     }
     v->bare = o->bare;
+    v->pair_look = o->pair_look;
     v->session.quality = o->quality;
     v->session.detection = o->detection;
     v->session.broadphase = o->broadphase;

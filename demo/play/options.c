@@ -25,6 +25,7 @@ void options_print_help(void) {
         "  --overlay LIST     contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
         "                     pairs, motions, separated by commas; or all, or none (sleeping, and\n"
         "                     what the scene is there to show)\n"
+        "  --look L           of scene minkowski's pairs: sum, closest or bounds (sum)\n"
         "  --paused           do not start yet\n"
         "  --bare             no panel and no texts\n"
         "  --frames N         end after N frames\n"
@@ -89,6 +90,12 @@ static bool parse_overlays(options *o, const char *text) {
     return overlays_parse(text, &o->overlays) || complain("there is no such overlay in", text);
 }
 
+static bool parse_look(options *o, const char *text) {
+    int look = pair_look_find(text);
+    o->pair_look = look < 0 ? PAIR_SUM : (pair_look)look;
+    return look >= 0 || complain("--look needs sum, closest or bounds, not", text);
+}
+
 static bool parse_screenshot(options *o, const char *text) {
     o->screenshot = text;
     return picture_has_format(text) ||
@@ -103,7 +110,7 @@ static bool parse_valued(options *o, const char *name, const char *value, bool *
         {"--frames", parse_frames},         {"--size", parse_size},
         {"--quality", parse_quality},       {"--detection", parse_detection},
         {"--broadphase", parse_broadphase}, {"--overlay", parse_overlays},
-        {"--screenshot", parse_screenshot},
+        {"--screenshot", parse_screenshot}, {"--look", parse_look},
     };
     *known = true;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)

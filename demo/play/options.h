@@ -2,6 +2,7 @@
 #ifndef THUD_PLAY_OPTIONS_H
 #define THUD_PLAY_OPTIONS_H
 
+#include "draw/draw_pairs.h"
 #include "panel/overlays.h"
 
 #include <thud/thud.h>
@@ -15,6 +16,7 @@ typedef struct options {
     int quality;               /* of QUALITIES in choices.h */
     int detection, broadphase; /* as in session.h */
     bool overlays_given;       /* else those of the scene */
+    pair_look pair_look;
     bool bare, paused, list, help;
 } options;
 

@@ -5,7 +5,6 @@
 #include "draw/draw_fields.h"
 #include "draw/draw_joints.h"
 #include "draw/draw_overlays.h"
-#include "draw/draw_sums.h"
 #include "draw/draw_world.h"
 #include "panel/hud.h"
 #include "draw/palette.h"
@@ -163,7 +162,7 @@ void viewer_draw(viewer *v) {
         if (overlays_have(v->overlays, OVERLAY_JOINTS))
             draw_joints(c, &v->camera, &v->session);
         draw_fields(c, &v->camera, &v->session);
-        draw_sums(c, &v->camera, &v->session);
+        draw_pairs(c, &v->camera, &v->session, v->pair_look);
         draw_texture(c, &v->camera, &v->session, &v->prints);
         draw_overlays(c, &v->camera, &v->session, v->overlays, v->bare ? 0 : hud_footer(c));
         if (overlays_have(v->overlays, OVERLAY_FORCES))

@@ -4,6 +4,7 @@
 
 #include "draw/camera.h"
 #include "draw/canvas.h"
+#include "draw/draw_pairs.h"
 #include "draw/draw_texture.h"
 #include "panel/catalog.h"
 #include "character.h"
@@ -23,6 +24,7 @@ typedef struct viewer {
     character character;
     overlay_set overlays;
     overlay_set lent; /* of the overlays those that the scene asked for, and takes along */
+    pair_look pair_look;
     timings timings;
     texture_prints prints;
     ui ui;

@@ -225,6 +225,23 @@ class Viewer(unittest.TestCase):
             self.assertLess(left, x - 1.5 * scale)
             self.assertGreater(right, x + 1.5 * scale)
 
+    def test_pairs_show_what_is_looked_at(self):
+        """The first pair's first box is 3 by 1.6 m, so that the circle around it has a radius of 1.7."""
+        colors = {"sum": "COLOR_SUM", "closest": "COLOR_TOUCHING", "bounds": "COLOR_INTERVAL"}
+        seen = {look: self.shoot_bare("minkowski", "--look", look) for look in colors}
+        for look, picture in seen.items():
+            with self.subTest(look=look):
+                counts = {other: picture.count_near(palette(color), 40)
+                          for other, color in colors.items()}
+                self.assertGreater(counts.pop(look), 50)
+                self.assertLess(max(counts.values()), 20)
+        picture, scale = seen["bounds"], 600 / 17
+        x, y = round(400 - 1.2 * scale), 300 - 4 * scale
+        for edge in (y - 1.7 * scale, y + 1.7 * scale):
+            column = [picture.rows[round(edge) + k][x] for k in range(-2, 3)]
+            self.assertTrue(any(sum(abs(a - b) for a, b in zip(pixel, palette("COLOR_INTERVAL"))) < 90
+                                for pixel in column))
+
     def test_detection_decides_who_passes_thin_walls(self):
         """A bullet of 10 km/s in a room of its own, the fourth from above, 24 m wide."""
         def colourful_pixels(detection):
@@ -299,7 +316,7 @@ class Viewer(unittest.TestCase):
         for arguments in (["nowhere"], ["missing.tmj"], ["--bogus"], ["--frames"],
                           ["--frames", "-1"], ["--frames", "1x"], ["--size", "800"],
                           ["--size", "1x1"], ["--quality", "perfect"], ["--detection", "magic"],
-                          ["--detection"], ["--broadphase", "tree"], ["--overlay", "shadows"],
+                          ["--detection"], ["--broadphase", "tree"], ["--overlay", "shadows"], ["--look", "mass"],
                           ["--screenshot", "picture.jpg"], ["pyramid", "gas"],
                           ["--screenshot", self.folder / "no" / "folder.png"]):
             with self.subTest(arguments=arguments):
@@ -325,7 +342,7 @@ class Viewer(unittest.TestCase):
         result = run("--help")
         self.assertEqual(result.returncode, 0)
         for option in ("--list", "--size", "--quality", "--overlay", "--detection",
-                       "--broadphase", "--frames", "--screenshot",
+                       "--broadphase", "--frames", "--screenshot", "--look",
                        "--paused", "--bare"):
             self.assertIn(option, result.stdout)
 
