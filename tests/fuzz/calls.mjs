@@ -144,6 +144,17 @@ export const CALLS = {
         }),
       ),
     ),
+  createBodies: (s) => {
+    const rest = { restitution: s.number(0, 1), offset: s.place() };
+    const shapes = s.pick([
+      [thud.circle(s.number(0.1, 1), rest), thud.aabb(s.number(0.1, 1), 0.5)],
+      [thud.obb(1, s.number(0.1, 1), rest)],
+      thud.walls(s.number(1, 9), 9, s.number(0.1, 1), rest),
+    ]);
+    const made = s.world.createBodies(s.options({ kind: "dynamic", shapes }), [s.place(), s.place()]);
+    for (const body of made) s.keep(s.bodies, body);
+    return made;
+  },
   createCircle: (s) => {
     const options = { ...s.shapeOptions(), radius: s.number(0.1, 1) };
     return s.keep(s.shapes, s.world.createCircle(s.body(), options));
@@ -244,6 +255,11 @@ export const CALLS = {
   },
   move: (s) => {
     if (s.movers.length) return s.pick(s.movers).move(s.vector(), s.number(0.001, 0.05));
+  },
+  walk: (s) => {
+    if (!s.movers.length) return;
+    const walk = { speed: s.number(-9, 9), jump: s.number(0, 9), drop: s.below(4) === 0 };
+    return s.pick(s.movers).walk(s.options(walk));
   },
   closeMover: (s) => {
     if (s.movers.length) s.pick(s.movers).close();

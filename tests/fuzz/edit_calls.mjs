@@ -45,6 +45,11 @@ export const EDIT_CALLS = {
   applyWind: (s) => s.world.applyWind(s.body(), s.vector(), { drag: s.number(0, 2), lift: s.number(0, 2) }),
   applyBuoyancy: (s) => s.world.applyBuoyancy(s.body(), { point: s.place(), density: s.number(0, 3) }),
   applyRollingResistance: (s) => s.world.applyRollingResistance(s.body(), s.number(0, 1)),
+  applyTyre: (s) => {
+    const forces = { thrust: s.number(-40, 40), brake: s.number(0, 9), grip: s.number(0, 60) };
+    const tyre = { at: [s.number(-2, 2), s.number(-1, 1)], steer: s.number(-1, 1), ...forces };
+    return s.world.applyTyre(s.body(), s.options(tyre));
+  },
   setRule: (s) => {
     const meeting = s.pick(["collide", "ignore", "oneWay", "oneWay", "none"]);
     const rule = { meeting, solidSide: s.vector(), friction: s.number(0, 2), mostImpulse: s.number(0, 2) };
@@ -58,10 +63,13 @@ export const EDIT_CALLS = {
     const prologue = (rows, count) => {
       for (let i = 0; i < count; i += 2) [rows[20 * i + 16], rows[20 * i + 17]] = [veto, friction];
     };
-    s.world.setListeners(s.below(3) === 0 ? null : { prologue, epilogue() {}, without: [[], ["point"], ["bodies"]][s.below(3)] });
+    s.after = null; // snapshots have no listeners and filters
+    const without = [[], ["point"], ["bodies"]][s.below(3)];
+    s.world.setListeners(s.below(3) === 0 ? null : { prologue, epilogue() {}, without });
   },
   setPairFilter: (s) => {
     const kept = s.below(5);
+    s.after = null;
     s.world.setPairFilter(s.below(3) === 0 ? null : (a, b) => (a.index + b.index) % 5 !== kept);
   },
   velocityAt: (s) => s.world.velocityAt(s.body(), s.place()),

@@ -31,7 +31,8 @@ thud_world_def api_world_def(void);
 /* In the order of the package's names; null, which is the default, for other numbers. */
 const thud_detection *api_detection(double number);
 
-/* Doubles from JavaScript may be anything; a plain cast traps on what does not fit. */
+/* Doubles from JavaScript may be anything; a plain cast traps on what does not fit. Bits may be
+ * those of a negative number, such as ~4 is there. */
 int api_to_int(double value);
 uint32_t api_to_u32(double value);
 

@@ -50,6 +50,8 @@ int api_to_int(double value) {
 }
 
 uint32_t api_to_u32(double value) {
+    if (value < 0.0 && value >= -2147483648.0)
+        return (uint32_t)(int32_t)value;
     if (!(value > 0.0))
         return 0;
     return value >= 4294967295.0 ? UINT32_MAX : (uint32_t)value;

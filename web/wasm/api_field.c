@@ -2,6 +2,10 @@
 #include "api.h"
 
 #include <thud/thud_fields.h>
+#include <thud/thud_forces.h>
+#include <thud/thud_reads.h>
+
+#include <math.h>
 
 /* Slots out: explosion_options. */
 void api_explosion_defaults(void) {
@@ -71,4 +75,81 @@ int api_body_apply_rolling(thud_world *world, uint32_t index1, uint32_t generati
                            double coefficient) {
     return thud_body_apply_rolling_resistance(world, api_body(index1, generation),
                                               (float)coefficient);
+}
+
+/* ---- tyres ---- */
+
+static const double MOST_FORCE = 1e30;
+
+/* What is pushed at a point. */
+typedef struct pushed {
+    thud_world *world;
+    thud_body_id body;
+    thud_pos point;
+    thud_body_state state;
+} pushed;
+
+static double speed_along(const pushed *p, double x, double y) {
+    thud_vec2 v = {0};
+    (void)thud_body_velocity_at(p->world, p->body, p->point, &v);
+    return (double)v.x * x + (double)v.y * y;
+}
+
+/* Speed along a unit way for each unit of impulse along it. */
+static double yielding(const pushed *p, double x, double y) {
+    const thud_body_state *s = &p->state;
+    double arm = (p->point.x - s->center.x) * y - (p->point.y - s->center.y) * x;
+    double turning = s->inertia > 0.0f ? arm * arm / (double)s->inertia : 0.0;
+    return 1.0 / (double)s->mass + turning;
+}
+
+static thud_result push(const pushed *p, double x, double y, double impulse) {
+    if (impulse == 0.0) /* which would wake the body */
+        return THUD_OK;
+    thud_vec2 along = {(float)(x * impulse), (float)(y * impulse)};
+    return thud_body_apply_impulse(p->world, p->body, along, p->point);
+}
+
+static double clamp(double value, double most) {
+    return fmax(-most, fmin(most, value));
+}
+
+static bool is_force(double value, double least) {
+    return value >= least && value <= MOST_FORCE;
+}
+
+/* From the slots of tyre_options; the impulses of a step, the second after the first has acted, so
+ * that neither turns the motion around. Slots out: number, the speed across that is left. */
+int api_body_apply_tyre(thud_world *world, uint32_t index1, uint32_t generation) {
+    const struct tyre_options s = api_slots.tyre_options;
+    if (!is_force(s.thrust, -MOST_FORCE) || !is_force(s.brake, 0.0) || !is_force(s.grip, 0.0))
+        return THUD_ERROR_INVALID;
+    pushed p = {.world = world, .body = api_body(index1, generation)};
+    double sine = 0.0, cosine = 1.0;
+    thud_step_settings settings;
+    thud_vec2 at = {(float)s.at[0], (float)s.at[1]};
+    thud_result result = thud_sincos(s.steer, &sine, &cosine);
+    if (result == THUD_OK)
+        result = thud_body_world_point(world, p.body, at, &p.point);
+    if (result == THUD_OK)
+        result = thud_body_get(world, p.body, &p.state);
+    if (result == THUD_OK)
+        result = thud_world_step_settings(world, &settings);
+    if (result != THUD_OK)
+        return result;
+
+    double turned_x = (double)p.state.cosine, turned_y = (double)p.state.sine;
+    double x = turned_x * cosine - turned_y * sine, y = turned_y * cosine + turned_x * sine;
+    double dt = settings.time_step, grip = s.grip * dt;
+    if (p.state.mass > 0.0f) {
+        double drive = s.thrust * dt;
+        double stop = -speed_along(&p, x, y) / yielding(&p, x, y);
+        double along = clamp(drive + clamp(stop - drive, s.brake * dt), grip);
+        result = push(&p, x, y, along);
+        double across = -speed_along(&p, -y, x) / yielding(&p, -y, x);
+        if (result == THUD_OK)
+            result = push(&p, -y, x, clamp(across, sqrt(fmax(0.0, grip * grip - along * along))));
+    }
+    api_slots.number.value = fabs(speed_along(&p, -y, x));
+    return result;
 }

@@ -145,6 +145,10 @@ struct water_options {
     double point[2], normal[2], density, flow[2], linear_drag, angular_drag;
 };
 
+struct tyre_options {
+    double at[2], steer, thrust, brake, grip;
+};
+
 /* Not-a-number: what the shapes make of it. */
 struct rule_options {
     double meeting, solid_side[2], friction, restitution, surface_speed, most_impulse;
@@ -298,6 +302,7 @@ union api_slots {
     struct pair pair;
     struct explosion_options explosion_options;
     struct water_options water_options;
+    struct tyre_options tyre_options;
     struct rule_options rule_options;
     struct rule_found rule_found;
     struct bounds bounds;

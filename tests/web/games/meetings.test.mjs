@@ -24,7 +24,7 @@ test("meetings_are_of_the_kinds_asked_for_in_their_order", () => {
   assert.deepEqual([world.events().begin.length, world.events().hit.length], [2, 1]);
   const shape = (body) => world.shapesOf(body)[0];
   const side = (body, category) => {
-    return { shape: shape(body), body, bodyData: 70 + category, shapeData: 7, sensor: false };
+    return { shape: shape(body), category, body, bodyData: 70 + category, shapeData: 7, sensor: false };
   };
   assert.deepEqual([...world.meetings(BALL, WALL)], [{ a: side(one, BALL), b: side(two, WALL) }]);
   assert.deepEqual([...world.meetings(WALL, BALL)], [{ a: side(two, WALL), b: side(one, BALL) }]);

@@ -34,6 +34,7 @@ const zero = [0, 0];
 const ray = { origin: zero, translation: zero };
 const asked = { circle: { radius: 1 }, aabb: sizes, obb: { ...sizes, angle: 0 } };
 const mover = (options) => new thud.Mover(world, { shape: circle, position: zero, ...options }).close();
+const walker = new thud.Mover(world, { shape: circle, position: zero });
 const terrain = (kind, usual) => (line) => {
   world.destroy(world.createTerrain(ground, { kind, ...usual, ...line }));
 };
@@ -90,7 +91,14 @@ const CALLS = [
   ["explode", "", ranges.EXPLOSION_RANGES, (options) => world.explode(options)],
   ["applyWind", "", ranges.WIND_RANGES, (wind) => world.applyWind(body, zero, wind)],
   ["applyBuoyancy", "", ranges.WATER_RANGES, (water) => world.applyBuoyancy(body, water), "no ends"],
+  [
+    "applyTyre",
+    "",
+    ranges.TYRE_RANGES,
+    (tyre) => world.applyTyre(body, { at: zero, grip: 1, ...tyre }),
+  ],
   ["Mover", "", ranges.MOVER_RANGES, mover],
+  ["walk", "", ranges.WALK_RANGES, (walk) => walker.walk(walk)],
   ["hinge", "", ranges.JOINT_RANGES, (options) => hinge({ at: zero, ...options }), "no ends"],
   [
     "hinge",

@@ -22,6 +22,7 @@ export * from "./rules/rule-types.js";
 export * from "./types.js";
 export * from "./view-types.js";
 export { handleOf, numberAt, numberOf } from "./plain/handles.js";
+export * from "./plain/shapes.js";
 export { World } from "./world.js";
 
 /**

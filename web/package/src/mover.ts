@@ -1,9 +1,10 @@
 /**
  * A mover: a character that slides along what it meets, walks slopes and steps, and rides on what
- * it stands on. Gravity and jumps are yours; move it once a step, after the step.
+ * it stands on. By `walk` it falls and jumps, too; with `move` gravity and jumps are yours. Either
+ * once a step, after the step.
  *
- *     const mover = new Mover(world, { shape: { kind: "circle", radius: 0.5 }, position: [0, 3] });
- *     const { velocity, ground } = mover.move([5, -1], 1 / 60);
+ *     const mover = new Mover(world, { shape: circle(0.5), position: [0, 3] });
+ *     const { position, ground } = mover.walk({ speed: 5, jump: 9 });
  */
 import { explained } from "./checks/hook.js";
 import { ThudError } from "./error.js";
@@ -28,11 +29,11 @@ import {
   view,
 } from "./numbers.js";
 import { generationOf, index1Of } from "./plain/handles.js";
-import type { MoverHit, MoverOptions, MoverReport } from "./query-types.js";
+import type { MoverHit, MoverOptions, MoverReport, Walk } from "./query-types.js";
 import type { BodyId, ShapeId, Vec2 } from "./types.js";
 import type { World } from "./world.js";
 
-const OTHERS = ["shape", "position", "body", "filter"] as const;
+const OTHERS = ["shape", "position", "body", "filter", "gravityScale"] as const;
 
 /** All that a mover keeps from one move to the next, as plain data. */
 export interface MoverState {
@@ -47,17 +48,24 @@ export interface MoverState {
     cosine: number;
     sine: number;
   } | null;
+  /** Of walking: its speeds along `up` and to the right that are none of its own, length/s. */
+  rise: number;
+  drift: number;
 }
 
 /** Of one world, and freed by `close` alone. */
 export class Mover {
   readonly #world: World;
+  readonly #up: Vec2;
+  readonly #gravityScale: number;
   #address: number;
+  #rise = 0;
+  #drift = 0;
 
   constructor(world: World, options: MoverOptions) {
     const { exports, slots } = world.engine;
     const [kind, hx, hy, angle] = solidNumbers(options.shape);
-    const { filter = {}, body } = options;
+    const { filter = {}, body, up = [0, 1], gravityScale = 1 } = options;
     const numbers = numbersOf("Mover", options, MOVER_OPTIONS, OTHERS);
     // The engine would refuse every move.
     const unknown = new ThudError("invalid", "Mover");
@@ -69,6 +77,8 @@ export class Mover {
     fill(slots, filtered, MoverOptionsAt.filter);
     const [index1, generation] = body ? [index1Of(body), generationOf(body)] : [0, 0];
     this.#world = world;
+    this.#up = [up[0], up[1]];
+    this.#gravityScale = gravityScale;
     this.#address = exports.api_mover_create(
       kind,
       ...options.position,
@@ -118,9 +128,46 @@ export class Mover {
     };
   }
 
-  /** Puts it elsewhere, in the air. */
+  /**
+   * Moves as the hero of a platformer does in a step of the world: walks at a speed, falls as gravity
+   * has it, and jumps where it stands on something, whose own speed it keeps in the air. Throws, and
+   * changes nothing, for what is out of range.
+   * @example hero.walk({ speed: 5, jump: isPressed ? 9 : 0 })
+   */
+  walk(walk: Walk = {}): MoverReport {
+    const [speed = 0, jump = 0, drop = 0] = numbersOf("walk", walk, ["speed", "jump", "drop"]);
+    const [ux, uy] = this.#up;
+    if (!Number.isFinite(speed) || !(jump >= 0 && jump < Infinity))
+      throw explained(new ThudError("invalid", "walk: speed or jump"), "walk", walk);
+    if (ux === 0 && uy === 0)
+      throw new ThudError("invalid", "walk: a mover whose up is [0, 0] has no ground; move it");
+    const { gravity, timeStep } = this.#world.settings();
+    const stands = this.state().ground !== null;
+    const pull = this.#gravityScale * (gravity[0] * ux + gravity[1] * uy) * timeStep;
+    const rise = !stands ? this.#rise + pull : jump > 0 ? this.#rise + jump : 0;
+    // On the ground it is carried along.
+    const way = stands && rise <= 0 ? speed : speed + this.#drift;
+    const velocity: Vec2 = [way * uy + rise * ux, rise * uy - way * ux];
+    const report = this.move(velocity, timeStep, { drop: drop !== 0 });
+    const [vx, vy] = report.ground?.velocity ?? report.velocity;
+    this.#rise = vx * ux + vy * uy;
+    const left = vx * uy - vy * ux;
+    // What a wall stops is gone.
+    if (report.ground) this.#drift = left;
+    else if (Math.abs(left - way) > 1e-3 * Math.abs(way)) this.#drift = 0;
+    return report;
+  }
+
+  /** Where its shape's centre is. */
+  get position(): Vec2 {
+    return this.state().position;
+  }
+
+  /** Puts it elsewhere, in the air, at rest. */
   place([x, y]: Vec2): void {
     this.#world.engine.exports.api_mover_place(this.address, x, y);
+    this.#rise = 0;
+    this.#drift = 0;
   }
 
   /** To be kept with a snapshot of the world, and given back with it. */
@@ -142,11 +189,13 @@ export class Mover {
               cosine: s[MoverStateAt.cosine],
               sine: s[MoverStateAt.sine],
             },
+      rise: this.#rise,
+      drift: this.#drift,
     };
   }
 
   /** Back to where `state` was taken; the world goes back by its own snapshot. */
-  restore({ position, ground }: MoverState): void {
+  restore({ position, ground, rise = 0, drift = 0 }: MoverState): void {
     const { address } = this;
     const { engine } = this.#world;
     const s = engine.slots;
@@ -163,6 +212,8 @@ export class Mover {
       s[MoverStateAt.sine] = ground.sine;
     }
     engine.exports.api_mover_set_state(address);
+    this.#rise = rise;
+    this.#drift = drift;
   }
 
   /** In wasm memory; throws after `close`. */

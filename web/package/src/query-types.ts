@@ -70,6 +70,18 @@ export interface MoverOptions {
   filter?: QueryFilter;
   /** Bits: shapes of these categories are passed from below and stood on. Default none. */
   oneWay?: number;
+  /** What it feels of the world's gravity where it goes by `walk`. Default 1. */
+  gravityScale?: number;
+}
+
+/** What a mover does in a step. */
+export interface Walk {
+  /** Length/s: to the right where `up` is up, below 0 to the left. Default 0. */
+  speed?: number;
+  /** The speed of a jump, 0 or more, for who stands on something; 0, the default: none. */
+  jump?: number;
+  /** Falls through one-way platforms. Default false. */
+  drop?: boolean;
 }
 
 /** What a mover met on its way. */

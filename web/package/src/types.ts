@@ -316,6 +316,20 @@ export interface Water {
   angularDrag?: number;
 }
 
+/** A tyre of a body that is seen from above, in one step. Forces are mass times length/s². */
+export interface Tyre {
+  /** Where it stands, in the body's frame. */
+  at: Vec2;
+  /** Where it rolls to: radians from the body's x axis. Default 0. */
+  steer?: number;
+  /** What drives it on; below 0 back. Default 0. */
+  thrust?: number;
+  /** The most force against its rolling, which never turns that around. Default 0. */
+  brake?: number;
+  /** The most force that the ground gives it; what would take more slides. */
+  grip: number;
+}
+
 /**
  * A ground line, one-sided: solid below. Coordinates are relative to the body's origin; the points
  * of an irregular line go from left to right, each strictly right of the one before.

@@ -22,10 +22,17 @@ export interface Pair {
   b: PairSide | null;
 }
 
-/** Of two shapes, of the kinds that `World.meetings` was asked for. */
+/** One of two shapes that met. */
+export interface MeetingSide extends PairSide {
+  shape: ShapeId;
+  /** All of its bits. */
+  category: number;
+}
+
+/** Of the kinds that `World.meetings` was asked for. */
 export interface Meeting {
-  a: PairSide & { shape: ShapeId };
-  b: PairSide & { shape: ShapeId };
+  a: MeetingSide;
+  b: MeetingSide;
 }
 
 /** A collision faster than WorldOptions.hitSpeed. */

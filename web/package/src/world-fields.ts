@@ -1,12 +1,18 @@
 /**
- * Forces on bodies from what is around them: explosions, wind, water, rolling. All but explosions
- * act through the next step: ask before each. thud_fields.h has the formulas.
+ * Forces on bodies from what is around them: explosions, wind, water, rolling, tyres.
+ * Explosions and tyres push at once, the others through the next step: ask before each. thud_fields.h has the formulas.
  */
-import { EXPLOSION_OPTIONS, ExplosionOptionsAt, NumberAt, WATER_OPTIONS } from "./generated/slots.js";
+import {
+  EXPLOSION_OPTIONS,
+  ExplosionOptionsAt,
+  NumberAt,
+  TYRE_OPTIONS,
+  WATER_OPTIONS,
+} from "./generated/slots.js";
 import { checkNames } from "./checks/names.js";
 import { explained } from "./checks/hook.js";
-import { fill, filterNumbers, numbersOf } from "./numbers.js";
-import type { BodyRef, Explosion, Vec2, Water, Wind } from "./types.js";
+import { fill, filterNumbers, numbersOf, writeOptions } from "./numbers.js";
+import type { BodyRef, Explosion, Tyre, Vec2, Water, Wind } from "./types.js";
 import { WorldForces } from "./world-forces.js";
 
 const WIND = ["density", "drag", "lift"] as const;
@@ -65,5 +71,23 @@ export class WorldFields extends WorldForces {
   /** Brakes a ball that rolls as on a slope of `coefficient`, through the next step. */
   applyRollingResistance(body: BodyRef, coefficient: number): void {
     this.on("api_body_apply_rolling", body, coefficient);
+  }
+
+  /**
+   * Has a tyre push the body at once, for a world that is seen from above: it drives, brakes, and
+   * holds across its way, never so hard that the motion turns around. Thrust and brake have the first
+   * claim to its grip. Returns how fast it slides across its way then, next to 0 while it holds.
+   * @example world.applyTyre(car, { at: [1, 0.5], steer: 0.3, thrust: 20, grip: 40 })
+   */
+  applyTyre(body: BodyRef, tyre: Tyre): number {
+    const { slots } = this.engine;
+    slots.set([NaN, NaN, 0, 0, 0, NaN]);
+    writeOptions("applyTyre", slots, tyre, TYRE_OPTIONS, []);
+    try {
+      this.on("api_body_apply_tyre", body);
+    } catch (refused) {
+      throw explained(refused, "applyTyre", tyre);
+    }
+    return this.engine.slots[NumberAt.value];
   }
 }

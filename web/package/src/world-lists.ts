@@ -108,8 +108,8 @@ export class WorldLists extends WorldRules {
       if (!a || !b || told.has(key)) continue;
       told.add(key);
       const [ofA, ofB] = [this.#categoryOf(pair.a), this.#categoryOf(pair.b)];
-      const one = { shape: pair.a, ...a };
-      const two = { shape: pair.b, ...b };
+      const one = { shape: pair.a, category: ofA, ...a };
+      const two = { shape: pair.b, category: ofB, ...b };
       if (ofA & kindA && ofB & kindB) yield { a: one, b: two };
       else if (ofB & kindA && ofA & kindB) yield { a: two, b: one };
     }

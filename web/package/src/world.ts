@@ -53,6 +53,24 @@ export class World extends WorldShapes {
     return numberOfPair(index1, this.#generation);
   }
 
+  /**
+   * As many as there are positions, alike in all else. Where one is refused nothing is left of the
+   * others.
+   * @example world.createBodies({ shapes: [{ kind: "circle", radius: 0.5 }] }, [[-2, 0], [2, 0]])
+   */
+  createBodies(options: Omit<BodyOptions, "position">, positions: readonly Vec2[]): BodyId[] {
+    const made: BodyId[] = [];
+    try {
+      for (const position of positions) made.push(this.createBody({ ...options, position }));
+    } catch (refused) {
+      for (const body of made) this.destroy(body);
+      throw refused instanceof ThudError
+        ? within(refused, `createBodies: positions[${made.length}]`)
+        : refused;
+    }
+    return made;
+  }
+
   #generation = 0;
 
   /** Returns the first half of the handle, and leaves the other. */
@@ -171,7 +189,7 @@ export class World extends WorldShapes {
     this.shapesRevision++;
   }
 
-  /** The shapes of a body. */
+  /** The shapes of a body, the last made first. */
   shapesOf(body: BodyRef): ShapeId[] {
     this.on("api_body_shapes", body);
     return this.shapeIds();

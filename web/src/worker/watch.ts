@@ -221,6 +221,7 @@ const NAMES_OF_FIELDS = {
   applyBuoyancy: "water",
   applyWind: "wind",
   explode: "explosions with cover",
+  applyTyre: "tyres",
   setRule: "rules between kinds",
 } as const;
 const FIELDS = Object.keys(NAMES_OF_FIELDS) as (keyof typeof NAMES_OF_FIELDS)[];

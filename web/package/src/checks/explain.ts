@@ -18,6 +18,8 @@ import {
   type Ranges,
   SHAPE_RANGES,
   TERRAIN_RANGES,
+  TYRE_RANGES,
+  WALK_RANGES,
   WATER_RANGES,
   whyNot,
   WIND_RANGES,
@@ -34,8 +36,10 @@ const PLAIN: Readonly<Record<string, Ranges>> = {
   explode: EXPLOSION_RANGES,
   applyWind: WIND_RANGES,
   applyBuoyancy: WATER_RANGES,
+  applyTyre: TYRE_RANGES,
   setQuality: QUALITY_RANGES,
   move: MOVE_RANGES,
+  walk: WALK_RANGES,
   Mover: MOVER_RANGES,
 };
 

@@ -136,16 +136,27 @@ export const WATER_RANGES: Ranges = {
   angularDrag: DRAG,
 };
 
+const FORCE: Range = { least: 0, most: 1e30 };
+export const TYRE_RANGES: Ranges = {
+  at: { ...PLACE, needed: true },
+  steer: ANGLE,
+  thrust: { ...FORCE, least: -1e30 },
+  brake: FORCE,
+  grip: { ...FORCE, needed: true },
+};
+
 /** Lengths of a mover know no scale. */
 export const MOVER_RANGES: Ranges = {
   skin: { least: 0, most: FINITE, above: true },
   maxSlope: { least: 0, most: 1.55 },
   stepHeight: { least: 0, most: 1e6 },
   snapDistance: { least: 0, most: 1e6 },
-  pushForce: { least: 0, most: 1e30 },
+  pushForce: FORCE,
   up: { least: -1, most: 1, pair: true },
   position: { ...VECTOR, needed: true },
+  gravityScale: ANY,
 };
+export const WALK_RANGES: Ranges = { speed: ANY, jump: POSITIVE };
 export const MOVE_RANGES: Ranges = { velocity: VECTOR, dt: { least: 0, most: 1, above: true } };
 
 /** Where a joint is. */
