@@ -2,7 +2,7 @@
  * Air hockey by two peers over a slow network. Neither waits for the other: each predicts that the
  * other holds what it held last, and where that was wrong goes back and plays those steps again.
  */
-import { load, Rollback } from "thud";
+import { aabb, circle, load, Rollback } from "thud";
 
 const STEPS = 1800;
 const LATEST = 12; // steps that an input may take to arrive
@@ -13,14 +13,13 @@ const thud = await load();
 
 function createPeer() {
   const world = thud.createWorld({ gravity: [0, 0] });
-  const wall = (halfWidth, halfHeight, x, y, mask = PUCK | STRIKER) => {
-    return { kind: "aabb", halfWidth, halfHeight, offset: [x, y], mask, restitution: 0.9 };
-  };
+  const wall = (halfWidth, halfHeight, x, y, mask = PUCK | STRIKER) =>
+    aabb(halfWidth, halfHeight, { offset: [x, y], mask, restitution: 0.9 });
   const sides = [wall(10, 0.5, 0, 5.5), wall(10, 0.5, 0, -5.5)];
   const goals = [-10, 10].flatMap((x) => [wall(0.5, 1, x, -4), wall(0.5, 1, x, 4)]);
   world.createBody({ shapes: [...sides, ...goals, wall(0.1, 5, 0, 0, STRIKER)] });
   const addDisc = (x, radius, category, linearDamping) => {
-    const shapes = [{ kind: "circle", radius, category, restitution: 0.9, friction: 0 }];
+    const shapes = [circle(radius, { category, restitution: 0.9, friction: 0 })];
     return world.createBody({ kind: "dynamic", position: [x, 0], linearDamping, shapes });
   };
   const puck = addDisc(0, 0.5, PUCK, 0.1);

@@ -5,7 +5,7 @@
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { load } from "thud";
+import { aabb, load, obb } from "thud";
 
 const BOMBS = [[-3, 0.4], [2, 0.4], [0, 5], [5, 0.4], [-1, 0.4], [3, 3]];
 const STEPS_BETWEEN = 90;
@@ -16,10 +16,9 @@ const thud = await load();
 // What a game keeps in its world is saved with it: stones know that they are, the island the score.
 function createWorld() {
   const world = thud.createWorld();
-  const island = { kind: "aabb", halfWidth: 8, halfHeight: 0.5, offset: [0, -0.5] };
-  world.createBody({ shapes: [island] });
+  world.createBody({ shapes: [aabb(8, 0.5, { offset: [0, -0.5] })] });
   const addStone = (x, y, halfWidth, halfHeight) => {
-    const shapes = [{ kind: "obb", halfWidth, halfHeight }];
+    const shapes = [obb(halfWidth, halfHeight)];
     world.createBody({ kind: "dynamic", position: [x, y], userData: STONE, shapes });
   };
   for (const x of [-6, -2, 2, 6]) for (let y = 0.5; y < 4; y++) addStone(x, y, 0.5, 0.5);
