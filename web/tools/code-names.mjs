@@ -25,7 +25,7 @@ const GROUPS = [
   { title: "A world: joints", types: ["World"], of: "WorldJoints" },
   { title: "A world: changes", types: ["World"], of: "WorldEdits" },
   { title: "A world: pushes and points", types: ["World"], of: "WorldForces" },
-  { title: "A world: wind, water, explosions", types: ["World"], of: "WorldFields" },
+  { title: "A world: wind, water, tyres, explosions", types: ["World"], of: "WorldFields" },
   { title: "A world: rules and listeners", types: ["World"], of: "WorldRules" },
   { title: "A world: what there is", types: ["World"], of: "WorldLists" },
   { title: "A world: what is where", types: ["World"], of: "WorldQueries" },

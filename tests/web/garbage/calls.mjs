@@ -8,6 +8,7 @@ const circle = { kind: "circle", radius: 0.5 };
 const options = { kind: "dynamic", position: [0.5, 100.5], shapes: [circle] };
 const ball = world.spawn({ ...options, position: [0.25, 2.5] });
 const [force, point, origin, way] = [[0.25, 0.5], [0.125, 0.25], [0.25, 90.5], [0.125, -100.5]];
+const tyre = { at: [0.25, 0.5], steer: 0.5, thrust: 2.5, brake: 0.5, grip: 4.5 };
 const into = new Float64Array(8);
 
 const CALLS = {
@@ -19,6 +20,7 @@ const CALLS = {
   applyForce: () => world.applyForce(ball, force, 0.5),
   applyImpulse: () => world.applyImpulse(ball, force, point),
   applyForceAt: () => world.applyForceAt(ball, force, point),
+  applyTyre: () => world.applyTyre(ball, tyre),
   setTransform: () => world.setTransform(ball, force, 0.5),
   positionOf: () => world.positionOf(ball, into),
   worldPoint: () => world.worldPoint(ball, point, into),

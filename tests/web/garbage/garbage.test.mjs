@@ -21,6 +21,7 @@ const BOXES = {
   applyForce: 5,
   applyImpulse: 7,
   applyForceAt: 7,
+  applyTyre: 12,
   setTransform: 5,
   positionOf: 5,
   worldPoint: 7,

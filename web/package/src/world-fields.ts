@@ -16,6 +16,9 @@ import type { BodyRef, Explosion, Tyre, Vec2, Water, Wind } from "./types.js";
 import { WorldForces } from "./world-forces.js";
 
 const WIND = ["density", "drag", "lift"] as const;
+/** In the order of TYRE_OPTIONS: what has no default is refused. */
+const TYRE = [NaN, NaN, 0, 0, 0, NaN] as const;
+const NO_OTHERS: readonly string[] = [];
 
 export class WorldFields extends WorldForces {
   /**
@@ -81,8 +84,8 @@ export class WorldFields extends WorldForces {
    */
   applyTyre(body: BodyRef, tyre: Tyre): number {
     const { slots } = this.engine;
-    slots.set([NaN, NaN, 0, 0, 0, NaN]);
-    writeOptions("applyTyre", slots, tyre, TYRE_OPTIONS, []);
+    slots.set(TYRE);
+    writeOptions("applyTyre", slots, tyre, TYRE_OPTIONS, NO_OTHERS);
     try {
       this.on("api_body_apply_tyre", body);
     } catch (refused) {
