@@ -6,7 +6,9 @@ import { aabb, circle, load, obb, walls } from "thud";
 
 const [GATE, CAR] = [2, 4]; // categories
 const LAPS = 2;
+// To be passed in this order.
 const GATES = [[0, -14], [20, -12], [23, 0], [20, 12], [0, 14], [-20, 12], [-23, 0], [-20, -12]];
+// In the car's frame; those in front steer.
 const TYRES = [[1.2, 0.7], [1.2, -0.7], [-1.2, 0.7], [-1.2, -0.7]];
 const clamp = (value, most) => Math.max(-most, Math.min(most, value));
 
@@ -18,6 +20,7 @@ const gates = GATES.map((offset, userData) => circle(4, { ...gate, offset, userD
 const track = world.createBody({ shapes: [aabb(14, 8), ...walls(29, 20, 2), ...gates] });
 const oil = world.createCircle(track, { radius: 3, offset: [10, 15], sensor: true });
 
+// Cones: light, and soon at rest again.
 const places = Array.from({ length: 12 }, (_, i) => [-22 + 4 * i, i % 2 ? 12 : -11]);
 const cone = { linearDamping: 2, angularDamping: 2, shapes: [circle(0.4, { density: 0.2 })] };
 world.createBodies({ kind: "dynamic", ...cone }, places);
