@@ -59,6 +59,7 @@ export const EDIT_CALLS = {
   impulses: (s) => s.world.impulses(),
   impulseView: (s) => s.world.impulseView(),
   setListeners: (s) => {
+    s.after = null; // listeners are no part of a snapshot, and neither is the filter
     const veto = s.number(0, 3), friction = s.number(0, 2);
     const prologue = (rows, count) => {
       for (let i = 0; i < count; i += 2) [rows[20 * i + 16], rows[20 * i + 17]] = [veto, friction];
@@ -68,6 +69,7 @@ export const EDIT_CALLS = {
     s.world.setListeners(s.below(3) === 0 ? null : { prologue, epilogue() {}, without });
   },
   setPairFilter: (s) => {
+    s.after = null;
     const kept = s.below(5);
     s.after = null;
     s.world.setPairFilter(s.below(3) === 0 ? null : (a, b) => (a.index + b.index) % 5 !== kept);
@@ -97,6 +99,21 @@ export const EDIT_CALLS = {
   shapeAtSlot: (s) => s.world.shapeAtSlot(s.number(-2, 50)),
   overlapsOf: (s) => s.world.overlapsOf(s.shape()),
   castRays: (s) => s.world.castRays([...s.place(), ...s.vector(), ...s.place(), ...s.vector()], s.filter()),
+  castRayEach: (s) => {
+    const [first, second, told] = [s.number(-1, 1), s.number(-1, 1), []];
+    s.world.castRayEach(s.place(), s.vector(), (hit) => told.push(hit) % 2 ? first : second, s.filter());
+    return told;
+  },
+  castShapeEach: (s) => {
+    const shape = s.solid(), told = [];
+    s.world.castShapeEach(s.solid(), s.place(), s.vector(), (hit) => {
+      told.push(hit, s.world.castShape(shape, hit.point, [1, 1]));
+      if (s.below(40) === 0) s.world.step();
+      if (s.below(4) === 0) s.world.setFriction(hit.shape, 0.5);
+      return told.length < 9 ? undefined : 0;
+    }, s.filter());
+    return told;
+  },
   castRayAt: (s) => s.world.castRayAt(s.shape(), s.place(), s.vector()),
   containsPoint: (s) => s.world.containsPoint(s.shape(), s.place()),
   closestPointOf: (s) => s.world.closestPointOf(s.shape(), s.place()),

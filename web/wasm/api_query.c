@@ -104,6 +104,25 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
     return api_buffer_result(&rows);
 }
 
+/* Import: tells whoever casts of the hit in the slots, and answers as a thud_cast_fn. */
+extern double thud_met(void);
+
+static double met(const thud_ray_hit *hit, void *context) {
+    (void)context;
+    api_slots.first_hit = (struct first_hit){true, row_of(hit)};
+    return thud_met();
+}
+
+/* Hit by hit, of a ray (kind -1) or a shape. */
+int api_cast_each(thud_world *world, int kind, double x, double y, double hx, double hy,
+                  double angle, double dx, double dy) {
+    thud_query_filter filter = filter_now();
+    thud_shape_instance shape = api_placed(kind, hx, hy, angle);
+    thud_pos at = {x, y};
+    return kind < 0 ? thud_world_cast_ray_each(world, at, dx, dy, &filter, met, NULL)
+                    : thud_world_cast_shape_each(world, at, &shape, dx, dy, &filter, met, NULL);
+}
+
 /* The first hit of each ray, four doubles each: origin and way. All have one filter. Slots out:
  * list of ray_hit, of which those of no shape met nothing. */
 int api_cast_rays(thud_world *world, const double *numbers, int count) {

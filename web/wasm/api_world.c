@@ -136,8 +136,11 @@ int api_world_create(void) {
     return result;
 }
 
-void api_world_destroy(thud_world *world) {
+/* Inside a callback a world is not destroyed; any setting, which is refused there too, tells so. */
+int api_world_destroy(thud_world *world) {
+    thud_result result = thud_world_set_time_step(world, THUD_TIME_STEP_MAX);
     thud_world_destroy(world);
+    return result;
 }
 
 int api_world_step(thud_world *world) {

@@ -32,6 +32,14 @@ export interface RayHit {
   depth: number;
 }
 
+/**
+ * Hears of a hit, and answers how much of the way still counts, as a fraction of the whole: of what
+ * lies there or beyond nothing more is told. Nothing, or 1, goes on; 0 ends; `hit.fraction` makes
+ * this hit the last; below 0 goes on as if this shape were not there. What goes on never takes back
+ * that the way was shortened.
+ */
+export type CastListener = (hit: RayHit) => number | void;
+
 /** A shape that asks or moves. */
 export type SolidShape =
   | { kind: "circle"; radius: number }

@@ -70,9 +70,9 @@ export class WorldBase {
     return this.#address;
   }
 
-  /** Frees the world. Using it afterwards throws. */
+  /** Frees the world. Using it afterwards throws. Inside a callback of its own it is not closed. */
   close(): void {
-    this.engine.exports.api_world_destroy(this.address);
+    this.engine.check(this.engine.exports.api_world_destroy(this.address));
     this.engine.callbacks.forget(this.#address);
     this.#address = 0;
     forgotten?.unregister(this);
@@ -187,6 +187,7 @@ export class WorldBase {
 
   /** Throws what the engine refused, and tells which of the arguments or options was wrong. */
   protected refuse(result: number, call: string, given: object): void {
+    this.engine.callbacks.rethrow(); // as it is, whatever it says
     try {
       this.engine.check(result);
     } catch (refused) {

@@ -20,6 +20,7 @@ import {
 } from "./numbers.js";
 import type {
   Bounds,
+  CastListener,
   ClosestHit,
   OverlapQuery,
   QueryFilter,
@@ -101,6 +102,35 @@ export class WorldQueries extends WorldBase {
   ): RayHit[] {
     const args = { center, translation, shape };
     return this.#castAll(solidNumbers(shape), center, translation, filter, "castShapeAll", args);
+  }
+
+  /**
+   * Tells of the shapes along the ray one by one, the nearest first, no further than is asked for by
+   * what is answered. Meanwhile the world can be asked; what is made and destroyed waits for the
+   * next step, and other changes are refused. What the listener throws ends the cast and is thrown.
+   * @example world.castRayEach([0, 10], [0, -20], (hit) => (isGlass(hit.shape) ? -1 : 0))
+   */
+  castRayEach(
+    origin: Vec2,
+    translation: Vec2,
+    listener: CastListener,
+    filter: QueryFilter = {},
+  ): void {
+    const args = { origin, translation };
+    this.#castEach([-1, 0, 0, 0], origin, translation, listener, filter, "castRayEach", args);
+  }
+
+  /** As `castRayEach`, of the shapes that a circle, AABB or OBB meets on its way. */
+  castShapeEach(
+    shape: SolidShape,
+    center: Vec2,
+    translation: Vec2,
+    listener: CastListener,
+    filter: QueryFilter = {},
+  ): void {
+    const args = { center, translation, shape };
+    const solid = solidNumbers(shape);
+    this.#castEach(solid, center, translation, listener, filter, "castShapeEach", args);
   }
 
   /** The shape closest to a point, if one is no further than `maxDistance`, or null. */
@@ -201,20 +231,47 @@ export class WorldQueries extends WorldBase {
   }
 
   #castAll(
-    [kind, hx, hy, angle]: SolidNumbers,
+    solid: SolidNumbers,
     from: Vec2,
     translation: Vec2,
     filter: QueryFilter,
     call: string,
     args: object,
   ): RayHit[] {
-    const { engine } = this;
-    const { exports } = this.#asked(filter);
-    const [x, y, dx, dy] = [from?.[0], from?.[1], translation?.[0], translation?.[1]];
-    const result = exports.api_cast_all(this.address, kind, x, y, hx, hy, angle, dx, dy);
-    if (result !== 0) this.refuse(result, call, args);
-    const { buffer, slots } = engine;
+    this.#cast("api_cast_all", solid, from, translation, filter, call, args);
+    const { buffer, slots } = this.engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, RayHitAt.length, readHit);
+  }
+
+  #castEach(
+    solid: SolidNumbers,
+    from: Vec2,
+    translation: Vec2,
+    listener: CastListener,
+    filter: QueryFilter,
+    call: string,
+    args: object,
+  ): void {
+    const { engine } = this;
+    engine.callbacks.hearing(
+      () => listener(readHit(engine.slots, FirstHitAt.hit)),
+      () => this.#cast("api_cast_each", solid, from, translation, filter, call, args),
+    );
+  }
+
+  #cast(
+    name: string,
+    [kind, hx, hy, angle]: SolidNumbers,
+    from: Vec2,
+    translation: Vec2,
+    filter: QueryFilter,
+    call: string,
+    args: object,
+  ): void {
+    const { exports, callbacks } = this.#asked(filter);
+    const [x, y, dx, dy] = [from?.[0], from?.[1], translation?.[0], translation?.[1]];
+    const result = exports[name](this.address, kind, x, y, hx, hy, angle, dx, dy);
+    if (result !== 0 || callbacks.hasThrown) this.refuse(result, call, args);
   }
 }
 

@@ -14,6 +14,7 @@ interface Callbacks extends Listeners {
 export class CallbackTable {
   readonly #worlds = new Map<number, Callbacks>();
   #thrown: { readonly cause: unknown } | null = null;
+  #hear: (() => unknown) | null = null;
 
   /** Some of a world's; undefined takes one away. */
   set(world: number, callbacks: Callbacks): void {
@@ -26,6 +27,17 @@ export class CallbackTable {
 
   forget(world: number): void {
     this.#worlds.delete(world);
+  }
+
+  /** Casts, and `hear` is told of each hit; casts inside casts tell their own. */
+  hearing(hear: () => unknown, cast: () => void): void {
+    const before = this.#hear;
+    this.#hear = hear;
+    try {
+      cast();
+    } finally {
+      this.#hear = before;
+    }
   }
 
   get hasThrown(): boolean {
@@ -53,9 +65,12 @@ export class CallbackTable {
         listen(this.of(world).epilogue, rows, count),
       thud_filtered: (world: number, a: number, ofA: number, b: number, ofB: number) => {
         const filter = this.of(world).filter;
-        const meet = this.#call(true, () => filter?.(shapeId(a, ofA >>> 0), shapeId(b, ofB >>> 0)));
-        return Number(meet ?? true);
+        return this.#call(1, () =>
+          Number(filter?.(shapeId(a, ofA >>> 0), shapeId(b, ofB >>> 0)) ?? true),
+        );
       },
+      // What is thrown ends the cast.
+      thud_met: () => this.#call(0, () => Number(this.#hear!() ?? 1)),
     };
   }
 
