@@ -14,6 +14,7 @@ const NOT_PLAYED = new Set([
   "makeSolid",
   "refuse",
   "on",
+  "onWorld",
   "lengthScale",
   "revision",
 ]);

@@ -165,6 +165,12 @@ const OTHERS = [
   [() => world.castRays([0, 0, 1, 0, NaN, 0, 1, 0]), /castRays: ray 1: origin must be two numbers/],
   [() => world.castRays([0, 0, 1, 0, 9e8 * SCALE, 0, 9e9, 0]), /castRays: ray 1: translation /],
   [() => world.overlap({ kind: "bounds", lower: [1, 0], upper: [0, 1] }), /overlap: lower must be below/],
+  // What is not a number in a rule is not given.
+  [() => world.setRule(1, 2, { friction: -1 }), /^setRule: friction must be from 0 to 1e6: -1$/],
+  [() => world.setRule(1, 2, { restitution: 5 }), /^setRule: restitution must be from 0 to 4: 5$/],
+  [() => world.setRule(1, 2, { surfaceSpeed: 1e7 }), /^setRule: surfaceSpeed must be from -4e6 to 4e6: /],
+  [() => world.setRule(1, 2, { mostImpulse: -1 }), /^setRule: mostImpulse must be 0 or more: -1$/],
+  [() => world.setRule(1, 2, { solidSide: null }), /^setRule: solidSide must be two numbers: null$/],
   [() => world.overlap({ kind: "bowl" }), /shape kind "bowl" is none of circle, aabb, obb$/],
   [() => terrain("uniform", { x0: 0, spacing: 1, heights: [0, NaN] })({}), /heights\[1\] must be a finite/],
   [() => terrain("uniform", { x0: 0, spacing: 1 })({}), /createTerrain: heights must be a list/],

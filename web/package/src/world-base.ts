@@ -142,7 +142,7 @@ export class WorldBase {
    */
   advance(elapsed: number, maxSteps = 4): { steps: number; alpha: number } {
     const { engine } = this;
-    engine.check(engine.exports.api_world_advance(this.address, elapsed, maxSteps));
+    this.onWorld("api_world_advance", elapsed, maxSteps);
     return { steps: engine.slots[AdvanceAt.steps], alpha: engine.slots[AdvanceAt.alpha] };
   }
 
@@ -151,14 +151,12 @@ export class WorldBase {
    * @example world.setGravity([0, 10])
    */
   setGravity(gravity: Vec2): void {
-    this.engine.check(
-      this.engine.exports.api_world_set_gravity(this.address, gravity[0], gravity[1]),
-    );
+    this.onWorld("api_world_set_gravity", gravity?.[0], gravity?.[1]);
   }
 
   /** Sets the seconds of the steps from the next on; (0, 1]. */
   setTimeStep(seconds: number): void {
-    this.engine.check(this.engine.exports.api_world_set_time_step(this.address, seconds));
+    this.onWorld("api_world_set_time_step", seconds);
   }
 
   /**
@@ -177,12 +175,12 @@ export class WorldBase {
 
   /** Sets the overlap from which on islands are solved directly; see WorldOptions.maxError. */
   setMaxError(maxError: number): void {
-    this.engine.check(this.engine.exports.api_world_set_max_error(this.address, maxError));
+    this.onWorld("api_world_set_max_error", maxError);
   }
 
   /** Whether bodies at rest may sleep. False wakes every one. */
   setSleeping(sleeping: boolean): void {
-    this.engine.check(this.engine.exports.api_world_set_sleeping(this.address, Number(sleeping)));
+    this.onWorld("api_world_set_sleeping", Number(sleeping));
   }
 
   /** Throws what the engine refused, and tells which of the arguments or options was wrong. */
@@ -208,7 +206,14 @@ export class WorldBase {
   ): void {
     const call = this.engine.exports[name];
     const result = call(this.address, index1Of(id), generationOf(id), a!, b!, c!, d!, e!, f!);
-    if (result !== 0 || this.engine.callbacks.hasThrown) this.engine.check(result);
+    if (result !== 0 || this.engine.callbacks.hasThrown)
+      this.refuse(result, name, [a, b, c, d, e, f]);
+  }
+
+  /** As `on`, of the world itself. */
+  protected onWorld(name: string, a?: number, b?: number): void {
+    const result = this.engine.exports[name](this.address, a!, b!);
+    if (result !== 0 || this.engine.callbacks.hasThrown) this.refuse(result, name, [a, b]);
   }
 
   /** Those of the list that the last call gave. */

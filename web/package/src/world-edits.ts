@@ -5,7 +5,6 @@
  */
 import { checkNames } from "./checks/names.js";
 import { kindOf } from "./plain/handles.js";
-import { explained } from "./checks/hook.js";
 import { indexOf, numbersOf, userData } from "./numbers.js";
 import {
   BODY_KINDS,
@@ -150,10 +149,6 @@ export class WorldEdits extends WorldJoints {
     }
     checkNames("setMass", mass, MASS);
     const { center = [0, 0] } = mass;
-    try {
-      this.on("api_body_set_mass", body, mass.mass, mass.inertia, center?.[0], center?.[1]);
-    } catch (refused) {
-      throw explained(refused, "setMass", mass, this.lengthScale);
-    }
+    this.on("api_body_set_mass", body, mass.mass, mass.inertia, center?.[0], center?.[1]);
   }
 }

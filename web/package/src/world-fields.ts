@@ -33,11 +33,8 @@ export class WorldFields extends WorldForces {
     exports.api_explosion_defaults();
     fill(slots, numbers);
     fill(slots, filter, ExplosionOptionsAt.filter);
-    try {
-      this.engine.check(exports.api_world_explode(this.address));
-    } catch (refused) {
-      throw explained(refused, "explode", explosion, this.lengthScale);
-    }
+    const result = exports.api_world_explode(this.address);
+    if (result !== 0 || this.engine.callbacks.hasThrown) this.refuse(result, "explode", explosion);
     return this.engine.slots[NumberAt.value];
   }
 
@@ -48,11 +45,7 @@ export class WorldFields extends WorldForces {
   applyWind(body: BodyRef, velocity: Vec2, wind: Wind = {}): void {
     checkNames("applyWind", wind, WIND);
     const { density = 1, drag = 1, lift = 1 } = wind;
-    try {
-      this.on("api_body_apply_wind", body, velocity[0], velocity[1], density, drag, lift);
-    } catch (refused) {
-      throw explained(refused, "applyWind", wind, this.lengthScale);
-    }
+    this.on("api_body_apply_wind", body, velocity?.[0], velocity?.[1], density, drag, lift);
   }
 
   /**

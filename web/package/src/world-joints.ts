@@ -140,7 +140,7 @@ export class WorldJoints extends WorldViews {
 
   /** Every joint of the world. */
   joints(): JointId[] {
-    this.engine.check(this.engine.exports.api_world_joints(this.address));
+    this.onWorld("api_world_joints");
     return this.#jointIds();
   }
 
@@ -157,7 +157,7 @@ export class WorldJoints extends WorldViews {
    */
   jointEvents(): JointEvent[] {
     const { engine } = this;
-    engine.check(engine.exports.api_world_joint_events(this.address));
+    this.onWorld("api_world_joint_events");
     const { buffer, slots } = engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, JointEventAt.length, readEvent);
   }
@@ -180,7 +180,7 @@ export class WorldJoints extends WorldViews {
 
   /** Makes a world that never had a joint ready to be restored from a snapshot that has some. */
   useJoints(): void {
-    this.engine.check(this.engine.exports.api_world_use_joints(this.address));
+    this.onWorld("api_world_use_joints");
   }
 
   /** As far as the engine lets limits be; a little less, for rounding. */

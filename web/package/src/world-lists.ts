@@ -17,19 +17,19 @@ export class WorldLists extends WorldRules {
 
   /** Every body, disabled and quarantined ones too. */
   bodies(): BodyId[] {
-    this.engine.check(this.engine.exports.api_world_bodies(this.address));
+    this.onWorld("api_world_bodies");
     return this.#bodyIds();
   }
 
   /** Those that the next step will move if something has them move. */
   awakeBodies(): BodyId[] {
-    this.engine.check(this.engine.exports.api_world_awake_bodies(this.address));
+    this.onWorld("api_world_awake_bodies");
     return this.#bodyIds();
   }
 
   /** Every shape, sensors and terrains too. */
   shapes(): ShapeId[] {
-    this.engine.check(this.engine.exports.api_world_shapes(this.address));
+    this.onWorld("api_world_shapes");
     return this.shapeIds();
   }
 
@@ -50,14 +50,14 @@ export class WorldLists extends WorldRules {
 
   /** The body whose pose stands at `4 * slot` in `poses()`; null where none lives there. */
   bodyAtSlot(slot: number): BodyId | null {
-    this.engine.check(this.engine.exports.api_world_body_at(this.address, slot));
+    this.onWorld("api_world_body_at", slot);
     const s = this.engine.slots;
     return s[HandleAt.index1] === 0 ? null : bodyAt(s, HandleAt.index1);
   }
 
   /** The shape with this `index`; null where none lives there. */
   shapeAtSlot(slot: number): ShapeId | null {
-    this.engine.check(this.engine.exports.api_world_shape_at(this.address, slot));
+    this.onWorld("api_world_shape_at", slot);
     const s = this.engine.slots;
     return s[HandleAt.index1] === 0 ? null : shapeAt(s, HandleAt.index1);
   }

@@ -192,7 +192,8 @@ export class WorldQueries extends WorldBase {
 
   /** Where a ray first meets this shape, or null. */
   castRayAt(shape: ShapeRef, origin: Vec2, translation: Vec2): RayHit | null {
-    this.on("api_shape_meets_ray", shape, ...origin, ...translation);
+    const [x, y, dx, dy] = [origin?.[0], origin?.[1], translation?.[0], translation?.[1]];
+    this.on("api_shape_meets_ray", shape, x, y, dx, dy);
     return readFirst(this.engine.slots);
   }
 
@@ -201,13 +202,13 @@ export class WorldQueries extends WorldBase {
    * @example if (world.containsPoint(shape, [x, y])) pick(shape)
    */
   containsPoint(shape: ShapeRef, point: Vec2): boolean {
-    this.on("api_shape_contains_point", shape, ...point);
+    this.on("api_shape_contains_point", shape, point?.[0], point?.[1]);
     return this.engine.slots[NumberAt.value] !== 0;
   }
 
   /** The closest point of a shape's surface, however far. */
   closestPointOf(shape: ShapeRef, point: Vec2): ClosestHit {
-    this.on("api_shape_closest_point", shape, ...point);
+    this.on("api_shape_closest_point", shape, point?.[0], point?.[1]);
     return readClosest(this.engine.slots);
   }
 

@@ -192,7 +192,7 @@ export class WorldShapes extends WorldLists {
    * @example world.dig(shape, [x, y], 2)
    */
   dig(shape: ShapeRef, center: Vec2, radius: number): void {
-    this.on("api_shape_dig", shape, center[0], center[1], radius);
+    this.on("api_shape_dig", shape, center?.[0], center?.[1], radius);
     this.terrainsRevision++;
   }
 

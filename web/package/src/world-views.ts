@@ -95,7 +95,7 @@ export class WorldViews extends WorldQueries {
    */
   events(): Events {
     const { engine } = this;
-    engine.check(engine.exports.api_world_events(this.address));
+    this.onWorld("api_world_events");
     const { buffer, slots: s } = engine;
     const pairs = (list: EventsAt) =>
       rowsOf(Uint32Array, buffer, s, list, EventPairAt.length, readPair);
@@ -112,7 +112,7 @@ export class WorldViews extends WorldQueries {
   /** The same without copies: views into wasm memory, valid until the next call. */
   eventViews(): EventViews {
     const { engine } = this;
-    engine.check(engine.exports.api_world_events(this.address));
+    this.onWorld("api_world_events");
     const { buffer, slots: s } = engine;
     const last = this.#events;
     last.begin = again(last.begin, buffer, s, EventsAt.begin, EventPairAt.length);
@@ -181,7 +181,7 @@ export class WorldViews extends WorldQueries {
    * shapes. `Stats.unbisectable` counts who was faster.
    */
   bisectionLimit(): number {
-    this.engine.check(this.engine.exports.api_world_bisection_limit(this.address));
+    this.onWorld("api_world_bisection_limit");
     return this.engine.slots[0];
   }
 

@@ -148,7 +148,7 @@ export class World extends WorldShapes {
    * @example world.setTransform(ball, [0, 5], 0)
    */
   setTransform(body: BodyRef, position: Vec2, angle = 0): void {
-    this.on("api_body_set_transform", body, position[0], position[1], angle);
+    this.on("api_body_set_transform", body, position?.[0], position?.[1], angle);
   }
 
   /**
@@ -156,7 +156,7 @@ export class World extends WorldShapes {
    * @example world.setVelocity(ball, [3, 0])
    */
   setVelocity(body: BodyRef, velocity: Vec2, angularVelocity = 0): void {
-    this.on("api_body_set_velocity", body, velocity[0], velocity[1], angularVelocity);
+    this.on("api_body_set_velocity", body, velocity?.[0], velocity?.[1], angularVelocity);
   }
 
   /**
@@ -164,7 +164,7 @@ export class World extends WorldShapes {
    * @example world.applyImpulse(ball, [0, 5], point)
    */
   applyImpulse(body: BodyRef, impulse: Vec2, point: Vec2): void {
-    this.on("api_body_apply_impulse", body, impulse[0], impulse[1], point[0], point[1]);
+    this.on("api_body_apply_impulse", body, impulse?.[0], impulse?.[1], point?.[0], point?.[1]);
   }
 
   /**
@@ -172,7 +172,7 @@ export class World extends WorldShapes {
    * @example world.applyForce(ball, [10, 0])
    */
   applyForce(body: BodyRef, force: Vec2, torque = 0): void {
-    this.on("api_body_apply_force", body, force[0], force[1], torque);
+    this.on("api_body_apply_force", body, force?.[0], force?.[1], torque);
   }
 
   /** Wakes a body. False: it counts as at rest, and sleeps as soon as its whole island does. */

@@ -2,6 +2,7 @@
 import { ThudError } from "../error.js";
 import type { SolidShape } from "../query-types.js";
 import type { Terrain, Vec2 } from "../types.js";
+import { blameArguments } from "./arguments.js";
 import { explainWith, isRefusal } from "./hook.js";
 import { blameJoint } from "./joints.js";
 import { tellNearest } from "./nearest.js";
@@ -10,19 +11,18 @@ import {
   blame,
   BODY_RANGES,
   EXPLOSION_RANGES,
-  MASS_RANGES,
   MOVE_RANGES,
   MOVER_RANGES,
   QUALITY_RANGES,
   QUERY_RANGES,
   type Ranges,
+  RULE_RANGES,
   SHAPE_RANGES,
   TERRAIN_RANGES,
   TYRE_RANGES,
   WALK_RANGES,
   WATER_RANGES,
   whyNot,
-  WIND_RANGES,
   WORLD_RANGES,
 } from "./ranges.js";
 
@@ -32,9 +32,8 @@ const PLAIN: Readonly<Record<string, Ranges>> = {
   createCircle: SHAPE_RANGES.circle,
   createAabb: SHAPE_RANGES.aabb,
   createObb: SHAPE_RANGES.obb,
-  setMass: MASS_RANGES,
+  setRule: RULE_RANGES,
   explode: EXPLOSION_RANGES,
-  applyWind: WIND_RANGES,
   applyBuoyancy: WATER_RANGES,
   applyTyre: TYRE_RANGES,
   setQuality: QUALITY_RANGES,
@@ -59,6 +58,7 @@ export function explainErrors(): void {
 }
 
 function explain(error: ThudError, call: string, given: object, scale: number): unknown {
+  if (Array.isArray(given)) return blameArguments(error, call, given, scale);
   const { quality, terrain, shape, rays, joint, furthest = 0 } = given as Given;
   if (joint) {
     blameJoint(error, call, joint, furthest);

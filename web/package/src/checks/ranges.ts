@@ -26,20 +26,20 @@ export type Ranges = Readonly<Record<string, Range>>;
 /** As far as a number in single precision goes. */
 const FINITE = 3.4028234e38;
 const FARTHEST = 1e9;
-const PLACE: Range = { least: -FARTHEST, most: FARTHEST, pair: true, scaled: true };
-const WAY: Range = { ...PLACE, least: -2 * FARTHEST, most: 2 * FARTHEST };
-const ANGLE: Range = { least: -1e6, most: 1e6 };
-const ANY: Range = { least: -FINITE, most: FINITE };
-const VECTOR: Range = { ...ANY, pair: true };
-const POSITIVE: Range = { least: 0, most: FINITE };
+export const PLACE: Range = { least: -FARTHEST, most: FARTHEST, pair: true, scaled: true };
+export const WAY: Range = { ...PLACE, least: -2 * FARTHEST, most: 2 * FARTHEST };
+export const ANGLE: Range = { least: -1e6, most: 1e6 };
+export const ANY: Range = { least: -FINITE, most: FINITE };
+export const VECTOR: Range = { ...ANY, pair: true };
+export const POSITIVE: Range = { least: 0, most: FINITE };
 const SPEED: Range = { least: 0, most: 1e6 };
 const STIFFNESS: Range = { least: 0.01, most: 0.5, orZero: true };
 const DAMPING: Range = { least: 0, most: 100 };
 const DISTANCE: Range = { least: 0, most: FARTHEST, scaled: true };
 const FLUID: Range = { least: 0, most: 1e12 };
-const DRAG: Range = { least: 0, most: 1e6 };
+export const DRAG: Range = { least: 0, most: 1e6 };
 /** Static bodies may be larger; the engine, which refused, knows. */
-const SIZE: Range = { least: 1e-4, most: 16384, scaled: true, needed: true };
+export const SIZE: Range = { least: 1e-4, most: 16384, scaled: true, needed: true };
 const EXTENT: Range = { least: 0, most: FINITE, above: true, needed: true };
 
 export const WORLD_RANGES: Ranges = {
@@ -73,13 +73,21 @@ export const BODY_RANGES: Ranges = {
   angularDamping: POSITIVE,
 };
 
-const MATERIAL: Ranges = {
+export const MATERIAL = {
   density: { least: 0, most: 1e12 },
   friction: { least: 0, most: 1e6 },
   restitution: { least: 0, most: 1 },
   surfaceSpeed: { least: -1e6, most: 1e6, scaled: true },
-};
+} satisfies Ranges;
 const OFFSET: Range = { least: -16384, most: 16384, pair: true, scaled: true };
+
+export const RULE_RANGES: Ranges = {
+  solidSide: VECTOR,
+  friction: MATERIAL.friction,
+  restitution: { least: 0, most: 4 },
+  surfaceSpeed: MATERIAL.surfaceSpeed,
+  mostImpulse: POSITIVE,
+};
 
 /** By kind. */
 export const SHAPE_RANGES: Readonly<Record<string, Ranges>> = {
@@ -127,11 +135,12 @@ export const EXPLOSION_RANGES: Ranges = {
 
 export const WIND_RANGES: Ranges = { density: FLUID, drag: DRAG, lift: DRAG };
 
+export const FLOW: Range = { least: -1e6, most: 1e6, pair: true, scaled: true };
 export const WATER_RANGES: Ranges = {
   point: PLACE,
   normal: { least: -1, most: 1, pair: true },
   density: FLUID,
-  flow: { least: -1e6, most: 1e6, pair: true, scaled: true },
+  flow: FLOW,
   linearDrag: DRAG,
   angularDrag: DRAG,
 };

@@ -24,13 +24,12 @@ export class WorldRules extends WorldFields {
    * @example world.setRule(PLANK, PLAYER, { meeting: "oneWay" })
    */
   setRule(first: number, second: number, rule: Rule | null): void {
-    const { exports, slots } = this.engine;
-    const numbers = rule === null ? [] : numbersOf("rule", rule, RULE_OPTIONS);
+    const { exports, slots, callbacks } = this.engine;
+    const numbers = rule === null ? [] : numbersOf("setRule", rule, RULE_OPTIONS);
     exports.api_rule_defaults();
     fill(slots, numbers);
-    this.engine.check(
-      exports.api_world_set_rule(this.address, first, second, Number(rule !== null)),
-    );
+    const result = exports.api_world_set_rule(this.address, first, second, Number(rule !== null));
+    if (result !== 0 || callbacks.hasThrown) this.refuse(result, "setRule", rule ?? {});
   }
 
   /** The rule of two kinds, one bit each; null where there is none. */
@@ -54,14 +53,14 @@ export class WorldRules extends WorldFields {
    * @example for (const { a } of world.impulses()) world.destroyShape(a)
    */
   impulses(): ImpulseEvent[] {
-    this.engine.check(this.engine.exports.api_world_impulses(this.address));
+    this.onWorld("api_world_impulses");
     const { buffer, slots } = this.engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, ImpulseEventAt.length, readImpulse);
   }
 
   /** The same without copies: rows as IMPULSE_ROW has them, valid until the next call. */
   impulseView(): Float64Array {
-    this.engine.check(this.engine.exports.api_world_impulses(this.address));
+    this.onWorld("api_world_impulses");
     const { buffer, slots: s } = this.engine;
     const count = s[ListAt.count] * ImpulseEventAt.length;
     return new Float64Array(buffer, count === 0 ? 0 : s[ListAt.address], count);

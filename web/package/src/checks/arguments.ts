@@ -1,0 +1,89 @@
+/** What was refused of arguments that have a place instead of a name: which one, and its range. */
+import { ThudError } from "../error.js";
+import {
+  ANGLE,
+  ANY,
+  DRAG,
+  FLOW,
+  MASS_RANGES,
+  MATERIAL,
+  PLACE,
+  POSITIVE,
+  type Ranges,
+  SIZE,
+  VECTOR,
+  WAY,
+  whyNot,
+  WIND_RANGES,
+  WORLD_RANGES,
+} from "./ranges.js";
+
+const { friction, restitution, surfaceSpeed, density } = MATERIAL;
+const PUSH = { least: -1e30, most: 1e30 };
+const PUSHES = { ...PUSH, pair: true };
+const COORDINATE = { ...PLACE, pair: false };
+const COUNT = { ...POSITIVE, least: 1 };
+const LENGTH = { least: 0, most: 1e6, above: true, scaled: true };
+
+/** By the module's function: the method, and its arguments in their order, of a pair both numbers. */
+export const ARGUMENTS: Readonly<Record<string, readonly [method: string, ranges: Ranges]>> = {
+  api_world_set_gravity: ["setGravity", { gravity: VECTOR }],
+  api_world_set_time_step: ["setTimeStep", { seconds: WORLD_RANGES.timeStep }],
+  api_world_set_max_error: ["setMaxError", { maxError: WORLD_RANGES.maxError }],
+  api_world_advance: ["advance", { elapsed: { least: 0, most: 1e9 }, maxSteps: COUNT }],
+  api_shape_set_friction: ["setFriction", { friction }],
+  api_shape_set_restitution: ["setRestitution", { restitution }],
+  api_shape_set_surface_speed: ["setSurfaceSpeed", { speed: surfaceSpeed }],
+  api_shape_set_density: ["setDensity", { density }],
+  api_shape_set_radius: ["setRadius", { radius: SIZE }],
+  api_shape_set_half_extents: ["setHalfExtents", { halfWidth: SIZE, halfHeight: SIZE }],
+  api_shape_dig: ["dig", { center: PLACE, radius: SIZE }],
+  api_shape_raise: ["raise", { x: COORDINATE, radius: SIZE, height: COORDINATE }],
+  api_shape_replace_range: ["replaceRange", { x0: ANY, x1: ANY }],
+  api_ground_at: ["groundAt", { x: COORDINATE }],
+  api_place_foot: ["placeFoot", { x: COORDINATE, width: POSITIVE }],
+  api_shape_meets_ray: ["castRayAt", { origin: PLACE, translation: WAY }],
+  api_shape_contains_point: ["containsPoint", { point: PLACE }],
+  api_shape_closest_point: ["closestPointOf", { point: PLACE }],
+  api_body_set_transform: ["setTransform", { position: PLACE, angle: ANGLE }],
+  api_body_set_velocity: ["setVelocity", { velocity: VECTOR, angularVelocity: ANY }],
+  api_body_set_target: ["setTarget", { position: PLACE, angle: ANGLE }],
+  api_body_set_damping: ["setDamping", { linear: POSITIVE, angular: POSITIVE }],
+  api_body_set_gravity_scale: ["setGravityScale", { scale: ANY }],
+  api_body_set_mass: ["setMass", MASS_RANGES],
+  api_body_apply_impulse: ["applyImpulse", { impulse: VECTOR, point: PLACE }],
+  api_body_apply_force: ["applyForce", { force: VECTOR, torque: ANY }],
+  api_body_apply_force_at: ["applyForceAt", { force: PUSHES, point: PLACE }],
+  api_body_apply_center_impulse: ["applyCenterImpulse", { impulse: PUSHES }],
+  api_body_apply_angular_impulse: ["applyAngularImpulse", { impulse: PUSH }],
+  api_body_apply_wind: ["applyWind", { velocity: FLOW, ...WIND_RANGES }],
+  api_body_apply_rolling: ["applyRollingResistance", { coefficient: DRAG }],
+  api_body_velocity_at: ["velocityAt", { point: PLACE }],
+  api_body_world_point: ["worldPoint", { point: PLACE }],
+  api_body_local_point: ["localPoint", { point: PLACE }],
+  api_body_world_vector: ["worldVector", { vector: VECTOR }],
+  api_body_local_vector: ["localVector", { vector: VECTOR }],
+  api_joint_set_length: ["setJointLength", { length: LENGTH }],
+};
+
+/** What to throw for `error`, which a function of the module gave for these numbers. */
+export function blameArguments(
+  error: ThudError,
+  name: string,
+  numbers: readonly unknown[],
+  scale: number,
+): ThudError {
+  if (!(name in ARGUMENTS)) return error;
+  const [method, ranges] = ARGUMENTS[name];
+  const given: Record<string, unknown> = {};
+  const needed: Record<string, Ranges[string]> = {};
+  let at = 0;
+  for (const [argument, range] of Object.entries(ranges)) {
+    const value = range.pair ? numbers.slice(at, at + 2) : numbers[at];
+    given[argument] = Array.isArray(value) && value.every((one) => one === undefined) ? undefined : value;
+    needed[argument] = { ...range, needed: true };
+    at += range.pair ? 2 : 1;
+  }
+  const why = whyNot(given, needed, scale);
+  return why ? new ThudError("invalid", `${method}: ${why}`, { cause: error }) : error;
+}
