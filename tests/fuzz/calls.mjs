@@ -105,6 +105,7 @@ class Session {
       friction: this.number(0, 1),
       restitution: this.number(0, 1),
       sensor: this.below(6) === 0,
+      events: this.below(8) > 0,
       category: 1 << this.below(4),
       surfaceSpeed: this.number(-2, 2),
     });

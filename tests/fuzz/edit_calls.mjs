@@ -12,6 +12,7 @@ export const EDIT_CALLS = {
   setSurfaceSpeed: (s) => s.world.setSurfaceSpeed(s.shape(), s.number(-3, 3)),
   setDensity: (s) => s.world.setDensity(s.shape(), s.number(0, 4)),
   setSensor: (s) => s.world.setSensor(s.shape(), s.below(3) === 0),
+  setEvents: (s) => s.world.setEvents(s.shape(), s.below(3) > 0),
   setRadius: (s) => s.world.setRadius(s.shape(), s.number(0.1, 1)),
   setHalfExtents: (s) => s.world.setHalfExtents(s.shape(), s.number(0.1, 1), s.number(0.1, 1)),
   setUserData: (s) => s.world.setUserData(s.pick([s.body(), s.shape()]), s.number(0, 9)),

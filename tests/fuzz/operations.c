@@ -116,6 +116,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(rule_get),
     PLAYS(filter),
     PLAYS(impulses),
+    PLAYS(events),
 };
 
 void session_play(fuzz_session *s) {

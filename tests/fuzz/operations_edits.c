@@ -57,6 +57,18 @@ void play_shape_edit(fuzz_session *s) {
     }
 }
 
+void play_events(fuzz_session *s) {
+    thud_shape_id shape = pick_shape(s);
+    bool events = next_choice(&s->bytes, 2) == 0;
+    thud_shape_state state;
+    TRY(s, thud_shape_set_events(s->world, shape, events));
+    if (s->result == THUD_OK && thud_shape_get(s->world, shape, &state) == THUD_OK &&
+        state.events != events) {
+        fuzz_fail(s, "events of shape %u are %d and were set %d", shape.index1, state.events,
+                  events);
+    }
+}
+
 void play_body_edit(fuzz_session *s) {
     thud_body_id body = pick_body(s);
     switch (next_choice(&s->bytes, 7)) {

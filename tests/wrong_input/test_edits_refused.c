@@ -48,6 +48,10 @@ static thud_result set_sensor(place *p) {
     return thud_shape_set_sensor(p->v.world, p->slab_shape, true);
 }
 
+static thud_result set_events(place *p) {
+    return thud_shape_set_events(p->v.world, p->ball_shape, false);
+}
+
 static thud_result set_radius(place *p) {
     return thud_shape_set_radius(p->v.world, p->ball_shape, 0.6f);
 }
@@ -100,6 +104,7 @@ static const edit edits[] = {
     {"surface speed", set_surface_speed},
     {"density", set_density},
     {"sensor", set_sensor},
+    {"events", set_events},
     {"radius", set_radius},
     {"half extents", set_half_extents},
     {"kinematic slab", move_slab},

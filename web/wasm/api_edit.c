@@ -34,6 +34,10 @@ int api_shape_set_sensor(thud_world *world, uint32_t index1, uint32_t generation
     return thud_shape_set_sensor(world, api_shape(index1, generation), sensor != 0);
 }
 
+int api_shape_set_events(thud_world *world, uint32_t index1, uint32_t generation, int events) {
+    return thud_shape_set_events(world, api_shape(index1, generation), events != 0);
+}
+
 int api_shape_set_radius(thud_world *world, uint32_t index1, uint32_t generation, double radius) {
     return thud_shape_set_radius(world, api_shape(index1, generation), (float)radius);
 }

@@ -14,6 +14,7 @@ void api_shape_defaults(void) {
     s->sensor = def.sensor;
     s->user_data = (double)def.user_data;
     s->surface_speed = def.surface_speed;
+    s->events = def.events;
 }
 
 /* From the slots of api_shape_defaults. */
@@ -29,6 +30,7 @@ static thud_shape_def read_def(void) {
     def.sensor = s->sensor != 0.0;
     def.user_data = (uint64_t)s->user_data;
     def.surface_speed = (float)s->surface_speed;
+    def.events = s->events != 0.0;
     return def;
 }
 
@@ -119,6 +121,7 @@ int api_shape_get(const thud_world *world, uint32_t index1, uint32_t generation)
     s->sensor = state.sensor;
     s->user_data = (double)state.user_data;
     s->surface_speed = state.surface_speed;
+    s->events = state.events;
     return THUD_OK;
 }
 

@@ -172,11 +172,12 @@ struct step_settings {
 
 struct shape_options {
     double density, friction, restitution, category, mask, group, sensor, user_data, surface_speed;
+    double events;
 };
 
 struct shape_state {
     double kind, body[2], offset[2], half_extents[2], angle, density, friction, restitution;
-    double category, mask, group, sensor, user_data, surface_speed;
+    double category, mask, group, sensor, user_data, surface_speed, events;
 };
 
 /* The pair is of bodies, or of a gear's joints. */

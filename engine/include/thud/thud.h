@@ -229,6 +229,7 @@ typedef struct thud_shape_def {
                             a pair's is the sum */
     thud_filter filter;
     bool sensor; /* reports overlaps, collides with nothing; see thud_events.h */
+    bool events; /* default true; false: nothing that it does is told; see thud_events.h */
     uint64_t user_data;
     uint32_t cookie; /* of thud_default_shape_def */
 } thud_shape_def;
@@ -267,7 +268,7 @@ typedef struct thud_shape_state {
     double angle;           /* in the body's frame */
     float density, friction, restitution, surface_speed;
     thud_filter filter;
-    bool sensor;
+    bool sensor, events;
     uint64_t user_data;
 } thud_shape_state;
 

@@ -71,6 +71,8 @@ THUD_API thud_result thud_shape_set_sensor(thud_world *world, thud_shape_id shap
 THUD_API thud_result thud_shape_set_radius(thud_world *world, thud_shape_id shape, float radius);
 THUD_API thud_result thud_shape_set_half_extents(thud_world *world, thud_shape_id shape,
                                                  thud_vec2 half_extents);
+/* Whether its pairs have events: thud_events.h. Wakes nobody. */
+THUD_API thud_result thud_shape_set_events(thud_world *world, thud_shape_id shape, bool events);
 /* Wakes nobody; inside a callback, too. */
 THUD_API thud_result thud_shape_set_user_data(thud_world *world, thud_shape_id shape,
                                               uint64_t user_data);

@@ -7,6 +7,11 @@
  * with the next step. A pair listed in both has ended and begun again, or begun and ended, as it
  * was open before or not. Inside a callback the events are still those of the step before.
  *
+ * A pair has begin, end, hit and sensor events only where both shapes make events, as all do unless
+ * their def or thud_shape_set_events says otherwise. A begin goes by what holds as it happens, and
+ * so does a hit; an end is told exactly where its begin was, whatever has been set since.
+ * Callbacks, rules and lists go on as ever, and so do quarantine and joints.
+ *
  * A sensor reports every shape of another body that it overlaps and that the filters of both let
  * meet, sensors too: of dynamic, kinematic and static bodies, awake or asleep, whose sleep it does
  * not disturb. Two static bodies alone are nothing to each other, since neither ever comes or goes:

@@ -82,22 +82,22 @@ bool td_contact_end_reserve(thud_world *w, int more) {
 }
 
 /* A line has a contact a segment, but callers hear of it as of one shape: a pair begins with its
- * first segment and ends with its last. */
-static bool open_elsewhere(const thud_world *w, int contact_index) {
+ * first segment and ends with its last. What td_constraint.open is of another segment, or 0. */
+static int open_elsewhere(const thud_world *w, int contact_index) {
     const td_contact *contact = td_contact_at(w, contact_index);
     bool ground_first = td_kind_is_line(td_shape_at(w, contact->shape_a)->kind);
     if (!ground_first && !td_kind_is_line(td_shape_at(w, contact->shape_b)->kind)) {
-        return false;
+        return 0;
     }
     int e = td_body_at(w, contact->body[ground_first])->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *other = td_constraint_at(w, e / 2);
         if (other != contact && other->open && other->shape_a == contact->shape_a &&
             other->shape_b == contact->shape_b) {
-            return true;
+            return other->open;
         }
     }
-    return false;
+    return 0;
 }
 
 static void push_event(thud_world *w, td_array *list, int shape_a, int shape_b) {
@@ -109,9 +109,6 @@ static void push_event(thud_world *w, td_array *list, int shape_a, int shape_b) 
 static void tell(thud_world *w, td_array *touch, td_array *sensed, int contact_index) {
     const td_contact *contact = td_contact_at(w, contact_index);
     int a = contact->shape_a, b = contact->shape_b;
-    if (open_elsewhere(w, contact_index)) {
-        return;
-    }
     if (contact->kind != TD_PAIR_SENSOR) {
         if (w->def.contact_events) {
             push_event(w, touch, a, b);
@@ -124,15 +121,28 @@ static void tell(thud_world *w, td_array *touch, td_array *sensed, int contact_i
     }
 }
 
+bool td_pair_is_silent(const thud_world *w, int shape_a, int shape_b) {
+    return (td_shape_at(w, shape_a)->flags | td_shape_at(w, shape_b)->flags) & TD_SHAPE_SILENT;
+}
+
 void td_contact_begin(thud_world *w, int contact_index) {
-    td_contact_at(w, contact_index)->open = 1;
-    td_contact_at(w, contact_index)->vetoed = 0; /* by nobody yet, in this touch */
-    tell(w, &w->events.begin, &w->events.sensor_begin, contact_index);
+    td_contact *contact = td_contact_at(w, contact_index);
+    int open = open_elsewhere(w, contact_index);
+    bool silent = td_pair_is_silent(w, contact->shape_a, contact->shape_b);
+    contact->open = (uint8_t)(open ? open : silent ? TD_OPEN : TD_OPEN | TD_TOLD);
+    contact->vetoed = 0; /* by nobody yet, in this touch */
+    if (!open && contact->open & TD_TOLD) {
+        tell(w, &w->events.begin, &w->events.sensor_begin, contact_index);
+    }
 }
 
 void td_contact_end(thud_world *w, int contact_index) {
-    td_contact_at(w, contact_index)->open = 0;
-    tell(w, &w->events.end, &w->events.sensor_end, contact_index);
+    td_contact *contact = td_contact_at(w, contact_index);
+    int open = contact->open;
+    contact->open = 0;
+    if (open & TD_TOLD && !open_elsewhere(w, contact_index)) {
+        tell(w, &w->events.end, &w->events.sensor_end, contact_index);
+    }
 }
 
 void td_contact_part(thud_world *w, int contact_index) {

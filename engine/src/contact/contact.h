@@ -11,15 +11,19 @@ td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b);
  * a sensor, neither moves), and what the filters keep apart. */
 bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b);
 
+/* Whether either makes no events. */
+bool td_pair_is_silent(const thud_world *w, int shape_a, int shape_b);
+
 /* Whether the fat bounds of two shapes, neither a terrain, overlap for real: in a vast world they
  * may wrap around and only seem to. */
 bool td_pair_meets(const thud_world *w, int shape_a, int shape_b);
 
 void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child);
-/* Tells that the contact touches, or overlaps a sensor. Room for the begin event must be there, in
- * world.events. */
+/* Tells that the contact touches, or overlaps a sensor, unless a shape of it makes no events. Room
+ * for the begin event must be there, in world.events. */
 void td_contact_begin(thud_world *w, int contact);
-/* Tells that it does so no more. td_contact_end_reserve has made room for the end event. */
+/* Tells that it does so no more, if its begin was told. td_contact_end_reserve has made room for
+ * the end event. */
 void td_contact_end(thud_world *w, int contact);
 /* Takes a joint as well, which has no end event. */
 void td_contact_destroy(thud_world *w, int constraint);

@@ -52,7 +52,8 @@ void td_contacts_hit(thud_world *w) {
     for (int i = 0; i < w->scratch.begins.count && w->def.contact_events; i++) {
         int index = td_int_at(&w->scratch.begins, i);
         const td_contact *contact = td_contact_at(w, index);
-        if (contact->state != TD_TOUCHING) {
+        if (contact->state != TD_TOUCHING ||
+            td_pair_is_silent(w, contact->shape_a, contact->shape_b)) {
             continue;
         }
         td_lane at = td_lane_of(w, contact);

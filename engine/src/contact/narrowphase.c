@@ -269,7 +269,7 @@ static bool test_sensors(thud_world *w) {
                      td_body_at(w, contact->body[1])->awake.at < 0;
         if (!met) {
             td_push_int(&w->scratch.ends, index);
-        } else if (overlaps != contact->open) {
+        } else if (overlaps != (contact->open != 0)) {
             (overlaps ? td_contact_begin : td_contact_end)(w, index);
         }
         if (rests) {

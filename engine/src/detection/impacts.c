@@ -262,8 +262,9 @@ static void schedule_everything(thud_world *w) {
 static void hit_events(thud_world *w) {
     for (int i = 0; i < w->scratch.impacts.count && w->def.contact_events; i++) {
         const td_impact *impact = TD_AT(td_impact, &w->scratch.impacts, i);
-        if (impact->approach > w->def.hit_speed * w->unit) {
-            const thud_contact *seen = &impact->seen;
+        const thud_contact *seen = &impact->seen;
+        int a = (int)seen->shape_a.index1 - 1, b = (int)seen->shape_b.index1 - 1;
+        if (impact->approach > w->def.hit_speed * w->unit && !td_pair_is_silent(w, a, b)) {
             TD_PUSH(thud_hit_event, &w->events.hit) =
                 (thud_hit_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
                                  impact->approach};

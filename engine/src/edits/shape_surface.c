@@ -1,4 +1,4 @@
-/* shape_surface.c: changing how a shape's surface acts, and what its user has with it; see
+/* shape_surface.c: changing how a shape's surface acts, and what its user has and hears of it; see
  * thud_edits.h. */
 #include "thud/thud_edits.h"
 
@@ -41,6 +41,16 @@ thud_result thud_shape_set_surface_speed(thud_world *w, thud_shape_id id, float 
     float most = w ? THUD_SURFACE_SPEED_MAX * w->unit : 0.0f;
     return set(w, id, offsetof(td_shape, surface_speed), surface_speed, -most, most,
                "set surface speed: it is out of range");
+}
+
+thud_result thud_shape_set_events(thud_world *w, thud_shape_id id, bool events) {
+    int index = 0;
+    thud_result result = td_edit_shape(w, id, &index);
+    if (result == THUD_OK) {
+        uint8_t *flags = &td_shape_at(w, index)->flags;
+        *flags = (uint8_t)(events ? *flags & ~TD_SHAPE_SILENT : *flags | TD_SHAPE_SILENT);
+    }
+    return result;
 }
 
 thud_result thud_shape_set_user_data(thud_world *w, thud_shape_id id, uint64_t user_data) {

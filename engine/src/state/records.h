@@ -28,8 +28,8 @@ enum {
     TD_BODY_FIXED = 2,    /* rotation is fixed by its def */
     TD_BODY_RESTLESS = 4, /* may not sleep */
     TD_BODY_QUARANTINED = 8,
-    TD_BODY_DISABLED = 16, /* has no contacts and no awake slot */
-    TD_BODY_CHOSE = 32,    /* has a detection of its own choice, not the world's */
+    TD_BODY_DISABLED = 16,   /* has no contacts and no awake slot */
+    TD_BODY_CHOSE = 32,      /* has a detection of its own choice, not the world's */
     TD_BODY_MASS_GIVEN =
         64 /* mass, inertia and their centre are the caller's: no shape changes them */
 };
@@ -61,6 +61,7 @@ enum {
     TD_SHAPE_SENSOR = 2, /* 4: see internal_edges.h */
     /* Made inside a callback: nothing meets or weighs it before the next step. */
     TD_SHAPE_WAITS = 8,
+    TD_SHAPE_SILENT = 16,                              /* makes no events */
     TD_SHAPE_HOLLOW = TD_SHAPE_SENSOR | TD_SHAPE_WAITS /* either: no body is stopped by it */
 };
 
@@ -129,11 +130,17 @@ typedef struct td_constraint {
     int32_t next[2], prev[2]; /* edges in the bodies' lists */
     uint16_t bin;
     uint8_t kind, state;
-    uint8_t open;   /* touches, or overlaps a sensor: has begun and not ended */
+    uint8_t open;   /* touches, or overlaps a sensor: has begun and not ended; see below */
     uint8_t listed; /* while a list of contacts is being made */
     uint8_t live;
     uint8_t vetoed; /* by a prologue or a rule, see above */
 } td_constraint;
+
+/* td_constraint.open, of a contact; all segments of a line that a shape touches have the same. */
+enum {
+    TD_OPEN = 1,
+    TD_TOLD = 2 /* its begin was told, as far as the world tells any, and its end will be */
+};
 
 /* A constraint whose kind is a pair kind. */
 typedef td_constraint td_contact;

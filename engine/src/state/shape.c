@@ -14,6 +14,7 @@ thud_shape_def thud_default_shape_def(void) {
     return (thud_shape_def){.density = 1.0f,
                             .friction = 0.6f,
                             .filter = {.category = 1, .mask = UINT32_MAX},
+                            .events = true,
                             .cookie = TD_COOKIE};
 }
 
@@ -82,7 +83,7 @@ static thud_result finish(thud_world *w, td_body_index body_index, const thud_sh
     td_body *body = td_body_at(w, body_index);
     made.generation = shape->generation;
     made.flags = (uint8_t)(TD_SHAPE_LIVE | (def->sensor ? TD_SHAPE_SENSOR : 0) |
-                           (w->locked ? TD_SHAPE_WAITS : 0));
+                           (def->events ? 0 : TD_SHAPE_SILENT) | (w->locked ? TD_SHAPE_WAITS : 0));
     *td_marks_at(w, index) = TD_MARK_FRESH;
     made.body = body_index;
     made.next = body->first_shape;
@@ -309,6 +310,7 @@ thud_result thud_shape_get(const thud_world *w, thud_shape_id id, thud_shape_sta
             .surface_speed = shape->surface_speed,
             .filter = shape->filter,
             .sensor = (shape->flags & TD_SHAPE_SENSOR) != 0,
+            .events = !(shape->flags & TD_SHAPE_SILENT),
             .user_data = shape->user_data,
         };
     }

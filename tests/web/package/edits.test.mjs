@@ -72,6 +72,27 @@ test("density_and_sizes_weigh_the_body_anew", () => {
   assert.throws(() => world.setRadius(shape, 1), { code: "invalid" });
 });
 
+test("events_of_a_shape_are_told_as_its_options_and_setEvents_say", () => {
+  const { world, box, shape } = boxOnFloor();
+  assert.equal(world.shapeState(shape).events, true);
+  world.setEvents(shape, false);
+  assert.equal(world.shapeState(shape).events, false);
+  world.setTransform(box, [0, 5]);
+  world.step();
+  assert.equal(world.events().end.length, 1); // its begin was told
+  const quiet = world.createCircle(world.createBody({ kind: "dynamic", position: [5, 1] }), {
+    radius: 0.5,
+    events: false,
+  });
+  assert.equal(world.shapeState(quiet).events, false);
+  for (let i = 0; i < 90; i++) {
+    world.step();
+    const { begin, hit } = world.events();
+    assert.equal(begin.length + hit.length, 0);
+  }
+  assert.throws(() => world.setEvents({ index1: 99, generation: 1 }, true), { code: "stale" });
+});
+
 test("sensor_that_a_shape_becomes_stops_nothing", () => {
   const { world, box, shape } = boxOnFloor();
   world.setSensor(shape, true);

@@ -215,6 +215,8 @@ export interface ShapeOptions {
   group?: number;
   /** Notes what is there and stops nothing; see Events. Default false. */
   sensor?: boolean;
+  /** False: nothing that it does is told, be it touches, hits or sensors. Default true. */
+  events?: boolean;
   /** For your own use: a whole number from 0 to 2⁵³ - 1. */
   userData?: number;
 }

@@ -76,6 +76,15 @@ export class WorldEdits extends WorldJoints {
   }
 
   /**
+   * Whether its pairs have events; a pair has them where both shapes make them. An end is told
+   * exactly where its begin was.
+   * @example world.setEvents(debris, false)
+   */
+  setEvents(shape: ShapeRef, events: boolean): void {
+    this.on("api_shape_set_events", shape, Number(events));
+  }
+
+  /**
    * Of a circle. Its body is weighed anew; what it then overlaps is pushed apart.
    * @example world.setRadius(balloon, 0.8)
    */

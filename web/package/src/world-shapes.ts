@@ -151,6 +151,7 @@ export class WorldShapes extends WorldLists {
       mask: s[ShapeStateAt.mask],
       group: s[ShapeStateAt.group],
       sensor: s[ShapeStateAt.sensor] !== 0,
+      events: s[ShapeStateAt.events] !== 0,
       userData: s[ShapeStateAt.userData],
     };
     if (kind === "terrain") return { kind, ...material };
