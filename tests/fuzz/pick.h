@@ -8,7 +8,7 @@
 static inline double pick_coordinate(fuzz_session *s) {
     double value = next_number(&s->bytes, -16, 0.125);
     bool grid = fabs(value) <= 16;
-    if (s->twin == TWIN_SHIFT && !grid) {
+    if (s->twin == TWIN_SHIFT && !(grid && value * 8 == rint(value * 8))) {
         return value - value; /* not a number, for both twins, where it is not finite; else 0 */
     }
     return grid ? value * s->unit : value;

@@ -36,7 +36,7 @@ typedef struct thud_hit_event {
     thud_shape_id shape_a, shape_b;
     thud_pos point;
     thud_vec2 normal; /* from a to b */
-    float speed;      /* of approach */
+    float speed;      /* of approach; finite, however fast they were */
 } thud_hit_event;
 
 typedef struct thud_events {

@@ -112,8 +112,10 @@ typedef struct thud_mover_report {
  * four turns in the air and four on the ground.
  *
  * THUD_ERROR_NULL without a world or mover, THUD_ERROR_INVALID for a mover or motion out of
- * range, or a body that is not kinematic, THUD_ERROR_STALE for a body that is gone,
- * THUD_ERROR_MEMORY: mover, report and world are then as they were. `report` may be null. */
+ * range, for one that might get further than THUD_PLACE_MAX length scales from the origin (by its
+ * motion, the ground's, a step and a snap), or a body that is not kinematic, THUD_ERROR_STALE for a
+ * body that is gone, THUD_ERROR_MEMORY: mover, report and world are then as they were. `report` may
+ * be null. */
 THUD_API thud_result thud_mover_move(thud_world *world, thud_mover *mover, thud_vec2 velocity,
                                      double dt, thud_mover_report *report);
 

@@ -1,6 +1,7 @@
 /* mover.c: a character's move, from beginning to end: ride, make room, walk or fly, push. */
 #include "api/mover.h"
 
+#include "state/body.h"
 #include "state/handles.h"
 #include "geometry/shape_instance.h"
 #include "api/query.h"
@@ -39,14 +40,19 @@ static td_way ridden(const td_move *m, const thud_body_state *ground) {
     return gone;
 }
 
+/* False once it is gone from under its feet. */
+static bool find_ground(const td_move *m, thud_body_state *ground) {
+    return thud_shape_is_valid(m->world, m->mover.ground_shape) &&
+           thud_body_get(m->world, m->mover.ground_body, ground) == THUD_OK;
+}
+
 static void ride(td_move *m) {
     thud_body_state ground;
     if (!m->mover.on_ground) {
         return;
     }
-    if (!thud_shape_is_valid(m->world, m->mover.ground_shape) ||
-        thud_body_get(m->world, m->mover.ground_body, &ground) != THUD_OK) {
-        m->mover.on_ground = false; /* gone from under its feet */
+    if (!find_ground(m, &ground)) {
+        m->mover.on_ground = false;
         return;
     }
     thud_mover_hit hit;
@@ -131,6 +137,19 @@ static thud_result lead_body(const td_move *m) {
 
 /* ---- the move ---- */
 
+/* Whether it stays in the world however it goes. What it asks on its way is refused otherwise, when
+ * the edits that wait are in effect already. */
+static bool stays_in_world(const td_move *m) {
+    const thud_mover *mover = &m->mover;
+    thud_body_state ground;
+    double reach = td_size((td_way){(double)m->velocity.x, (double)m->velocity.y}) * m->dt +
+                   mover->step_height + mover->snap_distance + 2.0 * mover->skin;
+    if (mover->on_ground && find_ground(m, &ground)) {
+        reach += td_size(ridden(m, &ground));
+    }
+    return td_place_valid(m->world, td_abs(mover->shape.x) + reach, td_abs(mover->shape.y) + reach);
+}
+
 static thud_result check_mover(const thud_world *w, const thud_mover *mover) {
     const thud_shape_instance *s = &mover->shape;
     td_way way = {(double)mover->up.x, (double)mover->up.y};
@@ -204,6 +223,9 @@ thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity
     double sine;
     td_move m = {.world = w, .mover = *mover, .velocity = velocity, .dt = dt};
     td_sincos(mover->max_slope, &sine, &m.walkable);
+    if (!stays_in_world(&m)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "mover: it may get out of the world");
+    }
     m.solid = mover->filter;
     m.solid.sensors = false;
     /* From its beginning to its end it meets the same world, whatever `pass` asks for. */

@@ -35,6 +35,11 @@ void td_contact_part(thud_world *w, int contact);
 thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, td_position at,
                                 thud_vec2 normal, double distance);
 
+/* As an event tells it: what two bodies were given may add up to more than a float has. */
+static inline float td_hit_speed(float approach) {
+    return approach <= FLT_MAX ? approach : FLT_MAX;
+}
+
 /* A lane as callers see it, and how fast a point of it closes, > 0. contact_view.c */
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane);
 float td_contact_closing(const thud_world *w, const td_block *block, const td_point *p, int lane);

@@ -69,7 +69,8 @@ void td_contacts_hit(thud_world *w) {
         thud_contact seen = td_contact_view(w, at.block, at.lane);
         if (seen.point_count > 0) {
             TD_PUSH(thud_hit_event, &w->events.hit) =
-                (thud_hit_event){seen.shape_a, seen.shape_b, seen.point, seen.normal, -approach};
+                (thud_hit_event){seen.shape_a, seen.shape_b, seen.point, seen.normal,
+                                 td_hit_speed(-approach)};
         }
     }
 }

@@ -267,7 +267,7 @@ static void hit_events(thud_world *w) {
         if (impact->approach > w->def.hit_speed * w->unit && !td_pair_is_silent(w, a, b)) {
             TD_PUSH(thud_hit_event, &w->events.hit) =
                 (thud_hit_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
-                                 impact->approach};
+                                 td_hit_speed(impact->approach)};
         }
     }
 }

@@ -98,8 +98,37 @@ static void random_moves_in_random_worlds_never_enter_anything(void **state) {
     assert_true(on_ground > cases / 5 && on_ground < cases);
 }
 
+/* Edits that wait take effect with what is asked first: a move that is refused must not be that. */
+static void move_out_of_the_world_is_refused_before_anything_is_done(void **state) {
+    (void)state;
+    thud_world *world = make_world(thud_default_world_def());
+    add_floor(world, NULL);
+    thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.5, 0);
+    add_shape(world, box, 0.5f, 0.5f, false, NULL);
+    run(world, 120);
+    assert_false(state_of(world, box).awake);
+    thud_mover mover = thud_default_mover((thud_shape_instance){THUD_CIRCLE, 1e9, 5, 1, 0, 0.5, 0});
+    mover.pass = NULL;
+    OK(thud_body_set_velocity(world, box, (thud_vec2){1, 0}, 0));
+    uint64_t hash = thud_world_hash(world);
+    const thud_mover before = mover;
+    for (int i = 0; i < 2; i++) {
+        thud_vec2 velocity = {i == 0 ? 20.0f : 0.0f, i == 1 ? 20.0f : 0.0f};
+        mover.shape.x = i == 1 ? 0 : before.shape.x;
+        mover.shape.y = i == 1 ? 1e9 : before.shape.y;
+        assert_int_equal(thud_mover_move(world, &mover, velocity, DT, NULL), THUD_ERROR_INVALID);
+        assert_true(thud_world_hash(world) == hash);
+        assert_int_equal(thud_world_stats(world).awake_bodies, 0);
+    }
+    mover.shape.y = 5;
+    mover.shape.x = 1e9 - 10;
+    OK(thud_mover_move(world, &mover, (thud_vec2){20, 0}, DT, NULL));
+    thud_world_destroy(world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(move_out_of_the_world_is_refused_before_anything_is_done),
         cmocka_unit_test(random_moves_in_random_worlds_never_enter_anything),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

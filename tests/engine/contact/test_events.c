@@ -1,6 +1,8 @@
 /* test_events.c: begin, end, hit and sensor events; prologue and epilogue. */
 #include "engine_support.h"
 
+#include <float.h>
+
 /* Balance of begin and end events of a run. */
 typedef struct tally {
     int begun, ended, sensed, left, hits;
@@ -48,6 +50,25 @@ static void bouncing_ball_begins_and_ends_and_hits(void **state) {
     assert_true(t.begun > 2);
     assert_int_equal(t.begun, t.ended + 1); /* it lies on the floor */
     thud_world_destroy(world);
+}
+
+static void hit_of_bodies_faster_than_floats_add_up_tells_a_finite_speed(void **state) {
+    (void)state;
+    for (int swept = 0; swept < 2; swept++) {
+        thud_world_def def = weightless();
+        def.detection = swept ? &thud_detection_swept : &thud_detection_overlap;
+        thud_world *world = make_world(def);
+        for (int side = -1; side <= 1; side += 2) {
+            thud_body_id ball = add_body(world, THUD_DYNAMIC, side * (swept ? 0.6 : 0.49), 0, 0);
+            add_shape(world, ball, 0.5f, 0, false, NULL);
+            OK(thud_body_set_velocity(world, ball, (thud_vec2){-3e38f * (float)side, 0}, 0));
+        }
+        run(world, 1);
+        thud_events e = thud_world_events(world);
+        assert_int_equal(e.hit_count, 1);
+        assert_true(e.hit[0].speed > 1e5f && e.hit[0].speed <= FLT_MAX);
+        thud_world_destroy(world);
+    }
 }
 
 static void contact_ends_when_a_body_a_shape_or_the_ground_goes(void **state) {
@@ -179,6 +200,7 @@ static void epilogue_hears_the_impulse_that_carries_the_weight(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bouncing_ball_begins_and_ends_and_hits),
+        cmocka_unit_test(hit_of_bodies_faster_than_floats_add_up_tells_a_finite_speed),
         cmocka_unit_test(contact_ends_when_a_body_a_shape_or_the_ground_goes),
         cmocka_unit_test(sensor_reports_and_does_not_collide),
         cmocka_unit_test(filters_decide_who_meets),
