@@ -58,6 +58,8 @@ THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, 
  * log, for bytes that are cut short, damaged, no snapshot, or of another version or build of thud
  * (snapshots are for the same version, word size, byte order and alignment), and for a world whose
  * def has another of the settings above; THUD_ERROR_MEMORY. In each case the world is as it was.
+ * `bytes` is exactly the snapshot's size, as thud_world_snapshot told it, however large the buffer
+ * is: with more the snapshot is refused as damaged is.
  *
  * Damage is found by a checksum over all bytes: a change within one word of 8 bytes for certain,
  * any other but for one in 2^64. Sizes and counts are checked as well, so that restoring writes

@@ -71,6 +71,24 @@ static void hit_of_bodies_faster_than_floats_add_up_tells_a_finite_speed(void **
     }
 }
 
+static void bounce_within_a_swept_step_is_a_hit_without_a_begin(void **state) {
+    (void)state;
+    thud_world_def def = weightless();
+    def.detection = &thud_detection_swept;
+    thud_world *world = make_world(def);
+    thud_shape_def bouncy = thud_default_shape_def();
+    bouncy.restitution = 1;
+    add_shape(world, add_body(world, THUD_STATIC, 0, -1, 0), 5, 1, true, &bouncy);
+    thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 3, 0);
+    add_shape(world, ball, 0.5f, 0, false, &bouncy);
+    OK(thud_body_set_velocity(world, ball, (thud_vec2){0, -92}, 0));
+    tally t = run_counting(world, 4);
+    assert_true(state_of(world, ball).velocity.y > 90);
+    assert_int_equal(t.hits, 1);
+    assert_int_equal(t.begun + t.ended, 0);
+    thud_world_destroy(world);
+}
+
 static void contact_ends_when_a_body_a_shape_or_the_ground_goes(void **state) {
     (void)state;
     for (int how = 0; how < 4; how++) {
@@ -201,6 +219,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bouncing_ball_begins_and_ends_and_hits),
         cmocka_unit_test(hit_of_bodies_faster_than_floats_add_up_tells_a_finite_speed),
+        cmocka_unit_test(bounce_within_a_swept_step_is_a_hit_without_a_begin),
         cmocka_unit_test(contact_ends_when_a_body_a_shape_or_the_ground_goes),
         cmocka_unit_test(sensor_reports_and_does_not_collide),
         cmocka_unit_test(filters_decide_who_meets),
