@@ -20,6 +20,8 @@ export const EDIT_CALLS = {
   setDamping: (s) => s.world.setDamping(s.body(), s.number(0, 3), s.number(0, 3)),
   setGravityScale: (s) => s.world.setGravityScale(s.body(), s.number(-1, 2)),
   setFixedRotation: (s) => s.world.setFixedRotation(s.body(), s.below(2) === 0),
+  setLocks: (s) => s.world.setLocks(s.body(), s.options({ x: s.below(2) === 0, y: s.below(2) === 0 })),
+  locksOf: (s) => s.world.locksOf(s.body()),
   setDetection: (s) => s.world.setDetection(s.body(), s.pick(DETECTIONS)),
   setMaySleep: (s) => s.world.setMaySleep(s.body(), s.below(2) === 0),
   setMass: (s) => {

@@ -117,6 +117,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(filter),
     PLAYS(impulses),
     PLAYS(events),
+    PLAYS(locks),
 };
 
 void session_play(fuzz_session *s) {

@@ -52,7 +52,7 @@ fuzz_operation play_joint, play_joint_destroy, play_joint_edit, play_joint_get, 
     play_joint_breaking, play_joint_lists;
 /* operations_edits.c */
 fuzz_operation play_shape_edit, play_body_edit, play_push, play_points, play_reads;
-fuzz_operation play_events;
+fuzz_operation play_events, play_locks;
 /* operations_lists.c */
 fuzz_operation play_lists, play_slots, play_moved, play_sensed, play_sides;
 /* operations_fields.c */

@@ -3,6 +3,7 @@
 
 #include <thud/thud_edits.h>
 #include <thud/thud_forces.h>
+#include <thud/thud_locks.h>
 #include <thud/thud_reads.h>
 #include <thud/thud_version.h>
 
@@ -66,6 +67,18 @@ void play_events(fuzz_session *s) {
         state.events != events) {
         fuzz_fail(s, "events of shape %u are %d and were set %d", shape.index1, state.events,
                   events);
+    }
+}
+
+void play_locks(fuzz_session *s) {
+    thud_body_id body = pick_body(s);
+    int axes = next_choice(&s->bytes, 4);
+    bool x = false, y = false;
+    TRY(s, thud_body_set_locks(s->world, body, axes & 1, axes & 2));
+    bool set = s->result == THUD_OK;
+    TRY(s, thud_body_locks(s->world, body, &x, &y));
+    if (set && (x != (axes & 1) || y != axes >> 1)) {
+        fuzz_fail(s, "locks of body %u are %d, %d and were set %d", body.index1, x, y, axes);
     }
 }
 

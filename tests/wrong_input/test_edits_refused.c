@@ -9,6 +9,7 @@
 
 #include <thud/thud_edits.h>
 #include <thud/thud_forces.h>
+#include <thud/thud_locks.h>
 #include <thud/thud_reads.h>
 
 /* A slab far below the village, with many balls on it. */
@@ -92,6 +93,10 @@ static thud_result set_may_sleep(place *p) {
     return thud_body_set_may_sleep(p->v.world, p->ball, false);
 }
 
+static thud_result set_locks(place *p) {
+    return thud_body_set_locks(p->v.world, p->ball, true, true);
+}
+
 static thud_result set_mass(place *p) {
     thud_mass mass = {2, 1, {0.1f, 0}};
     return thud_body_set_mass(p->v.world, p->ball, &mass);
@@ -116,6 +121,7 @@ static const edit edits[] = {
     {"detection", set_detection},
     {"may sleep", set_may_sleep},
     {"mass", set_mass},
+    {"locks", set_locks},
 };
 enum { EDITS = sizeof edits / sizeof *edits };
 

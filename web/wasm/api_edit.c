@@ -2,6 +2,7 @@
 #include "api.h"
 
 #include <thud/thud_edits.h>
+#include <thud/thud_locks.h>
 
 /* ---- shapes ---- */
 
@@ -88,6 +89,18 @@ int api_body_set_mass(thud_world *world, uint32_t index1, uint32_t generation, d
                       double inertia, double center_x, double center_y) {
     const thud_mass given = {(float)mass, (float)inertia, {(float)center_x, (float)center_y}};
     return thud_body_set_mass(world, api_body(index1, generation), &given);
+}
+
+int api_body_set_locks(thud_world *world, uint32_t index1, uint32_t generation, int x, int y) {
+    return thud_body_set_locks(world, api_body(index1, generation), x != 0, y != 0);
+}
+
+/* Slots out: number, 1 for x and 2 for y. */
+int api_body_locks(const thud_world *world, uint32_t index1, uint32_t generation) {
+    bool x = false, y = false;
+    thud_result result = thud_body_locks(world, api_body(index1, generation), &x, &y);
+    api_slots.number.value = x + 2 * y;
+    return result;
 }
 
 /* As its shapes weigh. */

@@ -19,6 +19,8 @@ typedef struct td_joining_ops {
     bool (*engage)(thud_world *w);
     /* The joints of a body give their lanes back, and wait until it is enabled. */
     void (*suspend)(thud_world *w, td_body_index body);
+    /* A body was put elsewhere, or its centre of mass was: its locks hold it there. */
+    void (*follow)(thud_world *w, td_body_index body);
     /* Whether a joint of both has their shapes pass through each other. */
     bool (*keeps_apart)(const thud_world *w, td_body_index a, td_body_index b);
     /* A part is no more; the joint is gone with its last one. */
@@ -47,6 +49,7 @@ static inline const thud_island_solver *td_direct_solver_of(const thud_world *w)
 /* joining.c */
 bool td_joints_engage(thud_world *w);
 void td_joints_suspend(thud_world *w, td_body_index body);
+void td_joints_follow(thud_world *w, td_body_index body);
 void td_joints_ring(thud_world *w);
 void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
 void td_joints_break_up(thud_world *w);

@@ -139,6 +139,27 @@ void td_joints_suspend(thud_world *w, td_body_index body) {
     }
 }
 
+/* An anchor has no shapes, and stands at angle 0: it is its own frame. */
+void td_joints_follow(thud_world *w, td_body_index index) {
+    const td_body *body = td_body_at(w, index);
+    const td_position *center = &td_pose_at(w, index)->center;
+    for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_constraint *part = td_constraint_at(w, e / 2);
+        td_joint *joint = td_is_contact(part) ? NULL : td_joint_of(w, part);
+        if (!joint || !td_joint_is_lock(w, joint, index)) {
+            continue;
+        }
+        const td_position *from = &td_pose_at(w, joint->body[0])->center;
+        joint->anchor[0][0] = (float)((double)(center->x - from->x) / w->to_fixed);
+        joint->anchor[0][1] = (float)((double)(center->y - from->y) / w->to_fixed);
+        joint->anchor[1][0] = body->center_x;
+        joint->anchor[1][1] = body->center_y;
+        if (part->state == TD_TOUCHING) {
+            td_lane_renew(w, e / 2);
+        }
+    }
+}
+
 /* Both bodies' constraints are walked in turns: the shorter list decides. */
 bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b) {
     const td_body *body_a = td_body_at(w, a), *body_b = td_body_at(w, b);

@@ -37,6 +37,14 @@ td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_i
 /* Where it is in its first or second body. */
 void td_joint_set_place(td_joint *joint, int side, const thud_joint_frame *f);
 
+/* Whether it keeps an axis of this body where it is: edits/locks.c. */
+static inline bool td_joint_is_lock(const thud_world *w, const td_joint *joint,
+                                    td_body_index body) {
+    return td_same_body(joint->body[1], body) &&
+           (td_body_at(w, joint->body[0])->flags & TD_BODY_ANCHOR) &&
+           (joint->kind == THUD_HINGE || joint->kind == THUD_WHEEL);
+}
+
 /* joint_make.c: room for all parts that a kind may have; and the parts that it needs, of those. */
 bool td_joint_reserve(thud_world *w, int kind);
 void td_joint_settle(thud_world *w, int index);

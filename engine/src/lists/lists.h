@@ -14,7 +14,7 @@ static inline thud_result td_list_check(const thud_world *w, const void *out, in
 }
 
 static inline bool td_body_lives(const thud_world *w, td_body_index body) {
-    return td_body_at(w, body)->flags & TD_BODY_LIVE;
+    return (td_body_at(w, body)->flags & (TD_BODY_LIVE | TD_BODY_ANCHOR)) == TD_BODY_LIVE;
 }
 
 static inline bool td_shape_lives(const thud_world *w, int shape) {

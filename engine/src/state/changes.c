@@ -209,6 +209,9 @@ static bool apply(thud_world *w, td_body_index index) {
     if (changes & TD_CHANGE_PLACE) {
         renew_terrain(w, index);
     }
+    if (changes & (TD_CHANGE_SHAPES | TD_CHANGE_PLACE) && w->joining) {
+        w->joining->follow(w, index);
+    }
     if (changes & TD_CHANGE_ENABLE) {
         change_enabled(w, index);
     }

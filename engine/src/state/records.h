@@ -30,8 +30,9 @@ enum {
     TD_BODY_QUARANTINED = 8,
     TD_BODY_DISABLED = 16,   /* has no contacts and no awake slot */
     TD_BODY_CHOSE = 32,      /* has a detection of its own choice, not the world's */
-    TD_BODY_MASS_GIVEN =
-        64 /* mass, inertia and their centre are the caller's: no shape changes them */
+    TD_BODY_MASS_GIVEN = 64, /* mass, inertia and their centre are the caller's: no shape changes
+                                them */
+    TD_BODY_ANCHOR = 128     /* static and without shapes, to lock others: edits/locks.c */
 };
 
 typedef struct td_body {

@@ -72,6 +72,32 @@ test("density_and_sizes_weigh_the_body_anew", () => {
   assert.throws(() => world.setRadius(shape, 1), { code: "invalid" });
 });
 
+test("locked_axes_stay_where_they_are_and_follow_setTransform", () => {
+  const world = engine.createWorld();
+  const ball = { kind: "dynamic", shapes: [{ radius: 0.5 }] };
+  const high = world.createBody({ ...ball, position: [3, 5], locks: { y: true } });
+  const low = world.createBody({ ...ball, position: [6, 5] });
+  world.setLocks(low, { x: true });
+  assert.deepEqual(world.locksOf(high), { x: false, y: true });
+  assert.deepEqual(world.locksOf(low), { x: true, y: false });
+  assert.deepEqual(world.bodies(), [high, low]);
+  world.setVelocity(high, [2, 0]);
+  world.setVelocity(low, [2, 0]);
+  steps(world, 60);
+  near(world.positionOf(high), [5, 5], 1e-3);
+  near(world.positionOf(low)[0], 6, 1e-3);
+  assert.ok(world.positionOf(low)[1] < 1);
+  world.setTransform(high, [-4, 9]);
+  world.setLocks(low, {});
+  assert.deepEqual(world.locksOf(low), { x: false, y: false });
+  steps(world, 60);
+  near(world.positionOf(high)[1], 9, 1e-3);
+  const count = world.bodies().length;
+  assert.throws(() => world.createBody({ locks: { x: true } }), { code: "invalid" });
+  assert.throws(() => world.createBody({ kind: "dynamic", locks: { z: true } }), { code: "invalid" });
+  assert.equal(world.bodies().length, count);
+});
+
 test("events_of_a_shape_are_told_as_its_options_and_setEvents_say", () => {
   const { world, box, shape } = boxOnFloor();
   assert.equal(world.shapeState(shape).events, true);

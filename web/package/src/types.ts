@@ -161,6 +161,11 @@ export interface BodyOptions {
   angularDamping?: number;
   /** Whether it never turns. Default false. */
   fixedRotation?: boolean;
+  /**
+   * Axes of the world that it does not move along, of a dynamic body; see setLocks. Default none.
+   * @example locks: { x: true }
+   */
+  locks?: Locks;
   /** Whether it may sleep once it is at rest. Default true. */
   maySleep?: boolean;
   /** How its motion is tested. Default: as the world. */
@@ -179,6 +184,12 @@ export interface Filter {
   category?: number;
   mask?: number;
   group?: number;
+}
+
+/** Axes of the world; what is not named is free. */
+export interface Locks {
+  x?: boolean;
+  y?: boolean;
 }
 
 /** What a body is given whatever its shapes weigh. */

@@ -13,13 +13,15 @@ import {
   type Detection,
   DETECTIONS,
   type Filter,
+  type Locks,
   type Mass,
   type ShapeRef,
 } from "./types.js";
-import { ShapeStateAt } from "./generated/slots.js";
+import { NumberAt, ShapeStateAt } from "./generated/slots.js";
 import { WorldJoints } from "./world-joints.js";
 
 const FILTER = ["category", "mask", "group"] as const;
+const LOCKS = ["x", "y"] as const;
 const MASS = ["mass", "inertia", "center", "."] as const;
 
 export class WorldEdits extends WorldJoints {
@@ -133,6 +135,23 @@ export class WorldEdits extends WorldJoints {
   /** True stops its turning at once. */
   setFixedRotation(body: BodyRef, fixed: boolean): void {
     this.on("api_body_set_fixed_rotation", body, Number(fixed));
+  }
+
+  /**
+   * Which axes of the world a dynamic body does not move along, from where its centre of mass is, or
+   * is put by `setTransform`. A lock is a joint, which `jointsOf` lists.
+   * @example world.setLocks(paddle, { x: true })
+   */
+  setLocks(body: BodyRef, locks: Locks): void {
+    const [x, y] = numbersOf("setLocks", locks, LOCKS);
+    this.on("api_body_set_locks", body, x ?? 0, y ?? 0);
+  }
+
+  /** The axes that it does not move along. */
+  locksOf(body: BodyRef): { x: boolean; y: boolean } {
+    this.on("api_body_locks", body);
+    const locked = this.engine.slots[NumberAt.value];
+    return { x: (locked & 1) !== 0, y: locked > 1 };
   }
 
   /** How its motion is tested; null: as the world's. */

@@ -15,6 +15,7 @@ import {
   type BodyOptions,
   type BodyState,
   type JointRef,
+  type Locks,
   type ShapeId,
   type ShapeRef,
   type SolidOptions,
@@ -23,7 +24,7 @@ import {
 import { generationOf, index1Of, kindOf, numberOfPair } from "./plain/handles.js";
 import { WorldShapes } from "./world-shapes.js";
 
-const BODY_OTHERS = ["shapes"];
+const BODY_OTHERS = ["shapes", "locks"];
 const DESTROY = {
   body: "api_body_destroy",
   shape: "api_shape_destroy",
@@ -87,6 +88,7 @@ export class World extends WorldShapes {
     const index1 = engine.slots[HandleAt.index1];
     const generation = engine.slots[HandleAt.index1 + 1];
     if (shapes !== undefined) this.#makeShapes(index1, generation, shapes);
+    if (options.locks !== undefined) this.#lock(bodyId(index1, generation), options.locks);
     this.#generation = generation;
     return index1;
   }
@@ -98,6 +100,15 @@ export class World extends WorldShapes {
     } catch (refused) {
       this.destroy(bodyId(index1, generation));
       throw refused instanceof ThudError ? within(refused, `createBody: shapes[${made}]`) : refused;
+    }
+  }
+
+  #lock(body: BodyId, locks: Locks): void {
+    try {
+      this.setLocks(body, locks);
+    } catch (refused) {
+      this.destroy(body);
+      throw refused instanceof ThudError ? within(refused, "createBody") : refused;
     }
   }
 
