@@ -118,6 +118,12 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(impulses),
     PLAYS(events),
     PLAYS(locks),
+    PLAYS(make),
+    PLAYS(make_world),
+    PLAYS(meetings),
+    PLAYS(grip),
+    PLAYS(saved),
+    PLAYS(rollback),
 };
 
 void session_play(fuzz_session *s) {

@@ -29,7 +29,8 @@ fuzz_operation play_listeners;
 /* operations_bodies.c */
 fuzz_operation play_body, play_wild_body, play_body_destroy, play_body_get, play_transform;
 fuzz_operation play_velocity, play_impulse, play_force, play_awake, play_enabled, play_user_data;
-fuzz_operation play_body_shapes, play_body_contacts, play_body_volume;
+fuzz_operation play_body_shapes, play_body_contacts, play_body_volume, play_make;
+fuzz_operation play_make_world;
 /* operations_shapes.c */
 fuzz_operation play_circle, play_aabb, play_obb, play_ground, play_thing, play_shape_destroy;
 fuzz_operation play_shape_get, play_line_of, play_set_heights, play_dig, play_raise, play_replace;
@@ -54,11 +55,13 @@ fuzz_operation play_joint, play_joint_destroy, play_joint_edit, play_joint_get, 
 fuzz_operation play_shape_edit, play_body_edit, play_push, play_points, play_reads;
 fuzz_operation play_events, play_locks;
 /* operations_lists.c */
-fuzz_operation play_lists, play_slots, play_moved, play_sensed, play_sides;
+fuzz_operation play_lists, play_slots, play_moved, play_sensed, play_sides, play_meetings;
 /* operations_fields.c */
-fuzz_operation play_explosion, play_wind, play_water, play_rolling, play_below;
+fuzz_operation play_explosion, play_wind, play_water, play_rolling, play_below, play_grip;
 /* operations_rules.c */
 fuzz_operation play_rule, play_rule_get, play_filter, play_impulses;
+/* operations_sessions.c */
+fuzz_operation play_saved, play_rollback;
 /* operations_lines.c: terrain without a world */
 fuzz_operation play_line_sample, play_line_shape, play_line_impact, play_line_ray, play_foot;
 

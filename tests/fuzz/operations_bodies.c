@@ -2,6 +2,7 @@
 #include "operations.h"
 
 #include <thud/thud_edits.h>
+#include <thud/thud_make.h>
 
 /* Where the table is full the one that stood there goes. */
 static void keep_body(fuzz_session *s, thud_body_id made) {
@@ -222,4 +223,45 @@ void play_body_volume(fuzz_session *s) {
     } else if (COUNTED(thud_volume_check(&volume)) != THUD_OK) {
         fuzz_fail(s, "a body's volume is none");
     }
+}
+
+/* By options, of which each is the default as often as not. */
+void play_make(fuzz_session *s) {
+    thud_shape_instance at = pick_instance(s, true);
+    thud_pos place = pick_place(s);
+    at.x = place.x;
+    at.y = place.y;
+    unsigned kinds = next_byte(&s->bytes), flags = next_byte(&s->bytes);
+    thud_body_options o = {.kind = (thud_body_kind)(kinds % 4), .user_data = kinds};
+    o.velocity = o.kind != THUD_STATIC ? pick_velocity(s) : o.velocity;
+    o.detection = pick_detection(s, kinds / 4);
+    o.weightless = flags & 1;
+    o.fixed_rotation = flags & 2;
+    o.frictionless = flags & 4;
+    o.sensor = flags & 8;
+    o.friction = flags & 16 ? next_float(&s->bytes, 0, 0.0625) : 0;
+    o.density = flags & 32 ? next_float(&s->bytes, 0, 0.0625) : 0;
+    o.restitution = flags & 64 ? next_float(&s->bytes, 0, 0.0078125) : 0;
+    o.category = flags & 128 ? 1u << kinds % 4 : 0;
+    bool room = COUNTED(thud_world_stats(s->world)).shapes < SESSION_SHAPES_MOST;
+    thud_body_id made = {0, 0};
+    if (room) {
+        TRY(s, (made = thud_body_make(s->world, at, &o)).index1 ? THUD_OK : s->heard);
+        note_bits(s, made.index1);
+        if (s->result == THUD_OK) {
+            keep_body(s, made);
+        }
+    }
+}
+
+/* A world of its own; what is not finite makes none. */
+void play_make_world(fuzz_session *s) {
+    thud_vec2 gravity = pick_velocity(s);
+    const thud_quality *quality = pick_quality(s, next_byte(&s->bytes));
+    thud_world *made = COUNTED(thud_world_make(gravity, quality));
+    if (!made != !(isfinite(gravity.x) && isfinite(gravity.y)) ||
+        COUNTED(thud_world_make(gravity, NULL))) {
+        fuzz_fail(s, "a world of gravity %g %g", (double)gravity.x, (double)gravity.y);
+    }
+    thud_world_destroy(made);
 }

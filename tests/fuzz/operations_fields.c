@@ -56,6 +56,13 @@ void play_rolling(fuzz_session *s) {
     TRY(s, thud_body_apply_rolling_resistance(s->world, body, coefficient));
 }
 
+void play_grip(fuzz_session *s) {
+    thud_body_id body = pick_body(s);
+    thud_vec2 point = pick_velocity(s), axis = pick_velocity(s);
+    float speed = pick_speed(s), most = next_float(&s->bytes, 0, 4);
+    TRY(s, thud_body_apply_grip(s->world, body, point, axis, speed, most));
+}
+
 void play_below(fuzz_session *s) {
     thud_shape_instance shape = pick_instance(s, false);
     struct {

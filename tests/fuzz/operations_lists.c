@@ -135,3 +135,39 @@ void play_sides(fuzz_session *s) {
     check_side(s, a, &pair.a);
     check_side(s, b, &pair.b);
 }
+
+/* Each pair once, of the kinds that were asked for, and there; some are destroyed on the way. */
+void play_meetings(fuzz_session *s) {
+    enum { MET = 32 };
+    uint32_t first = next_byte(&s->bytes), second = next_byte(&s->bytes), told[MET][2];
+    bool destroys = next_choice(&s->bytes, 8) == 0;
+    thud_met m = {0};
+    int count = 0;
+    while (count < MET && COUNTED(thud_world_next_meeting(s->world, first, second, &m))) {
+        thud_shape_state a, b;
+        if (COUNTED(thud_shape_get(s->world, m.shape_a, &a)) != THUD_OK ||
+            COUNTED(thud_shape_get(s->world, m.shape_b, &b)) != THUD_OK ||
+            !(a.filter.category & first) || !(b.filter.category & second) ||
+            a.body.index1 != m.a.body.index1 || b.body.index1 != m.b.body.index1) {
+            fuzz_fail(s, "shapes %u and %u did not meet", m.shape_a.index1, m.shape_b.index1);
+        }
+        for (int i = 0; i < count; i++) {
+            if ((told[i][0] == m.shape_a.index1 && told[i][1] == m.shape_b.index1) ||
+                (told[i][1] == m.shape_a.index1 && told[i][0] == m.shape_b.index1)) {
+                fuzz_fail(s, "shapes %u and %u met twice", told[i][0], told[i][1]);
+            }
+        }
+        told[count][0] = m.shape_a.index1;
+        told[count++][1] = m.shape_b.index1;
+        note_bits(s, (uint64_t)m.shape_a.index1 << 32 | m.shape_b.index1);
+        if (destroys) {
+            s->gone_shapes[s->gone++ % SESSION_GONE] = m.shape_b;
+            s->destroyed_inside += s->depth > 0;
+            TRY(s, thud_shape_destroy(s->world, m.shape_b));
+        }
+    }
+    m.next = -1;
+    if (COUNTED(thud_world_next_meeting(s->world, first, second, &m))) {
+        fuzz_fail(s, "a meeting before the first one");
+    }
+}

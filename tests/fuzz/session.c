@@ -47,6 +47,7 @@ static void listen(thud_result result, const char *message, void *context) {
         fuzz_fail(s, "the log hears of result %d without a word", (int)result);
     }
     s->told++;
+    s->heard = result;
 }
 
 static double tell_time(void *context) {

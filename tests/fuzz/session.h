@@ -97,7 +97,8 @@ typedef struct fuzz_session {
 
     session_call calls[SESSION_DEPTH]; /* by depth */
     thud_result result;                /* of the last call */
-    int told;                          /* messages of the log */
+    int told;                          /* messages of the log ... */
+    thud_result heard;                 /* ... and what the last one was of */
     long memory_allowed;               /* allocations until one fails; negative: no end */
     long memory_held;
     unsigned memory_round;

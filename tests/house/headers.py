@@ -94,7 +94,7 @@ def check_vectors(headers):
     for text in headers.values():
         for name, arguments in FUNCTION.findall(COMMENT.sub("", text)):
             arguments = " ".join(arguments.split())
-            if OF_A_WORLD.search(arguments):
+            if OF_A_WORLD.search(arguments) or name.startswith("thud_world_"):
                 for pair in PAIR.findall(arguments):
                     if pair not in WAYS:
                         yield f"vectors: {name} has {pair}x, {pair}y, which should be one vector"

@@ -1,22 +1,33 @@
 // test_cplusplus.cpp: every public header on its own terms in C++, and a world built, stepped and
 // asked from there: names are linked as C's.
 #include <thud/thud.h>
+#include <thud/thud_all.h>
+#include <thud/thud_casts.h>
 #include <thud/thud_detection.h>
 #include <thud/thud_draw.h>
+#include <thud/thud_edits.h>
 #include <thud/thud_events.h>
 #include <thud/thud_fields.h>
-#include <thud/thud_ids.h>
+#include <thud/thud_forces.h>
 #include <thud/thud_hooks.h>
-#include <thud/thud_lists.h>
-#include <thud/thud_math.h>
+#include <thud/thud_ids.h>
+#include <thud/thud_joint.h>
 #include <thud/thud_limits.h>
+#include <thud/thud_listeners.h>
+#include <thud/thud_lists.h>
+#include <thud/thud_make.h>
+#include <thud/thud_math.h>
 #include <thud/thud_minkowski.h>
 #include <thud/thud_mover.h>
 #include <thud/thud_quality.h>
 #include <thud/thud_queries.h>
+#include <thud/thud_reads.h>
+#include <thud/thud_rollback.h>
+#include <thud/thud_rules.h>
 #include <thud/thud_shapes.h>
 #include <thud/thud_snapshot.h>
 #include <thud/thud_terrain.h>
+#include <thud/thud_version.h>
 #include <thud/thud_volumes.h>
 
 #include <cstdio>
@@ -55,9 +66,15 @@ static void ball_falls_onto_floor(thud_world *world) {
     bool hit = false;
     EXPECT(thud_world_cast_ray(world, thud_pos{0, 5}, 0, -9, nullptr, &hit, nullptr) == THUD_OK);
     EXPECT(hit);
+    thud_body_options light = {};
+    light.kind = THUD_DYNAMIC;
+    light.density = 0.5f;
+    EXPECT(thud_position_of(world, thud_body_make(world, thud_aabb_at(9, 9, 1, 1), &light)).x == 9);
+    thud_met met = {};
+    EXPECT(!thud_world_next_meeting(world, 2, 2, &met));
     int bodies = 0;
     EXPECT(thud_world_bodies(world, nullptr, 0, &bodies) == THUD_OK);
-    EXPECT(bodies == 2);
+    EXPECT(bodies == 3);
 }
 
 static void geometry_answers(thud_world *world) {

@@ -120,6 +120,12 @@
          thud_body_apply_wind(p->world, p->ball, (thud_vec2){0, 0}, 1, 0, (float)x))              \
     CALL(thud_body_apply_rolling_resistance, coefficient, 0, THUD_DRAG_MAX,                       \
          thud_body_apply_rolling_resistance(p->world, p->ball, (float)x))                         \
+    CALL(thud_body_apply_grip, point, LENGTHS(-THUD_SIZE_MAX), LENGTHS(THUD_SIZE_MAX),            \
+         thud_body_apply_grip(p->world, p->ball, (thud_vec2){(float)x, 0}, grip_axis, 0, 1))      \
+    CALL(thud_body_apply_grip, speed, LENGTHS(-THUD_FLOW_MAX), LENGTHS(THUD_FLOW_MAX),            \
+         thud_body_apply_grip(p->world, p->ball, (thud_vec2){0, 0}, grip_axis, (float)x, 1))      \
+    CALL(thud_body_apply_grip, most, 0, THUD_PUSH_MAX,                                            \
+         thud_body_apply_grip(p->world, p->ball, (thud_vec2){0, 0}, grip_axis, 0, (float)x))      \
     FIELD(thud_water, point, point.y, LENGTHS(-THUD_PLACE_MAX), LENGTHS(THUD_PLACE_MAX), water)   \
     FIELD(thud_water, density, density, 0, THUD_FLUID_DENSITY_MAX, water)                         \
     FIELD(thud_water, flow, flow.x, LENGTHS(-THUD_FLOW_MAX), LENGTHS(THUD_FLOW_MAX), water)       \
@@ -168,6 +174,8 @@
          thud_world_cast_box(p->world, (thud_pos){0, 0}, 1, 1, x, 0, 1, NULL, NULL, NULL)) \
     CALL(thud_world_closest, max_distance, 0, LENGTHS(THUD_PLACE_MAX),                     \
          thud_world_closest(p->world, (thud_pos){0, 0}, x, NULL, NULL, NULL))              \
+    FIELD(thud_rollback_options, players, players, 0, THUD_ROLLBACK_PLAYERS_MAX, rollback) \
+    FIELD(thud_rollback_options, depth, depth, 0, THUD_ROLLBACK_DEPTH_MAX, rollback)       \
     FIELD(thud_mover, max_slope, max_slope, 0, THUD_MOVER_SLOPE_MAX, mover)                \
     FIELD(thud_mover, step_height, step_height, 0, THUD_MOVER_STEP_MAX, mover)             \
     FIELD(thud_mover, snap_distance, snap_distance, 0, THUD_MOVER_STEP_MAX, mover)         \

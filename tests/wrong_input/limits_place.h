@@ -10,6 +10,7 @@
 #include <thud/thud_joint.h>
 #include <thud/thud_minkowski.h>
 #include <thud/thud_mover.h>
+#include <thud/thud_rollback.h>
 #include <thud/thud_terrain.h>
 #include <thud/thud_volumes.h>
 

@@ -8,6 +8,11 @@
 #include <thud/thud_casts.h>
 #include <thud/thud_draw.h>
 #include <thud/thud_fields.h>
+#include <thud/thud_make.h>
+#include <thud/thud_rollback.h>
+#include <thud/thud_snapshot.h>
+
+#include <stdio.h>
 
 typedef struct call {
     const char *name;
@@ -192,6 +197,34 @@ static thud_result draw(village *v) {
     return thud_world_draw(v->world, &all);
 }
 
+static thud_result make_body(village *v) {
+    thud_shape_instance at = thud_circle_at(60 + 2.0 * thud_world_stats(v->world).bodies, 3, 0.5);
+    return thud_body_make(v->world, at, NULL).index1 ? THUD_OK : THUD_ERROR_MEMORY;
+}
+
+static thud_result step_of(thud_world *world, const uint64_t *inputs, void *state) {
+    (void)inputs, (void)state;
+    return thud_world_step(world);
+}
+
+static thud_result roll_back(village *v) {
+    thud_rollback_options options = {.step = step_of, .depth = 3};
+    thud_rollback *made = NULL;
+    thud_result result = thud_rollback_create(v->world, &options, &made);
+    thud_rollback_destroy(made);
+    return result;
+}
+
+static thud_result save_and_load(village *v) {
+    char own[8] = "village";
+    thud_result result = thud_world_save(v->world, "failing_memory_save", own, sizeof own);
+    if (result == THUD_OK) {
+        result = thud_world_load(v->world, "failing_memory_save", own, sizeof own);
+        remove("failing_memory_save");
+    }
+    return result;
+}
+
 static const call calls[] = {
     {"create body", create_body, 200},
     {"create circle", create_circle, 100},
@@ -218,6 +251,9 @@ static const call calls[] = {
     {"bounds", bounds, 1},
     {"explode", explode, 2},
     {"roll", roll, 1},
+    {"make body", make_body, 100},
+    {"rollback", roll_back, 1},
+    {"save and load", save_and_load, 1},
     {"poses", poses, 1},
     {"draw", draw, 1},
     {"walk", walk, 3},

@@ -149,6 +149,22 @@ static thud_result gear(place *p, const row *r, double x) {
     return thud_joint_create(p->world, &def, NULL);
 }
 
+static thud_result stand_still(thud_world *world, const uint64_t *inputs, void *state) {
+    (void)world, (void)inputs, (void)state;
+    return THUD_OK;
+}
+
+static thud_result rollback(place *p, const row *r, double x) {
+    thud_rollback_options one = {.step = stand_still, .depth = 1};
+    thud_rollback *made = NULL;
+    put(&one, r, x);
+    thud_result result = thud_rollback_create(p->world, &one, &made);
+    thud_rollback_destroy(made);
+    return result;
+}
+
+static const thud_vec2 grip_axis = {1, 0};
+
 static thud_result mover(place *p, const row *r, double x) {
     put(&p->mover, r, x);
     return thud_mover_move(p->world, &p->mover, (thud_vec2){0, 0}, 1.0 / 60, NULL);

@@ -5,6 +5,8 @@
 
 #include <thud/thud_draw.h>
 #include <thud/thud_fields.h>
+#include <thud/thud_rollback.h>
+#include <thud/thud_snapshot.h>
 
 /* ---- edits that wait for the next step ---- */
 
@@ -151,10 +153,13 @@ enum { EDITS = sizeof edits / sizeof *edits };
 /* ---- what is refused ---- */
 
 static void never(thud_vec2 p, thud_draw_style style, void *context) {
-    (void)p;
-    (void)style;
-    (void)context;
+    (void)p, (void)style, (void)context;
     fail_msg("%s", "drawn inside a callback");
+}
+
+static thud_result never_played(thud_world *world, const uint64_t *inputs, void *state) {
+    (void)world, (void)inputs, (void)state;
+    return THUD_ERROR_INVALID;
 }
 
 static void try_what_cannot_wait(village *v) {
@@ -181,9 +186,15 @@ static void try_what_cannot_wait(village *v) {
     assert_int_equal(thud_body_apply_buoyancy(v->world, v->ball, &water), THUD_ERROR_LOCKED);
     assert_int_equal(thud_body_apply_wind(v->world, v->ball, wind, 1, 1, 1), THUD_ERROR_LOCKED);
     assert_int_equal(thud_body_apply_rolling_resistance(v->world, v->ball, 1), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_body_apply_grip(v->world, v->ball, wind, wind, 0, 1), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_world_save(v->world, "locked", NULL, 0), THUD_ERROR_LOCKED);
+    assert_int_equal(thud_world_load(v->world, "locked", NULL, 0), THUD_ERROR_LOCKED);
+    thud_rollback_options rollback = {.step = never_played};
+    thud_rollback *made = NULL;
+    assert_int_equal(thud_rollback_create(v->world, &rollback, &made), THUD_ERROR_LOCKED);
     assert_int_equal(thud_world_set_listeners(v->world, NULL), THUD_ERROR_LOCKED);
     thud_world_destroy(v->world); /* it lives on */
-    assert_int_equal(v->told, told + 18);
+    assert_int_equal(v->told, told + 22);
     v->told = told;
 }
 

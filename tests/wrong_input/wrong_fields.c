@@ -1,4 +1,4 @@
-/* wrong_fields.c: explosions, wind, water and rolling resistance that must be refused. */
+/* wrong_fields.c: explosions, wind, water, rolling resistance and grip that must be refused. */
 #include "wrong_input.h"
 
 #include <thud/thud_fields.h>
@@ -53,6 +53,30 @@ void wrong_explosions(void **state) {
         REFUSED(INVALID, thud_body_apply_buoyancy(w, ball, &water)); \
     } while (0)
 
+static void wrong_grips(wrong_pair *p) {
+    thud_world *w = p->here.world;
+    thud_body_id ball = p->here.ball;
+    thud_vec2 at = {0, 0}, axis = {1, 0};
+    EACH(x, not_finite) {
+        thud_vec2 off = {(float)x, 0}, slanted = {0, (float)x};
+        REFUSED(INVALID, thud_body_apply_grip(w, ball, off, axis, 0, 1));
+        REFUSED(INVALID, thud_body_apply_grip(w, ball, slanted, axis, 0, 1));
+        REFUSED(INVALID, thud_body_apply_grip(w, ball, at, off, 0, 1));
+        REFUSED(INVALID, thud_body_apply_grip(w, ball, at, slanted, 0, 1));
+        REFUSED(INVALID, thud_body_apply_grip(w, ball, at, axis, 0, (float)x));
+    }
+    EACH(x, not_a_flow) {
+        REFUSED(INVALID, thud_body_apply_grip(w, ball, at, axis, (float)x, 1));
+    }
+    REFUSED(INVALID, thud_body_apply_grip(w, ball, at, (thud_vec2){0, 0}, 0, 1));
+    REFUSED(INVALID, thud_body_apply_grip(w, ball, at, axis, 0, -1));
+    REFUSED(INVALID, thud_body_apply_grip(w, p->here.floor, at, axis, 0, 1));
+    REFUSED(INVALID, thud_body_apply_grip(w, p->here.lift, at, axis, 0, 1));
+    REFUSED(STALE, thud_body_apply_grip(w, p->here.gone, at, axis, 0, 1));
+    REFUSED(STALE, thud_body_apply_grip(w, p->other.ball, at, axis, 0, 1));
+    REFUSED_UNTOLD(NULL, thud_body_apply_grip(NULL, ball, at, axis, 0, 1));
+}
+
 static void wrong_waters(wrong_pair *p) {
     thud_world *w = p->here.world;
     thud_body_id ball = p->here.ball;
@@ -87,6 +111,7 @@ void wrong_fields(void **state) {
     thud_vec2 still = {0, 0};
     thud_water water = thud_default_water();
     wrong_waters(p);
+    wrong_grips(p);
     EACH(x, not_a_flow) {
         thud_vec2 wind = {(float)x, 0}, gust = {0, (float)x};
         REFUSED(INVALID, thud_body_apply_wind(w, ball, wind, 1, 1, 1));

@@ -1,6 +1,6 @@
 /* thud_fields.h: forces on bodies from what is around them: an explosion, wind, water, and the
- * ground that a ball rolls on. All are closed forms over circles, AABBs and OBBs; sensors take no
- * part. A program that uses none of this does not link it.
+ * ground that a ball rolls on or a tyre grips. All are closed forms over circles, AABBs and OBBs;
+ * sensors take no part. A program that uses none of this does not link it.
  *
  * Wind, water and rolling resistance are asked for body by body before each step, and act through
  * that step, as forces do (thud_forces.h). They wake nobody: a sleeping, disabled or quarantined
@@ -121,6 +121,20 @@ THUD_API thud_result thud_shape_below(const thud_shape_instance *shape, double x
  * is touched is not turned. On a slope a ball is slowed, not held. THUD_ERROR_MEMORY as queries. */
 THUD_API thud_result thud_body_apply_rolling_resistance(thud_world *world, thud_body_id body,
                                                         float coefficient);
+
+/* ---- tyres, and the ground under who is seen from above ---- */
+
+/* Brings a point of a body, in the body's frame from its origin, to a speed along an axis, of any
+ * length but 0 and likewise in the body's frame, by a force along it of at most `most`, in [0,
+ * THUD_PUSH_MAX]: at speed 0 it holds, as a tyre grips across its way and a table brakes what
+ * slides; at another it drives, as a motor. |speed| <= THUD_FLOW_MAX length scales a second; |x|,
+ * |y| of the point <= THUD_SIZE_MAX length scales.
+ *
+ * It counts what gravity and the forces so far will give the point, and takes the mass that the
+ * body shows there: so the step ends at that speed, or on the way to it, and never beyond; at 0 it
+ * adds nothing to the energy that the step would have without it. */
+THUD_API thud_result thud_body_apply_grip(thud_world *world, thud_body_id body, thud_vec2 point,
+                                          thud_vec2 axis, float speed, float most);
 
 #ifdef __cplusplus
 }

@@ -71,6 +71,11 @@
 #define THUD_MOVER_WAY_MAX 1e6    /* length, of one move */
 #define THUD_MOVER_FORCE_MAX 1e30
 
+/* ---- rollback ---- */
+
+#define THUD_ROLLBACK_PLAYERS_MAX 64
+#define THUD_ROLLBACK_DEPTH_MAX 1000 /* steps */
+
 /* ---- geometry without a world, in the caller's own lengths ---- */
 
 #define THUD_COORDINATE_MAX 1e15 /* |x|, |y| of shapes and points, their extents, and targets */

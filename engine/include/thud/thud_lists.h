@@ -1,6 +1,6 @@
 /* thud_lists.h: what there is in a world, as lists of handles: all bodies and shapes, who is awake,
- * who has moved, what a sensor overlaps; and whose the shapes of an event are. Included by whoever
- * uses it.
+ * who has moved, what a sensor overlaps; whose the shapes of an event are, and who met whom.
+ * Included by whoever uses it.
  *
  * A list is written to an array of the caller's: *count is how many there are, and as many as there
  * is room for (`capacity` >= 0) are written, in the order of their slots, the lowest first. `out`
@@ -117,6 +117,31 @@ typedef struct thud_pair {
  * program wants to know of what is gone it keeps itself, by slot (index1 - 1). THUD_ERROR_NULL. */
 THUD_API thud_result thud_pair_get(const thud_world *world, thud_shape_id shape_a,
                                    thud_shape_id shape_b, thud_pair *out);
+
+/* ---- who met whom ---- */
+
+/* Two shapes of two kinds that met in the last step. All zero before the first one. */
+typedef struct thud_met {
+    thud_shape_id shape_a, shape_b;
+    thud_pair_side a, b; /* a is of the first kind, whatever the event's order */
+    int next;            /* how far thud_world_next_meeting has come; no event is below 0 */
+} thud_met;
+
+/* The next pair of two kinds, by the categories of shapes (bits of thud_filter.category), that
+ * began to touch or hit each other in the last step, be they apart again, or of which one is a
+ * sensor that began to overlap the other; false, and all but `next` is zero, where there is none
+ * any more:
+ *
+ *     for (thud_met m = {0}; thud_world_next_meeting(world, BRICK, BALL, &m);)
+ *         thud_body_destroy(world, m.a.body);
+ *
+ * A step tells a pair once; a bounce that hits in one step and touches in the next is told in both.
+ * Where one was destroyed since, also by the caller and between two meetings, there was none. A
+ * pair that is of the two kinds either way is told as its event has it. Each call goes on through
+ * the events (thud_events.h), and compares what it found with those before. False, too, where world
+ * or meeting is null or `next` is negative, which the log hears. */
+THUD_API bool thud_world_next_meeting(const thud_world *world, uint32_t first, uint32_t second,
+                                      thud_met *meeting);
 
 #ifdef __cplusplus
 }

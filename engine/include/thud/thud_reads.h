@@ -28,6 +28,20 @@ THUD_API thud_result thud_shape_user_data(const thud_world *world, thud_shape_id
 THUD_API thud_result thud_shape_body(const thud_world *world, thud_shape_id shape,
                                      thud_body_id *body);
 
+/* The same as values, for expressions: of the origin and of the centre of mass, (0, 0) where the
+ * handle names nothing. */
+static inline thud_pos thud_position_of(const thud_world *world, thud_body_id body) {
+    thud_pos position = {0.0, 0.0};
+    thud_body_position(world, body, &position);
+    return position;
+}
+
+static inline thud_vec2 thud_velocity_of(const thud_world *world, thud_body_id body) {
+    thud_vec2 velocity = {0.0f, 0.0f};
+    thud_body_velocity(world, body, &velocity, NULL);
+    return velocity;
+}
+
 /* By which the next step is made. */
 typedef struct thud_step_settings {
     thud_vec2 gravity; /* length/s^2 */

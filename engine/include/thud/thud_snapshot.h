@@ -67,6 +67,22 @@ THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, 
  * name what is not there, which the next step follows: restore only what you trust. */
 THUD_API thud_result thud_world_restore(thud_world *world, const void *buffer, size_t bytes);
 
+/* ---- files ---- */
+
+/* Writes the world to a file, by its path as fopen takes it, with `bytes` bytes of the caller's own
+ * beside it (`own`; null where there are none): score, handles, movers. It is written under the
+ * name with a ~ behind it first, so that where saving fails a file of that name is as it was.
+ * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY for the time of the call;
+ * THUD_ERROR_INVALID where the file cannot be written. */
+THUD_API thud_result thud_world_save(thud_world *world, const char *path, const void *own,
+                                     size_t bytes);
+
+/* Reads it back, into this world or another one from the same def, as thud_world_restore does, and
+ * the caller's bytes to `own`. Fails as that does; THUD_ERROR_INVALID, too, for a file that is not
+ * there or cannot be read, is cut short, damaged or none of thud_world_save, and where it was saved
+ * with another number of bytes. Then world and `own` are as they were. */
+THUD_API thud_result thud_world_load(thud_world *world, const char *path, void *own, size_t bytes);
+
 #ifdef __cplusplus
 }
 #endif

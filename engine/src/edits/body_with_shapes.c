@@ -4,15 +4,15 @@
 
 #include "base/rotation.h"
 #include "base/trig.h"
+#include "edits/edit.h"
 #include "geometry/shape_instance.h"
 #include "state/body.h"
 #include "state/handles.h"
 #include "state/shape.h"
 
-/* The angle in (-pi, pi] whose cosine and sine these are, with the same bits everywhere: from one
- * that is off by at most 0.08, by Newton's steps, each of which leaves no more than a cube of that.
- */
-static double angle_of(double c, double s) {
+/* From an angle that is off by at most 0.08, by Newton's steps, each of which leaves no more than a
+ * cube of that. */
+double td_edit_angle_of(double c, double s) {
     double ahead = 1.0 - c / (td_abs(c) + td_abs(s));
     double angle = (s < 0.0 ? -0.5 : 0.5) * TD_PI * ahead;
     for (int i = 0; i < 4; i++) {
@@ -54,7 +54,8 @@ static thud_result create(thud_world *w, thud_body_id body, const thud_body_shap
     case THUD_AABB:
         return thud_shape_create_aabb(w, body, def, offset, half, out);
     case THUD_OBB:
-        return thud_shape_create_obb(w, body, def, offset, half, angle_of(at->c, at->s), out);
+        return thud_shape_create_obb(w, body, def, offset, half, td_edit_angle_of(at->c, at->s),
+                                     out);
     case THUD_TERRAIN:
         break;
     }

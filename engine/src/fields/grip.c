@@ -1,0 +1,49 @@
+/* grip.c: what brings a point of a body to a speed along an axis. */
+#include "fields/fields.h"
+
+#include "state/body.h"
+#include "state/handles.h"
+#include "state/shape.h"
+
+/* A vector of the body's frame, in the world's. */
+static thud_pos turned(const td_pose *pose, double x, double y) {
+    double c = (double)pose->c, s = (double)pose->s;
+    return (thud_pos){c * x - s * y, s * x + c * y};
+}
+
+thud_result thud_body_apply_grip(thud_world *w, thud_body_id id, thud_vec2 point, thud_vec2 axis,
+                                 float speed, float most) {
+    TD_IN_OWN_MODE;
+    td_adrift a;
+    thud_result result = td_adrift_find(w, id, &a);
+    if (result != THUD_OK) {
+        return result;
+    }
+    double x = (double)axis.x, y = (double)axis.y, length = __builtin_sqrt(x * x + y * y);
+    if (!td_shape_offset_valid(w, point) || !td_finite(length) || length == 0.0 ||
+        !(td_abs((double)speed) <= (double)THUD_FLOW_MAX * (double)w->unit) ||
+        !td_within(most, 0.0f, THUD_PUSH_MAX)) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "apply grip: point, axis, speed or force is out of range");
+    }
+    if (!a.heeds) {
+        return THUD_OK;
+    }
+    const td_body *body = td_body_at(w, a.index);
+    const td_pose *pose = td_pose_at(w, a.index);
+    double inv_mass = (double)body->inv_mass, inv_inertia = (double)body->inv_inertia;
+    thud_pos arm = turned(pose, (double)point.x - (double)body->center_x,
+                          (double)point.y - (double)body->center_y);
+    thud_pos n = turned(pose, x / length, y / length);
+    double turn = arm.x * n.y - arm.y * n.x; /* of a force along n */
+    /* What the step makes of the velocity along n, so far. */
+    double time = w->def.time_step, scale = (double)body->gravity_scale;
+    double to_x = scale * (double)w->def.gravity.x + inv_mass * (double)body->force[0];
+    double to_y = scale * (double)w->def.gravity.y + inv_mass * (double)body->force[1];
+    double beyond = n.x * (a.x + time * to_x) + n.y * (a.y + time * to_y) +
+                    turn * (a.turn + time * inv_inertia * (double)body->force[2]) - (double)speed;
+    double gives = inv_mass * (n.x * n.x + n.y * n.y) + inv_inertia * turn * turn;
+    double push = td_min_double(td_abs(beyond) / (time * gives), (double)most);
+    push = beyond > 0.0 ? -push : push;
+    return td_field_push(w, &a, (td_push){push * n.x, push * n.y, push * turn});
+}

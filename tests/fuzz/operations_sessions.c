@@ -1,0 +1,127 @@
+/* operations_sessions.c: worlds in files, and a rollback in a world of its own, which in the end is
+ * as if every input had come in time. */
+#include "operations.h"
+
+#include <thud/thud_forces.h>
+#include <thud/thud_make.h>
+#include <thud/thud_rollback.h>
+
+#include <stdio.h>
+#include <unistd.h>
+
+/* ---- files ---- */
+
+static void flip_byte(const char *path, unsigned dice) {
+    FILE *file = fopen(path, "r+b");
+    fseek(file, 0, SEEK_END);
+    long at = (long)(dice * 2654435761u >> 8) % ftell(file);
+    fseek(file, at, SEEK_SET);
+    int byte = fgetc(file);
+    fseek(file, at, SEEK_SET);
+    fputc(byte ^ 1, file);
+    fclose(file);
+}
+
+void play_saved(fuzz_session *s) {
+    char path[64];
+    snprintf(path, sizeof path, "fuzz-save-%d", (int)getpid());
+    uint64_t own[2] = {s->digest, next_byte(&s->bytes)}, back[2];
+    unsigned at = next_byte(&s->bytes);
+    TRY(s, thud_world_save(s->world, path, own, sizeof own));
+    if (s->result != THUD_OK) {
+        return;
+    }
+    memset(back, CALL_FILL, sizeof back);
+    TRY(s, thud_world_load(s->world, path, back, sizeof back / 2));
+    if (s->result != THUD_ERROR_INVALID) {
+        fuzz_fail(s, "a file is loaded with half of its own bytes");
+    }
+    flip_byte(path, at);
+    TRY(s, thud_world_load(s->world, path, back, sizeof back));
+    if (s->result != THUD_ERROR_INVALID) {
+        fuzz_fail(s, "a file that is damaged (%u) is loaded", at);
+    }
+    call_untouched(s, back, sizeof back);
+    flip_byte(path, at);
+    TRY(s, thud_world_load(s->world, path, back, sizeof back));
+    if (s->result != THUD_OK || memcmp(own, back, sizeof own) != 0) {
+        fuzz_fail(s, "what was saved is not loaded: %s", thud_result_text(s->result));
+    }
+    remove(path);
+}
+
+/* ---- rollback ---- */
+
+enum { STEPS = 24, DEPTH = 6 };
+
+static thud_result push_and_step(thud_world *world, const uint64_t *inputs, void *state) {
+    thud_body_id *balls = state;
+    for (int i = 0; i < 2; i++) {
+        thud_vec2 push = {(float)inputs[i] - 3, 1};
+        thud_body_apply_center_impulse(world, balls[i], push);
+    }
+    return thud_world_step(world);
+}
+
+static thud_world *make_balls(thud_body_id balls[2]) {
+    thud_world *world = COUNTED(thud_world_make((thud_vec2){0, -10}, &thud_quality_default));
+    thud_body_options ball = {.kind = THUD_DYNAMIC};
+    thud_body_make(world, thud_aabb_at(0, -1, 20, 1), NULL);
+    for (int i = 0; i < 2; i++) {
+        balls[i] = thud_body_make(world, thud_circle_at(i, 2, 0.5), &ball);
+    }
+    return world;
+}
+
+/* Inputs of both come by chance, each player's in order, at most DEPTH late. */
+void play_rollback(fuzz_session *s) {
+    thud_body_id balls[2], plain[2], copy[2];
+    thud_world *world = make_balls(balls), *straight = make_balls(plain);
+    thud_rollback_options options = {.step = push_and_step, .idle = 3, .depth = DEPTH};
+    thud_rollback *r = NULL;
+    uint64_t inputs[STEPS][2], hash = 0;
+    int64_t told[2] = {0, 0};
+    options.state = balls;
+    options.state_bytes = sizeof balls;
+    if (COUNTED(thud_rollback_create(world, &options, &r)) != THUD_OK) {
+        fuzz_fail(s, "no rollback is made");
+    }
+    for (int i = 0; i < STEPS; i++) {
+        inputs[i][0] = next_byte(&s->bytes) % 7;
+        inputs[i][1] = next_byte(&s->bytes) % 7;
+    }
+    while (COUNTED(thud_rollback_get(r)).steps < STEPS) {
+        unsigned byte = next_byte(&s->bytes);
+        bool made = false;
+        int64_t now = COUNTED(thud_rollback_get(r)).steps;
+        for (int player = 0; player < 2; player++) {
+            int64_t lag = byte >> 4 * player & 7, until = lag < DEPTH ? now - lag : now;
+            for (; told[player] <= until; told[player]++) {
+                uint64_t held = inputs[told[player]][player];
+                if (COUNTED(thud_rollback_input(r, player, told[player], held)) != THUD_OK) {
+                    fuzz_fail(s, "input %d is refused", (int)told[player]);
+                }
+            }
+        }
+        if (COUNTED(thud_rollback_advance(r, &made)) != THUD_OK || !made) {
+            fuzz_fail(s, "step %d is not made", (int)now);
+        }
+    }
+    for (int player = 0; player < 2; player++) {
+        for (; told[player] < STEPS; told[player]++) {
+            thud_rollback_input(r, player, told[player], inputs[told[player]][player]);
+        }
+    }
+    for (int i = 0; i < STEPS; i++) {
+        push_and_step(straight, inputs[i], plain);
+    }
+    if (COUNTED(thud_rollback_settle(r)) != THUD_OK ||
+        COUNTED(thud_rollback_at(r, STEPS, &hash, copy)) != THUD_OK ||
+        hash != thud_world_hash(straight) || hash != thud_world_hash(world)) {
+        fuzz_fail(s, "late inputs end elsewhere");
+    }
+    note_bits(s, hash);
+    COUNTED(thud_rollback_destroy(r));
+    thud_world_destroy(world);
+    thud_world_destroy(straight);
+}
