@@ -11,19 +11,20 @@ SAYS = {
     "the climber stands at 0.50\n"
     "the parcel rides at 2.00 and collected 1 coin\n"
     "the loudest thud: 17\n",
-    "brick_breaker": "0 bricks and 5 lives left after 77.7 s, score 450\n"
-    "hash d95cb9dea33354c5\n",
-    "car": "place 1: car 3 after 32.22 s\n"
-    "place 2: car 2 after 32.97 s\n"
-    "place 3: car 1 after 33.62 s\n"
-    "hash fed4dcbbe4b71f83\n",
+    "brick_breaker": "0 bricks and 5 lives left after 97.5 s, score 400\n"
+    "hash 90dcbe4902922b84\n",
+    "car": "place 1: car 3 after 31.95 s\n"
+    "place 2: car 2 after 32.63 s\n"
+    "place 3: car 1 after 33.57 s\n"
+    "hash 6a67c2687354d97d\n",
     "platformer": "8 of 8 coins in 14.25 s; the crate is at 4.60\n"
-    "hash 71ec5ee3e532304c\n",
+    "hash 21fb8160407b5347\n",
     "pool": "11 to 4 balls in 42 shots, 0 and 2 fouls\n"
-    "hash e6d9efd3790017c2\n",
-    "rollback": "2 to 3 rounds in 1214 frames\n"
-    "494 and 462 frames played again\n"
-    "0 unlike, hash eb56a57d52bb52c7\n",
+    "hash 8bb074e64117a16d\n",
+    "rollback": "3 to 2 rounds in 1037 steps\n"
+    "483 steps played again\n"
+    "420 steps played again\n"
+    "0 unlike, hash ee89e7b947148309\n",
     "save_load": "0 crates left after 1102 steps, hash 0dec804b7dbf5caa\n"
     "0 crates left after 1102 steps, hash 0dec804b7dbf5caa\n",
 }
