@@ -150,6 +150,8 @@ static void failed_save_leaves_the_file_as_it_was(void **state) {
     long bytes, after;
     thud_world *world = make_heap(&own);
     assert_int_equal(thud_world_save(world, "no such folder/" PATH, NULL, 0), THUD_ERROR_INVALID);
+    assert_int_equal(thud_world_save(world, ".", NULL, 0), THUD_ERROR_INVALID);
+    assert_false(is_there(".~"));
     OK(thud_world_save(world, PATH, &own, sizeof own));
     char *good = read_all(&bytes);
     run(world, 5);
